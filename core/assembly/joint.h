@@ -1,0 +1,88 @@
+// Where sections meet and what each of them is cut by. All of it is derived from a Model; nothing
+// is saved.
+#pragma once
+
+#include "core/geometry/polygon.h"
+#include "core/model/model.h"
+
+#include <memory>
+#include <vector>
+
+namespace fff {
+
+/// The intersection line of two mid-planes, in the world. `direction` is a unit vector; distances
+/// along the axis (mm) are counted from `point`.
+struct Axis
+{
+    Vec3 point = Vec3::Zero();
+    Vec3 direction = Vec3::UnitX();
+
+    Vec3 at(double s) const { return point + s * direction; }
+};
+
+/// A stretch of an axis inside a section. An end lies on the section's contour or on one of its
+/// holes.
+struct Interval
+{
+    double from = 0.0, to = 0.0; // mm along the axis, from < to
+    bool fromHole = false, toHole = false;
+};
+
+/// A stretch of an axis inside both sections, and the interval of each that it is part of.
+struct Overlap
+{
+    double from = 0.0, to = 0.0;
+    Interval a, b;
+};
+
+/// What two placed shapes share: depends on both (Shape, Frame) and on nothing else.
+struct Crossing
+{
+    Axis axis;
+    double angle = 0.0;            // between the planes, 0 … π/2
+    std::vector<Overlap> overlaps; // along the axis
+};
+
+enum class JointKind {
+    CrossLap,         // two half slits, each open where its section ends
+    ExtendedCrossLap, // one section reaches beyond the other: its slit runs from its contour to the
+                      // meeting point
+    Mortise,          // one closed slit, the other section passes through uncut
+    None,             // they meet but no slit lets them slide together: they collide
+};
+
+/// The cut that one section (host) makes for one overlap: a rectangle along the axis with square
+/// ends, in the host's frame coordinates.
+struct Slit
+{
+    Vec2 inner = Vec2::Zero(); // middle of its bottom: the meeting point
+    Vec2 mouth =
+        Vec2::Zero();   // middle of its open end, beyond the contour; of a mortise the other end
+    double width = 0.0; // mm
+    bool isOpen = true; // false: a mortise
+    int joint = 0;      // Joint::id
+    int overlap = 0;    // index into the joint's overlaps
+    int guest = 0;      // index of the other section in the Model
+
+    /// The four corners, counter-clockwise.
+    Polygon outline() const;
+    bool operator==(const Slit &other) const;
+};
+
+struct Joint
+{
+    int id = 0;       // 1 … n in the order of the model's sections; engraved on both mates
+    int a = 0, b = 0; // indices of the sections in the Model, a < b
+    JointKind kind = JointKind::CrossLap;
+    std::shared_ptr<const Crossing> crossing;
+    std::vector<double> meets; // of each overlap: where its two slits meet, mm along the axis
+};
+
+/// All joints of a model and the slits of each of its sections.
+struct Assembly
+{
+    std::vector<Joint> joints;
+    std::vector<std::vector<Slit>> slits; // one list a section of the model, in the joints' order
+};
+
+} // namespace fff

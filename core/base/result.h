@@ -1,0 +1,75 @@
+// Failures of geometry and files are data: every function that can fail for such a reason returns a
+// Result. The words a person reads are made from the code in ui and the command line
+// (core/io/error_text.h).
+#pragma once
+
+#include <string>
+#include <tl/expected.hpp>
+#include <vector>
+
+namespace fff {
+
+enum class ErrorCode {
+    CannotOpen,   // args: reason of the system
+    CannotWrite,  // args: reason of the system
+    NotAModel,    // the file is of no kind that we read
+    NewerVersion, // args: version of the file, newest that we read
+    Truncated,    // the file ends early; args: what was expected
+    BadSyntax,    // args: what was found, what was expected
+    BadValue,     // a value of the wrong type or out of its range; args: what was found, what was
+                  // expected
+    NonFinite,    // nan or infinity; args: what was found
+    BadCount,     // a count that no real file has; args: the count, the largest allowed
+    DegenerateFrame,  // the axes of a frame have no length or no plane
+    EmptyContour,     // a contour that encloses no area
+    BadContour,       // wrong number of control points; args: found, expected
+    UnknownReference, // an id that names nothing; args: the id
+    DuplicateId,      // args: the id
+    NearlyParallel,   // two planes meet at less than kMinJointAngle
+    SelfCrossing,     // a contour crosses itself where that is not allowed
+    TooLarge,         // a part that fits no sheet; args: part, its size, the sheet's size
+    NothingToExport,  // no section, so no part
+    UnknownCommand,   // args: the command's id
+    BadEvent,         // an event that makes no sense here; args: what, what was expected
+    Unsupported,      // args: what
+};
+
+/// place: where it went wrong: "file:line", a JSON path, a section's name, or empty.
+struct Error
+{
+    ErrorCode code = ErrorCode::BadValue;
+    std::string place;
+    std::vector<std::string> args;
+
+    bool operator==(const Error &) const = default;
+};
+
+template <class T>
+using Result = tl::expected<T, Error>;
+
+inline tl::unexpected<Error> failure(ErrorCode code, std::string place = {},
+                                     std::vector<std::string> args = {})
+{
+    return tl::unexpected<Error>(Error{code, std::move(place), std::move(args)});
+}
+
+/// What was read but not quite as it stood: the model is complete, something in it was mended.
+enum class WarningCode {
+    SkewFrame,           // a frame was made orthonormal, its contour re-expressed
+    SelfCrossingContour, // the largest non-zero region of a contour was kept
+    HoleOutside,         // a hole that does not lie in its contour was left out
+    DegenerateHole,      // a hole without area was left out
+    TrailingLines,       // text after the last section was ignored
+    CountMismatch,       // reserved for headers whose count is not that of the file
+};
+
+struct Warning
+{
+    WarningCode code = WarningCode::SkewFrame;
+    std::string place;
+    std::vector<std::string> args;
+
+    bool operator==(const Warning &) const = default;
+};
+
+} // namespace fff

@@ -1,0 +1,1 @@
+# Only headers: result.h, ids.h, tolerances.h, units.h

@@ -1,0 +1,58 @@
+// A section with its slits cut: what is drawn in the view and what is sent to the machine.
+#pragma once
+
+#include "core/assembly/joint.h"
+#include "core/geometry/boolean.h"
+#include "core/model/shape.h"
+
+#include <memory>
+#include <mutex>
+#include <vector>
+
+namespace fff {
+
+/// Immutable; shared for as long as shape and slits stay the same, so its address tells what to
+/// redraw.
+class CutSection
+{
+public:
+    explicit CutSection(std::vector<CurvedRegion> parts);
+
+    /// Connected pieces of contour − holes − slits, largest first; usually one. Frame coordinates,
+    /// mm.
+    const std::vector<CurvedRegion> &parts() const { return m_parts; }
+    /// Of each part's region, computed at first use, once, from any thread.
+    const std::vector<Triangulation> &triangulations() const;
+    double area() const;
+
+private:
+    std::vector<CurvedRegion> m_parts;
+    mutable std::once_flag m_once;
+    mutable std::vector<Triangulation> m_triangulations;
+};
+
+using CutSectionPointer = std::shared_ptr<const CutSection>;
+
+/// Keeps cut sections by (Shape, slits). Holds shapes weakly; bounded (least recently used goes
+/// first). Not for several threads at once.
+class CutCache
+{
+public:
+    CutCache();
+    ~CutCache();
+    CutCache(CutCache &&) noexcept;
+    CutCache &operator=(CutCache &&) noexcept;
+
+    struct Data;
+    Data &data() { return *m_data; }
+
+private:
+    std::unique_ptr<Data> m_data;
+};
+
+/// The shape minus the slits, on chords of kCutChord. From the cache when it has been asked for
+/// before.
+CutSectionPointer cutSection(const ShapePointer &shape, const std::vector<Slit> &slits,
+                             CutCache &cache);
+
+} // namespace fff

@@ -1,0 +1,32 @@
+// What is cut: every connected piece of a section after its slits, with the marks engraved on it.
+#pragma once
+
+#include "core/fabrication/cut_section.h"
+#include "core/model/model.h"
+
+namespace fff {
+
+struct Part
+{
+    int number = 0;  // 1 … n over the whole model, engraved
+    int section = 0; // index in the Model
+    StockId stock;
+    CurvedRegion outline; // as designed: contour − holes − slits, clearance included, kerf not
+
+    /// A joint's number beside its slit; the same at both mates.
+    struct JointMark
+    {
+        int joint = 0;
+        Vec2 inner = Vec2::Zero();     // of the slit, frame coordinates
+        Vec2 direction = Vec2::Zero(); // from mouth to inner, unit
+        double width = 0.0;            // of the slit
+    };
+    std::vector<JointMark> joints;
+};
+
+/// All parts of a model, by section, larger ones of a section first. `cuts` and `assembly` belong
+/// to it. A slit's mark goes to the part that its bottom touches.
+std::vector<Part> makeParts(const Model &model, const Assembly &assembly,
+                            const std::vector<CutSectionPointer> &cuts);
+
+} // namespace fff

@@ -1,0 +1,57 @@
+#include "core/geometry/moments.h"
+
+#include <array>
+
+namespace fff {
+
+namespace {
+// Gauss-Legendre, 6 points on [0,1]: exact to degree 11, which is that of x²y·x' of a cubic.
+constexpr std::array<double, 6> kNodes = {0.033765242898423975, 0.16939530676686776,
+                                          0.38069040695840156,  0.61930959304159844,
+                                          0.83060469323313224,  0.96623475710157603};
+constexpr std::array<double, 6> kWeights = {0.085662246189585178, 0.18038078652406930,
+                                            0.23395696728634552,  0.23395696728634552,
+                                            0.18038078652406930,  0.085662246189585178};
+} // namespace
+
+Moments &Moments::operator+=(const Moments &other)
+{
+    area += other.area;
+    first += other.first;
+    xx += other.xx;
+    xy += other.xy;
+    yy += other.yy;
+    return *this;
+}
+
+Moments moments(const Contour &contour)
+{
+    Moments m;
+    if (contour.segmentCount() == 0)
+        return m;
+    // About the first point, so that a small contour far from the origin loses no digits.
+    const Vec2 base = contour.points().front();
+    for (int i = 0; i < contour.segmentCount(); ++i) {
+        const CubicBezier curve = contour.segment(i);
+        for (std::size_t k = 0; k < kNodes.size(); ++k) {
+            const Vec2 p = curve.at(kNodes[k]) - base;
+            const Vec2 d = curve.derivative(kNodes[k]);
+            const double w = kWeights[k];
+            m.area += w * 0.5 * (p.x() * d.y() - p.y() * d.x());
+            m.first.x() += w * 0.5 * p.x() * p.x() * d.y();
+            m.first.y() -= w * 0.5 * p.y() * p.y() * d.x();
+            m.xx += w * p.x() * p.x() * p.x() * d.y() / 3.0;
+            m.yy -= w * p.y() * p.y() * p.y() * d.x() / 3.0;
+            m.xy += w * 0.5 * p.x() * p.x() * p.y() * d.y();
+        }
+    }
+    Moments shifted = m;
+    shifted.first = m.first + m.area * base;
+    shifted.xx = m.xx + 2.0 * base.x() * m.first.x() + m.area * base.x() * base.x();
+    shifted.yy = m.yy + 2.0 * base.y() * m.first.y() + m.area * base.y() * base.y();
+    shifted.xy =
+        m.xy + base.x() * m.first.y() + base.y() * m.first.x() + m.area * base.x() * base.y();
+    return shifted;
+}
+
+} // namespace fff

@@ -1,0 +1,91 @@
+#include "core/geometry/polygon.h"
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+
+namespace fff {
+
+namespace {
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+
+/// Exact: on which side of the line from a to b lies p. Positive is left.
+int orientation(const Vec2 &a, const Vec2 &b, const Vec2 &p)
+{
+    return static_cast<int>(CGAL::orientation(Kernel::Point_2(a.x(), a.y()),
+                                              Kernel::Point_2(b.x(), b.y()),
+                                              Kernel::Point_2(p.x(), p.y())));
+}
+
+} // namespace
+
+double signedArea(const Polygon &polygon)
+{
+    if (polygon.empty())
+        return 0.0;
+    // About the first point, so that a small polygon far from the origin loses no digits.
+    const Vec2 base = polygon.front();
+    double sum = 0.0;
+    for (std::size_t i = 0, j = polygon.size() - 1; i < polygon.size(); j = i++)
+        sum += cross(polygon[j] - base, polygon[i] - base);
+    return 0.5 * sum;
+}
+
+double area(const Region &region)
+{
+    double result = std::abs(signedArea(region.outer));
+    for (const Polygon &hole : region.holes)
+        result -= std::abs(signedArea(hole));
+    return result;
+}
+
+Box2 bounds(const Polygon &polygon)
+{
+    Box2 box;
+    for (const Vec2 &p : polygon)
+        box.extend(p);
+    return box;
+}
+
+Side locate(const Vec2 &point, const Polygon &polygon)
+{
+    bool inside = false;
+    for (std::size_t i = 0, j = polygon.size() - 1; i < polygon.size(); j = i++) {
+        const Vec2 &a = polygon[j];
+        const Vec2 &b = polygon[i];
+        if (point == a)
+            return Side::Boundary;
+        if ((a.y() <= point.y()) == (b.y() <= point.y())) {
+            // Only an edge at the very height of the point can still contain it.
+            if (a.y() == point.y() && b.y() == point.y() && std::min(a.x(), b.x()) <= point.x() &&
+                point.x() <= std::max(a.x(), b.x()))
+                return Side::Boundary;
+            continue;
+        }
+        const int side = orientation(a, b, point);
+        if (side == 0)
+            return Side::Boundary;
+        if ((b.y() > a.y()) == (side > 0))
+            inside = !inside;
+    }
+    return inside ? Side::Inside : Side::Outside;
+}
+
+Side locate(const Vec2 &point, const Region &region)
+{
+    const Side outer = locate(point, region.outer);
+    if (outer != Side::Inside)
+        return outer;
+    for (const Polygon &hole : region.holes) {
+        switch (locate(point, hole)) {
+        case Side::Inside:
+            return Side::Outside;
+        case Side::Boundary:
+            return Side::Boundary;
+        case Side::Outside:
+            break;
+        }
+    }
+    return Side::Inside;
+}
+
+} // namespace fff

@@ -1,0 +1,2 @@
+target_sources(fff_io PRIVATE
+)

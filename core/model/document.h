@@ -1,0 +1,66 @@
+// The document: a value, cheap to copy, never changed in place (edits.h makes the next one).
+#pragma once
+
+#include "core/model/section.h"
+#include "core/model/stock.h"
+
+#include <memory>
+#include <vector>
+
+namespace fff {
+
+/// A mass at a point of a section.
+struct Weight
+{
+    WeightId id;
+    SectionRef section;
+    Vec2 position = Vec2::Zero(); // frame coordinates of the section, mm
+    double mass = 0.35;           // kg
+
+    bool operator==(const Weight &other) const
+    {
+        return id == other.id && section == other.section && position == other.position &&
+               mass == other.mass;
+    }
+};
+
+/// Parameters of one procedural operation. No kind exists yet; each will be a subclass of its own
+/// in core/operations, and is kept here so that documents hold them in their order from the start.
+struct Operation
+{
+    virtual ~Operation() = default;
+
+    OperationId id;
+    std::string kind;
+    int version = 1;
+    std::string name;
+};
+
+/// Order of `sections` is that of drawing. Every section's stock is in `stocks`; `currentStock` is
+/// that of the next section. `nextId` is larger than every id ever given here.
+struct Document
+{
+    std::vector<SectionPointer> sections;
+    std::vector<std::shared_ptr<const Stock>> stocks;
+    std::vector<std::shared_ptr<const Operation>> operations;
+    std::vector<Weight> weights;
+    StockId currentStock;
+    std::int64_t nextId = 1;
+
+    /// Null when there is none.
+    const Section *find(SectionId id) const;
+    const Stock *find(StockId id) const;
+    /// Of a section of this document.
+    const Stock &stockOf(const Section &section) const;
+
+    /// Same objects (pointers), not same values: what "nothing changed" means for undo and
+    /// redrawing.
+    bool isSame(const Document &other) const;
+    /// Same values: what a file that was written and read again must show.
+    bool operator==(const Document &other) const;
+};
+
+/// An empty document with birch plywood.
+Document newDocument();
+
+} // namespace fff

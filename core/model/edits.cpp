@@ -1,0 +1,182 @@
+#include "core/model/edits.h"
+
+#include <algorithm>
+
+namespace fff {
+
+namespace {
+
+template <class Tag>
+tl::unexpected<Error> unknown(Id<Tag> id)
+{
+    return failure(ErrorCode::UnknownReference, std::to_string(id.value),
+                   {std::to_string(id.value)});
+}
+
+/// "Section N" with the smallest N above the number of sections that no section has.
+std::string freeName(const Document &document)
+{
+    for (std::size_t n = document.sections.size() + 1;; ++n) {
+        std::string name = "Section " + std::to_string(n);
+        if (std::none_of(document.sections.begin(), document.sections.end(),
+                         [&](const SectionPointer &s) { return s->name == name; }))
+            return name;
+    }
+}
+
+/// Copies the section, lets `change` alter the copy and puts it in place, unless nothing changed.
+template <class Change>
+Result<Document> changeSection(Document document, SectionId id, Change change)
+{
+    for (SectionPointer &pointer : document.sections) {
+        if (pointer->id != id)
+            continue;
+        Section next = *pointer;
+        change(next);
+        if (next.shape != pointer->shape || !(next == *pointer))
+            pointer = std::make_shared<const Section>(std::move(next));
+        return document;
+    }
+    return unknown(id);
+}
+
+/// The first field of a stock that no sheet can have, or null.
+const char *invalidField(const Stock &s)
+{
+    const auto positive = [](double v) { return std::isfinite(v) && v > 0.0; };
+    const auto ratedOrNone = [&](const std::optional<double> &v) { return !v || positive(*v); };
+    if (!positive(s.thickness))
+        return "thickness";
+    if (!positive(s.density))
+        return "density";
+    if (!ratedOrNone(s.tensileStrength))
+        return "tensileStrength";
+    if (!ratedOrNone(s.flexuralStrength))
+        return "flexuralStrength";
+    if (!ratedOrNone(s.modulus))
+        return "modulus";
+    if (!(std::isfinite(s.kerf) && s.kerf >= 0.0))
+        return "kerf";
+    if (!std::isfinite(s.clearance))
+        return "clearance";
+    if (!positive(s.sheet.x()) || !positive(s.sheet.y()))
+        return "sheet";
+    return nullptr;
+}
+
+} // namespace
+
+Result<Document> addSection(Document document, NewSection section)
+{
+    if (!section.shape)
+        return failure(ErrorCode::EmptyContour, section.name);
+    const StockId stock = section.stock.isValid() ? section.stock : document.currentStock;
+    if (!document.find(stock))
+        return unknown(stock);
+    Section next;
+    next.id = SectionId{document.nextId++};
+    next.name = section.name.empty() ? freeName(document) : std::move(section.name);
+    next.parent = std::move(section.parent);
+    next.shape = std::move(section.shape);
+    next.frame = section.frame;
+    next.stock = stock;
+    document.sections.push_back(std::make_shared<const Section>(std::move(next)));
+    return document;
+}
+
+Result<Document> removeSections(Document document, std::span<const SectionId> ids)
+{
+    const auto isRemoved = [&](SectionId id) {
+        return std::find(ids.begin(), ids.end(), id) != ids.end();
+    };
+    for (SectionId id : ids) {
+        if (!document.find(id))
+            return unknown(id);
+    }
+    std::erase_if(document.sections, [&](const SectionPointer &s) { return isRemoved(s->id); });
+    std::erase_if(document.weights, [&](const Weight &w) { return isRemoved(w.section.drawn); });
+    for (SectionPointer &pointer : document.sections) {
+        if (pointer->parent && isRemoved(pointer->parent->section.drawn)) {
+            Section orphan = *pointer;
+            orphan.parent.reset();
+            pointer = std::make_shared<const Section>(std::move(orphan));
+        }
+    }
+    return document;
+}
+
+Result<Document> moveSection(Document document, SectionId id, const Frame &frame)
+{
+    return changeSection(std::move(document), id, [&](Section &s) { s.frame = frame; });
+}
+
+Result<Document> setShape(Document document, SectionId id, ShapePointer shape)
+{
+    if (!shape)
+        return failure(ErrorCode::EmptyContour, std::to_string(id.value));
+    return changeSection(std::move(document), id, [&](Section &s) { s.shape = std::move(shape); });
+}
+
+Result<Document> renameSection(Document document, SectionId id, std::string name)
+{
+    return changeSection(std::move(document), id, [&](Section &s) { s.name = std::move(name); });
+}
+
+Result<Document> setSectionStock(Document document, SectionId id, StockId stock)
+{
+    if (!document.find(stock))
+        return unknown(stock);
+    return changeSection(std::move(document), id, [&](Section &s) { s.stock = stock; });
+}
+
+Result<Document> addStock(Document document, Stock stock)
+{
+    if (const char *field = invalidField(stock))
+        return failure(ErrorCode::BadValue, field);
+    stock.id = StockId{document.nextId++};
+    document.currentStock = stock.id;
+    document.stocks.push_back(std::make_shared<const Stock>(std::move(stock)));
+    return document;
+}
+
+Result<Document> setStock(Document document, Stock stock)
+{
+    if (const char *field = invalidField(stock))
+        return failure(ErrorCode::BadValue, field);
+    for (std::shared_ptr<const Stock> &pointer : document.stocks) {
+        if (pointer->id != stock.id)
+            continue;
+        if (!(*pointer == stock))
+            pointer = std::make_shared<const Stock>(std::move(stock));
+        return document;
+    }
+    return unknown(stock.id);
+}
+
+Result<Document> setCurrentStock(Document document, StockId id)
+{
+    if (!document.find(id))
+        return unknown(id);
+    document.currentStock = id;
+    return document;
+}
+
+Result<Document> addWeight(Document document, Weight weight)
+{
+    if (!(std::isfinite(weight.mass) && weight.mass > 0.0))
+        return failure(ErrorCode::BadValue, "mass");
+    if (weight.section.drawn.isValid() && !document.find(weight.section.drawn))
+        return unknown(weight.section.drawn);
+    weight.id = WeightId{document.nextId++};
+    document.weights.push_back(std::move(weight));
+    return document;
+}
+
+Result<Document> removeWeight(Document document, WeightId id)
+{
+    if (std::erase_if(document.weights, [id](const Weight &w) { return w.id == id; }) == 0)
+        return unknown(id);
+    return document;
+}
+
+} // namespace fff

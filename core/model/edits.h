@@ -1,0 +1,42 @@
+// The pure edits: each takes a document and returns the next one. Sections that an edit does not
+// touch keep their pointers; an edit that changes nothing returns the document as it came (isSame).
+// Errors of all: UnknownReference, place = the id, when a section, stock or weight is not there.
+#pragma once
+
+#include "core/model/document.h"
+
+#include <span>
+
+namespace fff {
+
+struct NewSection
+{
+    std::string name; // empty: "Section N", N the number of the next free one
+    std::optional<Parent> parent;
+    ShapePointer shape;
+    Frame frame;
+    StockId stock; // invalid: the document's current one
+};
+
+/// Appends a section; its id is the document's nextId. Errors also: UnknownReference of its stock,
+/// EmptyContour without a shape.
+Result<Document> addSection(Document document, NewSection section);
+/// Removes sections; children of a removed one stay, as sections without a parent; weights on it
+/// go.
+Result<Document> removeSections(Document document, std::span<const SectionId> ids);
+Result<Document> moveSection(Document document, SectionId id, const Frame &frame);
+Result<Document> setShape(Document document, SectionId id, ShapePointer shape);
+Result<Document> renameSection(Document document, SectionId id, std::string name);
+Result<Document> setSectionStock(Document document, SectionId id, StockId stock);
+
+/// Appends a stock (its id is given) and makes it the current one.
+Result<Document> addStock(Document document, Stock stock);
+/// Replaces the stock with the same id. BadValue, place "thickness" and so on, when not positive.
+Result<Document> setStock(Document document, Stock stock);
+Result<Document> setCurrentStock(Document document, StockId id);
+
+/// Appends a weight (its id is given). BadValue when the mass is not positive.
+Result<Document> addWeight(Document document, Weight weight);
+Result<Document> removeWeight(Document document, WeightId id);
+
+} // namespace fff

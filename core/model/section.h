@@ -1,0 +1,62 @@
+// One planar section of a document, and how a section is named from elsewhere.
+#pragma once
+
+#include "core/base/ids.h"
+#include "core/geometry/frame.h"
+#include "core/model/shape.h"
+
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace fff {
+
+/// A drawn section by its id, or one that an operation made by the operation's id and a structural
+/// key ("3", "branch/1/0"). Survives re-evaluation; may name nothing for a while (dormant).
+struct SectionRef
+{
+    SectionId drawn; // valid: a drawn section, and the rest is empty
+    OperationId operation;
+    std::string key;
+
+    SectionRef() = default;
+    SectionRef(SectionId id) : drawn(id) {}
+    SectionRef(OperationId id, std::string instance) : operation(id), key(std::move(instance)) {}
+
+    auto operator<=>(const SectionRef &) const = default;
+};
+
+/// On which section one was drawn, and the slit's segment there, from inside to where the stroke
+/// left, in the parent's frame coordinates (mm).
+struct Parent
+{
+    SectionRef section;
+    Vec2 slitFrom = Vec2::Zero();
+    Vec2 slitTo = Vec2::Zero();
+
+    bool operator==(const Parent &other) const
+    {
+        return section == other.section && slitFrom == other.slitFrom && slitTo == other.slitTo;
+    }
+};
+
+struct Section
+{
+    SectionId id;
+    std::string name;
+    std::optional<Parent> parent;
+    ShapePointer shape; // never null in a document
+    Frame frame;
+    StockId stock;
+
+    /// Same values; shapes are compared by their curves.
+    bool operator==(const Section &other) const;
+};
+
+using SectionPointer = std::shared_ptr<const Section>;
+
+/// Box of the section's mid-plane region in the world, mm. The slab reaches half a thickness
+/// further.
+Box3 worldBounds(const Shape &shape, const Frame &frame);
+
+} // namespace fff

@@ -1,0 +1,67 @@
+#include "core/model/shape.h"
+
+#include "core/base/tolerances.h"
+
+namespace fff {
+
+Result<ShapePointer> Shape::make(Contour contour, std::vector<Contour> holes)
+{
+    const std::shared_ptr<Shape> shape(new Shape);
+    const double contourArea = contour.signedArea();
+    if (!(std::abs(contourArea) >= kMinArea))
+        return failure(ErrorCode::EmptyContour);
+    shape->m_contour = contourArea > 0.0 ? std::move(contour) : contour.reversed();
+    shape->m_moments = fff::moments(shape->m_contour);
+    for (Contour &hole : holes) {
+        shape->m_holes.push_back(hole.signedArea() < 0.0 ? std::move(hole) : hole.reversed());
+        shape->m_moments += fff::moments(shape->m_holes.back());
+    }
+    if (!(shape->m_moments.area >= kMinArea))
+        return failure(ErrorCode::EmptyContour);
+    return shape;
+}
+
+int Shape::controlPointCount() const
+{
+    std::size_t count = m_contour.points().size();
+    for (const Contour &hole : m_holes)
+        count += hole.points().size();
+    return static_cast<int>(count);
+}
+
+const Region &Shape::region() const
+{
+    std::call_once(m_regionOnce, [this] {
+        m_region = flatten(kCutChord);
+        m_bounds = fff::bounds(m_region.outer);
+    });
+    return m_region;
+}
+
+const Box2 &Shape::bounds() const
+{
+    region();
+    return m_bounds;
+}
+
+const Triangulation &Shape::triangulation() const
+{
+    std::call_once(m_triangulationOnce, [this] { m_triangulation = triangulate(region()); });
+    return m_triangulation;
+}
+
+Region Shape::flatten(double tolerance) const
+{
+    Region region;
+    region.outer = m_contour.flatten(tolerance).points;
+    for (const Contour &hole : m_holes)
+        region.holes.push_back(hole.flatten(tolerance).points);
+    return region;
+}
+
+bool Shape::operator==(const Shape &other) const
+{
+    return this == &other || (m_contour == other.m_contour && m_holes == other.m_holes);
+}
+
+} // namespace fff

@@ -1,0 +1,8 @@
+target_sources(fff_core PRIVATE
+    model/document.cpp
+    model/edits.cpp
+    model/model.cpp
+    model/section.cpp
+    model/shape.cpp
+    model/stock.cpp
+)

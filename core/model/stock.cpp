@@ -1,0 +1,32 @@
+#include "core/model/stock.h"
+
+namespace fff {
+
+Stock birchPlywood()
+{
+    Stock stock;
+    stock.name = "Birch plywood";
+    stock.thickness = 3.0;
+    stock.density = 660.0;
+    // Across the grain, the weaker way, of film-faced birch plywood.
+    stock.tensileStrength = 25.0;
+    stock.flexuralStrength = 30.0;
+    stock.modulus = 4000.0;
+    stock.kerf = 0.20;
+    return stock;
+}
+
+Stock flatfabAcrylic()
+{
+    Stock stock;
+    stock.name = "Acrylic";
+    stock.thickness = 3.175;
+    stock.density = 1190.0;
+    stock.tensileStrength = 60.0;
+    stock.flexuralStrength = 60.0;
+    stock.modulus = 2800.0;
+    stock.kerf = 0.15;
+    return stock;
+}
+
+} // namespace fff

@@ -1,0 +1,3 @@
+target_sources(fff_core PRIVATE
+    operations/evaluate.cpp
+)

@@ -1,0 +1,63 @@
+// The current model, its history and what is derived from it, for one open document. Holds no
+// widget.
+#pragma once
+
+#include "core/base/result.h"
+#include "core/model/model.h"
+#include "core/session/analysis.h"
+
+#include <QObject>
+#include <QUndoStack>
+
+#include <cstdint>
+#include <memory>
+
+namespace fff {
+
+class Session : public QObject
+{
+    Q_OBJECT
+public:
+    explicit Session(QObject *parent = nullptr);
+    ~Session() override;
+
+    /// What is shown: the preview while one runs, else the committed model.
+    const Model &model() const;
+    const Model &committed() const;
+    bool hasPreview() const;
+
+    /// Another document (New, Open): the history starts anew and is clean; announced as one change.
+    void reset(Document document);
+    /// Shows `document` without a step. Each preview starts from the committed document.
+    void preview(Document document);
+    void cancelPreview();
+    /// One undo step named `text`, from the committed document to this one. No step when it is the
+    /// same document (Document::isSame). Ends a preview.
+    void commit(const QString &text, Document document);
+
+    /// Undo, redo, jump: every change of index is announced once, from where it was to where it is.
+    QUndoStack *history() const;
+    bool isClean() const;
+    void setClean(); // saved
+
+    /// Counts up with every change of model().
+    std::uint64_t revision() const;
+
+    /// The newest finished analysis (of an older revision while one is running). Computed on a
+    /// worker: one runs, the newest request waits, others are dropped.
+    const Analysis &analysis() const;
+    std::uint64_t analysedRevision() const;
+    /// Blocks until analysis() belongs to revision(): for exports and the command line.
+    const Analysis &currentAnalysis();
+
+Q_SIGNALS:
+    void modelChanged(const fff::Model &before, const fff::Model &after);
+    void analysisChanged();
+    void cleanChanged(bool clean);
+
+private:
+    class Private;
+    std::unique_ptr<Private> d;
+};
+
+} // namespace fff
