@@ -20,12 +20,23 @@ struct Axis
     Vec3 at(double s) const { return point + s * direction; }
 };
 
-/// A stretch of an axis inside a section. An end lies on the section's contour or on one of its
-/// holes.
+/// Where an axis crosses the boundary of a section: `edge` of the shape's region() from vertex
+/// `edge` to the next one, of the contour (ring 0) or of hole ring − 1.
+struct AxisEnd
+{
+    double at = 0.0; // mm along the axis
+    int ring = 0;
+    int edge = 0;
+
+    bool isOnHole() const { return ring > 0; }
+};
+
+/// A stretch of an axis inside a section.
 struct Interval
 {
-    double from = 0.0, to = 0.0; // mm along the axis, from < to
-    bool fromHole = false, toHole = false;
+    AxisEnd from, to; // from.at < to.at
+
+    double length() const { return to.at - from.at; }
 };
 
 /// A stretch of an axis inside both sections, and the interval of each that it is part of.

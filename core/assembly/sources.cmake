@@ -1,2 +1,7 @@
 target_sources(fff_core PRIVATE
+    assembly/assembly.cpp
+    assembly/crossing.cpp
+    assembly/intervals.cpp
+    assembly/joint.cpp
+    assembly/slits.cpp
 )

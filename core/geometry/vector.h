@@ -1,7 +1,7 @@
 // Points and directions. Columns of Eigen; mm unless said otherwise.
 #pragma once
 
-#include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <limits>
 #include <vector>
 

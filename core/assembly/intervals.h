@@ -1,0 +1,41 @@
+// Where a line in a section's plane runs inside of the section.
+#pragma once
+
+#include "core/assembly/joint.h"
+
+#include <optional>
+
+namespace fff {
+
+/// A directed line in a section's plane: `point` is where the axis counts from, `direction` a unit
+/// vector.
+struct PlaneLine
+{
+    Vec2 point = Vec2::Zero();
+    Vec2 direction = Vec2::UnitX();
+
+    double along(const Vec2 &p) const { return direction.dot(p - point); }
+    double across(const Vec2 &p) const { return cross(direction, p - point); } // positive: left
+    Vec2 at(double s) const { return point + s * direction; }
+};
+
+/// The line in which two planes meet, counted from its point nearest to the middle of both origins;
+/// direction = normal(a) × normal(b). Nothing for planes that meet at less than kMinJointAngle.
+std::optional<Axis> intersectionAxis(const Frame &a, const Frame &b);
+
+/// The axis seen in a frame that contains it.
+PlaneLine lineInFrame(const Axis &axis, const Frame &frame);
+
+/// The stretches of the line strictly inside the region, in their order along it. On which side of
+/// the line a vertex lies is decided exactly; a vertex on the line counts once for each side and
+/// only what both agree on is inside, so an edge that runs along the line is not. O(vertices).
+std::vector<Interval> intervalsOn(const PlaneLine &line, const Region &region);
+
+/// How far along the line, towards `sign` (±1), the boundary reaches that closes the strip |across|
+/// ≤ halfWidth at `end`: the largest sign·along on the boundary from `end` to where it leaves the
+/// strip (or turns back behind `floor`). What a slit of that width must be long for to open all
+/// across.
+double mouthReach(const PlaneLine &line, const Region &region, const AxisEnd &end, double halfWidth,
+                  double floor, int sign);
+
+} // namespace fff

@@ -1,0 +1,53 @@
+// Which way the slits of a joint open, and the slits themselves.
+#pragma once
+
+#include "core/assembly/joint.h"
+#include "core/base/result.h"
+
+namespace fff {
+
+/// Width of the slit in `host` through which `guest` can slide.
+///
+///     width = (t_guest + t_host |cos a|) / sin a + clearance,   a = angle between the two planes
+///
+/// Units   thicknesses, clearance and result in mm; a in radians. Kerf is not in here: it offsets
+/// every
+///         cut path.
+/// Errors  NearlyParallel when a < kMinJointAngle: the slit would be wider than the part.
+/// Source  the slab of the guest, seen on both faces of the host's: walls are cut square to the
+/// sheet, so
+///         the slit must hold the guest's trace on the upper and on the lower face at once.
+Result<double> slitWidth(double hostThickness, double guestThickness, double angle,
+                         double clearance);
+
+/// What the choice of sides and the slits follow from; a is the joint's a, b its b.
+struct JointSide
+{
+    const Section &section;
+    double thickness = 0.0; // mm
+    double clearance = 0.0; // mm, of its stock
+};
+
+struct JointSlits
+{
+    JointKind kind = JointKind::None;
+    std::vector<double> meets; // of each overlap, mm along the axis
+    std::vector<Slit> a, b;    // joint, guest are left for the caller to set
+};
+
+/// The default slits of a crossing with at least one overlap.
+///
+/// Slid together along the axis, one section keeps its material below the meeting point, the other
+/// above it. With a open upwards (along the axis' direction), a's slit runs from the meeting point
+/// to the upper end of a's interval and b's from the lower end of b's interval to the meeting
+/// point, whatever the intervals; where a section ends inside the other, that is the ordinary half
+/// slit, where it reaches beyond, the slit is extended. So of the two ways the one is taken that
+/// cuts less beyond the overlaps (summed over all of them: they slide one way), as long as all its
+/// slits open to the outside, not into a hole. Both equal to kEqualEnds: the section with the lower
+/// id (`aIsLower`) opens upwards in the world. No way open: the section that passes through goes
+/// uncut through a mortise, where its end fits; else None. Local: it depends on these two sections
+/// only, so an edit elsewhere never flips a slit.
+JointSlits cutSlits(const Crossing &crossing, const JointSide &a, const JointSide &b,
+                    bool aIsLower);
+
+} // namespace fff
