@@ -1,2 +1,3 @@
 target_sources(fff_session PRIVATE
+    analysis.cpp
 )
