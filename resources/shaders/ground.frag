@@ -1,0 +1,37 @@
+#version 330 core
+in vec2 ground;
+uniform vec2 centre;
+uniform float radius;
+uniform float spacing; // of the fine lines, mm; every fifth is a strong one
+uniform float lineWidth; // device pixels
+uniform vec3 fine;
+uniform vec3 strong;
+uniform sampler2D shadow;
+uniform vec4 shadowBox; // x, z of its corner, and size in mm
+uniform vec4 shadowColour; // not premultiplied
+out vec4 colour;
+
+float lines(float step)
+{
+    vec2 perPixel = fwidth(ground);
+    vec2 distance = abs(fract(ground / step + 0.5) - 0.5) * step / max(perPixel, vec2(1e-9));
+    vec2 cover = clamp(0.5 * lineWidth + 0.5 - distance, 0.0, 1.0);
+    // Where lines come closer than a few pixels they would become a tone of their own: let them go.
+    cover *= smoothstep(3.0, 9.0, step / max(perPixel, vec2(1e-9)));
+    return max(cover.x, cover.y);
+}
+
+void main()
+{
+    float fade = 1.0 - smoothstep(0.15, 1.0, length(ground - centre) / radius);
+    float fineCover = lines(spacing) * 0.8 * fade;
+    float strongCover = lines(5.0 * spacing) * fade;
+    vec2 place = (ground - shadowBox.xy) / shadowBox.zw;
+    vec2 taken = all(greaterThan(place, vec2(0.0))) && all(lessThan(place, vec2(1.0)))
+                     ? texture(shadow, place).rg : vec2(0.0);
+    float dark = shadowColour.a * clamp(0.55 * taken.r + 0.75 * taken.g, 0.0, 1.0);
+
+    colour = vec4(fine, 1.0) * fineCover;
+    colour = vec4(strong, 1.0) * strongCover + colour * (1.0 - strongCover);
+    colour = vec4(shadowColour.rgb, 1.0) * dark + colour * (1.0 - dark);
+}

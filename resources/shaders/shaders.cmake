@@ -1,0 +1,12 @@
+# Embedded in fff_view as :/shaders/NAME.
+qt_add_resources(fff_view shaders PREFIX /shaders BASE ${CMAKE_CURRENT_LIST_DIR} FILES
+    ${CMAKE_CURRENT_LIST_DIR}/background.frag
+    ${CMAKE_CURRENT_LIST_DIR}/blur.frag
+    ${CMAKE_CURRENT_LIST_DIR}/edge.frag
+    ${CMAKE_CURRENT_LIST_DIR}/edge.vert
+    ${CMAKE_CURRENT_LIST_DIR}/ground.frag
+    ${CMAKE_CURRENT_LIST_DIR}/ground.vert
+    ${CMAKE_CURRENT_LIST_DIR}/screen.vert
+    ${CMAKE_CURRENT_LIST_DIR}/shadow.frag
+    ${CMAKE_CURRENT_LIST_DIR}/slab.frag
+    ${CMAKE_CURRENT_LIST_DIR}/slab.vert)

@@ -1,0 +1,258 @@
+#include "ui/view/overlay_painter.h"
+
+#include <QCoreApplication>
+#include <QPainterPath>
+
+#include <cmath>
+
+namespace fff::ui {
+
+namespace {
+
+class Drawing
+{
+public:
+    Drawing(QPainter &painter, const OverlayScene &scene, const ViewStyle &style,
+            const QLocale &locale)
+        : m_painter(painter), m_scene(scene), m_style(style), m_locale(locale)
+    {
+    }
+
+    void ground();
+    void scaleBar();
+    void invitation();
+    void deadZone();
+    void stroke();
+    void slit();
+    void slitStart();
+
+private:
+    QPointF screen(const Vec3 &world) const
+    {
+        const Vec2 p = m_scene.camera.toScreen(world, m_scene.viewport);
+        return {p.x(), p.y()};
+    }
+    QPainterPath path(const std::vector<CubicBezier> &curve, const Frame &frame) const;
+    void cased(const QPainterPath &path, const QPen &pen);
+    void ring(const QPointF &centre, double radius, const QColor &colour);
+    void chip(const QPointF &rightMiddle, const QString &text, const QColor &colour);
+
+    QPainter &m_painter;
+    const OverlayScene &m_scene;
+    const ViewStyle &m_style;
+    const QLocale &m_locale;
+};
+
+QPen roundPen(const QColor &colour, double width)
+{
+    return QPen(colour, width, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin);
+}
+
+QColor faded(QColor colour, double alpha)
+{
+    colour.setAlphaF(static_cast<float>(alpha));
+    return colour;
+}
+
+/// Seen from the side the ground is a line; what is under it is hatched.
+void Drawing::ground()
+{
+    if (std::abs(m_scene.camera.forward().y()) > 0.01 || m_scene.camera.up().y() < 0.5)
+        return;
+    const Vec3 &target = m_scene.camera.target;
+    const double y = std::round(screen({target.x(), 0.0, target.z()}).y());
+    const double width = m_scene.viewport.x(), height = m_scene.viewport.y();
+    if (y < 0.0 || y > height)
+        return;
+
+    m_painter.save();
+    m_painter.setClipRect(QRectF(0.0, y, width, height - y));
+    m_painter.fillRect(QRectF(0.0, y, width, height - y), faded(m_style.muted, 0.05));
+    m_painter.setPen(QPen(faded(m_style.muted, 0.22), 1.0));
+    constexpr double kStep = 9.0;
+    const double depth = height - y;
+    for (double x = -depth; x < width; x += kStep)
+        m_painter.drawLine(QPointF(x, height), QPointF(x + depth, y));
+    m_painter.restore();
+    m_painter.setPen(QPen(m_style.text, 1.5));
+    m_painter.drawLine(QPointF(0.0, y), QPointF(width, y));
+}
+
+void Drawing::scaleBar()
+{
+    constexpr double kLongest = 150.0, kLeft = 14.5, kTick = 5.0;
+    const double perPixel = m_scene.camera.millimetresPerPixel;
+    const double length = scaleBarLength(kLongest * perPixel);
+    const double width = length / perPixel, bottom = m_scene.viewport.y() - 30.5;
+
+    QFont font = m_painter.font();
+    font.setPixelSize(12);
+    m_painter.setFont(font);
+    m_painter.setPen(QPen(m_style.muted, 1.2));
+    const QPointF bar[] = {{kLeft, bottom - kTick},
+                           {kLeft, bottom},
+                           {kLeft + width, bottom},
+                           {kLeft + width, bottom - kTick}};
+    m_painter.drawPolyline(bar, 4);
+    const QString text =
+        length < 10000.0
+            ? QCoreApplication::translate("fff::ui::OverlayPainter", "%1 mm")
+                  .arg(m_locale.toString(length, 'g', 6))
+            : QCoreApplication::translate("fff::ui::OverlayPainter", "%1 m")
+                  .arg(m_locale.toString(length / 1000.0, 'g', 6));
+    m_painter.drawText(QPointF(kLeft - 0.5, bottom + 16.0), text);
+}
+
+void Drawing::invitation()
+{
+    if (!m_scene.isEmpty || !m_scene.isIdle)
+        return;
+    m_painter.setPen(m_style.muted);
+    m_painter.drawText(
+        QRectF(0.0, 0.0, m_scene.viewport.x(), m_scene.viewport.y()), Qt::AlignCenter,
+        QCoreApplication::translate("fff::ui::OverlayPainter",
+                                    "Draw a shape here with the left button held down."));
+}
+
+void Drawing::deadZone()
+{
+    const auto &zone = m_scene.overlay.deadZone;
+    if (!zone)
+        return;
+    QPainterPath line(screen(zone->from));
+    line.lineTo(screen(zone->to) + QPointF(1e-3, 0.0)); // a slit seen end-on still has its circle
+    QPainterPathStroker stroker;
+    stroker.setWidth(2.0 * zone->radius);
+    stroker.setCapStyle(Qt::RoundCap);
+    const QPainterPath capsule = stroker.createStroke(line).simplified();
+    m_painter.fillPath(capsule, faded(m_style.deadZone, 0.13));
+    QPen pen(m_style.deadZone, 1.4);
+    pen.setDashPattern({4.0, 3.0});
+    m_painter.strokePath(capsule, pen);
+}
+
+QPainterPath Drawing::path(const std::vector<CubicBezier> &curve, const Frame &frame) const
+{
+    QPainterPath path;
+    for (const CubicBezier &piece : curve) {
+        const QPointF from = screen(frame.toWorld(piece.p0));
+        if (path.elementCount() == 0)
+            path.moveTo(from);
+        path.cubicTo(screen(frame.toWorld(piece.p1)), screen(frame.toWorld(piece.p2)),
+                     screen(frame.toWorld(piece.p3)));
+    }
+    return path;
+}
+
+void Drawing::cased(const QPainterPath &line, const QPen &pen)
+{
+    m_painter.strokePath(line, roundPen(m_style.panel, pen.widthF() + 2.4));
+    m_painter.strokePath(line, pen);
+}
+
+void Drawing::stroke()
+{
+    const auto &stroke = m_scene.overlay.stroke;
+    if (!stroke)
+        return;
+    if (stroke->closing) {
+        QPen pen = roundPen(m_style.accent, 2.0);
+        pen.setDashPattern({0.1, 2.6});
+        cased(path({*stroke->closing}, stroke->canvas), pen);
+    }
+    cased(path(stroke->fitted, stroke->canvas), roundPen(m_style.accent, 2.8));
+    m_painter.setPen(Qt::NoPen);
+    m_painter.setBrush(faded(m_style.text, 0.35));
+    for (const Vec2 &sample : stroke->samples)
+        m_painter.drawEllipse(screen(stroke->canvas.toWorld(sample)), 1.0, 1.0);
+    if (!stroke->samples.empty()) {
+        m_painter.setBrush(m_style.accent);
+        m_painter.setPen(QPen(m_style.panel, 1.0));
+        m_painter.drawEllipse(screen(stroke->canvas.toWorld(stroke->samples.back())), 4.0, 4.0);
+    }
+}
+
+void Drawing::ring(const QPointF &centre, double radius, const QColor &colour)
+{
+    m_painter.setBrush(m_style.panel);
+    m_painter.setPen(QPen(colour, 2.0));
+    m_painter.drawEllipse(centre, radius, radius);
+}
+
+void Drawing::chip(const QPointF &rightMiddle, const QString &text, const QColor &colour)
+{
+    QFont font = m_painter.font();
+    font.setPixelSize(12);
+    font.setWeight(QFont::DemiBold);
+    m_painter.setFont(font);
+    const double width = QFontMetricsF(font).horizontalAdvance(text) + 16.0, height = 22.0;
+    QRectF box(rightMiddle.x() - width, rightMiddle.y() - 0.5 * height, width, height);
+    // Always whole, also when the slit is at the view's edge.
+    box.moveLeft(std::clamp(box.left(), 4.0, std::max(4.0, m_scene.viewport.x() - width - 4.0)));
+    box.moveTop(std::clamp(box.top(), 4.0, std::max(4.0, m_scene.viewport.y() - height - 4.0)));
+    m_painter.setPen(QPen(colour, 1.0));
+    m_painter.setBrush(faded(m_style.panel, 0.94));
+    m_painter.drawRoundedRect(QRectF(box.toAlignedRect()).adjusted(0.5, 0.5, -0.5, -0.5), 3.0, 3.0);
+    m_painter.drawText(box, Qt::AlignCenter, text);
+}
+
+void Drawing::slit()
+{
+    const auto &slit = m_scene.overlay.slit;
+    if (!slit)
+        return;
+    const QPointF from = screen(slit->from), to = screen(slit->to);
+    QPainterPath line(from);
+    line.lineTo(to);
+    m_painter.strokePath(line, roundPen(m_style.panel, 7.0));
+    m_painter.strokePath(line, roundPen(m_style.slit, 4.0));
+    ring(from, 4.5, m_style.slit);
+    if (slit->hasLeft)
+        ring(to, 4.5, m_style.slit);
+
+    const double length = (slit->to - slit->from).norm();
+    const double reach = m_scene.overlay.deadZone ? m_scene.overlay.deadZone->radius + 14.0 : 22.0;
+    chip({0.5 * (from.x() + to.x()) - reach, 0.5 * (from.y() + to.y())},
+         QCoreApplication::translate("fff::ui::OverlayPainter", "Slit %1 mm")
+             .arg(m_locale.toString(length, 'f', 1)),
+         m_style.slit);
+}
+
+void Drawing::slitStart()
+{
+    if (!m_scene.overlay.slitStart)
+        return;
+    m_painter.setBrush(m_style.slit);
+    m_painter.setPen(QPen(m_style.panel, 1.2));
+    m_painter.drawEllipse(screen(*m_scene.overlay.slitStart), 3.6, 3.6);
+}
+
+} // namespace
+
+double scaleBarLength(double longest)
+{
+    if (!(longest > 0.0))
+        return 1.0;
+    const double power = std::pow(10.0, std::floor(std::log10(longest)));
+    for (double step : {5.0, 2.0}) {
+        if (step * power <= longest)
+            return step * power;
+    }
+    return power;
+}
+
+void paintOverlay(QPainter &painter, const OverlayScene &scene, const ViewStyle &style,
+                  const QLocale &locale)
+{
+    painter.setRenderHint(QPainter::Antialiasing);
+    Drawing drawing(painter, scene, style, locale);
+    drawing.ground();
+    drawing.deadZone();
+    drawing.stroke();
+    drawing.slit();
+    drawing.slitStart();
+    drawing.invitation();
+    drawing.scaleBar();
+}
+
+} // namespace fff::ui

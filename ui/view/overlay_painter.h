@@ -1,0 +1,30 @@
+// What lies over the model: the marks of a gesture (ui/UI.md, section 3), the line of the ground, the
+// scale bar and the invitation of an empty document. Painted with QPainter in device-independent pixels.
+#pragma once
+
+#include "core/interaction/interaction.h"
+#include "ui/view/view_style.h"
+
+#include <QLocale>
+#include <QPainter>
+
+namespace fff::ui {
+
+struct OverlayScene
+{
+    const Overlay &overlay;
+    const Camera &camera;
+    Vec2 viewport;
+    bool isEmpty = false; // no section yet
+    bool isIdle = true;   // no gesture
+};
+
+/// Leaves the painter's state changed. Lengths are written as the locale has them.
+void paintOverlay(QPainter &painter, const OverlayScene &scene, const ViewStyle &style,
+                  const QLocale &locale);
+
+/// The length that a scale bar shows: 1, 2 or 5 times a power of ten, the longest that is at most
+/// `longest` mm.
+double scaleBarLength(double longest);
+
+} // namespace fff::ui

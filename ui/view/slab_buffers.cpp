@@ -1,0 +1,107 @@
+#include "ui/view/slab_buffers.h"
+
+#include "ui/view/slab_mesh.h"
+
+#include <cstddef>
+
+namespace fff::ui {
+
+namespace {
+
+SlabMesh meshOf(const SceneSection &section)
+{
+    if (!section.cut)
+        return buildSlab({&section.shape->region(), 1}, {&section.shape->triangulation(), 1});
+    std::vector<Region> regions;
+    for (const CurvedRegion &part : section.cut->parts())
+        regions.push_back(part.region);
+    return buildSlab(regions, section.cut->triangulations());
+}
+
+const void *offset(std::size_t bytes)
+{
+    return reinterpret_cast<const void *>(bytes);
+}
+
+} // namespace
+
+SlabBuffers::~SlabBuffers()
+{
+    for (const auto &[key, slab] : m_slabs)
+        free(slab);
+}
+
+void SlabBuffers::update(const Scene &scene)
+{
+    for (auto &[key, slab] : m_slabs)
+        slab.isUsed = false;
+    for (const SceneSection &section : scene.sections) {
+        auto found = m_slabs.find(section.meshKey());
+        if (found == m_slabs.end())
+            found = m_slabs.emplace(section.meshKey(), upload(section)).first;
+        found->second.isUsed = true;
+    }
+    for (auto it = m_slabs.begin(); it != m_slabs.end();) {
+        if (it->second.isUsed) {
+            ++it;
+        } else {
+            free(it->second);
+            it = m_slabs.erase(it);
+        }
+    }
+}
+
+SlabBuffers::Slab SlabBuffers::upload(const SceneSection &section)
+{
+    const SlabMesh mesh = meshOf(section);
+    Slab slab;
+    slab.cut = section.cut;
+    slab.shape = section.shape;
+    slab.indexCount = static_cast<int>(mesh.triangles.size());
+    slab.edgeCount = static_cast<int>(mesh.edges.size());
+    const auto fill = [this](GLenum target, GLuint &buffer, const auto &data) {
+        m_gl.glGenBuffers(1, &buffer);
+        m_gl.glBindBuffer(target, buffer);
+        m_gl.glBufferData(target, static_cast<GLsizeiptr>(data.size() * sizeof(data[0])), data.data(),
+                          GL_STATIC_DRAW);
+    };
+
+    m_gl.glGenVertexArrays(1, &slab.fillArray);
+    m_gl.glBindVertexArray(slab.fillArray);
+    fill(GL_ARRAY_BUFFER, slab.vertices, mesh.vertices);
+    fill(GL_ELEMENT_ARRAY_BUFFER, slab.triangles, mesh.triangles);
+    m_gl.glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, sizeof(SlabVertex),
+                               offset(offsetof(SlabVertex, position)));
+    m_gl.glVertexAttribPointer(1, 4, GL_BYTE, GL_TRUE, sizeof(SlabVertex),
+                               offset(offsetof(SlabVertex, normal)));
+    m_gl.glEnableVertexAttribArray(0);
+    m_gl.glEnableVertexAttribArray(1);
+
+    m_gl.glGenVertexArrays(1, &slab.edgeArray);
+    m_gl.glBindVertexArray(slab.edgeArray);
+    fill(GL_ARRAY_BUFFER, slab.edges, mesh.edges);
+    m_gl.glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, sizeof(SlabEdge),
+                               offset(offsetof(SlabEdge, from)));
+    m_gl.glVertexAttribPointer(1, 3, GL_FLOAT, GL_FALSE, sizeof(SlabEdge),
+                               offset(offsetof(SlabEdge, to)));
+    m_gl.glVertexAttribPointer(2, 4, GL_BYTE, GL_TRUE, sizeof(SlabEdge),
+                               offset(offsetof(SlabEdge, normalA)));
+    m_gl.glVertexAttribPointer(3, 4, GL_BYTE, GL_TRUE, sizeof(SlabEdge),
+                               offset(offsetof(SlabEdge, normalB)));
+    for (GLuint i = 0; i < 4; ++i) {
+        m_gl.glEnableVertexAttribArray(i);
+        m_gl.glVertexAttribDivisor(i, 1);
+    }
+    m_gl.glBindVertexArray(0);
+    return slab;
+}
+
+void SlabBuffers::free(const Slab &slab)
+{
+    const GLuint arrays[] = {slab.fillArray, slab.edgeArray};
+    m_gl.glDeleteVertexArrays(2, arrays);
+    const GLuint buffers[] = {slab.vertices, slab.triangles, slab.edges};
+    m_gl.glDeleteBuffers(3, buffers);
+}
+
+} // namespace fff::ui

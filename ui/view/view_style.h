@@ -1,0 +1,40 @@
+// Colours and widths of the view. The window fills it from its theme; the values here are the light
+// theme's, so that pictures made without a window look the same.
+#pragma once
+
+#include "core/model/stock.h"
+
+#include <QColor>
+
+namespace fff::ui {
+
+struct ViewStyle
+{
+    QColor top = QColor(0xfa, 0xfb, 0xfc), bottom = QColor(0xdc, 0xe2, 0xe9); // background
+    QColor gridFine = QColor(0xc3, 0xcb, 0xd5), gridStrong = QColor(0x99, 0xa4, 0xb1);
+    QColor shadow = QColor(0x18, 0x20, 0x2c, 102);
+    QColor text = QColor(0x1b, 0x21, 0x27), muted = QColor(0x54, 0x5f, 0x6b);
+    QColor strong = QColor(0x7d, 0x87, 0x93); // borders of what floats over the view
+    QColor panel = QColor(0xff, 0xff, 0xff);  // their ground, and the casing of lines
+    QColor accent = QColor(0x1b, 0x62, 0xc9);
+    QColor slit = QColor(0xc2, 0x41, 0x0c);
+    QColor deadZone = QColor(0x54, 0x5f, 0x6b);
+    QColor edge = QColor(0x2b, 0x21, 0x18);
+    QColor casing;              // round the outline of a selected section; invalid: none
+    double faceBrightness = 1.0; // of the stocks' faces
+
+    double edgeWidth = 1.0, silhouetteWidth = 1.4; // px
+    double hoverWidth = 2.0, selectionWidth = 2.4; // px
+};
+
+/// How a stock looks: its faces and the edge that the machine leaves.
+struct StockLook
+{
+    QColor face, side;
+    double alpha = 1.0; // acrylic alone lets light through
+};
+
+/// By words in its name ("Birch plywood", "Acrylic, red"); a plain grey card for unknown names.
+StockLook stockLook(const Stock &stock);
+
+} // namespace fff::ui
