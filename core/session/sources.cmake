@@ -1,3 +1,4 @@
 target_sources(fff_session PRIVATE
     analysis.cpp
+    session.cpp
 )

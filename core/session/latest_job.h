@@ -1,0 +1,108 @@
+// Work on another thread of which only the newest result counts: one runs, the newest request
+// waits, the others are dropped. Every result says which revision it belongs to, so that a late one
+// can be shown as older.
+#pragma once
+
+#include <QObject>
+#include <QThreadPool>
+
+#include <condition_variable>
+#include <cstdint>
+#include <functional>
+#include <mutex>
+#include <optional>
+#include <utility>
+
+namespace fff {
+
+/// Input is copied to the worker. `work` runs there, never twice at once, so that it may own
+/// caches; `publish` runs on the thread that owns this object. The destructor waits for the one
+/// that runs.
+template <class Input, class Output>
+class LatestJob
+{
+public:
+    using Work = std::function<Output(const Input &)>;
+    using Publish = std::function<void(std::uint64_t revision, Output output)>;
+
+    LatestJob(Work work, Publish publish) : m_work(std::move(work)), m_publish(std::move(publish))
+    {
+        m_pool.setMaxThreadCount(1);
+    }
+    ~LatestJob()
+    {
+        m_waiting.reset();
+        m_pool.waitForDone();
+    }
+    LatestJob(const LatestJob &) = delete;
+    LatestJob &operator=(const LatestJob &) = delete;
+
+    bool isBusy() const { return m_isRunning; }
+
+    void request(std::uint64_t revision, Input input)
+    {
+        m_waiting.emplace(revision, std::move(input));
+        if (!m_isRunning)
+            startWaiting();
+    }
+
+    /// Blocks until nothing runs or waits; publishes what becomes ready on the way.
+    void finish()
+    {
+        while (m_isRunning) {
+            {
+                std::unique_lock lock(m_mutex);
+                m_ready.wait(lock, [this] { return m_result.has_value(); });
+            }
+            collect();
+        }
+    }
+
+private:
+    using Tagged = std::pair<std::uint64_t, Output>;
+
+    void startWaiting()
+    {
+        m_isRunning = true;
+        m_pool.start([this, request = std::move(*m_waiting)] {
+            Output output = m_work(request.second);
+            {
+                const std::lock_guard lock(m_mutex);
+                m_result.emplace(request.first, std::move(output));
+            }
+            m_ready.notify_all();
+            // Dropped by Qt when the receiver is gone by then.
+            QMetaObject::invokeMethod(
+                &m_receiver, [this] { collect(); }, Qt::QueuedConnection);
+        });
+        m_waiting.reset();
+    }
+
+    /// Also called late, for a result that finish() has taken already: then there is none.
+    void collect()
+    {
+        std::optional<Tagged> result;
+        {
+            const std::lock_guard lock(m_mutex);
+            result.swap(m_result);
+        }
+        if (!result)
+            return;
+        m_isRunning = false;
+        if (m_waiting)
+            startWaiting();
+        m_publish(result->first, std::move(result->second));
+    }
+
+    Work m_work;
+    Publish m_publish;
+    std::optional<std::pair<std::uint64_t, Input>> m_waiting; // owner's thread only
+    bool m_isRunning = false;                                 // owner's thread only
+    std::mutex m_mutex;
+    std::condition_variable m_ready;
+    std::optional<Tagged> m_result; // guarded by m_mutex
+    QObject m_receiver;
+    QThreadPool m_pool; // last: its destructor waits before the rest goes
+};
+
+} // namespace fff

@@ -1,0 +1,192 @@
+#include "core/session/session.h"
+
+#include "core/operations/evaluate.h"
+#include "core/session/latest_job.h"
+
+#include <QUndoCommand>
+
+namespace fff {
+
+namespace {
+
+using ModelPointer = std::shared_ptr<const Model>;
+
+} // namespace
+
+class Session::Private
+{
+public:
+    explicit Private(Session *session);
+
+    void show(ModelPointer next);
+    void indexChanged();
+
+    Session *q;
+    QUndoStack *stack;
+    ModelPointer committed = std::make_shared<const Model>(evaluate(newDocument()));
+    ModelPointer shown = committed; // what was announced last
+    std::uint64_t revision = 0;
+    bool isResetting = false; // the stack's own signals say nothing then
+
+    AnalysisCaches caches; // touched by the job alone
+    std::shared_ptr<const Analysis> analysis;
+    std::uint64_t analysedRevision = 0;
+    LatestJob<ModelPointer, Analysis> job; // last: waits for its worker before the caches go
+};
+
+namespace {
+
+/// The one undo command: swaps the very Model objects, so that nothing is computed again. Silent;
+/// the session announces when the stack has arrived at its new index, once for a jump over many.
+class ModelStep : public QUndoCommand
+{
+public:
+    ModelStep(const QString &text, ModelPointer *committed, ModelPointer before, ModelPointer after)
+        : QUndoCommand(text), m_committed(committed), m_before(std::move(before)),
+          m_after(std::move(after))
+    {
+    }
+    void undo() override { *m_committed = m_before; }
+    void redo() override { *m_committed = m_after; }
+
+private:
+    ModelPointer *m_committed;
+    ModelPointer m_before, m_after;
+};
+
+} // namespace
+
+Session::Private::Private(Session *session)
+    : q(session), stack(new QUndoStack(session)),
+      job([this](const ModelPointer &model) { return analyse(*model, caches); },
+          [this](std::uint64_t ofRevision, Analysis result) {
+              analysis = std::make_shared<const Analysis>(std::move(result));
+              analysedRevision = ofRevision;
+              Q_EMIT q->analysisChanged();
+          })
+{
+    // Nothing follows from an empty model, so its analysis is known.
+    auto empty = std::make_shared<Analysis>();
+    empty->model = *committed;
+    analysis = std::move(empty);
+}
+
+void Session::Private::show(ModelPointer next)
+{
+    if (next == shown)
+        return;
+    const ModelPointer before = std::exchange(shown, std::move(next));
+    const ModelPointer after = shown; // kept, whatever a listener does
+    ++revision;
+    job.request(revision, after);
+    Q_EMIT q->modelChanged(*before, *after);
+}
+
+void Session::Private::indexChanged()
+{
+    if (!isResetting)
+        show(committed);
+}
+
+Session::Session(QObject *parent) : QObject(parent), d(std::make_unique<Private>(this))
+{
+    connect(d->stack, &QUndoStack::indexChanged, this, [this] { d->indexChanged(); });
+    connect(d->stack, &QUndoStack::cleanChanged, this, &Session::cleanChanged);
+}
+
+Session::~Session()
+{
+    // The stack is a child and would outlive `d`; its last signals must not reach it.
+    d->stack->disconnect(this);
+}
+
+const Model &Session::model() const
+{
+    return *d->shown;
+}
+
+const Model &Session::committed() const
+{
+    return *d->committed;
+}
+
+bool Session::hasPreview() const
+{
+    return d->shown != d->committed;
+}
+
+void Session::reset(Document document)
+{
+    d->isResetting = true;
+    d->committed = std::make_shared<const Model>(evaluate(std::move(document)));
+    d->stack->clear();
+    d->isResetting = false;
+    d->show(d->committed);
+}
+
+void Session::preview(Document document)
+{
+    if (document.isSame(d->shown->document))
+        return;
+    if (document.isSame(d->committed->document))
+        d->show(d->committed);
+    else
+        d->show(std::make_shared<const Model>(evaluate(std::move(document), *d->committed)));
+}
+
+void Session::cancelPreview()
+{
+    d->show(d->committed);
+}
+
+void Session::commit(const QString &text, Document document)
+{
+    if (document.isSame(d->committed->document)) {
+        cancelPreview();
+        return;
+    }
+    // What is shown may be just this: then it stays, and nothing is announced or computed twice.
+    const ModelPointer after =
+        document.isSame(d->shown->document)
+            ? d->shown
+            : std::make_shared<const Model>(evaluate(std::move(document), *d->committed));
+    d->stack->push(new ModelStep(text, &d->committed, d->committed, after));
+}
+
+QUndoStack *Session::history() const
+{
+    return d->stack;
+}
+
+bool Session::isClean() const
+{
+    return d->stack->isClean();
+}
+
+void Session::setClean()
+{
+    d->stack->setClean();
+}
+
+std::uint64_t Session::revision() const
+{
+    return d->revision;
+}
+
+const Analysis &Session::analysis() const
+{
+    return *d->analysis;
+}
+
+std::uint64_t Session::analysedRevision() const
+{
+    return d->analysedRevision;
+}
+
+const Analysis &Session::currentAnalysis()
+{
+    d->job.finish();
+    return *d->analysis;
+}
+
+} // namespace fff
