@@ -1,2 +1,12 @@
 target_sources(fff_io PRIVATE
+    document_file.cpp
+    error_text.cpp
+    fff_reader.cpp
+    fff_writer.cpp
+    flatfab_format.cpp
+    flatfab_text.cpp
+    json_cursor.cpp
+    json_syntax.cpp
+    json_writer.cpp
+    loaded_document.cpp
 )

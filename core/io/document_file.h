@@ -1,0 +1,41 @@
+// Models and other files on disk: which format a file has is decided by what is in it; what is
+// written is written whole or not at all.
+#pragma once
+
+#include "core/io/flatfab_format.h"
+
+#include <QtCore/QString>
+
+namespace fff::io {
+
+struct ReadOptions
+{
+    FlatfabOptions flatfab;
+    std::string name; // how errors call the file; empty: the path as it was given
+};
+
+enum class ModelFormat { Fff, Flatfab };
+
+/// The format of these bytes by their first words, whatever the file is called.
+/// Errors  Truncated for no bytes (or blanks only), NotAModel for anything else that is no model.
+Result<ModelFormat> detectFormat(std::string_view bytes, const std::string &name = {});
+
+/// Largest file that is read, bytes: a hundred times the largest model anyone drew.
+inline constexpr std::int64_t kMaxFileSize = std::int64_t(256) * 1024 * 1024;
+
+/// The bytes of a file. Errors  CannotOpen (also for a folder) with the system's reason, BadCount
+/// above kMaxFileSize.
+Result<std::string> readFile(const QString &path, const std::string &name = {});
+
+/// Reads `.fff` and FlatFab's `.txt`. Errors  those of readFile, detectFormat and of the format.
+Result<LoadedDocument> readDocument(const QString &path, const ReadOptions &options = {});
+
+/// Writes `.fff`, whatever the suffix. Errors  CannotWrite, and those of writeFff. The file that
+/// was there before stays as it was when anything fails.
+Result<void> writeDocument(const QString &path, const Document &document);
+
+/// Puts the bytes into a temporary file beside `path` and renames it; "-" is standard output.
+/// Errors  CannotWrite with the system's reason; the old file is kept.
+Result<void> writeFile(const QString &path, const std::string &bytes);
+
+} // namespace fff::io

@@ -1,0 +1,195 @@
+#include "core/io/error_text.h"
+
+#include <QtCore/QCoreApplication>
+
+namespace fff::io {
+
+namespace {
+
+struct Words
+{
+    Q_DECLARE_TR_FUNCTIONS(Error)
+};
+
+using Args = std::vector<std::string>;
+
+/// As it stands in a file.
+QString verbatim(const Args &args, std::size_t index)
+{
+    return QString::fromStdString(args[index]);
+}
+
+/// A phrase of ours, in the user's language where it is known.
+QString phrase(const Args &args, std::size_t index)
+{
+    return QCoreApplication::translate("Error", args[index].c_str());
+}
+
+/// For what was found and what was expected, both of which may be unknown.
+QString foundExpected(const Args &args)
+{
+    if (args.size() < 2)
+        return Words::tr("this value is not possible here");
+    if (args[0].empty())
+        return Words::tr("nothing here, expected %1").arg(phrase(args, 1));
+    return Words::tr("found \"%1\", expected %2").arg(verbatim(args, 0), phrase(args, 1));
+}
+
+QString withReason(const QString &sentence, const Args &args)
+{
+    if (args.empty() || args[0].empty())
+        return sentence;
+    //: %1 is a sentence such as "could not be opened", %2 the system's reason
+    return Words::tr("%1: %2").arg(sentence, phrase(args, 0));
+}
+
+QString badCount(const Args &args)
+{
+    if (args.size() < 2)
+        return Words::tr("a count that is not possible");
+    if (args.size() < 3)
+        return Words::tr("found a count of %1, expected at most %2")
+            .arg(verbatim(args, 0), verbatim(args, 1));
+    //: %3 is what was counted, such as "bytes"
+    return Words::tr("found %1 %3, expected at most %2 %3")
+        .arg(verbatim(args, 0), verbatim(args, 1), phrase(args, 2));
+}
+
+QString placed(const std::string &place, const QString &sentence)
+{
+    if (place.empty())
+        return sentence;
+    return QString::fromStdString(place) + QStringLiteral(": ") + sentence;
+}
+
+QString newerVersion(const Args &args)
+{
+    if (args.size() < 2)
+        return Words::tr("made by a newer FlatFitFab");
+    return Words::tr("made by a newer FlatFitFab: found format %1, expected at most %2")
+        .arg(verbatim(args, 0), verbatim(args, 1));
+}
+
+QString badContour(const Args &args)
+{
+    if (args.size() < 2)
+        return Words::tr("these control points make no closed contour");
+    return Words::tr("these control points make no closed contour: found %1, expected %2")
+        .arg(verbatim(args, 0), phrase(args, 1));
+}
+
+QString tooLarge(const Args &args)
+{
+    if (args.size() < 3)
+        return Words::tr("a part fits no sheet");
+    return Words::tr("part %1 is too large: it measures %2, its sheet %3")
+        .arg(verbatim(args, 0), verbatim(args, 1), verbatim(args, 2));
+}
+
+QString ofSection(const Args &args, const QString &withName, const QString &without)
+{
+    return args.empty() || args[0].empty() ? without : withName.arg(verbatim(args, 0));
+}
+
+} // namespace
+
+QString errorSentence(const Error &error)
+{
+    const Args &args = error.args;
+    const bool hasArg = !args.empty() && !args[0].empty();
+    switch (error.code) {
+    case ErrorCode::CannotOpen:
+        return withReason(Words::tr("could not be opened"), args);
+    case ErrorCode::CannotWrite:
+        return withReason(Words::tr("could not be written"), args);
+    case ErrorCode::NotAModel:
+        return Words::tr("not a model, expected a .fff file or a .txt file of FlatFab");
+    case ErrorCode::NewerVersion:
+        return newerVersion(args);
+    case ErrorCode::Truncated:
+        return hasArg ? Words::tr("the file ends here, expected %1").arg(phrase(args, 0))
+                      : Words::tr("the file ends too early");
+    case ErrorCode::BadSyntax:
+    case ErrorCode::BadValue:
+        return foundExpected(args);
+    case ErrorCode::NonFinite:
+        return hasArg ? Words::tr("found \"%1\", expected a finite number").arg(verbatim(args, 0))
+                      : Words::tr("a number is not finite");
+    case ErrorCode::BadCount:
+        return badCount(args);
+    case ErrorCode::DegenerateFrame:
+        return Words::tr("these axes make no frame, expected two of length 1 at a right angle");
+    case ErrorCode::EmptyContour:
+        return Words::tr("this contour encloses no area");
+    case ErrorCode::BadContour:
+        return badContour(args);
+    case ErrorCode::UnknownReference:
+        return hasArg ? Words::tr("there is nothing with the number %1").arg(verbatim(args, 0))
+                      : Words::tr("this refers to nothing that is there");
+    case ErrorCode::DuplicateId:
+        return hasArg ? Words::tr("the number %1 is given twice, expected one of its own")
+                            .arg(verbatim(args, 0))
+                      : Words::tr("this number is given twice, expected one of its own");
+    case ErrorCode::NearlyParallel:
+        return Words::tr("these two sections are nearly parallel and cannot be joined");
+    case ErrorCode::SelfCrossing:
+        return Words::tr("this contour crosses itself");
+    case ErrorCode::TooLarge:
+        return tooLarge(args);
+    case ErrorCode::NothingToExport:
+        return Words::tr("there is no section yet, so there is nothing to cut");
+    case ErrorCode::UnknownCommand:
+        return hasArg ? Words::tr("there is no command \"%1\"").arg(verbatim(args, 0))
+                      : Words::tr("there is no such command");
+    case ErrorCode::BadEvent:
+        return args.size() >= 2 ? foundExpected(args) : Words::tr("this event makes no sense here");
+    case ErrorCode::Unsupported:
+        return hasArg ? Words::tr("\"%1\" is not supported by this version").arg(phrase(args, 0))
+                      : Words::tr("this is not supported by this version");
+    }
+    return {}; // not reached: every code is above
+}
+
+QString warningSentence(const Warning &warning)
+{
+    const Args &args = warning.args;
+    switch (warning.code) {
+    case WarningCode::SkewFrame:
+        return ofSection(args,
+                         Words::tr("the axes of %1 were not at right angles or not of length "
+                                   "1 and have been straightened"),
+                         Words::tr("the axes of a frame were not at right angles or not of length "
+                                   "1 and have been straightened"));
+    case WarningCode::SelfCrossingContour:
+        return ofSection(args,
+                         Words::tr("a contour of %1 crosses itself; its largest region was "
+                                   "kept"),
+                         Words::tr("a contour crosses itself; its largest region was kept"));
+    case WarningCode::HoleOutside:
+        return ofSection(args,
+                         Words::tr("a hole of %1 reaches out of its contour and was left out"),
+                         Words::tr("a hole reaches out of its contour and was left out"));
+    case WarningCode::DegenerateHole:
+        return ofSection(args, Words::tr("a hole of %1 has no area and was left out"),
+                         Words::tr("a hole has no area and was left out"));
+    case WarningCode::TrailingLines:
+        return args.empty() ? Words::tr("lines after the last section were ignored")
+                            : Words::tr("text after the last section was ignored, lines: %1")
+                                  .arg(verbatim(args, 0));
+    case WarningCode::CountMismatch:
+        return Words::tr("the count in the header is not that of the file");
+    }
+    return {}; // not reached: every code is above
+}
+
+QString errorText(const Error &error)
+{
+    return placed(error.place, errorSentence(error));
+}
+
+QString warningText(const Warning &warning)
+{
+    return placed(warning.place, warningSentence(warning));
+}
+
+} // namespace fff::io

@@ -1,0 +1,41 @@
+// The native format `.fff`: JSON, lengths in mm, angles in radians, version 1.
+//
+//     { "format": "FlatFitFab", "version": 1, "nextId": 5, "currentStock": 1,
+//       "stocks":     [ { "id", "name", "thickness", "density", "tensileStrength",
+//                         "flexuralStrength", "modulus", "kerf", "clearance", "sheet": [w, h] } ],
+//       "shapes":     [ { "contour": [[x, y], ...], "holes": [ [[x, y], ...], ... ] } ],
+//       "sections":   [ { "id", "name", "stock": id, "shape": index in shapes,
+//                         "parent": { "section": ref, "slitFrom": [x, y], "slitTo": [x, y] },
+//                         "frame": { "origin": [x, y, z], "x": [...], "y": [...] } } ],
+//       "operations": [],
+//       "weights":    [ { "id", "section": ref, "position": [x, y], "mass" } ] }
+//
+// Strengths and modulus are null when not rated; "parent" and "holes" may be missing. A contour has
+// three control points a segment, p0 h h, a segment on each line; the last closes onto the first.
+// A ref is the id of a drawn section, or { "operation": id, "instance": "key" } for one that an
+// operation makes; the latter may name nothing now (dormant). `shapes` stand in the order of their
+// first use; sections that name the same index share one Shape, as they did when written.
+// Unknown keys are passed over: what changes the meaning of a file raises its version.
+#pragma once
+
+#include "core/io/loaded_document.h"
+
+namespace fff::io {
+
+inline constexpr int kFffVersion = 1;
+
+/// The file's bytes. Errors  Unsupported for an operation of a kind that this version cannot write
+/// (it would be lost), place = its name; NonFinite when a number of the document is not finite.
+Result<std::string> writeFff(const Document &document);
+
+/// Reads a whole file. write and read again gives an equal document; numbers come back bit for bit,
+/// but for the sign of zero.
+///
+/// name      how errors call the file; empty: places are without it
+/// Errors    BadSyntax, Truncated, NonFinite at name:line; NotAModel, NewerVersion; and at
+///           name:$.json.path  BadValue, DuplicateId, UnknownReference, DegenerateFrame (axes off
+///           by more than kFrameRounding), BadContour, EmptyContour, Unsupported (operations).
+/// Warnings  SkewFrame: axes off by more than rounding of a double, made orthonormal again.
+Result<LoadedDocument> readFff(std::string_view bytes, const std::string &name = {});
+
+} // namespace fff::io

@@ -1,0 +1,308 @@
+#include "core/base/tolerances.h"
+#include "core/io/fff_format.h"
+#include "core/io/json_cursor.h"
+#include "core/io/json_syntax.h"
+
+#include <QtCore/QCoreApplication>
+#include <algorithm>
+#include <charconv>
+#include <unordered_map>
+#include <unordered_set>
+
+namespace fff::io {
+
+namespace {
+
+/// Whole numbers up to here are exact in every reader of JSON.
+constexpr std::int64_t kMaxId = std::int64_t(1) << 53;
+/// Axes this near to orthonormal (no unit) are what rounding in double leaves: kept bit for bit.
+constexpr double kExactFrame = 1e-9;
+
+std::string shortNumber(double value)
+{
+    char buffer[32];
+    const auto end =
+        std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::general, 3);
+    return {buffer, end.ptr};
+}
+
+class FffReader
+{
+public:
+    explicit FffReader(Problems &problems) : m_problems(problems) {}
+
+    Document read(const JsonCursor &root);
+
+private:
+    std::int64_t readId(const JsonCursor &cursor);
+    template <class Known>
+    std::int64_t readReference(const JsonCursor &cursor, const Known &known);
+    SectionRef readRef(const JsonCursor &cursor);
+    std::optional<double> readRated(const JsonCursor &cursor);
+    Stock readStock(const JsonCursor &cursor);
+    Contour readContour(const JsonCursor &cursor);
+    ShapePointer readShape(const JsonCursor &cursor);
+    Frame readFrame(const JsonCursor &cursor, const std::string &sectionName);
+    std::optional<Parent> readParent(const JsonCursor &cursor);
+    SectionPointer readSection(const JsonCursor &cursor, const std::vector<ShapePointer> &shapes);
+    Weight readWeight(const JsonCursor &cursor);
+    void readOperations(const JsonCursor &cursor);
+    void checkAncestry(const std::vector<JsonCursor> &items,
+                       const std::vector<SectionPointer> &sections);
+
+    Problems &m_problems;
+    std::int64_t m_nextId = 1;
+    std::unordered_set<std::int64_t> m_ids; // of everything: all come from one counter
+    std::unordered_set<std::int64_t> m_stockIds, m_sectionIds;
+};
+
+std::int64_t FffReader::readId(const JsonCursor &cursor)
+{
+    const std::int64_t id = cursor.integer(1, kMaxId);
+    if (id >= m_nextId)
+        cursor.failExpected(QT_TRANSLATE_NOOP("Error", "an id below nextId"));
+    else if (!m_ids.insert(id).second)
+        cursor.fail(ErrorCode::DuplicateId, {std::to_string(id)});
+    return id;
+}
+
+template <class Known>
+std::int64_t FffReader::readReference(const JsonCursor &cursor, const Known &known)
+{
+    const std::int64_t id = cursor.integer(1, kMaxId);
+    if (!known.contains(id))
+        cursor.fail(ErrorCode::UnknownReference, {std::to_string(id)});
+    return id;
+}
+
+SectionRef FffReader::readRef(const JsonCursor &cursor)
+{
+    if (!cursor.isObject())
+        return SectionId{readReference(cursor, m_sectionIds)};
+    // An operation that is gone leaves its references dormant; ids are never given twice.
+    const JsonCursor operation = cursor.member("operation");
+    const std::int64_t id = operation.integer(1, kMaxId);
+    if (id >= m_nextId)
+        operation.fail(ErrorCode::UnknownReference, {std::to_string(id)});
+    return {OperationId{id}, cursor.member("instance").text()};
+}
+
+std::optional<double> FffReader::readRated(const JsonCursor &cursor)
+{
+    if (cursor.isNull())
+        return std::nullopt;
+    return cursor.positive();
+}
+
+Stock FffReader::readStock(const JsonCursor &cursor)
+{
+    Stock stock;
+    stock.id = StockId{readId(cursor.member("id"))};
+    stock.name = cursor.member("name").text();
+    stock.thickness = cursor.member("thickness").positive();
+    stock.density = cursor.member("density").positive();
+    stock.tensileStrength = readRated(cursor.member("tensileStrength"));
+    stock.flexuralStrength = readRated(cursor.member("flexuralStrength"));
+    stock.modulus = readRated(cursor.member("modulus"));
+    stock.kerf = cursor.member("kerf").notNegative();
+    stock.clearance = cursor.member("clearance").coordinate();
+    const JsonCursor sheet = cursor.member("sheet");
+    stock.sheet = sheet.point2();
+    if (!(stock.sheet.minCoeff() > 0.0))
+        sheet.failExpected(QT_TRANSLATE_NOOP("Error", "a width and a height above 0"));
+    return stock;
+}
+
+Contour FffReader::readContour(const JsonCursor &cursor)
+{
+    std::vector<Vec2> points = cursor.points();
+    if (m_problems.failed())
+        return {};
+    const std::size_t count = points.size();
+    Result<Contour> contour = Contour::fromPoints(std::move(points));
+    if (contour)
+        return *std::move(contour);
+    cursor.fail(contour.error().code,
+                {std::to_string(count),
+                 QT_TRANSLATE_NOOP("Error", "three control points a segment, at least 6")});
+    return {};
+}
+
+ShapePointer FffReader::readShape(const JsonCursor &cursor)
+{
+    Contour contour = readContour(cursor.member("contour"));
+    std::vector<Contour> holes;
+    if (const JsonCursor list = cursor.member("holes"); list.exists()) {
+        for (const JsonCursor &item : list.items())
+            holes.push_back(readContour(item));
+    }
+    if (m_problems.failed())
+        return nullptr;
+    Result<ShapePointer> shape = Shape::make(std::move(contour), std::move(holes));
+    if (shape)
+        return *std::move(shape);
+    cursor.fail(shape.error().code, shape.error().args);
+    return nullptr;
+}
+
+Frame FffReader::readFrame(const JsonCursor &cursor, const std::string &sectionName)
+{
+    Frame frame;
+    frame.origin = cursor.member("origin").point3();
+    frame.x = cursor.member("x").point3();
+    frame.y = cursor.member("y").point3();
+    if (m_problems.failed())
+        return frame;
+    const double deviation =
+        std::max({std::abs(frame.x.norm() - 1.0), std::abs(frame.y.norm() - 1.0),
+                  std::abs(frame.x.dot(frame.y))});
+    if (deviation <= kExactFrame)
+        return frame;
+    const Result<Frame> mended = makeFrame(frame.origin, frame.x, frame.y);
+    if (!mended || deviation > kFrameRounding) {
+        cursor.fail(ErrorCode::DegenerateFrame);
+        return frame;
+    }
+    m_problems.warn(WarningCode::SkewFrame, cursor.path(), {sectionName, shortNumber(deviation)});
+    return *mended;
+}
+
+std::optional<Parent> FffReader::readParent(const JsonCursor &cursor)
+{
+    if (!cursor.exists() || cursor.isNull())
+        return std::nullopt;
+    Parent parent;
+    parent.section = readRef(cursor.member("section"));
+    parent.slitFrom = cursor.member("slitFrom").point2();
+    parent.slitTo = cursor.member("slitTo").point2();
+    return parent;
+}
+
+SectionPointer FffReader::readSection(const JsonCursor &cursor,
+                                      const std::vector<ShapePointer> &shapes)
+{
+    auto section = std::make_shared<Section>();
+    section->id = SectionId{cursor.member("id").integer(1, kMaxId)}; // looked at before, by all
+    section->name = cursor.member("name").text();
+    section->stock = StockId{readReference(cursor.member("stock"), m_stockIds)};
+    const JsonCursor shape = cursor.member("shape");
+    const auto index = static_cast<std::size_t>(shape.integer(0, kMaxId));
+    if (index < shapes.size())
+        section->shape = shapes[index];
+    else
+        shape.fail(ErrorCode::UnknownReference, {std::to_string(index)});
+    section->parent = readParent(cursor.member("parent"));
+    section->frame = readFrame(cursor.member("frame"), section->name);
+    return section;
+}
+
+Weight FffReader::readWeight(const JsonCursor &cursor)
+{
+    Weight weight;
+    weight.id = WeightId{readId(cursor.member("id"))};
+    weight.section = readRef(cursor.member("section"));
+    weight.position = cursor.member("position").point2();
+    weight.mass = cursor.member("mass").positive();
+    return weight;
+}
+
+void FffReader::readOperations(const JsonCursor &cursor)
+{
+    if (!cursor.exists())
+        return;
+    // No kind is known yet: a model without its operations would be another model.
+    for (const JsonCursor &item : cursor.items())
+        item.fail(ErrorCode::Unsupported, {quoted(item.member("kind").text())});
+}
+
+/// No section is its own ancestor. Each chain of parents is walked until known ground: O(n).
+void FffReader::checkAncestry(const std::vector<JsonCursor> &items,
+                              const std::vector<SectionPointer> &sections)
+{
+    std::unordered_map<std::int64_t, const Section *> byId;
+    for (const SectionPointer &section : sections)
+        byId.emplace(section->id.value, section.get());
+    std::unordered_map<std::int64_t, std::size_t> visitedFrom;
+    for (std::size_t i = 0; i < sections.size(); ++i) {
+        const Section *section = sections[i].get();
+        while (section) {
+            const auto [visit, isNew] = visitedFrom.emplace(section->id.value, i);
+            if (!isNew && visit->second == i)
+                items[i].member("parent").failExpected(
+                    QT_TRANSLATE_NOOP("Error", "a parent that does not descend from its child"));
+            if (!isNew || !section->parent)
+                break;
+            const auto parent = byId.find(section->parent->section.drawn.value);
+            section = parent == byId.end() ? nullptr : parent->second;
+        }
+    }
+}
+
+Document FffReader::read(const JsonCursor &root)
+{
+    Document document;
+    document.nextId = m_nextId = root.member("nextId").integer(1, kMaxId);
+    for (const JsonCursor &item : root.member("stocks").items()) {
+        document.stocks.push_back(std::make_shared<const Stock>(readStock(item)));
+        m_stockIds.insert(document.stocks.back()->id.value);
+        if (m_problems.failed())
+            return {};
+    }
+    const JsonCursor current = root.member("currentStock");
+    // A document without any stock has none that is current.
+    document.currentStock = StockId{document.stocks.empty() ? current.integer(0, 0)
+                                                            : readReference(current, m_stockIds)};
+    std::vector<ShapePointer> shapes;
+    for (const JsonCursor &item : root.member("shapes").items()) {
+        shapes.push_back(readShape(item));
+        if (m_problems.failed())
+            return {};
+    }
+    // All ids first: a parent may stand below its child.
+    const std::vector<JsonCursor> sections = root.member("sections").items();
+    for (const JsonCursor &item : sections)
+        m_sectionIds.insert(readId(item.member("id")));
+    for (const JsonCursor &item : sections) {
+        if (m_problems.failed())
+            return {};
+        document.sections.push_back(readSection(item, shapes));
+    }
+    if (m_problems.failed())
+        return {};
+    checkAncestry(sections, document.sections);
+    readOperations(root.member("operations"));
+    if (const JsonCursor weights = root.member("weights"); weights.exists()) {
+        for (const JsonCursor &item : weights.items())
+            document.weights.push_back(readWeight(item));
+    }
+    return document;
+}
+
+} // namespace
+
+Result<LoadedDocument> readFff(std::string_view bytes, const std::string &name)
+{
+    Problems problems{.file = name};
+    const QJsonDocument json = parseJson(bytes, problems);
+    if (problems.failed())
+        return tl::unexpected(*problems.error);
+    if (json.object().value(QLatin1String("format")) != QLatin1String("FlatFitFab"))
+        return failure(ErrorCode::NotAModel, name);
+
+    const JsonCursor root(json.object(), "$", problems);
+    const JsonCursor versionCursor = root.member("version");
+    const std::int64_t version = versionCursor.integer(1, kMaxId);
+    if (version > kFffVersion)
+        versionCursor.fail(ErrorCode::NewerVersion,
+                           {std::to_string(version), std::to_string(kFffVersion)});
+    if (problems.failed())
+        return tl::unexpected(*problems.error);
+
+    FffReader reader(problems);
+    Document document = reader.read(root);
+    if (problems.failed())
+        return tl::unexpected(*problems.error);
+    return LoadedDocument{std::move(document), std::move(problems.warnings)};
+}
+
+} // namespace fff::io

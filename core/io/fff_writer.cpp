@@ -1,0 +1,176 @@
+#include "core/io/fff_format.h"
+#include "core/io/json_writer.h"
+
+#include <unordered_map>
+
+namespace fff::io {
+
+namespace {
+
+using Layout = JsonWriter::Layout;
+
+constexpr int kPointsPerLine = 3; // one segment: its start and two handles
+
+void writeRated(JsonWriter &json, const char *name, const std::optional<double> &value)
+{
+    json.key(name);
+    if (value)
+        json.value(*value);
+    else
+        json.null();
+}
+
+void writeStock(JsonWriter &json, const Stock &stock)
+{
+    json.beginObject();
+    json.member("id", stock.id.value);
+    json.member("name", stock.name);
+    json.member("thickness", stock.thickness);
+    json.member("density", stock.density);
+    writeRated(json, "tensileStrength", stock.tensileStrength);
+    writeRated(json, "flexuralStrength", stock.flexuralStrength);
+    writeRated(json, "modulus", stock.modulus);
+    json.member("kerf", stock.kerf);
+    json.member("clearance", stock.clearance);
+    json.member("sheet", stock.sheet);
+    json.endObject();
+}
+
+void writeContour(JsonWriter &json, const Contour &contour)
+{
+    json.beginArray(Layout::Block, kPointsPerLine);
+    for (const Vec2 &point : contour.points())
+        json.value(point);
+    json.endArray();
+}
+
+void writeShape(JsonWriter &json, const Shape &shape)
+{
+    json.beginObject();
+    json.key("contour");
+    writeContour(json, shape.contour());
+    if (!shape.holes().empty()) {
+        json.key("holes");
+        json.beginArray();
+        for (const Contour &hole : shape.holes())
+            writeContour(json, hole);
+        json.endArray();
+    }
+    json.endObject();
+}
+
+void writeRef(JsonWriter &json, const SectionRef &ref)
+{
+    if (ref.drawn.isValid()) {
+        json.value(ref.drawn.value);
+        return;
+    }
+    json.beginObject(Layout::Line);
+    json.member("operation", ref.operation.value);
+    json.member("instance", ref.key);
+    json.endObject();
+}
+
+void writeParent(JsonWriter &json, const Parent &parent)
+{
+    json.beginObject(Layout::Line);
+    json.key("section");
+    writeRef(json, parent.section);
+    json.member("slitFrom", parent.slitFrom);
+    json.member("slitTo", parent.slitTo);
+    json.endObject();
+}
+
+void writeSection(JsonWriter &json, const Section &section, std::size_t shapeIndex)
+{
+    json.beginObject();
+    json.member("id", section.id.value);
+    json.member("name", section.name);
+    json.member("stock", section.stock.value);
+    json.member("shape", shapeIndex);
+    if (section.parent) {
+        json.key("parent");
+        writeParent(json, *section.parent);
+    }
+    json.key("frame");
+    json.beginObject();
+    json.member("origin", section.frame.origin);
+    json.member("x", section.frame.x);
+    json.member("y", section.frame.y);
+    json.endObject();
+    json.endObject();
+}
+
+void writeWeight(JsonWriter &json, const Weight &weight)
+{
+    json.beginObject();
+    json.member("id", weight.id.value);
+    json.key("section");
+    writeRef(json, weight.section);
+    json.member("position", weight.position);
+    json.member("mass", weight.mass);
+    json.endObject();
+}
+
+/// Shapes by order of first use, and where each stands.
+struct ShapeTable
+{
+    std::vector<const Shape *> shapes;
+    std::unordered_map<const Shape *, std::size_t> indices;
+
+    explicit ShapeTable(const Document &document)
+    {
+        for (const SectionPointer &section : document.sections) {
+            if (indices.emplace(section->shape.get(), shapes.size()).second)
+                shapes.push_back(section->shape.get());
+        }
+    }
+};
+
+} // namespace
+
+Result<std::string> writeFff(const Document &document)
+{
+    if (!document.operations.empty()) {
+        const Operation &operation = *document.operations.front();
+        return failure(ErrorCode::Unsupported, operation.name, {operation.kind});
+    }
+    const ShapeTable table(document);
+
+    JsonWriter json;
+    json.beginObject();
+    json.member("format", "FlatFitFab");
+    json.member("version", kFffVersion);
+    json.member("nextId", document.nextId);
+    json.member("currentStock", document.currentStock.value);
+    json.key("stocks");
+    json.beginArray();
+    for (const auto &stock : document.stocks)
+        writeStock(json, *stock);
+    json.endArray();
+    json.key("shapes");
+    json.beginArray();
+    for (const Shape *shape : table.shapes)
+        writeShape(json, *shape);
+    json.endArray();
+    json.key("sections");
+    json.beginArray();
+    for (const SectionPointer &section : document.sections)
+        writeSection(json, *section, table.indices.at(section->shape.get()));
+    json.endArray();
+    json.key("operations");
+    json.beginArray();
+    json.endArray();
+    json.key("weights");
+    json.beginArray();
+    for (const Weight &weight : document.weights)
+        writeWeight(json, weight);
+    json.endArray();
+    json.endObject();
+    // A file with a null for a number could not be read again.
+    if (json.sawNonFinite())
+        return failure(ErrorCode::NonFinite);
+    return json.take();
+}
+
+} // namespace fff::io

@@ -1,0 +1,29 @@
+#include "core/io/loaded_document.h"
+
+namespace fff::io {
+
+std::string placeIn(const std::string &file, const std::string &where)
+{
+    if (file.empty() || where.empty())
+        return file + where;
+    return file + ":" + where;
+}
+
+std::string quoted(std::string_view text)
+{
+    std::string result;
+    for (const char c : text) {
+        // Only before a new character, so that no UTF-8 sequence is cut in two.
+        const bool startsCharacter = (static_cast<unsigned char>(c) & 0xC0u) != 0x80u;
+        if (result.size() >= kQuotedLength && startsCharacter)
+            return result + "…";
+        const bool isControl = static_cast<unsigned char>(c) < 0x20u || c == '\x7f';
+        result += isControl ? ' ' : c;
+        // Bytes that only go on and on are no text.
+        if (result.size() >= 2 * kQuotedLength)
+            return result;
+    }
+    return result;
+}
+
+} // namespace fff::io
