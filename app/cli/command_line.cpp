@@ -1,0 +1,249 @@
+#include "app/cli/command_line.h"
+
+#include "core/io/error_text.h"
+#include "core/model/edits.h"
+
+#include <QCoreApplication>
+#include <QTextStream>
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+#include <limits>
+
+namespace fff::cli {
+
+namespace {
+
+constexpr std::array kVerbs = {
+    Verb{"info", "FILE [--json]",
+         QT_TRANSLATE_NOOP("CommandLine", "Sections, joints, size and mass of a model"), runInfo},
+    Verb{"parts", "FILE [--json] [--tolerance MM]",
+         QT_TRANSLATE_NOOP("CommandLine", "What is to be cut, in each section's own coordinates"),
+         runParts},
+    Verb{"export", "FILE -o OUT.{svg,fff}",
+         QT_TRANSLATE_NOOP("CommandLine",
+                           "Cutting files, true to size; or the model in the native format"),
+         runExport},
+    Verb{"replay", "SCRIPT.json [--from FILE] -o OUT.{fff,svg}",
+         QT_TRANSLATE_NOOP("CommandLine", "Runs a script of what a person does"), runReplay},
+};
+
+QString tr(const char *text)
+{
+    return QCoreApplication::translate("CommandLine", text);
+}
+
+void printError(const QString &line)
+{
+    QTextStream(stderr) << line << Qt::endl;
+}
+
+QString usageLine(const Verb &verb)
+{
+    return QStringLiteral("flatfitfab-cli %1 %2")
+        .arg(QLatin1String(verb.name), QLatin1String(verb.usage));
+}
+
+/// A stock of the document or a built-in one, by name, whatever the case.
+std::optional<Stock> stockNamed(const Document &document, const QString &name)
+{
+    const auto matches = [&](const Stock &stock) {
+        return QString::fromStdString(stock.name).compare(name, Qt::CaseInsensitive) == 0;
+    };
+    for (const auto &stock : document.stocks)
+        if (matches(*stock))
+            return *stock;
+    for (const Stock &stock : {birchPlywood(), flatfabAcrylic()})
+        if (matches(stock))
+            return stock;
+    return std::nullopt;
+}
+
+std::optional<Vec2> sizeOf(const QString &text)
+{
+    const QStringList sides = text.toLower().split(u'x');
+    bool isWidth = false, isHeight = false;
+    if (sides.size() != 2)
+        return std::nullopt;
+    const Vec2 size(sides[0].toDouble(&isWidth), sides[1].toDouble(&isHeight));
+    if (!isWidth || !isHeight || !size.allFinite() || size.minCoeff() <= 0.0)
+        return std::nullopt;
+    return size;
+}
+
+/// Every section onto one stock: `--stock`.
+std::optional<int> applyStock(Document &document, const QString &name)
+{
+    const std::optional<Stock> stock = stockNamed(document, name);
+    if (!stock) {
+        printError(
+            tr("There is no stock \"%1\". Known are those of the file, Birch plywood and Acrylic.")
+                .arg(name));
+        return WrongUse;
+    }
+    StockId id = stock->id;
+    if (!document.find(id) || !(*document.find(id) == *stock)) {
+        document = *addStock(std::move(document), *stock);
+        id = document.currentStock;
+    }
+    for (const SectionPointer &section : std::vector(document.sections))
+        document = *setSectionStock(std::move(document), section->id, id);
+    document = *setCurrentStock(std::move(document), id);
+    return std::nullopt;
+}
+
+} // namespace
+
+std::span<const Verb> verbs()
+{
+    return kVerbs;
+}
+
+const Verb &verbNamed(const char *name)
+{
+    for (const Verb &verb : kVerbs)
+        if (std::strcmp(verb.name, name) == 0)
+            return verb;
+    qFatal("no such verb");
+}
+
+int wrongUse(const Verb &verb, const QString &reason)
+{
+    printError(reason);
+    printError(tr("Usage: %1").arg(usageLine(verb)));
+    return WrongUse;
+}
+
+Arguments parse(QCommandLineParser &parser, const Verb &verb, const QStringList &arguments,
+                int files)
+{
+    const QCommandLineOption help({QStringLiteral("h"), QStringLiteral("help")},
+                                  tr("Shows this help."));
+    parser.addOption(help);
+    if (!parser.parse(QStringList(QStringLiteral("flatfitfab-cli")) + arguments))
+        return {wrongUse(verb, parser.errorText()), {}};
+    if (parser.isSet(help)) {
+        QString text = QStringLiteral("%1\n\n%2\n\n")
+                           .arg(tr(verb.purpose), tr("Usage: %1").arg(usageLine(verb)));
+        const QString full = parser.helpText();
+        text += full.mid(std::max<qsizetype>(0, full.indexOf(QStringLiteral("Options:"))));
+        return {print(text.toStdString()), {}};
+    }
+    const QStringList found = parser.positionalArguments();
+    if (found.size() != files)
+        return {wrongUse(verb, found.size() < files ? tr("A file is missing.")
+                                                    : tr("Too many files: %1").arg(found.last())),
+                {}};
+    return {std::nullopt, found};
+}
+
+void addDocumentOptions(QCommandLineParser &parser)
+{
+    const auto add = [&](const char *name, const QString &text, const char *value) {
+        parser.addOption({QLatin1String(name), text, QLatin1String(value)});
+    };
+    add("thickness", tr("Thickness of every stock."), "MM");
+    add("stock", tr("Cuts every section from this stock."), "NAME");
+    add("kerf", tr("Full width that the machine removes."), "MM");
+    add("clearance", tr("Play added to slits; negative presses."), "MM");
+    add("sheet", tr("Size of a sheet, such as 600x400."), "WxH");
+    add("unit-mm", tr("Millimetres a unit of a FlatFab file (25.4)."), "MM");
+}
+
+std::optional<double> number(const QCommandLineParser &parser, const char *option, double minimum,
+                             std::optional<int> &status)
+{
+    const QString name = QLatin1String(option);
+    if (!parser.isSet(name))
+        return std::nullopt;
+    bool isNumber = false;
+    const double value = parser.value(name).toDouble(&isNumber);
+    if (isNumber && std::isfinite(value) && value >= minimum)
+        return value;
+    printError(tr("--%1: found \"%2\", expected a number, at least %3.")
+                   .arg(name, parser.value(name))
+                   .arg(minimum));
+    status = WrongUse;
+    return std::nullopt;
+}
+
+std::optional<int> applyDocumentOptions(Document &document, const QCommandLineParser &parser)
+{
+    std::optional<int> status;
+    constexpr double kThinnest = 0.01; // mm: thinner than any foil
+    const auto thickness = number(parser, "thickness", kThinnest, status);
+    const auto kerf = number(parser, "kerf", 0.0, status);
+    const auto clearance = number(parser, "clearance", -std::numeric_limits<double>::max(), status);
+    std::optional<Vec2> sheet;
+    if (parser.isSet(QStringLiteral("sheet"))) {
+        sheet = sizeOf(parser.value(QStringLiteral("sheet")));
+        if (!sheet) {
+            printError(tr("--sheet: found \"%1\", expected width x height in mm, such as 600x400.")
+                           .arg(parser.value(QStringLiteral("sheet"))));
+            status = WrongUse;
+        }
+    }
+    if (!status && parser.isSet(QStringLiteral("stock")))
+        status = applyStock(document, parser.value(QStringLiteral("stock")));
+    if (status)
+        return status;
+    for (const auto &pointer : std::vector(document.stocks)) {
+        Stock stock = *pointer;
+        stock.thickness = thickness.value_or(stock.thickness);
+        stock.kerf = kerf.value_or(stock.kerf);
+        stock.clearance = clearance.value_or(stock.clearance);
+        stock.sheet = sheet.value_or(stock.sheet);
+        Result<Document> next = setStock(document, stock);
+        if (!next)
+            return report(next.error());
+        document = std::move(*next);
+    }
+    return std::nullopt;
+}
+
+Loaded load(const QString &file, const QCommandLineParser &parser)
+{
+    Loaded loaded;
+    io::ReadOptions options;
+    constexpr double kSmallestUnit = 1e-6; // mm
+    if (const auto unit = number(parser, "unit-mm", kSmallestUnit, loaded.status))
+        options.unitMm = *unit;
+    if (loaded.status)
+        return loaded;
+    Result<io::LoadedDocument> read = io::readDocument(file, options);
+    if (!read) {
+        loaded.status = report(read.error());
+        return loaded;
+    }
+    for (const Warning &warning : read->warnings)
+        printError(io::warningText(warning));
+    loaded.document = std::move(read->document);
+    loaded.format = read->format;
+    loaded.status = applyDocumentOptions(loaded.document, parser);
+    return loaded;
+}
+
+int report(const Error &error)
+{
+    printError(io::errorText(error));
+    switch (error.code) {
+    case ErrorCode::CannotWrite:
+        return CannotWrite;
+    default:
+        return BadInput;
+    }
+}
+
+int print(const std::string &text)
+{
+    const bool isWritten =
+        std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0;
+    if (isWritten)
+        return Done;
+    printError(tr("Standard output could not be written."));
+    return CannotWrite;
+}
+
+} // namespace fff::cli

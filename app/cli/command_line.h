@@ -1,0 +1,76 @@
+// The verbs of flatfitfab-cli and what they share: options, reading, exit statuses.
+#pragma once
+
+#include "core/base/result.h"
+#include "core/io/document_file.h"
+#include "core/session/analysis.h"
+
+#include <QCommandLineParser>
+#include <QStringList>
+
+#include <optional>
+#include <span>
+#include <string>
+
+namespace fff::cli {
+
+/// The published exit statuses.
+enum ExitStatus { Done = 0, WrongUse = 1, BadInput = 2, ProblemsFound = 3, CannotWrite = 4 };
+
+struct Verb
+{
+    const char *name;
+    const char *usage;   // behind the name, untranslated
+    const char *purpose; // one line
+    int (*run)(const QStringList &arguments);
+};
+
+/// All verbs; a new one is one file and one line here.
+std::span<const Verb> verbs();
+
+int runInfo(const QStringList &arguments);
+int runParts(const QStringList &arguments);
+int runExport(const QStringList &arguments);
+int runReplay(const QStringList &arguments);
+
+/// The arguments of one verb: options from `parser`, and exactly `files` file names in front of or
+/// between them. When they make no sense, or help was asked for, the texts are printed and `status`
+/// is what to return.
+struct Arguments
+{
+    std::optional<int> status;
+    QStringList files;
+};
+Arguments parse(QCommandLineParser &parser, const Verb &verb, const QStringList &arguments,
+                int files);
+const Verb &verbNamed(const char *name);
+
+/// --thickness, --stock, --kerf, --clearance, --sheet, --unit-mm: they override the document for
+/// this run.
+void addDocumentOptions(QCommandLineParser &parser);
+
+/// A document read with its options applied, or the status to return after the reason was printed.
+/// Warnings of the reader go to standard error.
+struct Loaded
+{
+    std::optional<int> status;
+    Document document;
+    std::string format; // "fff" or "flatfab"
+};
+Loaded load(const QString &file, const QCommandLineParser &parser);
+/// Applies the options to a document that did not come from `load`. The status after printing, if
+/// wrong.
+std::optional<int> applyDocumentOptions(Document &document, const QCommandLineParser &parser);
+
+/// Prints one line on standard error and gives the status that fits the error's code.
+int report(const Error &error);
+int wrongUse(const Verb &verb, const QString &reason);
+/// Writes text to standard output. CannotWrite when it was closed.
+int print(const std::string &text);
+
+/// Value of an option as a number with its unit, e.g. "3.2". Prints and sets `status` when it is
+/// none or not above `minimum`.
+std::optional<double> number(const QCommandLineParser &parser, const char *option, double minimum,
+                             std::optional<int> &status);
+
+} // namespace fff::cli

@@ -1,0 +1,214 @@
+#include "app/cli/info.h"
+
+#include "core/base/units.h"
+#include "core/fabrication/summary.h"
+#include "core/io/json_writer.h"
+
+namespace fff::cli {
+
+namespace {
+
+using io::JsonWriter;
+
+std::string kindName(JointKind kind)
+{
+    switch (kind) {
+    case JointKind::CrossLap:
+        return "crossLap";
+    case JointKind::ExtendedCrossLap:
+        return "extendedCrossLap";
+    case JointKind::Mortise:
+        return "mortise";
+    case JointKind::None:
+        return "none";
+    }
+    return {};
+}
+
+void writeFrame(JsonWriter &json, const Frame &frame)
+{
+    json.key("frame");
+    json.beginObject(JsonWriter::Layout::Line);
+    json.member("origin", frame.origin);
+    json.member("x", frame.x);
+    json.member("y", frame.y);
+    json.endObject();
+}
+
+void writeStocks(JsonWriter &json, const Document &document)
+{
+    json.key("stocks");
+    json.beginArray();
+    for (const auto &stock : document.stocks) {
+        json.beginObject(JsonWriter::Layout::Line);
+        json.member("name", stock->name);
+        json.member("thickness", stock->thickness);
+        json.member("density", stock->density);
+        json.member("kerf", stock->kerf);
+        json.member("clearance", stock->clearance);
+        json.member("sheet", stock->sheet);
+        json.endObject();
+    }
+    json.endArray();
+}
+
+void writeSection(JsonWriter &json, const Analysis &analysis, std::size_t index)
+{
+    const Model &model = analysis.model;
+    const Section &section = *model.section(index);
+    const Stock &stock = model.stockOf(index);
+    const MassProperties mass = massOf(section, stock, *analysis.cuts[index]);
+    json.beginObject();
+    json.member("id", section.id.value);
+    json.member("name", section.name);
+    json.member("area", section.shape->area());
+    json.member("thickness", stock.thickness);
+    json.member("mass", mass.mass);
+    json.member("centroid", section.frame.toWorld(section.shape->centroid()));
+    writeFrame(json, section.frame);
+    json.key("slits");
+    json.beginArray();
+    for (const Slit &slit : analysis.assembly.slits[index]) {
+        json.beginObject(JsonWriter::Layout::Line);
+        json.member("joint", slit.joint);
+        json.member("with", model.section(static_cast<std::size_t>(slit.guest))->name);
+        json.member("from", slit.mouth);
+        json.member("to", slit.inner);
+        json.member("width", slit.width);
+        json.member("open", slit.isOpen);
+        json.endObject();
+    }
+    json.endArray();
+    json.endObject();
+}
+
+void writeJoint(JsonWriter &json, const Model &model, const Joint &joint)
+{
+    const Axis &axis = joint.crossing->axis;
+    json.beginObject();
+    json.member("id", joint.id);
+    json.member("a", model.section(static_cast<std::size_t>(joint.a))->name);
+    json.member("b", model.section(static_cast<std::size_t>(joint.b))->name);
+    json.member("angle", degrees(joint.crossing->angle));
+    json.key("axis");
+    json.beginObject(JsonWriter::Layout::Line);
+    json.member("point", axis.point);
+    json.member("direction", axis.direction);
+    json.endObject();
+    json.member("kind", kindName(joint.kind));
+    json.key("overlaps");
+    json.beginArray();
+    for (std::size_t i = 0; i < joint.crossing->overlaps.size(); ++i) {
+        const Overlap &overlap = joint.crossing->overlaps[i];
+        json.beginObject(JsonWriter::Layout::Line);
+        json.member("from", axis.at(overlap.from));
+        json.member("to", axis.at(overlap.to));
+        json.member("meet", axis.at(joint.meets[i]));
+        json.endObject();
+    }
+    json.endArray();
+    json.endObject();
+}
+
+void writeRing(JsonWriter &json, const Polygon &ring)
+{
+    constexpr int kPointsPerLine = 8;
+    json.beginArray(JsonWriter::Layout::Block, kPointsPerLine);
+    for (const Vec2 &point : ring)
+        json.value(point);
+    json.endArray();
+}
+
+} // namespace
+
+std::string infoJson(const Analysis &analysis, const InfoContext &context)
+{
+    const Model &model = analysis.model;
+    const Assembly &assembly = analysis.assembly;
+    std::size_t holes = 0, controlPoints = 0, overlaps = 0, slits = 0;
+    for (std::size_t i = 0; i < model.sectionCount(); ++i) {
+        const Shape &shape = *model.section(i)->shape;
+        holes += shape.holes().size();
+        // Counted as written in path formats: each closed curve names its first point again at its
+        // end.
+        controlPoints +=
+            static_cast<std::size_t>(shape.controlPointCount()) + 1 + shape.holes().size();
+        slits += assembly.slits[i].size();
+    }
+    for (const Joint &joint : assembly.joints)
+        overlaps += joint.crossing->overlaps.size();
+    const auto groups = connectedGroups(model.sectionCount(), assembly.joints);
+
+    JsonWriter json;
+    json.beginObject();
+    json.member("file", context.file);
+    json.member("format", context.format);
+    json.member("sections", model.sectionCount());
+    json.member("holes", holes);
+    json.member("controlPoints", controlPoints);
+    writeStocks(json, model.document);
+    json.member("joints", assembly.joints.size());
+    json.member("overlaps", overlaps);
+    json.member("slits", slits);
+    json.member("components", groups.size());
+    json.key("unconnected");
+    json.beginArray(JsonWriter::Layout::Line);
+    for (std::size_t g = 1; g < groups.size(); ++g)
+        for (const int section : groups[g])
+            json.value(model.section(static_cast<std::size_t>(section))->name);
+    json.endArray();
+    const MassProperties mass = massOf(model, analysis.cuts);
+    json.member("mass", mass.mass);
+    json.member("centreOfMass", mass.centre);
+    const Box3 bounds = slabBounds(model);
+    json.key("bounds");
+    if (bounds.isEmpty()) {
+        json.null();
+    } else {
+        json.beginArray(JsonWriter::Layout::Line);
+        json.value(bounds.min);
+        json.value(bounds.max);
+        json.endArray();
+    }
+    json.key("sectionList");
+    json.beginArray();
+    for (std::size_t i = 0; i < model.sectionCount(); ++i)
+        writeSection(json, analysis, i);
+    json.endArray();
+    json.key("jointList");
+    json.beginArray();
+    for (const Joint &joint : assembly.joints)
+        writeJoint(json, model, joint);
+    json.endArray();
+    json.endObject();
+    return json.take();
+}
+
+std::string partsJson(const std::vector<Part> &parts, const Model &model)
+{
+    JsonWriter json;
+    json.beginObject();
+    json.key("parts");
+    json.beginArray();
+    for (const Part &part : parts) {
+        const Section &section = *model.section(static_cast<std::size_t>(part.section));
+        json.beginObject();
+        json.member("section", section.name);
+        json.member("number", part.number);
+        json.member("thickness", model.stockOf(static_cast<std::size_t>(part.section)).thickness);
+        writeFrame(json, section.frame);
+        json.key("outer");
+        writeRing(json, part.outline.region.outer);
+        json.key("holes");
+        json.beginArray();
+        for (const Polygon &hole : part.outline.region.holes)
+            writeRing(json, hole);
+        json.endArray();
+        json.endObject();
+    }
+    json.endArray();
+    json.endObject();
+    return json.take();
+}
+
+} // namespace fff::cli

@@ -1,0 +1,94 @@
+#include "app/cli/info.h"
+
+#include "core/fabrication/summary.h"
+
+#include <QCoreApplication>
+#include <QString>
+#include <QStringList>
+
+namespace fff::cli {
+
+namespace {
+
+QString tr(const char *text)
+{
+    return QCoreApplication::translate("Info", text);
+}
+
+QString length(double millimetres)
+{
+    return QString::number(millimetres, 'f', 1);
+}
+
+QString sizeText(const Vec2 &size)
+{
+    return tr("%1 × %2 mm").arg(length(size.x()), length(size.y()));
+}
+
+QString nameOf(const Model &model, int section)
+{
+    return QString::fromStdString(model.section(static_cast<std::size_t>(section))->name);
+}
+
+} // namespace
+
+std::string infoText(const Analysis &analysis, const InfoContext &context)
+{
+    const Model &model = analysis.model;
+    const auto groups = connectedGroups(model.sectionCount(), analysis.assembly.joints);
+    const MassProperties mass = massOf(model, analysis.cuts);
+    const Box3 bounds = slabBounds(model);
+
+    QStringList lines;
+    lines += QString::fromStdString(context.file);
+    lines += tr("Sections: %1").arg(model.sectionCount());
+    lines += tr("Joints: %1").arg(analysis.assembly.joints.size());
+    for (const Joint &joint : analysis.assembly.joints) {
+        if (joint.kind == JointKind::None)
+            lines += tr("%1 and %2 meet, but no slit lets them slide together.")
+                         .arg(nameOf(model, joint.a), nameOf(model, joint.b));
+    }
+    if (groups.size() <= 1) {
+        lines += tr("All sections hold together.");
+    } else {
+        QStringList names;
+        for (std::size_t g = 1; g < groups.size(); ++g)
+            for (const int section : groups[g])
+                names += nameOf(model, section);
+        lines += tr("Not connected to the rest: %1").arg(names.join(QStringLiteral(", ")));
+    }
+    if (!bounds.isEmpty()) {
+        const Vec3 size = bounds.size();
+        lines += tr("Size %1 × %2 × %3 mm (width, height, depth)")
+                     .arg(length(size.x()), length(size.y()), length(size.z()));
+        lines += tr("Mass %1 g").arg(QString::number(1000.0 * mass.mass, 'f', 1));
+    }
+    for (const auto &stock : model.document.stocks) {
+        lines += tr("Stock %1, %2 mm, sheets of %3")
+                     .arg(QString::fromStdString(stock->name), QString::number(stock->thickness),
+                          sizeText(stock->sheet));
+    }
+    return lines.join(u'\n').toStdString() + '\n';
+}
+
+std::string partsText(const std::vector<Part> &parts, const Model &model)
+{
+    QStringList lines;
+    for (const Part &part : parts) {
+        QStringList joints;
+        for (const Part::JointMark &mark : part.joints)
+            joints += QString::number(mark.joint);
+        const Box2 box = bounds(part.outline.region.outer);
+        QString line = tr("Part %1: %2, %3")
+                           .arg(QString::number(part.number), nameOf(model, part.section),
+                                sizeText(box.size()));
+        if (!joints.isEmpty())
+            line += tr(", joints %1").arg(joints.join(QStringLiteral(", ")));
+        lines += line;
+    }
+    if (lines.isEmpty())
+        lines += tr("Nothing to cut: the model has no section.");
+    return lines.join(u'\n').toStdString() + '\n';
+}
+
+} // namespace fff::cli

@@ -1,0 +1,18 @@
+// Writing what a verb made, by the kind of its file.
+#pragma once
+
+#include "app/cli/command_line.h"
+
+namespace fff::cli {
+
+/// -o and --no-reference.
+void addOutputOptions(QCommandLineParser &parser);
+
+/// Empty when -o names a file of a kind that can be written; else why not.
+QString whyNoOutput(const QCommandLineParser &parser);
+
+/// Writes the document as -o says: .fff the model, .svg its cutting file. Says on standard error
+/// what was made and what does not fit. Returns the exit status.
+int writeOutput(const QCommandLineParser &parser, const Document &document);
+
+} // namespace fff::cli

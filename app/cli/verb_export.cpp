@@ -1,0 +1,20 @@
+#include "app/cli/output.h"
+
+namespace fff::cli {
+
+int runExport(const QStringList &arguments)
+{
+    QCommandLineParser parser;
+    addOutputOptions(parser);
+    addDocumentOptions(parser);
+    const Verb &verb = verbNamed("export");
+    const Arguments parsed = parse(parser, verb, arguments, 1);
+    if (parsed.status)
+        return *parsed.status;
+    if (const QString reason = whyNoOutput(parser); !reason.isEmpty())
+        return wrongUse(verb, reason);
+    const Loaded loaded = load(parsed.files.first(), parser);
+    return loaded.status ? *loaded.status : writeOutput(parser, loaded.document);
+}
+
+} // namespace fff::cli

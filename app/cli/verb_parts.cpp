@@ -1,0 +1,58 @@
+#include "app/cli/command_line.h"
+#include "app/cli/info.h"
+#include "core/base/tolerances.h"
+#include "core/operations/evaluate.h"
+
+namespace fff::cli {
+
+namespace {
+
+/// The cut sections on chords of another tolerance than the analysis keeps.
+std::vector<CutSectionPointer> cutsOnChords(const Analysis &analysis, double chord)
+{
+    std::vector<CutSectionPointer> cuts;
+    for (std::size_t i = 0; i < analysis.model.sectionCount(); ++i) {
+        const Shape &shape = *analysis.model.section(i)->shape;
+        std::vector<Polygon> slits;
+        for (const Slit &slit : analysis.assembly.slits[i])
+            slits.push_back(slit.outline());
+        cuts.push_back(std::make_shared<const CutSection>(
+            subtract(shape.contour(), shape.holes(), slits, chord)));
+    }
+    return cuts;
+}
+
+} // namespace
+
+int runParts(const QStringList &arguments)
+{
+    QCommandLineParser parser;
+    const auto tr = [](const char *text) {
+        return QCoreApplication::translate("CommandLine", text);
+    };
+    parser.addOption({QStringLiteral("json"), tr("For machines.")});
+    parser.addOption({QStringLiteral("tolerance"),
+                      tr("Largest distance of the chords from the curves (0.01)."),
+                      QStringLiteral("MM")});
+    addDocumentOptions(parser);
+    const Arguments parsed = parse(parser, verbNamed("parts"), arguments, 1);
+    if (parsed.status)
+        return *parsed.status;
+    std::optional<int> status;
+    constexpr double kFinestChord = 1e-5; // mm: ten steps of the grid that booleans work on
+    const double chord = number(parser, "tolerance", kFinestChord, status).value_or(kCutChord);
+    if (status)
+        return *status;
+    Loaded loaded = load(parsed.files.first(), parser);
+    if (loaded.status)
+        return *loaded.status;
+    AnalysisCaches caches;
+    Analysis analysis = analyse(evaluate(std::move(loaded.document)), caches);
+    if (chord != kCutChord)
+        analysis.cuts = cutsOnChords(analysis, chord);
+    const std::vector<Part> parts = makeParts(analysis.model, analysis.assembly, analysis.cuts);
+    return print(parser.isSet(QStringLiteral("json")) ? partsJson(parts, analysis.model)
+                                                      : partsText(parts, analysis.model));
+}
+
+} // namespace fff::cli

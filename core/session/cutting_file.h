@@ -1,0 +1,34 @@
+// From an analysed model to the file that is cut: parts, kerf, layout, drawing. Used by the
+// window's Export and by the command line's `export`, so that both write the same.
+#pragma once
+
+#include "core/fabrication/layout.h"
+#include "core/session/analysis.h"
+
+#include <string>
+#include <vector>
+
+namespace fff {
+
+struct CuttingFileOptions
+{
+    LayoutOptions layout;
+    bool compensatesKerf = true; // each cut path offset by half its stock's kerf
+    bool hasReference = true;    // a 100 mm bar beside the sheets, to check the printed size
+};
+
+struct CuttingFile
+{
+    std::string svg;
+    int partCount = 0;
+    int sheetCount = 0;
+    std::vector<std::string> oversized; // names of sections with a part that fits no sheet
+    std::vector<std::string> unmarked; // names of sections with a part too slim to carry its number
+    double slitWidth = 0.0; // mm, the narrowest slit as drawn (kerf taken off); 0 without slits
+};
+
+/// Errors  NothingToExport for a model without sections.
+Result<CuttingFile> makeCuttingFile(const Analysis &analysis,
+                                    const CuttingFileOptions &options = {});
+
+} // namespace fff
