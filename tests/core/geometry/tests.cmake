@@ -1,0 +1,1 @@
+fff_test(core/geometry/tst_fit fff::core)

@@ -1,0 +1,288 @@
+#include "core/geometry/contour.h"
+#include "core/geometry/fit.h"
+
+#include <QTest>
+
+#include <cmath>
+#include <numbers>
+#include <random>
+
+using namespace fff;
+
+namespace {
+
+using Samples = std::vector<Vec2>;
+
+constexpr double kChord = 0.02; // mm, of the curves in the comparisons below
+
+Samples circle(double radius, int count)
+{
+    Samples samples;
+    for (int i = 0; i <= count; ++i) {
+        const double angle = 2.0 * std::numbers::pi * i / count;
+        samples.emplace_back(radius * std::cos(angle), radius * std::sin(angle));
+    }
+    return samples;
+}
+
+Samples along(const Samples &corners, double step)
+{
+    Samples samples;
+    for (std::size_t i = 0; i + 1 < corners.size(); ++i) {
+        const Vec2 way = corners[i + 1] - corners[i];
+        const int pieces = std::max(1, static_cast<int>(std::lround(way.norm() / step)));
+        for (int k = 0; k < pieces; ++k)
+            samples.push_back(corners[i] + way * (double(k) / pieces));
+    }
+    samples.push_back(corners.back());
+    return samples;
+}
+
+Samples scribble(unsigned seed)
+{
+    std::mt19937 random(seed);
+    std::uniform_int_distribution<int> count(3, 200);
+    std::normal_distribution<double> step(0.0, 3.0);
+    Samples samples{Vec2::Zero()};
+    Vec2 velocity(1.0, 0.0);
+    for (int i = count(random); i > 0; --i) {
+        velocity = 0.7 * velocity + Vec2(step(random), step(random));
+        samples.push_back(samples.back() + velocity);
+    }
+    return samples;
+}
+
+/// Pixel positions: what a mouse gives.
+Samples rounded(Samples samples)
+{
+    for (Vec2 &p : samples)
+        p = p.array().round().matrix();
+    return samples;
+}
+
+/// In plain numbers: called millions of times, and Eigen is slow without optimisation.
+double distanceToPolyline(const Vec2 &point, const Samples &line)
+{
+    const double px = point.x(), py = point.y();
+    double best = (point - line.front()).squaredNorm();
+    for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+        const double *a = line[i].data(), *b = line[i + 1].data();
+        const double x = px - a[0], y = py - a[1], wx = b[0] - a[0], wy = b[1] - a[1];
+        const double squared = wx * wx + wy * wy;
+        const double u = squared > 0.0 ? std::clamp((wx * x + wy * y) / squared, 0.0, 1.0) : 0.0;
+        const double dx = u * wx - x, dy = u * wy - y;
+        best = std::min(best, dx * dx + dy * dy);
+    }
+    return std::sqrt(best);
+}
+
+Samples flattened(const std::vector<CubicBezier> &chain)
+{
+    Samples line;
+    for (const CubicBezier &s : chain) {
+        const int count = s.chordCount(kChord);
+        for (int i = 0; i <= count; ++i)
+            line.push_back(s.at(double(i) / count));
+    }
+    return line;
+}
+
+} // namespace
+
+class TestFit : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void staysWithinTolerance_data();
+    void staysWithinTolerance();
+    void circleNeedsFewSegments();
+    void rectangleKeepsItsCorners_data();
+    void rectangleKeepsItsCorners();
+    void sparseRectangleKeepsItsEdges();
+    void isSmoothBetweenCorners();
+    void repeatedPointsChangeNothing();
+    void degenerateInput_data();
+    void degenerateInput();
+    void closingSegmentIsTangentAndDoesNotLoop();
+};
+
+void TestFit::staysWithinTolerance_data()
+{
+    QTest::addColumn<Samples>("samples");
+    QTest::addColumn<double>("tolerance");
+    QTest::newRow("circle") << circle(50.0, 300) << 0.5;
+    QTest::newRow("circle in pixels") << rounded(circle(200.0, 300)) << 2.0;
+    QTest::newRow("tiny circle") << circle(2.0, 40) << 1.0;
+    QTest::newRow("sparse circle") << circle(50.0, 9) << 0.5;
+    QTest::newRow("line") << Samples{{0, 0}, {100, 30}} << 0.5;
+    QTest::newRow("there and back") << along({{0, 0}, {50, 0}, {0, 0}}, 2.0) << 0.5;
+    QTest::newRow("figure of eight") << [] {
+        Samples samples;
+        for (int i = 0; i <= 300; ++i)
+            samples.emplace_back(80.0 * std::sin(i * 0.02), 40.0 * std::sin(i * 0.04));
+        return samples;
+    }() << 1.0;
+    QTest::newRow("zigzag") << along({{0, 0}, {10, 20}, {20, 0}, {30, 20}, {40, 0}}, 1.0) << 0.5;
+    for (unsigned seed = 1; seed <= 40; ++seed)
+        QTest::addRow("scribble, seed %u", seed) << scribble(seed) << (seed % 2 ? 0.5 : 2.0);
+    for (unsigned seed = 41; seed <= 50; ++seed)
+        QTest::addRow("scribble in pixels, seed %u", seed) << rounded(scribble(seed)) << 2.0;
+}
+
+/// A sample off the curve by more than the tolerance, or a curve that swings out between samples,
+/// is not what was drawn.
+void TestFit::staysWithinTolerance()
+{
+    QFETCH(Samples, samples);
+    QFETCH(double, tolerance);
+    const auto chain = fitCurve(samples, {.tolerance = tolerance});
+    QVERIFY(!chain.empty());
+    QCOMPARE(chain.front().p0, samples.front());
+    QCOMPARE(chain.back().p3, samples.back());
+    for (std::size_t i = 0; i + 1 < chain.size(); ++i)
+        QCOMPARE(chain[i].p3, chain[i + 1].p0);
+    const Samples line = flattened(chain);
+    for (const Vec2 &p : samples)
+        QVERIFY(distanceToPolyline(p, line) <= tolerance + kChord);
+    for (const Vec2 &p : line) {
+        const double off = distanceToPolyline(p, samples);
+        QVERIFY2(off <= 2.0 * tolerance, qPrintable(QString::number(off)));
+    }
+}
+
+void TestFit::circleNeedsFewSegments()
+{
+    for (const double noise : {0.0, 0.3}) {
+        Samples samples = circle(100.0, 250);
+        std::mt19937 random(7);
+        std::uniform_real_distribution<double> jitter(-noise, noise);
+        for (Vec2 &p : samples)
+            p += Vec2(jitter(random), jitter(random));
+        const auto chain = fitCurve(samples, {.tolerance = 1.0});
+        QVERIFY2(chain.size() <= 8, qPrintable(QString::number(chain.size())));
+    }
+}
+
+void TestFit::rectangleKeepsItsCorners_data()
+{
+    QTest::addColumn<Vec2>("start");
+    QTest::addColumn<double>("step");
+    QTest::newRow("from the middle of an edge") << Vec2(50, 0) << 1.0;
+    QTest::newRow("coarse") << Vec2(50, 0) << 5.0;
+    QTest::newRow("uneven") << Vec2(37, 0) << 3.7;
+}
+
+void TestFit::rectangleKeepsItsCorners()
+{
+    QFETCH(Vec2, start);
+    QFETCH(double, step);
+    const Samples corners{{100, 0}, {100, 60}, {0, 60}, {0, 0}};
+    Samples way{start};
+    way.insert(way.end(), corners.begin(), corners.end());
+    way.push_back(start);
+    const auto chain = fitCurve(along(way, step), {.tolerance = 1.0});
+    int kept = 0;
+    for (std::size_t i = 0; i + 1 < chain.size(); ++i) {
+        const Vec2 in = endDirection(chain[i]), out = startDirection(chain[i + 1]);
+        for (const Vec2 &corner : corners)
+            if ((chain[i].p3 - corner).norm() < 1e-9 && std::abs(in.dot(out)) < 1e-6)
+                ++kept;
+    }
+    QCOMPARE(kept, 4);
+    for (const CubicBezier &s : chain)
+        QVERIFY(s.isStraight(1e-6));
+    QCOMPARE(chain.size(), std::size_t(5));
+}
+
+/// Five clicks' worth of samples are a rectangle, not a balloon.
+void TestFit::sparseRectangleKeepsItsEdges()
+{
+    const auto chain = fitCurve({{50, 0}, {100, 0}, {100, 60}, {0, 60}, {0, 0}, {49, 0}});
+    QCOMPARE(chain.size(), std::size_t(5));
+    for (const CubicBezier &s : chain)
+        QVERIFY(s.isStraight(1e-6));
+}
+
+void TestFit::isSmoothBetweenCorners()
+{
+    Samples samples;
+    for (int i = 0; i <= 400; ++i)
+        samples.emplace_back(0.5 * i, 30.0 * std::sin(i * 0.03));
+    const auto chain = fitCurve(samples, {.tolerance = 0.2});
+    QVERIFY(chain.size() > 2);
+    for (std::size_t i = 0; i + 1 < chain.size(); ++i)
+        QVERIFY((endDirection(chain[i]) - startDirection(chain[i + 1])).norm() < 1e-9);
+}
+
+void TestFit::repeatedPointsChangeNothing()
+{
+    const Samples samples = circle(50.0, 60);
+    Samples repeated;
+    for (const Vec2 &p : samples)
+        repeated.insert(repeated.end(), 3, p);
+    repeated.insert(repeated.begin() + 10, Vec2(std::nan(""), 0.0));
+    const auto a = fitCurve(samples), b = fitCurve(repeated);
+    QCOMPARE(a.size(), b.size());
+    for (std::size_t i = 0; i < a.size(); ++i)
+        QVERIFY(a[i].p1 == b[i].p1 && a[i].p2 == b[i].p2 && a[i].p3 == b[i].p3);
+}
+
+void TestFit::degenerateInput_data()
+{
+    QTest::addColumn<Samples>("samples");
+    QTest::addColumn<int>("segments");
+    QTest::newRow("nothing") << Samples{} << 0;
+    QTest::newRow("one point") << Samples{{3, 4}} << 0;
+    QTest::newRow("one point many times") << Samples(20, Vec2(3, 4)) << 0;
+    QTest::newRow("not a number") << Samples{{std::nan(""), 0}, {0, 0}} << 0;
+    QTest::newRow("two points") << Samples{{0, 0}, {1, 1}} << 1;
+}
+
+void TestFit::degenerateInput()
+{
+    QFETCH(Samples, samples);
+    QFETCH(int, segments);
+    QCOMPARE(static_cast<int>(fitCurve(samples).size()), segments);
+}
+
+/// Whatever the directions at its ends, however short it is.
+void TestFit::closingSegmentIsTangentAndDoesNotLoop()
+{
+    std::mt19937 random(11);
+    std::uniform_real_distribution<double> any(-1.0, 1.0);
+    for (int i = 0; i < 200; ++i) {
+        const double size = i % 2 ? 10.0 : 1e-3;
+        const Vec2 from(any(random), any(random));
+        const Vec2 to = from + size * Vec2(any(random), any(random));
+        const Vec2 in(any(random), any(random)), out(any(random), any(random));
+        const std::vector<CubicBezier> chain{CubicBezier::line(to, to + out),
+                                             CubicBezier::line(to + out, from - in),
+                                             CubicBezier::line(from - in, from)};
+        const CubicBezier closing = closingSegment(chain);
+        QCOMPARE(closing.p0, from);
+        QCOMPARE(closing.p3, to);
+        QVERIFY(std::abs(cross(closing.p1 - closing.p0, in)) < 1e-9 * size);
+        QVERIFY((closing.p1 - closing.p0).dot(in) > 0.0);
+        QVERIFY((closing.p3 - closing.p2).dot(out) > 0.0);
+        // A loop would make two chords that are no neighbours meet.
+        Samples line;
+        for (int k = 0; k <= 64; ++k)
+            line.push_back(closing.at(k / 64.0));
+        for (std::size_t a = 0; a + 1 < line.size(); ++a)
+            for (std::size_t b = a + 2; b + 1 < line.size(); ++b) {
+                const auto side = [](const Vec2 &p, const Vec2 &q, const Vec2 &r) {
+                    return cross(q - p, r - p);
+                };
+                const bool meets =
+                    side(line[a], line[a + 1], line[b]) * side(line[a], line[a + 1], line[b + 1]) <
+                        0.0 &&
+                    side(line[b], line[b + 1], line[a]) * side(line[b], line[b + 1], line[a + 1]) <
+                        0.0;
+                QVERIFY(!meets);
+            }
+    }
+}
+
+QTEST_APPLESS_MAIN(TestFit)
+#include "tst_fit.moc"
