@@ -7,9 +7,18 @@ namespace fff {
 inline constexpr double kCutChord = 0.01;
 /// The same for what is only looked at.
 inline constexpr double kDrawChord = 0.05;
+/// Largest distance of a fitted curve from the offset curve that it stands for.
+inline constexpr double kOffsetError = 0.002;
 
 /// Booleans snap their input to this grid: 1 nm.
 inline constexpr double kClipGrid = 1e-6;
+/// How far from its edge a vertex may be that the booleans put there: both ends of the edge and the
+/// vertex itself are rounded to the grid.
+inline constexpr double kClipSlack = 3.0 * kClipGrid;
+/// Two curves are taken to cross where they are this near.
+inline constexpr double kCrossingError = 1e-10;
+/// Sine of the angle below which two edges are parallel: where they cross is rounding (no unit).
+inline constexpr double kParallelSine = 1e-9;
 /// Largest coordinate that a document may hold: 1 km. Keeps every product in the integer booleans
 /// exact.
 inline constexpr double kMaxCoordinate = 1e6;
@@ -24,6 +33,13 @@ inline constexpr double kMinJointAngle = 0.17453292519943295;
 
 /// Smallest area of a contour, a hole or a part, in mm²; below it is dust.
 inline constexpr double kMinArea = 1e-3;
+
+/// Points found along rays, which start beyond everything, are off by no more than this.
+inline constexpr double kRayRounding = 1e-7;
+/// A section that is seen at less than this is seen on edge: nothing is drawn on it (3°).
+inline constexpr double kMinDrawAngle = 0.05235987755982989;
+/// Turns and directions that differ by less than this, in radians, are the same.
+inline constexpr double kSameDirection = 1e-9;
 
 /// A section point this near to Y = 0 stands on the ground.
 inline constexpr double kGroundContact = 0.05;

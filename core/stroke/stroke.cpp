@@ -1,0 +1,164 @@
+#include "core/stroke/stroke.h"
+
+#include "core/base/easing.h"
+#include "core/base/tolerances.h"
+
+#include <algorithm>
+#include <cassert>
+
+namespace fff {
+
+namespace {
+
+/// Halvings of the way across the dead zone's border: down to the last bit.
+constexpr int kBisections = 60;
+
+} // namespace
+
+void Stroke::beginOnCanvas(const Sample &sample)
+{
+    assert(m_state == State::Idle && "a stroke begins once");
+    m_state = State::Contour;
+    addSample(sample.point);
+}
+
+void Stroke::beginInSection(ShapePointer shape, const Sample &sample)
+{
+    assert(m_state == State::Idle && "a stroke begins once");
+    m_interior.emplace(std::move(shape));
+    m_slitFrom = m_slitTo = m_last = sample.point;
+    m_state = State::Slit;
+}
+
+void Stroke::move(const Sample &sample)
+{
+    if (!sample.point.allFinite())
+        return;
+    switch (m_state) {
+    case State::Slit:
+        moveInSection(sample);
+        break;
+    case State::DeadZone:
+        moveInDeadZone(sample.point);
+        break;
+    case State::Contour:
+        addSample(sample.point);
+        break;
+    case State::Idle:
+    case State::Turn:
+    case State::Done:
+    case State::Cancelled:
+        break;
+    }
+}
+
+void Stroke::release(const Sample &sample)
+{
+    move(sample);
+    switch (m_state) {
+    case State::Slit:
+        refuse(Refusal::NeverLeft);
+        break;
+    case State::Turn:
+    case State::DeadZone:
+        refuse(Refusal::TooShort);
+        break;
+    case State::Contour:
+        if (contour().contour)
+            m_state = State::Done;
+        else
+            refuse(Refusal::TooShort);
+        break;
+    case State::Idle:
+    case State::Done:
+    case State::Cancelled:
+        break;
+    }
+}
+
+void Stroke::cancel()
+{
+    if (m_state != State::Done)
+        m_state = State::Cancelled;
+}
+
+void Stroke::advance(double time)
+{
+    if (m_state != State::Turn || time < m_turnStart + m_options.turnTime)
+        return;
+    m_state = State::DeadZone;
+    // The turn kept the slit's end under the cursor.
+    m_last = {slitLength(), 0.0};
+}
+
+double Stroke::turnProgress(double time) const
+{
+    if (m_state == State::Idle || m_state == State::Slit)
+        return 0.0;
+    if (m_state != State::Turn || m_options.turnTime <= 0.0)
+        return 1.0;
+    return easeInOutCubic((time - m_turnStart) / m_options.turnTime);
+}
+
+const StrokeContour &Stroke::contour() const
+{
+    if (!m_contour)
+        m_contour = strokeContour(m_samples, m_options.tolerance);
+    return *m_contour;
+}
+
+void Stroke::moveInSection(const Sample &sample)
+{
+    const std::optional<Vec2> leaving = m_interior->leavingPoint(m_last, sample.point);
+    m_last = sample.point;
+    m_slitTo = leaving.value_or(sample.point);
+    if (!leaving)
+        return;
+    if (slitLength() < kMinOverlap) {
+        refuse(Refusal::TooShort);
+        return;
+    }
+    m_state = State::Turn;
+    m_turnStart = sample.time;
+}
+
+void Stroke::moveInDeadZone(const Vec2 &point)
+{
+    if (distanceToSlit(point) <= m_options.deadZoneRadius) {
+        m_last = point;
+        return;
+    }
+    // The zone is convex and the last point inside: the way crosses its border once.
+    double inside = 0.0, outside = 1.0;
+    for (int i = 0; i < kBisections; ++i) {
+        const double middle = 0.5 * (inside + outside);
+        const bool isInside =
+            distanceToSlit(m_last + middle * (point - m_last)) <= m_options.deadZoneRadius;
+        (isInside ? inside : outside) = middle;
+    }
+    m_state = State::Contour;
+    addSample(m_last + outside * (point - m_last));
+    addSample(point);
+}
+
+void Stroke::addSample(const Vec2 &point)
+{
+    if (!m_samples.empty() && (point - m_samples.back()).norm() <= kClipGrid)
+        return;
+    m_samples.push_back(point);
+    m_contour.reset();
+}
+
+void Stroke::refuse(Refusal refusal)
+{
+    m_refusal = refusal;
+    m_state = State::Cancelled;
+}
+
+double Stroke::distanceToSlit(const Vec2 &point) const
+{
+    const Vec2 foot(std::clamp(point.x(), 0.0, slitLength()), 0.0);
+    return (point - foot).norm();
+}
+
+} // namespace fff

@@ -1,0 +1,89 @@
+// The single stroke: one press, one way, one release make a section (paper, "Single stroke planar
+// section creation"). Pure: knows points and times, no camera, no document.
+#pragma once
+
+#include "core/stroke/leaving.h"
+#include "core/stroke/stroke_contour.h"
+
+namespace fff {
+
+/// States and what takes one to the next:
+///
+///     Idle      beginOnCanvas              -> Contour    the first section has no slit
+///     Idle      beginInSection             -> Slit
+///     Slit      move that leaves the shape -> Turn       holes are outside
+///     Slit      release                    -> Cancelled  NeverLeft
+///     Turn      advance past its end       -> DeadZone   positions are not looked at
+///     DeadZone  move that leaves the zone  -> Contour    begins on the zone's border
+///     Turn, DeadZone  release              -> Cancelled  TooShort
+///     Contour   release                    -> Done       or Cancelled, TooShort, without an area
+///     any but Done    cancel               -> Cancelled
+///
+/// While in Slit, points are in the frame of the section; after it in that of the canvas: the plane
+/// that is drawn on, its origin at the slit's start and its x axis along the slit, so that the slit
+/// is the segment from (0, 0) to (slitLength(), 0) there. A slit shorter than kMinOverlap has no
+/// direction to speak of and cancels with TooShort.
+class Stroke
+{
+public:
+    enum class State { Idle, Slit, Turn, DeadZone, Contour, Done, Cancelled };
+    enum class Refusal { None, NeverLeft, TooShort };
+
+    struct Sample
+    {
+        double time = 0.0; // ms
+        Vec2 point = Vec2::Zero();
+    };
+    struct Options
+    {
+        double turnTime = 800.0;     // ms
+        double deadZoneRadius = 0.0; // mm
+        double tolerance = 0.5;      // mm that the contour may be off the samples
+    };
+
+    explicit Stroke(const Options &options) : m_options(options) {}
+
+    void beginOnCanvas(const Sample &sample);
+    /// The sample's point lies inside the shape.
+    void beginInSection(ShapePointer shape, const Sample &sample);
+    /// Call advance(sample.time) before it: after a turn the point is one on the canvas.
+    void move(const Sample &sample);
+    void release(const Sample &sample);
+    void cancel();
+    void advance(double time);
+
+    State state() const { return m_state; }
+    Refusal refusal() const { return m_refusal; }
+
+    /// The slit in the section's frame; until it has left, it ends at the cursor.
+    const Vec2 &slitFrom() const { return m_slitFrom; }
+    const Vec2 &slitTo() const { return m_slitTo; }
+    double slitLength() const { return (m_slitTo - m_slitFrom).norm(); }
+    double deadZoneRadius() const { return m_options.deadZoneRadius; }
+    /// How far the turn has come at a time, eased, 0 … 1.
+    double turnProgress(double time) const;
+
+    /// Canvas coordinates, finite, no two equal in a row.
+    const std::vector<Vec2> &samples() const { return m_samples; }
+    /// What a release would make now. Kept until the next sample.
+    const StrokeContour &contour() const;
+
+private:
+    void moveInSection(const Sample &sample);
+    void moveInDeadZone(const Vec2 &point);
+    void addSample(const Vec2 &point);
+    void refuse(Refusal refusal);
+    double distanceToSlit(const Vec2 &point) const;
+
+    Options m_options;
+    State m_state = State::Idle;
+    Refusal m_refusal = Refusal::None;
+    std::optional<Interior> m_interior;
+    Vec2 m_slitFrom = Vec2::Zero(), m_slitTo = Vec2::Zero();
+    double m_turnStart = 0.0; // ms
+    Vec2 m_last = Vec2::Zero();
+    std::vector<Vec2> m_samples;
+    mutable std::optional<StrokeContour> m_contour;
+};
+
+} // namespace fff
