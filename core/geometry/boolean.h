@@ -30,6 +30,14 @@ struct CurvedRegion
 std::vector<CurvedRegion> subtract(const Contour &contour, const std::vector<Contour> &holes,
                                    const std::vector<Polygon> &cuts, double chord);
 
+enum class WindingRule { NonZero, Positive };
+
+/// What the contours together wind round, by that rule (counter-clockwise counts up), as connected
+/// pieces, largest first, without dust. Contours may cross themselves and each other; curves are
+/// kept as `subtract` keeps them.
+std::vector<CurvedRegion> windingRegions(const std::vector<Contour> &contours, WindingRule rule,
+                                         double chord);
+
 struct ResolvedContour
 {
     Contour contour;

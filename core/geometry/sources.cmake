@@ -1,8 +1,15 @@
 target_sources(fff_core PRIVATE
     geometry/bezier.cpp
+    geometry/boolean.cpp
+    geometry/clip_grid.cpp
     geometry/contour.cpp
+    geometry/curve_crossing.cpp
+    geometry/curve_recovery.cpp
+    geometry/fit.cpp
     geometry/frame.cpp
     geometry/moments.cpp
+    geometry/offset.cpp
     geometry/polygon.cpp
+    geometry/source_edges.cpp
     geometry/triangulation.cpp
 )

@@ -1,0 +1,136 @@
+#include "core/geometry/boolean.h"
+
+#include "core/base/tolerances.h"
+#include "core/geometry/curve_crossing.h"
+#include "core/geometry/curve_recovery.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace fff {
+
+namespace {
+
+GridRing counterClockwise(GridRing ring)
+{
+    if (signedArea(ring) < 0.0)
+        std::reverse(ring.begin(), ring.end());
+    return ring;
+}
+
+/// Regions as chords to regions with curves, largest first, without dust.
+std::vector<CurvedRegion> withCurves(const std::vector<SourceRing> &sources, const ClipGrid &grid,
+                                     const std::vector<GridRegion> &regions)
+{
+    std::vector<GridRing> rings;
+    for (const GridRegion &region : regions) {
+        rings.push_back(region.outer);
+        rings.insert(rings.end(), region.holes.begin(), region.holes.end());
+    }
+    std::vector<RecoveredRing> recovered = recoverCurves(sources, grid, rings);
+
+    std::vector<CurvedRegion> result;
+    std::size_t next = 0;
+    for (const GridRegion &region : regions) {
+        CurvedRegion curved;
+        RecoveredRing &outer = recovered[next++];
+        curved.outer = std::move(outer.contour);
+        curved.region.outer = std::move(outer.chords);
+        for (std::size_t i = 0; i < region.holes.size(); ++i) {
+            RecoveredRing &hole = recovered[next++];
+            if (std::abs(signedArea(hole.chords)) < kMinArea)
+                continue;
+            curved.holes.push_back(std::move(hole.contour));
+            curved.region.holes.push_back(std::move(hole.chords));
+        }
+        if (area(curved.region) >= kMinArea)
+            result.push_back(std::move(curved));
+    }
+    std::stable_sort(result.begin(), result.end(),
+                     [](const CurvedRegion &a, const CurvedRegion &b) {
+                         return area(a.region) > area(b.region);
+                     });
+    return result;
+}
+
+double areaOf(const std::vector<GridRegion> &regions)
+{
+    double sum = 0.0;
+    for (const GridRegion &region : regions)
+        sum += area(region);
+    return sum;
+}
+
+double perimeter(const GridRing &ring)
+{
+    double sum = 0.0;
+    for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++)
+        sum += std::hypot(static_cast<double>(ring[i].x - ring[j].x),
+                          static_cast<double>(ring[i].y - ring[j].y));
+    return sum;
+}
+
+/// Whether the ring winds round something twice or the wrong way. A ring that only touches itself
+/// winds once round everything inside; what rounding to the grid adds is a sliver along the ring.
+bool windsOddly(GridRing ring)
+{
+    ring = counterClockwise(std::move(ring));
+    const double sliver = perimeter(ring) * kClipSlack / kClipGrid;
+    if (areaOf(clip({ring}, Winding::Negative, {})) > sliver)
+        return true;
+    return std::abs(areaOf(clip({ring}, Winding::Positive, {})) - signedArea(ring)) > sliver;
+}
+
+} // namespace
+
+std::vector<CurvedRegion> subtract(const Contour &contour, const std::vector<Contour> &holes,
+                                   const std::vector<Polygon> &cuts, double chord)
+{
+    const ClipGrid grid(contour.bounds());
+    std::vector<SourceRing> sources;
+    sources.reserve(1 + holes.size() + cuts.size());
+    sources.push_back(makeSourceRing(contour, chord, grid, false));
+    for (const Contour &hole : holes)
+        sources.push_back(makeSourceRing(hole, chord, grid, false));
+    for (const Polygon &cut : cuts) {
+        // What is no polygon cuts nothing.
+        if (const auto polygon = Contour::fromPolygon(cut))
+            sources.push_back(makeSourceRing(*polygon, chord, grid, true));
+    }
+    std::vector<GridRing> clips;
+    clips.reserve(sources.size() - 1);
+    for (std::size_t i = 1; i < sources.size(); ++i)
+        clips.push_back(counterClockwise(sources[i].snapped));
+    return withCurves(sources, grid, clip({sources.front().snapped}, Winding::NonZero, clips));
+}
+
+std::vector<CurvedRegion> windingRegions(const std::vector<Contour> &contours, WindingRule rule,
+                                         double chord)
+{
+    Box2 box;
+    for (const Contour &contour : contours)
+        box.extend(contour.bounds());
+    const ClipGrid grid(box);
+    std::vector<SourceRing> sources;
+    std::vector<GridRing> rings;
+    for (const Contour &contour : contours) {
+        sources.push_back(makeSourceRing(contour, chord, grid, false));
+        rings.push_back(sources.back().snapped);
+    }
+    const Winding winding = rule == WindingRule::Positive ? Winding::Positive : Winding::NonZero;
+    return withCurves(sources, grid, clip(rings, winding, {}));
+}
+
+Result<ResolvedContour> resolveCrossings(const Contour &contour)
+{
+    const ClipGrid grid(contour.bounds());
+    const SourceRing source = makeSourceRing(contour, kCutChord, grid, false);
+    std::vector<CurvedRegion> regions = windingRegions({contour}, WindingRule::NonZero, kCutChord);
+    if (source.snapped.empty() || regions.empty())
+        return failure(ErrorCode::EmptyContour);
+    if (!windsOddly(source.snapped))
+        return ResolvedContour{contour, false};
+    return ResolvedContour{std::move(regions.front().outer), true};
+}
+
+} // namespace fff

@@ -1,0 +1,56 @@
+// The integer grid that booleans are computed on, and Clipper behind it. Internal to geometry: the
+// public functions are in boolean.h and offset.h.
+#pragma once
+
+#include "core/geometry/polygon.h"
+
+#include <compare>
+#include <cstdint>
+#include <vector>
+
+namespace fff {
+
+/// In steps of kClipGrid from the grid's origin.
+struct GridPoint
+{
+    std::int64_t x = 0, y = 0;
+
+    auto operator<=>(const GridPoint &) const = default;
+};
+
+using GridRing = std::vector<GridPoint>;
+
+struct GridRegion
+{
+    GridRing outer;              // counter-clockwise
+    std::vector<GridRing> holes; // clockwise
+};
+
+/// Snaps mm to the grid. Its origin is a multiple of kClipGrid near the middle of what it is for:
+/// numbers stay small (Clipper is faster then) and a point snaps alike wherever the middle is.
+class ClipGrid
+{
+public:
+    explicit ClipGrid(const Box2 &box);
+
+    GridPoint snap(const Vec2 &point) const;
+    Vec2 position(const GridPoint &point) const;
+    Polygon positions(const GridRing &ring) const;
+
+private:
+    std::int64_t m_x = 0, m_y = 0;
+};
+
+/// In steps squared, positive for counter-clockwise. Rounded once.
+double signedArea(const GridRing &ring);
+/// Of the outer ring without its holes, in steps squared.
+double area(const GridRegion &region);
+
+enum class Winding { NonZero, Positive, Negative };
+
+/// (what `subjects` wind round, by that rule) minus (what any of `clips` encloses, non-zero).
+/// Rings that touch themselves at a corner come back as several.
+std::vector<GridRegion> clip(const std::vector<GridRing> &subjects, Winding rule,
+                             const std::vector<GridRing> &clips);
+
+} // namespace fff
