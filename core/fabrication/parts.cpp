@@ -1,0 +1,82 @@
+#include "core/fabrication/part.h"
+
+#include "core/base/tolerances.h"
+
+#include <limits>
+
+namespace fff {
+
+namespace {
+
+double distanceTo(const Vec2 &point, const Polygon &polygon)
+{
+    double nearest = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0, j = polygon.size() - 1; i < polygon.size(); j = i++) {
+        const Vec2 edge = polygon[i] - polygon[j];
+        const double lengthSquared = edge.squaredNorm();
+        const double share =
+            lengthSquared > 0.0 ? edge.dot(point - polygon[j]) / lengthSquared : 0.0;
+        const Vec2 foot = polygon[j] + std::clamp(share, 0.0, 1.0) * edge;
+        nearest = std::min(nearest, (point - foot).norm());
+    }
+    return nearest;
+}
+
+/// 0 inside; else how far the point is from the region.
+double distanceTo(const Vec2 &point, const Region &region)
+{
+    if (locate(point, region) != Side::Outside)
+        return 0.0;
+    double nearest = distanceTo(point, region.outer);
+    for (const Polygon &hole : region.holes)
+        nearest = std::min(nearest, distanceTo(point, hole));
+    return nearest;
+}
+
+/// Which part the slit's bottom touches. Just beyond the bottom is material of one part only,
+/// unless another slit took that too; then the nearest part gets the mark.
+std::size_t partAtBottom(const std::vector<CurvedRegion> &parts, const Vec2 &inner,
+                         const Vec2 &direction)
+{
+    const Vec2 beyond = inner + kMinOverlap * direction;
+    std::size_t best = 0;
+    double bestDistance = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        const double distance = distanceTo(beyond, parts[i].region);
+        if (distance < bestDistance) {
+            best = i;
+            bestDistance = distance;
+        }
+    }
+    return best;
+}
+
+} // namespace
+
+std::vector<Part> makeParts(const Model &model, const Assembly &assembly,
+                            const std::vector<CutSectionPointer> &cuts)
+{
+    std::vector<Part> parts;
+    for (std::size_t section = 0; section < cuts.size(); ++section) {
+        const std::vector<CurvedRegion> &outlines = cuts[section]->parts();
+        const std::size_t first = parts.size();
+        for (const CurvedRegion &outline : outlines) {
+            Part part;
+            part.number = static_cast<int>(parts.size()) + 1;
+            part.section = static_cast<int>(section);
+            part.stock = model.section(section)->stock;
+            part.outline = outline;
+            parts.push_back(std::move(part));
+        }
+        if (outlines.empty() || section >= assembly.slits.size())
+            continue;
+        for (const Slit &slit : assembly.slits[section]) {
+            const Vec2 direction = (slit.inner - slit.mouth).normalized();
+            const std::size_t part = partAtBottom(outlines, slit.inner, direction);
+            parts[first + part].joints.push_back({slit.joint, slit.inner, direction, slit.width});
+        }
+    }
+    return parts;
+}
+
+} // namespace fff
