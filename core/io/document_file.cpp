@@ -106,7 +106,8 @@ Result<void> writeFile(const QString &path, const std::string &bytes)
     if (!file.open(QIODevice::WriteOnly))
         return cannot(ErrorCode::CannotWrite, path, file.errorString());
     const auto size = static_cast<qint64>(bytes.size());
-    if (file.write(bytes.data(), size) != size || !file.commit())
+    // Flushed by hand: commit() puts the new file in place although its own flush failed.
+    if (file.write(bytes.data(), size) != size || !file.flush() || !file.commit())
         return cannot(ErrorCode::CannotWrite, path, file.errorString());
     return {};
 }

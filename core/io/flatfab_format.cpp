@@ -93,16 +93,16 @@ void SectionBuilder::warn(WarningCode code, int line, std::vector<std::string> m
 bool SectionBuilder::makeSectionFrame()
 {
     const Vec3 origin = m_unitMm * m_source.p;
-    const Result<Frame> frame = makeFrame(origin, m_source.t, m_source.b);
-    if (!frame) {
-        fail(m_source.line, frame.error());
-        return false;
-    }
     if (!(origin.cwiseAbs().maxCoeff() <= kMaxCoordinate)) {
         fail(m_source.line, {ErrorCode::BadValue,
                              {},
                              {shortNumber(origin.cwiseAbs().maxCoeff()),
                               QT_TRANSLATE_NOOP("Error", "a length of at most 1000000 mm")}});
+        return false;
+    }
+    const Result<Frame> frame = makeFrame(origin, m_source.t, m_source.b);
+    if (!frame) {
+        fail(m_source.line, frame.error());
         return false;
     }
     m_frame = *frame;
