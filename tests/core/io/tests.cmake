@@ -1,0 +1,6 @@
+fff_test(core/io/tst_json_writer fff::io)
+fff_test(core/io/tst_fff_format fff::io)
+fff_test(core/io/tst_flatfab_format fff::io)
+fff_test(core/io/tst_flatfab_models fff::io)
+fff_test(core/io/tst_document_file fff::io)
+fff_test(core/io/tst_error_text fff::io)

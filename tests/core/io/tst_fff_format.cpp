@@ -1,0 +1,414 @@
+// The native format. If this fails, a saved model does not come back, or a broken file does harm.
+#include "core/base/tolerances.h"
+#include "core/io/error_text.h"
+#include "core/io/fff_format.h"
+#include "tests/core/io/io_samples.h"
+
+#include <QtCore/QFile>
+#include <QtTest/QtTest>
+#include <random>
+
+using namespace fff;
+using fff::test::twoSections;
+
+class TestFffFormat : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void writeThenReadIsEqual_data();
+    void writeThenReadIsEqual();
+    void randomDocumentsReadBack();
+    void sharedShapesComeBackShared();
+    void goldenFileIsWritten();
+    void goldenFileIsRead();
+    void malformed_data();
+    void malformed();
+    void frames_data();
+    void frames();
+    void danglingOperationIsKept();
+    void unknownKeysArePassedOver();
+    void operationsAreNotLost();
+    void deepNestingIsAnError();
+    void truncationIsAnError();
+    void flippedBytesNeverCrash();
+};
+
+Q_DECLARE_METATYPE(fff::Document)
+
+namespace {
+
+std::string goldenPath()
+{
+    return FFF_TEST_DATA "/fff/two_sections.fff";
+}
+
+std::string golden()
+{
+    QFile file(QString::fromStdString(goldenPath()));
+    return file.open(QIODevice::ReadOnly) ? file.readAll().toStdString() : std::string();
+}
+
+/// The golden file with the first `from` replaced.
+std::string edited(const std::string &from, const std::string &to)
+{
+    return test::replacedOnce(golden(), from, to);
+}
+
+Document withFrame(const Frame &frame)
+{
+    Document document = twoSections();
+    return moveSection(document, document.sections.front()->id, frame).value();
+}
+
+ShapePointer randomShape(std::mt19937_64 &random)
+{
+    std::normal_distribution<double> length(0.0, 50.0);
+    for (;;) {
+        std::vector<Vec2> points(3 * (2 + random() % 6));
+        for (Vec2 &p : points)
+            p = {length(random), random() % 10 == 0 ? -0.0 : length(random)};
+        if (const auto shape = Shape::make(Contour::fromPoints(points).value()))
+            return *shape;
+    }
+}
+
+Document randomDocument(std::mt19937_64 &random)
+{
+    std::normal_distribution<double> length(0.0, 100.0);
+    const auto vector = [&] { return Vec3(length(random), length(random), length(random)); };
+    Document document = newDocument();
+    std::vector<ShapePointer> shapes = {randomShape(random), randomShape(random)};
+    const int count = static_cast<int>(random() % 8);
+    for (int i = 0; i < count; ++i) {
+        NewSection section;
+        section.shape = random() % 2 == 0 ? randomShape(random) : shapes[random() % 2];
+        section.frame = makeFrame(vector(), vector(), vector()).value();
+        if (i > 0)
+            section.parent = Parent{document.sections[random() % document.sections.size()]->id,
+                                    {length(random), 0.0},
+                                    {length(random), 1e-12}};
+        document = addSection(document, section).value();
+    }
+    return document;
+}
+
+} // namespace
+
+void TestFffFormat::writeThenReadIsEqual_data()
+{
+    QTest::addColumn<Document>("document");
+    QTest::newRow("two sections") << twoSections();
+    QTest::newRow("new document") << newDocument();
+    QTest::newRow("nothing at all, not even a stock") << Document{};
+    Document gaps = twoSections();
+    gaps = removeSections(gaps, std::vector{gaps.sections.front()->id}).value();
+    gaps.nextId = 4'000'000'000'000;
+    QTest::newRow("ids with gaps") << gaps;
+    Document reversed = twoSections();
+    std::swap(reversed.sections[0], reversed.sections[1]);
+    QTest::newRow("parent below its child") << reversed;
+    Document odd = twoSections();
+    odd = renameSection(odd, odd.sections[0]->id, std::string("\"\\\n\t\x01\0 🐟", 11)).value();
+    odd = renameSection(odd, odd.sections[1]->id, "").value();
+    QTest::newRow("odd names") << odd;
+}
+
+void TestFffFormat::writeThenReadIsEqual()
+{
+    QFETCH(Document, document);
+    const std::string bytes = io::writeFff(document).value();
+    const auto loaded = io::readFff(bytes);
+    QVERIFY2(loaded, qPrintable(loaded ? QString() : io::errorText(loaded.error())));
+    QVERIFY(loaded->document == document);
+    QVERIFY(loaded->warnings.empty());
+    QCOMPARE(io::writeFff(loaded->document).value(), bytes);
+}
+
+void TestFffFormat::randomDocumentsReadBack()
+{
+    const unsigned seed = 7;
+    qInfo("seed %u", seed);
+    std::mt19937_64 random(seed);
+    for (int i = 0; i < 200; ++i) {
+        const Document document = randomDocument(random);
+        const std::string bytes = io::writeFff(document).value();
+        const auto loaded = io::readFff(bytes);
+        QVERIFY2(loaded, bytes.c_str());
+        QVERIFY2(loaded->document == document, bytes.c_str());
+        QCOMPARE(io::writeFff(loaded->document).value(), bytes);
+    }
+}
+
+void TestFffFormat::sharedShapesComeBackShared()
+{
+    Document document = newDocument();
+    NewSection section;
+    for (const ShapePointer &shape : {test::rib(), test::rib(), test::plateWithHole()}) {
+        section.shape = shape;
+        for (int i = 0; i < 3; ++i)
+            document = addSection(document, section).value();
+    }
+    const std::string bytes = io::writeFff(document).value();
+    const Document again = io::readFff(bytes).value().document;
+    for (std::size_t i = 0; i < 9; ++i) {
+        for (std::size_t j = 0; j < 9; ++j)
+            QCOMPARE(again.sections[i]->shape == again.sections[j]->shape,
+                     document.sections[i]->shape == document.sections[j]->shape);
+    }
+}
+
+void TestFffFormat::goldenFileIsWritten()
+{
+    const std::string bytes = io::writeFff(twoSections()).value();
+    if (bytes != golden()) {
+        QFile actual(QStringLiteral("two_sections.actual.fff"));
+        QVERIFY(actual.open(QIODevice::WriteOnly));
+        actual.write(bytes.data(), static_cast<qint64>(bytes.size()));
+        QFAIL(qPrintable(QStringLiteral("differs from the golden file; written instead: ") +
+                         actual.fileName()));
+    }
+}
+
+void TestFffFormat::goldenFileIsRead()
+{
+    const auto loaded = io::readFff(golden(), "two.fff");
+    QVERIFY2(loaded, qPrintable(loaded ? QString() : io::errorText(loaded.error())));
+    const Document &document = loaded->document;
+    QCOMPARE(document.sections.size(), std::size_t(2));
+    QCOMPARE(document.sections[0]->name, std::string("Rückwand"));
+    QCOMPARE(document.sections[0]->shape->holes().size(), std::size_t(1));
+    QCOMPARE(document.sections[1]->parent->section.drawn, document.sections[0]->id);
+    QCOMPARE(document.weights.size(), std::size_t(1));
+    QVERIFY(document == twoSections());
+}
+
+void TestFffFormat::malformed_data()
+{
+    QTest::addColumn<std::string>("text");
+    QTest::addColumn<ErrorCode>("code");
+    QTest::addColumn<std::string>("place");
+    const auto row = [](const char *name, std::string text, ErrorCode code, std::string place) {
+        QTest::newRow(name) << std::move(text) << code << std::move(place);
+    };
+    using enum ErrorCode;
+    row("no bytes", "", Truncated, "a.fff:1");
+    row("a list", "[1]", NotAModel, "a.fff");
+    row("another JSON", "{\"format\": \"gltf\"}", NotAModel, "a.fff");
+    row("empty object", "{}", NotAModel, "a.fff");
+    row("NaN", edited("83.82", "NaN"), NonFinite, "a.fff:64");
+    row("nan", edited("83.82", "nan"), NonFinite, "a.fff:64");
+    row("minus infinity", edited("83.82", "-Infinity"), NonFinite, "a.fff:64");
+    row("a number no double holds", edited("83.82", "1e999"), NonFinite, "a.fff:64");
+    row("a missing comma", edited("\"version\": 1,", "\"version\": 1"), BadSyntax, "a.fff:4");
+    row("a comma too many", edited("0.35\n", "0.35,\n"), BadSyntax, "a.fff:89");
+    row("a second document", golden() + "{}", BadSyntax, "a.fff:92");
+    row("broken UTF-8",
+        edited("Rückwand", "R\xFC"
+                           "ckwand"),
+        BadSyntax, "a.fff:60");
+    row("a version from the future", edited("\"version\": 1", "\"version\": 7"), NewerVersion,
+        "a.fff:$.version");
+    row("version zero", edited("\"version\": 1", "\"version\": 0"), BadValue, "a.fff:$.version");
+    row("version in words", edited("\"version\": 1", "\"version\": \"1\""), BadValue,
+        "a.fff:$.version");
+    row("no nextId", edited("\"nextId\"", "\"next\""), BadValue, "a.fff:$.nextId");
+    row("nextId that was used", edited("\"nextId\": 6", "\"nextId\": 5"), BadValue,
+        "a.fff:$.weights[0].id");
+    row("nextId beyond whole numbers", edited("\"nextId\": 6", "\"nextId\": 1e19"), BadValue,
+        "a.fff:$.nextId");
+    row("an id of 2.5", edited("\"id\": 2", "\"id\": 2.5"), BadValue, "a.fff:$.sections[0].id");
+    row("an id of 0", edited("\"id\": 2", "\"id\": 0"), BadValue, "a.fff:$.sections[0].id");
+    row("a negative id", edited("\"id\": 1", "\"id\": -1"), BadValue, "a.fff:$.stocks[0].id");
+    row("two sections with one id", edited("\"id\": 4", "\"id\": 2"), DuplicateId,
+        "a.fff:$.sections[1].id");
+    row("a section with a stock's id", edited("\"id\": 4", "\"id\": 1"), DuplicateId,
+        "a.fff:$.sections[1].id");
+    row("a weight with a section's id", edited("\"id\": 5", "\"id\": 4"), DuplicateId,
+        "a.fff:$.weights[0].id");
+    row("an unknown current stock", edited("\"currentStock\": 3", "\"currentStock\": 2"),
+        UnknownReference, "a.fff:$.currentStock");
+    row("no stocks", edited("\"stocks\"", "\"stacks\""), BadValue, "a.fff:$.stocks");
+    row("stocks as an object", edited("\"stocks\": [", "\"stocks\": {}, \"x\": ["), BadValue,
+        "a.fff:$.stocks");
+    row("a stock that is a number", edited("\"stocks\": [", "\"stocks\": [3, "), BadValue,
+        "a.fff:$.stocks[0]");
+    row("a thickness of 0", edited("\"thickness\": 3", "\"thickness\": 0"), BadValue,
+        "a.fff:$.stocks[0].thickness");
+    row("a density below 0", edited("660", "-660"), BadValue, "a.fff:$.stocks[0].density");
+    row("a strength in words", edited("\"tensileStrength\": 25", "\"tensileStrength\": \"25\""),
+        BadValue, "a.fff:$.stocks[0].tensileStrength");
+    row("a kerf below 0", edited("\"kerf\": 0.2", "\"kerf\": -0.2"), BadValue,
+        "a.fff:$.stocks[0].kerf");
+    row("a sheet without height", edited("[600, 400]", "[600, 0]"), BadValue,
+        "a.fff:$.stocks[0].sheet");
+    row("a sheet of one number", edited("[600, 400]", "[600]"), BadValue,
+        "a.fff:$.stocks[0].sheet");
+    row("a name that is a number", edited("\"Rückwand\"", "7"), BadValue,
+        "a.fff:$.sections[0].name");
+    row("an unknown stock", edited("\"stock\": 1", "\"stock\": 9"), UnknownReference,
+        "a.fff:$.sections[0].stock");
+    row("an unknown shape", edited("\"shape\": 1", "\"shape\": 2"), UnknownReference,
+        "a.fff:$.sections[1].shape");
+    row("a negative shape", edited("\"shape\": 1", "\"shape\": -1"), BadValue,
+        "a.fff:$.sections[1].shape");
+    row("a contour of 11 points", edited("[0, 0], ", ""), BadContour, "a.fff:$.shapes[0].contour");
+    row("a point of three numbers", edited("[80, 0]", "[80, 0, 0]"), BadValue,
+        "a.fff:$.shapes[0].contour[3]");
+    row("a point of words", edited("[80, 0]", "[80, \"0\"]"), BadValue,
+        "a.fff:$.shapes[0].contour[3][1]");
+    row("a point that is null", edited("[80, 0]", "null"), BadValue,
+        "a.fff:$.shapes[0].contour[3]");
+    row("a coordinate of 1e308", edited("[80, 0]", "[1e308, 0]"), BadValue,
+        "a.fff:$.shapes[0].contour[3][0]");
+    row("no contour", edited("\"contour\"", "\"outline\""), BadValue, "a.fff:$.shapes[0].contour");
+    row("an empty contour", edited("\"contour\": [", "\"contour\": [], \"x\": ["), BadContour,
+        "a.fff:$.shapes[0].contour");
+    row("a contour without area",
+        edited("\"contour\": [", "\"contour\": [[0,0],[1,0],[2,0],[3,0],[2,0],[1,0]], \"x\": ["),
+        EmptyContour, "a.fff:$.shapes[0]");
+    row("a hole that is a number", edited("\"holes\": [", "\"holes\": [4, "), BadValue,
+        "a.fff:$.shapes[0].holes[0]");
+    row("no frame", edited("\"frame\"", "\"place\""), BadValue, "a.fff:$.sections[0].frame");
+    row("an axis without length", edited("\"x\": [1, 0, 0]", "\"x\": [0, 0, 0]"), DegenerateFrame,
+        "a.fff:$.sections[0].frame");
+    row("parallel axes", edited("\"y\": [0, 1, 0]", "\"y\": [1, 0, 0]"), DegenerateFrame,
+        "a.fff:$.sections[0].frame");
+    row("an axis of length 2", edited("\"x\": [1, 0, 0]", "\"x\": [2, 0, 0]"), DegenerateFrame,
+        "a.fff:$.sections[0].frame");
+    row("an origin too far away", edited("83.82", "1e7"), BadValue,
+        "a.fff:$.sections[0].frame.origin[1]");
+    row("an unknown parent", edited("{\"section\": 2", "{\"section\": 3"), UnknownReference,
+        "a.fff:$.sections[1].parent.section");
+    row("a section that is its own parent", edited("{\"section\": 2", "{\"section\": 4"), BadValue,
+        "a.fff:$.sections[1].parent");
+    row("a parent without a slit", edited("slitTo", "slitTwo"), BadValue,
+        "a.fff:$.sections[1].parent.slitTo");
+    row("an unknown operation",
+        edited("\"operations\": []", "\"operations\": [{\"id\": 3, \"kind\": \"spiral\"}]"),
+        Unsupported, "a.fff:$.operations[0]");
+    row("a reference to an operation that never was",
+        edited("\"section\": 4", "\"section\": {\"operation\": 6, \"instance\": \"1\"}"),
+        UnknownReference, "a.fff:$.weights[0].section.operation");
+    row("a weight on no section", edited("\"section\": 4", "\"section\": 44"), UnknownReference,
+        "a.fff:$.weights[0].section");
+    row("a weight of 0", edited("0.35", "0"), BadValue, "a.fff:$.weights[0].mass");
+}
+
+void TestFffFormat::malformed()
+{
+    QFETCH(std::string, text);
+    QFETCH(ErrorCode, code);
+    QFETCH(std::string, place);
+    const auto loaded = io::readFff(text, "a.fff");
+    QVERIFY(!loaded);
+    const QByteArray sentence = io::errorText(loaded.error()).toUtf8();
+    QVERIFY2(loaded.error().code == code, sentence);
+    QCOMPARE(QString::fromStdString(loaded.error().place), QString::fromStdString(place));
+    QVERIFY(sentence.size() > static_cast<int>(place.size()) + 2);
+}
+
+void TestFffFormat::frames_data()
+{
+    QTest::addColumn<double>("error");
+    QTest::addColumn<bool>("isKept");
+    QTest::newRow("exact") << 0.0 << true;
+    QTest::newRow("rounding of a double") << 1e-12 << true;
+    QTest::newRow("six digits") << 5e-7 << false;
+    QTest::newRow("just within rounding of files") << 0.9 * kFrameRounding << false;
+}
+
+void TestFffFormat::frames()
+{
+    QFETCH(double, error);
+    QFETCH(bool, isKept);
+    const Frame frame{{1, 2, 3}, {1, 0, error}, {0, 1 + error, 0}};
+    const auto loaded = io::readFff(io::writeFff(withFrame(frame)).value(), "a.fff").value();
+    const Frame &read = loaded.document.sections.front()->frame;
+    QCOMPARE(read == frame, isKept);
+    QVERIFY(std::abs(read.x.dot(read.y)) < 1e-15 + (isKept ? error : 0.0));
+    QCOMPARE(loaded.warnings.empty(), isKept);
+    if (!isKept) {
+        QVERIFY(loaded.warnings.front().code == WarningCode::SkewFrame);
+        QCOMPARE(loaded.warnings.front().place, std::string("a.fff:$.sections[0].frame"));
+    }
+}
+
+void TestFffFormat::danglingOperationIsKept()
+{
+    Document document = twoSections();
+    document.weights.front().section = SectionRef(OperationId{document.nextId++}, "branch/1/0");
+    const auto loaded = io::readFff(io::writeFff(document).value());
+    QVERIFY(loaded && loaded->document == document);
+}
+
+void TestFffFormat::unknownKeysArePassedOver()
+{
+    const auto loaded = io::readFff(edited("\"nextId\"", "\"madeBy\": {\"x\": [1]}, \"nextId\""));
+    QVERIFY(loaded && loaded->document == twoSections());
+}
+
+void TestFffFormat::operationsAreNotLost()
+{
+    Document document = twoSections();
+    auto operation = std::make_shared<Operation>();
+    operation->kind = "spiral";
+    operation->name = "Spiral 1";
+    document.operations.push_back(operation);
+    const auto bytes = io::writeFff(document);
+    QVERIFY(!bytes);
+    QVERIFY(bytes.error().code == ErrorCode::Unsupported);
+    QCOMPARE(bytes.error().args, std::vector<std::string>{"spiral"});
+}
+
+void TestFffFormat::deepNestingIsAnError()
+{
+    for (const char bracket : {'[', '{'}) {
+        std::string text = "{\"format\": \"FlatFitFab\", \"version\": 1, \"x\": ";
+        for (int i = 0; i < 100000; ++i)
+            text += bracket == '[' ? "[" : "{\"a\":";
+        const auto loaded = io::readFff(text, "a.fff");
+        QVERIFY(!loaded);
+        QVERIFY(loaded.error().code == ErrorCode::BadSyntax);
+        QCOMPARE(loaded.error().place, std::string("a.fff:1"));
+    }
+}
+
+void TestFffFormat::truncationIsAnError()
+{
+    const std::string text = golden();
+    const std::size_t end = text.find_last_of('}');
+    for (std::size_t length = 0; length <= end; ++length) {
+        const auto loaded = io::readFff(std::string_view(text).substr(0, length), "a.fff");
+        QVERIFY2(!loaded, std::to_string(length).c_str());
+        QVERIFY2(loaded.error().place.starts_with("a.fff:"), loaded.error().place.c_str());
+    }
+    QVERIFY(io::readFff(std::string_view(text).substr(0, end + 1)));
+}
+
+void TestFffFormat::flippedBytesNeverCrash()
+{
+    const unsigned seed = 11;
+    qInfo("seed %u", seed);
+    std::mt19937 random(seed);
+    const std::string text = golden();
+    int errors = 0;
+    for (int i = 0; i < 5000; ++i) {
+        std::string broken = text;
+        for (int j = 0; j < 3; ++j)
+            broken[random() % broken.size()] = "0123456789-+.eE[]{},:\"\n x\xFF"[random() % 25];
+        const auto loaded = io::readFff(broken, "a.fff");
+        if (!loaded) {
+            ++errors;
+            QVERIFY(!io::errorSentence(loaded.error()).isEmpty());
+            continue;
+        }
+        // What is taken as a model can be written and read again.
+        const std::string again = io::writeFff(loaded->document).value();
+        QVERIFY(io::readFff(again).value().document == loaded->document);
+    }
+    QVERIFY(errors > 1000);
+}
+
+QTEST_APPLESS_MAIN(TestFffFormat)
+#include "tst_fff_format.moc"
