@@ -1,7 +1,10 @@
 target_sources(fff_core PRIVATE
     fabrication/cut_section.cpp
+    fabrication/digits.cpp
     fabrication/kerf.cpp
     fabrication/layout.cpp
+    fabrication/marks.cpp
     fabrication/parts.cpp
+    fabrication/room.cpp
     fabrication/summary.cpp
 )

@@ -1,0 +1,111 @@
+#include "core/fabrication/marks.h"
+
+#include "core/base/tolerances.h"
+#include "core/fabrication/room.h"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+
+namespace fff {
+
+namespace {
+
+// From one size of a mark to the next smaller one that is tried.
+constexpr double kShrink = 0.8;
+
+/// How far the box reaches from its middle along a unit direction.
+double reach(const Vec2 &half, const Vec2 &direction)
+{
+    return half.dot(direction.cwiseAbs());
+}
+
+void draw(const StrokedNumber &number, const Vec2 &center, double height,
+          std::vector<Stroke> &strokes)
+{
+    for (Stroke stroke : number.strokes) {
+        for (Vec2 &p : stroke)
+            p = center + height * (p - 0.5 * number.size);
+        strokes.push_back(std::move(stroke));
+    }
+}
+
+Box2 boxAbout(const Vec2 &center, const Vec2 &half)
+{
+    return {center - half, center + half};
+}
+
+/// Middles of the places for a joint's number whose box, with the clearance, has this half size:
+/// beyond the slit's bottom, straight on and to either side, then along its two walls.
+std::vector<Vec2> placesAt(const Part::JointMark &mark, const Vec2 &half)
+{
+    const Vec2 side = perpendicular(mark.direction);
+    // Chords of the drawing's tolerance must not seem to touch what lies along the slit.
+    const double along = reach(half, mark.direction) + kDrawChord;
+    const double across = reach(half, side) + kDrawChord;
+    const double beside = 0.5 * mark.width + across;
+    std::vector<Vec2> places;
+    for (double shift : {0.0, across, -across})
+        places.push_back(mark.inner + along * mark.direction + shift * side);
+    for (double back : {0.0, 1.0, 2.0, 3.0}) {
+        for (double sign : {1.0, -1.0})
+            places.push_back(mark.inner - back * along * mark.direction + sign * beside * side);
+    }
+    return places;
+}
+
+bool engraveJoint(const Part::JointMark &mark, const MarkOptions &options, Room &room,
+                  std::vector<Stroke> &strokes)
+{
+    const StrokedNumber number = strokedNumber(mark.joint);
+    for (double height = options.jointHeight; height >= options.minHeight; height *= kShrink) {
+        const Vec2 half = 0.5 * height * number.size + Vec2::Constant(options.clearance);
+        for (const Vec2 &center : placesAt(mark, half)) {
+            if (room.scaleAt(center, half) < 1.0)
+                continue;
+            draw(number, center, height, strokes);
+            room.take(boxAbout(center, 0.5 * height * number.size));
+            return true;
+        }
+    }
+    return false;
+}
+
+bool engraveNumber(int value, const MarkOptions &options, const Room &room,
+                   std::vector<Stroke> &strokes)
+{
+    const StrokedNumber number = strokedNumber(value);
+    const Vec2 clearance = Vec2::Constant(options.clearance);
+    const Vec2 half = 0.5 * options.numberHeight * number.size + clearance;
+    const Vec2 center = room.roomiest(half);
+    // The clearance does not shrink with the number.
+    const Vec2 left = std::min(room.scaleAt(center, half), 1.0) * half - clearance;
+    const double height = 2.0 * left.cwiseQuotient(number.size).minCoeff();
+    if (height < options.minHeight)
+        return false;
+    draw(number, center, height, strokes);
+    return true;
+}
+
+} // namespace
+
+Engraving engrave(const Part &part, const MarkOptions &options)
+{
+    Region region;
+    region.outer = part.outline.outer.flatten(kDrawChord).points;
+    for (const Contour &hole : part.outline.holes)
+        region.holes.push_back(hole.flatten(kDrawChord).points);
+    Engraving engraving;
+    if (region.outer.size() < 3)
+        return engraving;
+    Room room(std::move(region));
+    // Joints first: their places are few, the part's number can go anywhere.
+    for (const Part::JointMark &mark : part.joints) {
+        if (!engraveJoint(mark, options, room, engraving.strokes))
+            engraving.jointsLeftOut.push_back(mark.joint);
+    }
+    engraving.hasNumber = engraveNumber(part.number, options, room, engraving.strokes);
+    return engraving;
+}
+
+} // namespace fff

@@ -1,0 +1,30 @@
+// What is engraved on a part, so that a heap of them can be put together: its number, and beside
+// every slit the number of the joint, which its mate bears too.
+#pragma once
+
+#include "core/fabrication/digits.h"
+#include "core/fabrication/part.h"
+
+namespace fff {
+
+struct MarkOptions
+{
+    double numberHeight = 6.0; // mm, shrinking to what fits
+    double jointHeight = 3.0;  // mm, the same
+    double minHeight = 1.2;    // mm; smaller ones cannot be read and are left out
+    double clearance = 0.4;    // mm, from a mark's box to the nearest cut or mark
+};
+
+struct Engraving
+{
+    std::vector<Stroke> strokes; // in the part's coordinates, mm
+    bool hasNumber = false;
+    std::vector<int> jointsLeftOut; // joints' numbers for which there was no room
+};
+
+/// Joint numbers stand just beyond their slits' bottoms, or beside the slits where that is taken;
+/// the part's number stands where then is most room. Upright in the part's frame. Every mark's box
+/// lies inside the material and apart from the others.
+Engraving engrave(const Part &part, const MarkOptions &options = {});
+
+} // namespace fff
