@@ -9,4 +9,5 @@ target_sources(fff_io PRIVATE
     json_syntax.cpp
     json_writer.cpp
     loaded_document.cpp
+    svg_writer.cpp
 )

@@ -1,0 +1,192 @@
+#include "core/io/svg_writer.h"
+
+#include "core/base/tolerances.h"
+
+#include <QString>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <set>
+
+namespace fff::io {
+
+namespace {
+
+constexpr double kSheetGap = 10.0;
+const Vec2 kReferenceSize(100.0, 10.0);
+constexpr double kDecimals = 1e6; // coordinates are whole multiples of one over this
+constexpr const char *kCut = "#ff0000";
+constexpr const char *kEngraving = "#0000ff";
+constexpr const char *kGuide = "#ffcc00";
+
+/// Shortest text of the number rounded to kDecimals, without an exponent.
+std::string number(double value)
+{
+    const double rounded = std::round(value * kDecimals) / kDecimals;
+    std::array<char, 64> buffer{};
+    // Adding 0 turns -0 into 0.
+    const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), rounded + 0.0,
+                                   std::chars_format::fixed);
+    return {buffer.data(), end.ptr};
+}
+
+std::string pair(const Vec2 &p)
+{
+    return number(p.x()) + ' ' + number(p.y());
+}
+
+/// For text and attributes. What is no UTF-8 or not allowed in XML becomes U+FFFD.
+std::string escaped(const std::string &text)
+{
+    QString result;
+    for (const QChar c : QString::fromStdString(text)) {
+        if (c == QLatin1Char('&'))
+            result += QStringLiteral("&amp;");
+        else if (c == QLatin1Char('<'))
+            result += QStringLiteral("&lt;");
+        else if (c == QLatin1Char('>'))
+            result += QStringLiteral("&gt;");
+        else if (c == QLatin1Char('"'))
+            result += QStringLiteral("&quot;");
+        else if ((c < QLatin1Char(' ') && !c.isSpace()) || c.unicode() >= 0xFFFE)
+            result += QChar(QChar::ReplacementCharacter);
+        else
+            result += c;
+    }
+    return result.toStdString();
+}
+
+/// From a part's coordinates to those of the drawing.
+class Transform
+{
+public:
+    Transform(const Placement &placement, double sheetBottom)
+        : m_placement(placement), m_bottom(sheetBottom)
+    {
+    }
+
+    Vec2 operator()(const Vec2 &p) const
+    {
+        const Vec2 onSheet = m_placement.apply(p);
+        return {onSheet.x(), m_bottom - onSheet.y()};
+    }
+
+private:
+    const Placement &m_placement;
+    double m_bottom; // y of the sheet's lower edge in the drawing
+};
+
+std::string closedPath(const Contour &contour, const Transform &transform)
+{
+    std::string d = "M " + pair(transform(contour.points().front()));
+    const int count = contour.segmentCount();
+    for (int i = 0; i < count; ++i) {
+        const CubicBezier curve = contour.segment(i);
+        if (!curve.isStraight(kClipGrid))
+            d += " C " + pair(transform(curve.p1)) + ' ' + pair(transform(curve.p2)) + ' ' +
+                 pair(transform(curve.p3));
+        else if (i + 1 < count) // Z draws the last one
+            d += " L " + pair(transform(curve.p3));
+    }
+    return d + " Z";
+}
+
+std::string openPath(const Stroke &stroke, const Transform &transform)
+{
+    std::string d;
+    for (const Vec2 &p : stroke)
+        d += (d.empty() ? "M " : " L ") + pair(transform(p));
+    return d;
+}
+
+std::string rectangle(const Vec2 &corner, const Vec2 &size)
+{
+    return "<rect x=\"" + number(corner.x()) + "\" y=\"" + number(corner.y()) + "\" width=\"" +
+           number(size.x()) + "\" height=\"" + number(size.y()) + "\" stroke=\"" + kGuide +
+           "\"/>\n";
+}
+
+void writePart(const Part &part, const Transform &transform, const Model &model,
+               const SvgOptions &options, std::string &out)
+{
+    const auto path = [&](const std::string &d, const char *colour) {
+        out += std::string("      <path stroke=\"") + colour + "\" d=\"" + d + "\"/>\n";
+    };
+    const Section &section = *model.section(static_cast<std::size_t>(part.section));
+    out += "    <g id=\"part-" + std::to_string(part.number) + "\">\n";
+    out += "      <title>" + escaped(section.name) + "</title>\n";
+    if (options.hasMarks) {
+        for (const Stroke &stroke : engrave(part, options.marks).strokes)
+            path(openPath(stroke, transform), kEngraving);
+    }
+    for (const Contour &hole : part.outline.holes)
+        path(closedPath(hole, transform), kCut);
+    path(closedPath(part.outline.outer, transform), kCut);
+    out += "    </g>\n";
+}
+
+void writeMetadata(const Layout &layout, const Model &model, const SvgOptions &options,
+                   std::string &out)
+{
+    std::set<StockId> used;
+    for (const Sheet &sheet : layout.sheets)
+        used.insert(sheet.stock);
+    out += "  <metadata>\n    <fff:cutting xmlns:fff=\"urn:flatfitfab:cutting\" "
+           "version=\"" FFF_VERSION "\" kerf-applied=\"";
+    out += options.kerfApplied ? "yes\">\n" : "no\">\n";
+    for (const auto &stock : model.document.stocks) {
+        if (!used.contains(stock->id))
+            continue;
+        out += "      <fff:stock name=\"" + escaped(stock->name) + "\" thickness=\"" +
+               number(stock->thickness) + "\" clearance=\"" + number(stock->clearance) +
+               "\" kerf=\"" + number(stock->kerf) + "\" unit=\"mm\"/>\n";
+    }
+    out += "    </fff:cutting>\n  </metadata>\n";
+}
+
+/// Width and height of the drawing.
+Vec2 drawingSize(const Layout &layout, const SvgOptions &options)
+{
+    Vec2 size = Vec2::Zero();
+    const auto append = [&size](const Vec2 &s) {
+        size.y() += s.y() + (size.y() > 0.0 ? kSheetGap : 0.0);
+        size.x() = std::max(size.x(), s.x());
+    };
+    for (const Sheet &sheet : layout.sheets)
+        append(sheet.size);
+    if (options.hasReference)
+        append(kReferenceSize);
+    return size;
+}
+
+} // namespace
+
+std::string writeSvg(const Layout &layout, const std::vector<Part> &parts, const Model &model,
+                     const SvgOptions &options)
+{
+    const Vec2 size = drawingSize(layout, options);
+    std::string out = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
+                      "<svg xmlns=\"http://www.w3.org/2000/svg\" version=\"1.1\" width=\"" +
+                      number(size.x()) + "mm\" height=\"" + number(size.y()) +
+                      "mm\" viewBox=\"0 0 " + pair(size) + "\">\n";
+    writeMetadata(layout, model, options, out);
+    double top = 0.0;
+    for (std::size_t i = 0; i < layout.sheets.size(); ++i) {
+        const Sheet &sheet = layout.sheets[i];
+        out += "  <g id=\"sheet-" + std::to_string(i + 1) +
+               "\" fill=\"none\" stroke-width=\"0.05\">\n";
+        if (layout.sheets.size() > 1)
+            out += "    " + rectangle({0.0, top}, sheet.size);
+        for (const Placement &placement : sheet.placements)
+            writePart(parts[static_cast<std::size_t>(placement.part)],
+                      Transform(placement, top + sheet.size.y()), model, options, out);
+        out += "  </g>\n";
+        top += sheet.size.y() + kSheetGap;
+    }
+    if (options.hasReference)
+        out += "  <g id=\"reference-100mm-10mm\" fill=\"none\" stroke-width=\"0.05\">\n    " +
+               rectangle({0.0, top}, kReferenceSize) + "  </g>\n";
+    return out + "</svg>\n";
+}
+
+} // namespace fff::io

@@ -1,0 +1,37 @@
+// Cutting files in true size: SVG in millimetres.
+#pragma once
+
+#include "core/fabrication/layout.h"
+#include "core/fabrication/marks.h"
+
+#include <string>
+
+namespace fff::io {
+
+struct SvgOptions
+{
+    bool hasMarks = true;     // engrave the parts' and joints' numbers
+    bool hasReference = true; // a bar of 100 mm x 10 mm below the sheets, to measure after cutting
+    bool kerfApplied = false; // what `parts` are: outlines as designed, or compensated already
+    MarkOptions marks;
+};
+
+/// One drawing of all sheets, stacked from top to bottom, 10 mm apart.
+///
+///   units      root width and height in mm, viewBox "0 0 width height": one user unit is 1 mm
+///   cuts       red (#ff0000), 0.05 mm wide, no fill, every boundary a path of its own closed by Z,
+///              holes of a part before its outside, as they are to be cut; curves as C, straight
+///              edges as L
+///   engraving  blue (#0000ff) open paths
+///   guides     yellow (#ffcc00): frames of the sheets when there are several, the reference bar
+///   groups     <g id="sheet-1"> holds <g id="part-7">, whose <title> is its section's name
+///   metadata   the program's version, each stock with its thickness, clearance and kerf, and
+///              whether the kerf is applied already
+///
+/// Coordinates are rounded to 1e-6 mm, y downwards. `layout` and `parts` belong to `model`. UTF-8,
+/// same bytes for same input. Colours and the rest follow what laser programs read; see
+/// core/README.md.
+std::string writeSvg(const Layout &layout, const std::vector<Part> &parts, const Model &model,
+                     const SvgOptions &options = {});
+
+} // namespace fff::io
