@@ -40,6 +40,8 @@ inline constexpr double kRayRounding = 1e-7;
 inline constexpr double kMinDrawAngle = 0.05235987755982989;
 /// Turns and directions that differ by less than this, in radians, are the same.
 inline constexpr double kSameDirection = 1e-9;
+/// A view that is turned from a named one by less than this, in radians, is that view to the eye.
+inline constexpr double kSameView = 1e-3;
 
 /// A section point this near to Y = 0 stands on the ground.
 inline constexpr double kGroundContact = 0.05;

@@ -131,6 +131,9 @@ public:
     InteractionSettings &settings();
 
     const Camera &camera() const;
+    /// Where the running animation ends; the camera itself when none runs.
+    const Camera &targetCamera() const;
+    /// At once. Like turnTo, ends a gesture: what is drawn belongs to the view it began in.
     void setCamera(const Camera &camera);
     /// Animated from `time` on, in `duration` ms (0: at once). A press finishes it at once.
     void turnTo(const Camera &camera, double time, double duration);

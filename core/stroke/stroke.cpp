@@ -52,9 +52,8 @@ void Stroke::move(const Sample &sample)
     }
 }
 
-void Stroke::release(const Sample &sample)
+void Stroke::release()
 {
-    move(sample);
     switch (m_state) {
     case State::Slit:
         refuse(Refusal::NeverLeft);

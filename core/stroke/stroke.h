@@ -48,7 +48,8 @@ public:
     void beginInSection(ShapePointer shape, const Sample &sample);
     /// Call advance(sample.time) before it: after a turn the point is one on the canvas.
     void move(const Sample &sample);
-    void release(const Sample &sample);
+    /// Where the last move was.
+    void release();
     void cancel();
     void advance(double time);
 

@@ -1,0 +1,45 @@
+#include "core/interaction/commands.h"
+
+#include <cassert>
+
+namespace fff {
+
+void CommandRegistry::add(std::string id, Command command)
+{
+    assert(command.run && "a command does something");
+    m_commands.insert_or_assign(std::move(id), std::move(command));
+}
+
+bool CommandRegistry::contains(const std::string &id) const
+{
+    return m_commands.count(id) > 0;
+}
+
+bool CommandRegistry::isEnabled(const std::string &id) const
+{
+    const auto found = m_commands.find(id);
+    if (found == m_commands.end())
+        return false;
+    return !found->second.isEnabled || found->second.isEnabled();
+}
+
+Result<void> CommandRegistry::run(const std::string &id, const CommandParameters &parameters,
+                                  double time) const
+{
+    const auto found = m_commands.find(id);
+    if (found == m_commands.end())
+        return failure(ErrorCode::UnknownCommand, id, {id});
+    if (!isEnabled(id))
+        return {};
+    return found->second.run(parameters, time);
+}
+
+std::vector<std::string> CommandRegistry::ids() const
+{
+    std::vector<std::string> result;
+    for (const auto &[id, command] : m_commands)
+        result.push_back(id);
+    return result;
+}
+
+} // namespace fff

@@ -1,0 +1,52 @@
+// The contract of gestures: what happens between a press that became a drag and its release. One
+// file a gesture; Interaction decides which one begins and carries out what it answers.
+#pragma once
+
+#include "core/interaction/interaction.h"
+
+namespace fff {
+
+/// What a gesture works with.
+struct GestureContext
+{
+    const Model &model; // the committed one
+    const InteractionSettings &settings;
+    Vec2 viewport; // px
+    Camera &camera;
+    Overlay &overlay;
+};
+
+struct GestureReply
+{
+    enum class State { Running, Over };
+    struct Commit
+    {
+        Step step;
+        Document document;
+    };
+
+    State state = State::Running;
+    std::optional<Document> preview; // show this; none: show the committed document
+    std::optional<Commit> commit;    // only when over
+    std::optional<Hint> note;        // why it came to nothing, or what there is to know
+    std::optional<Camera> returnTo;  // turn the view back to where it was
+};
+
+class Gesture
+{
+public:
+    virtual ~Gesture() = default;
+
+    /// Moves and the release; the press is given to the constructor.
+    virtual GestureReply handle(const PointerEvent &event, GestureContext &context) = 0;
+    /// Moves its animation on to `time`.
+    virtual void advance(double /*time*/, GestureContext & /*context*/) {}
+    virtual bool isAnimating() const { return false; }
+    /// Leaves no trace but what the reply says.
+    virtual GestureReply cancel(GestureContext &context) = 0;
+
+    virtual Hint hint() const = 0;
+    virtual Cursor cursor() const = 0;
+};
+
+} // namespace fff

@@ -1,0 +1,42 @@
+// Drags that move the camera: orbit and pan.
+#pragma once
+
+#include "core/interaction/gesture.h"
+
+namespace fff {
+
+/// Turns the view about a pivot that keeps its place on the screen.
+class OrbitGesture : public Gesture
+{
+public:
+    OrbitGesture(const PointerEvent &press, const Vec3 &pivot)
+        : m_last(press.position), m_pivot(pivot)
+    {
+    }
+    GestureReply handle(const PointerEvent &event, GestureContext &context) override;
+    GestureReply cancel(GestureContext &context) override;
+    Hint hint() const override { return {Hint::Kind::Orbiting, {}, false}; }
+    Cursor cursor() const override { return Cursor::TurningArrows; }
+
+private:
+    Vec2 m_last;
+    Vec3 m_pivot;
+    std::optional<Camera> m_before;
+};
+
+/// Moves the view so that what was pressed stays under the cursor.
+class PanGesture : public Gesture
+{
+public:
+    explicit PanGesture(const PointerEvent &press) : m_press(press.position) {}
+    GestureReply handle(const PointerEvent &event, GestureContext &context) override;
+    GestureReply cancel(GestureContext &context) override;
+    Hint hint() const override { return {Hint::Kind::Panning, {}, false}; }
+    Cursor cursor() const override { return Cursor::Hand; }
+
+private:
+    Vec2 m_press;
+    std::optional<Camera> m_before;
+};
+
+} // namespace fff
