@@ -1,0 +1,194 @@
+#include "core/session/session_commands.h"
+
+#include "core/base/tolerances.h"
+#include "core/base/units.h"
+#include "core/interaction/facing.h"
+#include "core/model/edits.h"
+#include "core/session/session_host.h"
+
+#include <array>
+
+namespace fff {
+
+namespace {
+
+/// ms, as the view cube turns and as views are fitted.
+constexpr double kTurnTime = 400.0;
+constexpr double kFitTime = 250.0;
+
+/// Of what is selected and there. Empty when nothing is.
+Box3 selectionBounds(const Session &session, const Interaction &interaction)
+{
+    Box3 box;
+    const Model &model = session.committed();
+    for (const SectionRef &ref : interaction.selection()) {
+        if (const int index = model.indexOf(ref); index >= 0) {
+            const Section &section = *model.section(static_cast<std::size_t>(index));
+            box.extend(worldBounds(*section.shape, section.frame));
+        }
+    }
+    return box;
+}
+
+std::vector<SectionId> selectedDrawn(const Interaction &interaction)
+{
+    std::vector<SectionId> ids;
+    for (const SectionRef &ref : interaction.selection()) {
+        if (ref.drawn.isValid())
+            ids.push_back(ref.drawn);
+    }
+    return ids;
+}
+
+Result<void> deleteSelected(Session &session, const Interaction &interaction)
+{
+    const Document &document = session.committed().document;
+    const std::vector<SectionId> ids = selectedDrawn(interaction);
+    Step step{Step::Kind::DeleteSections, {}};
+    for (const SectionId id : ids) {
+        if (const Section *section = document.find(id))
+            step.names.push_back(section->name);
+    }
+    Result<Document> next = removeSections(document, ids);
+    if (!next)
+        return tl::unexpected(next.error());
+    session.commit(SessionHost::undoText(step), std::move(*next));
+    return {};
+}
+
+void selectAll(const Session &session, Interaction &interaction)
+{
+    std::vector<SectionRef> all;
+    const Model &model = session.committed();
+    for (std::size_t i = 0; i < model.sectionCount(); ++i)
+        all.push_back(model.ref(i));
+    interaction.select(std::move(all));
+}
+
+/// The corner after the one that is looked from, else the first.
+Eigen::Quaterniond nextCorner(const Camera &camera)
+{
+    const std::array<const char *, 4> names{"iso1", "iso2", "iso3", "iso4"};
+    std::array<Eigen::Quaterniond, 4> corners;
+    for (std::size_t i = 0; i < names.size(); ++i)
+        orientationOfView(names[i], corners[i]);
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        if (camera.orientation.angularDistance(corners[i]) < kSameView)
+            return corners[(i + 1) % corners.size()];
+    }
+    return corners[0];
+}
+
+void registerEdits(CommandRegistry &registry, Session &session, Interaction &interaction)
+{
+    registry.add("file.new",
+                 {[&](const CommandParameters &, double) -> Result<void> {
+                      session.reset(newDocument());
+                      interaction.setCamera(fitted(Camera(), Box3(), interaction.viewport()));
+                      return {};
+                  },
+                  {}});
+    registry.add("edit.undo", {[&](const CommandParameters &, double) -> Result<void> {
+                                   session.history()->undo();
+                                   return {};
+                               },
+                               [&] { return session.history()->canUndo(); }});
+    registry.add("edit.redo", {[&](const CommandParameters &, double) -> Result<void> {
+                                   session.history()->redo();
+                                   return {};
+                               },
+                               [&] { return session.history()->canRedo(); }});
+    registry.add("edit.delete", {[&](const CommandParameters &, double) {
+                                     return deleteSelected(session, interaction);
+                                 },
+                                 [&] { return !selectedDrawn(interaction).empty(); }});
+    registry.add("edit.selectAll", {[&](const CommandParameters &, double) -> Result<void> {
+                                        selectAll(session, interaction);
+                                        return {};
+                                    },
+                                    [&] { return session.committed().sectionCount() > 0; }});
+}
+
+void registerTurns(CommandRegistry &registry, Session &session, Interaction &interaction)
+{
+    for (const char *name : {"front", "right", "back", "left", "top", "bottom"}) {
+        registry.add(std::string("view.") + name,
+                     {[&, name](const CommandParameters &, double time) -> Result<void> {
+                          Eigen::Quaterniond orientation;
+                          orientationOfView(name, orientation);
+                          interaction.turnTo(turnedTo(orientation, session, interaction), time,
+                                             kTurnTime);
+                          return {};
+                      },
+                      {}});
+    }
+    registry.add("view.iso",
+                 {[&](const CommandParameters &, double time) -> Result<void> {
+                      const Eigen::Quaterniond corner = nextCorner(interaction.targetCamera());
+                      interaction.turnTo(turnedTo(corner, session, interaction), time, kTurnTime);
+                      return {};
+                  },
+                  {}});
+    registry.add(
+        "view.faceSelection",
+        {[&](const CommandParameters &, double time) -> Result<void> {
+             const Model &model = session.committed();
+             const int index = model.indexOf(interaction.selection().back());
+             if (index < 0)
+                 return {};
+             const Vec3 normal =
+                 model.section(static_cast<std::size_t>(index))->frame.normal().normalized();
+             const Eigen::Quaterniond orientation =
+                 facingOrientation(interaction.targetCamera().orientation, normal);
+             interaction.turnTo(turnedTo(orientation, session, interaction), time, kTurnTime);
+             return {};
+         },
+         [&] { return !interaction.selection().empty(); }});
+}
+
+void registerFits(CommandRegistry &registry, Session &session, Interaction &interaction)
+{
+    const auto fitTo = [&interaction](const Box3 &box, double time) {
+        interaction.turnTo(fitted(interaction.targetCamera(), box, interaction.viewport()), time,
+                           kFitTime);
+    };
+    registry.add("view.fitAll",
+                 {[&session, fitTo](const CommandParameters &, double time) -> Result<void> {
+                      fitTo(session.committed().bounds(), time);
+                      return {};
+                  },
+                  {}});
+    registry.add(
+        "view.fitSelection",
+        {[&session, &interaction, fitTo](const CommandParameters &, double time) -> Result<void> {
+             fitTo(selectionBounds(session, interaction), time);
+             return {};
+         },
+         [&session, &interaction] { return !selectionBounds(session, interaction).isEmpty(); }});
+}
+
+} // namespace
+
+void registerSessionCommands(CommandRegistry &registry, Session &session, Interaction &interaction)
+{
+    registerEdits(registry, session, interaction);
+    registerTurns(registry, session, interaction);
+    registerFits(registry, session, interaction);
+}
+
+Camera turnedTo(const Eigen::Quaterniond &orientation, const Session &session,
+                const Interaction &interaction)
+{
+    Box3 box = selectionBounds(session, interaction);
+    if (box.isEmpty())
+        box = session.committed().bounds();
+    const Vec3 pivot = box.isEmpty() ? Vec3(0.0, kFirstPlaneHeight, 0.0) : box.center();
+    Camera camera = interaction.targetCamera();
+    const Vec2 place = camera.toScreen(pivot, interaction.viewport());
+    camera.orientation = orientation;
+    // At the pivot's depth, so that later turns about the target stay near the model.
+    camera.target = pivot;
+    return pinned(camera, pivot, place, interaction.viewport());
+}
+
+} // namespace fff

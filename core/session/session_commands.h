@@ -1,0 +1,20 @@
+// The commands that need no window.
+#pragma once
+
+#include "core/interaction/commands.h"
+#include "core/interaction/interaction.h"
+#include "core/session/session.h"
+
+namespace fff {
+
+/// file.new, edit.undo, edit.redo, edit.delete, edit.selectAll, view.front … view.left, view.iso,
+/// view.fitAll, view.fitSelection, view.faceSelection. Session and interaction outlive the
+/// registry.
+void registerSessionCommands(CommandRegistry &registry, Session &session, Interaction &interaction);
+
+/// The camera turned to an orientation so that the middle of what is selected, else of the model,
+/// keeps its place on the screen. The view commands turn so, animated.
+Camera turnedTo(const Eigen::Quaterniond &orientation, const Session &session,
+                const Interaction &interaction);
+
+} // namespace fff

@@ -1,0 +1,62 @@
+#include "core/session/session_host.h"
+
+namespace fff {
+
+SessionHost::SessionHost(Session &session, QObject *parent) : QObject(parent), m_session(session) {}
+
+void SessionHost::attach(Interaction &interaction)
+{
+    connect(&m_session, &Session::modelChanged, this,
+            [&interaction] { interaction.modelChanged(); });
+    interaction.modelChanged();
+}
+
+const Model &SessionHost::model() const
+{
+    return m_session.committed();
+}
+
+void SessionHost::preview(Document document)
+{
+    m_session.preview(std::move(document));
+}
+
+void SessionHost::cancelPreview()
+{
+    m_session.cancelPreview();
+}
+
+void SessionHost::commit(const Step &step, Document document)
+{
+    m_session.commit(undoText(step), std::move(document));
+}
+
+QString SessionHost::undoText(const Step &step)
+{
+    const int count = static_cast<int>(step.names.size());
+    const QString name = count > 0 ? QString::fromStdString(step.names.front()) : QString();
+    switch (step.kind) {
+    case Step::Kind::DrawSection:
+        //: %1 is the name of a section
+        return tr("Draw %1").arg(name);
+    case Step::Kind::DeleteSections:
+        //: %1 is the name of a section
+        return count == 1 ? tr("Delete %1").arg(name) : tr("Delete %n section(s)", nullptr, count);
+    case Step::Kind::RenameSection:
+        //: %1 is the name of a section
+        return tr("Rename %1").arg(name);
+    case Step::Kind::MoveSection:
+        //: %1 is the name of a section
+        return count == 1 ? tr("Move %1").arg(name) : tr("Move %n section(s)", nullptr, count);
+    case Step::Kind::SetStock:
+        //: %1 is the name of a section
+        return count == 1 ? tr("Change stock of %1").arg(name)
+                          : tr("Change stock of %n section(s)", nullptr, count);
+    case Step::Kind::EditStock:
+        //: %1 is the name of a stock
+        return tr("Edit %1").arg(name);
+    }
+    return {};
+}
+
+} // namespace fff

@@ -1,0 +1,33 @@
+// Connects Interaction, which knows no Qt, to a Session, and gives its steps their names.
+#pragma once
+
+#include "core/interaction/interaction.h"
+#include "core/session/session.h"
+
+#include <QObject>
+
+namespace fff {
+
+class SessionHost : public QObject, public InteractionHost
+{
+    Q_OBJECT
+public:
+    /// The session outlives the host.
+    explicit SessionHost(Session &session, QObject *parent = nullptr);
+
+    /// Tells the interaction of every change of the model from now on, until the host goes.
+    void attach(Interaction &interaction);
+
+    const Model &model() const override;
+    void preview(Document document) override;
+    void cancelPreview() override;
+    void commit(const Step &step, Document document) override;
+
+    /// What the history says: "Draw Section 3", "Delete 3 sections".
+    static QString undoText(const Step &step);
+
+private:
+    Session &m_session;
+};
+
+} // namespace fff
