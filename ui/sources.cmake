@@ -1,2 +1,25 @@
 target_sources(fff_ui PRIVATE
+    actions/action_set.cpp
+    cursors.cpp
+    docks/dock_title.cpp
+    docks/outline_dock.cpp
+    docks/properties_dock.cpp
+    files/document_files.cpp
+    hint_text.cpp
+    icon.cpp
+    main_window.cpp
+    measures.cpp
+    message_bar.cpp
+    properties/choice_box.cpp
+    properties/length_edit.cpp
+    properties/property_rows.cpp
+    properties/stock_choice.cpp
+    status_line.cpp
+    theme.cpp
+    translations.cpp
+    viewport.cpp
+    workbench.cpp
 )
+include(${CMAKE_SOURCE_DIR}/resources/icons/icons.cmake)
+include(${CMAKE_SOURCE_DIR}/resources/style/style.cmake)
+include(${CMAKE_SOURCE_DIR}/translations/translations.cmake)

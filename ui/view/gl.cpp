@@ -9,8 +9,8 @@ std::unique_ptr<QOpenGLShaderProgram> loadProgram(const char *vertex, const char
     auto program = std::make_unique<QOpenGLShaderProgram>();
     const QString folder = QStringLiteral(":/shaders/");
     const bool done =
-        program->addShaderFromSourceFile(QOpenGLShader::Vertex,
-                                         folder + QLatin1String(vertex) + QStringLiteral(".vert")) &&
+        program->addShaderFromSourceFile(QOpenGLShader::Vertex, folder + QLatin1String(vertex) +
+                                                                    QStringLiteral(".vert")) &&
         program->addShaderFromSourceFile(QOpenGLShader::Fragment, folder + QLatin1String(fragment) +
                                                                       QStringLiteral(".frag")) &&
         program->link();

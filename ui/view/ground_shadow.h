@@ -1,5 +1,5 @@
-// The soft shadow that the model throws straight down on the ground: a small picture of it from above,
-// blurred, sharper where it touches. Made again only when the model changed.
+// The soft shadow that the model throws straight down on the ground: a small picture of it from
+// above, blurred, sharper where it touches. Made again only when the model changed.
 #pragma once
 
 #include "ui/view/slab_buffers.h"

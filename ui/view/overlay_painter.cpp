@@ -94,12 +94,11 @@ void Drawing::scaleBar()
                            {kLeft + width, bottom},
                            {kLeft + width, bottom - kTick}};
     m_painter.drawPolyline(bar, 4);
-    const QString text =
-        length < 10000.0
-            ? QCoreApplication::translate("fff::ui::OverlayPainter", "%1 mm")
-                  .arg(m_locale.toString(length, 'g', 6))
-            : QCoreApplication::translate("fff::ui::OverlayPainter", "%1 m")
-                  .arg(m_locale.toString(length / 1000.0, 'g', 6));
+    const QString text = length < 10000.0
+                             ? QCoreApplication::translate("fff::ui::OverlayPainter", "%1 mm")
+                                   .arg(m_locale.toString(length, 'g', 6))
+                             : QCoreApplication::translate("fff::ui::OverlayPainter", "%1 m")
+                                   .arg(m_locale.toString(length / 1000.0, 'g', 6));
     m_painter.drawText(QPointF(kLeft - 0.5, bottom + 16.0), text);
 }
 

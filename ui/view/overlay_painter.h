@@ -1,5 +1,6 @@
-// What lies over the model: the marks of a gesture (ui/UI.md, section 3), the line of the ground, the
-// scale bar and the invitation of an empty document. Painted with QPainter in device-independent pixels.
+// What lies over the model: the marks of a gesture (ui/UI.md, section 3), the line of the ground,
+// the scale bar and the invitation of an empty document. Painted with QPainter in
+// device-independent pixels.
 #pragma once
 
 #include "core/interaction/interaction.h"

@@ -192,8 +192,8 @@ void Renderer::Private::drawGround(const ViewStyle &style)
     ground->setUniformValue("lineWidth", static_cast<float>(ratio));
     ground->setUniformValue("fine", rgb(style.gridFine));
     ground->setUniformValue("strong", rgb(style.gridStrong));
-    ground->setUniformValue("shadowColour",
-                            QVector4D(rgb(style.shadow), static_cast<float>(style.shadow.alphaF())));
+    ground->setUniformValue(
+        "shadowColour", QVector4D(rgb(style.shadow), static_cast<float>(style.shadow.alphaF())));
     shadow->use(*ground);
     gl->glBindVertexArray(emptyArray);
     gl->glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
@@ -261,12 +261,13 @@ void Renderer::Private::drawOpaque(const Scene &scene, const ViewStyle &style)
     gl->glDisable(GL_CULL_FACE);
     for (const SceneSection &section : scene.sections) {
         if (isOpaque(section))
-            drawEdges(section, premultiplied(style.edge), style.edgeWidth, style.silhouetteWidth, 0.02);
+            drawEdges(section, premultiplied(style.edge), style.edgeWidth, style.silhouetteWidth,
+                      0.02);
     }
 }
 
-/// Ghosts and acrylic: first their depth alone, then only the nearest of them is blended over what is
-/// there, so that the order in which they are drawn does not matter.
+/// Ghosts and acrylic: first their depth alone, then only the nearest of them is blended over what
+/// is there, so that the order in which they are drawn does not matter.
 void Renderer::Private::drawTranslucent(const Scene &scene, const ViewStyle &style)
 {
     const auto alphaOf = [](const SceneSection &s) {
@@ -299,8 +300,8 @@ void Renderer::Private::drawTranslucent(const Scene &scene, const ViewStyle &sty
     gl->glDisable(GL_CULL_FACE);
     for (const SceneSection *section : sections) {
         const double alpha = section->isGhost ? kGhostEdge : 1.0;
-        drawEdges(*section, premultiplied(style.edge, alpha), style.edgeWidth, style.silhouetteWidth,
-                  0.02);
+        drawEdges(*section, premultiplied(style.edge, alpha), style.edgeWidth,
+                  style.silhouetteWidth, 0.02);
     }
     gl->glDepthMask(GL_TRUE);
     gl->glDisable(GL_BLEND);

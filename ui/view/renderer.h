@@ -1,5 +1,6 @@
-// Draws a scene with OpenGL 3.3 core into the framebuffer that is bound: background, ground with grid and
-// shadow, slabs with crisp edges, outlines of what is hovered and selected. Needs no widget.
+// Draws a scene with OpenGL 3.3 core into the framebuffer that is bound: background, ground with
+// grid and shadow, slabs with crisp edges, outlines of what is hovered and selected. Needs no
+// widget.
 #pragma once
 
 #include "core/interaction/camera.h"

@@ -6,7 +6,8 @@ bool SceneSection::operator==(const SceneSection &other) const
 {
     return cut == other.cut && shape == other.shape && frame == other.frame &&
            thickness == other.thickness && look.face == other.look.face &&
-           isSelected == other.isSelected && isHovered == other.isHovered && isGhost == other.isGhost;
+           isSelected == other.isSelected && isHovered == other.isHovered &&
+           isGhost == other.isGhost;
 }
 
 void SceneBuilder::setAnalysis(const Analysis &analysis)

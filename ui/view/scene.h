@@ -1,5 +1,5 @@
-// What the renderer draws: the sections of the model that is shown, each with the newest cut that is
-// known for it.
+// What the renderer draws: the sections of the model that is shown, each with the newest cut that
+// is known for it.
 #pragma once
 
 #include "core/session/analysis.h"
@@ -35,9 +35,9 @@ struct Scene
     Box3 bounds; // of the slabs, mm
 };
 
-/// Remembers the last cut of every section, so that nothing flickers while a newer analysis is on its
-/// way: its model may be older than the one that is shown, so sections are found by what they are, never
-/// by their index.
+/// Remembers the last cut of every section, so that nothing flickers while a newer analysis is on
+/// its way: its model may be older than the one that is shown, so sections are found by what they
+/// are, never by their index.
 class SceneBuilder
 {
 public:

@@ -62,8 +62,8 @@ SlabBuffers::Slab SlabBuffers::upload(const SceneSection &section)
     const auto fill = [this](GLenum target, GLuint &buffer, const auto &data) {
         m_gl.glGenBuffers(1, &buffer);
         m_gl.glBindBuffer(target, buffer);
-        m_gl.glBufferData(target, static_cast<GLsizeiptr>(data.size() * sizeof(data[0])), data.data(),
-                          GL_STATIC_DRAW);
+        m_gl.glBufferData(target, static_cast<GLsizeiptr>(data.size() * sizeof(data[0])),
+                          data.data(), GL_STATIC_DRAW);
     };
 
     m_gl.glGenVertexArrays(1, &slab.fillArray);

@@ -1,5 +1,5 @@
-// Slab meshes on the graphics card, one for every cut section (or bare shape) that is drawn, shared by
-// all sections that look alike.
+// Slab meshes on the graphics card, one for every cut section (or bare shape) that is drawn, shared
+// by all sections that look alike.
 #pragma once
 
 #include "ui/view/gl.h"

@@ -56,8 +56,8 @@ Polygon withoutRepeats(const Polygon &ring)
     return points;
 }
 
-/// The walls along one ring. The material lies to its left (outer rings run counter-clockwise, holes
-/// clockwise), so the wall of an edge looks to its right.
+/// The walls along one ring. The material lies to its left (outer rings run counter-clockwise,
+/// holes clockwise), so the wall of an edge looks to its right.
 void addWalls(SlabMesh &mesh, const Polygon &ring)
 {
     const Polygon points = withoutRepeats(ring);
@@ -88,7 +88,8 @@ void addWalls(SlabMesh &mesh, const Polygon &ring)
         for (std::uint32_t k : {0u, 1u, 2u, 0u, 2u, 3u})
             mesh.triangles.push_back(first + k);
 
-        mesh.edges.push_back({at(from, 1), at(to, 1), faceNormal(1, true), packedNormal(own, false)});
+        mesh.edges.push_back(
+            {at(from, 1), at(to, 1), faceNormal(1, true), packedNormal(own, false)});
         mesh.edges.push_back(
             {at(from, -1), at(to, -1), faceNormal(-1, true), packedNormal(own, false)});
         mesh.edges.push_back(

@@ -1,8 +1,8 @@
 // The solid of a section as plain arrays, ready to be uploaded. Knows no OpenGL.
 //
-// Coordinates: x and y are the section's frame coordinates in mm, z is -1 at the bottom face and +1 at
-// the top face. The model matrix stretches z to half the thickness, so that a new thickness needs no new
-// mesh.
+// Coordinates: x and y are the section's frame coordinates in mm, z is -1 at the bottom face and +1
+// at the top face. The model matrix stretches z to half the thickness, so that a new thickness
+// needs no new mesh.
 #pragma once
 
 #include "core/geometry/polygon.h"
@@ -24,8 +24,9 @@ struct SlabVertex
     PackedNormal normal; // flag: 127 on a side wall (the cut edge), 0 on a face
 };
 
-/// A straight edge and the outward normals of the two surfaces that meet in it. The first normal's flag
-/// is 127 when the edge is always drawn, 0 when only as a silhouette (the seams of a curved wall).
+/// A straight edge and the outward normals of the two surfaces that meet in it. The first normal's
+/// flag is 127 when the edge is always drawn, 0 when only as a silhouette (the seams of a curved
+/// wall).
 struct SlabEdge
 {
     std::array<float, 3> from, to;
@@ -41,9 +42,9 @@ struct SlabMesh
 
 /// The solid over these regions; `triangulations[i]` is that of `regions[i]`.
 ///
-/// Walls of smooth curves share their normals over the seams; a vertex where the boundary turns by more
-/// than kCornerAngle has a normal and an edge of its own. Repeated points and triangles without area are
-/// left out. Empty for no regions.
+/// Walls of smooth curves share their normals over the seams; a vertex where the boundary turns by
+/// more than kCornerAngle has a normal and an edge of its own. Repeated points and triangles
+/// without area are left out. Empty for no regions.
 SlabMesh buildSlab(std::span<const Region> regions, std::span<const Triangulation> triangulations);
 
 /// Turn of a boundary, in radians, from which on it looks like a corner (25°): well above the turn

@@ -20,7 +20,7 @@ struct ViewStyle
     QColor slit = QColor(0xc2, 0x41, 0x0c);
     QColor deadZone = QColor(0x54, 0x5f, 0x6b);
     QColor edge = QColor(0x2b, 0x21, 0x18);
-    QColor casing;              // round the outline of a selected section; invalid: none
+    QColor casing;               // round the outline of a selected section; invalid: none
     double faceBrightness = 1.0; // of the stocks' faces
 
     double edgeWidth = 1.0, silhouetteWidth = 1.4; // px

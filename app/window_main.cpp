@@ -1,0 +1,46 @@
+// The window: flatfitfab [FILE]
+#include "ui/files/document_files.h"
+#include "ui/main_window.h"
+#include "ui/translations.h"
+
+#include <QApplication>
+#include <QCommandLineParser>
+#include <QSurfaceFormat>
+
+int main(int argc, char *argv[])
+{
+    // Before the application: contexts share this format.
+    QSurfaceFormat format;
+    format.setVersion(3, 3);
+    format.setProfile(QSurfaceFormat::CoreProfile);
+    format.setDepthBufferSize(24);
+    format.setStencilBufferSize(8); // QPainter clips with it
+    format.setSamples(4);
+    QSurfaceFormat::setDefaultFormat(format);
+    QGuiApplication::setHighDpiScaleFactorRoundingPolicy(
+        Qt::HighDpiScaleFactorRoundingPolicy::PassThrough);
+
+    QApplication application(argc, argv);
+    QApplication::setStyle(QStringLiteral("Fusion"));
+    QApplication::setApplicationName(QStringLiteral("flatfitfab"));
+    QApplication::setApplicationDisplayName(QString()); // the window's title names the program
+    QApplication::setApplicationVersion(QStringLiteral(FFF_VERSION));
+
+    fff::ui::installTranslations(application);
+
+    QCommandLineParser parser;
+    parser.setApplicationDescription(
+        QApplication::translate("main", "Draws flat parts in 3D and cuts them."));
+    parser.addHelpOption();
+    parser.addVersionOption();
+    parser.addPositionalArgument(QStringLiteral("FILE"),
+                                 QApplication::translate("main", "The model to open."),
+                                 QStringLiteral("[FILE]"));
+    parser.process(application);
+
+    fff::ui::MainWindow window;
+    window.show();
+    if (!parser.positionalArguments().isEmpty())
+        window.files().openFile(parser.positionalArguments().first());
+    return QApplication::exec();
+}

@@ -1,0 +1,26 @@
+# Icons are drawn as SVG and built as alpha masks at 1x, 2x and 3x, so that running needs no SVG reader.
+# Embedded in fff_ui as :/icons/NAME.png, NAME@2x.png, NAME@3x.png.
+find_program(RSVG_CONVERT rsvg-convert REQUIRED)
+set(icon_names
+    chevron_down chevron_right close err export face_section fit fit_selection float mouse new open redo
+    save save_as search section trash undo view_back view_bottom view_front view_iso view_left view_right
+    view_top warn)
+set(icon_folder ${CMAKE_CURRENT_BINARY_DIR}/icons)
+file(MAKE_DIRECTORY ${icon_folder})
+set(icon_masks)
+foreach(name ${icon_names})
+    set(source ${CMAKE_CURRENT_LIST_DIR}/${name}.svg)
+    foreach(scale 1 2 3)
+        set(suffix)
+        if(scale GREATER 1)
+            set(suffix "@${scale}x")
+        endif()
+        set(mask ${icon_folder}/${name}${suffix}.png)
+        math(EXPR size "24 * ${scale}")
+        add_custom_command(OUTPUT ${mask}
+            COMMAND ${RSVG_CONVERT} -w ${size} -h ${size} -o ${mask} ${source}
+            DEPENDS ${source} VERBATIM)
+        list(APPEND icon_masks ${mask})
+    endforeach()
+endforeach()
+qt_add_resources(fff_ui icons PREFIX /icons BASE ${icon_folder} FILES ${icon_masks})

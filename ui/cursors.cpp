@@ -1,0 +1,120 @@
+#include "ui/cursors.h"
+
+#include <QPainter>
+#include <QPainterPath>
+#include <QPixmap>
+
+#include <cmath>
+#include <map>
+#include <utility>
+
+namespace fff::ui {
+
+namespace {
+
+constexpr int kSize = 28; // px
+const QColor kInk(0x1b, 0x21, 0x27),
+    kPaper(0xff, 0xff, 0xff); // seen on every ground, in both themes
+const QColor kSlit(0xc2, 0x41, 0x0c);
+
+void cased(QPainter &painter, const QPainterPath &path, const QColor &colour, double width)
+{
+    painter.strokePath(path, QPen(kPaper, width + 2.0, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    painter.strokePath(path, QPen(colour, width, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+}
+
+/// Its tip is at (3, 25).
+void pencil(QPainter &painter)
+{
+    QPainterPath body;
+    body.moveTo(3, 25);
+    body.lineTo(5, 19);
+    body.lineTo(18, 6);
+    body.lineTo(22, 10);
+    body.lineTo(9, 23);
+    body.closeSubpath();
+    painter.strokePath(body, QPen(kPaper, 3.6, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    painter.fillPath(body, kPaper);
+    painter.strokePath(body, QPen(kInk, 1.6, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    QPainterPath tip;
+    tip.moveTo(3, 25);
+    tip.lineTo(4, 22);
+    tip.lineTo(6, 24);
+    tip.closeSubpath();
+    painter.fillPath(tip, kInk);
+}
+
+void slitMark(QPainter &painter)
+{
+    QPainterPath line;
+    line.moveTo(21, 17);
+    line.lineTo(21, 25);
+    cased(painter, line, kSlit, 3.0);
+}
+
+void clockMark(QPainter &painter)
+{
+    painter.setPen(QPen(kInk, 1.5));
+    painter.setBrush(kPaper);
+    painter.drawEllipse(QPointF(20.5, 20.5), 5.5, 5.5);
+    const QPointF hands[] = {{20.5, 17.5}, {20.5, 20.5}, {23.0, 20.5}};
+    painter.drawPolyline(hands, 3);
+}
+
+/// Two arrows that run round the middle.
+void turningArrows(QPainter &painter)
+{
+    for (int half = 0; half < 2; ++half) {
+        painter.save();
+        painter.translate(14, 14);
+        painter.rotate(180.0 * half);
+        QPainterPath path;
+        path.arcMoveTo(QRectF(-8, -8, 16, 16), 25);
+        path.arcTo(QRectF(-8, -8, 16, 16), 25, 130);
+        const QPointF end = path.currentPosition();
+        path.moveTo(end + QPointF(-0.5, -5.0));
+        path.lineTo(end);
+        path.lineTo(end + QPointF(5.0, -0.6));
+        cased(painter, path, kInk, 1.8);
+        painter.restore();
+    }
+}
+
+QCursor drawn(Cursor cursor, double ratio)
+{
+    QPixmap pixmap(static_cast<int>(std::lround(kSize * ratio)),
+                   static_cast<int>(std::lround(kSize * ratio)));
+    pixmap.setDevicePixelRatio(ratio);
+    pixmap.fill(Qt::transparent);
+    QPainter painter(&pixmap);
+    painter.setRenderHint(QPainter::Antialiasing);
+    if (cursor == Cursor::TurningArrows) {
+        turningArrows(painter);
+        painter.end();
+        return QCursor(pixmap, 14, 14);
+    }
+    pencil(painter);
+    if (cursor == Cursor::PencilWithSlit)
+        slitMark(painter);
+    if (cursor == Cursor::PencilWithClock)
+        clockMark(painter);
+    painter.end();
+    return QCursor(pixmap, 3, 25);
+}
+
+} // namespace
+
+QCursor cursorFor(Cursor cursor, double pixelRatio)
+{
+    if (cursor == Cursor::Arrow)
+        return QCursor(Qt::ArrowCursor);
+    if (cursor == Cursor::Hand)
+        return QCursor(Qt::PointingHandCursor);
+    static std::map<std::pair<Cursor, double>, QCursor> made;
+    const auto key = std::pair(cursor, pixelRatio);
+    const auto found = made.find(key);
+    return found != made.end() ? found->second
+                               : made.emplace(key, drawn(cursor, pixelRatio)).first->second;
+}
+
+} // namespace fff::ui

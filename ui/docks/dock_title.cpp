@@ -1,0 +1,51 @@
+#include "ui/docks/dock_title.h"
+
+#include "ui/icon.h"
+
+#include <QDockWidget>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QToolButton>
+
+namespace fff::ui {
+
+namespace {
+
+constexpr int kHeight = 28; // px
+
+QToolButton *titleButton(QWidget *title, const char *icon, const QString &text)
+{
+    auto *button = new QToolButton(title);
+    button->setIcon(themedIcon(QLatin1String(icon)));
+    button->setIconSize({14, 14});
+    button->setFixedSize(24, 24);
+    button->setToolTip(text);
+    button->setAccessibleName(text);
+    return button;
+}
+
+} // namespace
+
+void dressDock(QDockWidget *dock, const char *objectName)
+{
+    dock->setObjectName(QLatin1String(objectName));
+    auto *title = new QWidget(dock);
+    title->setObjectName(QStringLiteral("dockTitle"));
+    title->setFixedHeight(kHeight);
+    title->setAttribute(Qt::WA_StyledBackground);
+    auto *name = new QLabel(dock->windowTitle(), title);
+    QToolButton *floating = titleButton(title, "float", QDockWidget::tr("Float"));
+    QToolButton *close = titleButton(title, "close", QDockWidget::tr("Close"));
+    auto *row = new QHBoxLayout(title);
+    row->setContentsMargins(12, 0, 6, 0);
+    row->setSpacing(2);
+    row->addWidget(name, 1);
+    row->addWidget(floating);
+    row->addWidget(close);
+    QObject::connect(floating, &QToolButton::clicked, dock,
+                     [dock] { dock->setFloating(!dock->isFloating()); });
+    QObject::connect(close, &QToolButton::clicked, dock, &QWidget::close);
+    dock->setTitleBarWidget(title);
+}
+
+} // namespace fff::ui

@@ -1,0 +1,11 @@
+// A dock's title: its name, and the buttons that float and close it.
+#pragma once
+
+class QDockWidget;
+
+namespace fff::ui {
+
+/// Gives the dock this title, a stable object name and the window's habits.
+void dressDock(QDockWidget *dock, const char *objectName);
+
+} // namespace fff::ui

@@ -1,0 +1,372 @@
+#include "ui/docks/properties_dock.h"
+
+#include "core/model/edits.h"
+#include "ui/docks/dock_title.h"
+#include "ui/icon.h"
+#include "ui/measures.h"
+#include "ui/properties/property_rows.h"
+#include "ui/properties/stock_choice.h"
+#include "ui/theme.h"
+#include "ui/workbench.h"
+
+#include <QLabel>
+#include <QLineEdit>
+#include <QScrollArea>
+#include <QVBoxLayout>
+
+#include <set>
+
+namespace fff::ui {
+
+namespace {
+
+constexpr LengthEdit::Range kThicknessRange{0.1, 100.0, 0.05, 2};
+constexpr LengthEdit::Range kPositionRange{-10000.0, 10000.0, 0.1, 2};
+
+std::string nameOf(const Model &model, int index)
+{
+    return model.section(static_cast<std::size_t>(index))->name;
+}
+
+/// The stocks of these sections, each once.
+std::set<StockId> stocksOf(const Model &model, const std::vector<int> &sections)
+{
+    std::set<StockId> stocks;
+    for (int i : sections)
+        stocks.insert(model.section(static_cast<std::size_t>(i))->stock);
+    return stocks;
+}
+
+} // namespace
+
+PropertiesDock::PropertiesDock(Workbench &bench, QWidget *parent)
+    : QDockWidget(tr("Properties"), parent), m_bench(bench)
+{
+    dressDock(this, "propertiesDock");
+    auto *area = new QScrollArea(this);
+    area->setFrameShape(QFrame::NoFrame);
+    area->setWidgetResizable(true);
+    area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    auto *content = new QWidget(area);
+    m_modelPage = makeModelPage(content);
+    m_sectionPage = makeSectionPage(content);
+    auto *column = new QVBoxLayout(content);
+    column->setContentsMargins(16, 12, 12, 12);
+    column->setSpacing(0);
+    column->addWidget(makeHeader(content));
+    column->addSpacing(12);
+    column->addWidget(m_modelPage);
+    column->addWidget(m_sectionPage);
+    column->addStretch(1);
+    area->setWidget(content);
+    setWidget(area);
+
+    connect(&bench, &Workbench::selectionChanged, this, &PropertiesDock::refresh);
+    connect(&bench.session(), &Session::modelChanged, this, &PropertiesDock::refresh);
+    connect(&bench.session(), &Session::analysisChanged, this, &PropertiesDock::refresh);
+    refresh();
+}
+
+QWidget *PropertiesDock::makeHeader(QWidget *parent)
+{
+    constexpr int kIconSize = 34;
+    auto *header = new QWidget(parent);
+    m_icon = new QLabel(header);
+    m_icon->setObjectName(QStringLiteral("propertiesIcon"));
+    m_icon->setFixedSize(kIconSize, kIconSize);
+    m_icon->setAlignment(Qt::AlignCenter);
+    m_name = new QLineEdit(header);
+    m_name->setObjectName(QStringLiteral("propertiesName"));
+    m_name->setAccessibleName(tr("Name"));
+    QFont bold = m_name->font();
+    bold.setWeight(QFont::DemiBold);
+    m_name->setFont(bold);
+    m_kind = new QLabel(header);
+    m_kind->setObjectName(QStringLiteral("propertiesKind"));
+    m_kind->setForegroundRole(QPalette::PlaceholderText);
+    auto *grid = new QGridLayout(header);
+    grid->setContentsMargins(0, 0, 0, 0);
+    grid->setHorizontalSpacing(10);
+    grid->setVerticalSpacing(6);
+    grid->addWidget(m_icon, 0, 0);
+    grid->addWidget(m_name, 0, 1);
+    grid->addWidget(m_kind, 1, 1);
+    connect(m_name, &QLineEdit::editingFinished, this, &PropertiesDock::rename);
+    return header;
+}
+
+QWidget *PropertiesDock::makeModelPage(QWidget *parent)
+{
+    auto *page = new QWidget(parent);
+    auto *model = new PropertyGroup(tr("Model"), page);
+    auto *drawing = new PropertyGroup(tr("Drawing"), page);
+    m_modelRows = {
+        new TextRow(
+            tr("Size"), "modelSize",
+            [this] {
+                const Vec3 size = Measures(m_bench.session()).size();
+                return sizeText({size.x(), size.y(), size.z()}, 1, locale());
+            },
+            model),
+        new TextRow(
+            tr("Mass"), "modelMass",
+            [this] { return massText(Measures(m_bench.session()).mass(), locale()); }, model),
+        new TextRow(
+            tr("Sections"), "modelSections",
+            [this] {
+                return locale().toString(
+                    static_cast<qulonglong>(m_bench.session().model().sectionCount()));
+            },
+            model),
+    };
+    for (PropertyRow *row : m_modelRows)
+        model->add(row);
+    auto *stock = new ChoiceRow(
+        tr("Stock of new sections"), "newStock",
+        [this] {
+            const Document &document = m_bench.session().model().document;
+            return choicesOfStock(document, document.currentStock, locale());
+        },
+        [this](int index) { chooseNewStock(m_bench, index); }, drawing);
+    drawing->add(stock);
+    m_modelRows.push_back(stock);
+
+    auto *column = new QVBoxLayout(page);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    column->addWidget(model);
+    column->addWidget(drawing);
+    return page;
+}
+
+QWidget *PropertiesDock::makeSectionPage(QWidget *parent)
+{
+    auto *page = new QWidget(parent);
+    auto *stock = new PropertyGroup(tr("Stock"), page);
+    auto *place = new PropertyGroup(tr("Place"), page);
+    auto *contour = new PropertyGroup(tr("Contour"), page);
+    const auto add = [this](PropertyGroup *group, PropertyRow *row) {
+        group->add(row);
+        m_sectionRows.push_back(row);
+    };
+
+    add(stock,
+        new ChoiceRow(
+            tr("Stock"), "sectionStock",
+            [this] {
+                const Model &model = m_bench.session().model();
+                const std::set<StockId> used = stocksOf(model, selected());
+                return choicesOfStock(
+                    model.document, used.size() == 1 ? std::optional(*used.begin()) : std::nullopt,
+                    locale());
+            },
+            [this](int index) {
+                const Model &model = m_bench.session().committed();
+                const Stock choice =
+                    stockChoices(model.document).at(static_cast<std::size_t>(index));
+                StockId id;
+                Result<Document> next = withStock(model.document, choice, id);
+                std::vector<std::string> names;
+                for (int i : selected()) {
+                    names.push_back(nameOf(model, i));
+                    if (next)
+                        next = setSectionStock(std::move(*next),
+                                               model.ref(static_cast<std::size_t>(i)).drawn, id);
+                }
+                m_bench.commit({Step::Kind::SetStock, names}, std::move(next));
+            },
+            stock));
+    add(stock, new LengthRow(
+                   tr("Thickness"), "sectionThickness", kThicknessRange,
+                   [this]() -> std::optional<double> {
+                       const Document &document = m_bench.session().model().document;
+                       std::set<double> values;
+                       for (StockId id : stocksOf(m_bench.session().model(), selected()))
+                           values.insert(document.find(id)->thickness);
+                       return values.size() == 1 ? std::optional(*values.begin()) : std::nullopt;
+                   },
+                   [this](double value) {
+                       const Model &model = m_bench.session().committed();
+                       Result<Document> next = model.document;
+                       std::vector<std::string> names;
+                       for (StockId id : stocksOf(model, selected())) {
+                           Stock changed = *model.document.find(id);
+                           changed.thickness = value;
+                           names.push_back(changed.name);
+                           if (next)
+                               next = setStock(std::move(*next), changed);
+                       }
+                       m_bench.commit({Step::Kind::EditStock, names}, std::move(next));
+                   },
+                   stock));
+    add(stock, new TextRow(
+                   tr("Mass"), "sectionMass",
+                   [this] {
+                       const Measures measures(m_bench.session());
+                       double sum = 0.0;
+                       for (int i : selected())
+                           sum += measures.mass(i);
+                       return massText(sum, locale());
+                   },
+                   stock));
+
+    add(place, new TextRow(
+                   tr("On"), "sectionParent",
+                   [this] {
+                       return mixedOr([this](int i) {
+                           const Model &model = m_bench.session().model();
+                           const auto &link = model.section(static_cast<std::size_t>(i))->parent;
+                           const int on = link ? model.indexOf(link->section) : -1;
+                           return on < 0 ? tr("nothing")
+                                         : QString::fromStdString(nameOf(model, on));
+                       });
+                   },
+                   place));
+    add(place, positionRow(0, tr("Position X"), "positionX", place));
+    add(place, positionRow(1, tr("Position Y"), "positionY", place));
+    add(place, positionRow(2, tr("Position Z"), "positionZ", place));
+
+    add(contour, new TextRow(
+                     tr("Size"), "sectionSize",
+                     [this] {
+                         return mixedOr([this](int i) {
+                             const Vec2 size = Measures(m_bench.session()).contourSize(i);
+                             return sizeText({size.x(), size.y()}, 1, locale());
+                         });
+                     },
+                     contour));
+    add(contour, new TextRow(
+                     tr("Area"), "sectionArea",
+                     [this] {
+                         const Measures measures(m_bench.session());
+                         double sum = 0.0;
+                         for (int i : selected())
+                             sum += measures.area(i);
+                         return areaText(sum, locale());
+                     },
+                     contour));
+
+    auto *column = new QVBoxLayout(page);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    column->addWidget(stock);
+    column->addWidget(place);
+    column->addWidget(contour);
+    return page;
+}
+
+/// Of the frame's origin; a new value moves the section along the world's axis.
+PropertyRow *PropertiesDock::positionRow(int axis, const QString &name, const char *objectName,
+                                         QWidget *parent)
+{
+    return new LengthRow(
+        name, objectName, kPositionRange,
+        [this, axis]() -> std::optional<double> {
+            const Model &model = m_bench.session().model();
+            std::set<double> values;
+            for (int i : selected())
+                values.insert(model.section(static_cast<std::size_t>(i))->frame.origin[axis]);
+            return values.size() == 1 ? std::optional(*values.begin()) : std::nullopt;
+        },
+        [this, axis](double value) {
+            const Model &model = m_bench.session().committed();
+            Result<Document> next = model.document;
+            std::vector<std::string> names;
+            for (int i : selected()) {
+                Frame frame = model.section(static_cast<std::size_t>(i))->frame;
+                frame.origin[axis] = value;
+                names.push_back(nameOf(model, i));
+                if (next)
+                    next = moveSection(std::move(*next),
+                                       model.ref(static_cast<std::size_t>(i)).drawn, frame);
+            }
+            m_bench.commit({Step::Kind::MoveSection, names}, std::move(next));
+        },
+        parent);
+}
+
+void PropertiesDock::refresh()
+{
+    const bool hasSection = !selected().empty();
+    refreshHeader();
+    m_modelPage->setVisible(!hasSection);
+    m_sectionPage->setVisible(hasSection);
+    for (PropertyRow *row : hasSection ? m_sectionRows : m_modelRows)
+        row->refresh();
+}
+
+void PropertiesDock::refreshHeader()
+{
+    const Model &model = m_bench.session().model();
+    const std::vector<int> sections = selected();
+    m_icon->setPixmap(
+        tintedPixmap(sections.empty() ? QStringLiteral("view_iso") : QStringLiteral("section"), 22,
+                     theme().accent, devicePixelRatioF()));
+
+    QString name, kind;
+    if (sections.empty()) {
+        name = tr("Model");
+        kind = tr("Nothing is selected");
+    } else if (sections.size() == 1) {
+        const auto index = static_cast<std::size_t>(sections.front());
+        const int joints = [&] {
+            const Analysis &analysis = m_bench.session().analysis();
+            const int there = analysis.model.indexOf(model.ref(index));
+            int count = 0;
+            for (const Joint &joint : analysis.assembly.joints)
+                count += joint.a == there || joint.b == there ? 1 : 0;
+            return count;
+        }();
+        name = QString::fromStdString(nameOf(model, sections.front()));
+        kind = tr("Section · %1").arg(tr("%n joint(s)", nullptr, joints));
+    } else {
+        name = tr("%n section(s)", nullptr, static_cast<int>(sections.size()));
+        kind = tr("Changes apply to all of them");
+    }
+    m_name->setReadOnly(sections.size() != 1);
+    m_name->setFrame(sections.size() == 1);
+    if (!(m_name->hasFocus() && m_name->isModified()) && m_name->text() != name) {
+        m_name->setText(name);
+        m_name->setCursorPosition(0);
+    }
+    m_kind->setText(kind);
+}
+
+void PropertiesDock::rename()
+{
+    const std::vector<int> sections = selected();
+    if (sections.size() != 1 || !m_name->isModified())
+        return;
+    m_name->setModified(false);
+    const Model &model = m_bench.session().committed();
+    const std::string before = nameOf(model, sections.front());
+    const QString name = m_name->text().trimmed();
+    if (!name.isEmpty() && name.toStdString() != before) {
+        m_bench.commit({Step::Kind::RenameSection, {before}},
+                       renameSection(model.document,
+                                     model.ref(static_cast<std::size_t>(sections.front())).drawn,
+                                     name.toStdString()));
+    }
+    refreshHeader();
+}
+
+std::vector<int> PropertiesDock::selected() const
+{
+    const Model &model = m_bench.session().model();
+    std::vector<int> sections;
+    for (const SectionRef &ref : m_bench.interaction().selection()) {
+        if (const int index = model.indexOf(ref); index >= 0)
+            sections.push_back(index);
+    }
+    return sections;
+}
+
+QString PropertiesDock::mixedOr(const std::function<QString(int)> &text) const
+{
+    std::set<QString> values;
+    for (int i : selected())
+        values.insert(text(i));
+    return values.size() == 1 ? *values.begin() : tr("mixed");
+}
+
+} // namespace fff::ui

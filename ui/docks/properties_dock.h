@@ -1,0 +1,49 @@
+// The numbers of what is selected, or of the model when nothing is. Rows read from the session and
+// write through edits, one undo step each (ui/properties/property_rows.h).
+#pragma once
+
+#include <QDockWidget>
+
+#include <functional>
+#include <vector>
+
+class QLabel;
+class QLineEdit;
+
+namespace fff::ui {
+
+class PropertyGroup;
+class PropertyRow;
+class Workbench;
+
+class PropertiesDock : public QDockWidget
+{
+    Q_OBJECT
+public:
+    explicit PropertiesDock(Workbench &bench, QWidget *parent = nullptr);
+
+    /// Reads everything again; also for another theme.
+    void refresh();
+
+private:
+    QWidget *makeHeader(QWidget *parent);
+    QWidget *makeModelPage(QWidget *parent);
+    QWidget *makeSectionPage(QWidget *parent);
+    PropertyRow *positionRow(int axis, const QString &name, const char *objectName,
+                             QWidget *parent);
+    void refreshHeader();
+    void rename();
+
+    /// Of the selected sections that exist now.
+    std::vector<int> selected() const;
+    QString mixedOr(const std::function<QString(int)> &text) const;
+
+    Workbench &m_bench;
+    QLabel *m_icon = nullptr;
+    QLineEdit *m_name = nullptr;
+    QLabel *m_kind = nullptr;
+    QWidget *m_modelPage = nullptr, *m_sectionPage = nullptr;
+    std::vector<PropertyRow *> m_modelRows, m_sectionRows;
+};
+
+} // namespace fff::ui

@@ -1,0 +1,305 @@
+#include "ui/main_window.h"
+
+#include "core/io/error_text.h"
+#include "ui/actions/action_set.h"
+#include "ui/docks/outline_dock.h"
+#include "ui/docks/properties_dock.h"
+#include "ui/files/document_files.h"
+#include "ui/icon.h"
+#include "ui/message_bar.h"
+#include "ui/properties/stock_choice.h"
+#include "ui/status_line.h"
+#include "ui/theme.h"
+#include "ui/viewport.h"
+#include "ui/workbench.h"
+
+#include <QCloseEvent>
+#include <QGuiApplication>
+#include <QLabel>
+#include <QMenuBar>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QToolBar>
+#include <QVBoxLayout>
+
+#include <functional>
+
+namespace fff::ui {
+
+namespace {
+
+constexpr int kLeftWidth = 264, kRightWidth = 314, kNarrowRightWidth = 306; // px
+constexpr int kTwoColumns = 1280; // px; a narrower window has all docks at the right
+constexpr int kToolLabels = 1100; // px; a narrower tool bar has no labels
+
+/// Some platforms crash on an OpenGL widget; the rest of the window works without one.
+bool hasOpenGl()
+{
+    const QString platform = QGuiApplication::platformName();
+    return platform != QStringLiteral("offscreen") && platform != QStringLiteral("minimal") &&
+           platform != QStringLiteral("vnc");
+}
+
+} // namespace
+
+MainWindow::MainWindow(QWidget *parent) : QMainWindow(parent), m_bench(new Workbench(this))
+{
+    setObjectName(QStringLiteral("mainWindow"));
+    setMinimumSize(1024, 640);
+    resize(1440, 900);
+    setContextMenuPolicy(Qt::NoContextMenu); // Qt's own menu could hide the tool bar for good
+    setDockOptions(AnimatedDocks | AllowTabbedDocks | AllowNestedDocks);
+    setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
+
+    m_actions = new ActionSet(*m_bench, this);
+    makeView();
+    m_outline = new OutlineDock(*m_bench, this);
+    m_properties = new PropertiesDock(*m_bench, this);
+    m_status = new StatusLine(*m_bench, this);
+    setStatusBar(m_status);
+    m_files = new DocumentFiles(*m_bench, *m_messages, *m_status, *this);
+    addCommands();
+    makeToolBar();
+    makeMenus();
+    resetLayout();
+    refreshTheme();
+
+    connect(m_actions, &ActionSet::triggered, this, &MainWindow::run);
+    connect(m_bench, &Workbench::editFailed, this, [this](const Error &error) {
+        m_messages->show(MessageBar::Severity::Error, {io::errorText(error)});
+    });
+    m_bench->session().reset(newDocument());
+    m_bench->showAll("front");
+}
+
+MainWindow::~MainWindow() = default;
+
+void MainWindow::makeView()
+{
+    auto *middle = new QWidget(this);
+    m_messages = new MessageBar(middle);
+    if (hasOpenGl()) {
+        auto *viewport = new Viewport(*m_bench, middle);
+        connect(viewport, &Viewport::unusable, this, [this] {
+            m_messages->show(MessageBar::Severity::Error,
+                             {tr("The model cannot be shown: the graphics driver offers no OpenGL "
+                                 "3.3. A newer driver may help.")});
+        });
+        m_view = viewport;
+    } else {
+        auto *label = new QLabel(tr("The model cannot be shown on this display."), middle);
+        label->setAlignment(Qt::AlignCenter);
+        m_view = label;
+    }
+    m_actions->addViewShortcuts(m_view);
+    auto *column = new QVBoxLayout(middle);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    column->addWidget(m_messages);
+    column->addWidget(m_view, 1);
+    setCentralWidget(middle);
+}
+
+void MainWindow::makeMenus()
+{
+    QMenu *file = menuBar()->addMenu(tr("&File"));
+    m_actions->fill(file, {"file.new", "file.open", "", "file.save", "file.saveAs", "",
+                           "file.export", "", "file.quit"});
+    QMenu *edit = menuBar()->addMenu(tr("&Edit"));
+    m_actions->fill(edit, {"edit.undo", "edit.redo", "", "edit.delete", "", "edit.selectAll"});
+    QMenu *view = menuBar()->addMenu(tr("&View"));
+    m_actions->fill(view, {"view.front", "view.top", "view.right", "view.back", "view.bottom",
+                           "view.left", "view.iso", "view.faceSelection", "", "view.fitAll",
+                           "view.fitSelection", ""});
+    view->addAction(m_outline->toggleViewAction());
+    view->addAction(m_properties->toggleViewAction());
+    m_actions->fill(view, {"view.docks", "view.resetWindow", "", "view.fullScreen"});
+    QMenu *help = menuBar()->addMenu(tr("&Help"));
+    m_actions->fill(help, {"help.about"});
+    for (QMenu *menu : {file, edit, view, help})
+        menu->setToolTipsVisible(true); // greyed entries say why
+}
+
+void MainWindow::makeToolBar()
+{
+    m_toolBar = addToolBar(tr("Tool bar"));
+    m_toolBar->setObjectName(QStringLiteral("mainToolBar"));
+    m_toolBar->setMovable(false);
+    m_toolBar->toggleViewAction()->setVisible(false);
+    m_toolBar->setIconSize({24, 24});
+    m_actions->fill(m_toolBar, {"file.new", "file.open", "file.save", "", "edit.undo", "edit.redo",
+                                "", "edit.delete", "", "view.fitAll", "view.front", "view.right",
+                                "view.top", "view.iso"});
+
+    auto *stretch = new QWidget(m_toolBar);
+    stretch->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
+    m_toolBar->addWidget(stretch);
+    m_stock = new ChoiceBox(m_toolBar);
+    m_stock->setObjectName(QStringLiteral("toolStock"));
+    m_stock->setToolTip(tr("Stock of the next section"));
+    m_stock->setAccessibleName(tr("Stock of the next section"));
+    m_stock->setMinimumHeight(28);
+    m_stock->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+    connect(m_stock, &QComboBox::activated, this,
+            [this](int index) { chooseNewStock(*m_bench, index); });
+    connect(&m_bench->session(), &Session::modelChanged, m_stock, [this] {
+        const Document &document = m_bench->session().model().document;
+        m_stock->setChoices(choicesOfStock(document, document.currentStock, locale()));
+    });
+    m_toolBar->addWidget(m_stock);
+    auto *gap = new QWidget(m_toolBar);
+    gap->setFixedWidth(8);
+    m_toolBar->addWidget(gap);
+
+    QAction *exporting = m_actions->action("file.export");
+    m_export = new QPushButton(exporting->iconText(), m_toolBar);
+    m_export->setObjectName(QStringLiteral("exportButton"));
+    m_export->setIconSize({18, 18});
+    const auto follow = [this, exporting] {
+        m_export->setEnabled(exporting->isEnabled());
+        m_export->setToolTip(exporting->toolTip());
+    };
+    follow();
+    connect(exporting, &QAction::changed, m_export, follow);
+    connect(m_export, &QPushButton::clicked, exporting, &QAction::trigger);
+    m_toolBar->addWidget(m_export);
+}
+
+void MainWindow::resetLayout()
+{
+    const bool wide = width() >= kTwoColumns;
+    for (QDockWidget *dock :
+         {static_cast<QDockWidget *>(m_outline), static_cast<QDockWidget *>(m_properties)}) {
+        dock->setFloating(false);
+        removeDockWidget(dock);
+    }
+    addDockWidget(wide ? Qt::LeftDockWidgetArea : Qt::RightDockWidgetArea, m_outline);
+    addDockWidget(Qt::RightDockWidgetArea, m_properties);
+    m_outline->show();
+    m_properties->show();
+    if (wide) {
+        resizeDocks({m_outline, m_properties}, {kLeftWidth, kRightWidth}, Qt::Horizontal);
+    } else {
+        tabifyDockWidget(m_properties, m_outline);
+        m_properties->raise();
+        resizeDocks({m_properties}, {kNarrowRightWidth}, Qt::Horizontal);
+    }
+    m_actions->action("view.docks")->setChecked(false);
+}
+
+/// What needs a window or asks a question; the rest is the session's.
+void MainWindow::addCommands()
+{
+    const auto add = [this](const char *id, std::function<void()> act) {
+        m_bench->commands().add(id, {[act = std::move(act)](const CommandParameters &, double) {
+                                         act();
+                                         return Result<void>();
+                                     },
+                                     {}});
+    };
+    add("file.new", [this] { m_files->startNew(); });
+    add("file.open", [this] { m_files->open(); });
+    add("file.save", [this] { m_files->save(); });
+    add("file.saveAs", [this] { m_files->saveAs(); });
+    add("file.export", [this] { m_files->exportCuttingFile(); });
+    add("file.quit", [this] { close(); });
+    add("view.docks", [this] { setDocksHidden(m_actions->action("view.docks")->isChecked()); });
+    add("view.fullScreen", [this] { setWindowState(windowState() ^ Qt::WindowFullScreen); });
+    add("view.resetWindow", [this] { resetLayout(); });
+    add("help.about", [this] { showAbout(); });
+}
+
+void MainWindow::run(const QString &id)
+{
+    const QUndoStack &history = *m_bench->session().history();
+    const QString undone = history.undoText(), redone = history.redoText();
+    const int before = history.index();
+    m_bench->run(id);
+    if (id == QStringLiteral("edit.undo") && history.index() < before)
+        m_status->say(tr("Undid \u201c%1\u201d. Ctrl+Shift+Z brings it back.").arg(undone));
+    else if (id == QStringLiteral("edit.redo") && history.index() > before)
+        m_status->say(tr("Did \u201c%1\u201d again. Ctrl+Z takes it back.").arg(redone));
+}
+
+void MainWindow::setDocksHidden(bool hidden)
+{
+    if (hidden) {
+        m_beforeHiding = saveState();
+        m_outline->hide();
+        m_properties->hide();
+    } else if (!m_beforeHiding.isEmpty()) {
+        restoreState(m_beforeHiding);
+    } else {
+        resetLayout();
+    }
+}
+
+void MainWindow::showAbout()
+{
+    QMessageBox about(QMessageBox::NoIcon, tr("About FlatFitFab"),
+                      tr("<b>FlatFitFab %1</b>").arg(QStringLiteral(FFF_VERSION)), QMessageBox::Ok,
+                      this);
+    about.setObjectName(QStringLiteral("aboutBox"));
+    about.setInformativeText(
+        tr("Draw flat parts in 3D, see at once how they fit, and cut them. It works without an "
+           "account, and nothing leaves this computer."));
+    about.exec();
+}
+
+void MainWindow::refreshTheme()
+{
+    applyTheme(this);
+    m_messages->refresh();
+    m_outline->refreshColours();
+    m_properties->refresh();
+    m_status->refresh();
+    m_export->setIcon(
+        tintedPixmap(QStringLiteral("export"), 18, theme().onAccent, devicePixelRatioF()));
+    setWindowIcon(tintedPixmap(QStringLiteral("section"), 64, theme().accent, 1.0));
+    m_view->update();
+}
+
+void MainWindow::changeEvent(QEvent *event)
+{
+    QMainWindow::changeEvent(event);
+    if (event->type() == QEvent::WindowStateChange)
+        m_actions->action("view.fullScreen")->setChecked(isFullScreen());
+}
+
+bool MainWindow::event(QEvent *event)
+{
+    const bool done = QMainWindow::event(event);
+    if (event->type() == QEvent::ApplicationPaletteChange)
+        refreshTheme();
+    return done;
+}
+
+void MainWindow::closeEvent(QCloseEvent *event)
+{
+    event->setAccepted(m_files->mayClose());
+}
+
+void MainWindow::resizeEvent(QResizeEvent *event)
+{
+    QMainWindow::resizeEvent(event);
+    foldToolBar();
+}
+
+void MainWindow::foldToolBar()
+{
+    const bool labels = width() >= kToolLabels;
+    m_toolBar->setToolButtonStyle(labels ? Qt::ToolButtonTextUnderIcon : Qt::ToolButtonIconOnly);
+    m_toolBar->setFixedHeight(labels ? 56 : 44);
+}
+
+void MainWindow::showEvent(QShowEvent *event)
+{
+    QMainWindow::showEvent(event);
+    if (m_wasShown)
+        return;
+    m_wasShown = true;
+    resetLayout(); // only now its real width is known
+    m_view->setFocus();
+}
+
+} // namespace fff::ui

@@ -1,0 +1,60 @@
+#include "ui/properties/choice_box.h"
+
+#include <QCoreApplication>
+#include <QPainter>
+#include <QWheelEvent>
+
+namespace fff::ui {
+
+namespace {
+
+QIcon chip(const QColor &colour)
+{
+    constexpr int kSize = 14; // px
+    QIcon icon;
+    for (int scale : {1, 2, 3}) {
+        QPixmap pixmap(kSize * scale, kSize * scale);
+        pixmap.setDevicePixelRatio(scale);
+        pixmap.fill(Qt::transparent);
+        QPainter painter(&pixmap);
+        painter.setRenderHint(QPainter::Antialiasing);
+        painter.setPen(QPen(colour.darker(160), 1.0));
+        painter.setBrush(colour);
+        painter.drawRoundedRect(QRectF(1.5, 1.5, kSize - 3.0, kSize - 3.0), 2.0, 2.0);
+        painter.end();
+        icon.addPixmap(pixmap);
+    }
+    return icon;
+}
+
+} // namespace
+
+ChoiceBox::ChoiceBox(QWidget *parent) : QComboBox(parent)
+{
+    setFocusPolicy(Qt::StrongFocus);
+    setPlaceholderText(QCoreApplication::translate("fff::ui::LengthEdit", "mixed"));
+    setIconSize({14, 14});
+}
+
+void ChoiceBox::setChoices(const Choices &choices)
+{
+    if (m_shown != choices.all) {
+        m_shown = choices.all;
+        clear();
+        for (const Choice &choice : choices.all)
+            addItem(chip(choice.colour), choice.text);
+    }
+    if (currentIndex() != choices.current)
+        setCurrentIndex(choices.current);
+}
+
+void ChoiceBox::wheelEvent(QWheelEvent *event)
+{
+    // Scrolling a panel must not change what is chosen on the way.
+    if (hasFocus())
+        QComboBox::wheelEvent(event);
+    else
+        event->ignore();
+}
+
+} // namespace fff::ui

@@ -1,0 +1,43 @@
+// The one field for lengths: owns the unit, the range and how many digits are shown. Says a new
+// value once when it is done: on Enter, when the focus leaves, or a moment after the last step of
+// its arrows.
+#pragma once
+
+#include <QDoubleSpinBox>
+#include <QTimer>
+
+#include <optional>
+
+namespace fff::ui {
+
+class LengthEdit : public QDoubleSpinBox
+{
+    Q_OBJECT
+public:
+    struct Range
+    {
+        double least = -10000.0, most = 10000.0, step = 0.1; // mm
+        int decimals = 2;
+    };
+
+    explicit LengthEdit(const Range &range, QWidget *parent = nullptr);
+
+    /// Shows a value without announcing it; nothing: the selected things differ. Leaves the field
+    /// alone while a person is typing in it.
+    void setLength(std::optional<double> millimetres);
+
+Q_SIGNALS:
+    void lengthEdited(double millimetres);
+
+protected:
+    void wheelEvent(QWheelEvent *event) override;
+
+private:
+    void announce();
+
+    std::optional<double> m_shown; // as last set from outside, or announced
+    QTimer m_settled;
+    bool m_isSetting = false;
+};
+
+} // namespace fff::ui

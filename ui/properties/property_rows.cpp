@@ -1,0 +1,120 @@
+#include "ui/properties/property_rows.h"
+
+#include "ui/icon.h"
+
+#include <QHBoxLayout>
+#include <QVBoxLayout>
+
+namespace fff::ui {
+
+namespace {
+
+constexpr int kLabelWidth = 104, kRowHeight = 30; // px
+
+} // namespace
+
+PropertyRow::PropertyRow(const QString &name, QWidget *parent)
+    : QWidget(parent), m_label(new QLabel(name, this))
+{
+    m_label->setMinimumWidth(kLabelWidth);
+    auto *row = new QHBoxLayout(this);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(8);
+    row->addWidget(m_label);
+    setMinimumHeight(kRowHeight);
+}
+
+void PropertyRow::setEditor(QWidget *editor, const char *objectName, bool fills)
+{
+    editor->setObjectName(QLatin1String(objectName));
+    editor->setAccessibleName(m_label->text());
+    m_label->setBuddy(editor);
+    auto *row = static_cast<QHBoxLayout *>(layout());
+    row->addWidget(editor, fills ? 1 : 0);
+    if (!fills)
+        row->addStretch(1);
+}
+
+TextRow::TextRow(const QString &name, const char *objectName, std::function<QString()> read,
+                 QWidget *parent)
+    : PropertyRow(name, parent), m_value(new QLabel(this)), m_read(std::move(read))
+{
+    m_value->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    m_value->setWordWrap(true);
+    setEditor(m_value, objectName, true);
+}
+
+void TextRow::refresh()
+{
+    const QString text = m_read();
+    if (m_value->text() != text)
+        m_value->setText(text);
+}
+
+LengthRow::LengthRow(const QString &name, const char *objectName, const LengthEdit::Range &range,
+                     std::function<std::optional<double>()> read, std::function<void(double)> write,
+                     QWidget *parent)
+    : PropertyRow(name, parent), m_edit(new LengthEdit(range, this)), m_read(std::move(read))
+{
+    setEditor(m_edit, objectName, false);
+    connect(m_edit, &LengthEdit::lengthEdited, this,
+            [this, write = std::move(write)](double value) {
+                write(value);
+                refresh(); // a refused value goes back to what it was
+            });
+}
+
+void LengthRow::refresh()
+{
+    m_edit->setLength(m_read());
+}
+
+ChoiceRow::ChoiceRow(const QString &name, const char *objectName, std::function<Choices()> read,
+                     std::function<void(int)> write, QWidget *parent)
+    : PropertyRow(name, parent), m_box(new ChoiceBox(this)), m_read(std::move(read))
+{
+    m_box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    m_box->setMinimumContentsLength(8);
+    setEditor(m_box, objectName, true);
+    connect(m_box, &QComboBox::activated, this, [this, write = std::move(write)](int index) {
+        write(index);
+        refresh();
+    });
+}
+
+void ChoiceRow::refresh()
+{
+    m_box->setChoices(m_read());
+}
+
+PropertyGroup::PropertyGroup(const QString &name, QWidget *parent)
+    : QWidget(parent), m_title(new QToolButton(this)), m_rows(new QWidget(this))
+{
+    m_title->setObjectName(QStringLiteral("groupTitle"));
+    m_title->setText(name);
+    m_title->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    m_title->setIcon(themedIcon(QStringLiteral("chevron_down")));
+    m_title->setIconSize({14, 14});
+    m_title->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    auto *rows = new QVBoxLayout(m_rows);
+    rows->setContentsMargins(0, 4, 0, 0);
+    rows->setSpacing(0);
+    auto *column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 16);
+    column->setSpacing(0);
+    column->addWidget(m_title);
+    column->addWidget(m_rows);
+    connect(m_title, &QToolButton::clicked, this, [this] {
+        const bool folds = !m_rows->isHidden();
+        m_rows->setVisible(!folds);
+        m_title->setIcon(
+            themedIcon(folds ? QStringLiteral("chevron_right") : QStringLiteral("chevron_down")));
+    });
+}
+
+void PropertyGroup::add(PropertyRow *row)
+{
+    m_rows->layout()->addWidget(row);
+}
+
+} // namespace fff::ui

@@ -1,0 +1,36 @@
+// The program's colours, light and dark, after the system's palette. Widgets take them through the
+// window's palette; what draws by itself asks theme().
+#pragma once
+
+#include "ui/view/view_style.h"
+
+#include <QColor>
+#include <QPalette>
+
+class QWidget;
+
+namespace fff::ui {
+
+struct Theme
+{
+    bool isDark = false;
+    QColor window, panel, alternate, text, muted;
+    QColor border, strong; // separators; borders of fields
+    QColor accent, onAccent, soft, hover;
+    QColor problem, problemSoft, warning, warningSoft;
+    QColor button;
+
+    QPalette palette() const;
+    /// For the few things that the palette cannot say (ui/UI.md, section 4).
+    QString styleSheet() const;
+    ViewStyle viewStyle() const;
+};
+
+/// The one in use.
+const Theme &theme();
+
+/// Chooses light or dark by the application's palette and dresses the window with it, with all that
+/// hangs on it. The application's own palette stays the system's, so that a change of it is seen.
+void applyTheme(QWidget *window);
+
+} // namespace fff::ui

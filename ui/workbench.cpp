@@ -1,0 +1,110 @@
+#include "ui/workbench.h"
+
+#include "core/session/session_commands.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace fff::ui {
+
+Workbench::Workbench(QObject *parent)
+    : QObject(parent), m_host(m_session), m_interaction(std::make_unique<Interaction>(m_host))
+{
+    m_hint = m_interaction->hint();
+    m_host.attach(*m_interaction);
+    connect(&m_session, &Session::modelChanged, this, &Workbench::announceChanges);
+    registerSessionCommands(m_commands, m_session, *m_interaction);
+}
+
+Workbench::~Workbench() = default;
+
+void Workbench::setViewport(const Vec2 &size)
+{
+    m_interaction->setViewport(size);
+    if (!m_viewToShow.empty())
+        showAll(std::exchange(m_viewToShow, {}));
+    announceChanges();
+}
+
+void Workbench::handle(const PointerEvent &event)
+{
+    m_interaction->handle(event);
+    announceChanges();
+}
+
+bool Workbench::escape()
+{
+    const bool went = m_interaction->escape(m_clock.now());
+    announceChanges();
+    return went;
+}
+
+bool Workbench::advance()
+{
+    const bool runs = m_interaction->advance(m_clock.now());
+    announceChanges();
+    return runs;
+}
+
+void Workbench::setCamera(const Camera &camera)
+{
+    m_interaction->setCamera(camera);
+    announceChanges();
+}
+
+void Workbench::showAll(std::string_view view)
+{
+    const Vec2 &size = m_interaction->viewport();
+    if (!(size.x() > 1.0 && size.y() > 1.0)) {
+        m_viewToShow = view;
+        return;
+    }
+    Camera camera;
+    orientationOfView(view, camera.orientation);
+    setCamera(fitted(camera, m_session.model().bounds(), size));
+}
+
+void Workbench::select(std::vector<SectionRef> selection)
+{
+    m_interaction->select(std::move(selection));
+    announceChanges();
+}
+
+void Workbench::announceChanges()
+{
+    if (m_selection != m_interaction->selection()) {
+        m_selection = m_interaction->selection();
+        Q_EMIT selectionChanged();
+    }
+    if (!(m_hint == m_interaction->hint())) {
+        m_hint = m_interaction->hint();
+        Q_EMIT hintChanged();
+    }
+    Q_EMIT viewChanged();
+}
+
+void Workbench::run(const QString &id)
+{
+    const Result<void> done = m_commands.run(id.toStdString(), {}, m_clock.now());
+    announceChanges();
+    if (!done)
+        Q_EMIT editFailed(done.error());
+}
+
+void Workbench::commit(const Step &step, Result<Document> document)
+{
+    if (document)
+        m_host.commit(step, std::move(*document));
+    else
+        Q_EMIT editFailed(document.error());
+}
+
+void Workbench::commit(const QString &text, Result<Document> document)
+{
+    if (document)
+        m_session.commit(text, std::move(*document));
+    else
+        Q_EMIT editFailed(document.error());
+}
+
+} // namespace fff::ui

@@ -1,0 +1,72 @@
+// What the parts of the window work on together: the session, the interaction that edits it, and
+// the selection. Interaction is plain C++; this says with signals what changed in it.
+#pragma once
+
+#include "core/interaction/commands.h"
+#include "core/interaction/interaction.h"
+#include "core/session/session.h"
+#include "core/session/session_host.h"
+#include "ui/event_clock.h"
+
+#include <QObject>
+
+#include <string>
+#include <string_view>
+
+namespace fff::ui {
+
+class Workbench : public QObject
+{
+    Q_OBJECT
+public:
+    explicit Workbench(QObject *parent = nullptr);
+    ~Workbench() override;
+
+    Session &session() { return m_session; }
+    const Session &session() const { return m_session; }
+    /// To look at; what changes it goes through the functions below.
+    const Interaction &interaction() const { return *m_interaction; }
+
+    void setViewport(const Vec2 &size);
+    void handle(const PointerEvent &event);
+    bool escape();
+    /// Moves animations on; true while one runs.
+    bool advance();
+    EventClock &clock() { return m_clock; }
+
+    /// The session's commands; the window adds its own.
+    CommandRegistry &commands() { return m_commands; }
+    const CommandRegistry &commands() const { return m_commands; }
+    /// A failure is announced by editFailed.
+    void run(const QString &id);
+
+    void setCamera(const Camera &camera);
+    /// The whole model from one of the standard views, at once; as soon as the view has a size.
+    void showAll(std::string_view view);
+    void select(std::vector<SectionRef> selection);
+
+    /// Commits an edit; a failed one is announced by editFailed and changes nothing.
+    void commit(const Step &step, Result<Document> document);
+    void commit(const QString &text, Result<Document> document);
+
+Q_SIGNALS:
+    void selectionChanged();
+    void hintChanged();
+    /// Camera, hover marks, gesture: what is seen but not in the model.
+    void viewChanged();
+    void editFailed(const fff::Error &error);
+
+private:
+    void announceChanges();
+
+    Session m_session;
+    SessionHost m_host;
+    std::unique_ptr<Interaction> m_interaction;
+    std::vector<SectionRef> m_selection; // as last announced
+    Hint m_hint;
+    EventClock m_clock;
+    CommandRegistry m_commands;
+    std::string m_viewToShow; // asked for before there was a size
+};
+
+} // namespace fff::ui
