@@ -209,7 +209,7 @@ Loaded load(const QString &file, const QCommandLineParser &parser)
     io::ReadOptions options;
     constexpr double kSmallestUnit = 1e-6; // mm
     if (const auto unit = number(parser, "unit-mm", kSmallestUnit, loaded.status))
-        options.unitMm = *unit;
+        options.flatfab.unitMm = *unit;
     if (loaded.status)
         return loaded;
     Result<io::LoadedDocument> read = io::readDocument(file, options);
@@ -220,7 +220,7 @@ Loaded load(const QString &file, const QCommandLineParser &parser)
     for (const Warning &warning : read->warnings)
         printError(io::warningText(warning));
     loaded.document = std::move(read->document);
-    loaded.format = read->format;
+    loaded.format = read->format == io::ModelFormat::Fff ? "fff" : "flatfab";
     loaded.status = applyDocumentOptions(loaded.document, parser);
     return loaded;
 }

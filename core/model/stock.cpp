@@ -25,7 +25,8 @@ Stock flatfabAcrylic()
     stock.tensileStrength = 60.0;
     stock.flexuralStrength = 60.0;
     stock.modulus = 2800.0;
-    stock.kerf = 0.15;
+    // The files name no machine: until a person does, parts are cut as they were designed.
+    stock.kerf = 0.0;
     return stock;
 }
 

@@ -1,0 +1,65 @@
+#include "core/session/cutting_file.h"
+
+#include "core/fabrication/kerf.h"
+#include "core/io/svg_writer.h"
+
+#include <algorithm>
+
+namespace fff {
+
+namespace {
+
+std::string nameOf(const Analysis &analysis, const Part &part)
+{
+    return analysis.model.section(static_cast<std::size_t>(part.section))->name;
+}
+
+void addOnce(std::vector<std::string> &names, std::string name)
+{
+    if (std::find(names.begin(), names.end(), name) == names.end())
+        names.push_back(std::move(name));
+}
+
+/// The narrowest slit as it will be drawn.
+double drawnSlitWidth(const Analysis &analysis, bool compensatesKerf)
+{
+    double narrowest = 0.0;
+    for (std::size_t i = 0; i < analysis.assembly.slits.size(); ++i) {
+        const double kerf = compensatesKerf ? analysis.model.stockOf(i).kerf : 0.0;
+        for (const Slit &slit : analysis.assembly.slits[i]) {
+            const double width = slit.width - kerf;
+            narrowest = narrowest == 0.0 ? width : std::min(narrowest, width);
+        }
+    }
+    return narrowest;
+}
+
+} // namespace
+
+Result<CuttingFile> makeCuttingFile(const Analysis &analysis, const CuttingFileOptions &options)
+{
+    std::vector<Part> parts = makeParts(analysis.model, analysis.assembly, analysis.cuts);
+    if (parts.empty())
+        return failure(ErrorCode::NothingToExport);
+    CuttingFile file;
+    file.partCount = static_cast<int>(parts.size());
+    file.slitWidth = drawnSlitWidth(analysis, options.compensatesKerf);
+    for (const Part &part : parts) {
+        if (!engrave(part).hasNumber)
+            addOnce(file.unmarked, nameOf(analysis, part));
+    }
+    if (options.compensatesKerf)
+        parts = compensateKerf(std::move(parts), analysis.model);
+    const Layout layout = layOut(parts, analysis.model, options.layout);
+    file.sheetCount = static_cast<int>(layout.sheets.size());
+    for (const int index : layout.oversized)
+        addOnce(file.oversized, nameOf(analysis, parts[static_cast<std::size_t>(index)]));
+
+    io::SvgOptions svg;
+    svg.hasReference = options.hasReference;
+    svg.kerfApplied = options.compensatesKerf;
+    file.svg = io::writeSvg(layout, parts, analysis.model, svg);
+    return file;
+}
+
+} // namespace fff

@@ -1,0 +1,316 @@
+// Runs the real program as a person or a script would.
+#include "core/io/document_file.h"
+#include "tests/core/assembly/plates.h"
+
+#include <QDir>
+#include <QFile>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QProcess>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QXmlStreamReader>
+
+using namespace fff;
+using namespace fff::test;
+
+namespace {
+
+struct Run
+{
+    int status = -1;
+    QByteArray out, err;
+};
+
+Run run(const QStringList &arguments)
+{
+    QProcess process;
+    process.start(QStringLiteral(FFF_CLI), arguments);
+    Run result;
+    if (process.waitForFinished(60000) && process.exitStatus() == QProcess::NormalExit)
+        result.status = process.exitCode();
+    result.out = process.readAllStandardOutput();
+    result.err = process.readAllStandardError();
+    return result;
+}
+
+QJsonObject object(const QByteArray &json)
+{
+    return QJsonDocument::fromJson(json).object();
+}
+
+/// d attributes of all paths that carry the cutting colour.
+QStringList cutPaths(const QString &file, QString *viewBox = nullptr, QString *width = nullptr)
+{
+    QFile svg(file);
+    QStringList paths;
+    if (!svg.open(QIODevice::ReadOnly))
+        return paths;
+    QXmlStreamReader xml(&svg);
+    QStringList strokes; // inherited
+    while (!xml.atEnd()) {
+        const auto token = xml.readNext();
+        if (token == QXmlStreamReader::StartElement) {
+            const auto attributes = xml.attributes();
+            strokes.push_back(attributes.hasAttribute(QLatin1String("stroke"))
+                                  ? attributes.value(QLatin1String("stroke")).toString()
+                                  : strokes.value(strokes.size() - 1));
+            if (xml.name() == QLatin1String("svg") && viewBox) {
+                *viewBox = attributes.value(QLatin1String("viewBox")).toString();
+                *width = attributes.value(QLatin1String("width")).toString();
+            }
+            if (xml.name() == QLatin1String("path") && strokes.last() == QLatin1String("#ff0000"))
+                paths += attributes.value(QLatin1String("d")).toString();
+        } else if (token == QXmlStreamReader::EndElement) {
+            strokes.pop_back();
+        }
+    }
+    return xml.hasError() ? QStringList() : paths;
+}
+
+} // namespace
+
+class TestCli : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init();
+    void wrongUse_data();
+    void wrongUse();
+    void badInput_data();
+    void badInput();
+    void helpAndVersion();
+    void infoTellsTheModel();
+    void partsAreCutAndClosed();
+    void exportIsTrueToSize();
+    void exportKeepsTheOldFileWhenItCannotWrite();
+    void nativeExportReadsBackEqual();
+    void optionsOverrideTheDocument();
+    void replayDrawsAndUndoes();
+
+private:
+    QString path(const char *name) const { return m_folder->filePath(QLatin1String(name)); }
+
+    std::unique_ptr<QTemporaryDir> m_folder;
+};
+
+void TestCli::init()
+{
+    m_folder = std::make_unique<QTemporaryDir>();
+    const Model pair =
+        twoSections(polygonShape(rectangle(-50, 0, 50, 50), {rectangle(-40, 10, -20, 30)}), front(),
+                    polygonShape(rectangle(-50, 20, 50, 90)), side());
+    QVERIFY(io::writeDocument(path("pair.fff"), pair.document));
+}
+
+void TestCli::wrongUse_data()
+{
+    QTest::addColumn<QStringList>("arguments");
+    const auto row = [](const char *name, const char *arguments) {
+        QTest::newRow(name) << QString::fromLatin1(arguments).split(u' ', Qt::SkipEmptyParts);
+    };
+    row("no verb", "");
+    row("unknown verb", "carve x.fff");
+    row("no file", "info");
+    row("two files", "info a.fff b.fff");
+    row("unknown option", "info a.fff --colour red");
+    row("option without its value", "info a.fff --thickness");
+    row("export without output", "export a.fff");
+    row("export to a kind that is not written", "export a.fff -o a.stl");
+    row("thickness of zero", "info a.fff --thickness 0");
+    row("thickness in words", "info a.fff --thickness thin");
+    row("sheet of one number", "info a.fff --sheet 600");
+    row("tolerance of zero", "parts a.fff --tolerance 0");
+}
+
+// Scripts rely on the status, people on the usage line.
+void TestCli::wrongUse()
+{
+    QFETCH(QStringList, arguments);
+    for (QString &argument : arguments)
+        if (argument == QStringLiteral("a.fff"))
+            argument = path("pair.fff");
+    const Run result = run(arguments);
+    QCOMPARE(result.status, 1);
+    QVERIFY(result.out.isEmpty());
+    QVERIFY(!result.err.isEmpty());
+}
+
+void TestCli::badInput_data()
+{
+    QTest::addColumn<QByteArray>("content");
+    QTest::newRow("empty") << QByteArray();
+    QTest::newRow("a shopping list") << QByteArray("eggs\nflour\n");
+    QTest::newRow("half a model") << QByteArray("HeaderParameters 1\nFlatFab 3\nP 0 0 0\n");
+    QTest::newRow("broken JSON") << QByteArray("{\"format\": \"FlatFitFab\", \"version\": 1,");
+    QTest::newRow("a newer version") << QByteArray("{\"format\": \"FlatFitFab\", \"version\": 99}");
+}
+
+void TestCli::badInput()
+{
+    QFETCH(QByteArray, content);
+    QFile file(path("bad.txt"));
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.write(content);
+    file.close();
+    const Run result = run({QStringLiteral("info"), file.fileName()});
+    QCOMPARE(result.status, 2);
+    QCOMPARE(result.err.trimmed().count('\n'), 0); // one line
+    QVERIFY(result.err.contains("bad.txt"));
+    QCOMPARE(run({QStringLiteral("info"), path("absent.fff")}).status, 2);
+    QCOMPARE(run({QStringLiteral("info"), m_folder->path()}).status, 2);
+}
+
+void TestCli::helpAndVersion()
+{
+    QCOMPARE(run({QStringLiteral("--help")}).status, 0);
+    QVERIFY(run({QStringLiteral("--version")}).out.startsWith("FlatFitFab "));
+    for (const char *verb : {"info", "parts", "export", "replay"}) {
+        const Run help = run({QLatin1String(verb), QStringLiteral("--help")});
+        QCOMPARE(help.status, 0);
+        QVERIFY(help.out.contains("--thickness"));
+    }
+}
+
+void TestCli::infoTellsTheModel()
+{
+    const Run result = run({QStringLiteral("info"), path("pair.fff"), QStringLiteral("--json")});
+    QCOMPARE(result.status, 0);
+    const QJsonObject info = object(result.out);
+    QCOMPARE(info["format"].toString(), QStringLiteral("fff"));
+    QCOMPARE(info["sections"].toInt(), 2);
+    QCOMPARE(info["holes"].toInt(), 1);
+    QCOMPARE(info["joints"].toInt(), 1);
+    QCOMPARE(info["overlaps"].toInt(), 1);
+    QCOMPARE(info["slits"].toInt(), 2);
+    QCOMPARE(info["components"].toInt(), 1);
+    QVERIFY(info["unconnected"].toArray().isEmpty());
+    // Areas without the slits: 100·50 − 20·20 − 3·15 and 100·70 − 3·15 mm², 3 mm thick, 660 kg/m³.
+    const double expected = (5000 - 400 - 45 + 7000 - 45) * 3e-9 * 660;
+    QVERIFY(std::abs(info["mass"].toDouble() - expected) < 1e-9);
+    const QJsonObject joint = info["jointList"].toArray().at(0).toObject();
+    QCOMPARE(joint["kind"].toString(), QStringLiteral("crossLap"));
+    QCOMPARE(joint["angle"].toDouble(), 90.0);
+    QCOMPARE(info["bounds"].toArray().at(1).toArray().at(1).toDouble(), 90.0);
+    // Without a display, for people.
+    QVERIFY(run({QStringLiteral("info"), path("pair.fff")}).out.contains("Joints: 1"));
+}
+
+void TestCli::partsAreCutAndClosed()
+{
+    const Run result = run({QStringLiteral("parts"), path("pair.fff"), QStringLiteral("--json")});
+    QCOMPARE(result.status, 0);
+    const QJsonArray parts = object(result.out)["parts"].toArray();
+    QCOMPARE(parts.size(), 2);
+    const auto areaOf = [](const QJsonArray &ring) {
+        double sum = 0.0;
+        for (int i = 0; i < ring.size(); ++i) {
+            const QJsonArray a = ring[i].toArray(), b = ring[(i + 1) % ring.size()].toArray();
+            sum += 0.5 * (a[0].toDouble() * b[1].toDouble() - a[1].toDouble() * b[0].toDouble());
+        }
+        return sum;
+    };
+    const QJsonObject first = parts[0].toObject();
+    QVERIFY(std::abs(areaOf(first["outer"].toArray()) - (5000.0 - 45.0)) < 1e-6);
+    QVERIFY(std::abs(areaOf(first["holes"].toArray().at(0).toArray()) + 400.0) < 1e-6);
+    QVERIFY(std::abs(areaOf(parts[1].toObject()["outer"].toArray()) - (7000.0 - 45.0)) < 1e-6);
+}
+
+// A file that comes out at another scale is a sheet wasted.
+void TestCli::exportIsTrueToSize()
+{
+    const Run result = run({QStringLiteral("export"), path("pair.fff"), QStringLiteral("-o"),
+                            path("pair.svg"), QStringLiteral("--kerf"), QStringLiteral("0")});
+    QCOMPARE(result.status, 0);
+    QString viewBox, width;
+    const QStringList paths = cutPaths(path("pair.svg"), &viewBox, &width);
+    QVERIFY(!paths.isEmpty());
+    for (const QString &d : paths)
+        QVERIFY(d.trimmed().endsWith(u'Z'));
+    QCOMPARE(viewBox.split(u' ').value(2) + QStringLiteral("mm"), width);
+}
+
+void TestCli::exportKeepsTheOldFileWhenItCannotWrite()
+{
+    const QString target = m_folder->filePath(QStringLiteral("no/such/folder.svg"));
+    const Run result =
+        run({QStringLiteral("export"), path("pair.fff"), QStringLiteral("-o"), target});
+    QCOMPARE(result.status, 4);
+    QVERIFY(!QFile::exists(target));
+    // Bad input must not touch an output that is there.
+    QFile old(path("old.svg"));
+    QVERIFY(old.open(QIODevice::WriteOnly));
+    old.write("old");
+    old.close();
+    QCOMPARE(
+        run({QStringLiteral("export"), path("absent.fff"), QStringLiteral("-o"), path("old.svg")})
+            .status,
+        2);
+    QVERIFY(old.open(QIODevice::ReadOnly));
+    QCOMPARE(old.readAll(), QByteArray("old"));
+}
+
+void TestCli::nativeExportReadsBackEqual()
+{
+    QCOMPARE(
+        run({QStringLiteral("export"), path("pair.fff"), QStringLiteral("-o"), path("copy.fff")})
+            .status,
+        0);
+    const auto before = io::readDocument(path("pair.fff")),
+               after = io::readDocument(path("copy.fff"));
+    QVERIFY(before && after);
+    QVERIFY(before->document == after->document);
+    const Run standard =
+        run({QStringLiteral("export"), path("pair.fff"), QStringLiteral("-o"), QStringLiteral("-"),
+             QStringLiteral("--format"), QStringLiteral("fff")});
+    QFile copy(path("copy.fff"));
+    QVERIFY(copy.open(QIODevice::ReadOnly));
+    QCOMPARE(standard.out, copy.readAll());
+}
+
+void TestCli::optionsOverrideTheDocument()
+{
+    const auto widthOf = [&](const QStringList &options) {
+        const Run result =
+            run(QStringList{QStringLiteral("info"), path("pair.fff"), QStringLiteral("--json")} +
+                options);
+        return object(result.out)["sectionList"]
+            .toArray()
+            .at(0)
+            .toObject()["slits"]
+            .toArray()
+            .at(0)
+            .toObject()["width"]
+            .toDouble();
+    };
+    QCOMPARE(widthOf({}), 3.0);
+    QCOMPARE(widthOf({QStringLiteral("--thickness"), QStringLiteral("6")}), 6.0);
+    QCOMPARE(widthOf({QStringLiteral("--clearance"), QStringLiteral("-0.1")}), 2.9);
+    QCOMPARE(widthOf({QStringLiteral("--stock"), QStringLiteral("acrylic")}), 3.175);
+}
+
+void TestCli::replayDrawsAndUndoes()
+{
+    const QString script = QStringLiteral(FFF_TEST_DATA "/strokes/first_section.json");
+    QVERIFY(QFile::exists(script));
+    QCOMPARE(
+        run({QStringLiteral("replay"), script, QStringLiteral("-o"), path("drawn.fff")}).status, 0);
+    const auto drawn = io::readDocument(path("drawn.fff"));
+    QVERIFY(drawn);
+    QCOMPARE(drawn->document.sections.size(), std::size_t(1));
+
+    QFile bad(path("bad.json"));
+    QVERIFY(bad.open(QIODevice::WriteOnly));
+    bad.write(
+        R"({"viewport": [1280, 800], "events": [{"type": "view", "name": "front"}, {"type": "dance"}]})");
+    bad.close();
+    const Run refused =
+        run({QStringLiteral("replay"), bad.fileName(), QStringLiteral("-o"), path("drawn.fff")});
+    QCOMPARE(refused.status, 2);
+    QVERIFY(refused.err.contains("events[1]"));
+}
+
+QTEST_GUILESS_MAIN(TestCli)
+#include "tst_cli.moc"

@@ -1,0 +1,2 @@
+// Must not compile: the core knows no window and no Qt. Built by a test that expects the failure.
+#include <QtCore/QObject>
