@@ -10,6 +10,9 @@ namespace fff {
 
 namespace {
 
+/// What is smaller than this many tolerances is a slip of the hand, not a shape.
+constexpr double kSmallestExtent = 5.0;
+
 /// All segments of the closed chain.
 std::vector<CubicBezier> closedChain(const StrokeContour &stroke)
 {
@@ -44,7 +47,8 @@ StrokeContour strokeContour(const std::vector<Vec2> &samples, double tolerance)
     if (!resolved)
         return stroke;
     const double extent = bounds(resolved->contour.flatten(tolerance).points).size().maxCoeff();
-    if (std::abs(resolved->contour.signedArea()) < std::max(kMinArea, tolerance * extent))
+    const double area = std::abs(resolved->contour.signedArea());
+    if (extent < kSmallestExtent * tolerance || area < std::max(kMinArea, tolerance * extent))
         return stroke;
     stroke.contour = std::move(resolved->contour);
     stroke.wasCrossing = resolved->wasCrossing;

@@ -13,8 +13,8 @@ struct StrokeContour
 {
     std::vector<CubicBezier> fitted;    // open chain along the samples
     std::optional<CubicBezier> closing; // from its end back to its start; none when they meet
-    /// Closed, free of crossings; none while nothing is enclosed that can be told from a line:
-    /// its area is below the tolerance times the extent of the stroke.
+    /// Closed, free of crossings; none while nothing is enclosed that can be told from a line or a
+    /// dot: its area is below the tolerance times its extent, or that below five tolerances.
     std::optional<Contour> contour;
     bool wasCrossing = false; // the closed chain crossed itself, the largest loop was kept
 };

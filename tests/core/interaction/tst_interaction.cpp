@@ -1,0 +1,593 @@
+#include <QTest> // first: moc cannot read some of the standard library before it
+
+#include "core/base/units.h"
+#include "core/interaction/interaction.h"
+#include "core/model/edits.h"
+#include "core/session/session_commands.h"
+#include "core/session/session_host.h"
+
+#include <cmath>
+
+using namespace fff;
+using Type = PointerEvent::Type;
+
+namespace {
+
+constexpr double kTurnTime = 800.0;
+const Vec2 kViewport(1280.0, 800.0);
+
+/// A person with a mouse at a model: a plate of 200 × 120 mm around the middle of the front view.
+class Desk
+{
+public:
+    Desk() : host(session), interaction(host)
+    {
+        host.attach(interaction);
+        interaction.setViewport(kViewport);
+        registerSessionCommands(commands, session, interaction);
+    }
+
+    void send(Type type, const Vec2 &position, Button button = Button::None,
+              Modifiers modifiers = {})
+    {
+        PointerEvent event;
+        event.type = type;
+        event.position = cursor = position;
+        event.button = button;
+        event.modifiers = modifiers;
+        event.time = time += 8.0;
+        interaction.handle(event);
+    }
+    void press(const Vec2 &p, Button button = Button::Left, Modifiers modifiers = {})
+    {
+        send(Type::Press, p, button, modifiers);
+    }
+    void release(const Vec2 &p, Button button = Button::Left) { send(Type::Release, p, button); }
+    void moveTo(const Vec2 &to, int steps = 10)
+    {
+        const Vec2 from = cursor;
+        for (int i = 1; i <= steps; ++i)
+            send(Type::Move, from + (to - from) * (double(i) / steps));
+    }
+    void drag(const std::vector<Vec2> &way, Button button = Button::Left, Modifiers modifiers = {})
+    {
+        press(way.front(), button, modifiers);
+        for (const Vec2 &p : way)
+            moveTo(p);
+        release(way.back(), button);
+    }
+    void click(const Vec2 &p, Modifiers modifiers = {})
+    {
+        press(p, Button::Left, modifiers);
+        release(p);
+    }
+    void wait(double ms) { interaction.advance(time += ms); }
+
+    /// A section in the z = `z` plane, as if it had been there.
+    void addPlate(double z = 0.0, const Vec2 &half = {100, 60})
+    {
+        NewSection section;
+        section.shape = *Shape::make(*Contour::fromPolygon({{-half.x(), -half.y()},
+                                                            {half.x(), -half.y()},
+                                                            {half.x(), half.y()},
+                                                            {-half.x(), half.y()}}));
+        section.frame.origin = Vec3(0, kFirstPlaneHeight, z);
+        session.commit(QStringLiteral("Draw"),
+                       *addSection(session.committed().document, std::move(section)));
+    }
+    Vec2 screen(const Vec3 &p) const { return interaction.camera().toScreen(p, kViewport); }
+    Vec2 plate(double x, double y) const { return screen({x, kFirstPlaneHeight + y, 0.0}); }
+    const std::vector<SectionPointer> &sections() const
+    {
+        return session.committed().document.sections;
+    }
+    Hint::Kind hint() const { return interaction.hint().kind; }
+
+    Session session;
+    SessionHost host;
+    Interaction interaction;
+    CommandRegistry commands;
+    Vec2 cursor = Vec2::Zero();
+    double time = 0.0;
+};
+
+/// To the end of the turn, out of the plate's right edge at its middle.
+void strokeToDeadZone(Desk &desk)
+{
+    desk.press(desk.plate(20, 0));
+    desk.moveTo(desk.plate(110, 0));
+    desk.wait(kTurnTime);
+}
+
+bool isSameCamera(const Camera &a, const Camera &b)
+{
+    return (a.target - b.target).norm() < 1e-9 &&
+           a.orientation.angularDistance(b.orientation) < 1e-9 &&
+           a.millimetresPerPixel == b.millimetresPerPixel;
+}
+
+} // namespace
+
+class TestInteraction : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void firstSectionLiesOnTheFirstPlane();
+    void firstSectionFacesTheCameraOfTheMoment();
+    void secondSectionStandsOnItsSlit_data();
+    void secondSectionStandsOnItsSlit();
+    void slitEndStaysUnderTheCursor();
+    void framesBetweenEventsChangeNothing();
+    void contourFollowsTheCursor();
+    void previewIsWhatIsCommitted();
+    void refusalsSayWhy_data();
+    void refusalsSayWhy();
+    void escapeLeavesNoTrace_data();
+    void escapeLeavesNoTrace();
+    void undoDuringAStrokeEndsIt();
+    void selfCrossingIsSaid();
+    void holesAreOutside();
+    void clicksSelect();
+    void dragsMoveTheView();
+    void edgeOnSectionsAreTurnedNotDrawnOn();
+    void hoverSaysWhatComesNext();
+    void deletedSectionsAreForgotten();
+    void animationsRunOnTheEventsClock();
+    void viewCommands();
+};
+
+void TestInteraction::firstSectionLiesOnTheFirstPlane()
+{
+    Desk desk;
+    QCOMPARE(desk.hint(), Hint::Kind::DrawFirstSection);
+    desk.press({500, 300});
+    desk.moveTo({800, 300});
+    QVERIFY(desk.interaction.hasGesture());
+    desk.moveTo({800, 500});
+    desk.moveTo({500, 500});
+    QVERIFY(desk.session.hasPreview());
+    desk.release({500, 500});
+    QCOMPARE(desk.sections().size(), std::size_t(1));
+    QVERIFY(!desk.session.hasPreview());
+    const Section &section = *desk.sections().front();
+    QVERIFY(!section.parent);
+    QVERIFY((section.frame.origin - Vec3(0, 83.82, 0)).norm() < 1e-9);
+    QVERIFY((section.frame.normal() - Vec3::UnitZ()).norm() < 1e-9);
+    QCOMPARE(desk.session.history()->undoText(), QStringLiteral("Draw Section 1"));
+    const double scale = desk.interaction.camera().millimetresPerPixel;
+    QVERIFY(std::abs(section.shape->area() / (scale * scale) - 300.0 * 200.0) < 9000.0);
+    desk.session.history()->undo();
+    QVERIFY(desk.sections().empty());
+}
+
+void TestInteraction::firstSectionFacesTheCameraOfTheMoment()
+{
+    Desk desk;
+    desk.drag({{200, 200}, {260, 150}}, Button::Right);
+    const Camera camera = desk.interaction.camera();
+    desk.drag({{500, 300}, {800, 300}, {800, 500}, {500, 500}});
+    QCOMPARE(desk.sections().size(), std::size_t(1));
+    const Frame &frame = desk.sections().front()->frame;
+    QVERIFY((frame.normal() - camera.backward()).norm() < 1e-9);
+    QVERIFY(std::abs(frame.height({0, 83.82, 0})) < 1e-9);
+    QVERIFY(isSameCamera(camera, desk.interaction.camera()));
+}
+
+void TestInteraction::secondSectionStandsOnItsSlit_data()
+{
+    QTest::addColumn<Vec2>("from");
+    QTest::addColumn<Vec2>("to");
+    QTest::addColumn<QString>("view");
+    QTest::newRow("to the right") << Vec2(20, 0) << Vec2(110, 0) << "front";
+    QTest::newRow("upwards") << Vec2(0, 10) << Vec2(0, 70) << "front";
+    QTest::newRow("askew") << Vec2(-30, 10) << Vec2(20, -80) << "front";
+    QTest::newRow("from a corner") << Vec2(-30, 10) << Vec2(-120, 40) << "iso1";
+    QTest::newRow("from behind") << Vec2(50, -20) << Vec2(110, -30) << "back";
+}
+
+void TestInteraction::secondSectionStandsOnItsSlit()
+{
+    QFETCH(Vec2, from);
+    QFETCH(Vec2, to);
+    QFETCH(QString, view);
+    Desk desk;
+    desk.addPlate();
+    Camera camera = desk.interaction.camera();
+    QVERIFY(orientationOfView(view.toStdString(), camera.orientation));
+    desk.interaction.setCamera(camera);
+
+    desk.press(desk.plate(from.x(), from.y()));
+    desk.moveTo(desk.plate(to.x(), to.y()), 3);
+    QCOMPARE(desk.hint(), Hint::Kind::Turning);
+    desk.wait(kTurnTime);
+    QCOMPARE(desk.hint(), Hint::Kind::LeaveDeadZone);
+    QVERIFY(desk.interaction.overlay().deadZone);
+    QVERIFY(std::abs(desk.interaction.overlay().deadZone->radius - 32.0) < 1e-9);
+    const Vec3 backward = desk.interaction.camera().backward();
+    QVERIFY(backward.y() > -1e-9);
+    const Vec2 start = desk.cursor;
+    desk.moveTo(start + Vec2(100, 60));
+    desk.moveTo(start + Vec2(100, -80));
+    desk.moveTo(start + Vec2(-80, -80));
+    desk.release(desk.cursor);
+
+    QCOMPARE(desk.sections().size(), std::size_t(2));
+    QCOMPARE(desk.session.history()->undoText(), QStringLiteral("Draw Section 2"));
+    const Section &parent = *desk.sections()[0], &section = *desk.sections()[1];
+    QVERIFY(section.parent);
+    QVERIFY(section.parent->section == SectionRef(parent.id));
+    // The slit: from where it was pressed to where the way left the plate.
+    QVERIFY((section.parent->slitFrom - from).norm() < 1e-6);
+    const Vec2 left = section.parent->slitTo;
+    QVERIFY(std::abs(std::max(std::abs(left.x()) / 100.0, std::abs(left.y()) / 60.0) - 1.0) < 1e-9);
+    QVERIFY(std::abs(cross((to - from).normalized(), left - from)) < 1e-6);
+    // The plane holds it and stands at a right angle to the parent.
+    QVERIFY(std::abs(section.frame.height(parent.frame.toWorld(section.parent->slitFrom))) < 1e-9);
+    QVERIFY(std::abs(section.frame.height(parent.frame.toWorld(left))) < 1e-9);
+    QVERIFY(std::abs(section.frame.normal().dot(parent.frame.normal())) < 1e-9);
+    QVERIFY(std::abs(section.frame.x.dot(section.frame.y)) < 1e-9);
+    QVERIFY((section.frame.normal() - backward).norm() < 1e-6);
+    QVERIFY((desk.interaction.camera().backward() - backward).norm() < 1e-9);
+}
+
+void TestInteraction::slitEndStaysUnderTheCursor()
+{
+    Desk desk;
+    desk.addPlate();
+    desk.press(desk.plate(20, 0));
+    desk.moveTo(desk.plate(110, 10), 2);
+    QVERIFY(desk.interaction.isAnimating());
+    const Vec3 end = desk.interaction.overlay().slit->to;
+    QVERIFY(desk.interaction.overlay().slit->hasLeft);
+    double least = 1.0;
+    while (desk.interaction.isAnimating()) {
+        desk.send(Type::Move, desk.cursor + Vec2(3.0, -2.0));
+        if (!desk.interaction.isAnimating())
+            break; // it ended before this move, which is free to leave
+        QVERIFY((desk.screen(end) - desk.cursor).norm() < 1.0);
+        desk.wait(16.0); // a frame without an event
+        QVERIFY((desk.screen(end) - desk.cursor).norm() < 1.0);
+        least = std::min(least, desk.interaction.camera().backward().z());
+    }
+    QVERIFY(std::abs(least) < 1e-6); // a right angle to the front
+    QVERIFY(!desk.interaction.overlay().stroke);
+}
+
+/// A window that draws sixty frames a second and a script without any make the same section.
+void TestInteraction::framesBetweenEventsChangeNothing()
+{
+    std::vector<Vec2> points[2];
+    for (const bool hasFrames : {false, true}) {
+        Desk desk;
+        desk.addPlate();
+        desk.press(desk.plate(20, 0));
+        desk.moveTo(desk.plate(110, 10), 2);
+        for (int i = 0; i < 60; ++i) {
+            if (hasFrames)
+                desk.interaction.advance(desk.time + 5.0);
+            desk.time += 10.0;
+            desk.send(Type::Move, desk.cursor + Vec2(1.0, 0.5));
+        }
+        const Vec2 start = desk.cursor;
+        for (const Vec2 &p : {Vec2(90, 60), Vec2(90, -80), Vec2(-80, -80)})
+            desk.moveTo(start + p);
+        desk.release(desk.cursor);
+        QCOMPARE(desk.sections().size(), std::size_t(2));
+        points[hasFrames] = desk.sections()[1]->shape->contour().points();
+    }
+    QCOMPARE(points[0].size(), points[1].size());
+    for (std::size_t i = 0; i < points[0].size(); ++i)
+        QVERIFY((points[0][i] - points[1][i]).norm() < 1e-9);
+}
+
+void TestInteraction::contourFollowsTheCursor()
+{
+    Desk desk;
+    desk.addPlate();
+    strokeToDeadZone(desk);
+    const Vec2 centre = desk.cursor + Vec2(150, 0);
+    std::vector<Vec2> way;
+    for (int i = 0; i <= 120; ++i) {
+        const double angle = radians(180.0 + 3.0 * i);
+        way.push_back(centre + 110.0 * Vec2(std::cos(angle), std::sin(angle)));
+        desk.send(Type::Move, way.back());
+    }
+    desk.release(desk.cursor);
+    QCOMPARE(desk.sections().size(), std::size_t(2));
+    const Section &section = *desk.sections()[1];
+    // Fitted to 2 px; the way's first part lies in the dead zone's shadow, the closing is short.
+    for (const Vec2 &p : section.shape->region().outer) {
+        const double distance = (desk.screen(section.frame.toWorld(p)) - centre).norm();
+        QVERIFY2(std::abs(distance - 110.0) < 2.5, qPrintable(QString::number(distance)));
+    }
+    QVERIFY(section.shape->contour().segmentCount() <= 10);
+}
+
+void TestInteraction::previewIsWhatIsCommitted()
+{
+    Desk desk;
+    desk.addPlate();
+    strokeToDeadZone(desk);
+    const Vec2 start = desk.cursor;
+    for (const Vec2 &p : {Vec2(90, 60), Vec2(90, -80), Vec2(-80, -80)})
+        desk.moveTo(start + p);
+    QCOMPARE(desk.hint(), Hint::Kind::ReleaseToMake);
+    QVERIFY(desk.session.hasPreview());
+    const Model *preview = &desk.session.model();
+    QVERIFY(desk.interaction.overlay().stroke->closing);
+    QCOMPARE(desk.interaction.overlay().stroke->samples.size() > 20, true);
+    desk.release(desk.cursor);
+    QCOMPARE(&desk.session.committed(), preview);
+    QVERIFY(!desk.interaction.overlay().stroke);
+}
+
+void TestInteraction::refusalsSayWhy_data()
+{
+    QTest::addColumn<int>("phase");
+    QTest::addColumn<int>("hint");
+    QTest::newRow("in the slit") << 0 << int(Hint::Kind::NeverLeft);
+    QTest::newRow("in the turn") << 1 << int(Hint::Kind::TooShort);
+    QTest::newRow("in the dead zone") << 2 << int(Hint::Kind::TooShort);
+    QTest::newRow("a contour without an area") << 3 << int(Hint::Kind::TooShort);
+}
+
+/// Takes a stroke to a phase and leaves the button down.
+static void strokeToPhase(Desk &desk, int phase)
+{
+    desk.press(desk.plate(20, 0));
+    desk.moveTo(desk.plate(60, 0));
+    if (phase > 0)
+        desk.moveTo(desk.plate(110, 0));
+    if (phase > 1)
+        desk.wait(kTurnTime);
+    if (phase > 2)
+        desk.moveTo(desk.cursor + Vec2(34, 0));
+}
+
+void TestInteraction::refusalsSayWhy()
+{
+    QFETCH(int, phase);
+    QFETCH(int, hint);
+    Desk desk;
+    desk.addPlate();
+    const Camera before = desk.interaction.camera();
+    strokeToPhase(desk, phase);
+    desk.release(desk.cursor);
+    QCOMPARE(int(desk.hint()), hint);
+    QVERIFY(desk.interaction.hint().isRefusal);
+    if (hint == int(Hint::Kind::NeverLeft))
+        QCOMPARE(desk.interaction.hint().section, std::string("Section 1"));
+    QCOMPARE(desk.sections().size(), std::size_t(1));
+    QVERIFY(!desk.session.hasPreview());
+    desk.wait(1000.0);
+    QVERIFY(isSameCamera(desk.interaction.camera(), before));
+    QCOMPARE(int(desk.hint()), hint); // still said
+    desk.wait(6000.0);
+    QVERIFY(!desk.interaction.hint().isRefusal);
+}
+
+void TestInteraction::escapeLeavesNoTrace_data()
+{
+    QTest::addColumn<int>("phase");
+    QTest::newRow("in the slit") << 0;
+    QTest::newRow("in the turn") << 1;
+    QTest::newRow("in the dead zone") << 2;
+    QTest::newRow("in the contour") << 3;
+}
+
+void TestInteraction::escapeLeavesNoTrace()
+{
+    QFETCH(int, phase);
+    Desk desk;
+    desk.addPlate();
+    const Camera before = desk.interaction.camera();
+    const Model *model = &desk.session.committed();
+    strokeToPhase(desk, phase);
+    if (phase == 3) {
+        desk.moveTo(desk.cursor + Vec2(80, 60));
+        desk.moveTo(desk.cursor + Vec2(-80, 60));
+        QVERIFY(desk.session.hasPreview());
+    }
+    QVERIFY(desk.interaction.escape(desk.time));
+    QVERIFY(!desk.interaction.hasGesture());
+    QVERIFY(!desk.session.hasPreview());
+    QCOMPARE(desk.interaction.isAnimating(), phase > 0);
+    desk.moveTo(desk.cursor + Vec2(50, 50)); // the button is still down: nothing comes of it
+    desk.release(desk.cursor);
+    desk.wait(1000.0);
+    QVERIFY(isSameCamera(desk.interaction.camera(), before));
+    QCOMPARE(&desk.session.committed(), model);
+    QCOMPARE(desk.session.history()->count(), 1);
+    QVERIFY(!desk.interaction.overlay().slit && !desk.interaction.overlay().stroke);
+    QVERIFY(!desk.interaction.escape(desk.time));
+}
+
+void TestInteraction::undoDuringAStrokeEndsIt()
+{
+    Desk desk;
+    desk.addPlate();
+    strokeToPhase(desk, 3);
+    QVERIFY(desk.commands.run("edit.undo", {}, desk.time));
+    QVERIFY(!desk.interaction.hasGesture());
+    desk.moveTo(desk.cursor + Vec2(80, 60));
+    desk.release(desk.cursor);
+    QVERIFY(desk.sections().empty());
+    QVERIFY(!desk.session.hasPreview());
+}
+
+void TestInteraction::selfCrossingIsSaid()
+{
+    Desk desk;
+    desk.drag({{400, 300}, {800, 600}, {800, 300}, {500, 480}});
+    QCOMPARE(desk.sections().size(), std::size_t(1));
+    QCOMPARE(desk.hint(), Hint::Kind::CrossesItself);
+    QVERIFY(!desk.interaction.hint().isRefusal);
+}
+
+void TestInteraction::holesAreOutside()
+{
+    Desk desk;
+    desk.addPlate();
+    const ShapePointer holed =
+        *Shape::make(desk.sections()[0]->shape->contour(),
+                     {*Contour::fromPolygon({{40, -10}, {40, 10}, {60, 10}, {60, -10}})});
+    desk.session.commit(QStringLiteral("Hole"), *setShape(desk.session.committed().document,
+                                                          desk.sections()[0]->id, holed));
+    desk.press(desk.plate(0, 0));
+    desk.moveTo(desk.plate(50, 0), 2);
+    QCOMPARE(desk.hint(), Hint::Kind::Turning);
+    QVERIFY((desk.interaction.overlay().slit->to - Vec3(40, 83.82, 0)).norm() < 1e-6);
+}
+
+void TestInteraction::clicksSelect()
+{
+    Desk desk;
+    desk.addPlate(0.0);
+    desk.addPlate(30.0, {50, 30});
+    const SectionRef back(desk.sections()[0]->id), front(desk.sections()[1]->id);
+    using Selection = std::vector<SectionRef>;
+    desk.click(desk.plate(0, 0));
+    QVERIFY(desk.interaction.selection() == Selection{front});
+    desk.click(desk.plate(0, 0));
+    QVERIFY(desk.interaction.selection() == Selection{back});
+    desk.click(desk.plate(0, 0));
+    QVERIFY(desk.interaction.selection() == Selection{front});
+    desk.click(desk.plate(80, 0), {.control = true});
+    QVERIFY(desk.interaction.selection() == (Selection{front, back}));
+    desk.click({10, 10});
+    QVERIFY(desk.interaction.selection().empty());
+    desk.click(desk.plate(0, 0));
+    QVERIFY(desk.interaction.escape(desk.time));
+    QVERIFY(desk.interaction.selection().empty());
+    // A click changes nothing but the selection.
+    QCOMPARE(desk.session.history()->count(), 2);
+}
+
+void TestInteraction::dragsMoveTheView()
+{
+    Desk desk;
+    desk.addPlate();
+    const auto turns = [&](const std::vector<Vec2> &way, Button button, Modifiers modifiers) {
+        const Camera before = desk.interaction.camera();
+        desk.drag(way, button, modifiers);
+        return before.orientation.angularDistance(desk.interaction.camera().orientation);
+    };
+    QVERIFY(turns({{10, 10}, {60, 10}}, Button::Left, {}) > 0.1);      // empty space
+    QVERIFY(turns({{640, 400}, {700, 420}}, Button::Right, {}) > 0.1); // anywhere
+    QVERIFY(turns({{640, 400}, {700, 420}}, Button::Left, {.control = true}) > 0.1);
+
+    const Vec3 under = desk.interaction.camera().pointAt({640, 400}, kViewport);
+    QCOMPARE(turns({{640, 400}, {700, 450}}, Button::Middle, {}), 0.0);
+    QVERIFY((desk.screen(under) - Vec2(700, 450)).norm() < 1e-9);
+    QCOMPARE(turns({{700, 450}, {600, 400}}, Button::Left, {.space = true}), 0.0);
+    QVERIFY((desk.screen(under) - Vec2(600, 400)).norm() < 1e-9);
+
+    PointerEvent wheel;
+    wheel.type = Type::Wheel;
+    wheel.position = {600, 400};
+    wheel.wheelSteps = 2.0;
+    const double scale = desk.interaction.camera().millimetresPerPixel;
+    desk.interaction.handle(wheel);
+    QVERIFY(desk.interaction.camera().millimetresPerPixel < scale);
+    QVERIFY((desk.screen(under) - Vec2(600, 400)).norm() < 1e-9);
+    QCOMPARE(desk.session.history()->count(), 1);
+}
+
+void TestInteraction::edgeOnSectionsAreTurnedNotDrawnOn()
+{
+    Desk desk;
+    desk.addPlate();
+    Camera camera = desk.interaction.camera();
+    orientationOfView("right", camera.orientation);
+    desk.interaction.setCamera(camera);
+    desk.send(Type::Move, desk.plate(0, 0));
+    QCOMPARE(desk.hint(), Hint::Kind::TurnView);
+    desk.drag({desk.plate(0, 0), desk.plate(0, 0) + Vec2(80, 0)});
+    QVERIFY(std::abs(desk.interaction.camera().backward().x()) < 0.99);
+    QCOMPARE(desk.sections().size(), std::size_t(1));
+}
+
+void TestInteraction::hoverSaysWhatComesNext()
+{
+    Desk desk;
+    QCOMPARE(desk.interaction.cursor(), Cursor::Pencil);
+    desk.addPlate();
+    desk.send(Type::Move, desk.plate(0, 0));
+    QCOMPARE(desk.hint(), Hint::Kind::DragOutOfSection);
+    QCOMPARE(desk.interaction.hint().section, std::string("Section 1"));
+    QCOMPARE(desk.interaction.cursor(), Cursor::PencilWithSlit);
+    QCOMPARE(desk.interaction.overlay().hovered, 0);
+    QVERIFY((*desk.interaction.overlay().slitStart - Vec3(0, 83.82, 0)).norm() < 1e-6);
+    desk.send(Type::Move, {5, 5});
+    QCOMPARE(desk.hint(), Hint::Kind::TurnView);
+    QCOMPARE(desk.interaction.overlay().hovered, -1);
+    desk.send(Type::Move, desk.plate(0, 0));
+    desk.send(Type::Leave, {0, 0});
+    QCOMPARE(desk.interaction.overlay().hovered, -1);
+}
+
+void TestInteraction::deletedSectionsAreForgotten()
+{
+    Desk desk;
+    desk.addPlate(0.0);
+    desk.addPlate(30.0);
+    desk.send(Type::Move, desk.plate(0, 0));
+    QVERIFY(desk.commands.run("edit.selectAll"));
+    QCOMPARE(desk.interaction.selection().size(), std::size_t(2));
+    QVERIFY(desk.commands.run("edit.delete"));
+    QCOMPARE(desk.session.history()->undoText(), QStringLiteral("Delete 2 section(s)"));
+    QVERIFY(desk.interaction.selection().empty());
+    QCOMPARE(desk.interaction.overlay().hovered, -1);
+    QCOMPARE(desk.hint(), Hint::Kind::DrawFirstSection);
+    QVERIFY(!desk.commands.isEnabled("edit.delete"));
+    QVERIFY(desk.commands.run("edit.undo"));
+    QCOMPARE(desk.sections().size(), std::size_t(2));
+    QCOMPARE(desk.interaction.overlay().hovered, 1);
+}
+
+void TestInteraction::animationsRunOnTheEventsClock()
+{
+    Desk desk;
+    Camera to = desk.interaction.camera();
+    orientationOfView("top", to.orientation);
+    desk.interaction.turnTo(to, 1000.0, 400.0);
+    QVERIFY(desk.interaction.advance(1200.0));
+    QVERIFY(std::abs(desk.interaction.camera().backward().y() - std::sqrt(0.5)) < 1e-9);
+    QVERIFY(!desk.interaction.advance(1400.0));
+    QVERIFY(isSameCamera(desk.interaction.camera(), to));
+    // A press finishes one at once.
+    desk.interaction.turnTo(Camera(), 1500.0, 400.0);
+    desk.time = 1510.0;
+    desk.press({100, 100});
+    QVERIFY(isSameCamera(desk.interaction.camera(), Camera()));
+}
+
+void TestInteraction::viewCommands()
+{
+    Desk desk;
+    desk.addPlate();
+    const auto backwardAfter = [&](const char *command) -> Vec3 {
+        if (!desk.commands.run(command, {}, desk.time))
+            return Vec3::Zero();
+        desk.wait(1000.0);
+        return desk.interaction.camera().backward();
+    };
+    QVERIFY((backwardAfter("view.right") - Vec3::UnitX()).norm() < 1e-9);
+    QVERIFY((backwardAfter("view.bottom") + Vec3::UnitY()).norm() < 1e-9);
+    for (const Vec2 &corner : {Vec2(1, 1), Vec2(1, -1), Vec2(-1, -1), Vec2(-1, 1), Vec2(1, 1)}) {
+        const Vec3 expected = Vec3(corner.x(), 0.8, corner.y()).normalized();
+        QVERIFY((backwardAfter("view.iso") - expected).norm() < 1e-9);
+    }
+    QVERIFY(!desk.commands.isEnabled("view.faceSelection"));
+    QVERIFY(desk.commands.run("edit.selectAll"));
+    QVERIFY((backwardAfter("view.faceSelection") - Vec3::UnitZ()).norm() < 1e-9);
+    backwardAfter("view.fitAll");
+    QVERIFY((desk.plate(0, 0) - 0.5 * kViewport).norm() < 1e-6);
+    const Result<void> unknown = desk.commands.run("edit.fly");
+    QVERIFY(!unknown);
+    QCOMPARE(unknown.error().code, ErrorCode::UnknownCommand);
+}
+
+QTEST_GUILESS_MAIN(TestInteraction)
+#include "tst_interaction.moc"

@@ -1,0 +1,1 @@
+fff_test(core/session/tst_session fff::session)

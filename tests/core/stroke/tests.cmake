@@ -1,0 +1,1 @@
+fff_test(core/stroke/tst_stroke fff::core)
