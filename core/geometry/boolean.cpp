@@ -125,11 +125,19 @@ Result<ResolvedContour> resolveCrossings(const Contour &contour)
 {
     const ClipGrid grid(contour.bounds());
     const SourceRing source = makeSourceRing(contour, kCutChord, grid, false);
-    std::vector<CurvedRegion> regions = windingRegions({contour}, WindingRule::NonZero, kCutChord);
-    if (source.snapped.empty() || regions.empty())
+    if (source.snapped.empty())
         return failure(ErrorCode::EmptyContour);
-    if (!windsOddly(source.snapped))
+    const bool isCrossing = windsOddly(source.snapped);
+    if (!isCrossing &&
+        std::abs(signedArea(counterClockwise(source.snapped))) * (kClipGrid * kClipGrid) >=
+            kMinArea)
         return ResolvedContour{contour, false};
+    // Sharp tips carry loops smaller than the usual chords: a contour that crosses itself anywhere
+    // is looked at closely once, so that none stays in it.
+    std::vector<CurvedRegion> regions =
+        windingRegions({contour}, WindingRule::NonZero, kResolveChord);
+    if (regions.empty())
+        return failure(ErrorCode::EmptyContour);
     return ResolvedContour{std::move(regions.front().outer), true};
 }
 
