@@ -1,1 +1,2 @@
 fff_test(core/session/tst_session fff::session)
+fff_test(core/session/tst_replay fff::session)

@@ -1,0 +1,289 @@
+#include <QTest> // first: moc cannot read some of the standard library before it
+
+#include "core/model/edits.h"
+#include "core/session/replay.h"
+#include "core/session/session_host.h"
+
+#include <QFile>
+
+#include <cmath>
+
+using namespace fff;
+
+namespace {
+
+struct Run
+{
+    Run() : host(session), interaction(host) {}
+
+    Result<void> play(const QByteArray &script) { return replay(script, session, interaction); }
+    Result<void> playFile(const QString &name)
+    {
+        QFile file(QStringLiteral(FFF_TEST_DATA "/strokes/") + name + QStringLiteral(".json"));
+        if (!file.open(QIODevice::ReadOnly))
+            return failure(ErrorCode::CannotOpen, name.toStdString());
+        return play(file.readAll());
+    }
+    const std::vector<SectionPointer> &sections() const
+    {
+        return session.committed().document.sections;
+    }
+
+    Session session;
+    SessionHost host;
+    Interaction interaction;
+};
+
+/// The second section's plane holds its slit and stands at a right angle to its parent.
+bool standsOnItsSlit(const Section &parent, const Section &section)
+{
+    if (!section.parent || !(section.parent->section == SectionRef(parent.id)))
+        return false;
+    const Vec3 from = parent.frame.toWorld(section.parent->slitFrom);
+    const Vec3 to = parent.frame.toWorld(section.parent->slitTo);
+    return std::abs(section.frame.height(from)) < 1e-9 &&
+           std::abs(section.frame.height(to)) < 1e-9 &&
+           std::abs(section.frame.normal().dot(parent.frame.normal())) < 1e-9 &&
+           (to - from).norm() > 1.0;
+}
+
+QByteArray script(const QByteArray &events)
+{
+    return "{\"viewport\": [1280, 800], \"events\": [" + events + "]}";
+}
+
+} // namespace
+
+class TestReplay : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void makesTheDocument_data();
+    void makesTheDocument();
+    void slitsAreCut();
+    void replaysExactly();
+    void throughAHole();
+    void startsFromWhatIsThere();
+    void timeDefaults();
+    void keysAndCommands();
+    void badScripts_data();
+    void badScripts();
+    void eventsBeforeABadOneHaveHappened();
+};
+
+void TestReplay::makesTheDocument_data()
+{
+    QTest::addColumn<int>("sections");
+    QTest::addColumn<int>("steps");
+    QTest::addColumn<int>("hint"); // at the end; -1: not looked at
+    const auto row = [](const char *name, int sections, int steps, int hint = -1) {
+        QTest::newRow(name) << sections << steps << hint;
+    };
+    row("first_section", 1, 1);
+    row("first_section_by_corners", 1, 1);
+    row("second_section", 2, 2);
+    row("second_then_front", 2, 2);
+    row("in_a_moment", 2, 2);
+    row("press_without_drag", 1, 1);
+    row("release_in_slit", 1, 1, int(Hint::Kind::NeverLeft));
+    row("release_in_turn", 1, 1, int(Hint::Kind::TooShort));
+    row("release_in_dead_zone", 1, 1, int(Hint::Kind::TooShort));
+    row("tiny_first_stroke", 0, 0, int(Hint::Kind::TooShort));
+    row("straight_first_stroke", 0, 0, int(Hint::Kind::TooShort));
+    row("escape_in_slit", 1, 1);
+    row("escape_in_turn", 1, 1);
+    row("escape_in_dead_zone", 1, 1);
+    row("escape_in_contour", 1, 1);
+    row("self_crossing", 1, 1, int(Hint::Kind::CrossesItself));
+    row("undo_and_redo", 1, 2);
+    row("undo_at_the_bottom", 0, 1);
+    row("delete_by_keys", 2, 3);
+    row("orbit_and_zoom", 1, 1);
+}
+
+void TestReplay::makesTheDocument()
+{
+    QFETCH(int, sections);
+    QFETCH(int, steps);
+    QFETCH(int, hint);
+    Run run;
+    const Result<void> done = run.playFile(QString::fromUtf8(QTest::currentDataTag()));
+    QVERIFY2(done, done ? "" : done.error().args.front().c_str());
+    QCOMPARE(static_cast<int>(run.sections().size()), sections);
+    QCOMPARE(run.session.history()->count(), steps);
+    QVERIFY(!run.session.hasPreview());
+    QVERIFY(!run.interaction.hasGesture());
+    if (hint >= 0)
+        QCOMPARE(int(run.interaction.hint().kind), hint);
+    for (const SectionPointer &section : run.sections()) {
+        QVERIFY(section->shape->area() > 100.0);
+        if (section->parent)
+            QVERIFY(standsOnItsSlit(*run.sections().front(), *section));
+    }
+}
+
+/// Drawing across a section is what a joint needs: both get a slit.
+void TestReplay::slitsAreCut()
+{
+    Run run;
+    QVERIFY(run.playFile(QStringLiteral("second_section")));
+    const Analysis &analysis = run.session.currentAnalysis();
+    QCOMPARE(analysis.assembly.joints.size(), std::size_t(1));
+    for (std::size_t i = 0; i < 2; ++i) {
+        QCOMPARE(analysis.assembly.slits[i].size(), std::size_t(1));
+        QVERIFY(analysis.cuts[i]->area() < run.sections()[i]->shape->area());
+    }
+}
+
+void TestReplay::replaysExactly()
+{
+    Run once, twice;
+    QVERIFY(once.playFile(QStringLiteral("second_section")));
+    QVERIFY(twice.playFile(QStringLiteral("second_section")));
+    QVERIFY(once.session.committed().document == twice.session.committed().document);
+}
+
+void TestReplay::throughAHole()
+{
+    Run run;
+    Document document = newDocument();
+    NewSection plate;
+    plate.shape =
+        *Shape::make(*Contour::fromPolygon({{-100, -60}, {100, -60}, {100, 60}, {-100, 60}}),
+                     {*Contour::fromPolygon({{-15, -15}, {-15, 15}, {15, 15}, {15, -15}})});
+    plate.frame.origin = {0, 83.82, 0};
+    run.session.reset(*addSection(std::move(document), std::move(plate)));
+    QVERIFY(run.playFile(QStringLiteral("through_a_hole")));
+    QCOMPARE(run.sections().size(), std::size_t(2));
+    QVERIFY(standsOnItsSlit(*run.sections()[0], *run.sections()[1]));
+    QVERIFY(std::abs(run.sections()[1]->parent->slitTo.x() + 15.0) < 1e-9);
+}
+
+void TestReplay::startsFromWhatIsThere()
+{
+    Run first;
+    QVERIFY(first.playFile(QStringLiteral("first_section")));
+    Run second;
+    second.session.reset(first.session.committed().document);
+    QVERIFY(second.play(script(R"({"type": "press", "x": 640, "y": 400},
+                                  {"type": "release", "x": 640, "y": 400})")));
+    QCOMPARE(second.interaction.selection().size(), std::size_t(1));
+}
+
+/// An event without a time comes 8 ms after the one before.
+void TestReplay::timeDefaults()
+{
+    const auto turnIsOver = [](int moves, const QByteArray &last) {
+        Run run;
+        QByteArray events = R"({"type": "press", "x": 500, "y": 300},
+            {"type": "move", "x": 800, "y": 300}, {"type": "move", "x": 800, "y": 500},
+            {"type": "release", "x": 500, "y": 500},
+            {"type": "press", "x": 700, "y": 400}, {"type": "move", "x": 900, "y": 400})";
+        for (int i = 0; i < moves; ++i)
+            events += R"(, {"type": "move", "x": 901, "y": 401})";
+        const Result<void> played = run.play(script(events + last));
+        return played && run.interaction.hasGesture() && !run.interaction.isAnimating();
+    };
+    QVERIFY(!turnIsOver(99, {}));
+    QVERIFY(turnIsOver(100, {}));
+    QVERIFY(!turnIsOver(0, R"(, {"type": "wait", "ms": 799})"));
+    QVERIFY(turnIsOver(0, R"(, {"type": "wait", "ms": 800})"));
+    QVERIFY(turnIsOver(0, R"(, {"type": "move", "x": 900, "y": 400, "t": 5000})"));
+}
+
+void TestReplay::keysAndCommands()
+{
+    Run run;
+    QVERIFY(run.playFile(QStringLiteral("second_section")));
+    QVERIFY(run.play(script(R"({"type": "command", "name": "edit.selectAll", "parameters": {}},
+                               {"type": "key", "key": "Escape"})")));
+    QVERIFY(run.interaction.selection().empty());
+    QVERIFY(run.play(script(R"({"type": "key", "key": "3"}, {"type": "wait", "ms": 400})")));
+    QVERIFY((run.interaction.camera().backward() - Vec3::UnitX()).norm() < 1e-9);
+    QVERIFY(run.play(script(R"({"type": "command", "name": "file.new"})")));
+    QVERIFY(run.sections().empty());
+    QCOMPARE(run.session.history()->count(), 0);
+}
+
+void TestReplay::badScripts_data()
+{
+    QTest::addColumn<QByteArray>("text");
+    QTest::addColumn<int>("code");
+    QTest::addColumn<QString>("place");
+    const auto whole = [](const char *name, const QByteArray &text, ErrorCode code,
+                          const char *place) {
+        QTest::newRow(name) << text << int(code) << QString::fromUtf8(place);
+    };
+    whole("no JSON", "{\n\"viewport\": [1280, 800\n", ErrorCode::BadSyntax, "3");
+    whole("an array", "[]", ErrorCode::BadSyntax, "1");
+    whole("no viewport", "{\"events\": []}", ErrorCode::BadValue, "viewport");
+    whole("a viewport of one number", "{\"viewport\": [3], \"events\": []}", ErrorCode::BadValue,
+          "viewport");
+    whole("an empty viewport", "{\"viewport\": [0, 800], \"events\": []}", ErrorCode::BadValue,
+          "viewport");
+    whole("no events", "{\"viewport\": [1280, 800]}", ErrorCode::BadValue, "events");
+    whole("events that are no array", "{\"viewport\": [1280, 800], \"events\": {}}",
+          ErrorCode::BadValue, "events");
+
+    const auto row = [](const char *name, const QByteArray &events, int index = 0) {
+        QTest::newRow(name) << script(events) << int(ErrorCode::BadEvent)
+                            << QStringLiteral("events[%1]").arg(index);
+    };
+    row("an event that is no object", "7");
+    row("no type", R"({"x": 1})");
+    row("an unknown type", R"({"type": "hover", "x": 1, "y": 1})");
+    row("a type that is no text", R"({"type": 5})");
+    row("release without press",
+        R"({"type": "move", "x": 1, "y": 1}, {"type": "release", "x": 1, "y": 1})", 1);
+    row("press twice", R"({"type": "press", "x": 1, "y": 1}, {"type": "press", "x": 1, "y": 1})",
+        1);
+    row("release of another button",
+        R"({"type": "press", "x": 1, "y": 1}, {"type": "release", "x": 1, "y": 1, "button": "right"})",
+        1);
+    row("no x", R"({"type": "move", "y": 1})");
+    row("x as text", R"({"type": "move", "x": "1", "y": 1})");
+    row("an unknown button", R"({"type": "press", "x": 1, "y": 1, "button": "fourth"})");
+    row("modifiers as text", R"({"type": "press", "x": 1, "y": 1, "modifiers": "shift"})");
+    row("an unknown modifier", R"({"type": "press", "x": 1, "y": 1, "modifiers": ["meta"]})");
+    row("time that goes back",
+        R"({"type": "move", "x": 1, "y": 1, "t": 50}, {"type": "move", "x": 1, "y": 1, "t": 49})",
+        1);
+    row("time before the start", R"({"type": "move", "x": 1, "y": 1, "t": -1})");
+    row("an unknown view", R"({"type": "view", "name": "sideways"})");
+    row("a wait below zero", R"({"type": "wait", "ms": -1})");
+    row("a wait without ms", R"({"type": "wait"})");
+    row("an unknown command",
+        R"({"type": "wait", "ms": 1}, {"type": "command", "name": "edit.fly"})", 1);
+    row("parameters as text", R"({"type": "command", "name": "edit.undo", "parameters": "a"})");
+    row("a parameter that is an array",
+        R"({"type": "command", "name": "edit.undo", "parameters": {"a": []}})");
+    row("an unknown key", R"({"type": "key", "key": "Hyper"})");
+    row("a key that is no text", R"({"type": "key", "key": 1})");
+    row("a wheel without steps", R"({"type": "wheel", "x": 1, "y": 1})");
+}
+
+void TestReplay::badScripts()
+{
+    QFETCH(QByteArray, text);
+    QFETCH(int, code);
+    QFETCH(QString, place);
+    Run run;
+    const Result<void> done = run.play(text);
+    QVERIFY(!done);
+    QCOMPARE(int(done.error().code), code);
+    QCOMPARE(QString::fromStdString(done.error().place), place);
+    QCOMPARE(done.error().args.size(), std::size_t(2));
+}
+
+void TestReplay::eventsBeforeABadOneHaveHappened()
+{
+    Run run;
+    QVERIFY(!run.play(script(R"({"type": "press", "x": 500, "y": 300},
+        {"type": "move", "x": 800, "y": 300}, {"type": "move", "x": 800, "y": 500},
+        {"type": "release", "x": 500, "y": 500}, {"type": "nonsense"})")));
+    QCOMPARE(run.sections().size(), std::size_t(1));
+}
+
+QTEST_GUILESS_MAIN(TestReplay)
+#include "tst_replay.moc"
