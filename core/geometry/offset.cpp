@@ -16,6 +16,10 @@ constexpr int kMaxHalvings = 10;
 // A mitre reaches at most this many distances from its corner (SVG and Clipper cut off at a like
 // ratio); a right angle needs 1.41.
 constexpr double kMitreLimit = 2.5;
+// Sine of the angle below which a boundary that turns back is a cusp, and the share of the curve's
+// parameter from its tip at which its sides are told apart.
+constexpr double kCuspSine = 1e-6;
+constexpr double kBesideTip = 1.0 / 64.0;
 
 /// Right of the direction: away from the material.
 Vec2 rightOf(const Vec2 &direction)
@@ -78,8 +82,8 @@ void appendOffset(std::vector<CubicBezier> &pieces, const CubicBezier &curve, do
 /// A segment's offset with the directions in which it begins and ends.
 struct OffsetSegment
 {
+    CubicBezier source;
     std::vector<CubicBezier> pieces;
-    Vec2 corner = Vec2::Zero(); // the end of the segment itself
     Vec2 first = Vec2::UnitX(), last = Vec2::UnitX();
     bool isStraight = false;
 };
@@ -90,7 +94,7 @@ std::vector<OffsetSegment> offsetSegments(const Contour &contour, double distanc
     for (int i = 0; i < contour.segmentCount(); ++i) {
         const CubicBezier curve = contour.segment(i);
         OffsetSegment next;
-        next.corner = curve.p3;
+        next.source = curve;
         next.isStraight = curve.isStraight(kClipGrid);
         const Vec2 chord = curve.p3 - curve.p0;
         if (next.isStraight) {
@@ -109,13 +113,24 @@ std::vector<OffsetSegment> offsetSegments(const Contour &contour, double distanc
     return result;
 }
 
+/// Whether the boundary turns left from a to b. Where it turns back on itself, at the tip of a
+/// cusp, the tangents do not tell; points a little away from the tip do.
+bool turnsLeft(const OffsetSegment &a, const OffsetSegment &b)
+{
+    const double sine = cross(a.last, b.first);
+    if (a.last.dot(b.first) > 0.0 || std::abs(sine) > kCuspSine)
+        return sine > 0.0;
+    const Vec2 tip = a.source.p3;
+    return cross(tip - a.source.at(1.0 - kBesideTip), b.source.at(kBesideTip) - tip) >= 0.0;
+}
+
 /// Corners of the mitre on the way round a corner that turns left, in order; none where the
 /// boundary turns right or goes smoothly on.
 std::vector<Vec2> mitre(const OffsetSegment &a, const OffsetSegment &b, double distance)
 {
-    const double sine = cross(a.last, b.first), cosine = a.last.dot(b.first);
-    if (sine < 0.0 || (sine == 0.0 && cosine > 0.0))
+    if (!turnsLeft(a, b))
         return {};
+    const double sine = std::abs(cross(a.last, b.first)), cosine = a.last.dot(b.first);
     const Vec2 end = a.pieces.back().p3, start = b.pieces.front().p0;
     const double half = 0.5 * std::atan2(sine, cosine);
     if (std::cos(half) * kMitreLimit >= 1.0)
