@@ -20,19 +20,15 @@ double reach(const Vec2 &half, const Vec2 &direction)
     return half.dot(direction.cwiseAbs());
 }
 
-void draw(const StrokedNumber &number, const Vec2 &center, double height,
-          std::vector<Stroke> &strokes)
+void draw(const StrokedNumber &number, const Vec2 &center, double height, Engraving &engraving)
 {
     for (Stroke stroke : number.strokes) {
         for (Vec2 &p : stroke)
             p = center + height * (p - 0.5 * number.size);
-        strokes.push_back(std::move(stroke));
+        engraving.strokes.push_back(std::move(stroke));
     }
-}
-
-Box2 boxAbout(const Vec2 &center, const Vec2 &half)
-{
-    return {center - half, center + half};
+    const Vec2 half = 0.5 * height * number.size;
+    engraving.boxes.push_back({center - half, center + half});
 }
 
 /// Middles of the places for a joint's number whose box, with the clearance, has this half size:
@@ -55,7 +51,7 @@ std::vector<Vec2> placesAt(const Part::JointMark &mark, const Vec2 &half)
 }
 
 bool engraveJoint(const Part::JointMark &mark, const MarkOptions &options, Room &room,
-                  std::vector<Stroke> &strokes)
+                  Engraving &engraving)
 {
     const StrokedNumber number = strokedNumber(mark.joint);
     for (double height = options.jointHeight; height >= options.minHeight; height *= kShrink) {
@@ -63,16 +59,15 @@ bool engraveJoint(const Part::JointMark &mark, const MarkOptions &options, Room 
         for (const Vec2 &center : placesAt(mark, half)) {
             if (room.scaleAt(center, half) < 1.0)
                 continue;
-            draw(number, center, height, strokes);
-            room.take(boxAbout(center, 0.5 * height * number.size));
+            draw(number, center, height, engraving);
+            room.take(engraving.boxes.back());
             return true;
         }
     }
     return false;
 }
 
-bool engraveNumber(int value, const MarkOptions &options, const Room &room,
-                   std::vector<Stroke> &strokes)
+bool engraveNumber(int value, const MarkOptions &options, const Room &room, Engraving &engraving)
 {
     const StrokedNumber number = strokedNumber(value);
     const Vec2 clearance = Vec2::Constant(options.clearance);
@@ -83,7 +78,7 @@ bool engraveNumber(int value, const MarkOptions &options, const Room &room,
     const double height = 2.0 * left.cwiseQuotient(number.size).minCoeff();
     if (height < options.minHeight)
         return false;
-    draw(number, center, height, strokes);
+    draw(number, center, height, engraving);
     return true;
 }
 
@@ -101,10 +96,10 @@ Engraving engrave(const Part &part, const MarkOptions &options)
     Room room(std::move(region));
     // Joints first: their places are few, the part's number can go anywhere.
     for (const Part::JointMark &mark : part.joints) {
-        if (!engraveJoint(mark, options, room, engraving.strokes))
+        if (!engraveJoint(mark, options, room, engraving))
             engraving.jointsLeftOut.push_back(mark.joint);
     }
-    engraving.hasNumber = engraveNumber(part.number, options, room, engraving.strokes);
+    engraving.hasNumber = engraveNumber(part.number, options, room, engraving);
     return engraving;
 }
 
