@@ -21,7 +21,7 @@ inline Contour polygonContour(const Polygon &polygon)
     return Contour::fromPolygon(polygon).value();
 }
 
-inline Polygon rectangle(double x, double y, double width, double height)
+inline Polygon rectangleAt(double x, double y, double width, double height)
 {
     return {{x, y}, {x + width, y}, {x + width, y + height}, {x, y + height}};
 }
@@ -123,8 +123,8 @@ inline std::vector<NamedContour> simpleContours()
 {
     std::mt19937 random(20140505);
     return {
-        {"a square", polygonContour(rectangle(0, 0, 40, 40))},
-        {"a clockwise square", polygonContour(rectangle(0, 0, 40, 40)).reversed()},
+        {"a square", polygonContour(rectangleAt(0, 0, 40, 40))},
+        {"a clockwise square", polygonContour(rectangleAt(0, 0, 40, 40)).reversed()},
         {"a square with collinear points",
          polygonContour(
              {{0, 0}, {10, 0}, {20, 0}, {20.5, 0}, {40, 0}, {40, 13}, {40, 40}, {0, 40}, {0, 20}})},

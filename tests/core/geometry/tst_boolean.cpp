@@ -184,7 +184,7 @@ void TestBoolean::crossingsLieOnCurveAndCut_data()
     QTest::newRow("slit in a blob") << blob(random, 8, 40) << 1.9;
     QTest::newRow("slit in a blob of many segments") << blob(random, 80, 40) << -2.2;
     QTest::newRow("slit through a square's edge")
-        << polygonContour(rectangle(-20, -20, 40, 40)) << 0.3;
+        << polygonContour(rectangleAt(-20, -20, 40, 40)) << 0.3;
     QTest::newRow("slit through a spiral") << spiral() << 1.0;
     QTest::newRow("slit in a clockwise circle") << circle({0, 0}, 30).reversed() << 0.2;
 }
@@ -218,7 +218,7 @@ void TestBoolean::crossingsLieOnCurveAndCut()
 void TestBoolean::curvesAreKept()
 {
     const Contour contour = circle({0, 0}, 30);
-    const auto result = subtract(contour, {}, {rectangle(-1.5, 10, 3, 40)}, kCutChord);
+    const auto result = subtract(contour, {}, {rectangleAt(-1.5, 10, 3, 40)}, kCutChord);
     QCOMPARE(result.size(), 1U);
     // Four quarters, of which the slit splits off the ends of two, and its three sides.
     QCOMPARE(result[0].outer.segmentCount(), 7);
@@ -233,8 +233,8 @@ void TestBoolean::curvesAreKept()
 // Wrong: a section sawn through would be shown as one.
 void TestBoolean::slitAcrossMakesTwoParts()
 {
-    const Contour plate = polygonContour(rectangle(0, 0, 40, 20));
-    const auto result = subtract(plate, {}, {rectangle(10, -5, 3, 30)}, kCutChord);
+    const Contour plate = polygonContour(rectangleAt(0, 0, 40, 20));
+    const auto result = subtract(plate, {}, {rectangleAt(10, -5, 3, 30)}, kCutChord);
     QCOMPARE(result.size(), 2U);
     QCOMPARE(result[0].outer.signedArea(), 27.0 * 20.0);
     QCOMPARE(result[1].outer.signedArea(), 10.0 * 20.0);
@@ -244,16 +244,16 @@ void TestBoolean::slitAcrossMakesTwoParts()
 // Wrong: a slit that runs into a hole would leave the hole closed, or lose it.
 void TestBoolean::holeStaysUnlessASlitOpensIt()
 {
-    const Contour plate = polygonContour(rectangle(0, 0, 60, 40));
+    const Contour plate = polygonContour(rectangleAt(0, 0, 60, 40));
     const Contour hole = circle({30, 20}, 10);
     const auto closed = subtract(plate, {hole}, {}, kCutChord);
     QCOMPARE(closed.size(), 1U);
     QCOMPARE(closed[0].holes.size(), 1U);
     QVERIFY(isSameUpToStart(closed[0].holes[0], hole.reversed()));
-    const auto open = subtract(plate, {hole}, {rectangle(28, 25, 4, 20)}, kCutChord);
+    const auto open = subtract(plate, {hole}, {rectangleAt(28, 25, 4, 20)}, kCutChord);
     QCOMPARE(open.size(), 1U);
     QVERIFY(open[0].holes.empty());
-    QCOMPARE(whatIsWrong(open, {plate, hole}, {rectangle(28, 25, 4, 20)}, kCutChord), QString());
+    QCOMPARE(whatIsWrong(open, {plate, hole}, {rectangleAt(28, 25, 4, 20)}, kCutChord), QString());
 }
 
 // Wrong: where two drawn curves cross, the corner would be off them by the chords' error.
@@ -283,9 +283,9 @@ void TestBoolean::cutsThatShareEdgesAndCorners_data()
 {
     QTest::addColumn<Polygon>("cut");
     QTest::addColumn<double>("expected");
-    QTest::newRow("a cut with its side in the contour") << rectangle(0, 10, 5, 10) << 1550.0;
-    QTest::newRow("a cut with two sides in the contour") << rectangle(0, 0, 5, 10) << 1550.0;
-    QTest::newRow("a cut that touches from outside") << rectangle(-5, 10, 5, 10) << 1600.0;
+    QTest::newRow("a cut with its side in the contour") << rectangleAt(0, 10, 5, 10) << 1550.0;
+    QTest::newRow("a cut with two sides in the contour") << rectangleAt(0, 0, 5, 10) << 1550.0;
+    QTest::newRow("a cut that touches from outside") << rectangleAt(-5, 10, 5, 10) << 1600.0;
     QTest::newRow("a cut that touches in a corner")
         << Polygon{{-5, 20}, {0, 15}, {-5, 10}} << 1600.0;
     QTest::newRow("a cut from corner to corner") << Polygon{{0, 0}, {40, 40}, {0, 40}} << 800.0;
@@ -294,9 +294,9 @@ void TestBoolean::cutsThatShareEdgesAndCorners_data()
     QTest::newRow("a cut through two corners")
         << Polygon{{-1, -1}, {1, -1}, {41, 39}, {41, 41}, {39, 41}, {-1, 1}} << 1444.0;
     QTest::newRow("a cut half a grid step off the side")
-        << rectangle(0.5 * kClipGrid, 10, 5, 10) << 1550.0;
+        << rectangleAt(0.5 * kClipGrid, 10, 5, 10) << 1550.0;
     QTest::newRow("a clockwise cut") << Polygon{{10, 10}, {10, 20}, {15, 20}, {15, 10}} << 1550.0;
-    QTest::newRow("a cut wider than high above the whole") << rectangle(-10, 30, 100, 3) << 1480.0;
+    QTest::newRow("a cut wider than high above the whole") << rectangleAt(-10, 30, 100, 3) << 1480.0;
     QTest::newRow("a cut without area") << Polygon{{-1, 20}, {41, 20}} << 1600.0;
 }
 
@@ -305,7 +305,7 @@ void TestBoolean::cutsThatShareEdgesAndCorners()
 {
     QFETCH(Polygon, cut);
     QFETCH(double, expected);
-    const Contour square = polygonContour(rectangle(0, 0, 40, 40));
+    const Contour square = polygonContour(rectangleAt(0, 0, 40, 40));
     const auto result = subtract(square, {}, {cut}, kCutChord);
     QVERIFY2(std::abs(curvedArea(result) - expected) < 1e-3,
              qPrintable(QString::number(curvedArea(result), 'g', 12)));
@@ -316,9 +316,9 @@ void TestBoolean::cutsThatShareEdgesAndCorners()
 // Wrong: two slits side by side would leave needless corners on their common bottom.
 void TestBoolean::cutEdgesInOneLineAreOne()
 {
-    const Contour plate = polygonContour(rectangle(0, 0, 40, 20));
+    const Contour plate = polygonContour(rectangleAt(0, 0, 40, 20));
     const auto result =
-        subtract(plate, {}, {rectangle(10, 8, 3, 20), rectangle(12, 8, 3, 20)}, kCutChord);
+        subtract(plate, {}, {rectangleAt(10, 8, 3, 20), rectangleAt(12, 8, 3, 20)}, kCutChord);
     QCOMPARE(result.size(), 1U);
     QCOMPARE(result[0].outer.segmentCount(), 8);
     QCOMPARE(result[0].outer.signedArea(), 800.0 - 60.0);
@@ -338,7 +338,7 @@ void TestBoolean::whatIsNoPolygonCutsNothing()
 // Wrong: a part of no area would be sent to the machine.
 void TestBoolean::nothingIsLeftUnderACover()
 {
-    QVERIFY(subtract(circle({0, 0}, 20), {}, {rectangle(-30, -30, 60, 60)}, kCutChord).empty());
+    QVERIFY(subtract(circle({0, 0}, 20), {}, {rectangleAt(-30, -30, 60, 60)}, kCutChord).empty());
     QVERIFY(subtract(circle({0, 0}, 20), {circle({0, 0}, 20)}, {}, kCutChord).empty());
     QVERIFY(subtract(Contour(), {}, {}, kCutChord).empty());
 }
@@ -444,7 +444,7 @@ void TestBoolean::emptyContourIsAnError()
     QVERIFY(!line);
     QVERIFY(line.error().code == ErrorCode::EmptyContour);
     QVERIFY(!resolveCrossings(Contour()));
-    QVERIFY(!resolveCrossings(polygonContour(rectangle(0, 0, 0.01, 0.01))));
+    QVERIFY(!resolveCrossings(polygonContour(rectangleAt(0, 0, 0.01, 0.01))));
 }
 
 // Wrong: dragging a section would stutter. Also the law that slits apart from each other take
@@ -457,7 +457,7 @@ void TestBoolean::fiveHundredVerticesTwentySlits()
     const double chord = 0.05;
     std::vector<Polygon> cuts;
     for (int i = 0; i < 20; ++i)
-        cuts.push_back(rectangle(-100 + 10.0 * i, 30, 3, 400));
+        cuts.push_back(rectangleAt(-100 + 10.0 * i, 30, 3, 400));
     const auto vertices = contour.flatten(chord).points.size();
     qInfo() << "vertices" << vertices;
     std::vector<CurvedRegion> result;

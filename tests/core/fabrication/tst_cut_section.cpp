@@ -1,0 +1,141 @@
+#include "core/base/tolerances.h"
+#include "core/fabrication/cut_section.h"
+#include "tests/core/shapes.h"
+
+#include <QTest>
+
+using namespace fff;
+using namespace fff::test;
+
+namespace {
+
+Slit slitAt(double x, double width = 3.0)
+{
+    Slit slit;
+    slit.inner = {x, 20.0};
+    slit.mouth = {x, 41.0};
+    slit.width = width;
+    return slit;
+}
+
+ShapePointer plate(double width = 40.0)
+{
+    return Shape::make(polygonContour(rectangleAt(0, 0, width, 40))).value();
+}
+
+} // namespace
+
+class TestCutSection : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void slitsTakeTheirArea();
+    void sameSlitsGiveTheSameObject();
+    void anyChangeOfASlitGivesAnother_data();
+    void anyChangeOfASlitGivesAnother();
+    void jointsNumbersDoNotMatter();
+    void reusedAddressIsNotTheOldShape();
+    void cacheIsBounded();
+};
+
+// Wrong: mass and drawing would not be those of what is cut.
+void TestCutSection::slitsTakeTheirArea()
+{
+    CutCache cache;
+    const ShapePointer disc = Shape::make(circle({20, 20}, 20), {circle({20, 10}, 4)}).value();
+    const auto whole = cutSection(disc, {}, cache);
+    QVERIFY(std::abs(whole->area() - disc->area()) < 1e-9);
+    Slit mortise = slitAt(30);
+    mortise.mouth = {30, 25};
+    const auto cut = cutSection(disc, {mortise}, cache);
+    QVERIFY(std::abs(cut->area() - (disc->area() - 15.0)) < 1e-9);
+    QCOMPARE(cut->triangulations().size(), 1U);
+    double triangles = 0.0;
+    const Triangulation &t = cut->triangulations()[0];
+    for (const auto &[a, b, c] : t.triangles) {
+        const auto p = [&](int i) { return t.points[static_cast<std::size_t>(i)]; };
+        triangles += 0.5 * cross(p(b) - p(a), p(c) - p(a));
+    }
+    QVERIFY(std::abs(triangles - area(cut->parts()[0].region)) < 1e-9);
+}
+
+// Wrong: dragging one section would cut all others again, and draw them again.
+void TestCutSection::sameSlitsGiveTheSameObject()
+{
+    CutCache cache;
+    const ShapePointer shape = plate();
+    const auto first = cutSection(shape, {slitAt(10), slitAt(30)}, cache);
+    cutSection(shape, {slitAt(11), slitAt(30)}, cache);
+    QCOMPARE(cutSection(shape, {slitAt(10), slitAt(30)}, cache).get(), first.get());
+    CutCache moved = std::move(cache);
+    QCOMPARE(cutSection(shape, {slitAt(10), slitAt(30)}, moved).get(), first.get());
+}
+
+void TestCutSection::anyChangeOfASlitGivesAnother_data()
+{
+    QTest::addColumn<Vec2>("inner");
+    QTest::addColumn<Vec2>("mouth");
+    QTest::addColumn<double>("width");
+    QTest::newRow("deeper") << Vec2(10, 19) << Vec2(10, 41) << 3.0;
+    QTest::newRow("beside") << Vec2(10.001, 20) << Vec2(10.001, 41) << 3.0;
+    QTest::newRow("wider") << Vec2(10, 20) << Vec2(10, 41) << 3.01;
+    QTest::newRow("mouth farther out") << Vec2(10, 20) << Vec2(10, 42) << 3.0;
+    QTest::newRow("upside down") << Vec2(10, 41) << Vec2(10, 20) << 3.0;
+}
+
+// Wrong: an edit of a joint would not show.
+void TestCutSection::anyChangeOfASlitGivesAnother()
+{
+    QFETCH(Vec2, inner);
+    QFETCH(Vec2, mouth);
+    QFETCH(double, width);
+    CutCache cache;
+    const ShapePointer shape = plate();
+    const auto before = cutSection(shape, {slitAt(10)}, cache);
+    Slit other = slitAt(10);
+    other.inner = inner;
+    other.mouth = mouth;
+    other.width = width;
+    QVERIFY(cutSection(shape, {other}, cache) != before);
+    QVERIFY(cutSection(plate(), {slitAt(10)}, cache) != before);
+}
+
+// Wrong: a new joint elsewhere renumbers all and would cut everything again.
+void TestCutSection::jointsNumbersDoNotMatter()
+{
+    CutCache cache;
+    const ShapePointer shape = plate();
+    const auto before = cutSection(shape, {slitAt(10)}, cache);
+    Slit renumbered = slitAt(10);
+    renumbered.joint = 7;
+    renumbered.guest = 3;
+    QCOMPARE(cutSection(shape, {renumbered}, cache).get(), before.get());
+}
+
+// Wrong: a new shape would look like one that is gone, once in a while.
+void TestCutSection::reusedAddressIsNotTheOldShape()
+{
+    CutCache cache;
+    for (int i = 0; i < 50; ++i) {
+        const double width = 40.0 + i;
+        QCOMPARE(cutSection(plate(width), {}, cache)->area(), 40.0 * width);
+    }
+}
+
+// Wrong: a long session would fill the memory.
+void TestCutSection::cacheIsBounded()
+{
+    CutCache cache;
+    const ShapePointer shape = plate();
+    std::weak_ptr<const CutSection> first = cutSection(shape, {slitAt(10)}, cache);
+    QVERIFY(!first.expired());
+    std::weak_ptr<const CutSection> last;
+    for (int i = 0; i < 1500; ++i)
+        last = cutSection(shape, {slitAt(11.0 + 0.01 * i)}, cache);
+    QVERIFY(first.expired());
+    QVERIFY(!last.expired());
+}
+
+QTEST_GUILESS_MAIN(TestCutSection)
+#include "tst_cut_section.moc"

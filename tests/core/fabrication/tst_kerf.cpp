@@ -1,0 +1,210 @@
+#include "core/base/tolerances.h"
+#include "core/fabrication/kerf.h"
+#include "tests/core/assembly/plates.h"
+#include "tests/core/fabrication/parts_of.h"
+#include "tests/core/geometry/curve_distance.h"
+#include "tests/core/shapes.h"
+
+#include <QTest>
+
+using namespace fff;
+using namespace fff::test;
+
+namespace {
+
+constexpr double kRounding = 1e-9; // mm
+
+double totalArea(const CurvedRegion &region)
+{
+    double sum = region.outer.signedArea();
+    for (const Contour &hole : region.holes)
+        sum += hole.signedArea();
+    return sum;
+}
+
+double distanceToBoundary(const Vec2 &point, const CurvedRegion &region)
+{
+    double nearest = distanceTo(point, region.outer);
+    for (const Contour &hole : region.holes)
+        nearest = std::min(nearest, distanceTo(point, hole));
+    return nearest;
+}
+
+} // namespace
+
+class TestKerf : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void noKerfChangesNothing();
+    void rectangleGrowsToARectangle();
+    void holeShrinks();
+    void slitNarrowsAndStaysSquare();
+    void slitInACurveNarrows();
+    void slitNarrowerThanTheKerfCloses();
+    void circleStaysACircle();
+    void pathKeepsItsDistance_data();
+    void pathKeepsItsDistance();
+    void spikeIsCutOff();
+    void everyPartTakesItsStocksKerf();
+};
+
+// Wrong: "no kerf" would still reshape the file.
+void TestKerf::noKerfChangesNothing()
+{
+    std::mt19937 random(3);
+    const CurvedRegion region = regionOf(blob(random, 8, 30), {circle({0, 0}, 5)});
+    const CurvedRegion same = compensateKerf(region, 0.0);
+    QVERIFY(same.outer == region.outer);
+    QVERIFY(same.holes == region.holes);
+}
+
+// Wrong: straight edges would get bends, corners would be rounded or beveled.
+void TestKerf::rectangleGrowsToARectangle()
+{
+    const CurvedRegion grown =
+        compensateKerf(regionOf(polygonContour(rectangleAt(0, 0, 40, 20))), 0.2);
+    QCOMPARE(grown.outer.segmentCount(), 4);
+    QVERIFY(std::abs(totalArea(grown) - 40.2 * 20.2) < kRounding);
+}
+
+// Wrong: pegs would fall through holes that the laser made too wide.
+void TestKerf::holeShrinks()
+{
+    const CurvedRegion grown =
+        compensateKerf(regionOf(polygonContour(rectangleAt(0, 0, 40, 40)),
+                                {polygonContour(rectangleAt(10, 10, 20, 5))}),
+                       0.2);
+    QCOMPARE(grown.holes.size(), 1U);
+    QVERIFY(std::abs(grown.holes[0].signedArea() + 19.8 * 4.8) < kRounding);
+    // One that is all kerf needs no cut.
+    QVERIFY(compensateKerf(regionOf(polygonContour(rectangleAt(0, 0, 40, 40)),
+                                    {polygonContour(rectangleAt(10, 10, 20, 0.15))}),
+                           0.2)
+                .holes.empty());
+}
+
+// Wrong: joints would be loose by the kerf, or stand on rounded bottoms.
+void TestKerf::slitNarrowsAndStaysSquare()
+{
+    const CurvedRegion region =
+        regionOf(polygonContour(rectangleAt(0, 0, 40, 40)), {}, {rectangleAt(18.5, 20, 3, 30)});
+    const CurvedRegion grown = compensateKerf(region, 0.2);
+    QCOMPARE(grown.outer.segmentCount(), 8);
+    // The bottom moves with the upper edge: the slit is as deep as before.
+    QVERIFY(std::abs(totalArea(grown) - (40.2 * 40.2 - 2.8 * 20.0)) < kRounding);
+    for (int i = 0; i < 8; ++i) {
+        const CubicBezier s = grown.outer.segment(i);
+        QVERIFY(s.isStraight(kClipGrid));
+        QVERIFY((s.p3 - s.p0).cwiseAbs().minCoeff() < kRounding);
+    }
+}
+
+// Wrong: where a slit meets a curve, its walls would not be parallel any more.
+void TestKerf::slitInACurveNarrows()
+{
+    const CurvedRegion region = regionOf(circle({0, 0}, 30), {}, {rectangleAt(-1.5, 0, 3, 40)});
+    const CurvedRegion grown = compensateKerf(region, 0.2);
+    double walls = 0.0;
+    for (int i = 0; i < grown.outer.segmentCount(); ++i) {
+        const CubicBezier s = grown.outer.segment(i);
+        if (s.isStraight(kClipGrid) && (s.p3 - s.p0).norm() > 20.0) {
+            walls += 1.0;
+            QVERIFY(std::abs(std::abs(s.p0.x()) - 1.4) < kRounding);
+            QVERIFY(std::abs(std::abs(s.p3.x()) - 1.4) < kRounding);
+        }
+    }
+    QCOMPARE(walls, 2.0);
+}
+
+// Wrong: a path that crosses itself, or a part in two.
+void TestKerf::slitNarrowerThanTheKerfCloses()
+{
+    const CurvedRegion region =
+        regionOf(polygonContour(rectangleAt(0, 0, 40, 40)), {}, {rectangleAt(20, 20, 0.1, 30)});
+    const CurvedRegion grown = compensateKerf(region, 0.2);
+    QVERIFY(std::abs(totalArea(grown) - 40.2 * 40.2) < 1e-3);
+    QVERIFY(!resolveCrossings(grown.outer)->wasCrossing);
+}
+
+// Wrong: curves would come out as hundreds of chords.
+void TestKerf::circleStaysACircle()
+{
+    const CurvedRegion grown = compensateKerf(regionOf(circle({5, 5}, 30)), 0.3);
+    QVERIFY(grown.outer.segmentCount() <= 8);
+    for (int i = 0; i < grown.outer.segmentCount(); ++i) {
+        for (double t : {0.0, 0.3, 0.6})
+            QVERIFY(std::abs((grown.outer.segment(i).at(t) - Vec2(5, 5)).norm() - 30.15) < 0.011);
+    }
+}
+
+void TestKerf::pathKeepsItsDistance_data()
+{
+    QTest::addColumn<int>("shape");
+    QTest::addColumn<double>("kerf");
+    const std::vector<NamedContour> shapes = simpleContours();
+    for (std::size_t i = 0; i < shapes.size(); ++i) {
+        const QByteArray name(shapes[i].name);
+        QTest::addRow("%s, laser", shapes[i].name) << static_cast<int>(i) << 0.2;
+        QTest::addRow("%s, router", shapes[i].name) << static_cast<int>(i) << 3.0;
+    }
+}
+
+// Wrong: somewhere the machine would take off more or less than half the kerf.
+void TestKerf::pathKeepsItsDistance()
+{
+    QFETCH(int, shape);
+    QFETCH(double, kerf);
+    const Contour contour = simpleContours()[static_cast<std::size_t>(shape)].contour;
+    const Vec2 middle = contour.bounds().center();
+    const CurvedRegion region =
+        regionOf(contour, {}, {turnedRectangle(middle + Vec2(20, 20), 4.0, 30.0, -0.8)});
+    const CurvedRegion grown = compensateKerf(region, kerf);
+    QVERIFY(!resolveCrossings(grown.outer)->wasCrossing);
+    QVERIFY(totalArea(grown) > totalArea(region));
+    double nearest = kerf;
+    const auto check = [&](const Contour &boundary) {
+        for (int i = 0; i < boundary.segmentCount(); ++i) {
+            for (double t : {0.01, 0.5, 0.8})
+                nearest = std::min(nearest, distanceToBoundary(boundary.segment(i).at(t), region));
+        }
+    };
+    check(grown.outer);
+    for (const Contour &hole : grown.holes)
+        check(hole);
+    QVERIFY2(nearest >= 0.5 * kerf - 2.0 * kOffsetError, qPrintable(QString::number(nearest)));
+    // Nor farther than a mitre reaches: every corner of the path is near the region.
+    for (const Vec2 &p : grown.outer.flatten(kDrawChord).points)
+        QVERIFY(distanceToBoundary(p, region) <= 2.6 * 0.5 * kerf);
+}
+
+// Wrong: a path that runs far off the part at every sharp tip.
+void TestKerf::spikeIsCutOff()
+{
+    const CurvedRegion grown =
+        compensateKerf(regionOf(polygonContour({{0, 0}, {100, -1}, {100, 1}})), 0.2);
+    double left = 0.0;
+    for (const Vec2 &p : grown.outer.points())
+        left = std::min(left, p.x());
+    QVERIFY(left <= -0.1 + kRounding);
+    QVERIFY(left >= -0.25);
+}
+
+// Wrong: plywood would be cut with acrylic's kerf.
+void TestKerf::everyPartTakesItsStocksKerf()
+{
+    Model model = twoSections(polygonShape(rectangle(0, 0, 40, 40)), front(0),
+                              polygonShape(rectangle(0, 0, 40, 40)), front(100));
+    Stock acrylic = flatfabAcrylic();
+    acrylic.kerf = 1.0;
+    model.document = *addStock(model.document, acrylic);
+    model.document = *setSectionStock(model.document, model.document.sections[1]->id,
+                                      model.document.currentStock);
+    const std::vector<Part> parts = compensateKerf(partsOf(model), model);
+    QVERIFY(std::abs(totalArea(parts[0].outline) - 40.2 * 40.2) < kRounding);
+    QVERIFY(std::abs(totalArea(parts[1].outline) - 41.0 * 41.0) < kRounding);
+}
+
+QTEST_GUILESS_MAIN(TestKerf)
+#include "tst_kerf.moc"

@@ -1,0 +1,204 @@
+#include "core/base/tolerances.h"
+#include "core/fabrication/layout.h"
+#include "tests/core/assembly/plates.h"
+#include "tests/core/fabrication/parts_of.h"
+
+#include <QTest>
+
+#include <random>
+
+using namespace fff;
+using namespace fff::test;
+
+namespace {
+
+std::vector<Part> rectangles(const std::vector<Vec2> &sizes, StockId stock)
+{
+    std::vector<Part> parts;
+    for (const Vec2 &size : sizes) {
+        Part part;
+        part.number = static_cast<int>(parts.size()) + 1;
+        part.stock = stock;
+        // Somewhere else than at the origin: parts keep their section's coordinates.
+        part.outline =
+            regionOf(*Contour::fromPolygon(rectangle(-70, 30, -70 + size.x(), 30 + size.y())));
+        parts.push_back(part);
+    }
+    return parts;
+}
+
+Box2 placedBox(const Part &part, const Placement &placement)
+{
+    Box2 box;
+    for (const Vec2 &p : part.outline.region.outer)
+        box.extend(placement.apply(p));
+    return box;
+}
+
+/// Empty when every part lies on one sheet, inside its margin and apart from all others.
+QString whatIsWrong(const Layout &layout, const std::vector<Part> &parts,
+                    const LayoutOptions &options)
+{
+    constexpr double kRounding = 1e-9; // mm
+    std::vector<int> seen(parts.size(), 0);
+    for (const Sheet &sheet : layout.sheets) {
+        std::vector<Box2> boxes;
+        for (const Placement &placement : sheet.placements) {
+            const Part &part = parts[static_cast<std::size_t>(placement.part)];
+            ++seen[static_cast<std::size_t>(placement.part)];
+            if (part.stock != sheet.stock)
+                return QStringLiteral("on a sheet of another stock");
+            const Box2 box = placedBox(part, placement);
+            if (box.min.minCoeff() < options.margin - kRounding ||
+                (sheet.size - box.max).minCoeff() < options.margin - kRounding)
+                return QStringLiteral("part %1 in the margin").arg(part.number);
+            for (const Box2 &other : boxes) {
+                const Vec2 gap = (box.min - other.max).cwiseMax(other.min - box.max);
+                if (gap.maxCoeff() < options.spacing - kRounding)
+                    return QStringLiteral("part %1 too near to another").arg(part.number);
+            }
+            boxes.push_back(box);
+        }
+    }
+    for (const int count : seen) {
+        if (count != 1)
+            return QStringLiteral("a part is placed %1 times").arg(count);
+    }
+    return {};
+}
+
+} // namespace
+
+class TestLayout : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void partsLieApartOnTheirSheets_data();
+    void partsLieApartOnTheirSheets();
+    void partsTurnToFit();
+    void tooLargePartGetsItsOwnSheet();
+    void everyStockHasItsSheets();
+    void shelvesAreFilled();
+    void sameInputSameLayout();
+    void nothingGivesNoSheet();
+};
+
+void TestLayout::partsLieApartOnTheirSheets_data()
+{
+    QTest::addColumn<int>("count");
+    QTest::addColumn<double>("largest");
+    QTest::addColumn<Vec2>("sheet");
+    QTest::newRow("one part") << 1 << 100.0 << Vec2(600, 400);
+    QTest::newRow("a few parts") << 12 << 150.0 << Vec2(600, 400);
+    QTest::newRow("hundreds of small parts") << 300 << 40.0 << Vec2(600, 400);
+    QTest::newRow("parts on a narrow sheet") << 40 << 80.0 << Vec2(100, 1000);
+    QTest::newRow("parts some of which are too large") << 40 << 300.0 << Vec2(210, 297);
+}
+
+// Wrong: cuts would run through other parts or off the sheet.
+void TestLayout::partsLieApartOnTheirSheets()
+{
+    QFETCH(int, count);
+    QFETCH(double, largest);
+    QFETCH(Vec2, sheet);
+    constexpr unsigned kSeed = 31;
+    std::mt19937 random(kSeed);
+    std::uniform_real_distribution<double> size(1.0, largest);
+    std::vector<Vec2> sizes;
+    for (int i = 0; i < count; ++i)
+        sizes.emplace_back(size(random), size(random));
+    const Model model{newDocument(), {}};
+    const std::vector<Part> parts = rectangles(sizes, model.document.currentStock);
+    LayoutOptions options;
+    options.sheet = sheet;
+    options.margin = 7.0;
+    options.spacing = 3.0;
+    const Layout layout = layOut(parts, model, options);
+    const QString wrong = whatIsWrong(layout, parts, options);
+    QVERIFY2(wrong.isEmpty(), qPrintable(QStringLiteral("seed %1: ").arg(kSeed) + wrong));
+    for (const Sheet &s : layout.sheets) {
+        const bool isOwn =
+            s.placements.size() == 1 &&
+            std::count(layout.oversized.begin(), layout.oversized.end(), s.placements[0].part) == 1;
+        QVERIFY(isOwn || s.size == sheet);
+    }
+}
+
+// Wrong: a long part would be called too large though it fits when turned.
+void TestLayout::partsTurnToFit()
+{
+    const Model model{newDocument(), {}};
+    const std::vector<Part> parts = rectangles({{20, 500}}, model.document.currentStock);
+    const LayoutOptions options; // 600 x 400
+    const Layout layout = layOut(parts, model, options);
+    QVERIFY(layout.oversized.empty());
+    QCOMPARE(layout.sheets.size(), 1U);
+    QVERIFY(layout.sheets[0].placements[0].quarterTurn);
+    QCOMPARE(whatIsWrong(layout, parts, options), QString());
+}
+
+// Wrong: a part that no plate holds would be cut off, or silently left out.
+void TestLayout::tooLargePartGetsItsOwnSheet()
+{
+    const Model model{newDocument(), {}};
+    const std::vector<Part> parts =
+        rectangles({{50, 50}, {700, 450}, {30, 30}}, model.document.currentStock);
+    const LayoutOptions options;
+    const Layout layout = layOut(parts, model, options);
+    QCOMPARE(layout.oversized, std::vector<int>{1});
+    QCOMPARE(layout.sheets.size(), 2U);
+    QVERIFY((layout.sheets[1].size - Vec2(710, 460)).norm() < 1e-9);
+    QCOMPARE(whatIsWrong(layout, parts, options), QString());
+}
+
+// Wrong: acrylic parts would be cut from plywood.
+void TestLayout::everyStockHasItsSheets()
+{
+    Model model{newDocument(), {}};
+    const StockId wood = model.document.currentStock;
+    Stock acrylic = flatfabAcrylic();
+    acrylic.sheet = {300, 200};
+    model.document = *addStock(model.document, acrylic);
+    std::vector<Part> parts = rectangles({{50, 50}, {40, 40}, {30, 30}}, wood);
+    parts[1].stock = model.document.currentStock;
+    const Layout layout = layOut(parts, model, {});
+    QCOMPARE(layout.sheets.size(), 2U);
+    QVERIFY(layout.sheets[1].size == Vec2(300, 200));
+    QCOMPARE(whatIsWrong(layout, parts, {}), QString());
+}
+
+// Wrong: a plate would be wasted on what fits on the one before.
+void TestLayout::shelvesAreFilled()
+{
+    const Model model{newDocument(), {}};
+    // 11 columns of 50 + 2 mm and 7 rows fill 590 x 390.
+    const std::vector<Part> parts =
+        rectangles(std::vector<Vec2>(77, Vec2(50, 50)), model.document.currentStock);
+    QCOMPARE(layOut(parts, model, {}).sheets.size(), 1U);
+}
+
+// Wrong: the same model would give another file every time.
+void TestLayout::sameInputSameLayout()
+{
+    const Model model{newDocument(), {}};
+    std::vector<Vec2> sizes;
+    for (int i = 0; i < 50; ++i)
+        sizes.emplace_back(10 + i % 5, 20 + i % 3);
+    const std::vector<Part> parts = rectangles(sizes, model.document.currentStock);
+    const Layout a = layOut(parts, model, {}), b = layOut(parts, model, {});
+    QCOMPARE(a.sheets.size(), b.sheets.size());
+    for (std::size_t i = 0; i < a.sheets[0].placements.size(); ++i) {
+        QCOMPARE(a.sheets[0].placements[i].part, b.sheets[0].placements[i].part);
+        QVERIFY(a.sheets[0].placements[i].offset == b.sheets[0].placements[i].offset);
+    }
+}
+
+// Wrong: an empty file with one empty plate.
+void TestLayout::nothingGivesNoSheet()
+{
+    QVERIFY(layOut({}, Model{newDocument(), {}}, {}).sheets.empty());
+}
+
+QTEST_GUILESS_MAIN(TestLayout)
+#include "tst_layout.moc"

@@ -1,0 +1,217 @@
+#include "core/fabrication/marks.h"
+#include "core/fabrication/room.h"
+#include "tests/core/assembly/plates.h"
+#include "tests/core/fabrication/parts_of.h"
+#include "tests/core/geometry/curve_distance.h"
+#include "tests/core/shapes.h"
+
+#include <QTest>
+
+#include <set>
+
+using namespace fff;
+using namespace fff::test;
+
+namespace {
+
+Part partOf(const CurvedRegion &outline, int number = 1)
+{
+    Part part;
+    part.number = number;
+    part.outline = outline;
+    return part;
+}
+
+/// Empty when all marks lie in the material, off every cut and off each other.
+QString whatIsWrong(const Engraving &engraving, const Part &part, const MarkOptions &options)
+{
+    // Marks are placed on chords of the drawing's tolerance.
+    const double least = options.clearance - 0.05;
+    const Region &region = part.outline.region;
+    for (const Stroke &stroke : engraving.strokes) {
+        for (const Vec2 &p : stroke) {
+            double nearest = distanceTo(p, region.outer);
+            for (const Polygon &hole : region.holes)
+                nearest = std::min(nearest, distanceTo(p, hole));
+            if (locate(p, region) != Side::Inside || nearest < least)
+                return QStringLiteral("a stroke leaves the material or comes near a cut");
+        }
+    }
+    for (std::size_t i = 0; i < engraving.boxes.size(); ++i) {
+        for (std::size_t j = 0; j < i; ++j) {
+            const Box2 &a = engraving.boxes[i], &b = engraving.boxes[j];
+            if ((a.min - b.max).cwiseMax(b.min - a.max).maxCoeff() < least)
+                return QStringLiteral("two marks overlap");
+        }
+    }
+    return {};
+}
+
+double height(const Box2 &box)
+{
+    return box.size().y();
+}
+
+} // namespace
+
+class TestMarks : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void digitsDiffer();
+    void ambiguousNumbersAreUnderlined_data();
+    void ambiguousNumbersAreUnderlined();
+    void numberLiesInTheMaterial_data();
+    void numberLiesInTheMaterial();
+    void numberShrinksToFit();
+    void numberIsLeftOutWhereNoneCanBeRead();
+    void jointStandsBeyondItsSlit();
+    void jointMovesAsideWhereThereIsNoRoomBeyond();
+    void manyJointsKeepApart();
+    void roomiestPlaceOfAnL();
+};
+
+// Wrong: two numbers would look the same.
+void TestMarks::digitsDiffer()
+{
+    std::set<std::vector<std::pair<double, double>>> seen;
+    for (int digit = 0; digit < 10; ++digit) {
+        const StrokedNumber number = strokedNumber(digit);
+        std::vector<std::pair<double, double>> points;
+        for (const Stroke &stroke : number.strokes) {
+            QVERIFY(stroke.size() >= 2);
+            for (const Vec2 &p : stroke) {
+                QVERIFY(p.minCoeff() >= 0.0 && (number.size - p).minCoeff() >= -1e-12);
+                points.emplace_back(p.x(), p.y());
+            }
+        }
+        QVERIFY(seen.insert(points).second);
+    }
+    QVERIFY(strokedNumber(1234567890).size.x() > 9.0 * strokedNumber(1).size.x());
+}
+
+void TestMarks::ambiguousNumbersAreUnderlined_data()
+{
+    QTest::addColumn<int>("number");
+    QTest::addColumn<bool>("underlined");
+    QTest::newRow("6 could be 9") << 6 << true;
+    QTest::newRow("9 could be 6") << 9 << true;
+    QTest::newRow("86 could be 98") << 86 << true;
+    QTest::newRow("8 is 8") << 8 << false;
+    QTest::newRow("80 starts with no 0") << 80 << false;
+    QTest::newRow("16 has a 1 with a foot") << 16 << false;
+}
+
+// Wrong: part 6 would be taken for part 9.
+void TestMarks::ambiguousNumbersAreUnderlined()
+{
+    QFETCH(int, number);
+    QFETCH(bool, underlined);
+    QCOMPARE(strokedNumber(number).size.y() > 1.0, underlined);
+}
+
+void TestMarks::numberLiesInTheMaterial_data()
+{
+    QTest::addColumn<int>("shape");
+    const std::vector<NamedContour> shapes = simpleContours();
+    for (std::size_t i = 0; i < shapes.size(); ++i)
+        QTest::newRow(shapes[i].name) << static_cast<int>(i);
+}
+
+// Wrong: a number would be burnt across a cut, on nasty shapes as on plain ones.
+void TestMarks::numberLiesInTheMaterial()
+{
+    QFETCH(int, shape);
+    const Part part =
+        partOf(regionOf(simpleContours()[static_cast<std::size_t>(shape)].contour), 108);
+    const Engraving engraving = engrave(part);
+    QCOMPARE(whatIsWrong(engraving, part, {}), QString());
+    QCOMPARE(engraving.hasNumber, !engraving.strokes.empty());
+    // Only the needle is too slim.
+    QCOMPARE(engraving.hasNumber,
+             QByteArray(QTest::currentDataTag()) != "a triangle like a needle");
+}
+
+// Wrong: small parts would get no number, or one as large as the part.
+void TestMarks::numberShrinksToFit()
+{
+    const Engraving large = engrave(partOf(regionOf(polygonContour(rectangleAt(0, 0, 40, 40)))));
+    QVERIFY(std::abs(height(large.boxes.at(0)) - 6.0) < 1e-9);
+    const Engraving small = engrave(partOf(regionOf(polygonContour(rectangleAt(0, 0, 40, 4)))));
+    QVERIFY(small.hasNumber);
+    QVERIFY(height(small.boxes.at(0)) < 4.0 - 2.0 * 0.4 + 1e-9);
+    QVERIFY(height(small.boxes.at(0)) > 2.8);
+}
+
+// Wrong: a blot would be burnt on tiny parts, and nobody told.
+void TestMarks::numberIsLeftOutWhereNoneCanBeRead()
+{
+    const Engraving none = engrave(partOf(regionOf(polygonContour(rectangleAt(0, 0, 40, 1.8)))));
+    QVERIFY(!none.hasNumber);
+    QVERIFY(none.strokes.empty());
+}
+
+// Wrong: one would look for the joint's number in the wrong place.
+void TestMarks::jointStandsBeyondItsSlit()
+{
+    Part part = partOf(
+        regionOf(polygonContour(rectangleAt(0, 0, 60, 40)), {}, {rectangleAt(28.5, 20, 3, 30)}));
+    part.joints.push_back({7, {30, 20}, {0, -1}, 3.0});
+    const Engraving engraving = engrave(part);
+    QCOMPARE(whatIsWrong(engraving, part, {}), QString());
+    QVERIFY(engraving.jointsLeftOut.empty());
+    QCOMPARE(engraving.boxes.size(), 2U);
+    const Box2 &joint = engraving.boxes[0];
+    QVERIFY(std::abs(joint.center().x() - 30.0) < 1e-9);
+    QVERIFY(joint.max.y() < 20.0 && joint.max.y() > 19.0);
+    QVERIFY(std::abs(height(joint) - 3.0) < 1e-9);
+}
+
+// Wrong: slits that almost reach the other side would lose their number.
+void TestMarks::jointMovesAsideWhereThereIsNoRoomBeyond()
+{
+    Part part = partOf(
+        regionOf(polygonContour(rectangleAt(0, 0, 60, 40)), {}, {rectangleAt(28.5, 1.5, 3, 50)}));
+    part.joints.push_back({7, {30, 1.5}, {0, -1}, 3.0});
+    const Engraving engraving = engrave(part);
+    QCOMPARE(whatIsWrong(engraving, part, {}), QString());
+    QVERIFY(engraving.jointsLeftOut.empty());
+    QVERIFY(std::abs(engraving.boxes[0].center().x() - 30.0) < 5.0);
+}
+
+// Wrong: in an egg crate the numbers would lie over each other.
+void TestMarks::manyJointsKeepApart()
+{
+    Document document = newDocument();
+    for (int i = 0; i < 6; ++i) {
+        document =
+            withSection(document, polygonShape(rectangle(-50, 0, 50, 24)), front(15.0 * (i - 2.5)));
+        document =
+            withSection(document, polygonShape(rectangle(-50, 0, 50, 24)), side(15.0 * (i - 2.5)));
+    }
+    const std::vector<Part> parts = partsOf(evaluate(document));
+    QCOMPARE(parts.size(), 12U);
+    for (const Part &part : parts) {
+        QCOMPARE(part.joints.size(), 6U);
+        const Engraving engraving = engrave(part);
+        QCOMPARE(whatIsWrong(engraving, part, {}), QString());
+        QVERIFY(engraving.jointsLeftOut.empty());
+        QVERIFY(engraving.hasNumber);
+        QCOMPARE(engraving.boxes.size(), 7U);
+    }
+}
+
+// Wrong: the number would stand in a corner though there is room elsewhere.
+void TestMarks::roomiestPlaceOfAnL()
+{
+    const Room room({{{0, 0}, {100, 0}, {100, 20}, {40, 20}, {40, 100}, {0, 100}}, {}});
+    const Vec2 half(2, 2);
+    const Vec2 center = room.roomiest(half);
+    // The arm 40 mm wide is the wider one: boxes up to 20 mm of half size fit there.
+    QVERIFY(room.scaleAt(center, half) >= 0.98 * 10.0);
+    QVERIFY(room.scaleAt({90, 90}, half) < 0.0);
+}
+
+QTEST_GUILESS_MAIN(TestMarks)
+#include "tst_marks.moc"
