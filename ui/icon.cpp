@@ -33,7 +33,9 @@ QImage mask(const QString &name, int pixels)
 class MaskEngine : public QIconEngine
 {
 public:
-    explicit MaskEngine(const QString &name) : m_name(name) {}
+    enum class Use { Action, Row };
+
+    MaskEngine(const QString &name, Use use) : m_name(name), m_use(use) {}
 
     void paint(QPainter *painter, const QRect &rect, QIcon::Mode mode, QIcon::State state) override
     {
@@ -59,12 +61,15 @@ public:
         return tintedPixmap(m_name, side, colour(mode, state), scale);
     }
 
-    QIconEngine *clone() const override { return new MaskEngine(m_name); }
+    QIconEngine *clone() const override { return new MaskEngine(m_name, m_use); }
 
 private:
-    static QColor colour(QIcon::Mode mode, QIcon::State state)
+    QColor colour(QIcon::Mode mode, QIcon::State state) const
     {
-        QColor c = state == QIcon::On ? theme().accent : theme().text;
+        // An unfolded row has the state On too.
+        QColor c = m_use == Use::Row    ? theme().muted
+                   : state == QIcon::On ? theme().accent
+                                        : theme().text;
         if (mode == QIcon::Selected)
             c = theme().onAccent;
         if (mode == QIcon::Disabled)
@@ -73,13 +78,19 @@ private:
     }
 
     QString m_name;
+    Use m_use;
 };
 
 } // namespace
 
 QIcon themedIcon(const QString &name)
 {
-    return QIcon(new MaskEngine(name));
+    return QIcon(new MaskEngine(name, MaskEngine::Use::Action));
+}
+
+QIcon rowIcon(const QString &name)
+{
+    return QIcon(new MaskEngine(name, MaskEngine::Use::Row));
 }
 
 QPixmap tintedPixmap(const QString &name, int size, const QColor &colour, double pixelRatio)

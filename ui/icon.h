@@ -9,6 +9,9 @@ namespace fff::ui {
 /// `name` as in resources/icons, without ending.
 QIcon themedIcon(const QString &name);
 
+/// For rows of lists: muted, and readable on the selection.
+QIcon rowIcon(const QString &name);
+
 /// One picture of it in one colour. `size` in device-independent pixels.
 QPixmap tintedPixmap(const QString &name, int size, const QColor &colour, double pixelRatio);
 

@@ -126,7 +126,7 @@ void MainWindow::makeToolBar()
     m_toolBar->setObjectName(QStringLiteral("mainToolBar"));
     m_toolBar->setMovable(false);
     m_toolBar->toggleViewAction()->setVisible(false);
-    m_toolBar->setIconSize({24, 24});
+    m_toolBar->setIconSize({20, 20});
     m_actions->fill(m_toolBar, {"file.new", "file.open", "file.save", "", "edit.undo", "edit.redo",
                                 "", "edit.delete", "", "view.fitAll", "view.front", "view.right",
                                 "view.top", "view.iso"});

@@ -67,6 +67,8 @@ Viewport::Viewport(Workbench &bench, QWidget *parent) : QOpenGLWidget(parent), m
 Viewport::~Viewport()
 {
     if (context()) {
+        // The context goes after this object's own members: nothing may be called for it then.
+        disconnect(context(), nullptr, this, nullptr);
         makeCurrent();
         m_renderer.release();
         doneCurrent();

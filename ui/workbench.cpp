@@ -16,7 +16,11 @@ Workbench::Workbench(QObject *parent)
     registerSessionCommands(m_commands, m_session, *m_interaction);
 }
 
-Workbench::~Workbench() = default;
+Workbench::~Workbench()
+{
+    // The history empties itself as it goes, and would tell so of a session that is half gone.
+    disconnect(m_session.history(), nullptr, nullptr, nullptr);
+}
 
 void Workbench::setViewport(const Vec2 &size)
 {

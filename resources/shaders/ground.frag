@@ -13,7 +13,8 @@ out vec4 colour;
 
 float lines(float step)
 {
-    vec2 perPixel = fwidth(ground);
+    vec2 perPixel = vec2(length(vec2(dFdx(ground.x), dFdy(ground.x))),
+                         length(vec2(dFdx(ground.y), dFdy(ground.y))));
     vec2 distance = abs(fract(ground / step + 0.5) - 0.5) * step / max(perPixel, vec2(1e-9));
     vec2 cover = clamp(0.5 * lineWidth + 0.5 - distance, 0.0, 1.0);
     // Where lines come closer than a few pixels they would become a tone of their own: let them go.

@@ -54,7 +54,7 @@ OutlineDock::OutlineDock(Workbench &bench, QWidget *parent)
     m_filter->setPlaceholderText(tr("Filter by name or stock"));
     m_filter->setAccessibleName(tr("Filter by name or stock"));
     m_filter->setClearButtonEnabled(true);
-    m_filter->addAction(themedIcon(QStringLiteral("search")), QLineEdit::LeadingPosition);
+    m_filter->addAction(rowIcon(QStringLiteral("search")), QLineEdit::LeadingPosition);
 
     m_tree = new QTreeWidget(content);
     m_tree->setObjectName(QStringLiteral("outlineTree"));
@@ -116,7 +116,7 @@ void OutlineDock::rebuild()
         for (const SectionPointer &section : document.sections) {
             const QString name = QString::fromStdString(section->name);
             auto *item = new QTreeWidgetItem({name});
-            item->setIcon(0, themedIcon(QStringLiteral("section")));
+            item->setIcon(0, rowIcon(QStringLiteral("section")));
             item->setFlags(item->flags() | Qt::ItemIsEditable);
             item->setSizeHint(0, {0, kRowHeight});
             item->setData(0, kIdRole, static_cast<qlonglong>(section->id.value));

@@ -81,6 +81,10 @@ QWidget *PropertiesDock::makeHeader(QWidget *parent)
     QFont bold = m_name->font();
     bold.setWeight(QFont::DemiBold);
     m_name->setFont(bold);
+    m_title = new QLabel(header);
+    m_title->setObjectName(QStringLiteral("propertiesTitle"));
+    m_title->setFont(bold);
+    m_title->setMinimumHeight(m_name->sizeHint().height());
     m_kind = new QLabel(header);
     m_kind->setObjectName(QStringLiteral("propertiesKind"));
     m_kind->setForegroundRole(QPalette::PlaceholderText);
@@ -90,6 +94,7 @@ QWidget *PropertiesDock::makeHeader(QWidget *parent)
     grid->setVerticalSpacing(6);
     grid->addWidget(m_icon, 0, 0);
     grid->addWidget(m_name, 0, 1);
+    grid->addWidget(m_title, 0, 1);
     grid->addWidget(m_kind, 1, 1);
     connect(m_name, &QLineEdit::editingFinished, this, &PropertiesDock::rename);
     return header;
@@ -99,12 +104,14 @@ QWidget *PropertiesDock::makeModelPage(QWidget *parent)
 {
     auto *page = new QWidget(parent);
     auto *model = new PropertyGroup(tr("Model"), page);
-    auto *drawing = new PropertyGroup(tr("Drawing"), page);
+    auto *drawing = new PropertyGroup(tr("New sections"), page);
     m_modelRows = {
         new TextRow(
             tr("Size"), "modelSize",
             [this] {
                 const Vec3 size = Measures(m_bench.session()).size();
+                if (size.isZero())
+                    return tr("nothing drawn yet");
                 return sizeText({size.x(), size.y(), size.z()}, 1, locale());
             },
             model),
@@ -122,7 +129,7 @@ QWidget *PropertiesDock::makeModelPage(QWidget *parent)
     for (PropertyRow *row : m_modelRows)
         model->add(row);
     auto *stock = new ChoiceRow(
-        tr("Stock of new sections"), "newStock",
+        tr("Stock"), "newStock",
         [this] {
             const Document &document = m_bench.session().model().document;
             return choicesOfStock(document, document.currentStock, locale());
@@ -323,8 +330,9 @@ void PropertiesDock::refreshHeader()
         name = tr("%n section(s)", nullptr, static_cast<int>(sections.size()));
         kind = tr("Changes apply to all of them");
     }
-    m_name->setReadOnly(sections.size() != 1);
-    m_name->setFrame(sections.size() == 1);
+    m_name->setVisible(sections.size() == 1);
+    m_title->setVisible(sections.size() != 1);
+    m_title->setText(name);
     if (!(m_name->hasFocus() && m_name->isModified()) && m_name->text() != name) {
         m_name->setText(name);
         m_name->setCursorPosition(0);

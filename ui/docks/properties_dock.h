@@ -40,6 +40,7 @@ private:
 
     Workbench &m_bench;
     QLabel *m_icon = nullptr;
+    QLabel *m_title = nullptr; // of what has no name to change
     QLineEdit *m_name = nullptr;
     QLabel *m_kind = nullptr;
     QWidget *m_modelPage = nullptr, *m_sectionPage = nullptr;

@@ -88,14 +88,12 @@ void ChoiceRow::refresh()
 }
 
 PropertyGroup::PropertyGroup(const QString &name, QWidget *parent)
-    : QWidget(parent), m_title(new QToolButton(this)), m_rows(new QWidget(this))
+    : QWidget(parent), m_title(new QPushButton(this)), m_rows(new QWidget(this))
 {
     m_title->setObjectName(QStringLiteral("groupTitle"));
     m_title->setText(name);
-    m_title->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     m_title->setIcon(themedIcon(QStringLiteral("chevron_down")));
     m_title->setIconSize({14, 14});
-    m_title->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     auto *rows = new QVBoxLayout(m_rows);
     rows->setContentsMargins(0, 4, 0, 0);
     rows->setSpacing(0);
@@ -104,7 +102,7 @@ PropertyGroup::PropertyGroup(const QString &name, QWidget *parent)
     column->setSpacing(0);
     column->addWidget(m_title);
     column->addWidget(m_rows);
-    connect(m_title, &QToolButton::clicked, this, [this] {
+    connect(m_title, &QPushButton::clicked, this, [this] {
         const bool folds = !m_rows->isHidden();
         m_rows->setVisible(!folds);
         m_title->setIcon(

@@ -7,7 +7,7 @@
 #include "ui/properties/length_edit.h"
 
 #include <QLabel>
-#include <QToolButton>
+#include <QPushButton>
 #include <QWidget>
 
 #include <functional>
@@ -77,7 +77,7 @@ public:
     void add(PropertyRow *row);
 
 private:
-    QToolButton *m_title = nullptr;
+    QPushButton *m_title = nullptr;
     QWidget *m_rows = nullptr;
 };
 

@@ -1,0 +1,383 @@
+// The window as a person uses it: real events, from the first stroke to the file for the cutter.
+// First: Qt 6.4's moc fails on standard headers that it meets before one of Qt's.
+#include <QTest>
+
+#include "core/base/units.h"
+#include "core/io/document_file.h"
+#include "ui/docks/outline_dock.h"
+#include "ui/docks/properties_dock.h"
+#include "ui/files/document_files.h"
+#include "ui/main_window.h"
+#include "ui/message_bar.h"
+#include "ui/theme.h"
+#include "ui/translations.h"
+#include "ui/viewport.h"
+#include "ui/workbench.h"
+
+#include <QApplication>
+#include <QDoubleSpinBox>
+#include <QLineEdit>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QSurfaceFormat>
+#include <QTemporaryDir>
+#include <QTimer>
+#include <QTreeWidget>
+
+#include <cmath>
+
+using namespace fff;
+using namespace fff::ui;
+
+class TestMainWindow : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init();
+    void cleanup();
+
+    void theFirstFiveMinutes();
+    void aClickSelectsInViewOutlineAndProperties();
+    void theOutlineRenames();
+    void theFilterFindsSections();
+    void aThicknessIsOneStep();
+    void unsavedChangesAreAskedAbout();
+    void anUnreadableFileChangesNothing();
+    void importsKeepTheirTitleAndAskForAName();
+    void nothingIsPaintedWhenNothingChanges();
+    void lettersWorkOnlyInTheView();
+    void narrowWindowsHaveOneColumn();
+
+private:
+    QPoint onScreen(const Vec3 &world) const;
+    void drag(const std::vector<QPoint> &points);
+    void drawFirst();
+    void drawSecond();
+    Session &session() { return m_window->bench().session(); }
+    std::size_t count() { return session().committed().sectionCount(); }
+    /// Presses the button of this text in the next question.
+    void answer(const QString &button, int *asked);
+
+    std::unique_ptr<MainWindow> m_window;
+    Viewport *m_view = nullptr;
+};
+
+void TestMainWindow::init()
+{
+    m_window = std::make_unique<MainWindow>();
+    m_window->resize(1440, 900);
+    m_window->show();
+    QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
+    QApplication::setActiveWindow(
+        m_window.get()); // the display may have no window manager to do it
+    m_view = m_window->findChild<Viewport *>(QStringLiteral("viewport"));
+    QVERIFY(m_view);
+    QTRY_VERIFY(m_view->isValid());
+    QTRY_COMPARE(m_view->hasFocus(), true);
+}
+
+void TestMainWindow::cleanup()
+{
+    m_window.reset();
+}
+
+QPoint TestMainWindow::onScreen(const Vec3 &world) const
+{
+    const Vec2 p = m_window->bench().interaction().camera().toScreen(
+        world, Vec2(m_view->width(), m_view->height()));
+    return {static_cast<int>(std::lround(p.x())), static_cast<int>(std::lround(p.y()))};
+}
+
+void TestMainWindow::drag(const std::vector<QPoint> &points)
+{
+    QTest::mouseMove(m_view, points.front());
+    QTest::mousePress(m_view, Qt::LeftButton, {}, points.front(), 5);
+    for (const QPoint &point : points)
+        QTest::mouseMove(m_view, point, 5);
+    QTest::mouseRelease(m_view, Qt::LeftButton, {}, points.back(), 5);
+}
+
+/// An oval in the middle of the front view.
+void TestMainWindow::drawFirst()
+{
+    const QPoint middle(m_view->width() / 2, m_view->height() / 2);
+    std::vector<QPoint> points;
+    for (int i = 0; i < 48; ++i) {
+        const double angle = radians(360.0 * i / 50.0);
+        points.push_back(middle + QPoint(static_cast<int>(220 * std::cos(angle)),
+                                         static_cast<int>(-130 * std::sin(angle))));
+    }
+    drag(points);
+    QTRY_COMPARE(count(), std::size_t(1));
+}
+
+/// Out of the top of the first one: press inside, leave it upwards, wait for the turn, draw an oval
+/// round the slit.
+void TestMainWindow::drawSecond()
+{
+    const std::size_t before = count();
+    const Section &first = *session().committed().section(0);
+    const Box3 box = worldBounds(*first.shape, first.frame);
+    const Vec3 middle = box.center();
+    const QPoint start = onScreen(middle),
+                 leave = onScreen({middle.x(), box.max.y() + 4.0, middle.z()});
+    QTest::mouseMove(m_view, start);
+    QTest::mousePress(m_view, Qt::LeftButton, {}, start, 5);
+    QPoint at;
+    for (int i = 1; i <= 24; ++i) {
+        at = start + (leave - start) * i / 24;
+        QTest::mouseMove(m_view, at, 5);
+    }
+    QTRY_VERIFY(m_window->bench().interaction().overlay().deadZone.has_value());
+    QTRY_VERIFY_WITH_TIMEOUT(!m_window->bench().interaction().isAnimating(), 5000);
+    const QPoint centre = (start + at) / 2;
+    for (int i = 0; i <= 40; ++i) {
+        const double angle = radians(90.0 + 345.0 * i / 40.0);
+        const QPoint to = centre + QPoint(static_cast<int>(90 * std::cos(angle)),
+                                          static_cast<int>(-130 * std::sin(angle)));
+        QTest::mouseMove(m_view, to, 5);
+        if (i == 40)
+            QTest::mouseRelease(m_view, Qt::LeftButton, {}, to, 5);
+    }
+    QTRY_COMPARE(count(), before + 1);
+}
+
+void TestMainWindow::answer(const QString &button, int *asked)
+{
+    QTimer::singleShot(150, this, [button, asked] {
+        auto *question = qobject_cast<QMessageBox *>(QApplication::activeModalWidget());
+        if (!question)
+            return;
+        ++*asked;
+        for (QAbstractButton *b : question->buttons()) {
+            if (b->text().remove(u'&') == button)
+                QTest::mouseClick(b, Qt::LeftButton);
+        }
+    });
+}
+
+void TestMainWindow::theFirstFiveMinutes()
+{
+    QCOMPARE(m_window->windowTitle(), QStringLiteral("untitled[*] \u2014 FlatFitFab"));
+    drawFirst();
+    drawSecond();
+    QCOMPARE(session().currentAnalysis().assembly.joints.size(), std::size_t(1));
+    QVERIFY(m_window->isWindowModified());
+
+    QTest::keyClick(m_window.get(), Qt::Key_Z, Qt::ControlModifier);
+    QCOMPARE(count(), std::size_t(1));
+    QTest::keyClick(m_window.get(), Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+    QCOMPARE(count(), std::size_t(2));
+    QTest::keyClick(m_window.get(), Qt::Key_Z, Qt::ControlModifier);
+    QTest::keyClick(m_window.get(), Qt::Key_Y, Qt::ControlModifier);
+    QCOMPARE(count(), std::size_t(2));
+
+    QTemporaryDir folder;
+    const QString file = folder.filePath(QStringLiteral("pair.fff"));
+    QVERIFY(m_window->files().saveFile(file));
+    QCOMPARE(m_window->windowTitle(), QStringLiteral("pair.fff[*] \u2014 FlatFitFab"));
+    QVERIFY(!m_window->isWindowModified());
+    const Document saved = session().committed().document;
+    QVERIFY(m_window->files().startNew());
+    QCOMPARE(count(), std::size_t(0));
+    QVERIFY(m_window->files().openFile(file));
+    QVERIFY(session().committed().document == saved);
+
+    const QString drawing = folder.filePath(QStringLiteral("pair.svg"));
+    QVERIFY(m_window->files().exportFile(drawing));
+    const Result<std::string> svg = io::readFile(drawing);
+    QVERIFY(svg);
+    int parts = 0;
+    for (std::size_t at = svg->find("<g id=\"part"); at != std::string::npos;
+         at = svg->find("<g id=\"part", at + 1))
+        ++parts;
+    QCOMPARE(parts, 2);
+}
+
+void TestMainWindow::aClickSelectsInViewOutlineAndProperties()
+{
+    drawFirst();
+    auto *tree = m_window->findChild<QTreeWidget *>(QStringLiteral("outlineTree"));
+    auto *name = m_window->findChild<QLineEdit *>(QStringLiteral("propertiesName"));
+    m_window->bench().select({});
+    QVERIFY(tree->selectedItems().isEmpty());
+
+    const Section &section = *session().committed().section(0);
+    const QPoint middle = onScreen(section.frame.toWorld(section.shape->centroid()));
+    QTest::mouseMove(m_view, middle + QPoint(3, 3));
+    QTest::mouseClick(m_view, Qt::LeftButton, {}, middle, 20);
+    QCOMPARE(tree->selectedItems().size(), 1);
+    QCOMPARE(name->text(), QString::fromStdString(section.name));
+
+    QTest::mouseClick(m_view, Qt::LeftButton, {}, QPoint(8, 8), 900);
+    QVERIFY(m_window->bench().interaction().selection().empty());
+    QVERIFY(tree->selectedItems().isEmpty());
+
+    tree->setCurrentItem(tree->topLevelItem(0));
+    QCOMPARE(m_window->bench().interaction().selection().size(), std::size_t(1));
+}
+
+void TestMainWindow::theOutlineRenames()
+{
+    drawFirst();
+    auto *tree = m_window->findChild<QTreeWidget *>(QStringLiteral("outlineTree"));
+    const int steps = session().history()->index();
+    tree->setFocus();
+    tree->setCurrentItem(tree->topLevelItem(0));
+    QTest::keyClick(tree, Qt::Key_F2);
+    auto *editor = qobject_cast<QLineEdit *>(QApplication::focusWidget());
+    QVERIFY(editor);
+    editor->selectAll();
+    QTest::keyClicks(editor, QStringLiteral("Body"));
+    QTest::keyClick(editor, Qt::Key_Return);
+    QTRY_COMPARE(QString::fromStdString(session().committed().section(0)->name),
+                 QStringLiteral("Body"));
+    QCOMPARE(session().history()->index(), steps + 1);
+    QTRY_COMPARE(tree->topLevelItem(0)->text(0), QStringLiteral("Body"));
+}
+
+void TestMainWindow::theFilterFindsSections()
+{
+    drawFirst();
+    auto *tree = m_window->findChild<QTreeWidget *>(QStringLiteral("outlineTree"));
+    auto *filter = m_window->findChild<QLineEdit *>(QStringLiteral("outlineFilter"));
+    QTest::keyClicks(filter, QStringLiteral("nothing is called so"));
+    QVERIFY(tree->topLevelItem(0)->isHidden());
+    filter->clear();
+    QTest::keyClicks(filter, QStringLiteral("plywood")); // its stock
+    QVERIFY(!tree->topLevelItem(0)->isHidden());
+}
+
+void TestMainWindow::aThicknessIsOneStep()
+{
+    drawFirst();
+    m_window->bench().select({session().committed().ref(0)});
+    auto *field = m_window->findChild<QDoubleSpinBox *>(QStringLiteral("sectionThickness"));
+    QVERIFY(field->isVisible());
+    const int steps = session().history()->index();
+    const double before = field->value();
+    field->setFocus();
+    field->selectAll();
+    QTest::keyClicks(field, field->locale().toString(4.5, 'f', 1));
+    QTest::keyClick(field, Qt::Key_Return);
+    QCOMPARE(session().committed().document.stocks.front()->thickness, 4.5);
+    QCOMPARE(session().history()->index(), steps + 1);
+
+    // Several steps of an arrow are one step of the history.
+    for (int i = 0; i < 3; ++i)
+        QTest::keyClick(field, Qt::Key_Up);
+    QTRY_COMPARE(session().history()->index(), steps + 2);
+    session().history()->undo();
+    session().history()->undo();
+    QCOMPARE(session().committed().document.stocks.front()->thickness, before);
+    QCOMPARE(field->value(), before);
+}
+
+void TestMainWindow::unsavedChangesAreAskedAbout()
+{
+    drawFirst();
+    int asked = 0;
+    answer(QStringLiteral("Cancel"), &asked);
+    QVERIFY(!m_window->close());
+    QCOMPARE(asked, 1);
+    QVERIFY(m_window->isVisible());
+    answer(QStringLiteral("Don’t save"), &asked);
+    QVERIFY(m_window->close());
+    QCOMPARE(asked, 2);
+}
+
+void TestMainWindow::anUnreadableFileChangesNothing()
+{
+    drawFirst();
+    auto *messages = m_window->findChild<MessageBar *>(QStringLiteral("messageBar"));
+    QVERIFY(!messages->isVisible());
+    QTemporaryDir folder;
+    const QString file = folder.filePath(QStringLiteral("notes.fff"));
+    QVERIFY(io::writeFile(file, "hello"));
+    QVERIFY(!m_window->files().openFile(file));
+    QVERIFY(messages->isVisible());
+    QVERIFY(messages->text().contains(QStringLiteral("notes.fff")));
+    QCOMPARE(count(), std::size_t(1));
+}
+
+void TestMainWindow::importsKeepTheirTitleAndAskForAName()
+{
+    const QString file = QStringLiteral(FFF_SHARED_MODELS "/bridge.txt");
+    if (!QFile::exists(file))
+        QSKIP("the shared models are not beside this tree");
+    QVERIFY(m_window->files().openFile(file));
+    QCOMPARE(m_window->windowTitle(), QStringLiteral("bridge.txt[*] \u2014 FlatFitFab"));
+    QVERIFY(count() > 0);
+    bool asked = false;
+    QTimer::singleShot(300, this, [&asked] {
+        if (auto *dialog = qobject_cast<QDialog *>(QApplication::activeModalWidget())) {
+            asked = true;
+            dialog->reject();
+        }
+    });
+    QVERIFY(!m_window->files().save());
+    QVERIFY(asked);
+}
+
+void TestMainWindow::nothingIsPaintedWhenNothingChanges()
+{
+    drawFirst();
+    QTest::qWait(400);
+    const int painted = m_view->paintCount();
+    QTest::qWait(400);
+    QCOMPARE(m_view->paintCount(), painted);
+}
+
+void TestMainWindow::lettersWorkOnlyInTheView()
+{
+    drawFirst();
+    const auto orientation = [this] {
+        return m_window->bench().interaction().camera().orientation;
+    };
+    const Eigen::Quaterniond front = orientation();
+    auto *filter = m_window->findChild<QLineEdit *>(QStringLiteral("outlineFilter"));
+    filter->setFocus();
+    QTest::keyClick(filter, Qt::Key_2);
+    QCOMPARE(filter->text(), QStringLiteral("2"));
+    QTest::qWait(100);
+    QVERIFY(orientation().isApprox(front));
+    filter->clear();
+    m_view->setFocus();
+    QTest::keyClick(m_view, Qt::Key_2);
+    Eigen::Quaterniond top;
+    QVERIFY(orientationOfView("top", top));
+    QTRY_VERIFY(std::abs(orientation().dot(top)) > 0.9999);
+}
+
+void TestMainWindow::narrowWindowsHaveOneColumn()
+{
+    auto *outline = m_window->findChild<OutlineDock *>();
+    auto *properties = m_window->findChild<PropertiesDock *>();
+    QCOMPARE(m_window->dockWidgetArea(outline), Qt::LeftDockWidgetArea);
+    QCOMPARE(outline->width(), 264);
+    QCOMPARE(properties->width(), 314);
+    m_window->resize(1024, 640);
+    QTRY_COMPARE(m_window->width(), 1024);
+    m_window->resetLayout();
+    QCOMPARE(m_window->dockWidgetArea(outline), Qt::RightDockWidgetArea);
+    QTRY_VERIFY(m_view->width() >= 700);
+}
+
+int main(int argc, char *argv[])
+{
+    QSurfaceFormat format;
+    format.setVersion(3, 3);
+    format.setProfile(QSurfaceFormat::CoreProfile);
+    format.setDepthBufferSize(24);
+    format.setStencilBufferSize(8);
+    QSurfaceFormat::setDefaultFormat(format);
+    QLocale::setDefault(QLocale(QLocale::English, QLocale::UnitedKingdom));
+    QApplication application(argc, argv);
+    QApplication::setStyle(QStringLiteral("Fusion"));
+    QApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
+    installTranslations(application);
+    TestMainWindow test;
+    return QTest::qExec(&test, argc, argv);
+}
+#include "tst_main_window.moc"
