@@ -153,6 +153,7 @@ void Interaction::Private::move(const PointerEvent &event)
     if ((event.position - begin.position).norm() <= settings.dragThreshold)
         return;
     gesture = gestureFor(begin);
+    overlay = {}; // what hovering marked
     const std::vector<PointerEvent> moves(pending.begin() + 1, pending.end());
     pending.clear();
     for (const PointerEvent &moved : moves) {

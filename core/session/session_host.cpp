@@ -39,19 +39,20 @@ QString SessionHost::undoText(const Step &step)
     case Step::Kind::DrawSection:
         //: %1 is the name of a section
         return tr("Draw %1").arg(name);
+    // One section is named, so that the texts with a number need no singular.
     case Step::Kind::DeleteSections:
         //: %1 is the name of a section
-        return count == 1 ? tr("Delete %1").arg(name) : tr("Delete %n section(s)", nullptr, count);
+        return count == 1 ? tr("Delete %1").arg(name) : tr("Delete %n sections", nullptr, count);
     case Step::Kind::RenameSection:
         //: %1 is the name of a section
         return tr("Rename %1").arg(name);
     case Step::Kind::MoveSection:
         //: %1 is the name of a section
-        return count == 1 ? tr("Move %1").arg(name) : tr("Move %n section(s)", nullptr, count);
+        return count == 1 ? tr("Move %1").arg(name) : tr("Move %n sections", nullptr, count);
     case Step::Kind::SetStock:
         //: %1 is the name of a section
         return count == 1 ? tr("Change stock of %1").arg(name)
-                          : tr("Change stock of %n section(s)", nullptr, count);
+                          : tr("Change stock of %n sections", nullptr, count);
     case Step::Kind::EditStock:
         //: %1 is the name of a stock
         return tr("Edit %1").arg(name);

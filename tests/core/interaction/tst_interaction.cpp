@@ -535,7 +535,7 @@ void TestInteraction::deletedSectionsAreForgotten()
     QVERIFY(desk.commands.run("edit.selectAll"));
     QCOMPARE(desk.interaction.selection().size(), std::size_t(2));
     QVERIFY(desk.commands.run("edit.delete"));
-    QCOMPARE(desk.session.history()->undoText(), QStringLiteral("Delete 2 section(s)"));
+    QCOMPARE(desk.session.history()->undoText(), QStringLiteral("Delete 2 sections"));
     QVERIFY(desk.interaction.selection().empty());
     QCOMPARE(desk.interaction.overlay().hovered, -1);
     QCOMPARE(desk.hint(), Hint::Kind::DrawFirstSection);
