@@ -1,2 +1,8 @@
+fff_test(core/geometry/tst_bezier fff::core)
 fff_test(core/geometry/tst_boolean fff::core)
+fff_test(core/geometry/tst_boolean_oracle fff::core CGAL::CGAL)
+fff_test(core/geometry/tst_contour fff::core)
 fff_test(core/geometry/tst_fit fff::core)
+fff_test(core/geometry/tst_moments fff::core)
+fff_test(core/geometry/tst_polygon fff::core)
+fff_test(core/geometry/tst_triangulation fff::core)
