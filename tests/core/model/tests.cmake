@@ -1,0 +1,3 @@
+fff_test(core/model/tst_document fff::core)
+fff_test(core/model/tst_edits fff::core)
+fff_test(core/model/tst_shape fff::core)

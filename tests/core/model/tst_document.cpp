@@ -1,0 +1,108 @@
+#include "core/geometry/contour.h"
+#include "core/model/edits.h"
+#include "core/model/model.h"
+#include "tests/core/shapes.h"
+
+#include <QTest>
+
+using namespace fff;
+using namespace fff::test;
+
+namespace {
+
+Document withDisc(Document document, double radius = 20.0)
+{
+    NewSection section;
+    section.shape = Shape::make(circle({0, 0}, radius)).value();
+    return addSection(std::move(document), section).value();
+}
+
+} // namespace
+
+class TestDocument : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void newDocumentHasAStock();
+    void copiesAreTheSame();
+    void equalValuesAreNotTheSameObjects();
+    void findByNameOfNothing();
+    void modelListsDrawnThenGenerated();
+    void referencesAreOrderedAndTold();
+    void emptyModelHasNoBounds();
+};
+
+// Wrong: the first stroke would be of no material.
+void TestDocument::newDocumentHasAStock()
+{
+    const Document d = newDocument();
+    QCOMPARE(d.stocks.size(), 1U);
+    QVERIFY(d.find(d.currentStock));
+    QVERIFY(d.nextId > d.currentStock.value);
+}
+
+// Wrong: undo would see a change where there was none.
+void TestDocument::copiesAreTheSame()
+{
+    const Document d = withDisc(newDocument());
+    const Document copy = d;
+    QVERIFY(copy.isSame(d) && copy == d);
+    QVERIFY(!withDisc(d).isSame(d));
+}
+
+// Wrong: saved-and-read could not be compared with what was saved.
+void TestDocument::equalValuesAreNotTheSameObjects()
+{
+    const Document a = withDisc(newDocument()), b = withDisc(newDocument());
+    QVERIFY(a == b);
+    QVERIFY(!a.isSame(b));
+    QVERIFY(!(a == withDisc(newDocument(), 21.0)));
+}
+
+// Wrong: dangling ids would name some section.
+void TestDocument::findByNameOfNothing()
+{
+    const Document d = withDisc(newDocument());
+    QVERIFY(!d.find(SectionId{}));
+    QVERIFY(!d.find(SectionId{d.nextId}));
+    QVERIFY(!d.find(StockId{d.sections[0]->id.value}));
+    QCOMPARE(&d.stockOf(*d.sections[0]), d.stocks[0].get());
+}
+
+// Wrong: indices of joints and parts would name other sections.
+void TestDocument::modelListsDrawnThenGenerated()
+{
+    Model model{withDisc(withDisc(newDocument())), {}};
+    const auto replica = std::make_shared<const Section>(*model.document.sections[0]);
+    model.evaluation.sections.push_back({SectionRef(OperationId{7}, "1"), replica});
+    QCOMPARE(model.sectionCount(), 3U);
+    QCOMPARE(model.section(2).get(), replica.get());
+    for (std::size_t i = 0; i < 3; ++i)
+        QCOMPARE(model.indexOf(model.ref(i)), static_cast<int>(i));
+    QCOMPARE(model.indexOf(SectionRef(OperationId{7}, "2")), -1);
+    QCOMPARE(model.indexOf(SectionId{99}), -1);
+}
+
+// Wrong: overrides of generated sections would be lost or mixed up.
+void TestDocument::referencesAreOrderedAndTold()
+{
+    const SectionRef drawn(SectionId{3});
+    const SectionRef first(OperationId{3}, "1"), second(OperationId{3}, "2");
+    QVERIFY(drawn != first);
+    QVERIFY(first < second);
+    QVERIFY(first == SectionRef(OperationId{3}, "1"));
+}
+
+// Wrong: the camera would fly to nowhere.
+void TestDocument::emptyModelHasNoBounds()
+{
+    const Model empty{newDocument(), {}};
+    QVERIFY(empty.bounds().isEmpty());
+    const Box3 box = Model{withDisc(newDocument()), {}}.bounds();
+    QVERIFY(!box.isEmpty());
+    QVERIFY(box.size().z() < 1e-9);
+}
+
+QTEST_GUILESS_MAIN(TestDocument)
+#include "tst_document.moc"
