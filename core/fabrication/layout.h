@@ -37,7 +37,9 @@ struct Layout
         oversized; // indices of parts that fit no sheet; each lies on a sheet of its own size
 };
 
-/// Deterministic. O(n log n).
+/// Every part goes on the first shelf that has room for it, tallest first, lying or standing. All
+/// parts of a stock on its own sheets, in the order of the document's stocks; oversized ones last.
+/// Deterministic. O(parts · shelves).
 Layout layOut(const std::vector<Part> &parts, const Model &model, const LayoutOptions &options);
 
 } // namespace fff
