@@ -1,4 +1,6 @@
 // Runs the real program as a person or a script would.
+#include <QTest> // first: moc stumbles over some standard headers
+
 #include "core/io/document_file.h"
 #include "tests/core/assembly/plates.h"
 
@@ -9,7 +11,6 @@
 #include <QJsonObject>
 #include <QProcess>
 #include <QTemporaryDir>
-#include <QTest>
 #include <QXmlStreamReader>
 
 using namespace fff;
@@ -179,21 +180,21 @@ void TestCli::infoTellsTheModel()
     const Run result = run({QStringLiteral("info"), path("pair.fff"), QStringLiteral("--json")});
     QCOMPARE(result.status, 0);
     const QJsonObject info = object(result.out);
-    QCOMPARE(info["format"].toString(), QStringLiteral("fff"));
-    QCOMPARE(info["sections"].toInt(), 2);
-    QCOMPARE(info["holes"].toInt(), 1);
-    QCOMPARE(info["joints"].toInt(), 1);
-    QCOMPARE(info["overlaps"].toInt(), 1);
-    QCOMPARE(info["slits"].toInt(), 2);
-    QCOMPARE(info["components"].toInt(), 1);
-    QVERIFY(info["unconnected"].toArray().isEmpty());
+    QCOMPARE(info[QLatin1String("format")].toString(), QStringLiteral("fff"));
+    QCOMPARE(info[QLatin1String("sections")].toInt(), 2);
+    QCOMPARE(info[QLatin1String("holes")].toInt(), 1);
+    QCOMPARE(info[QLatin1String("joints")].toInt(), 1);
+    QCOMPARE(info[QLatin1String("overlaps")].toInt(), 1);
+    QCOMPARE(info[QLatin1String("slits")].toInt(), 2);
+    QCOMPARE(info[QLatin1String("components")].toInt(), 1);
+    QVERIFY(info[QLatin1String("unconnected")].toArray().isEmpty());
     // Areas without the slits: 100·50 − 20·20 − 3·15 and 100·70 − 3·15 mm², 3 mm thick, 660 kg/m³.
     const double expected = (5000 - 400 - 45 + 7000 - 45) * 3e-9 * 660;
-    QVERIFY(std::abs(info["mass"].toDouble() - expected) < 1e-9);
-    const QJsonObject joint = info["jointList"].toArray().at(0).toObject();
-    QCOMPARE(joint["kind"].toString(), QStringLiteral("crossLap"));
-    QCOMPARE(joint["angle"].toDouble(), 90.0);
-    QCOMPARE(info["bounds"].toArray().at(1).toArray().at(1).toDouble(), 90.0);
+    QVERIFY(std::abs(info[QLatin1String("mass")].toDouble() - expected) < 1e-9);
+    const QJsonObject joint = info[QLatin1String("jointList")].toArray().at(0).toObject();
+    QCOMPARE(joint[QLatin1String("kind")].toString(), QStringLiteral("crossLap"));
+    QCOMPARE(joint[QLatin1String("angle")].toDouble(), 90.0);
+    QCOMPARE(info[QLatin1String("bounds")].toArray().at(1).toArray().at(1).toDouble(), 90.0);
     // Without a display, for people.
     QVERIFY(run({QStringLiteral("info"), path("pair.fff")}).out.contains("Joints: 1"));
 }
@@ -202,7 +203,7 @@ void TestCli::partsAreCutAndClosed()
 {
     const Run result = run({QStringLiteral("parts"), path("pair.fff"), QStringLiteral("--json")});
     QCOMPARE(result.status, 0);
-    const QJsonArray parts = object(result.out)["parts"].toArray();
+    const QJsonArray parts = object(result.out)[QLatin1String("parts")].toArray();
     QCOMPARE(parts.size(), 2);
     const auto areaOf = [](const QJsonArray &ring) {
         double sum = 0.0;
@@ -213,9 +214,11 @@ void TestCli::partsAreCutAndClosed()
         return sum;
     };
     const QJsonObject first = parts[0].toObject();
-    QVERIFY(std::abs(areaOf(first["outer"].toArray()) - (5000.0 - 45.0)) < 1e-6);
-    QVERIFY(std::abs(areaOf(first["holes"].toArray().at(0).toArray()) + 400.0) < 1e-6);
-    QVERIFY(std::abs(areaOf(parts[1].toObject()["outer"].toArray()) - (7000.0 - 45.0)) < 1e-6);
+    QVERIFY(std::abs(areaOf(first[QLatin1String("outer")].toArray()) - (5000.0 - 45.0)) < 1e-6);
+    QVERIFY(std::abs(areaOf(first[QLatin1String("holes")].toArray().at(0).toArray()) + 400.0) <
+            1e-6);
+    QVERIFY(std::abs(areaOf(parts[1].toObject()[QLatin1String("outer")].toArray()) -
+                     (7000.0 - 45.0)) < 1e-6);
 }
 
 // A file that comes out at another scale is a sheet wasted.
@@ -276,13 +279,13 @@ void TestCli::optionsOverrideTheDocument()
         const Run result =
             run(QStringList{QStringLiteral("info"), path("pair.fff"), QStringLiteral("--json")} +
                 options);
-        return object(result.out)["sectionList"]
+        return object(result.out)[QLatin1String("sectionList")]
             .toArray()
             .at(0)
-            .toObject()["slits"]
+            .toObject()[QLatin1String("slits")]
             .toArray()
             .at(0)
-            .toObject()["width"]
+            .toObject()[QLatin1String("width")]
             .toDouble();
     };
     QCOMPARE(widthOf({}), 3.0);

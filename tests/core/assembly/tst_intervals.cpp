@@ -85,7 +85,8 @@ void TestIntervals::horizontalLine()
             if (sign < 0)
                 std::reverse(found.begin(), found.end());
             for (std::size_t i = 0; i < found.size(); ++i) {
-                const auto [from, to] = std::minmax(sign * found[i].from.at, sign * found[i].to.at);
+                const auto [from, to] =
+                    std::minmax({sign * found[i].from.at, sign * found[i].to.at});
                 QCOMPARE(from, expected[i].first);
                 QCOMPARE(to, expected[i].second);
             }
