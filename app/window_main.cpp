@@ -1,4 +1,5 @@
 // The window: flatfitfab [FILE]
+#include "ui/field_style.h"
 #include "ui/files/document_files.h"
 #include "ui/main_window.h"
 #include "ui/translations.h"
@@ -21,7 +22,7 @@ int main(int argc, char *argv[])
         Qt::HighDpiScaleFactorRoundingPolicy::PassThrough);
 
     QApplication application(argc, argv);
-    QApplication::setStyle(QStringLiteral("Fusion"));
+    QApplication::setStyle(new fff::ui::FieldStyle);
     QApplication::setApplicationName(QStringLiteral("flatfitfab"));
     QApplication::setApplicationDisplayName(QString()); // the window's title names the program
     QApplication::setApplicationVersion(QStringLiteral(FFF_VERSION));

@@ -144,7 +144,11 @@ void MainWindow::makeToolBar()
             [this](int index) { chooseNewStock(*m_bench, index); });
     connect(&m_bench->session(), &Session::modelChanged, m_stock, [this] {
         const Document &document = m_bench->session().model().document;
-        m_stock->setChoices(choicesOfStock(document, document.currentStock, locale()));
+        Choices choices = choicesOfStock(document, document.currentStock);
+        const std::vector<Stock> stocks = stockChoices(document);
+        for (std::size_t i = 0; i < stocks.size(); ++i)
+            choices.all[i].text = stockText(stocks[i], locale());
+        m_stock->setChoices(choices);
     });
     m_toolBar->addWidget(m_stock);
     auto *gap = new QWidget(m_toolBar);

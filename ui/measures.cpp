@@ -63,9 +63,14 @@ Vec2 Measures::contourSize(int section) const
     return m_model.section(static_cast<std::size_t>(section))->shape->bounds().size();
 }
 
-QString lengthText(double millimetres, int decimals, const QLocale &locale)
+QString numberText(double value, int least, int most, const QLocale &locale)
 {
-    return MeasureText::tr("%1\u202fmm").arg(locale.toString(millimetres, 'f', decimals));
+    QString text = locale.toString(value, 'f', most);
+    for (int digits = most; digits > least && text.endsWith(locale.zeroDigit()); --digits)
+        text.chop(1);
+    if (least == 0 && text.endsWith(locale.decimalPoint()))
+        text.chop(1);
+    return text.replace(locale.negativeSign(), QChar(0x2212));
 }
 
 QString massText(double kilograms, const QLocale &locale)

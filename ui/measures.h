@@ -26,9 +26,10 @@ private:
     std::unordered_map<const Section *, CutSectionPointer> m_cuts;
 };
 
-QString lengthText(double millimetres, int decimals, const QLocale &locale); // "3.00 mm"
-QString massText(double kilograms, const QLocale &locale);                   // "78 g", "1.25 kg"
-QString areaText(double squareMillimetres, const QLocale &locale);           // "54.2 cm²"
+/// With at least and at most so many digits: "3.0", "3.175". A real minus sign.
+QString numberText(double value, int least, int most, const QLocale &locale);
+QString massText(double kilograms, const QLocale &locale);         // "78 g", "1.25 kg"
+QString areaText(double squareMillimetres, const QLocale &locale); // "54.2 cm²"
 /// "84.0 × 84.4 mm"
 QString sizeText(std::initializer_list<double> millimetres, int decimals, const QLocale &locale);
 

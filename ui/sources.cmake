@@ -4,6 +4,7 @@ target_sources(fff_ui PRIVATE
     docks/dock_title.cpp
     docks/outline_dock.cpp
     docks/properties_dock.cpp
+    field_style.cpp
     files/document_files.cpp
     hint_text.cpp
     icon.cpp

@@ -8,6 +8,7 @@
 
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QPainter>
 #include <QTextDocumentFragment>
 
 namespace fff::ui {
@@ -17,6 +18,20 @@ namespace {
 constexpr int kHeight = 28;        // px
 constexpr int kHoldTime = 6000;    // ms
 constexpr int kWidthForAll = 1100; // px; below it size and mass give way to the sentence
+
+/// One of the numbers at the right, with a line before it.
+class Field : public QLabel
+{
+public:
+    using QLabel::QLabel;
+
+protected:
+    void paintEvent(QPaintEvent *event) override
+    {
+        QLabel::paintEvent(event);
+        QPainter(this).fillRect(0, 2, 1, height() - 4, theme().border);
+    }
+};
 
 } // namespace
 
@@ -64,7 +79,7 @@ StatusLine::StatusLine(Workbench &bench, QWidget *parent) : QStatusBar(parent), 
 
 QLabel *StatusLine::addField(const char *objectName, const QString &name)
 {
-    auto *field = new QLabel(this);
+    auto *field = new Field(this);
     field->setObjectName(QLatin1String(objectName));
     field->setAccessibleName(name);
     field->setToolTip(name);

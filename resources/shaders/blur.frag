@@ -9,8 +9,8 @@ void main()
 {
     vec2 sum = vec2(0.0);
     float weights = 0.0;
-    for (int i = -8; i <= 8; ++i) {
-        float weight = exp(-float(i * i) / 24.0);
+    for (int i = -6; i <= 6; ++i) {
+        float weight = exp(-float(i * i) / 14.0);
         sum.r += weight * texture(image, place + float(i) * sharp).r;
         sum.g += weight * texture(image, place + float(i) * soft).g;
         weights += weight;

@@ -6,6 +6,7 @@
 #include "core/io/document_file.h"
 #include "ui/docks/outline_dock.h"
 #include "ui/docks/properties_dock.h"
+#include "ui/field_style.h"
 #include "ui/files/document_files.h"
 #include "ui/main_window.h"
 #include "ui/message_bar.h"
@@ -51,6 +52,11 @@ private Q_SLOTS:
 
 private:
     QPoint onScreen(const Vec3 &world) const;
+    // Through the window system's interface, so that buttons and focus are as in life.
+    void press(const QPoint &inView);
+    void move(const QPoint &inView);
+    void release(const QPoint &inView);
+    void click(const QPoint &inView);
     void drag(const std::vector<QPoint> &points);
     void drawFirst();
     void drawSecond();
@@ -89,13 +95,37 @@ QPoint TestMainWindow::onScreen(const Vec3 &world) const
     return {static_cast<int>(std::lround(p.x())), static_cast<int>(std::lround(p.y()))};
 }
 
+void TestMainWindow::press(const QPoint &inView)
+{
+    QTest::mousePress(m_window->windowHandle(), Qt::LeftButton, {},
+                      m_view->mapTo(m_window.get(), inView), 5);
+}
+
+void TestMainWindow::move(const QPoint &inView)
+{
+    QTest::mouseMove(m_window->windowHandle(), m_view->mapTo(m_window.get(), inView), 5);
+}
+
+void TestMainWindow::release(const QPoint &inView)
+{
+    QTest::mouseRelease(m_window->windowHandle(), Qt::LeftButton, {},
+                        m_view->mapTo(m_window.get(), inView), 5);
+}
+
+void TestMainWindow::click(const QPoint &inView)
+{
+    move(inView);
+    press(inView);
+    release(inView);
+}
+
 void TestMainWindow::drag(const std::vector<QPoint> &points)
 {
-    QTest::mouseMove(m_view, points.front());
-    QTest::mousePress(m_view, Qt::LeftButton, {}, points.front(), 5);
+    move(points.front());
+    press(points.front());
     for (const QPoint &point : points)
-        QTest::mouseMove(m_view, point, 5);
-    QTest::mouseRelease(m_view, Qt::LeftButton, {}, points.back(), 5);
+        move(point);
+    release(points.back());
 }
 
 /// An oval in the middle of the front view.
@@ -122,12 +152,12 @@ void TestMainWindow::drawSecond()
     const Vec3 middle = box.center();
     const QPoint start = onScreen(middle),
                  leave = onScreen({middle.x(), box.max.y() + 4.0, middle.z()});
-    QTest::mouseMove(m_view, start);
-    QTest::mousePress(m_view, Qt::LeftButton, {}, start, 5);
+    move(start);
+    press(start);
     QPoint at;
     for (int i = 1; i <= 24; ++i) {
         at = start + (leave - start) * i / 24;
-        QTest::mouseMove(m_view, at, 5);
+        move(at);
     }
     QTRY_VERIFY(m_window->bench().interaction().overlay().deadZone.has_value());
     QTRY_VERIFY_WITH_TIMEOUT(!m_window->bench().interaction().isAnimating(), 5000);
@@ -136,9 +166,9 @@ void TestMainWindow::drawSecond()
         const double angle = radians(90.0 + 345.0 * i / 40.0);
         const QPoint to = centre + QPoint(static_cast<int>(90 * std::cos(angle)),
                                           static_cast<int>(-130 * std::sin(angle)));
-        QTest::mouseMove(m_view, to, 5);
+        move(to);
         if (i == 40)
-            QTest::mouseRelease(m_view, Qt::LeftButton, {}, to, 5);
+            release(to);
     }
     QTRY_COMPARE(count(), before + 1);
 }
@@ -205,12 +235,12 @@ void TestMainWindow::aClickSelectsInViewOutlineAndProperties()
 
     const Section &section = *session().committed().section(0);
     const QPoint middle = onScreen(section.frame.toWorld(section.shape->centroid()));
-    QTest::mouseMove(m_view, middle + QPoint(3, 3));
-    QTest::mouseClick(m_view, Qt::LeftButton, {}, middle, 20);
+    move(middle + QPoint(3, 3));
+    click(middle);
     QCOMPARE(tree->selectedItems().size(), 1);
     QCOMPARE(name->text(), QString::fromStdString(section.name));
 
-    QTest::mouseClick(m_view, Qt::LeftButton, {}, QPoint(8, 8), 900);
+    click(QPoint(8, 8));
     QVERIFY(m_window->bench().interaction().selection().empty());
     QVERIFY(tree->selectedItems().isEmpty());
 
@@ -374,7 +404,7 @@ int main(int argc, char *argv[])
     QSurfaceFormat::setDefaultFormat(format);
     QLocale::setDefault(QLocale(QLocale::English, QLocale::UnitedKingdom));
     QApplication application(argc, argv);
-    QApplication::setStyle(QStringLiteral("Fusion"));
+    QApplication::setStyle(new FieldStyle);
     QApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
     installTranslations(application);
     TestMainWindow test;

@@ -89,7 +89,8 @@ OutlineDock::OutlineDock(Workbench &bench, QWidget *parent)
     connect(&bench, &Workbench::selectionChanged, this, &OutlineDock::showSelection);
     connect(&bench.session(), &Session::modelChanged, this,
             [this](const Model &before, const Model &after) {
-                if (!showsTheSame(before, after))
+                if (m_showsPreview != m_bench.session().hasPreview() ||
+                    !showsTheSame(before, after))
                     rebuild();
             });
     rebuild();
@@ -110,6 +111,7 @@ void OutlineDock::rebuild()
                 folded.insert(idOf(*it));
         }
         m_tree->clear();
+        m_showsPreview = m_bench.session().hasPreview();
 
         const Document &document = m_bench.session().model().document;
         std::map<SectionId, QTreeWidgetItem *> items;
@@ -117,7 +119,15 @@ void OutlineDock::rebuild()
             const QString name = QString::fromStdString(section->name);
             auto *item = new QTreeWidgetItem({name});
             item->setIcon(0, rowIcon(QStringLiteral("section")));
-            item->setFlags(item->flags() | Qt::ItemIsEditable);
+            if (m_bench.session().committed().document.find(section->id)) {
+                item->setFlags(item->flags() | Qt::ItemIsEditable);
+            } else {
+                QFont italic = font();
+                italic.setItalic(true);
+                item->setFont(0, italic);
+                //: %1 is the name of a section
+                item->setText(0, tr("%1, being drawn").arg(name));
+            }
             item->setSizeHint(0, {0, kRowHeight});
             item->setData(0, kIdRole, static_cast<qlonglong>(section->id.value));
             item->setData(0, kNameRole, name);

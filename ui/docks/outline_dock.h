@@ -34,6 +34,7 @@ private:
     QTreeWidget *m_tree = nullptr;
     QLabel *m_empty = nullptr;
     bool m_isFilling = false;
+    bool m_showsPreview = false;
 };
 
 } // namespace fff::ui

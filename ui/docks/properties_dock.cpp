@@ -20,8 +20,8 @@ namespace fff::ui {
 
 namespace {
 
-constexpr LengthEdit::Range kThicknessRange{0.1, 100.0, 0.05, 2};
-constexpr LengthEdit::Range kPositionRange{-10000.0, 10000.0, 0.1, 2};
+constexpr LengthEdit::Range kThicknessRange{0.1, 100.0, 0.05, 2, 3};
+constexpr LengthEdit::Range kPositionRange{-10000.0, 10000.0, 0.1, 2, 2};
 
 std::string nameOf(const Model &model, int index)
 {
@@ -132,7 +132,7 @@ QWidget *PropertiesDock::makeModelPage(QWidget *parent)
         tr("Stock"), "newStock",
         [this] {
             const Document &document = m_bench.session().model().document;
-            return choicesOfStock(document, document.currentStock, locale());
+            return choicesOfStock(document, document.currentStock);
         },
         [this](int index) { chooseNewStock(m_bench, index); }, drawing);
     drawing->add(stock);
@@ -164,8 +164,7 @@ QWidget *PropertiesDock::makeSectionPage(QWidget *parent)
                 const Model &model = m_bench.session().model();
                 const std::set<StockId> used = stocksOf(model, selected());
                 return choicesOfStock(
-                    model.document, used.size() == 1 ? std::optional(*used.begin()) : std::nullopt,
-                    locale());
+                    model.document, used.size() == 1 ? std::optional(*used.begin()) : std::nullopt);
             },
             [this](int index) {
                 const Model &model = m_bench.session().committed();

@@ -1,5 +1,7 @@
 #include "ui/properties/length_edit.h"
 
+#include "ui/measures.h"
+
 #include <QLineEdit>
 #include <QWheelEvent>
 
@@ -11,15 +13,16 @@ namespace {
 
 constexpr int kWidth = 120;      // px; figures are not of one width in Qt 6.4's fonts
 constexpr int kSettleTime = 350; // ms after the last step of an arrow
-constexpr char16_t kThinSpace = u'\u202f';
+constexpr char16_t kThinSpace = u'\u202f', kMinus = u'\u2212';
 
 } // namespace
 
-LengthEdit::LengthEdit(const Range &range, QWidget *parent) : QDoubleSpinBox(parent)
+LengthEdit::LengthEdit(const Range &range, QWidget *parent)
+    : QDoubleSpinBox(parent), m_digits(range.digits)
 {
     setRange(range.least, range.most);
     setSingleStep(range.step);
-    setDecimals(range.decimals);
+    setDecimals(range.mostDigits);
     setSuffix(QChar(kThinSpace) + tr("mm"));
     setKeyboardTracking(false);
     setFocusPolicy(Qt::StrongFocus);
@@ -61,6 +64,25 @@ void LengthEdit::announce()
         return;
     m_shown = value();
     Q_EMIT lengthEdited(value());
+}
+
+QString LengthEdit::textFromValue(double value) const
+{
+    return numberText(value, m_digits, decimals(), locale());
+}
+
+/// The keyboard's minus is as good as the real one.
+double LengthEdit::valueFromText(const QString &text) const
+{
+    return QDoubleSpinBox::valueFromText(
+        QString(text).replace(QChar(kMinus), locale().negativeSign()));
+}
+
+QValidator::State LengthEdit::validate(QString &text, int &position) const
+{
+    QString plain = text;
+    plain.replace(QChar(kMinus), locale().negativeSign());
+    return QDoubleSpinBox::validate(plain, position);
 }
 
 void LengthEdit::wheelEvent(QWheelEvent *event)

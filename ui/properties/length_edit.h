@@ -17,7 +17,8 @@ public:
     struct Range
     {
         double least = -10000.0, most = 10000.0, step = 0.1; // mm
-        int decimals = 2;
+        int digits = 2;                                      // shown of every value
+        int mostDigits = 2;                                  // shown where they are not zero
     };
 
     explicit LengthEdit(const Range &range, QWidget *parent = nullptr);
@@ -30,12 +31,16 @@ Q_SIGNALS:
     void lengthEdited(double millimetres);
 
 protected:
+    QString textFromValue(double value) const override;
+    double valueFromText(const QString &text) const override;
+    QValidator::State validate(QString &text, int &position) const override;
     void wheelEvent(QWheelEvent *event) override;
 
 private:
     void announce();
 
     std::optional<double> m_shown; // as last set from outside, or announced
+    int m_digits;
     QTimer m_settled;
     bool m_isSetting = false;
 };

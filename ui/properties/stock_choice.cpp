@@ -1,6 +1,7 @@
 #include "ui/properties/stock_choice.h"
 
 #include "core/model/edits.h"
+#include "ui/measures.h"
 #include "ui/view/view_style.h"
 #include "ui/workbench.h"
 
@@ -29,7 +30,7 @@ std::vector<Stock> stockChoices(const Document &document)
 QString stockText(const Stock &stock, const QLocale &locale)
 {
     return QCoreApplication::translate("fff::ui::Stock", "%1 %2\u202fmm")
-        .arg(QString::fromStdString(stock.name), locale.toString(stock.thickness, 'f', 1));
+        .arg(QString::fromStdString(stock.name), numberText(stock.thickness, 1, 3, locale));
 }
 
 Document withStock(Document document, const Stock &choice, StockId &id)
@@ -45,14 +46,13 @@ Document withStock(Document document, const Stock &choice, StockId &id)
     return setCurrentStock(*added, current).value_or(*added);
 }
 
-Choices choicesOfStock(const Document &document, std::optional<StockId> current,
-                       const QLocale &locale)
+Choices choicesOfStock(const Document &document, std::optional<StockId> current)
 {
     Choices choices;
     for (const Stock &stock : stockChoices(document)) {
         if (current && stock.id == *current)
             choices.current = static_cast<int>(choices.all.size());
-        choices.all.push_back({stockText(stock, locale), stockLook(stock).face});
+        choices.all.push_back({QString::fromStdString(stock.name), stockLook(stock).face});
     }
     return choices;
 }

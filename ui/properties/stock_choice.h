@@ -20,9 +20,8 @@ std::vector<Stock> stockChoices(const Document &document);
 /// "Birch plywood 3.0 mm"
 QString stockText(const Stock &stock, const QLocale &locale);
 
-/// current  nothing when several are meant
-Choices choicesOfStock(const Document &document, std::optional<StockId> current,
-                       const QLocale &locale);
+/// By name alone. current: nothing when several are meant.
+Choices choicesOfStock(const Document &document, std::optional<StockId> current);
 
 /// The document with this choice in it; `id` is what the stock is called there.
 Document withStock(Document document, const Stock &choice, StockId &id);

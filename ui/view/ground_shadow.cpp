@@ -6,9 +6,9 @@ namespace fff::ui {
 
 namespace {
 
-constexpr int kPixels = 512;
+constexpr int kPixels = 320; // a side: the blur hides the steps, and software rendering stays fast
 constexpr double kSharpBlur = 1.6, kSoftBlur = 9.0; // mm, standard deviation on the ground
-constexpr double kTapSpread = 3.46; // standard deviation of the shader's taps, in taps
+constexpr double kTapSpread = 2.65; // standard deviation of the shader's taps, in taps
 
 bool looksTheSame(const std::vector<SceneSection> &a, const std::vector<SceneSection> &b)
 {

@@ -180,6 +180,7 @@ void Drawing::ring(const QPointF &centre, double radius, const QColor &colour)
 
 void Drawing::chip(const QPointF &rightMiddle, const QString &text, const QColor &colour)
 {
+    m_painter.save();
     QFont font = m_painter.font();
     font.setPixelSize(12);
     font.setWeight(QFont::DemiBold);
@@ -193,6 +194,7 @@ void Drawing::chip(const QPointF &rightMiddle, const QString &text, const QColor
     m_painter.setBrush(faded(m_style.panel, 0.94));
     m_painter.drawRoundedRect(QRectF(box.toAlignedRect()).adjusted(0.5, 0.5, -0.5, -0.5), 3.0, 3.0);
     m_painter.drawText(box, Qt::AlignCenter, text);
+    m_painter.restore();
 }
 
 void Drawing::slit()

@@ -13,6 +13,8 @@ namespace fff::ui {
 namespace {
 
 constexpr double kGhostFace = 0.26, kGhostEdge = 0.40; // of the opacity
+constexpr double kEdgeOn = 1e-3;                       // sine of the angle to the ground
+constexpr double kHiddenOutline = 0.4;                 // opacity
 constexpr double kLeastGridRadius = 320.0;             // mm
 
 struct Frustum
@@ -119,7 +121,10 @@ void Renderer::render(const Scene &scene, const Camera &camera, const Vec2 &view
     d->pixels = viewport * pixelRatio;
     d->frame(scene, viewport);
     d->slabs->update(scene);
-    d->shadow->update(scene, *d->slabs, d->emptyArray);
+    // Seen from the side the ground is a line, which is not this one's to draw.
+    const bool seesGround = std::abs(camera.forward().y()) > kEdgeOn;
+    if (seesGround)
+        d->shadow->update(scene, *d->slabs, d->emptyArray);
 
     gl.glViewport(0, 0, static_cast<GLsizei>(std::lround(d->pixels.x())),
                   static_cast<GLsizei>(std::lround(d->pixels.y())));
@@ -135,7 +140,8 @@ void Renderer::render(const Scene &scene, const Camera &camera, const Vec2 &view
     d->drawBackground(style);
     gl.glEnable(GL_DEPTH_TEST);
     d->drawOpaque(scene, style);
-    d->drawGround(style);
+    if (seesGround)
+        d->drawGround(style);
     d->drawTranslucent(scene, style);
     d->drawOutlines(scene, style);
 
@@ -316,6 +322,17 @@ void Renderer::Private::drawOutlines(const Scene &scene, const ViewStyle &style)
             drawEdges(section, premultiplied(colour), style.hoverWidth, style.hoverWidth, 0.3);
         }
     }
+    // Selected ones are seen through what is before them, but faintly.
+    gl->glEnable(GL_BLEND);
+    gl->glDepthMask(GL_FALSE);
+    gl->glDepthFunc(GL_GREATER);
+    for (const SceneSection &section : scene.sections) {
+        if (section.isSelected)
+            drawEdges(section, premultiplied(style.accent, kHiddenOutline), 1.4, 1.4, 0.4);
+    }
+    gl->glDepthFunc(GL_LEQUAL);
+    gl->glDepthMask(GL_TRUE);
+    gl->glDisable(GL_BLEND);
     for (const SceneSection &section : scene.sections) {
         if (!section.isSelected)
             continue;

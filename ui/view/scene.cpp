@@ -15,7 +15,8 @@ void SceneBuilder::setAnalysis(const Analysis &analysis)
     m_known.clear();
     const std::size_t count = std::min(analysis.model.sectionCount(), analysis.cuts.size());
     for (std::size_t i = 0; i < count; ++i)
-        m_known[analysis.model.ref(i)] = {analysis.model.section(i)->shape, analysis.cuts[i]};
+        m_known[analysis.model.ref(i)] = {analysis.model.section(i)->shape,
+                                          analysis.model.section(i)->frame, analysis.cuts[i]};
 }
 
 Scene SceneBuilder::build(const Model &model) const
@@ -30,9 +31,11 @@ Scene SceneBuilder::build(const Model &model) const
         item.frame = section.frame;
         item.thickness = stock.thickness;
         item.look = stockLook(stock);
-        // A cut of another shape would show the contour as it was: better the new one, uncut.
+        // A section that is being drawn has a new shape with every move: its last cut stays until
+        // the next one is there, or its slits would flicker.
         const auto known = m_known.find(model.ref(i));
-        if (known != m_known.end() && known->second.shape == section.shape)
+        if (known != m_known.end() &&
+            (known->second.shape == section.shape || known->second.frame == section.frame))
             item.cut = known->second.cut;
         Box3 box = worldBounds(*section.shape, section.frame);
         const Vec3 reach = 0.5 * stock.thickness * section.frame.normal().cwiseAbs();

@@ -48,6 +48,7 @@ private:
     struct Known
     {
         ShapePointer shape;
+        Frame frame;
         CutSectionPointer cut;
     };
     std::map<SectionRef, Known> m_known;

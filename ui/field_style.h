@@ -1,0 +1,20 @@
+// Fusion, but fields have the border that the theme gives them (three to one against the window,
+// which Fusion's own is not in dark), and a frame in the accent's colour while they have the focus.
+#pragma once
+
+#include <QProxyStyle>
+
+namespace fff::ui {
+
+class FieldStyle : public QProxyStyle
+{
+public:
+    FieldStyle();
+
+    void drawPrimitive(PrimitiveElement element, const QStyleOption *option, QPainter *painter,
+                       const QWidget *widget) const override;
+    void drawComplexControl(ComplexControl control, const QStyleOptionComplex *option,
+                            QPainter *painter, const QWidget *widget) const override;
+};
+
+} // namespace fff::ui
