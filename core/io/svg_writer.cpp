@@ -106,8 +106,8 @@ std::string rectangle(const Vec2 &corner, const Vec2 &size)
            "\"/>\n";
 }
 
-void writePart(const Part &part, const Transform &transform, const Model &model,
-               const SvgOptions &options, std::string &out)
+void writePart(const Part &part, const Engraving *engraving, const Transform &transform,
+               const Model &model, std::string &out)
 {
     const auto path = [&](const std::string &d, const char *colour) {
         out += std::string("      <path stroke=\"") + colour + "\" d=\"" + d + "\"/>\n";
@@ -115,8 +115,8 @@ void writePart(const Part &part, const Transform &transform, const Model &model,
     const Section &section = *model.section(static_cast<std::size_t>(part.section));
     out += "    <g id=\"part-" + std::to_string(part.number) + "\">\n";
     out += "      <title>" + escaped(section.name) + "</title>\n";
-    if (options.hasMarks) {
-        for (const Stroke &stroke : engrave(part, options.marks).strokes)
+    if (engraving) {
+        for (const Stroke &stroke : engraving->strokes)
             path(openPath(stroke, transform), kEngraving);
     }
     for (const Contour &hole : part.outline.holes)
@@ -161,7 +161,8 @@ Vec2 drawingSize(const Layout &layout, const SvgOptions &options)
 
 } // namespace
 
-std::string writeSvg(const Layout &layout, const std::vector<Part> &parts, const Model &model,
+std::string writeSvg(const Layout &layout, const std::vector<Part> &parts,
+                     const std::vector<Engraving> &engravings, const Model &model,
                      const SvgOptions &options)
 {
     const Vec2 size = drawingSize(layout, options);
@@ -177,9 +178,11 @@ std::string writeSvg(const Layout &layout, const std::vector<Part> &parts, const
                "\" fill=\"none\" stroke-width=\"0.05\">\n";
         if (layout.sheets.size() > 1)
             out += "    " + rectangle({0.0, top}, sheet.size);
-        for (const Placement &placement : sheet.placements)
-            writePart(parts[static_cast<std::size_t>(placement.part)],
-                      Transform(placement, top + sheet.size.y()), model, options, out);
+        for (const Placement &placement : sheet.placements) {
+            const auto part = static_cast<std::size_t>(placement.part);
+            writePart(parts[part], engravings.empty() ? nullptr : &engravings[part],
+                      Transform(placement, top + sheet.size.y()), model, out);
+        }
         out += "  </g>\n";
         top += sheet.size.y() + kSheetGap;
     }

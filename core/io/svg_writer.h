@@ -10,10 +10,8 @@ namespace fff::io {
 
 struct SvgOptions
 {
-    bool hasMarks = true;     // engrave the parts' and joints' numbers
     bool hasReference = true; // a bar of 100 mm x 10 mm below the sheets, to measure after cutting
     bool kerfApplied = false; // what `parts` are: outlines as designed, or compensated already
-    MarkOptions marks;
 };
 
 /// One drawing of all sheets, stacked from top to bottom, 10 mm apart.
@@ -28,10 +26,12 @@ struct SvgOptions
 ///   metadata   the program's version, each stock with its thickness, clearance and kerf, and
 ///              whether the kerf is applied already
 ///
-/// Coordinates are rounded to 1e-6 mm, y downwards. `layout` and `parts` belong to `model`. UTF-8,
+/// Coordinates are rounded to 1e-6 mm, y downwards. `layout` and `parts` belong to
+/// `model`; `engravings` to the parts, one each, or none at all. UTF-8,
 /// same bytes for same input. Colours and the rest follow what laser programs read; see
 /// core/README.md.
-std::string writeSvg(const Layout &layout, const std::vector<Part> &parts, const Model &model,
+std::string writeSvg(const Layout &layout, const std::vector<Part> &parts,
+                     const std::vector<Engraving> &engravings, const Model &model,
                      const SvgOptions &options = {});
 
 } // namespace fff::io

@@ -44,8 +44,10 @@ Result<CuttingFile> makeCuttingFile(const Analysis &analysis, const CuttingFileO
     CuttingFile file;
     file.partCount = static_cast<int>(parts.size());
     file.slitWidth = drawnSlitWidth(analysis, options.compensatesKerf);
+    std::vector<Engraving> engravings;
     for (const Part &part : parts) {
-        if (!engrave(part).hasNumber)
+        engravings.push_back(engrave(part));
+        if (!engravings.back().hasNumber)
             addOnce(file.unmarked, nameOf(analysis, part));
     }
     if (options.compensatesKerf)
@@ -58,7 +60,7 @@ Result<CuttingFile> makeCuttingFile(const Analysis &analysis, const CuttingFileO
     io::SvgOptions svg;
     svg.hasReference = options.hasReference;
     svg.kerfApplied = options.compensatesKerf;
-    file.svg = io::writeSvg(layout, parts, analysis.model, svg);
+    file.svg = io::writeSvg(layout, parts, engravings, analysis.model, svg);
     return file;
 }
 

@@ -82,9 +82,13 @@ struct Drawing
     std::vector<Part> parts;
     Layout layout;
 
-    std::string svg(const io::SvgOptions &options = {}) const
+    std::string svg(const io::SvgOptions &options = {}, bool hasMarks = true) const
     {
-        return io::writeSvg(layout, parts, model, options);
+        std::vector<Engraving> engravings;
+        for (const Part &part : parts)
+            if (hasMarks)
+                engravings.push_back(engrave(part));
+        return io::writeSvg(layout, parts, engravings, model, options);
     }
 };
 
@@ -157,9 +161,7 @@ void TestSvgWriter::drawingIsNotMirrored()
     const Model model = evaluate(
         withSection(newDocument(),
                     polygonShape({{0, 0}, {40, 0}, {40, 5}, {5, 5}, {5, 20}, {0, 20}}), front()));
-    io::SvgOptions options;
-    options.hasMarks = false;
-    const auto paths = named(read(drawingOf(model).svg(options)), "path");
+    const auto paths = named(read(drawingOf(model).svg({}, false)), "path");
     QCOMPARE(paths.size(), 1U);
     // The foot of the L points right, its stem is left; the sheet's lower left corner is at 0, 400.
     QCOMPARE(paths[0]["d"],
@@ -324,9 +326,7 @@ void TestSvgWriter::numbersArePlain()
 // Wrong: visible faces would carry numbers that were switched off.
 void TestSvgWriter::marksCanBeLeftOut()
 {
-    io::SvgOptions options;
-    options.hasMarks = false;
-    for (const Element &path : named(read(crossedPlates().svg(options)), "path"))
+    for (const Element &path : named(read(crossedPlates().svg({}, false)), "path"))
         QCOMPARE(path["stroke"], QStringLiteral("#ff0000"));
 }
 
