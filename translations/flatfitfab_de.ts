@@ -372,13 +372,6 @@
         <extracomment>%1 is the name of a section</extracomment>
         <translation type="unfinished"></translation>
     </message>
-    <message numerus="yes">
-        <source>Delete %n section(s)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
-        </translation>
-    </message>
     <message>
         <source>Rename %1</source>
         <extracomment>%1 is the name of a section</extracomment>
@@ -389,29 +382,36 @@
         <extracomment>%1 is the name of a section</extracomment>
         <translation type="unfinished"></translation>
     </message>
-    <message numerus="yes">
-        <source>Move %n section(s)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
-        </translation>
-    </message>
     <message>
         <source>Change stock of %1</source>
         <extracomment>%1 is the name of a section</extracomment>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Edit %1</source>
+        <extracomment>%1 is the name of a stock</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
     <message numerus="yes">
-        <source>Change stock of %n section(s)</source>
+        <source>Delete %n sections</source>
         <translation type="unfinished">
             <numerusform></numerusform>
             <numerusform></numerusform>
         </translation>
     </message>
-    <message>
-        <source>Edit %1</source>
-        <extracomment>%1 is the name of a stock</extracomment>
-        <translation type="unfinished"></translation>
+    <message numerus="yes">
+        <source>Move %n sections</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Change stock of %n sections</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -652,16 +652,16 @@
     </message>
     <message numerus="yes">
         <source>%n part(s)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n Teil</numerusform>
+            <numerusform>%n Teile</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%n sheet(s)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n Platte</numerusform>
+            <numerusform>%n Platten</numerusform>
         </translation>
     </message>
     <message>
@@ -833,9 +833,9 @@
     </message>
     <message numerus="yes">
         <source>And %n more.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Und %n weitere.</numerusform>
+            <numerusform>Und %n weitere.</numerusform>
         </translation>
     </message>
 </context>
@@ -855,6 +855,11 @@
     </message>
     <message>
         <source>Sections appear here as you draw them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, being drawn</source>
+        <extracomment>%1 is the name of a section</extracomment>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -892,10 +897,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Drawing</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Size</source>
         <translation type="unfinished"></translation>
     </message>
@@ -905,10 +906,6 @@
     </message>
     <message>
         <source>Sections</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Stock of new sections</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -961,16 +958,16 @@
     </message>
     <message numerus="yes">
         <source>%n joint(s)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n Verbindung</numerusform>
+            <numerusform>%n Verbindungen</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%n section(s)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n Sektion</numerusform>
+            <numerusform>%n Sektionen</numerusform>
         </translation>
     </message>
     <message>
@@ -979,6 +976,14 @@
     </message>
     <message>
         <source>mixed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>New sections</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nothing drawn yet</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1010,9 +1015,9 @@
     </message>
     <message numerus="yes">
         <source>%n section(s)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n Sektion</numerusform>
+            <numerusform>%n Sektionen</numerusform>
         </translation>
     </message>
 </context>

@@ -4,23 +4,23 @@
 <context>
     <name>fff::SessionHost</name>
     <message numerus="yes">
-        <source>Delete %n section(s)</source>
+        <source>Delete %n sections</source>
         <translation>
-            <numerusform>Delete %n section</numerusform>
+            <numerusform>Delete %n sections</numerusform>
             <numerusform>Delete %n sections</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>Move %n section(s)</source>
+        <source>Move %n sections</source>
         <translation>
-            <numerusform>Move %n section</numerusform>
+            <numerusform>Move %n sections</numerusform>
             <numerusform>Move %n sections</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>Change stock of %n section(s)</source>
+        <source>Change stock of %n sections</source>
         <translation>
-            <numerusform>Change stock of %n section</numerusform>
+            <numerusform>Change stock of %n sections</numerusform>
             <numerusform>Change stock of %n sections</numerusform>
         </translation>
     </message>

@@ -244,6 +244,7 @@ void MainWindow::showAbout()
                       tr("<b>FlatFitFab %1</b>").arg(QStringLiteral(FFF_VERSION)), QMessageBox::Ok,
                       this);
     about.setObjectName(QStringLiteral("aboutBox"));
+    about.setPalette(theme().palette());
     about.setInformativeText(
         tr("Draw flat parts in 3D, see at once how they fit, and cut them. It works without an "
            "account, and nothing leaves this computer."));
@@ -253,12 +254,19 @@ void MainWindow::showAbout()
 void MainWindow::refreshTheme()
 {
     applyTheme(this);
+    // Windows of their own do not take it from their parent.
+    for (QMenu *menu : findChildren<QMenu *>())
+        menu->setPalette(theme().palette());
     m_messages->refresh();
     m_outline->refreshColours();
     m_properties->refresh();
     m_status->refresh();
-    m_export->setIcon(
-        tintedPixmap(QStringLiteral("export"), 18, theme().onAccent, devicePixelRatioF()));
+    const auto mask = [this](const QColor &colour) {
+        return tintedPixmap(QStringLiteral("export"), 18, colour, devicePixelRatioF());
+    };
+    QIcon exporting(mask(theme().onAccent));
+    exporting.addPixmap(mask(theme().muted), QIcon::Disabled);
+    m_export->setIcon(exporting);
     setWindowIcon(tintedPixmap(QStringLiteral("section"), 64, theme().accent, 1.0));
     m_view->update();
 }

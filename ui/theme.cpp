@@ -152,7 +152,6 @@ void applyTheme(QWidget *window)
 {
     const QColor ground = QGuiApplication::palette().color(QPalette::Window);
     current() = ground.lightness() < 128 ? dark() : light();
-    window->setAttribute(Qt::WA_WindowPropagation); // menus and dialogs too
     // Without this a style sheet keeps the window's palette from the widgets in it.
     QCoreApplication::setAttribute(Qt::AA_UseStyleSheetPropagationInWidgetStyles);
     window->setPalette(theme().palette());

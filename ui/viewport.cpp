@@ -113,26 +113,42 @@ void Viewport::paintGL()
 
 void Viewport::mousePressEvent(QMouseEvent *event)
 {
-    pointer(PointerEvent::Type::Press, event);
+    flushMoves();
+    m_bench.handle(pointer(PointerEvent::Type::Press, event));
 }
 
+/// A hand's line needs every sample, but what they make needs showing once a frame only: moves are
+/// gathered for as long as more of them are at hand.
 void Viewport::mouseMoveEvent(QMouseEvent *event)
 {
-    pointer(PointerEvent::Type::Move, event);
+    m_moves.push_back(pointer(PointerEvent::Type::Move, event));
+    if (!m_burst.isActive())
+        m_burst.start();
+}
+
+void Viewport::flushMoves()
+{
+    m_burst.stop();
+    std::vector<PointerEvent> moves = std::exchange(m_moves, {});
+    for (std::size_t i = 0; i < moves.size(); ++i) {
+        moves[i].isFollowed = i + 1 < moves.size();
+        m_bench.handle(moves[i]);
+    }
 }
 
 void Viewport::mouseReleaseEvent(QMouseEvent *event)
 {
-    pointer(PointerEvent::Type::Release, event);
+    flushMoves();
+    m_bench.handle(pointer(PointerEvent::Type::Release, event));
 }
 
 void Viewport::mouseDoubleClickEvent(QMouseEvent *event)
 {
     // Qt sends this in place of the second press; a stroke must not get lost in it.
-    pointer(PointerEvent::Type::Press, event);
+    mousePressEvent(event);
 }
 
-void Viewport::pointer(PointerEvent::Type type, QSinglePointEvent *event)
+PointerEvent Viewport::pointer(PointerEvent::Type type, QSinglePointEvent *event)
 {
     PointerEvent pointer;
     pointer.type = type;
@@ -141,12 +157,13 @@ void Viewport::pointer(PointerEvent::Type type, QSinglePointEvent *event)
     pointer.modifiers = {event->modifiers().testFlag(Qt::ShiftModifier),
                          event->modifiers().testFlag(Qt::ControlModifier), m_isSpaceHeld};
     pointer.time = m_bench.clock().observe(event->timestamp());
-    m_bench.handle(pointer);
     event->accept();
+    return pointer;
 }
 
 void Viewport::wheelEvent(QWheelEvent *event)
 {
+    flushMoves();
     PointerEvent pointer;
     pointer.type = PointerEvent::Type::Wheel;
     pointer.position = toVec(event->position());
@@ -161,6 +178,7 @@ void Viewport::wheelEvent(QWheelEvent *event)
 
 void Viewport::keyPressEvent(QKeyEvent *event)
 {
+    flushMoves();
     if (event->key() == Qt::Key_Space) {
         m_isSpaceHeld = true;
     } else if (event->key() == Qt::Key_Escape) {
@@ -173,6 +191,7 @@ void Viewport::keyPressEvent(QKeyEvent *event)
 
 void Viewport::keyReleaseEvent(QKeyEvent *event)
 {
+    flushMoves();
     if (event->key() == Qt::Key_Space && !event->isAutoRepeat())
         m_isSpaceHeld = false;
     else
@@ -190,6 +209,7 @@ bool Viewport::event(QEvent *event)
 
 void Viewport::leave()
 {
+    flushMoves();
     PointerEvent pointer;
     pointer.type = PointerEvent::Type::Leave;
     pointer.time = m_bench.clock().now();
@@ -198,6 +218,7 @@ void Viewport::leave()
 
 void Viewport::advance()
 {
+    flushMoves();
     if (!m_bench.advance())
         m_frames.stop();
 }

@@ -42,7 +42,8 @@ protected:
     bool event(QEvent *event) override;
 
 private:
-    void pointer(PointerEvent::Type type, QSinglePointEvent *event);
+    PointerEvent pointer(PointerEvent::Type type, QSinglePointEvent *event);
+    void flushMoves();
     void leave();
     void advance();
     void refresh();
@@ -55,6 +56,8 @@ private:
     Scene m_scene;
     bool m_isUsable = false;
     bool m_isSpaceHeld = false;
+    std::vector<PointerEvent> m_moves; // of the burst that is coming in
+    QTimer m_burst;                    // ends when nothing more is at hand
     QTimer m_frames;
     int m_paintCount = 0;
 };

@@ -93,6 +93,11 @@ OutlineDock::OutlineDock(Workbench &bench, QWidget *parent)
                     !showsTheSame(before, after))
                     rebuild();
             });
+    // Committing what was previewed changes no model, only its standing.
+    connect(bench.session().history(), &QUndoStack::indexChanged, this, [this] {
+        if (m_showsPreview != m_bench.session().hasPreview())
+            rebuild();
+    });
     rebuild();
 }
 

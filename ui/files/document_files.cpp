@@ -5,6 +5,7 @@
 #include "core/session/cutting_file.h"
 #include "ui/message_bar.h"
 #include "ui/status_line.h"
+#include "ui/theme.h"
 #include "ui/workbench.h"
 
 #include <QFileDialog>
@@ -76,6 +77,7 @@ bool DocumentFiles::mayClose()
                          tr("Save the changes to %1?").arg(baseName() + u'.' + kSuffix),
                          QMessageBox::NoButton, &m_window);
     question.setObjectName(QStringLiteral("unsavedQuestion"));
+    question.setPalette(theme().palette());
     question.setInformativeText(tr("Without saving, they are lost."));
     QPushButton *keep = question.addButton(tr("Save"), QMessageBox::AcceptRole);
     QPushButton *lose = question.addButton(tr("Don’t save"), QMessageBox::DestructiveRole);
