@@ -394,23 +394,23 @@
     </message>
     <message numerus="yes">
         <source>Delete %n sections</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n Sektion löschen</numerusform>
+            <numerusform>%n Sektionen löschen</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>Move %n sections</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n Sektion verschieben</numerusform>
+            <numerusform>%n Sektionen verschieben</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>Change stock of %n sections</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Material von %n Sektion ändern</numerusform>
+            <numerusform>Material von %n Sektionen ändern</numerusform>
         </translation>
     </message>
 </context>
