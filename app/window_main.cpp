@@ -21,6 +21,9 @@ int main(int argc, char *argv[])
     QGuiApplication::setHighDpiScaleFactorRoundingPolicy(
         Qt::HighDpiScaleFactorRoundingPolicy::PassThrough);
 
+    // Every sample of a stroke counts; the viewport gathers them itself.
+    QCoreApplication::setAttribute(Qt::AA_CompressHighFrequencyEvents, false);
+
     QApplication application(argc, argv);
     QApplication::setStyle(new fff::ui::FieldStyle);
     QApplication::setApplicationName(QStringLiteral("flatfitfab"));

@@ -10,6 +10,7 @@
 #include <QPainter>
 
 #include <algorithm>
+#include <utility>
 
 namespace fff::ui {
 
@@ -48,6 +49,9 @@ Viewport::Viewport(Workbench &bench, QWidget *parent) : QOpenGLWidget(parent), m
     setMouseTracking(true);
     setFocusPolicy(Qt::StrongFocus);
 
+    m_burst.setSingleShot(true);
+    m_burst.setInterval(0);
+    connect(&m_burst, &QTimer::timeout, this, &Viewport::flushMoves);
     m_frames.setInterval(kFrameTime);
     connect(&m_frames, &QTimer::timeout, this, &Viewport::advance);
     connect(&bench, &Workbench::viewChanged, this, &Viewport::refresh);

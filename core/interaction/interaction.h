@@ -29,6 +29,8 @@ struct PointerEvent
     Modifiers modifiers;
     double wheelSteps = 0.0; // notches, positive away from the person
     double time = 0.0;       // ms, the only clock
+    /// More moves are at hand and follow at once: this one is taken in, nothing is shown for it.
+    bool isFollowed = false;
 };
 
 /// What a commit did; ui makes the words ("Draw Section 3") of it.

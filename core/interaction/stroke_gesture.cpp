@@ -64,6 +64,8 @@ GestureReply StrokeGesture::handle(const PointerEvent &event, GestureContext &co
     advance(event.time, context);
     if (event.type == PointerEvent::Type::Release)
         m_stroke.release();
+    else if (event.isFollowed && m_stroke.state() == Stroke::State::Contour)
+        return running(); // a sample; the last move of the burst shows what they make together
     return reply(context);
 }
 
@@ -118,9 +120,14 @@ GestureReply StrokeGesture::reply(GestureContext &context)
         break;
     }
     updateOverlay(context);
-    GestureReply running;
-    running.preview = m_document;
-    return running;
+    return running();
+}
+
+GestureReply StrokeGesture::running() const
+{
+    GestureReply reply;
+    reply.preview = m_document;
+    return reply;
 }
 
 void StrokeGesture::updateOverlay(GestureContext &context) const

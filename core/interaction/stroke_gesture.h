@@ -34,6 +34,7 @@ private:
     void updateOverlay(GestureContext &context) const;
     void updateDocument(const GestureContext &context);
     GestureReply reply(GestureContext &context);
+    GestureReply running() const;
     GestureReply over() const;
     GestureReply done();
 

@@ -36,6 +36,7 @@ public:
         event.button = button;
         event.modifiers = modifiers;
         event.time = time += 8.0;
+        event.isFollowed = isBursting && type == Type::Move;
         interaction.handle(event);
     }
     void press(const Vec2 &p, Button button = Button::Left, Modifiers modifiers = {})
@@ -89,6 +90,7 @@ public:
     CommandRegistry commands;
     Vec2 cursor = Vec2::Zero();
     double time = 0.0;
+    bool isBursting = false; // moves are said to be followed by others
 };
 
 /// To the end of the turn, out of the plate's right edge at its middle.
@@ -121,6 +123,7 @@ private Q_SLOTS:
     void framesBetweenEventsChangeNothing();
     void contourFollowsTheCursor();
     void previewIsWhatIsCommitted();
+    void burstsLoseNoSample();
     void refusalsSayWhy_data();
     void refusalsSayWhy();
     void escapeLeavesNoTrace_data();
@@ -319,6 +322,24 @@ void TestInteraction::previewIsWhatIsCommitted()
     desk.release(desk.cursor);
     QCOMPARE(&desk.session.committed(), preview);
     QVERIFY(!desk.interaction.overlay().stroke);
+}
+
+// Wrong: on a slow machine, where moves come in bursts, another section than on a fast one is
+// drawn.
+void TestInteraction::burstsLoseNoSample()
+{
+    Desk fast, slow;
+    slow.isBursting = true;
+    for (Desk *desk : {&fast, &slow}) {
+        desk->addPlate();
+        strokeToDeadZone(*desk);
+        const Vec2 start = desk->cursor;
+        for (const Vec2 &way : {Vec2(0, -150), Vec2(120, -150), Vec2(150, 60), Vec2(-20, 90)})
+            desk->moveTo(start + way, 25);
+        desk->release(desk->cursor);
+        QCOMPARE(desk->sections().size(), std::size_t(2));
+    }
+    QVERIFY(*fast.sections().back()->shape == *slow.sections().back()->shape);
 }
 
 void TestInteraction::refusalsSayWhy_data()
