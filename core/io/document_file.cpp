@@ -31,10 +31,7 @@ Result<void> writeStandardOutput(const std::string &bytes)
 
 Result<ModelFormat> detectFormat(std::string_view bytes, const std::string &name)
 {
-    constexpr std::string_view byteOrderMark = "\xEF\xBB\xBF";
-    std::string_view text = bytes;
-    if (text.starts_with(byteOrderMark))
-        text.remove_prefix(byteOrderMark.size());
+    const std::string_view text = withoutByteOrderMark(bytes);
     const std::size_t begin = text.find_first_not_of(" \t\r\n");
     if (begin == std::string_view::npos)
         return failure(ErrorCode::Truncated, placeIn(name, "1"),
@@ -95,6 +92,8 @@ Result<void> writeDocument(const QString &path, const Document &document)
     const Result<std::string> bytes = writeFff(document);
     if (!bytes)
         return tl::unexpected(bytes.error());
+    if (const auto again = readFff(*bytes, path.toStdString()); !again)
+        return tl::unexpected(again.error());
     return writeFile(path, *bytes);
 }
 

@@ -14,8 +14,6 @@ struct ReadOptions
     std::string name; // how errors call the file; empty: the path as it was given
 };
 
-enum class ModelFormat { Fff, Flatfab };
-
 /// The format of these bytes by their first words, whatever the file is called.
 /// Errors  Truncated for no bytes (or blanks only), NotAModel for anything else that is no model.
 Result<ModelFormat> detectFormat(std::string_view bytes, const std::string &name = {});
@@ -30,8 +28,9 @@ Result<std::string> readFile(const QString &path, const std::string &name = {});
 /// Reads `.fff` and FlatFab's `.txt`. Errors  those of readFile, detectFormat and of the format.
 Result<LoadedDocument> readDocument(const QString &path, const ReadOptions &options = {});
 
-/// Writes `.fff`, whatever the suffix. Errors  CannotWrite, and those of writeFff. The file that
-/// was there before stays as it was when anything fails.
+/// Writes `.fff`, whatever the suffix. The bytes are read back first: a document that could not be
+/// opened again does not replace one that can. Errors  CannotWrite, those of writeFff and readFff.
+/// The file that was there before stays as it was when anything fails.
 Result<void> writeDocument(const QString &path, const Document &document);
 
 /// Puts the bytes into a temporary file beside `path` and renames it; "-" is standard output.

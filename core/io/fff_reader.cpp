@@ -5,7 +5,6 @@
 
 #include <QtCore/QCoreApplication>
 #include <algorithm>
-#include <charconv>
 #include <unordered_map>
 #include <unordered_set>
 
@@ -17,14 +16,6 @@ namespace {
 constexpr std::int64_t kMaxId = std::int64_t(1) << 53;
 /// Axes this near to orthonormal (no unit) are what rounding in double leaves: kept bit for bit.
 constexpr double kExactFrame = 1e-9;
-
-std::string shortNumber(double value)
-{
-    char buffer[32];
-    const auto end =
-        std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::general, 3);
-    return {buffer, end.ptr};
-}
 
 class FffReader
 {
@@ -302,7 +293,7 @@ Result<LoadedDocument> readFff(std::string_view bytes, const std::string &name)
     Document document = reader.read(root);
     if (problems.failed())
         return tl::unexpected(*problems.error);
-    return LoadedDocument{std::move(document), std::move(problems.warnings)};
+    return LoadedDocument{std::move(document), std::move(problems.warnings), ModelFormat::Fff};
 }
 
 } // namespace fff::io

@@ -8,7 +8,6 @@
 #include <QtCore/QCoreApplication>
 #include <algorithm>
 #include <cassert>
-#include <charconv>
 #include <cmath>
 
 namespace fff::io {
@@ -18,14 +17,6 @@ namespace {
 /// The last point of a curve repeats the first: they may be this far apart, mm. Both were printed
 /// from one number, to six digits.
 constexpr double kClosingGap = 0.01;
-
-std::string shortNumber(double value)
-{
-    char buffer[32];
-    const auto end =
-        std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::general, 3);
-    return {buffer, end.ptr};
-}
 
 /// How far T, N, B are from three orthonormal axes (no unit). N gives a direction only.
 double skewness(const FlatfabSection &section, const Frame &frame)
@@ -192,9 +183,7 @@ std::shared_ptr<Section> SectionBuilder::build()
 
 bool looksLikeFlatfab(std::string_view bytes)
 {
-    constexpr std::string_view byteOrderMark = "\xEF\xBB\xBF";
-    if (bytes.starts_with(byteOrderMark))
-        bytes.remove_prefix(byteOrderMark.size());
+    bytes = withoutByteOrderMark(bytes);
     bytes.remove_prefix(std::min(bytes.find_first_not_of(" \t\r\n"), bytes.size()));
     return bytes.starts_with("HeaderParameters");
 }
@@ -227,7 +216,8 @@ Result<LoadedDocument> readFlatfab(std::string_view bytes, const std::string &na
     const auto isTrailing = [](const Warning &w) { return w.code == WarningCode::TrailingLines; };
     std::stable_partition(problems.warnings.begin(), problems.warnings.end(),
                           [&](const Warning &w) { return !isTrailing(w); });
-    return LoadedDocument{std::move(document), std::move(problems.warnings)};
+    return LoadedDocument{std::move(document), std::move(problems.warnings),
+                          ModelFormat::Flatfab};
 }
 
 } // namespace fff::io

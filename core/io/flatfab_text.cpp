@@ -280,10 +280,7 @@ std::vector<FlatfabSection> FlatfabParser::parse()
 
 std::vector<FlatfabSection> parseFlatfab(std::string_view bytes, Problems &problems)
 {
-    constexpr std::string_view byteOrderMark = "\xEF\xBB\xBF";
-    if (bytes.substr(0, byteOrderMark.size()) == byteOrderMark)
-        bytes.remove_prefix(byteOrderMark.size());
-    return FlatfabParser(bytes, problems).parse();
+    return FlatfabParser(withoutByteOrderMark(bytes), problems).parse();
 }
 
 } // namespace fff::io

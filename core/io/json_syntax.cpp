@@ -90,9 +90,7 @@ bool endsInToken(std::string_view rest)
 
 QJsonDocument parseJson(std::string_view bytes, Problems &problems)
 {
-    constexpr std::string_view byteOrderMark = "\xEF\xBB\xBF";
-    if (bytes.substr(0, byteOrderMark.size()) == byteOrderMark)
-        bytes.remove_prefix(byteOrderMark.size());
+    bytes = withoutByteOrderMark(bytes);
     const std::size_t last = bytes.find_last_not_of(" \t\r\n");
     const std::string_view text = bytes.substr(0, last == std::string_view::npos ? 0 : last + 1);
 

@@ -1,5 +1,7 @@
 #include "core/io/loaded_document.h"
 
+#include <charconv>
+
 namespace fff::io {
 
 std::string placeIn(const std::string &file, const std::string &where)
@@ -24,6 +26,20 @@ std::string quoted(std::string_view text)
             return result;
     }
     return result;
+}
+
+std::string shortNumber(double value)
+{
+    char buffer[32];
+    const auto end =
+        std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::general, 3);
+    return {buffer, end.ptr};
+}
+
+std::string_view withoutByteOrderMark(std::string_view bytes)
+{
+    constexpr std::string_view mark = "\xEF\xBB\xBF";
+    return bytes.starts_with(mark) ? bytes.substr(mark.size()) : bytes;
 }
 
 } // namespace fff::io

@@ -9,11 +9,14 @@
 
 namespace fff::io {
 
+enum class ModelFormat { Fff, Flatfab };
+
 /// A whole document; `warnings` say what in it is not quite as the file has it, in file order.
 struct LoadedDocument
 {
     Document document;
     std::vector<Warning> warnings;
+    ModelFormat format = ModelFormat::Fff;
 };
 
 /// Where in a file: "fish.txt:340", "fish.fff:$.sections[3]"; only `where` without a file name.
@@ -23,5 +26,11 @@ std::string placeIn(const std::string &file, const std::string &where);
 /// kQuotedLength bytes and then "…".
 std::string quoted(std::string_view text);
 inline constexpr std::size_t kQuotedLength = 40;
+
+/// To three digits, for sentences: no file format is written with it.
+std::string shortNumber(double value);
+
+/// The text behind a byte-order mark of UTF-8, if it starts with one.
+std::string_view withoutByteOrderMark(std::string_view bytes);
 
 } // namespace fff::io

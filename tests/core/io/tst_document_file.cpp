@@ -13,7 +13,9 @@
 
 #ifdef Q_OS_UNIX
 #include <csignal>
+#include <fcntl.h>
 #include <sys/resource.h>
+#include <unistd.h>
 #endif
 
 using namespace fff;
@@ -38,7 +40,10 @@ private Q_SLOTS:
     void writingNeedsAPlace_data();
     void writingNeedsAPlace();
     void fullDiskKeepsTheOldFile();
+    void unreadableDocumentIsNotWritten();
     void linksStayLinks();
+    void dashIsStandardOutput();
+    void fullStandardOutputIsAnError();
 
 private:
     QString put(const QString &name, const std::string &bytes) const;
@@ -240,6 +245,20 @@ void TestDocumentFile::fullDiskKeepsTheOldFile()
 #endif
 }
 
+void TestDocumentFile::unreadableDocumentIsNotWritten()
+{
+    const QString file = path(QStringLiteral("far.fff"));
+    QVERIFY(io::writeDocument(file, twoSections()));
+    Document document = twoSections();
+    Frame far;
+    far.origin = {2e6, 0, 0};
+    document = moveSection(document, document.sections.front()->id, far).value();
+    const auto written = io::writeDocument(file, document);
+    QVERIFY(!written);
+    QVERIFY(written.error().code == ErrorCode::BadValue);
+    QVERIFY(io::readDocument(file).value().document == twoSections());
+}
+
 void TestDocumentFile::linksStayLinks()
 {
 #ifdef Q_OS_UNIX
@@ -251,6 +270,55 @@ void TestDocumentFile::linksStayLinks()
     QCOMPARE(bytesOf(target), std::string("new"));
 #else
     QSKIP("symbolic links only");
+#endif
+}
+
+#ifdef Q_OS_UNIX
+namespace {
+
+/// Writes to "-" while standard output goes to the file.
+Result<void> writtenToOutput(const QString &file, const std::string &bytes)
+{
+    std::fflush(stdout);
+    const int kept = dup(STDOUT_FILENO);
+    const int other = open(file.toUtf8().constData(), O_WRONLY | O_CREAT, 0600);
+    dup2(other, STDOUT_FILENO);
+    const auto written = io::writeFile(QStringLiteral("-"), bytes);
+    dup2(kept, STDOUT_FILENO);
+    close(other);
+    close(kept);
+    return written;
+}
+
+} // namespace
+#endif
+
+void TestDocumentFile::dashIsStandardOutput()
+{
+#ifdef Q_OS_UNIX
+    const QString file = path(QStringLiteral("output"));
+    const std::string bytes = io::writeFff(twoSections()).value();
+    QVERIFY(writtenToOutput(file, bytes));
+    QCOMPARE(bytesOf(file), bytes);
+    QVERIFY(!QFile::exists(QStringLiteral("-")));
+#else
+    QSKIP("no file descriptors here");
+#endif
+}
+
+void TestDocumentFile::fullStandardOutputIsAnError()
+{
+#ifdef Q_OS_UNIX
+    const QString full = QStringLiteral("/dev/full");
+    if (!QFile::exists(full))
+        QSKIP("no such device here");
+    for (const std::size_t size : {10u, 100000u}) {
+        const auto written = writtenToOutput(full, std::string(size, 'x'));
+        QVERIFY(!written);
+        QVERIFY(written.error().code == ErrorCode::CannotWrite);
+    }
+#else
+    QSKIP("no file descriptors here");
 #endif
 }
 
