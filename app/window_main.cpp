@@ -21,10 +21,10 @@ int main(int argc, char *argv[])
     QGuiApplication::setHighDpiScaleFactorRoundingPolicy(
         Qt::HighDpiScaleFactorRoundingPolicy::PassThrough);
 
-    // Every sample of a stroke counts; the viewport gathers them itself.
-    QCoreApplication::setAttribute(Qt::AA_CompressHighFrequencyEvents, false);
-
     QApplication application(argc, argv);
+    // Every sample of a stroke counts; the viewport gathers them itself. After the application's
+    // constructor: X11's platform plugin switches it on there.
+    QCoreApplication::setAttribute(Qt::AA_CompressHighFrequencyEvents, false);
     QApplication::setStyle(new fff::ui::FieldStyle);
     QApplication::setApplicationName(QStringLiteral("flatfitfab"));
     QApplication::setApplicationDisplayName(QString()); // the window's title names the program
