@@ -1,4 +1,4 @@
-// The window: flatfitfab [FILE]
+// The window: flatfitfab [--copy] [FILE]
 #include "ui/field_style.h"
 #include "ui/files/document_files.h"
 #include "ui/main_window.h"
@@ -40,11 +40,15 @@ int main(int argc, char *argv[])
     parser.addPositionalArgument(QStringLiteral("FILE"),
                                  QApplication::translate("main", "The model to open."),
                                  QStringLiteral("[FILE]"));
+    const QCommandLineOption copy(
+        QStringLiteral("copy"),
+        QApplication::translate("main", "Opens FILE as a copy: saving asks for a name."));
+    parser.addOption(copy);
     parser.process(application);
 
     fff::ui::MainWindow window;
     window.show();
     if (!parser.positionalArguments().isEmpty())
-        window.files().openFile(parser.positionalArguments().first());
+        window.files().openFile(parser.positionalArguments().first(), parser.isSet(copy));
     return QApplication::exec();
 }

@@ -211,6 +211,10 @@ void TestMainWindow::theFirstFiveMinutes()
     const Document saved = session().committed().document;
     QVERIFY(m_window->files().startNew());
     QCOMPARE(count(), std::size_t(0));
+    // A copy must not write to what it was made from.
+    QVERIFY(m_window->files().openFile(file, true));
+    QVERIFY(m_window->files().path() != file);
+    QCOMPARE(m_window->windowTitle(), QStringLiteral("pair.fff[*] \u2014 FlatFitFab"));
     QVERIFY(m_window->files().openFile(file));
     QVERIFY(session().committed().document == saved);
 

@@ -90,7 +90,7 @@ bool DocumentFiles::mayClose()
     return question.clickedButton() == lose;
 }
 
-bool DocumentFiles::openFile(const QString &path)
+bool DocumentFiles::openFile(const QString &path, bool asCopy)
 {
     const QString name = QFileInfo(path).fileName();
     io::ReadOptions options;
@@ -108,7 +108,9 @@ bool DocumentFiles::openFile(const QString &path)
     m_messages.show(MessageBar::Severity::Warning, warnings); // hides without any
     m_bench.session().reset(loaded->document);
     m_bench.showAll("iso1");
-    setPath(path, name.endsWith(QStringLiteral(".fff"), Qt::CaseInsensitive));
+    const QString documents = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
+    setPath(asCopy ? documents + u'/' + name : path,
+            !asCopy && loaded->format == io::ModelFormat::Fff);
     return true;
 }
 

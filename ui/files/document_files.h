@@ -29,8 +29,8 @@ public:
     /// True when the document may go: it is saved, or may be lost.
     bool mayClose();
 
-    /// Without a question.
-    bool openFile(const QString &path);
+    /// Without a question. A copy is named like the file, but saving it asks where to.
+    bool openFile(const QString &path, bool asCopy = false);
     bool saveFile(const QString &path);
     bool exportFile(const QString &path);
 
