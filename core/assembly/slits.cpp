@@ -26,23 +26,54 @@ bool pointsUp(const Vec3 &direction)
     return true;
 }
 
-/// One of the two ways to slide: a opens towards the axis' direction (+1) or against it (−1).
+/// What one way of sliding makes of one overlap. `sign` +1: a opens along the axis' direction and b
+/// against it. An end on a hole opens to nothing; then the other section's slit must take the whole
+/// overlap, and the one with the hole stays uncut there.
+struct Cut
+{
+    bool cutsA = true, cutsB = true;
+    double meet = 0.0;   // mm along the axis
+    double excess = 0.0; // mm cut beyond the overlap
+
+    bool isGrip() const { return cutsA && cutsB; }
+};
+
+Cut cutOf(const Overlap &o, int sign)
+{
+    const AxisEnd &endA = sign > 0 ? o.a.to : o.a.from;
+    const AxisEnd &endB = sign > 0 ? o.b.from : o.b.to;
+    Cut cut{!endA.isOnHole(), !endB.isOnHole(), 0.5 * (o.from + o.to), 0.0};
+    if (!cut.cutsA)
+        cut.meet = sign > 0 ? o.to : o.from;
+    else if (!cut.cutsB)
+        cut.meet = sign > 0 ? o.from : o.to;
+    const double beyondA = sign > 0 ? endA.at - o.to : o.from - endA.at;
+    const double beyondB = sign > 0 ? o.from - endB.at : endB.at - o.to;
+    cut.excess = (cut.cutsA ? beyondA : 0.0) + (cut.cutsB ? beyondB : 0.0);
+    return cut;
+}
+
+/// One of the two ways to slide: all overlaps of a joint go the same way.
 struct Way
 {
-    bool isOpen = true;  // all slits end outside
-    double excess = 0.0; // mm cut beyond the overlaps
+    int sign = 1;
+    std::vector<Cut> cuts;
+    bool isOpen = true;  // every overlap has a slit that ends outside, and one of them has two
+    double excess = 0.0; // mm
 };
 
 Way wayOf(const Crossing &crossing, int sign)
 {
     Way way;
+    way.sign = sign;
+    bool hasGrip = false;
     for (const Overlap &o : crossing.overlaps) {
-        const AxisEnd &endA = sign > 0 ? o.a.to : o.a.from;
-        const AxisEnd &endB = sign > 0 ? o.b.from : o.b.to;
-        way.isOpen &= !endA.isOnHole() && !endB.isOnHole();
-        way.excess += sign > 0 ? (endA.at - o.to) + (o.from - endB.at)
-                               : (o.from - endA.at) + (endB.at - o.to);
+        way.cuts.push_back(cutOf(o, sign));
+        way.isOpen &= way.cuts.back().cutsA || way.cuts.back().cutsB;
+        hasGrip |= way.cuts.back().isGrip();
+        way.excess += way.cuts.back().excess;
     }
+    way.isOpen &= hasGrip;
     return way;
 }
 
@@ -117,8 +148,11 @@ Result<double> slitWidth(double hostThickness, double guestThickness, double ang
 {
     if (angle < kMinJointAngle)
         return failure(ErrorCode::NearlyParallel);
-    return (guestThickness + hostThickness * std::abs(std::cos(angle))) / std::sin(angle) +
-           clearance;
+    const double width =
+        (guestThickness + hostThickness * std::abs(std::cos(angle))) / std::sin(angle) + clearance;
+    if (!(width > 0.0))
+        return failure(ErrorCode::BadValue, "clearance");
+    return width;
 }
 
 JointSlits cutSlits(const Crossing &crossing, const JointSide &a, const JointSide &b, bool aIsLower)
@@ -140,23 +174,25 @@ JointSlits cutSlits(const Crossing &crossing, const JointSide &a, const JointSid
             result.kind = JointKind::Mortise;
         return result;
     }
-    int sign = 1;
-    if (plus.isOpen != minus.isOpen)
-        sign = plus.isOpen ? 1 : -1;
-    else if (std::abs(plus.excess - minus.excess) > kEqualEnds)
-        sign = plus.excess < minus.excess ? 1 : -1;
-    else
-        sign = pointsUp(crossing.axis.direction) == aIsLower ? 1 : -1;
+    bool takesPlus = plus.isOpen;
+    if (plus.isOpen && minus.isOpen)
+        takesPlus = std::abs(plus.excess - minus.excess) > kEqualEnds
+                        ? plus.excess < minus.excess
+                        : pointsUp(crossing.axis.direction) == aIsLower;
 
-    const double excess = sign > 0 ? plus.excess : minus.excess;
-    result.kind = excess > kEqualEnds * static_cast<double>(crossing.overlaps.size())
+    const Way &way = takesPlus ? plus : minus;
+    result.kind = way.excess > kEqualEnds * static_cast<double>(crossing.overlaps.size())
                       ? JointKind::ExtendedCrossLap
                       : JointKind::CrossLap;
     for (std::size_t i = 0; i < crossing.overlaps.size(); ++i) {
         const Overlap &o = crossing.overlaps[i];
+        const Cut &cut = way.cuts[i];
         const int index = static_cast<int>(i);
-        result.a.push_back(openSlit(hostA, o.a, result.meets[i], sign, index));
-        result.b.push_back(openSlit(hostB, o.b, result.meets[i], -sign, index));
+        result.meets[i] = cut.meet;
+        if (cut.cutsA)
+            result.a.push_back(openSlit(hostA, o.a, cut.meet, way.sign, index));
+        if (cut.cutsB)
+            result.b.push_back(openSlit(hostB, o.b, cut.meet, -way.sign, index));
     }
     return result;
 }

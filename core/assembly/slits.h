@@ -10,13 +10,12 @@ namespace fff {
 ///
 ///     width = (t_guest + t_host |cos a|) / sin a + clearance,   a = angle between the two planes
 ///
-/// Units   thicknesses, clearance and result in mm; a in radians. Kerf is not in here: it offsets
-/// every
-///         cut path.
-/// Errors  NearlyParallel when a < kMinJointAngle: the slit would be wider than the part.
+/// Units   thicknesses, clearance and result in mm; a in radians. Kerf is not in here: it
+///         offsets every cut path.
+/// Errors  NearlyParallel when a < kMinJointAngle: the slit would be wider than the part;
+///         BadValue, place "clearance", when a negative clearance leaves no width.
 /// Source  the slab of the guest, seen on both faces of the host's: walls are cut square to the
-/// sheet, so
-///         the slit must hold the guest's trace on the upper and on the lower face at once.
+///         sheet, so the slit must hold the guest's trace on the upper and the lower face at once.
 Result<double> slitWidth(double hostThickness, double guestThickness, double angle,
                          double clearance);
 
@@ -42,11 +41,13 @@ struct JointSlits
 /// to the upper end of a's interval and b's from the lower end of b's interval to the meeting
 /// point, whatever the intervals; where a section ends inside the other, that is the ordinary half
 /// slit, where it reaches beyond, the slit is extended. So of the two ways the one is taken that
-/// cuts less beyond the overlaps (summed over all of them: they slide one way), as long as all its
-/// slits open to the outside, not into a hole. Both equal to kEqualEnds: the section with the lower
-/// id (`aIsLower`) opens upwards in the world. No way open: the section that passes through goes
-/// uncut through a mortise, where its end fits; else None. Local: it depends on these two sections
-/// only, so an edit elsewhere never flips a slit.
+/// cuts less beyond the overlaps (summed over all of them: they slide one way). Slits open to the
+/// outside, never into a hole: where a section's own end lies on a hole, it stays uncut and the
+/// other's slit takes the whole overlap; at least one overlap must keep two slits, or nothing
+/// holds. Both ways equal to kEqualEnds: the section with the lower id (`aIsLower`) opens upwards
+/// in the world. No way open: the section that passes through goes uncut through a mortise, where
+/// its end fits; else None, as for slits that a negative clearance leaves no width. Local: it
+/// depends on these two sections only, so an edit elsewhere never flips a slit.
 JointSlits cutSlits(const Crossing &crossing, const JointSide &a, const JointSide &b,
                     bool aIsLower);
 

@@ -1,5 +1,7 @@
 #include "core/model/edits.h"
 
+#include "core/base/tolerances.h"
+
 #include <algorithm>
 
 namespace fff {
@@ -43,7 +45,7 @@ Result<Document> changeSection(Document document, SectionId id, Change change)
 /// The first field of a stock that no sheet can have, or null.
 const char *invalidField(const Stock &s)
 {
-    const auto positive = [](double v) { return std::isfinite(v) && v > 0.0; };
+    const auto positive = [](double v) { return v > 0.0 && v <= kMaxCoordinate; };
     const auto ratedOrNone = [&](const std::optional<double> &v) { return !v || positive(*v); };
     if (!positive(s.thickness))
         return "thickness";
@@ -55,9 +57,10 @@ const char *invalidField(const Stock &s)
         return "flexuralStrength";
     if (!ratedOrNone(s.modulus))
         return "modulus";
-    if (!(std::isfinite(s.kerf) && s.kerf >= 0.0))
+    if (!(s.kerf >= 0.0 && s.kerf <= kMaxCoordinate))
         return "kerf";
-    if (!std::isfinite(s.clearance))
+    // A slit needs a width, also where it presses: at a right angle, thickness + clearance.
+    if (!(s.clearance > -s.thickness && s.clearance <= kMaxCoordinate))
         return "clearance";
     if (!positive(s.sheet.x()) || !positive(s.sheet.y()))
         return "sheet";

@@ -1,4 +1,5 @@
 #include "core/assembly/assembly.h"
+#include "core/assembly/slits.h"
 #include "core/base/tolerances.h"
 #include "core/base/units.h"
 #include "tests/core/assembly/plates.h"
@@ -37,6 +38,8 @@ private Q_SLOTS:
     void equalExtentsOpenByTheLowerId();
     void reachingBeyondExtendsTheSlit();
     void overlapInsideAHoleOpensOutwards();
+    void windowOnTheAxisLeavesOneGrip();
+    void windowsInBothHoldNowhere();
     void plateThroughARingGetsAMortise();
     void toothTooWideForItsMortiseCollides();
     void obliqueMouthOpensAllAcross();
@@ -45,6 +48,7 @@ private Q_SLOTS:
     void swappingTheSectionsGivesTheSameSlits();
     void turningTheModelTurnsTheSlits();
     void thicknessOfTheOtherIsTheWidth();
+    void slitsWithoutWidthAreNone();
 };
 
 // A slit narrower than this does not take the oblique sheet; wider and it wobbles.
@@ -116,6 +120,44 @@ void TestSlits::overlapInsideAHoleOpensOutwards()
     QVERIFY(mouthA <= 0.0);
     QVERIFY(mouthB >= 50.0);
     QCOMPARE(innerA, innerB);
+}
+
+// Two plates, one with a window on the axis: below the window the other's slit takes all, above it
+// both are cut half. Without this they had no joint at all.
+void TestSlits::windowOnTheAxisLeavesOneGrip()
+{
+    const ShapePointer windowed =
+        polygonShape(rectangle(-50, 0, 50, 100), {rectangle(-20, 35, 20, 65)});
+    const ShapePointer plain = polygonShape(rectangle(-50, 0, 50, 100));
+    const Model model = twoSections(windowed, front(), plain, side());
+    const Assembly assembly = assembled(model);
+    QCOMPARE(assembly.joints.size(), std::size_t(1));
+    QCOMPARE(assembly.joints[0].crossing->overlaps.size(), std::size_t(2));
+    QVERIFY(assembly.joints[0].kind != JointKind::None);
+    QCOMPARE(assembly.slits[0].size(), std::size_t(1));
+    QCOMPARE(assembly.slits[1].size(), std::size_t(2));
+    QCOMPARE(locate(assembly.slits[0][0].mouth, windowed->region()), Side::Outside);
+    // Wherever the axis is inside both, a slit takes it from one of them, and not from both.
+    const auto isCut = [&](std::size_t section, double height) {
+        for (const Slit &slit : assembly.slits[section]) {
+            const auto [inner, mouth] = heights(model, section, slit);
+            if (std::min(inner, mouth) < height && height < std::max(inner, mouth))
+                return true;
+        }
+        return false;
+    };
+    for (double height = 0.25; height < 100.0; height += 1.0) {
+        if (height < 35.0 || height > 65.0)
+            QVERIFY(isCut(0, height) != isCut(1, height));
+    }
+}
+
+void TestSlits::windowsInBothHoldNowhere()
+{
+    const ShapePointer windowed =
+        polygonShape(rectangle(-50, 0, 50, 100), {rectangle(-20, 35, 20, 65)});
+    const Assembly assembly = assembled(twoSections(windowed, front(), windowed, side()));
+    QCOMPARE(assembly.joints.at(0).kind, JointKind::None);
 }
 
 void TestSlits::plateThroughARingGetsAMortise()
@@ -259,6 +301,19 @@ void TestSlits::thicknessOfTheOtherIsTheWidth()
     const Assembly assembly = assembled(evaluate(document));
     QCOMPARE(assembly.slits[0].at(0).width, 6.0);
     QCOMPARE(assembly.slits[1].at(0).width, 3.1);
+}
+
+// A negative width would be cut as wide as its absolute value.
+void TestSlits::slitsWithoutWidthAreNone()
+{
+    QVERIFY(!slitWidth(3.0, 3.0, radians(90), -3.0));
+    QVERIFY(!slitWidth(3.0, 3.0, radians(90), -10.0));
+    QVERIFY(slitWidth(3.0, 3.0, radians(90), -2.9));
+    Stock stock = birchPlywood();
+    stock.clearance = -3.0;
+    const auto refused = addStock(newDocument(), stock);
+    QVERIFY(!refused);
+    QCOMPARE(refused.error().place, std::string("clearance"));
 }
 
 QTEST_APPLESS_MAIN(TestSlits)
