@@ -17,16 +17,16 @@ namespace fff::cli {
 namespace {
 
 constexpr std::array kVerbs = {
-    Verb{"info", "FILE [--json]",
+    Verb{"info", "FILE [--json] [options]",
          QT_TRANSLATE_NOOP("CommandLine", "Sections, joints, size and mass of a model"), runInfo},
-    Verb{"parts", "FILE [--json] [--tolerance MM]",
+    Verb{"parts", "FILE [--json] [--tolerance MM] [options]",
          QT_TRANSLATE_NOOP("CommandLine", "What is to be cut, in each section's own coordinates"),
          runParts},
-    Verb{"export", "FILE -o OUT.{svg,fff}",
+    Verb{"export", "FILE -o OUT.{svg,fff} [options]",
          QT_TRANSLATE_NOOP("CommandLine",
                            "Cutting files, true to size; or the model in the native format"),
          runExport},
-    Verb{"replay", "SCRIPT.json [--from FILE] -o OUT.{fff,svg}",
+    Verb{"replay", "SCRIPT.json [--from FILE] -o OUT.{fff,svg} [options]",
          QT_TRANSLATE_NOOP("CommandLine", "Runs a script of what a person does"), runReplay},
 };
 
@@ -68,21 +68,20 @@ std::optional<Vec2> sizeOf(const QString &text)
     if (sides.size() != 2)
         return std::nullopt;
     const Vec2 size(sides[0].toDouble(&isWidth), sides[1].toDouble(&isHeight));
-    if (!isWidth || !isHeight || !size.allFinite() || size.minCoeff() <= 0.0)
+    if (!isWidth || !isHeight || !size.allFinite() || size.minCoeff() <= 0.0 ||
+        size.maxCoeff() > kMaxCoordinate)
         return std::nullopt;
     return size;
 }
 
 /// Every section onto one stock: `--stock`.
-std::optional<int> applyStock(Document &document, const QString &name)
+std::optional<int> applyStock(Document &document, const QString &name, const Verb &verb)
 {
     const std::optional<Stock> stock = stockNamed(document, name);
-    if (!stock) {
-        printError(
-            tr("There is no stock \"%1\". Known are those of the file, Birch plywood and Acrylic.")
-                .arg(name));
-        return WrongUse;
-    }
+    if (!stock)
+        return wrongUse(verb, tr("There is no stock \"%1\". Known are those of the file, Birch "
+                                 "plywood and Acrylic.")
+                                  .arg(name));
     StockId id = stock->id;
     if (!document.find(id) || !(*document.find(id) == *stock)) {
         document = *addStock(std::move(document), *stock);
@@ -152,67 +151,78 @@ void addDocumentOptions(QCommandLineParser &parser)
     add("unit-mm", tr("Millimetres a unit of a FlatFab file (25.4)."), "MM");
 }
 
-std::optional<double> number(const QCommandLineParser &parser, const char *option, double minimum,
-                             std::optional<int> &status)
+std::optional<double> number(const QCommandLineParser &parser, const Verb &verb, const char *option,
+                             double minimum, std::optional<int> &status, double maximum)
 {
     const QString name = QLatin1String(option);
     if (!parser.isSet(name))
         return std::nullopt;
     bool isNumber = false;
     const double value = parser.value(name).toDouble(&isNumber);
-    if (isNumber && std::isfinite(value) && value >= minimum)
+    if (isNumber && value >= minimum && value <= maximum)
         return value;
-    printError(tr("--%1: found \"%2\", expected a number, at least %3.")
-                   .arg(name, parser.value(name))
-                   .arg(minimum));
-    status = WrongUse;
+    status = wrongUse(verb, tr("--%1: found \"%2\", expected a number from %3 to %4.")
+                                .arg(name, parser.value(name), QString::number(minimum),
+                                     QString::number(maximum, 'f', 0)));
     return std::nullopt;
 }
 
-std::optional<int> applyDocumentOptions(Document &document, const QCommandLineParser &parser)
+std::optional<DocumentOptions> documentOptions(const QCommandLineParser &parser, const Verb &verb,
+                                               std::optional<int> &status)
 {
-    std::optional<int> status;
-    constexpr double kThinnest = 0.01; // mm: thinner than any foil
-    const auto thickness = number(parser, "thickness", kThinnest, status);
-    const auto kerf = number(parser, "kerf", 0.0, status);
-    const auto clearance = number(parser, "clearance", -std::numeric_limits<double>::max(), status);
-    std::optional<Vec2> sheet;
-    if (parser.isSet(QStringLiteral("sheet"))) {
-        sheet = sizeOf(parser.value(QStringLiteral("sheet")));
-        if (!sheet) {
-            printError(tr("--sheet: found \"%1\", expected width x height in mm, such as 600x400.")
-                           .arg(parser.value(QStringLiteral("sheet"))));
-            status = WrongUse;
-        }
+    constexpr double kThinnest = 0.01;     // mm: thinner than any foil
+    constexpr double kSmallestUnit = 1e-6; // mm
+    DocumentOptions options;
+    options.thickness = number(parser, verb, "thickness", kThinnest, status);
+    if (!status)
+        options.kerf = number(parser, verb, "kerf", 0.0, status);
+    if (!status)
+        options.clearance = number(parser, verb, "clearance", -kMaxCoordinate, status);
+    if (!status)
+        options.unitMm = number(parser, verb, "unit-mm", kSmallestUnit, status);
+    const QString sheet = parser.value(QStringLiteral("sheet"));
+    if (!status && parser.isSet(QStringLiteral("sheet"))) {
+        options.sheet = sizeOf(sheet);
+        if (!options.sheet)
+            status = wrongUse(verb, tr("--sheet: found \"%1\", expected width x height in mm, such "
+                                       "as 600x400.")
+                                        .arg(sheet));
     }
-    if (!status && parser.isSet(QStringLiteral("stock")))
-        status = applyStock(document, parser.value(QStringLiteral("stock")));
-    if (status)
-        return status;
+    if (parser.isSet(QStringLiteral("stock")))
+        options.stock = parser.value(QStringLiteral("stock"));
+    return status ? std::nullopt : std::optional(options);
+}
+
+std::optional<int> applyOptions(Document &document, const DocumentOptions &options,
+                                const Verb &verb)
+{
+    if (options.stock) {
+        if (const auto status = applyStock(document, *options.stock, verb))
+            return status;
+    }
     for (const auto &pointer : std::vector(document.stocks)) {
         Stock stock = *pointer;
-        stock.thickness = thickness.value_or(stock.thickness);
-        stock.kerf = kerf.value_or(stock.kerf);
-        stock.clearance = clearance.value_or(stock.clearance);
-        stock.sheet = sheet.value_or(stock.sheet);
+        stock.thickness = options.thickness.value_or(stock.thickness);
+        stock.kerf = options.kerf.value_or(stock.kerf);
+        stock.clearance = options.clearance.value_or(stock.clearance);
+        stock.sheet = options.sheet.value_or(stock.sheet);
         Result<Document> next = setStock(document, stock);
         if (!next)
-            return report(next.error());
+            return wrongUse(verb, tr("--%1 does not go with the stock %2, %3 mm thick.")
+                                      .arg(QString::fromStdString(next.error().place),
+                                           QString::fromStdString(stock.name),
+                                           QString::number(stock.thickness)));
         document = std::move(*next);
     }
     return std::nullopt;
 }
 
-Loaded load(const QString &file, const QCommandLineParser &parser)
+Loaded load(const QString &file, const DocumentOptions &options, const Verb &verb)
 {
     Loaded loaded;
-    io::ReadOptions options;
-    constexpr double kSmallestUnit = 1e-6; // mm
-    if (const auto unit = number(parser, "unit-mm", kSmallestUnit, loaded.status))
-        options.flatfab.unitMm = *unit;
-    if (loaded.status)
-        return loaded;
-    Result<io::LoadedDocument> read = io::readDocument(file, options);
+    io::ReadOptions reading;
+    reading.flatfab.unitMm = options.unitMm.value_or(reading.flatfab.unitMm);
+    Result<io::LoadedDocument> read = io::readDocument(file, reading);
     if (!read) {
         loaded.status = report(read.error());
         return loaded;
@@ -221,7 +231,7 @@ Loaded load(const QString &file, const QCommandLineParser &parser)
         printError(io::warningText(warning));
     loaded.document = std::move(read->document);
     loaded.format = read->format == io::ModelFormat::Fff ? "fff" : "flatfab";
-    loaded.status = applyDocumentOptions(loaded.document, parser);
+    loaded.status = applyOptions(loaded.document, options, verb);
     return loaded;
 }
 

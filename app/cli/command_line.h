@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/result.h"
+#include "core/base/tolerances.h"
 #include "core/io/document_file.h"
 #include "core/session/analysis.h"
 
@@ -49,6 +50,17 @@ const Verb &verbNamed(const char *name);
 /// this run.
 void addDocumentOptions(QCommandLineParser &parser);
 
+/// Their values, as asked for.
+struct DocumentOptions
+{
+    std::optional<double> thickness, kerf, clearance, unitMm; // mm
+    std::optional<Vec2> sheet;                                // mm
+    std::optional<QString> stock;
+};
+/// Nothing, and `status` to return, when one makes no sense; the reason was printed.
+std::optional<DocumentOptions> documentOptions(const QCommandLineParser &parser, const Verb &verb,
+                                               std::optional<int> &status);
+
 /// A document read with its options applied, or the status to return after the reason was printed.
 /// Warnings of the reader go to standard error.
 struct Loaded
@@ -57,10 +69,10 @@ struct Loaded
     Document document;
     std::string format; // "fff" or "flatfab"
 };
-Loaded load(const QString &file, const QCommandLineParser &parser);
-/// Applies the options to a document that did not come from `load`. The status after printing, if
-/// wrong.
-std::optional<int> applyDocumentOptions(Document &document, const QCommandLineParser &parser);
+Loaded load(const QString &file, const DocumentOptions &options, const Verb &verb);
+/// Applies the options to a document. The status after printing, if wrong.
+std::optional<int> applyOptions(Document &document, const DocumentOptions &options,
+                                const Verb &verb);
 
 /// Prints one line on standard error and gives the status that fits the error's code.
 int report(const Error &error);
@@ -68,9 +80,10 @@ int wrongUse(const Verb &verb, const QString &reason);
 /// Writes text to standard output. CannotWrite when it was closed.
 int print(const std::string &text);
 
-/// Value of an option as a number with its unit, e.g. "3.2". Prints and sets `status` when it is
-/// none or not above `minimum`.
-std::optional<double> number(const QCommandLineParser &parser, const char *option, double minimum,
-                             std::optional<int> &status);
+/// Value of an option as a number, mm, if it was given. Prints and sets `status` when it is none or
+/// not within the limits.
+std::optional<double> number(const QCommandLineParser &parser, const Verb &verb, const char *option,
+                             double minimum, std::optional<int> &status,
+                             double maximum = kMaxCoordinate);
 
 } // namespace fff::cli

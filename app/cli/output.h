@@ -12,7 +12,8 @@ void addOutputOptions(QCommandLineParser &parser);
 QString whyNoOutput(const QCommandLineParser &parser);
 
 /// Writes the document as -o says: .fff the model, .svg its cutting file. Says on standard error
-/// what was made and what does not fit. Returns the exit status.
-int writeOutput(const QCommandLineParser &parser, const Document &document);
+/// what was made and what does not fit. `input` names the file it came from in errors. Returns the
+/// exit status.
+int writeOutput(const QCommandLineParser &parser, const Document &document, const QString &input);
 
 } // namespace fff::cli

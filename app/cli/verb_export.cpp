@@ -13,8 +13,13 @@ int runExport(const QStringList &arguments)
         return *parsed.status;
     if (const QString reason = whyNoOutput(parser); !reason.isEmpty())
         return wrongUse(verb, reason);
-    const Loaded loaded = load(parsed.files.first(), parser);
-    return loaded.status ? *loaded.status : writeOutput(parser, loaded.document);
+    std::optional<int> status;
+    const auto options = documentOptions(parser, verb, status);
+    if (!options)
+        return *status;
+    const Loaded loaded = load(parsed.files.first(), *options, verb);
+    return loaded.status ? *loaded.status
+                         : writeOutput(parser, loaded.document, parsed.files.first());
 }
 
 } // namespace fff::cli

@@ -10,10 +10,15 @@ int runInfo(const QStringList &arguments)
     parser.addOption(
         {QStringLiteral("json"), QCoreApplication::translate("CommandLine", "For machines.")});
     addDocumentOptions(parser);
-    const Arguments parsed = parse(parser, verbNamed("info"), arguments, 1);
+    const Verb &verb = verbNamed("info");
+    const Arguments parsed = parse(parser, verb, arguments, 1);
     if (parsed.status)
         return *parsed.status;
-    Loaded loaded = load(parsed.files.first(), parser);
+    std::optional<int> status;
+    const auto options = documentOptions(parser, verb, status);
+    if (!options)
+        return *status;
+    Loaded loaded = load(parsed.files.first(), *options, verb);
     if (loaded.status)
         return *loaded.status;
     AnalysisCaches caches;

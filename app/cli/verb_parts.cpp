@@ -35,15 +35,20 @@ int runParts(const QStringList &arguments)
                       tr("Largest distance of the chords from the curves (0.01)."),
                       QStringLiteral("MM")});
     addDocumentOptions(parser);
-    const Arguments parsed = parse(parser, verbNamed("parts"), arguments, 1);
+    const Verb &verb = verbNamed("parts");
+    const Arguments parsed = parse(parser, verb, arguments, 1);
     if (parsed.status)
         return *parsed.status;
     std::optional<int> status;
     constexpr double kFinestChord = 1e-5; // mm: ten steps of the grid that booleans work on
-    const double chord = number(parser, "tolerance", kFinestChord, status).value_or(kCutChord);
+    const double chord =
+        number(parser, verb, "tolerance", kFinestChord, status).value_or(kCutChord);
     if (status)
         return *status;
-    Loaded loaded = load(parsed.files.first(), parser);
+    const auto options = documentOptions(parser, verb, status);
+    if (!options)
+        return *status;
+    Loaded loaded = load(parsed.files.first(), *options, verb);
     if (loaded.status)
         return *loaded.status;
     AnalysisCaches caches;

@@ -23,17 +23,22 @@ int runReplay(const QStringList &arguments)
     if (const QString reason = whyNoOutput(parser); !reason.isEmpty())
         return wrongUse(verb, reason);
 
+    std::optional<int> status;
+    const auto options = documentOptions(parser, verb, status);
+    if (!options)
+        return *status;
+
     Session session;
     SessionHost host(session);
     Interaction interaction(host);
     Document document = newDocument();
     if (parser.isSet(QStringLiteral("from"))) {
-        Loaded loaded = load(parser.value(QStringLiteral("from")), parser);
+        Loaded loaded = load(parser.value(QStringLiteral("from")), *options, verb);
         if (loaded.status)
             return *loaded.status;
         document = std::move(loaded.document);
-    } else if (const auto status = applyDocumentOptions(document, parser)) {
-        return *status;
+    } else if (const auto wrong = applyOptions(document, *options, verb)) {
+        return *wrong;
     }
     session.reset(std::move(document));
 
@@ -47,7 +52,7 @@ int runReplay(const QStringList &arguments)
             parsed.files.first().toStdString() + (error.place.empty() ? "" : ":") + error.place;
         return report(error);
     }
-    return writeOutput(parser, session.committed().document);
+    return writeOutput(parser, session.committed().document, parsed.files.first());
 }
 
 } // namespace fff::cli

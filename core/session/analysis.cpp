@@ -14,4 +14,10 @@ Analysis analyse(const Model &model, AnalysisCaches &caches)
     return analysis;
 }
 
+void prepareDrawing(const Analysis &analysis)
+{
+    for (const CutSectionPointer &cut : analysis.cuts)
+        cut->triangulations();
+}
+
 } // namespace fff

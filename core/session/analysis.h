@@ -23,4 +23,7 @@ struct AnalysisCaches
 /// Reuses what the caches hold: an edit costs the work of what it touches.
 Analysis analyse(const Model &model, AnalysisCaches &caches);
 
+/// Computes now what drawing will ask for, so that it costs a worker's time, not the window's.
+void prepareDrawing(const Analysis &analysis);
+
 } // namespace fff

@@ -20,18 +20,18 @@ void addOnce(std::vector<std::string> &names, std::string name)
         names.push_back(std::move(name));
 }
 
-/// The narrowest slit as it will be drawn.
-double drawnSlitWidth(const Analysis &analysis, bool compensatesKerf)
+/// The narrowest slit as it will be drawn, and whose slits would have no width.
+void measureSlits(const Analysis &analysis, bool compensatesKerf, CuttingFile &file)
 {
-    double narrowest = 0.0;
     for (std::size_t i = 0; i < analysis.assembly.slits.size(); ++i) {
         const double kerf = compensatesKerf ? analysis.model.stockOf(i).kerf : 0.0;
         for (const Slit &slit : analysis.assembly.slits[i]) {
             const double width = slit.width - kerf;
-            narrowest = narrowest == 0.0 ? width : std::min(narrowest, width);
+            file.slitWidth = std::min(width, file.slitWidth.value_or(width));
+            if (width <= 0.0)
+                addOnce(file.closedSlits, analysis.model.section(i)->name);
         }
     }
-    return narrowest;
 }
 
 } // namespace
@@ -43,7 +43,7 @@ Result<CuttingFile> makeCuttingFile(const Analysis &analysis, const CuttingFileO
         return failure(ErrorCode::NothingToExport);
     CuttingFile file;
     file.partCount = static_cast<int>(parts.size());
-    file.slitWidth = drawnSlitWidth(analysis, options.compensatesKerf);
+    measureSlits(analysis, options.compensatesKerf, file);
     std::vector<Engraving> engravings;
     for (const Part &part : parts) {
         engravings.push_back(engrave(part));

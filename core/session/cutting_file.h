@@ -5,6 +5,7 @@
 #include "core/fabrication/layout.h"
 #include "core/session/analysis.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,7 +25,8 @@ struct CuttingFile
     int sheetCount = 0;
     std::vector<std::string> oversized; // names of sections with a part that fits no sheet
     std::vector<std::string> unmarked; // names of sections with a part too slim to carry its number
-    double slitWidth = 0.0; // mm, the narrowest slit as drawn (kerf taken off); 0 without slits
+    std::vector<std::string> closedSlits; // names of sections whose slits the kerf closes
+    std::optional<double> slitWidth;      // mm, the narrowest slit as drawn, kerf taken off; of any
 };
 
 /// Errors  NothingToExport for a model without sections.

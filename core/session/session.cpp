@@ -58,7 +58,12 @@ private:
 
 Session::Private::Private(Session *session)
     : q(session), stack(new QUndoStack(session)),
-      job([this](const ModelPointer &model) { return analyse(*model, caches); },
+      job(
+          [this](const ModelPointer &model) {
+              Analysis result = analyse(*model, caches);
+              prepareDrawing(result);
+              return result;
+          },
           [this](std::uint64_t ofRevision, Analysis result) {
               analysis = std::make_shared<const Analysis>(std::move(result));
               analysedRevision = ofRevision;

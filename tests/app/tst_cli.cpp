@@ -86,6 +86,7 @@ private Q_SLOTS:
     void infoTellsTheModel();
     void partsAreCutAndClosed();
     void exportIsTrueToSize();
+    void kerfThatClosesSlitsIsSaid();
     void exportKeepsTheOldFileWhenItCannotWrite();
     void nativeExportReadsBackEqual();
     void optionsOverrideTheDocument();
@@ -124,6 +125,12 @@ void TestCli::wrongUse_data()
     row("thickness in words", "info a.fff --thickness thin");
     row("sheet of one number", "info a.fff --sheet 600");
     row("tolerance of zero", "parts a.fff --tolerance 0");
+    row("a thickness that no number holds", "info a.fff --thickness 1e300");
+    row("a sheet of two kilometres", "export a.fff -o - --format svg --sheet 2000000x400");
+    row("a clearance that leaves no slit", "info a.fff --clearance -3");
+    row("standard output of an unknown kind", "export a.fff -o -");
+    row("an unknown stock", "info a.fff --stock cheese");
+    row("a bad option with a bad file", "info absent.fff --thickness thin");
 }
 
 // Scripts rely on the status, people on the usage line.
@@ -136,7 +143,7 @@ void TestCli::wrongUse()
     const Run result = run(arguments);
     QCOMPARE(result.status, 1);
     QVERIFY(result.out.isEmpty());
-    QVERIFY(!result.err.isEmpty());
+    QVERIFY(result.err.contains("flatfitfab-cli"));
 }
 
 void TestCli::badInput_data()
@@ -233,6 +240,16 @@ void TestCli::exportIsTrueToSize()
     for (const QString &d : paths)
         QVERIFY(d.trimmed().endsWith(u'Z'));
     QCOMPARE(viewBox.split(u' ').value(2) + QStringLiteral("mm"), width);
+}
+
+// Parts whose slits the kerf swallows fit nowhere; saying nothing wastes the sheet.
+void TestCli::kerfThatClosesSlitsIsSaid()
+{
+    const Run result = run({QStringLiteral("export"), path("pair.fff"), QStringLiteral("-o"),
+                            path("thin.svg"), QStringLiteral("--kerf"), QStringLiteral("3")});
+    QCOMPARE(result.status, 0);
+    QVERIFY(result.err.contains("closes them: Section 1, Section 2"));
+    QVERIFY(result.err.contains("0.00 mm"));
 }
 
 void TestCli::exportKeepsTheOldFileWhenItCannotWrite()
