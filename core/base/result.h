@@ -59,6 +59,8 @@ enum class WarningCode {
     SelfCrossingContour, // the largest non-zero region of a contour was kept
     HoleOutside,         // a hole that does not lie in its contour was left out
     DegenerateHole,      // a hole without area was left out
+    MergedHoles,         // holes that overlap were made one
+    NotchedContour,      // a hole that reaches out of its contour was cut out of it
     TrailingLines,       // text after the last section was ignored
     CountMismatch,       // reserved for headers whose count is not that of the file
 };

@@ -172,6 +172,14 @@ QString warningSentence(const Warning &warning)
     case WarningCode::DegenerateHole:
         return ofSection(args, Words::tr("a hole of %1 has no area and was left out"),
                          Words::tr("a hole has no area and was left out"));
+    case WarningCode::MergedHoles:
+        return ofSection(args, Words::tr("holes of %1 overlap and were made one"),
+                         Words::tr("holes overlap and were made one"));
+    case WarningCode::NotchedContour:
+        return ofSection(args,
+                         Words::tr("a hole of %1 reaches out of its contour and was made a notch "
+                                   "of it"),
+                         Words::tr("a hole reaches out of its contour and was made a notch of it"));
     case WarningCode::TrailingLines:
         return args.empty() ? Words::tr("lines after the last section were ignored")
                             : Words::tr("text after the last section was ignored, lines: %1")

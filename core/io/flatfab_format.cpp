@@ -1,8 +1,8 @@
 #include "core/io/flatfab_format.h"
 
 #include "core/base/tolerances.h"
-#include "core/geometry/boolean.h"
 #include "core/io/flatfab_text.h"
+#include "core/io/mended_shape.h"
 
 #include <Eigen/Geometry>
 #include <QtCore/QCoreApplication>
@@ -27,23 +27,6 @@ double skewness(const FlatfabSection &section, const Frame &frame)
                      normalOff});
 }
 
-double perimeter(const Polygon &polygon)
-{
-    double sum = 0.0;
-    for (std::size_t i = 0; i < polygon.size(); ++i)
-        sum += (polygon[(i + 1) % polygon.size()] - polygon[i]).norm();
-    return sum;
-}
-
-/// What reaches beyond the contour is no more than a rim of the width of kCutChord.
-bool liesInside(const Contour &hole, const Contour &contour)
-{
-    double outside = 0.0;
-    for (const CurvedRegion &piece : subtract(hole, {contour}, {}, kCutChord))
-        outside += area(piece.region);
-    return outside <= kMinArea + kCutChord * perimeter(hole.flatten(kCutChord).points);
-}
-
 class SectionBuilder
 {
 public:
@@ -61,7 +44,6 @@ private:
     void warn(WarningCode code, int line, std::vector<std::string> more = {});
     bool makeSectionFrame();
     Result<Contour> contourOf(const FlatfabCurve &curve);
-    bool addHole(const FlatfabCurve &curve, const Contour &contour, std::vector<Contour> &holes);
 
     const FlatfabSection &m_source;
     std::string m_name;
@@ -126,50 +108,23 @@ Result<Contour> SectionBuilder::contourOf(const FlatfabCurve &curve)
     return Contour::fromPoints(std::move(points));
 }
 
-/// False with an error in the problems. A hole that cannot be one is left out with a warning.
-bool SectionBuilder::addHole(const FlatfabCurve &curve, const Contour &contour,
-                             std::vector<Contour> &holes)
-{
-    const Result<Contour> drawn = contourOf(curve);
-    if (!drawn) {
-        fail(curve.line, drawn.error());
-        return false;
-    }
-    Result<ResolvedContour> hole = resolveCrossings(*drawn);
-    if (!hole || std::abs(hole->contour.signedArea()) < kMinArea) {
-        warn(WarningCode::DegenerateHole, curve.line);
-        return true;
-    }
-    if (!liesInside(hole->contour, contour)) {
-        warn(WarningCode::HoleOutside, curve.line);
-        return true;
-    }
-    if (hole->wasCrossing)
-        warn(WarningCode::SelfCrossingContour, curve.line);
-    holes.push_back(std::move(hole->contour));
-    return true;
-}
-
 std::shared_ptr<Section> SectionBuilder::build()
 {
     if (!makeSectionFrame())
         return nullptr;
-    const FlatfabCurve &outer = m_source.curves.front();
-    Result<ResolvedContour> contour = contourOf(outer).and_then(resolveCrossings);
-    if (!contour) {
-        fail(outer.line, contour.error());
-        return nullptr;
-    }
-    if (contour->wasCrossing)
-        warn(WarningCode::SelfCrossingContour, outer.line);
-    std::vector<Contour> holes;
-    for (std::size_t i = 1; i < m_source.curves.size(); ++i) {
-        if (!addHole(m_source.curves[i], contour->contour, holes))
+    std::vector<PlacedContour> curves;
+    for (const FlatfabCurve &curve : m_source.curves) {
+        Result<Contour> contour = contourOf(curve);
+        if (!contour) {
+            fail(curve.line, contour.error());
             return nullptr;
+        }
+        curves.push_back({*std::move(contour), std::to_string(curve.line)});
     }
-    Result<ShapePointer> shape = Shape::make(std::move(contour->contour), std::move(holes));
+    const std::vector<PlacedContour> holes(curves.begin() + 1, curves.end());
+    Result<ShapePointer> shape = makeMendedShape(curves.front(), holes, m_name, m_problems);
     if (!shape) {
-        fail(outer.line, shape.error());
+        fail(m_source.curves.front().line, shape.error());
         return nullptr;
     }
     auto section = std::make_shared<Section>();

@@ -9,5 +9,6 @@ target_sources(fff_io PRIVATE
     json_syntax.cpp
     json_writer.cpp
     loaded_document.cpp
+    mended_shape.cpp
     svg_writer.cpp
 )

@@ -27,6 +27,8 @@ private Q_SLOTS:
     void worldPointsStay();
     void warnings_data();
     void warnings();
+    void overlappingHoles_data();
+    void overlappingHoles();
     void malformed_data();
     void malformed();
     void truncationIsAnError();
@@ -202,7 +204,10 @@ void TestFlatfabFormat::warnings_data()
     QTest::newRow("hole beside the contour")
         << holes(square(1, 5)) << Codes{HoleOutside} << QStringLiteral("a.txt:24") << 0;
     QTest::newRow("hole across the contour")
-        << holes(square(1, 2)) << Codes{HoleOutside} << QStringLiteral("a.txt:24") << 0;
+        << holes(square(1, 2)) << Codes{NotchedContour} << QStringLiteral("a.txt:24") << 0;
+    QTest::newRow("hole that cuts the contour in two")
+        << holes(polygonCurve({{-1, -3}, {1, -3}, {1, 3}, {-1, 3}})) << Codes{HoleOutside}
+        << QStringLiteral("a.txt:24") << 0;
     QTest::newRow("hole round the contour")
         << holes(square(3)) << Codes{HoleOutside} << QStringLiteral("a.txt:24") << 0;
     QTest::newRow("hole that touches the contour")
@@ -234,6 +239,56 @@ void TestFlatfabFormat::warnings()
     }
     QVERIFY(found == codes);
     QCOMPARE(static_cast<int>(loaded->document.sections.front()->shape->holes().size()), holes);
+}
+
+/// In a square of 8 by 8 units about the origin.
+void TestFlatfabFormat::overlappingHoles_data()
+{
+    QTest::addColumn<std::vector<std::string>>("curves");
+    QTest::addColumn<double>("area"); // squares of the file's unit
+    QTest::addColumn<int>("holes");
+    QTest::addColumn<int>("merged");
+    QTest::addColumn<int>("notches");
+    using Curves = std::vector<std::string>;
+    const std::string clockwise = polygonCurve({{0, -1}, {0, 1}, {2, 1}, {2, -1}});
+    const auto row = [](const char *name, Curves curves, double area, int holes, int merged,
+                        int notches) {
+        curves.insert(curves.begin(), square(4));
+        QTest::newRow(name) << curves << area << holes << merged << notches;
+    };
+    row("apart", {square(1, -2), square(1, 2)}, 64 - 8, 2, 0, 0);
+    row("side by side", {square(1, -1), square(1, 1)}, 64 - 8, 2, 0, 0);
+    row("half on each other", {square(1), square(1, 1)}, 64 - 6, 1, 1, 0);
+    row("of either winding", {square(1), clockwise}, 64 - 6, 1, 1, 0);
+    row("the same twice", {square(1), square(1)}, 64 - 4, 1, 1, 0);
+    row("one in the other", {square(1), square(2)}, 64 - 16, 1, 1, 0);
+    row("a chain of three", {square(1, -1.5), square(1, 1.5), square(1)}, 64 - 10, 1, 2, 0);
+    row("one apart from two", {square(0.5), square(0.5, 3), square(0.5, 0.5)}, 64 - 2.5, 2, 1, 0);
+    row("across the contour", {square(1, 4)}, 64 - 2, 0, 0, 1);
+    row("across the contour and apart", {square(1), square(1, 4)}, 64 - 6, 1, 0, 1);
+    row("across the contour and on each other", {square(1, 2.5), square(1, 4)}, 64 - 5, 0, 1, 1);
+}
+
+void TestFlatfabFormat::overlappingHoles()
+{
+    QFETCH(std::vector<std::string>, curves);
+    QFETCH(double, area);
+    QFETCH(int, holes);
+    QFETCH(int, merged);
+    QFETCH(int, notches);
+    const auto loaded = readFlatfab(oneSection(kUprightAxes, curves), "a.txt");
+    QVERIFY2(loaded, qPrintable(loaded ? QString() : io::errorText(loaded.error())));
+    const Shape &shape = *loaded->document.sections.front()->shape;
+    QCOMPARE(shape.area() / (25.4 * 25.4), area);
+    QVERIFY(std::abs(fff::area(shape.region()) - shape.area()) < 1e-6);
+    QCOMPARE(static_cast<int>(shape.holes().size()), holes);
+    const auto count = [&](WarningCode code) {
+        return static_cast<int>(std::count_if(loaded->warnings.begin(), loaded->warnings.end(),
+                                              [&](const Warning &w) { return w.code == code; }));
+    };
+    QCOMPARE(count(WarningCode::MergedHoles), merged);
+    QCOMPARE(count(WarningCode::NotchedContour), notches);
+    QCOMPARE(static_cast<int>(loaded->warnings.size()), merged + notches);
 }
 
 void TestFlatfabFormat::malformed_data()

@@ -1,0 +1,176 @@
+#include "core/io/mended_shape.h"
+
+#include "core/base/tolerances.h"
+#include "core/geometry/boolean.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace fff::io {
+
+namespace {
+
+double perimeter(const Polygon &polygon)
+{
+    double sum = 0.0;
+    for (std::size_t i = 0; i < polygon.size(); ++i)
+        sum += (polygon[(i + 1) % polygon.size()] - polygon[i]).norm();
+    return sum;
+}
+
+double areaOf(const std::vector<CurvedRegion> &regions)
+{
+    double sum = 0.0;
+    for (const CurvedRegion &piece : regions)
+        sum += area(piece.region);
+    return sum;
+}
+
+/// What reaches beyond the contour is no more than a rim of the width of kCutChord.
+bool liesInside(const Contour &hole, const Contour &contour)
+{
+    return areaOf(subtract(hole, {contour}, {}, kCutChord)) <=
+           kMinArea + kCutChord * perimeter(hole.flatten(kCutChord).points);
+}
+
+/// They share more than a rim of the width of kResolveChord, or the dust that booleans leave out.
+bool overlap(const Contour &a, const Contour &b)
+{
+    const Box2 boxA = a.bounds();
+    const Box2 boxB = b.bounds();
+    if ((boxA.min.array() > boxB.max.array()).any() || (boxB.min.array() > boxA.max.array()).any())
+        return false;
+    const Polygon whole = a.flatten(kResolveChord).points;
+    const double shared = std::abs(signedArea(whole)) - areaOf(subtract(a, {b}, {}, kResolveChord));
+    return shared > 2.0 * kMinArea + kResolveChord * perimeter(whole);
+}
+
+/// The contour without the hole, when that is one piece and less than the contour.
+std::optional<Contour> notched(const Contour &contour, const Contour &hole)
+{
+    std::vector<CurvedRegion> pieces = subtract(contour, {hole}, {}, kResolveChord);
+    if (pieces.size() != 1 || !pieces.front().holes.empty() || !overlap(contour, hole))
+        return std::nullopt;
+    return std::move(pieces.front().outer);
+}
+
+class Mender
+{
+public:
+    Mender(const std::string &name, Problems &problems) : m_name(name), m_problems(problems) {}
+
+    Result<ShapePointer> mend(const PlacedContour &contour,
+                              const std::vector<PlacedContour> &holes);
+
+private:
+    void warn(WarningCode code, const std::string &where);
+    void addHole(const PlacedContour &drawn);
+    bool unite(std::size_t i, std::size_t j);
+    void uniteOverlapping();
+    void cutOut();
+
+    const std::string &m_name;
+    Problems &m_problems;
+    Contour m_contour;
+    std::vector<PlacedContour> m_holes;
+};
+
+void Mender::warn(WarningCode code, const std::string &where)
+{
+    m_problems.warn(code, where, m_name.empty() ? std::vector<std::string>{} : std::vector{m_name});
+}
+
+/// A hole that cannot be one is left out with a warning.
+void Mender::addHole(const PlacedContour &drawn)
+{
+    Result<ResolvedContour> hole = resolveCrossings(drawn.contour);
+    if (!hole || std::abs(hole->contour.signedArea()) < kMinArea) {
+        warn(WarningCode::DegenerateHole, drawn.where);
+        return;
+    }
+    if (!liesInside(hole->contour, m_contour) && !notched(m_contour, hole->contour)) {
+        warn(WarningCode::HoleOutside, drawn.where);
+        return;
+    }
+    if (hole->wasCrossing)
+        warn(WarningCode::SelfCrossingContour, drawn.where);
+    m_holes.push_back({std::move(hole->contour), drawn.where});
+}
+
+/// Hole j becomes part of hole i. What they enclose between them falls out, too.
+bool Mender::unite(std::size_t i, std::size_t j)
+{
+    std::vector<Contour> both = {m_holes[i].contour, m_holes[j].contour};
+    for (Contour &hole : both) {
+        if (hole.signedArea() < 0.0)
+            hole = hole.reversed();
+    }
+    std::vector<CurvedRegion> united = windingRegions(both, WindingRule::NonZero, kResolveChord);
+    if (united.empty())
+        return false;
+    warn(WarningCode::MergedHoles, m_holes[std::max(i, j)].where);
+    m_holes[i] = {std::move(united.front().outer), m_holes[std::min(i, j)].where};
+    m_holes.erase(m_holes.begin() + static_cast<std::ptrdiff_t>(j));
+    return true;
+}
+
+void Mender::uniteOverlapping()
+{
+    for (std::size_t i = 0; i < m_holes.size(); ++i) {
+        for (std::size_t j = i + 1; j < m_holes.size(); ++j) {
+            if (j == i || !overlap(m_holes[i].contour, m_holes[j].contour) || !unite(i, j))
+                continue;
+            i -= j < i ? 1 : 0;
+            j = std::size_t(-1); // it has grown: all others again
+        }
+    }
+}
+
+/// Holes that cross the contour become notches of it. Holes do not meet each other by now, so that
+/// a notch leaves the others where they are: inside.
+void Mender::cutOut()
+{
+    std::vector<PlacedContour> inside;
+    for (PlacedContour &hole : m_holes) {
+        if (liesInside(hole.contour, m_contour)) {
+            inside.push_back(std::move(hole));
+        } else if (std::optional<Contour> rest = notched(m_contour, hole.contour)) {
+            m_contour = *std::move(rest);
+            warn(WarningCode::NotchedContour, hole.where);
+        } else {
+            warn(WarningCode::HoleOutside, hole.where);
+        }
+    }
+    m_holes = std::move(inside);
+}
+
+Result<ShapePointer> Mender::mend(const PlacedContour &contour,
+                                  const std::vector<PlacedContour> &holes)
+{
+    Result<ResolvedContour> resolved = resolveCrossings(contour.contour);
+    if (!resolved)
+        return tl::unexpected(resolved.error());
+    if (resolved->wasCrossing)
+        warn(WarningCode::SelfCrossingContour, contour.where);
+    m_contour = std::move(resolved->contour);
+    for (const PlacedContour &hole : holes)
+        addHole(hole);
+    uniteOverlapping();
+    cutOut();
+    std::vector<Contour> mended;
+    for (PlacedContour &hole : m_holes)
+        mended.push_back(std::move(hole.contour));
+    return Shape::make(std::move(m_contour), std::move(mended));
+}
+
+} // namespace
+
+Result<ShapePointer> makeMendedShape(const PlacedContour &contour,
+                                     const std::vector<PlacedContour> &holes,
+                                     const std::string &name, Problems &problems)
+{
+    return Mender(name, problems).mend(contour, holes);
+}
+
+} // namespace fff::io

@@ -1,0 +1,29 @@
+// Shapes of files: whatever was drawn, what comes out is a contour that does not cross itself with
+// holes that lie in it and not on each other. Every reader goes through here.
+#pragma once
+
+#include "core/io/problems.h"
+#include "core/model/shape.h"
+
+namespace fff::io {
+
+/// A contour or hole and where it stands in the file.
+struct PlacedContour
+{
+    Contour contour;
+    std::string where;
+};
+
+/// What needs no mending comes back bit for bit, but for the winding that Shape::make gives.
+///
+/// name      the section's, for the warnings; may be empty
+/// Errors    EmptyContour, without a place
+/// Warnings  SelfCrossingContour: the largest region of that contour or hole was kept (non-zero
+///           winding). DegenerateHole, HoleOutside: that hole was left out; the latter also when it
+///           would take the contour apart. MergedHoles: this hole and others overlap and are one
+///           now. NotchedContour: a hole that crosses the contour was cut out of it.
+Result<ShapePointer> makeMendedShape(const PlacedContour &contour,
+                                     const std::vector<PlacedContour> &holes,
+                                     const std::string &name, Problems &problems);
+
+} // namespace fff::io
