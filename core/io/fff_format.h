@@ -29,13 +29,14 @@ inline constexpr int kFffVersion = 1;
 Result<std::string> writeFff(const Document &document);
 
 /// Reads a whole file. write and read again gives an equal document; numbers come back bit for bit,
-/// but for the sign of zero.
+/// but for the sign of zero. Shapes that another program or hand spoilt are mended.
 ///
 /// name      how errors call the file; empty: places are without it
 /// Errors    BadSyntax, Truncated, NonFinite at name:line; NotAModel, NewerVersion; and at
 ///           name:$.json.path  BadValue, DuplicateId, UnknownReference, DegenerateFrame (axes off
 ///           by more than kFrameRounding), BadContour, EmptyContour, Unsupported (operations).
 /// Warnings  SkewFrame: axes off by more than rounding of a double, made orthonormal again.
+///           Those of core/io/mended_shape.h.
 Result<LoadedDocument> readFff(std::string_view bytes, const std::string &name = {});
 
 } // namespace fff::io

@@ -2,6 +2,7 @@
 #include "core/io/fff_format.h"
 #include "core/io/json_cursor.h"
 #include "core/io/json_syntax.h"
+#include "core/io/mended_shape.h"
 
 #include <QtCore/QCoreApplication>
 #include <algorithm>
@@ -121,15 +122,19 @@ Contour FffReader::readContour(const JsonCursor &cursor)
 
 ShapePointer FffReader::readShape(const JsonCursor &cursor)
 {
-    Contour contour = readContour(cursor.member("contour"));
-    std::vector<Contour> holes;
+    const auto placed = [this](const JsonCursor &item) {
+        return PlacedContour{readContour(item), item.path()};
+    };
+    const PlacedContour contour = placed(cursor.member("contour"));
+    std::vector<PlacedContour> holes;
     if (const JsonCursor list = cursor.member("holes"); list.exists()) {
         for (const JsonCursor &item : list.items())
-            holes.push_back(readContour(item));
+            holes.push_back(placed(item));
     }
     if (m_problems.failed())
         return nullptr;
-    Result<ShapePointer> shape = Shape::make(std::move(contour), std::move(holes));
+    // Sections may share it: it has no name of its own.
+    Result<ShapePointer> shape = makeMendedShape(contour, holes, {}, m_problems);
     if (shape)
         return *std::move(shape);
     cursor.fail(shape.error().code, shape.error().args);

@@ -1,5 +1,6 @@
 // The native format. If this fails, a saved model does not come back, or a broken file does harm.
 #include "core/base/tolerances.h"
+#include "core/geometry/boolean.h"
 #include "core/io/error_text.h"
 #include "core/io/fff_format.h"
 #include "tests/core/io/io_samples.h"
@@ -24,6 +25,8 @@ private Q_SLOTS:
     void goldenFileIsRead();
     void malformed_data();
     void malformed();
+    void shapesAreMended_data();
+    void shapesAreMended();
     void frames_data();
     void frames();
     void danglingOperationIsKept();
@@ -68,7 +71,10 @@ ShapePointer randomShape(std::mt19937_64 &random)
         std::vector<Vec2> points(3 * (2 + random() % 6));
         for (Vec2 &p : points)
             p = {length(random), random() % 10 == 0 ? -0.0 : length(random)};
-        if (const auto shape = Shape::make(Contour::fromPoints(points).value()))
+        const auto contour = resolveCrossings(Contour::fromPoints(points).value());
+        if (!contour)
+            continue;
+        if (const auto shape = Shape::make(contour->contour))
             return *shape;
     }
 }
@@ -306,6 +312,62 @@ void TestFffFormat::malformed()
     QVERIFY2(loaded.error().code == code, sentence);
     QCOMPARE(QString::fromStdString(loaded.error().place), QString::fromStdString(place));
     QVERIFY(sentence.size() > static_cast<int>(place.size()) + 2);
+}
+
+/// As those of `.txt` files, and for good: what is written then is read without a word.
+void TestFffFormat::shapesAreMended_data()
+{
+    QTest::addColumn<std::vector<Polygon>>("polygons"); // the contour, its holes
+    QTest::addColumn<WarningCode>("code");
+    QTest::addColumn<std::string>("where");
+    QTest::addColumn<double>("area");
+    QTest::addColumn<int>("holes");
+    using enum WarningCode;
+    using Polygons = std::vector<Polygon>;
+    const auto square = [](double half, double x) {
+        return Polygon{{x - half, -half}, {x + half, -half}, {x + half, half}, {x - half, half}};
+    };
+    const Polygon eight = {{0, 0}, {40, 40}, {40, 0}, {0, 30}};
+    const std::string hole = "holes[0]";
+    QTest::newRow("contour like an eight")
+        << Polygons{eight} << SelfCrossingContour << std::string("contour")
+        << 0.5 * 40 * (40 - 120.0 / 7.0) << 0;
+    QTest::newRow("hole outside") << Polygons{square(40, 0), square(5, 60)} << HoleOutside << hole
+                                  << 6400.0 << 0;
+    QTest::newRow("hole across the contour")
+        << Polygons{square(40, 0), square(5, 40)} << NotchedContour << hole << 6350.0 << 0;
+    QTest::newRow("hole without area")
+        << Polygons{square(40, 0), {{0, 0}, {1, 0}}} << DegenerateHole << hole << 6400.0 << 0;
+    QTest::newRow("holes on each other") << Polygons{square(40, 0), square(5, 0), square(5, 5)}
+                                         << MergedHoles << std::string("holes[1]") << 6250.0 << 1;
+}
+
+void TestFffFormat::shapesAreMended()
+{
+    QFETCH(std::vector<Polygon>, polygons);
+    QFETCH(WarningCode, code);
+    QFETCH(std::string, where);
+    QFETCH(double, area);
+    QFETCH(int, holes);
+    std::vector<Contour> contours;
+    for (const Polygon &polygon : polygons)
+        contours.push_back(Contour::fromPolygon(polygon).value());
+    NewSection section;
+    const std::vector<Contour> others(contours.begin() + 1, contours.end());
+    section.shape = Shape::make(contours.front(), others).value();
+    const Document spoilt = addSection(newDocument(), section).value();
+    const auto loaded = io::readFff(io::writeFff(spoilt).value(), "a.fff");
+    QVERIFY2(loaded, qPrintable(loaded ? QString() : io::errorText(loaded.error())));
+    QCOMPARE(loaded->warnings.size(), std::size_t(1));
+    QVERIFY(loaded->warnings.front().code == code);
+    QCOMPARE(loaded->warnings.front().place, "a.fff:$.shapes[0]." + where);
+    const Shape &shape = *loaded->document.sections.front()->shape;
+    QVERIFY(std::abs(shape.area() - area) < 1e-3);
+    QCOMPARE(static_cast<int>(shape.holes().size()), holes);
+
+    const auto again = io::readFff(io::writeFff(loaded->document).value());
+    QVERIFY(again && again->warnings.empty());
+    QVERIFY(again->document == loaded->document);
 }
 
 void TestFffFormat::frames_data()
