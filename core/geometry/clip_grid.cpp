@@ -50,8 +50,9 @@ bool touchesItself(const GridRegion &region)
            std::any_of(region.holes.begin(), region.holes.end(), hasRepeat);
 }
 
-std::vector<GridRegion> run(const std::vector<GridRing> &subjects, Winding rule,
-                            const std::vector<GridRing> &clips, bool strictlySimple)
+/// Throws what Clipper throws.
+std::vector<GridRegion> execute(const std::vector<GridRing> &subjects, Winding rule,
+                                const std::vector<GridRing> &clips, bool strictlySimple)
 {
     ClipperLib::Clipper clipper;
     // Corners along a straight edge are where a curve's segments meet: they must survive.
@@ -62,7 +63,8 @@ std::vector<GridRegion> run(const std::vector<GridRing> &subjects, Winding rule,
     for (const GridRing &ring : clips)
         clipper.AddPath(toPath(ring), ClipperLib::ptClip, true);
     ClipperLib::PolyTree tree;
-    clipper.Execute(ClipperLib::ctDifference, tree, fillType(rule), ClipperLib::pftNonZero);
+    if (!clipper.Execute(ClipperLib::ctDifference, tree, fillType(rule), ClipperLib::pftNonZero))
+        return {};
 
     std::vector<GridRegion> regions;
     for (const ClipperLib::PolyNode *node = tree.GetFirst(); node; node = node->GetNext()) {
@@ -74,6 +76,16 @@ std::vector<GridRegion> run(const std::vector<GridRing> &subjects, Winding rule,
         regions.push_back(std::move(region));
     }
     return regions;
+}
+
+std::vector<GridRegion> run(const std::vector<GridRing> &subjects, Winding rule,
+                            const std::vector<GridRing> &clips, bool strictlySimple)
+{
+    try {
+        return execute(subjects, rule, clips, strictlySimple);
+    } catch (const ClipperLib::clipperException &) {
+        return {};
+    }
 }
 
 } // namespace

@@ -49,7 +49,8 @@ double area(const GridRegion &region);
 enum class Winding { NonZero, Positive, Negative };
 
 /// (what `subjects` wind round, by that rule) minus (what any of `clips` encloses, non-zero).
-/// Rings that touch themselves at a corner come back as several.
+/// Rings that touch themselves at a corner come back as several. Empty when Clipper fails, as it
+/// does for coordinates beyond 2^62 steps.
 std::vector<GridRegion> clip(const std::vector<GridRing> &subjects, Winding rule,
                              const std::vector<GridRing> &clips);
 

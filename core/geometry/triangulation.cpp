@@ -4,6 +4,8 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Triangulation_face_base_with_info_2.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
+#include <CGAL/Uncertain.h>
+#include <CGAL/exceptions.h>
 
 #include <list>
 
@@ -65,9 +67,8 @@ void markNesting(const Cdt &cdt)
     }
 }
 
-} // namespace
-
-Triangulation triangulate(const Region &region)
+/// Throws what CGAL throws.
+Triangulation constrainedDelaunay(const Region &region)
 {
     Triangulation result;
     Cdt cdt;
@@ -89,6 +90,19 @@ Triangulation triangulate(const Region &region)
                 {face->vertex(0)->info(), face->vertex(1)->info(), face->vertex(2)->info()});
     }
     return result;
+}
+
+} // namespace
+
+Triangulation triangulate(const Region &region)
+{
+    try {
+        return constrainedDelaunay(region);
+    } catch (const CGAL::Failure_exception &) {
+        return {};
+    } catch (const CGAL::Uncertain_conversion_exception &) {
+        return {};
+    }
 }
 
 } // namespace fff

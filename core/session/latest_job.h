@@ -8,6 +8,7 @@
 
 #include <condition_variable>
 #include <cstdint>
+#include <exception>
 #include <functional>
 #include <mutex>
 #include <optional>
@@ -17,7 +18,7 @@ namespace fff {
 
 /// Input is copied to the worker. `work` runs there, never twice at once, so that it may own
 /// caches; `publish` runs on the thread that owns this object. The destructor waits for the one
-/// that runs.
+/// that runs. What `work` throws is logged and not published: the result before it stays the last.
 template <class Input, class Output>
 class LatestJob
 {
@@ -59,13 +60,23 @@ public:
     }
 
 private:
-    using Tagged = std::pair<std::uint64_t, Output>;
+    using Tagged = std::pair<std::uint64_t, std::optional<Output>>;
+
+    std::optional<Output> tryWork(const Input &input)
+    {
+        try {
+            return m_work(input);
+        } catch (const std::exception &exception) {
+            qWarning("work in the background failed: %s", exception.what());
+            return std::nullopt;
+        }
+    }
 
     void startWaiting()
     {
         m_isRunning = true;
         m_pool.start([this, request = std::move(*m_waiting)] {
-            Output output = m_work(request.second);
+            std::optional<Output> output = tryWork(request.second);
             {
                 const std::lock_guard lock(m_mutex);
                 m_result.emplace(request.first, std::move(output));
@@ -91,7 +102,8 @@ private:
         m_isRunning = false;
         if (m_waiting)
             startWaiting();
-        m_publish(result->first, std::move(result->second));
+        if (result->second)
+            m_publish(result->first, std::move(*result->second));
     }
 
     Work m_work;
@@ -100,7 +112,7 @@ private:
     bool m_isRunning = false;                                 // owner's thread only
     std::mutex m_mutex;
     std::condition_variable m_ready;
-    std::optional<Tagged> m_result; // guarded by m_mutex
+    std::optional<Tagged> m_result; // guarded by m_mutex; no output where the work failed
     QObject m_receiver;
     QThreadPool m_pool; // last: its destructor waits before the rest goes
 };

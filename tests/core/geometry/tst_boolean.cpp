@@ -1,5 +1,6 @@
 #include "core/base/tolerances.h"
 #include "core/geometry/boolean.h"
+#include "core/geometry/clip_grid.h"
 #include "tests/core/geometry/curve_distance.h"
 #include "tests/core/shapes.h"
 
@@ -116,6 +117,7 @@ class TestBoolean : public QObject
     Q_OBJECT
 
 private Q_SLOTS:
+    void failureOfClipperIsEmpty();
     void contourWithoutCutsComesBack_data();
     void contourWithoutCutsComesBack();
     void touchingContourFallsApart();
@@ -139,6 +141,17 @@ private Q_SLOTS:
     void emptyContourIsAnError();
     void fiveHundredVerticesTwentySlits();
 };
+
+/// Clipper throws for coordinates beyond 2^62.
+void TestBoolean::failureOfClipperIsEmpty()
+{
+    constexpr std::int64_t far = std::int64_t(1) << 62;
+    const GridRing huge = {{0, 0}, {far, 0}, {far, far}};
+    const GridRing small = {{0, 0}, {9, 0}, {9, 9}};
+    QVERIFY(clip({huge}, Winding::NonZero, {}).empty());
+    QVERIFY(clip({small}, Winding::NonZero, {huge}).empty());
+    QCOMPARE(clip({small}, Winding::NonZero, {}).size(), std::size_t(1));
+}
 
 void TestBoolean::contourWithoutCutsComesBack_data()
 {
