@@ -238,16 +238,17 @@ Document FffReader::read(const JsonCursor &root)
 {
     Document document;
     document.nextId = m_nextId = root.member("nextId").integer(1, kMaxId);
-    for (const JsonCursor &item : root.member("stocks").items()) {
+    const JsonCursor stocks = root.member("stocks");
+    for (const JsonCursor &item : stocks.items()) {
         document.stocks.push_back(std::make_shared<const Stock>(readStock(item)));
         m_stockIds.insert(document.stocks.back()->id.value);
         if (m_problems.failed())
             return {};
     }
-    const JsonCursor current = root.member("currentStock");
-    // A document without any stock has none that is current.
-    document.currentStock = StockId{document.stocks.empty() ? current.integer(0, 0)
-                                                            : readReference(current, m_stockIds)};
+    // Whatever is drawn is of the current one.
+    if (document.stocks.empty())
+        stocks.failExpected(QT_TRANSLATE_NOOP("Error", "at least one stock"));
+    document.currentStock = StockId{readReference(root.member("currentStock"), m_stockIds)};
     std::vector<ShapePointer> shapes;
     for (const JsonCursor &item : root.member("shapes").items()) {
         shapes.push_back(readShape(item));

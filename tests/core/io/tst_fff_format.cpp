@@ -106,7 +106,6 @@ void TestFffFormat::writeThenReadIsEqual_data()
     QTest::addColumn<Document>("document");
     QTest::newRow("two sections") << twoSections();
     QTest::newRow("new document") << newDocument();
-    QTest::newRow("nothing at all, not even a stock") << Document{};
     Document gaps = twoSections();
     gaps = removeSections(gaps, std::vector{gaps.sections.front()->id}).value();
     gaps.nextId = 4'000'000'000'000;
@@ -235,6 +234,9 @@ void TestFffFormat::malformed_data()
     row("an unknown current stock", edited("\"currentStock\": 3", "\"currentStock\": 2"),
         UnknownReference, "a.fff:$.currentStock");
     row("no stocks", edited("\"stocks\"", "\"stacks\""), BadValue, "a.fff:$.stocks");
+    row("an empty list of stocks", io::writeFff(Document{}).value(), BadValue, "a.fff:$.stocks");
+    row("an empty list of stocks that is used", edited("\"stocks\": [", "\"stocks\": [], \"x\": ["),
+        BadValue, "a.fff:$.stocks");
     row("stocks as an object", edited("\"stocks\": [", "\"stocks\": {}, \"x\": ["), BadValue,
         "a.fff:$.stocks");
     row("a stock that is a number", edited("\"stocks\": [", "\"stocks\": [3, "), BadValue,
