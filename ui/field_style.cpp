@@ -35,6 +35,11 @@ FieldStyle::FieldStyle() : QProxyStyle(QStyleFactory::create(QStringLiteral("Fus
 void FieldStyle::drawPrimitive(PrimitiveElement element, const QStyleOption *option,
                                QPainter *painter, const QWidget *widget) const
 {
+    const bool isRow = element == PE_PanelItemViewRow || element == PE_PanelItemViewItem;
+    if (isRow && option->state.testFlag(State_Selected)) {
+        painter->fillRect(option->rect, option->palette.brush(QPalette::Highlight));
+        return;
+    }
     QProxyStyle::drawPrimitive(element, option, painter, widget);
     if (element == PE_FrameLineEdit)
         drawBorder(painter, option);

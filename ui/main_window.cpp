@@ -7,6 +7,7 @@
 #include "ui/files/document_files.h"
 #include "ui/icon.h"
 #include "ui/message_bar.h"
+#include "ui/properties/open_editor.h"
 #include "ui/properties/stock_choice.h"
 #include "ui/status_line.h"
 #include "ui/theme.h"
@@ -215,6 +216,7 @@ void MainWindow::addCommands()
 
 void MainWindow::run(const QString &id)
 {
+    commitOpenEditor();
     const QUndoStack &history = *m_bench->session().history();
     const QString undone = history.undoText(), redone = history.redoText();
     const int before = history.index();

@@ -4,6 +4,7 @@
 
 #include "core/base/units.h"
 #include "core/io/document_file.h"
+#include "core/model/edits.h"
 #include "ui/docks/outline_dock.h"
 #include "ui/docks/properties_dock.h"
 #include "ui/field_style.h"
@@ -43,6 +44,16 @@ private Q_SLOTS:
     void theOutlineRenames();
     void theFilterFindsSections();
     void aThicknessIsOneStep();
+    void leavingAFieldChangesNothing_data();
+    void leavingAFieldChangesNothing();
+    void whatIsTypedIsSaved_data();
+    void whatIsTypedIsSaved();
+    void whatIsTypedIsAskedAbout();
+    void undoTakesBackWhatIsTyped();
+    void exportLeavesOutWhatIsBeingDrawn();
+    void exportTellsOfClosedSlits();
+    void aSelectedRowIsOfOneColour_data();
+    void aSelectedRowIsOfOneColour();
     void unsavedChangesAreAskedAbout();
     void anUnreadableFileChangesNothing();
     void importsKeepTheirTitleAndAskForAName();
@@ -61,6 +72,7 @@ private:
     void drawFirst();
     void drawSecond();
     Session &session() { return m_window->bench().session(); }
+    const Section &first() { return *session().committed().section(0); }
     std::size_t count() { return session().committed().sectionCount(); }
     /// Presses the button of this text in the next question.
     void answer(const QString &button, int *asked);
@@ -306,6 +318,224 @@ void TestMainWindow::aThicknessIsOneStep()
     session().history()->undo();
     QCOMPARE(session().committed().document.stocks.front()->thickness, before);
     QCOMPARE(field->value(), before);
+}
+
+void TestMainWindow::leavingAFieldChangesNothing_data()
+{
+    QTest::addColumn<double>("x");
+    QTest::addColumn<double>("thickness");
+    QTest::newRow("more digits than shown") << 12.3456789 << 3.14159;
+    QTest::newRow("half a digit") << 0.125 << 2.0625;
+    QTest::newRow("far") << 123456.789 << 640.0;
+    QTest::newRow("as far as can be") << -1e6 << 0.02;
+    QTest::newRow("thicker than the field takes") << 0.0 << 5000.0;
+    QTest::newRow("thinner than the field takes") << 0.0 << 0.001;
+}
+
+void TestMainWindow::leavingAFieldChangesNothing()
+{
+    QFETCH(double, x);
+    QFETCH(double, thickness);
+    drawFirst();
+    Document document = session().committed().document;
+    Stock stock = *document.find(first().stock);
+    stock.thickness = thickness;
+    Frame frame = first().frame;
+    frame.origin.x() = x;
+    Result<Document> next = setStock(std::move(document), stock);
+    QVERIFY(next);
+    next = moveSection(std::move(*next), first().id, frame);
+    QVERIFY(next);
+    session().commit(QStringLiteral("far"), std::move(*next));
+    m_window->bench().select({session().committed().ref(0)});
+
+    const int steps = session().history()->index();
+    for (const char *name : {"positionX", "positionY", "positionZ", "sectionThickness"}) {
+        auto *field = m_window->findChild<QDoubleSpinBox *>(QLatin1String(name));
+        field->setFocus();
+        QTRY_VERIFY(field->hasFocus());
+        QTest::keyClick(field, Qt::Key_Tab);
+        QVERIFY(!field->hasFocus());
+    }
+    QCOMPARE(session().history()->index(), steps);
+    QCOMPARE(first().frame.origin.x(), x);
+    QCOMPARE(session().committed().document.find(first().stock)->thickness, thickness);
+    auto *field = m_window->findChild<QDoubleSpinBox *>(QStringLiteral("positionX"));
+    QVERIFY(std::abs(field->value() - x) < 0.0051);
+}
+
+void TestMainWindow::whatIsTypedIsSaved_data()
+{
+    QTest::addColumn<QString>("field");
+    QTest::newRow("number") << QStringLiteral("positionX");
+    QTest::newRow("arrow") << QString();
+    QTest::newRow("name") << QStringLiteral("propertiesName");
+    QTest::newRow("name in the outline") << QStringLiteral("outlineTree");
+}
+
+/// Ctrl+S with the cursor still in the field.
+void TestMainWindow::whatIsTypedIsSaved()
+{
+    QFETCH(QString, field);
+    drawFirst();
+    m_window->bench().select({session().committed().ref(0)});
+    QTemporaryDir folder;
+    const QString file = folder.filePath(QStringLiteral("typed.fff"));
+    QVERIFY(m_window->files().saveFile(file));
+    const double x = first().frame.origin.x();
+
+    auto *editor =
+        m_window->findChild<QWidget *>(field.isEmpty() ? QStringLiteral("positionX") : field);
+    editor->setFocus();
+    if (auto *tree = qobject_cast<QTreeWidget *>(editor)) {
+        tree->setCurrentItem(tree->topLevelItem(0));
+        QTest::keyClick(tree, Qt::Key_F2);
+        editor = QApplication::focusWidget();
+    }
+    QVERIFY(editor->hasFocus());
+    if (field.isEmpty()) {
+        QTest::keyClick(editor, Qt::Key_Up);
+    } else {
+        QTest::keyClick(editor, Qt::Key_A, Qt::ControlModifier);
+        QTest::keyClicks(editor, QStringLiteral("77"));
+    }
+    QTest::keyClick(m_window.get(), Qt::Key_S, Qt::ControlModifier);
+    QVERIFY(!m_window->isWindowModified());
+    if (!qobject_cast<QLineEdit *>(editor) || field != QStringLiteral("outlineTree"))
+        QVERIFY(editor->hasFocus());
+
+    const Result<io::LoadedDocument> loaded = io::readDocument(file, {});
+    QVERIFY(loaded);
+    const Section &saved = *loaded->document.sections.front();
+    if (field.isEmpty())
+        QVERIFY(std::abs(saved.frame.origin.x() - x - 0.1) < 0.0051);
+    else if (field == QStringLiteral("positionX"))
+        QCOMPARE(saved.frame.origin.x(), 77.0);
+    else
+        QCOMPARE(QString::fromStdString(saved.name), QStringLiteral("77"));
+    QCoreApplication::processEvents();
+    QVERIFY(session().isClean());
+}
+
+void TestMainWindow::whatIsTypedIsAskedAbout()
+{
+    drawFirst();
+    m_window->bench().select({session().committed().ref(0)});
+    session().setClean();
+    auto *field = m_window->findChild<QDoubleSpinBox *>(QStringLiteral("positionX"));
+    field->setFocus();
+    field->selectAll();
+    QTest::keyClicks(field, QStringLiteral("77"));
+    int asked = 0;
+    answer(QStringLiteral("Cancel"), &asked);
+    QVERIFY(!m_window->close());
+    QCOMPARE(asked, 1);
+    QCOMPARE(first().frame.origin.x(), 77.0);
+}
+
+void TestMainWindow::undoTakesBackWhatIsTyped()
+{
+    drawFirst();
+    m_window->bench().select({session().committed().ref(0)});
+    const double x = first().frame.origin.x();
+    auto *field = m_window->findChild<QDoubleSpinBox *>(QStringLiteral("positionX"));
+    field->setFocus();
+    field->selectAll();
+    QTest::keyClicks(field, QStringLiteral("77"));
+    m_window->findChild<QAction *>(QStringLiteral("edit.undo"))->trigger();
+    QCOMPARE(count(), std::size_t(1));
+    QCOMPARE(first().frame.origin.x(), x);
+    QVERIFY(session().history()->canRedo());
+}
+
+void TestMainWindow::exportLeavesOutWhatIsBeingDrawn()
+{
+    drawFirst();
+    QTemporaryDir folder;
+    const QString before = folder.filePath(QStringLiteral("before.svg")),
+                  during = folder.filePath(QStringLiteral("during.svg"));
+    QVERIFY(m_window->files().exportFile(before));
+
+    const Box3 box = worldBounds(*first().shape, first().frame);
+    const QPoint start = onScreen(box.center()),
+                 leave = onScreen({box.center().x(), box.max.y() + 4.0, box.center().z()});
+    move(start);
+    press(start);
+    QPoint at;
+    for (int i = 1; i <= 24; ++i) {
+        at = start + (leave - start) * i / 24;
+        move(at);
+    }
+    QTRY_VERIFY(m_window->bench().interaction().overlay().deadZone.has_value());
+    QTRY_VERIFY_WITH_TIMEOUT(!m_window->bench().interaction().isAnimating(), 5000);
+    const QPoint centre = (start + at) / 2;
+    for (int i = 0; i <= 30; ++i) {
+        const double angle = radians(90.0 + 345.0 * i / 40.0);
+        at = centre + QPoint(static_cast<int>(90 * std::cos(angle)),
+                             static_cast<int>(-130 * std::sin(angle)));
+        move(at);
+    }
+    QTRY_VERIFY(session().hasPreview());
+    QVERIFY(m_window->files().exportFile(during));
+    QVERIFY(!session().hasPreview());
+    release(at);
+    QCOMPARE(count(), std::size_t(1));
+    const Result<std::string> a = io::readFile(before), b = io::readFile(during);
+    QVERIFY(a && b);
+    QVERIFY(*a == *b);
+}
+
+void TestMainWindow::exportTellsOfClosedSlits()
+{
+    drawFirst();
+    drawSecond();
+    Document document = session().committed().document;
+    Stock stock = *document.find(first().stock);
+    stock.kerf = stock.thickness + 1.0;
+    Result<Document> next = setStock(std::move(document), stock);
+    QVERIFY(next);
+    session().commit(QStringLiteral("kerf"), std::move(*next));
+    QTemporaryDir folder;
+    QVERIFY(m_window->files().exportFile(folder.filePath(QStringLiteral("closed.svg"))));
+    auto *messages = m_window->findChild<MessageBar *>(QStringLiteral("messageBar"));
+    QVERIFY(messages->isVisible());
+    QVERIFY2(messages->text().contains(QStringLiteral("slits of ") +
+                                       QString::fromStdString(first().name)),
+             qPrintable(messages->text()));
+}
+
+void TestMainWindow::aSelectedRowIsOfOneColour_data()
+{
+    QTest::addColumn<bool>("isDark");
+    QTest::newRow("light") << false;
+    QTest::newRow("dark") << true;
+}
+
+void TestMainWindow::aSelectedRowIsOfOneColour()
+{
+    QFETCH(bool, isDark);
+    const QPalette before = QApplication::palette();
+    QApplication::setPalette(
+        QPalette(isDark ? QColor(0x30, 0x30, 0x30) : QColor(0xf0, 0xf0, 0xf0)));
+    QTRY_COMPARE(theme().isDark, isDark);
+    drawFirst();
+    drawSecond();
+    auto *tree = m_window->findChild<QTreeWidget *>(QStringLiteral("outlineTree"));
+    m_window->bench().select({session().committed().ref(1)});
+    QCOMPARE(tree->selectedItems().size(), 1);
+    const QRect row = tree->visualItemRect(tree->selectedItems().front());
+    const QImage image = tree->viewport()->grab().toImage();
+    const QColor accent = theme().accent;
+    QApplication::setPalette(before);
+    // Above and below the words.
+    for (int y : {row.top() + 1, row.top() + 3, row.bottom() - 3, row.bottom() - 1}) {
+        for (int x = 0; x < image.width(); ++x)
+            QVERIFY2(image.pixelColor(x, y) == accent,
+                     qPrintable(QStringLiteral("%1 at %2, %3")
+                                    .arg(image.pixelColor(x, y).name())
+                                    .arg(x)
+                                    .arg(y - row.top())));
+    }
 }
 
 void TestMainWindow::unsavedChangesAreAskedAbout()

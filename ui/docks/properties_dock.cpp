@@ -1,5 +1,6 @@
 #include "ui/docks/properties_dock.h"
 
+#include "core/base/tolerances.h"
 #include "core/model/edits.h"
 #include "ui/docks/dock_title.h"
 #include "ui/icon.h"
@@ -20,8 +21,8 @@ namespace fff::ui {
 
 namespace {
 
-constexpr LengthEdit::Range kThicknessRange{0.1, 100.0, 0.05, 2, 3};
-constexpr LengthEdit::Range kPositionRange{-10000.0, 10000.0, 0.1, 2, 2};
+constexpr LengthEdit::Range kThicknessRange{0.01, 1000.0, 0.05, 2, 3};
+constexpr LengthEdit::Range kPositionRange{-kMaxCoordinate, kMaxCoordinate, 0.1, 2, 2};
 
 std::string nameOf(const Model &model, int index)
 {

@@ -4,6 +4,7 @@
 #include "core/io/error_text.h"
 #include "core/session/cutting_file.h"
 #include "ui/message_bar.h"
+#include "ui/properties/open_editor.h"
 #include "ui/status_line.h"
 #include "ui/theme.h"
 #include "ui/workbench.h"
@@ -71,6 +72,7 @@ bool DocumentFiles::exportCuttingFile()
 
 bool DocumentFiles::mayClose()
 {
+    commitOpenEditor();
     if (m_bench.session().isClean())
         return true;
     QMessageBox question(QMessageBox::NoIcon, tr("Unsaved changes"),
@@ -134,6 +136,8 @@ bool DocumentFiles::saveFile(const QString &path)
 bool DocumentFiles::exportFile(const QString &path)
 {
     const QString name = QFileInfo(path).fileName();
+    if (m_bench.session().hasPreview())
+        m_bench.escape(); // a section that is still being drawn is not cut
     const Result<CuttingFile> file = makeCuttingFile(m_bench.session().currentAnalysis());
     const Result<void> written =
         file ? io::writeFile(path, file->svg) : Result<void>(tl::unexpected(file.error()));
@@ -151,14 +155,18 @@ bool DocumentFiles::exportFile(const QString &path)
     for (const std::string &section : file->unmarked) {
         warnings += tr("%1 is too slim to carry its number.").arg(QString::fromStdString(section));
     }
+    for (const std::string &section : file->closedSlits) {
+        warnings += tr("The kerf is as wide as the slits of %1: they would be closed.")
+                        .arg(QString::fromStdString(section));
+    }
     m_messages.show(MessageBar::Severity::Warning, warnings);
 
     const QLocale locale = m_window.locale();
     const QString parts = tr("%n part(s)", nullptr, file->partCount);
     const QString sheets = tr("%n sheet(s)", nullptr, file->sheetCount);
-    m_status.say(file->slitWidth > 0.0
+    m_status.say(file->slitWidth && *file->slitWidth > 0.0
                      ? tr("Exported %1 on %2 to %3; slits are drawn %4\u202fmm wide.")
-                           .arg(parts, sheets, name, locale.toString(file->slitWidth, 'f', 2))
+                           .arg(parts, sheets, name, locale.toString(*file->slitWidth, 'f', 2))
                      : tr("Exported %1 on %2 to %3.").arg(parts, sheets, name));
     return true;
 }

@@ -44,11 +44,13 @@ void LengthEdit::setLength(std::optional<double> millimetres)
     if (m_settled.isActive() || (hasFocus() && lineEdit()->isModified()))
         return;
     m_isSetting = true;
-    m_shown = millimetres;
-    if (millimetres)
+    m_shown.reset();
+    if (millimetres) {
         setValue(*millimetres);
-    else
+        m_shown = value(); // rounded, and within the range: what is there without an edit
+    } else {
         clear();
+    }
     m_isSetting = false;
 }
 
@@ -56,8 +58,7 @@ void LengthEdit::announce()
 {
     m_settled.stop();
     lineEdit()->setModified(false);
-    // Nothing was typed into a field that says "mixed", or the value is what was shown: rounding to
-    // the shown digits is no edit.
+    // Nothing was typed into a field that says "mixed", or the value is what was shown.
     if (text().isEmpty() || text() == suffix())
         return;
     if (m_shown && std::abs(value() - *m_shown) < 0.5 * std::pow(10.0, -decimals()))

@@ -16,9 +16,9 @@ class LengthEdit : public QDoubleSpinBox
 public:
     struct Range
     {
-        double least = -10000.0, most = 10000.0, step = 0.1; // mm
-        int digits = 2;                                      // shown of every value
-        int mostDigits = 2;                                  // shown where they are not zero
+        double least = 0.0, most = 0.0, step = 0.1; // mm
+        int digits = 2;                             // shown of every value
+        int mostDigits = 2;                         // shown where they are not zero
     };
 
     explicit LengthEdit(const Range &range, QWidget *parent = nullptr);
@@ -39,7 +39,7 @@ protected:
 private:
     void announce();
 
-    std::optional<double> m_shown; // as last set from outside, or announced
+    std::optional<double> m_shown; // what the field held when last set from outside, or announced
     int m_digits;
     QTimer m_settled;
     bool m_isSetting = false;
