@@ -1,5 +1,7 @@
 #include "ui/measures.h"
 
+#include "core/fabrication/summary.h"
+
 #include <QCoreApplication>
 #include <QStringList>
 
@@ -46,16 +48,8 @@ double Measures::mass() const
 
 Vec3 Measures::size() const
 {
-    Box3 all;
-    for (std::size_t i = 0; i < m_model.sectionCount(); ++i) {
-        const Section &section = *m_model.section(i);
-        Box3 box = worldBounds(*section.shape, section.frame);
-        const Vec3 reach = 0.5 * m_model.stockOf(i).thickness * section.frame.normal().cwiseAbs();
-        box.min -= reach;
-        box.max += reach;
-        all.extend(box);
-    }
-    return all.isEmpty() ? Vec3::Zero() : all.size();
+    const Box3 box = slabBounds(m_model);
+    return box.isEmpty() ? Vec3::Zero() : box.size();
 }
 
 Vec2 Measures::contourSize(int section) const
