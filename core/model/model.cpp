@@ -27,8 +27,10 @@ int Model::indexOf(const SectionRef &ref) const
 Box3 Model::bounds() const
 {
     Box3 box;
+    // Of every vertex: a box round the box of a turned section would be much larger.
     for (std::size_t i = 0; i < sectionCount(); ++i)
-        box.extend(worldBounds(*section(i)->shape, section(i)->frame));
+        for (const Vec2 &p : section(i)->shape->region().outer)
+            box.extend(section(i)->frame.toWorld(p));
     return box;
 }
 

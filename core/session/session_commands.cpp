@@ -2,6 +2,7 @@
 
 #include "core/base/tolerances.h"
 #include "core/base/units.h"
+#include "core/fabrication/summary.h"
 #include "core/interaction/facing.h"
 #include "core/model/edits.h"
 #include "core/session/session_host.h"
@@ -24,7 +25,7 @@ Box3 selectionBounds(const Session &session, const Interaction &interaction)
     for (const SectionRef &ref : interaction.selection()) {
         if (const int index = model.indexOf(ref); index >= 0) {
             const Section &section = *model.section(static_cast<std::size_t>(index));
-            box.extend(worldBounds(*section.shape, section.frame));
+            box.extend(slabBounds(section, model.document.stockOf(section)));
         }
     }
     return box;
