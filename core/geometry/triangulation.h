@@ -15,7 +15,8 @@ struct Triangulation
 };
 
 /// Constrained Delaunay triangulation of the region (even-odd where edges cross). Touching corners,
-/// collinear and repeated points are fine. Empty for a region without area, and when CGAL fails. O(n log n).
+/// collinear and repeated points are fine. Empty for a region without area, and when CGAL fails.
+/// O(n log n).
 Triangulation triangulate(const Region &region);
 
 } // namespace fff

@@ -171,8 +171,7 @@ Result<LoadedDocument> readFlatfab(std::string_view bytes, const std::string &na
     const auto isTrailing = [](const Warning &w) { return w.code == WarningCode::TrailingLines; };
     std::stable_partition(problems.warnings.begin(), problems.warnings.end(),
                           [&](const Warning &w) { return !isTrailing(w); });
-    return LoadedDocument{std::move(document), std::move(problems.warnings),
-                          ModelFormat::Flatfab};
+    return LoadedDocument{std::move(document), std::move(problems.warnings), ModelFormat::Flatfab};
 }
 
 } // namespace fff::io

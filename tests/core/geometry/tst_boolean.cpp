@@ -309,7 +309,8 @@ void TestBoolean::cutsThatShareEdgesAndCorners_data()
     QTest::newRow("a cut half a grid step off the side")
         << rectangleAt(0.5 * kClipGrid, 10, 5, 10) << 1550.0;
     QTest::newRow("a clockwise cut") << Polygon{{10, 10}, {10, 20}, {15, 20}, {15, 10}} << 1550.0;
-    QTest::newRow("a cut wider than high above the whole") << rectangleAt(-10, 30, 100, 3) << 1480.0;
+    QTest::newRow("a cut wider than high above the whole")
+        << rectangleAt(-10, 30, 100, 3) << 1480.0;
     QTest::newRow("a cut without area") << Polygon{{-1, 20}, {41, 20}} << 1600.0;
 }
 
