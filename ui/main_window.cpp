@@ -6,12 +6,13 @@
 #include "ui/docks/properties_dock.h"
 #include "ui/files/document_files.h"
 #include "ui/icon.h"
+#include "ui/main_tool_bar.h"
 #include "ui/message_bar.h"
 #include "ui/properties/open_editor.h"
-#include "ui/properties/stock_choice.h"
 #include "ui/status_line.h"
 #include "ui/theme.h"
 #include "ui/viewport.h"
+#include "ui/window_layout.h"
 #include "ui/workbench.h"
 
 #include <QCloseEvent>
@@ -19,8 +20,6 @@
 #include <QLabel>
 #include <QMenuBar>
 #include <QMessageBox>
-#include <QPushButton>
-#include <QToolBar>
 #include <QVBoxLayout>
 
 #include <functional>
@@ -28,10 +27,6 @@
 namespace fff::ui {
 
 namespace {
-
-constexpr int kLeftWidth = 264, kRightWidth = 314, kNarrowRightWidth = 306; // px
-constexpr int kTwoColumns = 1280; // px; a narrower window has all docks at the right
-constexpr int kToolLabels = 1100; // px; a narrower tool bar has no labels
 
 /// Some platforms crash on an OpenGL widget; the rest of the window works without one.
 bool hasOpenGl()
@@ -49,8 +44,6 @@ MainWindow::MainWindow(QWidget *parent) : QMainWindow(parent), m_bench(new Workb
     setMinimumSize(1024, 640);
     resize(1440, 900);
     setContextMenuPolicy(Qt::NoContextMenu); // Qt's own menu could hide the tool bar for good
-    setDockOptions(AnimatedDocks | AllowTabbedDocks | AllowNestedDocks);
-    setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
 
     m_actions = new ActionSet(*m_bench, this);
     makeView();
@@ -60,7 +53,13 @@ MainWindow::MainWindow(QWidget *parent) : QMainWindow(parent), m_bench(new Workb
     setStatusBar(m_status);
     m_files = new DocumentFiles(*m_bench, *m_messages, *m_status, *this);
     addCommands();
-    makeToolBar();
+    m_toolBar = new MainToolBar(*m_bench, *m_actions, this);
+    addToolBar(m_toolBar);
+    m_layout = new WindowLayout(*this);
+    m_layout->add(m_outline, WindowLayout::Place::Left);
+    m_layout->add(m_properties, WindowLayout::Place::Right);
+    connect(m_layout, &WindowLayout::hiddenChanged, m_actions->action("view.docks"),
+            &QAction::setChecked);
     makeMenus();
     resetLayout();
     refreshTheme();
@@ -112,8 +111,8 @@ void MainWindow::makeMenus()
     m_actions->fill(view, {"view.front", "view.top", "view.right", "view.back", "view.bottom",
                            "view.left", "view.iso", "view.faceSelection", "", "view.fitAll",
                            "view.fitSelection", ""});
-    view->addAction(m_outline->toggleViewAction());
-    view->addAction(m_properties->toggleViewAction());
+    for (QDockWidget *dock : m_layout->docks())
+        view->addAction(dock->toggleViewAction());
     m_actions->fill(view, {"view.docks", "view.resetWindow", "", "view.fullScreen"});
     QMenu *help = menuBar()->addMenu(tr("&Help"));
     m_actions->fill(help, {"help.about"});
@@ -121,75 +120,9 @@ void MainWindow::makeMenus()
         menu->setToolTipsVisible(true); // greyed entries say why
 }
 
-void MainWindow::makeToolBar()
-{
-    m_toolBar = addToolBar(tr("Tool bar"));
-    m_toolBar->setObjectName(QStringLiteral("mainToolBar"));
-    m_toolBar->setMovable(false);
-    m_toolBar->toggleViewAction()->setVisible(false);
-    m_toolBar->setIconSize({20, 20});
-    m_actions->fill(m_toolBar, {"file.new", "file.open", "file.save", "", "edit.undo", "edit.redo",
-                                "", "edit.delete", "", "view.fitAll", "view.front", "view.right",
-                                "view.top", "view.iso"});
-
-    auto *stretch = new QWidget(m_toolBar);
-    stretch->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
-    m_toolBar->addWidget(stretch);
-    m_stock = new ChoiceBox(m_toolBar);
-    m_stock->setObjectName(QStringLiteral("toolStock"));
-    m_stock->setToolTip(tr("Stock of the next section"));
-    m_stock->setAccessibleName(tr("Stock of the next section"));
-    m_stock->setMinimumHeight(28);
-    m_stock->setSizeAdjustPolicy(QComboBox::AdjustToContents);
-    connect(m_stock, &QComboBox::activated, this,
-            [this](int index) { chooseNewStock(*m_bench, index); });
-    connect(&m_bench->session(), &Session::modelChanged, m_stock, [this] {
-        const Document &document = m_bench->session().model().document;
-        Choices choices = choicesOfStock(document, document.currentStock);
-        const std::vector<Stock> stocks = stockChoices(document);
-        for (std::size_t i = 0; i < stocks.size(); ++i)
-            choices.all[i].text = stockText(stocks[i], locale());
-        m_stock->setChoices(choices);
-    });
-    m_toolBar->addWidget(m_stock);
-    auto *gap = new QWidget(m_toolBar);
-    gap->setFixedWidth(8);
-    m_toolBar->addWidget(gap);
-
-    QAction *exporting = m_actions->action("file.export");
-    m_export = new QPushButton(exporting->iconText(), m_toolBar);
-    m_export->setObjectName(QStringLiteral("exportButton"));
-    m_export->setIconSize({18, 18});
-    const auto follow = [this, exporting] {
-        m_export->setEnabled(exporting->isEnabled());
-        m_export->setToolTip(exporting->toolTip());
-    };
-    follow();
-    connect(exporting, &QAction::changed, m_export, follow);
-    connect(m_export, &QPushButton::clicked, exporting, &QAction::trigger);
-    m_toolBar->addWidget(m_export);
-}
-
 void MainWindow::resetLayout()
 {
-    const bool wide = width() >= kTwoColumns;
-    for (QDockWidget *dock :
-         {static_cast<QDockWidget *>(m_outline), static_cast<QDockWidget *>(m_properties)}) {
-        dock->setFloating(false);
-        removeDockWidget(dock);
-    }
-    addDockWidget(wide ? Qt::LeftDockWidgetArea : Qt::RightDockWidgetArea, m_outline);
-    addDockWidget(Qt::RightDockWidgetArea, m_properties);
-    m_outline->show();
-    m_properties->show();
-    if (wide) {
-        resizeDocks({m_outline, m_properties}, {kLeftWidth, kRightWidth}, Qt::Horizontal);
-    } else {
-        tabifyDockWidget(m_properties, m_outline);
-        m_properties->raise();
-        resizeDocks({m_properties}, {kNarrowRightWidth}, Qt::Horizontal);
-    }
-    m_actions->action("view.docks")->setChecked(false);
+    m_layout->reset();
 }
 
 /// What needs a window or asks a question; the rest is the session's.
@@ -208,7 +141,8 @@ void MainWindow::addCommands()
     add("file.saveAs", [this] { m_files->saveAs(); });
     add("file.export", [this] { m_files->exportCuttingFile(); });
     add("file.quit", [this] { close(); });
-    add("view.docks", [this] { setDocksHidden(m_actions->action("view.docks")->isChecked()); });
+    add("view.docks",
+        [this] { m_layout->setHidden(m_actions->action("view.docks")->isChecked()); });
     add("view.fullScreen", [this] { setWindowState(windowState() ^ Qt::WindowFullScreen); });
     add("view.resetWindow", [this] { resetLayout(); });
     add("help.about", [this] { showAbout(); });
@@ -225,19 +159,6 @@ void MainWindow::run(const QString &id)
         m_status->say(tr("Undid \u201c%1\u201d. Ctrl+Shift+Z brings it back.").arg(undone));
     else if (id == QStringLiteral("edit.redo") && history.index() > before)
         m_status->say(tr("Did \u201c%1\u201d again. Ctrl+Z takes it back.").arg(redone));
-}
-
-void MainWindow::setDocksHidden(bool hidden)
-{
-    if (hidden) {
-        m_beforeHiding = saveState();
-        m_outline->hide();
-        m_properties->hide();
-    } else if (!m_beforeHiding.isEmpty()) {
-        restoreState(m_beforeHiding);
-    } else {
-        resetLayout();
-    }
 }
 
 void MainWindow::showAbout()
@@ -263,12 +184,7 @@ void MainWindow::refreshTheme()
     m_outline->refreshColours();
     m_properties->refresh();
     m_status->refresh();
-    const auto mask = [this](const QColor &colour) {
-        return tintedPixmap(QStringLiteral("export"), 18, colour, devicePixelRatioF());
-    };
-    QIcon exporting(mask(theme().onAccent));
-    exporting.addPixmap(mask(theme().muted), QIcon::Disabled);
-    m_export->setIcon(exporting);
+    m_toolBar->refresh();
     setWindowIcon(tintedPixmap(QStringLiteral("section"), 64, theme().accent, 1.0));
     m_view->update();
 }
@@ -296,14 +212,7 @@ void MainWindow::closeEvent(QCloseEvent *event)
 void MainWindow::resizeEvent(QResizeEvent *event)
 {
     QMainWindow::resizeEvent(event);
-    foldToolBar();
-}
-
-void MainWindow::foldToolBar()
-{
-    const bool labels = width() >= kToolLabels;
-    m_toolBar->setToolButtonStyle(labels ? Qt::ToolButtonTextUnderIcon : Qt::ToolButtonIconOnly);
-    m_toolBar->setFixedHeight(labels ? 56 : 44);
+    m_toolBar->fold(width());
 }
 
 void MainWindow::showEvent(QShowEvent *event)

@@ -3,18 +3,17 @@
 
 #include <QMainWindow>
 
-class QPushButton;
-
 namespace fff::ui {
 
 class ActionSet;
-class ChoiceBox;
 class DocumentFiles;
+class MainToolBar;
 class MessageBar;
 class OutlineDock;
 class PropertiesDock;
 class StatusLine;
 class Viewport;
+class WindowLayout;
 class Workbench;
 
 class MainWindow : public QMainWindow
@@ -40,13 +39,10 @@ protected:
 private:
     void makeView();
     void makeMenus();
-    void makeToolBar();
     void addCommands();
     void run(const QString &id);
-    void setDocksHidden(bool hidden);
     void showAbout();
     void refreshTheme();
-    void foldToolBar();
 
     Workbench *m_bench = nullptr;
     ActionSet *m_actions = nullptr;
@@ -56,10 +52,8 @@ private:
     PropertiesDock *m_properties = nullptr;
     StatusLine *m_status = nullptr;
     DocumentFiles *m_files = nullptr;
-    QToolBar *m_toolBar = nullptr;
-    ChoiceBox *m_stock = nullptr;
-    QPushButton *m_export = nullptr;
-    QByteArray m_beforeHiding; // where the docks were
+    MainToolBar *m_toolBar = nullptr;
+    WindowLayout *m_layout = nullptr;
     bool m_wasShown = false;
 };
 

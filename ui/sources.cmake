@@ -8,6 +8,7 @@ target_sources(fff_ui PRIVATE
     files/document_files.cpp
     hint_text.cpp
     icon.cpp
+    main_tool_bar.cpp
     main_window.cpp
     measures.cpp
     message_bar.cpp
@@ -20,6 +21,7 @@ target_sources(fff_ui PRIVATE
     theme.cpp
     translations.cpp
     viewport.cpp
+    window_layout.cpp
     workbench.cpp
 )
 include(${CMAKE_SOURCE_DIR}/resources/icons/icons.cmake)
