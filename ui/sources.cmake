@@ -17,6 +17,8 @@ target_sources(fff_ui PRIVATE
     properties/open_editor.cpp
     properties/property_rows.cpp
     properties/stock_choice.cpp
+    settings/settings.cpp
+    settings/system_motion.cpp
     status_line.cpp
     theme.cpp
     translations.cpp

@@ -1,0 +1,322 @@
+#include "ui/settings/settings.h"
+
+#include "ui/settings/system_motion.h"
+
+#include <QDir>
+#include <QFileInfo>
+#include <QStandardPaths>
+
+#include <algorithm>
+#include <memory>
+#include <utility>
+
+namespace fff::ui {
+
+namespace {
+
+// Keys of the file.
+const QString kUnit = QStringLiteral("general/unit");
+const QString kScheme = QStringLiteral("general/theme");
+const QString kLanguage = QStringLiteral("general/language");
+const QString kStartPage = QStringLiteral("general/startPage");
+const QString kTurnTime = QStringLiteral("view/turnTime");
+const QString kMotion = QStringLiteral("view/motion");
+const QString kAutosave = QStringLiteral("files/autosaveInterval");
+const QString kBackup = QStringLiteral("files/backup");
+const QString kRecent = QStringLiteral("files/recent");
+const QString kShortcuts = QStringLiteral("shortcuts");
+const QString kGeometry = QStringLiteral("window/geometry");
+const QString kState = QStringLiteral("window/state");
+
+constexpr int kTurnTimeDefault = 800; // ms
+constexpr int kAutosaveDefault = 10;  // s
+
+template <class Value>
+using Words = std::initializer_list<std::pair<Value, const char *>>;
+
+const Words<LengthUnit> kUnits = {
+    {LengthUnit::Millimetre, "mm"}, {LengthUnit::Centimetre, "cm"}, {LengthUnit::Inch, "in"}};
+const Words<ColourScheme> kSchemes = {
+    {ColourScheme::System, "system"}, {ColourScheme::Light, "light"}, {ColourScheme::Dark, "dark"}};
+const Words<Motion> kMotions = {
+    {Motion::System, "system"}, {Motion::Full, "full"}, {Motion::Reduced, "reduced"}};
+
+/// The first of `words` is the default.
+template <class Value>
+Value valueOf(const QVariant &stored, Words<Value> words)
+{
+    const QString text = stored.toString();
+    for (const auto &[value, word] : words) {
+        if (text == QLatin1String(word))
+            return value;
+    }
+    return words.begin()->first;
+}
+
+template <class Value>
+QString wordOf(Value value, Words<Value> words)
+{
+    for (const auto &[known, word] : words) {
+        if (known == value)
+            return QLatin1String(word);
+    }
+    return {};
+}
+
+int numberOf(const QVariant &stored, int least, int most, int byDefault)
+{
+    bool isNumber = false;
+    const int number = stored.toInt(&isNumber);
+    return isNumber ? std::clamp(number, least, most) : byDefault;
+}
+
+bool truthOf(const QVariant &stored, bool byDefault)
+{
+    const QString text = stored.toString();
+    return text == QStringLiteral("true")    ? true
+           : text == QStringLiteral("false") ? false
+                                             : byDefault;
+}
+
+QString ownFile()
+{
+    return QStandardPaths::writableLocation(QStandardPaths::GenericConfigLocation) +
+           QStringLiteral("/flatfitfab/settings.ini");
+}
+
+std::unique_ptr<Settings> &theSettings()
+{
+    static std::unique_ptr<Settings> one;
+    return one;
+}
+
+} // namespace
+
+void Settings::setFile(const QString &path)
+{
+    theSettings() = std::make_unique<Settings>(path.isEmpty() ? ownFile() : path);
+}
+
+Settings &settings()
+{
+    if (!theSettings())
+        Settings::setFile({});
+    return *theSettings();
+}
+
+Settings::Settings(const QString &path, QObject *parent)
+    : QObject(parent), m_store(path, QSettings::IniFormat)
+{
+}
+
+/// True when it differs from what was there.
+bool Settings::store(const QString &key, const QVariant &value)
+{
+    if (m_store.contains(key) && m_store.value(key) == value)
+        return false;
+    m_store.setValue(key, value);
+    return true;
+}
+
+LengthUnit Settings::unit() const
+{
+    return valueOf(m_store.value(kUnit), kUnits);
+}
+
+void Settings::setUnit(LengthUnit unit)
+{
+    if (unit == this->unit())
+        return;
+    store(kUnit, wordOf(unit, kUnits));
+    Q_EMIT unitChanged();
+}
+
+ColourScheme Settings::colourScheme() const
+{
+    return valueOf(m_store.value(kScheme), kSchemes);
+}
+
+void Settings::setColourScheme(ColourScheme scheme)
+{
+    if (scheme == colourScheme())
+        return;
+    store(kScheme, wordOf(scheme, kSchemes));
+    Q_EMIT colourSchemeChanged();
+}
+
+QString Settings::language() const
+{
+    const QString language = m_store.value(kLanguage).toString();
+    const bool isKnown = language == QStringLiteral("en") || language == QStringLiteral("de");
+    return isKnown ? language : QString();
+}
+
+void Settings::setLanguage(const QString &language)
+{
+    if (language == this->language())
+        return;
+    store(kLanguage, language);
+    Q_EMIT languageChanged();
+}
+
+bool Settings::showsStartPage() const
+{
+    return truthOf(m_store.value(kStartPage), true);
+}
+
+void Settings::setShowsStartPage(bool shows)
+{
+    if (shows == showsStartPage())
+        return;
+    store(kStartPage, shows);
+    Q_EMIT startPageChanged();
+}
+
+int Settings::turnTime() const
+{
+    return numberOf(m_store.value(kTurnTime), 0, kMaxTurnTime, kTurnTimeDefault);
+}
+
+void Settings::setTurnTime(int milliseconds)
+{
+    if (milliseconds == turnTime())
+        return;
+    store(kTurnTime, std::clamp(milliseconds, 0, kMaxTurnTime));
+    Q_EMIT viewChanged();
+}
+
+Motion Settings::motion() const
+{
+    return valueOf(m_store.value(kMotion), kMotions);
+}
+
+void Settings::setMotion(Motion motion)
+{
+    if (motion == this->motion())
+        return;
+    store(kMotion, wordOf(motion, kMotions));
+    Q_EMIT viewChanged();
+}
+
+bool Settings::reducesMotion() const
+{
+    const Motion chosen = motion();
+    return chosen == Motion::Reduced || (chosen == Motion::System && systemReducesMotion());
+}
+
+int Settings::autosaveInterval() const
+{
+    return numberOf(m_store.value(kAutosave), kMinAutosaveInterval, kMaxAutosaveInterval,
+                    kAutosaveDefault);
+}
+
+void Settings::setAutosaveInterval(int seconds)
+{
+    if (seconds == autosaveInterval())
+        return;
+    store(kAutosave, std::clamp(seconds, kMinAutosaveInterval, kMaxAutosaveInterval));
+    Q_EMIT autosaveChanged();
+}
+
+bool Settings::keepsBackup() const
+{
+    return truthOf(m_store.value(kBackup), true);
+}
+
+void Settings::setKeepsBackup(bool keeps)
+{
+    if (keeps == keepsBackup())
+        return;
+    store(kBackup, keeps);
+    Q_EMIT autosaveChanged();
+}
+
+QStringList Settings::recentFiles() const
+{
+    return m_store.value(kRecent).toStringList().mid(0, kMaxRecentFiles);
+}
+
+void Settings::addRecentFile(const QString &path)
+{
+    const QString absolute = QDir::cleanPath(QFileInfo(path).absoluteFilePath());
+    QStringList files = recentFiles();
+    files.removeAll(absolute);
+    files.prepend(absolute);
+    if (store(kRecent, QStringList(files.mid(0, kMaxRecentFiles))))
+        Q_EMIT recentFilesChanged();
+}
+
+void Settings::removeRecentFile(const QString &path)
+{
+    QStringList files = recentFiles();
+    if (files.removeAll(path) > 0 && store(kRecent, files))
+        Q_EMIT recentFilesChanged();
+}
+
+void Settings::clearRecentFiles()
+{
+    if (recentFiles().isEmpty())
+        return;
+    store(kRecent, QStringList());
+    Q_EMIT recentFilesChanged();
+}
+
+std::optional<QList<QKeySequence>> Settings::shortcuts(const QString &id) const
+{
+    const QString key = kShortcuts + u'/' + id;
+    if (!m_store.contains(key))
+        return std::nullopt;
+    const QString text = m_store.value(key).toString();
+    return text.isEmpty() ? QList<QKeySequence>()
+                          : QKeySequence::listFromString(text, QKeySequence::PortableText);
+}
+
+void Settings::setShortcuts(const QString &id, const std::optional<QList<QKeySequence>> &keys)
+{
+    if (keys == shortcuts(id))
+        return;
+    const QString key = kShortcuts + u'/' + id;
+    if (keys)
+        m_store.setValue(key, QKeySequence::listToString(*keys, QKeySequence::PortableText));
+    else
+        m_store.remove(key);
+    Q_EMIT shortcutsChanged();
+}
+
+void Settings::resetShortcuts()
+{
+    m_store.remove(kShortcuts);
+    Q_EMIT shortcutsChanged();
+}
+
+QByteArray Settings::windowGeometry() const
+{
+    return m_store.value(kGeometry).toByteArray();
+}
+
+void Settings::setWindowGeometry(const QByteArray &geometry)
+{
+    store(kGeometry, geometry);
+}
+
+QByteArray Settings::windowState() const
+{
+    return m_store.value(kState).toByteArray();
+}
+
+void Settings::setWindowState(const QByteArray &state)
+{
+    store(kState, state);
+}
+
+QVariant Settings::memory(const QString &key) const
+{
+    return m_store.value(key);
+}
+
+void Settings::setMemory(const QString &key, const QVariant &value)
+{
+    store(key, value);
+}
+
+} // namespace fff::ui

@@ -1,0 +1,107 @@
+// What a person has set, for all windows and the next start: one store, typed, with defaults and
+// ranges. A value that cannot be made sense of reads as its default, so that a file written by hand
+// or by another version never stops the program.
+//
+//     settings().turnTime();                                             read, in the main thread
+//     connect(&settings(), &Settings::viewChanged, this, &X::follow);    live
+//     Settings::setFile(folder.filePath("settings.ini"));                tests, before a window is
+//     made
+//
+// Every setter writes at once and announces only what differs.
+#pragma once
+
+#include <QByteArray>
+#include <QKeySequence>
+#include <QList>
+#include <QObject>
+#include <QSettings>
+#include <QStringList>
+
+#include <optional>
+
+namespace fff::ui {
+
+enum class LengthUnit { Millimetre, Centimetre, Inch };
+enum class ColourScheme { System, Light, Dark };
+enum class Motion { System, Full, Reduced };
+
+class Settings : public QObject
+{
+    Q_OBJECT
+public:
+    /// Where settings() keeps them from now on; empty: the person's own file, the same on all
+    /// systems (~/.config/flatfitfab/settings.ini and its like).
+    static void setFile(const QString &path);
+
+    explicit Settings(const QString &path, QObject *parent = nullptr);
+
+    // General
+    LengthUnit unit() const; // lengths are shown and typed in it; files and the core have mm
+    void setUnit(LengthUnit unit);
+    ColourScheme colourScheme() const;
+    void setColourScheme(ColourScheme scheme);
+    QString language() const; // "" follows the system, else "en", "de"
+    void setLanguage(const QString &language);
+    bool showsStartPage() const;
+    void setShowsStartPage(bool shows);
+
+    // View
+    static constexpr int kMaxTurnTime = 3000; // ms
+    int turnTime() const;                     // ms, of the view in a stroke; as it was set
+    void setTurnTime(int milliseconds);
+    Motion motion() const;
+    void setMotion(Motion motion);
+    /// What animations ask: also true when the system wants little motion.
+    bool reducesMotion() const;
+    /// ms that an animation of `milliseconds` takes: none with reduced motion.
+    int animationTime(int milliseconds) const { return reducesMotion() ? 0 : milliseconds; }
+
+    // Files
+    static constexpr int kMinAutosaveInterval = 5, kMaxAutosaveInterval = 30; // s
+    int autosaveInterval() const;                                             // s
+    void setAutosaveInterval(int seconds);
+    bool keepsBackup() const; // the file as it was before the last save, beside it
+    void setKeepsBackup(bool keeps);
+    /// Newest first, absolute. Also such that are gone by now.
+    QStringList recentFiles() const;
+    void addRecentFile(const QString &path);
+    void removeRecentFile(const QString &path);
+    void clearRecentFiles();
+    static constexpr int kMaxRecentFiles = 12;
+
+    // Keyboard: only what differs from the program's own shortcuts, by the action's id. A list
+    // without entries: the person wants none.
+    std::optional<QList<QKeySequence>> shortcuts(const QString &id) const;
+    void setShortcuts(const QString &id, const std::optional<QList<QKeySequence>> &keys);
+    void resetShortcuts();
+
+    // The window, as saveGeometry() and saveState() have it; nobody is told.
+    QByteArray windowGeometry() const;
+    void setWindowGeometry(const QByteArray &geometry);
+    QByteArray windowState() const;
+    void setWindowState(const QByteArray &state);
+
+    /// Anything else that a part of the window remembers; key "dock/thing".
+    QVariant memory(const QString &key) const;
+    void setMemory(const QString &key, const QVariant &value);
+
+Q_SIGNALS:
+    void unitChanged();
+    void colourSchemeChanged();
+    void languageChanged();
+    void startPageChanged();
+    void viewChanged();     // turn time, motion
+    void autosaveChanged(); // interval, backup
+    void recentFilesChanged();
+    void shortcutsChanged();
+
+private:
+    bool store(const QString &key, const QVariant &value);
+
+    QSettings m_store;
+};
+
+/// The one that the program uses.
+Settings &settings();
+
+} // namespace fff::ui
