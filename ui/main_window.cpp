@@ -102,22 +102,12 @@ void MainWindow::makeView()
 
 void MainWindow::makeMenus()
 {
-    QMenu *file = menuBar()->addMenu(tr("&File"));
-    m_actions->fill(file, {"file.new", "file.open", "", "file.save", "file.saveAs", "",
-                           "file.export", "", "file.quit"});
-    QMenu *edit = menuBar()->addMenu(tr("&Edit"));
-    m_actions->fill(edit, {"edit.undo", "edit.redo", "", "edit.delete", "", "edit.selectAll"});
-    QMenu *view = menuBar()->addMenu(tr("&View"));
-    m_actions->fill(view, {"view.front", "view.top", "view.right", "view.back", "view.bottom",
-                           "view.left", "view.iso", "view.faceSelection", "", "view.fitAll",
-                           "view.fitSelection", ""});
-    for (QDockWidget *dock : m_layout->docks())
-        view->addAction(dock->toggleViewAction());
-    m_actions->fill(view, {"view.docks", "view.resetWindow", "", "view.fullScreen"});
-    QMenu *help = menuBar()->addMenu(tr("&Help"));
-    m_actions->fill(help, {"help.about"});
-    for (QMenu *menu : {file, edit, view, help})
-        menu->setToolTipsVisible(true); // greyed entries say why
+    m_actions->fill(menuBar(), [this](const QString &id, QMenu *menu) {
+        if (id == QStringLiteral("@docks")) {
+            for (QDockWidget *dock : m_layout->docks())
+                menu->addAction(dock->toggleViewAction());
+        }
+    });
 }
 
 void MainWindow::resetLayout()

@@ -1,5 +1,6 @@
 target_sources(fff_ui PRIVATE
     actions/action_set.cpp
+    actions/action_table.cpp
     cursors.cpp
     docks/dock_title.cpp
     docks/outline_dock.cpp

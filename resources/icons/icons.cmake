@@ -2,9 +2,47 @@
 # Embedded in fff_ui as :/icons/NAME.png, NAME@2x.png, NAME@3x.png.
 find_program(RSVG_CONVERT rsvg-convert REQUIRED)
 set(icon_names
-    chevron_down chevron_right close err export face_section fit fit_selection float mouse new open redo
-    save save_as search section trash undo view_back view_bottom view_front view_iso view_left view_right
-    view_top warn)
+    about
+    chevron_down
+    chevron_right
+    clock
+    close
+    close_window
+    docks
+    err
+    export
+    eye
+    face_section
+    fit
+    fit_selection
+    float
+    full_screen
+    keyboard
+    mouse
+    new
+    open
+    quit
+    redo
+    reset_window
+    revert
+    save
+    save_as
+    search
+    section
+    select_all
+    settings
+    start
+    trash
+    undo
+    view_back
+    view_bottom
+    view_front
+    view_iso
+    view_left
+    view_right
+    view_top
+    warn
+)
 set(icon_folder ${CMAKE_CURRENT_BINARY_DIR}/icons)
 file(MAKE_DIRECTORY ${icon_folder})
 set(icon_masks)

@@ -11,6 +11,7 @@
 #include "ui/files/document_files.h"
 #include "ui/main_window.h"
 #include "ui/message_bar.h"
+#include "ui/settings/settings.h"
 #include "ui/theme.h"
 #include "ui/translations.h"
 #include "ui/viewport.h"
@@ -77,12 +78,15 @@ private:
     /// Presses the button of this text in the next question.
     void answer(const QString &button, int *asked);
 
+    std::unique_ptr<QTemporaryDir> m_folder;
     std::unique_ptr<MainWindow> m_window;
     Viewport *m_view = nullptr;
 };
 
 void TestMainWindow::init()
 {
+    m_folder = std::make_unique<QTemporaryDir>();
+    Settings::setFile(m_folder->filePath(QStringLiteral("settings.ini")));
     m_window = std::make_unique<MainWindow>();
     m_window->resize(1440, 900);
     m_window->show();

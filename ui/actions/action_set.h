@@ -1,14 +1,18 @@
-// Every action of the window, made from one table: id, text, shortcut, icon. Menus and tool bar are
-// lists of ids. The ids are those of the command registry (core/interaction/commands.h).
+// Every action of a window, made from the one table (action_table.h). Menus and tool bar are lists
+// of ids, which are those of the command registry. Shortcuts are the table's, or those that a
+// person has set; a change of them is followed at once, in all windows.
 #pragma once
 
 #include <QAction>
 #include <QHash>
+#include <QKeySequence>
 #include <QObject>
 
+#include <functional>
 #include <initializer_list>
 
 class QMenu;
+class QMenuBar;
 class QToolBar;
 
 namespace fff::ui {
@@ -25,15 +29,26 @@ public:
     /// An empty id is a separator.
     void fill(QMenu *menu, std::initializer_list<const char *> ids) const;
     void fill(QToolBar *bar, std::initializer_list<const char *> ids) const;
+    /// The menus of the table; `own` adds what the window has for an id that begins with "@".
+    void fill(QMenuBar *bar, const std::function<void(const QString &id, QMenu *menu)> &own) const;
     /// Single letters and digits work only while this widget has the focus.
     void addViewShortcuts(QWidget *view) const;
+
+    /// As the program has them, and as they are set.
+    static QList<QKeySequence> ownShortcuts(const QString &id);
+    static QList<QKeySequence> shortcuts(const QString &id);
+    /// What an action does, or why it cannot be done now.
+    static QString sentence(const QAction *action);
+
+    void setAble(const char *id, bool able, const QString &whyNot);
 
 Q_SIGNALS:
     void triggered(const QString &id);
 
 private:
     void refresh();
-    void setAble(const char *id, bool able, const QString &whyNot);
+    void applyShortcuts();
+    static void setTip(QAction *action, const QString &sentence);
 
     Workbench &m_bench;
     QHash<QString, QAction *> m_actions;
