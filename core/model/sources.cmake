@@ -1,6 +1,7 @@
 target_sources(fff_core PRIVATE
     model/document.cpp
     model/edits.cpp
+    model/materials.cpp
     model/model.cpp
     model/section.cpp
     model/shape.cpp
