@@ -57,16 +57,6 @@ Vec2 Measures::contourSize(int section) const
     return m_model.section(static_cast<std::size_t>(section))->shape->bounds().size();
 }
 
-QString numberText(double value, int least, int most, const QLocale &locale)
-{
-    QString text = locale.toString(value, 'f', most);
-    for (int digits = most; digits > least && text.endsWith(locale.zeroDigit()); --digits)
-        text.chop(1);
-    if (least == 0 && text.endsWith(locale.decimalPoint()))
-        text.chop(1);
-    return text.replace(locale.negativeSign(), QChar(0x2212));
-}
-
 QString massText(double kilograms, const QLocale &locale)
 {
     const double grams = kilograms * 1000.0;
@@ -77,15 +67,21 @@ QString massText(double kilograms, const QLocale &locale)
 
 QString areaText(double squareMillimetres, const QLocale &locale)
 {
+    if (settings().unit() == LengthUnit::Inch) {
+        const double inch = millimetresPer(LengthUnit::Inch);
+        return MeasureText::tr("%1\u202fin²")
+            .arg(locale.toString(squareMillimetres / (inch * inch), 'f', 2));
+    }
     return MeasureText::tr("%1\u202fcm²").arg(locale.toString(squareMillimetres / 100.0, 'f', 1));
 }
 
-QString sizeText(std::initializer_list<double> millimetres, int decimals, const QLocale &locale)
+QString sizeText(std::initializer_list<double> millimetres, int digits, const QLocale &locale)
 {
     QStringList numbers;
     for (double length : millimetres)
-        numbers += locale.toString(length, 'f', decimals);
-    return MeasureText::tr("%1\u202fmm").arg(numbers.join(QStringLiteral(" × ")));
+        numbers += lengthNumber(length, digits, digits, locale);
+    return QStringLiteral("%1\u202f%2")
+        .arg(numbers.join(QStringLiteral(" × ")), unitSign(settings().unit()));
 }
 
 } // namespace fff::ui

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/session/session.h"
+#include "ui/lengths.h"
 
 #include <QLocale>
 
@@ -26,11 +27,9 @@ private:
     std::unordered_map<const Section *, CutSectionPointer> m_cuts;
 };
 
-/// With at least and at most so many digits: "3.0", "3.175". A real minus sign.
-QString numberText(double value, int least, int most, const QLocale &locale);
 QString massText(double kilograms, const QLocale &locale);         // "78 g", "1.25 kg"
-QString areaText(double squareMillimetres, const QLocale &locale); // "54.2 cm²"
-/// "84.0 × 84.4 mm"
-QString sizeText(std::initializer_list<double> millimetres, int decimals, const QLocale &locale);
+QString areaText(double squareMillimetres, const QLocale &locale); // "54.2 cm²", "8.40 in²"
+/// "84.0 × 84.4 mm", in the unit that is set; the digits are those for millimetres.
+QString sizeText(std::initializer_list<double> millimetres, int digits, const QLocale &locale);
 
 } // namespace fff::ui

@@ -9,6 +9,7 @@ target_sources(fff_ui PRIVATE
     files/document_files.cpp
     hint_text.cpp
     icon.cpp
+    lengths.cpp
     main_tool_bar.cpp
     main_window.cpp
     measures.cpp

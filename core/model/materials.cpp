@@ -23,7 +23,8 @@ std::vector<Row> rows()
 {
     return {
         // Plywood: density and real thickness by Lathams' birch plywood data sheet (sold as 4 mm:
-        // 3.8, 3.5 to 4.1; as 6.5 mm: 6.4, 6.1 to 6.9). Strength across the grain by otpplywood.com,
+        // 3.8, 3.5 to 4.1; as 6.5 mm: 6.4, 6.1 to 6.9). Strength across the grain by
+        // otpplywood.com,
         // film-faced birch: bending 30, tensile 25, modulus 4.0 GPa.
         {"Birch plywood 4 mm", 3.8, 660, 25, 30, 4000, 0.20, 0.0, {600, 400}, {3.8}},
         {"Birch plywood 6.5 mm", 6.4, 670, 25, 30, 4000, 0.25, 0.0, {600, 400}, {6.4}},

@@ -1,4 +1,5 @@
 fff_test(ui/settings/tst_settings fff::ui)
+fff_test(ui/tst_lengths fff::ui)
 fff_test(ui/tst_measures fff::ui)
 fff_test(ui/tst_slab_mesh fff::view)
 

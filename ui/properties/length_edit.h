@@ -1,6 +1,6 @@
-// The one field for lengths: owns the unit, the range and how many digits are shown. Says a new
-// value once when it is done: on Enter, when the focus leaves, or a moment after the last step of
-// its arrows.
+// The one field for lengths: owns the range and how many digits are shown, shows the unit that is
+// set, and takes sums ("1/2 in", "3*25.4"). Its value() is in mm. Says a new value once when it is
+// done: on Enter, when the focus leaves, or a moment after the last step of its arrows.
 #pragma once
 
 #include <QDoubleSpinBox>
@@ -17,8 +17,8 @@ public:
     struct Range
     {
         double least = 0.0, most = 0.0, step = 0.1; // mm
-        int digits = 2;                             // shown of every value
-        int mostDigits = 2;                         // shown where they are not zero
+        int digits = 2;                             // shown of every value, in mm
+        int mostDigits = 2;                         // shown where they are not zero, in mm
     };
 
     explicit LengthEdit(const Range &range, QWidget *parent = nullptr);
@@ -26,6 +26,8 @@ public:
     /// Shows a value without announcing it; nothing: the selected things differ. Leaves the field
     /// alone while a person is typing in it.
     void setLength(std::optional<double> millimetres);
+    /// What "t" stands for in sums: the thickness, mm.
+    void setThickness(std::optional<double> millimetres) { m_thickness = millimetres; }
 
 Q_SIGNALS:
     void lengthEdited(double millimetres);
@@ -38,9 +40,12 @@ protected:
 
 private:
     void announce();
+    void takeUnit();
+    std::optional<double> parsed(QString text) const;
 
     std::optional<double> m_shown; // what the field held when last set from outside, or announced
-    int m_digits;
+    std::optional<double> m_thickness;
+    Range m_range;
     QTimer m_settled;
     bool m_isSetting = false;
 };
