@@ -13,7 +13,7 @@ struct HintText
 
 } // namespace
 
-QString hintSentence(const Hint &hint)
+QString hintSentence(const Hint &hint, const QString &undoKeys)
 {
     const QString name =
         QStringLiteral("<b>%1</b>").arg(QString::fromStdString(hint.section).toHtmlEscaped());
@@ -26,7 +26,8 @@ QString hintSentence(const Hint &hint)
         return HintText::tr("Drag out of %1 to draw a section across it; click to select it.")
             .arg(name);
     case Hint::Kind::LeaveSection:
-        return HintText::tr("Drag on to leave %1; the slit ends at its edge. Esc cancels.")
+        return HintText::tr(
+                   "Drag on to leave %1; the slit ends at its edge. <kbd>Esc</kbd> cancels.")
             .arg(name);
     case Hint::Kind::Turning:
         return HintText::tr("Turning to the new plane; move on when it stops.");
@@ -34,9 +35,9 @@ QString hintSentence(const Hint &hint)
         return HintText::tr(
             "Leave the grey zone where the contour shall begin. Release here cancels.");
     case Hint::Kind::DrawContour:
-        return HintText::tr("Draw the contour, release to close it. Esc cancels.");
+        return HintText::tr("Draw the contour, release to close it. <kbd>Esc</kbd> cancels.");
     case Hint::Kind::ReleaseToMake:
-        return HintText::tr("<b>Release</b> to make the section. Esc cancels.");
+        return HintText::tr("<b>Release</b> to make the section. <kbd>Esc</kbd> cancels.");
     case Hint::Kind::Orbiting:
         return HintText::tr("Move to turn the view, release to stop.");
     case Hint::Kind::Panning:
@@ -48,8 +49,11 @@ QString hintSentence(const Hint &hint)
     case Hint::Kind::TooShort:
         return HintText::tr("Nothing drawn: the line is too short to enclose anything.");
     case Hint::Kind::CrossesItself:
-        return HintText::tr(
-            "The contour crosses itself; the largest loop was kept. Ctrl+Z undoes it.");
+        return undoKeys.isEmpty()
+                   ? HintText::tr("The contour crosses itself; the largest loop was kept.")
+                   : HintText::tr("The contour crosses itself; the largest loop was kept. "
+                                  "<kbd>%1</kbd> undoes it.")
+                         .arg(undoKeys.toHtmlEscaped());
     case Hint::Kind::Failed:
         return HintText::tr(
             "Nothing drawn: no section can be made of this line. Draw it as one open loop.");

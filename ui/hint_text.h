@@ -7,7 +7,9 @@
 
 namespace fff::ui {
 
-/// Rich text: names and what is to be pressed are bold.
-QString hintSentence(const Hint &hint);
+/// With marks (ui/sentence_label.h): names and what is to be pressed are bold.
+///
+/// undoKeys  the keys that undo now, as people write them; empty: there are none
+QString hintSentence(const Hint &hint, const QString &undoKeys);
 
 } // namespace fff::ui

@@ -49,7 +49,7 @@ MainWindow::MainWindow(QWidget *parent) : QMainWindow(parent), m_bench(new Workb
     makeView();
     m_outline = new OutlineDock(*m_bench, this);
     m_properties = new PropertiesDock(*m_bench, this);
-    m_status = new StatusLine(*m_bench, this);
+    m_status = new StatusLine(*m_bench, *m_actions, this);
     setStatusBar(m_status);
     m_files = new DocumentFiles(*m_bench, *m_messages, *m_status, *this);
     addCommands();
@@ -146,9 +146,9 @@ void MainWindow::run(const QString &id)
     const int before = history.index();
     m_bench->run(id);
     if (id == QStringLiteral("edit.undo") && history.index() < before)
-        m_status->say(tr("Undid \u201c%1\u201d. Ctrl+Shift+Z brings it back.").arg(undone));
+        m_status->sayUndone(undone);
     else if (id == QStringLiteral("edit.redo") && history.index() > before)
-        m_status->say(tr("Did \u201c%1\u201d again. Ctrl+Z takes it back.").arg(redone));
+        m_status->sayRedone(redone);
 }
 
 void MainWindow::showAbout()

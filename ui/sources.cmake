@@ -21,6 +21,7 @@ target_sources(fff_ui PRIVATE
     properties/stock_choice.cpp
     settings/settings.cpp
     settings/system_motion.cpp
+    sentence_label.cpp
     status_line.cpp
     theme.cpp
     translations.cpp

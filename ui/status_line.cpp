@@ -1,15 +1,19 @@
 #include "ui/status_line.h"
 
+#include "ui/actions/action_set.h"
 #include "ui/hint_text.h"
 #include "ui/icon.h"
 #include "ui/measures.h"
+#include "ui/sentence_label.h"
 #include "ui/theme.h"
 #include "ui/workbench.h"
 
+#include <QActionGroup>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QMenu>
 #include <QPainter>
-#include <QTextDocumentFragment>
+#include <QToolButton>
 
 namespace fff::ui {
 
@@ -29,13 +33,14 @@ protected:
     void paintEvent(QPaintEvent *event) override
     {
         QLabel::paintEvent(event);
-        QPainter(this).fillRect(0, 2, 1, height() - 4, theme().border);
+        QPainter(this).fillRect(0, 4, 1, height() - 8, theme().border);
     }
 };
 
 } // namespace
 
-StatusLine::StatusLine(Workbench &bench, QWidget *parent) : QStatusBar(parent), m_bench(bench)
+StatusLine::StatusLine(Workbench &bench, const ActionSet &actions, QWidget *parent)
+    : QStatusBar(parent), m_bench(bench), m_actions(actions)
 {
     setObjectName(QStringLiteral("statusLine"));
     setSizeGripEnabled(false);
@@ -44,11 +49,9 @@ StatusLine::StatusLine(Workbench &bench, QWidget *parent) : QStatusBar(parent), 
 
     auto *left = new QWidget(this);
     m_glyph = new QLabel(left);
-    m_sentence = new QLabel(left);
+    m_sentence = new SentenceLabel(left);
     m_sentence->setObjectName(QStringLiteral("statusSentence"));
     m_sentence->setAccessibleName(tr("What the next gesture does"));
-    m_sentence->setTextFormat(Qt::RichText);
-    m_sentence->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     auto *row = new QHBoxLayout(left);
     row->setContentsMargins(12, 0, 8, 0);
     row->setSpacing(8);
@@ -59,7 +62,7 @@ StatusLine::StatusLine(Workbench &bench, QWidget *parent) : QStatusBar(parent), 
     m_count = addField("statusCount", tr("Number of sections"));
     m_size = addField("statusSize", tr("Size of the model"));
     m_mass = addField("statusMass", tr("Mass of the model"));
-    addField("statusUnits", tr("Units"))->setText(tr("mm"));
+    addPermanentWidget(makeUnits());
 
     m_held.setSingleShot(true);
     m_held.setInterval(kHoldTime);
@@ -88,10 +91,63 @@ QLabel *StatusLine::addField(const char *objectName, const QString &name)
     return field;
 }
 
+/// A menu: what is shown here is what all lengths are shown in.
+QWidget *StatusLine::makeUnits()
+{
+    m_units = new QToolButton(this);
+    m_units->setObjectName(QStringLiteral("statusUnits"));
+    m_units->setAccessibleName(tr("Units"));
+    m_units->setToolTip(tr("Unit of all lengths"));
+    m_units->setPopupMode(QToolButton::InstantPopup);
+    m_units->setFocusPolicy(Qt::TabFocus);
+    auto *menu = new QMenu(m_units);
+    auto *group = new QActionGroup(menu);
+    for (LengthUnit unit : {LengthUnit::Millimetre, LengthUnit::Centimetre, LengthUnit::Inch}) {
+        QAction *action =
+            menu->addAction(QStringLiteral("%1 (%2)").arg(unitName(unit), unitSign(unit)));
+        action->setCheckable(true);
+        group->addAction(action);
+        connect(action, &QAction::triggered, this, [unit] { settings().setUnit(unit); });
+        const auto follow = [action, unit] { action->setChecked(settings().unit() == unit); };
+        connect(&settings(), &Settings::unitChanged, action, follow);
+        follow();
+    }
+    m_units->setMenu(menu);
+    connect(&settings(), &Settings::unitChanged, this, &StatusLine::showNumbers);
+    return m_units;
+}
+
 void StatusLine::say(const QString &sentence)
 {
-    showSentence(sentence.toHtmlEscaped(), false);
+    sayMarked(sentence.toHtmlEscaped());
+}
+
+void StatusLine::sayMarked(const QString &sentence)
+{
+    showSentence(sentence, false);
     m_held.start();
+}
+
+/// Empty when the action has no key now.
+QString StatusLine::keysOf(const char *action) const
+{
+    return m_actions.action(action)->shortcut().toString(QKeySequence::NativeText);
+}
+
+void StatusLine::sayUndone(const QString &step)
+{
+    const QString name = step.toHtmlEscaped(), keys = keysOf("edit.redo").toHtmlEscaped();
+    sayMarked(keys.isEmpty()
+                  ? tr("Undid \u201c%1\u201d.").arg(name)
+                  : tr("Undid \u201c%1\u201d. <kbd>%2</kbd> brings it back.").arg(name, keys));
+}
+
+void StatusLine::sayRedone(const QString &step)
+{
+    const QString name = step.toHtmlEscaped(), keys = keysOf("edit.undo").toHtmlEscaped();
+    sayMarked(keys.isEmpty()
+                  ? tr("Did \u201c%1\u201d again.").arg(name)
+                  : tr("Did \u201c%1\u201d again. <kbd>%2</kbd> takes it back.").arg(name, keys));
 }
 
 void StatusLine::refresh()
@@ -113,19 +169,18 @@ void StatusLine::showHint()
 {
     const Hint &hint = m_bench.interaction().hint();
     if (hint.isRefusal) {
-        showSentence(hintSentence(hint), true);
+        showSentence(hintSentence(hint, keysOf("edit.undo")), true);
         m_held.start();
     } else if (!m_held.isActive() || m_bench.interaction().hasGesture()) {
         m_held.stop();
-        showSentence(hintSentence(hint), false);
+        showSentence(hintSentence(hint, keysOf("edit.undo")), false);
     }
 }
 
-void StatusLine::showSentence(const QString &richText, bool isRefusal)
+void StatusLine::showSentence(const QString &marked, bool isRefusal)
 {
     m_isRefusal = isRefusal;
-    m_sentence->setText(richText);
-    m_sentence->setToolTip(QTextDocumentFragment::fromHtml(richText).toPlainText());
+    m_sentence->setSentence(marked);
     refresh();
 }
 
@@ -137,6 +192,7 @@ void StatusLine::showNumbers()
         tr("%n section(s)", nullptr, static_cast<int>(m_bench.session().model().sectionCount())));
     m_size->setText(sizeText({size.x(), size.y(), size.z()}, 0, locale()));
     m_mass->setText(massText(measures.mass(), locale()));
+    m_units->setText(unitSign(settings().unit()));
 }
 
 } // namespace fff::ui

@@ -5,19 +5,28 @@
 #include <QTimer>
 
 class QLabel;
+class QToolButton;
 
 namespace fff::ui {
 
+class ActionSet;
+class SentenceLabel;
 class Workbench;
 
 class StatusLine : public QStatusBar
 {
     Q_OBJECT
 public:
-    explicit StatusLine(Workbench &bench, QWidget *parent = nullptr);
+    /// The actions know which keys a sentence may speak of.
+    StatusLine(Workbench &bench, const ActionSet &actions, QWidget *parent = nullptr);
 
-    /// Says what was done, for some seconds or until the next press.
+    /// Says what was done, for some seconds or until the next press. No marks in it.
     void say(const QString &sentence);
+    /// The same with marks (ui/sentence_label.h).
+    void sayMarked(const QString &sentence);
+    /// What the history did: "Undid “Draw Rib 3”. Ctrl+Shift+Z brings it back."
+    void sayUndone(const QString &step);
+    void sayRedone(const QString &step);
     /// In the colours of the theme.
     void refresh();
 
@@ -25,15 +34,19 @@ protected:
     void resizeEvent(QResizeEvent *event) override;
 
 private:
+    QWidget *makeUnits();
     void showHint();
-    void showSentence(const QString &richText, bool isRefusal);
+    void showSentence(const QString &marked, bool isRefusal);
     void showNumbers();
+    QString keysOf(const char *action) const;
     QLabel *addField(const char *objectName, const QString &name);
 
     Workbench &m_bench;
+    const ActionSet &m_actions;
     QLabel *m_glyph = nullptr;
-    QLabel *m_sentence = nullptr;
+    SentenceLabel *m_sentence = nullptr;
     QLabel *m_count = nullptr, *m_size = nullptr, *m_mass = nullptr;
+    QToolButton *m_units = nullptr;
     QTimer m_held; // a refusal or an answer stays while it runs
     bool m_isRefusal = false;
 };
