@@ -16,6 +16,7 @@ target_sources(fff_ui PRIVATE
     message_bar.cpp
     properties/choice_box.cpp
     properties/length_edit.cpp
+    properties/number_edit.cpp
     properties/open_editor.cpp
     properties/property_rows.cpp
     properties/stock_choice.cpp

@@ -32,7 +32,7 @@ QIcon chip(const QColor &colour)
 ChoiceBox::ChoiceBox(QWidget *parent) : QComboBox(parent)
 {
     setFocusPolicy(Qt::StrongFocus);
-    setPlaceholderText(QCoreApplication::translate("fff::ui::LengthEdit", "mixed"));
+    setPlaceholderText(QCoreApplication::translate("fff::ui::NumberEdit", "mixed"));
     setIconSize({14, 14});
 }
 

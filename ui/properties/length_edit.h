@@ -1,31 +1,19 @@
-// The one field for lengths: owns the range and how many digits are shown, shows the unit that is
-// set, and takes sums ("1/2 in", "3*25.4"). Its value() is in mm. Says a new value once when it is
-// done: on Enter, when the focus leaves, or a moment after the last step of its arrows.
+// The one field for lengths: shows the unit that is set, and takes other units and sums ("1/2 in",
+// "3*25.4"). Its value() is in mm, exact; only what is shown is rounded.
 #pragma once
 
-#include <QDoubleSpinBox>
-#include <QTimer>
-
-#include <optional>
+#include "ui/properties/number_edit.h"
 
 namespace fff::ui {
 
-class LengthEdit : public QDoubleSpinBox
+class LengthEdit : public NumberEdit
 {
     Q_OBJECT
 public:
-    struct Range
-    {
-        double least = 0.0, most = 0.0, step = 0.1; // mm
-        int digits = 2;                             // shown of every value, in mm
-        int mostDigits = 2;                         // shown where they are not zero, in mm
-    };
-
+    /// All of the range, also its digits, is meant in mm.
     explicit LengthEdit(const Range &range, QWidget *parent = nullptr);
 
-    /// Shows a value without announcing it; nothing: the selected things differ. Leaves the field
-    /// alone while a person is typing in it.
-    void setLength(std::optional<double> millimetres);
+    void setLength(std::optional<double> millimetres) { setNumber(millimetres); }
     /// What "t" stands for in sums: the thickness, mm.
     void setThickness(std::optional<double> millimetres) { m_thickness = millimetres; }
 
@@ -36,18 +24,12 @@ protected:
     QString textFromValue(double value) const override;
     double valueFromText(const QString &text) const override;
     QValidator::State validate(QString &text, int &position) const override;
-    void wheelEvent(QWheelEvent *event) override;
 
 private:
-    void announce();
     void takeUnit();
-    std::optional<double> parsed(QString text) const;
+    std::optional<double> parsed(const QString &text) const;
 
-    std::optional<double> m_shown; // what the field held when last set from outside, or announced
     std::optional<double> m_thickness;
-    Range m_range;
-    QTimer m_settled;
-    bool m_isSetting = false;
 };
 
 } // namespace fff::ui

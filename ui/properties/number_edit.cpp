@@ -1,0 +1,122 @@
+#include "ui/properties/number_edit.h"
+
+#include "ui/lengths.h"
+
+#include <QLineEdit>
+#include <QWheelEvent>
+
+namespace fff::ui {
+
+namespace {
+
+constexpr int kWidth = 120;        // px; figures are not of one width in Qt 6.4's fonts
+constexpr int kSettleTime = 350;   // ms after the last step of an arrow
+constexpr int kStoredDecimals = 9; // the value is exact, only what is shown is rounded
+constexpr char16_t kThinSpace = u'\u202f', kMinus = u'\u2212';
+
+} // namespace
+
+NumberEdit::NumberEdit(const Range &range, const QString &unit, QWidget *parent)
+    : QDoubleSpinBox(parent), m_range(range)
+{
+    setDecimals(kStoredDecimals);
+    setRange(range.least, range.most);
+    setKeyboardTracking(false);
+    setFocusPolicy(Qt::StrongFocus);
+    setFixedWidth(kWidth);
+    lineEdit()->setPlaceholderText(tr("mixed"));
+    setUnit(unit, range.step);
+
+    m_settled.setSingleShot(true);
+    m_settled.setInterval(kSettleTime);
+    connect(&m_settled, &QTimer::timeout, this, &NumberEdit::announce);
+    connect(this, &QDoubleSpinBox::valueChanged, this, [this] {
+        if (!m_isSetting)
+            m_settled.start();
+    });
+    connect(this, &QAbstractSpinBox::editingFinished, this, &NumberEdit::announce);
+}
+
+void NumberEdit::setUnit(const QString &sign, double step)
+{
+    const bool isMixed = !m_shown && text().isEmpty();
+    m_isSetting = true;
+    setSingleStep(step);
+    setSuffix(sign.isEmpty() ? QString() : QChar(kThinSpace) + sign); // writes the number anew
+    if (isMixed)
+        clear();
+    m_isSetting = false;
+}
+
+void NumberEdit::setNumber(std::optional<double> number)
+{
+    if (m_settled.isActive() || (hasFocus() && lineEdit()->isModified()))
+        return;
+    m_isSetting = true;
+    m_shown.reset();
+    if (number) {
+        setValue(*number);
+        m_shown = value(); // within the range: what is there without an edit
+    } else {
+        clear();
+    }
+    // "Mixed" is a word about the field, not a value in it.
+    QFont words = font();
+    words.setItalic(!number);
+    lineEdit()->setFont(words);
+    m_isSetting = false;
+}
+
+void NumberEdit::announce()
+{
+    m_settled.stop();
+    lineEdit()->setModified(false);
+    // Nothing was typed into a field that says "mixed", or the value is what was shown.
+    if (text().isEmpty() || text() == suffix())
+        return;
+    if (m_shown && textFromValue(value()) == textFromValue(*m_shown))
+        return;
+    m_shown = value();
+    Q_EMIT numberEdited(value());
+}
+
+bool NumberEdit::showsValue(const QString &text) const
+{
+    QString number = text;
+    if (number.endsWith(suffix()))
+        number.chop(suffix().size());
+    return number.trimmed() == textFromValue(value());
+}
+
+QString NumberEdit::textFromValue(double value) const
+{
+    QLocale plain = locale();
+    plain.setNumberOptions(plain.numberOptions() | QLocale::OmitGroupSeparator);
+    return numberText(value, m_range.digits, m_range.mostDigits, plain);
+}
+
+/// The keyboard's minus is as good as the real one.
+double NumberEdit::valueFromText(const QString &text) const
+{
+    return showsValue(text) ? value()
+                            : QDoubleSpinBox::valueFromText(
+                                  QString(text).replace(QChar(kMinus), locale().negativeSign()));
+}
+
+QValidator::State NumberEdit::validate(QString &text, int &position) const
+{
+    QString plain = text;
+    plain.replace(QChar(kMinus), locale().negativeSign());
+    return QDoubleSpinBox::validate(plain, position);
+}
+
+void NumberEdit::wheelEvent(QWheelEvent *event)
+{
+    // Scrolling the panel must not change numbers on the way.
+    if (hasFocus())
+        QDoubleSpinBox::wheelEvent(event);
+    else
+        event->ignore();
+}
+
+} // namespace fff::ui
