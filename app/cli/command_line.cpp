@@ -19,6 +19,9 @@ namespace {
 constexpr std::array kVerbs = {
     Verb{"info", "FILE [--json] [options]",
          QT_TRANSLATE_NOOP("CommandLine", "Sections, joints, size and mass of a model"), runInfo},
+    Verb{"check", "FILE [--json] [options]",
+         QT_TRANSLATE_NOOP("CommandLine", "Whether it holds together, stands and fits the sheet"),
+         runCheck},
     Verb{"parts", "FILE [--json] [--tolerance MM] [options]",
          QT_TRANSLATE_NOOP("CommandLine", "What is to be cut, in each section's own coordinates"),
          runParts},
@@ -229,6 +232,7 @@ Loaded load(const QString &file, const DocumentOptions &options, const Verb &ver
     }
     for (const Warning &warning : read->warnings)
         printError(io::warningText(warning));
+    loaded.warnings = std::move(read->warnings);
     loaded.document = std::move(read->document);
     loaded.format = read->format == io::ModelFormat::Fff ? "fff" : "flatfab";
     loaded.status = applyOptions(loaded.document, options, verb);

@@ -30,6 +30,7 @@ struct Verb
 std::span<const Verb> verbs();
 
 int runInfo(const QStringList &arguments);
+int runCheck(const QStringList &arguments);
 int runParts(const QStringList &arguments);
 int runExport(const QStringList &arguments);
 int runReplay(const QStringList &arguments);
@@ -68,6 +69,7 @@ struct Loaded
     std::optional<int> status;
     Document document;
     std::string format; // "fff" or "flatfab"
+    std::vector<Warning> warnings;
 };
 Loaded load(const QString &file, const DocumentOptions &options, const Verb &verb);
 /// Applies the options to a document. The status after printing, if wrong.

@@ -3,5 +3,7 @@ target_sources(fff_core PRIVATE
     assembly/crossing.cpp
     assembly/intervals.cpp
     assembly/joint.cpp
+    assembly/slab.cpp
     assembly/slits.cpp
+    assembly/stability.cpp
 )

@@ -139,4 +139,15 @@ Layout layOut(const std::vector<Part> &parts, const Model &model, const LayoutOp
     return layout;
 }
 
+double usedShare(const Layout &layout, const std::vector<Part> &parts)
+{
+    double used = 0.0, whole = 0.0;
+    for (const Sheet &sheet : layout.sheets) {
+        whole += sheet.size.x() * sheet.size.y();
+        for (const Placement &placement : sheet.placements)
+            used += area(parts[static_cast<std::size_t>(placement.part)].outline.region);
+    }
+    return whole > 0.0 ? used / whole : 0.0;
+}
+
 } // namespace fff

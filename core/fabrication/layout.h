@@ -42,4 +42,7 @@ struct Layout
 /// Deterministic. O(parts · shelves).
 Layout layOut(const std::vector<Part> &parts, const Model &model, const LayoutOptions &options);
 
+/// How much of the sheets' area the parts cover, 0 … 1; 0 without sheets.
+double usedShare(const Layout &layout, const std::vector<Part> &parts);
+
 } // namespace fff

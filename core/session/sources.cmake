@@ -1,5 +1,7 @@
 target_sources(fff_session PRIVATE
     analysis.cpp
+    check_text.cpp
+    checks.cpp
     cutting_file.cpp
     replay.cpp
     session.cpp

@@ -1,0 +1,143 @@
+#include "app/cli/command_line.h"
+#include "core/io/error_text.h"
+#include "core/io/json_writer.h"
+#include "core/operations/evaluate.h"
+#include "core/session/check_text.h"
+
+#include <algorithm>
+
+namespace fff::cli {
+
+namespace {
+
+using io::JsonWriter;
+
+/// What is listed as a problem: all that is not simply good.
+struct Problem
+{
+    QString code, severity, text;
+    std::vector<std::string> sections;
+    std::optional<Vec3> at;
+    bool isError = false;
+};
+
+std::vector<Problem> problemsOf(const std::vector<Check> &found, const Model &model)
+{
+    std::vector<Problem> problems;
+    for (const Check &check : found) {
+        if (check.severity == CheckSeverity::Good)
+            continue;
+        Problem problem{checkName(check.code),
+                        severityName(check.severity),
+                        checkText(check, model),
+                        {},
+                        check.at,
+                        check.severity == CheckSeverity::Error};
+        for (const SectionRef &ref : check.sections)
+            problem.sections.push_back(
+                model.section(static_cast<std::size_t>(model.indexOf(ref)))->name);
+        problems.push_back(std::move(problem));
+    }
+    return problems;
+}
+
+/// What the reader mended is no longer wrong, but is not what was drawn.
+std::vector<Problem> problemsOf(const std::vector<Warning> &warnings)
+{
+    std::vector<Problem> problems;
+    for (const Warning &warning : warnings) {
+        const bool crosses = warning.code == WarningCode::SelfCrossingContour;
+        Problem problem{crosses ? QStringLiteral("selfCrossing") : QStringLiteral("mended"),
+                        crosses ? QStringLiteral("warning") : QStringLiteral("note"),
+                        io::warningSentence(warning),
+                        {},
+                        std::nullopt,
+                        false};
+        if (!problem.text.isEmpty())
+            problem.text = problem.text.left(1).toUpper() + problem.text.mid(1) + u'.';
+        if (!warning.args.empty() && warning.code != WarningCode::TrailingLines)
+            problem.sections.push_back(warning.args.front());
+        problems.push_back(std::move(problem));
+    }
+    return problems;
+}
+
+std::string problemsJson(const std::vector<Problem> &problems)
+{
+    JsonWriter json;
+    json.beginObject();
+    json.key("problems");
+    json.beginArray();
+    for (const Problem &problem : problems) {
+        json.beginObject();
+        json.member("code", problem.code.toStdString());
+        json.member("severity", problem.severity.toStdString());
+        json.key("sections");
+        json.beginArray(JsonWriter::Layout::Line);
+        for (const std::string &name : problem.sections)
+            json.value(name);
+        json.endArray();
+        if (problem.at)
+            json.member("at", *problem.at);
+        json.member("text", problem.text.toStdString());
+        json.endObject();
+    }
+    json.endArray();
+    json.endObject();
+    return json.take();
+}
+
+/// Worst first, good last, as the window lists them.
+std::string checksText(const std::vector<Check> &found, const std::vector<Problem> &problems,
+                       const Model &model)
+{
+    QStringList lines;
+    for (const char *severity : {"error", "warning", "note", "unknown"})
+        for (const Problem &problem : problems)
+            if (problem.severity == QLatin1String(severity))
+                lines += QStringLiteral("%1: %2").arg(problem.severity, problem.text);
+    for (const Check &check : found)
+        if (check.severity == CheckSeverity::Good)
+            lines += checkText(check, model);
+    if (lines.isEmpty())
+        lines += QCoreApplication::translate("CommandLine",
+                                             "Nothing to check: the model has no section.");
+    return lines.join(u'\n').toStdString() + '\n';
+}
+
+} // namespace
+
+int runCheck(const QStringList &arguments)
+{
+    QCommandLineParser parser;
+    parser.addOption(
+        {QStringLiteral("json"), QCoreApplication::translate("CommandLine", "For machines.")});
+    addDocumentOptions(parser);
+    const Verb &verb = verbNamed("check");
+    const Arguments parsed = parse(parser, verb, arguments, 1);
+    if (parsed.status)
+        return *parsed.status;
+    std::optional<int> status;
+    const auto options = documentOptions(parser, verb, status);
+    if (!options)
+        return *status;
+    Loaded loaded = load(parsed.files.first(), *options, verb);
+    if (loaded.status)
+        return *loaded.status;
+    AnalysisCaches caches;
+    const Analysis analysis = analyse(evaluate(std::move(loaded.document)), caches);
+    const std::vector<Check> found = checks(analysis);
+    std::vector<Problem> problems = problemsOf(found, analysis.model);
+    for (Problem &problem : problemsOf(loaded.warnings))
+        problems.push_back(std::move(problem));
+    if (const int printed = print(parser.isSet(QStringLiteral("json"))
+                                      ? problemsJson(problems)
+                                      : checksText(found, problems, analysis.model)))
+        return printed;
+    return std::any_of(problems.begin(), problems.end(),
+                       [](const Problem &problem) { return problem.isError; })
+               ? ProblemsFound
+               : Done;
+}
+
+} // namespace fff::cli

@@ -1,0 +1,321 @@
+#include "core/session/check_text.h"
+
+#include "core/base/units.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+#include <QStringList>
+
+#include <cmath>
+
+namespace fff {
+
+namespace {
+
+struct Words
+{
+    Q_DECLARE_TR_FUNCTIONS(Checks)
+};
+
+constexpr char16_t kThinSpace = u'\u202f';
+// More names than this say less than a number does.
+constexpr std::size_t kMaxNames = 4;
+
+QString withUnit(const QString &number, const QString &unit)
+{
+    return number + QChar(kThinSpace) + unit;
+}
+
+/// One decimal, none where it says nothing.
+QString decimal(double value)
+{
+    const double rounded = std::round(10.0 * value) / 10.0;
+    return QLocale().toString(rounded, 'f', rounded == std::round(rounded) ? 0 : 1);
+}
+
+QString wholeDegrees(double angle)
+{
+    // Rounded down: what is promised must hold.
+    return QLocale().toString(std::floor(degrees(angle) + 1e-9), 'f', 0) + QStringLiteral("°");
+}
+
+QString nameOf(const Model &model, const SectionRef &ref)
+{
+    const int index = model.indexOf(ref);
+    return index < 0 ? QString()
+                     : QString::fromStdString(model.section(static_cast<std::size_t>(index))->name);
+}
+
+QString namesOf(const Model &model, const std::vector<SectionRef> &refs)
+{
+    if (refs.size() > kMaxNames)
+        return Words::tr("%n sections", nullptr, static_cast<int>(refs.size()));
+    QStringList names;
+    for (const SectionRef &ref : refs)
+        names += nameOf(model, ref);
+    if (names.size() < 2)
+        return names.join(QString());
+    const QString last = names.takeLast();
+    //: the end of a list of names
+    return Words::tr("%1 and %2").arg(names.join(QStringLiteral(", ")), last);
+}
+
+/// The one or two sections of a check, by their place in it.
+QString nameAt(const Check &check, const Model &model, std::size_t index)
+{
+    return index < check.sections.size() ? nameOf(model, check.sections[index]) : QString();
+}
+
+QString connectedText(const Check &check)
+{
+    if (check.sectionCount == 1)
+        return Words::tr("Connected. There is only one section.");
+    return Words::tr("Connected. All %1 sections, by %2.")
+        .arg(check.sectionCount)
+        .arg(check.count == 1 ? Words::tr("1 joint")
+                              : Words::tr("%n joints", nullptr, check.count));
+}
+
+QString notConnectedText(const Check &check, const Model &model, const CheckUnits &units)
+{
+    const bool isOne = check.sections.size() == 1;
+    const QString names = namesOf(model, check.sections);
+    if (!check.other || check.distance < 0.0)
+        return isOne ? Words::tr("%1 is not joined to the rest.").arg(names)
+                     : Words::tr("%1 are not joined to the rest.").arg(names);
+    const QString other = nameOf(model, *check.other);
+    // Below what anyone can see they touch.
+    constexpr double kTouching = 0.05; // mm
+    if (check.distance <= kTouching)
+        return isOne ? Words::tr("%1 meets %2, but no joint holds them together.").arg(names, other)
+                     : Words::tr("%1 meet %2, but no joint holds them together.").arg(names, other);
+    const QString far = units.length(check.distance);
+    return isOne ? Words::tr("%1 touches nothing. It is %2 away from %3.").arg(names, far, other)
+                 : Words::tr("%1 touch nothing else. They are %2 away from %3.")
+                       .arg(names, far, other);
+}
+
+QString topplesText(const Check &check, const CheckUnits &units)
+{
+    const QString far = units.length(-check.margin);
+    switch (check.side) {
+    case Towards::Front:
+        return Words::tr("Falls over forwards. The centre of mass lies %1 in front of the feet.")
+            .arg(far);
+    case Towards::Back:
+        return Words::tr("Falls over backwards. The centre of mass lies %1 behind the feet.")
+            .arg(far);
+    case Towards::Left:
+        return Words::tr("Falls over to the left. The centre of mass lies %1 beside the feet.")
+            .arg(far);
+    case Towards::Right:
+        return Words::tr("Falls over to the right. The centre of mass lies %1 beside the feet.")
+            .arg(far);
+    }
+    return {}; // not reached: every side is above
+}
+
+/// Which sections a sentence about standing is about, where it is not the whole model.
+QString ofThese(const Check &check, const Model &model, const QString &sentence)
+{
+    if (check.sections.empty())
+        return sentence;
+    //: %1 names sections, %2 is a sentence about them such as "Falls over forwards."
+    return Words::tr("%1: %2").arg(namesOf(model, check.sections), sentence);
+}
+
+QString stabilityText(const Check &check, const Model &model, const CheckUnits &units)
+{
+    switch (check.code) {
+    case CheckCode::Stands:
+        return ofThese(check, model,
+                       Words::tr("Stands. Tips only past %1. Margin %2.")
+                           .arg(wholeDegrees(check.tipAngle), units.length(check.margin)));
+    case CheckCode::Unsteady:
+        return ofThese(
+            check, model,
+            Words::tr("Stands, but not firmly: it tips past %1. The centre of mass is only %2 "
+                      "inside the feet.")
+                .arg(wholeDegrees(check.tipAngle), units.length(check.margin)));
+    case CheckCode::Topples:
+        return ofThese(check, model, topplesText(check, units));
+    case CheckCode::LineSupport:
+        return ofThese(check, model,
+                       Words::tr("Falls over. Its feet are all on one line, so nothing holds it "
+                                 "upright."));
+    case CheckCode::NoContact:
+        return ofThese(check, model,
+                       Words::tr("Not on the ground. Its lowest point is %1 above it.")
+                           .arg(units.length(check.distance)));
+    default:
+        return ofThese(check, model,
+                       Words::tr("Not on the ground. It reaches %1 below it.")
+                           .arg(units.length(check.distance)));
+    }
+}
+
+QString sizeText(const Check &check, const Model &model, const CheckUnits &units)
+{
+    if (check.code == CheckCode::TooLarge) {
+        const QString name = nameAt(check, model, 0);
+        if (check.count > 1)
+            return Words::tr("%1 parts of %2 fit no sheet of %3 in any direction.")
+                .arg(QString::number(check.count), name, units.size(check.sheet));
+        return Words::tr("%1 measures %2 and fits no sheet of %3 in any direction.")
+            .arg(name, units.size(check.size), units.size(check.sheet));
+    }
+    const QString used = QLocale().toString(std::round(100.0 * check.share), 'f', 0);
+    const QString sheets =
+        check.count == 1 ? Words::tr("1 sheet") : Words::tr("%n sheets", nullptr, check.count);
+    if (check.sheet.isZero())
+        return Words::tr("Fits the sheet. %1, %2 % used.").arg(sheets, used);
+    return Words::tr("Fits the sheet. %1 of %2, %3 % used.")
+        .arg(sheets, units.size(check.sheet), used);
+}
+
+QString jointText(const Check &check, const Model &model, const CheckUnits &units)
+{
+    const QString first = nameAt(check, model, 0), second = nameAt(check, model, 1);
+    switch (check.code) {
+    case CheckCode::Interference:
+        return Words::tr("%1 and %2 cut into each other, %3 long, but no slit lets them slide "
+                         "together.")
+            .arg(first, second, units.length(check.distance));
+    case CheckCode::ShallowAngle:
+        return Words::tr("%1 meets %2 at %3; slits get wide below %4.")
+            .arg(first, second, wholeDegrees(check.angle), wholeDegrees(kShallowAngle));
+    case CheckCode::Divided:
+        return Words::tr("The slits of %1 divide it into %2.")
+            .arg(first, Words::tr("%n parts", nullptr, check.count));
+    default:
+        return Words::tr("The slits of %1 leave nothing of it.").arg(first);
+    }
+}
+
+} // namespace
+
+QString checkName(CheckCode code)
+{
+    switch (code) {
+    case CheckCode::Connected:
+        return QStringLiteral("connected");
+    case CheckCode::NotConnected:
+        return QStringLiteral("notConnected");
+    case CheckCode::Stands:
+        return QStringLiteral("stands");
+    case CheckCode::Unsteady:
+        return QStringLiteral("unsteady");
+    case CheckCode::Topples:
+        return QStringLiteral("topples");
+    case CheckCode::LineSupport:
+        return QStringLiteral("lineSupport");
+    case CheckCode::NoContact:
+        return QStringLiteral("noContact");
+    case CheckCode::BelowGround:
+        return QStringLiteral("belowGround");
+    case CheckCode::FitsSheet:
+        return QStringLiteral("fitsSheet");
+    case CheckCode::TooLarge:
+        return QStringLiteral("tooLarge");
+    case CheckCode::Mass:
+        return QStringLiteral("mass");
+    case CheckCode::Interference:
+        return QStringLiteral("interference");
+    case CheckCode::ShallowAngle:
+        return QStringLiteral("shallowAngle");
+    case CheckCode::Divided:
+        return QStringLiteral("divided");
+    case CheckCode::NothingLeft:
+        return QStringLiteral("nothingLeft");
+    }
+    return {}; // not reached: every code is above
+}
+
+QString severityName(CheckSeverity severity)
+{
+    switch (severity) {
+    case CheckSeverity::Good:
+        return QStringLiteral("good");
+    case CheckSeverity::Unknown:
+        return QStringLiteral("unknown");
+    case CheckSeverity::Note:
+        return QStringLiteral("note");
+    case CheckSeverity::Warning:
+        return QStringLiteral("warning");
+    case CheckSeverity::Error:
+        return QStringLiteral("error");
+    }
+    return {}; // not reached: every severity is above
+}
+
+CheckUnits metricUnits()
+{
+    CheckUnits units;
+    units.length = [](double mm) { return withUnit(decimal(mm), QStringLiteral("mm")); };
+    units.size = [](const Vec2 &mm) {
+        return withUnit(QStringLiteral("%1 × %2").arg(decimal(mm.x()), decimal(mm.y())),
+                        QStringLiteral("mm"));
+    };
+    units.mass = [](double kg) {
+        constexpr double kGrams = 1000.0;
+        return kg < 1.0 ? withUnit(decimal(kGrams * kg), QStringLiteral("g"))
+                        : withUnit(QLocale().toString(kg, 'f', 2), QStringLiteral("kg"));
+    };
+    return units;
+}
+
+QString checkTitle(const Check &check)
+{
+    switch (check.code) {
+    case CheckCode::Connected:
+        return Words::tr("Connected");
+    case CheckCode::NotConnected:
+        return Words::tr("Not connected");
+    case CheckCode::Stands:
+        return Words::tr("Stands");
+    case CheckCode::Unsteady:
+        return Words::tr("Tips easily");
+    case CheckCode::Topples:
+    case CheckCode::LineSupport:
+        return Words::tr("Falls over");
+    case CheckCode::NoContact:
+    case CheckCode::BelowGround:
+        return Words::tr("Not on the ground");
+    case CheckCode::FitsSheet:
+        return Words::tr("Fits the sheet");
+    case CheckCode::TooLarge:
+        return Words::tr("Too large for the sheet");
+    case CheckCode::Mass:
+        return Words::tr("Mass");
+    case CheckCode::Interference:
+        return Words::tr("Cut into each other");
+    case CheckCode::ShallowAngle:
+        return Words::tr("Shallow angle");
+    case CheckCode::Divided:
+        return Words::tr("Divided by slits");
+    case CheckCode::NothingLeft:
+        return Words::tr("Nothing left");
+    }
+    return {}; // not reached: every code is above
+}
+
+QString checkText(const Check &check, const Model &model, const CheckUnits &units)
+{
+    switch (subjectOf(check.code)) {
+    case CheckSubject::Connection:
+        return check.code == CheckCode::Connected ? connectedText(check)
+                                                  : notConnectedText(check, model, units);
+    case CheckSubject::Stability:
+        return stabilityText(check, model, units);
+    case CheckSubject::Size:
+        return sizeText(check, model, units);
+    case CheckSubject::Mass:
+        return Words::tr("Mass %1. The centre of mass lies %2 above the ground.")
+            .arg(units.mass(check.mass.mass), units.length(check.mass.centre.y()));
+    case CheckSubject::Joints:
+        return jointText(check, model, units);
+    }
+    return {}; // not reached: every subject is above
+}
+
+} // namespace fff

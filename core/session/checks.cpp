@@ -1,0 +1,345 @@
+#include "core/session/checks.h"
+
+#include "core/fabrication/kerf.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace fff {
+
+namespace {
+
+// Beyond this many loose groups nobody reads how far each is from the rest.
+constexpr std::size_t kMaxMeasuredGroups = 32;
+
+using Group = std::vector<int>;
+
+std::vector<Slab> slabsOf(const Analysis &analysis, int section)
+{
+    const auto index = static_cast<std::size_t>(section);
+    std::vector<Slab> slabs;
+    for (const CurvedRegion &part : analysis.cuts[index]->parts())
+        slabs.push_back({part.region, analysis.model.section(index)->frame,
+                         analysis.model.stockOf(index).thickness});
+    return slabs;
+}
+
+std::vector<SectionRef> refsOf(const Model &model, const Group &sections)
+{
+    std::vector<SectionRef> refs;
+    for (const int section : sections)
+        refs.push_back(model.ref(static_cast<std::size_t>(section)));
+    return refs;
+}
+
+Check makeCheck(CheckCode code, CheckSeverity severity)
+{
+    Check check;
+    check.code = code;
+    check.severity = severity;
+    return check;
+}
+
+Towards towards(const Vec2 &direction)
+{
+    if (std::abs(direction.x()) > std::abs(direction.y()))
+        return direction.x() > 0.0 ? Towards::Right : Towards::Left;
+    return direction.y() >= 0.0 ? Towards::Front : Towards::Back;
+}
+
+/// Mass of the sections with the weights that hang on them.
+MassProperties loadedMass(const Analysis &analysis, const Group &sections)
+{
+    const Model &model = analysis.model;
+    MassProperties sum;
+    for (const int section : sections) {
+        const auto index = static_cast<std::size_t>(section);
+        const Section &host = *model.section(index);
+        sum += massOf(host, model.stockOf(index), *analysis.cuts[index]);
+        for (const Weight &weight : model.document.weights)
+            if (weight.section == model.ref(index))
+                sum += {weight.mass, host.frame.toWorld(weight.position)};
+    }
+    return sum;
+}
+
+// --- connection
+
+/// How far a group is from all other sections, and where.
+void measureGap(const Analysis &analysis, const Group &group, Check &check)
+{
+    const std::size_t count = analysis.model.sectionCount();
+    std::vector<char> isInside(count, 0);
+    for (const int section : group)
+        isInside[static_cast<std::size_t>(section)] = 1;
+    Nearest best;
+    for (const int section : group) {
+        for (const Slab &slab : slabsOf(analysis, section)) {
+            const Box3 box = boundsOf(slab);
+            for (std::size_t i = 0; i < count; ++i) {
+                if (isInside[i])
+                    continue;
+                for (const Slab &otherSlab : slabsOf(analysis, static_cast<int>(i))) {
+                    if (distanceBetween(box, boundsOf(otherSlab)) >= best.distance)
+                        continue;
+                    const Nearest found = nearestPoints(slab, otherSlab, best.distance);
+                    if (found.distance < best.distance) {
+                        best = found;
+                        check.other = analysis.model.ref(i);
+                    }
+                }
+            }
+        }
+    }
+    if (!check.other)
+        return;
+    check.distance = best.distance;
+    check.at = best.onA;
+}
+
+void addConnection(const Analysis &analysis, const std::vector<Group> &groups,
+                   std::vector<Check> &all)
+{
+    if (groups.size() == 1) {
+        Check check = makeCheck(CheckCode::Connected, CheckSeverity::Good);
+        check.sectionCount = static_cast<int>(groups.front().size());
+        check.count = static_cast<int>(
+            std::count_if(analysis.assembly.joints.begin(), analysis.assembly.joints.end(),
+                          [](const Joint &joint) { return joint.kind != JointKind::None; }));
+        all.push_back(std::move(check));
+        return;
+    }
+    for (std::size_t g = 1; g < groups.size(); ++g) {
+        Check check = makeCheck(CheckCode::NotConnected, CheckSeverity::Error);
+        check.sections = refsOf(analysis.model, groups[g]);
+        check.distance = -1.0;
+        if (g <= kMaxMeasuredGroups)
+            measureGap(analysis, groups[g], check);
+        all.push_back(std::move(check));
+    }
+}
+
+// --- stability
+
+CheckCode codeOf(const Stability &stability)
+{
+    switch (stability.standing) {
+    case Standing::Stands:
+        return stability.tipAngle < kSteadyTilt ? CheckCode::Unsteady : CheckCode::Stands;
+    case Standing::Topples:
+        return CheckCode::Topples;
+    case Standing::LineSupport:
+        return CheckCode::LineSupport;
+    case Standing::NoContact:
+        return CheckCode::NoContact;
+    case Standing::BelowGround:
+        return CheckCode::BelowGround;
+    }
+    return CheckCode::Stands; // not reached: every case is above
+}
+
+Check stabilityCheck(const Analysis &analysis, const Group &group)
+{
+    const Stability stability = stabilityOf(analysis, group);
+    Check check = makeCheck(codeOf(stability), CheckSeverity::Error);
+    check.mass = loadedMass(analysis, group);
+    check.margin = stability.margin;
+    check.tipAngle = stability.tipAngle;
+    check.side = towards(stability.fall);
+    check.sectionCount = static_cast<int>(group.size());
+    check.at = Vec3(check.mass.centre.x(), 0.0, check.mass.centre.z());
+    switch (stability.standing) {
+    case Standing::Stands:
+        check.severity =
+            check.code == CheckCode::Unsteady ? CheckSeverity::Warning : CheckSeverity::Good;
+        break;
+    case Standing::NoContact:
+    case Standing::BelowGround:
+        check.distance = std::abs(stability.height);
+        check.at = stability.lowestPoint;
+        break;
+    case Standing::Topples:
+    case Standing::LineSupport:
+        break;
+    }
+    return check;
+}
+
+void addStability(const Analysis &analysis, const std::vector<Group> &groups,
+                  std::vector<Check> &all)
+{
+    std::optional<Check> standing; // of all groups that stand, the one that falls first
+    std::vector<Check> bad;
+    int standingSections = 0;
+    for (std::size_t g = 0; g < groups.size(); ++g) {
+        Check check = stabilityCheck(analysis, groups[g]);
+        if (groups.size() > 1)
+            check.sections = refsOf(analysis.model, groups[g]);
+        if (check.code == CheckCode::Stands || check.code == CheckCode::Unsteady) {
+            standingSections += check.sectionCount;
+            if (!standing || check.tipAngle < standing->tipAngle)
+                standing = std::move(check);
+        } else if (g == 0 || check.code != CheckCode::NoContact) {
+            bad.push_back(std::move(check));
+        }
+    }
+    if (!bad.empty()) {
+        all.insert(all.end(), bad.begin(), bad.end());
+    } else if (standing) {
+        standing->sectionCount = standingSections;
+        all.push_back(*standing);
+    }
+}
+
+// --- size
+
+void addSize(const Analysis &analysis, const LayoutOptions &options, std::vector<Check> &all)
+{
+    const Model &model = analysis.model;
+    const std::vector<Part> parts =
+        compensateKerf(makeParts(model, analysis.assembly, analysis.cuts), model);
+    const Layout layout = layOut(parts, model, options);
+    std::vector<int> oversized = layout.oversized;
+    std::sort(oversized.begin(), oversized.end());
+    int lastSection = -1;
+    for (const int index : oversized) {
+        const Part &part = parts[static_cast<std::size_t>(index)];
+        if (part.section == lastSection) {
+            ++all.back().count;
+            continue;
+        }
+        lastSection = part.section;
+        Check check = makeCheck(CheckCode::TooLarge, CheckSeverity::Error);
+        const auto section = static_cast<std::size_t>(part.section);
+        check.sections = {model.ref(section)};
+        const Box2 box = bounds(part.outline.region.outer);
+        check.size = {box.size().maxCoeff(), box.size().minCoeff()};
+        check.sheet = options.sheet.value_or(model.stockOf(section).sheet);
+        check.at = model.section(section)->frame.toWorld(box.center());
+        check.count = 1;
+        all.push_back(std::move(check));
+    }
+    if (!oversized.empty())
+        return;
+    Check check = makeCheck(CheckCode::FitsSheet, CheckSeverity::Good);
+    check.count = static_cast<int>(layout.sheets.size());
+    check.share = usedShare(layout, parts);
+    if (!layout.sheets.empty() &&
+        std::all_of(layout.sheets.begin(), layout.sheets.end(),
+                    [&](const Sheet &sheet) { return sheet.size == layout.sheets.front().size; }))
+        check.sheet = layout.sheets.front().size;
+    all.push_back(std::move(check));
+}
+
+// --- joints
+
+void addJoints(const Analysis &analysis, std::vector<Check> &all)
+{
+    const Model &model = analysis.model;
+    for (const Joint &joint : analysis.assembly.joints) {
+        const Crossing &crossing = *joint.crossing;
+        const auto longest = std::max_element(
+            crossing.overlaps.begin(), crossing.overlaps.end(),
+            [](const Overlap &a, const Overlap &b) { return a.to - a.from < b.to - b.from; });
+        Check check = makeCheck(CheckCode::Interference, CheckSeverity::Warning);
+        check.sections = refsOf(model, {joint.a, joint.b});
+        check.at = crossing.axis.at(0.5 * (longest->from + longest->to));
+        check.distance = longest->to - longest->from;
+        check.angle = crossing.angle;
+        if (joint.kind == JointKind::None) {
+            all.push_back(std::move(check));
+        } else if (crossing.angle < kShallowAngle) {
+            check.code = CheckCode::ShallowAngle;
+            all.push_back(std::move(check));
+        }
+    }
+    for (std::size_t i = 0; i < model.sectionCount(); ++i) {
+        const std::size_t parts = analysis.cuts[i]->parts().size();
+        if (parts == 1)
+            continue;
+        const Section &section = *model.section(i);
+        Check check = parts == 0 ? makeCheck(CheckCode::NothingLeft, CheckSeverity::Error)
+                                 : makeCheck(CheckCode::Divided, CheckSeverity::Warning);
+        check.sections = {model.ref(i)};
+        check.at = section.frame.toWorld(section.shape->centroid());
+        check.count = static_cast<int>(parts);
+        all.push_back(std::move(check));
+    }
+}
+
+} // namespace
+
+CheckSubject subjectOf(CheckCode code)
+{
+    switch (code) {
+    case CheckCode::Connected:
+    case CheckCode::NotConnected:
+        return CheckSubject::Connection;
+    case CheckCode::Stands:
+    case CheckCode::Unsteady:
+    case CheckCode::Topples:
+    case CheckCode::LineSupport:
+    case CheckCode::NoContact:
+    case CheckCode::BelowGround:
+        return CheckSubject::Stability;
+    case CheckCode::FitsSheet:
+    case CheckCode::TooLarge:
+        return CheckSubject::Size;
+    case CheckCode::Mass:
+        return CheckSubject::Mass;
+    case CheckCode::Interference:
+    case CheckCode::ShallowAngle:
+    case CheckCode::Divided:
+    case CheckCode::NothingLeft:
+        return CheckSubject::Joints;
+    }
+    return CheckSubject::Joints; // not reached: every code is above
+}
+
+Stability stabilityOf(const Analysis &analysis, const std::vector<int> &sections)
+{
+    std::vector<Slab> slabs;
+    Box3 box;
+    double thinnest = std::numeric_limits<double>::infinity();
+    for (const int section : sections) {
+        for (const Slab &slab : slabsOf(analysis, section)) {
+            slabs.push_back(slab);
+            box.extend(boundsOf(slab));
+            thinnest = std::min(thinnest, slab.thickness);
+        }
+    }
+    if (slabs.empty())
+        return {};
+    return stability(groundContact(slabs), loadedMass(analysis, sections).centre, thinnest,
+                     box.size().maxCoeff());
+}
+
+std::vector<Check> checks(const Analysis &analysis, const LayoutOptions &layout)
+{
+    std::vector<Check> all;
+    const std::size_t count = analysis.model.sectionCount();
+    if (count == 0)
+        return all;
+    const std::vector<Group> groups = connectedGroups(count, analysis.assembly.joints);
+    addConnection(analysis, groups, all);
+    addStability(analysis, groups, all);
+    addSize(analysis, layout, all);
+    Check mass = makeCheck(CheckCode::Mass, CheckSeverity::Good);
+    mass.mass = massOf(analysis.model, analysis.cuts);
+    mass.at = mass.mass.centre;
+    all.push_back(std::move(mass));
+    addJoints(analysis, all);
+    return all;
+}
+
+std::optional<CheckSeverity> worst(const std::vector<Check> &checks, CheckSubject subject)
+{
+    std::optional<CheckSeverity> result;
+    for (const Check &check : checks)
+        if (subjectOf(check.code) == subject)
+            result = std::max(check.severity, result.value_or(check.severity));
+    return result;
+}
+
+} // namespace fff

@@ -1,0 +1,97 @@
+// What a person wants to know about a model before cutting it, as verdicts: does it hold together,
+// does it stand, does it fit the sheet. Pure data; the sentences are made in check_text.h.
+#pragma once
+
+#include "core/assembly/stability.h"
+#include "core/fabrication/layout.h"
+#include "core/fabrication/summary.h"
+#include "core/session/analysis.h"
+
+#include <optional>
+#include <vector>
+
+namespace fff {
+
+/// What was found. The names of what can be wrong are published (check_text.h).
+enum class CheckCode {
+    // subject Connection
+    Connected,
+    NotConnected, // a group of sections that nothing holds to the largest group; one check a group
+    // subject Stability
+    Stands,
+    Unsteady, // stands, but tips when tilted by less than kSteadyTilt
+    Topples,
+    LineSupport, // falls to either side
+    NoContact,   // hangs above the ground
+    BelowGround, // reaches below the ground
+    // subject Size
+    FitsSheet,
+    TooLarge, // one check a section with such a part
+    // subject Mass
+    Mass,
+    // subject Joints; only when there is something to say
+    Interference, // two sections cut into each other, but no slit lets them slide together
+    ShallowAngle, // two sections meet at less than kShallowAngle
+    Divided,      // its slits divide a section into several parts
+    NothingLeft,  // its slits leave nothing of a section
+};
+
+/// A badge speaks about a subject; its severity is the worst of that subject's checks.
+enum class CheckSubject { Connection, Stability, Size, Mass, Joints };
+
+enum class CheckSeverity { Good, Unknown, Note, Warning, Error }; // ordered
+
+/// As seen in the front view: the front is +Z, the right +X.
+enum class Towards { Front, Back, Left, Right };
+
+struct Check
+{
+    CheckCode code = CheckCode::Connected;
+    CheckSeverity severity = CheckSeverity::Good;
+    std::vector<SectionRef> sections; // whom it is about; empty: the whole model
+    std::optional<SectionRef> other;  // NotConnected: who is nearest
+    std::optional<Vec3> at;           // where to look, world, mm
+
+    // The numbers of its sentence; 0 where the code has no use for them.
+    double margin = 0.0;   // Stability: mm from the centre of mass to the support's nearest edge,
+                           // negative outside
+    double tipAngle = 0.0; // Stands, Unsteady: radians up to which it can be tilted
+    Towards side = Towards::Front; // Stability: where to it falls, or would first
+    double distance = 0.0;    // mm. NotConnected: to the nearest other section (negative: unknown);
+                              // NoContact: above the ground; BelowGround: below it (both positive);
+                              // Interference: the longest overlap
+    double angle = 0.0;       // ShallowAngle: radians
+    Vec2 size = Vec2::Zero(); // TooLarge: the part as drawn, its longer side first; FitsSheet:
+                              // unused
+    Vec2 sheet = Vec2::Zero(); // FitsSheet (one stock only), TooLarge: the sheet's size, mm
+    int sectionCount = 0;      // Connected: all; Stands: those that stand
+    int count = 0;       // Connected: joints; FitsSheet: sheets; Divided: parts; TooLarge: parts
+                         // of that section that do not fit
+    double share = 0.0;  // FitsSheet: of the sheets' area that parts cover, 0 … 1
+    MassProperties mass; // Mass: kg, and its centre; Stability: of what stands or falls
+};
+
+/// Tilted by less than this, something that stands ought not to fall: 10°, as for household
+/// equipment (IEC 62368-1, stability). Radians.
+inline constexpr double kSteadyTilt = 0.17453292519943295;
+/// Slits get wide below this: 30°, in radians.
+inline constexpr double kShallowAngle = 0.52359877559829887;
+
+CheckSubject subjectOf(CheckCode code);
+
+/// The checks of a model, of each subject at least one (Joints: only what is wrong), in the order
+/// of the subjects and, within one, of the sections. A model that is not connected says so first;
+/// each of its groups then stands or falls by itself, and those that hang in the air because
+/// nothing holds them are not named a second time. Nothing for a model without sections.
+///
+/// Deterministic. Costs what a layout does; for a worker, not for the window's thread.
+std::vector<Check> checks(const Analysis &analysis, const LayoutOptions &layout = {});
+
+/// The worst of a subject, nothing when it has none.
+std::optional<CheckSeverity> worst(const std::vector<Check> &checks, CheckSubject subject);
+
+/// Whether and how the sections (indices into the model) stand, taken as one rigid body with the
+/// weights that hang on them.
+Stability stabilityOf(const Analysis &analysis, const std::vector<int> &sections);
+
+} // namespace fff
