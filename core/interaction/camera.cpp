@@ -20,6 +20,8 @@ constexpr double kFitMargin = 0.08;
 constexpr double kSmallestFit = 1.0;
 /// Scales that zooming does not leave, mm per px.
 constexpr double kFinestScale = 1e-5, kCoarsestScale = 1e4;
+/// Nothing is nearer to the eye of a perspective view than this part of its distance.
+constexpr double kNearest = 1e-3;
 /// Width and depth of what an empty document shows, mm.
 constexpr double kEmptyView = 200.0;
 
@@ -50,15 +52,39 @@ Eigen::Quaterniond lookingFrom(const Vec3 &backward)
 
 } // namespace
 
+double Camera::eyeDistance(const Vec2 &viewport) const
+{
+    if (!isPerspective())
+        return kEyeDistance;
+    return 0.5 * millimetresPerPixel * viewport.y() / std::tan(0.5 * kFieldOfView);
+}
+
+Vec3 Camera::towardsEye(const Vec3 &world, const Vec2 &viewport) const
+{
+    return isPerspective() ? Vec3((eye(viewport) - world).normalized()) : backward();
+}
+
+double Camera::scaleAt(const Vec3 &world, const Vec2 &viewport) const
+{
+    if (!isPerspective())
+        return millimetresPerPixel;
+    const double depth = 1.0 - backward().dot(world - target) / eyeDistance(viewport);
+    return millimetresPerPixel * std::max(depth, kNearest);
+}
+
 Vec2 Camera::toScreen(const Vec3 &world, const Vec2 &viewport) const
 {
     const Vec3 d = world - target;
-    return 0.5 * viewport + Vec2(right().dot(d), -up().dot(d)) / millimetresPerPixel;
+    return 0.5 * viewport + Vec2(right().dot(d), -up().dot(d)) / scaleAt(world, viewport);
 }
 
 Ray Camera::rayThrough(const Vec2 &screen, const Vec2 &viewport) const
 {
-    return {pointAt(screen, viewport) + kEyeDistance * backward(), forward()};
+    const Vec3 point = pointAt(screen, viewport);
+    if (!isPerspective())
+        return {point + kEyeDistance * backward(), forward()};
+    const Vec3 from = eye(viewport);
+    return {from, (point - from).normalized()};
 }
 
 Vec3 Camera::pointAt(const Vec2 &screen, const Vec2 &viewport) const
@@ -71,7 +97,8 @@ Camera pinned(Camera camera, const Vec3 &world, const Vec2 &screen, const Vec2 &
 {
     // Only the part of the way that lies in the camera's plane: the depth of the target stays.
     const Vec3 d = world - camera.target;
-    const Vec2 offset = planeOffset(camera, screen, viewport);
+    const Vec2 offset = planeOffset(camera, screen, viewport) *
+                        (camera.scaleAt(world, viewport) / camera.millimetresPerPixel);
     const Vec3 right = camera.right(), up = camera.up();
     camera.target += (right.dot(d) - offset.x()) * right + (up.dot(d) - offset.y()) * up;
     return camera;
@@ -84,7 +111,12 @@ Camera zoomed(const Camera &camera, double factor, const Vec2 &cursor, const Vec
     Camera result = camera;
     result.millimetresPerPixel =
         std::clamp(camera.millimetresPerPixel / factor, kFinestScale, kCoarsestScale);
-    return pinned(result, camera.pointAt(cursor, viewport), cursor, viewport);
+    // Everything nears the point under the cursor; so the eye of a perspective view moves along the
+    // cursor's ray, and all that is on it stays under the cursor.
+    const Vec3 point = camera.pointAt(cursor, viewport);
+    result.target =
+        point + result.millimetresPerPixel / camera.millimetresPerPixel * (camera.target - point);
+    return result;
 }
 
 Camera panned(const Camera &camera, const Vec2 &from, const Vec2 &to, const Vec2 &viewport)
@@ -92,6 +124,33 @@ Camera panned(const Camera &camera, const Vec2 &from, const Vec2 &to, const Vec2
     Camera result = camera;
     result.target -= camera.pointAt(to, viewport) - camera.pointAt(from, viewport);
     return result;
+}
+
+Camera retargeted(const Camera &camera, const Vec3 &world, const Vec2 &viewport)
+{
+    Camera result = camera;
+    if (!camera.isPerspective()) {
+        result.target -= camera.backward().dot(camera.target - world) * camera.backward();
+        return result;
+    }
+    const Vec3 eye = camera.eye(viewport);
+    const double part = camera.backward().dot(eye - world) / camera.eyeDistance(viewport);
+    const double scale = part * camera.millimetresPerPixel;
+    if (!(part > kNearest && scale >= kFinestScale && scale <= kCoarsestScale))
+        return camera;
+    result.millimetresPerPixel = scale;
+    result.target = eye + part * (camera.target - eye);
+    return result;
+}
+
+Camera turned(const Camera &camera, const Eigen::Quaterniond &orientation, const Vec3 &pivot,
+              const Vec2 &viewport)
+{
+    const Vec2 place = camera.toScreen(pivot, viewport);
+    Camera result = retargeted(camera, pivot, viewport);
+    result.orientation = orientation;
+    result.target = pivot;
+    return pinned(result, pivot, place, viewport);
 }
 
 Camera orbited(const Camera &camera, const Vec2 &pixels, const Vec3 &pivot, const Vec2 &viewport)
@@ -112,6 +171,8 @@ Camera orbited(const Camera &camera, const Vec2 &pixels, const Vec3 &pivot, cons
     result.orientation = (Eigen::AngleAxisd(-perPixel * pixels.x(), Vec3::UnitY()) *
                           camera.orientation * Eigen::AngleAxisd(height - wanted, Vec3::UnitX()))
                              .normalized();
+    result.target =
+        pivot + result.orientation * (camera.orientation.conjugate() * Vec3(camera.target - pivot));
     return pinned(result, pivot, screen, viewport);
 }
 
@@ -119,15 +180,24 @@ Camera fitted(const Camera &camera, const Box3 &box, const Vec2 &viewport)
 {
     const Box3 shown = box.isEmpty() ? emptyBox() : box;
     const Vec3 half = 0.5 * shown.size();
-    const double width = 2.0 * camera.right().cwiseAbs().dot(half);
-    const double height = 2.0 * camera.up().cwiseAbs().dot(half);
-    const Vec2 room = (1.0 - 2.0 * kFitMargin) * viewport.cwiseMax(1.0);
+    const Vec2 size = viewport.cwiseMax(1.0);
+    const Vec2 room = (1.0 - 2.0 * kFitMargin) * size;
+    const Vec3 right = camera.right(), up = camera.up(), backward = camera.backward();
 
+    // A corner that stands out towards the eye by `near` needs the more room the nearer the eye is:
+    // across / scale <= room / 2 with scale = millimetresPerPixel - near / perScale.
+    const double perScale = 0.5 * size.y() / std::tan(0.5 * kFieldOfView);
+    double scale = kSmallestFit / room.minCoeff();
+    for (int corner = 0; corner < 8; ++corner) {
+        const Vec3 p((corner & 1 ? 1.0 : -1.0) * half.x(), (corner & 2 ? 1.0 : -1.0) * half.y(),
+                     (corner & 4 ? 1.0 : -1.0) * half.z());
+        const double near = camera.isPerspective() ? backward.dot(p) / perScale : 0.0;
+        scale = std::max({scale, 2.0 * std::abs(right.dot(p)) / room.x() + near,
+                          2.0 * std::abs(up.dot(p)) / room.y() + near});
+    }
     Camera result = camera;
     result.target = shown.center();
-    result.millimetresPerPixel = std::clamp(std::max(std::max(width, kSmallestFit) / room.x(),
-                                                     std::max(height, kSmallestFit) / room.y()),
-                                            kFinestScale, kCoarsestScale);
+    result.millimetresPerPixel = std::clamp(scale, kFinestScale, kCoarsestScale);
     return result;
 }
 
@@ -137,7 +207,7 @@ Camera interpolated(const Camera &from, const Camera &to, double u)
         return from;
     if (u >= 1.0)
         return to;
-    Camera result;
+    Camera result = to;
     result.target = (1.0 - u) * from.target + u * to.target;
     result.orientation = from.orientation.slerp(u, to.orientation).normalized();
     result.millimetresPerPixel =
