@@ -108,6 +108,8 @@ QCursor cursorFor(Cursor cursor, double pixelRatio)
 {
     if (cursor == Cursor::Arrow)
         return QCursor(Qt::ArrowCursor);
+    if (cursor == Cursor::MoveCross)
+        return QCursor(Qt::SizeAllCursor);
     if (cursor == Cursor::Hand)
         return QCursor(Qt::PointingHandCursor);
     static std::map<std::pair<Cursor, double>, QCursor> made;

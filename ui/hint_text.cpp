@@ -11,6 +11,26 @@ struct HintText
     Q_DECLARE_TR_FUNCTIONS(fff::ui::HintText)
 };
 
+/// By the name of the view cube's part.
+QString lookFrom(const QString &part)
+{
+    if (part == QLatin1String("front"))
+        return HintText::tr("Click to look from the front; drag to turn the view.");
+    if (part == QLatin1String("back"))
+        return HintText::tr("Click to look from the back; drag to turn the view.");
+    if (part == QLatin1String("left"))
+        return HintText::tr("Click to look from the left; drag to turn the view.");
+    if (part == QLatin1String("right"))
+        return HintText::tr("Click to look from the right; drag to turn the view.");
+    if (part == QLatin1String("top"))
+        return HintText::tr("Click to look from the top; drag to turn the view.");
+    if (part == QLatin1String("bottom"))
+        return HintText::tr("Click to look from below; drag to turn the view.");
+    if (part == QLatin1String("edge"))
+        return HintText::tr("Click to look at this edge; drag to turn the view.");
+    return HintText::tr("Click to look at this corner; drag to turn the view.");
+}
+
 } // namespace
 
 QString hintSentence(const Hint &hint, const QString &undoKeys)
@@ -42,6 +62,12 @@ QString hintSentence(const Hint &hint, const QString &undoKeys)
         return HintText::tr("Move to turn the view, release to stop.");
     case Hint::Kind::Panning:
         return HintText::tr("Move to shift the view, release to stop.");
+    case Hint::Kind::LookFrom:
+        return lookFrom(QString::fromStdString(hint.section));
+    case Hint::Kind::MoveCut:
+        return HintText::tr("Drag to move the cut through the model; Esc closes it.");
+    case Hint::Kind::MovingCut:
+        return HintText::tr("Move to shift the cut, release to leave it there. Esc puts it back.");
     case Hint::Kind::NeverLeft:
         return HintText::tr(
                    "Nothing drawn: the slit never left %1. Start inside and drag across its edge.")

@@ -64,13 +64,42 @@ void Workbench::showAll(std::string_view view)
         return;
     }
     Camera camera;
+    camera.projection = m_interaction->camera().projection;
     orientationOfView(view, camera.orientation);
     setCamera(fitted(camera, m_session.model().bounds(), size));
+    // What belonged to another document.
+    m_interaction->forgetViews();
+    ViewState state = m_interaction->view();
+    state.hidden.clear();
+    state.isolated.clear();
+    state.problems.clear();
+    state.clip.reset();
+    m_interaction->setView(std::move(state));
+    announceChanges();
 }
 
 void Workbench::select(std::vector<SectionRef> selection)
 {
     m_interaction->select(std::move(selection));
+    announceChanges();
+}
+
+void Workbench::setHidden(const SectionRef &ref, bool hidden)
+{
+    ViewState view = m_interaction->view();
+    if (hidden)
+        view.hidden.insert(ref);
+    else
+        view.hidden.erase(ref);
+    m_interaction->setView(std::move(view));
+    announceChanges();
+}
+
+void Workbench::setProblemSections(const std::vector<SectionRef> &sections)
+{
+    ViewState view = m_interaction->view();
+    view.problems = {sections.begin(), sections.end()};
+    m_interaction->setView(std::move(view));
     announceChanges();
 }
 
@@ -83,6 +112,15 @@ void Workbench::announceChanges()
     if (!(m_hint == m_interaction->hint())) {
         m_hint = m_interaction->hint();
         Q_EMIT hintChanged();
+    }
+    const Projection projection = m_interaction->targetCamera().projection;
+    const bool canGoBack = m_interaction->canGoBack();
+    if (!(m_view == m_interaction->view()) || m_projection != projection ||
+        m_couldGoBack != canGoBack) {
+        m_view = m_interaction->view();
+        m_projection = projection;
+        m_couldGoBack = canGoBack;
+        Q_EMIT viewStateChanged();
     }
     Q_EMIT viewChanged();
 }

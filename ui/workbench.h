@@ -45,6 +45,13 @@ public:
     void showAll(std::string_view view);
     void select(std::vector<SectionRef> selection);
 
+    // The view's state: what is hidden, red, isolated, cut open. No step of the history.
+    bool isHidden(const SectionRef &ref) const { return m_interaction->view().isHidden(ref); }
+    /// A hidden section is neither drawn nor picked.
+    void setHidden(const SectionRef &ref, bool hidden);
+    /// Those that are part of the problem looked at: red and hatched.
+    void setProblemSections(const std::vector<SectionRef> &sections);
+
     /// Commits an edit; a failed one is announced by editFailed and changes nothing.
     void commit(const Step &step, Result<Document> document);
     void commit(const QString &text, Result<Document> document);
@@ -54,6 +61,8 @@ Q_SIGNALS:
     void hintChanged();
     /// Camera, hover marks, gesture: what is seen but not in the model.
     void viewChanged();
+    /// What is hidden, isolated, seen through or cut open, or the projection.
+    void viewStateChanged();
     void editFailed(const fff::Error &error);
 
 private:
@@ -64,6 +73,9 @@ private:
     std::unique_ptr<Interaction> m_interaction;
     std::vector<SectionRef> m_selection; // as last announced
     Hint m_hint;
+    ViewState m_view;
+    Projection m_projection = Projection::Orthographic;
+    bool m_couldGoBack = false;
     EventClock m_clock;
     CommandRegistry m_commands;
     std::string m_viewToShow; // asked for before there was a size

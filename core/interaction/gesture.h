@@ -14,6 +14,7 @@ struct GestureContext
     Vec2 viewport; // px
     Camera &camera;
     Overlay &overlay;
+    ViewState &view;
 };
 
 struct GestureReply

@@ -2,10 +2,11 @@
 
 #include "core/base/tolerances.h"
 #include "core/base/units.h"
-#include "core/interaction/camera_animation.h"
 #include "core/interaction/click_selection.h"
+#include "core/interaction/clip_gesture.h"
 #include "core/interaction/stroke_gesture.h"
 #include "core/interaction/view_gestures.h"
+#include "core/interaction/view_motion.h"
 
 #include <algorithm>
 #include <cmath>
@@ -21,6 +22,10 @@ constexpr double kZoomPerNotch = 1.2;
 constexpr double kReturnTime = 400.0;
 /// How long a note or a refusal is said, ms, unless a press comes first.
 constexpr double kNoteTime = 6000.0;
+/// A click on the view cube turns in this time, ms; never longer than a turn.
+constexpr double kCubeTime = 400.0;
+/// A name stays while the cursor is this near to where it was shown, px.
+constexpr double kNameReach = 24.0;
 
 struct Note
 {
@@ -28,10 +33,10 @@ struct Note
     double until = 0.0; // ms
 };
 
-/// Whether the section is seen so much on edge that points on it are guesses.
-bool isOnEdge(const Section &section, const Camera &camera)
+bool isSame(const Camera &a, const Camera &b)
 {
-    return std::abs(section.frame.normal().dot(camera.forward())) < std::sin(kMinDrawAngle);
+    return a.target == b.target && a.orientation.coeffs() == b.orientation.coeffs() &&
+           a.millimetresPerPixel == b.millimetresPerPixel && a.projection == b.projection;
 }
 
 } // namespace
@@ -39,20 +44,32 @@ bool isOnEdge(const Section &section, const Camera &camera)
 class Interaction::Private
 {
 public:
-    explicit Private(InteractionHost &h) : host(h), document(h.model().document) { fitFirst(); }
+    explicit Private(InteractionHost &h) : host(h), document(h.model().document)
+    {
+        motion.fitFirst(host.model().bounds());
+    }
 
-    GestureContext context() { return {host.model(), settings, viewport, camera, overlay}; }
+    GestureContext context()
+    {
+        return {host.model(), settings, motion.viewport, motion.camera, overlay, view};
+    }
     std::vector<Hit> hitsAt(const Vec2 &position) const;
     const Section &sectionAt(const Hit &hit) const;
+    /// Whether the section is seen so much on edge there that points on it are guesses.
+    bool isOnEdge(const Hit &hit) const;
+    bool isOnHandle(const Vec2 &position) const;
 
     void press(const PointerEvent &event);
     void move(const PointerEvent &event);
     void release(const PointerEvent &event);
-    void wheel(const PointerEvent &event);
+    void zoom(const PointerEvent &event, double factor);
+    void scroll(const PointerEvent &event);
     void leave();
 
     std::unique_ptr<Gesture> gestureFor(const PointerEvent &press);
+    Vec3 middle() const;
     Vec3 pivotAt(const Vec2 &position) const;
+    Camera cameraAt(const Vec2 &position) const;
     void click(const PointerEvent &press);
     void feed(const PointerEvent &event);
     void take(GestureReply reply);
@@ -62,16 +79,12 @@ public:
     void hover();
     void say(Hint next, Cursor nextCursor);
     void update();
-    void fitFirst();
-    void animate(const Camera &to, double start, double duration);
-    void finishAnimation();
+    void turn(const Camera &to, double start, double duration);
 
     InteractionHost &host;
     InteractionSettings settings;
-    Vec2 viewport{1280.0, 800.0};
-    Camera camera;
-    bool isCameraTouched = false; // until then it follows the viewport's size
-    std::optional<CameraAnimation> animation;
+    ViewMotion motion;
+    ViewState view;
     double now = 0.0; // ms, of the last event
 
     Document document; // committed, as known here
@@ -81,8 +94,11 @@ public:
     std::vector<PointerEvent> pending; // a press and its moves, not yet a click or a drag
     std::unique_ptr<Gesture> gesture;
     bool hasPreview = false; // of the gesture
+    Camera cameraBefore;     // the gesture
     Button pressed = Button::None;
     std::optional<Vec2> cursorPosition; // none: not over the viewport
+    bool cursorRests = false;           // since the hover before this one
+    std::optional<double> nameTime;     // ms, when the name of what is hovered is to be shown
     Modifiers modifiers;
 
     Overlay overlay;
@@ -95,7 +111,7 @@ public:
 
 std::vector<Hit> Interaction::Private::hitsAt(const Vec2 &position) const
 {
-    return pick(host.model(), camera.rayThrough(position, viewport));
+    return pick(host.model(), motion.camera.rayThrough(position, motion.viewport), view);
 }
 
 const Section &Interaction::Private::sectionAt(const Hit &hit) const
@@ -103,20 +119,63 @@ const Section &Interaction::Private::sectionAt(const Hit &hit) const
     return *host.model().section(static_cast<std::size_t>(hit.section));
 }
 
+bool Interaction::Private::isOnEdge(const Hit &hit) const
+{
+    const Vec3 eye = motion.camera.towardsEye(hit.point, motion.viewport);
+    return std::abs(sectionAt(hit).frame.normal().dot(eye)) < std::sin(kMinDrawAngle);
+}
+
+bool Interaction::Private::isOnHandle(const Vec2 &position) const
+{
+    if (!view.clip)
+        return false;
+    const Vec3 handle = clipHandle(*view.clip, host.model().bounds());
+    return (motion.camera.toScreen(handle, motion.viewport) - position).norm() <= kHandleReach;
+}
+
 std::unique_ptr<Gesture> Interaction::Private::gestureFor(const PointerEvent &press)
 {
-    const bool pans =
-        press.button == Button::Middle || (press.button == Button::Left && press.modifiers.space);
-    if (pans)
+    const Vec2 &at = press.position;
+    const bool isLeft = press.button == Button::Left;
+    if (isLeft && cubePartAt(at, motion.camera.orientation, motion.viewport))
+        return std::make_unique<OrbitGesture>(press, middle());
+    if (isLeft && isOnHandle(at))
+        return std::make_unique<ClipGesture>(press, context());
+    motion.camera = cameraAt(at);
+    if (press.button == Button::Middle || (isLeft && press.modifiers.space))
         return std::make_unique<PanGesture>(press);
-    if (press.button == Button::Left && !press.modifiers.control) {
+    if (isLeft && !press.modifiers.control) {
         if (host.model().sectionCount() == 0)
             return std::make_unique<StrokeGesture>(press, context());
-        const std::vector<Hit> hits = hitsAt(press.position);
-        if (!hits.empty() && !isOnEdge(sectionAt(hits.front()), camera))
+        const std::vector<Hit> hits = hitsAt(at);
+        if (!hits.empty() && !isOnEdge(hits.front()))
             return std::make_unique<StrokeGesture>(press, hits.front(), context());
     }
-    return std::make_unique<OrbitGesture>(press, pivotAt(press.position));
+    return std::make_unique<OrbitGesture>(press, pivotAt(at));
+}
+
+/// The same view; in perspective, pixels count at the depth of what is there.
+Camera Interaction::Private::cameraAt(const Vec2 &position) const
+{
+    return motion.camera.isPerspective()
+               ? retargeted(motion.camera, pivotAt(position), motion.viewport)
+               : motion.camera;
+}
+
+/// Of what is selected and there, else of the model.
+Vec3 Interaction::Private::middle() const
+{
+    const Model &model = host.model();
+    Box3 box;
+    for (const SectionRef &ref : selection) {
+        if (const int index = model.indexOf(ref); index >= 0) {
+            const Section &section = *model.section(static_cast<std::size_t>(index));
+            box.extend(worldBounds(*section.shape, section.frame));
+        }
+    }
+    if (box.isEmpty())
+        box = model.bounds();
+    return box.isEmpty() ? Vec3(0.0, kFirstPlaneHeight, 0.0) : box.center();
 }
 
 /// What was pressed, else the middle of the model.
@@ -132,9 +191,10 @@ void Interaction::Private::press(const PointerEvent &event)
 {
     if (gesture || !pending.empty())
         return; // a second button during a gesture
-    finishAnimation();
+    motion.finish();
+    motion.history.interrupt();
     note.reset();
-    isCameraTouched = true;
+    motion.isTouched = true;
     pressed = event.button;
     pending = {event};
 }
@@ -153,6 +213,7 @@ void Interaction::Private::move(const PointerEvent &event)
     if ((event.position - begin.position).norm() <= settings.dragThreshold)
         return;
     gesture = gestureFor(begin);
+    cameraBefore = motion.camera;
     overlay = {}; // what hovering marked
     const std::vector<PointerEvent> moves(pending.begin() + 1, pending.end());
     pending.clear();
@@ -180,14 +241,28 @@ void Interaction::Private::release(const PointerEvent &event)
         hover();
 }
 
-void Interaction::Private::wheel(const PointerEvent &event)
+void Interaction::Private::zoom(const PointerEvent &event, double factor)
 {
     if (gesture || !pending.empty())
         return;
-    finishAnimation();
+    motion.finish();
+    motion.history.leave(motion.camera, ViewHistory::Change::Wheel);
     clicks.forget();
-    isCameraTouched = true;
-    camera = zoomed(camera, std::pow(kZoomPerNotch, event.wheelSteps), event.position, viewport);
+    motion.isTouched = true;
+    motion.camera = zoomed(cameraAt(event.position), factor, event.position, motion.viewport);
+    hover();
+}
+
+void Interaction::Private::scroll(const PointerEvent &event)
+{
+    if (gesture || !pending.empty())
+        return;
+    motion.finish();
+    motion.history.leave(motion.camera, ViewHistory::Change::Wheel);
+    clicks.forget();
+    motion.isTouched = true;
+    motion.camera = panned(cameraAt(event.position), event.position, event.position + event.scroll,
+                           motion.viewport);
     hover();
 }
 
@@ -201,6 +276,13 @@ void Interaction::Private::leave()
 void Interaction::Private::click(const PointerEvent &begin)
 {
     if (begin.button != Button::Left || begin.modifiers.space)
+        return;
+    if (const auto part = cubePartAt(begin.position, motion.camera.orientation, motion.viewport)) {
+        turn(turned(motion.camera, orientationOfPart(*part), middle(), motion.viewport), now,
+             std::min(kCubeTime, settings.turnTime));
+        return;
+    }
+    if (isOnHandle(begin.position))
         return;
     selection = clicks.click(host.model(), hitsAt(begin.position), begin.position,
                              settings.dragThreshold, begin.modifiers.control, selection);
@@ -222,12 +304,14 @@ void Interaction::Private::take(GestureReply reply)
     }
     // The gesture goes first: the host's answer to what follows may come back here.
     gesture.reset();
+    if (!reply.returnTo && !isSame(cameraBefore, motion.camera))
+        motion.history.leave(cameraBefore, ViewHistory::Change::Drag);
     pending.clear();
     overlay = {};
     if (reply.note)
         note = Note{*reply.note, now + kNoteTime};
     if (reply.returnTo)
-        animate(*reply.returnTo, now, std::min(kReturnTime, settings.turnTime));
+        motion.animate(*reply.returnTo, now, std::min(kReturnTime, settings.turnTime));
     if (reply.commit) {
         hasPreview = false; // the commit ends it
         document = reply.commit->document;
@@ -265,16 +349,33 @@ bool Interaction::Private::cancelGesture()
 
 void Interaction::Private::hover()
 {
-    overlay.hovered = -1;
+    const int hovered = std::exchange(overlay.hovered, -1);
     overlay.slitStart.reset();
-    if (!cursorPosition || animation)
+    overlay.cubePart.reset();
+    overlay.isHandleHovered = false;
+    const std::optional<double> nameDue = std::exchange(nameTime, {});
+    const std::optional<Vec2> namePlace = std::exchange(overlay.namePlace, {});
+    if (!cursorPosition || motion.animation)
+        return;
+    overlay.cubePart = cubePartAt(*cursorPosition, motion.camera.orientation, motion.viewport);
+    if (overlay.cubePart)
+        return;
+    overlay.isHandleHovered = isOnHandle(*cursorPosition);
+    if (overlay.isHandleHovered)
         return;
     const std::vector<Hit> hits = hitsAt(*cursorPosition);
     if (hits.empty())
         return;
     overlay.hovered = hits.front().section;
-    if (!isOnEdge(sectionAt(hits.front()), camera))
+    if (!isOnEdge(hits.front()))
         overlay.slitStart = hits.front().point;
+    if (overlay.hovered == hovered && namePlace &&
+        (*namePlace - *cursorPosition).norm() <= kNameReach)
+        overlay.namePlace = namePlace;
+    else if (overlay.hovered == hovered && nameDue && cursorRests)
+        nameTime = nameDue;
+    else
+        nameTime = now + settings.nameDelay;
 }
 
 void Interaction::Private::say(Hint next, Cursor nextCursor)
@@ -287,6 +388,11 @@ void Interaction::Private::update()
 {
     if (gesture)
         say(gesture->hint(), gesture->cursor());
+    else if (overlay.cubePart)
+        say({Hint::Kind::LookFrom, std::string(nameOfPart(*overlay.cubePart)), false},
+            Cursor::Hand);
+    else if (overlay.isHandleHovered)
+        say({Hint::Kind::MoveCut, {}, false}, Cursor::MoveCross);
     else if (host.model().sectionCount() == 0)
         say({Hint::Kind::DrawFirstSection, {}, false}, Cursor::Pencil);
     else if (overlay.slitStart)
@@ -306,29 +412,12 @@ void Interaction::Private::update()
 
 // The camera.
 
-/// What a document is first seen in: from the front, fitted.
-void Interaction::Private::fitFirst()
+/// Somewhere on purpose: the view before it is kept.
+void Interaction::Private::turn(const Camera &to, double start, double duration)
 {
-    camera = fitted(Camera(), host.model().bounds(), viewport);
-}
-
-void Interaction::Private::animate(const Camera &to, double start, double duration)
-{
-    isCameraTouched = true;
+    motion.history.leave(motion.target(), ViewHistory::Change::Turn);
     clicks.forget();
-    animation.reset();
-    if (duration > 0.0)
-        animation = CameraAnimation{camera, to, start, duration};
-    else
-        camera = to;
-}
-
-void Interaction::Private::finishAnimation()
-{
-    if (!animation)
-        return;
-    camera = animation->to;
-    animation.reset();
+    motion.animate(to, start, duration);
 }
 
 Interaction::Interaction(InteractionHost &host) : d(std::make_unique<Private>(host))
@@ -340,14 +429,14 @@ Interaction::~Interaction() = default;
 
 void Interaction::setViewport(const Vec2 &size)
 {
-    d->viewport = size.cwiseMax(1.0);
-    if (!d->isCameraTouched)
-        d->fitFirst();
+    d->motion.viewport = size.cwiseMax(1.0);
+    if (!d->motion.isTouched)
+        d->motion.fitFirst(d->host.model().bounds());
 }
 
 const Vec2 &Interaction::viewport() const
 {
-    return d->viewport;
+    return d->motion.viewport;
 }
 
 InteractionSettings &Interaction::settings()
@@ -357,12 +446,12 @@ InteractionSettings &Interaction::settings()
 
 const Camera &Interaction::camera() const
 {
-    return d->camera;
+    return d->motion.camera;
 }
 
 const Camera &Interaction::targetCamera() const
 {
-    return d->animation ? d->animation->to : d->camera;
+    return d->motion.target();
 }
 
 void Interaction::setCamera(const Camera &camera)
@@ -374,8 +463,63 @@ void Interaction::turnTo(const Camera &camera, double time, double duration)
 {
     d->now = std::max(d->now, time);
     d->cancelGesture();
-    d->finishAnimation();
-    d->animate(camera, time, duration);
+    d->motion.finish();
+    d->turn(camera, time, duration);
+    d->hover();
+    d->update();
+}
+
+void Interaction::setProjection(Projection projection)
+{
+    d->cancelGesture();
+    d->motion.finish();
+    Camera &camera = d->motion.camera;
+    camera = retargeted(camera, d->middle(), d->motion.viewport);
+    camera.projection = projection;
+    d->clicks.forget();
+    d->hover();
+    d->update();
+}
+
+void Interaction::goBack(double time, double duration)
+{
+    d->now = std::max(d->now, time);
+    d->cancelGesture();
+    d->motion.finish();
+    const std::optional<Camera> before = d->motion.history.takeBack(d->motion.camera);
+    if (!before)
+        return;
+    d->clicks.forget();
+    d->motion.animate(*before, time, duration);
+    d->hover();
+    d->update();
+}
+
+bool Interaction::canGoBack() const
+{
+    return d->motion.history.canGoBack(d->motion.target());
+}
+
+void Interaction::forgetViews()
+{
+    d->motion.history.clear();
+}
+
+const ViewState &Interaction::view() const
+{
+    return d->view;
+}
+
+void Interaction::setView(ViewState view)
+{
+    if (view == d->view)
+        return;
+    ViewState marked = d->view;
+    marked.problems = view.problems;
+    if (!(view == marked))
+        d->cancelGesture(); // what it began on may be gone; red alone disturbs nobody
+    d->view = std::move(view);
+    d->clicks.forget();
     d->hover();
     d->update();
 }
@@ -385,6 +529,7 @@ void Interaction::handle(const PointerEvent &event)
     if (!event.position.allFinite())
         return;
     advance(event.time);
+    d->cursorRests = event.type != PointerEvent::Type::Leave && d->cursorPosition == event.position;
     if (event.type != PointerEvent::Type::Leave)
         d->cursorPosition = event.position;
     d->modifiers = event.modifiers;
@@ -400,7 +545,13 @@ void Interaction::handle(const PointerEvent &event)
         d->release(event);
         break;
     case PointerEvent::Type::Wheel:
-        d->wheel(event);
+        d->zoom(event, std::pow(kZoomPerNotch, event.wheelSteps));
+        break;
+    case PointerEvent::Type::Zoom:
+        d->zoom(event, event.zoomFactor);
+        break;
+    case PointerEvent::Type::Scroll:
+        d->scroll(event);
         break;
     case PointerEvent::Type::Leave:
         d->leave();
@@ -416,10 +567,19 @@ bool Interaction::escape(double time)
     d->note.reset();
     const bool hadGesture = d->cancelGesture();
     const bool hadSelection = !hadGesture && !d->selection.empty();
+    const bool hadView =
+        !hadGesture && !hadSelection && (d->view.clip || !d->view.isolated.empty());
     if (hadSelection)
         d->selection.clear();
+    if (hadView) {
+        if (d->view.clip)
+            d->view.clip.reset();
+        else
+            d->view.isolated.clear();
+        d->hover();
+    }
     d->update();
-    return hadGesture || hadSelection || hadNote;
+    return hadGesture || hadSelection || hadView || hadNote;
 }
 
 bool Interaction::advance(double time)
@@ -429,12 +589,13 @@ bool Interaction::advance(double time)
         GestureContext with = d->context();
         d->gesture->advance(d->now, with);
     }
-    if (d->animation) {
-        d->camera = d->animation->at(d->now);
-        if (d->animation->isOver(d->now)) {
-            d->animation.reset();
-            d->hover();
-        }
+    if (d->motion.advance(d->now)) {
+        d->cursorRests = false;
+        d->hover();
+    }
+    if (d->nameTime && d->now >= *d->nameTime) {
+        d->nameTime.reset();
+        d->overlay.namePlace = d->cursorPosition;
     }
     d->update();
     return isAnimating();
@@ -442,12 +603,20 @@ bool Interaction::advance(double time)
 
 bool Interaction::isAnimating() const
 {
-    return d->animation.has_value() || (d->gesture && d->gesture->isAnimating());
+    return d->motion.animation.has_value() || (d->gesture && d->gesture->isAnimating());
 }
 
 bool Interaction::hasGesture() const
 {
     return d->gesture != nullptr || !d->pending.empty();
+}
+
+std::optional<double> Interaction::wakeTime() const
+{
+    std::optional<double> time = d->nameTime;
+    if (d->note && (!time || d->note->until < *time))
+        time = d->note->until;
+    return time;
 }
 
 const std::vector<SectionRef> &Interaction::selection() const
@@ -469,8 +638,8 @@ void Interaction::modelChanged()
     d->cancelGesture();
     d->clicks.forget();
     std::erase_if(d->selection, [&](const SectionRef &ref) { return model.indexOf(ref) < 0; });
-    if (!d->isCameraTouched)
-        d->fitFirst();
+    if (!d->motion.isTouched)
+        d->motion.fitFirst(model.bounds());
     d->hover();
     d->update();
 }

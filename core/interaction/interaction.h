@@ -5,6 +5,8 @@
 
 #include "core/interaction/camera.h"
 #include "core/interaction/pick.h"
+#include "core/interaction/view_cube.h"
+#include "core/interaction/view_state.h"
 
 #include <memory>
 #include <optional>
@@ -22,13 +24,15 @@ struct Modifiers
 
 struct PointerEvent
 {
-    enum class Type { Press, Move, Release, Wheel, DoubleClick, Leave };
+    enum class Type { Press, Move, Release, Wheel, Zoom, Scroll, DoubleClick, Leave };
     Type type = Type::Move;
     Vec2 position = Vec2::Zero(); // px
     Button button = Button::None; // that was pressed or released
     Modifiers modifiers;
-    double wheelSteps = 0.0; // notches, positive away from the person
-    double time = 0.0;       // ms, the only clock
+    double wheelSteps = 0.0;    // notches, positive away from the person
+    double zoomFactor = 1.0;    // Zoom: two fingers apart; above 1 is nearer
+    Vec2 scroll = Vec2::Zero(); // Scroll: px that two fingers push the picture
+    double time = 0.0;          // ms, the only clock
     /// More moves are at hand and follow at once: this one is taken in, nothing is shown for it.
     bool isFollowed = false;
 };
@@ -63,6 +67,9 @@ struct Hint
         ReleaseToMake,
         Orbiting,
         Panning,
+        LookFrom,  // section: nameOfPart() of the cube's part
+        MoveCut,   // over the handle
+        MovingCut, // dragging it
         NeverLeft,
         TooShort,
         CrossesItself,
@@ -74,7 +81,15 @@ struct Hint
     bool operator==(const Hint &) const = default;
 };
 
-enum class Cursor { Arrow, Pencil, PencilWithSlit, PencilWithClock, TurningArrows, Hand };
+enum class Cursor {
+    Arrow,
+    Pencil,
+    PencilWithSlit,
+    PencilWithClock,
+    TurningArrows,
+    Hand,
+    MoveCross
+};
 
 /// What is drawn over the model during a gesture. World points are mm, screen points px.
 struct Overlay
@@ -101,6 +116,10 @@ struct Overlay
     std::optional<Stroke> stroke;
     std::optional<Vec3> slitStart; // hovering: where a slit would begin
     int hovered = -1;              // index of the section under the cursor
+    /// The cursor has rested on a section: its name may be shown there (px).
+    std::optional<Vec2> namePlace;
+    std::optional<CubePart> cubePart; // of the view cube, under the cursor
+    bool isHandleHovered = false;     // of the cut
 };
 
 /// What interaction asks of whoever holds the model (the session).
@@ -119,6 +138,7 @@ struct InteractionSettings
     double turnTime = 800.0;         // ms; 0 jumps
     double deadZoneFraction = 0.025; // of the viewport's width
     double dragThreshold = 4.0;      // px
+    double nameDelay = 400.0;        // ms that the cursor rests before a name is shown
     double fitTolerance = 2.0;       // px that the fitted contour may be off the samples
 };
 
@@ -139,14 +159,28 @@ public:
     void setCamera(const Camera &camera);
     /// Animated from `time` on, in `duration` ms (0: at once). A press finishes it at once.
     void turnTo(const Camera &camera, double time, double duration);
+    /// Keeps what the model's middle, or that of the selection, looks like; no step of the history.
+    void setProjection(Projection projection);
+    /// To the view before this one, animated as turnTo.
+    void goBack(double time, double duration);
+    bool canGoBack() const;
+    /// Another document: its views are of no use in this one.
+    void forgetViews();
+
+    const ViewState &view() const;
+    void setView(ViewState view);
 
     void handle(const PointerEvent &event);
-    /// Esc: one step back (gesture, then selection). True when there was something to go back from.
+    /// Esc: one step back (gesture, selection, cut, isolated sections). True when there was
+    /// something to go back from.
     bool escape(double time);
     /// Moves animations on to `time`; true while one runs, so that the caller asks again.
     bool advance(double time);
     bool isAnimating() const;
     bool hasGesture() const;
+    /// When something will change that no event brings (a name appears, a note goes): advance()
+    /// wants to be called then. ms; none while nothing is waited for.
+    std::optional<double> wakeTime() const;
 
     const std::vector<SectionRef> &selection() const;
     void select(std::vector<SectionRef> selection);

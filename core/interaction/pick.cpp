@@ -61,10 +61,14 @@ std::optional<double> firstCrossing(const Vec2 &a, const Vec2 &b, const Polygon 
 ///
 /// Inside the slab the ray's foot on the mid-plane runs along a segment, a point when seen from the
 /// front, long when seen from the side: the slab is met where that segment first is in the region.
-std::optional<Hit> hitSlab(const Section &section, double thickness, const Ray &ray)
+std::optional<Hit> hitSlab(const Section &section, double thickness, const Ray &ray,
+                           const std::optional<ClipPlane> &open)
 {
     const double half = 0.5 * thickness;
     Span span = spanInBox(ray, worldBounds(*section.shape, section.frame), half);
+    if (open && !span.isEmpty())
+        clip(span, open->height(ray.origin), open->normal.dot(ray.direction),
+             -std::numeric_limits<double>::infinity(), 0.0);
     if (span.isEmpty())
         return {};
     const double slope = section.frame.normal().dot(ray.direction);
@@ -107,11 +111,15 @@ std::optional<Hit> hitSlab(const Section &section, double thickness, const Ray &
 
 } // namespace
 
-std::vector<Hit> pick(const Model &model, const Ray &ray)
+std::vector<Hit> pick(const Model &model, const Ray &ray, const ViewState &view)
 {
+    const bool picksAll = view.picksAll();
     std::vector<Hit> hits;
     for (std::size_t i = 0; i < model.sectionCount(); ++i) {
-        std::optional<Hit> hit = hitSlab(*model.section(i), model.stockOf(i).thickness, ray);
+        if (!picksAll && !view.isPicked(model.ref(i)))
+            continue;
+        std::optional<Hit> hit =
+            hitSlab(*model.section(i), model.stockOf(i).thickness, ray, view.clip);
         if (!hit)
             continue;
         hit->section = static_cast<int>(i);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/interaction/camera.h"
+#include "core/interaction/view_state.h"
 #include "core/model/model.h"
 
 #include <vector>
@@ -17,7 +18,8 @@ struct Hit
 };
 
 /// All sections whose slab the ray meets inside the contour, nearest first. Exact in the plane; for
-/// grazing views the slab's side walls count too. O(sections in the ray's way).
-std::vector<Hit> pick(const Model &model, const Ray &ray);
+/// grazing views the slab's side walls count too, and where the view cuts a slab open, its cut.
+/// Hidden sections and ghosts are looked through. O(sections in the ray's way).
+std::vector<Hit> pick(const Model &model, const Ray &ray, const ViewState &view = {});
 
 } // namespace fff

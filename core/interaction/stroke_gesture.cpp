@@ -8,6 +8,7 @@ namespace fff {
 
 namespace {
 
+/// The canvas will lie at the target's depth (see beginTurn), so pixels count there.
 Stroke::Options strokeOptions(const GestureContext &context)
 {
     const double scale = context.camera.millimetresPerPixel;
@@ -24,7 +25,7 @@ Vec2 pointOnPlane(const Frame &plane, const Vec2 &screen, const GestureContext &
 {
     // From the target's depth rather than from the eye: fewer digits are lost.
     const Vec3 start = context.camera.pointAt(screen, context.viewport);
-    const Vec3 direction = context.camera.forward();
+    const Vec3 direction = -context.camera.towardsEye(start, context.viewport);
     const double distance = -plane.height(start) / plane.normal().dot(direction);
     return plane.toLocal(start + distance * direction);
 }
@@ -99,9 +100,10 @@ void StrokeGesture::beginTurn(GestureContext &context)
     m_canvas = {ground.toWorld(m_stroke.slitFrom()), x,
                 x.cross(y).dot(backward) > 0.0 ? y : Vec3(-y)};
 
-    m_from = m_to = context.camera;
+    m_to = context.camera;
     m_to.orientation = orientation;
     m_to.target = ground.toWorld(m_stroke.slitTo());
+    m_from = retargeted(context.camera, m_to.target, context.viewport);
     m_hasTurned = true;
 }
 

@@ -10,6 +10,7 @@ namespace fff {
 class StrokeGesture : public Gesture
 {
 public:
+    // The camera's target lies at the depth of what was pressed, so that pixels count there.
     /// The first section: on the plane through (0, kFirstPlaneHeight, 0) that faces the camera.
     StrokeGesture(const PointerEvent &press, const GestureContext &context);
     /// On a section, from the point that was hit.

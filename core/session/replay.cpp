@@ -27,7 +27,7 @@ struct KeyBinding
     bool control, shift;
     const char *command;
 };
-constexpr std::array<KeyBinding, 16> kKeys{{{"Delete", false, false, "edit.delete"},
+constexpr std::array<KeyBinding, 22> kKeys{{{"Delete", false, false, "edit.delete"},
                                             {"Z", true, false, "edit.undo"},
                                             {"Z", true, true, "edit.redo"},
                                             {"Y", true, false, "edit.redo"},
@@ -42,7 +42,13 @@ constexpr std::array<KeyBinding, 16> kKeys{{{"Delete", false, false, "edit.delet
                                             {"3", false, false, "view.right"},
                                             {"4", false, false, "view.back"},
                                             {"5", false, false, "view.bottom"},
-                                            {"6", false, false, "view.left"}}};
+                                            {"6", false, false, "view.left"},
+                                            {"V", false, false, "view.perspective"},
+                                            {"X", false, false, "view.xray"},
+                                            {"I", false, false, "view.isolate"},
+                                            {"H", false, false, "view.hide"},
+                                            {"H", false, true, "view.showAll"},
+                                            {"C", false, false, "view.clip"}}};
 
 QString typeName(const QJsonValue &value)
 {

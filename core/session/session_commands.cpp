@@ -8,6 +8,8 @@
 #include "core/session/session_host.h"
 
 #include <array>
+#include <cmath>
+#include <functional>
 
 namespace fff {
 
@@ -147,6 +149,115 @@ void registerTurns(CommandRegistry &registry, Session &session, Interaction &int
          [&] { return !interaction.selection().empty(); }});
 }
 
+/// "on" of the parameters, else the other way round than it is.
+bool wanted(const CommandParameters &parameters, bool isNow)
+{
+    const auto found = parameters.find("on");
+    return found == parameters.end() ? !isNow : found->second == "true" || found->second == "1";
+}
+
+/// Faces the eye, through the target; through the model's middle when that plane would miss it.
+ClipPlane cutFacingEye(const Session &session, const Interaction &interaction)
+{
+    const Camera &camera = interaction.targetCamera();
+    const Box3 box = session.committed().bounds();
+    ClipPlane plane{camera.target, camera.backward()};
+    if (!box.isEmpty()) {
+        const double reach = plane.normal.cwiseAbs().dot(0.5 * box.size());
+        if (std::abs(plane.height(box.center())) >= reach)
+            plane.point = box.center();
+    }
+    return plane;
+}
+
+/// Adds a command that switches something of the view's state on and off.
+template <class IsOn, class Set>
+void addSwitch(CommandRegistry &registry, const char *id, Interaction &interaction, IsOn isOn,
+               Set set, std::function<bool()> isEnabled = {})
+{
+    registry.add(id, {[&interaction, isOn, set](const CommandParameters &parameters,
+                                                double) -> Result<void> {
+                          ViewState view = interaction.view();
+                          const bool on = wanted(parameters, isOn(view));
+                          if (on != isOn(view)) {
+                              set(view, on);
+                              interaction.setView(std::move(view));
+                          }
+                          return {};
+                      },
+                      std::move(isEnabled)});
+}
+
+void registerLooks(CommandRegistry &registry, Session &session, Interaction &interaction)
+{
+    addSwitch(
+        registry, "view.xray", interaction, [](const ViewState &view) { return view.isXray; },
+        [](ViewState &view, bool on) { view.isXray = on; });
+    addSwitch(
+        registry, "view.shadow", interaction, [](const ViewState &view) { return view.hasGround; },
+        [](ViewState &view, bool on) { view.hasGround = on; });
+    addSwitch(
+        registry, "view.isolate", interaction,
+        [](const ViewState &view) { return !view.isolated.empty(); },
+        [&interaction](ViewState &view, bool on) {
+            view.isolated.clear();
+            if (on)
+                view.isolated.insert(interaction.selection().begin(),
+                                     interaction.selection().end());
+        },
+        [&interaction] {
+            return !interaction.view().isolated.empty() || !interaction.selection().empty();
+        });
+    addSwitch(
+        registry, "view.clip", interaction,
+        [](const ViewState &view) { return view.clip.has_value(); },
+        [&session, &interaction](ViewState &view, bool on) {
+            view.clip.reset();
+            if (on)
+                view.clip = cutFacingEye(session, interaction);
+        },
+        [&session, &interaction] {
+            return interaction.view().clip || session.committed().sectionCount() > 0;
+        });
+    registry.add("view.hide", {[&](const CommandParameters &, double) -> Result<void> {
+                                   ViewState view = interaction.view();
+                                   view.hidden.insert(interaction.selection().begin(),
+                                                      interaction.selection().end());
+                                   interaction.select({}); // what is not seen is not worked on
+                                   interaction.setView(std::move(view));
+                                   return {};
+                               },
+                               [&] { return !interaction.selection().empty(); }});
+    registry.add("view.showAll", {[&](const CommandParameters &, double) -> Result<void> {
+                                      ViewState view = interaction.view();
+                                      view.hidden.clear();
+                                      view.isolated.clear();
+                                      interaction.setView(std::move(view));
+                                      return {};
+                                  },
+                                  [&] {
+                                      return !interaction.view().hidden.empty() ||
+                                             !interaction.view().isolated.empty();
+                                  }});
+}
+
+void registerCamera(CommandRegistry &registry, Interaction &interaction)
+{
+    registry.add(
+        "view.perspective",
+        {[&](const CommandParameters &parameters, double) -> Result<void> {
+             const bool on = wanted(parameters, interaction.targetCamera().isPerspective());
+             interaction.setProjection(on ? Projection::Perspective : Projection::Orthographic);
+             return {};
+         },
+         {}});
+    registry.add("view.previous", {[&](const CommandParameters &, double time) -> Result<void> {
+                                       interaction.goBack(time, kTurnTime);
+                                       return {};
+                                   },
+                                   [&] { return interaction.canGoBack(); }});
+}
+
 void registerFits(CommandRegistry &registry, Session &session, Interaction &interaction)
 {
     const auto fitTo = [&interaction](const Box3 &box, double time) {
@@ -175,6 +286,8 @@ void registerSessionCommands(CommandRegistry &registry, Session &session, Intera
     registerEdits(registry, session, interaction);
     registerTurns(registry, session, interaction);
     registerFits(registry, session, interaction);
+    registerCamera(registry, interaction);
+    registerLooks(registry, session, interaction);
 }
 
 Camera turnedTo(const Eigen::Quaterniond &orientation, const Session &session,
@@ -184,12 +297,7 @@ Camera turnedTo(const Eigen::Quaterniond &orientation, const Session &session,
     if (box.isEmpty())
         box = session.committed().bounds();
     const Vec3 pivot = box.isEmpty() ? Vec3(0.0, kFirstPlaneHeight, 0.0) : box.center();
-    Camera camera = interaction.targetCamera();
-    const Vec2 place = camera.toScreen(pivot, interaction.viewport());
-    camera.orientation = orientation;
-    // At the pivot's depth, so that later turns about the target stay near the model.
-    camera.target = pivot;
-    return pinned(camera, pivot, place, interaction.viewport());
+    return turned(interaction.targetCamera(), orientation, pivot, interaction.viewport());
 }
 
 } // namespace fff
