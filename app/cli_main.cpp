@@ -2,8 +2,10 @@
 
 #include "app/cli/command_line.h"
 
-#include <QCoreApplication>
+#include <QGuiApplication>
 #include <QTextStream>
+
+#include <memory>
 
 namespace {
 
@@ -22,11 +24,35 @@ QString helpText()
     return text + QLatin1Char('\n');
 }
 
+#if defined(Q_OS_WIN)
+constexpr const char *kPlatforms = "windows";
+#elif defined(Q_OS_MACOS)
+constexpr const char *kPlatforms = "cocoa";
+#else
+constexpr const char *kPlatforms = "xcb;wayland;offscreen"; // the first that can be reached
+#endif
+
+/// Only pictures need a display. Where none can be reached Qt's offscreen platform is taken, whose
+/// missing OpenGL the verb then speaks about, instead of an end without words.
+std::unique_ptr<QCoreApplication> makeApplication(int &argc, char *argv[])
+{
+    if (argc < 2 || qstrcmp(argv[1], "render") != 0)
+        return std::make_unique<QCoreApplication>(argc, argv);
+    if (!qEnvironmentVariableIsSet("QT_QPA_PLATFORM"))
+        qputenv("QT_QPA_PLATFORM", kPlatforms);
+    // What Qt says about platforms that it tries is of no use to anyone here.
+    const QtMessageHandler before =
+        qInstallMessageHandler([](QtMsgType, const QMessageLogContext &, const QString &) {});
+    auto application = std::make_unique<QGuiApplication>(argc, argv);
+    qInstallMessageHandler(before);
+    return application;
+}
+
 } // namespace
 
 int main(int argc, char *argv[])
 {
-    QCoreApplication app(argc, argv);
+    const std::unique_ptr<QCoreApplication> app = makeApplication(argc, argv);
     QCoreApplication::setApplicationName(QStringLiteral("flatfitfab-cli"));
     QCoreApplication::setApplicationVersion(QStringLiteral(FFF_VERSION));
     const QStringList arguments = QCoreApplication::arguments().mid(1);

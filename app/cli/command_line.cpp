@@ -29,6 +29,10 @@ constexpr std::array kVerbs = {
          QT_TRANSLATE_NOOP("CommandLine",
                            "Cutting files, true to size; or the model in the native format"),
          runExport},
+#ifdef FFF_HAS_VIEW
+    Verb{"render", "FILE -o OUT.png [--size WxH] [--view VIEW] [--show WHAT] [options]",
+         QT_TRANSLATE_NOOP("CommandLine", "A picture of the model; needs a display"), runRender},
+#endif
     Verb{"replay", "SCRIPT.json [--from FILE] -o OUT.{fff,svg} [options]",
          QT_TRANSLATE_NOOP("CommandLine", "Runs a script of what a person does"), runReplay},
 };
@@ -36,11 +40,6 @@ constexpr std::array kVerbs = {
 QString tr(const char *text)
 {
     return QCoreApplication::translate("CommandLine", text);
-}
-
-void printError(const QString &line)
-{
-    QTextStream(stderr) << line << Qt::endl;
 }
 
 QString usageLine(const Verb &verb)
@@ -64,19 +63,6 @@ std::optional<Stock> stockNamed(const Document &document, const QString &name)
     return std::nullopt;
 }
 
-std::optional<Vec2> sizeOf(const QString &text)
-{
-    const QStringList sides = text.toLower().split(u'x');
-    bool isWidth = false, isHeight = false;
-    if (sides.size() != 2)
-        return std::nullopt;
-    const Vec2 size(sides[0].toDouble(&isWidth), sides[1].toDouble(&isHeight));
-    if (!isWidth || !isHeight || !size.allFinite() || size.minCoeff() <= 0.0 ||
-        size.maxCoeff() > kMaxCoordinate)
-        return std::nullopt;
-    return size;
-}
-
 /// Every section onto one stock: `--stock`.
 std::optional<int> applyStock(Document &document, const QString &name, const Verb &verb)
 {
@@ -97,6 +83,24 @@ std::optional<int> applyStock(Document &document, const QString &name, const Ver
 }
 
 } // namespace
+
+std::optional<Vec2> sizeOf(const QString &text)
+{
+    const QStringList sides = text.toLower().split(u'x');
+    bool isWidth = false, isHeight = false;
+    if (sides.size() != 2)
+        return std::nullopt;
+    const Vec2 size(sides[0].toDouble(&isWidth), sides[1].toDouble(&isHeight));
+    if (!isWidth || !isHeight || !size.allFinite() || size.minCoeff() <= 0.0 ||
+        size.maxCoeff() > kMaxCoordinate)
+        return std::nullopt;
+    return size;
+}
+
+void printError(const QString &line)
+{
+    QTextStream(stderr) << line << Qt::endl;
+}
 
 std::span<const Verb> verbs()
 {

@@ -33,6 +33,7 @@ int runInfo(const QStringList &arguments);
 int runCheck(const QStringList &arguments);
 int runParts(const QStringList &arguments);
 int runExport(const QStringList &arguments);
+int runRender(const QStringList &arguments); // only where the window is built
 int runReplay(const QStringList &arguments);
 
 /// The arguments of one verb: options from `parser`, and exactly `files` file names in front of or
@@ -76,6 +77,11 @@ Loaded load(const QString &file, const DocumentOptions &options, const Verb &ver
 std::optional<int> applyOptions(Document &document, const DocumentOptions &options,
                                 const Verb &verb);
 
+/// "600x400": two positive numbers.
+std::optional<Vec2> sizeOf(const QString &text);
+
+/// One line on standard error.
+void printError(const QString &line);
 /// Prints one line on standard error and gives the status that fits the error's code.
 int report(const Error &error);
 int wrongUse(const Verb &verb, const QString &reason);

@@ -124,6 +124,14 @@ QString ofThese(const Check &check, const Model &model, const QString &sentence)
     return Words::tr("%1: %2").arg(namesOf(model, check.sections), sentence);
 }
 
+QString belowGroundText(const Check &check, const Model &model, const CheckUnits &units)
+{
+    const QString names = namesOf(model, check.sections), deep = units.length(check.distance);
+    return check.sections.size() == 1
+               ? Words::tr("Not on the ground. %1 reaches %2 below it.").arg(names, deep)
+               : Words::tr("Not on the ground. %1 reach up to %2 below it.").arg(names, deep);
+}
+
 QString stabilityText(const Check &check, const Model &model, const CheckUnits &units)
 {
     switch (check.code) {
@@ -148,9 +156,7 @@ QString stabilityText(const Check &check, const Model &model, const CheckUnits &
                        Words::tr("Not on the ground. Its lowest point is %1 above it.")
                            .arg(units.length(check.distance)));
     default:
-        return ofThese(check, model,
-                       Words::tr("Not on the ground. It reaches %1 below it.")
-                           .arg(units.length(check.distance)));
+        return belowGroundText(check, model, units);
     }
 }
 

@@ -1,5 +1,6 @@
 #include "core/session/checks.h"
 
+#include "core/base/tolerances.h"
 #include "core/fabrication/kerf.h"
 
 #include <algorithm>
@@ -139,6 +140,16 @@ CheckCode codeOf(const Stability &stability)
     return CheckCode::Stands; // not reached: every case is above
 }
 
+/// The sections of a group that reach below the ground.
+std::vector<SectionRef> sunkSections(const Analysis &analysis, const Group &group)
+{
+    Group sunk;
+    for (const int section : group)
+        if (groundContact(slabsOf(analysis, section)).lowestMiddle < -kGroundSunk)
+            sunk.push_back(section);
+    return refsOf(analysis.model, sunk);
+}
+
 Check stabilityCheck(const Analysis &analysis, const Group &group)
 {
     const Stability stability = stabilityOf(analysis, group);
@@ -174,7 +185,9 @@ void addStability(const Analysis &analysis, const std::vector<Group> &groups,
     int standingSections = 0;
     for (std::size_t g = 0; g < groups.size(); ++g) {
         Check check = stabilityCheck(analysis, groups[g]);
-        if (groups.size() > 1)
+        if (check.code == CheckCode::BelowGround)
+            check.sections = sunkSections(analysis, groups[g]);
+        else if (groups.size() > 1)
             check.sections = refsOf(analysis.model, groups[g]);
         if (check.code == CheckCode::Stands || check.code == CheckCode::Unsteady) {
             standingSections += check.sectionCount;

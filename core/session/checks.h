@@ -48,7 +48,8 @@ struct Check
 {
     CheckCode code = CheckCode::Connected;
     CheckSeverity severity = CheckSeverity::Good;
-    std::vector<SectionRef> sections; // whom it is about; empty: the whole model
+    std::vector<SectionRef> sections; // whom it is about; empty: the whole model.
+                                      // BelowGround: those that reach below
     std::optional<SectionRef> other;  // NotConnected: who is nearest
     std::optional<Vec3> at;           // where to look, world, mm
 

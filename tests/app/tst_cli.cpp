@@ -24,9 +24,15 @@ struct Run
     QByteArray out, err;
 };
 
-Run run(const QStringList &arguments)
+Run run(const QStringList &arguments, bool hasDisplay = true)
 {
     QProcess process;
+    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+    if (!hasDisplay) {
+        for (const char *name : {"DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM"})
+            environment.remove(QLatin1String(name));
+    }
+    process.setProcessEnvironment(environment);
     process.start(QStringLiteral(FFF_CLI), arguments);
     Run result;
     if (process.waitForFinished(60000) && process.exitStatus() == QProcess::NormalExit)
@@ -91,6 +97,11 @@ private Q_SLOTS:
     void nativeExportReadsBackEqual();
     void optionsOverrideTheDocument();
     void replayDrawsAndUndoes();
+    void checkSaysWhatIsWrong_data();
+    void checkSaysWhatIsWrong();
+    void checkListsWhatTheReaderMended();
+    void renderNeedsADisplayAndSaysSo();
+    void onlyRenderNeedsADisplay();
 
 private:
     QString path(const char *name) const { return m_folder->filePath(QLatin1String(name)); }
@@ -117,6 +128,11 @@ void TestCli::wrongUse_data()
     row("unknown verb", "carve x.fff");
     row("no file", "info");
     row("two files", "info a.fff b.fff");
+    row("a picture that is none", "render a.fff -o x.jpg");
+    row("a picture without pixels", "render a.fff -o x.png --size 0x10");
+    row("a picture larger than any driver paints", "render a.fff -o x.png --size 90000x10");
+    row("a view from nowhere", "render a.fff -o x.png --view above");
+    row("a show of what is not there", "render a.fff -o x.png --show stress");
     row("unknown option", "info a.fff --colour red");
     row("option without its value", "info a.fff --thickness");
     row("export without output", "export a.fff");
@@ -330,6 +346,100 @@ void TestCli::replayDrawsAndUndoes()
         run({QStringLiteral("replay"), bad.fileName(), QStringLiteral("-o"), path("drawn.fff")});
     QCOMPARE(refused.status, 2);
     QVERIFY(refused.err.contains("events[1]"));
+}
+
+void TestCli::checkSaysWhatIsWrong_data()
+{
+    QTest::addColumn<double>("height");
+    QTest::addColumn<QString>("options");
+    QTest::addColumn<int>("status");
+    QTest::addColumn<QStringList>("codes");
+    QTest::newRow("two plates on the ground") << 0.0 << QStringLiteral("") << 0 << QStringList();
+    QTest::newRow("in the air") << 12.0 << QStringLiteral("") << 3
+                                << QStringList{QStringLiteral("noContact")};
+    QTest::newRow("in the ground")
+        << -12.0 << QStringLiteral("") << 3 << QStringList{QStringLiteral("belowGround")};
+    QTest::newRow("on small sheets")
+        << 0.0 << QStringLiteral("--sheet 90x60") << 3
+        << QStringList{QStringLiteral("tooLarge"), QStringLiteral("tooLarge")};
+    QTest::newRow("two at once") << 12.0 << QStringLiteral("--sheet 90x60") << 3
+                                 << QStringList{QStringLiteral("noContact"),
+                                                QStringLiteral("tooLarge"),
+                                                QStringLiteral("tooLarge")};
+}
+
+// A script that asks before cutting must get 3 for what cannot be built, and 0 for what can.
+void TestCli::checkSaysWhatIsWrong()
+{
+    QFETCH(double, height);
+    QFETCH(QString, options);
+    QFETCH(int, status);
+    QFETCH(QStringList, codes);
+    const auto plate = [&] { return polygonShape(rectangle(-50, height, 50, height + 60)); };
+    QVERIFY(
+        io::writeDocument(path("m.fff"), twoSections(plate(), front(), plate(), side()).document));
+    const QStringList arguments = QStringList{QStringLiteral("check"), path("m.fff")} +
+                                  options.split(u' ', Qt::SkipEmptyParts);
+    const Run asText = run(arguments),
+              asJson = run(arguments + QStringList{QStringLiteral("--json")});
+    QCOMPARE(asText.status, status);
+    QCOMPARE(asJson.status, status);
+    QVERIFY(asText.err.isEmpty() && asJson.err.isEmpty());
+    QStringList found;
+    QVERIFY(object(asJson.out).contains(QStringLiteral("problems")));
+    for (const QJsonValue &value : object(asJson.out)[QStringLiteral("problems")].toArray()) {
+        const QJsonObject problem = value.toObject();
+        found += problem[QStringLiteral("code")].toString();
+        QCOMPARE(problem[QStringLiteral("severity")].toString(), QStringLiteral("error"));
+        QCOMPARE(problem[QStringLiteral("at")].toArray().size(), 3);
+        QVERIFY(problem[QStringLiteral("sections")].isArray());
+        QVERIFY(asText.out.contains(problem[QStringLiteral("text")].toString().toUtf8()));
+    }
+    QCOMPARE(found, codes);
+}
+
+// What the reader left out is gone from the model: only here does a script hear of it.
+void TestCli::checkListsWhatTheReaderMended()
+{
+    const QString ant = QStringLiteral(FFF_SHARED_MODELS "/ant.txt");
+    if (!QFile::exists(ant))
+        QSKIP("the shared models are not here");
+    QStringList codes;
+    for (const QJsonValue &value :
+         object(run({QStringLiteral("check"), ant, QStringLiteral("--json")})
+                    .out)[QStringLiteral("problems")]
+             .toArray()) {
+        if (value[QStringLiteral("code")] == QStringLiteral("selfCrossing")) {
+            QCOMPARE(value[QStringLiteral("sections")].toArray(),
+                     QJsonArray{QStringLiteral("Section 2")});
+            QCOMPARE(value[QStringLiteral("severity")].toString(), QStringLiteral("warning"));
+        }
+        codes += value[QStringLiteral("code")].toString();
+    }
+    QVERIFY(codes.contains(QStringLiteral("selfCrossing")));
+}
+
+// Qt ends a program without words when it finds no display.
+void TestCli::renderNeedsADisplayAndSaysSo()
+{
+    const Run run1 = run(
+        {QStringLiteral("render"), path("pair.fff"), QStringLiteral("-o"), path("out.png")}, false);
+    QCOMPARE(run1.status, 4);
+    QCOMPARE(run1.err.count('\n'), 1);
+    QVERIFY(run1.err.contains("display"));
+    QVERIFY(!QFile::exists(path("out.png")));
+}
+
+void TestCli::onlyRenderNeedsADisplay()
+{
+    for (const QStringList &arguments :
+         {QStringList{QStringLiteral("info"), path("pair.fff")},
+          {QStringLiteral("check"), path("pair.fff")},
+          {QStringLiteral("parts"), path("pair.fff")},
+          {QStringLiteral("export"), path("pair.fff"), QStringLiteral("-o"), path("out.svg")},
+          {QStringLiteral("render"), QStringLiteral("--help")},
+          {QStringLiteral("--help")}})
+        QCOMPARE(run(arguments, false).status, 0);
 }
 
 QTEST_GUILESS_MAIN(TestCli)

@@ -6,3 +6,7 @@ fff_test(ui/tst_slab_mesh fff::view)
 # A real window with a real OpenGL view: needs a display, which tests/run provides.
 fff_test(ui/tst_main_window fff::ui)
 set_tests_properties(ui/tst_main_window PROPERTIES LABELS gl ENVIRONMENT "QT_QPA_PLATFORM=xcb")
+
+# Pictures without a window still need a display's OpenGL.
+fff_test(ui/tst_offscreen_image fff::view)
+set_tests_properties(ui/tst_offscreen_image PROPERTIES LABELS gl ENVIRONMENT "QT_QPA_PLATFORM=xcb")

@@ -1,6 +1,7 @@
 target_sources(fff_view PRIVATE
     view/gl.cpp
     view/ground_shadow.cpp
+    view/offscreen_image.cpp
     view/overlay_painter.cpp
     view/renderer.cpp
     view/scene.cpp

@@ -1,0 +1,188 @@
+#include "app/cli/command_line.h"
+#include "app/cli/output.h"
+#include "core/operations/evaluate.h"
+#include "core/session/checks.h"
+#include "ui/view/offscreen_image.h"
+
+#include <QBuffer>
+#include <QFileInfo>
+#include <QPainter>
+#include <QPainterPath>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace fff::cli {
+
+namespace {
+
+const Vec2 kDefaultSize(1280.0, 800.0);
+constexpr const char *kViews[] = {"iso1", "iso2", "iso3", "iso4",   "front", "right",
+                                  "top",  "left", "back", "bottom", "fit"};
+const QColor kProblem(0xb3, 0x26, 0x1e); // UI.md, section 4, light
+
+QString tr(const char *text)
+{
+    return QCoreApplication::translate("CommandLine", text);
+}
+
+struct Picture
+{
+    Vec2 size = kDefaultSize;
+    QString view = QStringLiteral("iso1");
+    bool showsLabels = false, showsChecks = false;
+};
+
+/// What was asked for, or why not.
+QString readPicture(const QCommandLineParser &parser, Picture &picture)
+{
+    if (!parser.isSet(QStringLiteral("output")))
+        return tr("-o is missing: the file to write.");
+    const QString output = parser.value(QStringLiteral("output"));
+    if (output != QStringLiteral("-") &&
+        QFileInfo(output).suffix().toLower() != QStringLiteral("png"))
+        return tr("%1 is of no kind that can be written; expected .png.").arg(output);
+    if (parser.isSet(QStringLiteral("size"))) {
+        const QString text = parser.value(QStringLiteral("size"));
+        const std::optional<Vec2> size = sizeOf(text);
+        if (!size || size->minCoeff() < 1.0 || size->maxCoeff() > ui::kMaxPictureSide)
+            return tr("--size: found \"%1\", expected width x height in pixels up to %2, such as "
+                      "1280x800.")
+                .arg(text)
+                .arg(ui::kMaxPictureSide);
+        picture.size = {std::floor(size->x()), std::floor(size->y())};
+    }
+    if (parser.isSet(QStringLiteral("view"))) {
+        picture.view = parser.value(QStringLiteral("view"));
+        QStringList known;
+        for (const char *name : kViews)
+            known += QLatin1String(name);
+        if (!known.contains(picture.view))
+            return tr("--view: found \"%1\", expected one of %2.")
+                .arg(picture.view, known.join(QStringLiteral(", ")));
+    }
+    const QString shows = parser.value(QStringLiteral("show"));
+    for (const QString &what : shows.split(u',', Qt::SkipEmptyParts)) {
+        if (what == QStringLiteral("labels"))
+            picture.showsLabels = true;
+        else if (what == QStringLiteral("checks"))
+            picture.showsChecks = true;
+        else
+            return tr("--show: found \"%1\", expected labels, checks or both with a comma.")
+                .arg(what);
+    }
+    return {};
+}
+
+/// The sections that something is wrong with.
+void markProblems(const Analysis &analysis, ui::Scene &scene)
+{
+    for (const Check &check : checks(analysis)) {
+        if (check.severity != CheckSeverity::Error && check.severity != CheckSeverity::Warning)
+            continue;
+        for (const SectionRef &ref : check.sections) {
+            const int index = analysis.model.indexOf(ref);
+            scene.sections[static_cast<std::size_t>(index)].isSelected = true;
+        }
+    }
+}
+
+/// The sections' names at their middles, readable on any ground; the nearer ones where there is no
+/// room for all.
+void drawLabels(const Analysis &analysis, const Camera &camera, const Vec2 &viewport, QImage &image)
+{
+    QPainter painter(&image);
+    painter.setRenderHint(QPainter::Antialiasing);
+    QFont font;
+    font.setPixelSize(13);
+    const QFontMetricsF metrics(font);
+    const ui::ViewStyle style;
+    std::vector<std::pair<double, std::size_t>> byDistance;
+    for (std::size_t i = 0; i < analysis.model.sectionCount(); ++i) {
+        const Section &section = *analysis.model.section(i);
+        const Vec3 middle = section.frame.toWorld(section.shape->centroid());
+        byDistance.emplace_back(camera.forward().dot(middle), i);
+    }
+    std::sort(byDistance.begin(), byDistance.end());
+    std::vector<QRectF> taken;
+    for (const auto &[distance, i] : byDistance) {
+        const Section &section = *analysis.model.section(i);
+        const Vec2 at = camera.toScreen(section.frame.toWorld(section.shape->centroid()), viewport);
+        const QString name = QString::fromStdString(section.name);
+        QRectF box = metrics.boundingRect(name);
+        const QPointF start(at.x() - 0.5 * box.width(), at.y() + 0.5 * metrics.capHeight());
+        box.translate(start);
+        if (std::any_of(taken.begin(), taken.end(),
+                        [&](const QRectF &other) { return other.intersects(box); }))
+            continue;
+        taken.push_back(box);
+        QPainterPath path;
+        path.addText(start, font, name);
+        painter.strokePath(path,
+                           QPen(style.panel, 3.0, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+        painter.fillPath(path, style.text);
+    }
+}
+
+} // namespace
+
+int runRender(const QStringList &arguments)
+{
+    QCommandLineParser parser;
+    parser.addOption({{QStringLiteral("o"), QStringLiteral("output")},
+                      tr("The PNG file to write; - is standard output."),
+                      QStringLiteral("OUT")});
+    parser.addOption(
+        {QStringLiteral("size"), tr("Pixels of the picture (1280x800)."), QStringLiteral("WxH")});
+    parser.addOption({QStringLiteral("view"),
+                      tr("iso1 to iso4, front, right, top, left, back, bottom, or fit: the front "
+                         "again (iso1)."),
+                      QStringLiteral("VIEW")});
+    parser.addOption({QStringLiteral("show"),
+                      tr("labels: the sections' names; checks: outlines what has a problem."),
+                      QStringLiteral("WHAT,...")});
+    addDocumentOptions(parser);
+    const Verb &verb = verbNamed("render");
+    const Arguments parsed = parse(parser, verb, arguments, 1);
+    if (parsed.status)
+        return *parsed.status;
+    Picture picture;
+    if (const QString reason = readPicture(parser, picture); !reason.isEmpty())
+        return wrongUse(verb, reason);
+    std::optional<int> status;
+    const auto options = documentOptions(parser, verb, status);
+    if (!options)
+        return *status;
+    Loaded loaded = load(parsed.files.first(), *options, verb);
+    if (loaded.status)
+        return *loaded.status;
+
+    AnalysisCaches caches;
+    const Analysis analysis = analyse(evaluate(std::move(loaded.document)), caches);
+    ui::Scene scene = ui::sceneOf(analysis);
+    ui::ViewStyle style;
+    if (picture.showsChecks) {
+        markProblems(analysis, scene);
+        style.accent = kProblem;
+    }
+    const Camera camera = ui::cameraFor(scene, picture.view.toStdString(), picture.size);
+    QImage image = ui::OffscreenPainter().paint(scene, camera, picture.size, 1.0, style);
+    if (image.isNull()) {
+        printError(tr("A picture needs a display with OpenGL 3.3; there is none."));
+        return CannotWrite;
+    }
+    if (picture.showsLabels)
+        drawLabels(analysis, camera, picture.size, image);
+    QBuffer png;
+    png.open(QIODevice::WriteOnly);
+    if (!image.save(&png, "PNG")) {
+        printError(tr("The picture could not be made a PNG file."));
+        return CannotWrite;
+    }
+    const Result<void> written =
+        io::writeFile(parser.value(QStringLiteral("output")), png.data().toStdString());
+    return written ? Done : report(written.error());
+}
+
+} // namespace fff::cli
