@@ -55,6 +55,13 @@ std::optional<Contour> notched(const Contour &contour, const Contour &hole)
     return std::move(pieces.front().outer);
 }
 
+/// Something was left out. Pieces that meet within rounding may be found to cross once more in a
+/// file that was mended when it was first opened; nobody needs to hear of that again.
+bool isMended(const ResolvedContour &resolved, const Contour &drawn)
+{
+    return resolved.wasCrossing && resolved.contour.points() != drawn.points();
+}
+
 class Mender
 {
 public:
@@ -70,7 +77,7 @@ private:
     void uniteOverlapping();
     void cutOut();
 
-    const std::string &m_name;
+    const std::string m_name;
     Problems &m_problems;
     Contour m_contour;
     std::vector<PlacedContour> m_holes;
@@ -93,7 +100,7 @@ void Mender::addHole(const PlacedContour &drawn)
         warn(WarningCode::HoleOutside, drawn.where);
         return;
     }
-    if (hole->wasCrossing)
+    if (isMended(*hole, drawn.contour))
         warn(WarningCode::SelfCrossingContour, drawn.where);
     m_holes.push_back({std::move(hole->contour), drawn.where});
 }
@@ -151,7 +158,7 @@ Result<ShapePointer> Mender::mend(const PlacedContour &contour,
     Result<ResolvedContour> resolved = resolveCrossings(contour.contour);
     if (!resolved)
         return tl::unexpected(resolved.error());
-    if (resolved->wasCrossing)
+    if (isMended(*resolved, contour.contour))
         warn(WarningCode::SelfCrossingContour, contour.where);
     m_contour = std::move(resolved->contour);
     for (const PlacedContour &hole : holes)
@@ -164,13 +171,36 @@ Result<ShapePointer> Mender::mend(const PlacedContour &contour,
     return Shape::make(std::move(m_contour), std::move(mended));
 }
 
+/// Mending moves crossings by up to the grid's rounding and may leave others behind: this many
+/// times more, until nothing changes, so that a file of the mended shape is read as it was written.
+constexpr int kMaxPasses = 8;
+
+Result<ShapePointer> mendedAgain(const Shape &shape)
+{
+    std::vector<PlacedContour> holes;
+    for (const Contour &hole : shape.holes())
+        holes.push_back({hole, {}});
+    Problems ignored;
+    return Mender({}, ignored).mend({shape.contour(), {}}, holes);
+}
+
 } // namespace
 
 Result<ShapePointer> makeMendedShape(const PlacedContour &contour,
                                      const std::vector<PlacedContour> &holes,
                                      const std::string &name, Problems &problems)
 {
-    return Mender(name, problems).mend(contour, holes);
+    const std::size_t warningsBefore = problems.warnings.size();
+    Result<ShapePointer> shape = Mender(name, problems).mend(contour, holes);
+    if (problems.warnings.size() == warningsBefore)
+        return shape;
+    for (int pass = 0; shape && pass < kMaxPasses; ++pass) {
+        Result<ShapePointer> again = mendedAgain(**shape);
+        if (!again || **again == **shape)
+            break;
+        shape = std::move(again);
+    }
+    return shape;
 }
 
 } // namespace fff::io
