@@ -125,6 +125,7 @@ void Session::reset(Document document)
     d->isResetting = true;
     d->committed = std::make_shared<const Model>(evaluate(std::move(document)));
     d->stack->clear();
+    d->stack->setClean(); // an empty history is not cleared, and may be of an unsaved document
     d->isResetting = false;
     d->show(d->committed);
 }
@@ -171,6 +172,11 @@ bool Session::isClean() const
 void Session::setClean()
 {
     d->stack->setClean();
+}
+
+void Session::setUnsaved()
+{
+    d->stack->resetClean();
 }
 
 std::uint64_t Session::revision() const

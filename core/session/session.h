@@ -39,6 +39,8 @@ public:
     QUndoStack *history() const;
     bool isClean() const;
     void setClean(); // saved
+    /// What is shown is on no disk (recovered after a crash): not clean until it is saved.
+    void setUnsaved();
 
     /// Counts up with every change of model().
     std::uint64_t revision() const;

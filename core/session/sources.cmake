@@ -1,8 +1,10 @@
 target_sources(fff_session PRIVATE
     analysis.cpp
+    autosave.cpp
     check_text.cpp
     checks.cpp
     cutting_file.cpp
+    recovery.cpp
     replay.cpp
     session.cpp
     session_commands.cpp

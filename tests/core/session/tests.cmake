@@ -1,2 +1,3 @@
 fff_test(core/session/tst_session fff::session)
 fff_test(core/session/tst_replay fff::session)
+fff_test(core/session/tst_autosave fff::session)

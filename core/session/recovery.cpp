@@ -1,0 +1,162 @@
+#include "core/session/recovery.h"
+
+#include "core/io/document_file.h"
+#include "core/io/fff_format.h"
+#include "core/io/json_writer.h"
+
+#include <QCoreApplication>
+#include <QDir>
+#include <QFile>
+#include <QFileInfo>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QUuid>
+
+#include <algorithm>
+
+namespace fff {
+
+namespace {
+
+const QString kDocumentSuffix = QStringLiteral(".fff");
+const QString kLockSuffix = QStringLiteral(".lock");
+
+QString documentPath(const QString &slot)
+{
+    return slot + kDocumentSuffix;
+}
+
+/// {"recovery": {...},} as the first member of the document's object: readers of `.fff` pass it
+/// over, and both are replaced in one go.
+std::string withEntry(const std::string &document, const RecoveryEntry &entry)
+{
+    io::JsonWriter json;
+    json.beginObject(io::JsonWriter::Layout::Line);
+    json.member("path", entry.originalPath.toStdString());
+    json.member("name", entry.name.toStdString());
+    json.member("steps", entry.steps);
+    json.member("time", entry.time.toUTC().toString(Qt::ISODateWithMs).toStdString());
+    json.endObject();
+    std::string text = json.take();
+    text.pop_back(); // its line end
+    return "{\n  \"recovery\": " + text + "," + document.substr(1);
+}
+
+RecoveryEntry entryOf(const QString &slot, const std::string &bytes)
+{
+    const QJsonObject recovery =
+        QJsonDocument::fromJson(QByteArray::fromStdString(bytes))[QLatin1String("recovery")]
+            .toObject();
+    RecoveryEntry entry;
+    entry.slot = slot;
+    entry.originalPath = recovery[QLatin1String("path")].toString();
+    entry.name = recovery[QLatin1String("name")].toString();
+    entry.steps = std::max(0, recovery[QLatin1String("steps")].toInt());
+    entry.time =
+        QDateTime::fromString(recovery[QLatin1String("time")].toString(), Qt::ISODateWithMs);
+    if (!entry.time.isValid())
+        entry.time = QFileInfo(documentPath(slot)).lastModified();
+    entry.time = entry.time.toUTC();
+    return entry;
+}
+
+/// What is left of a slot: its document, and copies of it that were being written.
+void removeFiles(const QString &slot)
+{
+    const QFileInfo document(documentPath(slot));
+    const QStringList names = document.dir().entryList({document.fileName() + u'*'}, QDir::Files);
+    for (const QString &name : names)
+        document.dir().remove(name);
+}
+
+/// Slots by their paths, each once, whichever of their files are there.
+QStringList slotsIn(const QString &folder)
+{
+    QStringList paths;
+    const QDir dir(folder);
+    for (const QFileInfo &file : dir.entryInfoList(QDir::Files | QDir::Hidden)) {
+        // A copy that was being written is called "NAME.fff.XXXXXX".
+        const QString name = file.fileName();
+        const bool isOurs = name.contains(kDocumentSuffix) || name.endsWith(kLockSuffix);
+        const QString path = dir.filePath(name.left(name.indexOf(u'.')));
+        if (isOurs && name.indexOf(u'.') > 0 && !paths.contains(path))
+            paths.append(path);
+    }
+    return paths;
+}
+
+} // namespace
+
+RecoverySlot::RecoverySlot(const QString &path) : m_path(path), m_lock(path + kLockSuffix)
+{
+    m_lock.setStaleLockTime(0); // stale when its program is gone, however long it runs
+}
+
+RecoverySlot::~RecoverySlot() = default;
+
+std::unique_ptr<RecoverySlot> RecoverySlot::take(const QString &slot)
+{
+    std::unique_ptr<RecoverySlot> taken(new RecoverySlot(slot));
+    return taken->m_lock.tryLock(0) ? std::move(taken) : nullptr;
+}
+
+std::unique_ptr<RecoverySlot> RecoverySlot::make(const QString &folder)
+{
+    if (!QDir().mkpath(folder))
+        return nullptr;
+    return take(QDir(folder).filePath(QUuid::createUuid().toString(QUuid::WithoutBraces)));
+}
+
+Result<void> RecoverySlot::write(const Document &document, const RecoveryEntry &entry)
+{
+    const Result<std::string> bytes = io::writeFff(document);
+    if (!bytes)
+        return tl::unexpected(bytes.error());
+    return io::writeFile(documentPath(m_path), withEntry(*bytes, entry));
+}
+
+void RecoverySlot::remove()
+{
+    removeFiles(m_path);
+    m_lock.unlock();
+}
+
+QList<RecoveryEntry> listRecoverable(const QString &folder)
+{
+    QList<RecoveryEntry> entries;
+    for (const QString &path : slotsIn(folder)) {
+        const std::unique_ptr<RecoverySlot> slot = RecoverySlot::take(path);
+        if (!slot)
+            continue; // its program runs
+        const Result<std::string> bytes = io::readFile(documentPath(path));
+        const Result<io::LoadedDocument> document =
+            bytes ? io::readFff(*bytes) : Result<io::LoadedDocument>(tl::unexpected(bytes.error()));
+        if (document)
+            entries.append(entryOf(path, *bytes));
+        else if (!QFile::exists(documentPath(path)) ||
+                 (document.error().code != ErrorCode::NewerVersion &&
+                  document.error().code != ErrorCode::CannotOpen))
+            slot->remove();
+    }
+    std::stable_sort(
+        entries.begin(), entries.end(),
+        [](const RecoveryEntry &a, const RecoveryEntry &b) { return a.time > b.time; });
+    return entries;
+}
+
+Result<io::LoadedDocument> readRecoverable(const RecoveryEntry &entry)
+{
+    io::ReadOptions options;
+    options.name = entry.name.toStdString();
+    return io::readDocument(documentPath(entry.slot), options);
+}
+
+bool discardRecoverable(const RecoveryEntry &entry)
+{
+    const std::unique_ptr<RecoverySlot> slot = RecoverySlot::take(entry.slot);
+    if (slot)
+        slot->remove();
+    return slot != nullptr;
+}
+
+} // namespace fff

@@ -1,0 +1,367 @@
+// What a crash may cost. If this fails, somebody's work of more than the last seconds is lost, or
+// what is offered after a crash is not what was there.
+#include <QTest> // first: moc cannot read some of the standard library before it
+
+#include "core/io/document_file.h"
+#include "core/io/fff_format.h"
+#include "core/model/edits.h"
+#include "core/session/autosave.h"
+
+#include <QDir>
+#include <QFile>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QUndoStack>
+
+using namespace fff;
+
+namespace {
+
+Document withSection(Document document, double z = 0.0)
+{
+    NewSection section;
+    section.shape =
+        *Shape::make(*Contour::fromPolygon({{-50, -40}, {50, -40}, {50, 40}, {-50, 40}}));
+    section.frame.origin.z() = z;
+    return *addSection(std::move(document), std::move(section));
+}
+
+/// A session with its autosave, on a clock that goes only when it is told to.
+struct Program
+{
+    explicit Program(const QString &folder)
+        : autosave(std::make_unique<Autosave>(
+              session, folder, nullptr,
+              AutosaveClock{[this] { return elapsed; },
+                            [this] {
+                                return QDateTime::fromMSecsSinceEpoch(1'700'000'000'000 + elapsed,
+                                                                      Qt::UTC);
+                            }}))
+    {
+        session.reset(newDocument());
+        QObject::connect(autosave.get(), &Autosave::kept, &listener,
+                         [this](const Document &document) { kept.push_back(document); });
+    }
+
+    const Document &document() const { return session.committed().document; }
+    void draw(double z = 0.0)
+    {
+        session.commit(QStringLiteral("Draw"), withSection(document(), z));
+    }
+    void pass(int milliseconds)
+    {
+        elapsed += milliseconds;
+        autosave->writeIfDue();
+    }
+    /// As far as the disk goes: the slot is let go of, nothing else is written.
+    void die() { autosave.reset(); }
+
+    qint64 elapsed = 0;
+    Session session;
+    QObject listener;
+    std::vector<Document> kept;
+    std::unique_ptr<Autosave> autosave;
+};
+
+QStringList filesIn(const QString &folder)
+{
+    return QDir(folder).entryList(QDir::Files | QDir::Hidden);
+}
+
+void put(const QString &path, const QByteArray &bytes)
+{
+    QFile file(path);
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    QCOMPARE(file.write(bytes), bytes.size());
+}
+
+} // namespace
+
+class TestAutosave : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { m_folder = std::make_unique<QTemporaryDir>(); }
+
+    void theFirstStepIsKeptSoon();
+    void laterStepsAreKeptWithinTheInterval();
+    void anEditDuringAWriteLeadsToAnother();
+    void aLoweredIntervalCountsAtOnce();
+    void intervalsHaveALimit();
+    void cleanMeansGone_data();
+    void cleanMeansGone();
+    void whatIsOpenIsNotOffered();
+    void anEntrySaysWhatItIs();
+    void theSlotIsAFileThatOpens();
+    void recoveredWorkGoesOn();
+    void aSlotOpensOnce();
+    void anotherDocumentLeavesNoSlot();
+    void brokenSlots_data();
+    void brokenSlots();
+    void aFullFolderIsToldOnceAndTriedAgain();
+
+private:
+    QString folder() const { return m_folder->filePath(QStringLiteral("recovery")); }
+
+    std::unique_ptr<QTemporaryDir> m_folder;
+};
+
+void TestAutosave::theFirstStepIsKeptSoon()
+{
+    Program program(folder());
+    program.pass(60'000);
+    QVERIFY2(filesIn(folder()).isEmpty(), "nothing was drawn, nothing is kept");
+    program.draw();
+    program.pass(Autosave::kFirstDelay);
+    QTRY_COMPARE(program.kept.size(), 1u);
+    QVERIFY(program.kept.front() == program.document());
+}
+
+void TestAutosave::laterStepsAreKeptWithinTheInterval()
+{
+    Program program(folder());
+    program.draw();
+    program.pass(Autosave::kFirstDelay);
+    QTRY_COMPARE(program.kept.size(), 1u);
+    program.draw(10);
+    program.pass(Autosave::kDefaultInterval / 2);
+    program.draw(20);
+    program.pass(Autosave::kDefaultInterval / 2 - 1);
+    program.autosave->writeIfDue();
+    QCOMPARE(program.kept.size(), 1u);
+    program.pass(1);
+    QTRY_COMPARE(program.kept.size(), 2u);
+    QVERIFY2(program.kept.back() == program.document(), "both steps, in one write");
+}
+
+void TestAutosave::anEditDuringAWriteLeadsToAnother()
+{
+    Program program(folder());
+    for (int i = 0; i < 20; ++i) {
+        program.draw(10 * i);
+        program.pass(Autosave::kDefaultInterval); // the worker is busy with the one before, or not
+    }
+    const Document last = program.document();
+    program.autosave->flush();
+    QVERIFY(program.kept.back() == last);
+    for (std::size_t i = 1; i < program.kept.size(); ++i)
+        QVERIFY2(program.kept[i].sections.size() > program.kept[i - 1].sections.size(),
+                 "nothing older is written after anything newer");
+    program.die();
+    const QList<RecoveryEntry> entries = listRecoverable(folder());
+    QCOMPARE(entries.size(), 1);
+    QVERIFY(readRecoverable(entries.front())->document == last);
+}
+
+void TestAutosave::aLoweredIntervalCountsAtOnce()
+{
+    Program program(folder());
+    program.draw();
+    program.pass(Autosave::kFirstDelay);
+    program.draw(10);
+    program.pass(2'000);
+    program.autosave->setInterval(1'000);
+    program.autosave->writeIfDue();
+    program.autosave->flush();
+    QVERIFY(program.kept.back() == program.document());
+}
+
+void TestAutosave::intervalsHaveALimit()
+{
+    Program program(folder());
+    program.autosave->setInterval(3'600'000);
+    QVERIFY2(program.autosave->interval() < 30'000, "30 s lost at most, with the write");
+    program.autosave->setInterval(-5);
+    QCOMPARE(program.autosave->interval(), 0);
+}
+
+void TestAutosave::cleanMeansGone_data()
+{
+    QTest::addColumn<QString>("what");
+    QTest::addColumn<bool>("waits");
+    for (const char *what : {"save", "undo", "new", "discard"}) {
+        QTest::addRow("%s, when it was kept", what) << QString::fromLatin1(what) << true;
+        QTest::addRow("%s, while it is being kept", what) << QString::fromLatin1(what) << false;
+    }
+}
+
+void TestAutosave::cleanMeansGone()
+{
+    QFETCH(QString, what);
+    QFETCH(bool, waits);
+    Program program(folder());
+    program.draw();
+    program.pass(Autosave::kFirstDelay);
+    if (waits)
+        QTRY_COMPARE(program.kept.size(), 1u);
+    if (what == QStringLiteral("save"))
+        program.session.setClean();
+    else if (what == QStringLiteral("undo"))
+        program.session.history()->undo();
+    else if (what == QStringLiteral("new"))
+        program.session.reset(newDocument());
+    else
+        program.autosave->discard();
+    program.die();
+    QVERIFY2(filesIn(folder()).isEmpty(), qPrintable(filesIn(folder()).join(u' ')));
+}
+
+void TestAutosave::whatIsOpenIsNotOffered()
+{
+    Program open(folder());
+    open.draw();
+    open.pass(Autosave::kFirstDelay);
+    QTRY_COMPARE(open.kept.size(), 1u);
+    {
+        Program other(folder()); // a second window has a slot of its own
+        other.draw();
+        other.draw(10);
+        other.pass(Autosave::kFirstDelay);
+    }
+    const QList<RecoveryEntry> entries = listRecoverable(folder());
+    QCOMPARE(entries.size(), 1);
+    QCOMPARE(entries.front().steps, 2);
+    open.die();
+    QCOMPARE(listRecoverable(folder()).size(), 2);
+}
+
+void TestAutosave::anEntrySaysWhatItIs()
+{
+    Program program(folder());
+    const QString path = QStringLiteral("/home/someone/Zug & Brücke.fff");
+    program.autosave->setDocument(path, QStringLiteral("Zug & \"Brücke\""));
+    program.draw();
+    program.draw(10);
+    program.session.setClean();
+    program.draw(20);
+    program.draw(30);
+    program.draw(40);
+    program.session.history()->undo();
+    program.pass(1'000);
+    program.die();
+    const QList<RecoveryEntry> entries = listRecoverable(folder());
+    QCOMPARE(entries.size(), 1);
+    QCOMPARE(entries.front().originalPath, path);
+    QCOMPARE(entries.front().name, QStringLiteral("Zug & \"Brücke\""));
+    QCOMPARE(entries.front().steps, 2);
+    QCOMPARE(entries.front().time, QDateTime::fromMSecsSinceEpoch(1'700'000'001'000, Qt::UTC));
+}
+
+void TestAutosave::theSlotIsAFileThatOpens()
+{
+    Program program(folder());
+    program.draw();
+    program.pass(Autosave::kFirstDelay);
+    const Document drawn = program.document();
+    program.die();
+    const QString path = listRecoverable(folder()).front().slot + QStringLiteral(".fff");
+    const Result<io::LoadedDocument> loaded = io::readDocument(path);
+    QVERIFY(loaded.has_value());
+    QVERIFY(loaded->document == drawn);
+}
+
+void TestAutosave::recoveredWorkGoesOn()
+{
+    Program first(folder());
+    first.draw();
+    first.draw(10);
+    first.pass(Autosave::kFirstDelay);
+    const Document drawn = first.document();
+    first.die();
+
+    Program second(folder());
+    const RecoveryEntry entry = listRecoverable(folder()).front();
+    QVERIFY(second.autosave->adopt(entry).has_value());
+    QVERIFY(second.document() == drawn);
+    QVERIFY2(!second.session.isClean(), "it is on no disk of the person's");
+    QVERIFY2(listRecoverable(folder()).isEmpty(), "it is open");
+    second.draw(20);
+    second.pass(Autosave::kDefaultInterval);
+    const Document further = second.document();
+    second.die();
+    const QList<RecoveryEntry> entries = listRecoverable(folder());
+    QCOMPARE(entries.size(), 1);
+    QCOMPARE(entries.front().steps, 3);
+    QVERIFY(readRecoverable(entries.front())->document == further);
+}
+
+void TestAutosave::aSlotOpensOnce()
+{
+    Program first(folder());
+    first.draw();
+    first.die();
+    const RecoveryEntry entry = listRecoverable(folder()).front();
+    Program second(folder()), third(folder());
+    QVERIFY(second.autosave->adopt(entry).has_value());
+    const Result<void> again = third.autosave->adopt(entry);
+    QVERIFY(!again);
+    QCOMPARE(again.error().code, ErrorCode::CannotOpen);
+    QVERIFY(!discardRecoverable(entry));
+    QVERIFY2(third.session.isClean(), "nothing was changed");
+    second.session.setClean();
+    second.die();
+    QVERIFY(filesIn(folder()).isEmpty());
+}
+
+void TestAutosave::anotherDocumentLeavesNoSlot()
+{
+    Program first(folder());
+    first.draw();
+    first.die();
+    Program second(folder());
+    QVERIFY(second.autosave->adopt(listRecoverable(folder()).front()).has_value());
+    second.session.reset(newDocument());
+    QVERIFY2(second.session.isClean(), "a new document is no recovered one");
+    second.die();
+    QVERIFY(filesIn(folder()).isEmpty());
+}
+
+void TestAutosave::brokenSlots_data()
+{
+    QTest::addColumn<QString>("file");
+    QTest::addColumn<QByteArray>("bytes");
+    QTest::addColumn<bool>("stays");
+    QTest::newRow("an empty document") << "a.fff" << QByteArray() << false;
+    QTest::newRow("half a document") << "a.fff" << QByteArray("{\"format\": \"FlatFit") << false;
+    QTest::newRow("no model") << "a.fff" << QByteArray("\x89PNG\0\0", 6) << false;
+    QTest::newRow("a copy that was being written") << "a.fff.Xy12ab" << QByteArray("{}") << false;
+    QTest::newRow("the lock of a program that is gone")
+        << "a.lock" << QByteArray("999999999\nflatfitfab\n\n") << false;
+    QTest::newRow("a document of a newer version")
+        << "a.fff" << QByteArray("{\"format\": \"FlatFitFab\", \"version\": 99}") << true;
+    QTest::newRow("a file of somebody else") << "notes.txt" << QByteArray("notes") << true;
+}
+
+void TestAutosave::brokenSlots()
+{
+    QFETCH(QString, file);
+    QFETCH(QByteArray, bytes);
+    QFETCH(bool, stays);
+    QVERIFY(QDir().mkpath(folder()));
+    put(QDir(folder()).filePath(file), bytes);
+    QVERIFY(listRecoverable(folder()).isEmpty());
+    QCOMPARE(filesIn(folder()), stays ? QStringList(file) : QStringList());
+}
+
+void TestAutosave::aFullFolderIsToldOnceAndTriedAgain()
+{
+    put(folder(), "a file where the folder should be");
+    Program program(folder());
+    QSignalSpy failed(program.autosave.get(), &Autosave::failed);
+    program.draw();
+    program.pass(Autosave::kFirstDelay);
+    QTRY_COMPARE(failed.count(), 1);
+    for (int i = 0; i < 3; ++i) {
+        program.pass(Autosave::kDefaultInterval);
+        program.autosave->flush();
+    }
+    QCOMPARE(failed.count(), 1);
+    QVERIFY(QFile::remove(folder()));
+    program.pass(Autosave::kDefaultInterval); // without another step
+    QTRY_COMPARE(program.kept.size(), 1u);
+    QVERIFY(program.kept.front() == program.document());
+}
+
+QTEST_GUILESS_MAIN(TestAutosave)
+#include "tst_autosave.moc"
