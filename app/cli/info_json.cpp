@@ -2,7 +2,11 @@
 
 #include "core/base/units.h"
 #include "core/fabrication/summary.h"
+#include "core/geometry/convex_hull.h"
 #include "core/io/json_writer.h"
+#include "core/session/checks.h"
+
+#include <algorithm>
 
 namespace fff::cli {
 
@@ -110,6 +114,42 @@ void writeJoint(JsonWriter &json, const Model &model, const Joint &joint)
     json.endObject();
 }
 
+/// Each connected group stands or falls by itself: the model is stable when all of them are, by the
+/// smallest of their margins.
+void writeStability(JsonWriter &json, const Analysis &analysis,
+                    const std::vector<std::vector<int>> &groups)
+{
+    int contacts = 0;
+    std::vector<Vec2> corners;
+    bool isStable = !groups.empty();
+    std::optional<double> margin, tipAngle;
+    for (const std::vector<int> &group : groups) {
+        const Stability stability = stabilityOf(analysis, group);
+        contacts += stability.contacts;
+        corners.insert(corners.end(), stability.support.begin(), stability.support.end());
+        if (stability.contacts > 0)
+            margin = std::min(margin.value_or(stability.margin), stability.margin);
+        if (stability.standing == Standing::Stands)
+            tipAngle = std::min(tipAngle.value_or(stability.tipAngle), stability.tipAngle);
+        else
+            isStable = false;
+    }
+    json.member("contacts", contacts);
+    json.key("supportPolygon");
+    json.beginArray(JsonWriter::Layout::Line);
+    for (const Vec2 &corner : convexHull(corners))
+        json.value(corner);
+    json.endArray();
+    json.member("stable", isStable);
+    json.key("stabilityMargin");
+    if (margin)
+        json.value(*margin);
+    else
+        json.null(); // nothing touches the ground
+    if (isStable && tipAngle)
+        json.member("tipAngle", degrees(*tipAngle));
+}
+
 void writeRing(JsonWriter &json, const Polygon &ring)
 {
     constexpr int kPointsPerLine = 8;
@@ -170,6 +210,7 @@ std::string infoJson(const Analysis &analysis, const InfoContext &context)
         json.value(bounds.max);
         json.endArray();
     }
+    writeStability(json, analysis, groups);
     json.key("sectionList");
     json.beginArray();
     for (std::size_t i = 0; i < model.sectionCount(); ++i)

@@ -1,6 +1,7 @@
 #include "app/cli/info.h"
 
 #include "core/fabrication/summary.h"
+#include "core/session/check_text.h"
 
 #include <QCoreApplication>
 #include <QString>
@@ -63,6 +64,9 @@ std::string infoText(const Analysis &analysis, const InfoContext &context)
                      .arg(length(size.x()), length(size.y()), length(size.z()));
         lines += tr("Mass %1 g").arg(QString::number(1000.0 * mass.mass, 'f', 1));
     }
+    for (const Check &check : checks(analysis))
+        if (subjectOf(check.code) == CheckSubject::Stability)
+            lines += checkText(check, model);
     for (const auto &stock : model.document.stocks) {
         lines += tr("Stock %1, %2 mm, sheets of %3")
                      .arg(QString::fromStdString(stock->name), QString::number(stock->thickness),

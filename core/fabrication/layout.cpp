@@ -1,104 +1,206 @@
 #include "core/fabrication/layout.h"
 
+#include "core/base/tolerances.h"
+#include "core/fabrication/skyline.h"
+#include "core/geometry/convex_hull.h"
+
 #include <algorithm>
-#include <numeric>
+#include <array>
 
 namespace fff {
 
 namespace {
 
-/// A part's box, lying on its longer side where that fits the sheet.
+/// Less used height than this is no reason to turn parts away from how they are drawn, mm.
+constexpr double kWorthTurning = 1.0;
+
+enum class Turning { AsDrawn, Smallest, Lowest };
+enum class Order { Tallest, Largest, Longest };
+
+/// A part's box after a turn.
+struct Pose
+{
+    Vec2 turn = Vec2::UnitX();
+    Box2 box;
+
+    Vec2 size() const { return box.size(); }
+};
+
+/// A part's hull, and by how much its curves may bulge beyond it.
 struct Item
 {
     int part = 0;
-    Box2 box; // of the part as it is
-    bool quarterTurn = false;
+    Polygon hull;
+    double bulge = 0.0; // mm
+    Turns turns;
+    bool needsFitting = false; // fits neither as drawn nor by a quarter turn
+};
 
-    Vec2 size() const { return turned(quarterTurn); }
-    Vec2 turned(bool isTurned) const
+Pose poseOf(const Item &item, const Vec2 &turn)
+{
+    Pose pose{turn, turnedBounds(item.hull, turn)};
+    pose.box.min -= Vec2::Constant(item.bulge);
+    pose.box.max += Vec2::Constant(item.bulge);
+    return pose;
+}
+
+bool fits(const Vec2 &size, const Vec2 &room)
+{
+    return (size.array() <= room.array() + kClipGrid).all();
+}
+
+bool hasCurves(const CurvedRegion &outline)
+{
+    for (int i = 0; i < outline.outer.segmentCount(); ++i)
+        if (!outline.outer.segment(i).isStraight(kClipGrid))
+            return true;
+    return false;
+}
+
+/// The ways in which a part may lie: that of its turning and a quarter turn more, lying first.
+std::vector<Pose> posesOf(const Item &item, Turning turning, const Vec2 &room)
+{
+    if (item.needsFitting)
+        return {poseOf(item, *item.turns.fitting)};
+    std::vector<Pose> poses;
+    const auto add = [&](const Vec2 &turn) {
+        for (const Vec2 &t : {turn, perpendicular(turn)}) {
+            Pose pose = poseOf(item, t);
+            if (fits(pose.size(), room))
+                poses.push_back(pose);
+        }
+    };
+    if (turning != Turning::AsDrawn)
+        add(turning == Turning::Smallest ? item.turns.smallest : item.turns.lowest);
+    if (poses.empty())
+        add(Vec2::UnitX());
+    std::stable_sort(poses.begin(), poses.end(),
+                     [](const Pose &a, const Pose &b) { return a.size().y() < b.size().y(); });
+    return poses;
+}
+
+/// One try: all items of a stock on sheets.
+struct Packing
+{
+    std::vector<Sheet> sheets;
+    double height = 0.0; // used, of all sheets together
+
+    bool isBetterThan(const Packing &other) const
     {
-        const Vec2 s = box.size();
-        return isTurned ? Vec2(s.y(), s.x()) : s;
+        if (sheets.size() != other.sheets.size())
+            return sheets.size() < other.sheets.size();
+        return height < other.height - kWorthTurning;
     }
 };
 
-struct Shelf
+double sortKey(const Pose &lying, Order order)
 {
-    std::size_t sheet = 0;
-    double bottom = 0.0, height = 0.0;
-    double right = 0.0; // where the next part may begin
-};
-
-Placement placed(const Item &item, bool quarterTurn, const Vec2 &lowerLeft)
-{
-    // The lower left corner of the turned box: the turn takes (x, y) to (-y, x).
-    const Vec2 corner = quarterTurn ? Vec2(-item.box.max.y(), item.box.min.x()) : item.box.min;
-    return {item.part, quarterTurn, lowerLeft - corner};
+    const Vec2 size = lying.size();
+    switch (order) {
+    case Order::Tallest:
+        return size.y();
+    case Order::Largest:
+        return size.x() * size.y();
+    case Order::Longest:
+        return size.x();
+    }
+    return 0.0; // not reached: every order is above
 }
 
-/// Packs the parts of one stock onto sheets of one size.
-class ShelfPacking
+/// The ways in which each item may lie, and the order in which they are put.
+struct Plan
 {
-public:
-    ShelfPacking(const Vec2 &sheet, StockId stock, const LayoutOptions &options)
-        : m_size(sheet), m_stock(stock), m_options(options),
-          m_room(sheet - Vec2::Constant(2.0 * options.margin))
+    std::vector<std::vector<Pose>> poses; // one list an item
+    std::vector<std::size_t> order;
+
+    void sort(Order by)
     {
+        order.resize(poses.size());
+        for (std::size_t i = 0; i < order.size(); ++i)
+            order[i] = i;
+        std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+            return sortKey(poses[a].front(), by) > sortKey(poses[b].front(), by);
+        });
     }
-
-    bool fits(const Vec2 &size) const { return size.x() <= m_room.x() && size.y() <= m_room.y(); }
-    void add(const Item &item);
-    std::vector<Sheet> takeSheets() { return std::move(m_sheets); }
-
-private:
-    bool addToShelf(const Item &item, bool quarterTurn, Shelf &shelf);
-
-    Vec2 m_size;
-    StockId m_stock;
-    LayoutOptions m_options;
-    Vec2 m_room;
-    std::vector<Sheet> m_sheets;
-    std::vector<Shelf> m_shelves;
-    double m_top = 0.0; // of the last sheet's last shelf, with the spacing
 };
 
-bool ShelfPacking::addToShelf(const Item &item, bool quarterTurn, Shelf &shelf)
+/// Gives up, with one sheet too many, when it takes more sheets than `most`.
+Packing pack(const std::vector<Item> &items, const Plan &plan, const Sheet &empty,
+             const LayoutOptions &options, std::size_t most)
 {
-    const Vec2 size = item.turned(quarterTurn);
-    if (size.y() > shelf.height || shelf.right + size.x() > m_room.x())
-        return false;
-    const Vec2 corner = Vec2::Constant(m_options.margin) + Vec2(shelf.right, shelf.bottom);
-    m_sheets[shelf.sheet].placements.push_back(placed(item, quarterTurn, corner));
-    shelf.right += size.x() + m_options.spacing;
-    return true;
+    // Boxes and room both get the spacing on two sides: so it is between boxes and nowhere else.
+    const Vec2 gap = Vec2::Constant(options.spacing);
+    const Vec2 room = empty.size - Vec2::Constant(2.0 * options.margin) + gap;
+    Packing packing;
+    std::vector<Skyline> skylines;
+    for (const std::size_t index : plan.order) {
+        const Pose *pose = nullptr;
+        Skyline::Place best;
+        std::size_t sheet = 0;
+        for (; !pose; ++sheet) {
+            if (sheet == skylines.size()) {
+                if (packing.sheets.size() == most) {
+                    packing.sheets.push_back(empty);
+                    return packing;
+                }
+                skylines.emplace_back(room);
+                packing.sheets.push_back(empty);
+            }
+            best.top = std::numeric_limits<double>::infinity();
+            for (const Pose &candidate : plan.poses[index]) {
+                const Skyline::Place place = skylines[sheet].find(candidate.size() + gap);
+                if (place.top < best.top) {
+                    best = place;
+                    pose = &candidate;
+                }
+            }
+        }
+        --sheet;
+        skylines[sheet].put(pose->size() + gap, best);
+        const Vec2 corner = Vec2::Constant(options.margin) + best.corner;
+        packing.sheets[sheet].placements.push_back(
+            {items[index].part, pose->turn, corner - pose->box.min});
+    }
+    for (const Skyline &skyline : skylines)
+        packing.height += skyline.height();
+    return packing;
 }
 
-void ShelfPacking::add(const Item &item)
+Packing bestPacking(const std::vector<Item> &items, const Sheet &empty,
+                    const LayoutOptions &options)
 {
-    // Standing takes less of a shelf's length, where the shelf is high enough for it.
-    const Vec2 size = item.size();
-    const bool standing = size.x() > size.y() ? !item.quarterTurn : item.quarterTurn;
-    for (Shelf &shelf : m_shelves) {
-        if (addToShelf(item, standing, shelf) || addToShelf(item, item.quarterTurn, shelf))
-            return;
+    const Vec2 room = empty.size - Vec2::Constant(2.0 * options.margin);
+    Packing best;
+    bool isFirst = true;
+    for (const Turning turning : {Turning::AsDrawn, Turning::Smallest, Turning::Lowest}) {
+        if (turning != Turning::AsDrawn && !options.turnsFreely)
+            break;
+        Plan plan;
+        for (const Item &item : items)
+            plan.poses.push_back(posesOf(item, turning, room));
+        for (const Order order : {Order::Tallest, Order::Largest, Order::Longest}) {
+            plan.sort(order);
+            Packing packing =
+                pack(items, plan, empty, options, isFirst ? items.size() : best.sheets.size());
+            if (isFirst || packing.isBetterThan(best))
+                best = std::move(packing);
+            isFirst = false;
+        }
     }
-    if (m_sheets.empty() || m_top + size.y() > m_room.y()) {
-        m_sheets.push_back({m_stock, m_size, {}});
-        m_top = 0.0;
-    }
-    m_shelves.push_back({m_sheets.size() - 1, m_top, size.y(), 0.0});
-    m_top += size.y() + m_options.spacing;
-    addToShelf(item, item.quarterTurn, m_shelves.back());
+    return best;
 }
 
-std::vector<Item> itemsOf(const std::vector<Part> &parts, StockId stock)
+/// Whether it fits the room, and what it needs to know to be turned.
+bool prepare(Item &item, const Part &part, const Vec2 &room, bool turnsFreely)
 {
-    std::vector<Item> items;
-    for (std::size_t i = 0; i < parts.size(); ++i) {
-        if (parts[i].stock == stock)
-            items.push_back({static_cast<int>(i), bounds(parts[i].outline.region.outer), false});
-    }
-    return items;
+    item.hull = convexHull(part.outline.region.outer);
+    item.bulge = hasCurves(part.outline) ? kCutChord : 0.0;
+    if (turnsFreely && item.hull.size() >= 3)
+        item.turns = findTurns(item.hull, room - Vec2::Constant(2.0 * item.bulge));
+    if (!posesOf(item, Turning::AsDrawn, room).empty())
+        return true;
+    item.needsFitting = item.turns.fitting.has_value();
+    return item.needsFitting;
 }
 
 } // namespace
@@ -107,34 +209,32 @@ Layout layOut(const std::vector<Part> &parts, const Model &model, const LayoutOp
 {
     Layout layout;
     for (const auto &stock : model.document.stocks) {
-        std::vector<Item> items = itemsOf(parts, stock->id);
-        if (items.empty())
-            continue;
-        ShelfPacking packing(options.sheet.value_or(stock->sheet), stock->id, options);
+        const Sheet empty{stock->id, options.sheet.value_or(stock->sheet), {}};
+        const Vec2 room = empty.size - Vec2::Constant(2.0 * options.margin);
+        std::vector<Item> items;
         std::vector<Sheet> oversized;
-        std::erase_if(items, [&](Item &item) {
-            const Vec2 size = item.box.size();
-            const bool lying = size.x() < size.y();
-            item.quarterTurn = packing.fits(item.turned(lying)) ? lying : !lying;
-            if (packing.fits(item.size()))
-                return false;
-            Sheet sheet{stock->id, size + Vec2::Constant(2.0 * options.margin), {}};
-            sheet.placements.push_back(placed(item, false, Vec2::Constant(options.margin)));
-            oversized.push_back(std::move(sheet));
+        for (std::size_t i = 0; i < parts.size(); ++i) {
+            if (parts[i].stock != stock->id)
+                continue;
+            Item item;
+            item.part = static_cast<int>(i);
+            if (prepare(item, parts[i], room, options.turnsFreely)) {
+                items.push_back(std::move(item));
+                continue;
+            }
+            const Pose pose = poseOf(item, Vec2::UnitX());
+            Sheet own{stock->id, pose.size() + Vec2::Constant(2.0 * options.margin), {}};
+            own.placements.push_back(
+                {item.part, pose.turn, Vec2::Constant(options.margin) - pose.box.min});
+            oversized.push_back(std::move(own));
             layout.oversized.push_back(item.part);
-            return true;
-        });
-        // Tallest first, so that every shelf is high enough for whatever comes later.
-        std::stable_sort(items.begin(), items.end(), [](const Item &a, const Item &b) {
-            const Vec2 sa = a.size(), sb = b.size();
-            return sa.y() != sb.y() ? sa.y() > sb.y() : sa.x() > sb.x();
-        });
-        for (const Item &item : items)
-            packing.add(item);
-        for (Sheet &sheet : packing.takeSheets())
-            layout.sheets.push_back(std::move(sheet));
-        for (Sheet &sheet : oversized)
-            layout.sheets.push_back(std::move(sheet));
+        }
+        if (!items.empty()) {
+            Packing packing = bestPacking(items, empty, options);
+            std::move(packing.sheets.begin(), packing.sheets.end(),
+                      std::back_inserter(layout.sheets));
+        }
+        std::move(oversized.begin(), oversized.end(), std::back_inserter(layout.sheets));
     }
     return layout;
 }

@@ -1,7 +1,8 @@
-// Parts on sheets: a simple shelf packing by bounding boxes, per stock.
+// Parts on sheets, per stock: by the boxes of their hulls, turned as it suits them.
 #pragma once
 
 #include "core/fabrication/part.h"
+#include "core/geometry/turning.h"
 
 namespace fff {
 
@@ -10,17 +11,18 @@ struct LayoutOptions
     double margin = 5.0;       // mm, sheet's edge to nearest cut
     double spacing = 2.0;      // mm, between neighbouring cuts
     std::optional<Vec2> sheet; // instead of the stock's, mm
+    bool turnsFreely = true;   // false: quarter turns only, for sheets that have a grain
 };
 
-/// A part's place: sheet coordinates (mm, origin at the sheet's lower left, y up) = turn(p) +
-/// offset, turn = 0 or a quarter turn counter-clockwise.
+/// A part's place: sheet coordinates (mm, origin at the sheet's lower left, y up) = turned(p) +
+/// offset.
 struct Placement
 {
-    int part = 0; // index into the parts
-    bool quarterTurn = false;
+    int part = 0;              // index into the parts
+    Vec2 turn = Vec2::UnitX(); // cosine and sine of the turn, counter-clockwise
     Vec2 offset = Vec2::Zero();
 
-    Vec2 apply(const Vec2 &p) const { return (quarterTurn ? perpendicular(p) : p) + offset; }
+    Vec2 apply(const Vec2 &p) const { return turned(p, turn) + offset; }
 };
 
 struct Sheet
@@ -37,9 +39,16 @@ struct Layout
         oversized; // indices of parts that fit no sheet; each lies on a sheet of its own size
 };
 
-/// Every part goes on the first shelf that has room for it, tallest first, lying or standing. All
-/// parts of a stock on its own sheets, in the order of the document's stocks; oversized ones last.
-/// Deterministic. O(parts · shelves).
+/// Boxes of parts side by side, on the first sheet that has room, as low as they go there. Tried in
+/// several orders (tallest, largest, longest first) and with the parts as they are drawn, turned to
+/// their smallest boxes and to their lowest ones; the fewest sheets win, then the least height that
+/// is used, then the parts as drawn. A part that fits the sheet only at an angle is turned to that
+/// angle; it fits none when no turn of its hull does.
+///
+/// All parts of a stock on its own sheets, in the order of the document's stocks; oversized ones
+/// last. No two parts are nearer than the spacing, none is nearer to the edge than the margin.
+/// Deterministic. O(parts · sheets · parts of a sheet) for each try, O(v log v) for the hull of a
+/// part with v vertices.
 Layout layOut(const std::vector<Part> &parts, const Model &model, const LayoutOptions &options);
 
 /// How much of the sheets' area the parts cover, 0 … 1; 0 without sheets.

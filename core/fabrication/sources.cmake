@@ -6,5 +6,6 @@ target_sources(fff_core PRIVATE
     fabrication/marks.cpp
     fabrication/parts.cpp
     fabrication/room.cpp
+    fabrication/skyline.cpp
     fabrication/summary.cpp
 )

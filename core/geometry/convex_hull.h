@@ -1,4 +1,4 @@
-// Convex hulls, and how a convex polygon can be turned so that it takes little room.
+// Convex hulls.
 #pragma once
 
 #include "core/geometry/polygon.h"

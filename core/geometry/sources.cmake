@@ -13,4 +13,5 @@ target_sources(fff_core PRIVATE
     geometry/polygon.cpp
     geometry/source_edges.cpp
     geometry/triangulation.cpp
+    geometry/turning.cpp
 )

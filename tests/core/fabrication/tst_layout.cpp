@@ -2,6 +2,7 @@
 #include "core/fabrication/layout.h"
 #include "tests/core/assembly/plates.h"
 #include "tests/core/fabrication/parts_of.h"
+#include "tests/core/shapes.h"
 
 #include <QTest>
 
@@ -77,6 +78,8 @@ private Q_SLOTS:
     void partsLieApartOnTheirSheets_data();
     void partsLieApartOnTheirSheets();
     void partsTurnToFit();
+    void diagonalPartsAreTurned();
+    void partsThatFitOnlyAtAnAngle();
     void tooLargePartGetsItsOwnSheet();
     void everyStockHasItsSheets();
     void shelvesAreFilled();
@@ -134,8 +137,39 @@ void TestLayout::partsTurnToFit()
     const Layout layout = layOut(parts, model, options);
     QVERIFY(layout.oversized.empty());
     QCOMPARE(layout.sheets.size(), 1U);
-    QVERIFY(layout.sheets[0].placements[0].quarterTurn);
+    QVERIFY(layout.sheets[0].placements[0].turn == Vec2::UnitY());
     QCOMPARE(whatIsWrong(layout, parts, options), QString());
+}
+
+// Wrong: a stick drawn at 45 degrees would take as much as a square plate.
+void TestLayout::diagonalPartsAreTurned()
+{
+    const Model model{newDocument(), {}};
+    std::vector<Part> parts =
+        rectangles(std::vector<Vec2>(20, Vec2(1, 1)), model.document.currentStock);
+    for (Part &part : parts)
+        part.outline = regionOf(polygonContour(turnedRectangle({9, 9}, 380, 15, 0.8)));
+    LayoutOptions options;
+    const Layout turned = layOut(parts, model, options);
+    QCOMPARE(turned.sheets.size(), 1U);
+    QCOMPARE(whatIsWrong(turned, parts, options), QString());
+    QVERIFY(usedShare(turned, parts) > 0.45);
+    options.turnsFreely = false;
+    QVERIFY(layOut(parts, model, options).sheets.size() >= 10U);
+}
+
+// Wrong: a part would be called too large that lies on the sheet from corner to corner.
+void TestLayout::partsThatFitOnlyAtAnAngle()
+{
+    const Model model{newDocument(), {}};
+    const std::vector<Part> parts =
+        rectangles({{640, 12}, {30, 30}, {12, 660}}, model.document.currentStock);
+    LayoutOptions options; // 600 x 400: 707 mm from corner to corner of what the margins leave
+    const Layout layout = layOut(parts, model, options);
+    QVERIFY(layout.oversized.empty());
+    QCOMPARE(whatIsWrong(layout, parts, options), QString());
+    options.turnsFreely = false;
+    QCOMPARE(layOut(parts, model, options).oversized, (std::vector<int>{0, 2}));
 }
 
 // Wrong: a part that no plate holds would be cut off, or silently left out.

@@ -1,3 +1,4 @@
+fff_test(core/geometry/tst_convex_hull fff::core)
 fff_test(core/geometry/tst_bezier fff::core)
 fff_test(core/geometry/tst_boolean fff::core)
 fff_test(core/geometry/tst_boolean_oracle fff::core CGAL::CGAL)

@@ -1,0 +1,164 @@
+#include "core/geometry/turning.h"
+
+#include "core/base/tolerances.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace fff {
+
+namespace {
+
+constexpr double kQuarter = 0.5 * std::numbers::pi;
+
+Vec2 direction(double angle)
+{
+    return {std::cos(angle), std::sin(angle)};
+}
+
+/// Angles in a quarter turn at which an edge lies along an axis, ascending, with both ends.
+std::vector<double> eventAngles(const Polygon &hull)
+{
+    std::vector<double> angles{0.0, kQuarter};
+    for (std::size_t i = 0, j = hull.size() - 1; i < hull.size(); j = i++) {
+        const Vec2 edge = hull[i] - hull[j];
+        double angle = std::fmod(std::atan2(edge.y(), edge.x()), kQuarter);
+        if (angle < 0.0)
+            angle += kQuarter;
+        angles.push_back(angle);
+    }
+    std::sort(angles.begin(), angles.end());
+    return angles;
+}
+
+/// The corners that reach farthest in four directions, followed while these turn.
+class Calipers
+{
+public:
+    explicit Calipers(const Polygon &hull) : m_hull(hull) {}
+
+    /// `angle` of the first direction, ascending from call to call.
+    void turnTo(double angle)
+    {
+        for (std::size_t k = 0; k < 4; ++k) {
+            const Vec2 d = direction(angle + static_cast<double>(k) * kQuarter);
+            std::size_t &at = m_at[k];
+            if (m_isFirst) {
+                for (std::size_t i = 1; i < m_hull.size(); ++i)
+                    if (d.dot(m_hull[i]) > d.dot(m_hull[at]))
+                        at = i;
+            }
+            while (d.dot(m_hull[next(at)]) > d.dot(m_hull[at]))
+                at = next(at);
+        }
+        m_isFirst = false;
+    }
+    Vec2 along() const { return m_hull[m_at[0]] - m_hull[m_at[2]]; }
+    Vec2 across() const { return m_hull[m_at[1]] - m_hull[m_at[3]]; }
+
+private:
+    std::size_t next(std::size_t i) const { return i + 1 == m_hull.size() ? 0 : i + 1; }
+
+    const Polygon &m_hull;
+    std::array<std::size_t, 4> m_at{};
+    bool m_isFirst = true;
+};
+
+struct Range
+{
+    double from = 0.0, to = 0.0;
+
+    double width() const { return to - from; }
+};
+
+/// What of the ranges leaves |c| cos(angle − phase) ≤ limit, where c is the vector that is measured
+/// along a direction `lead` ahead of the angle.
+std::vector<Range> within(const std::vector<Range> &ranges, const Vec2 &c, double lead,
+                          double limit)
+{
+    const double length = c.norm();
+    if (length <= limit)
+        return ranges;
+    if (limit < 0.0)
+        return {};
+    const double reach = std::acos(limit / length);
+    double phase = std::atan2(c.y(), c.x()) - lead;
+    std::vector<Range> left;
+    for (const Range &range : ranges) {
+        // Of all phases that are the same the one nearest to the range.
+        const double middle = 0.5 * (range.from + range.to);
+        phase += 2.0 * std::numbers::pi * std::round((middle - phase) / (2.0 * std::numbers::pi));
+        if (range.from <= std::min(range.to, phase - reach))
+            left.push_back({range.from, std::min(range.to, phase - reach)});
+        if (std::max(range.from, phase + reach) <= range.to)
+            left.push_back({std::max(range.from, phase + reach), range.to});
+    }
+    return left;
+}
+
+/// Clockwise by `angle`, so that what lay along that direction lies along x; exact at both ends.
+Vec2 layingDown(double angle)
+{
+    if (angle == 0.0)
+        return {1.0, 0.0};
+    return direction(-angle);
+}
+
+Vec2 quarterMore(const Vec2 &turn)
+{
+    return {-turn.y(), turn.x()};
+}
+
+} // namespace
+
+Box2 turnedBounds(const Polygon &polygon, const Vec2 &turn)
+{
+    Box2 box;
+    for (const Vec2 &p : polygon)
+        box.extend(turned(p, turn));
+    return box;
+}
+
+Turns findTurns(const Polygon &hull, const Vec2 &room)
+{
+    Turns turns;
+    const std::vector<double> angles = eventAngles(hull);
+    Calipers calipers(hull);
+    double smallest = std::numeric_limits<double>::infinity(), lowest = smallest, widest = -1.0;
+    const Vec2 limit = room + Vec2::Constant(kClipGrid);
+    for (std::size_t i = 0; i + 1 < angles.size(); ++i) {
+        const Range all{angles[i], angles[i + 1]};
+        calipers.turnTo(0.5 * (all.from + all.to));
+        const Vec2 along = calipers.along(), across = calipers.across();
+        for (const double angle : {all.from, all.to}) {
+            const double width = along.dot(direction(angle)),
+                         height = across.dot(direction(angle + kQuarter));
+            const Vec2 turn = layingDown(angle);
+            const Vec2 lying = width >= height ? turn : quarterMore(turn);
+            if (width * height < smallest) {
+                smallest = width * height;
+                turns.smallest = lying;
+            }
+            if (std::min(width, height) < lowest) {
+                lowest = std::min(width, height);
+                turns.lowest = lying;
+            }
+        }
+        for (const bool isTurned : {false, true}) {
+            const Vec2 most = isTurned ? Vec2(limit.y(), limit.x()) : limit;
+            for (const Range &range :
+                 within(within({all}, along, 0.0, most.x()), across, kQuarter, most.y())) {
+                if (range.width() <= widest)
+                    continue;
+                widest = range.width();
+                const Vec2 turn = layingDown(0.5 * (range.from + range.to));
+                turns.fitting = isTurned ? quarterMore(turn) : turn;
+            }
+        }
+    }
+    return turns;
+}
+
+} // namespace fff

@@ -1,0 +1,39 @@
+// How a convex polygon can be turned so that its box is small or fits into another one. Turns are
+// unit vectors (cos, sin): turned(p) is p turned counter-clockwise by that angle.
+#pragma once
+
+#include "core/geometry/polygon.h"
+
+#include <optional>
+
+namespace fff {
+
+/// Exact for the quarter turns (1, 0) and (0, 1).
+inline Vec2 turned(const Vec2 &p, const Vec2 &turn)
+{
+    return {turn.x() * p.x() - turn.y() * p.y(), turn.y() * p.x() + turn.x() * p.y()};
+}
+
+/// Box of the turned polygon.
+Box2 turnedBounds(const Polygon &polygon, const Vec2 &turn);
+
+struct Turns
+{
+    Vec2 smallest = Vec2::UnitX(); // of all turns the one whose box has the least area
+    Vec2 lowest = Vec2::UnitX();   // of all turns the one whose box is lowest
+    std::optional<Vec2> fitting;   // a turn whose box fits the room, if there is any
+};
+
+/// The turns of a convex polygon, counter-clockwise as convexHull gives it, with at least 3
+/// corners; `smallest` lies on its longer side.
+///
+/// Between the angles at which an edge lies along an axis, width and height of the box are those of
+/// two fixed vectors, so each is c · cos(angle − phase): smallest and lowest boxes are at the ends
+/// of these intervals, and where the box fits the room follows from two arc cosines. `fitting` is
+/// the middle of the widest range of angles, so that rounding does not matter; a box that is larger
+/// than the room by less than kClipGrid fits it.
+/// Source  H. Freeman, R. Shapira 1975, Determining the minimum-area encasing rectangle; G.
+///         Toussaint 1983, Solving geometric problems with the rotating calipers. O(n log n).
+Turns findTurns(const Polygon &hull, const Vec2 &room);
+
+} // namespace fff
