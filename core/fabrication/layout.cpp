@@ -26,22 +26,17 @@ struct Pose
     Vec2 size() const { return box.size(); }
 };
 
-/// A part's hull, and by how much its curves may bulge beyond it.
 struct Item
 {
     int part = 0;
-    Polygon hull;
-    double bulge = 0.0; // mm
+    const Contour *outline = nullptr;
     Turns turns;
     bool needsFitting = false; // fits neither as drawn nor by a quarter turn
 };
 
 Pose poseOf(const Item &item, const Vec2 &turn)
 {
-    Pose pose{turn, turnedBounds(item.hull, turn)};
-    pose.box.min -= Vec2::Constant(item.bulge);
-    pose.box.max += Vec2::Constant(item.bulge);
-    return pose;
+    return {turn, turnedBounds(*item.outline, turn)};
 }
 
 bool fits(const Vec2 &size, const Vec2 &room)
@@ -193,10 +188,12 @@ Packing bestPacking(const std::vector<Item> &items, const Sheet &empty,
 /// Whether it fits the room, and what it needs to know to be turned.
 bool prepare(Item &item, const Part &part, const Vec2 &room, bool turnsFreely)
 {
-    item.hull = convexHull(part.outline.region.outer);
-    item.bulge = hasCurves(part.outline) ? kCutChord : 0.0;
-    if (turnsFreely && item.hull.size() >= 3)
-        item.turns = findTurns(item.hull, room - Vec2::Constant(2.0 * item.bulge));
+    item.outline = &part.outline.outer;
+    // The hull is that of chords, beyond which curves may bulge.
+    const double bulge = hasCurves(part.outline) ? 2.0 * kCutChord : 0.0;
+    const Polygon hull = convexHull(part.outline.region.outer);
+    if (turnsFreely && hull.size() >= 3)
+        item.turns = findTurns(hull, room - Vec2::Constant(bulge));
     if (!posesOf(item, Turning::AsDrawn, room).empty())
         return true;
     item.needsFitting = item.turns.fitting.has_value();

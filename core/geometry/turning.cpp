@@ -111,6 +111,25 @@ Vec2 quarterMore(const Vec2 &turn)
     return {-turn.y(), turn.x()};
 }
 
+/// Parameters at which a coordinate of the curve is largest or smallest within it, by the zeros of
+/// its derivative a t² + 2 b t + c.
+std::vector<double> extremes(const CubicBezier &curve, int axis)
+{
+    const double d0 = curve.p1[axis] - curve.p0[axis], d1 = curve.p2[axis] - curve.p1[axis],
+                 d2 = curve.p3[axis] - curve.p2[axis];
+    const double a = d0 - 2.0 * d1 + d2, b = d1 - d0, c = d0;
+    const double discriminant = b * b - a * c;
+    if (!(discriminant >= 0.0))
+        return {};
+    // Without cancellation, also where a is next to nothing.
+    const double q = -(b + std::copysign(std::sqrt(discriminant), b));
+    std::vector<double> inside;
+    for (const double t : {q / a, c / q})
+        if (t > 0.0 && t < 1.0) // neither of them when it is not finite
+            inside.push_back(t);
+    return inside;
+}
+
 } // namespace
 
 Box2 turnedBounds(const Polygon &polygon, const Vec2 &turn)
@@ -118,6 +137,21 @@ Box2 turnedBounds(const Polygon &polygon, const Vec2 &turn)
     Box2 box;
     for (const Vec2 &p : polygon)
         box.extend(turned(p, turn));
+    return box;
+}
+
+Box2 turnedBounds(const Contour &contour, const Vec2 &turn)
+{
+    Box2 box;
+    for (int i = 0; i < contour.segmentCount(); ++i) {
+        CubicBezier curve = contour.segment(i);
+        for (Vec2 *p : {&curve.p0, &curve.p1, &curve.p2, &curve.p3})
+            *p = turned(*p, turn);
+        box.extend(curve.p0);
+        for (const int axis : {0, 1})
+            for (const double t : extremes(curve, axis))
+                box.extend(curve.at(t));
+    }
     return box;
 }
 

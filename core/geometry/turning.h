@@ -2,7 +2,7 @@
 // unit vectors (cos, sin): turned(p) is p turned counter-clockwise by that angle.
 #pragma once
 
-#include "core/geometry/polygon.h"
+#include "core/geometry/contour.h"
 
 #include <optional>
 
@@ -16,6 +16,8 @@ inline Vec2 turned(const Vec2 &p, const Vec2 &turn)
 
 /// Box of the turned polygon.
 Box2 turnedBounds(const Polygon &polygon, const Vec2 &turn);
+/// Of the turned curve, not of its control points.
+Box2 turnedBounds(const Contour &contour, const Vec2 &turn);
 
 struct Turns
 {

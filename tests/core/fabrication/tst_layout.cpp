@@ -40,7 +40,7 @@ Box2 placedBox(const Part &part, const Placement &placement)
 QString whatIsWrong(const Layout &layout, const std::vector<Part> &parts,
                     const LayoutOptions &options)
 {
-    constexpr double kRounding = 1e-9; // mm
+    constexpr double kRounding = 1e-6; // mm: regions are on the grid, outlines are not
     std::vector<int> seen(parts.size(), 0);
     for (const Sheet &sheet : layout.sheets) {
         std::vector<Box2> boxes;
