@@ -3,6 +3,7 @@ target_sources(fff_io PRIVATE
     error_text.cpp
     fff_reader.cpp
     fff_writer.cpp
+    file_set.cpp
     flatfab_format.cpp
     flatfab_text.cpp
     json_cursor.cpp
@@ -10,5 +11,6 @@ target_sources(fff_io PRIVATE
     json_writer.cpp
     loaded_document.cpp
     mended_shape.cpp
+    obj_writer.cpp
     svg_writer.cpp
 )

@@ -1,0 +1,68 @@
+#include "core/io/file_set.h"
+
+#include <QtCore/QFile>
+#include <QtCore/QFileInfo>
+#include <QtCore/QSaveFile>
+
+#include <memory>
+#include <optional>
+
+namespace fff::io {
+
+namespace {
+
+tl::unexpected<Error> cannotWrite(const QString &path, const QString &reason)
+{
+    return failure(ErrorCode::CannotWrite, path.toStdString(), {reason.toStdString()});
+}
+
+/// What was at a path, for the case that a later file cannot be put in its place.
+struct Before
+{
+    QString path;
+    std::optional<QByteArray> bytes; // none: there was no file
+};
+
+void restore(const std::vector<Before> &done)
+{
+    for (const Before &before : done) {
+        if (!before.bytes) {
+            QFile::remove(before.path);
+            continue;
+        }
+        QSaveFile file(before.path);
+        if (file.open(QIODevice::WriteOnly) && file.write(*before.bytes) == before.bytes->size() &&
+            file.flush())
+            file.commit();
+    }
+}
+
+} // namespace
+
+Result<void> writeFiles(const std::vector<NamedBytes> &files)
+{
+    std::vector<std::unique_ptr<QSaveFile>> waiting;
+    for (const NamedBytes &named : files) {
+        auto file = std::make_unique<QSaveFile>(named.path);
+        const auto size = static_cast<qint64>(named.bytes.size());
+        if (!file->open(QIODevice::WriteOnly) || file->write(named.bytes.data(), size) != size ||
+            !file->flush())
+            return cannotWrite(named.path, file->errorString());
+        waiting.push_back(std::move(file));
+    }
+    std::vector<Before> done;
+    for (std::size_t i = 0; i < files.size(); ++i) {
+        Before before{files[i].path, std::nullopt};
+        if (QFile old(before.path); old.open(QIODevice::ReadOnly))
+            before.bytes = old.readAll();
+        if (!waiting[i]->commit()) {
+            const QString reason = waiting[i]->errorString();
+            restore(done);
+            return cannotWrite(files[i].path, reason);
+        }
+        done.push_back(std::move(before));
+    }
+    return {};
+}
+
+} // namespace fff::io

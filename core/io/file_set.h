@@ -1,0 +1,24 @@
+// Several files that belong together.
+#pragma once
+
+#include "core/base/result.h"
+
+#include <QtCore/QString>
+
+#include <string>
+#include <vector>
+
+namespace fff::io {
+
+struct NamedBytes
+{
+    QString path;
+    std::string bytes;
+};
+
+/// All of them or none: everything is on the disk under temporary names before the first is put in
+/// its place. Errors  CannotWrite with the path and the system's reason; what was there before is
+/// there again.
+Result<void> writeFiles(const std::vector<NamedBytes> &files);
+
+} // namespace fff::io

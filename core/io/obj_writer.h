@@ -1,0 +1,26 @@
+// The model as solids, in place: Wavefront OBJ in millimetres, Y up.
+#pragma once
+
+#include "core/fabrication/cut_section.h"
+#include "core/model/model.h"
+
+#include <string>
+#include <vector>
+
+namespace fff::io {
+
+/// Every part as a closed slab with its slits cut, as designed (no kerf), in world coordinates.
+///
+///   groups    "o NAME" and "g NAME" a part; NAME is the section's, blanks and signs that end names
+///             made _, a number added where two would be alike
+///   faces     triangles on both faces, quads along the edge, seen counter-clockwise from outside;
+///             every edge belongs to two of them. Curves are chords of kCutChord.
+///   vertices  none twice in a part, but where its outline touches itself in a point: there each
+///             side has one, or four walls would meet in one edge
+///   numbers   to 1e-7 mm, a tenth of the grid that outlines are cut on, so that none fall together
+///
+/// Stocks stand in comments: OBJ knows no thickness, and looks are not the model's. `cuts` belong
+/// to the model, one a section. UTF-8, same bytes for same input.
+std::string writeObj(const Model &model, const std::vector<CutSectionPointer> &cuts);
+
+} // namespace fff::io
