@@ -25,15 +25,15 @@ constexpr std::array kVerbs = {
     Verb{"parts", "FILE [--json] [--tolerance MM] [options]",
          QT_TRANSLATE_NOOP("CommandLine", "What is to be cut, in each section's own coordinates"),
          runParts},
-    Verb{"export", "FILE -o OUT.{svg,fff} [options]",
+    Verb{"export", "FILE -o OUT.{svg,obj,fff} [options]",
          QT_TRANSLATE_NOOP("CommandLine",
-                           "Cutting files, true to size; or the model in the native format"),
+                           "Cutting files, true to size; the solids in place; or the model itself"),
          runExport},
 #ifdef FFF_HAS_VIEW
     Verb{"render", "FILE -o OUT.png [--size WxH] [--view VIEW] [--show WHAT] [options]",
          QT_TRANSLATE_NOOP("CommandLine", "A picture of the model; needs a display"), runRender},
 #endif
-    Verb{"replay", "SCRIPT.json [--from FILE] -o OUT.{fff,svg} [options]",
+    Verb{"replay", "SCRIPT.json [--from FILE] -o OUT.{fff,svg,obj} [options]",
          QT_TRANSLATE_NOOP("CommandLine", "Runs a script of what a person does"), runReplay},
 };
 

@@ -5,13 +5,14 @@
 
 namespace fff::cli {
 
-/// -o and --no-reference.
+/// -o, --format and what belongs to cutting files.
 void addOutputOptions(QCommandLineParser &parser);
 
 /// Empty when -o names a file of a kind that can be written; else why not.
 QString whyNoOutput(const QCommandLineParser &parser);
 
-/// Writes the document as -o says: .fff the model, .svg its cutting file. Says on standard error
+/// Writes the document as -o says: .fff the model, .svg its cutting file (or one a sheet),
+/// .obj its solids. Says on standard error
 /// what was made and what does not fit. `input` names the file it came from in errors. Returns the
 /// exit status.
 int writeOutput(const QCommandLineParser &parser, const Document &document, const QString &input);

@@ -174,7 +174,7 @@ std::string writeSvg(const Layout &layout, const std::vector<Part> &parts,
     double top = 0.0;
     for (std::size_t i = 0; i < layout.sheets.size(); ++i) {
         const Sheet &sheet = layout.sheets[i];
-        out += "  <g id=\"sheet-" + std::to_string(i + 1) +
+        out += "  <g id=\"sheet-" + std::to_string(static_cast<int>(i) + options.firstSheet) +
                "\" fill=\"none\" stroke-width=\"0.05\">\n";
         if (layout.sheets.size() > 1)
             out += "    " + rectangle({0.0, top}, sheet.size);

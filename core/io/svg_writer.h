@@ -11,6 +11,7 @@ namespace fff::io {
 struct SvgOptions
 {
     bool hasReference = true; // a bar of 100 mm x 10 mm below the sheets, to measure after cutting
+    int firstSheet = 1;       // number of the layout's first sheet, for one that is a part of more
     bool kerfApplied = false; // what `parts` are: outlines as designed, or compensated already
 };
 

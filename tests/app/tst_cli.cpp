@@ -13,6 +13,8 @@
 #include <QTemporaryDir>
 #include <QXmlStreamReader>
 
+#include <cmath>
+
 using namespace fff;
 using namespace fff::test;
 
@@ -100,6 +102,9 @@ private Q_SLOTS:
     void checkSaysWhatIsWrong_data();
     void checkSaysWhatIsWrong();
     void checkListsWhatTheReaderMended();
+    void infoTellsHowItStands();
+    void sheetsAsFiles();
+    void solidsAreExported();
     void renderNeedsADisplayAndSaysSo();
     void onlyRenderNeedsADisplay();
 
@@ -128,6 +133,9 @@ void TestCli::wrongUse_data()
     row("unknown verb", "carve x.fff");
     row("no file", "info");
     row("two files", "info a.fff b.fff");
+    row("a margin that is no length", "export a.fff -o x.svg --margin wide");
+    row("a spacing below nothing", "export a.fff -o x.svg --spacing -1");
+    row("sheets in no known way", "export a.fff -o x.svg --sheets books");
     row("a picture that is none", "render a.fff -o x.jpg");
     row("a picture without pixels", "render a.fff -o x.png --size 0x10");
     row("a picture larger than any driver paints", "render a.fff -o x.png --size 90000x10");
@@ -417,6 +425,83 @@ void TestCli::checkListsWhatTheReaderMended()
         codes += value[QStringLiteral("code")].toString();
     }
     QVERIFY(codes.contains(QStringLiteral("selfCrossing")));
+}
+
+// A script reads here what the window's badges say.
+void TestCli::infoTellsHowItStands()
+{
+    const auto info = [&](const char *options) {
+        return object(
+            run(QStringList{QStringLiteral("info"), path("m.fff"), QStringLiteral("--json")} +
+                QString::fromLatin1(options).split(u' ', Qt::SkipEmptyParts))
+                .out);
+    };
+    const ShapePointer plate = polygonShape(rectangle(-50, 0, 50, 60));
+    QVERIFY(io::writeDocument(path("m.fff"), twoSections(plate, front(), plate, side()).document));
+    QJsonObject found = info("--thickness 4");
+    QCOMPARE(found[QLatin1String("contacts")].toInt(),
+             3); // one slit opens downwards and parts its edge
+    QVERIFY(found[QLatin1String("stable")].toBool());
+    QCOMPARE(found[QLatin1String("supportPolygon")].toArray().size(), 8);
+    // From the middle to the line between the corners of two feet, (50, 2) and (2, 50).
+    QVERIFY(std::abs(found[QLatin1String("stabilityMargin")].toDouble() - 52.0 / std::sqrt(2.0)) <
+            1e-6);
+    QVERIFY(found[QLatin1String("tipAngle")].toDouble() > 45.0);
+
+    const ShapePointer high = polygonShape(rectangle(-50, 10, 50, 60));
+    QVERIFY(io::writeDocument(path("m.fff"), twoSections(high, front(), high, side()).document));
+    found = info("");
+    QCOMPARE(found[QLatin1String("contacts")].toInt(), 0);
+    QVERIFY(!found[QLatin1String("stable")].toBool() &&
+            found[QLatin1String("stabilityMargin")].isNull());
+    QVERIFY(found[QLatin1String("supportPolygon")].toArray().isEmpty());
+}
+
+void TestCli::sheetsAsFiles()
+{
+    const QStringList common{QStringLiteral("export"),   path("pair.fff"),
+                             QStringLiteral("--sheet"),  QStringLiteral("112x100"),
+                             QStringLiteral("--sheets"), QStringLiteral("files"),
+                             QStringLiteral("-o")};
+    const Run written = run(common + QStringList{path("cut.svg")});
+    QCOMPARE(written.status, 0);
+    QVERIFY(written.err.contains("sheets: 2"));
+    QVERIFY(QFile::exists(path("cut-1.svg")) && QFile::exists(path("cut-2.svg")));
+    QVERIFY(!QFile::exists(path("cut.svg")));
+    QString viewBox, width;
+    QCOMPARE(cutPaths(path("cut-1.svg"), &viewBox, &width).size() +
+                 cutPaths(path("cut-2.svg")).size(),
+             3); // two parts, one of them with a hole
+    QCOMPARE(width, QStringLiteral("112mm"));
+
+    // A folder in the way of the second: the first keeps what it had.
+    QVERIFY(QFile::remove(path("cut-2.svg")));
+    QVERIFY(QDir(m_folder->path()).mkdir(QStringLiteral("cut-2.svg")));
+    QVERIFY(io::writeFile(path("cut-1.svg"), "old"));
+    QCOMPARE(run(common + QStringList{path("cut.svg")}).status, 4);
+    QCOMPARE(*io::readFile(path("cut-1.svg")), std::string("old"));
+
+    QCOMPARE(run(common + QStringList{QStringLiteral("-"), QStringLiteral("--format"),
+                                      QStringLiteral("svg")})
+                 .status,
+             1);
+}
+
+void TestCli::solidsAreExported()
+{
+    QCOMPARE(
+        run({QStringLiteral("export"), path("pair.fff"), QStringLiteral("-o"), path("out.obj")})
+            .status,
+        0);
+    const QByteArray obj = QByteArray::fromStdString(*io::readFile(path("out.obj")));
+    QCOMPARE(obj.count("\no "), 2);
+    QVERIFY(obj.contains("\nf "));
+    QVERIFY(io::writeDocument(path("empty.fff"), newDocument()));
+    QCOMPARE(
+        run({QStringLiteral("export"), path("empty.fff"), QStringLiteral("-o"), path("no.obj")})
+            .status,
+        2);
+    QVERIFY(!QFile::exists(path("no.obj")));
 }
 
 // Qt ends a program without words when it finds no display.
