@@ -1,10 +1,15 @@
-// The bar under the tool bar: what went wrong or was mended, in words, until it is closed. Never
-// takes the focus.
+// The bar under the tool bar: what went wrong, was mended or is on offer, in words, with what can
+// be done about it as buttons, until it is closed. Never takes the focus by itself.
 #pragma once
 
 #include <QFrame>
 
+#include <functional>
+#include <vector>
+
+class QHBoxLayout;
 class QLabel;
+class QPushButton;
 
 namespace fff::ui {
 
@@ -12,23 +17,39 @@ class MessageBar : public QFrame
 {
     Q_OBJECT
 public:
-    enum class Severity { Warning, Error };
+    enum class Severity { Info, Warning, Error };
+
+    /// What can be done about it. Pressing it closes the message first.
+    struct Verb
+    {
+        QString text;
+        std::function<void()> act;
+    };
 
     explicit MessageBar(QWidget *parent = nullptr);
 
-    /// Replaces what is shown. Several lines are several things; at most kMaxLines are shown, the
-    /// last of them then says how many more there are.
-    void show(Severity severity, const QStringList &lines);
+    /// Replaces what is shown; nothing is shown without lines. Several lines are several things; at
+    /// most kMaxLines are shown, the last of them then says how many more there are. `details` is
+    /// the technical text, which a button unfolds.
+    void show(Severity severity, const QStringList &lines, std::vector<Verb> verbs = {},
+              const QString &details = {});
     /// The same without a change of what is said: in the colours of the theme.
     void refresh();
     QString text() const;
+    QString details() const;
 
     static constexpr int kMaxLines = 4;
 
 private:
+    void setVerbs(std::vector<Verb> verbs);
+
     Severity m_severity = Severity::Warning;
     QLabel *m_icon = nullptr;
     QLabel *m_text = nullptr;
+    QLabel *m_details = nullptr;
+    QPushButton *m_unfold = nullptr;
+    QHBoxLayout *m_verbRow = nullptr;
+    std::vector<QPushButton *> m_verbs;
 };
 
 } // namespace fff::ui
