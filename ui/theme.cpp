@@ -1,5 +1,7 @@
 #include "ui/theme.h"
 
+#include "ui/settings/settings.h"
+
 #include <QFile>
 #include <QGuiApplication>
 #include <QToolTip>
@@ -58,6 +60,19 @@ Theme &current()
 {
     static Theme chosen = light();
     return chosen;
+}
+
+bool wantsDark()
+{
+    switch (settings().colourScheme()) {
+    case ColourScheme::Light:
+        return false;
+    case ColourScheme::Dark:
+        return true;
+    case ColourScheme::System:
+        break;
+    }
+    return QGuiApplication::palette().color(QPalette::Window).lightness() < 128;
 }
 
 QColor withAlpha(QColor colour, double alpha)
@@ -150,8 +165,7 @@ ViewStyle Theme::viewStyle() const
 
 void applyTheme(QWidget *window)
 {
-    const QColor ground = QGuiApplication::palette().color(QPalette::Window);
-    current() = ground.lightness() < 128 ? dark() : light();
+    current() = wantsDark() ? dark() : light();
     // Without this a style sheet keeps the window's palette from the widgets in it.
     QCoreApplication::setAttribute(Qt::AA_UseStyleSheetPropagationInWidgetStyles);
     window->setPalette(theme().palette());

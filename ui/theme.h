@@ -1,5 +1,6 @@
-// The program's colours, light and dark, after the system's palette. Widgets take them through the
-// window's palette; what draws by itself asks theme().
+// The program's colours, light and dark, as set or after the system's palette. Widgets take them
+// through the window's palette; what draws by itself asks theme(). A dialog that is made with a
+// window as its parent sets Qt::WA_WindowPropagation to take them too.
 #pragma once
 
 #include "ui/view/view_style.h"
@@ -29,8 +30,9 @@ struct Theme
 /// The one in use.
 const Theme &theme();
 
-/// Chooses light or dark by the application's palette and dresses the window with it, with all that
-/// hangs on it. The application's own palette stays the system's, so that a change of it is seen.
+/// Chooses light or dark by the settings, else by the application's palette, and dresses the window
+/// with it, with all that hangs on it. The application's own palette stays the system's, so that a
+/// change of it is seen.
 void applyTheme(QWidget *window);
 
 } // namespace fff::ui

@@ -1,5 +1,7 @@
 #include "ui/translations.h"
 
+#include "ui/settings/settings.h"
+
 #include <QCoreApplication>
 #include <QLibraryInfo>
 #include <QLocale>
@@ -7,8 +9,24 @@
 
 namespace fff::ui {
 
+namespace {
+
+/// The language that is set, in the numbers of the person's country where that is known.
+void applyLanguage()
+{
+    const QString code = settings().language();
+    if (code.isEmpty())
+        return;
+    const QLocale chosen(code), system = QLocale::system();
+    if (chosen.language() != system.language())
+        QLocale::setDefault(QLocale(chosen.language(), system.territory()));
+}
+
+} // namespace
+
 void installTranslations(QCoreApplication &application)
 {
+    applyLanguage();
     const QString folder = QStringLiteral(":/i18n"), name = QStringLiteral("flatfitfab"),
                   gap = QStringLiteral("_");
     auto *ofProgram = new QTranslator(&application);

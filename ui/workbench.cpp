@@ -1,6 +1,7 @@
 #include "ui/workbench.h"
 
 #include "core/session/session_commands.h"
+#include "ui/settings/settings.h"
 
 #include <algorithm>
 #include <utility>
@@ -14,6 +15,14 @@ Workbench::Workbench(QObject *parent)
     m_host.attach(*m_interaction);
     connect(&m_session, &Session::modelChanged, this, &Workbench::announceChanges);
     registerSessionCommands(m_commands, m_session, *m_interaction);
+    connect(&settings(), &Settings::viewChanged, this, &Workbench::followSettings);
+    followSettings();
+}
+
+void Workbench::followSettings()
+{
+    const Settings &set = settings();
+    m_interaction->settings().turnTime = set.animationTime(set.turnTime());
 }
 
 Workbench::~Workbench()

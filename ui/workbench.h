@@ -67,6 +67,7 @@ Q_SIGNALS:
 
 private:
     void announceChanges();
+    void followSettings();
 
     Session m_session;
     SessionHost m_host;

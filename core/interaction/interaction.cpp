@@ -444,6 +444,11 @@ InteractionSettings &Interaction::settings()
     return d->settings;
 }
 
+const InteractionSettings &Interaction::settings() const
+{
+    return d->settings;
+}
+
 const Camera &Interaction::camera() const
 {
     return d->motion.camera;

@@ -151,6 +151,7 @@ public:
     void setViewport(const Vec2 &size); // px
     const Vec2 &viewport() const;
     InteractionSettings &settings();
+    const InteractionSettings &settings() const;
 
     const Camera &camera() const;
     /// Where the running animation ends; the camera itself when none runs.
