@@ -1,0 +1,60 @@
+// The samples are what a newcomer sees first: they must be sound.
+#include <QTest>
+
+#include "core/io/document_file.h"
+#include "core/operations/evaluate.h"
+#include "core/session/checks.h"
+#include "core/session/cutting_file.h"
+#include "ui/start/samples.h"
+
+#include <QSet>
+
+using namespace fff;
+
+class TestSamples : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void thereAreSeveral();
+    void eachHoldsAndCanBeCut_data();
+    void eachHoldsAndCanBeCut();
+};
+
+void TestSamples::thereAreSeveral()
+{
+    QSet<QString> names;
+    for (const ui::Sample &sample : ui::samples())
+        names += sample.name;
+    QVERIFY(names.size() >= 6);
+    QCOMPARE(names.size(), ui::samples().size());
+}
+
+void TestSamples::eachHoldsAndCanBeCut_data()
+{
+    QTest::addColumn<QString>("path");
+    for (const ui::Sample &sample : ui::samples())
+        QTest::addRow("%s", qPrintable(sample.name)) << sample.path;
+}
+
+void TestSamples::eachHoldsAndCanBeCut()
+{
+    QFETCH(QString, path);
+    const Result<io::LoadedDocument> loaded = io::readDocument(path);
+    QVERIFY(loaded);
+    QVERIFY(loaded->warnings.empty());
+    AnalysisCaches caches;
+    const Analysis analysis = analyse(evaluate(loaded->document), caches);
+    for (const Check &check : checks(analysis))
+        QVERIFY2(check.severity < CheckSeverity::Warning,
+                 check.sections.empty() ? "the model" : "a section");
+    const Result<CuttingFile> file = makeCuttingFile(analysis);
+    QVERIFY(file);
+    QCOMPARE(file->partCount, static_cast<int>(analysis.model.sectionCount()));
+    QVERIFY(file->oversized.empty());
+    QVERIFY(file->unmarked.empty());
+    QVERIFY(file->closedSlits.empty());
+}
+
+QTEST_GUILESS_MAIN(TestSamples)
+#include "tst_samples.moc"
