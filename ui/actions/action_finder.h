@@ -1,0 +1,33 @@
+// Finds actions by words: for the search and for the editor of shortcuts. Works on what the menus
+// hold, so that whatever a menu offers can be found.
+#pragma once
+
+#include <QList>
+#include <QPointer>
+#include <QString>
+
+class QAction;
+class QMenuBar;
+
+namespace fff::ui {
+
+struct ListedAction
+{
+    QPointer<QAction> action;
+    QString name;     // as in its menu, without marks
+    QString menuPath; // "File", "File › Open recent"
+    QString id;       // "file.open"; not of every action
+};
+
+/// In the order of the menus, without separators.
+QList<ListedAction> listedActions(const QMenuBar &menus);
+
+/// How well it fits; negative when it does not. Every word of the query must be found: in the name,
+/// else in the menu's path or the id, else its letters in their order in the name. Upper case and
+/// accents do not matter. An empty query fits all alike.
+int matchScore(const QString &query, const ListedAction &action);
+
+/// Those that fit, the best first; alike ones keep their order.
+QList<ListedAction> foundActions(const QString &query, const QList<ListedAction> &actions);
+
+} // namespace fff::ui

@@ -1,0 +1,102 @@
+#include "ui/dialogs/libraries.h"
+
+#include <QFile>
+#include <QGuiApplication>
+#include <QLocale>
+#include <QOffscreenSurface>
+#include <QOpenGLContext>
+#include <QOpenGLFunctions>
+#include <QScreen>
+#include <QSysInfo>
+
+namespace fff::ui {
+
+namespace {
+
+#define TEXT(text) QT_TRANSLATE_NOOP("fff::ui::AboutDialog", text)
+
+const Library kLibraries[] = {
+    {"FlatFitFab", TEXT("This program"), "© The authors of FlatFitFab",
+     "GNU General Public License, version 3 or later", "gpl-3.0", ""},
+    {"Qt " QT_VERSION_STR, TEXT("Windows, files and text"), "© The Qt Company Ltd and others",
+     "GNU Lesser General Public License, version 3", "lgpl-3.0", "https://www.qt.io"},
+    {"CGAL", TEXT("Exact geometry"), "© The CGAL Project",
+     "GNU General and Lesser General Public License, version 3 or later", "gpl-3.0",
+     "https://www.cgal.org"},
+    {"Eigen", TEXT("Vectors and matrices"), "© Benoît Jacob, Gaël Guennebaud and others",
+     "Mozilla Public License, version 2.0", "mpl-2.0", "https://eigen.tuxfamily.org"},
+    {"Clipper", TEXT("Cutting and offsetting outlines"), "© Angus Johnson",
+     "Boost Software License, version 1.0", "bsl-1.0",
+     "https://sourceforge.net/projects/polyclipping"},
+    {"OpenMesh", TEXT("Meshes"), "© RWTH Aachen, Computer Graphics and Multimedia",
+     "BSD licence with three clauses", "bsd-3-clause",
+     "https://www.graphics.rwth-aachen.de/software/openmesh"},
+    {"Boost", TEXT("Parts that CGAL uses"), "© The authors of Boost",
+     "Boost Software License, version 1.0", "bsl-1.0", "https://www.boost.org"},
+    {"GMP", TEXT("Numbers without rounding"), "© Free Software Foundation, Inc.",
+     "GNU Lesser General Public License, version 3", "lgpl-3.0", "https://gmplib.org"},
+    {"MPFR", TEXT("Numbers with many digits"), "© Free Software Foundation, Inc.",
+     "GNU Lesser General Public License, version 3", "lgpl-3.0", "https://www.mpfr.org"},
+    {"expected", TEXT("Results that may be errors"), "Sy Brand", "CC0: given to the public domain",
+     "cc0-1.0", "https://github.com/TartanLlama/expected"},
+};
+
+#undef TEXT
+
+QString openGlReport()
+{
+    QOpenGLContext context;
+    QOffscreenSurface surface;
+    const QString platform = QGuiApplication::platformName();
+    const bool canAsk = platform != QStringLiteral("offscreen") &&
+                        platform != QStringLiteral("minimal") && context.create();
+    if (!canAsk)
+        return QStringLiteral("OpenGL: none");
+    surface.setFormat(context.format());
+    surface.create();
+    if (!context.makeCurrent(&surface))
+        return QStringLiteral("OpenGL: none");
+    QOpenGLFunctions *gl = context.functions();
+    const auto word = [gl](GLenum name) {
+        return QString::fromLatin1(reinterpret_cast<const char *>(gl->glGetString(name)));
+    };
+    QString report = QStringLiteral("OpenGL: %1, %2").arg(word(GL_VERSION), word(GL_RENDERER));
+    context.doneCurrent();
+    return report;
+}
+
+} // namespace
+
+std::span<const Library> libraries()
+{
+    return kLibraries;
+}
+
+QString licenceText(const Library &library)
+{
+    QFile file(QStringLiteral(":/licences/%1.txt").arg(QLatin1String(library.file)));
+    return file.open(QIODevice::ReadOnly) ? QString::fromUtf8(file.readAll()) : QString();
+}
+
+QString versionReport()
+{
+    QStringList lines;
+    lines += QStringLiteral("FlatFitFab " FFF_VERSION);
+    lines += QStringLiteral("Qt %1 (built with %2), %3")
+                 .arg(QLatin1String(qVersion()), QLatin1String(QT_VERSION_STR),
+                      QGuiApplication::platformName());
+    lines += openGlReport();
+    lines += QStringLiteral("System: %1, %2, kernel %3")
+                 .arg(QSysInfo::prettyProductName(), QSysInfo::currentCpuArchitecture(),
+                      QSysInfo::kernelVersion());
+    if (const QScreen *screen = QGuiApplication::primaryScreen()) {
+        lines += QStringLiteral("Screen: %1 × %2 at %3 %")
+                     .arg(screen->size().width())
+                     .arg(screen->size().height())
+                     .arg(qRound(100 * screen->devicePixelRatio()));
+    }
+    lines += QStringLiteral("Language: ") + QLocale().name();
+    return lines.join(QLatin1Char('\n'));
+}
+
+} // namespace fff::ui

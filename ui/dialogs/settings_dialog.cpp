@@ -1,0 +1,235 @@
+#include "ui/dialogs/settings_dialog.h"
+
+#include "ui/dialogs/shortcut_editor.h"
+#include "ui/icon.h"
+#include "ui/properties/choice_box.h"
+#include "ui/properties/number_edit.h"
+#include "ui/settings/settings.h"
+
+#include <QCheckBox>
+#include <QDialogButtonBox>
+#include <QFormLayout>
+#include <QLabel>
+#include <QListWidget>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QStackedWidget>
+#include <QVBoxLayout>
+
+#include <functional>
+
+namespace fff::ui {
+
+namespace {
+
+/// A form with room for what German needs: labels wrap onto a line of their own.
+class Form : public QWidget
+{
+public:
+    Form()
+    {
+        m_form = new QFormLayout(this);
+        m_form->setContentsMargins(0, 0, 0, 0);
+        m_form->setHorizontalSpacing(16);
+        m_form->setVerticalSpacing(8);
+        m_form->setRowWrapPolicy(QFormLayout::WrapLongRows);
+        m_form->setFieldGrowthPolicy(QFormLayout::FieldsStayAtSizeHint);
+        m_form->setLabelAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+    }
+
+    void add(const char *name, const QString &label, QWidget *field)
+    {
+        field->setObjectName(QLatin1String(name));
+        field->setAccessibleName(label);
+        m_form->addRow(label, field);
+    }
+
+    /// What the row above it is about.
+    void note(const QString &sentence)
+    {
+        auto *text = new QLabel(sentence, this);
+        text->setWordWrap(true);
+        text->setForegroundRole(QPalette::PlaceholderText);
+        m_form->addRow(QString(), text);
+        if (QWidget *field = m_described)
+            field->setAccessibleDescription(sentence);
+    }
+
+    QComboBox *choice(const char *name, const QString &label, const QStringList &choices,
+                      int current, const std::function<void(int)> &chosen)
+    {
+        auto *box = new ChoiceBox(this);
+        box->addItems(choices);
+        box->setCurrentIndex(current);
+        QObject::connect(box, &QComboBox::activated, box, chosen);
+        add(name, label, box);
+        m_described = box;
+        return box;
+    }
+
+    void number(const char *name, const QString &label, const NumberEdit::Range &range,
+                const QString &unit, double current, const std::function<void(double)> &edited)
+    {
+        auto *field = new NumberEdit(range, unit, this);
+        field->setNumber(current);
+        field->setMinimumWidth(110);
+        QObject::connect(field, &NumberEdit::numberEdited, field, edited);
+        add(name, label, field);
+        m_described = field;
+    }
+
+    QCheckBox *box(const char *name, const QString &label, bool current,
+                   const std::function<void(bool)> &toggled)
+    {
+        auto *box = new QCheckBox(label, this);
+        box->setObjectName(QLatin1String(name));
+        box->setChecked(current);
+        QObject::connect(box, &QCheckBox::toggled, box, toggled);
+        m_form->addRow(QString(), box);
+        m_described = box;
+        return box;
+    }
+
+private:
+    QFormLayout *m_form = nullptr;
+    QWidget *m_described = nullptr;
+};
+
+} // namespace
+
+SettingsDialog::SettingsDialog(const QList<ListedAction> &actions, QWidget *parent)
+    : QDialog(parent)
+{
+    setObjectName(QStringLiteral("settingsDialog"));
+    setWindowTitle(tr("Settings"));
+    setAttribute(Qt::WA_WindowPropagation);
+    resize(740, 520);
+
+    m_groups = new QListWidget(this);
+    m_groups->setObjectName(QStringLiteral("settingsGroups"));
+    m_groups->setAccessibleName(tr("Groups of settings"));
+    m_groups->setIconSize({20, 20});
+    m_groups->setSpacing(2);
+    m_pages = new QStackedWidget(this);
+    addPage(tr("General"), QStringLiteral("settings"), makeGeneral());
+    addPage(tr("View"), QStringLiteral("eye"), makeView());
+    addPage(tr("Files"), QStringLiteral("save"), makeFiles());
+    addPage(tr("Keyboard"), QStringLiteral("keyboard"), new ShortcutEditor(actions));
+    m_groups->setFixedWidth(
+        std::max(150, m_groups->sizeHintForColumn(0) + 4 * m_groups->spacing() + 16));
+    connect(m_groups, &QListWidget::currentRowChanged, m_pages, &QStackedWidget::setCurrentIndex);
+    m_groups->setCurrentRow(0);
+
+    auto *buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
+    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    if (QPushButton *close = buttons->button(QDialogButtonBox::Close)) {
+        close->setText(tr("Close"));
+        close->setAutoDefault(false); // Enter in a field accepts the field
+    }
+
+    auto *row = new QHBoxLayout;
+    row->setSpacing(16);
+    row->addWidget(m_groups);
+    row->addWidget(m_pages, 1);
+    auto *column = new QVBoxLayout(this);
+    column->setContentsMargins(16, 16, 16, 12);
+    column->setSpacing(12);
+    column->addLayout(row, 1);
+    column->addWidget(buttons);
+}
+
+void SettingsDialog::showPage(Page page)
+{
+    m_groups->setCurrentRow(static_cast<int>(page));
+}
+
+void SettingsDialog::addPage(const QString &name, const QString &icon, QWidget *content)
+{
+    auto *page = new QWidget;
+    auto *title = new QLabel(name, page);
+    QFont font = title->font();
+    font.setBold(true);
+    font.setPointSizeF(font.pointSizeF() * 1.2);
+    title->setFont(font);
+    auto *column = new QVBoxLayout(page);
+    column->setContentsMargins(0, 0, 8, 0);
+    column->setSpacing(12);
+    column->addWidget(title);
+    const bool fills = qobject_cast<ShortcutEditor *>(content);
+    column->addWidget(content, fills ? 1 : 0);
+    if (!fills)
+        column->addStretch(1);
+
+    auto *scroll = new QScrollArea(this);
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setWidgetResizable(true);
+    scroll->setFocusPolicy(Qt::NoFocus);
+    scroll->setWidget(page);
+    scroll->viewport()->setAutoFillBackground(false);
+    page->setAutoFillBackground(false);
+    m_pages->addWidget(scroll);
+    auto *group = new QListWidgetItem(themedIcon(icon), name, m_groups);
+    group->setSizeHint({0, 34});
+}
+
+QWidget *SettingsDialog::makeGeneral()
+{
+    auto *form = new Form;
+    form->choice("settingsUnit", tr("Lengths in"),
+                 {tr("Millimetres (mm)"), tr("Centimetres (cm)"), tr("Inches (in)")},
+                 static_cast<int>(settings().unit()),
+                 [](int index) { settings().setUnit(static_cast<LengthUnit>(index)); });
+    form->note(tr("What is shown and typed. Files always hold millimetres."));
+    form->choice("settingsTheme", tr("Colours"), {tr("As the system"), tr("Light"), tr("Dark")},
+                 static_cast<int>(settings().colourScheme()),
+                 [](int index) { settings().setColourScheme(static_cast<ColourScheme>(index)); });
+    // Languages are named in themselves, so that whoever got lost finds back.
+    const QStringList codes = {QString(), QStringLiteral("en"), QStringLiteral("de")};
+    form->choice("settingsLanguage", tr("Language"),
+                 {tr("As the system"), QStringLiteral("English"), QStringLiteral("Deutsch")},
+                 static_cast<int>(codes.indexOf(settings().language())),
+                 [codes](int index) { settings().setLanguage(codes.at(index)); });
+    form->note(tr("Another language is used from the next start on."));
+    form->box("settingsStartPage", tr("Show the start page at start"), settings().showsStartPage(),
+              [](bool on) { settings().setShowsStartPage(on); });
+    return form;
+}
+
+QWidget *SettingsDialog::makeView()
+{
+    auto *form = new Form;
+    NumberEdit::Range range;
+    range.most = Settings::kMaxTurnTime;
+    range.step = 50;
+    range.digits = range.mostDigits = 0;
+    form->number("settingsTurnTime", tr("Turn time"), range, tr("ms"), settings().turnTime(),
+                 [](double value) { settings().setTurnTime(static_cast<int>(value)); });
+    form->note(tr("How long the view takes, while you draw, to turn to the new plane. With 0 it "
+                  "jumps."));
+    form->choice("settingsMotion", tr("Motion"),
+                 {tr("As the system"), tr("Always"), tr("As little as possible")},
+                 static_cast<int>(settings().motion()),
+                 [](int index) { settings().setMotion(static_cast<Motion>(index)); });
+    form->note(tr("With as little as possible, the view jumps instead of turning."));
+    return form;
+}
+
+QWidget *SettingsDialog::makeFiles()
+{
+    auto *form = new Form;
+    NumberEdit::Range range;
+    range.least = Settings::kMinAutosaveInterval;
+    range.most = Settings::kMaxAutosaveInterval;
+    range.step = 1;
+    range.digits = range.mostDigits = 0;
+    form->number("settingsAutosave", tr("Keep unsaved work every"), range, tr("s"),
+                 settings().autosaveInterval(),
+                 [](double value) { settings().setAutosaveInterval(static_cast<int>(value)); });
+    form->note(tr("After a crash or a power cut you get it back, also what was never saved. Your "
+                  "file is left alone."));
+    form->box("settingsBackup", tr("When saving, keep the file as it was before"),
+              settings().keepsBackup(), [](bool on) { settings().setKeepsBackup(on); });
+    return form;
+}
+
+} // namespace fff::ui
