@@ -1,8 +1,9 @@
-// The window: flatfitfab [--copy] [FILE]
+// The window: flatfitfab [--copy] [FILE…]
 #include "ui/field_style.h"
-#include "ui/files/document_files.h"
 #include "ui/main_window.h"
+#include "ui/settings/settings.h"
 #include "ui/translations.h"
+#include "ui/windows.h"
 
 #include <QApplication>
 #include <QCommandLineParser>
@@ -37,18 +38,21 @@ int main(int argc, char *argv[])
         QApplication::translate("main", "Draws flat parts in 3D and cuts them."));
     parser.addHelpOption();
     parser.addVersionOption();
-    parser.addPositionalArgument(QStringLiteral("FILE"),
-                                 QApplication::translate("main", "The model to open."),
-                                 QStringLiteral("[FILE]"));
+    parser.addPositionalArgument(
+        QStringLiteral("FILE"),
+        QApplication::translate("main", "The models to open, each in a window."),
+        QStringLiteral("[FILE…]"));
     const QCommandLineOption copy(
         QStringLiteral("copy"),
         QApplication::translate("main", "Opens FILE as a copy: saving asks for a name."));
     parser.addOption(copy);
     parser.process(application);
 
-    fff::ui::MainWindow window;
-    window.show();
-    if (!parser.positionalArguments().isEmpty())
-        window.files().openFile(parser.positionalArguments().first(), parser.isSet(copy));
+    fff::ui::MainWindow *window = fff::ui::openWindow();
+    const QStringList files = parser.positionalArguments();
+    if (!files.isEmpty())
+        fff::ui::openFiles(*window, files, parser.isSet(copy));
+    else if (fff::ui::settings().showsStartPage())
+        window->showStartPage();
     return QApplication::exec();
 }

@@ -2,24 +2,32 @@
 
 #include "core/io/error_text.h"
 #include "ui/actions/action_set.h"
+#include "ui/dialogs/about_dialog.h"
+#include "ui/dialogs/command_search.h"
+#include "ui/dialogs/settings_dialog.h"
 #include "ui/docks/outline_dock.h"
 #include "ui/docks/properties_dock.h"
 #include "ui/files/document_files.h"
+#include "ui/files/file_drop.h"
+#include "ui/files/recent_menu.h"
 #include "ui/icon.h"
 #include "ui/main_tool_bar.h"
 #include "ui/message_bar.h"
 #include "ui/properties/open_editor.h"
+#include "ui/settings/settings.h"
+#include "ui/start/start_page.h"
 #include "ui/status_line.h"
 #include "ui/theme.h"
 #include "ui/viewport.h"
 #include "ui/window_layout.h"
+#include "ui/windows.h"
 #include "ui/workbench.h"
 
 #include <QCloseEvent>
 #include <QGuiApplication>
 #include <QLabel>
 #include <QMenuBar>
-#include <QMessageBox>
+#include <QStackedWidget>
 #include <QVBoxLayout>
 
 #include <functional>
@@ -65,6 +73,18 @@ MainWindow::MainWindow(QWidget *parent) : QMainWindow(parent), m_bench(new Workb
     refreshTheme();
 
     connect(m_actions, &ActionSet::triggered, this, &MainWindow::run);
+    connect(m_files, &DocumentFiles::chosen, this, &MainWindow::openFiles);
+    connect(new FileDrop(*this), &FileDrop::dropped, this, &MainWindow::openFiles);
+    connect(&settings(), &Settings::colourSchemeChanged, this, &MainWindow::refreshTheme);
+    const auto tellOfRevert = [this] {
+        m_actions->setAble("file.revert", m_files->canRevert(),
+                           m_files->path().isEmpty()
+                               ? tr("It was never saved")
+                               : tr("Nothing was changed since it was saved"));
+    };
+    connect(m_files, &DocumentFiles::pathChanged, m_actions, tellOfRevert);
+    connect(&m_bench->session(), &Session::cleanChanged, m_actions, tellOfRevert);
+    tellOfRevert();
     connect(m_bench, &Workbench::editFailed, this, [this](const Error &error) {
         m_messages->show(MessageBar::Severity::Error, {io::errorText(error)});
     });
@@ -92,11 +112,13 @@ void MainWindow::makeView()
         m_view = label;
     }
     m_actions->addViewShortcuts(m_view);
+    m_middle = new QStackedWidget(middle);
+    m_middle->addWidget(m_view);
     auto *column = new QVBoxLayout(middle);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
     column->addWidget(m_messages);
-    column->addWidget(m_view, 1);
+    column->addWidget(m_middle, 1);
     setCentralWidget(middle);
 }
 
@@ -106,6 +128,11 @@ void MainWindow::makeMenus()
         if (id == QStringLiteral("@docks")) {
             for (QDockWidget *dock : m_layout->docks())
                 menu->addAction(dock->toggleViewAction());
+        } else if (id == QStringLiteral("@recent")) {
+            auto *recent = new RecentMenu(menu);
+            connect(recent, &RecentMenu::chosen, this,
+                    [this](const QString &path) { openFiles({path}); });
+            menu->addMenu(recent);
         }
     });
 }
@@ -125,17 +152,22 @@ void MainWindow::addCommands()
                                      },
                                      {}});
     };
-    add("file.new", [this] { m_files->startNew(); });
+    add("file.new", [this] { startNewDocument(*this); });
     add("file.open", [this] { m_files->open(); });
     add("file.save", [this] { m_files->save(); });
     add("file.saveAs", [this] { m_files->saveAs(); });
     add("file.export", [this] { m_files->exportCuttingFile(); });
-    add("file.quit", [this] { close(); });
+    add("file.revert", [this] { m_files->revert(); });
+    add("file.settings", [this] { SettingsDialog(listedActions(*menuBar()), this).exec(); });
+    add("file.close", [this] { close(); });
+    add("file.quit", [] { closeAllWindows(); });
+    add("edit.find", [this] { (new CommandSearch(*menuBar(), this))->show(); });
+    add("help.start", [this] { showStartPage(); });
     add("view.docks",
         [this] { m_layout->setHidden(m_actions->action("view.docks")->isChecked()); });
     add("view.fullScreen", [this] { setWindowState(windowState() ^ Qt::WindowFullScreen); });
     add("view.resetWindow", [this] { resetLayout(); });
-    add("help.about", [this] { showAbout(); });
+    add("help.about", [this] { AboutDialog(this).exec(); });
 }
 
 void MainWindow::run(const QString &id)
@@ -151,17 +183,41 @@ void MainWindow::run(const QString &id)
         m_status->sayRedone(redone);
 }
 
-void MainWindow::showAbout()
+void MainWindow::openFiles(const QStringList &paths)
 {
-    QMessageBox about(QMessageBox::NoIcon, tr("About FlatFitFab"),
-                      tr("<b>FlatFitFab %1</b>").arg(QStringLiteral(FFF_VERSION)), QMessageBox::Ok,
-                      this);
-    about.setObjectName(QStringLiteral("aboutBox"));
-    about.setPalette(theme().palette());
-    about.setInformativeText(
-        tr("Draw flat parts in 3D, see at once how they fit, and cut them. It works without an "
-           "account, and nothing leaves this computer."));
-    about.exec();
+    ui::openFiles(*this, paths);
+}
+
+void MainWindow::showDocument()
+{
+    m_middle->setCurrentWidget(m_view);
+    m_view->setFocus();
+}
+
+void MainWindow::showStartPage()
+{
+    if (!m_files->isUntouched()) {
+        openWindow(this)->showStartPage();
+        return;
+    }
+    if (m_middle->count() == 1) {
+        auto *page = new StartPage(m_middle);
+        connect(page, &StartPage::newWanted, this, [this] { startNewDocument(*this); });
+        connect(page, &StartPage::openWanted, this, [this] { m_files->open(); });
+        connect(page, &StartPage::fileChosen, this,
+                [this](const QString &path) { openFiles({path}); });
+        connect(page, &StartPage::sampleChosen, this,
+                [this](const QString &path) { ui::openFiles(*this, {path}, true); });
+        m_middle->addWidget(page);
+    }
+    m_middle->setCurrentIndex(1);
+    m_middle->currentWidget()->setFocus();
+}
+
+void MainWindow::closeUnasked()
+{
+    m_mayClose = true;
+    close();
 }
 
 void MainWindow::refreshTheme()
@@ -196,7 +252,7 @@ bool MainWindow::event(QEvent *event)
 
 void MainWindow::closeEvent(QCloseEvent *event)
 {
-    event->setAccepted(m_files->mayClose());
+    event->setAccepted(m_mayClose || m_files->mayClose());
 }
 
 void MainWindow::resizeEvent(QResizeEvent *event)

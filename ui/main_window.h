@@ -3,6 +3,8 @@
 
 #include <QMainWindow>
 
+class QStackedWidget;
+
 namespace fff::ui {
 
 class ActionSet;
@@ -26,6 +28,13 @@ public:
     Workbench &bench() { return *m_bench; }
     DocumentFiles &files() { return *m_files; }
 
+    /// The document in the middle of the window, or in its place the start page, which is never
+    /// over a model: with one, another window is opened for it.
+    void showDocument();
+    void showStartPage();
+    /// Closes without the question about unsaved changes, which was asked already.
+    void closeUnasked();
+
     /// Every panel where it is at first, for the window's present width.
     void resetLayout();
 
@@ -41,7 +50,7 @@ private:
     void makeMenus();
     void addCommands();
     void run(const QString &id);
-    void showAbout();
+    void openFiles(const QStringList &paths);
     void refreshTheme();
 
     Workbench *m_bench = nullptr;
@@ -54,7 +63,9 @@ private:
     DocumentFiles *m_files = nullptr;
     MainToolBar *m_toolBar = nullptr;
     WindowLayout *m_layout = nullptr;
+    QStackedWidget *m_middle = nullptr; // the view, or the start page
     bool m_wasShown = false;
+    bool m_mayClose = false;
 };
 
 } // namespace fff::ui

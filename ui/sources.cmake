@@ -1,12 +1,25 @@
 target_sources(fff_ui PRIVATE
+    actions/action_finder.cpp
     actions/action_set.cpp
     actions/action_table.cpp
     cursors.cpp
+    dialogs/about_dialog.cpp
+    dialogs/command_search.cpp
+    dialogs/key_recorder.cpp
+    dialogs/libraries.cpp
+    dialogs/settings_dialog.cpp
+    dialogs/shortcut_editor.cpp
+    dialogs/shortcut_keys.cpp
     docks/dock_title.cpp
     docks/outline_dock.cpp
     docks/properties_dock.cpp
     field_style.cpp
     files/document_files.cpp
+    files/failures.cpp
+    files/file_drop.cpp
+    files/file_stamp.cpp
+    files/progress.cpp
+    files/recent_menu.cpp
     hint_text.cpp
     icon.cpp
     lengths.cpp
@@ -23,13 +36,22 @@ target_sources(fff_ui PRIVATE
     settings/settings.cpp
     settings/system_motion.cpp
     sentence_label.cpp
+    start/ago_text.cpp
+    start/card_grid.cpp
+    start/model_card.cpp
+    start/samples.cpp
+    start/start_page.cpp
+    start/thumbnails.cpp
     status_line.cpp
     theme.cpp
     translations.cpp
     viewport.cpp
     window_layout.cpp
+    windows.cpp
     workbench.cpp
 )
 include(${CMAKE_SOURCE_DIR}/resources/icons/icons.cmake)
+include(${CMAKE_SOURCE_DIR}/resources/licences/licences.cmake)
+include(${CMAKE_SOURCE_DIR}/resources/samples/samples.cmake)
 include(${CMAKE_SOURCE_DIR}/resources/style/style.cmake)
 include(${CMAKE_SOURCE_DIR}/translations/translations.cmake)

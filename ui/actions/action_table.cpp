@@ -65,12 +65,14 @@ const ActionRow kActions[] = {
 };
 
 const MenuRow kMenus[] = {
-    {TEXT("&File"), "file.new file.open | file.save file.saveAs | file.export | file.quit"},
+    {TEXT("&File"),
+     "file.new file.open @recent | file.save file.saveAs file.revert | file.export | "
+     "file.settings | file.close file.quit"},
     {TEXT("&Edit"), "edit.undo edit.redo | edit.delete | edit.selectAll"},
     {TEXT("&View"), "view.front view.top view.right view.back view.bottom view.left view.iso "
                     "view.faceSelection | view.fitAll view.fitSelection | "
                     "@docks view.docks view.resetWindow | view.fullScreen"},
-    {TEXT("&Help"), "help.about"},
+    {TEXT("&Help"), "edit.find help.start | help.about"},
 };
 
 #undef TEXT

@@ -3,8 +3,11 @@
 #include "core/io/document_file.h"
 #include "core/io/error_text.h"
 #include "core/session/cutting_file.h"
+#include "ui/files/failures.h"
+#include "ui/files/progress.h"
 #include "ui/message_bar.h"
 #include "ui/properties/open_editor.h"
+#include "ui/settings/settings.h"
 #include "ui/status_line.h"
 #include "ui/theme.h"
 #include "ui/workbench.h"
@@ -38,17 +41,20 @@ bool DocumentFiles::startNew()
     m_messages.hide();
     m_bench.session().reset(newDocument());
     m_bench.showAll("front");
-    setPath({}, false);
+    setPath({}, false, false);
     return true;
 }
 
 bool DocumentFiles::open()
 {
-    if (!mayClose())
+    QFileDialog dialog(&m_window, tr("Open a model"), folder(),
+                       tr("Models (*.fff *.txt);;All files (*)"));
+    dialog.setAttribute(Qt::WA_WindowPropagation);
+    dialog.setFileMode(QFileDialog::ExistingFiles);
+    if (dialog.exec() != QDialog::Accepted)
         return false;
-    const QString path = QFileDialog::getOpenFileName(&m_window, tr("Open a model"), folder(),
-                                                      tr("Models (*.fff *.txt);;All files (*)"));
-    return !path.isEmpty() && openFile(path);
+    Q_EMIT chosen(dialog.selectedFiles());
+    return true;
 }
 
 bool DocumentFiles::save()
@@ -60,7 +66,11 @@ bool DocumentFiles::saveAs()
 {
     const QString path =
         askForTarget(tr("Save the model"), tr("FlatFitFab models (*.fff)"), kSuffix);
-    return !path.isEmpty() && saveFile(path);
+    if (path.isEmpty())
+        return false;
+    if (path != m_path)
+        m_stamp = {}; // the dialog has asked about that file
+    return saveFile(path);
 }
 
 bool DocumentFiles::exportCuttingFile()
@@ -92,45 +102,122 @@ bool DocumentFiles::mayClose()
     return question.clickedButton() == lose;
 }
 
+bool DocumentFiles::canRevert() const
+{
+    return m_isOnDisk && !m_bench.session().isClean();
+}
+
+bool DocumentFiles::revert()
+{
+    if (!canRevert())
+        return false;
+    const std::optional<io::LoadedDocument> loaded = read(m_path);
+    if (!loaded)
+        return false;
+    m_messages.hide();
+    m_bench.escape(); // a section that is still being drawn
+    m_bench.session().commit(tr("Revert to saved"), loaded->document);
+    m_bench.session().setClean();
+    m_stamp = FileStamp::of(m_path);
+    m_status.say(tr("%1 is as it was saved. Undo brings your changes back.").arg(name()));
+    return true;
+}
+
 bool DocumentFiles::openFile(const QString &path, bool asCopy)
+{
+    const std::optional<io::LoadedDocument> loaded = read(path);
+    if (loaded)
+        show(*loaded, path, asCopy);
+    return loaded.has_value();
+}
+
+std::optional<io::LoadedDocument> DocumentFiles::read(const QString &path)
 {
     const QString name = QFileInfo(path).fileName();
     io::ReadOptions options;
     options.name = name.toStdString();
-    const Result<io::LoadedDocument> loaded = io::readDocument(path, options);
-    if (!loaded) {
-        m_messages.show(MessageBar::Severity::Error,
-                        {tr("%1 could not be opened. Nothing was changed.").arg(name),
-                         io::errorText(loaded.error())});
-        return false;
+    const auto loaded = inBackground<Result<io::LoadedDocument>>(
+        m_window, tr("Opening %1…").arg(name), MayCancel::Yes,
+        [path, options] { return io::readDocument(path, options); });
+    if (!loaded)
+        return std::nullopt;
+    if (!*loaded) {
+        const Error &error = loaded->error();
+        std::vector<MessageBar::Verb> verbs = {{tr("Choose another file"), [this] { open(); }}};
+        if (!QFileInfo::exists(path) && settings().recentFiles().contains(path)) {
+            verbs.push_back(
+                {tr("Remove from the list"), [path] { settings().removeRecentFile(path); }});
+        }
+        m_messages.show(MessageBar::Severity::Error, {openFailure(path, error)}, std::move(verbs),
+                        failureDetails(path, error));
+        return std::nullopt;
     }
+    return std::move(**loaded);
+}
+
+void DocumentFiles::show(const io::LoadedDocument &loaded, const QString &path, bool asCopy)
+{
     QStringList warnings;
-    for (const Warning &warning : loaded->warnings)
+    for (const Warning &warning : loaded.warnings)
         warnings += io::warningText(warning);
     m_messages.show(MessageBar::Severity::Warning, warnings); // hides without any
-    m_bench.session().reset(loaded->document);
+    m_bench.session().reset(loaded.document);
     m_bench.showAll("iso1");
-    const QString documents = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
-    setPath(asCopy ? documents + u'/' + name : path,
-            !asCopy && loaded->format == io::ModelFormat::Fff);
-    return true;
+    if (asCopy) {
+        const QString documents =
+            QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
+        setPath(documents + u'/' + QFileInfo(path).fileName(), false, false);
+        return;
+    }
+    setPath(path, loaded.format == io::ModelFormat::Fff, true);
+    settings().addRecentFile(path);
 }
 
 bool DocumentFiles::saveFile(const QString &path)
 {
-    const Result<void> written = io::writeDocument(path, m_bench.session().committed().document);
-    if (!written) {
-        m_messages.show(MessageBar::Severity::Error,
-                        {tr("%1 could not be saved. The file on disk is as it was before.")
-                             .arg(QFileInfo(path).fileName()),
-                         io::errorText(written.error())});
+    bool asksForName = false;
+    if (path == m_path && !maySaveOver(path, &asksForName))
+        return asksForName && saveAs();
+    const QString file = QFileInfo(path).fileName();
+    const Document document = m_bench.session().committed().document;
+    const auto written =
+        inBackground<Result<void>>(m_window, tr("Saving %1…").arg(file), MayCancel::No,
+                                   [path, document] { return io::writeDocument(path, document); });
+    if (!*written) {
+        const bool isPlaceWrong = !isFolderWritable(path);
+        m_messages.show(
+            MessageBar::Severity::Error, {saveFailure(path, written->error())},
+            {{isPlaceWrong ? tr("Save as…") : tr("Save somewhere else…"), [this] { saveAs(); }}},
+            failureDetails(path, written->error()));
         return false;
     }
     m_messages.hide();
     m_bench.session().setClean();
-    setPath(path, true);
-    m_status.say(tr("Saved to %1.").arg(QFileInfo(path).fileName()));
+    setPath(path, true, true);
+    settings().addRecentFile(path);
+    m_status.say(tr("Saved to %1.").arg(file));
     return true;
+}
+
+/// Another program may have written to the file since it was read.
+bool DocumentFiles::maySaveOver(const QString &path, bool *asksForName)
+{
+    if (m_stamp.isCurrent())
+        return true;
+    QMessageBox question(QMessageBox::NoIcon, tr("Changed on disk"),
+                         tr("%1 was changed by another program.").arg(QFileInfo(path).fileName()),
+                         QMessageBox::NoButton, &m_window);
+    question.setObjectName(QStringLiteral("changedOnDiskQuestion"));
+    question.setPalette(theme().palette());
+    question.setInformativeText(tr("Saving over it would lose what was changed there."));
+    QPushButton *another = question.addButton(tr("Save as…"), QMessageBox::AcceptRole);
+    QPushButton *over = question.addButton(tr("Save over it"), QMessageBox::DestructiveRole);
+    QPushButton *back = question.addButton(tr("Cancel"), QMessageBox::RejectRole);
+    question.setDefaultButton(another);
+    question.setEscapeButton(back);
+    question.exec();
+    *asksForName = question.clickedButton() == another;
+    return question.clickedButton() == over;
 }
 
 bool DocumentFiles::exportFile(const QString &path)
@@ -142,8 +229,11 @@ bool DocumentFiles::exportFile(const QString &path)
     const Result<void> written =
         file ? io::writeFile(path, file->svg) : Result<void>(tl::unexpected(file.error()));
     if (!written) {
-        m_messages.show(MessageBar::Severity::Error,
-                        {tr("%1 could not be written.").arg(name), io::errorText(written.error())});
+        m_messages.show(
+            MessageBar::Severity::Error,
+            {tr("%1 could not be written: %2.").arg(name, io::errorSentence(written.error()))},
+            {{tr("Export somewhere else…"), [this] { exportCuttingFile(); }}},
+            failureDetails(path, written.error()));
         return false;
     }
 
@@ -187,25 +277,56 @@ QString DocumentFiles::askForTarget(const QString &title, const QString &filter,
                                     const QString &suffix)
 {
     QFileDialog dialog(&m_window, title, folder(), filter);
+    dialog.setAttribute(Qt::WA_WindowPropagation);
     dialog.setAcceptMode(QFileDialog::AcceptSave);
     dialog.setDefaultSuffix(suffix);
     dialog.selectFile(baseName() + u'.' + suffix);
     return dialog.exec() == QDialog::Accepted ? dialog.selectedFiles().value(0) : QString();
 }
 
-void DocumentFiles::setPath(const QString &path, bool isNative)
+void DocumentFiles::showUnsaved(Document document, const QString &path)
 {
+    m_messages.hide();
+    m_bench.session().reset(newDocument());
+    setPath(path, QFileInfo(path).suffix() == kSuffix, QFileInfo::exists(path));
+    m_bench.session().commit(tr("Recover"), std::move(document));
+    m_bench.showAll("iso1");
+}
+
+bool DocumentFiles::isSaved() const
+{
+    return m_bench.session().isClean();
+}
+
+QString DocumentFiles::name() const
+{
+    return m_path.isEmpty() ? tr("untitled") : QFileInfo(m_path).fileName();
+}
+
+bool DocumentFiles::isUntouched() const
+{
+    const Session &session = m_bench.session();
+    return m_path.isEmpty() && session.history()->count() == 0 &&
+           session.model().sectionCount() == 0;
+}
+
+void DocumentFiles::setPath(const QString &path, bool isNative, bool isOnDisk)
+{
+    const QString before = this->path();
     m_path = path;
     m_isNative = isNative;
+    m_isOnDisk = isOnDisk;
+    m_stamp = isOnDisk ? FileStamp::of(path) : FileStamp();
     refreshTitle();
+    if (this->path() != before)
+        Q_EMIT pathChanged();
 }
 
 void DocumentFiles::refreshTitle()
 {
-    const QString name = m_path.isEmpty() ? tr("untitled") : QFileInfo(m_path).fileName();
-    m_window.setWindowTitle(QStringLiteral("%1[*] \u2014 FlatFitFab").arg(name));
+    m_window.setWindowTitle(QStringLiteral("%1[*] \u2014 FlatFitFab").arg(name()));
     m_window.setWindowModified(!m_bench.session().isClean());
-    m_window.setWindowFilePath(m_path);
+    m_window.setWindowFilePath(path());
 }
 
 } // namespace fff::ui

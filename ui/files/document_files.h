@@ -1,11 +1,24 @@
-// New, Open, Save, Save as and Export of the one open document: asks what must be asked, says what
-// was done, and loses nothing without a question.
+// Open, Save, Save as, Revert and Export of the one document of a window: asks what must be asked,
+// says what was done, and loses nothing without a question. Which window a file opens in is not
+// decided here (ui/windows.h).
 #pragma once
+
+#include "ui/files/file_stamp.h"
 
 #include <QObject>
 #include <QString>
+#include <QStringList>
+
+#include <optional>
 
 class QWidget;
+
+namespace fff {
+struct Document;
+namespace io {
+struct LoadedDocument;
+}
+} // namespace fff
 
 namespace fff::ui {
 
@@ -22,34 +35,57 @@ public:
 
     /// Ask for what is not given. False when nothing was done.
     bool startNew();
-    bool open();
+    bool open(); // says which with chosen()
     bool save();
     bool saveAs();
     bool exportCuttingFile();
     /// True when the document may go: it is saved, or may be lost.
     bool mayClose();
+    /// Back to what the file holds, as a step that can be taken back. So there is no question.
+    bool revert();
+    bool canRevert() const;
 
     /// Without a question. A copy is named like the file, but saving it asks where to.
     bool openFile(const QString &path, bool asCopy = false);
     bool saveFile(const QString &path);
     bool exportFile(const QString &path);
 
-    /// Of the open document; empty for one that was never saved.
-    const QString &path() const { return m_path; }
+    /// The two halves of openFile. What cannot be read is said in this window's message bar.
+    std::optional<io::LoadedDocument> read(const QString &path);
+    void show(const io::LoadedDocument &loaded, const QString &path, bool asCopy);
+    /// A document of which no file has the changes; `path` is where it was saved once, if ever.
+    void showUnsaved(Document document, const QString &path);
+
+    /// Of the open document; empty for one that was never saved, and for a copy.
+    QString path() const { return m_isOnDisk ? m_path : QString(); }
+    bool isSaved() const;
+    /// As the window's title has it.
+    QString name() const;
+    /// Nothing was done in it yet: a file may be opened in its place without a question.
+    bool isUntouched() const;
+
+Q_SIGNALS:
+    /// Files that a person wants to see, in this window or another.
+    void chosen(const QStringList &paths);
+    /// What path() says is another one now.
+    void pathChanged();
 
 private:
     QString folder() const;
     QString baseName() const;
     QString askForTarget(const QString &title, const QString &filter, const QString &suffix);
-    void setPath(const QString &path, bool isNative);
+    bool maySaveOver(const QString &path, bool *asksForName);
+    void setPath(const QString &path, bool isNative, bool isOnDisk);
     void refreshTitle();
 
     Workbench &m_bench;
     MessageBar &m_messages;
     StatusLine &m_status;
     QWidget &m_window;
-    QString m_path;
+    QString m_path;          // where the document is, or would be saved by default
     bool m_isNative = false; // saving may overwrite it
+    bool m_isOnDisk = false; // it was read from there or written there
+    FileStamp m_stamp;
 };
 
 } // namespace fff::ui

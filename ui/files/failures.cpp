@@ -1,0 +1,86 @@
+#include "ui/files/failures.h"
+
+#include "core/io/error_text.h"
+
+#include <QCoreApplication>
+#include <QFileInfo>
+#include <QStorageInfo>
+
+namespace fff::ui {
+
+namespace {
+
+struct Words
+{
+    Q_DECLARE_TR_FUNCTIONS(fff::ui::Failures)
+};
+
+constexpr qint64 kNoRoom = 64 * 1024; // bytes that are left on a full disk
+
+/// "fish.txt:340" is in the file's name already; what remains is "line 340".
+QString placeInFile(const QString &name, const Error &error)
+{
+    const QString place = QString::fromStdString(error.place);
+    const QString in = place.section(u':', 1);
+    if (in.isEmpty() || !place.startsWith(name))
+        return {};
+    bool isLine = false;
+    const int line = in.toInt(&isLine);
+    return isLine ? Words::tr("line %1").arg(line) : in;
+}
+
+} // namespace
+
+QString openFailure(const QString &path, const Error &error)
+{
+    const QString name = QFileInfo(path).fileName();
+    if (error.code == ErrorCode::NotAModel)
+        return Words::tr("%1 is not a model. FlatFitFab opens .fff and FlatFab’s .txt.").arg(name);
+    if (!QFileInfo::exists(path)) {
+        return Words::tr("%1 could not be opened: it is not in %2 any more. Nothing was changed.")
+            .arg(name, QFileInfo(path).absolutePath());
+    }
+    QString what = io::errorSentence(error);
+    if (error.code == ErrorCode::CannotOpen && !error.args.empty() && !error.args[0].empty())
+        what = QCoreApplication::translate("Error", error.args[0].c_str());
+    const QString where = placeInFile(name, error);
+    return where.isEmpty()
+               ? Words::tr("%1 could not be opened: %2. Nothing was changed.").arg(name, what)
+               //: %3 is a place in the file, such as "line 340"
+               : Words::tr("%1 could not be opened: %2 (%3). Nothing was changed.")
+                     .arg(name, what, where);
+}
+
+QString saveFailure(const QString &path, const Error &error)
+{
+    const QString name = QFileInfo(path).fileName(), folder = QFileInfo(path).absolutePath();
+    const QString kept = QFileInfo::exists(path)
+                             ? Words::tr("The file on disk is still the old one.")
+                             : Words::tr("Nothing was written.");
+    QString why;
+    if (!QFileInfo::exists(folder))
+        why = Words::tr("the folder %1 does not exist").arg(folder);
+    else if (!isFolderWritable(path))
+        why = Words::tr("this folder is read-only");
+    else if (QStorageInfo(folder).bytesAvailable() < kNoRoom)
+        why = Words::tr("the disk is full");
+    else if (!error.args.empty() && error.code == ErrorCode::CannotWrite)
+        why = QCoreApplication::translate("Error", error.args[0].c_str());
+    else
+        why = io::errorSentence(error);
+    //: %1 a file's name, %2 the reason, %3 a sentence
+    return Words::tr("Could not save %1: %2. %3").arg(name, why, kept);
+}
+
+QString failureDetails(const QString &path, const Error &error)
+{
+    return QFileInfo(path).absoluteFilePath() + QLatin1Char('\n') + io::errorText(error);
+}
+
+bool isFolderWritable(const QString &path)
+{
+    const QFileInfo folder(QFileInfo(path).absolutePath());
+    return folder.isDir() && folder.isWritable();
+}
+
+} // namespace fff::ui

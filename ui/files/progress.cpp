@@ -1,0 +1,60 @@
+#include "ui/files/progress.h"
+
+#include <QElapsedTimer>
+#include <QEventLoop>
+#include <QProgressDialog>
+#include <QTimer>
+
+namespace fff::ui {
+
+namespace {
+
+constexpr int kPatience = 500; // ms without a word
+constexpr int kAskEvery = 10;  // ms
+
+} // namespace
+
+bool waitWithProgress(QWidget &window, const QString &text, MayCancel mayCancel,
+                      const std::function<bool()> &isDone)
+{
+    QElapsedTimer since;
+    since.start();
+    QEventLoop loop;
+    QTimer timer;
+    timer.setInterval(kAskEvery);
+    QObject::connect(&timer, &QTimer::timeout, &loop, [&] {
+        if (isDone() || since.elapsed() > kPatience)
+            loop.quit();
+    });
+    timer.start();
+    if (!isDone())
+        loop.exec(QEventLoop::ExcludeUserInputEvents);
+    if (isDone())
+        return true;
+
+    QProgressDialog dialog(text, QString(), 0, 0, &window, Qt::Dialog | Qt::CustomizeWindowHint);
+    dialog.setObjectName(QStringLiteral("progress"));
+    dialog.setAttribute(Qt::WA_WindowPropagation);
+    dialog.setWindowModality(Qt::ApplicationModal);
+    dialog.setAutoClose(false);
+    dialog.setAutoReset(false);
+    dialog.setMinimumDuration(0);
+    bool isGivenUp = false;
+    if (mayCancel == MayCancel::Yes) {
+        dialog.setCancelButtonText(QProgressDialog::tr("Cancel"));
+        QObject::connect(&dialog, &QProgressDialog::canceled, &loop, [&] {
+            isGivenUp = true;
+            loop.quit();
+        });
+    }
+    timer.disconnect();
+    QObject::connect(&timer, &QTimer::timeout, &loop, [&] {
+        if (isDone())
+            loop.quit();
+    });
+    dialog.show();
+    loop.exec();
+    return !isGivenUp;
+}
+
+} // namespace fff::ui

@@ -1,0 +1,44 @@
+// Work that may take long, without a window that hangs: it runs on another thread, and when half a
+// second has gone by, a small dialog says what is being done and offers to give it up.
+#pragma once
+
+#include <QString>
+#include <QThreadPool>
+
+#include <chrono>
+#include <functional>
+#include <future>
+#include <memory>
+#include <optional>
+
+class QWidget;
+
+namespace fff::ui {
+
+enum class MayCancel { No, Yes };
+
+/// Waits until `isDone`, which is asked now and then. No input reaches any window meanwhile but the
+/// dialog's. False when it was given up.
+bool waitWithProgress(QWidget &window, const QString &text, MayCancel mayCancel,
+                      const std::function<bool()> &isDone);
+
+/// The result of `work`, which owns all that it reads; nothing when it was given up: it then runs
+/// on to its end and what it made is dropped.
+template <class Output>
+std::optional<Output> inBackground(QWidget &window, const QString &text, MayCancel mayCancel,
+                                   std::function<Output()> work)
+{
+    auto task = std::make_shared<std::packaged_task<Output()>>(std::move(work));
+    std::future<Output> result = task->get_future();
+    QThreadPool::globalInstance()->start([task] { (*task)(); });
+    const auto isReady = [&result](std::chrono::milliseconds time) {
+        return result.wait_for(time) == std::future_status::ready;
+    };
+    using namespace std::chrono_literals;
+    // Most work is over before anyone sees; then no event loop runs at all.
+    if (!isReady(100ms) && !waitWithProgress(window, text, mayCancel, [&] { return isReady(0ms); }))
+        return std::nullopt;
+    return result.get();
+}
+
+} // namespace fff::ui

@@ -1,0 +1,74 @@
+// What stands in the place of the view before there is a model: begin anew, go on with one of the
+// last models, or look at a sample. Works without a network, and never covers a model.
+#pragma once
+
+#include "ui/start/thumbnails.h"
+
+#include <QWidget>
+
+#include <vector>
+
+class QLabel;
+class QPushButton;
+class QVBoxLayout;
+
+namespace fff::ui {
+
+class CardGrid;
+class ModelCard;
+
+/// Work that was not saved when the program ended.
+struct RecoveredWork
+{
+    QString id;   // for recover and discard
+    QString text; // "untitled, 14 steps, 2 minutes ago"
+};
+
+class StartPage : public QWidget
+{
+    Q_OBJECT
+public:
+    explicit StartPage(QWidget *parent = nullptr);
+
+    void setRecovered(const std::vector<RecoveredWork> &works);
+
+Q_SIGNALS:
+    void newWanted();
+    void openWanted();
+    void fileChosen(const QString &path);
+    void sampleChosen(const QString &path);
+    void recoverWanted(const QString &id);
+    void discardWanted(const QString &id);
+
+protected:
+    void changeEvent(QEvent *event) override;
+    void showEvent(QShowEvent *event) override;
+    void paintEvent(QPaintEvent *event) override;
+
+private:
+    QWidget *makeLeft();
+    QWidget *makeMiddle();
+    QLabel *makeHeading(const QString &text);
+    void fillRecent();
+    void fillSamples();
+    void refreshColours();
+    void requestPictures();
+    void showPicture(const QString &path, const QImage &picture, int sectionCount);
+
+    struct Shown
+    {
+        QString path;
+        ModelCard *card = nullptr;
+        QString note; // after the number of sections
+    };
+
+    Thumbnails m_thumbnails;
+    QPushButton *m_new = nullptr;
+    QVBoxLayout *m_recovered = nullptr;
+    QLabel *m_recentHeading = nullptr;
+    CardGrid *m_recent = nullptr, *m_samples = nullptr;
+    std::vector<Shown> m_shownRecent, m_shownSamples;
+    bool m_wasDark = false;
+};
+
+} // namespace fff::ui
