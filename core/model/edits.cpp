@@ -164,6 +164,27 @@ Result<Document> setCurrentStock(Document document, StockId id)
     return document;
 }
 
+Result<Document> removeStock(Document document, StockId id, StockId replacement)
+{
+    if (!document.find(id))
+        return unknown(id);
+    if (!document.find(replacement))
+        return unknown(replacement);
+    if (id == replacement)
+        return failure(ErrorCode::BadValue, "replacement");
+    for (SectionPointer &pointer : document.sections) {
+        if (pointer->stock != id)
+            continue;
+        Section next = *pointer;
+        next.stock = replacement;
+        pointer = std::make_shared<const Section>(std::move(next));
+    }
+    if (document.currentStock == id)
+        document.currentStock = replacement;
+    std::erase_if(document.stocks, [id](const auto &stock) { return stock->id == id; });
+    return document;
+}
+
 Result<Document> addWeight(Document document, Weight weight)
 {
     if (!(std::isfinite(weight.mass) && weight.mass > 0.0))

@@ -34,6 +34,9 @@ Result<Document> addStock(Document document, Stock stock);
 /// Replaces the stock with the same id. BadValue, place "thickness" and so on, when not positive.
 Result<Document> setStock(Document document, Stock stock);
 Result<Document> setCurrentStock(Document document, StockId id);
+/// Takes a stock out; sections of it, and the next ones, are of `replacement` then. BadValue, place
+/// "replacement", when that is the stock itself.
+Result<Document> removeStock(Document document, StockId id, StockId replacement);
 
 /// Appends a weight (its id is given). BadValue when the mass is not positive.
 Result<Document> addWeight(Document document, Weight weight);

@@ -53,6 +53,7 @@ private Q_SLOTS:
     void childrenOfARemovedSectionStay();
     void stocksAreChecked_data();
     void stocksAreChecked();
+    void removedStocksAreReplaced();
     void weightsAreChecked();
 };
 
@@ -210,6 +211,27 @@ void TestEdits::stocksAreChecked()
     } else {
         QCOMPARE(QString::fromStdString(changed.error().place), field);
     }
+}
+
+// Wrong: a section whose stock is not there any more.
+void TestEdits::removedStocksAreReplaced()
+{
+    Document document = sample();
+    const StockId first = document.currentStock;
+    Stock other = *document.stocks[0];
+    other.name = "MDF";
+    document = addStock(document, other).value();
+    const StockId second = document.currentStock;
+    document = setSectionStock(document, document.sections[1]->id, second).value();
+
+    const Document after = removeStock(document, second, first).value();
+    QCOMPARE(after.stocks.size(), std::size_t(1));
+    QVERIFY(after.currentStock == first);
+    QVERIFY(after.sections[1]->stock == first);
+    QVERIFY(after.sections[0] == document.sections[0]); // was of the other stock
+    QVERIFY(!removeStock(document, second, second));
+    QVERIFY(isUnknown(removeStock(document, second, StockId{999})));
+    QVERIFY(isUnknown(removeStock(document, StockId{999}, first)));
 }
 
 // Wrong: a weight of nothing, or on nothing.
