@@ -48,6 +48,8 @@ public:
     }
     void undo() override { *m_committed = m_before; }
     void redo() override { *m_committed = m_after; }
+    const Model *before() const { return m_before.get(); }
+    const Model *after() const { return m_after.get(); }
 
 private:
     ModelPointer *m_committed;
@@ -162,6 +164,18 @@ void Session::commit(const QString &text, Document document)
 QUndoStack *Session::history() const
 {
     return d->stack;
+}
+
+const Model *Session::modelAfter(int steps) const
+{
+    const auto step = [this](int index) {
+        return static_cast<const ModelStep *>(d->stack->command(index));
+    };
+    if (steps < 0 || steps > d->stack->count())
+        return nullptr;
+    if (d->stack->count() == 0)
+        return d->committed.get();
+    return steps == 0 ? step(0)->before() : step(steps - 1)->after();
 }
 
 bool Session::isClean() const

@@ -37,6 +37,9 @@ public:
 
     /// Undo, redo, jump: every change of index is announced once, from where it was to where it is.
     QUndoStack *history() const;
+    /// What was committed after so many steps of the history: 0 before the first one. Null when
+    /// there are not so many.
+    const Model *modelAfter(int steps) const;
     bool isClean() const;
     void setClean(); // saved
     /// What is shown is on no disk (recovered after a crash): not clean until it is saved.
