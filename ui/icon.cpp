@@ -35,7 +35,11 @@ class MaskEngine : public QIconEngine
 public:
     enum class Use { Action, Row };
 
-    MaskEngine(const QString &name, Use use) : m_name(name), m_use(use) {}
+    /// own  valid: the colour whatever the theme's are
+    MaskEngine(const QString &name, Use use, const QColor &own = {})
+        : m_name(name), m_use(use), m_own(own)
+    {
+    }
 
     void paint(QPainter *painter, const QRect &rect, QIcon::Mode mode, QIcon::State state) override
     {
@@ -61,7 +65,7 @@ public:
         return tintedPixmap(m_name, side, colour(mode, state), scale);
     }
 
-    QIconEngine *clone() const override { return new MaskEngine(m_name, m_use); }
+    QIconEngine *clone() const override { return new MaskEngine(m_name, m_use, m_own); }
 
 private:
     QColor colour(QIcon::Mode mode, QIcon::State state) const
@@ -70,6 +74,8 @@ private:
         QColor c = m_use == Use::Row    ? theme().muted
                    : state == QIcon::On ? theme().accent
                                         : theme().text;
+        if (m_own.isValid())
+            c = m_own;
         if (mode == QIcon::Selected)
             c = theme().onAccent;
         if (mode == QIcon::Disabled)
@@ -79,6 +85,7 @@ private:
 
     QString m_name;
     Use m_use;
+    QColor m_own;
 };
 
 } // namespace
@@ -91,6 +98,11 @@ QIcon themedIcon(const QString &name)
 QIcon rowIcon(const QString &name)
 {
     return QIcon(new MaskEngine(name, MaskEngine::Use::Row));
+}
+
+QIcon colouredIcon(const QString &name, const QColor &colour)
+{
+    return QIcon(new MaskEngine(name, MaskEngine::Use::Row, colour));
 }
 
 QPixmap tintedPixmap(const QString &name, int size, const QColor &colour, double pixelRatio)

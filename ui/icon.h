@@ -12,6 +12,9 @@ QIcon themedIcon(const QString &name);
 /// For rows of lists: muted, and readable on the selection.
 QIcon rowIcon(const QString &name);
 
+/// In this colour, and readable on the selection.
+QIcon colouredIcon(const QString &name, const QColor &colour);
+
 /// One picture of it in one colour. `size` in device-independent pixels.
 QPixmap tintedPixmap(const QString &name, int size, const QColor &colour, double pixelRatio);
 

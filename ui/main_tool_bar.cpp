@@ -2,7 +2,7 @@
 
 #include "ui/actions/action_set.h"
 #include "ui/icon.h"
-#include "ui/properties/stock_choice.h"
+#include "ui/properties/stock_box.h"
 #include "ui/theme.h"
 #include "ui/workbench.h"
 
@@ -12,7 +12,8 @@ namespace fff::ui {
 
 namespace {
 
-constexpr int kToolLabels = 1100; // px; a narrower tool bar has no labels
+// px; what a narrower window has not
+constexpr int kToolLabels = 1400, kWholeStock = 1240;
 
 } // namespace
 
@@ -27,35 +28,22 @@ MainToolBar::MainToolBar(Workbench &bench, const ActionSet &actions, QWidget *pa
                         "edit.delete", "", "view.fitAll", "view.front", "view.right", "view.top",
                         "view.iso"});
 
+    for (QAction *action : this->actions()) {
+        if (QWidget *button = widgetForAction(action); button && !action->isSeparator())
+            button->setFocusPolicy(Qt::TabFocus); // a click leaves it where it was
+    }
+
     auto *stretch = new QWidget(this);
     stretch->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
     addWidget(stretch);
-    makeStock();
+    m_stock = new StockBox(m_bench, this);
+    connect(m_stock, &StockBox::editorWanted, actions.action("fabricate.stocks"),
+            &QAction::trigger);
+    addWidget(m_stock);
     auto *gap = new QWidget(this);
     gap->setFixedWidth(8);
     addWidget(gap);
     makeExport(actions.action("file.export"));
-}
-
-void MainToolBar::makeStock()
-{
-    m_stock = new ChoiceBox(this);
-    m_stock->setObjectName(QStringLiteral("toolStock"));
-    m_stock->setToolTip(tr("Stock of the next section"));
-    m_stock->setAccessibleName(tr("Stock of the next section"));
-    m_stock->setMinimumHeight(28);
-    m_stock->setSizeAdjustPolicy(QComboBox::AdjustToContents);
-    connect(m_stock, &QComboBox::activated, this,
-            [this](int index) { chooseNewStock(m_bench, index); });
-    connect(&m_bench.session(), &Session::modelChanged, m_stock, [this] {
-        const Document &document = m_bench.session().model().document;
-        Choices choices = choicesOfStock(document, document.currentStock);
-        const std::vector<Stock> stocks = stockChoices(document);
-        for (std::size_t i = 0; i < stocks.size(); ++i)
-            choices.all[i].text = stockText(stocks[i], locale());
-        m_stock->setChoices(choices);
-    });
-    addWidget(m_stock);
 }
 
 void MainToolBar::makeExport(QAction *exporting)
@@ -78,6 +66,7 @@ void MainToolBar::fold(int windowWidth)
     const bool labels = windowWidth >= kToolLabels;
     setToolButtonStyle(labels ? Qt::ToolButtonTextUnderIcon : Qt::ToolButtonIconOnly);
     setFixedHeight(labels ? 56 : 44);
+    m_stock->setShort(windowWidth < kWholeStock);
 }
 
 void MainToolBar::refresh()

@@ -9,7 +9,7 @@ class QPushButton;
 namespace fff::ui {
 
 class ActionSet;
-class ChoiceBox;
+class StockBox;
 class Workbench;
 
 class MainToolBar : public QToolBar
@@ -24,11 +24,10 @@ public:
     void refresh();
 
 private:
-    void makeStock();
     void makeExport(QAction *exporting);
 
     Workbench &m_bench;
-    ChoiceBox *m_stock = nullptr;
+    StockBox *m_stock = nullptr;
     QPushButton *m_export = nullptr;
 };
 

@@ -1,10 +1,15 @@
 #include "ui/main_window.h"
 
 #include "core/io/error_text.h"
+#include "core/session/check_list.h"
 #include "ui/actions/action_set.h"
+#include "ui/badges.h"
 #include "ui/dialogs/about_dialog.h"
 #include "ui/dialogs/command_search.h"
 #include "ui/dialogs/settings_dialog.h"
+#include "ui/dialogs/stock_editor.h"
+#include "ui/docks/checks_dock.h"
+#include "ui/docks/history_dock.h"
 #include "ui/docks/outline_dock.h"
 #include "ui/docks/properties_dock.h"
 #include "ui/files/document_files.h"
@@ -13,6 +18,7 @@
 #include "ui/icon.h"
 #include "ui/main_tool_bar.h"
 #include "ui/message_bar.h"
+#include "ui/panes.h"
 #include "ui/properties/open_editor.h"
 #include "ui/settings/settings.h"
 #include "ui/start/start_page.h"
@@ -55,21 +61,15 @@ MainWindow::MainWindow(QWidget *parent) : QMainWindow(parent), m_bench(new Workb
 
     m_actions = new ActionSet(*m_bench, this);
     makeView();
-    m_outline = new OutlineDock(*m_bench, this);
-    m_properties = new PropertiesDock(*m_bench, this);
     m_status = new StatusLine(*m_bench, *m_actions, this);
     setStatusBar(m_status);
+    makeDocks();
     m_files = new DocumentFiles(*m_bench, *m_messages, *m_status, *this);
     addCommands();
     m_toolBar = new MainToolBar(*m_bench, *m_actions, this);
     addToolBar(m_toolBar);
-    m_layout = new WindowLayout(*this);
-    m_layout->add(m_outline, WindowLayout::Place::Left);
-    m_layout->add(m_properties, WindowLayout::Place::Right);
-    connect(m_layout, &WindowLayout::hiddenChanged, m_actions->action("view.docks"),
-            &QAction::setChecked);
     makeMenus();
-    resetLayout();
+    m_layout->restore();
     refreshTheme();
 
     connect(m_actions, &ActionSet::triggered, this, &MainWindow::run);
@@ -122,6 +122,40 @@ void MainWindow::makeView()
     setCentralWidget(middle);
 }
 
+void MainWindow::makeDocks()
+{
+    m_checkList = new CheckList(m_bench->session(), this);
+    m_outline = new OutlineDock(*m_bench, *m_checkList, this);
+    m_history = new HistoryDock(*m_bench, this);
+    m_checks = new ChecksDock(*m_bench, *m_checkList, this);
+    m_properties = new PropertiesDock(*m_bench, this);
+    m_badges = new Badges(*m_bench, *m_checkList, m_view);
+    m_layout = new WindowLayout(*this);
+    // The order is that of the tabs in a narrow window.
+    m_layout->add(m_properties, WindowLayout::Place::Right);
+    m_layout->add(m_outline, WindowLayout::Place::Left);
+    m_layout->add(m_checks, WindowLayout::Place::LeftBelow);
+    m_layout->add(m_history, WindowLayout::Place::Left);
+    connect(m_layout, &WindowLayout::hiddenChanged, m_actions->action("view.docks"),
+            &QAction::setChecked);
+
+    connect(m_badges, &Badges::clicked, m_checks, qOverload<CheckSubject>(&ChecksDock::choose));
+    connect(m_checks, &ChecksDock::shown, this, [this] { m_layout->show(m_checks); });
+    connect(m_checks, &ChecksDock::said, m_status, &StatusLine::sayMarked);
+    connect(m_history, &HistoryDock::said, m_status, &StatusLine::sayMarked);
+    connect(m_checks, &ChecksDock::stocksWanted, this, [this] { showStocks({}); });
+    connect(m_properties, &PropertiesDock::stockWanted, this, &MainWindow::showStocks);
+}
+
+void MainWindow::showStocks(StockId stock)
+{
+    if (!m_stocks) {
+        m_stocks = new StockEditor(*m_bench, *m_actions, this);
+        m_stocks->refresh();
+    }
+    m_stocks->open(stock);
+}
+
 void MainWindow::makeMenus()
 {
     m_actions->fill(menuBar(), [this](const QString &id, QMenu *menu) {
@@ -168,6 +202,11 @@ void MainWindow::addCommands()
     add("view.fullScreen", [this] { setWindowState(windowState() ^ Qt::WindowFullScreen); });
     add("view.resetWindow", [this] { resetLayout(); });
     add("help.about", [this] { AboutDialog(this).exec(); });
+    add("view.nextPane", [this] { goToPane(*this, m_toolBar, m_view, 1); });
+    add("view.previousPane", [this] { goToPane(*this, m_toolBar, m_view, -1); });
+    add("check.nextProblem", [this] { m_checks->goToProblem(1); });
+    add("check.previousProblem", [this] { m_checks->goToProblem(-1); });
+    add("fabricate.stocks", [this] { showStocks({}); });
 }
 
 void MainWindow::run(const QString &id)
@@ -228,6 +267,11 @@ void MainWindow::refreshTheme()
         menu->setPalette(theme().palette());
     m_messages->refresh();
     m_outline->refreshColours();
+    m_history->refreshColours();
+    m_checks->refreshColours();
+    m_badges->refreshColours();
+    if (m_stocks)
+        m_stocks->refresh();
     m_properties->refresh();
     m_status->refresh();
     m_toolBar->refresh();
@@ -253,6 +297,8 @@ bool MainWindow::event(QEvent *event)
 void MainWindow::closeEvent(QCloseEvent *event)
 {
     event->setAccepted(m_mayClose || m_files->mayClose());
+    if (event->isAccepted())
+        m_layout->save();
 }
 
 void MainWindow::resizeEvent(QResizeEvent *event)
@@ -267,7 +313,7 @@ void MainWindow::showEvent(QShowEvent *event)
     if (m_wasShown)
         return;
     m_wasShown = true;
-    resetLayout(); // only now its real width is known
+    m_layout->windowShown();
     m_view->setFocus();
 }
 

@@ -1,19 +1,29 @@
 // The window: puts view, docks, bars and actions together and hands their wishes on.
 #pragma once
 
-#include <QMainWindow>
+#include <QMainWindow> // first: moc stumbles over some standard headers
+
+#include "core/base/ids.h"
+
+namespace fff {
+class CheckList;
+}
 
 class QStackedWidget;
 
 namespace fff::ui {
 
 class ActionSet;
+class Badges;
+class ChecksDock;
 class DocumentFiles;
+class HistoryDock;
 class MainToolBar;
 class MessageBar;
 class OutlineDock;
 class PropertiesDock;
 class StatusLine;
+class StockEditor;
 class Viewport;
 class WindowLayout;
 class Workbench;
@@ -47,18 +57,26 @@ protected:
 
 private:
     void makeView();
+    void makeDocks();
     void makeMenus();
     void addCommands();
     void run(const QString &id);
     void openFiles(const QStringList &paths);
+    /// The stock editor with this stock; an invalid one: that of the next section.
+    void showStocks(StockId stock);
     void refreshTheme();
 
     Workbench *m_bench = nullptr;
     ActionSet *m_actions = nullptr;
     MessageBar *m_messages = nullptr;
     QWidget *m_view = nullptr; // the viewport, or what stands there without OpenGL
+    CheckList *m_checkList = nullptr;
     OutlineDock *m_outline = nullptr;
+    HistoryDock *m_history = nullptr;
+    ChecksDock *m_checks = nullptr;
     PropertiesDock *m_properties = nullptr;
+    Badges *m_badges = nullptr;
+    StockEditor *m_stocks = nullptr; // once it was asked for
     StatusLine *m_status = nullptr;
     DocumentFiles *m_files = nullptr;
     MainToolBar *m_toolBar = nullptr;

@@ -2,6 +2,9 @@ target_sources(fff_ui PRIVATE
     actions/action_finder.cpp
     actions/action_set.cpp
     actions/action_table.cpp
+    badge.cpp
+    badges.cpp
+    check_words.cpp
     cursors.cpp
     dialogs/about_dialog.cpp
     dialogs/command_search.cpp
@@ -10,7 +13,13 @@ target_sources(fff_ui PRIVATE
     dialogs/settings_dialog.cpp
     dialogs/shortcut_editor.cpp
     dialogs/shortcut_keys.cpp
+    dialogs/stock_editor.cpp
+    dialogs/stock_fields.cpp
+    dialogs/stock_list.cpp
+    docks/check_row.cpp
+    docks/checks_dock.cpp
     docks/dock_title.cpp
+    docks/history_dock.cpp
     docks/outline_dock.cpp
     docks/properties_dock.cpp
     field_style.cpp
@@ -27,15 +36,19 @@ target_sources(fff_ui PRIVATE
     main_window.cpp
     measures.cpp
     message_bar.cpp
+    panes.cpp
     properties/choice_box.cpp
+    properties/joint_list.cpp
     properties/length_edit.cpp
     properties/number_edit.cpp
     properties/open_editor.cpp
     properties/property_rows.cpp
+    properties/stock_box.cpp
     properties/stock_choice.cpp
+    properties/thickness_field.cpp
+    sentence_label.cpp
     settings/settings.cpp
     settings/system_motion.cpp
-    sentence_label.cpp
     start/ago_text.cpp
     start/card_grid.cpp
     start/model_card.cpp

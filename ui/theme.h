@@ -18,7 +18,7 @@ struct Theme
     QColor window, panel, alternate, text, muted;
     QColor border, strong; // separators; borders of fields
     QColor accent, onAccent, soft, hover;
-    QColor problem, problemSoft, warning, warningSoft;
+    QColor problem, problemSoft, warning, warningSoft, good;
     QColor button;
 
     QPalette palette() const;

@@ -1,4 +1,4 @@
-// Where the docks of a window are: at first, hidden all together, and back where they were.
+// Where the docks of a window are: at first, as the person put them, hidden all together and back.
 #pragma once
 
 #include <QByteArray>
@@ -15,8 +15,9 @@ class WindowLayout : public QObject
 {
     Q_OBJECT
 public:
-    /// Where a dock is at first in a wide window; a narrow one has all of them at the right.
-    enum class Place { Left, Right };
+    /// Where a dock is at first in a wide window. Docks of one place are tabs of each other; a
+    /// narrow window has all of them as tabs at the right, in the order in which they were added.
+    enum class Place { Right, Left, LeftBelow };
 
     explicit WindowLayout(QMainWindow &window);
 
@@ -25,19 +26,32 @@ public:
 
     /// Every dock where it is at first, for the window's present width.
     void reset();
+    /// Size and arrangement as save() has kept them; what this screen or this version cannot follow
+    /// is as at first. Call when all docks were added, before the window is shown.
+    void restore();
+    /// For the next start. Docks that are hidden all together are kept as they were before.
+    void save() const;
+    /// Call when the window is shown: only now its real width is known.
+    void windowShown();
+
     /// All docks away, and back exactly as they were.
     void setHidden(bool hidden);
     bool isHidden() const { return m_isHidden; }
+    /// Brings a dock to the front, wherever it is; the others too, if all were hidden.
+    void show(QDockWidget *dock);
 
 Q_SIGNALS:
     void hiddenChanged(bool hidden);
 
 private:
+    void forgetHiding();
+
     QMainWindow &m_window;
     std::vector<QDockWidget *> m_docks;
     std::vector<Place> m_places; // one a dock
     QByteArray m_beforeHiding;
     bool m_isHidden = false;
+    bool m_isRestored = false;
 };
 
 } // namespace fff::ui

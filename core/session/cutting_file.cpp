@@ -54,13 +54,22 @@ Result<CuttingFile> makeCuttingFile(const Analysis &analysis, const CuttingFileO
         parts = compensateKerf(std::move(parts), analysis.model);
     const Layout layout = layOut(parts, analysis.model, options.layout);
     file.sheetCount = static_cast<int>(layout.sheets.size());
+    file.usedShare = usedShare(layout, parts);
     for (const int index : layout.oversized)
         addOnce(file.oversized, nameOf(analysis, parts[static_cast<std::size_t>(index)]));
 
     io::SvgOptions svg;
     svg.hasReference = options.hasReference;
     svg.kerfApplied = options.compensatesKerf;
-    file.svg = io::writeSvg(layout, parts, engravings, analysis.model, svg);
+    if (!options.isFilePerSheet) {
+        file.svg = io::writeSvg(layout, parts, engravings, analysis.model, svg);
+        return file;
+    }
+    for (const Sheet &sheet : layout.sheets) {
+        file.sheets.push_back(
+            io::writeSvg(Layout{{sheet}, {}}, parts, engravings, analysis.model, svg));
+        ++svg.firstSheet;
+    }
     return file;
 }
 

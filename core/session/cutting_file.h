@@ -15,14 +15,17 @@ struct CuttingFileOptions
 {
     LayoutOptions layout;
     bool compensatesKerf = true; // each cut path offset by half its stock's kerf
+    bool isFilePerSheet = false; // else all sheets in one drawing, a group each
     bool hasReference = true;    // a 100 mm bar beside the sheets, to check the printed size
 };
 
 struct CuttingFile
 {
-    std::string svg;
+    std::string svg;                 // all sheets; empty where each has a file of its own
+    std::vector<std::string> sheets; // the files of the sheets in their order, else empty
     int partCount = 0;
     int sheetCount = 0;
+    double usedShare = 0.0;             // of the sheets' area that parts cover, 0 … 1
     std::vector<std::string> oversized; // names of sections with a part that fits no sheet
     std::vector<std::string> unmarked; // names of sections with a part too slim to carry its number
     std::vector<std::string> closedSlits; // names of sections whose slits the kerf closes

@@ -3,15 +3,18 @@
 find_program(RSVG_CONVERT rsvg-convert REQUIRED)
 set(icon_names
     about
+    check
     chevron_down
     chevron_right
     clock
     close
     close_window
     docks
+    duplicate
     err
     export
     eye
+    eye_off
     face_section
     fit
     fit_selection
@@ -20,7 +23,12 @@ set(icon_names
     keyboard
     mouse
     new
+    next_pane
+    next_problem
     open
+    plus
+    previous_pane
+    previous_problem
     quit
     redo
     reset_window
@@ -32,8 +40,10 @@ set(icon_names
     select_all
     settings
     start
+    stocks
     trash
     undo
+    unknown
     view_back
     view_bottom
     view_front
@@ -42,6 +52,7 @@ set(icon_names
     view_right
     view_top
     warn
+    working
 )
 set(icon_folder ${CMAKE_CURRENT_BINARY_DIR}/icons)
 file(MAKE_DIRECTORY ${icon_folder})

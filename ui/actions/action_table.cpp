@@ -56,6 +56,16 @@ const ActionRow kActions[] = {
      TEXT("Fill the screen with the window"), false, true},
     {"view.resetWindow", TEXT("Reset &window"), TEXT("Reset window"), "", "reset_window",
      TEXT("Put all panels back where they were at first")},
+    {"view.nextPane", TEXT("&Next part of the window"), TEXT("Next part"), "F6", "next_pane",
+     TEXT("Go to the next part of the window: tool bar, left, view, right")},
+    {"view.previousPane", TEXT("&Previous part of the window"), TEXT("Previous part"), "Shift+F6",
+     "previous_pane", TEXT("Go back to the part of the window before this one")},
+    {"check.nextProblem", TEXT("&Next problem"), TEXT("Next problem"), "F8", "next_problem",
+     TEXT("Select the sections of the next problem and show them")},
+    {"check.previousProblem", TEXT("&Previous problem"), TEXT("Previous problem"), "Shift+F8",
+     "previous_problem", TEXT("Select the sections of the problem before this one")},
+    {"fabricate.stocks", TEXT("&Stocks…"), TEXT("Stocks"), "", "stocks",
+     TEXT("Sheet materials: thickness, strength, kerf and sheet size")},
     {"edit.find", TEXT("&Find an action…"), TEXT("Find"), "Ctrl+K", "search",
      TEXT("Type to find anything that the program can do")},
     {"help.start", TEXT("&Start page"), TEXT("Start page"), "", "start",
@@ -71,7 +81,9 @@ const MenuRow kMenus[] = {
     {TEXT("&Edit"), "edit.undo edit.redo | edit.delete | edit.selectAll"},
     {TEXT("&View"), "view.front view.top view.right view.back view.bottom view.left view.iso "
                     "view.faceSelection | view.fitAll view.fitSelection | "
-                    "@docks view.docks view.resetWindow | view.fullScreen"},
+                    "@docks view.docks view.resetWindow | view.nextPane view.previousPane | view.fullScreen"},
+    {TEXT("&Checks"), "check.nextProblem check.previousProblem"},
+    {TEXT("F&abricate"), "fabricate.stocks | file.export"},
     {TEXT("&Help"), "edit.find help.start | help.about"},
 };
 

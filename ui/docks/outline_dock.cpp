@@ -1,51 +1,87 @@
 #include "ui/docks/outline_dock.h"
 
 #include "core/model/edits.h"
+#include "core/session/check_list.h"
+#include "ui/check_words.h"
 #include "ui/docks/dock_title.h"
 #include "ui/icon.h"
+#include "ui/properties/choice_box.h"
+#include "ui/properties/stock_choice.h"
 #include "ui/theme.h"
+#include "ui/view/view_style.h"
 #include "ui/workbench.h"
 
 #include <QHeaderView>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
 #include <QScopedValueRollback>
 #include <QTreeWidget>
 #include <QVBoxLayout>
 
-#include <map>
-#include <set>
+#include <functional>
 
 namespace fff::ui {
 
 namespace {
 
-constexpr int kIdRole = Qt::UserRole;        // SectionId, 0 for a generated section
+enum Column { kName, kStock, kProblem, kEye, kColumnCount };
+
+constexpr int kIdRole = Qt::UserRole;        // SectionId
 constexpr int kNameRole = Qt::UserRole + 1;  // as in the model
 constexpr int kStockRole = Qt::UserRole + 2; // name of its stock, for the filter
+constexpr int kMarkRole = Qt::UserRole + 3;  // what a column's icon is made of
 constexpr int kRowHeight = 24;               // px
+constexpr int kMarkWidth = 24;               // px
 
 SectionId idOf(const QTreeWidgetItem *item)
 {
     return SectionId{item->data(0, kIdRole).toLongLong()};
 }
 
-/// What the tree shows of a section; equal lists need no new tree.
-bool showsTheSame(const Model &a, const Model &b)
+/// A tree in which Space is for the eye.
+class OutlineTree : public QTreeWidget
 {
-    const auto &before = a.document.sections, &after = b.document.sections;
-    return a.document.stocks == b.document.stocks &&
-           std::equal(before.begin(), before.end(), after.begin(), after.end(),
-                      [](const SectionPointer &p, const SectionPointer &q) {
-                          return p == q || (p->id == q->id && p->name == q->name &&
-                                            p->stock == q->stock && p->parent == q->parent);
-                      });
+public:
+    using QTreeWidget::QTreeWidget;
+    std::function<void(QTreeWidgetItem *)> toggle;
+
+protected:
+    void keyPressEvent(QKeyEvent *event) override
+    {
+        if (event->key() == Qt::Key_Space && currentItem())
+            toggle(currentItem());
+        else
+            QTreeWidget::keyPressEvent(event);
+    }
+    /// The eye is a button: it does not select.
+    QItemSelectionModel::SelectionFlags selectionCommand(const QModelIndex &index,
+                                                         const QEvent *event) const override
+    {
+        if (event && index.column() == kEye &&
+            (event->type() == QEvent::MouseButtonPress ||
+             event->type() == QEvent::MouseButtonRelease))
+            return QItemSelectionModel::NoUpdate;
+        return QTreeWidget::selectionCommand(index, event);
+    }
+};
+
+/// Sets an icon only where it differs: every change is announced and painted.
+void setMark(QTreeWidgetItem *item, int column, const QString &mark, const QIcon &icon,
+             const QString &tip)
+{
+    if (item->data(column, kMarkRole).toString() == mark)
+        return;
+    item->setData(column, kMarkRole, mark);
+    item->setIcon(column, icon);
+    item->setToolTip(column, tip);
+    item->setData(column, Qt::AccessibleTextRole, tip);
 }
 
 } // namespace
 
-OutlineDock::OutlineDock(Workbench &bench, QWidget *parent)
-    : QDockWidget(tr("Outline"), parent), m_bench(bench)
+OutlineDock::OutlineDock(Workbench &bench, const CheckList &list, QWidget *parent)
+    : QDockWidget(tr("Outline"), parent), m_bench(bench), m_list(list)
 {
     dressDock(this, "outlineDock");
     auto *content = new QWidget(this);
@@ -56,13 +92,25 @@ OutlineDock::OutlineDock(Workbench &bench, QWidget *parent)
     m_filter->setClearButtonEnabled(true);
     m_filter->addAction(rowIcon(QStringLiteral("search")), QLineEdit::LeadingPosition);
 
-    m_tree = new QTreeWidget(content);
+    auto *tree = new OutlineTree(content);
+    tree->toggle = [this](QTreeWidgetItem *item) { toggleEye(item, kEye); };
+    m_tree = tree;
     m_tree->setObjectName(QStringLiteral("outlineTree"));
     m_tree->setAccessibleName(tr("Sections"));
+    m_tree->setAccessibleDescription(tr("F2 renames, Space hides and shows."));
+    m_tree->setColumnCount(kColumnCount);
     m_tree->setHeaderHidden(true);
+    m_tree->header()->setStretchLastSection(false);
+    m_tree->header()->setMinimumSectionSize(kMarkWidth);
+    m_tree->header()->setSectionResizeMode(kName, QHeaderView::Stretch);
+    for (int column = kStock; column < kColumnCount; ++column) {
+        m_tree->header()->setSectionResizeMode(column, QHeaderView::Fixed);
+        m_tree->setColumnWidth(column, kMarkWidth);
+    }
     m_tree->setFrameShape(QFrame::NoFrame);
     m_tree->setSelectionMode(QAbstractItemView::ExtendedSelection);
     m_tree->setEditTriggers(QAbstractItemView::EditKeyPressed);
+    m_tree->setAllColumnsShowFocus(true);
     m_tree->setIconSize({16, 16});
     m_tree->setIndentation(16);
     m_tree->setUniformRowHeights(true);
@@ -85,98 +133,226 @@ OutlineDock::OutlineDock(Workbench &bench, QWidget *parent)
 
     connect(m_filter, &QLineEdit::textChanged, this, &OutlineDock::applyFilter);
     connect(m_tree, &QTreeWidget::itemChanged, this, &OutlineDock::rename);
+    connect(m_tree, &QTreeWidget::itemClicked, this, &OutlineDock::toggleEye);
     connect(m_tree, &QTreeWidget::itemSelectionChanged, this, &OutlineDock::takeSelection);
     connect(&bench, &Workbench::selectionChanged, this, &OutlineDock::showSelection);
-    connect(&bench.session(), &Session::modelChanged, this,
-            [this](const Model &before, const Model &after) {
-                if (m_showsPreview != m_bench.session().hasPreview() ||
-                    !showsTheSame(before, after))
-                    rebuild();
-            });
+    connect(&bench, &Workbench::viewStateChanged, this, &OutlineDock::markHidden);
+    connect(&list, &CheckList::changed, this, &OutlineDock::markProblems);
+    connect(&bench.session(), &Session::modelChanged, this, &OutlineDock::followModel);
     // Committing what was previewed changes no model, only its standing.
     connect(bench.session().history(), &QUndoStack::indexChanged, this, [this] {
-        if (m_showsPreview != m_bench.session().hasPreview())
-            rebuild();
+        if (!m_drafts.empty())
+            followModel();
     });
-    rebuild();
+    followModel();
 }
 
 void OutlineDock::refreshColours()
 {
+    markProblems();
+    markHidden();
     m_tree->viewport()->update();
 }
 
-void OutlineDock::rebuild()
+/// Makes the rows of what is new, drops those of what is gone, and writes those whose section is
+/// another object than the one they were made of.
+void OutlineDock::followModel()
 {
+    const Document &document = m_bench.session().model().document;
+    const Document &committed = m_bench.session().committed().document;
+    bool hasNewRows = false;
     {
         const QScopedValueRollback filling(m_isFilling, true);
-        std::set<SectionId> folded;
-        for (QTreeWidgetItemIterator it(m_tree); *it; ++it) {
-            if ((*it)->childCount() > 0 && !(*it)->isExpanded())
-                folded.insert(idOf(*it));
-        }
-        m_tree->clear();
-        m_showsPreview = m_bench.session().hasPreview();
+        const bool stocksDiffer = m_stocks != document.stocks;
+        m_stocks = document.stocks;
 
-        const Document &document = m_bench.session().model().document;
-        std::map<SectionId, QTreeWidgetItem *> items;
+        std::set<SectionId> there, moved, drafts;
+        for (const SectionPointer &section : document.sections)
+            there.insert(section->id);
+        if (m_bench.session().hasPreview()) {
+            for (const SectionPointer &section : document.sections) {
+                if (!committed.find(section->id))
+                    drafts.insert(section->id);
+            }
+        }
+        for (auto it = m_items.begin(); it != m_items.end();) {
+            if (there.contains(it->first)) {
+                ++it;
+                continue;
+            }
+            QTreeWidgetItem *item = it->second;
+            for (QTreeWidgetItem *child : item->takeChildren()) {
+                m_tree->addTopLevelItem(child);
+                moved.insert(idOf(child));
+            }
+            m_shown.erase(it->first);
+            it = m_items.erase(it);
+            delete item;
+        }
         for (const SectionPointer &section : document.sections) {
+            SectionPointer &shown = m_shown[section->id];
+            QTreeWidgetItem *&item = m_items[section->id];
+            const bool isNew = !item;
+            const bool isDraft = drafts.contains(section->id);
+            if (!isNew && shown == section && !stocksDiffer &&
+                isDraft == m_drafts.contains(section->id))
+                continue;
+            if (isNew) {
+                item = new QTreeWidgetItem;
+                item->setIcon(kName, rowIcon(QStringLiteral("section")));
+                item->setSizeHint(kName, {0, kRowHeight});
+                item->setData(kName, kIdRole, static_cast<qlonglong>(section->id.value));
+            }
+            if (isNew || !(shown->parent == section->parent))
+                moved.insert(section->id);
+            if (isNew || shown != section)
+                ++m_rowsTouched;
+            shown = section;
+            fill(item, *section);
+            QFont words = font();
+            words.setItalic(isDraft);
+            item->setFont(kName, words);
+            const auto flags = item->flags();
+            item->setFlags(isDraft ? flags & ~Qt::ItemIsEditable : flags | Qt::ItemIsEditable);
             const QString name = QString::fromStdString(section->name);
-            auto *item = new QTreeWidgetItem({name});
-            item->setIcon(0, rowIcon(QStringLiteral("section")));
-            if (m_bench.session().committed().document.find(section->id)) {
-                item->setFlags(item->flags() | Qt::ItemIsEditable);
-            } else {
-                QFont italic = font();
-                italic.setItalic(true);
-                item->setFont(0, italic);
-                //: %1 is the name of a section
-                item->setText(0, tr("%1, being drawn").arg(name));
-            }
-            item->setSizeHint(0, {0, kRowHeight});
-            item->setData(0, kIdRole, static_cast<qlonglong>(section->id.value));
-            item->setData(0, kNameRole, name);
-            item->setData(0, kStockRole, QString::fromStdString(document.stockOf(*section).name));
-            items[section->id] = item;
+            //: %1 is the name of a section
+            item->setText(kName, isDraft ? tr("%1, being drawn").arg(name) : name);
+            hasNewRows = hasNewRows || isNew;
         }
-        // A parent may stand after its child in a file, and a file may hold a ring of parents: a
-        // section whose parents lead back to itself goes to the top.
-        for (const SectionPointer &section : document.sections) {
-            QTreeWidgetItem *item = items[section->id], *above = nullptr;
-            if (section->parent) {
-                const auto found = items.find(section->parent->section.drawn);
-                above = found != items.end() ? found->second : nullptr;
-            }
-            for (QTreeWidgetItem *up = above; up; up = up->parent()) {
-                if (up == item)
-                    above = nullptr;
-            }
-            if (above)
-                above->addChild(item);
-            else
-                m_tree->addTopLevelItem(item);
-        }
-        for (const auto &[id, item] : items)
-            item->setExpanded(!folded.contains(id));
-        m_empty->setVisible(items.empty());
+        m_drafts = std::move(drafts);
+        place(document, moved);
+        m_empty->setVisible(m_items.empty());
+        showColumns();
     }
-    applyFilter();
+    if (hasNewRows) {
+        markHidden();
+        markProblems();
+    }
+    if (!m_filter->text().isEmpty())
+        applyFilter();
     showSelection();
+}
+
+void OutlineDock::fill(QTreeWidgetItem *item, const Section &section)
+{
+    const Stock &stock = m_bench.session().model().document.stockOf(section);
+    const QString name = QString::fromStdString(section.name);
+    item->setData(kName, kNameRole, name);
+    item->setData(kName, kStockRole, stockName(stock));
+    const QColor face = stockLook(stock).face;
+    setMark(item, kStock, face.name() + stockName(stock), colourChip(face), stockName(stock));
+    item->setToolTip(kName, name);
+}
+
+/// Puts rows under their parents, in the document's order. A parent may stand after its child in a
+/// file, and a file may hold a ring of parents: a section whose parents lead back to itself goes to
+/// the top.
+void OutlineDock::place(const Document &document, const std::set<SectionId> &moved)
+{
+    if (moved.empty())
+        return;
+    std::unordered_map<SectionId, std::size_t> order;
+    for (std::size_t i = 0; i < document.sections.size(); ++i)
+        order[document.sections[i]->id] = i;
+    for (const SectionPointer &section : document.sections) {
+        if (!moved.contains(section->id))
+            continue;
+        QTreeWidgetItem *item = m_items[section->id], *above = nullptr;
+        if (section->parent) {
+            const auto found = m_items.find(section->parent->section.drawn);
+            above = found != m_items.end() ? found->second : nullptr;
+        }
+        for (QTreeWidgetItem *up = above; up; up = up->parent()) {
+            if (up == item)
+                above = nullptr;
+        }
+        const bool isExpanded = !item->treeWidget() || item->isExpanded();
+        if (QTreeWidgetItem *before = item->parent())
+            before->removeChild(item);
+        else if (item->treeWidget())
+            m_tree->takeTopLevelItem(m_tree->indexOfTopLevelItem(item));
+        QTreeWidgetItem *under = above ? above : m_tree->invisibleRootItem();
+        // Most are the newest: look from the end.
+        int at = under->childCount();
+        while (at > 0 && order[idOf(under->child(at - 1))] > order[section->id])
+            --at;
+        const bool wasLeaf = under->childCount() == 0;
+        under->insertChild(at, item);
+        if (above && wasLeaf)
+            above->setExpanded(true);
+        if (item->childCount() > 0)
+            item->setExpanded(isExpanded);
+    }
+}
+
+/// A chip says something only where there is more than one stock.
+void OutlineDock::showColumns()
+{
+    m_tree->setColumnHidden(kStock, m_stocks.size() < 2);
+}
+
+void OutlineDock::markProblems()
+{
+    const QScopedValueRollback filling(m_isFilling, true);
+    std::map<SectionId, const Check *> worst;
+    for (const Check &check : m_list.all()) {
+        if (check.severity < CheckSeverity::Warning)
+            continue;
+        for (const SectionRef &ref : check.sections) {
+            const Check *&known = worst[ref.drawn];
+            if (!known || check.severity > known->severity)
+                known = &check;
+        }
+    }
+    for (const auto &[id, item] : m_items) {
+        const auto found = worst.find(id);
+        if (found == worst.end()) {
+            setMark(item, kProblem, QString(), QIcon(), QString());
+            continue;
+        }
+        const Check &check = *found->second;
+        const QString title = checkWords(check, m_list.model()).title;
+        const QColor colour = checkColour(check.severity);
+        setMark(item, kProblem, checkGlyph(check.severity) + colour.name() + title,
+                colouredIcon(checkGlyph(check.severity), colour), title);
+    }
+}
+
+void OutlineDock::markHidden()
+{
+    const QScopedValueRollback filling(m_isFilling, true);
+    for (const auto &[id, item] : m_items) {
+        const bool isHidden = m_bench.isHidden(SectionRef(id));
+        const QString icon = isHidden ? QStringLiteral("eye_off") : QStringLiteral("eye");
+        setMark(item, kEye, icon, rowIcon(icon), isHidden ? tr("Hidden: show it") : tr("Hide it"));
+        const QBrush words = isHidden ? QBrush(theme().muted) : QBrush();
+        if (item->foreground(kName) != words)
+            item->setForeground(kName, words);
+    }
+}
+
+void OutlineDock::toggleEye(QTreeWidgetItem *item, int column)
+{
+    if (column != kEye)
+        return;
+    const SectionRef ref(idOf(item));
+    m_bench.setHidden(ref, !m_bench.isHidden(ref));
 }
 
 void OutlineDock::rename(QTreeWidgetItem *item)
 {
     if (m_isFilling)
         return;
-    const QString before = item->data(0, kNameRole).toString(), name = item->text(0).trimmed();
+    const QString before = item->data(kName, kNameRole).toString(),
+                  name = item->text(kName).trimmed();
     if (name == before)
         return;
     if (name.isEmpty()) {
         const QScopedValueRollback filling(m_isFilling, true);
-        item->setText(0, before);
+        item->setText(kName, before);
         return;
     }
-    // Only after the editor has gone: the commit makes a new tree.
+    // Only after the editor has gone: the commit writes the row anew.
     const SectionId id = idOf(item);
     QMetaObject::invokeMethod(
         this,
@@ -193,11 +369,12 @@ void OutlineDock::applyFilter()
 {
     const QString words = m_filter->text().trimmed();
     const std::function<bool(QTreeWidgetItem *)> filter = [&](QTreeWidgetItem *item) {
-        bool fits = words.isEmpty() || item->text(0).contains(words, Qt::CaseInsensitive) ||
-                    item->data(0, kStockRole).toString().contains(words, Qt::CaseInsensitive);
+        bool fits = words.isEmpty() || item->text(kName).contains(words, Qt::CaseInsensitive) ||
+                    item->data(kName, kStockRole).toString().contains(words, Qt::CaseInsensitive);
         for (int i = 0; i < item->childCount(); ++i)
             fits = filter(item->child(i)) || fits;
-        item->setHidden(!fits);
+        if (item->isHidden() == fits)
+            item->setHidden(!fits);
         return fits;
     };
     for (int i = 0; i < m_tree->topLevelItemCount(); ++i)
@@ -217,18 +394,23 @@ void OutlineDock::takeSelection()
 void OutlineDock::showSelection()
 {
     const QScopedValueRollback filling(m_isFilling, true);
-    const auto &selection = m_bench.interaction().selection();
+    std::set<SectionId> wanted;
+    for (const SectionRef &ref : m_bench.interaction().selection())
+        wanted.insert(ref.drawn);
+    for (QTreeWidgetItem *item : m_tree->selectedItems()) {
+        if (!wanted.contains(idOf(item)))
+            item->setSelected(false);
+    }
     QTreeWidgetItem *newest = nullptr;
-    for (QTreeWidgetItemIterator it(m_tree); *it; ++it) {
-        const bool selected =
-            std::find(selection.begin(), selection.end(), SectionRef(idOf(*it))) != selection.end();
-        if (selected && !(*it)->isSelected())
-            newest = *it;
-        if ((*it)->isSelected() != selected)
-            (*it)->setSelected(selected);
+    for (const SectionRef &ref : m_bench.interaction().selection()) {
+        const auto found = m_items.find(ref.drawn);
+        if (found == m_items.end() || found->second->isSelected())
+            continue;
+        newest = found->second;
+        newest->setSelected(true);
     }
     if (newest) {
-        m_tree->setCurrentItem(newest, 0, QItemSelectionModel::NoUpdate);
+        m_tree->setCurrentItem(newest, kName, QItemSelectionModel::NoUpdate);
         m_tree->scrollToItem(newest);
     }
 }

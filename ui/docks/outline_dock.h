@@ -1,13 +1,23 @@
 // The sections as a tree by parent, with a filter. Selecting works both ways with the view; F2
-// renames.
+// renames; the eye hides. Follows an edit by what it changed: nothing else is touched.
 #pragma once
 
-#include <QDockWidget>
+#include <QDockWidget> // first: moc stumbles over some standard headers
+
+#include "core/model/model.h"
+
+#include <map>
+#include <set>
+#include <unordered_map>
 
 class QLabel;
 class QLineEdit;
 class QTreeWidget;
 class QTreeWidgetItem;
+
+namespace fff {
+class CheckList;
+}
 
 namespace fff::ui {
 
@@ -17,24 +27,37 @@ class OutlineDock : public QDockWidget
 {
     Q_OBJECT
 public:
-    explicit OutlineDock(Workbench &bench, QWidget *parent = nullptr);
+    OutlineDock(Workbench &bench, const CheckList &list, QWidget *parent = nullptr);
 
     /// In the colours of the theme.
     void refreshColours();
+    /// Rows made or placed since the start: a test sees that an edit does not make all of them.
+    int rowsTouched() const { return m_rowsTouched; }
 
 private:
-    void rebuild();
+    void followModel();
+    void fill(QTreeWidgetItem *item, const Section &section);
+    void place(const Document &document, const std::set<SectionId> &moved);
+    void markProblems();
+    void markHidden();
+    void showColumns();
     void rename(QTreeWidgetItem *item);
+    void toggleEye(QTreeWidgetItem *item, int column);
     void applyFilter();
     void takeSelection();
     void showSelection();
 
     Workbench &m_bench;
+    const CheckList &m_list;
     QLineEdit *m_filter = nullptr;
     QTreeWidget *m_tree = nullptr;
     QLabel *m_empty = nullptr;
+    std::unordered_map<SectionId, QTreeWidgetItem *> m_items;
+    std::unordered_map<SectionId, SectionPointer> m_shown; // what the items were made of
+    std::vector<std::shared_ptr<const Stock>> m_stocks;    // likewise
+    std::set<SectionId> m_drafts;                          // shown, but not committed
+    int m_rowsTouched = 0;
     bool m_isFilling = false;
-    bool m_showsPreview = false;
 };
 
 } // namespace fff::ui

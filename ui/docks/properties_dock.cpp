@@ -1,10 +1,12 @@
 #include "ui/docks/properties_dock.h"
 
 #include "core/base/tolerances.h"
+#include "core/base/units.h"
 #include "core/model/edits.h"
 #include "ui/docks/dock_title.h"
 #include "ui/icon.h"
 #include "ui/measures.h"
+#include "ui/properties/joint_list.h"
 #include "ui/properties/property_rows.h"
 #include "ui/properties/stock_choice.h"
 #include "ui/theme.h"
@@ -15,6 +17,9 @@
 #include <QScrollArea>
 #include <QVBoxLayout>
 
+#include <algorithm>
+#include <cmath>
+#include <iterator>
 #include <set>
 
 namespace fff::ui {
@@ -22,6 +27,7 @@ namespace fff::ui {
 namespace {
 
 constexpr LengthEdit::Range kThicknessRange{0.01, 1000.0, 0.05, 2, 3};
+constexpr LengthUnit kUnits[] = {LengthUnit::Millimetre, LengthUnit::Centimetre, LengthUnit::Inch};
 constexpr LengthEdit::Range kPositionRange{-kMaxCoordinate, kMaxCoordinate, 0.1, 2, 2};
 
 std::string nameOf(const Model &model, int index)
@@ -65,7 +71,10 @@ PropertiesDock::PropertiesDock(Workbench &bench, QWidget *parent)
     connect(&bench, &Workbench::selectionChanged, this, &PropertiesDock::refresh);
     connect(&bench.session(), &Session::modelChanged, this, &PropertiesDock::refresh);
     connect(&bench.session(), &Session::analysisChanged, this, &PropertiesDock::refresh);
-    refresh();
+    connect(&settings(), &Settings::unitChanged, this, &PropertiesDock::refresh);
+    connect(&settings(), &Settings::viewChanged, this, &PropertiesDock::refresh);
+    connect(this, &QDockWidget::visibilityChanged, this, &PropertiesDock::refresh);
+    refreshHeader();
 }
 
 QWidget *PropertiesDock::makeHeader(QWidget *parent)
@@ -105,39 +114,64 @@ QWidget *PropertiesDock::makeModelPage(QWidget *parent)
 {
     auto *page = new QWidget(parent);
     auto *model = new PropertyGroup(tr("Model"), page);
-    auto *drawing = new PropertyGroup(tr("New sections"), page);
-    m_modelRows = {
-        new TextRow(
-            tr("Size"), "modelSize",
-            [this] {
-                const Vec3 size = Measures(m_bench.session()).size();
-                if (size.isZero())
-                    return tr("nothing drawn yet");
-                return sizeText({size.x(), size.y(), size.z()}, 1, locale());
-            },
-            model),
+    auto *drawing = new PropertyGroup(tr("Drawing"), page);
+    const auto add = [this](PropertyGroup *group, PropertyRow *row) {
+        group->add(row);
+        m_modelRows.push_back(row);
+    };
+    add(model, new ChoiceRow(
+                   tr("Units"), "modelUnits",
+                   [] {
+                       Choices choices;
+                       for (LengthUnit unit : kUnits)
+                           choices.all.push_back({unitName(unit), QColor()});
+                       choices.current = static_cast<int>(
+                           std::find(std::begin(kUnits), std::end(kUnits), settings().unit()) -
+                           std::begin(kUnits));
+                       return choices;
+                   },
+                   [](int index) { settings().setUnit(kUnits[index]); }, model));
+    add(model, new TextRow(
+                   tr("Size"), "modelSize",
+                   [this] {
+                       const Vec3 size = Measures(m_bench.session()).size();
+                       if (size.isZero())
+                           return tr("nothing drawn yet");
+                       return sizeText({size.x(), size.y(), size.z()}, 1, locale());
+                   },
+                   model));
+    add(model,
         new TextRow(
             tr("Mass"), "modelMass",
-            [this] { return massText(Measures(m_bench.session()).mass(), locale()); }, model),
-        new TextRow(
-            tr("Sections"), "modelSections",
-            [this] {
-                return locale().toString(
-                    static_cast<qulonglong>(m_bench.session().model().sectionCount()));
-            },
-            model),
-    };
-    for (PropertyRow *row : m_modelRows)
-        model->add(row);
+            [this] { return massText(Measures(m_bench.session()).mass(), locale()); }, model));
+    add(model, new TextRow(
+                   tr("Sections"), "modelSections",
+                   [this] {
+                       return locale().toString(
+                           static_cast<qulonglong>(m_bench.session().model().sectionCount()));
+                   },
+                   model));
     auto *stock = new ChoiceRow(
-        tr("Stock"), "newStock",
+        tr("New sections"), "newStock",
         [this] {
             const Document &document = m_bench.session().model().document;
             return choicesOfStock(document, document.currentStock);
         },
-        [this](int index) { chooseNewStock(m_bench, index); }, drawing);
-    drawing->add(stock);
-    m_modelRows.push_back(stock);
+        [this](int index) { chooseNewStock(m_bench, index); }, model);
+    stock->setToolTip(tr("Stock of the sections that are drawn next"));
+    stock->addButton(QStringLiteral("stocks"), "newStockEdit", tr("Edit the stock"), [this] {
+        Q_EMIT stockWanted(m_bench.session().committed().document.currentStock);
+    });
+    add(model, stock);
+
+    auto *turn = new NumberEdit({0.0, Settings::kMaxTurnTime, 50.0, 0, 0}, tr("ms"), drawing);
+    connect(turn, &NumberEdit::numberEdited, this,
+            [](double time) { settings().setTurnTime(static_cast<int>(time)); });
+    auto *turnRow = new EditorRow(
+        tr("Turn time"), "turnTime", turn, [turn] { turn->setNumber(settings().turnTime()); },
+        drawing);
+    turnRow->setToolTip(tr("How long the view takes to turn to the plane of a new section"));
+    add(drawing, turnRow);
 
     auto *column = new QVBoxLayout(page);
     column->setContentsMargins(0, 0, 0, 0);
@@ -153,113 +187,177 @@ QWidget *PropertiesDock::makeSectionPage(QWidget *parent)
     auto *stock = new PropertyGroup(tr("Stock"), page);
     auto *place = new PropertyGroup(tr("Place"), page);
     auto *contour = new PropertyGroup(tr("Contour"), page);
-    const auto add = [this](PropertyGroup *group, PropertyRow *row) {
-        group->add(row);
-        m_sectionRows.push_back(row);
-    };
-
-    add(stock,
-        new ChoiceRow(
-            tr("Stock"), "sectionStock",
-            [this] {
-                const Model &model = m_bench.session().model();
-                const std::set<StockId> used = stocksOf(model, selected());
-                return choicesOfStock(
-                    model.document, used.size() == 1 ? std::optional(*used.begin()) : std::nullopt);
-            },
-            [this](int index) {
-                const Model &model = m_bench.session().committed();
-                const Stock choice =
-                    stockChoices(model.document).at(static_cast<std::size_t>(index));
-                StockId id;
-                Result<Document> next = withStock(model.document, choice, id);
-                std::vector<std::string> names;
-                for (int i : selected()) {
-                    names.push_back(nameOf(model, i));
-                    if (next)
-                        next = setSectionStock(std::move(*next),
-                                               model.ref(static_cast<std::size_t>(i)).drawn, id);
-                }
-                m_bench.commit({Step::Kind::SetStock, names}, std::move(next));
-            },
-            stock));
-    add(stock, new LengthRow(
-                   tr("Thickness"), "sectionThickness", kThicknessRange,
-                   [this]() -> std::optional<double> {
-                       const Document &document = m_bench.session().model().document;
-                       std::set<double> values;
-                       for (StockId id : stocksOf(m_bench.session().model(), selected()))
-                           values.insert(document.find(id)->thickness);
-                       return values.size() == 1 ? std::optional(*values.begin()) : std::nullopt;
-                   },
-                   [this](double value) {
-                       const Model &model = m_bench.session().committed();
-                       Result<Document> next = model.document;
-                       std::vector<std::string> names;
-                       for (StockId id : stocksOf(model, selected())) {
-                           Stock changed = *model.document.find(id);
-                           changed.thickness = value;
-                           names.push_back(changed.name);
-                           if (next)
-                               next = setStock(std::move(*next), changed);
-                       }
-                       m_bench.commit({Step::Kind::EditStock, names}, std::move(next));
-                   },
-                   stock));
-    add(stock, new TextRow(
-                   tr("Mass"), "sectionMass",
-                   [this] {
-                       const Measures measures(m_bench.session());
-                       double sum = 0.0;
-                       for (int i : selected())
-                           sum += measures.mass(i);
-                       return massText(sum, locale());
-                   },
-                   stock));
-
-    add(place, new TextRow(
-                   tr("On"), "sectionParent",
-                   [this] {
-                       return mixedOr([this](int i) {
-                           const Model &model = m_bench.session().model();
-                           const auto &link = model.section(static_cast<std::size_t>(i))->parent;
-                           const int on = link ? model.indexOf(link->section) : -1;
-                           return on < 0 ? tr("nothing")
-                                         : QString::fromStdString(nameOf(model, on));
-                       });
-                   },
-                   place));
-    add(place, positionRow(0, tr("Position X"), "positionX", place));
-    add(place, positionRow(1, tr("Position Y"), "positionY", place));
-    add(place, positionRow(2, tr("Position Z"), "positionZ", place));
-
-    add(contour, new TextRow(
-                     tr("Size"), "sectionSize",
-                     [this] {
-                         return mixedOr([this](int i) {
-                             const Vec2 size = Measures(m_bench.session()).contourSize(i);
-                             return sizeText({size.x(), size.y()}, 1, locale());
-                         });
-                     },
-                     contour));
-    add(contour, new TextRow(
-                     tr("Area"), "sectionArea",
-                     [this] {
-                         const Measures measures(m_bench.session());
-                         double sum = 0.0;
-                         for (int i : selected())
-                             sum += measures.area(i);
-                         return areaText(sum, locale());
-                     },
-                     contour));
+    m_jointGroup = new PropertyGroup(tr("Joints"), page);
+    addStockRows(stock);
+    addPlaceRows(place);
+    addContourRows(contour);
+    m_joints = new JointList(m_jointGroup);
+    m_joints->setObjectName(QStringLiteral("jointList"));
+    connect(m_joints, &JointList::chosen, this,
+            [this](const SectionRef &section) { m_bench.select({section}); });
+    m_jointGroup->add(m_joints);
 
     auto *column = new QVBoxLayout(page);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
-    column->addWidget(stock);
-    column->addWidget(place);
-    column->addWidget(contour);
+    for (QWidget *group : {stock, place, contour, m_jointGroup})
+        column->addWidget(group);
     return page;
+}
+
+void PropertiesDock::addStockRows(PropertyGroup *group)
+{
+    auto *stock = new ChoiceRow(
+        tr("Stock"), "sectionStock",
+        [this] {
+            const Model &model = m_bench.session().model();
+            const std::set<StockId> used = stocksOf(model, selected());
+            return choicesOfStock(model.document,
+                                  used.size() == 1 ? std::optional(*used.begin()) : std::nullopt);
+        },
+        [this](int index) {
+            const Model &model = m_bench.session().committed();
+            const Stock choice = stockChoices(model.document).at(static_cast<std::size_t>(index));
+            StockId id;
+            Result<Document> next = withStock(model.document, choice, id);
+            std::vector<std::string> names;
+            for (int i : selected()) {
+                names.push_back(nameOf(model, i));
+                if (next)
+                    next = setSectionStock(std::move(*next),
+                                           model.ref(static_cast<std::size_t>(i)).drawn, id);
+            }
+            m_bench.commit({Step::Kind::SetStock, names}, std::move(next));
+        },
+        group);
+    stock->addButton(QStringLiteral("stocks"), "sectionStockEdit", tr("Edit the stock"), [this] {
+        const std::set<StockId> used = stocksOf(m_bench.session().model(), selected());
+        if (!used.empty())
+            Q_EMIT stockWanted(*used.begin());
+    });
+    auto *thickness = new LengthRow(
+        tr("Thickness"), "sectionThickness", kThicknessRange,
+        [this]() -> std::optional<double> {
+            const Document &document = m_bench.session().model().document;
+            std::set<double> values;
+            for (StockId id : stocksOf(m_bench.session().model(), selected()))
+                values.insert(document.find(id)->thickness);
+            return values.size() == 1 ? std::optional(*values.begin()) : std::nullopt;
+        },
+        [this](double value) {
+            const std::set<StockId> used = stocksOf(m_bench.session().committed(), selected());
+            commitThickness(m_bench, std::vector(used.begin(), used.end()), value);
+        },
+        group);
+    thickness->setToolTip(tr("That of the stock: all sections of it follow"));
+    auto *mass = new TextRow(
+        tr("Mass"), "sectionMass",
+        [this] {
+            const Measures measures(m_bench.session());
+            double sum = 0.0;
+            for (int i : selected())
+                sum += measures.mass(i);
+            return massText(sum, locale());
+        },
+        group);
+    for (PropertyRow *row :
+         {static_cast<PropertyRow *>(stock), static_cast<PropertyRow *>(thickness),
+          static_cast<PropertyRow *>(mass)}) {
+        group->add(row);
+        m_sectionRows.push_back(row);
+    }
+}
+
+void PropertiesDock::addPlaceRows(PropertyGroup *group)
+{
+    const auto add = [this, group](PropertyRow *row) {
+        group->add(row);
+        m_sectionRows.push_back(row);
+    };
+    const auto parentOf = [this](int i) {
+        const Model &model = m_bench.session().model();
+        const auto &link = model.section(static_cast<std::size_t>(i))->parent;
+        return link ? model.indexOf(link->section) : -1;
+    };
+    const auto normalOf = [this](int i) {
+        return m_bench.session().model().section(static_cast<std::size_t>(i))->frame.normal();
+    };
+    add(new TextRow(
+        tr("On"), "sectionParent",
+        [this, parentOf] {
+            return commonText([this, parentOf](int i) {
+                const int on = parentOf(i);
+                return on < 0 ? tr("nothing")
+                              : QString::fromStdString(nameOf(m_bench.session().model(), on));
+            });
+        },
+        group));
+    add(new TextRow(
+        tr("Angle to it"), "sectionAngle",
+        [this, parentOf, normalOf] {
+            return commonText([this, parentOf, normalOf](int i) {
+                const int on = parentOf(i);
+                if (on < 0)
+                    return QStringLiteral("\u2013");
+                const double cosine = std::clamp(std::abs(normalOf(i).dot(normalOf(on))), 0.0, 1.0);
+                return tr("%1°").arg(numberText(degrees(std::acos(cosine)), 0, 1, locale()));
+            });
+        },
+        group));
+    add(positionRow(0, tr("Position X"), "positionX", group));
+    add(positionRow(1, tr("Position Y"), "positionY", group));
+    add(positionRow(2, tr("Position Z"), "positionZ", group));
+    add(new TextRow(
+        tr("Normal"), "sectionNormal",
+        [this, normalOf] {
+            return commonText([this, normalOf](int i) {
+                const Vec3 normal = normalOf(i);
+                QStringList numbers;
+                for (int axis : {0, 1, 2}) // no minus before a zero
+                    numbers += numberText(std::round(normal[axis] * 1000.0) / 1000.0 + 0.0, 0, 3,
+                                          locale());
+                return numbers.join(QStringLiteral("  "));
+            });
+        },
+        group));
+}
+
+void PropertiesDock::addContourRows(PropertyGroup *group)
+{
+    const auto add = [this, group](const QString &name, const char *objectName,
+                                   std::function<QString()> read) {
+        auto *row = new TextRow(name, objectName, std::move(read), group);
+        group->add(row);
+        m_sectionRows.push_back(row);
+    };
+    const auto shapeOf = [this](int i) -> const Shape & {
+        return *m_bench.session().model().section(static_cast<std::size_t>(i))->shape;
+    };
+    add(tr("Size"), "sectionSize", [this] {
+        return commonText([this](int i) {
+            const Vec2 size = Measures(m_bench.session()).contourSize(i);
+            return sizeText({size.x(), size.y()}, 1, locale());
+        });
+    });
+    add(tr("Area"), "sectionArea", [this] {
+        const Measures measures(m_bench.session());
+        double sum = 0.0;
+        for (int i : selected())
+            sum += measures.area(i);
+        return areaText(sum, locale());
+    });
+    add(tr("Points"), "sectionPoints", [this, shapeOf] {
+        return commonText([this, shapeOf](int i) {
+            // A closed chain of n curves has 3 n control points, n of them on the contour.
+            return locale().toString(shapeOf(i).controlPointCount() / 3);
+        });
+    });
+    add(tr("Holes"), "sectionHoles", [this, shapeOf] {
+        return commonText([this, shapeOf](int i) {
+            const auto count = static_cast<qulonglong>(shapeOf(i).holes().size());
+            return count == 0 ? tr("none") : locale().toString(count);
+        });
+    });
 }
 
 /// Of the frame's origin; a new value moves the section along the world's axis.
@@ -294,12 +392,42 @@ PropertyRow *PropertiesDock::positionRow(int axis, const QString &name, const ch
 
 void PropertiesDock::refresh()
 {
+    if (!isVisible())
+        return; // once it is seen again
     const bool hasSection = !selected().empty();
     refreshHeader();
     m_modelPage->setVisible(!hasSection);
     m_sectionPage->setVisible(hasSection);
     for (PropertyRow *row : hasSection ? m_sectionRows : m_modelRows)
         row->refresh();
+    if (hasSection)
+        refreshJoints();
+}
+
+/// Of one section; of several there is no list that says anything.
+void PropertiesDock::refreshJoints()
+{
+    const Model &model = m_bench.session().model();
+    const std::vector<int> sections = selected();
+    m_jointGroup->setVisible(sections.size() == 1);
+    if (sections.size() != 1)
+        return;
+    const Analysis &analysis = m_bench.session().analysis();
+    const int here = analysis.model.indexOf(model.ref(static_cast<std::size_t>(sections.front())));
+    std::vector<JointList::Entry> entries;
+    for (const Joint &joint : analysis.assembly.joints) {
+        if (here < 0 || (joint.a != here && joint.b != here))
+            continue;
+        const auto other = static_cast<std::size_t>(joint.a == here ? joint.b : joint.a);
+        double length = 0.0;
+        for (const Overlap &overlap : joint.crossing->overlaps)
+            length += overlap.to - overlap.from;
+        entries.push_back(
+            {analysis.model.ref(other), QString::fromStdString(analysis.model.section(other)->name),
+             tr("%1 · %2").arg(jointKindText(joint.kind), lengthText(length, 1, 1, locale())),
+             joint.kind == JointKind::None});
+    }
+    m_joints->setEntries(entries);
 }
 
 void PropertiesDock::refreshHeader()
@@ -325,7 +453,13 @@ void PropertiesDock::refreshHeader()
             return count;
         }();
         name = QString::fromStdString(nameOf(model, sections.front()));
-        kind = tr("Section · %1").arg(tr("%n joint(s)", nullptr, joints));
+        const auto &link = model.section(index)->parent;
+        const int on = link ? model.indexOf(link->section) : -1;
+        const QString count = tr("%n joint(s)", nullptr, joints);
+        kind =
+            on < 0
+                ? tr("Section · %1").arg(count)
+                : tr("Section · on %1 · %2").arg(QString::fromStdString(nameOf(model, on)), count);
     } else {
         name = tr("%n section(s)", nullptr, static_cast<int>(sections.size()));
         kind = tr("Changes apply to all of them");
@@ -369,12 +503,15 @@ std::vector<int> PropertiesDock::selected() const
     return sections;
 }
 
-QString PropertiesDock::mixedOr(const std::function<QString(int)> &text) const
+QString PropertiesDock::commonText(const std::function<QString(int)> &text) const
 {
     std::set<QString> values;
-    for (int i : selected())
+    for (int i : selected()) {
         values.insert(text(i));
-    return values.size() == 1 ? *values.begin() : tr("mixed");
+        if (values.size() > 1)
+            return {};
+    }
+    return values.empty() ? QString() : *values.begin();
 }
 
 } // namespace fff::ui

@@ -2,7 +2,9 @@
 // write through edits, one undo step each (ui/properties/property_rows.h).
 #pragma once
 
-#include <QDockWidget>
+#include <QDockWidget> // first: moc stumbles over some standard headers
+
+#include "core/base/ids.h"
 
 #include <functional>
 #include <vector>
@@ -12,6 +14,7 @@ class QLineEdit;
 
 namespace fff::ui {
 
+class JointList;
 class PropertyGroup;
 class PropertyRow;
 class Workbench;
@@ -25,10 +28,18 @@ public:
     /// Reads everything again; also for another theme.
     void refresh();
 
+Q_SIGNALS:
+    /// The stock editor shall show this one.
+    void stockWanted(fff::StockId stock);
+
 private:
     QWidget *makeHeader(QWidget *parent);
     QWidget *makeModelPage(QWidget *parent);
     QWidget *makeSectionPage(QWidget *parent);
+    void addStockRows(PropertyGroup *group);
+    void addPlaceRows(PropertyGroup *group);
+    void addContourRows(PropertyGroup *group);
+    void refreshJoints();
     PropertyRow *positionRow(int axis, const QString &name, const char *objectName,
                              QWidget *parent);
     void refreshHeader();
@@ -36,7 +47,8 @@ private:
 
     /// Of the selected sections that exist now.
     std::vector<int> selected() const;
-    QString mixedOr(const std::function<QString(int)> &text) const;
+    /// Null when they differ.
+    QString commonText(const std::function<QString(int)> &text) const;
 
     Workbench &m_bench;
     QLabel *m_icon = nullptr;
@@ -44,6 +56,8 @@ private:
     QLineEdit *m_name = nullptr;
     QLabel *m_kind = nullptr;
     QWidget *m_modelPage = nullptr, *m_sectionPage = nullptr;
+    PropertyGroup *m_jointGroup = nullptr;
+    JointList *m_joints = nullptr;
     std::vector<PropertyRow *> m_modelRows, m_sectionRows;
 };
 

@@ -6,9 +6,7 @@
 
 namespace fff::ui {
 
-namespace {
-
-QIcon chip(const QColor &colour)
+QIcon colourChip(const QColor &colour)
 {
     constexpr int kSize = 14; // px
     QIcon icon;
@@ -27,8 +25,6 @@ QIcon chip(const QColor &colour)
     return icon;
 }
 
-} // namespace
-
 ChoiceBox::ChoiceBox(QWidget *parent) : QComboBox(parent)
 {
     setFocusPolicy(Qt::StrongFocus);
@@ -42,10 +38,15 @@ void ChoiceBox::setChoices(const Choices &choices)
         m_shown = choices.all;
         clear();
         for (const Choice &choice : choices.all)
-            addItem(chip(choice.colour), choice.text);
+            addItem(choice.colour.isValid() ? colourChip(choice.colour) : QIcon(), choice.text);
     }
     if (currentIndex() != choices.current)
         setCurrentIndex(choices.current);
+    QFont words = font();
+    if (words.italic() != (choices.current < 0)) { // "mixed" is a word about the box
+        words.setItalic(choices.current < 0);
+        setFont(words);
+    }
 }
 
 void ChoiceBox::wheelEvent(QWheelEvent *event)

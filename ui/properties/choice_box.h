@@ -3,6 +3,7 @@
 
 #include <QColor>
 #include <QComboBox>
+#include <QIcon>
 
 #include <vector>
 
@@ -11,7 +12,7 @@ namespace fff::ui {
 struct Choice
 {
     QString text;
-    QColor colour;
+    QColor colour; // invalid: no chip
     bool operator==(const Choice &) const = default;
 };
 
@@ -20,6 +21,9 @@ struct Choices
     std::vector<Choice> all;
     int current = -1; // -1: the selected things differ
 };
+
+/// A small square of that colour, at 1x, 2x and 3x.
+QIcon colourChip(const QColor &colour);
 
 class ChoiceBox : public QComboBox
 {

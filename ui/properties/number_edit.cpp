@@ -23,7 +23,7 @@ NumberEdit::NumberEdit(const Range &range, const QString &unit, QWidget *parent)
     setRange(range.least, range.most);
     setKeyboardTracking(false);
     setFocusPolicy(Qt::StrongFocus);
-    setFixedWidth(kWidth);
+    setMinimumWidth(kWidth);
     lineEdit()->setPlaceholderText(tr("mixed"));
     setUnit(unit, range.step);
 

@@ -2,7 +2,9 @@
 
 #include "ui/icon.h"
 
+#include <QCoreApplication>
 #include <QHBoxLayout>
+#include <QToolButton>
 #include <QVBoxLayout>
 
 namespace fff::ui {
@@ -35,6 +37,22 @@ void PropertyRow::setEditor(QWidget *editor, const char *objectName, bool fills)
         row->addStretch(1);
 }
 
+void PropertyRow::addButton(const QString &icon, const char *objectName, const QString &tip,
+                            std::function<void()> act)
+{
+    auto *button = new QToolButton(this);
+    button->setObjectName(QLatin1String(objectName));
+    button->setIcon(themedIcon(icon));
+    button->setIconSize({16, 16});
+    button->setFixedSize(26, 26);
+    button->setToolTip(tip);
+    button->setAccessibleName(tip);
+    button->setFocusPolicy(Qt::StrongFocus);
+    button->setAutoRaise(true);
+    connect(button, &QToolButton::clicked, this, std::move(act));
+    layout()->addWidget(button);
+}
+
 TextRow::TextRow(const QString &name, const char *objectName, std::function<QString()> read,
                  QWidget *parent)
     : PropertyRow(name, parent), m_value(new QLabel(this)), m_read(std::move(read))
@@ -46,9 +64,17 @@ TextRow::TextRow(const QString &name, const char *objectName, std::function<QStr
 
 void TextRow::refresh()
 {
-    const QString text = m_read();
-    if (m_value->text() != text)
-        m_value->setText(text);
+    const QString read = m_read();
+    const bool isMixed = read.isNull();
+    const QString text =
+        isMixed ? QCoreApplication::translate("fff::ui::NumberEdit", "mixed") : read;
+    if (m_value->text() == text)
+        return;
+    m_value->setText(text);
+    QFont words = font();
+    words.setItalic(isMixed);
+    m_value->setFont(words);
+    m_value->setForegroundRole(isMixed ? QPalette::PlaceholderText : QPalette::NoRole);
 }
 
 LengthRow::LengthRow(const QString &name, const char *objectName, const LengthEdit::Range &range,
@@ -56,7 +82,7 @@ LengthRow::LengthRow(const QString &name, const char *objectName, const LengthEd
                      QWidget *parent)
     : PropertyRow(name, parent), m_edit(new LengthEdit(range, this)), m_read(std::move(read))
 {
-    setEditor(m_edit, objectName, false);
+    setEditor(m_edit, objectName, true);
     connect(m_edit, &LengthEdit::lengthEdited, this,
             [this, write = std::move(write)](double value) {
                 write(value);
@@ -87,6 +113,24 @@ void ChoiceRow::refresh()
     m_box->setChoices(m_read());
 }
 
+EditorRow::EditorRow(const QString &name, const char *objectName, QWidget *editor,
+                     std::function<void()> read, QWidget *parent)
+    : PropertyRow(name, parent), m_read(std::move(read))
+{
+    if (editor) {
+        editor->setParent(this);
+        setEditor(editor, objectName, true);
+    } else {
+        hide();
+    }
+}
+
+void EditorRow::refresh()
+{
+    if (m_read)
+        m_read();
+}
+
 PropertyGroup::PropertyGroup(const QString &name, QWidget *parent)
     : QWidget(parent), m_title(new QPushButton(this)), m_rows(new QWidget(this))
 {
@@ -110,7 +154,7 @@ PropertyGroup::PropertyGroup(const QString &name, QWidget *parent)
     });
 }
 
-void PropertyGroup::add(PropertyRow *row)
+void PropertyGroup::add(QWidget *row)
 {
     m_rows->layout()->addWidget(row);
 }

@@ -20,6 +20,9 @@ class PropertyRow : public QWidget
 {
 public:
     virtual void refresh() = 0;
+    /// A small button behind the editor.
+    void addButton(const QString &icon, const char *objectName, const QString &tip,
+                   std::function<void()> act);
 
 protected:
     PropertyRow(const QString &name, QWidget *parent);
@@ -34,6 +37,7 @@ private:
 class TextRow : public PropertyRow
 {
 public:
+    /// read  a null string when the selected things differ
     TextRow(const QString &name, const char *objectName, std::function<QString()> read,
             QWidget *parent = nullptr);
     void refresh() override;
@@ -69,12 +73,25 @@ private:
     std::function<Choices()> m_read;
 };
 
+/// With an editor of its own kind, which announces changes by itself.
+class EditorRow : public PropertyRow
+{
+public:
+    /// editor  null: a row that shows nothing and only reads
+    EditorRow(const QString &name, const char *objectName, QWidget *editor,
+              std::function<void()> read, QWidget *parent = nullptr);
+    void refresh() override;
+
+private:
+    std::function<void()> m_read;
+};
+
 /// A heading that folds the rows under it.
 class PropertyGroup : public QWidget
 {
 public:
     explicit PropertyGroup(const QString &name, QWidget *parent = nullptr);
-    void add(PropertyRow *row);
+    void add(QWidget *row);
 
 private:
     QPushButton *m_title = nullptr;

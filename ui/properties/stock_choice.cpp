@@ -12,6 +12,29 @@
 
 namespace fff::ui {
 
+namespace {
+
+// Names of presets (core/model/materials.cpp, stock.cpp), for lupdate; stockName() looks them up.
+[[maybe_unused]] const char *const kNames[] = {
+    QT_TRANSLATE_NOOP("fff::ui::Stock", "Birch plywood"),
+    QT_TRANSLATE_NOOP("fff::ui::Stock", "Birch plywood 4 mm"),
+    QT_TRANSLATE_NOOP("fff::ui::Stock", "Birch plywood 6.5 mm"),
+    QT_TRANSLATE_NOOP("fff::ui::Stock", "Birch plywood 9 mm"),
+    QT_TRANSLATE_NOOP("fff::ui::Stock", "MDF"),
+    QT_TRANSLATE_NOOP("fff::ui::Stock", "Acrylic"),
+    QT_TRANSLATE_NOOP("fff::ui::Stock", "Acrylic, clear"),
+    QT_TRANSLATE_NOOP("fff::ui::Stock", "Acrylic, red"),
+    QT_TRANSLATE_NOOP("fff::ui::Stock", "Corrugated board B"),
+    QT_TRANSLATE_NOOP("fff::ui::Stock", "Corrugated board C"),
+    QT_TRANSLATE_NOOP("fff::ui::Stock", "Corrugated board E"),
+    QT_TRANSLATE_NOOP("fff::ui::Stock", "Card"),
+    QT_TRANSLATE_NOOP("fff::ui::Stock", "Basswood"),
+    QT_TRANSLATE_NOOP("fff::ui::Stock", "POM"),
+    QT_TRANSLATE_NOOP("fff::ui::Stock", "Aluminium 6061"),
+};
+
+} // namespace
+
 std::vector<Stock> stockChoices(const Document &document)
 {
     std::vector<Stock> choices;
@@ -27,10 +50,15 @@ std::vector<Stock> stockChoices(const Document &document)
     return choices;
 }
 
+QString stockName(const Stock &stock)
+{
+    return QCoreApplication::translate("fff::ui::Stock", stock.name.c_str());
+}
+
 QString stockText(const Stock &stock, const QLocale &locale)
 {
-    return QCoreApplication::translate("fff::ui::Stock", "%1 %2\u202fmm")
-        .arg(QString::fromStdString(stock.name), numberText(stock.thickness, 1, 3, locale));
+    return QCoreApplication::translate("fff::ui::Stock", "%1 %2")
+        .arg(stockName(stock), lengthText(stock.thickness, 1, 3, locale));
 }
 
 Document withStock(Document document, const Stock &choice, StockId &id)
@@ -52,7 +80,7 @@ Choices choicesOfStock(const Document &document, std::optional<StockId> current)
     for (const Stock &stock : stockChoices(document)) {
         if (current && stock.id == *current)
             choices.current = static_cast<int>(choices.all.size());
-        choices.all.push_back({QString::fromStdString(stock.name), stockLook(stock).face});
+        choices.all.push_back({stockName(stock), stockLook(stock).face});
     }
     return choices;
 }
@@ -64,8 +92,42 @@ void chooseNewStock(Workbench &bench, int choice)
     StockId id;
     const Document with = withStock(document, stock, id);
     bench.commit(QCoreApplication::translate("fff::ui::Stock", "Use %1 for new sections")
-                     .arg(QString::fromStdString(stock.name)),
+                     .arg(stockName(stock)),
                  setCurrentStock(with, id));
+}
+
+Result<Document> withThickness(Document document, std::span<const StockId> stocks,
+                               double millimetres)
+{
+    Result<Document> next = std::move(document);
+    for (StockId id : stocks) {
+        const Stock *stock = next ? next->find(id) : nullptr;
+        if (!stock)
+            continue;
+        Stock changed = *stock;
+        changed.thickness = millimetres;
+        next = setStock(std::move(*next), changed);
+    }
+    return next;
+}
+
+void previewThickness(Workbench &bench, std::span<const StockId> stocks, double millimetres)
+{
+    Result<Document> next =
+        withThickness(bench.session().committed().document, stocks, millimetres);
+    if (next)
+        bench.session().preview(std::move(*next));
+}
+
+void commitThickness(Workbench &bench, std::span<const StockId> stocks, double millimetres)
+{
+    const Document &document = bench.session().committed().document;
+    std::vector<std::string> names;
+    for (StockId id : stocks) {
+        if (const Stock *stock = document.find(id))
+            names.push_back(stock->name);
+    }
+    bench.commit({Step::Kind::EditStock, names}, withThickness(document, stocks, millimetres));
 }
 
 } // namespace fff::ui

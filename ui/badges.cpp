@@ -1,0 +1,95 @@
+#include "ui/badges.h"
+
+#include "core/session/check_list.h"
+#include "core/session/check_text.h"
+#include "ui/badge.h"
+#include "ui/check_words.h"
+#include "ui/settings/settings.h"
+#include "ui/workbench.h"
+
+#include <QEvent>
+#include <QHBoxLayout>
+
+#include <algorithm>
+
+namespace fff::ui {
+
+namespace {
+
+constexpr int kMargin = 10, kGap = 6; // px
+constexpr int kGlyphsOnly = 640;      // px; a narrower view has no words on the badges
+constexpr CheckSubject kSubjects[] = {CheckSubject::Stability, CheckSubject::Connection,
+                                      CheckSubject::Joints, CheckSubject::Size};
+
+} // namespace
+
+Badges::Badges(Workbench &bench, const CheckList &list, QWidget *view)
+    : QWidget(view), m_bench(bench), m_list(list)
+{
+    setObjectName(QStringLiteral("badges"));
+    setAccessibleName(tr("Verdicts"));
+    auto *row = new QHBoxLayout(this);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(kGap);
+    for (const CheckSubject subject : kSubjects) {
+        auto *badge = new Badge(this);
+        badge->setObjectName(QStringLiteral("badge%1").arg(m_badges.size()));
+        badge->hide();
+        connect(badge, &Badge::clicked, this, [this, subject] { Q_EMIT clicked(subject); });
+        row->addWidget(badge);
+        m_badges.push_back(badge);
+    }
+    move(kMargin, kMargin);
+    view->installEventFilter(this);
+    connect(&list, &CheckList::changed, this, &Badges::refresh);
+    connect(&settings(), &Settings::unitChanged, this, &Badges::refresh);
+    connect(&bench, &Workbench::viewChanged, this, &Badges::refresh);
+    refresh();
+}
+
+void Badges::refreshColours()
+{
+    refresh();
+    for (Badge *badge : m_badges)
+        badge->update();
+}
+
+bool Badges::eventFilter(QObject *object, QEvent *event)
+{
+    if (object == parent() && event->type() == QEvent::Resize)
+        fold();
+    return QWidget::eventFilter(object, event);
+}
+
+void Badges::refresh()
+{
+    const bool isDrawing = m_bench.interaction().overlay().stroke.has_value();
+    for (std::size_t i = 0; i < m_badges.size(); ++i) {
+        const Check *shown = nullptr; // the worst
+        for (const Check &check : m_list.all()) {
+            if (subjectOf(check.code) == kSubjects[i] &&
+                (!shown || check.severity > shown->severity))
+                shown = &check;
+        }
+        if (shown) {
+            const CheckWords words = checkWords(*shown, m_list.model());
+            m_badges[i]->setContent({shown->severity, checkTitle(*shown),
+                                     QStringLiteral("%1. %2").arg(words.title, words.text),
+                                     m_list.age() != CheckList::Age::Current, isDrawing});
+        }
+        m_badges[i]->setVisible(shown != nullptr);
+    }
+    fold();
+}
+
+void Badges::fold()
+{
+    const bool glyphsOnly = parentWidget()->width() < kGlyphsOnly;
+    for (Badge *badge : m_badges)
+        badge->setFolded(glyphsOnly);
+    const QSize size = layout()->sizeHint();
+    if (this->size() != size)
+        resize(size);
+}
+
+} // namespace fff::ui

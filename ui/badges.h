@@ -1,0 +1,45 @@
+// The verdicts as pills over the view, at its upper left: a click shows the row in the Checks dock.
+// They are widgets of their own, so that a change of them costs the view no frame.
+#pragma once
+
+#include <QWidget> // first: moc stumbles over some standard headers
+
+#include "core/session/checks.h"
+
+#include <vector>
+
+namespace fff {
+class CheckList;
+}
+
+namespace fff::ui {
+
+class Badge;
+class Workbench;
+
+class Badges : public QWidget
+{
+    Q_OBJECT
+public:
+    /// Stands over `view` and follows its size.
+    Badges(Workbench &bench, const CheckList &list, QWidget *view);
+
+    /// In the colours of the theme.
+    void refreshColours();
+
+Q_SIGNALS:
+    void clicked(fff::CheckSubject subject);
+
+protected:
+    bool eventFilter(QObject *object, QEvent *event) override;
+
+private:
+    void refresh();
+    void fold();
+
+    Workbench &m_bench;
+    const CheckList &m_list;
+    std::vector<Badge *> m_badges; // one a subject
+};
+
+} // namespace fff::ui

@@ -1,0 +1,89 @@
+#include "ui/check_words.h"
+
+#include "core/session/check_text.h"
+#include "ui/measures.h"
+#include "ui/theme.h"
+
+#include <QCoreApplication>
+
+namespace fff::ui {
+
+namespace {
+
+struct Words
+{
+    Q_DECLARE_TR_FUNCTIONS(fff::ui::CheckWords)
+};
+
+CheckUnits unitsInUse()
+{
+    const QLocale locale;
+    CheckUnits units = metricUnits();
+    units.length = [locale](double mm) { return lengthText(mm, 0, 1, locale); };
+    units.size = [locale](const Vec2 &mm) { return sizeText({mm.x(), mm.y()}, 0, locale); };
+    units.mass = [locale](double kg) { return massText(kg, locale); };
+    return units;
+}
+
+} // namespace
+
+CheckWords checkWords(const Check &check, const Model &model)
+{
+    const QString whole = checkText(check, model, unitsInUse());
+    const qsizetype end = whole.indexOf(QStringLiteral(". "));
+    if (end < 0)
+        return {checkTitle(check), whole};
+    // Its first sentence is the verdict.
+    return {whole.left(end), whole.mid(end + 2)};
+}
+
+QString checkGlyph(CheckSeverity severity)
+{
+    switch (severity) {
+    case CheckSeverity::Good:
+        return QStringLiteral("check");
+    case CheckSeverity::Unknown:
+    case CheckSeverity::Note:
+        return QStringLiteral("unknown");
+    case CheckSeverity::Warning:
+        return QStringLiteral("warn");
+    case CheckSeverity::Error:
+        return QStringLiteral("err");
+    }
+    return {};
+}
+
+QColor checkColour(CheckSeverity severity)
+{
+    switch (severity) {
+    case CheckSeverity::Good:
+        return theme().good;
+    case CheckSeverity::Unknown:
+    case CheckSeverity::Note:
+        return theme().muted;
+    case CheckSeverity::Warning:
+        return theme().warning;
+    case CheckSeverity::Error:
+        return theme().problem;
+    }
+    return {};
+}
+
+QString severityWord(CheckSeverity severity)
+{
+    switch (severity) {
+    case CheckSeverity::Good:
+        return Words::tr("Good");
+    case CheckSeverity::Unknown:
+        return Words::tr("Unknown");
+    case CheckSeverity::Note:
+        return Words::tr("Note");
+    case CheckSeverity::Warning:
+        return Words::tr("Warning");
+    case CheckSeverity::Error:
+        return Words::tr("Problem");
+    }
+    return {};
+}
+
+} // namespace fff::ui

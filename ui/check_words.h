@@ -1,0 +1,26 @@
+// What checks look like to a person: words, glyph, colour. For the Checks dock and the badges.
+#pragma once
+
+#include "core/session/checks.h"
+
+#include <QColor>
+#include <QString>
+
+namespace fff::ui {
+
+struct CheckWords
+{
+    QString title; // "Falls over forwards"
+    QString text;  // "The centre of mass lies 45.4 mm in front of the feet."
+};
+
+/// In the unit that is set. `model` is the one that was checked.
+CheckWords checkWords(const Check &check, const Model &model);
+
+/// Name of an icon; the outlines differ, not the colours alone.
+QString checkGlyph(CheckSeverity severity);
+QColor checkColour(CheckSeverity severity);
+/// "Problem", "Warning", "Good", "Unknown": what the glyph says to those who hear it.
+QString severityWord(CheckSeverity severity);
+
+} // namespace fff::ui

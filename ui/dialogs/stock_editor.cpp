@@ -1,0 +1,69 @@
+#include "ui/dialogs/stock_editor.h"
+
+#include "ui/actions/action_set.h"
+#include "ui/dialogs/stock_fields.h"
+#include "ui/dialogs/stock_list.h"
+#include "ui/theme.h"
+#include "ui/workbench.h"
+
+#include <QDialogButtonBox>
+#include <QHBoxLayout>
+#include <QPushButton>
+#include <QScrollArea>
+
+namespace fff::ui {
+
+StockEditor::StockEditor(Workbench &bench, const ActionSet &actions, QWidget *parent)
+    : QDialog(parent), m_bench(bench)
+{
+    setObjectName(QStringLiteral("stockEditor"));
+    setWindowTitle(tr("Stocks"));
+    setMinimumSize(600, 420);
+    resize(680, 580);
+    // A window of its own has no part in the other's shortcuts.
+    for (const char *id : {"edit.undo", "edit.redo"})
+        addAction(actions.action(id));
+
+    m_list = new StockList(bench, this);
+    auto *area = new QScrollArea(this);
+    area->setObjectName(QStringLiteral("stockArea"));
+    area->setFrameShape(QFrame::NoFrame);
+    area->setWidgetResizable(true);
+    area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    m_fields = new StockFields(bench, area);
+    area->setWidget(m_fields);
+    auto *row = new QHBoxLayout;
+    row->setSpacing(16);
+    row->addWidget(m_list);
+    row->addWidget(area, 1);
+    auto *buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
+    // Enter in a field is for the field.
+    buttons->button(QDialogButtonBox::Close)->setAutoDefault(false);
+    auto *column = new QVBoxLayout(this);
+    column->setContentsMargins(16, 16, 16, 12);
+    column->setSpacing(12);
+    column->addLayout(row, 1);
+    column->addWidget(buttons);
+
+    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::close);
+    connect(m_list, &StockList::chosen, m_fields, &StockFields::setStock);
+    connect(m_list, &StockList::nameWanted, m_fields, &StockFields::editName);
+    setTabOrder(m_list, m_fields);
+}
+
+void StockEditor::open(StockId stock)
+{
+    const Document &document = m_bench.session().committed().document;
+    m_list->choose(document.find(stock) ? stock : document.currentStock);
+    show();
+    raise();
+    activateWindow();
+}
+
+void StockEditor::refresh()
+{
+    setPalette(theme().palette());
+    m_fields->refresh();
+}
+
+} // namespace fff::ui

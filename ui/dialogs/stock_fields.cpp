@@ -1,0 +1,306 @@
+#include "ui/dialogs/stock_fields.h"
+
+#include "core/model/edits.h"
+#include "core/model/materials.h"
+#include "ui/icon.h"
+#include "ui/measures.h"
+#include "ui/properties/property_rows.h"
+#include "ui/properties/stock_choice.h"
+#include "ui/properties/thickness_field.h"
+#include "ui/workbench.h"
+
+#include <QCoreApplication>
+#include <QHBoxLayout>
+#include <QLineEdit>
+#include <QMenu>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <array>
+
+namespace fff::ui {
+
+namespace {
+
+constexpr double kMegapascalsPerGigapascal = 1000.0;
+constexpr LengthEdit::Range kSheetRange{10.0, 10000.0, 10.0, 0, 1};
+
+QString sheetName(const char *name)
+{
+    return QCoreApplication::translate("fff::ui::Sheet", name);
+}
+
+// Names of sheets (core/model/materials.cpp), for lupdate.
+[[maybe_unused]] const char *const kSheetNames[] = {
+    QT_TRANSLATE_NOOP("fff::ui::Sheet", "A4"),
+    QT_TRANSLATE_NOOP("fff::ui::Sheet", "A3"),
+    QT_TRANSLATE_NOOP("fff::ui::Sheet", "Letter"),
+    QT_TRANSLATE_NOOP("fff::ui::Sheet", "K40 laser"),
+    QT_TRANSLATE_NOOP("fff::ui::Sheet", "12 × 20 in"),
+    QT_TRANSLATE_NOOP("fff::ui::Sheet", "Whole plywood board"),
+};
+
+} // namespace
+
+StockFields::StockFields(Workbench &bench, QWidget *parent) : QWidget(parent), m_bench(bench)
+{
+    auto *column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 12, 0);
+    column->setSpacing(0);
+    m_name = new QLineEdit(this);
+    m_name->setObjectName(QStringLiteral("stockName"));
+    m_name->setAccessibleName(tr("Name"));
+    QFont bold = m_name->font();
+    bold.setWeight(QFont::DemiBold);
+    m_name->setFont(bold);
+    m_uses = new QLabel(this);
+    m_uses->setObjectName(QStringLiteral("stockUses"));
+    m_uses->setForegroundRole(QPalette::PlaceholderText);
+    column->addWidget(m_name);
+    column->addSpacing(6);
+    column->addWidget(m_uses);
+    column->addSpacing(12);
+    makeSheet();
+    makeStrength();
+    makeCutting();
+    column->addStretch(1);
+
+    connect(m_name, &QLineEdit::editingFinished, this, &StockFields::rename);
+    connect(&bench.session(), &Session::modelChanged, this,
+            [this](const Model &before, const Model &after) {
+                if (isVisible() && (before.document.stocks != after.document.stocks ||
+                                    before.document.sections != after.document.sections))
+                    refresh();
+            });
+    connect(&settings(), &Settings::unitChanged, this, &StockFields::refresh);
+}
+
+PropertyGroup *StockFields::addGroup(const QString &name)
+{
+    auto *group = new PropertyGroup(name, this);
+    layout()->addWidget(group);
+    return group;
+}
+
+void StockFields::makeSheet()
+{
+    PropertyGroup *group = addGroup(tr("Sheet"));
+    auto *thickness = new ThicknessField(group);
+    connect(thickness, &ThicknessField::dragged, this,
+            [this](double mm) { previewThickness(m_bench, std::array{m_stock}, mm); });
+    connect(thickness, &ThicknessField::settled, this,
+            [this](double mm) { commitThickness(m_bench, std::array{m_stock}, mm); });
+    connect(thickness, &ThicknessField::cancelled, this,
+            [this] { m_bench.session().cancelPreview(); });
+    auto *row = new EditorRow(
+        tr("Thickness"), "stockThickness", thickness,
+        [this, thickness] { thickness->setThickness(stock()->thickness); }, group);
+    group->add(row);
+    m_rows.push_back(row);
+    auto *size = new EditorRow(tr("Sheet W × H"), "stockSheet", makeSheetSize(), {}, group);
+    group->add(size);
+    addNumber(group, tr("Density"), "stockDensity", 10.0, 20000.0, 10.0, 0, tr("kg/m³"),
+              [](Stock &s) -> double & { return s.density; });
+}
+
+/// Two fields and the sizes that are common.
+QWidget *StockFields::makeSheetSize()
+{
+    auto *editor = new QWidget(this);
+    auto *row = new QHBoxLayout(editor);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(6);
+    for (int axis : {0, 1}) {
+        auto *length = new LengthEdit(kSheetRange, editor);
+        length->setObjectName(axis == 0 ? QStringLiteral("stockSheetWidth")
+                                        : QStringLiteral("stockSheetHeight"));
+        length->setAccessibleName(axis == 0 ? tr("Width of the sheet") : tr("Height of the sheet"));
+        length->setFixedWidth(94);
+        connect(length, &LengthEdit::lengthEdited, this,
+                [this, axis](double mm) { edit([axis, mm](Stock &s) { s.sheet[axis] = mm; }); });
+        // A row that is not shown: it only reads.
+        auto *reader = new EditorRow(
+            QString(), "", nullptr,
+            [this, length, axis] { length->setLength(stock()->sheet[axis]); }, this);
+        m_rows.push_back(reader);
+        if (axis == 1)
+            row->addWidget(new QLabel(QStringLiteral("×"), editor));
+        row->addWidget(length);
+    }
+    auto *common = new QToolButton(editor);
+    common->setObjectName(QStringLiteral("stockCommonSheets"));
+    common->setIcon(themedIcon(QStringLiteral("chevron_down")));
+    common->setIconSize({14, 14});
+    common->setFixedSize(26, 26);
+    common->setToolTip(tr("Common sheets"));
+    common->setAccessibleName(tr("Common sheets"));
+    common->setPopupMode(QToolButton::InstantPopup);
+    common->setFocusPolicy(Qt::StrongFocus);
+    common->setProperty("plainMenu", true);
+    auto *menu = new QMenu(common);
+    connect(menu, &QMenu::aboutToShow, this, [this, menu] {
+        menu->clear();
+        menu->setPalette(palette());
+        for (const SheetSize &sheet : commonSheets()) {
+            const QString size = sizeText({sheet.size.x(), sheet.size.y()}, 0, locale());
+            QAction *action = menu->addAction(
+                *sheet.name ? QStringLiteral("%1  (%2)").arg(size, sheetName(sheet.name)) : size);
+            connect(action, &QAction::triggered, this,
+                    [this, &sheet] { edit([&sheet](Stock &s) { s.sheet = sheet.size; }); });
+        }
+    });
+    common->setMenu(menu);
+    row->addWidget(common);
+    row->addStretch(1);
+    return editor;
+}
+
+void StockFields::makeStrength()
+{
+    PropertyGroup *group = addGroup(tr("Strength"));
+    addRating(group, tr("Tensile strength"), "stockTensile", 5000.0, 1.0, tr("MPa"), 1.0,
+              &Stock::tensileStrength);
+    addRating(group, tr("Flexural strength"), "stockFlexural", 5000.0, 1.0, tr("MPa"), 1.0,
+              &Stock::flexuralStrength);
+    addRating(group, tr("Stiffness"), "stockModulus", 1000.0, 0.1, tr("GPa"),
+              kMegapascalsPerGigapascal, &Stock::modulus);
+}
+
+void StockFields::makeCutting()
+{
+    PropertyGroup *group = addGroup(tr("Cutting"));
+    addLength(group, tr("Kerf width (full)"), "stockKerf", 0.0, 5.0, &Stock::kerf);
+    addLength(group, tr("Slit clearance"), "stockClearance", -1.0, 1.0, &Stock::clearance);
+    auto *drawn = new TextRow(
+        tr("Drawn slit width"), "stockSlitWidth",
+        [this] {
+            const Stock &s = *stock();
+            const double width = s.thickness + s.clearance - s.kerf;
+            const auto text = [this](double mm) { return lengthNumber(mm, 2, 3, locale()); };
+            return width > 0.0 ? tr("%1 = %2 + %3 − %4")
+                                     .arg(lengthText(width, 2, 3, locale()), text(s.thickness),
+                                          text(s.clearance), text(s.kerf))
+                               : tr("none: the kerf is wider than the slit");
+        },
+        group);
+    drawn->setToolTip(tr("Thickness, clearance and kerf of two sections of this stock that stand "
+                         "square on each other"));
+    group->add(drawn);
+    m_rows.push_back(drawn);
+}
+
+void StockFields::addNumber(PropertyGroup *group, const QString &name, const char *objectName,
+                            double least, double most, double step, int digits, const QString &unit,
+                            std::function<double &(Stock &)> value)
+{
+    auto *field = new NumberEdit({least, most, step, digits, digits + 1}, unit, group);
+    auto *row = new EditorRow(
+        name, objectName, field,
+        [this, field, value] {
+            Stock copy = *stock();
+            field->setNumber(value(copy));
+        },
+        group);
+    connect(field, &NumberEdit::numberEdited, this,
+            [this, value](double number) { edit([&](Stock &s) { value(s) = number; }); });
+    group->add(row);
+    m_rows.push_back(row);
+}
+
+void StockFields::addRating(PropertyGroup *group, const QString &name, const char *objectName,
+                            double most, double step, const QString &unit, double perUnit,
+                            std::optional<double> Stock::*value)
+{
+    auto *field = new NumberEdit({0.0, most, step, 0, 2}, unit, group);
+    field->setSpecialValueText(tr("not rated"));
+    field->setToolTip(tr("0 stands for: not rated"));
+    auto *row = new EditorRow(
+        name, objectName, field,
+        [this, field, value, perUnit] {
+            field->setNumber((stock()->*value).value_or(0.0) / perUnit);
+        },
+        group);
+    connect(field, &NumberEdit::numberEdited, this, [this, value, perUnit](double number) {
+        edit([&](Stock &s) {
+            s.*value = number > 0.0 ? std::optional(number * perUnit) : std::nullopt;
+        });
+    });
+    group->add(row);
+    m_rows.push_back(row);
+}
+
+void StockFields::addLength(PropertyGroup *group, const QString &name, const char *objectName,
+                            double least, double most, double Stock::*value)
+{
+    auto *row = new LengthRow(
+        name, objectName, {least, most, 0.01, 2, 3},
+        [this, value] { return std::optional(stock()->*value); },
+        [this, value](double mm) { edit([&](Stock &s) { s.*value = mm; }); }, group);
+    group->add(row);
+    m_rows.push_back(row);
+}
+
+const Stock *StockFields::stock() const
+{
+    return m_bench.session().model().document.find(m_stock);
+}
+
+void StockFields::setStock(StockId stock)
+{
+    if (m_name->isModified())
+        rename(); // of the one that was shown
+    m_stock = stock;
+    refresh();
+}
+
+void StockFields::editName()
+{
+    m_name->setFocus();
+    m_name->selectAll();
+}
+
+void StockFields::refresh()
+{
+    const Stock *shown = stock();
+    setEnabled(shown != nullptr);
+    if (!shown)
+        return;
+    const QString name = stockName(*shown);
+    if (!(m_name->hasFocus() && m_name->isModified()) && m_name->text() != name)
+        m_name->setText(name);
+    const auto &sections = m_bench.session().model().document.sections;
+    const auto uses = std::count_if(sections.begin(), sections.end(),
+                                    [this](const auto &s) { return s->stock == m_stock; });
+    m_uses->setText(uses == 0 ? tr("No section is made of it")
+                              : tr("%n section(s)", nullptr, static_cast<int>(uses)));
+    for (PropertyRow *row : m_rows)
+        row->refresh();
+}
+
+void StockFields::edit(const std::function<void(Stock &)> &change)
+{
+    const Document &document = m_bench.session().committed().document;
+    const Stock *before = document.find(m_stock);
+    if (!before)
+        return;
+    Stock next = *before;
+    change(next);
+    m_bench.commit({Step::Kind::EditStock, {before->name}},
+                   fff::setStock(document, std::move(next)));
+    refresh(); // a refused value goes back to what it was
+}
+
+void StockFields::rename()
+{
+    const bool isTyped = m_name->isModified();
+    m_name->setModified(false);
+    const QString name = m_name->text().trimmed();
+    const Stock *shown = stock();
+    if (isTyped && shown && !name.isEmpty() && name != stockName(*shown))
+        edit([&](Stock &s) { s.name = name.toStdString(); });
+    else
+        refresh();
+}
+
+} // namespace fff::ui

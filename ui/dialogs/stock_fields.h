@@ -1,0 +1,58 @@
+// The numbers of one stock. Every change is one step of the history; dragging the thickness shows
+// all slits following.
+#pragma once
+
+#include <QWidget> // first: moc stumbles over some standard headers
+
+#include "core/model/document.h"
+
+#include <functional>
+#include <vector>
+
+class QLabel;
+class QLineEdit;
+
+namespace fff::ui {
+
+class PropertyGroup;
+class PropertyRow;
+class ThicknessField;
+class Workbench;
+
+class StockFields : public QWidget
+{
+    Q_OBJECT
+public:
+    explicit StockFields(Workbench &bench, QWidget *parent = nullptr);
+
+    void setStock(fff::StockId stock);
+    void editName();
+    void refresh();
+
+private:
+    void makeSheet();
+    void makeStrength();
+    void makeCutting();
+    PropertyGroup *addGroup(const QString &name);
+    void addNumber(PropertyGroup *group, const QString &name, const char *objectName, double least,
+                   double most, double step, int digits, const QString &unit,
+                   std::function<double &(Stock &)> value);
+    /// 0 stands for "not rated". `perUnit`: of the unit that is shown in that of the model.
+    void addRating(PropertyGroup *group, const QString &name, const char *objectName, double most,
+                   double step, const QString &unit, double perUnit,
+                   std::optional<double> Stock::*value);
+    void addLength(PropertyGroup *group, const QString &name, const char *objectName, double least,
+                   double most, double Stock::*value);
+    QWidget *makeSheetSize();
+    const Stock *stock() const;
+    void edit(const std::function<void(Stock &)> &change);
+    void rename();
+
+    Workbench &m_bench;
+    StockId m_stock;
+    QLineEdit *m_name = nullptr;
+    QLabel *m_uses = nullptr;
+    std::vector<PropertyRow *> m_rows;
+};
+
+} // namespace fff::ui

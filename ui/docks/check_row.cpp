@@ -1,0 +1,137 @@
+#include "ui/docks/check_row.h"
+
+#include "ui/icon.h"
+#include "ui/theme.h"
+
+#include <QHBoxLayout>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QPainter>
+
+namespace fff::ui {
+
+namespace {
+
+constexpr int kGlyphSize = 16; // px
+
+QLabel *label(QWidget *parent)
+{
+    auto *made = new QLabel(parent);
+    made->setWordWrap(true);
+    made->setAttribute(Qt::WA_TransparentForMouseEvents);
+    return made;
+}
+
+} // namespace
+
+CheckRow::CheckRow(QWidget *parent) : QAbstractButton(parent)
+{
+    setCheckable(true);
+    setFocusPolicy(Qt::StrongFocus);
+    setAttribute(Qt::WA_Hover);
+    setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Minimum);
+    m_glyph = label(this);
+    m_glyph->setFixedSize(kGlyphSize + 2, kGlyphSize + 2);
+    m_title = label(this);
+    QFont bold = font();
+    bold.setWeight(QFont::DemiBold);
+    m_title->setFont(bold);
+    m_text = label(this);
+    QFont small = font();
+    if (small.pointSizeF() > 0)
+        small.setPointSizeF(small.pointSizeF() * 0.93);
+    m_text->setFont(small);
+    m_link = new QLabel(this);
+    m_link->setFont(small);
+    m_link->setTextInteractionFlags(Qt::LinksAccessibleByMouse | Qt::LinksAccessibleByKeyboard);
+    connect(m_link, &QLabel::linkActivated, this, &CheckRow::linkClicked);
+
+    auto *words = new QVBoxLayout;
+    words->setContentsMargins(0, 0, 0, 0);
+    words->setSpacing(1);
+    words->addWidget(m_title);
+    words->addWidget(m_text);
+    words->addWidget(m_link);
+    auto *row = new QHBoxLayout(this);
+    row->setContentsMargins(11, 7, 10, 8);
+    row->setSpacing(8);
+    row->addWidget(m_glyph, 0, Qt::AlignTop);
+    row->addLayout(words, 1);
+    m_link->hide();
+}
+
+void CheckRow::setContent(const Content &content)
+{
+    if (content == m_content)
+        return;
+    m_content = content;
+    m_title->setText(content.title);
+    m_text->setText(content.text);
+    m_text->setVisible(!content.text.isEmpty());
+    m_link->setText(
+        content.link.isEmpty()
+            ? QString()
+            : QStringLiteral("<a href=\"do\">%1</a>").arg(content.link.toHtmlEscaped()));
+    m_link->setVisible(!content.link.isEmpty());
+    for (QLabel *words : {m_title, m_text}) {
+        QFont f = words->font();
+        f.setItalic(content.isOlder);
+        words->setFont(f);
+    }
+    setAccessibleName(QStringLiteral("%1: %2. %3").arg(content.kind, content.title, content.text));
+    setAccessibleDescription(content.isOlder ? tr("Older than the drawing") : QString());
+    refresh();
+    updateGeometry();
+}
+
+void CheckRow::refresh()
+{
+    m_glyph->setPixmap(
+        tintedPixmap(m_content.glyph, kGlyphSize, m_content.colour, devicePixelRatioF()));
+    QPalette words = palette();
+    words.setColor(QPalette::WindowText, theme().muted);
+    m_text->setPalette(words);
+    update();
+}
+
+QSize CheckRow::sizeHint() const
+{
+    return layout()->sizeHint();
+}
+
+int CheckRow::heightForWidth(int width) const
+{
+    return layout()->heightForWidth(width);
+}
+
+void CheckRow::paintEvent(QPaintEvent *)
+{
+    QPainter painter(this);
+    const Theme &t = theme();
+    painter.fillRect(rect(), isChecked() ? t.soft : underMouse() ? t.hover : t.panel);
+    painter.fillRect(0, height() - 1, width(), 1, t.border);
+    if (hasFocus()) {
+        painter.setPen(QPen(t.accent, 2.0));
+        painter.drawRect(rect().adjusted(1, 1, -1, -2));
+    }
+}
+
+void CheckRow::keyPressEvent(QKeyEvent *event)
+{
+    switch (event->key()) {
+    case Qt::Key_Up:
+        focusPreviousChild();
+        break;
+    case Qt::Key_Down:
+        focusNextChild();
+        break;
+    case Qt::Key_Return:
+    case Qt::Key_Enter:
+        click();
+        break;
+    default:
+        QAbstractButton::keyPressEvent(event);
+    }
+}
+
+} // namespace fff::ui

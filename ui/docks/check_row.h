@@ -1,0 +1,47 @@
+// One verdict in the Checks dock: glyph, title, one sentence, and what can be done at once.
+#pragma once
+
+#include <QAbstractButton>
+
+class QLabel;
+
+namespace fff::ui {
+
+class CheckRow : public QAbstractButton
+{
+    Q_OBJECT
+public:
+    struct Content
+    {
+        QString glyph; // name of an icon
+        QColor colour;
+        QString kind; // "Problem", for those who hear it
+        QString title, text;
+        QString link; // what can be done at once; may be empty
+        bool isOlder = false;
+        bool operator==(const Content &) const = default;
+    };
+
+    explicit CheckRow(QWidget *parent = nullptr);
+
+    /// Changes only what differs.
+    void setContent(const Content &content);
+    void refresh(); // in the colours of the theme
+
+    QSize sizeHint() const override;
+    bool hasHeightForWidth() const override { return true; }
+    int heightForWidth(int width) const override;
+
+Q_SIGNALS:
+    void linkClicked();
+
+protected:
+    void paintEvent(QPaintEvent *event) override;
+    void keyPressEvent(QKeyEvent *event) override;
+
+private:
+    Content m_content;
+    QLabel *m_glyph = nullptr, *m_title = nullptr, *m_text = nullptr, *m_link = nullptr;
+};
+
+} // namespace fff::ui

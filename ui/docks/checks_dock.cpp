@@ -1,0 +1,310 @@
+#include "ui/docks/checks_dock.h"
+
+#include "core/model/edits.h"
+#include "core/session/check_list.h"
+#include "ui/check_words.h"
+#include "ui/docks/check_row.h"
+#include "ui/docks/dock_title.h"
+#include "ui/icon.h"
+#include "ui/settings/settings.h"
+#include "ui/theme.h"
+#include "ui/workbench.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QScopedValueRollback>
+#include <QScrollArea>
+#include <QTimer>
+#include <QTransform>
+
+#include <algorithm>
+
+namespace fff::ui {
+
+namespace {
+
+/// More rows of one kind than this say less than a number does.
+constexpr int kMostAlike = 12;
+constexpr int kSpinTime = 60, kSpinStep = 30; // ms, degrees
+
+bool isProblem(const Check &check)
+{
+    return check.severity >= CheckSeverity::Warning;
+}
+
+/// Whether it is the same verdict after a change of the model; its numbers may differ.
+bool isSameVerdict(const Check &a, const Check &b)
+{
+    return a.code == b.code && a.sections == b.sections;
+}
+
+} // namespace
+
+ChecksDock::ChecksDock(Workbench &bench, const CheckList &list, QWidget *parent)
+    : QDockWidget(tr("Checks"), parent), m_bench(bench), m_list(list)
+{
+    dressDock(this, "checksDock");
+    auto *content = new QWidget(this);
+    m_area = new QScrollArea(content);
+    m_area->setObjectName(QStringLiteral("checksArea"));
+    m_area->setAccessibleName(tr("Checks"));
+    m_area->setFrameShape(QFrame::NoFrame);
+    m_area->setWidgetResizable(true);
+    m_area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    m_area->setFocusPolicy(Qt::NoFocus);
+    auto *rows = new QWidget(m_area);
+    rows->setObjectName(QStringLiteral("checksRows"));
+    rows->setBackgroundRole(QPalette::Base);
+    rows->setAutoFillBackground(true);
+    m_column = new QVBoxLayout(rows);
+    m_column->setContentsMargins(0, 0, 0, 0);
+    m_column->setSpacing(0);
+    m_empty = new QLabel(tr("Checks begin with the first section."), rows);
+    m_empty->setObjectName(QStringLiteral("checksEmpty"));
+    m_empty->setWordWrap(true);
+    m_empty->setMargin(12);
+    m_empty->setForegroundRole(QPalette::PlaceholderText);
+    m_column->addWidget(m_empty);
+    m_column->addStretch(1);
+    m_area->setWidget(rows);
+
+    m_footer = new QWidget(content);
+    m_spinner = new QLabel(m_footer);
+    m_footerText = new QLabel(m_footer);
+    m_footerText->setObjectName(QStringLiteral("checksFooter"));
+    m_footerText->setForegroundRole(QPalette::PlaceholderText);
+    QFont italic = font();
+    italic.setItalic(true);
+    m_footerText->setFont(italic);
+    auto *foot = new QHBoxLayout(m_footer);
+    foot->setContentsMargins(12, 3, 12, 4);
+    foot->setSpacing(8);
+    foot->addWidget(m_spinner);
+    foot->addWidget(m_footerText, 1);
+    m_footer->hide();
+
+    auto *column = new QVBoxLayout(content);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    column->addWidget(m_area, 1);
+    column->addWidget(m_footer);
+    setWidget(content);
+    content->setMinimumHeight(92);
+
+    m_spin = new QTimer(this);
+    m_spin->setInterval(kSpinTime);
+    connect(m_spin, &QTimer::timeout, this, [this] {
+        m_angle = (m_angle + kSpinStep) % 360;
+        const QPixmap still =
+            tintedPixmap(QStringLiteral("working"), 16, theme().muted, devicePixelRatioF());
+        QPixmap turned = still.transformed(QTransform().rotate(m_angle), Qt::SmoothTransformation);
+        // The turned picture is larger; what was in the middle stays there.
+        const QSize size(static_cast<int>(16 * devicePixelRatioF()),
+                         static_cast<int>(16 * devicePixelRatioF()));
+        turned = turned.copy((turned.width() - size.width()) / 2,
+                             (turned.height() - size.height()) / 2, size.width(), size.height());
+        turned.setDevicePixelRatio(devicePixelRatioF());
+        m_spinner->setPixmap(turned);
+    });
+    connect(&list, &CheckList::changed, this, &ChecksDock::refresh);
+    connect(&settings(), &Settings::unitChanged, this, &ChecksDock::refresh);
+    connect(&bench, &Workbench::selectionChanged, this, [this] {
+        if (!m_isChoosing)
+            forgetChoice();
+    });
+    refresh();
+}
+
+void ChecksDock::refresh()
+{
+    m_rows.clear();
+    const std::vector<Check> &all = m_list.all();
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        const auto alike = std::count_if(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(i),
+                                         [&](const Check &c) { return c.code == all[i].code; });
+        if (alike < kMostAlike) {
+            m_rows.push_back({all[i], 1});
+        } else {
+            const auto last = std::find_if(m_rows.rbegin(), m_rows.rend(), [&](const Row &row) {
+                return row.check.code == all[i].code;
+            });
+            last->count += 1;
+            last->check.sections.insert(last->check.sections.end(), all[i].sections.begin(),
+                                        all[i].sections.end());
+        }
+    }
+    std::stable_sort(m_rows.begin(), m_rows.end(), [](const Row &a, const Row &b) {
+        return a.check.severity > b.check.severity;
+    });
+
+    const bool isOlder = m_list.age() != CheckList::Age::Current;
+    while (m_widgets.size() < m_rows.size()) {
+        auto *row = new CheckRow(m_area->widget());
+        const int index = static_cast<int>(m_widgets.size());
+        row->setObjectName(QStringLiteral("checkRow%1").arg(index));
+        connect(row, &CheckRow::clicked, this, [this, index] { choose(index, true); });
+        connect(row, &CheckRow::linkClicked, this, [this, index] { act(index); });
+        m_column->insertWidget(static_cast<int>(m_widgets.size()), row);
+        m_widgets.push_back(row);
+    }
+    int number = 0;
+    const auto errors = std::count_if(m_rows.begin(), m_rows.end(), [](const Row &row) {
+        return row.check.severity == CheckSeverity::Error;
+    });
+    bool isChosenThere = false;
+    for (std::size_t i = 0; i < m_widgets.size(); ++i) {
+        m_widgets[i]->setVisible(i < m_rows.size());
+        if (i >= m_rows.size())
+            continue;
+        const Check &check = m_rows[i].check;
+        CheckWords words = checkWords(check, m_list.model());
+        if (m_rows[i].count > 1)
+            words = {tr("%n more like this", nullptr, m_rows[i].count), QString()};
+        if (check.severity == CheckSeverity::Error && errors > 1)
+            words.title = QStringLiteral("%1  %2").arg(++number).arg(words.title);
+        const QColor colour = isOlder && check.severity == CheckSeverity::Good
+                                  ? theme().muted
+                                  : checkColour(check.severity);
+        m_widgets[i]->setContent({checkGlyph(check.severity), colour, severityWord(check.severity),
+                                  words.title, words.text, linkOf(check), isOlder});
+        const bool isChosen = m_chosen && isSameVerdict(*m_chosen, check);
+        m_widgets[i]->setChecked(isChosen);
+        isChosenThere = isChosenThere || isChosen;
+    }
+    m_empty->setVisible(m_rows.empty() && m_bench.session().model().sectionCount() == 0);
+    if (m_chosen && !isChosenThere)
+        forgetChoice(); // it is mended
+    refreshFooter();
+}
+
+void ChecksDock::refreshFooter()
+{
+    const CheckList::Age age = m_list.age();
+    const bool isLate = age == CheckList::Age::Late;
+    m_footer->setVisible(age != CheckList::Age::Current);
+    m_footerText->setText(isLate ? tr("Checking…") : tr("Older than the drawing"));
+    m_spinner->setVisible(isLate);
+    const bool spins = isLate && !settings().reducesMotion();
+    if (spins && !m_spin->isActive())
+        m_spin->start();
+    else if (!spins)
+        m_spin->stop();
+    if (isLate && !spins)
+        m_spinner->setPixmap(
+            tintedPixmap(QStringLiteral("working"), 16, theme().muted, devicePixelRatioF()));
+}
+
+void ChecksDock::refreshColours()
+{
+    refresh();
+    for (CheckRow *row : m_widgets)
+        row->refresh();
+}
+
+std::vector<int> ChecksDock::problems() const
+{
+    std::vector<int> rows;
+    for (std::size_t i = 0; i < m_rows.size(); ++i) {
+        if (isProblem(m_rows[i].check))
+            rows.push_back(static_cast<int>(i));
+    }
+    return rows;
+}
+
+void ChecksDock::choose(int row, bool frames)
+{
+    const Check check = m_rows[static_cast<std::size_t>(row)].check;
+    const QScopedValueRollback choosing(m_isChoosing, true);
+    m_chosen = check;
+    for (std::size_t i = 0; i < m_widgets.size(); ++i)
+        m_widgets[i]->setChecked(static_cast<int>(i) == row);
+    m_bench.select(check.sections);
+    m_bench.setProblemSections(isProblem(check) ? check.sections : std::vector<SectionRef>());
+    if (frames)
+        m_bench.run(check.sections.empty() ? QStringLiteral("view.fitAll")
+                                           : QStringLiteral("view.fitSelection"));
+    m_area->ensureWidgetVisible(m_widgets[static_cast<std::size_t>(row)], 0, 0);
+}
+
+void ChecksDock::forgetChoice()
+{
+    if (!m_chosen)
+        return;
+    m_chosen.reset();
+    for (CheckRow *row : m_widgets)
+        row->setChecked(false);
+    m_bench.setProblemSections({});
+}
+
+void ChecksDock::goToProblem(int step)
+{
+    const std::vector<int> rows = problems();
+    if (rows.empty()) {
+        Q_EMIT said(m_rows.empty() ? tr("There is no section to check yet.")
+                    : m_list.age() == CheckList::Age::Current
+                        ? tr("There is no problem.")
+                        : tr("Still checking; no problem so far."));
+        return;
+    }
+    const int count = static_cast<int>(rows.size());
+    int at = step > 0 ? -1 : count;
+    for (int i = 0; i < count; ++i) {
+        if (m_chosen &&
+            isSameVerdict(
+                *m_chosen,
+                m_rows[static_cast<std::size_t>(rows[static_cast<std::size_t>(i)])].check))
+            at = i;
+    }
+    at = ((at + step) % count + count) % count;
+    const int row = rows[static_cast<std::size_t>(at)];
+    choose(row, true);
+    const Row &chosen = m_rows[static_cast<std::size_t>(row)];
+    Q_EMIT said(tr("Problem %1 of %2: %3.")
+                    .arg(at + 1)
+                    .arg(count)
+                    .arg(checkWords(chosen.check, m_list.model()).title.toHtmlEscaped()));
+}
+
+void ChecksDock::choose(CheckSubject subject)
+{
+    Q_EMIT shown();
+    for (std::size_t i = 0; i < m_rows.size(); ++i) {
+        if (subjectOf(m_rows[i].check.code) == subject) { // the worst comes first
+            choose(static_cast<int>(i), isProblem(m_rows[i].check));
+            return;
+        }
+    }
+}
+
+QString ChecksDock::linkOf(const Check &check) const
+{
+    switch (check.code) {
+    case CheckCode::NotConnected:
+        return check.sections.size() == 1 ? tr("Delete it") : tr("Delete them");
+    case CheckCode::TooLarge:
+        return tr("Choose a sheet");
+    default:
+        return {};
+    }
+}
+
+void ChecksDock::act(int row)
+{
+    const Check check = m_rows[static_cast<std::size_t>(row)].check;
+    if (check.code == CheckCode::TooLarge) {
+        Q_EMIT stocksWanted();
+        return;
+    }
+    const Document &document = m_bench.session().committed().document;
+    Step step{Step::Kind::DeleteSections, {}};
+    std::vector<SectionId> ids;
+    for (const SectionRef &ref : check.sections) {
+        if (const Section *section = document.find(ref.drawn)) {
+            ids.push_back(section->id);
+            step.names.push_back(section->name);
+        }
+    }
+    m_bench.commit(step, removeSections(document, ids));
+}
+
+} // namespace fff::ui

@@ -1,0 +1,75 @@
+// The verdicts on the model, worst first. A click selects the sections that one is about and frames
+// them; a problem is marked red in the view.
+#pragma once
+
+#include <QDockWidget> // first: moc stumbles over some standard headers
+
+#include "core/session/checks.h"
+
+#include <vector>
+
+class QLabel;
+class QScrollArea;
+class QTimer;
+class QVBoxLayout;
+
+namespace fff {
+class CheckList;
+}
+
+namespace fff::ui {
+
+class CheckRow;
+class Workbench;
+
+class ChecksDock : public QDockWidget
+{
+    Q_OBJECT
+public:
+    ChecksDock(Workbench &bench, const CheckList &list, QWidget *parent = nullptr);
+
+    /// The next problem after the chosen one (step 1), or the one before (−1); round and round.
+    void goToProblem(int step);
+    /// What a badge asks for: the worst row of this subject.
+    void choose(CheckSubject subject);
+    /// In the colours of the theme.
+    void refreshColours();
+
+Q_SIGNALS:
+    /// For the status bar, with marks.
+    void said(const QString &sentence);
+    void stocksWanted();
+    /// It wants to be seen.
+    void shown();
+
+private:
+    struct Row
+    {
+        Check check;
+        int count = 1; // of equal ones that this row stands for
+    };
+
+    void refresh();
+    void refreshFooter();
+    void choose(int row, bool frames);
+    void forgetChoice();
+    void act(int row);
+    QString linkOf(const Check &check) const;
+    std::vector<int> problems() const; // rows
+
+    Workbench &m_bench;
+    const CheckList &m_list;
+    std::vector<Row> m_rows;
+    std::vector<CheckRow *> m_widgets; // as many as rows, or more, hidden
+    std::optional<Check> m_chosen;
+    QScrollArea *m_area = nullptr;
+    QVBoxLayout *m_column = nullptr;
+    QLabel *m_empty = nullptr;
+    QWidget *m_footer = nullptr;
+    QLabel *m_spinner = nullptr, *m_footerText = nullptr;
+    QTimer *m_spin = nullptr;
+    int m_angle = 0; // degrees, of the spinner
+    bool m_isChoosing = false;
+};
+
+} // namespace fff::ui

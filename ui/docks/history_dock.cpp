@@ -1,0 +1,119 @@
+#include "ui/docks/history_dock.h"
+
+#include "ui/docks/dock_title.h"
+#include "ui/icon.h"
+#include "ui/theme.h"
+#include "ui/workbench.h"
+
+#include <QLabel>
+#include <QStyledItemDelegate>
+#include <QUndoView>
+#include <QVBoxLayout>
+
+namespace fff::ui {
+
+namespace {
+
+constexpr int kRowHeight = 24; // px
+
+/// The step that the model stands at is bold, those that were undone are muted.
+class StepDelegate : public QStyledItemDelegate
+{
+public:
+    StepDelegate(const QUndoStack &history, QObject *parent)
+        : QStyledItemDelegate(parent), m_history(history)
+    {
+    }
+
+protected:
+    void initStyleOption(QStyleOptionViewItem *option, const QModelIndex &index) const override
+    {
+        QStyledItemDelegate::initStyleOption(option, index);
+        if (index.row() == m_history.index())
+            option->font.setWeight(QFont::DemiBold);
+        if (index.row() > m_history.index())
+            option->palette.setColor(QPalette::Text, theme().muted);
+        option->decorationAlignment = Qt::AlignLeft | Qt::AlignVCenter;
+    }
+    QSize sizeHint(const QStyleOptionViewItem &option, const QModelIndex &index) const override
+    {
+        return {QStyledItemDelegate::sizeHint(option, index).width(), kRowHeight};
+    }
+
+private:
+    const QUndoStack &m_history;
+};
+
+} // namespace
+
+HistoryDock::HistoryDock(Workbench &bench, QWidget *parent)
+    : QDockWidget(tr("History"), parent), m_bench(bench)
+{
+    dressDock(this, "historyDock");
+    auto *content = new QWidget(this);
+    QUndoStack *history = bench.session().history();
+    m_view = new QUndoView(history, content);
+    m_view->setObjectName(QStringLiteral("historyList"));
+    m_view->setAccessibleName(tr("History"));
+    m_view->setAccessibleDescription(tr("Every step; choosing one goes back to it."));
+    m_view->setFrameShape(QFrame::NoFrame);
+    m_view->setUniformItemSizes(true);
+    m_view->setMouseTracking(true);
+    m_view->setItemDelegate(new StepDelegate(*history, m_view));
+    m_view->setIconSize({14, 14});
+    m_empty = new QLabel(tr("Every step will be listed here; go back to any of them."), m_view);
+    m_empty->setObjectName(QStringLiteral("historyEmpty"));
+    m_empty->setWordWrap(true);
+    m_empty->setAutoFillBackground(true);
+    m_empty->setBackgroundRole(QPalette::Base);
+    m_empty->setForegroundRole(QPalette::PlaceholderText);
+    m_empty->setMargin(12);
+    m_empty->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+    auto *column = new QVBoxLayout(content);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->addWidget(m_view);
+    auto *over = new QVBoxLayout(m_view);
+    over->setContentsMargins(0, 0, 0, 0);
+    over->addWidget(m_empty);
+    setWidget(content);
+
+    connect(m_view, &QAbstractItemView::entered, this,
+            [this](const QModelIndex &index) { hoverStep(index.row()); });
+    // A click in the list: the stack has jumped by then.
+    connect(m_view, &QAbstractItemView::clicked, this, [this](const QModelIndex &index) {
+        const QString step = index.data().toString().toHtmlEscaped();
+        if (index.row() == 0)
+            Q_EMIT said(tr("Back to the beginning. Click a later step to do it again."));
+        else
+            Q_EMIT said(tr("The model is as it was after \u201c%1\u201d.").arg(step));
+    });
+    connect(history, &QUndoStack::indexChanged, this, &HistoryDock::refresh);
+    connect(history, &QUndoStack::cleanChanged, this, &HistoryDock::refresh);
+    refresh();
+}
+
+void HistoryDock::refreshColours()
+{
+    m_view->setCleanIcon(rowIcon(QStringLiteral("save")));
+    m_view->viewport()->update();
+}
+
+void HistoryDock::refresh()
+{
+    QUndoStack &history = *m_bench.session().history();
+    m_empty->setVisible(history.count() == 0);
+    const Model *first = m_bench.session().modelAfter(0);
+    m_view->setEmptyLabel(first && first->sectionCount() > 0 ? tr("As it was opened")
+                                                             : tr("New model"));
+    m_view->viewport()->update(); // also rows whose index is the old one
+}
+
+/// Says what the step under the cursor would change back.
+void HistoryDock::hoverStep(int row)
+{
+    const QUndoStack &history = *m_bench.session().history();
+    QString tip = row == history.cleanIndex() ? tr("Saved here") : QString();
+    m_view->setToolTip(tip);
+}
+
+} // namespace fff::ui

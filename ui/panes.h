@@ -1,0 +1,13 @@
+// Going round the window by key: tool bar, left docks, view, right docks.
+#pragma once
+
+class QMainWindow;
+class QWidget;
+
+namespace fff::ui {
+
+/// Gives the focus to the next pane (step 1) or to the one before (−1), to what had it there last.
+/// `view` is what stands in the middle. Panes that cannot be seen are left out.
+void goToPane(QMainWindow &window, QWidget *toolBar, QWidget *view, int step);
+
+} // namespace fff::ui

@@ -1,0 +1,119 @@
+#include "ui/properties/joint_list.h"
+
+#include "ui/icon.h"
+#include "ui/theme.h"
+
+#include <QAbstractButton>
+#include <QLabel>
+#include <QPainter>
+#include <QVBoxLayout>
+
+namespace fff::ui {
+
+namespace {
+
+constexpr int kRowHeight = 26, kGlyph = 16; // px
+
+} // namespace
+
+QString jointKindText(JointKind kind)
+{
+    switch (kind) {
+    case JointKind::CrossLap:
+        return JointList::tr("cross lap");
+    case JointKind::ExtendedCrossLap:
+        return JointList::tr("extended cross lap");
+    case JointKind::Mortise:
+        return JointList::tr("mortise");
+    case JointKind::None:
+        return JointList::tr("no joint");
+    }
+    return {};
+}
+
+class JointRow : public QAbstractButton
+{
+public:
+    explicit JointRow(QWidget *parent) : QAbstractButton(parent)
+    {
+        setFocusPolicy(Qt::StrongFocus);
+        setAttribute(Qt::WA_Hover);
+        setFixedHeight(kRowHeight);
+    }
+
+    void setEntry(const JointList::Entry &entry)
+    {
+        m_entry = entry;
+        setAccessibleName(QStringLiteral("%1, %2").arg(entry.name, entry.text));
+        setToolTip(JointList::tr("Select %1").arg(entry.name));
+        update();
+    }
+
+    QSize sizeHint() const override { return {100, kRowHeight}; }
+
+protected:
+    void paintEvent(QPaintEvent *) override
+    {
+        const Theme &t = theme();
+        QPainter painter(this);
+        painter.setRenderHint(QPainter::Antialiasing);
+        if (underMouse() || isDown()) {
+            painter.setPen(Qt::NoPen);
+            painter.setBrush(isDown() ? t.soft : t.hover);
+            painter.drawRoundedRect(rect(), 3.0, 3.0);
+        }
+        if (hasFocus()) {
+            painter.setPen(QPen(t.accent, 2.0));
+            painter.setBrush(Qt::NoBrush);
+            painter.drawRoundedRect(QRectF(rect()).adjusted(1, 1, -1, -1), 3.0, 3.0);
+        }
+        const QString icon = m_entry.isProblem ? QStringLiteral("warn") : QStringLiteral("section");
+        painter.drawPixmap(4, (height() - kGlyph) / 2,
+                           tintedPixmap(icon, kGlyph, m_entry.isProblem ? t.warning : t.muted,
+                                        devicePixelRatioF()));
+        const QRect words = rect().adjusted(kGlyph + 12, 0, -6, 0);
+        const QFontMetrics metrics(font());
+        const int right = metrics.horizontalAdvance(m_entry.text);
+        painter.setPen(t.muted);
+        painter.drawText(words, Qt::AlignRight | Qt::AlignVCenter, m_entry.text);
+        painter.setPen(t.text);
+        painter.drawText(
+            words, Qt::AlignLeft | Qt::AlignVCenter,
+            metrics.elidedText(m_entry.name, Qt::ElideRight, words.width() - right - 8));
+    }
+
+private:
+    JointList::Entry m_entry;
+};
+
+JointList::JointList(QWidget *parent) : QWidget(parent), m_empty(new QLabel(tr("None yet"), this))
+{
+    m_empty->setForegroundRole(QPalette::PlaceholderText);
+    auto *column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    column->addWidget(m_empty);
+}
+
+void JointList::setEntries(const std::vector<Entry> &entries)
+{
+    if (entries == m_entries)
+        return;
+    m_entries = entries;
+    while (m_rows.size() < entries.size()) {
+        auto *row = new JointRow(this);
+        const std::size_t index = m_rows.size();
+        connect(row, &QAbstractButton::clicked, this,
+                [this, index] { Q_EMIT chosen(SectionRef(m_entries[index].other)); });
+        layout()->addWidget(row);
+        m_rows.push_back(row);
+    }
+    for (std::size_t i = 0; i < m_rows.size(); ++i) {
+        m_rows[i]->setVisible(i < entries.size());
+        if (i < entries.size())
+            m_rows[i]->setEntry(entries[i]);
+    }
+    m_empty->setVisible(entries.empty());
+}
+
+} // namespace fff::ui
