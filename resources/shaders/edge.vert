@@ -5,31 +5,57 @@ layout(location = 1) in vec3 to;
 layout(location = 2) in vec4 normalA; // w: 1 when always drawn, 0 when only as a silhouette
 layout(location = 3) in vec4 normalB;
 uniform mat4 toClip;
-uniform vec3 eye;      // direction towards the eye, in the slab's own axes
-uniform vec2 viewport; // device pixels
-uniform float width;   // device pixels
+uniform float halfThickness; // mm: of z = 1
+uniform vec4 eye;      // towards it (w 0) or where it is (w 1), in the slab's own axes, mm
+uniform vec2 viewport; // drawn pixels
+uniform float width;   // drawn pixels
 uniform float silhouetteWidth;
-uniform float nearer; // towards the eye, in clip units
+uniform float nearer;  // towards the eye, mm
+uniform vec4 cutRow;   // gives the height over the plane that cuts the view open, mm
+noperspective out float across; // drawn pixels from the middle
+flat out float halfWidth;
+
+const float nearestW = 1e-4;
 
 void main()
 {
-    bool seenA = dot(normalA.xyz, eye) > 0.0;
-    bool seenB = dot(normalB.xyz, eye) > 0.0;
+    vec3 scale = vec3(1.0, 1.0, halfThickness);
+    vec3 middle = 0.5 * (from + to) * scale;
+    vec3 toEye = normalize(eye.xyz - eye.w * middle);
+    bool seenA = dot(normalA.xyz, toEye) > 0.0;
+    bool seenB = dot(normalB.xyz, toEye) > 0.0;
     bool silhouette = seenA != seenB;
-    if (!(seenA || seenB) || !(silhouette || normalA.w > 0.5)) {
-        gl_Position = vec4(2.0, 2.0, 2.0, 1.0); // outside: not drawn
+    across = 0.0;
+    halfWidth = 0.5 * (silhouette ? silhouetteWidth : width);
+    gl_ClipDistance[0] = 1.0;
+    gl_Position = vec4(2.0, 2.0, 2.0, 1.0); // outside: not drawn
+    if (!(seenA || seenB) || !(silhouette || normalA.w > 0.5))
         return;
-    }
     vec4 a = toClip * vec4(from, 1.0);
     vec4 b = toClip * vec4(to, 1.0);
-    vec2 along = (b.xy - a.xy) * viewport;
+    float atA = 0.0, atB = 1.0;
+    if (a.w < nearestW && b.w < nearestW)
+        return;
+    if (a.w < nearestW)
+        atA = (nearestW - a.w) / (b.w - a.w);
+    if (b.w < nearestW)
+        atB = (nearestW - a.w) / (b.w - a.w);
+    vec4 start = mix(a, b, atA);
+    vec4 stop = mix(a, b, atB);
+    vec2 along = (stop.xy / stop.w - start.xy / start.w) * viewport;
     float length2 = dot(along, along);
     along = length2 > 1e-12 ? along * inversesqrt(length2) : vec2(1.0, 0.0);
-    float halfWidth = 0.5 * (silhouette ? silhouetteWidth : width);
     float end = float(gl_VertexID >> 1), turn = float(gl_VertexID & 1) * 2.0 - 1.0;
+    float reach = halfWidth + 0.5; // the last half pixel fades out
     // A little over the ends, so that neighbouring edges leave no gap on the outside of a turn.
-    vec2 offset = halfWidth * (turn * vec2(-along.y, along.x) + (2.0 * end - 1.0) * 0.5 * along);
-    gl_Position = mix(a, b, end);
-    gl_Position.xy += 2.0 * offset / viewport;
-    gl_Position.z -= nearer;
+    vec2 offset = reach * turn * vec2(-along.y, along.x) +
+                  0.5 * halfWidth * (2.0 * end - 1.0) * along;
+    vec3 place = mix(from, to, mix(atA, atB, end));
+    vec4 at = mix(start, stop, end);
+    vec4 before = toClip * vec4(place + nearer * toEye / scale, 1.0);
+    gl_Position = at;
+    gl_Position.xy += 2.0 * offset / viewport * at.w;
+    gl_Position.z = before.z / max(before.w, nearestW) * at.w;
+    gl_ClipDistance[0] = 0.02 - dot(cutRow, vec4(place, 1.0));
+    across = reach * turn;
 }

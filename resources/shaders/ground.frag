@@ -24,13 +24,14 @@ float lines(float step)
 
 void main()
 {
-    float fade = 1.0 - smoothstep(0.15, 1.0, length(ground - centre) / radius);
-    float fineCover = lines(spacing) * 0.8 * fade;
-    float strongCover = lines(5.0 * spacing) * fade;
+    float fade = 1.0 - smoothstep(0.08, 0.92, length(ground - centre) / radius);
+    float fineCover = lines(spacing) * 0.62 * fade;
+    float strongCover = lines(5.0 * spacing) * 0.8 * fade;
     vec2 place = (ground - shadowBox.xy) / shadowBox.zw;
-    vec2 taken = all(greaterThan(place, vec2(0.0))) && all(lessThan(place, vec2(1.0)))
-                     ? texture(shadow, place).rg : vec2(0.0);
-    float dark = shadowColour.a * clamp(0.55 * taken.r + 0.75 * taken.g, 0.0, 1.0);
+    vec4 taken = all(greaterThan(place, vec2(0.0))) && all(lessThan(place, vec2(1.0)))
+                     ? texture(shadow, place) : vec4(0.0);
+    // Plates on edge take little light each, but from many directions.
+    float dark = shadowColour.a * (1.0 - exp(-dot(taken, vec4(2.4, 2.6, 3.2, 3.6))));
 
     colour = vec4(fine, 1.0) * fineCover;
     colour = vec4(strong, 1.0) * strongCover + colour * (1.0 - strongCover);

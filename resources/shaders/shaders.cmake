@@ -2,10 +2,16 @@
 qt_add_resources(fff_view shaders PREFIX /shaders BASE ${CMAKE_CURRENT_LIST_DIR} FILES
     ${CMAKE_CURRENT_LIST_DIR}/background.frag
     ${CMAKE_CURRENT_LIST_DIR}/blur.frag
+    ${CMAKE_CURRENT_LIST_DIR}/cap.frag
+    ${CMAKE_CURRENT_LIST_DIR}/cap.vert
+    ${CMAKE_CURRENT_LIST_DIR}/copy.frag
     ${CMAKE_CURRENT_LIST_DIR}/edge.frag
     ${CMAKE_CURRENT_LIST_DIR}/edge.vert
     ${CMAKE_CURRENT_LIST_DIR}/ground.frag
     ${CMAKE_CURRENT_LIST_DIR}/ground.vert
+    ${CMAKE_CURRENT_LIST_DIR}/occlusion.frag
+    ${CMAKE_CURRENT_LIST_DIR}/occlusion_apply.frag
+    ${CMAKE_CURRENT_LIST_DIR}/occlusion_blur.frag
     ${CMAKE_CURRENT_LIST_DIR}/screen.vert
     ${CMAKE_CURRENT_LIST_DIR}/shadow.frag
     ${CMAKE_CURRENT_LIST_DIR}/slab.frag

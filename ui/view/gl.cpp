@@ -1,18 +1,42 @@
 #include "ui/view/gl.h"
 
+#include <QFile>
 #include <QLoggingCategory>
+
+#include <algorithm>
+#include <cmath>
 
 namespace fff::ui {
 
-std::unique_ptr<QOpenGLShaderProgram> loadProgram(const char *vertex, const char *fragment)
+namespace {
+
+/// A perspective view shows nothing nearer to its eye than this part of the target's distance: the
+/// depth buffer's digits are worth most there.
+constexpr double kNearestPart = 0.02;
+
+/// The shader's text with `define` after its first line, the version.
+QByteArray shaderText(const char *name, const QString &suffix, const char *define)
+{
+    QFile file(QStringLiteral(":/shaders/") + QLatin1String(name) + suffix);
+    if (!file.open(QIODevice::ReadOnly))
+        return {};
+    QByteArray text = file.readAll();
+    if (*define)
+        text.insert(text.indexOf('\n') + 1, QByteArray("#define ") + define + '\n');
+    return text;
+}
+
+} // namespace
+
+std::unique_ptr<QOpenGLShaderProgram> loadProgram(const char *vertex, const char *fragment,
+                                                  const char *define)
 {
     auto program = std::make_unique<QOpenGLShaderProgram>();
-    const QString folder = QStringLiteral(":/shaders/");
     const bool done =
-        program->addShaderFromSourceFile(QOpenGLShader::Vertex, folder + QLatin1String(vertex) +
-                                                                    QStringLiteral(".vert")) &&
-        program->addShaderFromSourceFile(QOpenGLShader::Fragment, folder + QLatin1String(fragment) +
-                                                                      QStringLiteral(".frag")) &&
+        program->addShaderFromSourceCode(QOpenGLShader::Vertex,
+                                         shaderText(vertex, QStringLiteral(".vert"), define)) &&
+        program->addShaderFromSourceCode(QOpenGLShader::Fragment,
+                                         shaderText(fragment, QStringLiteral(".frag"), define)) &&
         program->link();
     if (!done) {
         qWarning("Shader %s/%s: %s", vertex, fragment, qPrintable(program->log()));
@@ -21,16 +45,16 @@ std::unique_ptr<QOpenGLShaderProgram> loadProgram(const char *vertex, const char
     return program;
 }
 
-void setTransform(QOpenGLShaderProgram &program, const char *name, const Eigen::Matrix4d &matrix)
+QMatrix4x4 toFloat(const Eigen::Matrix4d &matrix)
 {
     const Eigen::Matrix<float, 4, 4, Eigen::RowMajor> rows = matrix.cast<float>();
-    program.setUniformValue(name, QMatrix4x4(rows.data()));
+    return QMatrix4x4(rows.data());
 }
 
-void setRotation(QOpenGLShaderProgram &program, const char *name, const Eigen::Matrix3d &matrix)
+QMatrix3x3 toFloat(const Eigen::Matrix3d &matrix)
 {
     const Eigen::Matrix<float, 3, 3, Eigen::RowMajor> rows = matrix.cast<float>();
-    program.setUniformValue(name, QMatrix3x3(rows.data()));
+    return QMatrix3x3(rows.data());
 }
 
 Eigen::Matrix4d clipMatrix(const Camera &camera, const Vec2 &viewport, double nearest,
@@ -42,12 +66,25 @@ Eigen::Matrix4d clipMatrix(const Camera &camera, const Vec2 &viewport, double ne
     view.block<1, 3>(2, 0) = camera.backward().transpose();
     view.block<3, 1>(0, 3) = -(view.block<3, 3>(0, 0) * camera.target);
 
+    const Vec2 halfSize = 0.5 * camera.millimetresPerPixel * viewport; // at the target
     Eigen::Matrix4d projection = Eigen::Matrix4d::Identity();
-    const Vec2 halfSize = 0.5 * camera.millimetresPerPixel * viewport;
-    projection(0, 0) = 1.0 / halfSize.x();
-    projection(1, 1) = 1.0 / halfSize.y();
-    projection(2, 2) = -2.0 / (nearest + farthest);
-    projection(2, 3) = (nearest - farthest) / (nearest + farthest);
+    if (!camera.isPerspective()) {
+        projection(0, 0) = 1.0 / halfSize.x();
+        projection(1, 1) = 1.0 / halfSize.y();
+        projection(2, 2) = -2.0 / (nearest + farthest);
+        projection(2, 3) = (nearest - farthest) / (nearest + farthest);
+        return projection * view;
+    }
+    const double distance = camera.eyeDistance(viewport);
+    view(2, 3) -= distance;
+    const double n = std::max(distance - nearest, kNearestPart * distance);
+    const double f = std::max(distance + farthest, 2.0 * n);
+    projection(0, 0) = distance / halfSize.x();
+    projection(1, 1) = distance / halfSize.y();
+    projection(2, 2) = (n + f) / (n - f);
+    projection(2, 3) = 2.0 * n * f / (n - f);
+    projection(3, 2) = -1.0;
+    projection(3, 3) = 0.0;
     return projection * view;
 }
 

@@ -15,15 +15,21 @@ namespace fff::ui {
 
 using Gl = QOpenGLFunctions_3_3_Core;
 
-/// Compiles :/shaders/`vertex`.vert and :/shaders/`fragment`.frag. Null when the driver refuses
-/// them; the reason goes to the log.
-std::unique_ptr<QOpenGLShaderProgram> loadProgram(const char *vertex, const char *fragment);
+/// Compiles :/shaders/`vertex`.vert and :/shaders/`fragment`.frag, with `define` as a name defined
+/// in both. Null when the driver refuses them; the reason goes to the log.
+std::unique_ptr<QOpenGLShaderProgram> loadProgram(const char *vertex, const char *fragment,
+                                                  const char *define = "");
 
-void setTransform(QOpenGLShaderProgram &program, const char *name, const Eigen::Matrix4d &matrix);
-void setRotation(QOpenGLShaderProgram &program, const char *name, const Eigen::Matrix3d &matrix);
+QMatrix4x4 toFloat(const Eigen::Matrix4d &matrix);
+QMatrix3x3 toFloat(const Eigen::Matrix3d &matrix);
+inline QVector4D toFloat(const Eigen::Vector4d &v)
+{
+    return {static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z()),
+            static_cast<float>(v.w())};
+}
 
 /// World to clip space; `nearest` and `farthest` are distances from the camera's target towards the
-/// eye and away from it, mm.
+/// eye and away from it, mm. A perspective view ends a little before its eye.
 Eigen::Matrix4d clipMatrix(const Camera &camera, const Vec2 &viewport, double nearest,
                            double farthest);
 

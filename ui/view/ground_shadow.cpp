@@ -1,51 +1,38 @@
 #include "ui/view/ground_shadow.h"
 
-#include <Eigen/Geometry>
+#include "ui/view/slab_painter.h"
+
+#include <algorithm>
 
 namespace fff::ui {
 
 namespace {
 
-constexpr int kPixels = 320; // a side: the blur hides the steps, and software rendering stays fast
-constexpr double kSharpBlur = 1.6, kSoftBlur = 9.0; // mm, standard deviation on the ground
-constexpr double kTapSpread = 2.65; // standard deviation of the shader's taps, in taps
+constexpr int kPixels = 256; // a side: the blur hides the steps, and software rendering stays fast
+/// Standard deviations on the ground of the four bands of heights, mm for a model of kModelSize.
+constexpr double kBlurs[] = {1.6, 4.0, 10.0, 20.0};
+constexpr double kModelSize = 300.0; // mm
+constexpr double kTapSpread = 1.8;   // standard deviation of the shader's taps, in taps
 
 bool looksTheSame(const std::vector<SceneSection> &a, const std::vector<SceneSection> &b)
 {
-    return std::equal(a.begin(), a.end(), b.begin(), b.end(),
-                      [](const SceneSection &p, const SceneSection &q) {
-                          return p.meshKey() == q.meshKey() && p.frame == q.frame &&
-                                 p.thickness == q.thickness && p.isGhost == q.isGhost;
-                      });
+    return std::equal(
+        a.begin(), a.end(), b.begin(), b.end(),
+        [](const SceneSection &p, const SceneSection &q) { return p.looksTheSame(q); });
 }
 
 } // namespace
 
-Eigen::Matrix4d slabMatrix(const SceneSection &section)
+GroundShadow::GroundShadow(Gl &gl, ScreenPass &pass)
+    : m_gl(gl), m_pass(pass), m_slab(loadProgram("slab", "shadow")),
+      m_blur(loadProgram("screen", "blur")), m_image(gl, GL_RGBA8, false, GL_LINEAR),
+      m_other(gl, GL_RGBA8, false, GL_LINEAR)
 {
-    Eigen::Matrix4d matrix = Eigen::Matrix4d::Identity();
-    matrix.block<3, 1>(0, 0) = section.frame.x;
-    matrix.block<3, 1>(0, 1) = section.frame.y;
-    matrix.block<3, 1>(0, 2) = 0.5 * section.thickness * section.frame.normal();
-    matrix.block<3, 1>(0, 3) = section.frame.origin;
-    return matrix;
+    m_image.resize({kPixels, kPixels});
+    m_other.resize({kPixels, kPixels});
 }
 
-GroundShadow::GroundShadow(Gl &gl)
-    : m_gl(gl), m_slab(loadProgram("slab", "shadow")), m_blur(loadProgram("screen", "blur"))
-{
-    QOpenGLFramebufferObjectFormat format;
-    format.setInternalTextureFormat(GL_RG8);
-    m_image = std::make_unique<QOpenGLFramebufferObject>(kPixels, kPixels, format);
-    m_other = std::make_unique<QOpenGLFramebufferObject>(kPixels, kPixels, format);
-    for (const auto &image : {m_image.get(), m_other.get()}) {
-        m_gl.glBindTexture(GL_TEXTURE_2D, image->texture());
-        m_gl.glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-        m_gl.glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-    }
-}
-
-void GroundShadow::update(const Scene &scene, const SlabBuffers &slabs, GLuint emptyArray)
+void GroundShadow::update(const Scene &scene, const SlabBuffers &slabs)
 {
     if (looksTheSame(m_drawn, scene.sections))
         return;
@@ -53,12 +40,9 @@ void GroundShadow::update(const Scene &scene, const SlabBuffers &slabs, GLuint e
     if (scene.bounds.isEmpty())
         return;
 
-    GLint target = 0, viewport[4];
-    m_gl.glGetIntegerv(GL_FRAMEBUFFER_BINDING, &target);
-    m_gl.glGetIntegerv(GL_VIEWPORT, viewport);
-
-    const double margin = 4.0 * kSoftBlur;
     const Vec3 size = scene.bounds.size(), middle = scene.bounds.center();
+    const double unit = std::max(1.0, size.norm() / kModelSize);
+    const double margin = 3.0 * unit * kBlurs[3];
     m_size = std::max(size.x(), size.z()) + 2.0 * margin;
     m_corner = Vec2(middle.x(), middle.z()) - Vec2::Constant(0.5 * m_size);
 
@@ -69,59 +53,57 @@ void GroundShadow::update(const Scene &scene, const SlabBuffers &slabs, GLuint e
     toPicture(1, 3) = -2.0 * m_corner.y() / m_size - 1.0;
     toPicture(3, 3) = 1.0;
 
-    m_image->bind();
-    m_gl.glViewport(0, 0, kPixels, kPixels);
-    m_gl.glClearColor(0.0f, 0.0f, 0.0f, 1.0f);
+    m_image.bind();
+    m_gl.glClearColor(0.0f, 0.0f, 0.0f, 0.0f);
     m_gl.glClear(GL_COLOR_BUFFER_BIT);
     m_gl.glDisable(GL_DEPTH_TEST);
     m_gl.glDisable(GL_CULL_FACE);
     m_gl.glEnable(GL_BLEND);
+    m_gl.glBlendFunc(GL_ONE, GL_ONE);
     m_gl.glBlendEquation(GL_MAX);
     m_slab->bind();
-    for (const SceneSection &section : scene.sections) {
-        if (section.isGhost)
+    m_slab->setUniformValue("unit", static_cast<float>(unit));
+    const int toClip = m_slab->uniformLocation("toClip");
+    const int heightRow = m_slab->uniformLocation("heightRow");
+    for (std::size_t i = 0; i < scene.sections.size(); ++i) {
+        const SceneSection &section = scene.sections[i];
+        if (section.isGhost || section.isHidden)
             continue;
-        const SlabBuffers::Slab &slab = slabs.slab(section);
+        const SlabBuffers::Slab &slab = slabs.slab(i);
         const Eigen::Matrix4d place = slabMatrix(section);
-        setTransform(*m_slab, "toClip", toPicture * place);
-        setRotation(*m_slab, "normalToView", Eigen::Matrix3d::Identity());
-        const Eigen::Vector4f row = place.row(1).cast<float>();
-        m_slab->setUniformValue("heightRow", row.x(), row.y(), row.z(), row.w());
+        m_slab->setUniformValue(toClip, toFloat(Eigen::Matrix4d(toPicture * place)));
+        m_slab->setUniformValue(heightRow, toFloat(Eigen::Vector4d(place.row(1).transpose())));
         m_gl.glBindVertexArray(slab.fillArray);
-        m_gl.glDrawElements(GL_TRIANGLES, slab.indexCount, GL_UNSIGNED_INT, nullptr);
+        // Walls that others hide throw no shadow that those do not.
+        m_gl.glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(slab.coverStarts.front()),
+                            GL_UNSIGNED_INT, nullptr);
     }
     m_gl.glBlendEquation(GL_FUNC_ADD);
     m_gl.glDisable(GL_BLEND);
-
-    m_gl.glBindVertexArray(emptyArray);
-    blur(*m_image, *m_other, Vec2::UnitX());
-    blur(*m_other, *m_image, Vec2::UnitY());
-    m_gl.glBindVertexArray(0);
-
-    m_gl.glBindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(target));
-    m_gl.glViewport(viewport[0], viewport[1], viewport[2], viewport[3]);
+    blur(m_image, m_other, Vec2::UnitX(), unit);
+    blur(m_other, m_image, Vec2::UnitY(), unit);
 }
 
-void GroundShadow::blur(QOpenGLFramebufferObject &from, QOpenGLFramebufferObject &to,
-                        const Vec2 &direction)
+void GroundShadow::blur(RenderTarget &from, RenderTarget &to, const Vec2 &direction, double unit)
 {
     to.bind();
     m_blur->bind();
-    m_gl.glActiveTexture(GL_TEXTURE0);
-    m_gl.glBindTexture(GL_TEXTURE_2D, from.texture());
-    m_blur->setUniformValue("image", 0);
-    const Vec2 sharp = kSharpBlur / kTapSpread / m_size * direction;
-    const Vec2 soft = kSoftBlur / kTapSpread / m_size * direction;
-    m_blur->setUniformValue("sharp", static_cast<float>(sharp.x()), static_cast<float>(sharp.y()));
-    m_blur->setUniformValue("soft", static_cast<float>(soft.x()), static_cast<float>(soft.y()));
-    m_gl.glDrawArrays(GL_TRIANGLES, 0, 3);
+    m_pass.setTexture(*m_blur, "image", 0, from.colour());
+    m_gl.glGenerateMipmap(GL_TEXTURE_2D);
+    m_gl.glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
+    m_blur->setUniformValue("direction", static_cast<float>(direction.x()),
+                            static_cast<float>(direction.y()));
+    Eigen::Vector4d spread;
+    for (int i = 0; i < 4; ++i)
+        spread[i] = unit * kBlurs[i] / kTapSpread / m_size;
+    m_blur->setUniformValue("spread", toFloat(spread));
+    m_pass.draw();
 }
 
 void GroundShadow::use(QOpenGLShaderProgram &program)
 {
-    m_gl.glActiveTexture(GL_TEXTURE0);
-    m_gl.glBindTexture(GL_TEXTURE_2D, m_image->texture());
-    program.setUniformValue("shadow", 0);
+    m_pass.setTexture(program, "shadow", 0, m_image.colour());
+    m_gl.glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
     // Nothing was drawn yet, or nothing is there to throw a shadow: a box beside everything.
     const bool empty = m_drawn.empty();
     program.setUniformValue("shadowBox", static_cast<float>(empty ? 1e9 : m_corner.x()),

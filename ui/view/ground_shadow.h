@@ -1,33 +1,30 @@
 // The soft shadow that the model throws straight down on the ground: a small picture of it from
-// above, blurred, sharper where it touches. Made again only when the model changed.
+// above, the more blurred the higher a thing hangs. Made again only when the model changed.
 #pragma once
 
+#include "ui/view/render_target.h"
+#include "ui/view/screen_pass.h"
 #include "ui/view/slab_buffers.h"
 
-#include <QOpenGLFramebufferObject>
-
 namespace fff::ui {
-
-/// Places a slab's mesh (ui/view/slab_mesh.h) in the world.
-Eigen::Matrix4d slabMatrix(const SceneSection &section);
 
 class GroundShadow
 {
 public:
-    explicit GroundShadow(Gl &gl);
+    GroundShadow(Gl &gl, ScreenPass &pass);
 
     bool isReady() const { return m_slab && m_blur; }
-    /// Leaves the framebuffer and viewport as they were.
-    void update(const Scene &scene, const SlabBuffers &slabs, GLuint emptyArray);
+    void update(const Scene &scene, const SlabBuffers &slabs);
     /// Binds the texture and sets the uniforms `shadow` and `shadowBox`.
     void use(QOpenGLShaderProgram &program);
 
 private:
-    void blur(QOpenGLFramebufferObject &from, QOpenGLFramebufferObject &to, const Vec2 &direction);
+    void blur(RenderTarget &from, RenderTarget &to, const Vec2 &direction, double unit);
 
     Gl &m_gl;
+    ScreenPass &m_pass;
     std::unique_ptr<QOpenGLShaderProgram> m_slab, m_blur;
-    std::unique_ptr<QOpenGLFramebufferObject> m_image, m_other;
+    RenderTarget m_image, m_other;
     std::vector<SceneSection> m_drawn; // what the image shows
     Vec2 m_corner = Vec2::Zero();      // x and z, mm
     double m_size = 1.0;               // mm

@@ -1,5 +1,8 @@
 #include "ui/view/overlay_painter.h"
 
+#include "core/interaction/clip_gesture.h"
+#include "ui/view/view_cube_painter.h"
+
 #include <QCoreApplication>
 #include <QPainterPath>
 
@@ -24,7 +27,14 @@ public:
     void deadZone();
     void stroke();
     void slit();
-    void slitStart();
+    void cutHandle();
+    void hoveredName();
+    void progress();
+    void cube()
+    {
+        paintViewCube(m_painter, m_scene.camera.orientation, m_scene.viewport,
+                      m_scene.overlay.cubePart, m_style);
+    }
 
 private:
     QPointF screen(const Vec3 &world) const
@@ -57,7 +67,12 @@ QColor faded(QColor colour, double alpha)
 /// Seen from the side the ground is a line; what is under it is hatched.
 void Drawing::ground()
 {
-    if (std::abs(m_scene.camera.forward().y()) > 0.01 || m_scene.camera.up().y() < 0.5)
+    // In perspective it is one only from the height of the ground itself.
+    const double rise = m_scene.camera.isPerspective()
+                            ? m_scene.camera.eye(m_scene.viewport).y() /
+                                  m_scene.camera.eyeDistance(m_scene.viewport)
+                            : m_scene.camera.forward().y();
+    if (!m_scene.view.hasGround || std::abs(rise) > 0.01 || m_scene.camera.up().y() < 0.5)
         return;
     const Vec3 &target = m_scene.camera.target;
     const double y = std::round(screen({target.x(), 0.0, target.z()}).y());
@@ -137,6 +152,13 @@ QPainterPath Drawing::path(const std::vector<CubicBezier> &curve, const Frame &f
         const QPointF from = screen(frame.toWorld(piece.p0));
         if (path.elementCount() == 0)
             path.moveTo(from);
+        if (m_scene.camera.isPerspective()) {
+            // A cubic is none any more in perspective: chords of it.
+            constexpr int kChords = 12;
+            for (int i = 1; i <= kChords; ++i)
+                path.lineTo(screen(frame.toWorld(piece.at(double(i) / kChords))));
+            continue;
+        }
         path.cubicTo(screen(frame.toWorld(piece.p1)), screen(frame.toWorld(piece.p2)),
                      screen(frame.toWorld(piece.p3)));
     }
@@ -219,13 +241,82 @@ void Drawing::slit()
          m_style.slit);
 }
 
-void Drawing::slitStart()
+/// Where the plane that cuts the view open is taken hold of, with arrows the way it goes.
+void Drawing::cutHandle()
 {
-    if (!m_scene.overlay.slitStart)
+    if (!m_scene.view.clip)
         return;
-    m_painter.setBrush(m_style.slit);
-    m_painter.setPen(QPen(m_style.panel, 1.2));
-    m_painter.drawEllipse(screen(*m_scene.overlay.slitStart), 3.6, 3.6);
+    const ClipPlane &plane = *m_scene.view.clip;
+    const Vec3 at = clipHandle(plane, m_scene.bounds);
+    const QPointF centre = screen(at);
+    const double scale = m_scene.camera.scaleAt(at, m_scene.viewport);
+    QPointF way = (screen(at + 20.0 * scale * plane.normal) - centre) / 20.0;
+    const double length = std::hypot(way.x(), way.y());
+    way = length > 0.3 ? way / length : QPointF(0.0, 1.0);
+    const QPointF across(-way.y(), way.x());
+
+    const bool isLit = m_scene.overlay.isHandleHovered;
+    const double radius = isLit ? 8.0 : 6.5;
+    QPainterPath arrows;
+    for (const double side : {1.0, -1.0}) {
+        const QPointF tip = centre + side * (radius + 11.0) * way;
+        arrows.moveTo(tip - side * 6.0 * way + 5.0 * across);
+        arrows.lineTo(tip);
+        arrows.lineTo(tip - side * 6.0 * way - 5.0 * across);
+    }
+    cased(arrows, roundPen(m_style.accent, 2.0));
+    m_painter.setPen(QPen(m_style.panel, 1.5));
+    m_painter.setBrush(m_style.accent);
+    m_painter.drawEllipse(centre, radius, radius);
+}
+
+/// The name of the section that the cursor rests on.
+void Drawing::hoveredName()
+{
+    const auto &place = m_scene.overlay.namePlace;
+    if (!place || m_scene.hovered.isEmpty())
+        return;
+    m_painter.save();
+    QFont font = m_painter.font();
+    font.setPixelSize(12);
+    m_painter.setFont(font);
+    const QString text = QFontMetricsF(font).elidedText(m_scene.hovered, Qt::ElideRight, 260.0);
+    const double width = QFontMetricsF(font).horizontalAdvance(text) + 14.0, height = 22.0;
+    QRectF box(place->x() + 16.0, place->y() + 18.0, width, height);
+    if (box.right() > m_scene.viewport.x() - 4.0)
+        box.moveRight(place->x() - 10.0);
+    if (box.bottom() > m_scene.viewport.y() - 4.0)
+        box.moveBottom(place->y() - 10.0);
+    m_painter.setPen(QPen(m_style.strong, 1.0));
+    m_painter.setBrush(faded(m_style.panel, 0.96));
+    m_painter.drawRoundedRect(QRectF(box.toAlignedRect()).adjusted(0.5, 0.5, -0.5, -0.5), 3.0, 3.0);
+    m_painter.setPen(m_style.text);
+    m_painter.drawText(box, Qt::AlignCenter, text);
+    m_painter.restore();
+}
+
+/// Something about the model is still being worked out.
+void Drawing::progress()
+{
+    if (!m_scene.busy)
+        return;
+    m_painter.save();
+    QFont font = m_painter.font();
+    font.setPixelSize(12);
+    m_painter.setFont(font);
+    const QString text =
+        QCoreApplication::translate("fff::ui::OverlayPainter", "Working out the slits…");
+    const double width = QFontMetricsF(font).horizontalAdvance(text);
+    const QPointF right(m_scene.viewport.x() - 14.5, m_scene.viewport.y() - 20.0);
+    m_painter.setPen(m_style.muted);
+    m_painter.drawText(QRectF(right.x() - width, right.y() - 10.0, width + 2.0, 20.0),
+                       Qt::AlignVCenter | Qt::AlignLeft, text);
+    const QRectF ring(right.x() - width - 24.0, right.y() - 7.0, 14.0, 14.0);
+    m_painter.setPen(QPen(faded(m_style.muted, 0.3), 2.0));
+    m_painter.drawEllipse(ring);
+    m_painter.setPen(roundPen(m_style.accent, 2.0));
+    m_painter.drawArc(ring, static_cast<int>(-*m_scene.busy * 360.0 * 16.0), 100 * 16);
+    m_painter.restore();
 }
 
 } // namespace
@@ -251,9 +342,12 @@ void paintOverlay(QPainter &painter, const OverlayScene &scene, const ViewStyle 
     drawing.deadZone();
     drawing.stroke();
     drawing.slit();
-    drawing.slitStart();
+    drawing.cutHandle();
     drawing.invitation();
     drawing.scaleBar();
+    drawing.cube();
+    drawing.progress();
+    drawing.hoveredName();
 }
 
 } // namespace fff::ui

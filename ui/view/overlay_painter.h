@@ -4,10 +4,14 @@
 #pragma once
 
 #include "core/interaction/interaction.h"
+#include "core/interaction/view_state.h"
 #include "ui/view/view_style.h"
 
 #include <QLocale>
 #include <QPainter>
+#include <QString>
+
+#include <optional>
 
 namespace fff::ui {
 
@@ -18,6 +22,11 @@ struct OverlayScene
     Vec2 viewport;
     bool isEmpty = false; // no section yet
     bool isIdle = true;   // no gesture
+    bool isAnimating = false;
+    ViewState view = {};
+    Box3 bounds = {};                // of the model
+    QString hovered = {};            // name of the section under the cursor
+    std::optional<double> busy = {}; // the model is being worked on: how often its mark went round
 };
 
 /// Leaves the painter's state changed. Lengths are written as the locale has them.

@@ -1,15 +1,28 @@
 // Draws a scene with OpenGL 3.3 core into the framebuffer that is bound: background, ground with
 // grid and shadow, slabs with crisp edges, outlines of what is hovered and selected. Needs no
-// widget.
+// widget. Smooths edges by itself: the framebuffer needs no samples, depth or stencil of its own.
 #pragma once
 
 #include "core/interaction/camera.h"
+#include "core/interaction/view_state.h"
+#include "ui/view/frame_quality.h"
 #include "ui/view/scene.h"
 #include "ui/view/view_style.h"
 
 #include <memory>
+#include <optional>
 
 namespace fff::ui {
+
+struct RenderOptions
+{
+    FrameQuality quality = FrameQuality::Full;
+    bool isXray = false;           // everything lets light through
+    bool hasGround = true;         // grid and shadow
+    std::optional<ClipPlane> clip; // cut open, with filled cuts
+
+    bool operator==(const RenderOptions &other) const = default;
+};
 
 class Renderer
 {
@@ -22,9 +35,14 @@ public:
     /// Frees everything; with the context current. May be initialized again after.
     void release();
 
-    /// viewport  device-independent pixels; the framebuffer has `pixelRatio` times as many
+    /// viewport  device-independent pixels; the framebuffer has `pixelRatio` times as many.
+    /// What was drawn last is kept: another frame that differs in its outlines only costs little.
     void render(const Scene &scene, const Camera &camera, const Vec2 &viewport, double pixelRatio,
-                const ViewStyle &style);
+                const ViewStyle &style, const RenderOptions &options = {});
+
+    /// Meshes sent to the graphics card so far, and frames for which slabs were drawn.
+    int uploadCount() const;
+    int drawCount() const;
 
 private:
     class Private;

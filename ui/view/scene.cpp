@@ -1,28 +1,80 @@
 #include "ui/view/scene.h"
 
+#include <algorithm>
+
 namespace fff::ui {
 
-bool SceneSection::operator==(const SceneSection &other) const
+bool SceneSection::looksTheSame(const SceneSection &other) const
 {
     return cut == other.cut && shape == other.shape && frame == other.frame &&
            thickness == other.thickness && look.face == other.look.face &&
-           isSelected == other.isSelected && isHovered == other.isHovered &&
-           isGhost == other.isGhost;
+           look.side == other.look.side && look.alpha == other.look.alpha &&
+           covers == other.covers && guests == other.guests && isGhost == other.isGhost &&
+           isHidden == other.isHidden && isProblem == other.isProblem;
+}
+
+/// Whether neither the section nor what fills its slits has changed, so that its covers stay.
+bool SceneBuilder::isAsBefore(const Analysis &analysis, std::size_t index) const
+{
+    const auto isSame = [&](std::size_t i) {
+        const auto known = m_known.find(analysis.model.ref(i));
+        return known != m_known.end() && known->second.cut == analysis.cuts[i] &&
+               known->second.frame == analysis.model.section(i)->frame;
+    };
+    if (!isSame(index))
+        return false;
+    const auto &slits = analysis.assembly.slits[index];
+    return std::all_of(slits.begin(), slits.end(), [&](const Slit &slit) {
+        return isSame(static_cast<std::size_t>(slit.guest));
+    });
 }
 
 void SceneBuilder::setAnalysis(const Analysis &analysis)
 {
-    m_known.clear();
+    KnownSections next;
+    std::multimap<const CutSection *, CoversPointer> shared;
+    for (const auto &[ref, known] : m_known)
+        shared.emplace(known.cut.get(), known.covers);
+    const auto sharedCovers = [&](const CutSection *cut, std::vector<SlitCover> covers) {
+        const auto [begin, end] = shared.equal_range(cut);
+        for (auto it = begin; it != end; ++it) {
+            if (*it->second == covers)
+                return it->second;
+        }
+        return shared
+            .emplace(cut, std::make_shared<const std::vector<SlitCover>>(std::move(covers)))
+            ->second;
+    };
     const std::size_t count = std::min(analysis.model.sectionCount(), analysis.cuts.size());
-    for (std::size_t i = 0; i < count; ++i)
-        m_known[analysis.model.ref(i)] = {analysis.model.section(i)->shape,
-                                          analysis.model.section(i)->frame, analysis.cuts[i]};
+    for (std::size_t i = 0; i < count; ++i) {
+        const SectionRef ref = analysis.model.ref(i);
+        Known known{analysis.model.section(i)->shape,
+                    analysis.model.section(i)->frame,
+                    analysis.cuts[i],
+                    nullptr,
+                    {}};
+        if (isAsBefore(analysis, i)) {
+            known.covers = m_known.at(ref).covers;
+            known.guests = m_known.at(ref).guests;
+        } else {
+            SectionCovers covers = slitCovers(analysis, i);
+            known.covers = sharedCovers(known.cut.get(), std::move(covers.covers));
+            for (const int guest : covers.guests)
+                known.guests.push_back(analysis.model.ref(static_cast<std::size_t>(guest)));
+        }
+        next.emplace(ref, std::move(known));
+    }
+    m_known = std::move(next);
 }
 
 Scene SceneBuilder::build(const Model &model) const
 {
     Scene scene;
     scene.sections.reserve(model.sectionCount());
+    std::map<const Stock *, StockLook> looks;
+    std::map<SectionRef, int> places;
+    for (std::size_t i = 0; i < model.sectionCount(); ++i)
+        places.emplace(model.ref(i), static_cast<int>(i));
     for (std::size_t i = 0; i < model.sectionCount(); ++i) {
         const Section &section = *model.section(i);
         const Stock &stock = model.stockOf(i);
@@ -30,21 +82,42 @@ Scene SceneBuilder::build(const Model &model) const
         item.shape = section.shape;
         item.frame = section.frame;
         item.thickness = stock.thickness;
-        item.look = stockLook(stock);
+        auto look = looks.find(&stock);
+        if (look == looks.end())
+            look = looks.emplace(&stock, stockLook(stock)).first;
+        item.look = look->second;
         // A section that is being drawn has a new shape with every move: its last cut stays until
         // the next one is there, or its slits would flicker.
         const auto known = m_known.find(model.ref(i));
         if (known != m_known.end() &&
-            (known->second.shape == section.shape || known->second.frame == section.frame))
+            (known->second.shape == section.shape || known->second.frame == section.frame)) {
             item.cut = known->second.cut;
-        Box3 box = worldBounds(*section.shape, section.frame);
+            item.covers = known->second.covers;
+            for (const SectionRef &guest : known->second.guests) {
+                const auto place = places.find(guest);
+                item.guests.push_back(place == places.end() ? -1 : place->second);
+            }
+        }
+        item.bounds = worldBounds(*section.shape, section.frame);
         const Vec3 reach = 0.5 * stock.thickness * section.frame.normal().cwiseAbs();
-        box.min -= reach;
-        box.max += reach;
-        scene.bounds.extend(box);
+        item.bounds.min -= reach;
+        item.bounds.max += reach;
+        scene.bounds.extend(item.bounds);
         scene.sections.push_back(std::move(item));
     }
     return scene;
+}
+
+void applyView(Scene &scene, const Model &model, const ViewState &view)
+{
+    const std::size_t count = std::min(scene.sections.size(), model.sectionCount());
+    for (std::size_t i = 0; i < count; ++i) {
+        SceneSection &section = scene.sections[i];
+        const SectionRef ref = model.ref(i);
+        section.isHidden = view.isHidden(ref);
+        section.isGhost = view.isGhost(ref);
+        section.isProblem = view.problems.count(ref) > 0;
+    }
 }
 
 } // namespace fff::ui

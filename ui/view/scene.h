@@ -2,7 +2,9 @@
 // is known for it.
 #pragma once
 
+#include "core/interaction/view_state.h"
 #include "core/session/analysis.h"
+#include "ui/view/slit_covers.h"
 #include "ui/view/view_style.h"
 
 #include <map>
@@ -10,6 +12,8 @@
 #include <vector>
 
 namespace fff::ui {
+
+using CoversPointer = std::shared_ptr<const std::vector<SlitCover>>;
 
 struct SceneSection
 {
@@ -19,14 +23,16 @@ struct SceneSection
     Frame frame;
     double thickness = 3.0; // mm
     StockLook look;
+    CoversPointer covers;    // of the cut's slits, shared by those that look alike; may be null
+    std::vector<int> guests; // of each cover: its section in the scene, -1 for one that went
+    Box3 bounds;             // of the slab, mm
     bool isSelected = false, isHovered = false;
-    bool isGhost = false; // stands back while another one is drawn
+    bool isGhost = false; // stands back while another one is drawn or looked at
+    bool isHidden = false;
+    bool isProblem = false; // red and hatched
 
-    const void *meshKey() const
-    {
-        return cut ? static_cast<const void *>(cut.get()) : static_cast<const void *>(shape.get());
-    }
-    bool operator==(const SceneSection &other) const;
+    /// But for the outlines of what is selected and hovered.
+    bool looksTheSame(const SceneSection &other) const;
 };
 
 struct Scene
@@ -50,8 +56,16 @@ private:
         ShapePointer shape;
         Frame frame;
         CutSectionPointer cut;
+        CoversPointer covers;
+        std::vector<SectionRef> guests;
     };
-    std::map<SectionRef, Known> m_known;
+    using KnownSections = std::map<SectionRef, Known>;
+    bool isAsBefore(const Analysis &analysis, std::size_t index) const;
+
+    KnownSections m_known;
 };
+
+/// Hides, ghosts and reddens the sections as the view's state says. The scene is of this model.
+void applyView(Scene &scene, const Model &model, const ViewState &view);
 
 } // namespace fff::ui

@@ -15,7 +15,9 @@ SlabMesh meshOf(const SceneSection &section)
     std::vector<Region> regions;
     for (const CurvedRegion &part : section.cut->parts())
         regions.push_back(part.region);
-    return buildSlab(regions, section.cut->triangulations());
+    return buildSlab(regions, section.cut->triangulations(),
+                     section.covers ? std::span<const SlitCover>(*section.covers)
+                                    : std::span<const SlitCover>());
 }
 
 const void *offset(std::size_t bytes)
@@ -35,11 +37,16 @@ void SlabBuffers::update(const Scene &scene)
 {
     for (auto &[key, slab] : m_slabs)
         slab.isUsed = false;
+    m_ofSection.clear();
     for (const SceneSection &section : scene.sections) {
-        auto found = m_slabs.find(section.meshKey());
+        const Key key(section.cut ? static_cast<const void *>(section.cut.get())
+                                  : static_cast<const void *>(section.shape.get()),
+                      section.cut ? section.covers.get() : nullptr);
+        auto found = m_slabs.find(key);
         if (found == m_slabs.end())
-            found = m_slabs.emplace(section.meshKey(), upload(section)).first;
+            found = m_slabs.emplace(key, upload(section)).first;
         found->second.isUsed = true;
+        m_ofSection.push_back(&found->second);
     }
     for (auto it = m_slabs.begin(); it != m_slabs.end();) {
         if (it->second.isUsed) {
@@ -57,7 +64,9 @@ SlabBuffers::Slab SlabBuffers::upload(const SceneSection &section)
     Slab slab;
     slab.cut = section.cut;
     slab.shape = section.shape;
-    slab.indexCount = static_cast<int>(mesh.triangles.size());
+    slab.covers = section.covers;
+    slab.coverStarts = mesh.coverStarts;
+    ++m_uploadCount;
     slab.edgeCount = static_cast<int>(mesh.edges.size());
     const auto fill = [this](GLenum target, GLuint &buffer, const auto &data) {
         m_gl.glGenBuffers(1, &buffer);

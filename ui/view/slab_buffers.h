@@ -1,11 +1,12 @@
 // Slab meshes on the graphics card, one for every cut section (or bare shape) that is drawn, shared
-// by all sections that look alike.
+// by all sections that look alike. Only what changed is uploaded.
 #pragma once
 
 #include "ui/view/gl.h"
 #include "ui/view/scene.h"
 
-#include <unordered_map>
+#include <map>
+#include <utility>
 
 namespace fff::ui {
 
@@ -16,9 +17,11 @@ public:
     {
         GLuint fillArray = 0, edgeArray = 0; // vertex array objects
         GLuint vertices = 0, triangles = 0, edges = 0;
-        int indexCount = 0, edgeCount = 0;
-        CutSectionPointer cut; // keep the key's address from being used again
+        int edgeCount = 0;
+        std::vector<std::size_t> coverStarts; // indices, see SlabMesh
+        CutSectionPointer cut;                // keep the key's addresses from being used again
         ShapePointer shape;
+        CoversPointer covers;
         bool isUsed = false;
     };
 
@@ -29,15 +32,20 @@ public:
 
     /// Uploads what is new in the scene and frees what is no longer in it.
     void update(const Scene &scene);
-    /// Of a section of the scene that update() has seen last.
-    const Slab &slab(const SceneSection &section) const { return m_slabs.at(section.meshKey()); }
+    /// Of a section of the scene that update() has seen last, by its index there.
+    const Slab &slab(std::size_t section) const { return *m_ofSection[section]; }
+    /// Meshes uploaded so far: a test sees that an edit uploads no more than what it touches.
+    int uploadCount() const { return m_uploadCount; }
 
 private:
+    using Key = std::pair<const void *, const void *>; // cut or shape, covers
     Slab upload(const SceneSection &section);
     void free(const Slab &slab);
 
     Gl &m_gl;
-    std::unordered_map<const void *, Slab> m_slabs;
+    std::map<Key, Slab> m_slabs;
+    std::vector<const Slab *> m_ofSection;
+    int m_uploadCount = 0;
 };
 
 } // namespace fff::ui

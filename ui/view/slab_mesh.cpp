@@ -1,6 +1,8 @@
 #include "ui/view/slab_mesh.h"
 
+#include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace fff::ui {
 
@@ -56,9 +58,87 @@ Polygon withoutRepeats(const Polygon &ring)
     return points;
 }
 
+/// Positions along a wall that are hidden behind a cover: [from, to] of 0 … 1, and which one.
+struct Hidden
+{
+    double from = 0.0, to = 0.0;
+    std::size_t cover = 0;
+};
+
+/// A wall is one of a slit's when it lies on its border to this, mm.
+constexpr double kOnSlit = 2e-3;
+
+/// The part of the wall from a to b that a cover hides. Walls along a slit may be hidden in part,
+/// the one at its inner end wholly.
+std::optional<Hidden> hiddenPart(const Vec2 &a, const Vec2 &b, std::span<const SlitCover> covers)
+{
+    for (std::size_t i = 0; i < covers.size(); ++i) {
+        const SlitCover &cover = covers[i];
+        const Vec2 side = perpendicular(cover.direction);
+        const double fromAcross = side.dot(a - cover.inner);
+        if (std::abs(fromAcross) > cover.halfWidth + kOnSlit)
+            continue;
+        const double toAcross = side.dot(b - cover.inner);
+        const double from = cover.direction.dot(a - cover.inner);
+        const double to = cover.direction.dot(b - cover.inner);
+        if (std::abs(from) < kOnSlit && std::abs(to) < kOnSlit &&
+            std::abs(toAcross) <= cover.halfWidth + kOnSlit)
+            return Hidden{0.0, 1.0, i};
+        const bool isAlong = std::abs(std::abs(fromAcross) - cover.halfWidth) < kOnSlit &&
+                             std::abs(toAcross - fromAcross) < kOnSlit && from != to;
+        if (!isAlong || std::min(from, to) < -kOnSlit || std::min(from, to) >= cover.length)
+            continue;
+        const double end = (cover.length - from) / (to - from); // of the cover, along the wall
+        return to > from ? Hidden{0.0, std::min(end, 1.0), i} : Hidden{std::max(end, 0.0), 1.0, i};
+    }
+    return {};
+}
+
+/// mm that lines may leave the boundary; so many of its points at most in one line.
+constexpr double kLineError = 0.03;
+constexpr std::size_t kLongestLine = 16;
+
+class Walls
+{
+public:
+    Walls(SlabMesh &mesh, std::span<const SlitCover> covers)
+        : m_mesh(mesh), m_covers(covers), m_hidden(covers.size())
+    {
+    }
+    void add(const Polygon &ring);
+    /// After all that is seen.
+    void appendHidden()
+    {
+        for (const auto &triangles : m_hidden) {
+            m_mesh.coverStarts.push_back(m_mesh.triangles.size());
+            m_mesh.triangles.insert(m_mesh.triangles.end(), triangles.begin(), triangles.end());
+        }
+        m_mesh.coverStarts.push_back(m_mesh.triangles.size());
+    }
+
+private:
+    void addEdges(const Polygon &points, const std::vector<Vec2> &normals,
+                  const std::vector<bool> &corner);
+    void addQuad(const Vec2 &from, const Vec2 &to, const Vec2 &fromNormal, const Vec2 &toNormal,
+                 std::vector<std::uint32_t> &triangles)
+    {
+        const auto first = static_cast<std::uint32_t>(m_mesh.vertices.size());
+        m_mesh.vertices.push_back({at(from, -1), packedNormal(fromNormal, true)});
+        m_mesh.vertices.push_back({at(to, -1), packedNormal(toNormal, true)});
+        m_mesh.vertices.push_back({at(to, 1), packedNormal(toNormal, true)});
+        m_mesh.vertices.push_back({at(from, 1), packedNormal(fromNormal, true)});
+        for (std::uint32_t k : {0u, 1u, 2u, 0u, 2u, 3u})
+            triangles.push_back(first + k);
+    }
+
+    SlabMesh &m_mesh;
+    std::span<const SlitCover> m_covers;
+    std::vector<std::vector<std::uint32_t>> m_hidden; // of each cover
+};
+
 /// The walls along one ring. The material lies to its left (outer rings run counter-clockwise,
 /// holes clockwise), so the wall of an edge looks to its right.
-void addWalls(SlabMesh &mesh, const Polygon &ring)
+void Walls::add(const Polygon &ring)
 {
     const Polygon points = withoutRepeats(ring);
     const std::size_t n = points.size();
@@ -80,37 +160,79 @@ void addWalls(SlabMesh &mesh, const Polygon &ring)
         const Vec2 fromNormal = corner[i] ? own : Vec2((own + before).normalized());
         const Vec2 toNormal = corner[next] ? own : Vec2((own + after).normalized());
 
-        const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
-        mesh.vertices.push_back({at(from, -1), packedNormal(fromNormal, true)});
-        mesh.vertices.push_back({at(to, -1), packedNormal(toNormal, true)});
-        mesh.vertices.push_back({at(to, 1), packedNormal(toNormal, true)});
-        mesh.vertices.push_back({at(from, 1), packedNormal(fromNormal, true)});
-        for (std::uint32_t k : {0u, 1u, 2u, 0u, 2u, 3u})
-            mesh.triangles.push_back(first + k);
+        // The very ends where it can be: neighbouring walls share them to the last digit.
+        const auto part = [&](double begin, double end, std::vector<std::uint32_t> &triangles) {
+            if (end > begin)
+                addQuad(begin > 0.0 ? Vec2(from + begin * (to - from)) : from,
+                        end < 1.0 ? Vec2(from + end * (to - from)) : to,
+                        begin > 0.0 ? own : fromNormal, end < 1.0 ? own : toNormal, triangles);
+        };
+        if (const std::optional<Hidden> hidden = hiddenPart(from, to, m_covers)) {
+            part(0.0, hidden->from, m_mesh.triangles);
+            part(hidden->from, hidden->to, m_hidden[hidden->cover]);
+            part(hidden->to, 1.0, m_mesh.triangles);
+        } else {
+            part(0.0, 1.0, m_mesh.triangles);
+        }
+    }
+    addEdges(points, normals, corner);
+}
 
-        mesh.edges.push_back(
+/// The lines of a ring, with fewer points than its walls: lines are looked at, and each costs four
+/// points of work. They leave the ring by no more than kLineError and keep its corners.
+void Walls::addEdges(const Polygon &points, const std::vector<Vec2> &normals,
+                     const std::vector<bool> &corner)
+{
+    const std::size_t n = points.size();
+    const std::size_t first =
+        static_cast<std::size_t>(std::find(corner.begin(), corner.end(), true) - corner.begin()) %
+        n;
+    const auto isNear = [&](std::size_t from, std::size_t to) {
+        const Vec2 &a = points[from % n], chord = points[to % n] - a;
+        const double length = chord.norm();
+        for (std::size_t i = from + 1; i < to; ++i) {
+            const Vec2 d = points[i % n] - a;
+            if (length < kLineError || std::abs(cross(chord, d)) > kLineError * length)
+                return false;
+        }
+        return true;
+    };
+    Vec2 before = normals[(first + n - 1) % n];
+    for (std::size_t begin = first; begin < first + n;) {
+        std::size_t next = begin + 1;
+        while (next < first + n && !corner[next % n] && next - begin < kLongestLine &&
+               isNear(begin, next + 1))
+            ++next;
+        const Vec2 &from = points[begin % n], &to = points[next % n];
+        const Vec2 own = -perpendicular(to - from).normalized();
+        m_mesh.edges.push_back(
             {at(from, 1), at(to, 1), faceNormal(1, true), packedNormal(own, false)});
-        mesh.edges.push_back(
+        m_mesh.edges.push_back(
             {at(from, -1), at(to, -1), faceNormal(-1, true), packedNormal(own, false)});
-        mesh.edges.push_back(
-            {at(from, -1), at(from, 1), packedNormal(before, corner[i]), packedNormal(own, false)});
+        m_mesh.edges.push_back({at(from, -1), at(from, 1), packedNormal(before, corner[begin % n]),
+                                packedNormal(own, false)});
+        before = own;
+        begin = next;
     }
 }
 
 } // namespace
 
-SlabMesh buildSlab(std::span<const Region> regions, std::span<const Triangulation> triangulations)
+SlabMesh buildSlab(std::span<const Region> regions, std::span<const Triangulation> triangulations,
+                   std::span<const SlitCover> covers)
 {
     SlabMesh mesh;
     for (const Triangulation &triangulation : triangulations) {
         addFace(mesh, triangulation, 1);
         addFace(mesh, triangulation, -1);
     }
+    Walls walls(mesh, covers);
     for (const Region &region : regions) {
-        addWalls(mesh, region.outer);
+        walls.add(region.outer);
         for (const Polygon &hole : region.holes)
-            addWalls(mesh, hole);
+            walls.add(hole);
     }
+    walls.appendHidden();
     return mesh;
 }
 

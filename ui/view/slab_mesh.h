@@ -7,6 +7,7 @@
 
 #include "core/geometry/polygon.h"
 #include "core/geometry/triangulation.h"
+#include "ui/view/slit_covers.h"
 
 #include <array>
 #include <cstdint>
@@ -38,14 +39,18 @@ struct SlabMesh
     std::vector<SlabVertex> vertices;
     std::vector<std::uint32_t> triangles; // three indices each, counter-clockwise seen from outside
     std::vector<SlabEdge> edges;
+    /// Where the triangles of each cover begin, and the end of the last: those before the first are
+    /// always seen, those of a cover only where its guest is not.
+    std::vector<std::size_t> coverStarts;
 };
 
 /// The solid over these regions; `triangulations[i]` is that of `regions[i]`.
 ///
 /// Walls of smooth curves share their normals over the seams; a vertex where the boundary turns by
 /// more than kCornerAngle has a normal and an edge of its own. Repeated points and triangles
-/// without area are left out. Empty for no regions.
-SlabMesh buildSlab(std::span<const Region> regions, std::span<const Triangulation> triangulations);
+/// without area are left out. Empty for no regions. Walls that `covers` hide come last.
+SlabMesh buildSlab(std::span<const Region> regions, std::span<const Triangulation> triangulations,
+                   std::span<const SlitCover> covers = {});
 
 /// Turn of a boundary, in radians, from which on it looks like a corner (25°): well above the turn
 /// between two chords of a drawn curve, below that of a hand-drawn corner.

@@ -1,12 +1,21 @@
 target_sources(fff_view PRIVATE
+    view/cap_buffers.cpp
+    view/cut_caps.cpp
+    view/frame_pace.cpp
     view/gl.cpp
     view/ground_shadow.cpp
+    view/layers.cpp
+    view/occlusion.cpp
     view/offscreen_image.cpp
     view/overlay_painter.cpp
+    view/render_target.cpp
     view/renderer.cpp
     view/scene.cpp
     view/slab_buffers.cpp
     view/slab_mesh.cpp
+    view/slab_painter.cpp
+    view/slit_covers.cpp
     view/stock_look.cpp
+    view/view_cube_painter.cpp
 )
 include(${CMAKE_SOURCE_DIR}/resources/shaders/shaders.cmake)

@@ -20,11 +20,16 @@ struct ViewStyle
     QColor slit = QColor(0xc2, 0x41, 0x0c);
     QColor deadZone = QColor(0x54, 0x5f, 0x6b);
     QColor edge = QColor(0x2b, 0x21, 0x18);
+    QColor problem = QColor(0xb3, 0x26, 0x1e); // its outline and hatch
+    QColor problemFace = QColor(0xe5, 0x8a, 0x80), problemSide = QColor(0xb2, 0x3b, 0x33);
+    QColor problemHatch = QColor(0xb3, 0x26, 0x1e);
     QColor casing;               // round the outline of a selected section; invalid: none
     double faceBrightness = 1.0; // of the stocks' faces
 
     double edgeWidth = 1.0, silhouetteWidth = 1.4; // px
     double hoverWidth = 2.0, selectionWidth = 2.4; // px
+
+    bool operator==(const ViewStyle &other) const = default;
 };
 
 /// How a stock looks: its faces and the edge that the machine leaves.

@@ -1,0 +1,115 @@
+#include "ui/view/cap_buffers.h"
+
+#include "ui/view/cut_caps.h"
+#include "ui/view/view_style.h"
+
+#include <cmath>
+#include <cstddef>
+
+namespace fff::ui {
+
+namespace {
+
+struct CapVertex
+{
+    std::array<float, 3> position;
+    std::array<float, 3> colour;
+};
+
+void addCapOf(CutCaps &caps, const SceneSection &section, const ClipPlane &plane)
+{
+    const Vec3 middle = section.bounds.center(), half = 0.5 * section.bounds.size();
+    if (std::abs(plane.height(middle)) > plane.normal.cwiseAbs().dot(half))
+        return;
+    if (!section.cut) {
+        addCap(caps, {&section.shape->region(), 1}, {&section.shape->triangulation(), 1},
+               section.frame, section.thickness, plane);
+        return;
+    }
+    std::vector<Region> regions;
+    for (const CurvedRegion &part : section.cut->parts())
+        regions.push_back(part.region);
+    addCap(caps, regions, section.cut->triangulations(), section.frame, section.thickness, plane);
+}
+
+const void *offset(std::size_t bytes)
+{
+    return reinterpret_cast<const void *>(bytes);
+}
+
+} // namespace
+
+CapBuffers::CapBuffers(Gl &gl) : m_gl(gl), m_program(loadProgram("cap", "cap"))
+{
+    m_gl.glGenVertexArrays(1, &m_fillArray);
+    m_gl.glGenVertexArrays(1, &m_edgeArray);
+    m_gl.glGenBuffers(1, &m_vertices);
+    m_gl.glGenBuffers(1, &m_edges);
+
+    m_gl.glBindVertexArray(m_fillArray);
+    m_gl.glBindBuffer(GL_ARRAY_BUFFER, m_vertices);
+    m_gl.glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, sizeof(CapVertex),
+                               offset(offsetof(CapVertex, position)));
+    m_gl.glVertexAttribPointer(1, 3, GL_FLOAT, GL_FALSE, sizeof(CapVertex),
+                               offset(offsetof(CapVertex, colour)));
+    m_gl.glEnableVertexAttribArray(0);
+    m_gl.glEnableVertexAttribArray(1);
+
+    m_gl.glBindVertexArray(m_edgeArray);
+    m_gl.glBindBuffer(GL_ARRAY_BUFFER, m_edges);
+    const std::size_t floats[] = {offsetof(SlabEdge, from), offsetof(SlabEdge, to)};
+    const std::size_t normals[] = {offsetof(SlabEdge, normalA), offsetof(SlabEdge, normalB)};
+    for (GLuint i = 0; i < 2; ++i) {
+        m_gl.glVertexAttribPointer(i, 3, GL_FLOAT, GL_FALSE, sizeof(SlabEdge), offset(floats[i]));
+        m_gl.glVertexAttribPointer(2 + i, 4, GL_BYTE, GL_TRUE, sizeof(SlabEdge),
+                                   offset(normals[i]));
+    }
+    for (GLuint i = 0; i < 4; ++i) {
+        m_gl.glEnableVertexAttribArray(i);
+        m_gl.glVertexAttribDivisor(i, 1);
+    }
+    m_gl.glBindVertexArray(0);
+}
+
+CapBuffers::~CapBuffers()
+{
+    const GLuint arrays[] = {m_fillArray, m_edgeArray};
+    m_gl.glDeleteVertexArrays(2, arrays);
+    const GLuint buffers[] = {m_vertices, m_edges};
+    m_gl.glDeleteBuffers(2, buffers);
+}
+
+void CapBuffers::update(const Scene &scene, const ClipPlane &plane, const ViewStyle &style)
+{
+    CutCaps caps;
+    std::vector<CapVertex> vertices;
+    for (const SceneSection &section : scene.sections) {
+        if (section.isHidden || section.isGhost)
+            continue;
+        addCapOf(caps, section, plane);
+        const QColor &c = section.isProblem ? style.problemSide : section.look.side;
+        for (std::size_t i = vertices.size(); i < caps.triangles.size(); ++i)
+            vertices.push_back({caps.triangles[i],
+                                {static_cast<float>(c.redF()), static_cast<float>(c.greenF()),
+                                 static_cast<float>(c.blueF())}});
+    }
+    m_vertexCount = static_cast<int>(vertices.size());
+    m_edgeCount = static_cast<int>(caps.edges.size());
+    const auto upload = [&](GLuint buffer, const auto &data) {
+        m_gl.glBindBuffer(GL_ARRAY_BUFFER, buffer);
+        m_gl.glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(data.size() * sizeof(data[0])),
+                          data.data(), GL_STREAM_DRAW);
+    };
+    upload(m_vertices, vertices);
+    upload(m_edges, caps.edges);
+}
+
+void CapBuffers::fill(const FrameView &view)
+{
+    m_program->bind();
+    m_program->setUniformValue("toClip", toFloat(view.toClip));
+    m_gl.glBindVertexArray(m_fillArray);
+    m_gl.glDrawArrays(GL_TRIANGLES, 0, m_vertexCount);
+}
+
+} // namespace fff::ui

@@ -1,0 +1,34 @@
+// The caps of a view that is cut open, on the graphics card; made anew when plane or slabs changed.
+#pragma once
+
+#include "ui/view/frame_view.h"
+#include "ui/view/gl.h"
+#include "ui/view/scene.h"
+
+namespace fff::ui {
+
+struct ViewStyle;
+
+class CapBuffers
+{
+public:
+    explicit CapBuffers(Gl &gl);
+    ~CapBuffers(); // context current
+    CapBuffers(const CapBuffers &) = delete;
+    CapBuffers &operator=(const CapBuffers &) = delete;
+
+    bool isReady() const { return m_program != nullptr; }
+    /// Ghosts and hidden sections have none.
+    void update(const Scene &scene, const ClipPlane &plane, const ViewStyle &style);
+    void fill(const FrameView &view);
+    GLuint edgeArray() const { return m_edgeArray; }
+    int edgeCount() const { return m_edgeCount; }
+
+private:
+    Gl &m_gl;
+    std::unique_ptr<QOpenGLShaderProgram> m_program;
+    GLuint m_fillArray = 0, m_edgeArray = 0, m_vertices = 0, m_edges = 0;
+    int m_vertexCount = 0, m_edgeCount = 0;
+};
+
+} // namespace fff::ui
