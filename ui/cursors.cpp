@@ -50,6 +50,10 @@ void slitMark(QPainter &painter)
     line.moveTo(21, 17);
     line.lineTo(21, 25);
     cased(painter, line, kSlit, 3.0);
+    // Where the slit would begin: at the tip, so that the view has nothing to draw for it.
+    painter.setPen(QPen(kPaper, 1.2));
+    painter.setBrush(kSlit);
+    painter.drawEllipse(QPointF(3.6, 24.4), 3.0, 3.0);
 }
 
 void clockMark(QPainter &painter)

@@ -161,6 +161,7 @@ ViewStyle Theme::viewStyle() const
     style.slit = QColor(0xff, 0x9a, 0x5c);
     style.deadZone = muted;
     style.casing = QColor(0x15, 0x11, 0x0c);
+    style.problem = problem;
     style.faceBrightness = 0.94;
     return style;
 }

@@ -7,9 +7,11 @@
 
 #include <QMouseEvent>
 #include <QOpenGLContext>
+#include <QOpenGLFunctions>
 #include <QPainter>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace fff::ui {
@@ -18,6 +20,9 @@ namespace {
 
 constexpr int kFrameTime = 12;        // ms between frames of an animation
 constexpr double kNotchAngle = 120.0; // of QWheelEvent, one notch
+constexpr int kBusyDelay = 500;       // ms before work is said to be going on
+constexpr int kBusyFrame = 80;        // ms between steps of its mark
+constexpr double kBusyStep = 0.08;    // of a turn
 
 Vec2 toVec(const QPointF &p)
 {
@@ -40,8 +45,31 @@ Button toButton(Qt::MouseButton button)
 
 } // namespace
 
+bool Viewport::Seen::isSamePicture(const Seen &other) const
+{
+    return camera.target == other.camera.target &&
+           camera.orientation.coeffs() == other.camera.orientation.coeffs() &&
+           camera.millimetresPerPixel == other.camera.millimetresPerPixel &&
+           camera.projection == other.camera.projection && view == other.view &&
+           isGhosted == other.isGhosted;
+}
+
+bool Viewport::Seen::operator==(const Seen &other) const
+{
+    return isSamePicture(other) && selection == other.selection && hovered == other.hovered &&
+           namePlace == other.namePlace && cubePart == other.cubePart &&
+           isHandleHovered == other.isHandleHovered && hasGesture == other.hasGesture;
+}
+
 Viewport::Viewport(Workbench &bench, QWidget *parent) : QOpenGLWidget(parent), m_bench(bench)
 {
+    // The renderer smooths edges by itself, and marks are painted smoothly.
+    QSurfaceFormat plain = QSurfaceFormat::defaultFormat();
+    plain.setSamples(0);
+    setFormat(plain);
+    m_sinceStart.start();
+    m_frameClock = [this] { return static_cast<double>(m_sinceStart.nsecsElapsed()) * 1e-6; };
+
     setObjectName(QStringLiteral("viewport"));
     setAccessibleName(tr("View of the model"));
     setAccessibleDescription(tr("Draw with the left mouse button, turn with the right one."));
@@ -54,13 +82,24 @@ Viewport::Viewport(Workbench &bench, QWidget *parent) : QOpenGLWidget(parent), m
     connect(&m_burst, &QTimer::timeout, this, &Viewport::flushMoves);
     m_frames.setInterval(kFrameTime);
     connect(&m_frames, &QTimer::timeout, this, &Viewport::advance);
-    connect(&bench, &Workbench::viewChanged, this, &Viewport::refresh);
-    connect(&bench, &Workbench::selectionChanged, this, [this] {
-        markScene();
+    const auto once = [this](QTimer &timer, auto act) {
+        timer.setSingleShot(true);
+        connect(&timer, &QTimer::timeout, this, act);
+    };
+    once(m_wake, [this] { m_bench.advance(); });
+    once(m_rest, [this] { update(); });
+    once(m_busyWait, [this] { m_busyTurn.start(kBusyFrame); });
+    connect(&m_busyTurn, &QTimer::timeout, this, [this] {
+        m_busyTurns += kBusyStep;
         update();
     });
-    connect(&bench.session(), &Session::modelChanged, this, &Viewport::rebuildScene);
+    connect(&bench, &Workbench::viewChanged, this, &Viewport::refresh);
+    connect(&bench.session(), &Session::modelChanged, this, [this] {
+        watchAnalysis();
+        rebuildScene();
+    });
     connect(&bench.session(), &Session::analysisChanged, this, [this] {
+        watchAnalysis();
         m_builder.setAnalysis(m_bench.session().analysis());
         rebuildScene();
     });
@@ -101,18 +140,64 @@ void Viewport::resizeGL(int width, int height)
 void Viewport::paintGL()
 {
     ++m_paintCount;
-    const Vec2 size(width(), height());
     const Interaction &interaction = m_bench.interaction();
-    const ViewStyle style = theme().viewStyle();
-    if (m_isUsable)
-        m_renderer.render(m_scene, interaction.camera(), size, devicePixelRatioF(), style);
-
+    if (m_isUsable) {
+        RenderOptions options;
+        options.quality = m_pace.begin(m_frameClock(), std::exchange(m_isPictureChanged, false));
+        options.isXray = interaction.view().isXray;
+        options.hasGround = interaction.view().hasGround;
+        options.clip = interaction.view().clip;
+        m_renderer.render(m_scene, interaction.camera(), Vec2(width(), height()),
+                          devicePixelRatioF(), theme().viewStyle(), options);
+        context()->functions()->glFinish(); // the time is that of the picture, not of asking for it
+        m_pace.end(m_frameClock());
+        if (const std::optional<double> rest = m_pace.restTime())
+            m_rest.start(std::max(1, static_cast<int>(std::ceil(*rest - m_frameClock()))));
+        else
+            m_rest.stop();
+    }
+    paintMarks();
     QPainter painter(this);
+    painter.drawImage(QPointF(0.0, 0.0), m_marks);
+}
+
+void Viewport::paintMarks()
+{
+    const QSize pixels = size() * devicePixelRatioF();
+    if (m_marks.size() != pixels)
+        m_marks = QImage(pixels, QImage::Format_ARGB32_Premultiplied);
+    m_marks.setDevicePixelRatio(devicePixelRatioF());
+    m_marks.fill(Qt::transparent);
+    const Interaction &interaction = m_bench.interaction();
+    const Overlay &overlay = interaction.overlay();
+    const Model &model = m_bench.session().model();
+    OverlayScene scene{overlay, interaction.camera(), Vec2(width(), height()),
+                       m_scene.sections.empty(), !interaction.hasGesture()};
+    scene.view = interaction.view();
+    scene.bounds = m_bench.session().committed().bounds();
+    const auto hovered = static_cast<std::size_t>(std::max(overlay.hovered, 0));
+    if (overlay.hovered >= 0 && hovered < model.sectionCount())
+        scene.hovered = QString::fromStdString(model.section(hovered)->name);
+    if (m_busyTurn.isActive())
+        scene.busy = m_busyTurns;
+    QPainter painter(&m_marks);
     painter.setFont(font());
-    paintOverlay(painter,
-                 {interaction.overlay(), interaction.camera(), size, m_scene.sections.empty(),
-                  !interaction.hasGesture()},
-                 style, locale());
+    paintOverlay(painter, scene, theme().viewStyle(), locale());
+}
+
+/// Its mark appears when it takes longer than one waits for.
+void Viewport::watchAnalysis()
+{
+    const Session &session = m_bench.session();
+    if (session.analysedRevision() < session.revision()) {
+        if (!m_busyWait.isActive() && !m_busyTurn.isActive())
+            m_busyWait.start(kBusyDelay);
+        return;
+    }
+    m_busyWait.stop();
+    if (m_busyTurn.isActive())
+        update();
+    m_busyTurn.stop();
 }
 
 void Viewport::mousePressEvent(QMouseEvent *event)
@@ -152,15 +237,23 @@ void Viewport::mouseDoubleClickEvent(QMouseEvent *event)
     mousePressEvent(event);
 }
 
-PointerEvent Viewport::pointer(PointerEvent::Type type, QSinglePointEvent *event)
+PointerEvent Viewport::pointer(PointerEvent::Type type, const QPointF &place,
+                               Qt::KeyboardModifiers keys, quint64 time)
 {
     PointerEvent pointer;
     pointer.type = type;
-    pointer.position = toVec(event->position());
+    pointer.position = toVec(place);
+    pointer.modifiers = {keys.testFlag(Qt::ShiftModifier), keys.testFlag(Qt::ControlModifier),
+                         m_isSpaceHeld};
+    pointer.time = m_bench.clock().observe(time);
+    return pointer;
+}
+
+PointerEvent Viewport::pointer(PointerEvent::Type type, QSinglePointEvent *event)
+{
+    PointerEvent pointer =
+        this->pointer(type, event->position(), event->modifiers(), event->timestamp());
     pointer.button = toButton(event->button());
-    pointer.modifiers = {event->modifiers().testFlag(Qt::ShiftModifier),
-                         event->modifiers().testFlag(Qt::ControlModifier), m_isSpaceHeld};
-    pointer.time = m_bench.clock().observe(event->timestamp());
     event->accept();
     return pointer;
 }
@@ -168,16 +261,40 @@ PointerEvent Viewport::pointer(PointerEvent::Type type, QSinglePointEvent *event
 void Viewport::wheelEvent(QWheelEvent *event)
 {
     flushMoves();
-    PointerEvent pointer;
-    pointer.type = PointerEvent::Type::Wheel;
-    pointer.position = toVec(event->position());
-    pointer.modifiers = {event->modifiers().testFlag(Qt::ShiftModifier),
-                         event->modifiers().testFlag(Qt::ControlModifier), m_isSpaceHeld};
-    pointer.wheelSteps = event->angleDelta().y() / kNotchAngle;
-    pointer.time = m_bench.clock().observe(event->timestamp());
-    if (pointer.wheelSteps != 0.0)
-        m_bench.handle(pointer);
     event->accept();
+    // Two fingers on a trackpad push the picture; a wheel, and fingers with Ctrl, zoom.
+    const bool isTrackpad = event->device()->type() == QInputDevice::DeviceType::TouchPad ||
+                            event->phase() != Qt::NoScrollPhase;
+    const bool pushes = isTrackpad && !event->modifiers().testFlag(Qt::ControlModifier);
+    PointerEvent moved = pointer(pushes ? PointerEvent::Type::Scroll : PointerEvent::Type::Wheel,
+                                 event->position(), event->modifiers(), event->timestamp());
+    if (pushes) {
+        const QPoint way =
+            event->pixelDelta().isNull() ? event->angleDelta() / 2 : event->pixelDelta();
+        moved.scroll = Vec2(way.x(), way.y());
+        if (!way.isNull())
+            m_bench.handle(moved);
+        return;
+    }
+    moved.wheelSteps = event->angleDelta().y() / kNotchAngle;
+    if (moved.wheelSteps != 0.0)
+        m_bench.handle(moved);
+}
+
+/// Two fingers apart or together zoom, two fingers sideways push the picture.
+bool Viewport::pinch(QNativeGestureEvent *event)
+{
+    const bool zooms = event->gestureType() == Qt::ZoomNativeGesture;
+    if (!zooms && event->gestureType() != Qt::PanNativeGesture)
+        return false;
+    flushMoves();
+    PointerEvent moved = pointer(zooms ? PointerEvent::Type::Zoom : PointerEvent::Type::Scroll,
+                                 event->position(), event->modifiers(), event->timestamp());
+    moved.zoomFactor = std::max(0.1, 1.0 + event->value());
+    moved.scroll = toVec(event->delta());
+    m_bench.handle(moved);
+    event->accept();
+    return true;
 }
 
 void Viewport::keyPressEvent(QKeyEvent *event)
@@ -204,6 +321,8 @@ void Viewport::keyReleaseEvent(QKeyEvent *event)
 
 bool Viewport::event(QEvent *event)
 {
+    if (event->type() == QEvent::NativeGesture && pinch(static_cast<QNativeGestureEvent *>(event)))
+        return true;
     if (event->type() == QEvent::Leave)
         leave();
     else if (event->type() == QEvent::FocusOut)
@@ -227,15 +346,37 @@ void Viewport::advance()
         m_frames.stop();
 }
 
-/// Something that is seen may have changed.
+Viewport::Seen Viewport::seen() const
+{
+    const Interaction &interaction = m_bench.interaction();
+    const Overlay &overlay = interaction.overlay();
+    return {interaction.camera(),    interaction.view(),       interaction.selection(),
+            overlay.hovered,         overlay.namePlace,        overlay.cubePart,
+            overlay.isHandleHovered, interaction.hasGesture(), overlay.stroke.has_value()};
+}
+
+/// Something that is seen may have changed: paints only if it has.
 void Viewport::refresh()
 {
     const Interaction &interaction = m_bench.interaction();
     if (interaction.isAnimating() && !m_frames.isActive())
         m_frames.start();
+    if (const std::optional<double> wake = interaction.wakeTime())
+        m_wake.start(std::max(1, static_cast<int>(std::ceil(*wake - m_bench.clock().now()))));
+    else
+        m_wake.stop();
     const QCursor shape = cursorFor(interaction.cursor(), devicePixelRatioF());
     if (cursor() != shape)
         setCursor(shape);
+
+    const Overlay &overlay = interaction.overlay();
+    Seen now = seen();
+    const bool drawsMarks = overlay.slit || overlay.deadZone || overlay.stroke;
+    if (now == m_seen && !drawsMarks)
+        return;
+    if (!now.isSamePicture(m_seen))
+        m_isPictureChanged = true;
+    m_seen = std::move(now);
     markScene();
     update();
 }
@@ -244,6 +385,7 @@ void Viewport::rebuildScene()
 {
     m_scene = m_builder.build(m_bench.session().model());
     markScene();
+    m_isPictureChanged = true;
     update();
 }
 
@@ -255,6 +397,7 @@ void Viewport::markScene()
     if (model.sectionCount() != m_scene.sections.size())
         return; // rebuilt at once after this
     const auto &selection = interaction.selection();
+    applyView(m_scene, model, interaction.view());
     const bool isDrawing = interaction.overlay().stroke.has_value();
     // The section being drawn is the preview's last; all that is committed stands back for it.
     const std::size_t committed = m_bench.session().committed().sectionCount();
@@ -263,7 +406,7 @@ void Viewport::markScene()
         section.isSelected =
             std::find(selection.begin(), selection.end(), model.ref(i)) != selection.end();
         section.isHovered = interaction.overlay().hovered == static_cast<int>(i);
-        section.isGhost = isDrawing && i < committed;
+        section.isGhost = section.isGhost || (isDrawing && i < committed);
     }
 }
 

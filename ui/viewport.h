@@ -3,12 +3,18 @@
 #pragma once
 
 #include "core/interaction/interaction.h"
+#include "ui/view/frame_pace.h"
 #include "ui/view/renderer.h"
 #include "ui/view/scene.h"
 
+#include <QElapsedTimer>
+#include <QImage>
+#include <QNativeGestureEvent>
 #include <QOpenGLWidget>
 #include <QSinglePointEvent>
 #include <QTimer>
+
+#include <functional>
 
 namespace fff::ui {
 
@@ -23,6 +29,10 @@ public:
 
     /// Frames painted so far: a test sees that nothing is painted when nothing changed.
     int paintCount() const { return m_paintCount; }
+    const Renderer &renderer() const { return m_renderer; }
+    /// ms; by it frames are timed, and drawn the simpler the longer they take. Tests have their
+    /// own.
+    void setFrameClock(std::function<double()> clock) { m_frameClock = std::move(clock); }
 
 Q_SIGNALS:
     /// The driver offers no OpenGL 3.3: nothing can be drawn.
@@ -42,13 +52,34 @@ protected:
     bool event(QEvent *event) override;
 
 private:
+    /// All that is seen but for the model and what a gesture shows.
+    struct Seen
+    {
+        Camera camera;
+        ViewState view;
+        std::vector<SectionRef> selection;
+        int hovered = -1;
+        std::optional<Vec2> namePlace;
+        std::optional<CubePart> cubePart;
+        bool isHandleHovered = false, hasGesture = false, isGhosted = false;
+
+        bool isSamePicture(const Seen &other) const;
+        bool operator==(const Seen &other) const;
+    };
+
     PointerEvent pointer(PointerEvent::Type type, QSinglePointEvent *event);
+    PointerEvent pointer(PointerEvent::Type type, const QPointF &place, Qt::KeyboardModifiers keys,
+                         quint64 time);
+    bool pinch(QNativeGestureEvent *event);
     void flushMoves();
     void leave();
     void advance();
     void refresh();
     void rebuildScene();
     void markScene();
+    Seen seen() const;
+    void watchAnalysis();
+    void paintMarks();
 
     Workbench &m_bench;
     Renderer m_renderer;
@@ -59,6 +90,17 @@ private:
     std::vector<PointerEvent> m_moves; // of the burst that is coming in
     QTimer m_burst;                    // ends when nothing more is at hand
     QTimer m_frames;
+    QTimer m_wake;     // something changes that no event brings
+    QTimer m_rest;     // the picture has rested: draw it in full
+    QTimer m_busyWait; // the analysis takes longer than one notices
+    QTimer m_busyTurn; // its mark goes round
+    double m_busyTurns = 0.0;
+    Seen m_seen; // when it was painted or asked to be
+    FramePace m_pace;
+    std::function<double()> m_frameClock;
+    QElapsedTimer m_sinceStart;
+    bool m_isPictureChanged = false;
+    QImage m_marks; // what is painted over the picture
     int m_paintCount = 0;
 };
 
