@@ -9,6 +9,7 @@ set(icon_names
     clock
     close
     close_window
+    cut_open
     docks
     duplicate
     err
@@ -20,12 +21,16 @@ set(icon_names
     fit_selection
     float
     full_screen
+    ground_shadow
+    hide
+    isolate
     keyboard
     mouse
     new
     next_pane
     next_problem
     open
+    perspective
     plus
     previous_pane
     previous_problem
@@ -39,6 +44,7 @@ set(icon_names
     section
     select_all
     settings
+    show_all
     start
     stocks
     trash
@@ -49,11 +55,12 @@ set(icon_names
     view_front
     view_iso
     view_left
+    view_previous
     view_right
     view_top
     warn
     working
-)
+    xray)
 set(icon_folder ${CMAKE_CURRENT_BINARY_DIR}/icons)
 file(MAKE_DIRECTORY ${icon_folder})
 set(icon_masks)

@@ -52,6 +52,7 @@ ActionSet::ActionSet(Workbench &bench, QObject *parent) : QObject(parent), m_ben
 
     connect(&settings(), &Settings::shortcutsChanged, this, &ActionSet::applyShortcuts);
     connect(&bench, &Workbench::selectionChanged, this, &ActionSet::refresh);
+    connect(&bench, &Workbench::viewStateChanged, this, &ActionSet::refresh);
     connect(&bench.session(), &Session::modelChanged, this, &ActionSet::refresh);
     connect(bench.session().history(), &QUndoStack::indexChanged, this, &ActionSet::refresh);
     applyShortcuts();
@@ -176,6 +177,20 @@ void ActionSet::refresh()
     setAble("edit.delete", hasSelection, nothingSelected);
     setAble("view.faceSelection", hasSelection, nothingSelected);
     setAble("view.fitSelection", hasSelection, nothingSelected);
+
+    const Interaction &interaction = m_bench.interaction();
+    const ViewState &view = interaction.view();
+    const bool isIsolated = !view.isolated.empty();
+    setAble("view.previous", interaction.canGoBack(), tr("There is no view before this one"));
+    setAble("view.isolate", hasSelection || isIsolated, nothingSelected);
+    setAble("view.hide", hasSelection, nothingSelected);
+    setAble("view.showAll", isIsolated || !view.hidden.empty(), tr("No section is hidden"));
+    setAble("view.clip", hasSections, nothingThere);
+    action("view.perspective")->setChecked(interaction.targetCamera().isPerspective());
+    action("view.xray")->setChecked(view.isXray);
+    action("view.isolate")->setChecked(isIsolated);
+    action("view.clip")->setChecked(view.clip.has_value());
+    action("view.shadow")->setChecked(view.hasGround);
 }
 
 } // namespace fff::ui

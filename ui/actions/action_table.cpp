@@ -50,6 +50,22 @@ const ActionRow kActions[] = {
      TEXT("Show the whole model"), true},
     {"view.fitSelection", TEXT("Fit se&lection"), TEXT("Fit selection"), "F", "fit_selection",
      TEXT("Show the selected sections as large as possible"), true},
+    {"view.previous", TEXT("&Previous view"), TEXT("Previous"), "Alt+Left", "view_previous",
+     TEXT("Go back to the view before this one")},
+    {"view.perspective", TEXT("Pers&pective"), TEXT("Perspective"), "V", "perspective",
+     TEXT("Show what is farther away smaller, as the eye sees it"), true, true},
+    {"view.xray", TEXT("&X-ray"), TEXT("X-ray"), "X", "xray",
+     TEXT("See through all sections, down to their slits"), true, true},
+    {"view.isolate", TEXT("&Only the selection"), TEXT("Isolate"), "I", "isolate",
+     TEXT("Let all other sections stand back"), true, true},
+    {"view.hide", TEXT("&Hide"), TEXT("Hide"), "H", "hide", TEXT("Hide the selected sections"),
+     true},
+    {"view.showAll", TEXT("Show &all"), TEXT("Show all"), "Shift+H", "show_all",
+     TEXT("Show the hidden sections again"), true},
+    {"view.clip", TEXT("&Cut view open"), TEXT("Cut open"), "C", "cut_open",
+     TEXT("Cut the model open with a plane, to look inside"), true, true},
+    {"view.shadow", TEXT("&Ground and shadow"), TEXT("Ground"), "", "ground_shadow",
+     TEXT("Show the ground with its grid and the model's shadow"), false, true},
     {"view.docks", TEXT("&Hide all docks"), TEXT("Hide docks"), "F9", "docks",
      TEXT("Hide or show the panels at the sides"), false, true},
     {"view.fullScreen", TEXT("F&ull screen"), TEXT("Full screen"), "F11", "full_screen",
@@ -80,8 +96,11 @@ const MenuRow kMenus[] = {
      "file.settings | file.close file.quit"},
     {TEXT("&Edit"), "edit.undo edit.redo | edit.delete | edit.selectAll"},
     {TEXT("&View"), "view.front view.top view.right view.back view.bottom view.left view.iso "
-                    "view.faceSelection | view.fitAll view.fitSelection | "
-                    "@docks view.docks view.resetWindow | view.nextPane view.previousPane | view.fullScreen"},
+                    "view.faceSelection | view.fitAll view.fitSelection "
+                    "view.previous | view.perspective view.xray view.clip view.shadow | "
+                    "view.isolate view.hide view.showAll | "
+                    "@docks view.docks view.resetWindow | view.nextPane view.previousPane | "
+                    "view.fullScreen"},
     {TEXT("&Checks"), "check.nextProblem check.previousProblem"},
     {TEXT("F&abricate"), "fabricate.stocks | file.export"},
     {TEXT("&Help"), "edit.find help.start | help.about"},
