@@ -33,7 +33,7 @@ namespace fff {
 ///         expected. Events before a wrong one have happened by then.
 Result<void> replay(const QByteArray &script, Session &session, Interaction &interaction);
 /// The same with these commands.
-Result<void> replay(const QByteArray &script, Session &session, Interaction &interaction,
+Result<void> replay(const QByteArray &text, Session &session, Interaction &interaction,
                     const CommandRegistry &commands);
 
 } // namespace fff

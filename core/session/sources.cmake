@@ -7,6 +7,7 @@ target_sources(fff_session PRIVATE
     cutting_file.cpp
     recovery.cpp
     replay.cpp
+    replay_script.cpp
     session.cpp
     session_commands.cpp
     session_host.cpp
