@@ -11,6 +11,10 @@ namespace fff {
 
 namespace {
 
+/// kResolveChord as a fraction of a contour's extent, where that is more than a metre: chords that
+/// fine along hundreds of metres would be millions, and Clipper needs their square.
+constexpr double kResolveFraction = 1e-7;
+
 GridRing counterClockwise(GridRing ring)
 {
     if (signedArea(ring) < 0.0)
@@ -134,8 +138,9 @@ Result<ResolvedContour> resolveCrossings(const Contour &contour)
         return ResolvedContour{contour, false};
     // Sharp tips carry loops smaller than the usual chords: a contour that crosses itself anywhere
     // is looked at closely once, so that none stays in it.
-    std::vector<CurvedRegion> regions =
-        windingRegions({contour}, WindingRule::NonZero, kResolveChord);
+    const double chord =
+        std::max(kResolveChord, kResolveFraction * contour.bounds().size().maxCoeff());
+    std::vector<CurvedRegion> regions = windingRegions({contour}, WindingRule::NonZero, chord);
     if (regions.empty())
         return failure(ErrorCode::EmptyContour);
     return ResolvedContour{std::move(regions.front().outer), true};
