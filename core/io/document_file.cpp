@@ -6,7 +6,12 @@
 #include <QtCore/QFile>
 #include <QtCore/QFileInfo>
 #include <QtCore/QSaveFile>
+#include <cerrno>
 #include <cstdio>
+#ifdef Q_OS_UNIX
+#include <fcntl.h>
+#include <unistd.h>
+#endif
 
 namespace fff::io {
 
@@ -15,6 +20,98 @@ namespace {
 tl::unexpected<Error> cannot(ErrorCode code, const QString &path, const QString &reason)
 {
     return failure(code, path.toStdString(), {reason.toStdString()});
+}
+
+/// The system's error as it would be shown, in words of ours where a person can do something.
+QString inWords(int number)
+{
+    return number == ENOSPC ? QString(QLatin1String(QT_TRANSLATE_NOOP("Error", "the disk is full")))
+                            : qt_error_string(number);
+}
+
+/// Why a file could not be made beside `target` and put in its place.
+QString whyNot(const QFileDevice &file, const QString &target)
+{
+    const QFileInfo info(target);
+    if (info.exists() && !info.isWritable())
+        return QLatin1String(QT_TRANSLATE_NOOP("Error", "this file is read-only"));
+    const QString reason = file.errorString();
+    for (const int number : {EACCES, EPERM, EROFS}) {
+        if (reason == qt_error_string(number) && QFileInfo(info.path()).isDir())
+            return QLatin1String(QT_TRANSLATE_NOOP("Error", "this folder is read-only"));
+    }
+    return reason == qt_error_string(ENOSPC) ? inWords(ENOSPC) : reason;
+}
+
+/// What a chain of symbolic links ends at, there or not.
+QString behindLinks(const QString &path)
+{
+    constexpr int kLongestChain = 40; // as the system has it
+    QString target = path;
+    for (int i = 0; i < kLongestChain && QFileInfo(target).isSymLink(); ++i)
+        target = QFileInfo(target).symLinkTarget();
+    return target;
+}
+
+/// Empty, or why the bytes are not there for good: a power cut after the rename must not leave an
+/// empty file.
+QString putOnDisk(int handle)
+{
+#ifdef Q_OS_UNIX
+    // Some file systems know no such thing.
+    if (fsync(handle) != 0 && errno != EINVAL && errno != ENOTSUP && errno != EROFS)
+        return inWords(errno);
+#else
+    Q_UNUSED(handle)
+#endif
+    return {};
+}
+
+/// So that the rename itself outlasts a power cut. Nothing is lost where it cannot be.
+void putFolderOnDisk(const QString &folder)
+{
+#ifdef Q_OS_UNIX
+    const int handle = ::open(QFile::encodeName(folder).constData(), O_RDONLY | O_CLOEXEC);
+    if (handle < 0)
+        return;
+    fsync(handle);
+    ::close(handle);
+#else
+    Q_UNUSED(folder)
+#endif
+}
+
+/// A second name for the file, or a copy; never half of one.
+void keepBackup(const QString &path)
+{
+    const QString backup = backupPath(path);
+#ifdef Q_OS_UNIX
+    const QString temporary = backup + QStringLiteral(".new");
+    const QByteArray from = QFile::encodeName(path), made = QFile::encodeName(temporary);
+    ::unlink(made.constData()); // of a save that was killed
+    if (::link(from.constData(), made.constData()) == 0) {
+        if (std::rename(made.constData(), QFile::encodeName(backup).constData()) != 0)
+            ::unlink(made.constData());
+        return;
+    }
+#endif
+    QFile old(path);
+    QSaveFile copy(backup);
+    if (!old.open(QIODevice::ReadOnly) || !copy.open(QIODevice::WriteOnly))
+        return;
+    const QByteArray bytes = old.readAll();
+    if (copy.write(bytes) == bytes.size() && copy.flush())
+        copy.commit();
+}
+
+Result<void> writeStraight(const QString &path, const std::string &bytes)
+{
+    QFile file(path);
+    const auto size = static_cast<qint64>(bytes.size());
+    if (!file.open(QIODevice::WriteOnly | QIODevice::Unbuffered) ||
+        file.write(bytes.data(), size) != size)
+        return cannot(ErrorCode::CannotWrite, path, whyNot(file, path));
+    return {};
 }
 
 Result<void> writeStandardOutput(const std::string &bytes)
@@ -87,27 +184,45 @@ Result<LoadedDocument> readDocument(const QString &path, const ReadOptions &opti
     return readFlatfab(*bytes, name, options.flatfab);
 }
 
-Result<void> writeDocument(const QString &path, const Document &document)
+QString backupPath(const QString &path)
+{
+    return path + u'~';
+}
+
+Result<void> writeDocument(const QString &path, const Document &document,
+                           const WriteOptions &options)
 {
     const Result<std::string> bytes = writeFff(document);
     if (!bytes)
         return tl::unexpected(bytes.error());
     if (const auto again = readFff(*bytes, path.toStdString()); !again)
         return tl::unexpected(again.error());
-    return writeFile(path, *bytes);
+    return writeFile(path, *bytes, options);
 }
 
-Result<void> writeFile(const QString &path, const std::string &bytes)
+Result<void> writeFile(const QString &path, const std::string &bytes, const WriteOptions &options)
 {
     if (path == QLatin1String("-"))
         return writeStandardOutput(bytes);
-    QSaveFile file(path);
-    if (!file.open(QIODevice::WriteOnly))
-        return cannot(ErrorCode::CannotWrite, path, file.errorString());
+    const QFileInfo there(path);
+    if (there.isDir())
+        return cannot(ErrorCode::CannotWrite, path,
+                      QLatin1String(QT_TRANSLATE_NOOP("Error", "it is a folder")));
+    if (there.exists() && !there.isFile())
+        return writeStraight(path, bytes);
+    const QString target = behindLinks(path);
+    QSaveFile file(target);
     const auto size = static_cast<qint64>(bytes.size());
     // Flushed by hand: commit() puts the new file in place although its own flush failed.
-    if (file.write(bytes.data(), size) != size || !file.flush() || !file.commit())
-        return cannot(ErrorCode::CannotWrite, path, file.errorString());
+    if (!file.open(QIODevice::WriteOnly) || file.write(bytes.data(), size) != size || !file.flush())
+        return cannot(ErrorCode::CannotWrite, path, whyNot(file, target));
+    if (const QString reason = putOnDisk(file.handle()); !reason.isEmpty())
+        return cannot(ErrorCode::CannotWrite, path, reason);
+    if (options.keepsBackup && there.exists())
+        keepBackup(target);
+    if (!file.commit())
+        return cannot(ErrorCode::CannotWrite, path, whyNot(file, target));
+    putFolderOnDisk(QFileInfo(target).path());
     return {};
 }
 

@@ -28,13 +28,30 @@ Result<std::string> readFile(const QString &path, const std::string &name = {});
 /// Reads `.fff` and FlatFab's `.txt`. Errors  those of readFile, detectFormat and of the format.
 Result<LoadedDocument> readDocument(const QString &path, const ReadOptions &options = {});
 
+struct WriteOptions
+{
+    bool keepsBackup = false; // what the file was before goes to backupPath()
+};
+
+/// Where the version before the last save is kept: "fish.fff~" beside "fish.fff".
+QString backupPath(const QString &path);
+
 /// Writes `.fff`, whatever the suffix. The bytes are read back first: a document that could not be
 /// opened again does not replace one that can. Errors  CannotWrite, those of writeFff and readFff.
 /// The file that was there before stays as it was when anything fails.
-Result<void> writeDocument(const QString &path, const Document &document);
+Result<void> writeDocument(const QString &path, const Document &document,
+                           const WriteOptions &options = {});
 
-/// Puts the bytes into a temporary file beside `path` and renames it; "-" is standard output.
-/// Errors  CannotWrite with the system's reason; the old file is kept.
-Result<void> writeFile(const QString &path, const std::string &bytes);
+/// Puts the bytes into a temporary file beside `path`, onto the disk, and renames it: at any moment
+/// the file is the old one or the new one. "-" is standard output; to what is no file (a device, a
+/// pipe) it is written straight. A symbolic link stays, what it points to is replaced; permissions
+/// are kept. Errors  CannotWrite, args: "the disk is full", "this folder is read-only", "this file
+/// is read-only" or else the system's reason; the old file is kept.
+///
+/// keepsBackup  the backup is replaced as a whole, too, once the new bytes are on the disk, and the
+///              file is there all the while. Where neither a link nor a copy can be made, the file
+///              is saved without one.
+Result<void> writeFile(const QString &path, const std::string &bytes,
+                       const WriteOptions &options = {});
 
 } // namespace fff::io
