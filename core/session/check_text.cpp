@@ -164,11 +164,14 @@ QString sizeText(const Check &check, const Model &model, const CheckUnits &units
 {
     if (check.code == CheckCode::TooLarge) {
         const QString name = nameAt(check, model, 0);
+        const QString sheet = units.size(check.sheet), margin = units.length(check.margin);
         if (check.count > 1)
-            return Words::tr("%1 parts of %2 fit no sheet of %3 in any direction.")
-                .arg(QString::number(check.count), name, units.size(check.sheet));
-        return Words::tr("%1 measures %2 and fits no sheet of %3 in any direction.")
-            .arg(name, units.size(check.size), units.size(check.sheet));
+            return Words::tr("%1 parts of %2 fit no sheet of %3 with a margin of %4, however they "
+                             "are turned.")
+                .arg(QString::number(check.count), name, sheet, margin);
+        return Words::tr("%1 measures %2 and fits no sheet of %3 with a margin of %4, however it "
+                         "is turned.")
+            .arg(name, units.size(check.size), sheet, margin);
     }
     const QString used = QLocale().toString(std::round(100.0 * check.share), 'f', 0);
     const QString sheets =

@@ -210,14 +210,14 @@ void addStability(const Analysis &analysis, const std::vector<Group> &groups,
 void addSize(const Analysis &analysis, const LayoutOptions &options, std::vector<Check> &all)
 {
     const Model &model = analysis.model;
-    const std::vector<Part> parts =
-        compensateKerf(makeParts(model, analysis.assembly, analysis.cuts), model);
+    const std::vector<Part> designed = makeParts(model, analysis.assembly, analysis.cuts);
+    const std::vector<Part> parts = compensateKerf(designed, model);
     const Layout layout = layOut(parts, model, options);
     std::vector<int> oversized = layout.oversized;
     std::sort(oversized.begin(), oversized.end());
     int lastSection = -1;
     for (const int index : oversized) {
-        const Part &part = parts[static_cast<std::size_t>(index)];
+        const Part &part = designed[static_cast<std::size_t>(index)];
         if (part.section == lastSection) {
             ++all.back().count;
             continue;
@@ -230,6 +230,7 @@ void addSize(const Analysis &analysis, const LayoutOptions &options, std::vector
         check.size = {box.size().maxCoeff(), box.size().minCoeff()};
         check.sheet = options.sheet.value_or(model.stockOf(section).sheet);
         check.at = model.section(section)->frame.toWorld(box.center());
+        check.margin = options.margin;
         check.count = 1;
         all.push_back(std::move(check));
     }

@@ -55,15 +55,14 @@ struct Check
 
     // The numbers of its sentence; 0 where the code has no use for them.
     double margin = 0.0;   // Stability: mm from the centre of mass to the support's nearest edge,
-                           // negative outside
+                           // negative outside. TooLarge: what the sheet's edges leave free
     double tipAngle = 0.0; // Stands, Unsteady: radians up to which it can be tilted
     Towards side = Towards::Front; // Stability: where to it falls, or would first
     double distance = 0.0;    // mm. NotConnected: to the nearest other section (negative: unknown);
                               // NoContact: above the ground; BelowGround: below it (both positive);
                               // Interference: the longest overlap
     double angle = 0.0;       // ShallowAngle: radians
-    Vec2 size = Vec2::Zero(); // TooLarge: the part as drawn, its longer side first; FitsSheet:
-                              // unused
+    Vec2 size = Vec2::Zero(); // TooLarge: the part as designed, its longer side first, mm
     Vec2 sheet = Vec2::Zero(); // FitsSheet (one stock only), TooLarge: the sheet's size, mm
     int sectionCount = 0;      // Connected: all; Stands: those that stand
     int count = 0;       // Connected: joints; FitsSheet: sheets; Divided: parts; TooLarge: parts

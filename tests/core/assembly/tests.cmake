@@ -1,3 +1,4 @@
+fff_test(core/assembly/tst_slab fff::core)
 fff_test(core/assembly/tst_stability fff::core)
 fff_test(core/assembly/tst_intervals fff::core)
 fff_test(core/assembly/tst_slits fff::core)

@@ -1,0 +1,490 @@
+#include <QTest>
+
+#include "core/base/units.h"
+#include "core/io/document_file.h"
+#include "core/operations/evaluate.h"
+#include "core/session/check_text.h"
+#include "tests/core/assembly/plates.h"
+
+#include <QDir>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QLocale>
+
+#include <cmath>
+
+using namespace fff;
+using namespace fff::test;
+
+namespace {
+
+Analysis analysed(const Document &document)
+{
+    AnalysisCaches caches;
+    return analyse(evaluate(document), caches);
+}
+
+Document named(Document document, const char *name)
+{
+    Section section = *document.sections.back();
+    section.name = name;
+    document.sections.back() = std::make_shared<const Section>(section);
+    return document;
+}
+
+/// Two crossed plates on the ground, 100 x 60.
+Document cross()
+{
+    const ShapePointer plate = polygonShape(rectangle(-50, 0, 50, 60));
+    return named(
+        withSection(named(withSection(newDocument(), plate, front()), "Body"), plate, side()),
+        "Rib");
+}
+
+Document onSheets(Document document, const Vec2 &size)
+{
+    Stock stock = *document.stocks.front();
+    stock.sheet = size;
+    return *setStock(std::move(document), stock);
+}
+
+const Check *find(const std::vector<Check> &all, CheckCode code)
+{
+    const auto found = std::find_if(all.begin(), all.end(),
+                                    [code](const Check &check) { return check.code == code; });
+    return found == all.end() ? nullptr : &*found;
+}
+
+QString textOf(const Analysis &analysis, CheckCode code)
+{
+    const std::vector<Check> all = checks(analysis);
+    const Check *check = find(all, code);
+    return check ? checkText(*check, analysis.model).replace(QChar(0x202f), u' ') : QString();
+}
+
+} // namespace
+
+class TestChecks : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void initTestCase();
+    void goodModelHasGoodChecksOnly();
+    void emptyModelHasNone();
+    void wordsOfFallingOver_data();
+    void wordsOfFallingOver();
+    void looseSectionIsFarFromTheRest();
+    void looseGroupStandsByItself();
+    void plateOnEdgeIsNotFirm();
+    void weightsTip();
+    void heightsInWords();
+    void tooLargeParts();
+    void jointsThatCannotSlide();
+    void slitsThatDivide();
+    void turnedModelsHaveTurnedAnswers();
+    void mechanicsCases();
+    void sharedModels_data();
+    void sharedModels();
+};
+
+void TestChecks::initTestCase()
+{
+    QLocale::setDefault(QLocale::c());
+}
+
+// A badge that is red over a sound model is soon looked at by no one.
+void TestChecks::goodModelHasGoodChecksOnly()
+{
+    const Analysis analysis = analysed(cross());
+    const std::vector<Check> all = checks(analysis);
+    for (const Check &check : all) {
+        QCOMPARE(check.severity, CheckSeverity::Good);
+        QVERIFY(check.sections.empty());
+        QVERIFY(!checkTitle(check).isEmpty() && !checkName(check.code).isEmpty());
+    }
+    for (const CheckSubject subject : {CheckSubject::Connection, CheckSubject::Stability,
+                                       CheckSubject::Size, CheckSubject::Mass})
+        QCOMPARE(worst(all, subject).value(), CheckSeverity::Good);
+    QVERIFY(!worst(all, CheckSubject::Joints));
+    QCOMPARE(textOf(analysis, CheckCode::Connected),
+             QStringLiteral("Connected. All 2 sections, by 1 joint."));
+    QCOMPARE(textOf(analysis, CheckCode::Stands),
+             QStringLiteral("Stands. Tips only past 50°. Margin 36.4 mm."));
+    QCOMPARE(textOf(analysis, CheckCode::FitsSheet),
+             QStringLiteral("Fits the sheet. 1 sheet of 600 × 400 mm, 5 % used."));
+    QCOMPARE(textOf(analysis, CheckCode::Mass),
+             QStringLiteral("Mass 23.4 g. The centre of mass lies 30 mm above the ground."));
+}
+
+void TestChecks::emptyModelHasNone()
+{
+    QVERIFY(checks(analysed(newDocument())).empty());
+}
+
+void TestChecks::wordsOfFallingOver_data()
+{
+    QTest::addColumn<double>("turn"); // of a model that leans to the right
+    QTest::addColumn<QString>("words");
+    QTest::newRow("right") << 0.0 << QStringLiteral("to the right.");
+    QTest::newRow("back") << 90.0 << QStringLiteral("backwards.");
+    QTest::newRow("left") << 180.0 << QStringLiteral("to the left.");
+    QTest::newRow("front") << 270.0 << QStringLiteral("forwards.");
+}
+
+// Who mends the model must be told on the right side of it.
+void TestChecks::wordsOfFallingOver()
+{
+    QFETCH(double, turn);
+    QFETCH(QString, words);
+    // A foot from 0 to 30, all the weight in a bar from 30 to 90 high above: and one across.
+    const ShapePointer leaning =
+        polygonShape({{0, 0}, {1, 0}, {1, 40}, {60, 40}, {60, 60}, {0, 60}});
+    const ShapePointer foot = polygonShape(rectangle(-20, 0, 20, 1));
+    const Frame along = turned(radians(turn));
+    Frame across = along;
+    across.x = along.normal();
+    across.origin = along.toWorld({0.5, 0});
+    const Analysis analysis =
+        analysed(withSection(withSection(newDocument(), leaning, along), foot, across));
+    const std::vector<Check> all = checks(analysis);
+    const Check *check = find(all, CheckCode::Topples);
+    QVERIFY(check);
+    QCOMPARE(check->severity, CheckSeverity::Error);
+    // By hand: bar 59 x 20 at 30.5, post 1 x 60 at 0.5, less what the slits take; the foot reaches
+    // to half a thickness beside the post's middle.
+    const double expected = std::hypot(check->mass.centre.x(), check->mass.centre.z()) - 2.0;
+    QVERIFY2(std::abs(-check->margin - expected) < 0.2, qPrintable(QString::number(check->margin)));
+    const QString text = textOf(analysis, CheckCode::Topples);
+    QVERIFY2(text.startsWith(QStringLiteral("Falls over ") + words), qPrintable(text));
+}
+
+// "Not connected" alone leaves one looking for which, and how far.
+void TestChecks::looseSectionIsFarFromTheRest()
+{
+    const Document document =
+        named(withSection(cross(), polygonShape(rectangle(-10, 100, 10, 120)), front(30)), "Spike");
+    const Analysis analysis = analysed(document);
+    const std::vector<Check> all = checks(analysis);
+    QCOMPARE(all.front().code, CheckCode::NotConnected); // said first
+    const Check &check = all.front();
+    QCOMPARE(check.sections, std::vector<SectionRef>{document.sections[2]->id});
+    QVERIFY(check.other && check.at);
+    // To Rib, which runs to the back and front in the plane x = 0: 40 mm above its upper edge.
+    QVERIFY(std::abs(check.distance - 40.0) < 1e-9);
+    QCOMPARE(*check.other, SectionRef(document.sections[1]->id));
+    QCOMPARE(textOf(analysis, CheckCode::NotConnected),
+             QStringLiteral("Spike touches nothing. It is 40 mm away from Rib."));
+    // What hangs in the air because nothing holds it is not named twice.
+    const Check *stands = find(all, CheckCode::Stands);
+    QVERIFY(stands && !find(all, CheckCode::NoContact));
+    QCOMPARE(stands->sectionCount, 2);
+    QVERIFY(textOf(analysis, CheckCode::Stands).startsWith(QStringLiteral("Body and Rib: Stands")));
+}
+
+// Two things on one table: one of them falls.
+void TestChecks::looseGroupStandsByItself()
+{
+    const ShapePointer leaning =
+        polygonShape({{200, 0}, {203, 0}, {203, 40}, {260, 40}, {260, 60}, {200, 60}});
+    const Analysis analysis = analysed(withSection(cross(), leaning, front()));
+    const std::vector<Check> all = checks(analysis);
+    const Check *topples = find(all, CheckCode::Topples);
+    QVERIFY(topples && find(all, CheckCode::NotConnected));
+    QCOMPARE(topples->sections.size(), 1U);
+    QVERIFY(!find(all, CheckCode::Stands)); // good is not said while something falls
+}
+
+// A single plate on its edge stands in theory only.
+void TestChecks::plateOnEdgeIsNotFirm()
+{
+    const Analysis analysis =
+        analysed(withSection(newDocument(), polygonShape(rectangle(-80, 0, 80, 60)), front()));
+    const std::vector<Check> all = checks(analysis);
+    const Check *check = find(all, CheckCode::Unsteady);
+    QVERIFY(check);
+    QCOMPARE(check->severity, CheckSeverity::Warning);
+    QCOMPARE(textOf(analysis, CheckCode::Unsteady),
+             QStringLiteral("Stands, but not firmly: it tips past 2°. The centre of mass is only "
+                            "1.5 mm inside the feet."));
+}
+
+void TestChecks::weightsTip()
+{
+    Document document = cross();
+    const auto add = [&](const Vec2 &at) {
+        document.weights.push_back(
+            {WeightId{document.nextId++}, document.sections[0]->id, at, 5.0});
+    };
+    add({45, 30});
+    QVERIFY(find(checks(analysed(document)), CheckCode::Unsteady) ||
+            find(checks(analysed(document)), CheckCode::Stands));
+    document.weights.clear();
+    document.sections[0] = cross().sections[0];
+    add({90, 30}); // beyond the foot, as on an arm
+    const Stability found = stabilityOf(analysed(document), {0, 1});
+    QCOMPARE(found.standing, Standing::Topples);
+    QVERIFY(found.margin < -35.0 && found.fall.x() > 0.99);
+}
+
+void TestChecks::heightsInWords()
+{
+    const auto at = [](double height) {
+        const ShapePointer plate = polygonShape(rectangle(-50, height, 50, height + 60));
+        return analysed(
+            named(withSection(withSection(newDocument(), plate, front()), plate, side()), "Rib"));
+    };
+    QCOMPARE(textOf(at(12.5), CheckCode::NoContact),
+             QStringLiteral("Not on the ground. Its lowest point is 12.5 mm above it."));
+    QCOMPARE(textOf(at(-3), CheckCode::BelowGround),
+             QStringLiteral("Not on the ground. Section 1 and Rib reach up to 3 mm below it."));
+}
+
+void TestChecks::tooLargeParts()
+{
+    const Analysis analysis = analysed(onSheets(cross(), {100, 90}));
+    const std::vector<Check> all = checks(analysis);
+    QCOMPARE(std::count_if(all.begin(), all.end(),
+                           [](const Check &c) { return c.code == CheckCode::TooLarge; }),
+             2);
+    QVERIFY(!find(all, CheckCode::FitsSheet));
+    QCOMPARE(textOf(analysis, CheckCode::TooLarge),
+             QStringLiteral("Body measures 100 × 60 mm and fits no sheet of 100 × 90 mm with a "
+                            "margin of 5 mm, however it is turned."));
+    // A long thin one fits from corner to corner.
+    const Document stick =
+        withSection(newDocument(), polygonShape(rectangle(0, 0, 110, 4)), front());
+    QVERIFY(find(checks(analysed(onSheets(stick, {100, 90}))), CheckCode::FitsSheet));
+    QVERIFY(find(checks(analysed(onSheets(stick, {90, 70}))), CheckCode::TooLarge));
+}
+
+void TestChecks::jointsThatCannotSlide()
+{
+    // Each meets the other between its own windows: neither can open its slit to the outside.
+    const auto windows = [](double outer, double from, double to) {
+        return polygonShape(rectangle(-30, -outer, 30, outer),
+                            {rectangle(-10, -to, 10, -from), rectangle(-10, from, 10, to)});
+    };
+    const Analysis held = analysed(withSection(
+        withSection(newDocument(), windows(50, 10, 40), front()), windows(30, 8, 20), side()));
+    QCOMPARE(held.assembly.joints.size(), 1U);
+    QCOMPARE(held.assembly.joints[0].kind, JointKind::None);
+    const std::vector<Check> found = checks(held);
+    QVERIFY(find(found, CheckCode::Interference));
+    QCOMPARE(find(found, CheckCode::Interference)->severity, CheckSeverity::Warning);
+    QCOMPARE(find(found, CheckCode::Interference)->distance, 16.0);
+    // They touch, and yet nothing holds them together.
+    QVERIFY(textOf(held, CheckCode::NotConnected)
+                .endsWith(QStringLiteral("but no joint holds them together.")));
+
+    const Analysis shallow = analysed(
+        withSection(withSection(newDocument(), polygonShape(rectangle(-50, 0, 50, 60)), front()),
+                    polygonShape(rectangle(-50, 0, 50, 60)), turned(radians(24))));
+    const std::vector<Check> all = checks(shallow);
+    const Check *check = find(all, CheckCode::ShallowAngle);
+    QVERIFY(check);
+    QCOMPARE(check->severity, CheckSeverity::Warning);
+    QVERIFY(textOf(shallow, CheckCode::ShallowAngle).contains(QStringLiteral("at 24°")));
+}
+
+void TestChecks::slitsThatDivide()
+{
+    // A low bar under a high plate that reaches beyond it on both sides: the slit goes through.
+    const ShapePointer bar = polygonShape(rectangle(-50, 20, 50, 22));
+    const ShapePointer high = polygonShape(rectangle(-40, 0, 40, 60));
+    const Analysis analysis =
+        analysed(withSection(withSection(newDocument(), high, front()), bar, side()));
+    for (std::size_t i = 0; i < 2; ++i) {
+        const std::size_t parts = analysis.cuts[i]->parts().size();
+        const std::vector<Check> all = checks(analysis);
+        const auto divided = std::count_if(all.begin(), all.end(), [&](const Check &c) {
+            return c.code == CheckCode::Divided && c.sections.front() == analysis.model.ref(i);
+        });
+        QCOMPARE(divided, parts > 1 ? 1 : 0);
+    }
+}
+
+// A verdict must not hang on where the model stands or how it is turned about the vertical.
+void TestChecks::turnedModelsHaveTurnedAnswers()
+{
+    const Document document = cross();
+    const Stability before = stabilityOf(analysed(document), {0, 1});
+    for (const double angle : {0.3, 1.0, 2.5}) {
+        const Eigen::AngleAxisd turn(angle, Vec3::UnitY());
+        Document moved = document;
+        for (SectionPointer &pointer : moved.sections) {
+            Section section = *pointer;
+            section.frame = makeFrame(turn * section.frame.origin + Vec3(300, 0, -70),
+                                      turn * section.frame.x, turn * section.frame.y)
+                                .value();
+            pointer = std::make_shared<const Section>(section);
+        }
+        const Stability after = stabilityOf(analysed(moved), {0, 1});
+        QCOMPARE(after.standing, before.standing);
+        QCOMPARE(after.contacts, before.contacts);
+        QVERIFY(std::abs(after.margin - before.margin) < 1e-9);
+        QVERIFY(std::abs(after.tipAngle - before.tipAngle) < 1e-9);
+    }
+}
+
+// Hand-checked structures of the product's mechanics, read in place: mass, and where the resultant
+// of weight and loads lies.
+void TestChecks::mechanicsCases()
+{
+    const QDir folder(QStringLiteral(FFF_SHARED_MODELS "/../mechanics/cases"));
+    const QStringList files =
+        folder.entryList({QStringLiteral("c*.json")}, QDir::Files, QDir::Name);
+    if (files.empty())
+        QSKIP("the cases are not here");
+    const auto point = [](const QJsonValue &v) {
+        // Their z is up; ours is y.
+        const QJsonArray a = v.toArray();
+        return Vec3(a[0].toDouble(), a[2].toDouble(), -a[1].toDouble());
+    };
+    const auto polygon = [](const QJsonValue &v) {
+        Polygon result;
+        for (const QJsonValue &p : v.toArray())
+            result.emplace_back(p[0].toDouble(), p[1].toDouble());
+        return result;
+    };
+    int toppling = 0, floating = 0, compared = 0;
+    for (const QString &name : files) {
+        QFile file(folder.filePath(name));
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        const QJsonObject json = QJsonDocument::fromJson(file.readAll()).object();
+        const QJsonObject truth = json[QLatin1String("truth")].toObject();
+        Document document = newDocument();
+        Stock stock = *document.stocks.front();
+        const QJsonArray sections = json[QLatin1String("sections")].toArray();
+        stock.density = json[QLatin1String("material")][QLatin1String("density_kg_m3")].toDouble();
+        stock.thickness = sections[0][QLatin1String("thickness_mm")].toDouble();
+        document = *setStock(document, stock);
+        for (const QJsonValue &value : sections) {
+            const QJsonValue frame = value[QLatin1String("frame")];
+            std::vector<Polygon> holes;
+            for (const QJsonValue &hole : value[QLatin1String("holes_mm")].toArray())
+                holes.push_back(polygon(hole));
+            document = withSection(
+                document, polygonShape(polygon(value[QLatin1String("outline_mm")]), holes),
+                makeFrame(point(frame[QLatin1String("origin_mm")]),
+                          point(frame[QLatin1String("u")]), point(frame[QLatin1String("v")]))
+                    .value());
+        }
+        constexpr double kGravity = 9.81;
+        for (const QJsonValue &load : json[QLatin1String("loads")].toArray()) {
+            const Vec3 force = point(load[QLatin1String("force_N")]);
+            int host = 0;
+            for (int i = 0; i < sections.size(); ++i)
+                if (sections[i][QLatin1String("id")] == load[QLatin1String("section")])
+                    host = i;
+            const Section &section = *document.sections[static_cast<std::size_t>(host)];
+            document.weights.push_back(
+                {WeightId{document.nextId++}, section.id,
+                 section.frame.toLocal(point(load[QLatin1String("point_mm")])),
+                 -force.y() / kGravity});
+        }
+        const Analysis analysis = analysed(document);
+        const auto groups = connectedGroups(document.sections.size(), analysis.assembly.joints);
+        const QString verdict = truth[QLatin1String("verdict")].toString();
+        if (verdict == QStringLiteral("topples")) {
+            ++toppling;
+            const Stability found = stabilityOf(analysis, groups.front());
+            QVERIFY2(found.standing == Standing::Topples, qPrintable(name));
+            // Theirs is to a foot's middle, ours to its corner: half the foot between them.
+            const double difference = found.margin - truth[QLatin1String("margin_mm")].toDouble();
+            QVERIFY2(difference > -0.5 && difference < 6.0,
+                     qPrintable(QStringLiteral("%1: %2").arg(name).arg(found.margin)));
+        }
+        if (verdict == QStringLiteral("floating component")) {
+            ++floating;
+            const std::vector<Check> all = checks(analysis);
+            QCOMPARE(all.front().code, CheckCode::NotConnected);
+            QCOMPARE(all.front().sections, std::vector<SectionRef>{document.sections.back()->id});
+            QCOMPARE(all.front().distance, 57.0); // 120 − 3 − 60
+        }
+        if (verdict.isEmpty() && truth.contains(QLatin1String("mass_kg"))) {
+            ++compared;
+            const double mass = massOf(analysis.model, analysis.cuts).mass,
+                         expected = truth[QLatin1String("mass_kg")].toDouble();
+            QVERIFY2(std::abs(mass - expected) < 0.02 * expected,
+                     qPrintable(QStringLiteral("%1: %2 kg").arg(name).arg(mass)));
+        }
+    }
+    QCOMPARE(toppling, 1);
+    QCOMPARE(floating, 1);
+    qInfo("masses compared: %d", compared);
+}
+
+void TestChecks::sharedModels_data()
+{
+    QTest::addColumn<QString>("file");
+    QTest::addColumn<int>("code");
+    const auto row = [](const char *name, CheckCode code) {
+        QTest::newRow(name) << QString::fromLatin1(name) << static_cast<int>(code);
+    };
+    row("ant.txt", CheckCode::NoContact);
+    row("bridge.txt", CheckCode::Stands);
+    row("centipede.txt", CheckCode::Stands);
+    row("dino.txt", CheckCode::Stands);
+    row("dragon1.txt", CheckCode::Topples);
+    row("fish.txt", CheckCode::NoContact);
+    row("gearspider_holes.txt", CheckCode::BelowGround);
+    row("man.txt", CheckCode::Stands);
+    row("octopus.txt", CheckCode::NoContact);
+    row("physics_shape1.txt", CheckCode::Stands);
+    row("physics_shape3.txt", CheckCode::Stands);
+    row("physics_shape5.txt", CheckCode::Stands);
+    row("spider.txt", CheckCode::Stands);
+    row("teaser_waterglass1.txt", CheckCode::Stands);
+    row("teaser_waterglass2.txt", CheckCode::LineSupport);
+}
+
+// Verdicts on real models, looked at by eye once; and the margin again by brute force, over points
+// sampled on both faces of every part.
+void TestChecks::sharedModels()
+{
+    QFETCH(QString, file);
+    QFETCH(int, code);
+    const QString path = QStringLiteral(FFF_SHARED_MODELS "/") + file;
+    if (!QFile::exists(path))
+        QSKIP("the shared models are not here");
+    Result<io::LoadedDocument> read = io::readDocument(path);
+    QVERIFY(read);
+    const Analysis analysis = analysed(read->document);
+    const std::vector<Check> all = checks(analysis);
+    const Check *check = find(all, static_cast<CheckCode>(code));
+    QVERIFY(check);
+    if (check->code != CheckCode::Stands && check->code != CheckCode::Topples)
+        return;
+    std::vector<Vec2> points;
+    for (std::size_t i = 0; i < analysis.model.sectionCount(); ++i) {
+        const Frame &frame = analysis.model.section(i)->frame;
+        for (const CurvedRegion &part : analysis.cuts[i]->parts()) {
+            const Polygon &ring = part.region.outer;
+            for (std::size_t k = 0, j = ring.size() - 1; k < ring.size(); j = k++)
+                for (int step = 0; step < 10; ++step)
+                    for (const double side : {-0.5, 0.0, 0.5}) {
+                        const Vec3 p = frame.toWorld(ring[j] + 0.1 * step * (ring[k] - ring[j])) +
+                                       side * analysis.model.stockOf(i).thickness * frame.normal();
+                        if (p.y() <= 0.05)
+                            points.emplace_back(p.x(), p.z());
+                    }
+        }
+    }
+    const Vec2 centre(check->mass.centre.x(), check->mass.centre.z());
+    double depth = std::numeric_limits<double>::infinity();
+    for (int i = 0; i < 3600; ++i) {
+        const double angle = radians(0.1 * i);
+        const Vec2 direction(std::cos(angle), std::sin(angle));
+        double reach = -std::numeric_limits<double>::infinity();
+        for (const Vec2 &p : points)
+            reach = std::max(reach, direction.dot(p - centre));
+        depth = std::min(depth, reach);
+    }
+    QVERIFY2(std::abs(depth - check->margin) < 0.2,
+             qPrintable(QStringLiteral("%1 by hand, %2").arg(depth).arg(check->margin)));
+}
+
+QTEST_GUILESS_MAIN(TestChecks)
+#include "tst_checks.moc"
