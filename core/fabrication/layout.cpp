@@ -31,12 +31,21 @@ struct Item
     int part = 0;
     const Contour *outline = nullptr;
     Turns turns;
-    bool needsFitting = false; // fits neither as drawn nor by a quarter turn
+    std::optional<Vec2> fitting; // the turn, where it fits neither as drawn nor by a quarter turn
 };
 
 Pose poseOf(const Item &item, const Vec2 &turn)
 {
     return {turn, turnedBounds(*item.outline, turn)};
+}
+
+/// The same a quarter turn further.
+Pose quarterMore(const Pose &pose)
+{
+    Pose next{perpendicular(pose.turn), {}};
+    next.box.extend(perpendicular(pose.box.min));
+    next.box.extend(perpendicular(pose.box.max));
+    return next;
 }
 
 bool fits(const Vec2 &size, const Vec2 &room)
@@ -55,15 +64,14 @@ bool hasCurves(const CurvedRegion &outline)
 /// The ways in which a part may lie: that of its turning and a quarter turn more, lying first.
 std::vector<Pose> posesOf(const Item &item, Turning turning, const Vec2 &room)
 {
-    if (item.needsFitting)
-        return {poseOf(item, *item.turns.fitting)};
+    if (item.fitting)
+        return {poseOf(item, *item.fitting)};
     std::vector<Pose> poses;
     const auto add = [&](const Vec2 &turn) {
-        for (const Vec2 &t : {turn, perpendicular(turn)}) {
-            Pose pose = poseOf(item, t);
-            if (fits(pose.size(), room))
-                poses.push_back(pose);
-        }
+        const Pose pose = poseOf(item, turn);
+        for (const Pose &candidate : {pose, quarterMore(pose)})
+            if (fits(candidate.size(), room))
+                poses.push_back(candidate);
     };
     if (turning != Turning::AsDrawn)
         add(turning == Turning::Smallest ? item.turns.smallest : item.turns.lowest);
@@ -189,15 +197,17 @@ Packing bestPacking(const std::vector<Item> &items, const Sheet &empty,
 bool prepare(Item &item, const Part &part, const Vec2 &room, bool turnsFreely)
 {
     item.outline = &part.outline.outer;
-    // The hull is that of chords, beyond which curves may bulge.
-    const double bulge = hasCurves(part.outline) ? 2.0 * kCutChord : 0.0;
-    const Polygon hull = convexHull(part.outline.region.outer);
-    if (turnsFreely && hull.size() >= 3)
-        item.turns = findTurns(hull, room - Vec2::Constant(bulge));
+    const Polygon hull =
+        turnsFreely ? convexHull(part.outline.region.outer) : Polygon(); // of chords
+    if (hull.size() >= 3)
+        item.turns = findTurns(hull);
     if (!posesOf(item, Turning::AsDrawn, room).empty())
         return true;
-    item.needsFitting = item.turns.fitting.has_value();
-    return item.needsFitting;
+    if (hull.size() < 3)
+        return false;
+    const double bulge = hasCurves(part.outline) ? 2.0 * kCutChord : 0.0; // beyond the chords
+    item.fitting = findFittingTurn(hull, room - Vec2::Constant(bulge));
+    return item.fitting.has_value();
 }
 
 } // namespace

@@ -42,8 +42,8 @@ public:
     /// `angle` of the first direction, ascending from call to call.
     void turnTo(double angle)
     {
-        for (std::size_t k = 0; k < 4; ++k) {
-            const Vec2 d = direction(angle + static_cast<double>(k) * kQuarter);
+        Vec2 d = direction(angle);
+        for (std::size_t k = 0; k < 4; ++k, d = perpendicular(d)) {
             std::size_t &at = m_at[k];
             if (m_isFirst) {
                 for (std::size_t i = 1; i < m_hull.size(); ++i)
@@ -98,11 +98,9 @@ std::vector<Range> within(const std::vector<Range> &ranges, const Vec2 &c, doubl
     return left;
 }
 
-/// Clockwise by `angle`, so that what lay along that direction lies along x; exact at both ends.
+/// Clockwise by `angle`, so that what lay along that direction lies along x. Exact for none.
 Vec2 layingDown(double angle)
 {
-    if (angle == 0.0)
-        return {1.0, 0.0};
     return direction(-angle);
 }
 
@@ -155,44 +153,55 @@ Box2 turnedBounds(const Contour &contour, const Vec2 &turn)
     return box;
 }
 
-Turns findTurns(const Polygon &hull, const Vec2 &room)
+Turns findTurns(const Polygon &hull)
 {
     Turns turns;
     const std::vector<double> angles = eventAngles(hull);
     Calipers calipers(hull);
-    double smallest = std::numeric_limits<double>::infinity(), lowest = smallest, widest = -1.0;
+    double smallest = std::numeric_limits<double>::infinity(), lowest = smallest;
+    for (std::size_t i = 0; i + 1 < angles.size(); ++i) {
+        calipers.turnTo(0.5 * (angles[i] + angles[i + 1]));
+        // The interval's other end begins the next one; the last of all is the first, turned.
+        const Vec2 along = direction(angles[i]);
+        const double width = calipers.along().dot(along),
+                     height = calipers.across().dot(perpendicular(along));
+        const Vec2 turn = layingDown(angles[i]);
+        const Vec2 lying = width >= height ? turn : quarterMore(turn);
+        if (width * height < smallest) {
+            smallest = width * height;
+            turns.smallest = lying;
+        }
+        if (std::min(width, height) < lowest) {
+            lowest = std::min(width, height);
+            turns.lowest = lying;
+        }
+    }
+    return turns;
+}
+
+std::optional<Vec2> findFittingTurn(const Polygon &hull, const Vec2 &room)
+{
+    std::optional<Vec2> fitting;
+    double widest = -1.0;
+    const std::vector<double> angles = eventAngles(hull);
+    Calipers calipers(hull);
     const Vec2 limit = room + Vec2::Constant(kClipGrid);
     for (std::size_t i = 0; i + 1 < angles.size(); ++i) {
         const Range all{angles[i], angles[i + 1]};
         calipers.turnTo(0.5 * (all.from + all.to));
-        const Vec2 along = calipers.along(), across = calipers.across();
-        for (const double angle : {all.from, all.to}) {
-            const double width = along.dot(direction(angle)),
-                         height = across.dot(direction(angle + kQuarter));
-            const Vec2 turn = layingDown(angle);
-            const Vec2 lying = width >= height ? turn : quarterMore(turn);
-            if (width * height < smallest) {
-                smallest = width * height;
-                turns.smallest = lying;
-            }
-            if (std::min(width, height) < lowest) {
-                lowest = std::min(width, height);
-                turns.lowest = lying;
-            }
-        }
         for (const bool isTurned : {false, true}) {
             const Vec2 most = isTurned ? Vec2(limit.y(), limit.x()) : limit;
-            for (const Range &range :
-                 within(within({all}, along, 0.0, most.x()), across, kQuarter, most.y())) {
+            for (const Range &range : within(within({all}, calipers.along(), 0.0, most.x()),
+                                             calipers.across(), kQuarter, most.y())) {
                 if (range.width() <= widest)
                     continue;
                 widest = range.width();
                 const Vec2 turn = layingDown(0.5 * (range.from + range.to));
-                turns.fitting = isTurned ? quarterMore(turn) : turn;
+                fitting = isTurned ? quarterMore(turn) : turn;
             }
         }
     }
-    return turns;
+    return fitting;
 }
 
 } // namespace fff

@@ -23,19 +23,20 @@ struct Turns
 {
     Vec2 smallest = Vec2::UnitX(); // of all turns the one whose box has the least area
     Vec2 lowest = Vec2::UnitX();   // of all turns the one whose box is lowest
-    std::optional<Vec2> fitting;   // a turn whose box fits the room, if there is any
 };
 
-/// The turns of a convex polygon, counter-clockwise as convexHull gives it, with at least 3
-/// corners; `smallest` lies on its longer side.
-///
-/// Between the angles at which an edge lies along an axis, width and height of the box are those of
-/// two fixed vectors, so each is c · cos(angle − phase): smallest and lowest boxes are at the ends
-/// of these intervals, and where the box fits the room follows from two arc cosines. `fitting` is
-/// the middle of the widest range of angles, so that rounding does not matter; a box that is larger
-/// than the room by less than kClipGrid fits it.
+/// The best turns of a convex polygon, counter-clockwise as convexHull gives it, with at least 3
+/// corners; boxes lie on their longer sides. Both have an edge of the polygon along an axis.
 /// Source  H. Freeman, R. Shapira 1975, Determining the minimum-area encasing rectangle; G.
 ///         Toussaint 1983, Solving geometric problems with the rotating calipers. O(n log n).
-Turns findTurns(const Polygon &hull, const Vec2 &room);
+Turns findTurns(const Polygon &hull);
+
+/// A turn of such a polygon whose box fits the room, if there is any.
+///
+/// Between the angles at which an edge lies along an axis, width and height of the box are those of
+/// two fixed vectors, so each is c · cos(angle − phase): where both are small enough follows from
+/// two arc cosines. Of all ranges of angles the middle of the widest, so that rounding does not
+/// matter; a box that is larger than the room by less than kClipGrid fits it. O(n log n).
+std::optional<Vec2> findFittingTurn(const Polygon &hull, const Vec2 &room);
 
 } // namespace fff

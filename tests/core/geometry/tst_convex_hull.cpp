@@ -100,7 +100,7 @@ void TestConvexHull::turnsAreTheBestOfAll()
         polygons.push_back(shape.contour.flatten(kCutChord).points);
     for (const Polygon &points : polygons) {
         const Polygon hull = convexHull(points);
-        const Turns turns = findTurns(hull, {1, 1});
+        const Turns turns = findTurns(hull);
         const Vec2 smallest = turnedBounds(hull, turns.smallest).size(),
                    lowest = turnedBounds(hull, turns.lowest).size();
         QVERIFY(std::abs(turns.smallest.norm() - 1.0) < 1e-12);
@@ -128,11 +128,11 @@ void TestConvexHull::fittingTurnIsFoundWhereThereIsOne()
     QFETCH(Vec2, room);
     std::mt19937 random(5);
     std::uniform_real_distribution<double> extent(2.0, 75.0);
-    int fitting = 0;
+    int count = 0;
     for (int round = 0; round < 150; ++round) {
         const double width = extent(random), height = round % 2 ? extent(random) : 3.0;
         const Polygon hull = convexHull(randomPoints(random, 4 + round % 9, width, height));
-        const Turns turns = findTurns(hull, room);
+        const std::optional<Vec2> fitting = findFittingTurn(hull, room);
         // By how much the best of many angles fits; between two of them it may do better by little.
         constexpr int kAngles = 1500;
         double slack = -std::numeric_limits<double>::infinity();
@@ -141,15 +141,15 @@ void TestConvexHull::fittingTurnIsFoundWhereThereIsOne()
                 std::max(slack, (room - sizeAt(hull, std::numbers::pi * i / kAngles)).minCoeff());
         const double between = 160.0 * std::numbers::pi / kAngles;
         if (slack > 0.0)
-            QVERIFY(turns.fitting.has_value());
+            QVERIFY(fitting.has_value());
         if (slack < -between)
-            QVERIFY(!turns.fitting.has_value());
-        if (turns.fitting) {
-            ++fitting;
-            QVERIFY((room - turnedBounds(hull, *turns.fitting).size()).minCoeff() > -2e-6);
+            QVERIFY(!fitting.has_value());
+        if (fitting) {
+            ++count;
+            QVERIFY((room - turnedBounds(hull, *fitting).size()).minCoeff() > -2e-6);
         }
     }
-    QVERIFY(fitting > 20 && fitting < 150);
+    QVERIFY(count > 20 && count < 150);
 }
 
 void TestConvexHull::rectangleFitsItself_data()
@@ -164,17 +164,17 @@ void TestConvexHull::rectangleFitsItself()
 {
     QFETCH(double, angle);
     const Polygon part = turnedRectangle({300, 200}, 120, 50, angle);
-    QVERIFY(findTurns(part, {120, 50}).fitting.has_value());
-    QVERIFY(findTurns(part, {50, 120}).fitting.has_value());
-    QVERIFY(!findTurns(part, {119.999, 50}).fitting.has_value());
-    QVERIFY(!findTurns(part, {120, 49.999}).fitting.has_value());
+    QVERIFY(findFittingTurn(part, {120, 50}).has_value());
+    QVERIFY(findFittingTurn(part, {50, 120}).has_value());
+    QVERIFY(!findFittingTurn(part, {119.999, 50}).has_value());
+    QVERIFY(!findFittingTurn(part, {120, 49.999}).has_value());
 }
 
 void TestConvexHull::nothingFitsNoRoom()
 {
     const Polygon part = rectangleAt(0, 0, 3, 2);
-    QVERIFY(!findTurns(part, {0, 0}).fitting.has_value());
-    QVERIFY(!findTurns(part, {-5, 100}).fitting.has_value());
+    QVERIFY(!findFittingTurn(part, {0, 0}).has_value());
+    QVERIFY(!findFittingTurn(part, {-5, 100}).has_value());
 }
 
 QTEST_APPLESS_MAIN(TestConvexHull)
