@@ -54,5 +54,6 @@ int main(int argc, char *argv[])
         fff::ui::openFiles(*window, files, parser.isSet(copy));
     else if (fff::ui::settings().showsStartPage())
         window->showStartPage();
+    window->offerRecovered();
     return QApplication::exec();
 }

@@ -15,6 +15,7 @@
 #include "ui/files/document_files.h"
 #include "ui/files/file_drop.h"
 #include "ui/files/recent_menu.h"
+#include "ui/files/unsaved_work.h"
 #include "ui/icon.h"
 #include "ui/main_tool_bar.h"
 #include "ui/message_bar.h"
@@ -65,6 +66,7 @@ MainWindow::MainWindow(QWidget *parent) : QMainWindow(parent), m_bench(new Workb
     setStatusBar(m_status);
     makeDocks();
     m_files = new DocumentFiles(*m_bench, *m_messages, *m_status, *this);
+    m_unsaved = new UnsavedWork(*m_bench, *m_files, *m_messages, this);
     addCommands();
     m_toolBar = new MainToolBar(*m_bench, *m_actions, this);
     addToolBar(m_toolBar);
@@ -92,7 +94,10 @@ MainWindow::MainWindow(QWidget *parent) : QMainWindow(parent), m_bench(new Workb
     m_bench->showAll("front");
 }
 
-MainWindow::~MainWindow() = default;
+MainWindow::~MainWindow()
+{
+    delete m_unsaved; // before the session that it writes
+}
 
 void MainWindow::makeView()
 {
@@ -247,10 +252,44 @@ void MainWindow::showStartPage()
                 [this](const QString &path) { openFiles({path}); });
         connect(page, &StartPage::sampleChosen, this,
                 [this](const QString &path) { ui::openFiles(*this, {path}, true); });
+        connect(page, &StartPage::recoverWanted, this, &MainWindow::recover);
+        connect(page, &StartPage::discardWanted, page, [page](const QString &id) {
+            UnsavedWork::forget(id);
+            page->setRecovered(UnsavedWork::recoverable());
+        });
         m_middle->addWidget(page);
     }
     m_middle->setCurrentIndex(1);
     m_middle->currentWidget()->setFocus();
+    static_cast<StartPage *>(m_middle->currentWidget())->setRecovered(UnsavedWork::recoverable());
+}
+
+void MainWindow::offerRecovered()
+{
+    const std::vector<RecoveredWork> works = UnsavedWork::recoverable();
+    if (works.empty() || m_middle->currentIndex() == 1)
+        return;
+    if (works.size() > 1) {
+        m_messages->show(MessageBar::Severity::Info,
+                         {tr("Recovered: %n model(s) that were not saved", nullptr,
+                             static_cast<int>(works.size()))},
+                         {{tr("Show them"), [this] { showStartPage(); }}});
+        return;
+    }
+    const QString id = works.front().id;
+    //: %1 is a model's name, how much was done, and when
+    m_messages->show(MessageBar::Severity::Info, {tr("Recovered: %1").arg(works.front().text)},
+                     {{tr("Open it"), [this, id] { recover(id); }},
+                      {tr("Discard"), [id] { UnsavedWork::forget(id); }}});
+}
+
+void MainWindow::recover(const QString &id)
+{
+    MainWindow *window = m_files->isUntouched() ? this : openWindow(this);
+    if (window->m_unsaved->adopt(id))
+        window->showDocument();
+    else if (window == this && m_middle->currentIndex() == 1)
+        showStartPage(); // its rows as they are now
 }
 
 void MainWindow::closeUnasked()
@@ -297,8 +336,10 @@ bool MainWindow::event(QEvent *event)
 void MainWindow::closeEvent(QCloseEvent *event)
 {
     event->setAccepted(m_mayClose || m_files->mayClose());
-    if (event->isAccepted())
-        m_layout->save();
+    if (!event->isAccepted())
+        return;
+    m_layout->save();
+    m_unsaved->discard();
 }
 
 void MainWindow::resizeEvent(QResizeEvent *event)

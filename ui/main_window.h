@@ -24,6 +24,7 @@ class OutlineDock;
 class PropertiesDock;
 class StatusLine;
 class StockEditor;
+class UnsavedWork;
 class Viewport;
 class WindowLayout;
 class Workbench;
@@ -42,6 +43,11 @@ public:
     /// over a model: with one, another window is opened for it.
     void showDocument();
     void showStartPage();
+    /// What a crash left: rows of the start page where that is shown, else a message. Once, at
+    /// start.
+    void offerRecovered();
+    /// In this window while nothing was done in it, else in a new one.
+    void recover(const QString &id);
     /// Closes without the question about unsaved changes, which was asked already.
     void closeUnasked();
 
@@ -82,6 +88,7 @@ private:
     MainToolBar *m_toolBar = nullptr;
     WindowLayout *m_layout = nullptr;
     QStackedWidget *m_middle = nullptr; // the view, or the start page
+    UnsavedWork *m_unsaved = nullptr;
     bool m_wasShown = false;
     bool m_mayClose = false;
 };

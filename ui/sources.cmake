@@ -24,11 +24,13 @@ target_sources(fff_ui PRIVATE
     docks/properties_dock.cpp
     field_style.cpp
     files/document_files.cpp
+    files/exporting.cpp
     files/failures.cpp
     files/file_drop.cpp
     files/file_stamp.cpp
     files/progress.cpp
     files/recent_menu.cpp
+    files/unsaved_work.cpp
     hint_text.cpp
     icon.cpp
     lengths.cpp

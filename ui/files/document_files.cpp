@@ -2,7 +2,7 @@
 
 #include "core/io/document_file.h"
 #include "core/io/error_text.h"
-#include "core/session/cutting_file.h"
+#include "ui/files/exporting.h"
 #include "ui/files/failures.h"
 #include "ui/files/progress.h"
 #include "ui/message_bar.h"
@@ -28,7 +28,8 @@ const QString kSuffix = QStringLiteral("fff");
 
 DocumentFiles::DocumentFiles(Workbench &bench, MessageBar &messages, StatusLine &status,
                              QWidget &window)
-    : QObject(&window), m_bench(bench), m_messages(messages), m_status(status), m_window(window)
+    : QObject(&window), m_bench(bench), m_messages(messages), m_status(status), m_window(window),
+      m_exporting(new Exporting(bench, messages, status, window))
 {
     connect(&bench.session(), &Session::cleanChanged, this, &DocumentFiles::refreshTitle);
     refreshTitle();
@@ -75,9 +76,7 @@ bool DocumentFiles::saveAs()
 
 bool DocumentFiles::exportCuttingFile()
 {
-    const QString path = askForTarget(tr("Export cutting files"),
-                                      tr("Drawings for cutters (*.svg)"), QStringLiteral("svg"));
-    return !path.isEmpty() && exportFile(path);
+    return m_exporting->ask(folder() + u'/' + baseName());
 }
 
 bool DocumentFiles::mayClose()
@@ -180,15 +179,15 @@ bool DocumentFiles::saveFile(const QString &path)
         return asksForName && saveAs();
     const QString file = QFileInfo(path).fileName();
     const Document document = m_bench.session().committed().document;
-    const auto written =
-        inBackground<Result<void>>(m_window, tr("Saving %1…").arg(file), MayCancel::No,
-                                   [path, document] { return io::writeDocument(path, document); });
+    io::WriteOptions options;
+    options.keepsBackup = settings().keepsBackup();
+    const auto written = inBackground<Result<void>>(
+        m_window, tr("Saving %1…").arg(file), MayCancel::No,
+        [path, document, options] { return io::writeDocument(path, document, options); });
     if (!*written) {
-        const bool isPlaceWrong = !isFolderWritable(path);
-        m_messages.show(
-            MessageBar::Severity::Error, {saveFailure(path, written->error())},
-            {{isPlaceWrong ? tr("Save as…") : tr("Save somewhere else…"), [this] { saveAs(); }}},
-            failureDetails(path, written->error()));
+        m_messages.show(MessageBar::Severity::Error, {saveFailure(path, written->error())},
+                        {{tr("Save somewhere else…"), [this] { saveAs(); }}},
+                        failureDetails(path, written->error()));
         return false;
     }
     m_messages.hide();
@@ -222,43 +221,7 @@ bool DocumentFiles::maySaveOver(const QString &path, bool *asksForName)
 
 bool DocumentFiles::exportFile(const QString &path)
 {
-    const QString name = QFileInfo(path).fileName();
-    if (m_bench.session().hasPreview())
-        m_bench.escape(); // a section that is still being drawn is not cut
-    const Result<CuttingFile> file = makeCuttingFile(m_bench.session().currentAnalysis());
-    const Result<void> written =
-        file ? io::writeFile(path, file->svg) : Result<void>(tl::unexpected(file.error()));
-    if (!written) {
-        m_messages.show(
-            MessageBar::Severity::Error,
-            {tr("%1 could not be written: %2.").arg(name, io::errorSentence(written.error()))},
-            {{tr("Export somewhere else…"), [this] { exportCuttingFile(); }}},
-            failureDetails(path, written.error()));
-        return false;
-    }
-
-    QStringList warnings;
-    for (const std::string &section : file->oversized) {
-        warnings += tr("%1 is larger than the sheet. It lies on a sheet of its own size.")
-                        .arg(QString::fromStdString(section));
-    }
-    for (const std::string &section : file->unmarked) {
-        warnings += tr("%1 is too slim to carry its number.").arg(QString::fromStdString(section));
-    }
-    for (const std::string &section : file->closedSlits) {
-        warnings += tr("The kerf is as wide as the slits of %1: they would be closed.")
-                        .arg(QString::fromStdString(section));
-    }
-    m_messages.show(MessageBar::Severity::Warning, warnings);
-
-    const QLocale locale = m_window.locale();
-    const QString parts = tr("%n part(s)", nullptr, file->partCount);
-    const QString sheets = tr("%n sheet(s)", nullptr, file->sheetCount);
-    m_status.say(file->slitWidth && *file->slitWidth > 0.0
-                     ? tr("Exported %1 on %2 to %3; slits are drawn %4\u202fmm wide.")
-                           .arg(parts, sheets, name, locale.toString(*file->slitWidth, 'f', 2))
-                     : tr("Exported %1 on %2 to %3.").arg(parts, sheets, name));
-    return true;
+    return m_exporting->write(path);
 }
 
 QString DocumentFiles::folder() const
@@ -284,12 +247,20 @@ QString DocumentFiles::askForTarget(const QString &title, const QString &filter,
     return dialog.exec() == QDialog::Accepted ? dialog.selectedFiles().value(0) : QString();
 }
 
-void DocumentFiles::showUnsaved(Document document, const QString &path)
+void DocumentFiles::showRecovered(const QString &path, const QString &name, const QDateTime &kept)
 {
     m_messages.hide();
-    m_bench.session().reset(newDocument());
-    setPath(path, QFileInfo(path).suffix() == kSuffix, QFileInfo::exists(path));
-    m_bench.session().commit(tr("Recover"), std::move(document));
+    const QFileInfo info(path);
+    // A copy or an import has a name without being that file.
+    const bool isOnDisk = !path.isEmpty() && info.exists();
+    const QString documents = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
+    const bool hasName = !path.isEmpty() || QFileInfo(name).suffix() == kSuffix;
+    setPath(isOnDisk  ? path
+            : hasName ? documents + u'/' + name
+                      : QString(),
+            isOnDisk && info.suffix() == kSuffix, isOnDisk);
+    if (isOnDisk && info.lastModified() > kept)
+        m_stamp = FileStamp::outdated(path);
     m_bench.showAll("iso1");
 }
 
@@ -312,14 +283,12 @@ bool DocumentFiles::isUntouched() const
 
 void DocumentFiles::setPath(const QString &path, bool isNative, bool isOnDisk)
 {
-    const QString before = this->path();
     m_path = path;
     m_isNative = isNative;
     m_isOnDisk = isOnDisk;
     m_stamp = isOnDisk ? FileStamp::of(path) : FileStamp();
     refreshTitle();
-    if (this->path() != before)
-        Q_EMIT pathChanged();
+    Q_EMIT pathChanged();
 }
 
 void DocumentFiles::refreshTitle()

@@ -14,7 +14,6 @@
 class QWidget;
 
 namespace fff {
-struct Document;
 namespace io {
 struct LoadedDocument;
 }
@@ -22,6 +21,7 @@ struct LoadedDocument;
 
 namespace fff::ui {
 
+class Exporting;
 class MessageBar;
 class StatusLine;
 class Workbench;
@@ -53,8 +53,9 @@ public:
     /// The two halves of openFile. What cannot be read is said in this window's message bar.
     std::optional<io::LoadedDocument> read(const QString &path);
     void show(const io::LoadedDocument &loaded, const QString &path, bool asCopy);
-    /// A document of which no file has the changes; `path` is where it was saved once, if ever.
-    void showUnsaved(Document document, const QString &path);
+    /// The session has what a crash left: name it after the file it was in, or was called after.
+    /// kept  when: a file that is newer is not saved over without a question
+    void showRecovered(const QString &path, const QString &name, const QDateTime &kept);
 
     /// Of the open document; empty for one that was never saved, and for a copy.
     QString path() const { return m_isOnDisk ? m_path : QString(); }
@@ -67,7 +68,7 @@ public:
 Q_SIGNALS:
     /// Files that a person wants to see, in this window or another.
     void chosen(const QStringList &paths);
-    /// What path() says is another one now.
+    /// path() or name() is another one now, or the same file was read or written again.
     void pathChanged();
 
 private:
@@ -82,6 +83,7 @@ private:
     MessageBar &m_messages;
     StatusLine &m_status;
     QWidget &m_window;
+    Exporting *m_exporting;
     QString m_path;          // where the document is, or would be saved by default
     bool m_isNative = false; // saving may overwrite it
     bool m_isOnDisk = false; // it was read from there or written there

@@ -4,7 +4,6 @@
 
 #include <QCoreApplication>
 #include <QFileInfo>
-#include <QStorageInfo>
 
 namespace fff::ui {
 
@@ -14,8 +13,6 @@ struct Words
 {
     Q_DECLARE_TR_FUNCTIONS(fff::ui::Failures)
 };
-
-constexpr qint64 kNoRoom = 64 * 1024; // bytes that are left on a full disk
 
 /// "fish.txt:340" is in the file's name already; what remains is "line 340".
 QString placeInFile(const QString &name, const Error &error)
@@ -60,11 +57,7 @@ QString saveFailure(const QString &path, const Error &error)
     QString why;
     if (!QFileInfo::exists(folder))
         why = Words::tr("the folder %1 does not exist").arg(folder);
-    else if (!isFolderWritable(path))
-        why = Words::tr("this folder is read-only");
-    else if (QStorageInfo(folder).bytesAvailable() < kNoRoom)
-        why = Words::tr("the disk is full");
-    else if (!error.args.empty() && error.code == ErrorCode::CannotWrite)
+    else if (error.code == ErrorCode::CannotWrite && !error.args.empty())
         why = QCoreApplication::translate("Error", error.args[0].c_str());
     else
         why = io::errorSentence(error);
@@ -75,12 +68,6 @@ QString saveFailure(const QString &path, const Error &error)
 QString failureDetails(const QString &path, const Error &error)
 {
     return QFileInfo(path).absoluteFilePath() + QLatin1Char('\n') + io::errorText(error);
-}
-
-bool isFolderWritable(const QString &path)
-{
-    const QFileInfo folder(QFileInfo(path).absolutePath());
-    return folder.isDir() && folder.isWritable();
 }
 
 } // namespace fff::ui

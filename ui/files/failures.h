@@ -13,7 +13,4 @@ QString saveFailure(const QString &path, const Error &error);
 /// All there is to know, for whoever looks into it.
 QString failureDetails(const QString &path, const Error &error);
 
-/// Whether files can be made in the folder of this path at all.
-bool isFolderWritable(const QString &path);
-
 } // namespace fff::ui

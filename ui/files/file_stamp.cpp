@@ -23,6 +23,13 @@ FileStamp FileStamp::of(const QString &path)
     return stamp;
 }
 
+FileStamp FileStamp::outdated(const QString &path)
+{
+    FileStamp stamp;
+    stamp.m_path = path;
+    return stamp;
+}
+
 bool FileStamp::isCurrent() const
 {
     if (m_path.isEmpty())

@@ -15,6 +15,9 @@ public:
     /// Reads the file once, for its contents' hash.
     static FileStamp of(const QString &path);
 
+    /// Of an earlier state that nobody knows: any file at that path differs from it.
+    static FileStamp outdated(const QString &path);
+
     /// False when there is a file at that path now with other contents. A file that is gone, or was
     /// only touched, has not changed: nothing in it could be lost.
     bool isCurrent() const;

@@ -97,6 +97,15 @@ void Settings::setFile(const QString &path)
     theSettings() = std::make_unique<Settings>(path.isEmpty() ? ownFile() : path);
 }
 
+QString Settings::dataFolder()
+{
+    const QString path = settings().m_store.fileName();
+    return path == ownFile()
+               ? QStandardPaths::writableLocation(QStandardPaths::GenericDataLocation) +
+                     QStringLiteral("/flatfitfab")
+               : QFileInfo(path).absolutePath();
+}
+
 Settings &settings()
 {
     if (!theSettings())

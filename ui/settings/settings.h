@@ -33,6 +33,10 @@ public:
     /// systems (~/.config/flatfitfab/settings.ini and its like).
     static void setFile(const QString &path);
 
+    /// Where the program keeps other things of this person: beside the file of setFile(), else
+    /// where the system wants data to be.
+    static QString dataFolder();
+
     explicit Settings(const QString &path, QObject *parent = nullptr);
 
     // General

@@ -2,6 +2,7 @@
 // last models, or look at a sample. Works without a network, and never covers a model.
 #pragma once
 
+#include "ui/files/unsaved_work.h"
 #include "ui/start/thumbnails.h"
 
 #include <QWidget>
@@ -16,13 +17,6 @@ namespace fff::ui {
 
 class CardGrid;
 class ModelCard;
-
-/// Work that was not saved when the program ended.
-struct RecoveredWork
-{
-    QString id;   // for recover and discard
-    QString text; // "untitled, 14 steps, 2 minutes ago"
-};
 
 class StartPage : public QWidget
 {

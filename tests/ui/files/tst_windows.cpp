@@ -1,11 +1,16 @@
 // Files and windows: what is opened where, and that nothing is lost on the way.
 #include <QTest>
 
+#include "core/session/autosave.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/files/recent_menu.h"
+#include "ui/files/unsaved_work.h"
+#include "ui/start/start_page.h"
 
+#include <QDir>
 #include <QDragEnterEvent>
 #include <QDropEvent>
+#include <QLabel>
 #include <QMimeData>
 #include <QUrl>
 
@@ -36,13 +41,19 @@ private Q_SLOTS:
     void aChangeByAnotherProgramIsAskedAbout_data();
     void aChangeByAnotherProgramIsAskedAbout();
     void aTouchedFileIsNoChange();
-    void aReadOnlyFolderKeepsTheOldFile();
+    void savingWhereNothingCanBeSaysWhatToDo();
+    void aBackupIsKeptAsSet();
+    void solidsAreExportedByTheirSuffix();
+    void aCrashIsRecoveredFrom();
+    void whatIsDiscardedIsGone();
+    void savedAndForgottenWorkIsNotOffered();
 
 private:
     QString file(const char *name) const { return m_folder->filePath(QLatin1String(name)); }
     QString model(const char *name, double side = 40.0) const;
     void drop(QWidget *on, const QStringList &paths);
     void change(MainWindow &window, double side);
+    void crash(double side);
 
     std::unique_ptr<QTemporaryDir> m_folder;
     MainWindow *m_window = nullptr;
@@ -278,16 +289,109 @@ void TestWindows::aTouchedFileIsNoChange()
     QVERIFY(m_window->files().save()); // a question would wait for ever
 }
 
-void TestWindows::aReadOnlyFolderKeepsTheOldFile()
+void TestWindows::savingWhereNothingCanBeSaysWhatToDo()
 {
-    // A folder that is not there stands for one that cannot be written to: tests may run as root.
     change(*m_window, 40);
     const QString path = m_folder->path() + QStringLiteral("/nowhere/a.fff");
     QVERIFY(!m_window->files().saveFile(path));
     QVERIFY(messagesOf(*m_window)->text().contains(QStringLiteral("Could not save a.fff")));
     QVERIFY(!m_window->files().isSaved());
     auto *verb = m_window->findChild<QPushButton *>(QStringLiteral("messageVerb"));
-    QCOMPARE(verb->text(), QStringLiteral("Save as…"));
+    QCOMPARE(verb->text(), QStringLiteral("Save somewhere else…"));
+}
+
+void TestWindows::aBackupIsKeptAsSet()
+{
+    openFiles(*m_window, {model("a.fff", 40)});
+    settings().setKeepsBackup(false);
+    change(*m_window, 50);
+    QVERIFY(m_window->files().save());
+    QVERIFY(!QFile::exists(io::backupPath(file("a.fff"))));
+    settings().setKeepsBackup(true);
+    change(*m_window, 60);
+    QVERIFY(m_window->files().save());
+    const Result<io::LoadedDocument> before = io::readDocument(io::backupPath(file("a.fff")));
+    QVERIFY(before);
+    QCOMPARE(before->document.sections.front()->shape->bounds().size().x(), 50.0);
+}
+
+void TestWindows::solidsAreExportedByTheirSuffix()
+{
+    change(*m_window, 40);
+    QVERIFY(m_window->files().exportFile(file("a.obj")));
+    QVERIFY(m_window->files().exportFile(file("a.svg")));
+    const Result<std::string> obj = io::readFile(file("a.obj")), svg = io::readFile(file("a.svg"));
+    QVERIFY(obj && obj->find("\nf ") != std::string::npos);
+    QVERIFY(svg && svg->find("<svg") != std::string::npos);
+}
+
+/// What a program that was killed leaves: the slot, and a lock that nobody holds.
+void TestWindows::crash(double side)
+{
+    QTemporaryDir elsewhere;
+    Session session;
+    Autosave autosave(session, elsewhere.path());
+    autosave.setDocument({}, QStringLiteral("untitled"));
+    session.commit(QStringLiteral("draw"), squareDocument(side));
+    autosave.flush();
+    const QStringList kept =
+        QDir(elsewhere.path()).entryList({QStringLiteral("*.fff")}, QDir::Files);
+    QCOMPARE(kept.size(), 1);
+    const QString folder = m_folder->filePath(QStringLiteral("recovery"));
+    QVERIFY(QDir().mkpath(folder));
+    QVERIFY(QFile::copy(elsewhere.filePath(kept.front()), folder + u'/' + kept.front()));
+    autosave.discard();
+}
+
+void TestWindows::aCrashIsRecoveredFrom()
+{
+    crash(63);
+    m_window->showStartPage();
+    auto *page = m_window->findChild<StartPage *>();
+    auto *row = page->findChild<QWidget *>(QStringLiteral("recoveredRow"));
+    QVERIFY(row);
+    QVERIFY2(row->findChildren<QLabel *>().back()->text().startsWith(
+                 QStringLiteral("Recovered: untitled, 1 ")),
+             qPrintable(row->findChildren<QLabel *>().back()->text()));
+    page->findChild<QPushButton *>(QStringLiteral("recoverOpen"))->click();
+    const Session &session = m_window->bench().session();
+    QCOMPARE(session.committed().sectionCount(), std::size_t(1));
+    QCOMPARE(session.committed().section(0)->shape->bounds().size().x(), 63.0);
+    QVERIFY(!m_window->files().isSaved());
+    QVERIFY(m_window->isWindowModified());
+    QVERIFY(m_window->files().path().isEmpty());
+    QVERIFY(!page->isVisible());
+    QVERIFY(UnsavedWork::recoverable().empty()); // it is this window's now
+}
+
+void TestWindows::whatIsDiscardedIsGone()
+{
+    crash(63);
+    m_window->offerRecovered(); // no start page: a message
+    QVERIFY(messagesOf(*m_window)->isVisible());
+    QVERIFY(messagesOf(*m_window)->text().startsWith(QStringLiteral("Recovered: untitled")));
+    for (auto *verb : m_window->findChildren<QPushButton *>(QStringLiteral("messageVerb"))) {
+        if (verb->text() == QStringLiteral("Discard"))
+            verb->click();
+    }
+    QVERIFY(UnsavedWork::recoverable().empty());
+    QCOMPARE(m_window->bench().session().committed().sectionCount(), std::size_t(0));
+}
+
+void TestWindows::savedAndForgottenWorkIsNotOffered()
+{
+    change(*m_window, 40);
+    const QDir folder(m_folder->filePath(QStringLiteral("recovery")));
+    const auto kept = [&folder] {
+        return folder.entryList({QStringLiteral("*.fff")}, QDir::Files).size();
+    };
+    QTRY_COMPARE(kept(), 1);
+    QVERIFY(m_window->files().saveFile(file("a.fff")));
+    QTRY_COMPARE(kept(), 0);
+    change(*m_window, 50);
+    QTRY_COMPARE(kept(), 1);
+    m_window->closeUnasked(); // "Don't save"
+    QTRY_COMPARE(kept(), 0);
 }
 
 int main(int argc, char *argv[])

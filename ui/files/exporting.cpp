@@ -1,0 +1,151 @@
+#include "ui/files/exporting.h"
+
+#include "core/io/document_file.h"
+#include "core/io/error_text.h"
+#include "core/io/obj_writer.h"
+#include "core/session/cutting_file.h"
+#include "ui/files/failures.h"
+#include "ui/files/progress.h"
+#include "ui/lengths.h"
+#include "ui/message_bar.h"
+#include "ui/status_line.h"
+#include "ui/workbench.h"
+
+#include <QFileDialog>
+#include <QFileInfo>
+
+namespace fff::ui {
+
+namespace {
+
+const QString kDrawing = QStringLiteral("svg"), kSolids = QStringLiteral("obj");
+
+/// Both steps of an export on the other thread: making and writing.
+struct Exported
+{
+    CuttingFile file;
+    Result<void> written;
+};
+
+} // namespace
+
+Exporting::Exporting(Workbench &bench, MessageBar &messages, StatusLine &status, QWidget &window)
+    : QObject(&window), m_bench(bench), m_messages(messages), m_status(status), m_window(window)
+{
+}
+
+bool Exporting::ask(const QString &suggestion)
+{
+    const QString drawings = tr("Drawings for cutters (*.svg)"),
+                  solids = tr("Solids for other programs (*.obj)");
+    QFileDialog dialog(&m_window, tr("Export cutting files"), QFileInfo(suggestion).absolutePath(),
+                       drawings + QStringLiteral(";;") + solids);
+    dialog.setAttribute(Qt::WA_WindowPropagation);
+    dialog.setAcceptMode(QFileDialog::AcceptSave);
+    dialog.setDefaultSuffix(kDrawing);
+    dialog.selectFile(QFileInfo(suggestion).fileName() + u'.' + kDrawing);
+    connect(&dialog, &QFileDialog::filterSelected, &dialog, [&](const QString &filter) {
+        const QString suffix = filter == solids ? kSolids : kDrawing;
+        dialog.setDefaultSuffix(suffix);
+        const QFileInfo chosen(dialog.selectedFiles().value(0));
+        if (!chosen.isDir())
+            dialog.selectFile(chosen.completeBaseName() + u'.' + suffix);
+    });
+    // The dialog asks before overwriting, also when it has put the suffix there itself.
+    return dialog.exec() == QDialog::Accepted && write(dialog.selectedFiles().value(0));
+}
+
+bool Exporting::write(const QString &path)
+{
+    if (m_bench.session().hasPreview())
+        m_bench.escape(); // a section that is still being drawn is not cut
+    if (!finishAnalysis(QFileInfo(path).fileName()))
+        return false;
+    const bool isSolids = QFileInfo(path).suffix().compare(kSolids, Qt::CaseInsensitive) == 0;
+    return isSolids ? writeSolids(path) : writeDrawing(path);
+}
+
+/// The slits of the model that is shown are cut on another thread already.
+bool Exporting::finishAnalysis(const QString &name)
+{
+    const Session &session = m_bench.session();
+    return waitWithProgress(m_window, tr("Exporting %1…").arg(name), MayCancel::Yes, [&session] {
+        return session.analysedRevision() == session.revision();
+    });
+}
+
+bool Exporting::writeDrawing(const QString &path)
+{
+    const QString name = QFileInfo(path).fileName();
+    const Analysis analysis = m_bench.session().analysis();
+    const auto exported =
+        inBackground<Result<Exported>>(m_window, tr("Exporting %1…").arg(name), MayCancel::No,
+                                       [analysis, path]() -> Result<Exported> {
+                                           Result<CuttingFile> file = makeCuttingFile(analysis);
+                                           if (!file)
+                                               return tl::unexpected(file.error());
+                                           Result<void> written = io::writeFile(path, file->svg);
+                                           return Exported{std::move(*file), std::move(written)};
+                                       });
+    if (!*exported)
+        return tellFailure(path, exported->error());
+    if (!(*exported)->written)
+        return tellFailure(path, (*exported)->written.error());
+    const CuttingFile &file = (*exported)->file;
+    m_messages.show(MessageBar::Severity::Warning, warningsOf(file)); // hides without any
+    const QString parts = tr("%n part(s)", nullptr, file.partCount);
+    const QString sheets = tr("%n sheet(s)", nullptr, file.sheetCount);
+    const QLocale locale = m_window.locale();
+    m_status.say(file.slitWidth && *file.slitWidth > 0.0
+                     ? tr("Exported %1 on %2 to %3; slits are drawn %4\u202fmm wide.")
+                           .arg(parts, sheets, name, locale.toString(*file.slitWidth, 'f', 2))
+                     : tr("Exported %1 on %2 to %3.").arg(parts, sheets, name));
+    return true;
+}
+
+bool Exporting::writeSolids(const QString &path)
+{
+    const QString name = QFileInfo(path).fileName();
+    const Analysis analysis = m_bench.session().analysis();
+    if (analysis.model.sectionCount() == 0)
+        return tellFailure(path, Error{ErrorCode::NothingToExport, {}, {}});
+    const auto written = inBackground<Result<void>>(
+        m_window, tr("Exporting %1…").arg(name), MayCancel::No, [analysis, path] {
+            return io::writeFile(path, io::writeObj(analysis.model, analysis.cuts));
+        });
+    if (!*written)
+        return tellFailure(path, written->error());
+    m_messages.hide();
+    m_status.say(
+        tr("Exported %1 as solids to %2.")
+            .arg(tr("%n section(s)", nullptr, static_cast<int>(analysis.model.sectionCount())),
+                 name));
+    return true;
+}
+
+bool Exporting::tellFailure(const QString &path, const Error &error)
+{
+    const QString base = QFileInfo(path).absolutePath() + u'/' + QFileInfo(path).completeBaseName();
+    m_messages.show(MessageBar::Severity::Error, {saveFailure(path, error)},
+                    {{tr("Export somewhere else…"), [this, base] { ask(base); }}},
+                    failureDetails(path, error));
+    return false;
+}
+
+QStringList Exporting::warningsOf(const CuttingFile &file)
+{
+    QStringList warnings;
+    for (const std::string &section : file.oversized) {
+        warnings += tr("%1 is larger than the sheet. It lies on a sheet of its own size.")
+                        .arg(QString::fromStdString(section));
+    }
+    for (const std::string &section : file.unmarked)
+        warnings += tr("%1 is too slim to carry its number.").arg(QString::fromStdString(section));
+    for (const std::string &section : file.closedSlits) {
+        warnings += tr("The kerf is as wide as the slits of %1: they would be closed.")
+                        .arg(QString::fromStdString(section));
+    }
+    return warnings;
+}
+
+} // namespace fff::ui

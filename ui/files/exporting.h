@@ -1,0 +1,46 @@
+// Export: asks for a file, writes the parts for a cutter or the solids for another program, and
+// says what to look out for. The window stays alive meanwhile.
+#pragma once
+
+#include <QObject>
+#include <QStringList>
+
+class QWidget;
+
+namespace fff {
+struct CuttingFile;
+struct Error;
+} // namespace fff
+
+namespace fff::ui {
+
+class MessageBar;
+class StatusLine;
+class Workbench;
+
+class Exporting : public QObject
+{
+    Q_OBJECT
+public:
+    Exporting(Workbench &bench, MessageBar &messages, StatusLine &status, QWidget &window);
+
+    /// suggestion  path without a suffix
+    bool ask(const QString &suggestion);
+    /// What it writes follows from the suffix: .obj has solids, all else the drawing. False when
+    /// nothing was written.
+    bool write(const QString &path);
+
+private:
+    bool writeDrawing(const QString &path);
+    bool writeSolids(const QString &path);
+    bool finishAnalysis(const QString &name);
+    bool tellFailure(const QString &path, const fff::Error &error);
+    static QStringList warningsOf(const CuttingFile &file);
+
+    Workbench &m_bench;
+    MessageBar &m_messages;
+    StatusLine &m_status;
+    QWidget &m_window;
+};
+
+} // namespace fff::ui

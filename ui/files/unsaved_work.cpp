@@ -1,0 +1,105 @@
+#include "ui/files/unsaved_work.h"
+
+#include "core/io/error_text.h"
+#include "core/session/autosave.h"
+#include "ui/files/document_files.h"
+#include "ui/message_bar.h"
+#include "ui/settings/settings.h"
+#include "ui/start/ago_text.h"
+#include "ui/workbench.h"
+
+#include <QFileInfo>
+
+#include <optional>
+
+namespace fff::ui {
+
+namespace {
+
+constexpr int kMilliseconds = 1000; // a second
+
+QString folder()
+{
+    return Settings::dataFolder() + QStringLiteral("/recovery");
+}
+
+std::optional<RecoveryEntry> entryOf(const QString &id)
+{
+    for (const RecoveryEntry &entry : listRecoverable(folder())) {
+        if (entry.slot == id)
+            return entry;
+    }
+    return std::nullopt;
+}
+
+} // namespace
+
+UnsavedWork::UnsavedWork(Workbench &bench, DocumentFiles &files, MessageBar &messages,
+                         QObject *parent)
+    : QObject(parent), m_bench(bench), m_files(files), m_messages(messages),
+      m_autosave(std::make_unique<Autosave>(bench.session(), folder()))
+{
+    connect(&settings(), &Settings::autosaveChanged, this, &UnsavedWork::follow);
+    connect(&files, &DocumentFiles::pathChanged, this, &UnsavedWork::follow);
+    connect(m_autosave.get(), &Autosave::failed, this, [this](const Error &error) {
+        m_messages.show(
+            MessageBar::Severity::Warning,
+            {tr("Unsaved work cannot be kept for the case of a crash. Save it to be safe.")}, {},
+            io::errorText(error));
+    });
+    follow();
+}
+
+UnsavedWork::~UnsavedWork() = default;
+
+void UnsavedWork::follow()
+{
+    m_autosave->setInterval(settings().autosaveInterval() * kMilliseconds);
+    m_autosave->setDocument(m_files.path(), m_files.name());
+}
+
+bool UnsavedWork::adopt(const QString &id)
+{
+    const std::optional<RecoveryEntry> entry = entryOf(id);
+    if (!entry) {
+        m_messages.show(MessageBar::Severity::Warning, {tr("This work was opened or discarded in "
+                                                           "another window.")});
+        return false;
+    }
+    if (const Result<void> done = m_autosave->adopt(*entry); !done) {
+        m_messages.show(
+            MessageBar::Severity::Error,
+            {tr("What was kept could not be opened: %1.").arg(io::errorSentence(done.error()))}, {},
+            io::errorText(done.error()));
+        return false;
+    }
+    m_files.showRecovered(entry->originalPath, entry->name, entry->time);
+    return true;
+}
+
+void UnsavedWork::discard()
+{
+    m_autosave->discard();
+}
+
+std::vector<RecoveredWork> UnsavedWork::recoverable()
+{
+    std::vector<RecoveredWork> works;
+    const QDateTime now = QDateTime::currentDateTime();
+    for (const RecoveryEntry &entry : listRecoverable(folder())) {
+        const QString name = entry.name.isEmpty() ? tr("untitled") : entry.name;
+        //: %1 is a model's name, %2 how many steps, %3 when: "untitled, 14 steps, 2 minutes ago"
+        works.push_back({entry.slot, tr("%1, %2, %3")
+                                         .arg(name, tr("%n step(s)", nullptr, entry.steps),
+                                              agoText(entry.time.toLocalTime(), now, QLocale()))});
+    }
+    return works;
+}
+
+void UnsavedWork::forget(const QString &id)
+{
+    if (const std::optional<RecoveryEntry> entry = entryOf(id))
+        discardRecoverable(*entry);
+}
+
+} // namespace fff::ui
