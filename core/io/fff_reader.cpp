@@ -1,5 +1,6 @@
 #include "core/base/tolerances.h"
 #include "core/io/fff_format.h"
+#include "core/io/fff_migration.h"
 #include "core/io/json_cursor.h"
 #include "core/io/json_syntax.h"
 #include "core/io/mended_shape.h"
@@ -286,8 +287,7 @@ Result<LoadedDocument> readFff(std::string_view bytes, const std::string &name)
     if (json.object().value(QLatin1String("format")) != QLatin1String("FlatFitFab"))
         return failure(ErrorCode::NotAModel, name);
 
-    const JsonCursor root(json.object(), "$", problems);
-    const JsonCursor versionCursor = root.member("version");
+    const JsonCursor versionCursor = JsonCursor(json.object(), "$", problems).member("version");
     const std::int64_t version = versionCursor.integer(1, kMaxId);
     if (version > kFffVersion)
         versionCursor.fail(ErrorCode::NewerVersion,
@@ -296,7 +296,7 @@ Result<LoadedDocument> readFff(std::string_view bytes, const std::string &name)
         return tl::unexpected(*problems.error);
 
     FffReader reader(problems);
-    Document document = reader.read(root);
+    Document document = reader.read({migrated(json.object(), version), "$", problems});
     if (problems.failed())
         return tl::unexpected(*problems.error);
     return LoadedDocument{std::move(document), std::move(problems.warnings), ModelFormat::Fff};

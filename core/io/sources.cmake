@@ -1,6 +1,7 @@
 target_sources(fff_io PRIVATE
     document_file.cpp
     error_text.cpp
+    fff_migration.cpp
     fff_reader.cpp
     fff_writer.cpp
     file_set.cpp

@@ -263,10 +263,11 @@ Result<Vec2> readViewport(const QJsonObject &script)
 
 Result<QJsonObject> readScript(const QByteArray &script)
 {
+    const QByteArray text = script.mid(script.startsWith("\xEF\xBB\xBF") ? 3 : 0);
     QJsonParseError error;
-    const QJsonDocument document = QJsonDocument::fromJson(script, &error);
+    const QJsonDocument document = QJsonDocument::fromJson(text, &error);
     if (error.error != QJsonParseError::NoError) {
-        const auto line = script.left(error.offset).count('\n') + 1;
+        const auto line = text.left(error.offset).count('\n') + 1;
         return failure(ErrorCode::BadSyntax, std::to_string(line),
                        {error.errorString().toStdString(), "JSON"});
     }

@@ -1,6 +1,7 @@
 // Small models and texts that the tests of core/io share.
 #pragma once
 
+#include "core/io/error_text.h"
 #include "core/model/edits.h"
 
 #include <QtCore/QtGlobal>
@@ -99,6 +100,22 @@ inline std::string replacedOnce(std::string text, const std::string &from, const
     if (at == std::string::npos)
         qFatal("the text has no \"%s\"", from.c_str());
     return text.replace(at, from.size(), to);
+}
+
+/// What is wrong with how an error reads; empty when it is one line that begins with its place and
+/// goes on with a sentence.
+inline QString unclear(const Error &error)
+{
+    const QString text = io::errorText(error), sentence = io::errorSentence(error);
+    for (const QChar c : text) {
+        if (c.category() == QChar::Other_Control || c.category() == QChar::Separator_Line)
+            return QStringLiteral("not one line: ") + text;
+    }
+    if (error.place.empty() || !text.startsWith(QString::fromStdString(error.place)))
+        return QStringLiteral("no place: ") + text;
+    if (sentence.trimmed().size() < 10 || sentence.size() > 300)
+        return QStringLiteral("no sentence: ") + text;
+    return {};
 }
 
 } // namespace fff::test

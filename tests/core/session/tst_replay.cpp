@@ -3,6 +3,7 @@
 #include "core/model/edits.h"
 #include "core/session/replay.h"
 #include "core/session/session_host.h"
+#include "tests/core/io/io_samples.h"
 
 #include <QFile>
 
@@ -226,6 +227,20 @@ void TestReplay::badScripts_data()
     whole("events that are no array", "{\"viewport\": [1280, 800], \"events\": {}}",
           ErrorCode::BadValue, "events");
 
+    whole("no bytes", "", ErrorCode::BadSyntax, "1");
+    whole("no text", QByteArray("\x89PNG\r\n\x1a\n\0\0", 10), ErrorCode::BadSyntax, "1");
+    whole("a number", "17", ErrorCode::BadSyntax, "1");
+    whole("a thousand levels", QByteArray(3000, '['), ErrorCode::BadSyntax, "1");
+    whole("NaN", "{\"viewport\":\n[NaN, 800], \"events\": []}", ErrorCode::BadSyntax, "2");
+    whole("a viewport larger than any", "{\"viewport\": [1e9, 800], \"events\": []}",
+          ErrorCode::BadValue, "viewport");
+    whole("a viewport of words", "{\"viewport\": [\"a\", \"b\"], \"events\": []}",
+          ErrorCode::BadValue, "viewport");
+    whole("a viewport with line ends", "{\"viewport\": \"a\\nb\", \"events\": []}",
+          ErrorCode::BadValue, "viewport");
+    whole("events with line ends", "{\"viewport\": [1280, 800], \"events\": \"\\u0085\\u001b\"}",
+          ErrorCode::BadValue, "events");
+
     const auto row = [](const char *name, const QByteArray &events, int index = 0) {
         QTest::newRow(name) << script(events) << int(ErrorCode::BadEvent)
                             << QStringLiteral("events[%1]").arg(index);
@@ -260,6 +275,23 @@ void TestReplay::badScripts_data()
         R"({"type": "command", "name": "edit.undo", "parameters": {"a": []}})");
     row("an unknown key", R"({"type": "key", "key": "Hyper"})");
     row("a key that is no text", R"({"type": "key", "key": 1})");
+    row("an event that is null", "null");
+    row("an event in an event", R"([{"type": "wait", "ms": 1}])");
+    row("a type with line ends", R"({"type": "a\nb\u001b\u0085\u2028"})");
+    row("a view with line ends", R"({"type": "view", "name": "a\nb"})");
+    row("a command with line ends", R"({"type": "command", "name": "edit.\n\u009f"})");
+    row("a key with line ends", R"({"type": "key", "key": "\r\n"})");
+    row("a parameter with line ends",
+        R"({"type": "command", "name": "edit.undo", "parameters": {"a\nb": []}})");
+    row("a name of a million letters",
+        "{\"type\": \"command\", \"name\": \"" + QByteArray(1'000'000, 'x') + "\"}");
+    row("time in words", R"({"type": "move", "x": 1, "y": 1, "t": "now"})");
+    row("a button that is no text", R"({"type": "press", "x": 1, "y": 1, "button": 1})");
+    row("steps in words", R"({"type": "wheel", "x": 1, "y": 1, "steps": "two"})");
+    row("a view without a name", R"({"type": "view"})");
+    row("a command without a name", R"({"type": "command"})");
+    row("a key without a key", R"({"type": "key"})");
+    row("a wait in words", R"({"type": "wait", "ms": "long"})");
     row("a wheel without steps", R"({"type": "wheel", "x": 1, "y": 1})");
 }
 
@@ -274,6 +306,7 @@ void TestReplay::badScripts()
     QCOMPARE(int(done.error().code), code);
     QCOMPARE(QString::fromStdString(done.error().place), place);
     QCOMPARE(done.error().args.size(), std::size_t(2));
+    QCOMPARE(test::unclear(done.error()), QString());
 }
 
 void TestReplay::eventsBeforeABadOneHaveHappened()
