@@ -47,6 +47,9 @@ const FaceAxes &axesOf(const CubePart &face)
     return faces().front();
 }
 
+/// Part of a face that rounding may take from it: no gap opens between two of them.
+constexpr double kRounding = 1e-6;
+
 /// -1, 0 or 1: the zone of a coordinate that runs from -1 to 1 over a face.
 int zone(double u)
 {
@@ -117,7 +120,7 @@ std::optional<CubePart> cubePartAt(const Vec2 &screen, const Eigen::Quaterniond 
         if (area == 0.0)
             continue;
         const double u = cross(d, face.up) / area, v = cross(face.right, d) / area;
-        if (std::abs(u) > 1.0 || std::abs(v) > 1.0)
+        if (std::abs(u) > 1.0 + kRounding || std::abs(v) > 1.0 + kRounding)
             continue;
         const FaceAxes &axes = axesOf(face.part);
         return partOf(direction(face.part) + zone(u) * axes.right + zone(v) * axes.up);

@@ -14,3 +14,8 @@ set_tests_properties(ui/tst_main_window PROPERTIES LABELS gl ENVIRONMENT "QT_QPA
 # Pictures without a window still need a display's OpenGL.
 fff_test(ui/tst_offscreen_image fff::view)
 set_tests_properties(ui/tst_offscreen_image PROPERTIES LABELS gl ENVIRONMENT "QT_QPA_PLATFORM=xcb")
+fff_test(ui/view/tst_cut_caps fff::view)
+fff_test(ui/view/tst_frame_pace fff::view)
+fff_test(ui/view/tst_renderer fff::view)
+set_tests_properties(ui/view/tst_renderer PROPERTIES LABELS gl ENVIRONMENT "QT_QPA_PLATFORM=xcb")
+fff_test(ui/view/tst_slit_covers fff::view)

@@ -17,6 +17,7 @@
 #include "ui/viewport.h"
 #include "ui/workbench.h"
 
+#include <QAction>
 #include <QApplication>
 #include <QDoubleSpinBox>
 #include <QLineEdit>
@@ -59,6 +60,8 @@ private Q_SLOTS:
     void anUnreadableFileChangesNothing();
     void importsKeepTheirTitleAndAskForAName();
     void nothingIsPaintedWhenNothingChanges();
+    void movingOverTheSamePaintsNothing();
+    void viewActionsShowTheirState();
     void lettersWorkOnlyInTheView();
     void narrowWindowsHaveOneColumn();
 
@@ -595,6 +598,47 @@ void TestMainWindow::nothingIsPaintedWhenNothingChanges()
     const int painted = m_view->paintCount();
     QTest::qWait(400);
     QCOMPARE(m_view->paintCount(), painted);
+}
+
+void TestMainWindow::movingOverTheSamePaintsNothing()
+{
+    drawFirst();
+    for (const QPoint &start : {onScreen(worldBounds(*first().shape, first().frame).center()),
+                                QPoint(m_view->width() / 2, 14)}) {
+        move(start);
+        QTest::qWait(1200); // its name is shown
+        const int painted = m_view->paintCount();
+        for (int i = 0; i < 8; ++i)
+            move(start + QPoint(i, 0));
+        QTest::qWait(200);
+        QCOMPARE(m_view->paintCount(), painted);
+    }
+}
+
+void TestMainWindow::viewActionsShowTheirState()
+{
+    drawFirst();
+    const auto action = [this](const char *id) {
+        return m_window->findChild<QAction *>(QLatin1String(id));
+    };
+    QVERIFY(!action("view.xray")->isChecked());
+    QTest::keyClick(m_view, Qt::Key_X);
+    QVERIFY(action("view.xray")->isChecked());
+    QVERIFY(m_window->bench().interaction().view().isXray);
+    QTest::keyClick(m_view, Qt::Key_V);
+    QVERIFY(action("view.perspective")->isChecked());
+    QTest::keyClick(m_view, Qt::Key_C);
+    QVERIFY(action("view.clip")->isChecked());
+    m_window->bench().select({});
+    QTest::keyClick(m_view, Qt::Key_Escape);
+    QVERIFY(!action("view.clip")->isChecked());
+    const SectionRef ref = session().committed().ref(0);
+    QVERIFY(!action("view.showAll")->isEnabled());
+    m_window->bench().setHidden(ref, true);
+    QVERIFY(m_window->bench().isHidden(ref));
+    QVERIFY(action("view.showAll")->isEnabled());
+    QTest::keyClick(m_view, Qt::Key_H, Qt::ShiftModifier);
+    QVERIFY(!m_window->bench().isHidden(ref));
 }
 
 void TestMainWindow::lettersWorkOnlyInTheView()

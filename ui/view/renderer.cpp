@@ -15,7 +15,7 @@ namespace fff::ui {
 namespace {
 
 constexpr double kGhostFace = 0.26, kGhostEdge = 0.40; // opacity
-constexpr double kXrayFace = 0.24, kXrayEdge = 0.85;
+constexpr double kXrayFace = 0.20, kXrayEdge = 0.60;
 constexpr double kEdgeOn = 1e-3;           // sine of the angle to the ground
 constexpr double kHiddenOutline = 0.4;     // opacity
 constexpr double kHoverOutline = 0.6;      // opacity

@@ -33,6 +33,14 @@ public:
         camera.millimetresPerPixel = between(0.05, 2.0);
         return camera;
     }
+    Camera camera(Projection projection)
+    {
+        Camera result = camera();
+        result.projection = projection;
+        if (projection == Projection::Perspective) // the points below stand before the eye
+            result.millimetresPerPixel = between(0.8, 2.0);
+        return result;
+    }
 
 private:
     std::mt19937 m_engine;
@@ -65,6 +73,18 @@ private Q_SLOTS:
     void facingLaws();
     void facingExamples_data();
     void facingExamples();
+    static void bothProjections_data();
+    void screenAndWorldAreInverseInBoth_data() { bothProjections_data(); }
+    void screenAndWorldAreInverseInBoth();
+    void pinnedPointsStayInBoth_data() { bothProjections_data(); }
+    void pinnedPointsStayInBoth();
+    void zoomKeepsAllThatIsUnderTheCursor();
+    void retargetingKeepsThePicture_data() { bothProjections_data(); }
+    void retargetingKeepsThePicture();
+    void orbitKeepsTheDistance();
+    void fittedShowsTheWholeBoxInPerspective();
+    void switchingKeepsTheSizeAtTheTarget();
+    void fartherIsSmallerInPerspective();
 };
 
 void TestCamera::screenAndWorldAreInverse()
@@ -250,6 +270,144 @@ void TestCamera::facingExamples()
     camera.orientation = facingOrientation(camera.orientation, normal);
     QVERIFY((camera.backward() - backward).norm() < 1e-9);
     QVERIFY((camera.up() - up).norm() < 1e-9);
+}
+
+void TestCamera::bothProjections_data()
+{
+    QTest::addColumn<Projection>("projection");
+    QTest::newRow("orthographic") << Projection::Orthographic;
+    QTest::newRow("perspective") << Projection::Perspective;
+}
+
+void TestCamera::screenAndWorldAreInverseInBoth()
+{
+    QFETCH(Projection, projection);
+    Random random(11);
+    for (int i = 0; i < 200; ++i) {
+        const Camera camera = random.camera(projection);
+        const Vec2 pixel = random.pixel();
+        const Ray ray = camera.rayThrough(pixel, kViewport);
+        QVERIFY(std::abs(ray.direction.norm() - 1.0) < 1e-12);
+        const double depth = camera.eyeDistance(kViewport) * random.between(0.1, 1.5);
+        QVERIFY((camera.toScreen(ray.origin + depth * ray.direction, kViewport) - pixel).norm() <
+                1e-5);
+        // And the ray through where a point is seen goes through the point.
+        const Vec3 point = camera.target + 0.3 * (random.point() - camera.target);
+        if (camera.scaleAt(point, kViewport) < 0.01)
+            continue; // beside or behind the eye
+        const Ray back = camera.rayThrough(camera.toScreen(point, kViewport), kViewport);
+        QVERIFY((point - back.origin).cross(back.direction).norm() < 1e-6);
+    }
+}
+
+void TestCamera::pinnedPointsStayInBoth()
+{
+    QFETCH(Projection, projection);
+    Random random(12);
+    for (int i = 0; i < 100; ++i) {
+        const Camera camera = random.camera(projection);
+        const Vec3 point = camera.target + 0.3 * random.point();
+        const Vec2 pixel = random.pixel(), drag = 0.3 * (random.pixel() - random.pixel());
+        const auto offBy = [&](const Camera &c, const Vec3 &p, const Vec2 &at) {
+            return (c.toScreen(p, kViewport) - at).norm();
+        };
+        QVERIFY(offBy(pinned(camera, point, pixel, kViewport), point, pixel) < 1e-6);
+        const Vec3 under = camera.pointAt(pixel, kViewport);
+        QVERIFY(offBy(panned(camera, pixel, pixel + drag, kViewport), under, pixel + drag) < 1e-6);
+        const Vec2 place = camera.toScreen(point, kViewport);
+        QVERIFY(offBy(orbited(camera, drag, point, kViewport), point, place) < 1e-6);
+        const Camera facing = turned(camera, random.camera().orientation, point, kViewport);
+        QVERIFY(offBy(facing, point, place) < 1e-6);
+        QVERIFY(std::abs(facing.scaleAt(point, kViewport) - camera.scaleAt(point, kViewport)) <
+                1e-9);
+    }
+}
+
+/// In perspective the eye moves along the cursor's ray, so that depth does not matter.
+void TestCamera::zoomKeepsAllThatIsUnderTheCursor()
+{
+    Random random(13);
+    for (int i = 0; i < 100; ++i) {
+        const Camera camera = random.camera(Projection::Perspective);
+        const Vec2 pixel = random.pixel();
+        const Camera near = zoomed(camera, random.between(0.5, 2.0), pixel, kViewport);
+        const Ray ray = camera.rayThrough(pixel, kViewport);
+        for (const double depth : {0.6, 1.0, 1.7}) {
+            const Vec3 point = ray.origin + depth * camera.eyeDistance(kViewport) * ray.direction;
+            if (near.scaleAt(point, kViewport) > 0.01)
+                QVERIFY((near.toScreen(point, kViewport) - pixel).norm() < 1e-6);
+        }
+    }
+}
+
+void TestCamera::retargetingKeepsThePicture()
+{
+    QFETCH(Projection, projection);
+    Random random(14);
+    for (int i = 0; i < 100; ++i) {
+        const Camera camera = random.camera(projection);
+        const Vec3 depth = camera.target + 0.3 * random.point();
+        const Camera other = retargeted(camera, depth, kViewport);
+        for (int k = 0; k < 5; ++k) {
+            const Vec3 point = camera.target + 0.3 * random.point();
+            QVERIFY((camera.toScreen(point, kViewport) - other.toScreen(point, kViewport)).norm() <
+                    1e-6);
+        }
+        QVERIFY(std::abs(other.backward().dot(other.target - depth)) < 1e-6);
+    }
+    // Nothing behind the eye is a target.
+    Camera camera = random.camera(Projection::Perspective);
+    const Vec3 behind = camera.eye(kViewport) + 10.0 * camera.backward();
+    QCOMPARE(retargeted(camera, behind, kViewport).millimetresPerPixel, camera.millimetresPerPixel);
+}
+
+void TestCamera::orbitKeepsTheDistance()
+{
+    Random random(15);
+    Camera camera = random.camera(Projection::Perspective);
+    const Vec3 pivot = camera.target + Vec3(20.0, -10.0, 40.0);
+    const double before = (camera.eye(kViewport) - pivot).norm();
+    for (int i = 0; i < 20; ++i)
+        camera = orbited(camera, {7.0, i % 2 ? 5.0 : -3.0}, pivot, kViewport);
+    QVERIFY(std::abs((camera.eye(kViewport) - pivot).norm() - before) < 1e-6);
+}
+
+void TestCamera::fittedShowsTheWholeBoxInPerspective()
+{
+    Random random(16);
+    for (int i = 0; i < 100; ++i) {
+        Box3 box;
+        box.extend(random.point());
+        if (i % 5)
+            box.extend(random.point());
+        const Vec2 viewport = i % 2 ? kViewport : Vec2(500.0, 900.0);
+        const Camera camera = fitted(random.camera(Projection::Perspective), box, viewport);
+        for (int corner = 0; corner < 8; ++corner) {
+            const Vec3 p(corner & 1 ? box.min.x() : box.max.x(),
+                         corner & 2 ? box.min.y() : box.max.y(),
+                         corner & 4 ? box.min.z() : box.max.z());
+            QVERIFY(camera.backward().dot(camera.eye(viewport) - p) > 0.0); // before the eye
+            const Vec2 pixel = camera.toScreen(p, viewport);
+            QVERIFY((pixel.array() > 0.0).all() && (pixel.array() < viewport.array()).all());
+        }
+    }
+}
+
+void TestCamera::switchingKeepsTheSizeAtTheTarget()
+{
+    Random random(17);
+    Camera flat = random.camera(), deep = flat;
+    deep.projection = Projection::Perspective;
+    const Vec3 beside = flat.target + 30.0 * flat.right() + 12.0 * flat.up();
+    QVERIFY((flat.toScreen(beside, kViewport) - deep.toScreen(beside, kViewport)).norm() < 1e-9);
+}
+
+void TestCamera::fartherIsSmallerInPerspective()
+{
+    Camera camera;
+    camera.projection = Projection::Perspective;
+    const Vec3 near(50.0, 0.0, 40.0), far(50.0, 0.0, -40.0);
+    QVERIFY(camera.toScreen(near, kViewport).x() > camera.toScreen(far, kViewport).x() + 1.0);
 }
 
 QTEST_APPLESS_MAIN(TestCamera)

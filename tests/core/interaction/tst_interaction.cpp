@@ -138,6 +138,16 @@ private Q_SLOTS:
     void deletedSectionsAreForgotten();
     void animationsRunOnTheEventsClock();
     void viewCommands();
+    void hiddenSectionsAreNotPicked();
+    void isolatedSectionsArePickedThroughTheOthers();
+    void aCutIsPickedThrough();
+    void aCutIsDraggedAndClosed();
+    void theCubeTurnsTheView();
+    void previousViewGoesBack();
+    void perspectiveKeepsWhatIsUnderTheCursor();
+    void strokesInPerspectiveLieOnTheirPlane();
+    void namesAppearWhenTheCursorRests();
+    void markingProblemsDisturbsNoStroke();
 };
 
 void TestInteraction::firstSectionLiesOnTheFirstPlane()
@@ -607,6 +617,231 @@ void TestInteraction::viewCommands()
     const Result<void> unknown = desk.commands.run("edit.fly");
     QVERIFY(!unknown);
     QCOMPARE(unknown.error().code, ErrorCode::UnknownCommand);
+}
+
+void TestInteraction::hiddenSectionsAreNotPicked()
+{
+    Desk desk;
+    desk.addPlate();
+    desk.addPlate(50.0);
+    const Vec2 middle = desk.plate(0, 0);
+    desk.click(middle);
+    QCOMPARE(desk.interaction.selection().front(), desk.session.committed().ref(1));
+    QVERIFY(desk.commands.run("view.hide"));
+    QVERIFY(desk.interaction.selection().empty());
+    QVERIFY(desk.interaction.view().isHidden(desk.session.committed().ref(1)));
+    desk.click(middle);
+    QCOMPARE(desk.interaction.selection().front(), desk.session.committed().ref(0));
+    QVERIFY(desk.commands.isEnabled("view.showAll"));
+    QVERIFY(desk.commands.run("view.showAll"));
+    desk.moveTo({600.0, 600.0});
+    desk.click(middle);
+    QCOMPARE(desk.interaction.selection().front(), desk.session.committed().ref(1));
+    // Not of the document: nothing to undo but the two plates.
+    QCOMPARE(desk.session.history()->index(), 2);
+}
+
+void TestInteraction::isolatedSectionsArePickedThroughTheOthers()
+{
+    Desk desk;
+    desk.addPlate();
+    desk.addPlate(50.0);
+    QVERIFY(!desk.commands.isEnabled("view.isolate"));
+    desk.interaction.select({desk.session.committed().ref(0)});
+    QVERIFY(desk.commands.run("view.isolate"));
+    desk.moveTo(desk.plate(0, 0));
+    QCOMPARE(desk.interaction.overlay().hovered, 0);
+    desk.interaction.select({});
+    QVERIFY(desk.interaction.escape(desk.time));
+    desk.moveTo(desk.plate(5, 0));
+    QCOMPARE(desk.interaction.overlay().hovered, 1);
+}
+
+void TestInteraction::aCutIsPickedThrough()
+{
+    Desk desk;
+    desk.addPlate();
+    desk.addPlate(50.0);
+    ViewState view;
+    view.clip = ClipPlane{Vec3(0, 0, 25), Vec3::UnitZ()}; // takes the plate before
+    desk.interaction.setView(view);
+    desk.moveTo(desk.plate(40, 30));
+    QCOMPARE(desk.interaction.overlay().hovered, 0);
+    // Of a plate that is cut through, what is left of it.
+    view.clip = ClipPlane{Vec3(0, 0, 0), Vec3::UnitX()};
+    desk.interaction.setView(view);
+    desk.moveTo(desk.plate(40, 30));
+    QCOMPARE(desk.interaction.overlay().hovered, -1);
+    desk.moveTo(desk.plate(-40, 30));
+    QCOMPARE(desk.interaction.overlay().hovered, 1);
+}
+
+void TestInteraction::aCutIsDraggedAndClosed()
+{
+    Desk desk;
+    desk.addPlate();
+    desk.addPlate(50.0);
+    QVERIFY(desk.commands.run("view.clip"));
+    QVERIFY(desk.interaction.view().clip);
+    const ClipPlane before = *desk.interaction.view().clip;
+    QVERIFY((before.normal - desk.interaction.camera().backward()).norm() < 1e-12);
+    const Vec2 handle = desk.plate(0, 0);
+    desk.moveTo(handle);
+    QCOMPARE(desk.hint(), Hint::Kind::MoveCut);
+    desk.drag({handle, handle + Vec2(0, 20)});
+    // Down is towards oneself, in millimetres of the screen.
+    const double moved = before.height(desk.interaction.view().clip->point);
+    QVERIFY(std::abs(moved - 20.0 * desk.interaction.camera().millimetresPerPixel) < 1e-6);
+    QCOMPARE(desk.sections().size(), std::size_t(2)); // nothing was drawn
+    // It stays at the model, however far one drags; Esc during the drag puts it back.
+    desk.press(handle);
+    desk.moveTo(handle + Vec2(0, 5000));
+    QVERIFY(std::abs(desk.interaction.view().clip->point.z()) < 60.0);
+    desk.interaction.escape(desk.time);
+    QVERIFY(std::abs(before.height(desk.interaction.view().clip->point) - moved) < 1e-6);
+    desk.release(handle);
+    QVERIFY(desk.interaction.escape(desk.time));
+    QVERIFY(!desk.interaction.view().clip);
+}
+
+void TestInteraction::theCubeTurnsTheView()
+{
+    Desk desk;
+    desk.addPlate();
+    const Vec2 cube = *cubeCentre(kViewport);
+    desk.moveTo(cube + Vec2(0.45 * kCubeEdge, 0));
+    QVERIFY(desk.interaction.overlay().cubePart);
+    QCOMPARE(desk.hint(), Hint::Kind::LookFrom);
+    desk.click(cube + Vec2(0.45 * kCubeEdge, 0)); // the edge between front and right
+    QVERIFY(desk.interaction.isAnimating());
+    QVERIFY(desk.interaction.selection().empty());
+    desk.wait(390.0);
+    QVERIFY(desk.interaction.isAnimating());
+    desk.wait(20.0);
+    QVERIFY(!desk.interaction.isAnimating());
+    const Vec3 between = Vec3(1, 0, 1).normalized();
+    QVERIFY((desk.interaction.camera().backward() - between).norm() < 1e-9);
+    // A drag on it orbits, also where a stroke would begin otherwise.
+    const Camera before = desk.interaction.camera();
+    desk.drag({cube, cube + Vec2(30, 0)});
+    QVERIFY(!isSameCamera(before, desk.interaction.camera()));
+    QCOMPARE(desk.sections().size(), std::size_t(1));
+}
+
+void TestInteraction::previousViewGoesBack()
+{
+    Desk desk;
+    desk.addPlate();
+    const Camera first = desk.interaction.camera();
+    QVERIFY(!desk.commands.isEnabled("view.previous"));
+    desk.drag({{100, 600}, {180, 640}}, Button::Right);
+    const Camera second = desk.interaction.camera();
+    for (int i = 0; i < 4; ++i) {
+        PointerEvent wheel;
+        wheel.type = Type::Wheel;
+        wheel.position = {400, 300};
+        wheel.wheelSteps = 1.0;
+        wheel.time = desk.time += 8.0;
+        desk.interaction.handle(wheel);
+    }
+    const auto back = [&] {
+        QVERIFY(desk.commands.run("view.previous", {}, desk.time));
+        desk.wait(1000.0);
+    };
+    back(); // four steps of the wheel are one
+    QVERIFY(isSameCamera(second, desk.interaction.camera()));
+    back();
+    QVERIFY(isSameCamera(first, desk.interaction.camera()));
+    QVERIFY(!desk.commands.isEnabled("view.previous"));
+}
+
+void TestInteraction::perspectiveKeepsWhatIsUnderTheCursor()
+{
+    Desk desk;
+    desk.addPlate(120.0); // well before the target
+    QVERIFY(desk.commands.run("view.perspective", {{"on", "true"}}));
+    QVERIFY(desk.interaction.camera().isPerspective());
+    const Vec3 corner(60, kFirstPlaneHeight + 30, 120.0);
+    const Vec2 at = desk.screen(corner);
+    PointerEvent wheel;
+    wheel.type = Type::Wheel;
+    wheel.position = at;
+    wheel.wheelSteps = 2.0;
+    wheel.time = desk.time += 8.0;
+    desk.interaction.handle(wheel);
+    QVERIFY((desk.screen(corner) - at).norm() < 1e-6);
+    desk.drag({at, at + Vec2(70, -40)}, Button::Middle);
+    QVERIFY((desk.screen(corner) - at - Vec2(70, -40)).norm() < 1.5); // on its mid-plane
+    const Vec2 before = desk.screen(corner);
+    QVERIFY(desk.commands.run("view.perspective"));
+    QVERIFY(!desk.interaction.camera().isPerspective());
+    QVERIFY((desk.screen(corner) - before).norm() < 40.0); // the middle keeps its size
+}
+
+/// What is drawn must be where the cursor was, whatever the projection.
+void TestInteraction::strokesInPerspectiveLieOnTheirPlane()
+{
+    Desk desk;
+    desk.addPlate();
+    QVERIFY(desk.commands.run("view.perspective"));
+    desk.press(desk.plate(20, 0));
+    desk.moveTo(desk.plate(110, 0), 3);
+    QCOMPARE(desk.hint(), Hint::Kind::Turning);
+    const Vec3 end = desk.interaction.overlay().slit->to;
+    desk.wait(kTurnTime);
+    QVERIFY((desk.screen(end) - desk.cursor).norm() < 1.0);
+    QCOMPARE(desk.hint(), Hint::Kind::LeaveDeadZone);
+    QVERIFY(std::abs(desk.interaction.overlay().deadZone->radius - 32.0) < 1e-6);
+    const Vec2 start = desk.cursor;
+    const std::vector<Vec2> way{start + Vec2(100, 60), start + Vec2(100, -80),
+                                start + Vec2(-80, -80)};
+    for (const Vec2 &p : way)
+        desk.moveTo(p, 20);
+    desk.release(desk.cursor);
+    QCOMPARE(desk.sections().size(), std::size_t(2));
+    const Section &section = *desk.sections()[1];
+    // Its box, seen from the canvas' view, is that of the way.
+    Box2 drawn;
+    for (const Vec2 &p : section.shape->region().outer)
+        drawn.extend(desk.screen(section.frame.toWorld(p)));
+    QVERIFY(std::abs(drawn.max.x() - (start.x() + 100)) < 6.0);
+    QVERIFY(std::abs(drawn.min.y() - (start.y() - 80)) < 6.0);
+    QVERIFY(std::abs(drawn.max.y() - (start.y() + 60)) < 6.0);
+}
+
+void TestInteraction::namesAppearWhenTheCursorRests()
+{
+    Desk desk;
+    desk.addPlate();
+    desk.moveTo(desk.plate(10, 10));
+    QVERIFY(!desk.interaction.overlay().namePlace);
+    QVERIFY(desk.interaction.wakeTime());
+    desk.wait(390.0);
+    QVERIFY(!desk.interaction.overlay().namePlace);
+    desk.wait(20.0);
+    QVERIFY(desk.interaction.overlay().namePlace);
+    desk.moveTo(desk.cursor + Vec2(5, 0), 1); // a twitch
+    QVERIFY(desk.interaction.overlay().namePlace);
+    desk.moveTo(desk.cursor + Vec2(80, 0));
+    QVERIFY(!desk.interaction.overlay().namePlace);
+    desk.moveTo({20.0, 20.0});
+    QVERIFY(!desk.interaction.wakeTime());
+}
+
+void TestInteraction::markingProblemsDisturbsNoStroke()
+{
+    Desk desk;
+    desk.addPlate();
+    desk.press(desk.plate(20, 0));
+    desk.moveTo(desk.plate(60, 0));
+    QVERIFY(desk.interaction.hasGesture());
+    ViewState view = desk.interaction.view();
+    view.problems.insert(desk.session.committed().ref(0));
+    desk.interaction.setView(view);
+    QVERIFY(desk.interaction.hasGesture());
+    view.hidden.insert(desk.session.committed().ref(0)); // but this takes its ground away
+    desk.interaction.setView(view);
+    QVERIFY(!desk.interaction.hasGesture());
 }
 
 QTEST_GUILESS_MAIN(TestInteraction)
