@@ -11,6 +11,7 @@ uniform vec2 viewport; // drawn pixels
 uniform float width;   // drawn pixels
 uniform float silhouetteWidth;
 uniform float nearer;  // towards the eye, mm
+uniform float overhang; // of half the width, over both ends
 uniform vec4 cutRow;   // gives the height over the plane that cuts the view open, mm
 noperspective out float across; // drawn pixels from the middle
 flat out float halfWidth;
@@ -49,7 +50,7 @@ void main()
     float reach = halfWidth + 0.5; // the last half pixel fades out
     // A little over the ends, so that neighbouring edges leave no gap on the outside of a turn.
     vec2 offset = reach * turn * vec2(-along.y, along.x) +
-                  0.5 * halfWidth * (2.0 * end - 1.0) * along;
+                  overhang * halfWidth * (2.0 * end - 1.0) * along;
     vec3 place = mix(from, to, mix(atA, atB, end));
     vec4 at = mix(start, stop, end);
     vec4 before = toClip * vec4(place + nearer * toEye / scale, 1.0);

@@ -51,17 +51,24 @@ void RenderTarget::bind()
     m_gl.glViewport(0, 0, m_size.width(), m_size.height());
 }
 
-void RenderTarget::copyFrom(const RenderTarget &other)
+void RenderTarget::copy(const RenderTarget &other, GLbitfield what, GLenum filter)
 {
     m_gl.glBindFramebuffer(GL_READ_FRAMEBUFFER, other.m_frame);
     m_gl.glBindFramebuffer(GL_DRAW_FRAMEBUFFER, m_frame);
-    const auto copy = [&](GLbitfield what, GLenum filter) {
-        m_gl.glBlitFramebuffer(0, 0, other.m_size.width(), other.m_size.height(), 0, 0,
-                               m_size.width(), m_size.height(), what, filter);
-    };
-    copy(GL_COLOR_BUFFER_BIT, m_size == other.m_size ? GL_NEAREST : GL_LINEAR);
+    m_gl.glBlitFramebuffer(0, 0, other.m_size.width(), other.m_size.height(), 0, 0, m_size.width(),
+                           m_size.height(), what, filter);
+}
+
+void RenderTarget::copyFrom(const RenderTarget &other)
+{
+    copy(other, GL_COLOR_BUFFER_BIT, m_size == other.m_size ? GL_NEAREST : GL_LINEAR);
+    copyDepthFrom(other);
+}
+
+void RenderTarget::copyDepthFrom(const RenderTarget &other)
+{
     if (m_hasDepth && other.m_hasDepth)
-        copy(GL_DEPTH_BUFFER_BIT, GL_NEAREST);
+        copy(other, GL_DEPTH_BUFFER_BIT, GL_NEAREST);
     bind();
 }
 

@@ -26,6 +26,7 @@ public:
     void bind();
     /// The colours (smoothed when the sizes differ) and depths of another one.
     void copyFrom(const RenderTarget &other);
+    void copyDepthFrom(const RenderTarget &other);
 
     const QSize &size() const { return m_size; }
     bool isEmpty() const { return m_frame == 0; }
@@ -33,6 +34,8 @@ public:
     GLuint depth() const { return m_depth; }
 
 private:
+    void copy(const RenderTarget &other, GLbitfield what, GLenum filter);
+
     Gl &m_gl;
     GLenum m_format;
     bool m_hasDepth;

@@ -461,6 +461,7 @@ void Renderer::Private::drawGhosts(const Scene &scene, const ViewStyle &style)
         painter.edges(i, edgesOf(scene.sections[i], style, kGhostEdge));
     gl.glDepthMask(GL_TRUE);
     gl.glDisable(GL_BLEND);
+    rest.copyDepthFrom(picture); // a ghost covers no outline
 }
 
 void Renderer::Private::drawOutlines(const Scene &scene, const ViewStyle &style)

@@ -108,6 +108,7 @@ SlabPainter::EdgeProgram SlabPainter::edgeProgram(const char *define)
     p.width = at("width");
     p.silhouetteWidth = at("silhouetteWidth");
     p.nearer = at("nearer");
+    p.overhang = at("overhang");
     p.cutRow = at("cutRow");
     p.line = at("line");
     p.opaqueDepth = at("opaqueDepth");
@@ -227,6 +228,8 @@ void SlabPainter::drawEdges(const EdgeLook &look, const Eigen::Matrix4d &place,
     p.program->setUniformValue(p.silhouetteWidth,
                                static_cast<float>(look.silhouetteWidth * m_view.ratio()));
     p.program->setUniformValue(p.nearer, static_cast<float>(look.nearer));
+    // Where lines let something through, their overlaps would be dark dots.
+    p.program->setUniformValue(p.overhang, look.colour.w() < 1.0f ? 0.0f : 0.5f);
     p.program->setUniformValue(p.cutRow, cutRow(m_view.clip, place));
     p.program->setUniformValue(p.line, look.colour);
     m_gl.glBindVertexArray(array);

@@ -64,7 +64,8 @@ private:
     struct EdgeProgram
     {
         std::unique_ptr<QOpenGLShaderProgram> program;
-        int toClip, halfThickness, eye, viewport, width, silhouetteWidth, nearer, cutRow, line;
+        int toClip, halfThickness, eye, viewport, width, silhouetteWidth, nearer, overhang, cutRow,
+            line;
         int opaqueDepth, layerDepth, isFirst;
     };
     static FillProgram fillProgram(const char *define);
