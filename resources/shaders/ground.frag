@@ -26,7 +26,7 @@ void main()
 {
     float fade = 1.0 - smoothstep(0.08, 0.92, length(ground - centre) / radius);
     float fineCover = lines(spacing) * 0.62 * fade;
-    float strongCover = lines(5.0 * spacing) * 0.8 * fade;
+    float strongCover = lines(5.0 * spacing) * 0.72 * fade;
     vec2 place = (ground - shadowBox.xy) / shadowBox.zw;
     vec4 taken = all(greaterThan(place, vec2(0.0))) && all(lessThan(place, vec2(1.0)))
                      ? texture(shadow, place) : vec4(0.0);

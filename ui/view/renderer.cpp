@@ -471,9 +471,11 @@ void Renderer::Private::drawOutlines(const Scene &scene, const ViewStyle &style)
     gl.glDepthMask(GL_FALSE);
     if (view.clip)
         gl.glEnable(GL_CLIP_DISTANCE0);
+    // Wide lines reach far over slanted surfaces: nearer by as many pixels.
+    const double pixel = view.camera.millimetresPerPixel;
     const auto outline = [&](std::size_t i, const QColor &colour, double alpha, double width,
                              double nearer) {
-        painter.edges(i, {premultiplied(colour, alpha), width, width, nearer});
+        painter.edges(i, {premultiplied(colour, alpha), width, width, nearer + width * pixel});
     };
     for (std::size_t i = 0; i < scene.sections.size(); ++i) {
         if (scene.sections[i].isHovered && !scene.sections[i].isSelected)
