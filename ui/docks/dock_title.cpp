@@ -29,6 +29,7 @@ QToolButton *titleButton(QWidget *title, const char *icon, const QString &text)
 void dressDock(QDockWidget *dock, const char *objectName)
 {
     dock->setObjectName(QLatin1String(objectName));
+    dock->setAttribute(Qt::WA_WindowPropagation); // floating it is a window, in the same colours
     auto *title = new QWidget(dock);
     title->setObjectName(QStringLiteral("dockTitle"));
     title->setFixedHeight(kHeight);

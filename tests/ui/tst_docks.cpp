@@ -1,0 +1,398 @@
+// Docks, checks, history, stocks and units as a person uses them, in a window without its view.
+#include <QTest> // first: moc stumbles over some standard headers
+
+#include "core/session/check_list.h"
+#include "tests/core/assembly/plates.h"
+#include "ui/docks/check_row.h"
+#include "ui/docks/outline_dock.h"
+#include "ui/field_style.h"
+#include "ui/main_window.h"
+#include "ui/sentence_label.h"
+#include "ui/settings/settings.h"
+#include "ui/workbench.h"
+
+#include <QAbstractItemView>
+#include <QAction>
+#include <QApplication>
+#include <QDockWidget>
+#include <QDoubleSpinBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QSignalSpy>
+#include <QSlider>
+#include <QTemporaryDir>
+#include <QToolButton>
+#include <QTreeWidget>
+
+using namespace fff;
+using namespace fff::test;
+using namespace fff::ui;
+
+Q_DECLARE_METATYPE(fff::Document)
+
+namespace {
+
+const char *const kDocks[] = {"outlineDock", "historyDock", "checksDock", "propertiesDock"};
+
+/// Two plates that stand across each other.
+Document cross()
+{
+    return twoSections(polygonShape(rectangle(-50, 0, 50, 60)), front(),
+                       polygonShape(rectangle(-50, 0, 50, 60)), side())
+        .document;
+}
+
+/// So many plates on a bar.
+Document comb(int count)
+{
+    Document document =
+        withSection(newDocument(), polygonShape(rectangle(0, 0, 10.0 * count + 10.0, 40)), front());
+    const ShapePointer plate = polygonShape(rectangle(-30, 0, 30, 60));
+    for (int i = 0; i < count; ++i) {
+        NewSection section;
+        section.shape = plate;
+        section.frame = side(10.0 * i + 10.0);
+        section.parent = Parent{document.sections.front()->id, {0, 0}, {0, 20}};
+        document = *addSection(std::move(document), std::move(section));
+    }
+    return document;
+}
+
+} // namespace
+
+class TestDocks : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init();
+    void cleanup();
+
+    void f9HidesAllDocksAndBringsThemBack();
+    void theArrangementIsKept();
+    void aStateOfAnotherVersionIsLeftOut();
+    void aJumpInTheHistoryIsAnnouncedOnce();
+    void checksSayWhatIsWrong_data();
+    void checksSayWhatIsWrong();
+    void aCheckSelectsWhomItIsAbout();
+    void draggingTheThicknessIsOneStep();
+    void escapeEndsADragWithoutAStep();
+    void aUsedStockIsReplaced();
+    void lengthsFollowTheUnit();
+    void longSentencesAreCutShort();
+    void anEditTouchesOneRowOfTheOutline();
+    void theFilterKeepsParents();
+    void f6GoesRoundTheWindow();
+
+private:
+    void open();
+    Session &session() { return m_window->bench().session(); }
+    template <class Widget>
+    Widget *find(const char *name)
+    {
+        return m_window->findChild<Widget *>(QLatin1String(name));
+    }
+    QString firstCheck() { return find<CheckRow>("checkRow0")->accessibleName(); }
+
+    std::unique_ptr<QTemporaryDir> m_folder;
+    std::unique_ptr<MainWindow> m_window;
+};
+
+void TestDocks::init()
+{
+    m_folder = std::make_unique<QTemporaryDir>();
+    Settings::setFile(m_folder->filePath(QStringLiteral("settings.ini")));
+    open();
+}
+
+void TestDocks::open()
+{
+    m_window = std::make_unique<MainWindow>();
+    if (settings().windowGeometry().isEmpty())
+        m_window->resize(1400, 900);
+    m_window->show();
+    QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
+    QApplication::setActiveWindow(m_window.get());
+}
+
+void TestDocks::cleanup()
+{
+    m_window.reset();
+}
+
+// Wrong: a key pressed twice that leaves another window than before.
+void TestDocks::f9HidesAllDocksAndBringsThemBack()
+{
+    find<QDockWidget>("historyDock")->close();
+    find<QDockWidget>("checksDock")->setFloating(true);
+    QCoreApplication::processEvents();
+    const auto state = [this] {
+        QStringList all;
+        for (const char *name : kDocks) {
+            auto *dock = find<QDockWidget>(name);
+            all += QStringLiteral("%1 %2 %3 %4")
+                       .arg(QLatin1String(name))
+                       .arg(dock->isHidden())
+                       .arg(dock->isFloating())
+                       .arg(m_window->dockWidgetArea(dock));
+        }
+        return all;
+    };
+    const QStringList before = state();
+    QTest::keyClick(m_window.get(), Qt::Key_F9);
+    for (const char *name : kDocks)
+        QVERIFY2(find<QDockWidget>(name)->isHidden(), name);
+    QVERIFY(find<QAction>("view.docks")->isChecked());
+    QTest::keyClick(m_window.get(), Qt::Key_F9);
+    QCOMPARE(state(), before);
+    QVERIFY(!find<QAction>("view.docks")->isChecked());
+}
+
+void TestDocks::theArrangementIsKept()
+{
+    find<QDockWidget>("historyDock")->close();
+    m_window->addDockWidget(Qt::RightDockWidgetArea, find<QDockWidget>("outlineDock"));
+    QTest::keyClick(m_window.get(), Qt::Key_F9); // what is kept is what F9 would bring back
+    QVERIFY(m_window->close());
+    open();
+    QVERIFY(find<QDockWidget>("historyDock")->isHidden());
+    QVERIFY(!find<QDockWidget>("checksDock")->isHidden());
+    QCOMPARE(m_window->dockWidgetArea(find<QDockWidget>("outlineDock")), Qt::RightDockWidgetArea);
+    find<QAction>("view.resetWindow")->trigger();
+    QVERIFY(!find<QDockWidget>("historyDock")->isHidden());
+    QCOMPARE(m_window->dockWidgetArea(find<QDockWidget>("outlineDock")), Qt::LeftDockWidgetArea);
+}
+
+void TestDocks::aStateOfAnotherVersionIsLeftOut()
+{
+    find<QDockWidget>("checksDock")->close();
+    settings().setWindowState(m_window->saveState(999));
+    settings().setWindowGeometry(QByteArray("no geometry"));
+    open();
+    for (const char *name : kDocks)
+        QVERIFY2(!find<QDockWidget>(name)->isHidden(), name);
+    QCOMPARE(m_window->dockWidgetArea(find<QDockWidget>("checksDock")), Qt::LeftDockWidgetArea);
+}
+
+void TestDocks::aJumpInTheHistoryIsAnnouncedOnce()
+{
+    auto *list = find<QAbstractItemView>("historyList");
+    QVERIFY(find<QLabel>("historyEmpty")->isVisibleTo(list));
+    Document document = newDocument();
+    for (int i = 0; i < 4; ++i) {
+        document = withSection(document, polygonShape(rectangle(0, 0, 10, 10)), front(5.0 * i));
+        session().commit(QStringLiteral("Step %1").arg(i), document);
+    }
+    QVERIFY(!find<QLabel>("historyEmpty")->isVisibleTo(list));
+    find<QDockWidget>("historyDock")->raise();
+    QTRY_VERIFY(list->isVisible());
+    QSignalSpy announced(&session(), &Session::modelChanged);
+    const QModelIndex first = list->model()->index(1, 0); // row 0 stands before all steps
+    QCOMPARE(first.data().toString(), QStringLiteral("Step 0"));
+    QTest::mouseClick(list->viewport(), Qt::LeftButton, {}, list->visualRect(first).center());
+    QCOMPARE(session().history()->index(), 1);
+    QCOMPARE(announced.count(), 1);
+    QCOMPARE(session().model().sectionCount(), std::size_t(1));
+}
+
+void TestDocks::checksSayWhatIsWrong_data()
+{
+    QTest::addColumn<Document>("document");
+    QTest::addColumn<QString>("title");
+    QTest::newRow("two plates across each other stand") << cross() << "Good: Connected";
+    QTest::newRow("one plate on its edge tips easily")
+        << withSection(newDocument(), polygonShape(rectangle(0, 0, 50, 50)), front())
+        << "Warning: Stands, but not firmly";
+    QTest::newRow("what hangs over falls")
+        << withSection(newDocument(), polygonShape({{0, 0}, {10, 0}, {120, 60}, {0, 60}}), front())
+        << "Problem: Falls over to the right";
+    QTest::newRow("a plate in the air is not connected")
+        << withSection(cross(), polygonShape(rectangle(-50, 0, 50, 60)), front(90))
+        << "Problem: Section 3 touches nothing";
+    QTest::newRow("a plate is larger than its sheet")
+        << twoSections(polygonShape(rectangle(-500, 0, 500, 60)), front(),
+                       polygonShape(rectangle(-50, 0, 50, 60)), side())
+               .document
+        << "Problem: Too large for the sheet";
+}
+
+void TestDocks::checksSayWhatIsWrong()
+{
+    QFETCH(Document, document);
+    QFETCH(QString, title);
+    QVERIFY(find<QLabel>("checksEmpty")->isVisibleTo(m_window.get()));
+    session().reset(document);
+    QTRY_VERIFY2(find<CheckRow>("checkRow0") && firstCheck().startsWith(title),
+                 qPrintable(find<CheckRow>("checkRow0") ? firstCheck() : title));
+    QVERIFY(!find<QLabel>("checksEmpty")->isVisibleTo(m_window.get()));
+}
+
+void TestDocks::aCheckSelectsWhomItIsAbout()
+{
+    session().reset(withSection(cross(), polygonShape(rectangle(-50, 0, 50, 60)), front(90)));
+    QTRY_VERIFY(find<CheckRow>("checkRow0") && firstCheck().startsWith(QStringLiteral("Problem")));
+    QTest::mouseClick(find<CheckRow>("checkRow0"), Qt::LeftButton);
+    const auto third = std::vector{session().model().ref(2)};
+    QCOMPARE(m_window->bench().interaction().selection(), third);
+    QCOMPARE(m_window->bench().interaction().view().problems.size(), std::size_t(1));
+    m_window->bench().select({});
+    QVERIFY(m_window->bench().interaction().view().problems.empty());
+    QTest::keyClick(m_window.get(), Qt::Key_F8);
+    QVERIFY(!m_window->bench().interaction().selection().empty());
+}
+
+// Wrong: a hundred steps of the history for one drag, or slits that follow only at its end.
+void TestDocks::draggingTheThicknessIsOneStep()
+{
+    session().reset(cross());
+    find<QAction>("fabricate.stocks")->trigger();
+    auto *slider = find<QWidget>("stockThickness")->findChild<QSlider *>();
+    QTRY_VERIFY(slider->isVisible());
+    const double before = session().committed().document.stocks.front()->thickness;
+    const int steps = session().history()->index();
+
+    const int y = slider->height() / 2;
+    const auto at = [slider](double mm) {
+        const double share =
+            (mm / 0.05 - slider->minimum()) / (slider->maximum() - slider->minimum());
+        return static_cast<int>(5 + share * (slider->width() - 10));
+    };
+    QTest::mousePress(slider, Qt::LeftButton, {}, {at(before), y});
+    for (int x = at(before); x <= at(4.5); x += 3)
+        QTest::mouseMove(slider, {x, y});
+    QVERIFY(session().hasPreview());
+    QCOMPARE(session().history()->index(), steps);
+    const double shown = session().model().document.stocks.front()->thickness;
+    QVERIFY(shown > before + 1.0);
+    QVERIFY(std::abs(session().currentAnalysis().assembly.slits[0][0].width - shown) < 1e-9);
+    QTest::mouseRelease(slider, Qt::LeftButton, {}, {at(4.5), y});
+    QCOMPARE(session().history()->index(), steps + 1);
+    QVERIFY(!session().hasPreview());
+    session().history()->undo();
+    QCOMPARE(session().committed().document.stocks.front()->thickness, before);
+}
+
+void TestDocks::escapeEndsADragWithoutAStep()
+{
+    session().reset(cross());
+    find<QAction>("fabricate.stocks")->trigger();
+    auto *slider = find<QWidget>("stockThickness")->findChild<QSlider *>();
+    QTRY_VERIFY(slider->isVisible());
+    slider->setFocus();
+    QTest::keyClick(slider, Qt::Key_Right);
+    QVERIFY(session().hasPreview());
+    QTest::keyClick(slider, Qt::Key_Escape);
+    QVERIFY(!session().hasPreview());
+    QTest::qWait(500);
+    QCOMPARE(session().history()->index(), 0);
+}
+
+void TestDocks::aUsedStockIsReplaced()
+{
+    session().reset(cross());
+    find<QAction>("fabricate.stocks")->trigger();
+    auto *remove = find<QToolButton>("stockRemove");
+    QVERIFY(!remove->isEnabled()); // the only one, and it says so
+    QVERIFY(remove->toolTip().contains(QStringLiteral("another")));
+    QTest::mouseClick(find<QToolButton>("stockCopy"), Qt::LeftButton);
+    QCOMPARE(session().committed().document.stocks.size(), std::size_t(2));
+    QVERIFY(remove->isEnabled());
+    QVERIFY(!remove->menu()); // nothing is made of the copy
+    QTest::mouseClick(remove, Qt::LeftButton);
+    QCOMPARE(session().committed().document.stocks.size(), std::size_t(1));
+    QCOMPARE(session().history()->index(), 2);
+}
+
+void TestDocks::lengthsFollowTheUnit()
+{
+    session().reset(cross());
+    m_window->bench().select({session().model().ref(0)});
+    auto *thickness = find<QDoubleSpinBox>("sectionThickness");
+    QTRY_COMPARE(thickness->text(), QStringLiteral("3.00\u202fmm"));
+    settings().setUnit(LengthUnit::Inch);
+    QCOMPARE(thickness->text(), QStringLiteral("0.1181\u202fin"));
+    QCOMPARE(find<QLabel>("statusSize")->text(), QStringLiteral("3.9 × 2.4 × 3.9\u202fin"));
+    QCOMPARE(find<QToolButton>("statusUnits")->text(), QStringLiteral("in"));
+    // A change of the unit is no change of the model; an eighth of an inch is.
+    QCOMPARE(session().history()->index(), 0);
+    thickness->setFocus();
+    thickness->selectAll();
+    QTest::keyClicks(thickness, QStringLiteral("1/8"));
+    QTest::keyClick(thickness, Qt::Key_Return);
+    QCOMPARE(session().committed().document.stocks.front()->thickness, 3.175);
+}
+
+void TestDocks::longSentencesAreCutShort()
+{
+    SentenceLabel label;
+    label.setSentence(QStringLiteral("Drag out of <b>Body &amp; tail</b> to draw; <kbd>Esc</kbd>"));
+    QCOMPARE(label.text(), QStringLiteral("Drag out of Body & tail to draw; Esc"));
+    label.resize(600, 20);
+    QVERIFY(!label.isCutShort());
+    QVERIFY(label.toolTip().isEmpty());
+    label.resize(60, 20);
+    label.grab(); // resizes at once
+    QVERIFY(label.isCutShort());
+    QCOMPARE(label.toolTip(), label.text());
+}
+
+// Wrong: a tree of a thousand rows made anew for one name.
+void TestDocks::anEditTouchesOneRowOfTheOutline()
+{
+    session().reset(comb(1000));
+    auto *outline = m_window->findChild<OutlineDock *>();
+    auto *tree = find<QTreeWidget>("outlineTree");
+    QCOMPARE(tree->topLevelItem(0)->childCount(), 1000);
+    const int before = outline->rowsTouched();
+    const SectionId id = session().model().section(500)->id;
+    session().commit(QStringLiteral("rename"),
+                     *renameSection(session().committed().document, id, "Fin"));
+    QCOMPARE(outline->rowsTouched(), before + 1);
+    QCOMPARE(tree->topLevelItem(0)->child(499)->text(0), QStringLiteral("Fin"));
+    session().commit(QStringLiteral("remove"),
+                     *removeSections(session().committed().document, std::vector{id}));
+    QCOMPARE(tree->topLevelItem(0)->childCount(), 999);
+    session().history()->undo();
+    QCOMPARE(outline->rowsTouched(), before + 2);
+    QCOMPARE(tree->topLevelItem(0)->child(499)->text(0), QStringLiteral("Fin"));
+}
+
+void TestDocks::theFilterKeepsParents()
+{
+    Document document = comb(5);
+    document = *renameSection(document, document.sections[3]->id, "Fin");
+    session().reset(document);
+    auto *tree = find<QTreeWidget>("outlineTree");
+    QTest::keyClicks(find<QLineEdit>("outlineFilter"), QStringLiteral("fin"));
+    QVERIFY(!tree->topLevelItem(0)->isHidden());
+    QVERIFY(!tree->topLevelItem(0)->child(2)->isHidden());
+    QVERIFY(tree->topLevelItem(0)->child(1)->isHidden());
+}
+
+void TestDocks::f6GoesRoundTheWindow()
+{
+    QStringList panes;
+    const QStringList parts{QStringLiteral("mainToolBar"), QStringLiteral("outlineDock"),
+                            QStringLiteral("checksDock"), QStringLiteral("propertiesDock")};
+    session().reset(cross());
+    QTRY_VERIFY(find<CheckRow>("checkRow0"));
+    for (int i = 0; i < 8; ++i) {
+        QTest::keyClick(m_window.get(), Qt::Key_F6);
+        for (QWidget *at = QApplication::focusWidget(); at; at = at->parentWidget()) {
+            if (parts.contains(at->objectName()))
+                panes += at->objectName();
+        }
+    }
+    for (const QString &part : parts)
+        QVERIFY2(panes.contains(part), qPrintable(panes.join(u' ')));
+}
+
+int main(int argc, char *argv[])
+{
+    QLocale::setDefault(QLocale(QLocale::English, QLocale::UnitedKingdom));
+    QApplication application(argc, argv);
+    QApplication::setStyle(new FieldStyle);
+    TestDocks test;
+    return QTest::qExec(&test, argc, argv);
+}
+#include "tst_docks.moc"
