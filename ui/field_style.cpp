@@ -2,6 +2,7 @@
 
 #include "ui/theme.h"
 
+#include <QAbstractItemView>
 #include <QPainter>
 #include <QStyleFactory>
 #include <QStyleOption>
@@ -38,6 +39,17 @@ void FieldStyle::drawPrimitive(PrimitiveElement element, const QStyleOption *opt
     const bool isRow = element == PE_PanelItemViewRow || element == PE_PanelItemViewItem;
     if (isRow && option->state.testFlag(State_Selected)) {
         painter->fillRect(option->rect, option->palette.brush(QPalette::Highlight));
+        return;
+    }
+    if (element == PE_FrameFocusRect && qobject_cast<const QAbstractItemView *>(widget)) {
+        // Fusion's own fills what it frames, so that a selected row gets two colours.
+        const bool isSelected = option->state.testFlag(State_Selected);
+        painter->save();
+        painter->setPen(
+            option->palette.color(isSelected ? QPalette::HighlightedText : QPalette::Highlight));
+        painter->setBrush(Qt::NoBrush);
+        painter->drawRect(option->rect.adjusted(1, 1, -2, -2));
+        painter->restore();
         return;
     }
     QProxyStyle::drawPrimitive(element, option, painter, widget);

@@ -7,6 +7,7 @@
 #include "ui/properties/property_rows.h"
 #include "ui/properties/stock_choice.h"
 #include "ui/properties/thickness_field.h"
+#include "ui/theme.h"
 #include "ui/workbench.h"
 
 #include <QCoreApplication>
@@ -141,7 +142,7 @@ QWidget *StockFields::makeSheetSize()
     auto *menu = new QMenu(common);
     connect(menu, &QMenu::aboutToShow, this, [this, menu] {
         menu->clear();
-        menu->setPalette(palette());
+        menu->setPalette(theme().palette());
         for (const SheetSize &sheet : commonSheets()) {
             const QString size = sizeText({sheet.size.x(), sheet.size.y()}, 0, locale());
             QAction *action = menu->addAction(

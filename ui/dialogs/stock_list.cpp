@@ -5,6 +5,7 @@
 #include "ui/icon.h"
 #include "ui/properties/choice_box.h"
 #include "ui/properties/stock_choice.h"
+#include "ui/theme.h"
 #include "ui/view/view_style.h"
 #include "ui/workbench.h"
 
@@ -161,7 +162,7 @@ void StockList::refresh()
 void StockList::fillAddMenu()
 {
     m_presets->clear();
-    m_presets->setPalette(palette());
+    m_presets->setPalette(theme().palette());
     const auto offer = [this](const Stock &stock) {
         QAction *action = m_presets->addAction(colourChip(stockLook(stock).face), stockName(stock));
         action->setIconVisibleInMenu(true);
@@ -176,7 +177,7 @@ void StockList::fillAddMenu()
 void StockList::fillRemoveMenu()
 {
     m_replacements->clear();
-    m_replacements->setPalette(palette());
+    m_replacements->setPalette(theme().palette());
     const Document &document = m_bench.session().committed().document;
     const int uses = useCount(current());
     m_replacements->addSection(tr("Make its %n section(s) of", nullptr, uses));

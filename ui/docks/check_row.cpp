@@ -36,7 +36,9 @@ CheckRow::CheckRow(QWidget *parent) : QAbstractButton(parent)
     QFont bold = font();
     bold.setWeight(QFont::DemiBold);
     m_title->setFont(bold);
+    m_title->setObjectName(QStringLiteral("checkTitle"));
     m_text = label(this);
+    m_text->setObjectName(QStringLiteral("checkText")); // muted by the style sheet
     QFont small = font();
     if (small.pointSizeF() > 0)
         small.setPointSizeF(small.pointSizeF() * 0.93);
@@ -88,9 +90,6 @@ void CheckRow::refresh()
 {
     m_glyph->setPixmap(
         tintedPixmap(m_content.glyph, kGlyphSize, m_content.colour, devicePixelRatioF()));
-    QPalette words = palette();
-    words.setColor(QPalette::WindowText, theme().muted);
-    m_text->setPalette(words);
     update();
 }
 

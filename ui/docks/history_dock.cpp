@@ -6,6 +6,7 @@
 #include "ui/workbench.h"
 
 #include <QLabel>
+#include <QPainter>
 #include <QStyledItemDelegate>
 #include <QUndoView>
 #include <QVBoxLayout>
@@ -14,7 +15,7 @@ namespace fff::ui {
 
 namespace {
 
-constexpr int kRowHeight = 24; // px
+constexpr int kRowHeight = 24, kMargin = 8, kIcon = 14; // px
 
 /// The step that the model stands at is bold, those that were undone are muted.
 class StepDelegate : public QStyledItemDelegate
@@ -25,6 +26,17 @@ public:
     {
     }
 
+    /// With room at the left, where the view has none.
+    void paint(QPainter *painter, const QStyleOptionViewItem &option,
+               const QModelIndex &index) const override
+    {
+        if (option.state.testFlag(QStyle::State_Selected))
+            painter->fillRect(option.rect, option.palette.highlight());
+        QStyleOptionViewItem inset = option;
+        inset.rect.setLeft(inset.rect.left() + kMargin);
+        QStyledItemDelegate::paint(painter, inset, index);
+    }
+
 protected:
     void initStyleOption(QStyleOptionViewItem *option, const QModelIndex &index) const override
     {
@@ -33,6 +45,9 @@ protected:
             option->font.setWeight(QFont::DemiBold);
         if (index.row() > m_history.index())
             option->palette.setColor(QPalette::Text, theme().muted);
+        // Words stand in one line whether a step is the saved one or not.
+        option->features |= QStyleOptionViewItem::HasDecoration;
+        option->decorationSize = {kIcon, kIcon};
         option->decorationAlignment = Qt::AlignLeft | Qt::AlignVCenter;
     }
     QSize sizeHint(const QStyleOptionViewItem &option, const QModelIndex &index) const override
@@ -60,7 +75,7 @@ HistoryDock::HistoryDock(Workbench &bench, QWidget *parent)
     m_view->setUniformItemSizes(true);
     m_view->setMouseTracking(true);
     m_view->setItemDelegate(new StepDelegate(*history, m_view));
-    m_view->setIconSize({14, 14});
+    m_view->setIconSize({kIcon, kIcon});
     m_empty = new QLabel(tr("Every step will be listed here; go back to any of them."), m_view);
     m_empty->setObjectName(QStringLiteral("historyEmpty"));
     m_empty->setWordWrap(true);

@@ -19,6 +19,7 @@
 #include <QTreeWidget>
 #include <QVBoxLayout>
 
+#include <algorithm>
 #include <functional>
 
 namespace fff::ui {
@@ -37,6 +38,16 @@ constexpr int kMarkWidth = 24;               // px
 SectionId idOf(const QTreeWidgetItem *item)
 {
     return SectionId{item->data(0, kIdRole).toLongLong()};
+}
+
+/// What a row shows of stocks: name and colour, which hangs on the name. A thickness that is
+/// dragged changes no row.
+bool showTheSame(const std::vector<std::shared_ptr<const Stock>> &a,
+                 const std::vector<std::shared_ptr<const Stock>> &b)
+{
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const auto &p, const auto &q) {
+        return p == q || (p->id == q->id && p->name == q->name);
+    });
 }
 
 /// A tree in which Space is for the eye.
@@ -163,7 +174,7 @@ void OutlineDock::followModel()
     bool hasNewRows = false;
     {
         const QScopedValueRollback filling(m_isFilling, true);
-        const bool stocksDiffer = m_stocks != document.stocks;
+        const bool stocksDiffer = !showTheSame(m_stocks, document.stocks);
         m_stocks = document.stocks;
 
         std::set<SectionId> there, moved, drafts;

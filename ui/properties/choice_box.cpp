@@ -21,6 +21,7 @@ QIcon colourChip(const QColor &colour)
         painter.drawRoundedRect(QRectF(1.5, 1.5, kSize - 3.0, kSize - 3.0), 2.0, 2.0);
         painter.end();
         icon.addPixmap(pixmap);
+        icon.addPixmap(pixmap, QIcon::Selected); // not tinted
     }
     return icon;
 }

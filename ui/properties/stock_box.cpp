@@ -3,6 +3,7 @@
 #include "ui/lengths.h"
 #include "ui/properties/stock_choice.h"
 #include "ui/properties/thickness_field.h"
+#include "ui/theme.h"
 #include "ui/view/view_style.h"
 #include "ui/workbench.h"
 
@@ -120,7 +121,7 @@ void StockBox::fillMenu()
 void StockBox::showPopup()
 {
     fillMenu();
-    m_menu->setPalette(palette());
+    m_menu->setPalette(theme().palette());
     m_menu->setMinimumWidth(width());
     const QSize size = m_menu->sizeHint();
     QPoint at = mapToGlobal(QPoint(width() - std::max(size.width(), width()), height() + 2));
