@@ -158,6 +158,8 @@ void Viewport::paintGL()
     }
     paintMarks();
     QPainter painter(this);
+    if (!m_isUsable)
+        painter.fillRect(rect(), theme().viewStyle().bottom);
     painter.drawImage(QPointF(0.0, 0.0), m_marks);
 }
 

@@ -86,7 +86,8 @@ public:
     void drawTranslucent(const Scene &scene, const ViewStyle &style, const RenderOptions &options);
     void drawGhosts(const Scene &scene, const ViewStyle &style);
     void drawOutlines(const Scene &scene, const ViewStyle &style);
-    void show();
+    void show(const RenderTarget &image);
+    const RenderTarget &base() const { return hasLayers ? rest : picture; }
 
     /// Pixels that a line reaches over its surface: so many slopes the surface is set back.
     float setBack(const ViewStyle &style) const
@@ -118,6 +119,7 @@ public:
     QSize pixels; // of the framebuffer
     FrameView view;
     bool isXray = false;
+    bool hasLayers = false; // something lets light through
     Vec2 gridCentre = Vec2::Zero();
     double gridRadius = kLeastGridRadius;
     double diagonal = 0.0; // of the model, mm
@@ -177,13 +179,18 @@ void Renderer::render(const Scene &scene, const Camera &camera, const Vec2 &view
         d->drawn = {scene.sections, camera, viewport, pixelRatio, style, options};
         ++d->drawCount;
     }
-    d->shown.resize(d->pixels);
-    d->shown.copyFrom(d->rest);
-    d->beginOn(d->shown, scene);
-    d->drawOutlines(scene, style);
+    const bool hasOutlines =
+        std::any_of(scene.sections.begin(), scene.sections.end(),
+                    [](const SceneSection &s) { return s.isSelected || s.isHovered; });
+    if (hasOutlines) {
+        d->shown.resize(d->pixels);
+        d->shown.copyFrom(d->base());
+        d->beginOn(d->shown, scene);
+        d->drawOutlines(scene, style);
+    }
     target.restore();
     gl.glViewport(0, 0, d->pixels.width(), d->pixels.height());
-    d->show();
+    d->show(hasOutlines ? d->shown : d->base());
 
     gl.glDisable(GL_DEPTH_TEST);
     gl.glDisable(GL_CULL_FACE);
@@ -288,10 +295,17 @@ void Renderer::Private::drawPicture(const Scene &scene, const ViewStyle &style,
     if (options.clip)
         gl.glEnable(GL_CLIP_DISTANCE0);
     drawOpaqueEdges(scene, style);
-    rest.copyFrom(picture);
-    beginOn(rest, scene);
-    drawTranslucent(scene, style, options);
-    drawGhosts(scene, style);
+    hasLayers = false;
+    for (std::size_t i = 0; i < scene.sections.size(); ++i) {
+        const Kind kind = kindOf(i, scene);
+        hasLayers = hasLayers || kind == Kind::Translucent || kind == Kind::Ghost;
+    }
+    if (hasLayers) {
+        rest.copyFrom(picture);
+        beginOn(rest, scene);
+        drawTranslucent(scene, style, options);
+        drawGhosts(scene, style);
+    }
     gl.glDisable(GL_CLIP_DISTANCE0);
 }
 
@@ -501,11 +515,12 @@ void Renderer::Private::drawOutlines(const Scene &scene, const ViewStyle &style)
     gl.glDisable(GL_BLEND);
 }
 
-void Renderer::Private::show()
+/// Twice as many points as pixels are smoothed to their mean.
+void Renderer::Private::show(const RenderTarget &image)
 {
     gl.glDisable(GL_DEPTH_TEST);
     copy->bind();
-    pass.setTexture(*copy, "image", 0, shown.colour());
+    pass.setTexture(*copy, "image", 0, image.colour());
     pass.draw();
 }
 
