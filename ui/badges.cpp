@@ -43,7 +43,10 @@ Badges::Badges(Workbench &bench, const CheckList &list, QWidget *view)
     view->installEventFilter(this);
     connect(&list, &CheckList::changed, this, &Badges::refresh);
     connect(&settings(), &Settings::unitChanged, this, &Badges::refresh);
-    connect(&bench, &Workbench::viewChanged, this, &Badges::refresh);
+    connect(&bench, &Workbench::viewChanged, this, [this] {
+        if (m_isDrawing != m_bench.interaction().overlay().stroke.has_value())
+            refresh();
+    });
     refresh();
 }
 
@@ -63,7 +66,7 @@ bool Badges::eventFilter(QObject *object, QEvent *event)
 
 void Badges::refresh()
 {
-    const bool isDrawing = m_bench.interaction().overlay().stroke.has_value();
+    m_isDrawing = m_bench.interaction().overlay().stroke.has_value();
     for (std::size_t i = 0; i < m_badges.size(); ++i) {
         const Check *shown = nullptr; // the worst
         for (const Check &check : m_list.all()) {
@@ -75,7 +78,7 @@ void Badges::refresh()
             const CheckWords words = checkWords(*shown, m_list.model());
             m_badges[i]->setContent({shown->severity, checkTitle(*shown),
                                      QStringLiteral("%1. %2").arg(words.title, words.text),
-                                     m_list.age() != CheckList::Age::Current, isDrawing});
+                                     m_list.age() != CheckList::Age::Current, m_isDrawing});
         }
         m_badges[i]->setVisible(shown != nullptr);
     }

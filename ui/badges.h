@@ -40,6 +40,7 @@ private:
     Workbench &m_bench;
     const CheckList &m_list;
     std::vector<Badge *> m_badges; // one a subject
+    bool m_isDrawing = false;      // a stroke: the verdicts are on what it would make
 };
 
 } // namespace fff::ui

@@ -79,6 +79,7 @@ private Q_SLOTS:
     void escapeEndsADragWithoutAStep();
     void aUsedStockIsReplaced();
     void lengthsFollowTheUnit();
+    void fieldsOfSectionsThatDifferSayMixed();
     void longSentencesAreCutShort();
     void anEditTouchesOneRowOfTheOutline();
     void theFilterKeepsParents();
@@ -320,6 +321,33 @@ void TestDocks::lengthsFollowTheUnit()
     QTest::keyClicks(thickness, QStringLiteral("1/8"));
     QTest::keyClick(thickness, Qt::Key_Return);
     QCOMPARE(session().committed().document.stocks.front()->thickness, 3.175);
+}
+
+// Wrong: a field that gives all sections the value of one when it is only passed by.
+void TestDocks::fieldsOfSectionsThatDifferSayMixed()
+{
+    session().reset(twoSections(polygonShape(rectangle(-50, 0, 50, 60)), front(10),
+                                polygonShape(rectangle(-50, 0, 50, 60)), side(20))
+                        .document);
+    m_window->bench().select({session().model().ref(0), session().model().ref(1)});
+    auto *x = find<QDoubleSpinBox>("positionX");
+    auto *edit = x->findChild<QLineEdit *>();
+    QTRY_VERIFY(x->isVisible());
+    QCOMPARE(edit->text(), QString());
+    QCOMPARE(edit->placeholderText(), QStringLiteral("mixed"));
+    settings().setUnit(LengthUnit::Inch);
+    settings().setUnit(LengthUnit::Millimetre);
+    QCOMPARE(edit->text(), QString());
+    x->setFocus();
+    QTest::keyClick(x, Qt::Key_Tab);
+    QVERIFY(!x->hasFocus());
+    QCOMPARE(session().history()->index(), 0);
+    x->setFocus();
+    QTest::keyClicks(x, QStringLiteral("7"));
+    QTest::keyClick(x, Qt::Key_Return);
+    QCOMPARE(session().history()->index(), 1);
+    QCOMPARE(session().committed().section(0)->frame.origin.x(), 7.0);
+    QCOMPARE(session().committed().section(1)->frame.origin.x(), 7.0);
 }
 
 void TestDocks::longSentencesAreCutShort()

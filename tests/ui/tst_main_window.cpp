@@ -18,6 +18,7 @@
 #include "ui/workbench.h"
 
 #include <QAction>
+#include <QAbstractButton>
 #include <QApplication>
 #include <QDoubleSpinBox>
 #include <QLineEdit>
@@ -60,6 +61,7 @@ private Q_SLOTS:
     void anUnreadableFileChangesNothing();
     void importsKeepTheirTitleAndAskForAName();
     void nothingIsPaintedWhenNothingChanges();
+    void badgesCostTheViewNoFrame();
     void movingOverTheSamePaintsNothing();
     void viewActionsShowTheirState();
     void lettersWorkOnlyInTheView();
@@ -639,6 +641,21 @@ void TestMainWindow::viewActionsShowTheirState()
     QVERIFY(action("view.showAll")->isEnabled());
     QTest::keyClick(m_view, Qt::Key_H, Qt::ShiftModifier);
     QVERIFY(!m_window->bench().isHidden(ref));
+}
+
+// Wrong: a model drawn anew for a word beside it.
+void TestMainWindow::badgesCostTheViewNoFrame()
+{
+    drawFirst();
+    auto *badge = m_window->findChild<QAbstractButton *>(QStringLiteral("badge0"));
+    QTRY_VERIFY(badge && badge->isVisible());
+    QTest::qWait(700); // the verdicts are in, the view is at rest
+    const int painted = m_view->paintCount();
+    for (int i = 0; i < 5; ++i) {
+        badge->update();
+        QTest::qWait(30);
+    }
+    QCOMPARE(m_view->paintCount(), painted);
 }
 
 void TestMainWindow::lettersWorkOnlyInTheView()

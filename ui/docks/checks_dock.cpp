@@ -108,6 +108,11 @@ ChecksDock::ChecksDock(Workbench &bench, const CheckList &list, QWidget *parent)
     });
     connect(&list, &CheckList::changed, this, &ChecksDock::refresh);
     connect(&settings(), &Settings::unitChanged, this, &ChecksDock::refresh);
+    connect(&bench.session(), &Session::modelChanged, this,
+            [this](const Model &before, const Model &after) {
+                if (before.sectionCount() == 0 || after.sectionCount() == 0)
+                    refresh(); // whether there is anything to check
+            });
     connect(&bench, &Workbench::selectionChanged, this, [this] {
         if (!m_isChoosing)
             forgetChoice();

@@ -42,10 +42,18 @@ void NumberEdit::setUnit(const QString &sign, double step)
     const bool isMixed = !m_shown && text().isEmpty();
     m_isSetting = true;
     setSingleStep(step);
-    setSuffix(sign.isEmpty() ? QString() : QChar(kThinSpace) + sign); // writes the number anew
+    m_suffix = sign.isEmpty() ? QString() : QChar(kThinSpace) + sign;
+    setSuffix(m_suffix); // writes the number anew
     if (isMixed)
-        clear();
+        showNothing();
     m_isSetting = false;
+}
+
+/// Without its unit, beside which the word "mixed" would not be seen.
+void NumberEdit::showNothing()
+{
+    setSuffix(QString());
+    clear();
 }
 
 void NumberEdit::setNumber(std::optional<double> number)
@@ -55,10 +63,11 @@ void NumberEdit::setNumber(std::optional<double> number)
     m_isSetting = true;
     m_shown.reset();
     if (number) {
+        setSuffix(m_suffix);
         setValue(*number);
         m_shown = value(); // within the range: what is there without an edit
     } else {
-        clear();
+        showNothing();
     }
     // "Mixed" is a word about the field, not a value in it.
     QFont words = font();

@@ -43,8 +43,10 @@ protected:
 
 private:
     void announce();
+    void showNothing();
 
     Range m_range;
+    QString m_suffix;              // the unit behind every number
     std::optional<double> m_shown; // what the field held when last set from outside, or announced
     QTimer m_settled;
     bool m_isSetting = false;
