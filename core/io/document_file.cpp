@@ -29,18 +29,17 @@ QString inWords(int number)
                             : qt_error_string(number);
 }
 
-/// Why a file could not be made beside `target` and put in its place.
-QString whyNot(const QFileDevice &file, const QString &target)
+/// Why a file could not be made beside `target` and put in its place. number: the system's errno
+/// after it; QSaveFile forgets it where a write fails.
+QString whyNot(const QFileDevice &file, int number, const QString &target)
 {
     const QFileInfo info(target);
     if (info.exists() && !info.isWritable())
         return QLatin1String(QT_TRANSLATE_NOOP("Error", "this file is read-only"));
-    const QString reason = file.errorString();
-    for (const int number : {EACCES, EPERM, EROFS}) {
-        if (reason == qt_error_string(number) && QFileInfo(info.path()).isDir())
-            return QLatin1String(QT_TRANSLATE_NOOP("Error", "this folder is read-only"));
-    }
-    return reason == qt_error_string(ENOSPC) ? inWords(ENOSPC) : reason;
+    const bool isRefused = number == EACCES || number == EPERM || number == EROFS;
+    if (isRefused && QFileInfo(info.path()).isDir())
+        return QLatin1String(QT_TRANSLATE_NOOP("Error", "this folder is read-only"));
+    return number == 0 ? file.errorString() : inWords(number);
 }
 
 /// What a chain of symbolic links ends at, there or not.
@@ -108,9 +107,10 @@ Result<void> writeStraight(const QString &path, const std::string &bytes)
 {
     QFile file(path);
     const auto size = static_cast<qint64>(bytes.size());
+    errno = 0;
     if (!file.open(QIODevice::WriteOnly | QIODevice::Unbuffered) ||
         file.write(bytes.data(), size) != size)
-        return cannot(ErrorCode::CannotWrite, path, whyNot(file, path));
+        return cannot(ErrorCode::CannotWrite, path, whyNot(file, errno, path));
     return {};
 }
 
@@ -213,15 +213,17 @@ Result<void> writeFile(const QString &path, const std::string &bytes, const Writ
     const QString target = behindLinks(path);
     QSaveFile file(target);
     const auto size = static_cast<qint64>(bytes.size());
+    errno = 0;
     // Flushed by hand: commit() puts the new file in place although its own flush failed.
     if (!file.open(QIODevice::WriteOnly) || file.write(bytes.data(), size) != size || !file.flush())
-        return cannot(ErrorCode::CannotWrite, path, whyNot(file, target));
+        return cannot(ErrorCode::CannotWrite, path, whyNot(file, errno, target));
     if (const QString reason = putOnDisk(file.handle()); !reason.isEmpty())
         return cannot(ErrorCode::CannotWrite, path, reason);
     if (options.keepsBackup && there.exists())
         keepBackup(target);
+    errno = 0;
     if (!file.commit())
-        return cannot(ErrorCode::CannotWrite, path, whyNot(file, target));
+        return cannot(ErrorCode::CannotWrite, path, whyNot(file, errno, target));
     putFolderOnDisk(QFileInfo(target).path());
     return {};
 }

@@ -9,12 +9,14 @@
 
 #include <QtCore/QDir>
 #include <QtCore/QFile>
+#include <QtCore/QProcess>
 #include <QtCore/QTemporaryDir>
 
 #ifdef Q_OS_UNIX
 #include <csignal>
 #include <fcntl.h>
 #include <sys/resource.h>
+#include <sys/stat.h>
 #include <unistd.h>
 #endif
 
@@ -41,6 +43,17 @@ private Q_SLOTS:
     void writingNeedsAPlace();
     void fullDiskKeepsTheOldFile();
     void unreadableDocumentIsNotWritten();
+    void aFullDiskSaysSo_data();
+    void aFullDiskSaysSo();
+    void readOnlySaysSo_data();
+    void readOnlySaysSo();
+    void anUnreadableFileSaysSo();
+    void permissionsStay();
+    void devicesStayDevices();
+    void theLastVersionIsKept_data();
+    void theLastVersionIsKept();
+    void aFailedSaveKeepsTheBackup();
+    void linksStayLinks_data();
     void linksStayLinks();
     void dashIsStandardOutput();
     void fullStandardOutputIsAnError();
@@ -259,19 +272,242 @@ void TestDocumentFile::unreadableDocumentIsNotWritten()
     QVERIFY(io::readDocument(file).value().document == twoSections());
 }
 
+#ifdef Q_OS_UNIX
+namespace {
+
+/// Somebody without rights, while it lives: for root no permission is missing.
+class Nobody
+{
+public:
+    Nobody() : m_isRoot(getuid() == 0)
+    {
+        constexpr uid_t nobody = 65534;
+        if (m_isRoot)
+            m_works = setresuid(nobody, nobody, 0) == 0;
+    }
+    ~Nobody()
+    {
+        if (m_isRoot && m_works && setresuid(0, 0, 0) != 0)
+            qFatal("no way back to root");
+    }
+    bool works() const { return m_works; }
+
+private:
+    bool m_isRoot;
+    bool m_works = true;
+};
+
+/// What a save that fails must leave: the old file, and nothing beside it.
+void verifyKept(const QString &file, const Result<void> &written, const QString &reason)
+{
+    QVERIFY(!written);
+    QVERIFY2(written.error().code == ErrorCode::CannotWrite,
+             qPrintable(io::errorText(written.error())));
+    QCOMPARE(io::errorSentence(written.error()), QStringLiteral("could not be written: ") + reason);
+    QCOMPARE(test::unclear(written.error()), QString());
+    QCOMPARE(bytesOf(file), std::string("old"));
+}
+
+} // namespace
+
+void TestDocumentFile::aFullDiskSaysSo_data()
+{
+    QTest::addColumn<int>("size");
+    QTest::newRow("a file larger than the disk") << 1'000'000;
+    QTest::newRow("a file that just does not fit") << 70'000;
+}
+
+/// On a disk of 64 KiB in a name space of its own, where that is allowed. The program is this one.
+void TestDocumentFile::aFullDiskSaysSo()
+{
+    QFETCH(int, size);
+    const QString disk = path(QStringLiteral("disk"));
+    QVERIFY(QDir().mkpath(disk));
+    const QString commands = QStringLiteral("mount -t tmpfs -o size=64k none '%1' || exit 77\n"
+                                            "printf old >'%1/a.fff'\n"
+                                            "'%2' --write '%1/a.fff' %3\n"
+                                            "cat '%1/a.fff'; ls '%1'")
+                                 .arg(disk, QCoreApplication::applicationFilePath())
+                                 .arg(size);
+    QProcess process;
+    process.start(QStringLiteral("unshare"),
+                  {QStringLiteral("--mount"), QStringLiteral("--map-root-user"),
+                   QStringLiteral("sh"), QStringLiteral("-c"), commands});
+    if (!process.waitForStarted() || !process.waitForFinished() || process.exitCode() != 0)
+        QSKIP("no disk can be mounted here");
+    QCOMPARE(process.readAllStandardOutput(),
+             QByteArray("could not be written: the disk is full\nolda.fff\n"));
+}
+
+void TestDocumentFile::readOnlySaysSo_data()
+{
+    QTest::addColumn<int>("fileMode");
+    QTest::addColumn<int>("folderMode");
+    QTest::addColumn<QString>("reason");
+    QTest::newRow("a file") << 0444 << 0777 << QStringLiteral("this file is read-only");
+    QTest::newRow("a folder") << 0666 << 0555 << QStringLiteral("this folder is read-only");
+    QTest::newRow("both") << 0444 << 0555 << QStringLiteral("this file is read-only");
+}
+
+void TestDocumentFile::readOnlySaysSo()
+{
+    QFETCH(int, fileMode);
+    QFETCH(int, folderMode);
+    QFETCH(QString, reason);
+    chmod(QFile::encodeName(m_folder.path()).constData(), 0755);
+    const QString folder = path(QStringLiteral("locked %1 %2").arg(fileMode).arg(folderMode));
+    QVERIFY(QDir().mkpath(folder));
+    const QString file = put(folder.section(u'/', -1) + QStringLiteral("/a.fff"), "old");
+    chmod(QFile::encodeName(file).constData(), static_cast<mode_t>(fileMode));
+    chmod(QFile::encodeName(folder).constData(), static_cast<mode_t>(folderMode));
+    {
+        const Nobody nobody;
+        if (!nobody.works())
+            QSKIP("root cannot become somebody else here");
+        io::WriteOptions options;
+        options.keepsBackup = true;
+        verifyKept(file, io::writeFile(file, "new", options), reason);
+        verifyKept(file, io::writeDocument(file, twoSections()), reason);
+    }
+    chmod(QFile::encodeName(folder).constData(), 0755);
+    QCOMPARE(QDir(folder).entryList(QDir::Files | QDir::Hidden),
+             QStringList(QStringLiteral("a.fff")));
+}
+
+void TestDocumentFile::anUnreadableFileSaysSo()
+{
+    chmod(QFile::encodeName(m_folder.path()).constData(), 0755);
+    const QString file = put(QStringLiteral("secret.fff"), "old");
+    chmod(QFile::encodeName(file).constData(), 0000);
+    const Nobody nobody;
+    if (!nobody.works())
+        QSKIP("root cannot become somebody else here");
+    const auto loaded = io::readDocument(file);
+    QVERIFY(!loaded);
+    QCOMPARE(loaded.error().code, ErrorCode::CannotOpen);
+    QCOMPARE(test::unclear(loaded.error()), QString());
+}
+
+void TestDocumentFile::permissionsStay()
+{
+    const QString file = put(QStringLiteral("shared.fff"), "old");
+    for (const mode_t mode : {0600u, 0640u, 0664u, 0755u}) {
+        chmod(QFile::encodeName(file).constData(), mode);
+        QVERIFY(io::writeFile(file, "new"));
+        struct stat info = {};
+        QCOMPARE(stat(QFile::encodeName(file).constData(), &info), 0);
+        QCOMPARE(static_cast<int>(info.st_mode & 0777u), static_cast<int>(mode));
+    }
+}
+
+void TestDocumentFile::devicesStayDevices()
+{
+    const QString pipe = path(QStringLiteral("pipe"));
+    QCOMPARE(mkfifo(QFile::encodeName(pipe).constData(), 0600), 0);
+    // Open for both, so that the writer need not wait for a reader.
+    const int reader = open(QFile::encodeName(pipe).constData(), O_RDWR | O_NONBLOCK);
+    QVERIFY(reader >= 0);
+    QVERIFY(io::writeFile(pipe, "through"));
+    char buffer[16] = {};
+    QCOMPARE(read(reader, buffer, sizeof buffer), ssize_t(7));
+    close(reader);
+    QCOMPARE(QByteArray(buffer), QByteArray("through"));
+    QVERIFY2(!QFileInfo(pipe).isFile(), "a file would have taken its place");
+
+    const QString full = QStringLiteral("/dev/full");
+    if (!QFile::exists(full))
+        QSKIP("no such device here");
+    const auto written = io::writeFile(full, "x");
+    QVERIFY(!written);
+    QCOMPARE(io::errorSentence(written.error()),
+             QStringLiteral("could not be written: the disk is full"));
+    QVERIFY(!QFileInfo(full).isFile());
+}
+
+void TestDocumentFile::theLastVersionIsKept_data()
+{
+    QTest::addColumn<bool>("keeps");
+    QTest::newRow("kept when asked for") << true;
+    QTest::newRow("not kept otherwise") << false;
+}
+
+void TestDocumentFile::theLastVersionIsKept()
+{
+    QFETCH(bool, keeps);
+    const QString file = path(keeps ? QStringLiteral("kept.fff") : QStringLiteral("single.fff"));
+    QFile::remove(file); // other tests have files of these names, too
+    const QString backup = io::backupPath(file);
+    QCOMPARE(backup, file + QLatin1Char('~'));
+    io::WriteOptions options;
+    options.keepsBackup = keeps;
+    QVERIFY(io::writeFile(file, "1", options));
+    QVERIFY2(!QFile::exists(backup), "there was nothing before");
+    QVERIFY(io::writeFile(file, "2", options));
+    QVERIFY(io::writeFile(file, "3", options));
+    QCOMPARE(bytesOf(file), std::string("3"));
+    QCOMPARE(bytesOf(backup), std::string(keeps ? "2" : ""));
+    QCOMPARE(QFile::exists(backup), keeps);
+    const QString name = QFileInfo(file).fileName();
+    QCOMPARE(QDir(m_folder.path()).entryList({name + u'*'}).size(), keeps ? 2 : 1);
+}
+
+void TestDocumentFile::aFailedSaveKeepsTheBackup()
+{
+    const QString file = put(QStringLiteral("b.fff"), "old");
+    const QString backup = put(QStringLiteral("b.fff~"), "older");
+    const auto oldHandler = std::signal(SIGXFSZ, SIG_IGN);
+    rlimit oldLimit{};
+    QCOMPARE(getrlimit(RLIMIT_FSIZE, &oldLimit), 0);
+    rlimit limit = oldLimit;
+    limit.rlim_cur = 4096;
+    QCOMPARE(setrlimit(RLIMIT_FSIZE, &limit), 0);
+    io::WriteOptions options;
+    options.keepsBackup = true;
+    const auto written = io::writeFile(file, std::string(100'000, 'n'), options);
+    setrlimit(RLIMIT_FSIZE, &oldLimit);
+    std::signal(SIGXFSZ, oldHandler);
+    QVERIFY(!written);
+    QCOMPARE(bytesOf(file), std::string("old"));
+    QCOMPARE(bytesOf(backup), std::string("older"));
+}
+
+void TestDocumentFile::linksStayLinks_data()
+{
+    QTest::addColumn<bool>("exists");
+    QTest::addColumn<int>("links");
+    QTest::newRow("to a file") << true << 1;
+    QTest::newRow("to a link to a file") << true << 2;
+    QTest::newRow("to a file that is not there yet") << false << 1;
+    QTest::newRow("to a link to a file that is not there yet") << false << 2;
+}
+
 void TestDocumentFile::linksStayLinks()
 {
-#ifdef Q_OS_UNIX
-    const QString target = put(QStringLiteral("target.fff"), "old");
-    const QString link = path(QStringLiteral("link.fff"));
-    QVERIFY(QFile::link(target, link));
-    QVERIFY(io::writeFile(link, "new"));
-    QVERIFY(QFileInfo(link).isSymLink());
+    QFETCH(bool, exists);
+    QFETCH(int, links);
+    const QString number = QString::number(10 * links + (exists ? 1 : 0));
+    const QString target = path(QStringLiteral("target") + number);
+    if (exists)
+        put(QFileInfo(target).fileName(), "old");
+    QString last = target;
+    for (int i = 0; i < links; ++i) {
+        const QString link = path(QStringLiteral("link%1-%2").arg(number).arg(i));
+        // By its name only, as it is seen from the link's folder.
+        QCOMPARE(symlink(QFile::encodeName(QFileInfo(last).fileName()).constData(),
+                         QFile::encodeName(link).constData()),
+                 0);
+        last = link;
+    }
+    io::WriteOptions options;
+    options.keepsBackup = true;
+    QVERIFY(io::writeFile(last, "new", options));
+    for (int i = 0; i < links; ++i)
+        QVERIFY(QFileInfo(path(QStringLiteral("link%1-%2").arg(number).arg(i))).isSymLink());
+    QVERIFY(!QFileInfo(target).isSymLink());
     QCOMPARE(bytesOf(target), std::string("new"));
-#else
-    QSKIP("symbolic links only");
-#endif
+    QCOMPARE(bytesOf(io::backupPath(target)), std::string(exists ? "old" : ""));
 }
+#endif
 
 #ifdef Q_OS_UNIX
 namespace {
@@ -322,5 +558,18 @@ void TestDocumentFile::fullStandardOutputIsAnError()
 #endif
 }
 
-QTEST_APPLESS_MAIN(TestDocumentFile)
+/// "--write FILE SIZE" writes so many bytes and says how it went: for aFullDiskSaysSo.
+int main(int argc, char *argv[])
+{
+    QCoreApplication application(argc, argv);
+    const QStringList arguments = QCoreApplication::arguments();
+    if (arguments.value(1) == QStringLiteral("--write")) {
+        const auto written =
+            io::writeFile(arguments.value(2), std::string(arguments.value(3).toULongLong(), 'n'));
+        std::puts(written ? "written" : qPrintable(io::errorSentence(written.error())));
+        return 0;
+    }
+    TestDocumentFile test;
+    return QTest::qExec(&test, argc, argv);
+}
 #include "tst_document_file.moc"
