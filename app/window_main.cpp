@@ -1,6 +1,9 @@
-// The window: flatfitfab [--copy] [FILE…]
+// The window: flatfitfab [--copy] [--play SCRIPT] [FILE…]
+#include "core/io/document_file.h"
+#include "core/io/error_text.h"
 #include "ui/field_style.h"
 #include "ui/main_window.h"
+#include "ui/script_player.h"
 #include "ui/settings/settings.h"
 #include "ui/translations.h"
 #include "ui/windows.h"
@@ -8,6 +11,32 @@
 #include <QApplication>
 #include <QCommandLineParser>
 #include <QSurfaceFormat>
+#include <QTextStream>
+
+namespace {
+
+void complain(const fff::Error &error)
+{
+    QTextStream(stderr) << fff::io::errorText(error) << Qt::endl;
+}
+
+/// A script that cannot be played says so on standard error; the window stays.
+void playScript(fff::ui::MainWindow &window, const QString &path)
+{
+    const fff::Result<std::string> bytes = fff::io::readFile(path);
+    const auto script = bytes ? fff::ReplayScript::read(QByteArray::fromStdString(*bytes))
+                              : fff::Result<fff::ReplayScript>(tl::unexpected(bytes.error()));
+    auto *view = window.findChild<QWidget *>(QStringLiteral("viewport"));
+    if (!script)
+        complain(script.error());
+    if (!script || !view)
+        return;
+    auto *player = new fff::ui::ScriptPlayer(window.bench(), *view, *script, &window);
+    QObject::connect(player, &fff::ui::ScriptPlayer::failed, player, complain);
+    player->start();
+}
+
+} // namespace
 
 int main(int argc, char *argv[])
 {
@@ -46,6 +75,11 @@ int main(int argc, char *argv[])
         QStringLiteral("copy"),
         QApplication::translate("main", "Opens FILE as a copy: saving asks for a name."));
     parser.addOption(copy);
+    const QCommandLineOption play(
+        QStringLiteral("play"),
+        QApplication::translate("main", "Plays a script of presses and moves."),
+        QApplication::translate("main", "SCRIPT"));
+    parser.addOption(play);
     parser.process(application);
 
     fff::ui::MainWindow *window = fff::ui::openWindow();
@@ -55,5 +89,7 @@ int main(int argc, char *argv[])
     else if (fff::ui::settings().showsStartPage())
         window->showStartPage();
     window->offerRecovered();
+    if (parser.isSet(play))
+        playScript(*window, parser.value(play));
     return QApplication::exec();
 }

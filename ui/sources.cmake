@@ -48,6 +48,7 @@ target_sources(fff_ui PRIVATE
     properties/stock_box.cpp
     properties/stock_choice.cpp
     properties/thickness_field.cpp
+    script_player.cpp
     sentence_label.cpp
     settings/settings.cpp
     settings/system_motion.cpp

@@ -1,5 +1,6 @@
 #include "core/session/autosave.h"
 
+#include "core/session/journal.h"
 #include "core/session/latest_job.h"
 
 #include <QCoreApplication>
@@ -153,8 +154,10 @@ void Autosave::Private::publish(Answer answer)
 {
     if (answer.document) {
         hasFailed = false;
+        qCDebug(journal, "kept %s", digestOf(*answer.document).constData());
         Q_EMIT q->kept(*answer.document);
     } else if (!answer.error) {
+        qCDebug(journal, "cleared");
         Q_EMIT q->cleared();
     } else {
         // Again after an interval, also without another change.

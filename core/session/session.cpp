@@ -1,6 +1,7 @@
 #include "core/session/session.h"
 
 #include "core/operations/evaluate.h"
+#include "core/session/journal.h"
 #include "core/session/latest_job.h"
 
 #include <QUndoCommand>
@@ -91,8 +92,10 @@ void Session::Private::show(ModelPointer next)
 
 void Session::Private::indexChanged()
 {
-    if (!isResetting)
-        show(committed);
+    if (isResetting)
+        return;
+    qCDebug(journal, "step %s", digestOf(committed->document).constData());
+    show(committed);
 }
 
 Session::Session(QObject *parent) : QObject(parent), d(std::make_unique<Private>(this))
@@ -129,6 +132,7 @@ void Session::reset(Document document)
     d->stack->clear();
     d->stack->setClean(); // an empty history is not cleared, and may be of an unsaved document
     d->isResetting = false;
+    qCDebug(journal, "opened %s", digestOf(d->committed->document).constData());
     d->show(d->committed);
 }
 

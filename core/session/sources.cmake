@@ -5,6 +5,7 @@ target_sources(fff_session PRIVATE
     check_text.cpp
     checks.cpp
     cutting_file.cpp
+    journal.cpp
     recovery.cpp
     replay.cpp
     replay_script.cpp

@@ -20,3 +20,12 @@ fff_test(ui/view/tst_frame_pace fff::view)
 fff_test(ui/view/tst_renderer fff::view)
 set_tests_properties(ui/view/tst_renderer PROPERTIES LABELS gl ENVIRONMENT "QT_QPA_PLATFORM=xcb")
 fff_test(ui/view/tst_slit_covers fff::view)
+
+fff_test(ui/tst_script_player fff::ui)
+set_tests_properties(ui/tst_script_player PROPERTIES LABELS gl ENVIRONMENT "QT_QPA_PLATFORM=xcb")
+
+# The program itself, killed while it works.
+fff_test(ui/tst_killed fff::session)
+target_compile_definitions(tst_killed PRIVATE FFF_WINDOW="$<TARGET_FILE:flatfitfab>")
+add_dependencies(tst_killed flatfitfab)
+set_tests_properties(ui/tst_killed PROPERTIES LABELS gl ENVIRONMENT "QT_QPA_PLATFORM=xcb" TIMEOUT 600)

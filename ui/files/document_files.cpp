@@ -2,6 +2,7 @@
 
 #include "core/io/document_file.h"
 #include "core/io/error_text.h"
+#include "core/session/journal.h"
 #include "ui/files/exporting.h"
 #include "ui/files/failures.h"
 #include "ui/files/progress.h"
@@ -181,6 +182,7 @@ bool DocumentFiles::saveFile(const QString &path)
     const Document document = m_bench.session().committed().document;
     io::WriteOptions options;
     options.keepsBackup = settings().keepsBackup();
+    qCDebug(journal, "saving %s", digestOf(document).constData());
     const auto written = inBackground<Result<void>>(
         m_window, tr("Saving %1…").arg(file), MayCancel::No,
         [path, document, options] { return io::writeDocument(path, document, options); });
@@ -190,6 +192,7 @@ bool DocumentFiles::saveFile(const QString &path)
                         failureDetails(path, written->error()));
         return false;
     }
+    qCDebug(journal, "saved %s", digestOf(document).constData());
     m_messages.hide();
     m_bench.session().setClean();
     setPath(path, true, true);
