@@ -1,123 +1,145 @@
 #include "ui/actions/action_table.h"
 
-#include <QtGlobal>
+#include <QCoreApplication>
 
 namespace fff::ui {
 
 namespace {
 
-// Texts for lupdate.
-#define TEXT(text) QT_TRANSLATE_NOOP("fff::ui::ActionSet", text)
-
-const ActionRow kActions[] = {
-    {"file.new", TEXT("&New"), TEXT("New"), "Ctrl+N", "new", TEXT("Start a new model")},
-    {"file.open", TEXT("&Open…"), TEXT("Open"), "Ctrl+O", "open",
-     TEXT("Open a model, also one of FlatFab")},
-    {"file.save", TEXT("&Save"), TEXT("Save"), "Ctrl+S", "save", TEXT("Save the model")},
-    {"file.saveAs", TEXT("Save &as…"), TEXT("Save as"), "Ctrl+Shift+S", "save_as",
-     TEXT("Save the model under another name")},
-    {"file.export", TEXT("&Export cutting files…"), TEXT("Export…"), "Ctrl+Shift+E", "export",
-     TEXT("Write the parts to a file for the laser cutter")},
-    {"file.revert", TEXT("&Revert to saved"), TEXT("Revert"), "", "revert",
-     TEXT("Go back to the model as it is in its file; Undo brings the changes back")},
-    {"file.settings", TEXT("Se&ttings…"), TEXT("Settings"), "Ctrl+,", "settings",
-     TEXT("Units, colours, language, files and shortcuts")},
-    {"file.close", TEXT("&Close window"), TEXT("Close"), "Ctrl+W", "close_window",
-     TEXT("Close this window; others stay open")},
-    {"file.quit", TEXT("&Quit"), TEXT("Quit"), "Ctrl+Q", "quit",
-     TEXT("Close all windows and the program")},
-    {"edit.undo", TEXT("&Undo"), TEXT("Undo"), "Ctrl+Z", "undo", TEXT("Take the last step back")},
-    {"edit.redo", TEXT("&Redo"), TEXT("Redo"), "Ctrl+Shift+Z Ctrl+Y", "redo",
-     TEXT("Do the step again that was taken back")},
-    {"edit.delete", TEXT("&Delete"), TEXT("Delete"), "Del", "trash",
-     TEXT("Delete the selected sections")},
-    {"edit.selectAll", TEXT("Select &all"), TEXT("Select all"), "Ctrl+A", "select_all",
-     TEXT("Select all sections")},
-    {"view.front", TEXT("&Front"), TEXT("Front"), "1", "view_front", TEXT("Look from the front"),
-     true},
-    {"view.top", TEXT("&Top"), TEXT("Top"), "2", "view_top", TEXT("Look from the top"), true},
-    {"view.right", TEXT("&Right"), TEXT("Right"), "3", "view_right", TEXT("Look from the right"),
-     true},
-    {"view.back", TEXT("&Back"), TEXT("Back"), "4", "view_back", TEXT("Look from the back"), true},
-    {"view.bottom", TEXT("Botto&m"), TEXT("Bottom"), "5", "view_bottom", TEXT("Look from below"),
-     true},
-    {"view.left", TEXT("&Left"), TEXT("Left"), "6", "view_left", TEXT("Look from the left"), true},
-    {"view.iso", TEXT("Next &corner"), TEXT("Corner"), "0", "view_iso",
-     TEXT("Look from the next corner"), true},
-    {"view.faceSelection", TEXT("Face the &section"), TEXT("Face"), "N", "face_section",
-     TEXT("Look straight at the selected section"), true},
-    {"view.fitAll", TEXT("Fit &everything"), TEXT("Fit"), "Home", "fit",
-     TEXT("Show the whole model"), true},
-    {"view.fitSelection", TEXT("Fit se&lection"), TEXT("Fit selection"), "F", "fit_selection",
-     TEXT("Show the selected sections as large as possible"), true},
-    {"view.previous", TEXT("&Previous view"), TEXT("Previous"), "Alt+Left", "view_previous",
-     TEXT("Go back to the view before this one")},
-    {"view.perspective", TEXT("Pers&pective"), TEXT("Perspective"), "V", "perspective",
-     TEXT("Show what is farther away smaller, as the eye sees it"), true, true},
-    {"view.xray", TEXT("&X-ray"), TEXT("X-ray"), "X", "xray",
-     TEXT("See through all sections, down to their slits"), true, true},
-    {"view.isolate", TEXT("&Only the selection"), TEXT("Isolate"), "I", "isolate",
-     TEXT("Let all other sections stand back"), true, true},
-    {"view.hide", TEXT("&Hide"), TEXT("Hide"), "H", "hide", TEXT("Hide the selected sections"),
-     true},
-    {"view.showAll", TEXT("Show &all"), TEXT("Show all"), "Shift+H", "show_all",
-     TEXT("Show the hidden sections again"), true},
-    {"view.clip", TEXT("&Cut view open"), TEXT("Cut open"), "C", "cut_open",
-     TEXT("Cut the model open with a plane, to look inside"), true, true},
-    {"view.shadow", TEXT("&Ground and shadow"), TEXT("Ground"), "", "ground_shadow",
-     TEXT("Show the ground with its grid and the model's shadow"), false, true},
-    {"view.docks", TEXT("&Hide all docks"), TEXT("Hide docks"), "F9", "docks",
-     TEXT("Hide or show the panels at the sides"), false, true},
-    {"view.fullScreen", TEXT("F&ull screen"), TEXT("Full screen"), "F11", "full_screen",
-     TEXT("Fill the screen with the window"), false, true},
-    {"view.resetWindow", TEXT("Reset &window"), TEXT("Reset window"), "", "reset_window",
-     TEXT("Put all panels back where they were at first")},
-    {"view.nextPane", TEXT("&Next part of the window"), TEXT("Next part"), "F6", "next_pane",
-     TEXT("Go to the next part of the window: tool bar, left, view, right")},
-    {"view.previousPane", TEXT("&Previous part of the window"), TEXT("Previous part"), "Shift+F6",
-     "previous_pane", TEXT("Go back to the part of the window before this one")},
-    {"check.nextProblem", TEXT("&Next problem"), TEXT("Next problem"), "F8", "next_problem",
-     TEXT("Select the sections of the next problem and show them")},
-    {"check.previousProblem", TEXT("&Previous problem"), TEXT("Previous problem"), "Shift+F8",
-     "previous_problem", TEXT("Select the sections of the problem before this one")},
-    {"fabricate.stocks", TEXT("&Stocks…"), TEXT("Stocks"), "", "stocks",
-     TEXT("Sheet materials: thickness, strength, kerf and sheet size")},
-    {"edit.find", TEXT("&Find an action…"), TEXT("Find"), "Ctrl+K", "search",
-     TEXT("Type to find anything that the program can do")},
-    {"help.start", TEXT("&Start page"), TEXT("Start page"), "", "start",
-     TEXT("Recent models and samples")},
-    {"help.about", TEXT("&About FlatFitFab"), TEXT("About"), "", "about",
-     TEXT("What this program is, its version and its licences")},
+/// So that lupdate knows whose texts these are: it does not look into macros of our own.
+struct Texts
+{
+    Q_DECLARE_TR_FUNCTIONS(fff::ui::ActionSet)
+public:
+    static std::span<const ActionRow> actions();
+    static std::span<const MenuRow> menus();
 };
 
-const MenuRow kMenus[] = {
-    {TEXT("&File"),
-     "file.new file.open @recent | file.save file.saveAs file.revert | file.export | "
-     "file.settings | file.close file.quit"},
-    {TEXT("&Edit"), "edit.undo edit.redo | edit.delete | edit.selectAll"},
-    {TEXT("&View"), "view.front view.top view.right view.back view.bottom view.left view.iso "
-                    "view.faceSelection | view.fitAll view.fitSelection "
-                    "view.previous | view.perspective view.xray view.clip view.shadow | "
-                    "view.isolate view.hide view.showAll | "
-                    "@docks view.docks view.resetWindow | view.nextPane view.previousPane | "
-                    "view.fullScreen"},
-    {TEXT("&Checks"), "check.nextProblem check.previousProblem"},
-    {TEXT("F&abricate"), "fabricate.stocks | file.export"},
-    {TEXT("&Help"), "edit.find help.start | help.about"},
-};
+std::span<const ActionRow> Texts::actions()
+{
+    static const ActionRow kActions[] = {
+        {"file.new", QT_TR_NOOP("&New"), QT_TR_NOOP("New"), "Ctrl+N", "new",
+         QT_TR_NOOP("Start a new model")},
+        {"file.open", QT_TR_NOOP("&Open…"), QT_TR_NOOP("Open"), "Ctrl+O", "open",
+         QT_TR_NOOP("Open a model, also one of FlatFab")},
+        {"file.save", QT_TR_NOOP("&Save"), QT_TR_NOOP("Save"), "Ctrl+S", "save",
+         QT_TR_NOOP("Save the model")},
+        {"file.saveAs", QT_TR_NOOP("Save &as…"), QT_TR_NOOP("Save as"), "Ctrl+Shift+S", "save_as",
+         QT_TR_NOOP("Save the model under another name")},
+        {"file.export", QT_TR_NOOP("&Export cutting files…"), QT_TR_NOOP("Export…"), "Ctrl+Shift+E",
+         "export", QT_TR_NOOP("Write the parts to a file for the laser cutter")},
+        {"file.revert", QT_TR_NOOP("&Revert to saved"), QT_TR_NOOP("Revert"), "", "revert",
+         QT_TR_NOOP("Go back to the model as it is in its file; Undo brings the changes back")},
+        {"file.settings", QT_TR_NOOP("Se&ttings…"), QT_TR_NOOP("Settings"), "Ctrl+,", "settings",
+         QT_TR_NOOP("Units, colours, language, files and shortcuts")},
+        {"file.close", QT_TR_NOOP("&Close window"), QT_TR_NOOP("Close"), "Ctrl+W", "close_window",
+         QT_TR_NOOP("Close this window; others stay open")},
+        {"file.quit", QT_TR_NOOP("&Quit"), QT_TR_NOOP("Quit"), "Ctrl+Q", "quit",
+         QT_TR_NOOP("Close all windows and the program")},
+        {"edit.undo", QT_TR_NOOP("&Undo"), QT_TR_NOOP("Undo"), "Ctrl+Z", "undo",
+         QT_TR_NOOP("Take the last step back")},
+        {"edit.redo", QT_TR_NOOP("&Redo"), QT_TR_NOOP("Redo"), "Ctrl+Shift+Z Ctrl+Y", "redo",
+         QT_TR_NOOP("Do the step again that was taken back")},
+        {"edit.delete", QT_TR_NOOP("&Delete"), QT_TR_NOOP("Delete"), "Del", "trash",
+         QT_TR_NOOP("Delete the selected sections")},
+        {"edit.selectAll", QT_TR_NOOP("Select &all"), QT_TR_NOOP("Select all"), "Ctrl+A",
+         "select_all", QT_TR_NOOP("Select all sections")},
+        {"view.front", QT_TR_NOOP("&Front"), QT_TR_NOOP("Front"), "1", "view_front",
+         QT_TR_NOOP("Look from the front"), true},
+        {"view.top", QT_TR_NOOP("&Top"), QT_TR_NOOP("Top"), "2", "view_top",
+         QT_TR_NOOP("Look from the top"), true},
+        {"view.right", QT_TR_NOOP("&Right"), QT_TR_NOOP("Right"), "3", "view_right",
+         QT_TR_NOOP("Look from the right"), true},
+        {"view.back", QT_TR_NOOP("&Back"), QT_TR_NOOP("Back"), "4", "view_back",
+         QT_TR_NOOP("Look from the back"), true},
+        {"view.bottom", QT_TR_NOOP("Botto&m"), QT_TR_NOOP("Bottom"), "5", "view_bottom",
+         QT_TR_NOOP("Look from below"), true},
+        {"view.left", QT_TR_NOOP("&Left"), QT_TR_NOOP("Left"), "6", "view_left",
+         QT_TR_NOOP("Look from the left"), true},
+        {"view.iso", QT_TR_NOOP("Next &corner"), QT_TR_NOOP("Corner"), "0", "view_iso",
+         QT_TR_NOOP("Look from the next corner"), true},
+        {"view.faceSelection", QT_TR_NOOP("Face the &section"), QT_TR_NOOP("Face"), "N",
+         "face_section", QT_TR_NOOP("Look straight at the selected section"), true},
+        {"view.fitAll", QT_TR_NOOP("Fit &everything"), QT_TR_NOOP("Fit"), "Home", "fit",
+         QT_TR_NOOP("Show the whole model"), true},
+        {"view.fitSelection", QT_TR_NOOP("Fit se&lection"), QT_TR_NOOP("Fit selection"), "F",
+         "fit_selection", QT_TR_NOOP("Show the selected sections as large as possible"), true},
+        {"view.previous", QT_TR_NOOP("&Previous view"), QT_TR_NOOP("Previous"), "Alt+Left",
+         "view_previous", QT_TR_NOOP("Go back to the view before this one")},
+        {"view.perspective", QT_TR_NOOP("Pers&pective"), QT_TR_NOOP("Perspective"), "V",
+         "perspective", QT_TR_NOOP("Show what is farther away smaller, as the eye sees it"), true,
+         true},
+        {"view.xray", QT_TR_NOOP("&X-ray"), QT_TR_NOOP("X-ray"), "X", "xray",
+         QT_TR_NOOP("See through all sections, down to their slits"), true, true},
+        {"view.isolate", QT_TR_NOOP("&Only the selection"), QT_TR_NOOP("Isolate"), "I", "isolate",
+         QT_TR_NOOP("Let all other sections stand back"), true, true},
+        {"view.hide", QT_TR_NOOP("&Hide"), QT_TR_NOOP("Hide"), "H", "hide",
+         QT_TR_NOOP("Hide the selected sections"), true},
+        {"view.showAll", QT_TR_NOOP("Show &all"), QT_TR_NOOP("Show all"), "Shift+H", "show_all",
+         QT_TR_NOOP("Show the hidden sections again"), true},
+        {"view.clip", QT_TR_NOOP("&Cut view open"), QT_TR_NOOP("Cut open"), "C", "cut_open",
+         QT_TR_NOOP("Cut the model open with a plane, to look inside"), true, true},
+        {"view.shadow", QT_TR_NOOP("&Ground and shadow"), QT_TR_NOOP("Ground"), "", "ground_shadow",
+         QT_TR_NOOP("Show the ground with its grid and the model's shadow"), false, true},
+        {"view.docks", QT_TR_NOOP("&Hide all docks"), QT_TR_NOOP("Hide docks"), "F9", "docks",
+         QT_TR_NOOP("Hide or show the panels at the sides"), false, true},
+        {"view.fullScreen", QT_TR_NOOP("F&ull screen"), QT_TR_NOOP("Full screen"), "F11",
+         "full_screen", QT_TR_NOOP("Fill the screen with the window"), false, true},
+        {"view.resetWindow", QT_TR_NOOP("Reset &window"), QT_TR_NOOP("Reset window"), "",
+         "reset_window", QT_TR_NOOP("Put all panels back where they were at first")},
+        {"view.nextPane", QT_TR_NOOP("&Next part of the window"), QT_TR_NOOP("Next part"), "F6",
+         "next_pane", QT_TR_NOOP("Go to the next part of the window: tool bar, left, view, right")},
+        {"view.previousPane", QT_TR_NOOP("&Previous part of the window"),
+         QT_TR_NOOP("Previous part"), "Shift+F6", "previous_pane",
+         QT_TR_NOOP("Go back to the part of the window before this one")},
+        {"check.nextProblem", QT_TR_NOOP("&Next problem"), QT_TR_NOOP("Next problem"), "F8",
+         "next_problem", QT_TR_NOOP("Select the sections of the next problem and show them")},
+        {"check.previousProblem", QT_TR_NOOP("&Previous problem"), QT_TR_NOOP("Previous problem"),
+         "Shift+F8", "previous_problem",
+         QT_TR_NOOP("Select the sections of the problem before this one")},
+        {"fabricate.stocks", QT_TR_NOOP("&Stocks…"), QT_TR_NOOP("Stocks"), "", "stocks",
+         QT_TR_NOOP("Sheet materials: thickness, strength, kerf and sheet size")},
+        {"edit.find", QT_TR_NOOP("&Find an action…"), QT_TR_NOOP("Find"), "Ctrl+K", "search",
+         QT_TR_NOOP("Type to find anything that the program can do")},
+        {"help.start", QT_TR_NOOP("&Start page"), QT_TR_NOOP("Start page"), "", "start",
+         QT_TR_NOOP("Recent models and samples")},
+        {"help.about", QT_TR_NOOP("&About FlatFitFab"), QT_TR_NOOP("About"), "", "about",
+         QT_TR_NOOP("What this program is, its version and its licences")},
+    };
+    return kActions;
+}
 
-#undef TEXT
+std::span<const MenuRow> Texts::menus()
+{
+    static const MenuRow kMenus[] = {
+        {QT_TR_NOOP("&File"),
+         "file.new file.open @recent | file.save file.saveAs file.revert | file.export | "
+         "file.settings | file.close file.quit"},
+        {QT_TR_NOOP("&Edit"), "edit.undo edit.redo | edit.delete | edit.selectAll"},
+        {QT_TR_NOOP("&View"),
+         "view.front view.top view.right view.back view.bottom view.left view.iso "
+         "view.faceSelection | view.fitAll view.fitSelection "
+         "view.previous | view.perspective view.xray view.clip view.shadow | "
+         "view.isolate view.hide view.showAll | "
+         "@docks view.docks view.resetWindow | view.nextPane view.previousPane | "
+         "view.fullScreen"},
+        {QT_TR_NOOP("&Checks"), "check.nextProblem check.previousProblem"},
+        {QT_TR_NOOP("F&abricate"), "fabricate.stocks | file.export"},
+        {QT_TR_NOOP("&Help"), "edit.find help.start | help.about"},
+    };
+    return kMenus;
+}
 
 } // namespace
 
 std::span<const ActionRow> actionTable()
 {
-    return kActions;
+    return Texts::actions();
 }
 
 std::span<const MenuRow> menuTable()
 {
-    return kMenus;
+    return Texts::menus();
 }
 
 } // namespace fff::ui

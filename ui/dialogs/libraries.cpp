@@ -13,35 +13,38 @@ namespace fff::ui {
 
 namespace {
 
-#define TEXT(text) QT_TRANSLATE_NOOP("fff::ui::AboutDialog", text)
-
 const Library kLibraries[] = {
-    {"FlatFitFab", TEXT("This program"), "© The authors of FlatFitFab",
-     "GNU General Public License, version 3 or later", "gpl-3.0", ""},
-    {"Qt " QT_VERSION_STR, TEXT("Windows, files and text"), "© The Qt Company Ltd and others",
-     "GNU Lesser General Public License, version 3", "lgpl-3.0", "https://www.qt.io"},
-    {"CGAL", TEXT("Exact geometry"), "© The CGAL Project",
+    {"FlatFitFab", QT_TRANSLATE_NOOP("fff::ui::AboutDialog", "This program"),
+     "© The authors of FlatFitFab", "GNU General Public License, version 3 or later", "gpl-3.0",
+     ""},
+    {"Qt " QT_VERSION_STR, QT_TRANSLATE_NOOP("fff::ui::AboutDialog", "Windows, files and text"),
+     "© The Qt Company Ltd and others", "GNU Lesser General Public License, version 3", "lgpl-3.0",
+     "https://www.qt.io"},
+    {"CGAL", QT_TRANSLATE_NOOP("fff::ui::AboutDialog", "Exact geometry"), "© The CGAL Project",
      "GNU General and Lesser General Public License, version 3 or later", "gpl-3.0",
      "https://www.cgal.org"},
-    {"Eigen", TEXT("Vectors and matrices"), "© Benoît Jacob, Gaël Guennebaud and others",
-     "Mozilla Public License, version 2.0", "mpl-2.0", "https://eigen.tuxfamily.org"},
-    {"Clipper", TEXT("Cutting and offsetting outlines"), "© Angus Johnson",
-     "Boost Software License, version 1.0", "bsl-1.0",
+    {"Eigen", QT_TRANSLATE_NOOP("fff::ui::AboutDialog", "Vectors and matrices"),
+     "© Benoît Jacob, Gaël Guennebaud and others", "Mozilla Public License, version 2.0", "mpl-2.0",
+     "https://eigen.tuxfamily.org"},
+    {"Clipper", QT_TRANSLATE_NOOP("fff::ui::AboutDialog", "Cutting and offsetting outlines"),
+     "© Angus Johnson", "Boost Software License, version 1.0", "bsl-1.0",
      "https://sourceforge.net/projects/polyclipping"},
-    {"OpenMesh", TEXT("Meshes"), "© RWTH Aachen, Computer Graphics and Multimedia",
-     "BSD licence with three clauses", "bsd-3-clause",
-     "https://www.graphics.rwth-aachen.de/software/openmesh"},
-    {"Boost", TEXT("Parts that CGAL uses"), "© The authors of Boost",
-     "Boost Software License, version 1.0", "bsl-1.0", "https://www.boost.org"},
-    {"GMP", TEXT("Numbers without rounding"), "© Free Software Foundation, Inc.",
-     "GNU Lesser General Public License, version 3", "lgpl-3.0", "https://gmplib.org"},
-    {"MPFR", TEXT("Numbers with many digits"), "© Free Software Foundation, Inc.",
-     "GNU Lesser General Public License, version 3", "lgpl-3.0", "https://www.mpfr.org"},
-    {"expected", TEXT("Results that may be errors"), "Sy Brand", "CC0: given to the public domain",
-     "cc0-1.0", "https://github.com/TartanLlama/expected"},
+    {"OpenMesh", QT_TRANSLATE_NOOP("fff::ui::AboutDialog", "Meshes"),
+     "© RWTH Aachen, Computer Graphics and Multimedia", "BSD licence with three clauses",
+     "bsd-3-clause", "https://www.graphics.rwth-aachen.de/software/openmesh"},
+    {"Boost", QT_TRANSLATE_NOOP("fff::ui::AboutDialog", "Parts that CGAL uses"),
+     "© The authors of Boost", "Boost Software License, version 1.0", "bsl-1.0",
+     "https://www.boost.org"},
+    {"GMP", QT_TRANSLATE_NOOP("fff::ui::AboutDialog", "Numbers without rounding"),
+     "© Free Software Foundation, Inc.", "GNU Lesser General Public License, version 3", "lgpl-3.0",
+     "https://gmplib.org"},
+    {"MPFR", QT_TRANSLATE_NOOP("fff::ui::AboutDialog", "Numbers with many digits"),
+     "© Free Software Foundation, Inc.", "GNU Lesser General Public License, version 3", "lgpl-3.0",
+     "https://www.mpfr.org"},
+    {"expected", QT_TRANSLATE_NOOP("fff::ui::AboutDialog", "Results that may be errors"),
+     "Sy Brand", "CC0: given to the public domain", "cc0-1.0",
+     "https://github.com/TartanLlama/expected"},
 };
-
-#undef TEXT
 
 QString openGlReport()
 {
