@@ -10,6 +10,8 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include <utility>
+
 namespace fff::ui {
 
 MessageBar::MessageBar(QWidget *parent) : QFrame(parent)
@@ -37,7 +39,7 @@ MessageBar::MessageBar(QWidget *parent) : QFrame(parent)
     close->setIconSize({16, 16});
     close->setToolTip(tr("Close this message"));
     close->setAccessibleName(tr("Close this message"));
-    connect(close, &QToolButton::clicked, this, &QWidget::hide);
+    connect(close, &QToolButton::clicked, this, &MessageBar::close);
 
     auto *words = new QVBoxLayout;
     words->setSpacing(4);
@@ -78,6 +80,23 @@ void MessageBar::show(Severity severity, const QStringList &lines, std::vector<V
     setVisible(!lines.isEmpty());
 }
 
+void MessageBar::showNext(Severity severity, const QStringList &lines, std::vector<Verb> verbs)
+{
+    if (isHidden())
+        show(severity, lines, std::move(verbs));
+    else
+        m_next = [this, severity, lines, verbs = std::move(verbs)] {
+            show(severity, lines, verbs);
+        };
+}
+
+void MessageBar::close()
+{
+    hide();
+    if (const auto next = std::exchange(m_next, {}))
+        next();
+}
+
 void MessageBar::setVerbs(std::vector<Verb> verbs)
 {
     for (QPushButton *old : m_verbs) {
@@ -91,7 +110,7 @@ void MessageBar::setVerbs(std::vector<Verb> verbs)
         button->setObjectName(QStringLiteral("messageVerb"));
         connect(button, &QPushButton::clicked, this, [this, act = std::move(verb.act)] {
             const auto does = act; // outlives the button
-            hide();
+            close();
             does();
         });
         m_verbRow->insertWidget(place++, button);

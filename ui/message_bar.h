@@ -33,6 +33,8 @@ public:
     /// the technical text, which a button unfolds.
     void show(Severity severity, const QStringList &lines, std::vector<Verb> verbs = {},
               const QString &details = {});
+    /// The same, but what is shown now may be read first: this follows when it is closed.
+    void showNext(Severity severity, const QStringList &lines, std::vector<Verb> verbs);
     /// The same without a change of what is said: in the colours of the theme.
     void refresh();
     QString text() const;
@@ -41,8 +43,10 @@ public:
     static constexpr int kMaxLines = 4;
 
 private:
+    void close();
     void setVerbs(std::vector<Verb> verbs);
 
+    std::function<void()> m_next; // shows what waits
     Severity m_severity = Severity::Warning;
     QLabel *m_icon = nullptr;
     QLabel *m_text = nullptr;
