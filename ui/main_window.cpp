@@ -35,6 +35,7 @@
 #include <QLabel>
 #include <QMenuBar>
 #include <QStackedWidget>
+#include <QTabBar>
 #include <QVBoxLayout>
 
 #include <functional>
@@ -235,6 +236,7 @@ void MainWindow::openFiles(const QStringList &paths)
 void MainWindow::showDocument()
 {
     m_middle->setCurrentWidget(m_view);
+    m_status->setStanding({});
     m_view->setFocus();
 }
 
@@ -260,6 +262,7 @@ void MainWindow::showStartPage()
         m_middle->addWidget(page);
     }
     m_middle->setCurrentIndex(1);
+    m_status->setStanding(tr("Begin a model of your own, go on with one, or look at a sample."));
     m_middle->currentWidget()->setFocus();
     static_cast<StartPage *>(m_middle->currentWidget())->setRecovered(UnsavedWork::recoverable());
 }
@@ -270,17 +273,17 @@ void MainWindow::offerRecovered()
     if (works.empty() || m_middle->currentIndex() == 1)
         return;
     if (works.size() > 1) {
-        m_messages->show(MessageBar::Severity::Info,
-                         {tr("Recovered: %n model(s) that were not saved", nullptr,
-                             static_cast<int>(works.size()))},
-                         {{tr("Show them"), [this] { showStartPage(); }}});
+        m_messages->showNext(MessageBar::Severity::Info,
+                             {tr("Recovered: %n model(s) that were not saved", nullptr,
+                                 static_cast<int>(works.size()))},
+                             {{tr("Show them"), [this] { showStartPage(); }}});
         return;
     }
     const QString id = works.front().id;
     //: %1 is a model's name, how much was done, and when
-    m_messages->show(MessageBar::Severity::Info, {tr("Recovered: %1").arg(works.front().text)},
-                     {{tr("Open it"), [this, id] { recover(id); }},
-                      {tr("Discard"), [id] { UnsavedWork::forget(id); }}});
+    m_messages->showNext(MessageBar::Severity::Info, {tr("Recovered: %1").arg(works.front().text)},
+                         {{tr("Open it"), [this, id] { recover(id); }},
+                          {tr("Discard"), [id] { UnsavedWork::forget(id); }}});
 }
 
 void MainWindow::recover(const QString &id)
@@ -302,8 +305,11 @@ void MainWindow::refreshTheme()
 {
     applyTheme(this);
     // Windows of their own do not take it from their parent.
-    for (QMenu *menu : findChildren<QMenu *>())
-        menu->setPalette(theme().palette());
+    for (QWidget *child : findChildren<QWidget *>()) {
+        if (qobject_cast<QMenu *>(child) || qobject_cast<QDialog *>(child))
+            child->setPalette(theme().palette());
+    }
+    refreshDressed(this);
     m_messages->refresh();
     m_outline->refreshColours();
     m_history->refreshColours();
@@ -330,6 +336,11 @@ bool MainWindow::event(QEvent *event)
     const bool done = QMainWindow::event(event);
     if (event->type() == QEvent::ApplicationPaletteChange)
         refreshTheme();
+    // Qt makes the tabs of docks when it needs them.
+    if (event->type() == QEvent::ChildPolished) {
+        if (auto *tabs = qobject_cast<QTabBar *>(static_cast<QChildEvent *>(event)->child()))
+            dress(tabs);
+    }
     return done;
 }
 

@@ -128,6 +128,13 @@ void StatusLine::sayMarked(const QString &sentence)
     m_held.start();
 }
 
+void StatusLine::setStanding(const QString &sentence)
+{
+    m_standing = sentence;
+    m_held.stop();
+    showHint();
+}
+
 /// Empty when the action has no key now.
 QString StatusLine::keysOf(const char *action) const
 {
@@ -168,7 +175,10 @@ void StatusLine::resizeEvent(QResizeEvent *event)
 void StatusLine::showHint()
 {
     const Hint &hint = m_bench.interaction().hint();
-    if (hint.isRefusal) {
+    if (!m_standing.isEmpty()) {
+        if (!m_held.isActive())
+            showSentence(m_standing.toHtmlEscaped(), false);
+    } else if (hint.isRefusal) {
         showSentence(hintSentence(hint, keysOf("edit.undo")), true);
         m_held.start();
     } else if (!m_held.isActive() || m_bench.interaction().hasGesture()) {

@@ -27,6 +27,8 @@ public:
     /// What the history did: "Undid “Draw Rib 3”. Ctrl+Shift+Z brings it back."
     void sayUndone(const QString &step);
     void sayRedone(const QString &step);
+    /// Said in the place of hints as long as it is not empty: there is no view to give any.
+    void setStanding(const QString &sentence);
     /// In the colours of the theme.
     void refresh();
 
@@ -47,6 +49,7 @@ private:
     SentenceLabel *m_sentence = nullptr;
     QLabel *m_count = nullptr, *m_size = nullptr, *m_mass = nullptr;
     QToolButton *m_units = nullptr;
+    QString m_standing;
     QTimer m_held; // a refusal or an answer stays while it runs
     bool m_isRefusal = false;
 };

@@ -64,6 +64,8 @@ Theme &current()
     return chosen;
 }
 
+constexpr char kDressed[] = "dressed";
+
 bool wantsDark()
 {
     switch (settings().colourScheme()) {
@@ -174,6 +176,20 @@ void applyTheme(QWidget *window)
     window->setPalette(theme().palette());
     window->setStyleSheet(theme().styleSheet());
     QToolTip::setPalette(theme().palette());
+}
+
+void dress(QWidget *widget)
+{
+    widget->setProperty(kDressed, true);
+    widget->setPalette(theme().palette());
+}
+
+void refreshDressed(QWidget *window)
+{
+    for (QWidget *child : window->findChildren<QWidget *>()) {
+        if (child->property(kDressed).toBool())
+            child->setPalette(theme().palette());
+    }
 }
 
 } // namespace fff::ui

@@ -1,6 +1,6 @@
 // The program's colours, light and dark, as set or after the system's palette. Widgets take them
-// through the window's palette; what draws by itself asks theme(). A dialog that is made with a
-// window as its parent sets Qt::WA_WindowPropagation to take them too.
+// through the window's palette; what draws by itself asks theme(). Dialogs and what
+// comes later is dressed by itself.
 #pragma once
 
 #include "ui/view/view_style.h"
@@ -34,5 +34,10 @@ const Theme &theme();
 /// with it, with all that hangs on it. The application's own palette stays the system's, so that a
 /// change of it is seen.
 void applyTheme(QWidget *window);
+
+/// For dialogs, and for what is put into a window after it was dressed: neither takes the window's
+/// palette by itself. When all in it is made. refreshDressed() does it again after a change.
+void dress(QWidget *widget);
+void refreshDressed(QWidget *window);
 
 } // namespace fff::ui

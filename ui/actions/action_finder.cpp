@@ -10,7 +10,7 @@ namespace fff::ui {
 
 namespace {
 
-constexpr int kWordStart = 8, kInName = 5, kElsewhere = 2, kScattered = 1; // points a word
+constexpr int kWordStart = 8, kInName = 5, kElsewhere = 2; // points a word
 constexpr int kLeastScattered = 3; // letters; fewer are scattered in every name
 
 QString withoutMarks(QString text)
@@ -87,6 +87,7 @@ int matchScore(const QString &query, const ListedAction &action)
     const QString name = folded(action.name), other = folded(action.menuPath) + u' ' + action.id;
     const QStringList words = folded(query).split(blanks, Qt::SkipEmptyParts);
     int score = !words.isEmpty() && name.startsWith(words.join(u' ')) ? kWordStart : 0;
+    bool isGuess = false;
     for (const QString &word : words) {
         if (startsAWord(name, word))
             score += kWordStart;
@@ -95,11 +96,11 @@ int matchScore(const QString &query, const ListedAction &action)
         else if (other.contains(word, Qt::CaseInsensitive))
             score += kElsewhere;
         else if (isScattered(name, word))
-            score += kScattered;
+            isGuess = true;
         else
             return -1;
     }
-    return score;
+    return isGuess ? 0 : score;
 }
 
 QList<ListedAction> foundActions(const QString &query, const QList<ListedAction> &actions)
@@ -113,8 +114,10 @@ QList<ListedAction> foundActions(const QString &query, const QList<ListedAction>
     std::stable_sort(scored.begin(), scored.end(),
                      [](const auto &a, const auto &b) { return a.first > b.first; });
     QList<ListedAction> result;
-    for (const auto &[score, action] : scored)
-        result += action;
+    for (const auto &[score, action] : scored) {
+        if (score > 0 || scored.front().first == 0)
+            result += action;
+    }
     return result;
 }
 

@@ -22,12 +22,13 @@ struct ListedAction
 /// In the order of the menus, without separators.
 QList<ListedAction> listedActions(const QMenuBar &menus);
 
-/// How well it fits; negative when it does not. Every word of the query must be found: in the name,
-/// else in the menu's path or the id, else its letters in their order in the name. Upper case and
-/// accents do not matter. An empty query fits all alike.
+/// How well it fits; negative when it does not, 0 when it is a guess. Every word of the query must
+/// be found: in the name, else in the menu's path or the id, else its letters in their order in the
+/// name. Upper case and accents do not matter. An empty query fits all alike.
 int matchScore(const QString &query, const ListedAction &action);
 
-/// Those that fit, the best first; alike ones keep their order.
+/// Those that fit, the best first; alike ones keep their order. Scattered letters count only where
+/// no word is found as it was typed.
 QList<ListedAction> foundActions(const QString &query, const QList<ListedAction> &actions);
 
 } // namespace fff::ui

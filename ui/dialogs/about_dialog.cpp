@@ -21,7 +21,6 @@ AboutDialog::AboutDialog(QWidget *parent) : QDialog(parent)
 {
     setObjectName(QStringLiteral("aboutDialog"));
     setWindowTitle(tr("About FlatFitFab"));
-    setAttribute(Qt::WA_WindowPropagation);
     resize(680, 480);
 
     auto *tabs = new QTabWidget(this);
@@ -39,6 +38,7 @@ AboutDialog::AboutDialog(QWidget *parent) : QDialog(parent)
     column->addWidget(tabs, 1);
     column->addWidget(buttons);
     close->setFocus();
+    dress(this);
 }
 
 QWidget *AboutDialog::makeHead()

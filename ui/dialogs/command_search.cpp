@@ -19,7 +19,7 @@ namespace fff::ui {
 
 namespace {
 
-constexpr int kWidth = 600, kRowHeight = 40, kRows = 9, kMargin = 12, kIcon = 20; // px
+constexpr int kWidth = 600, kRowHeight = 40, kRows = 9, kMargin = 12, kIcon = 20, kEdge = 8; // px
 
 enum Role { NameRole = Qt::UserRole, PathRole, KeysRole, ActionRole, EnabledRole };
 
@@ -85,7 +85,6 @@ CommandSearch::CommandSearch(const QMenuBar &menus, QWidget *window)
 {
     setObjectName(QStringLiteral("commandSearch"));
     setAttribute(Qt::WA_DeleteOnClose);
-    setAttribute(Qt::WA_WindowPropagation);
     setAccessibleName(tr("Find an action"));
     m_field = new QLineEdit(this);
     m_field->setObjectName(QStringLiteral("commandSearchField"));
@@ -103,8 +102,8 @@ CommandSearch::CommandSearch(const QMenuBar &menus, QWidget *window)
     m_list->setMouseTracking(true);
     m_list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     auto *column = new QVBoxLayout(this);
-    column->setContentsMargins(8, 8, 8, 8);
-    column->setSpacing(8);
+    column->setContentsMargins(kEdge, kEdge, kEdge, kEdge);
+    column->setSpacing(kEdge);
     column->addWidget(m_field);
     column->addWidget(m_list);
 
@@ -113,7 +112,7 @@ CommandSearch::CommandSearch(const QMenuBar &menus, QWidget *window)
             [this](QListWidgetItem *item) { m_list->setCurrentItem(item); });
     connect(m_list, &QListWidget::itemClicked, this, &CommandSearch::runCurrent);
     fill({});
-    place();
+    dress(this);
 }
 
 void CommandSearch::fill(const QString &query)
@@ -145,6 +144,7 @@ void CommandSearch::fill(const QString &query)
     }
     m_list->setCurrentRow(0);
     m_list->scrollToTop();
+    place();
 }
 
 void CommandSearch::step(int by)
@@ -205,8 +205,9 @@ void CommandSearch::place()
 {
     const QWidget *window = parentWidget();
     const int width = std::min(kWidth, window->width() - 4 * kMargin);
-    const int height =
-        std::min(kRows * kRowHeight + m_field->sizeHint().height() + 32, window->height() * 2 / 3);
+    const int rows = std::min(m_list->count(), kRows);
+    const int listHeight = std::min(rows * kRowHeight + 2, window->height() / 2);
+    const int height = kEdge + m_field->minimumHeight() + kEdge + listHeight + kEdge;
     const QPoint top = window->mapToGlobal(QPoint((window->width() - width) / 2, 90));
     setGeometry(top.x(), top.y(), width, height);
 }

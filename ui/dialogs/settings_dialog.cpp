@@ -5,6 +5,7 @@
 #include "ui/properties/choice_box.h"
 #include "ui/properties/number_edit.h"
 #include "ui/settings/settings.h"
+#include "ui/theme.h"
 
 #include <QCheckBox>
 #include <QDialogButtonBox>
@@ -12,6 +13,7 @@
 #include <QLabel>
 #include <QListWidget>
 #include <QPushButton>
+#include <QScreen>
 #include <QScrollArea>
 #include <QStackedWidget>
 #include <QVBoxLayout>
@@ -21,6 +23,8 @@
 namespace fff::ui {
 
 namespace {
+
+constexpr int kFieldWidth = 200; // px, at least
 
 /// A form with room for what German needs: labels wrap onto a line of their own.
 class Form : public QWidget
@@ -33,7 +37,7 @@ public:
         m_form->setHorizontalSpacing(16);
         m_form->setVerticalSpacing(8);
         m_form->setRowWrapPolicy(QFormLayout::WrapLongRows);
-        m_form->setFieldGrowthPolicy(QFormLayout::FieldsStayAtSizeHint);
+        m_form->setFieldGrowthPolicy(QFormLayout::ExpandingFieldsGrow);
         m_form->setLabelAlignment(Qt::AlignLeft | Qt::AlignVCenter);
     }
 
@@ -49,6 +53,8 @@ public:
     {
         auto *text = new QLabel(sentence, this);
         text->setWordWrap(true);
+        text->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+        text->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
         text->setForegroundRole(QPalette::PlaceholderText);
         m_form->addRow(QString(), text);
         if (QWidget *field = m_described)
@@ -61,6 +67,8 @@ public:
         auto *box = new ChoiceBox(this);
         box->addItems(choices);
         box->setCurrentIndex(current);
+        box->setMinimumWidth(kFieldWidth);
+        box->setSizePolicy(QSizePolicy::Maximum, QSizePolicy::Fixed);
         QObject::connect(box, &QComboBox::activated, box, chosen);
         add(name, label, box);
         m_described = box;
@@ -72,7 +80,8 @@ public:
     {
         auto *field = new NumberEdit(range, unit, this);
         field->setNumber(current);
-        field->setMinimumWidth(110);
+        field->setMinimumWidth(kFieldWidth / 2);
+        field->setSizePolicy(QSizePolicy::Maximum, QSizePolicy::Fixed);
         QObject::connect(field, &NumberEdit::numberEdited, field, edited);
         add(name, label, field);
         m_described = field;
@@ -102,8 +111,7 @@ SettingsDialog::SettingsDialog(const QList<ListedAction> &actions, QWidget *pare
 {
     setObjectName(QStringLiteral("settingsDialog"));
     setWindowTitle(tr("Settings"));
-    setAttribute(Qt::WA_WindowPropagation);
-    resize(740, 520);
+    resize(QSize(740, 520).boundedTo(screen()->availableSize() - QSize(40, 60)));
 
     m_groups = new QListWidget(this);
     m_groups->setObjectName(QStringLiteral("settingsGroups"));
@@ -120,12 +128,10 @@ SettingsDialog::SettingsDialog(const QList<ListedAction> &actions, QWidget *pare
     connect(m_groups, &QListWidget::currentRowChanged, m_pages, &QStackedWidget::setCurrentIndex);
     m_groups->setCurrentRow(0);
 
-    auto *buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
+    auto *buttons = new QDialogButtonBox(this);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
-    if (QPushButton *close = buttons->button(QDialogButtonBox::Close)) {
-        close->setText(tr("Close"));
-        close->setAutoDefault(false); // Enter in a field accepts the field
-    }
+    buttons->addButton(tr("Close"), QDialogButtonBox::RejectRole)
+        ->setAutoDefault(false); // Enter in a field accepts the field
 
     auto *row = new QHBoxLayout;
     row->setSpacing(16);
@@ -136,6 +142,8 @@ SettingsDialog::SettingsDialog(const QList<ListedAction> &actions, QWidget *pare
     column->setSpacing(12);
     column->addLayout(row, 1);
     column->addWidget(buttons);
+    m_groups->setFocus();
+    dress(this);
 }
 
 void SettingsDialog::showPage(Page page)

@@ -66,6 +66,9 @@ ShortcutEditor::ShortcutEditor(const QList<ListedAction> &actions, QWidget *pare
     m_take = new QPushButton(tr("Use it here"), this);
     m_take->setObjectName(QStringLiteral("shortcutTake"));
 
+    for (QPushButton *button : {m_remove, m_reset, all, m_take})
+        button->setAutoDefault(false); // Enter in the field presses none of them
+
     auto *grid = new QGridLayout(this);
     grid->setContentsMargins(0, 0, 0, 0);
     grid->addWidget(m_filter, 0, 0, 1, 4);

@@ -51,7 +51,7 @@ bool DocumentFiles::open()
 {
     QFileDialog dialog(&m_window, tr("Open a model"), folder(),
                        tr("Models (*.fff *.txt);;All files (*)"));
-    dialog.setAttribute(Qt::WA_WindowPropagation);
+    dialog.setPalette(theme().palette());
     dialog.setFileMode(QFileDialog::ExistingFiles);
     if (dialog.exec() != QDialog::Accepted)
         return false;
@@ -243,7 +243,7 @@ QString DocumentFiles::askForTarget(const QString &title, const QString &filter,
                                     const QString &suffix)
 {
     QFileDialog dialog(&m_window, title, folder(), filter);
-    dialog.setAttribute(Qt::WA_WindowPropagation);
+    dialog.setPalette(theme().palette());
     dialog.setAcceptMode(QFileDialog::AcceptSave);
     dialog.setDefaultSuffix(suffix);
     dialog.selectFile(baseName() + u'.' + suffix);

@@ -9,6 +9,7 @@
 #include "ui/lengths.h"
 #include "ui/message_bar.h"
 #include "ui/status_line.h"
+#include "ui/theme.h"
 #include "ui/workbench.h"
 
 #include <QFileDialog>
@@ -40,7 +41,7 @@ bool Exporting::ask(const QString &suggestion)
                   solids = tr("Solids for other programs (*.obj)");
     QFileDialog dialog(&m_window, tr("Export cutting files"), QFileInfo(suggestion).absolutePath(),
                        drawings + QStringLiteral(";;") + solids);
-    dialog.setAttribute(Qt::WA_WindowPropagation);
+    dialog.setPalette(theme().palette());
     dialog.setAcceptMode(QFileDialog::AcceptSave);
     dialog.setDefaultSuffix(kDrawing);
     dialog.selectFile(QFileInfo(suggestion).fileName() + u'.' + kDrawing);

@@ -1,5 +1,7 @@
 #include "ui/files/progress.h"
 
+#include "ui/theme.h"
+
 #include <QElapsedTimer>
 #include <QEventLoop>
 #include <QProgressDialog>
@@ -34,7 +36,7 @@ bool waitWithProgress(QWidget &window, const QString &text, MayCancel mayCancel,
 
     QProgressDialog dialog(text, QString(), 0, 0, &window, Qt::Dialog | Qt::CustomizeWindowHint);
     dialog.setObjectName(QStringLiteral("progress"));
-    dialog.setAttribute(Qt::WA_WindowPropagation);
+    dialog.setPalette(theme().palette());
     dialog.setWindowModality(Qt::ApplicationModal);
     dialog.setAutoClose(false);
     dialog.setAutoReset(false);

@@ -14,11 +14,11 @@ namespace fff::ui {
 
 namespace {
 
-// Keys of the file.
-const QString kUnit = QStringLiteral("general/unit");
-const QString kScheme = QStringLiteral("general/theme");
-const QString kLanguage = QStringLiteral("general/language");
-const QString kStartPage = QStringLiteral("general/startPage");
+// Keys of the file. No group is called "general": INI files have a special one of that name.
+const QString kUnit = QStringLiteral("display/unit");
+const QString kScheme = QStringLiteral("display/theme");
+const QString kLanguage = QStringLiteral("display/language");
+const QString kStartPage = QStringLiteral("start/page");
 const QString kTurnTime = QStringLiteral("view/turnTime");
 const QString kMotion = QStringLiteral("view/motion");
 const QString kAutosave = QStringLiteral("files/autosaveInterval");

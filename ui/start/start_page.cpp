@@ -44,6 +44,7 @@ StartPage::StartPage(QWidget *parent)
     connect(&m_thumbnails, &Thumbnails::ready, this, &StartPage::showPicture);
     fillRecent();
     fillSamples();
+    dress(this);
 }
 
 QWidget *StartPage::makeLeft()
@@ -166,6 +167,7 @@ void StartPage::setRecovered(const std::vector<RecoveredWork> &works)
         line->addWidget(open);
         line->addWidget(discard);
         m_recovered->addWidget(row);
+        dress(row);
     }
 }
 

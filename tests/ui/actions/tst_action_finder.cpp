@@ -19,6 +19,7 @@ private Q_SLOTS:
     void othersAreNotFound_data();
     void othersAreNotFound();
     void theNameCountsMoreThanTheMenu();
+    void guessesGiveWayToWords();
 
 private:
     static QList<ListedAction> some();
@@ -112,6 +113,15 @@ void TestActionFinder::theNameCountsMoreThanTheMenu()
     QCOMPARE(found.size(), 3);
     QCOMPARE(found[0].id, QStringLiteral("a.d"));
     QCOMPARE(found[1].id, QStringLiteral("a.c"));
+}
+
+void TestActionFinder::guessesGiveWayToWords()
+{
+    const QList<ListedAction> actions = {
+        {nullptr, QStringLiteral("Find an action"), QStringLiteral("Help"), QStringLiteral("a.b")},
+        {nullptr, QStringLiteral("Fit everything"), QStringLiteral("View"), QStringLiteral("a.c")}};
+    QCOMPARE(foundActions(QStringLiteral("fit"), actions).size(), 1);
+    QCOMPARE(foundActions(QStringLiteral("fdn"), actions).size(), 1);
 }
 
 QTEST_MAIN(TestActionFinder)

@@ -98,8 +98,8 @@ void TestSettings::nonsenseReadsAsTheDefault_data()
     QTest::addColumn<QString>("key");
     QTest::addColumn<QVariant>("value");
     const QString keys[] = {
-        QStringLiteral("general/unit"),     QStringLiteral("general/theme"),
-        QStringLiteral("general/language"), QStringLiteral("general/startPage"),
+        QStringLiteral("display/unit"),     QStringLiteral("display/theme"),
+        QStringLiteral("display/language"), QStringLiteral("start/page"),
         QStringLiteral("view/turnTime"),    QStringLiteral("view/motion"),
         QStringLiteral("files/backup"),     QStringLiteral("files/autosaveInterval")};
     for (const QString &key : keys) {
