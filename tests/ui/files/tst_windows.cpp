@@ -12,6 +12,7 @@
 #include <QDropEvent>
 #include <QLabel>
 #include <QMimeData>
+#include <QToolButton>
 #include <QUrl>
 
 using namespace fff;
@@ -367,7 +368,10 @@ void TestWindows::aCrashIsRecoveredFrom()
 void TestWindows::whatIsDiscardedIsGone()
 {
     crash(63);
-    m_window->offerRecovered(); // no start page: a message
+    openFiles(*m_window, {file("gone.fff")});
+    m_window->offerRecovered(); // no start page: a message, when the one before was read
+    QVERIFY(messagesOf(*m_window)->text().startsWith(QStringLiteral("gone.fff")));
+    m_window->findChild<QToolButton *>(QStringLiteral("closeMessage"))->click();
     QVERIFY(messagesOf(*m_window)->isVisible());
     QVERIFY(messagesOf(*m_window)->text().startsWith(QStringLiteral("Recovered: untitled")));
     for (auto *verb : m_window->findChildren<QPushButton *>(QStringLiteral("messageVerb"))) {
