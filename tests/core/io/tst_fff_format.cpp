@@ -28,6 +28,8 @@ private Q_SLOTS:
     void malformed();
     void shapesAreMended_data();
     void shapesAreMended();
+    void mendingComesToAnEnd_data();
+    void mendingComesToAnEnd();
     void frames_data();
     void frames();
     void danglingOperationIsKept();
@@ -433,6 +435,31 @@ void TestFffFormat::shapesAreMended()
     const auto again = io::readFff(io::writeFff(loaded->document).value());
     QVERIFY(again && again->warnings.empty());
     QVERIFY(again->document == loaded->document);
+}
+
+/// Contours that a fuzzer found: mending them once left something to mend.
+void TestFffFormat::mendingComesToAnEnd_data()
+{
+    QTest::addColumn<std::vector<Vec2>>("points");
+    QTest::newRow("a loop that crosses itself elsewhere once it is cut")
+        << std::vector<Vec2>{{0, 0}, {0, 25.12}, {40, -20}, {40, 0}, {40, 25}, {0, 25}};
+    QTest::newRow("a loop that is found to cross itself as it is")
+        << std::vector<Vec2>{{0, 0}, {0, 25.12}, {40, -20}, {40, 0}, {36.2, 25}, {0, 25}};
+}
+
+void TestFffFormat::mendingComesToAnEnd()
+{
+    QFETCH(std::vector<Vec2>, points);
+    NewSection section;
+    section.shape = Shape::make(Contour::fromPoints(points).value()).value();
+    const Document drawn = addSection(newDocument(), section).value();
+    const auto mended = io::readFff(io::writeFff(drawn).value(), "a.fff");
+    QVERIFY(mended);
+    QCOMPARE(mended->warnings.size(), std::size_t(1));
+    const auto again = io::readFff(io::writeFff(mended->document).value(), "a.fff");
+    QVERIFY(again);
+    QVERIFY2(again->warnings.empty(), "it was said once");
+    QVERIFY(again->document == mended->document);
 }
 
 void TestFffFormat::frames_data()
