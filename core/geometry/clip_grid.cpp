@@ -2,7 +2,10 @@
 
 #include "core/base/tolerances.h"
 
+#include <algorithm>
+#include <bit>
 #include <cmath>
+#include <limits>
 #include <polyclipping/clipper.hpp>
 
 namespace fff {
@@ -40,24 +43,148 @@ ClipperLib::PolyFillType fillType(Winding rule)
     return ClipperLib::pftNonZero;
 }
 
+/// The points that the ring comes to more than once, sorted.
+std::vector<GridPoint> repeatedPoints(const GridRing &ring)
+{
+    // An open hash table of indices + 1, at most half full.
+    std::vector<std::uint32_t> table(std::bit_ceil(2 * ring.size() + 1), 0);
+    const std::size_t mask = table.size() - 1;
+    std::vector<GridPoint> repeated;
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+        std::size_t slot = hashOf(ring[i]) & mask;
+        while (table[slot] != 0 && ring[table[slot] - 1] != ring[i])
+            slot = (slot + 1) & mask;
+        if (table[slot] != 0)
+            repeated.push_back(ring[i]);
+        else
+            table[slot] = static_cast<std::uint32_t>(i + 1);
+    }
+    std::sort(repeated.begin(), repeated.end());
+    repeated.erase(std::unique(repeated.begin(), repeated.end()), repeated.end());
+    return repeated;
+}
+
+bool touchesItself(const GridRing &ring)
+{
+    return !repeatedPoints(ring).empty();
+}
+
 bool touchesItself(const GridRegion &region)
 {
-    const auto hasRepeat = [](GridRing ring) {
-        std::sort(ring.begin(), ring.end());
-        return std::adjacent_find(ring.begin(), ring.end()) != ring.end();
+    return touchesItself(region.outer) ||
+           std::any_of(region.holes.begin(), region.holes.end(),
+                       [](const GridRing &hole) { return touchesItself(hole); });
+}
+
+/// The loops of a ring that meets itself at corners: each time the walk comes to a point again,
+/// what lies between is a loop of its own.
+void splitAtCorners(const GridRing &ring, std::vector<GridRing> &loops)
+{
+    const std::vector<GridPoint> corners = repeatedPoints(ring);
+    constexpr std::size_t kNowhere = std::numeric_limits<std::size_t>::max();
+    std::vector<std::size_t> places(corners.size(), kNowhere); // of the corners in the walk
+    const auto cornerAt = [&](const GridPoint &p) {
+        const auto it = std::lower_bound(corners.begin(), corners.end(), p);
+        return it != corners.end() && *it == p ? static_cast<std::size_t>(it - corners.begin())
+                                               : kNowhere;
     };
-    return hasRepeat(region.outer) ||
-           std::any_of(region.holes.begin(), region.holes.end(), hasRepeat);
+    GridRing walk;
+    walk.reserve(ring.size());
+    for (const GridPoint &p : ring) {
+        const std::size_t corner = cornerAt(p);
+        if (corner != kNowhere && places[corner] != kNowhere) {
+            const std::size_t first = places[corner];
+            if (walk.size() - first > 2)
+                loops.emplace_back(walk.begin() + static_cast<std::ptrdiff_t>(first), walk.end());
+            walk.resize(first + 1);
+            for (std::size_t &place : places) {
+                if (place != kNowhere && place > first)
+                    place = kNowhere;
+            }
+            continue;
+        }
+        if (corner != kNowhere)
+            places[corner] = walk.size();
+        walk.push_back(p);
+    }
+    if (walk.size() > 2)
+        loops.push_back(std::move(walk));
+}
+
+/// Twice the area of the triangle, exactly: coordinates reach 2^62.
+__extension__ using Wide = __int128;
+Wide doubleArea(const GridPoint &a, const GridPoint &b, const GridPoint &p)
+{
+    return Wide(b.x - a.x) * Wide(p.y - a.y) - Wide(b.y - a.y) * Wide(p.x - a.x);
+}
+
+/// Whether the loop lies inside the ring, which it may touch but not cross: by the first of its
+/// vertices that is not on the ring.
+bool liesInside(const GridRing &loop, const GridRing &ring)
+{
+    for (const GridPoint &p : loop) {
+        bool inside = false, isOn = false;
+        for (std::size_t i = 0, j = ring.size() - 1; i < ring.size() && !isOn; j = i++) {
+            const GridPoint &a = ring[j], &b = ring[i];
+            if (a.y == p.y && b.y == p.y) {
+                isOn = std::min(a.x, b.x) <= p.x && p.x <= std::max(a.x, b.x);
+            } else if ((a.y <= p.y) != (b.y <= p.y)) {
+                const Wide side = doubleArea(a, b, p);
+                isOn = side == 0;
+                if ((b.y > a.y) == (side > 0))
+                    inside = !inside;
+            } else {
+                isOn = p == a;
+            }
+        }
+        if (!isOn)
+            return inside;
+    }
+    return false;
+}
+
+/// Regions whose rings meet themselves at corners, as such whose rings do not. Every loop that runs
+/// counter-clockwise is a piece, every other one a hole of the smallest piece around it.
+std::vector<GridRegion> separated(const std::vector<GridRegion> &regions)
+{
+    std::vector<GridRegion> pieces;
+    std::vector<GridRing> holes;
+    for (const GridRegion &region : regions) {
+        std::vector<GridRing> loops;
+        splitAtCorners(region.outer, loops);
+        for (const GridRing &hole : region.holes)
+            splitAtCorners(hole, loops);
+        for (GridRing &loop : loops) {
+            const double size = signedArea(loop);
+            if (size > 0.0)
+                pieces.push_back({std::move(loop), {}});
+            else if (size < 0.0)
+                holes.push_back(std::move(loop));
+        }
+    }
+    std::vector<double> sizes;
+    for (const GridRegion &piece : pieces)
+        sizes.push_back(signedArea(piece.outer));
+    for (GridRing &hole : holes) {
+        std::size_t best = pieces.size();
+        for (std::size_t i = 0; i < pieces.size(); ++i) {
+            if ((best == pieces.size() || sizes[i] < sizes[best]) &&
+                liesInside(hole, pieces[i].outer))
+                best = i;
+        }
+        if (best < pieces.size())
+            pieces[best].holes.push_back(std::move(hole));
+    }
+    return pieces;
 }
 
 /// Throws what Clipper throws.
 std::vector<GridRegion> execute(const std::vector<GridRing> &subjects, Winding rule,
-                                const std::vector<GridRing> &clips, bool strictlySimple)
+                                const std::vector<GridRing> &clips)
 {
     ClipperLib::Clipper clipper;
     // Corners along a straight edge are where a curve's segments meet: they must survive.
     clipper.PreserveCollinear(true);
-    clipper.StrictlySimple(strictlySimple);
     for (const GridRing &ring : subjects)
         clipper.AddPath(toPath(ring), ClipperLib::ptSubject, true);
     for (const GridRing &ring : clips)
@@ -76,16 +203,6 @@ std::vector<GridRegion> execute(const std::vector<GridRing> &subjects, Winding r
         regions.push_back(std::move(region));
     }
     return regions;
-}
-
-std::vector<GridRegion> run(const std::vector<GridRing> &subjects, Winding rule,
-                            const std::vector<GridRing> &clips, bool strictlySimple)
-{
-    try {
-        return execute(subjects, rule, clips, strictlySimple);
-    } catch (const ClipperLib::clipperException &) {
-        return {};
-    }
 }
 
 } // namespace
@@ -145,11 +262,15 @@ double area(const GridRegion &region)
 std::vector<GridRegion> clip(const std::vector<GridRing> &subjects, Winding rule,
                              const std::vector<GridRing> &clips)
 {
-    // Clipper's separation of touching rings is quadratic, and hardly ever needed.
-    std::vector<GridRegion> regions = run(subjects, rule, clips, false);
-    if (std::any_of(regions.begin(), regions.end(), touchesItself))
-        regions = run(subjects, rule, clips, true);
-    return regions;
+    try {
+        std::vector<GridRegion> regions = execute(subjects, rule, clips);
+        // Clipper's own separation of loops that touch is quadratic.
+        const bool touches = std::any_of(regions.begin(), regions.end(),
+                                         [](const GridRegion &r) { return touchesItself(r); });
+        return touches ? separated(regions) : regions;
+    } catch (const ClipperLib::clipperException &) {
+        return {};
+    }
 }
 
 } // namespace fff

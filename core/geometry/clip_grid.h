@@ -20,6 +20,14 @@ struct GridPoint
 
 using GridRing = std::vector<GridPoint>;
 
+/// Spreads neighbouring points over all bits.
+inline std::size_t hashOf(const GridPoint &p)
+{
+    std::uint64_t h = static_cast<std::uint64_t>(p.x) * 0x9e3779b97f4a7c15ull;
+    h = (h ^ (h >> 32) ^ static_cast<std::uint64_t>(p.y)) * 0xd6e8feb86659fd93ull;
+    return static_cast<std::size_t>(h ^ (h >> 32));
+}
+
 struct GridRegion
 {
     GridRing outer;              // counter-clockwise
