@@ -160,13 +160,13 @@ void RingRecovery::placeOffCurve(std::size_t vertex)
     const SourceEdge &out = m_edges[vertex];
     Vertex &v = m_vertices[vertex];
     v.position = m_grid.position(m_ring[vertex]);
-    for (const SourceIndex::Corner &c : m_index.cornersAt(m_ring[vertex])) {
-        if (c.ring == in.ring || c.ring == out.ring) {
-            v.position = m_sources[static_cast<std::size_t>(c.ring)]
-                             .points[static_cast<std::size_t>(c.index)];
-            break;
-        }
-    }
+    m_index.anyCornerAt(m_ring[vertex], [&](const SourceIndex::Corner &c) {
+        if (c.ring != in.ring && c.ring != out.ring)
+            return false;
+        v.position =
+            m_sources[static_cast<std::size_t>(c.ring)].points[static_cast<std::size_t>(c.index)];
+        return true;
+    });
     if (in.isKnown())
         v.before = parameterNear(in, v.position);
     if (out.isKnown())
@@ -292,7 +292,8 @@ GridRing withoutSplinters(const GridRing &ring, const SourceIndex &index)
 {
     const double limit = std::pow(kClipSlack / kClipGrid, 2.0);
     GridRing result;
-    const auto isCorner = [&](const GridPoint &p) { return !index.cornersAt(p).empty(); };
+    result.reserve(ring.size());
+    const auto isCorner = [&](const GridPoint &p) { return index.hasCornerAt(p); };
     for (const GridPoint &p : ring) {
         if (result.empty() || squaredSteps(result.back(), p) > limit)
             result.push_back(p);
@@ -319,6 +320,10 @@ SourceRing makeSourceRing(const Contour &contour, double chord, const ClipGrid &
     SourceRing ring{contour, isCut, {}, {}, {}};
     const Polyline polyline = contour.flatten(chord);
     std::vector<CurvePoint> origins;
+    origins.reserve(polyline.points.size());
+    ring.points.reserve(polyline.points.size());
+    ring.snapped.reserve(polyline.points.size());
+    ring.spans.reserve(polyline.points.size());
     for (std::size_t i = 0; i < polyline.points.size(); ++i) {
         const GridPoint snapped = grid.snap(polyline.points[i]);
         if (!ring.snapped.empty() && ring.snapped.back() == snapped) {

@@ -3,6 +3,7 @@
 #include "core/base/tolerances.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 namespace fff {
@@ -94,37 +95,72 @@ SourceEdge commonEdge(const std::vector<SourceRing> &sources, const Query &from,
 
 SourceIndex::SourceIndex(const std::vector<SourceRing> &sources) : m_sources(sources)
 {
+    std::size_t count = 0;
+    for (const SourceRing &source : sources)
+        count += source.snapped.size();
+    m_corners.reserve(count);
     for (std::size_t r = 0; r < sources.size(); ++r) {
         for (std::size_t i = 0; i < sources[r].snapped.size(); ++i)
             m_corners.push_back({sources[r].snapped[i], static_cast<int>(r), static_cast<int>(i)});
     }
-    std::stable_sort(m_corners.begin(), m_corners.end(),
-                     [](const Corner &a, const Corner &b) { return a.point < b.point; });
-}
-
-std::span<const SourceIndex::Corner> SourceIndex::cornersAt(const GridPoint &point) const
-{
-    const auto first =
-        std::lower_bound(m_corners.begin(), m_corners.end(), point,
-                         [](const Corner &c, const GridPoint &p) { return c.point < p; });
-    auto last = first;
-    while (last != m_corners.end() && last->point == point)
-        ++last;
-    return {first, last};
+    m_hasDouble.reserve(sources.size());
+    for (const SourceRing &source : sources)
+        m_hasDouble.emplace_back(source.snapped.size(), char(false));
+    const auto mark = [this](const Corner &c) {
+        m_hasDouble[static_cast<std::size_t>(c.ring)][static_cast<std::size_t>(c.index)] = true;
+    };
+    // From the last one on, so that the first stands first in its chain.
+    m_first.assign(std::bit_ceil(m_corners.size() + 1), 0);
+    m_next.assign(m_corners.size(), 0);
+    for (std::size_t i = m_corners.size(); i-- > 0;) {
+        const Corner &corner = m_corners[i];
+        const bool isDouble = anyCornerAt(corner.point, [&](const Corner &other) {
+            mark(other);
+            return true; // those behind it are marked
+        });
+        if (isDouble)
+            mark(corner);
+        std::uint32_t &first = m_first[hashOf(corner.point) & (m_first.size() - 1)];
+        m_next[i] = first;
+        first = static_cast<std::uint32_t>(i + 1);
+    }
 }
 
 SourceEdge SourceIndex::edgeBetween(const GridPoint &from, const GridPoint &to) const
 {
-    for (const Corner &a : cornersAt(from)) {
+    SourceEdge edge;
+    anyCornerAt(from, [&](const Corner &a) {
         const GridRing &ring = m_sources[static_cast<std::size_t>(a.ring)].snapped;
         const int count = static_cast<int>(ring.size());
         const int next = (a.index + 1) % count;
         const int previous = (a.index + count - 1) % count;
         if (ring[static_cast<std::size_t>(next)] == to)
-            return {a.ring, a.index, 1};
-        if (ring[static_cast<std::size_t>(previous)] == to)
-            return {a.ring, previous, -1};
-    }
+            edge = {a.ring, a.index, 1};
+        else if (ring[static_cast<std::size_t>(previous)] == to)
+            edge = {a.ring, previous, -1};
+        return edge.isKnown();
+    });
+    return edge;
+}
+
+SourceEdge SourceIndex::edgeAfter(const SourceEdge &before, const GridPoint &from,
+                                  const GridPoint &to) const
+{
+    if (!before.isKnown())
+        return edgeBetween(from, to);
+    const GridRing &ring = m_sources[static_cast<std::size_t>(before.ring)].snapped;
+    const int count = static_cast<int>(ring.size());
+    const auto after = [count](int i) { return i + 1 < count ? i + 1 : 0; };
+    const auto ahead = [count](int i) { return i > 0 ? i - 1 : count - 1; };
+    // The vertex that the edge before leads to, if it is this one and the only one here.
+    const int corner = before.direction > 0 ? after(before.edge) : before.edge;
+    const auto at = static_cast<std::size_t>(corner);
+    if (ring[at] != from || m_hasDouble[static_cast<std::size_t>(before.ring)][at])
+        return edgeBetween(from, to);
+    if (ring[static_cast<std::size_t>(after(corner))] == to)
+        return {before.ring, corner, 1};
+    if (ring[static_cast<std::size_t>(ahead(corner))] == to)
+        return {before.ring, ahead(corner), -1};
     return {};
 }
 
@@ -136,9 +172,11 @@ std::vector<std::vector<SourceEdge>> findSourceEdges(const std::vector<SourceRin
     std::vector<Query> queries;
     for (std::size_t r = 0; r < rings.size(); ++r) {
         const GridRing &ring = rings[r];
+        result[r].reserve(ring.size());
         for (std::size_t i = 0; i < ring.size(); ++i) {
-            const GridPoint &next = ring[(i + 1) % ring.size()];
-            result[r].push_back(index.edgeBetween(ring[i], next));
+            const GridPoint &next = ring[i + 1 < ring.size() ? i + 1 : 0];
+            result[r].push_back(
+                index.edgeAfter(i > 0 ? result[r].back() : SourceEdge(), ring[i], next));
             if (!result[r].back().isKnown()) {
                 queries.push_back({ring[i], {}});
                 queries.push_back({next, {}});
