@@ -3,6 +3,7 @@
 #include "core/base/tolerances.h"
 #include "core/geometry/curve_crossing.h"
 #include "core/geometry/curve_recovery.h"
+#include "core/geometry/simple_ring.h"
 
 #include <algorithm>
 #include <cmath>
@@ -55,6 +56,21 @@ std::vector<CurvedRegion> withCurves(const std::vector<SourceRing> &sources, con
                          return area(a.region) > area(b.region);
                      });
     return result;
+}
+
+/// On the grid, without points that follow their equal.
+GridRing snapped(const Polygon &polygon, const ClipGrid &grid)
+{
+    GridRing ring;
+    ring.reserve(polygon.size());
+    for (const Vec2 &p : polygon) {
+        const GridPoint point = grid.snap(p);
+        if (ring.empty() || ring.back() != point)
+            ring.push_back(point);
+    }
+    while (ring.size() > 1 && ring.back() == ring.front())
+        ring.pop_back();
+    return ring;
 }
 
 double areaOf(const std::vector<GridRegion> &regions)
@@ -128,13 +144,11 @@ std::vector<CurvedRegion> windingRegions(const std::vector<Contour> &contours, W
 Result<ResolvedContour> resolveCrossings(const Contour &contour)
 {
     const ClipGrid grid(contour.bounds());
-    const SourceRing source = makeSourceRing(contour, kCutChord, grid, false);
-    if (source.snapped.empty())
+    const GridRing ring = snapped(contour.flatten(kCutChord).points, grid);
+    if (ring.size() < 3)
         return failure(ErrorCode::EmptyContour);
-    const bool isCrossing = windsOddly(source.snapped);
-    if (!isCrossing &&
-        std::abs(signedArea(counterClockwise(source.snapped))) * (kClipGrid * kClipGrid) >=
-            kMinArea)
+    const bool isCrossing = !isSimple(ring) && windsOddly(ring);
+    if (!isCrossing && std::abs(signedArea(ring)) * (kClipGrid * kClipGrid) >= kMinArea)
         return ResolvedContour{contour, false};
     // Sharp tips carry loops smaller than the usual chords: a contour that crosses itself anywhere
     // is looked at closely once, so that none stays in it.
@@ -144,6 +158,25 @@ Result<ResolvedContour> resolveCrossings(const Contour &contour)
     if (regions.empty())
         return failure(ErrorCode::EmptyContour);
     return ResolvedContour{std::move(regions.front().outer), true};
+}
+
+Nesting nesting(const Contour &first, const Contour &second, double chord)
+{
+    const Polygon a = first.flatten(chord).points, b = second.flatten(chord).points;
+    const Box2 boxA = bounds(a), boxB = bounds(b);
+    if (a.empty() || b.empty())
+        return Nesting::Meeting;
+    if ((boxA.min.array() > boxB.max.array()).any() || (boxB.min.array() > boxA.max.array()).any())
+        return Nesting::Apart;
+    Box2 both = boxA;
+    both.extend(boxB);
+    const ClipGrid grid(both);
+    if (meet(snapped(a, grid), snapped(b, grid)))
+        return Nesting::Meeting;
+    // They do not meet: where one vertex lies, there lies all of it.
+    if (locate(a.front(), b) == Side::Inside)
+        return Nesting::FirstInside;
+    return locate(b.front(), a) == Side::Inside ? Nesting::SecondInside : Nesting::Apart;
 }
 
 } // namespace fff

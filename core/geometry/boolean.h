@@ -49,4 +49,11 @@ struct ResolvedContour
 /// at least kMinArea is there.
 Result<ResolvedContour> resolveCrossings(const Contour &contour);
 
+/// How two contours lie to each other, as chords within `chord` mm on the grid. Meeting: they
+/// cross, or touch, or it takes a boolean to tell.
+enum class Nesting { Apart, FirstInside, SecondInside, Meeting };
+
+/// Exact for the chords. Neither may cross itself. Far cheaper than `subtract`.
+Nesting nesting(const Contour &first, const Contour &second, double chord);
+
 } // namespace fff

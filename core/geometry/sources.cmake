@@ -11,6 +11,7 @@ target_sources(fff_core PRIVATE
     geometry/moments.cpp
     geometry/offset.cpp
     geometry/polygon.cpp
+    geometry/simple_ring.cpp
     geometry/source_edges.cpp
     geometry/triangulation.cpp
     geometry/turning.cpp

@@ -27,9 +27,17 @@ double areaOf(const std::vector<CurvedRegion> &regions)
     return sum;
 }
 
+bool areApart(const Box2 &a, const Box2 &b)
+{
+    return (a.min.array() > b.max.array()).any() || (b.min.array() > a.max.array()).any();
+}
+
 /// What reaches beyond the contour is no more than a rim of the width of kCutChord.
 bool liesInside(const Contour &hole, const Contour &contour)
 {
+    // Nearly all holes are well inside, and that is soon seen.
+    if (nesting(hole, contour, kCutChord) == Nesting::FirstInside)
+        return true;
     return areaOf(subtract(hole, {contour}, {}, kCutChord)) <=
            kMinArea + kCutChord * perimeter(hole.flatten(kCutChord).points);
 }
@@ -37,9 +45,7 @@ bool liesInside(const Contour &hole, const Contour &contour)
 /// They share more than a rim of the width of kResolveChord, or the dust that booleans leave out.
 bool overlap(const Contour &a, const Contour &b)
 {
-    const Box2 boxA = a.bounds();
-    const Box2 boxB = b.bounds();
-    if ((boxA.min.array() > boxB.max.array()).any() || (boxB.min.array() > boxA.max.array()).any())
+    if (nesting(a, b, kResolveChord) == Nesting::Apart)
         return false;
     const Polygon whole = a.flatten(kResolveChord).points;
     const double shared = std::abs(signedArea(whole)) - areaOf(subtract(a, {b}, {}, kResolveChord));
@@ -79,8 +85,15 @@ private:
 
     const std::string m_name;
     Problems &m_problems;
+    struct Hole
+    {
+        Contour contour;
+        std::string where;
+        Box2 bounds; // contains it
+    };
+
     Contour m_contour;
-    std::vector<PlacedContour> m_holes;
+    std::vector<Hole> m_holes;
 };
 
 void Mender::warn(WarningCode code, const std::string &where)
@@ -102,7 +115,8 @@ void Mender::addHole(const PlacedContour &drawn)
     }
     if (isMended(*hole, drawn.contour))
         warn(WarningCode::SelfCrossingContour, drawn.where);
-    m_holes.push_back({std::move(hole->contour), drawn.where});
+    const Box2 box = hole->contour.bounds();
+    m_holes.push_back({std::move(hole->contour), drawn.where, box});
 }
 
 /// Hole j becomes part of hole i. What they enclose between them falls out, too.
@@ -117,7 +131,8 @@ bool Mender::unite(std::size_t i, std::size_t j)
     if (united.empty())
         return false;
     warn(WarningCode::MergedHoles, m_holes[std::max(i, j)].where);
-    m_holes[i] = {std::move(united.front().outer), m_holes[std::min(i, j)].where};
+    const Box2 box = united.front().outer.bounds();
+    m_holes[i] = {std::move(united.front().outer), m_holes[std::min(i, j)].where, box};
     m_holes.erase(m_holes.begin() + static_cast<std::ptrdiff_t>(j));
     return true;
 }
@@ -126,7 +141,8 @@ void Mender::uniteOverlapping()
 {
     for (std::size_t i = 0; i < m_holes.size(); ++i) {
         for (std::size_t j = i + 1; j < m_holes.size(); ++j) {
-            if (j == i || !overlap(m_holes[i].contour, m_holes[j].contour) || !unite(i, j))
+            if (j == i || areApart(m_holes[i].bounds, m_holes[j].bounds) ||
+                !overlap(m_holes[i].contour, m_holes[j].contour) || !unite(i, j))
                 continue;
             i -= j < i ? 1 : 0;
             j = std::size_t(-1); // it has grown: all others again
@@ -138,8 +154,8 @@ void Mender::uniteOverlapping()
 /// a notch leaves the others where they are: inside.
 void Mender::cutOut()
 {
-    std::vector<PlacedContour> inside;
-    for (PlacedContour &hole : m_holes) {
+    std::vector<Hole> inside;
+    for (Hole &hole : m_holes) {
         if (liesInside(hole.contour, m_contour)) {
             inside.push_back(std::move(hole));
         } else if (std::optional<Contour> rest = notched(m_contour, hole.contour)) {
@@ -166,7 +182,7 @@ Result<ShapePointer> Mender::mend(const PlacedContour &contour,
     uniteOverlapping();
     cutOut();
     std::vector<Contour> mended;
-    for (PlacedContour &hole : m_holes)
+    for (Hole &hole : m_holes)
         mended.push_back(std::move(hole.contour));
     return Shape::make(std::move(m_contour), std::move(mended));
 }

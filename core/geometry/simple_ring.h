@@ -1,0 +1,18 @@
+// Whether a ring on the grid meets itself anywhere. Internal to geometry.
+#pragma once
+
+#include "core/geometry/clip_grid.h"
+
+namespace fff {
+
+/// True only when no two edges of the ring have more in common than the vertex between neighbours:
+/// then it winds once round what is inside. Exact. False also for rings that merely touch
+/// themselves. At least 3 vertices, none followed by its equal.
+/// O(n log n) for what people draw: edges sorted along the longer side of the ring's box, each
+/// compared with those that reach beside it.
+bool isSimple(const GridRing &ring);
+
+/// Whether edges of two rings have a point in common. Exact; the same cost.
+bool meet(const GridRing &a, const GridRing &b);
+
+} // namespace fff
