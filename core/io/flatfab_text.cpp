@@ -64,22 +64,29 @@ void FlatfabParser::fail(ErrorCode code, int line, std::vector<std::string> args
     m_problems.fail(code, std::to_string(line), std::move(args));
 }
 
-/// The next line that is not blank.
+/// The next line that is not blank. One pass over its bytes: it is where reading spends its time.
 bool FlatfabParser::nextLine(Line &line)
 {
-    constexpr std::string_view blanks = " \t\r";
+    const auto isBlank = [](char c) { return c == ' ' || c == '\t' || c == '\r'; };
     while (!m_rest.empty()) {
-        const std::size_t end = m_rest.find('\n');
-        std::string_view text = m_rest.substr(0, end);
-        m_rest.remove_prefix(end == std::string_view::npos ? m_rest.size() : end + 1);
-        ++m_line;
-        line = Line{.number = m_line, .text = text};
-        std::size_t begin = text.find_first_not_of(blanks);
-        while (begin != std::string_view::npos && line.count < line.words.size()) {
-            const std::size_t stop = std::min(text.find_first_of(blanks, begin), text.size());
-            line.words[line.count++] = text.substr(begin, stop - begin);
-            begin = text.find_first_not_of(blanks, stop);
+        const char *at = m_rest.data();
+        const char *const end = at + m_rest.size();
+        line.number = ++m_line;
+        line.count = 0;
+        while (at != end && *at != '\n') {
+            if (isBlank(*at)) {
+                ++at;
+                continue;
+            }
+            const char *const word = at;
+            while (at != end && *at != '\n' && !isBlank(*at))
+                ++at;
+            if (line.count < line.words.size())
+                line.words[line.count++] = {word, static_cast<std::size_t>(at - word)};
         }
+        const auto length = static_cast<std::size_t>(at - m_rest.data());
+        line.text = m_rest.substr(0, length);
+        m_rest.remove_prefix(std::min(length + 1, m_rest.size()));
         if (line.count > 0)
             return true;
     }
