@@ -13,6 +13,9 @@ namespace {
 
 // From one size of a mark to the next smaller one that is tried.
 constexpr double kShrink = 0.8;
+// A place where the number fits in full size is good enough; only small parts are searched for
+// their roomiest.
+constexpr double kAmpleRoom = 1.0;
 
 /// How far the box reaches from its middle along a unit direction.
 double reach(const Vec2 &half, const Vec2 &direction)
@@ -57,7 +60,7 @@ bool engraveJoint(const Part::JointMark &mark, const MarkOptions &options, Room 
     for (double height = options.jointHeight; height >= options.minHeight; height *= kShrink) {
         const Vec2 half = 0.5 * height * number.size + Vec2::Constant(options.clearance);
         for (const Vec2 &center : placesAt(mark, half)) {
-            if (room.scaleAt(center, half) < 1.0)
+            if (!room.fits(center, half))
                 continue;
             draw(number, center, height, engraving);
             room.take(engraving.boxes.back());
@@ -72,7 +75,7 @@ bool engraveNumber(int value, const MarkOptions &options, const Room &room, Engr
     const StrokedNumber number = strokedNumber(value);
     const Vec2 clearance = Vec2::Constant(options.clearance);
     const Vec2 half = 0.5 * options.numberHeight * number.size + clearance;
-    const Vec2 center = room.roomiest(half);
+    const Vec2 center = room.roomiest(half, kAmpleRoom);
     // The clearance does not shrink with the number.
     const Vec2 left = std::min(room.scaleAt(center, half), 1.0) * half - clearance;
     const double height = 2.0 * left.cwiseQuotient(number.size).minCoeff();

@@ -24,8 +24,8 @@ struct Engraving
 };
 
 /// Joint numbers stand just beyond their slits' bottoms, or beside the slits where that is taken;
-/// the part's number stands where then is most room. Upright in the part's frame. Every mark's box
-/// lies inside the material and apart from the others.
+/// the part's number stands where it then fits in full size, or where is most room. Upright in the
+/// part's frame. Every mark's box lies inside the material and apart from the others.
 Engraving engrave(const Part &part, const MarkOptions &options = {});
 
 } // namespace fff

@@ -4,9 +4,10 @@
 
 #include <QString>
 #include <array>
-#include <charconv>
 #include <cmath>
+#include <cstdint>
 #include <set>
+#include <utility>
 
 namespace fff::io {
 
@@ -19,15 +20,46 @@ constexpr const char *kCut = "#ff0000";
 constexpr const char *kEngraving = "#0000ff";
 constexpr const char *kGuide = "#ffcc00";
 
-/// Shortest text of the number rounded to kDecimals, without an exponent.
+/// Appends the shortest text of the number rounded to kDecimals, without an exponent. By whole
+/// numbers: a drawing is made of little else.
+void append(std::string &out, double value)
+{
+    const auto whole = static_cast<std::int64_t>(std::llround(value * kDecimals));
+    std::uint64_t rest = static_cast<std::uint64_t>(whole < 0 ? -whole : whole);
+    std::array<char, 32> buffer;
+    char *const end = buffer.data() + buffer.size();
+    char *begin = end;
+    bool hasDigits = false; // after the point, from the last one that is not 0
+    for (std::int64_t place = 1; place < static_cast<std::int64_t>(kDecimals); place *= 10) {
+        const auto digit = static_cast<char>(rest % 10);
+        rest /= 10;
+        hasDigits |= digit != 0;
+        if (hasDigits)
+            *--begin = static_cast<char>('0' + digit);
+    }
+    if (hasDigits)
+        *--begin = '.';
+    do {
+        *--begin = static_cast<char>('0' + static_cast<char>(rest % 10));
+        rest /= 10;
+    } while (rest != 0);
+    if (whole < 0)
+        *--begin = '-';
+    out.append(begin, end);
+}
+
+void append(std::string &out, const Vec2 &p)
+{
+    append(out, p.x());
+    out += ' ';
+    append(out, p.y());
+}
+
 std::string number(double value)
 {
-    const double rounded = std::round(value * kDecimals) / kDecimals;
-    std::array<char, 64> buffer{};
-    // Adding 0 turns -0 into 0.
-    const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), rounded + 0.0,
-                                   std::chars_format::fixed);
-    return {buffer.data(), end.ptr};
+    std::string text;
+    append(text, value);
+    return text;
 }
 
 std::string pair(const Vec2 &p)
@@ -76,27 +108,34 @@ private:
     double m_bottom; // y of the sheet's lower edge in the drawing
 };
 
-std::string closedPath(const Contour &contour, const Transform &transform)
+void appendClosed(const Contour &contour, const Transform &transform, std::string &out)
 {
-    std::string d = "M " + pair(transform(contour.points().front()));
+    out += "M ";
+    append(out, transform(contour.points().front()));
     const int count = contour.segmentCount();
     for (int i = 0; i < count; ++i) {
         const CubicBezier curve = contour.segment(i);
-        if (!curve.isStraight(kClipGrid))
-            d += " C " + pair(transform(curve.p1)) + ' ' + pair(transform(curve.p2)) + ' ' +
-                 pair(transform(curve.p3));
-        else if (i + 1 < count) // Z draws the last one
-            d += " L " + pair(transform(curve.p3));
+        if (!curve.isStraight(kClipGrid)) {
+            const char *separator = " C ";
+            for (const Vec2 *p : {&curve.p1, &curve.p2, &curve.p3}) {
+                out += std::exchange(separator, " ");
+                append(out, transform(*p));
+            }
+        } else if (i + 1 < count) { // Z draws the last one
+            out += " L ";
+            append(out, transform(curve.p3));
+        }
     }
-    return d + " Z";
+    out += " Z";
 }
 
-std::string openPath(const Stroke &stroke, const Transform &transform)
+void appendOpen(const Stroke &stroke, const Transform &transform, std::string &out)
 {
-    std::string d;
-    for (const Vec2 &p : stroke)
-        d += (d.empty() ? "M " : " L ") + pair(transform(p));
-    return d;
+    const char *separator = "M ";
+    for (const Vec2 &p : stroke) {
+        out += std::exchange(separator, " L ");
+        append(out, transform(p));
+    }
 }
 
 std::string rectangle(const Vec2 &corner, const Vec2 &size)
@@ -109,19 +148,21 @@ std::string rectangle(const Vec2 &corner, const Vec2 &size)
 void writePart(const Part &part, const Engraving *engraving, const Transform &transform,
                const Model &model, std::string &out)
 {
-    const auto path = [&](const std::string &d, const char *colour) {
-        out += std::string("      <path stroke=\"") + colour + "\" d=\"" + d + "\"/>\n";
+    const auto path = [&](const char *colour, const auto &appendShape) {
+        out.append("      <path stroke=\"").append(colour).append("\" d=\"");
+        appendShape();
+        out += "\"/>\n";
     };
     const Section &section = *model.section(static_cast<std::size_t>(part.section));
     out += "    <g id=\"part-" + std::to_string(part.number) + "\">\n";
     out += "      <title>" + escaped(section.name) + "</title>\n";
     if (engraving) {
         for (const Stroke &stroke : engraving->strokes)
-            path(openPath(stroke, transform), kEngraving);
+            path(kEngraving, [&] { appendOpen(stroke, transform, out); });
     }
     for (const Contour &hole : part.outline.holes)
-        path(closedPath(hole, transform), kCut);
-    path(closedPath(part.outline.outer, transform), kCut);
+        path(kCut, [&] { appendClosed(hole, transform, out); });
+    path(kCut, [&] { appendClosed(part.outline.outer, transform, out); });
     out += "    </g>\n";
 }
 
