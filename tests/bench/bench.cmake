@@ -1,0 +1,10 @@
+# flatfitfab-bench: not a test, so that nothing hangs on a clock; README.md here says how to run it.
+add_executable(flatfitfab-bench
+    ${CMAKE_CURRENT_LIST_DIR}/bench_main.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/counted_memory.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/generated_models.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/kernel.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/measure.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/peer.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/report.cpp)
+target_link_libraries(flatfitfab-bench PRIVATE fff::session)

@@ -1,0 +1,148 @@
+// flatfitfab-bench: what loading, slits, parts, cutting file, an edit and its undo cost.
+#include "core/io/document_file.h"
+#include "core/io/error_text.h"
+#include "tests/bench/generated_models.h"
+#include "tests/bench/kernel.h"
+#include "tests/bench/report.h"
+
+#include <QCommandLineParser>
+#include <QCoreApplication>
+#include <QDir>
+#include <QTextStream>
+
+using namespace fff;
+using namespace fff::bench;
+
+namespace {
+
+constexpr int kDefaultRuns = 5;
+
+/// A model to measure: a file, and which of its sections is edited.
+struct Case
+{
+    std::string name;
+    QString path;
+    int edited = -1;
+};
+
+int fail(const QString &message)
+{
+    QTextStream(stderr) << message << Qt::endl;
+    return 1;
+}
+
+std::vector<Case> casesIn(const QString &folder)
+{
+    std::vector<Case> cases;
+    const QStringList filters{QStringLiteral("*.txt"), QStringLiteral("*.fff")};
+    for (const QFileInfo &file : QDir(folder).entryInfoList(filters, QDir::Files, QDir::Name))
+        cases.push_back({file.completeBaseName().toStdString(), file.absoluteFilePath()});
+    return cases;
+}
+
+/// Written into the folder, so that they are loaded like any other.
+std::vector<Case> generatedCases(const QString &folder)
+{
+    std::vector<Case> cases;
+    const auto add = [&](const std::string &name, const Document &document, int edited = -1) {
+        const QString path =
+            folder + QLatin1Char('/') + QString::number(cases.size()) + QStringLiteral(".txt");
+        if (io::writeFile(path, flatfabText(document)))
+            cases.push_back({name, path, edited});
+    };
+    for (int sections : {50, 200, 800, 3200})
+        add("comb of " + std::to_string(sections), comb(sections));
+    const auto square = [](const char *name, int n) {
+        return std::string(name) + ' ' + std::to_string(n) + " × " + std::to_string(n);
+    };
+    for (int n : {5, 10, 20, 25, 40, 100})
+        add(square("lattice", n), lattice(n));
+    for (int n : {5, 10, 20, 40}) {
+        const Document document = latticeWithShort(n);
+        add(square("short in lattice", n), document,
+            static_cast<int>(document.sections.size()) - 1);
+    }
+    for (int n : {10, 20, 40})
+        add(square("crates of 10, in all", n), crates(n, 10));
+    return cases;
+}
+
+} // namespace
+
+int main(int argc, char **argv)
+{
+    QCoreApplication application(argc, argv);
+    QCommandLineParser parser;
+    parser.setApplicationDescription(QStringLiteral(
+        "Measures what the program does with each model of the folders and with generated ones."));
+    parser.addHelpOption();
+    parser.addOption(
+        {QStringLiteral("json"), QStringLiteral("Also as JSON."), QStringLiteral("FILE")});
+    parser.addOption({QStringLiteral("kernel"),
+                      QStringLiteral("Program (or its .cpp) whose time is the unit of comparison."),
+                      QStringLiteral("FILE")});
+    parser.addOption({QStringLiteral("peer"),
+                      QStringLiteral("The old program's timings, to be compared with."),
+                      QStringLiteral("FILE")});
+    parser.addOption({QStringLiteral("runs"), QStringLiteral("Of which the median is taken (5)."),
+                      QStringLiteral("N"), QString::number(kDefaultRuns)});
+    parser.addOption({QStringLiteral("only"),
+                      QStringLiteral("Models whose name contains this; may be repeated."),
+                      QStringLiteral("TEXT")});
+    parser.addPositionalArgument(QStringLiteral("FOLDER"), QStringLiteral("Models to measure."),
+                                 QStringLiteral("[FOLDER…]"));
+    parser.process(application);
+
+    std::optional<Kernel> kernel;
+    if (parser.isSet(QStringLiteral("kernel"))) {
+        const Result<Kernel> opened = Kernel::open(parser.value(QStringLiteral("kernel")));
+        if (!opened)
+            return fail(io::errorText(opened.error()));
+        kernel = *opened;
+    }
+    std::optional<Peer> peer;
+    if (parser.isSet(QStringLiteral("peer"))) {
+        const Result<Peer> read = readPeer(parser.value(QStringLiteral("peer")));
+        if (!read)
+            return fail(io::errorText(read.error()));
+        peer = *read;
+    }
+    std::vector<Case> cases;
+    for (const QString &folder : parser.positionalArguments()) {
+        const std::vector<Case> more = casesIn(folder);
+        cases.insert(cases.end(), more.begin(), more.end());
+    }
+    const QTemporaryDir folder;
+    const std::vector<Case> generated = generatedCases(folder.path());
+    cases.insert(cases.end(), generated.begin(), generated.end());
+    const QStringList only = parser.values(QStringLiteral("only"));
+    const auto isWanted = [&](const std::string &name) {
+        return only.isEmpty() || std::any_of(only.begin(), only.end(), [&](const QString &text) {
+                   return QString::fromStdString(name).contains(text);
+               });
+    };
+
+    std::vector<Measurement> rows;
+    const int runs = std::max(1, parser.value(QStringLiteral("runs")).toInt());
+    // Before and after each model: others may be busy on the machine at one time and not another.
+    double before = kernel ? kernel->run() : 0.0;
+    for (const Case &item : cases) {
+        if (!isWanted(item.name))
+            continue;
+        Result<Measurement> row = measure(item.name, item.path, runs, item.edited);
+        if (!row)
+            return fail(io::errorText(row.error()));
+        const double after = kernel ? kernel->run() : 0.0;
+        row->kernel = 0.5 * (before + after);
+        before = after;
+        QTextStream(stderr) << QString::fromStdString(row->name) << Qt::endl;
+        rows.push_back(*std::move(row));
+    }
+    QTextStream(stdout) << QString::fromStdString(tables(rows, peer));
+    if (parser.isSet(QStringLiteral("json"))) {
+        const auto written = io::writeFile(parser.value(QStringLiteral("json")), json(rows, peer));
+        if (!written)
+            return fail(io::errorText(written.error()));
+    }
+    return 0;
+}

@@ -1,0 +1,61 @@
+#include "tests/bench/counted_memory.h"
+
+#include <atomic>
+#include <cstddef>
+#include <cstdlib>
+#include <new>
+
+namespace {
+
+std::atomic<std::int64_t> live{0};
+
+// Before each block stands its size, in as many bytes as keep the block's alignment.
+constexpr std::size_t kHeader = alignof(std::max_align_t);
+static_assert(kHeader >= sizeof(std::size_t));
+
+} // namespace
+
+std::int64_t fff::bench::liveBytes()
+{
+    return live.load(std::memory_order_relaxed);
+}
+
+void *operator new(std::size_t size)
+{
+    void *block = std::malloc(size + kHeader);
+    if (!block)
+        throw std::bad_alloc();
+    *static_cast<std::size_t *>(block) = size;
+    live.fetch_add(static_cast<std::int64_t>(size), std::memory_order_relaxed);
+    return static_cast<char *>(block) + kHeader;
+}
+
+void operator delete(void *pointer) noexcept
+{
+    if (!pointer)
+        return;
+    void *block = static_cast<char *>(pointer) - kHeader;
+    live.fetch_sub(static_cast<std::int64_t>(*static_cast<std::size_t *>(block)),
+                   std::memory_order_relaxed);
+    std::free(block);
+}
+
+void operator delete(void *pointer, std::size_t) noexcept
+{
+    ::operator delete(pointer);
+}
+
+void *operator new[](std::size_t size)
+{
+    return ::operator new(size);
+}
+
+void operator delete[](void *pointer) noexcept
+{
+    ::operator delete(pointer);
+}
+
+void operator delete[](void *pointer, std::size_t) noexcept
+{
+    ::operator delete(pointer);
+}

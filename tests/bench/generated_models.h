@@ -1,0 +1,27 @@
+// Models of any size, made by rule: combs and egg crates.
+#pragma once
+
+#include "core/model/document.h"
+
+#include <string>
+
+namespace fff::bench {
+
+/// A spine of `sections` − 1 ribs that stand across it, 10 mm apart: as many joints as ribs.
+Document comb(int sections);
+
+/// n × n strips across each other, 20 mm apart: 2n sections, n² joints.
+Document lattice(int n);
+
+/// Many egg crates side by side, as one: n × n strips that each meet `reach` others at most,
+/// so that a section has the same neighbours whatever n is. n is a multiple of `reach`.
+Document crates(int n, int reach);
+
+/// The lattice and one short section more (the last) that meets two neighbouring strips.
+Document latticeWithShort(int n);
+
+/// In the text format of FlatFab, which the old program's timings were taken on. Straight edges
+/// and sections without holes only.
+std::string flatfabText(const Document &document);
+
+} // namespace fff::bench

@@ -1,0 +1,162 @@
+#include "tests/bench/measure.h"
+
+#include "core/io/document_file.h"
+#include "core/model/edits.h"
+#include "core/operations/evaluate.h"
+#include "core/session/cutting_file.h"
+#include "tests/bench/counted_memory.h"
+#include "tests/bench/stopwatch.h"
+
+#include <memory>
+
+namespace fff::bench {
+
+namespace {
+
+constexpr double kDragStep = 0.01; // mm; every move is one that no cache has seen
+constexpr int kMoves = 9;          // a run
+constexpr double kStretch = 3.0;   // mm between which a dragged section goes to and fro
+
+using ModelPointer = std::shared_ptr<const Model>;
+
+ModelPointer modelOf(Document document)
+{
+    return std::make_shared<const Model>(evaluate(std::move(document)));
+}
+
+std::vector<int> jointCounts(const Analysis &analysis)
+{
+    std::vector<int> counts(analysis.model.sectionCount());
+    for (const Joint &joint : analysis.assembly.joints) {
+        ++counts[static_cast<std::size_t>(joint.a)];
+        ++counts[static_cast<std::size_t>(joint.b)];
+    }
+    return counts;
+}
+
+/// The first section that has as many joints as the middle one when ordered by that.
+int middleSection(const std::vector<int> &counts)
+{
+    std::vector<int> sorted = counts;
+    std::sort(sorted.begin(), sorted.end());
+    const int middle = sorted[sorted.size() / 2];
+    return static_cast<int>(std::find(counts.begin(), counts.end(), middle) - counts.begin());
+}
+
+/// The section moved within its plane.
+Document moved(const Document &document, SectionId id, double by)
+{
+    const Section &section = *document.find(id);
+    Frame frame = section.frame;
+    frame.origin += by * frame.x;
+    return *moveSection(document, id, frame);
+}
+
+/// The step as the undo history keeps it: the model after the edit, beside the one before it.
+StepMemory memoryOfStep(const ModelPointer &model, SectionId id)
+{
+    const std::int64_t before = liveBytes();
+    const ModelPointer after = modelOf(moved(model->document, id, kDragStep));
+    StepMemory memory;
+    memory.counted = liveBytes() - before;
+    // Objects made shared carry two counters and a table of functions.
+    constexpr std::int64_t kShared = 16;
+    constexpr std::int64_t kInlineText = 15;
+    const Section &changed = *after->document.find(id);
+    const auto size = [](const std::string &text) {
+        const auto length = static_cast<std::int64_t>(text.size());
+        return length > kInlineText ? length + 1 : 0;
+    };
+    memory.expected =
+        static_cast<std::int64_t>(16 * (model->sectionCount() + model->document.stocks.size()) +
+                                  sizeof(Section) + sizeof(Model)) +
+        2 * kShared + size(changed.name);
+    return memory;
+}
+
+struct Edits
+{
+    std::vector<double> drag, edit, undo;
+};
+
+/// A drag: each move starts from the committed model, as previews do, and follows the move before.
+void measureEdits(const ModelPointer &committed, SectionId id, AnalysisCaches &caches,
+                  const Analysis &start, double &offset, Edits &edits)
+{
+    std::shared_ptr<const Analysis> analysis = std::make_shared<const Analysis>(start);
+    prepareDrawing(*analysis);
+    for (int i = 0; i < kMoves; ++i) {
+        offset = offset < kStretch ? offset + kDragStep : -kStretch;
+        double drag = 0.0, follow = 0.0, undo = 0.0;
+        const ModelPointer next =
+            timed(drag, [&] { return modelOf(moved(committed->document, id, offset)); });
+        const auto analysed = [&](const ModelPointer &model, const Analysis &) {
+            auto result = std::make_shared<Analysis>(analyse(*model, caches));
+            prepareDrawing(*result);
+            return std::shared_ptr<const Analysis>(std::move(result));
+        };
+        analysis = timed(follow, [&] { return analysed(next, *analysis); });
+        const auto undone = timed(undo, [&] { return analysed(committed, *analysis); });
+        edits.drag.push_back(drag);
+        edits.edit.push_back(drag + follow);
+        edits.undo.push_back(undo);
+    }
+}
+
+} // namespace
+
+Result<Measurement> measure(const std::string &name, const QString &path, int runs, int edited)
+{
+    Measurement result;
+    result.name = name;
+    std::vector<Timings> all;
+    Edits edits;
+    double offset = 0.0;
+    for (int run = 0; run < runs; ++run) {
+        Timings t;
+        Result<io::LoadedDocument> loaded = timed(t.load, [&] { return io::readDocument(path); });
+        if (!loaded)
+            return tl::unexpected(loaded.error());
+        Document document = std::move(loaded->document);
+        const ModelPointer model = timed(t.evaluate, [&] { return modelOf(std::move(document)); });
+        AnalysisCaches caches;
+        Analysis analysis;
+        analysis.model = *model;
+        analysis.assembly = timed(t.slits, [&] { return assemble(*model, caches.crossings); });
+        analysis.cuts = timed(t.parts, [&] {
+            std::vector<CutSectionPointer> cuts;
+            for (std::size_t i = 0; i < model->sectionCount(); ++i)
+                cuts.push_back(
+                    cutSection(model->section(i)->shape, analysis.assembly.slits[i], caches.cuts));
+            return cuts;
+        });
+        const auto file = timed(t.svg, [&] { return makeCuttingFile(analysis); });
+        if (!file)
+            return tl::unexpected(file.error());
+        all.push_back(t);
+
+        const std::vector<int> counts = jointCounts(analysis);
+        const int index = edited >= 0 ? edited : middleSection(counts);
+        result.sections = static_cast<int>(model->sectionCount());
+        result.joints = static_cast<int>(analysis.assembly.joints.size());
+        result.neighbours = counts[static_cast<std::size_t>(index)];
+        const SectionId id = model->section(static_cast<std::size_t>(index))->id;
+        result.step = memoryOfStep(model, id);
+        measureEdits(model, id, caches, analysis, offset, edits);
+    }
+    const auto middle = [&](double Timings::*field) {
+        std::vector<double> values;
+        for (const Timings &t : all)
+            values.push_back(t.*field);
+        return median(std::move(values));
+    };
+    for (double Timings::*field :
+         {&Timings::load, &Timings::evaluate, &Timings::slits, &Timings::parts, &Timings::svg})
+        result.milliseconds.*field = middle(field);
+    result.milliseconds.drag = median(edits.drag);
+    result.milliseconds.edit = median(edits.edit);
+    result.milliseconds.undo = median(edits.undo);
+    return result;
+}
+
+} // namespace fff::bench

@@ -1,0 +1,52 @@
+// What is measured of one model.
+#pragma once
+
+#include "core/base/result.h"
+#include "core/model/document.h"
+
+#include <QString>
+
+#include <cstdint>
+#include <string>
+
+namespace fff::bench {
+
+/// Medians in milliseconds of CPU time of one thread. Every run starts with reading the file, so
+/// that what is computed at first use is paid for in the column that asks for it first.
+struct Timings
+{
+    double load = 0.0;     // file to document
+    double evaluate = 0.0; // document to model
+    double slits = 0.0;    // model to all joints and slits
+    double parts = 0.0;    // slits to all parts: the cut sections
+    double svg = 0.0;      // cut sections to the bytes of the cutting file
+    double drag = 0.0;     // a section moved, and the model of that; no slits
+    double edit = 0.0;     // the same with all joints, slits, cuts and triangles that follow
+    double undo = 0.0;     // back, with all of that
+};
+
+/// Bytes that one more undo step keeps, by counting, and what they should be: 16 a section and a
+/// stock (the lists of pointers), the changed section, and the model they are in.
+struct StepMemory
+{
+    std::int64_t counted = 0;
+    std::int64_t expected = 0;
+};
+
+struct Measurement
+{
+    std::string name;
+    int sections = 0;
+    int joints = 0;
+    int neighbours = 0; // of the section that is edited
+    Timings milliseconds;
+    StepMemory step;
+    double kernel = 0.0; // ms, of the kernel in the same minutes; 0 when it was not run
+};
+
+/// edited   index of the section that is moved; −1: one in the middle by its number of joints
+/// runs     of which the median is taken
+Result<Measurement> measure(const std::string &name, const QString &path, int runs,
+                            int edited = -1);
+
+} // namespace fff::bench

@@ -1,0 +1,189 @@
+#include "tests/bench/report.h"
+
+#include "core/io/json_writer.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+
+namespace fff::bench {
+
+namespace {
+
+using Row = std::vector<std::string>;
+
+struct Column
+{
+    const char *name;
+    double Timings::*field;
+};
+
+constexpr std::array<Column, 8> kColumns{{{"load", &Timings::load},
+                                          {"evaluate", &Timings::evaluate},
+                                          {"slits", &Timings::slits},
+                                          {"parts", &Timings::parts},
+                                          {"SVG", &Timings::svg},
+                                          {"drag", &Timings::drag},
+                                          {"edit", &Timings::edit},
+                                          {"undo", &Timings::undo}}};
+
+/// Ours over the peer's, both in kernels.
+struct Ratio
+{
+    const char *name;
+    double (*ours)(const Timings &);
+    double (*peers)(const PeerRow &);
+};
+
+// The old program's SVG computes all slits again; so does ours here, with the cuts.
+constexpr std::array<Ratio, 5> kRatios{
+    {{"load", [](const Timings &t) { return t.load; }, [](const PeerRow &p) { return p.load; }},
+     {"slits", [](const Timings &t) { return t.slits; }, [](const PeerRow &p) { return p.slits; }},
+     {"load+slits", [](const Timings &t) { return t.load + t.slits; },
+      [](const PeerRow &p) { return p.load + p.slits; }},
+     {"slits..SVG", [](const Timings &t) { return t.slits + t.parts + t.svg; },
+      [](const PeerRow &p) { return p.svg; }},
+     {"drag", [](const Timings &t) { return t.drag; }, [](const PeerRow &p) { return p.drag; }}}};
+
+double ratio(const Ratio &r, const Measurement &row, const Peer &peer, const PeerRow &peerRow)
+{
+    return (r.ours(row.milliseconds) / row.kernel) / (r.peers(peerRow) / peer.kernel);
+}
+
+std::string fixed(double value, int decimals)
+{
+    char buffer[64];
+    const int length = std::snprintf(buffer, sizeof buffer, "%.*f", decimals, value);
+    return {buffer, static_cast<std::size_t>(length)};
+}
+
+std::size_t width(const std::string &text)
+{
+    return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) {
+        return (static_cast<unsigned char>(c) & 0xC0u) != 0x80u; // the first byte of a character
+    }));
+}
+
+/// The first column to the left, the others to the right.
+std::string aligned(const std::string &title, const std::vector<Row> &rows)
+{
+    std::vector<std::size_t> widths;
+    for (const Row &row : rows) {
+        widths.resize(std::max(widths.size(), row.size()));
+        for (std::size_t i = 0; i < row.size(); ++i)
+            widths[i] = std::max(widths[i], width(row[i]));
+    }
+    std::string out = title + "\n";
+    for (const Row &row : rows) {
+        for (std::size_t i = 0; i < row.size(); ++i) {
+            const std::string space(widths[i] - width(row[i]), ' ');
+            out += i == 0 ? row[i] + space : "  " + space + row[i];
+        }
+        out += '\n';
+    }
+    return out + '\n';
+}
+
+std::string timeTable(const std::vector<Measurement> &rows, bool inKernels)
+{
+    std::vector<Row> table{{"model", "sections", "joints", "edited has"}};
+    for (const Column &column : kColumns)
+        table.front().emplace_back(column.name);
+    for (const Measurement &row : rows) {
+        if (inKernels && !(row.kernel > 0.0))
+            continue;
+        Row cells{row.name, std::to_string(row.sections), std::to_string(row.joints),
+                  std::to_string(row.neighbours)};
+        for (const Column &column : kColumns) {
+            const double ms = row.milliseconds.*column.field;
+            cells.push_back(inKernels ? fixed(ms / row.kernel, 4) : fixed(ms, 3));
+        }
+        if (!inKernels && row.kernel > 0.0)
+            cells.push_back(fixed(row.kernel, 1));
+        table.push_back(std::move(cells));
+    }
+    if (!inKernels)
+        table.front().emplace_back("kernel");
+    return aligned(inKernels ? "Kernels" : "Milliseconds of CPU time of one thread", table);
+}
+
+std::string peerTable(const std::vector<Measurement> &rows, const Peer &peer)
+{
+    std::vector<Row> table{{"model"}};
+    for (const Ratio &r : kRatios)
+        table.front().emplace_back(r.name);
+    for (const Measurement &row : rows) {
+        const PeerRow *peerRow = peer.find(row.name);
+        if (!peerRow || !(row.kernel > 0.0))
+            continue;
+        Row cells{row.name};
+        for (const Ratio &r : kRatios)
+            cells.push_back(fixed(ratio(r, row, peer, *peerRow), 3));
+        table.push_back(std::move(cells));
+    }
+    return aligned("Ours over the old program's, in kernels (below 1: faster)", table);
+}
+
+std::string memoryTable(const std::vector<Measurement> &rows)
+{
+    std::vector<Row> table{{"model", "sections", "counted", "expected"}};
+    for (const Measurement &row : rows)
+        table.push_back({row.name, std::to_string(row.sections), std::to_string(row.step.counted),
+                         std::to_string(row.step.expected)});
+    return aligned("Bytes of one undo step (16 a section + the changed objects)", table);
+}
+
+} // namespace
+
+std::string tables(const std::vector<Measurement> &rows, const std::optional<Peer> &peer)
+{
+    const bool hasKernels =
+        std::any_of(rows.begin(), rows.end(), [](const auto &row) { return row.kernel > 0.0; });
+    std::string out = timeTable(rows, false);
+    if (hasKernels)
+        out += timeTable(rows, true);
+    if (hasKernels && peer)
+        out += peerTable(rows, *peer);
+    return out + memoryTable(rows);
+}
+
+std::string json(const std::vector<Measurement> &rows, const std::optional<Peer> &peer)
+{
+    io::JsonWriter json;
+    json.beginArray();
+    for (const Measurement &row : rows) {
+        json.beginObject();
+        json.member("model", row.name);
+        json.member("sections", row.sections);
+        json.member("joints", row.joints);
+        json.member("editedHas", row.neighbours);
+        json.key("milliseconds");
+        json.beginObject(io::JsonWriter::Layout::Line);
+        for (const Column &column : kColumns)
+            json.member(column.name, row.milliseconds.*column.field);
+        json.endObject();
+        json.member("stepBytes", row.step.counted);
+        json.member("stepBytesExpected", row.step.expected);
+        if (row.kernel > 0.0) {
+            json.member("kernel", row.kernel);
+            json.key("kernels");
+            json.beginObject(io::JsonWriter::Layout::Line);
+            for (const Column &column : kColumns)
+                json.member(column.name, row.milliseconds.*column.field / row.kernel);
+            json.endObject();
+        }
+        const PeerRow *peerRow = peer ? peer->find(row.name) : nullptr;
+        if (peerRow && row.kernel > 0.0) {
+            json.key("overPeer");
+            json.beginObject(io::JsonWriter::Layout::Line);
+            for (const Ratio &r : kRatios)
+                json.member(r.name, ratio(r, row, *peer, *peerRow));
+            json.endObject();
+        }
+        json.endObject();
+    }
+    json.endArray();
+    return json.take();
+}
+
+} // namespace fff::bench
