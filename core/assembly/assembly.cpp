@@ -5,7 +5,6 @@
 #include "core/base/tolerances.h"
 
 #include <algorithm>
-#include <list>
 #include <numeric>
 #include <unordered_map>
 
@@ -13,139 +12,275 @@ namespace fff {
 
 namespace {
 
-// More than the joints of any model we know, drawn a few hundred times over: about 30 MB.
-constexpr std::size_t kMaxCrossings = 65536;
-
-/// Addresses name shapes here only together with a weak pointer that still holds: they get reused.
-struct CrossingKey
-{
-    const Shape *shapeA, *shapeB;
-    Frame frameA, frameB;
-
-    bool operator==(const CrossingKey &) const = default;
-};
-
-struct CrossingHash
-{
-    std::size_t operator()(const CrossingKey &key) const noexcept
-    {
-        std::size_t seed = 0;
-        const auto mix = [&seed](std::size_t h) {
-            seed ^= h + 0x9e3779b97f4a7c15ull + (seed << 6) + (seed >> 2);
-        };
-        mix(std::hash<const Shape *>()(key.shapeA));
-        mix(std::hash<const Shape *>()(key.shapeB));
-        for (const Frame *frame : {&key.frameA, &key.frameB})
-            for (const Vec3 *v : {&frame->origin, &frame->x, &frame->y})
-                for (const double c : *v)
-                    mix(std::hash<double>()(c));
-        return seed;
-    }
-};
-
-} // namespace
-
-struct CrossingCache::Data
-{
-    struct Entry
-    {
-        CrossingKey key;
-        std::weak_ptr<const Shape> shapeA, shapeB;
-        std::shared_ptr<const Crossing> crossing;
-    };
-    std::list<Entry> entries; // most recently used first
-    std::unordered_map<CrossingKey, std::list<Entry>::iterator, CrossingHash> index;
-
-    std::shared_ptr<const Crossing> find(const Section &a, const Section &b);
-};
-
-std::shared_ptr<const Crossing> CrossingCache::Data::find(const Section &a, const Section &b)
-{
-    const CrossingKey key{a.shape.get(), b.shape.get(), a.frame, b.frame};
-    const auto known = index.find(key);
-    if (known != index.end()) {
-        Entry &entry = *known->second;
-        if (!entry.shapeA.expired() && !entry.shapeB.expired()) {
-            entries.splice(entries.begin(), entries, known->second);
-            return entry.crossing;
-        }
-        entries.erase(known->second);
-        index.erase(known);
-    }
-    auto crossing =
-        std::make_shared<const Crossing>(findCrossing(*a.shape, a.frame, *b.shape, b.frame));
-    entries.push_front({key, a.shape, b.shape, crossing});
-    index.emplace(key, entries.begin());
-    if (entries.size() > kMaxCrossings) {
-        index.erase(entries.back().key);
-        entries.pop_back();
-    }
-    return crossing;
-}
-
-CrossingCache::CrossingCache() : m_data(std::make_unique<Data>()) {}
-CrossingCache::~CrossingCache() = default;
-CrossingCache::CrossingCache(CrossingCache &&) noexcept = default;
-CrossingCache &CrossingCache::operator=(CrossingCache &&) noexcept = default;
-
-namespace {
-
 /// Drawn sections by their id, all others by their place behind them.
 bool isLower(const Model &model, int a, int b)
 {
-    const SectionRef refA = model.ref(static_cast<std::size_t>(a));
-    const SectionRef refB = model.ref(static_cast<std::size_t>(b));
-    return refA.drawn.isValid() && refB.drawn.isValid() ? refA.drawn < refB.drawn : a < b;
+    const std::vector<SectionPointer> &drawn = model.document.sections;
+    const auto i = static_cast<std::size_t>(a), j = static_cast<std::size_t>(b);
+    return i < drawn.size() && j < drawn.size() ? drawn[i]->id < drawn[j]->id : a < b;
 }
 
-void addSlits(std::vector<Slit> slits, int joint, int guest, std::vector<Slit> &all)
+bool isSameGeometry(const Section &a, const Section &b)
 {
-    for (Slit &slit : slits) {
-        slit.joint = joint;
-        slit.guest = guest;
-        all.push_back(slit);
+    return a.id == b.id && a.shape == b.shape && a.stock == b.stock && a.frame == b.frame;
+}
+
+/// What one model has of another: which of its sections differ.
+class Difference
+{
+public:
+    Difference(const Model &model, const Model &previous);
+
+    const std::vector<int> &changed() const { return m_changed; }
+    /// Then looking at everything once is faster than at each of them.
+    bool isLarge() const
+    {
+        return m_changed.size() > 8 && m_changed.size() > m_isChanged.size() / 8;
+    }
+    /// Also for sections that are not there any more.
+    bool isChanged(int index) const
+    {
+        const auto i = static_cast<std::size_t>(index);
+        return i >= m_isChanged.size() || m_isChanged[i];
+    }
+
+private:
+    std::vector<int> m_changed; // ascending
+    std::vector<char> m_isChanged;
+};
+
+Difference::Difference(const Model &model, const Model &previous)
+    : m_isChanged(model.sectionCount(), char(false))
+{
+    // Sections of a stock that became another one have other slits.
+    const bool hasSameStocks = model.document.stocks == previous.document.stocks;
+    const auto hasSameStock = [&](const Section &section) {
+        const Stock *before = previous.document.find(section.stock);
+        const Stock &now = model.document.stockOf(section);
+        return before && (before == &now || (before->thickness == now.thickness &&
+                                             before->clearance == now.clearance));
+    };
+    const std::size_t drawn = model.document.sections.size();
+    const bool hasSameOrder =
+        drawn == previous.document.sections.size() ||
+        (model.evaluation.sections.empty() && previous.evaluation.sections.empty());
+    for (std::size_t i = 0; i < model.sectionCount(); ++i) {
+        bool isSame = hasSameOrder && i < previous.sectionCount();
+        if (isSame) {
+            const SectionPointer &now = model.section(i), &before = previous.section(i);
+            isSame = (now == before || isSameGeometry(*now, *before)) &&
+                     (hasSameStocks || hasSameStock(*now));
+        }
+        if (!isSame) {
+            m_isChanged[i] = true;
+            m_changed.push_back(static_cast<int>(i));
+        }
     }
 }
 
-} // namespace
-
-Assembly assemble(const Model &model, CrossingCache &cache)
+/// A joint as it is found, before it has a number.
+struct FoundJoint
 {
-    const std::size_t count = model.sectionCount();
-    std::vector<Box3> boxes;
-    boxes.reserve(count);
-    for (std::size_t i = 0; i < count; ++i)
-        boxes.push_back(worldBounds(*model.section(i)->shape, model.section(i)->frame));
+    Joint joint;
+    std::vector<Slit> slitsOfA, slitsOfB;
+};
 
-    Assembly assembly;
-    assembly.slits.resize(count);
-    for (const auto &[a, b] : meetingPairs(boxes)) {
+void setGuest(std::vector<Slit> &slits, int guest)
+{
+    for (Slit &slit : slits)
+        slit.guest = guest;
+}
+
+/// The joints of those pairs that have one.
+std::vector<FoundJoint> findJoints(const Model &model,
+                                   const std::vector<std::pair<int, int>> &pairs)
+{
+    std::vector<FoundJoint> found;
+    for (const auto &[a, b] : pairs) {
         const Section &sectionA = *model.section(static_cast<std::size_t>(a));
         const Section &sectionB = *model.section(static_cast<std::size_t>(b));
-        std::shared_ptr<const Crossing> crossing = cache.data().find(sectionA, sectionB);
-        if (crossing->overlaps.empty())
+        Crossing crossing =
+            findCrossing(*sectionA.shape, sectionA.frame, *sectionB.shape, sectionB.frame);
+        if (crossing.overlaps.empty())
             continue;
         const Stock &stockA = model.document.stockOf(sectionA);
         const Stock &stockB = model.document.stockOf(sectionB);
         JointSlits slits =
-            cutSlits(*crossing, {sectionA, stockA.thickness, stockA.clearance},
+            cutSlits(crossing, {sectionA, stockA.thickness, stockA.clearance},
                      {sectionB, stockB.thickness, stockB.clearance}, isLower(model, a, b));
-        Joint joint;
-        joint.id = static_cast<int>(assembly.joints.size()) + 1;
-        joint.a = a;
-        joint.b = b;
-        joint.kind = slits.kind;
-        joint.crossing = std::move(crossing);
-        joint.meets = std::move(slits.meets);
-        addSlits(std::move(slits.a), joint.id, b, assembly.slits[static_cast<std::size_t>(a)]);
-        addSlits(std::move(slits.b), joint.id, a, assembly.slits[static_cast<std::size_t>(b)]);
-        assembly.joints.push_back(std::move(joint));
+        FoundJoint item;
+        item.joint.a = a;
+        item.joint.b = b;
+        item.joint.kind = slits.kind;
+        item.joint.crossing = std::make_shared<const Crossing>(std::move(crossing));
+        item.joint.meets = std::move(slits.meets);
+        item.slitsOfA = std::move(slits.a);
+        item.slitsOfB = std::move(slits.b);
+        setGuest(item.slitsOfA, b);
+        setGuest(item.slitsOfB, a);
+        found.push_back(std::move(item));
     }
+    return found;
+}
+
+/// Pairs of sections of which one differs at least, whose boxes meet, in their order.
+std::vector<std::pair<int, int>> pairsToLookAt(const Difference &difference,
+                                               const std::vector<Box3> &boxes)
+{
+    std::vector<std::pair<int, int>> pairs;
+    if (difference.isLarge()) {
+        pairs = meetingPairs(boxes);
+        std::erase_if(pairs, [&](const auto &pair) {
+            return !difference.isChanged(pair.first) && !difference.isChanged(pair.second);
+        });
+        return pairs;
+    }
+    for (const int i : difference.changed()) {
+        const Box3 &box = boxes[static_cast<std::size_t>(i)];
+        for (int j = 0; j < static_cast<int>(boxes.size()); ++j) {
+            // Two that both differ are looked at from the lower one.
+            if (j != i && (j > i || !difference.isChanged(j)) &&
+                box.intersects(boxes[static_cast<std::size_t>(j)]))
+                pairs.emplace_back(std::min(i, j), std::max(i, j));
+        }
+    }
+    std::sort(pairs.begin(), pairs.end());
+    return pairs;
+}
+
+/// Sections whose joints and slits may differ: those that changed, and their mates before and now.
+std::vector<int> concernedSections(const Difference &difference, const Assembly &before,
+                                   std::size_t count, const std::vector<FoundJoint> &found)
+{
+    std::vector<int> concerned = difference.changed();
+    for (const FoundJoint &item : found)
+        concerned.insert(concerned.end(), {item.joint.a, item.joint.b});
+    const auto addMatesBefore = [&](std::size_t index) {
+        for (std::size_t mate = 0; mate < std::min(count, before.boxes.size()); ++mate) {
+            const int a = static_cast<int>(std::min(mate, index));
+            const int b = static_cast<int>(std::max(mate, index));
+            if (a != b && before.boxes[mate].intersects(before.boxes[index]) &&
+                before.joints.find(a, b))
+                concerned.push_back(static_cast<int>(mate));
+        }
+    };
+    if (difference.isLarge()) {
+        for (const Joint &joint : before.joints) {
+            for (const auto &[index, mate] : {std::pair(joint.a, joint.b), {joint.b, joint.a}}) {
+                if (difference.isChanged(index) && mate < static_cast<int>(count))
+                    concerned.push_back(mate);
+            }
+        }
+    } else {
+        for (const int index : difference.changed()) {
+            if (static_cast<std::size_t>(index) < before.boxes.size())
+                addMatesBefore(static_cast<std::size_t>(index));
+        }
+    }
+    for (std::size_t gone = count; gone < before.boxes.size(); ++gone)
+        addMatesBefore(gone);
+    std::sort(concerned.begin(), concerned.end());
+    concerned.erase(std::unique(concerned.begin(), concerned.end()), concerned.end());
+    return concerned;
+}
+
+/// Replaces the joints of the sections that are concerned. Whether another joint got a new id.
+bool renewJoints(const Difference &difference, const std::vector<int> &concerned,
+                 std::vector<FoundJoint> &found, std::size_t count, JointList &joints)
+{
+    SharedRows<Joint> rows = joints.rows();
+    rows.resize(count);
+    auto next = found.begin(); // they are in the order of the rows
+    for (const int a : concerned) {
+        const auto index = static_cast<std::size_t>(a);
+        std::vector<Joint> row;
+        if (!difference.isChanged(a)) {
+            for (const Joint &joint : rows[index]) {
+                if (!difference.isChanged(joint.b))
+                    row.push_back(joint);
+            }
+        }
+        const std::size_t kept = row.size();
+        for (; next != found.end() && next->joint.a == a; ++next)
+            row.push_back(next->joint);
+        if (row.size() == kept && kept == rows[index].size())
+            continue;
+        std::sort(row.begin(), row.end(), [](const Joint &x, const Joint &y) { return x.b < y.b; });
+        rows.set(index, std::move(row));
+    }
+    return joints.replace(std::move(rows));
+}
+
+/// Replaces the slits of the sections that are concerned; where joints got new ids, all that name
+/// them.
+void renewSlits(const Difference &difference, const std::vector<int> &concerned,
+                const std::vector<FoundJoint> &found, const JointList &joints, bool hasNewIds,
+                SharedRows<Slit> &slits)
+{
+    const auto setIds = [&joints](int host, std::vector<Slit> &row) {
+        for (Slit &slit : row)
+            slit.joint = joints.find(std::min(host, slit.guest), std::max(host, slit.guest))->id;
+    };
+    std::unordered_map<int, std::vector<Slit>> added;
+    for (const FoundJoint &item : found) {
+        std::vector<Slit> &a = added[item.joint.a], &b = added[item.joint.b];
+        a.insert(a.end(), item.slitsOfA.begin(), item.slitsOfA.end());
+        b.insert(b.end(), item.slitsOfB.begin(), item.slitsOfB.end());
+    }
+    std::vector<char> isDone(slits.size(), char(false));
+    for (const int host : concerned) {
+        const auto index = static_cast<std::size_t>(host);
+        isDone[index] = true;
+        std::vector<Slit> row;
+        if (!difference.isChanged(host)) {
+            for (const Slit &slit : slits[index]) {
+                if (!difference.isChanged(slit.guest))
+                    row.push_back(slit);
+            }
+        }
+        if (const auto it = added.find(host); it != added.end())
+            row.insert(row.end(), it->second.begin(), it->second.end());
+        // In the joints' order, which for one section is that of its guests.
+        std::stable_sort(row.begin(), row.end(),
+                         [](const Slit &x, const Slit &y) { return x.guest < y.guest; });
+        setIds(host, row);
+        slits.set(index, std::move(row));
+    }
+    for (std::size_t index = 0; hasNewIds && index < slits.size(); ++index) {
+        if (isDone[index] || slits[index].empty())
+            continue;
+        std::vector<Slit> row = slits[index];
+        setIds(static_cast<int>(index), row);
+        slits.set(index, std::move(row));
+    }
+}
+
+} // namespace
+
+Assembly assemble(const Model &model)
+{
+    return assemble(model, Model(), Assembly());
+}
+
+Assembly assemble(const Model &model, const Model &previous, const Assembly &before)
+{
+    const std::size_t count = model.sectionCount();
+    const Difference difference(model, previous);
+    Assembly assembly = before;
+    assembly.boxes.resize(count);
+    assembly.slits.resize(count);
+    for (const int i : difference.changed()) {
+        const Section &section = *model.section(static_cast<std::size_t>(i));
+        assembly.boxes[static_cast<std::size_t>(i)] = worldBounds(*section.shape, section.frame);
+    }
+    std::vector<FoundJoint> found = findJoints(model, pairsToLookAt(difference, assembly.boxes));
+    const std::vector<int> concerned = concernedSections(difference, before, count, found);
+    const bool hasNewIds = renewJoints(difference, concerned, found, count, assembly.joints);
+    renewSlits(difference, concerned, found, assembly.joints, hasNewIds, assembly.slits);
     return assembly;
 }
 
-std::vector<std::vector<int>> connectedGroups(std::size_t sectionCount,
-                                              const std::vector<Joint> &joints)
+std::vector<std::vector<int>> connectedGroups(std::size_t sectionCount, const JointList &joints)
 {
     std::vector<int> leader(sectionCount);
     std::iota(leader.begin(), leader.end(), 0);

@@ -1,6 +1,55 @@
 #include "core/assembly/joint.h"
 
+#include <algorithm>
+#include <cassert>
+
 namespace fff {
+
+const Joint &JointList::operator[](std::size_t index) const
+{
+    const auto after = std::upper_bound(m_starts.begin(), m_starts.end(), index);
+    const auto row = static_cast<std::size_t>(after - m_starts.begin()) - 1;
+    return m_rows[row][index - m_starts[row]];
+}
+
+const Joint &JointList::at(std::size_t index) const
+{
+    assert(index < size() && "there are as many joints as size() says");
+    return (*this)[index];
+}
+
+const Joint *JointList::find(int a, int b) const
+{
+    const std::vector<Joint> &row = m_rows[static_cast<std::size_t>(a)];
+    const auto it = std::lower_bound(row.begin(), row.end(), b,
+                                     [](const Joint &joint, int other) { return joint.b < other; });
+    return it != row.end() && it->b == b ? &*it : nullptr;
+}
+
+bool JointList::replace(SharedRows<Joint> rows)
+{
+    bool moves = false;
+    std::vector<std::size_t> starts(rows.size() + 1);
+    std::size_t start = 0;
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        starts[i] = start;
+        const bool isOther = i >= m_rows.size() || rows.pointer(i) != m_rows.pointer(i);
+        if (isOther || start != m_starts[i]) {
+            std::vector<Joint> row = rows[i];
+            for (std::size_t k = 0; k < row.size(); ++k) {
+                const int id = static_cast<int>(start + k) + 1;
+                moves |= row[k].id != 0 && row[k].id != id; // new ones have none yet
+                row[k].id = id;
+            }
+            rows.set(i, std::move(row));
+        }
+        start += rows[i].size();
+    }
+    starts.back() = start;
+    m_rows = std::move(rows);
+    m_starts = std::move(starts);
+    return moves;
+}
 
 Polygon Slit::outline() const
 {

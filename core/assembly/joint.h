@@ -2,6 +2,7 @@
 // is saved.
 #pragma once
 
+#include "core/assembly/shared_rows.h"
 #include "core/geometry/polygon.h"
 #include "core/model/model.h"
 
@@ -89,11 +90,86 @@ struct Joint
     std::vector<double> meets; // of each overlap: where its two slits meet, mm along the axis
 };
 
+/// The joints of a model in the order of their ids, which is that of (a, b). Kept by their first
+/// section, so that an edit replaces the rows of a few sections and copies share all others.
+class JointList
+{
+public:
+    std::size_t size() const { return m_starts.empty() ? 0 : m_starts.back(); }
+    bool empty() const { return size() == 0; }
+    /// By the joint's id − 1. O(log sections).
+    const Joint &operator[](std::size_t index) const;
+    const Joint &at(std::size_t index) const;
+    const Joint &front() const { return (*this)[0]; }
+    const Joint &back() const { return (*this)[size() - 1]; }
+
+    /// Of each section the joints in which it is a.
+    const SharedRows<Joint> &rows() const { return m_rows; }
+    /// How many joints come before those of the row.
+    std::size_t start(std::size_t row) const { return m_starts[row]; }
+    /// The joint of two sections, a < b, or null.
+    const Joint *find(int a, int b) const;
+    /// Takes other rows and gives all their joints ids; new ones come with 0. Whether one that had
+    /// an id has another one now.
+    bool replace(SharedRows<Joint> rows);
+
+    class Iterator
+    {
+    public:
+        using value_type = Joint;
+        using difference_type = std::ptrdiff_t;
+        using iterator_category = std::forward_iterator_tag;
+        using pointer = const Joint *;
+        using reference = const Joint &;
+
+        Iterator() = default;
+        Iterator(const SharedRows<Joint> *rows, std::size_t row) : m_rows(rows), m_row(row)
+        {
+            skipEmpty();
+        }
+        reference operator*() const { return (*m_rows)[m_row][m_index]; }
+        pointer operator->() const { return &**this; }
+        Iterator &operator++()
+        {
+            if (++m_index == (*m_rows)[m_row].size()) {
+                ++m_row;
+                skipEmpty();
+            }
+            return *this;
+        }
+        Iterator operator++(int)
+        {
+            Iterator before = *this;
+            ++*this;
+            return before;
+        }
+        bool operator==(const Iterator &) const = default;
+
+    private:
+        void skipEmpty()
+        {
+            m_index = 0;
+            while (m_row < m_rows->size() && (*m_rows)[m_row].empty())
+                ++m_row;
+        }
+
+        const SharedRows<Joint> *m_rows = nullptr;
+        std::size_t m_row = 0, m_index = 0;
+    };
+    Iterator begin() const { return {&m_rows, 0}; }
+    Iterator end() const { return {&m_rows, m_rows.size()}; }
+
+private:
+    SharedRows<Joint> m_rows;
+    std::vector<std::size_t> m_starts; // one a row and the number of all
+};
+
 /// All joints of a model and the slits of each of its sections.
 struct Assembly
 {
-    std::vector<Joint> joints;
-    std::vector<std::vector<Slit>> slits; // one list a section of the model, in the joints' order
+    JointList joints;
+    SharedRows<Slit> slits;  // one list a section of the model, in the joints' order
+    std::vector<Box3> boxes; // of each section's mid-plane, by which neighbours are found
 };
 
 } // namespace fff

@@ -2,16 +2,26 @@
 
 namespace fff {
 
-Analysis analyse(const Model &model, AnalysisCaches &caches)
+AnalysisPointer analyse(const Model &model, AnalysisCaches &caches)
 {
+    static const Analysis nothing;
+    const Analysis &last = caches.last ? *caches.last : nothing;
     Analysis analysis;
     analysis.model = model;
-    analysis.assembly = assemble(model, caches.crossings);
-    analysis.cuts.reserve(model.sectionCount());
-    for (std::size_t i = 0; i < model.sectionCount(); ++i)
-        analysis.cuts.push_back(
-            cutSection(model.section(i)->shape, analysis.assembly.slits[i], caches.cuts));
-    return analysis;
+    analysis.assembly = assemble(model, last.model, last.assembly);
+    analysis.cuts = last.cuts;
+    analysis.cuts.resize(model.sectionCount());
+    const SharedRows<Slit> &slits = analysis.assembly.slits, &before = last.assembly.slits;
+    for (std::size_t i = 0; i < analysis.cuts.size(); ++i) {
+        const ShapePointer &shape = model.section(i)->shape;
+        const bool isSame =
+            i < last.cuts.size() && slits.pointer(i) == before.pointer(i) &&
+            (model.section(i) == last.model.section(i) || shape == last.model.section(i)->shape);
+        if (!isSame)
+            analysis.cuts[i] = cutSection(shape, slits[i], caches.cuts);
+    }
+    caches.last = std::make_shared<const Analysis>(std::move(analysis));
+    return caches.last;
 }
 
 void prepareDrawing(const Analysis &analysis)

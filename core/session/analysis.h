@@ -14,14 +14,18 @@ struct Analysis
     std::vector<CutSectionPointer> cuts; // one a section
 };
 
+using AnalysisPointer = std::shared_ptr<const Analysis>;
+
+/// Not for several threads at once.
 struct AnalysisCaches
 {
-    CrossingCache crossings;
+    AnalysisPointer last; // from which the next one is made; null at first
     CutCache cuts;
 };
 
-/// Reuses what the caches hold: an edit costs the work of what it touches.
-Analysis analyse(const Model &model, AnalysisCaches &caches);
+/// As from scratch, with any caches. Reuses what they hold: an edit costs the work on the sections
+/// it touches and their mates, and a copy of a few pointers for each of the others.
+AnalysisPointer analyse(const Model &model, AnalysisCaches &caches);
 
 /// Computes now what drawing will ask for, so that it costs a worker's time, not the window's.
 void prepareDrawing(const Analysis &analysis);

@@ -30,9 +30,9 @@ public:
     bool isResetting = false; // the stack's own signals say nothing then
 
     AnalysisCaches caches; // touched by the job alone
-    std::shared_ptr<const Analysis> analysis;
+    AnalysisPointer analysis;
     std::uint64_t analysedRevision = 0;
-    LatestJob<ModelPointer, Analysis> job; // last: waits for its worker before the caches go
+    LatestJob<ModelPointer, AnalysisPointer> job; // last: waits for its worker before the caches go
 };
 
 namespace {
@@ -63,12 +63,12 @@ Session::Private::Private(Session *session)
     : q(session), stack(new QUndoStack(session)),
       job(
           [this](const ModelPointer &model) {
-              Analysis result = analyse(*model, caches);
-              prepareDrawing(result);
+              AnalysisPointer result = analyse(*model, caches);
+              prepareDrawing(*result);
               return result;
           },
-          [this](std::uint64_t ofRevision, Analysis result) {
-              analysis = std::make_shared<const Analysis>(std::move(result));
+          [this](std::uint64_t ofRevision, AnalysisPointer result) {
+              analysis = std::move(result);
               analysedRevision = ofRevision;
               Q_EMIT q->analysisChanged();
           })

@@ -43,12 +43,12 @@ int middleSection(const std::vector<int> &counts)
     return static_cast<int>(std::find(counts.begin(), counts.end(), middle) - counts.begin());
 }
 
-/// The section moved within its plane.
+/// The section moved along its plane and across it.
 Document moved(const Document &document, SectionId id, double by)
 {
     const Section &section = *document.find(id);
     Frame frame = section.frame;
-    frame.origin += by * frame.x;
+    frame.origin += by * (frame.x + frame.normal()); // its mates' slits move, too
     return *moveSection(document, id, frame);
 }
 
@@ -81,22 +81,21 @@ struct Edits
 
 /// A drag: each move starts from the committed model, as previews do, and follows the move before.
 void measureEdits(const ModelPointer &committed, SectionId id, AnalysisCaches &caches,
-                  const Analysis &start, double &offset, Edits &edits)
+                  double &offset, Edits &edits)
 {
-    std::shared_ptr<const Analysis> analysis = std::make_shared<const Analysis>(start);
-    prepareDrawing(*analysis);
+    prepareDrawing(*analyse(*committed, caches));
     for (int i = 0; i < kMoves; ++i) {
         offset = offset < kStretch ? offset + kDragStep : -kStretch;
         double drag = 0.0, follow = 0.0, undo = 0.0;
         const ModelPointer next =
             timed(drag, [&] { return modelOf(moved(committed->document, id, offset)); });
-        const auto analysed = [&](const ModelPointer &model, const Analysis &) {
-            auto result = std::make_shared<Analysis>(analyse(*model, caches));
+        const auto analysed = [&](const ModelPointer &model) {
+            AnalysisPointer result = analyse(*model, caches);
             prepareDrawing(*result);
-            return std::shared_ptr<const Analysis>(std::move(result));
+            return result;
         };
-        analysis = timed(follow, [&] { return analysed(next, *analysis); });
-        const auto undone = timed(undo, [&] { return analysed(committed, *analysis); });
+        AnalysisPointer analysis = timed(follow, [&] { return analysed(next); });
+        analysis = timed(undo, [&] { return analysed(committed); });
         edits.drag.push_back(drag);
         edits.edit.push_back(drag + follow);
         edits.undo.push_back(undo);
@@ -122,12 +121,13 @@ Result<Measurement> measure(const std::string &name, const QString &path, int ru
         AnalysisCaches caches;
         Analysis analysis;
         analysis.model = *model;
-        analysis.assembly = timed(t.slits, [&] { return assemble(*model, caches.crossings); });
+        analysis.assembly = timed(t.slits, [&] { return assemble(*model); });
         analysis.cuts = timed(t.parts, [&] {
+            CutCache cache;
             std::vector<CutSectionPointer> cuts;
             for (std::size_t i = 0; i < model->sectionCount(); ++i)
                 cuts.push_back(
-                    cutSection(model->section(i)->shape, analysis.assembly.slits[i], caches.cuts));
+                    cutSection(model->section(i)->shape, analysis.assembly.slits[i], cache));
             return cuts;
         });
         const auto file = timed(t.svg, [&] { return makeCuttingFile(analysis); });
@@ -142,7 +142,7 @@ Result<Measurement> measure(const std::string &name, const QString &path, int ru
         result.neighbours = counts[static_cast<std::size_t>(index)];
         const SectionId id = model->section(static_cast<std::size_t>(index))->id;
         result.step = memoryOfStep(model, id);
-        measureEdits(model, id, caches, analysis, offset, edits);
+        measureEdits(model, id, caches, offset, edits);
     }
     const auto middle = [&](double Timings::*field) {
         std::vector<double> values;

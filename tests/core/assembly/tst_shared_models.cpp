@@ -109,9 +109,8 @@ void TestSharedModels::laws()
     const Result<io::LoadedDocument> loaded = io::readDocument(kFolder + u'/' + file);
     QVERIFY(loaded.has_value());
     const Model model = evaluate(loaded->document);
-    CrossingCache crossings;
     CutCache cuts;
-    const Assembly assembly = assemble(model, crossings);
+    const Assembly assembly = assemble(model);
 
     std::set<std::pair<int, int>> pairs;
     for (const Joint &joint : assembly.joints)

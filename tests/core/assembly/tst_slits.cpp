@@ -15,8 +15,7 @@ namespace {
 
 Assembly assembled(const Model &model)
 {
-    CrossingCache cache;
-    return assemble(model, cache);
+    return assemble(model);
 }
 
 /// World height (Y) of a slit's bottom and mouth.

@@ -8,9 +8,8 @@ namespace fff::test {
 
 inline std::vector<Part> partsOf(const Model &model)
 {
-    CrossingCache crossings;
     CutCache cache;
-    const Assembly assembly = assemble(model, crossings);
+    const Assembly assembly = assemble(model);
     std::vector<CutSectionPointer> cuts;
     for (std::size_t i = 0; i < model.sectionCount(); ++i)
         cuts.push_back(cutSection(model.section(i)->shape, assembly.slits[i], cache));
