@@ -7,7 +7,7 @@
 #include <CGAL/Uncertain.h>
 #include <CGAL/exceptions.h>
 
-#include <list>
+#include <cmath>
 
 namespace fff {
 
@@ -15,7 +15,7 @@ namespace {
 
 struct FaceInfo
 {
-    int nesting = -1; // how many constraints lie between the face and infinity; odd is inside
+    int piece = -1; // of the plane that the boundary cuts up
 };
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
@@ -36,35 +36,56 @@ void insertRing(Cdt &cdt, const Polygon &polygon)
         cdt.insert_constraint(ring.begin(), ring.end(), true);
 }
 
-void markNesting(const Cdt &cdt)
+double doubleArea(Cdt::Face_handle face)
 {
-    std::list<Cdt::Edge> border;
-    const auto flood = [&](Cdt::Face_handle start, int nesting) {
+    const auto at = [&](int i) {
+        return Vec2(face->vertex(i)->point().x(), face->vertex(i)->point().y());
+    };
+    return std::abs(cross(at(1) - at(0), at(2) - at(0)));
+}
+
+/// Gives every face the number of its piece. Which of the pieces lie inside is asked of the region,
+/// at the middle of each one's largest face: counting the constraints on the way from outside goes
+/// wrong where two rings share an edge, which is one constraint.
+std::vector<bool> markPieces(const Cdt &cdt, const Region &region)
+{
+    std::vector<bool> isInside;
+    for (const Cdt::Face_handle start : cdt.all_face_handles()) {
+        if (start->info().piece != -1)
+            continue;
+        const int piece = static_cast<int>(isInside.size());
+        Cdt::Face_handle largest;
+        double size = -1.0;
+        bool isInfinite = false;
         std::vector<Cdt::Face_handle> stack{start};
+        start->info().piece = piece;
         while (!stack.empty()) {
             const Cdt::Face_handle face = stack.back();
             stack.pop_back();
-            if (face->info().nesting != -1)
-                continue;
-            face->info().nesting = nesting;
+            if (cdt.is_infinite(face)) {
+                isInfinite = true;
+            } else if (const double area = doubleArea(face); area > size) {
+                size = area;
+                largest = face;
+            }
             for (int i = 0; i < 3; ++i) {
-                const Cdt::Edge edge(face, i);
                 const Cdt::Face_handle next = face->neighbor(i);
-                if (next->info().nesting != -1)
+                if (next->info().piece != -1 || cdt.is_constrained(Cdt::Edge(face, i)))
                     continue;
-                if (cdt.is_constrained(edge))
-                    border.push_back(edge);
-                else
-                    stack.push_back(next);
+                next->info().piece = piece;
+                stack.push_back(next);
             }
         }
-    };
-    flood(cdt.infinite_face(), 0);
-    while (!border.empty()) {
-        const Cdt::Edge edge = border.front();
-        border.pop_front();
-        flood(edge.first->neighbor(edge.second), edge.first->info().nesting + 1);
+        if (isInfinite) {
+            isInside.push_back(false);
+            continue;
+        }
+        const auto &a = largest->vertex(0)->point(), &b = largest->vertex(1)->point(),
+                   &c = largest->vertex(2)->point();
+        const Vec2 middle((a.x() + b.x() + c.x()) / 3.0, (a.y() + b.y() + c.y()) / 3.0);
+        isInside.push_back(locate(middle, region) == Side::Inside);
     }
+    return isInside;
 }
 
 /// Throws what CGAL throws.
@@ -77,7 +98,7 @@ Triangulation constrainedDelaunay(const Region &region)
         insertRing(cdt, hole);
     if (cdt.dimension() < 2)
         return result;
-    markNesting(cdt);
+    const std::vector<bool> isInside = markPieces(cdt, region);
 
     result.points.reserve(cdt.number_of_vertices());
     for (const auto &vertex : cdt.finite_vertex_handles()) {
@@ -85,7 +106,7 @@ Triangulation constrainedDelaunay(const Region &region)
         result.points.emplace_back(vertex->point().x(), vertex->point().y());
     }
     for (const auto &face : cdt.finite_face_handles()) {
-        if (face->info().nesting % 2 == 1)
+        if (isInside[static_cast<std::size_t>(face->info().piece)])
             result.triangles.push_back(
                 {face->vertex(0)->info(), face->vertex(1)->info(), face->vertex(2)->info()});
     }

@@ -33,6 +33,7 @@ private Q_SLOTS:
     void trianglesFillTheRegion();
     void holesStayOpen();
     void holeThatTouchesTheOutside();
+    void holeThatSharesAnEdge();
     void nothingForNoArea_data();
     void nothingForNoArea();
 };
@@ -69,6 +70,20 @@ void TestTriangulation::holeThatTouchesTheOutside()
 {
     const Region corner{rectangleAt(0, 0, 40, 40), {{{0, 20}, {10, 25}, {10, 15}}}};
     QVERIFY(std::abs(triangleArea(triangulate(corner)) - area(corner)) < 1e-9);
+}
+
+// Wrong: the hole would be filled and the material left open, as the shared edge counts once only.
+void TestTriangulation::holeThatSharesAnEdge()
+{
+    const Polygon square = rectangleAt(0, 0, 40, 40);
+    const Region whole{square, {{{0, 0}, {0, 40}, {10, 40}, {10, 0}}}};
+    QVERIFY(std::abs(triangleArea(triangulate(whole)) - area(whole)) < 1e-9);
+    const Region partly{square, {{{0, 10}, {0, 30}, {10, 30}, {10, 10}}}};
+    QVERIFY(std::abs(triangleArea(triangulate(partly)) - area(partly)) < 1e-9);
+    const Region pair{
+        square,
+        {{{10, 10}, {10, 20}, {20, 20}, {20, 10}}, {{20, 10}, {20, 20}, {30, 20}, {30, 10}}}};
+    QVERIFY(std::abs(triangleArea(triangulate(pair)) - area(pair)) < 1e-9);
 }
 
 void TestTriangulation::nothingForNoArea_data()
