@@ -21,19 +21,70 @@ const Polygon &ringOf(const Region &region, int ring)
     return ring == 0 ? region.outer : region.holes[static_cast<std::size_t>(ring - 1)];
 }
 
-/// Sides (−1, 0, +1) of all vertices of a ring, exactly.
-std::vector<signed char> sidesOf(const PlaneLine &line, const Polygon &ring, bool &hasZero)
+/// On which side of a line points lie, exactly. In floating point where that is certain, which is
+/// nearly everywhere.
+class LineSide
 {
-    const Vec2 far = line.at(kBaseLength);
-    const Kernel::Point_2 a(line.point.x(), line.point.y()), b(far.x(), far.y());
+public:
+    explicit LineSide(const PlaneLine &line) : m_from(line.point), m_to(line.at(kBaseLength)) {}
+
+    int operator()(const Vec2 &p) const
+    {
+        // J. R. Shewchuk, Adaptive precision floating-point arithmetic, 1997: the first filter.
+        constexpr double kError = 3.4e-16;
+        const double left = (m_to.x() - m_from.x()) * (p.y() - m_from.y());
+        const double right = (m_to.y() - m_from.y()) * (p.x() - m_from.x());
+        const double difference = left - right;
+        if (std::abs(difference) > kError * (std::abs(left) + std::abs(right)))
+            return difference > 0.0 ? 1 : -1;
+        return CGAL::orientation(Kernel::Point_2(m_from.x(), m_from.y()),
+                                 Kernel::Point_2(m_to.x(), m_to.y()),
+                                 Kernel::Point_2(p.x(), p.y()));
+    }
+
+private:
+    Vec2 m_from, m_to;
+};
+
+/// Sides (−1, 0, +1) of all vertices of a ring.
+std::vector<signed char> sidesOf(const PlaneLine &line, const Polygon &ring)
+{
+    const LineSide side(line);
     std::vector<signed char> sides;
     sides.reserve(ring.size());
-    for (const Vec2 &p : ring) {
-        const int side = CGAL::orientation(a, b, Kernel::Point_2(p.x(), p.y()));
-        hasZero |= side == 0;
-        sides.push_back(static_cast<signed char>(side));
-    }
+    for (const Vec2 &p : ring)
+        sides.push_back(static_cast<signed char>(side(p)));
     return sides;
+}
+
+/// Where the edge from a to b crosses the line, which its ends lie to both sides of.
+double crossingAlong(const PlaneLine &line, const Vec2 &a, const Vec2 &b)
+{
+    const double di = std::abs(line.across(a)), dj = std::abs(line.across(b));
+    const double u = di + dj > 0.0 ? di / (di + dj) : 0.0;
+    return (1.0 - u) * line.along(a) + u * line.along(b);
+}
+
+/// Crossings of one ring, or false when a vertex lies on the line.
+bool addPlainCrossings(const PlaneLine &line, const LineSide &side, const Polygon &ring,
+                       int ringIndex, std::vector<AxisEnd> &crossings)
+{
+    if (ring.empty())
+        return true;
+    const int first = side(ring.front());
+    int here = first;
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+        const bool isLast = i + 1 == ring.size();
+        const Vec2 &next = ring[isLast ? 0 : i + 1];
+        const int there = isLast ? first : side(next);
+        if (here == 0)
+            return false;
+        if (here * there < 0)
+            crossings.push_back(
+                {crossingAlong(line, ring[i], next), ringIndex, static_cast<int>(i)});
+        here = there;
+    }
+    return true;
 }
 
 /// Crossings of one ring when vertices on the line count as on the side `zero`.
@@ -45,10 +96,8 @@ void addCrossings(const PlaneLine &line, const Polygon &ring, int ringIndex,
         const std::size_t j = (i + 1) % ring.size();
         if (isLeft(i) == isLeft(j))
             continue;
-        const double di = std::abs(line.across(ring[i])), dj = std::abs(line.across(ring[j]));
-        const double u = di + dj > 0.0 ? di / (di + dj) : 0.0;
-        const double at = (1.0 - u) * line.along(ring[i]) + u * line.along(ring[j]);
-        crossings.push_back({at, ringIndex, static_cast<int>(i)});
+        crossings.push_back(
+            {crossingAlong(line, ring[i], ring[j]), ringIndex, static_cast<int>(i)});
     }
 }
 
@@ -142,18 +191,23 @@ PlaneLine lineInFrame(const Axis &axis, const Frame &frame)
 std::vector<Interval> intervalsOn(const PlaneLine &line, const Region &region)
 {
     const int rings = 1 + static_cast<int>(region.holes.size());
-    bool hasZero = false;
+    std::vector<AxisEnd> plain;
+    const LineSide side(line);
+    bool isPlain = true;
+    for (int r = 0; r < rings && isPlain; ++r)
+        isPlain = addPlainCrossings(line, side, ringOf(region, r), r, plain);
+    if (isPlain)
+        return plain.empty() ? std::vector<Interval>() : paired(std::move(plain));
+
     std::vector<std::vector<signed char>> sides;
     for (int r = 0; r < rings; ++r)
-        sides.push_back(sidesOf(line, ringOf(region, r), hasZero));
+        sides.push_back(sidesOf(line, ringOf(region, r)));
     const auto insideWhenZeroIs = [&](int zero) {
         std::vector<AxisEnd> crossings;
         for (int r = 0; r < rings; ++r)
             addCrossings(line, ringOf(region, r), r, sides[r], zero, crossings);
         return paired(std::move(crossings));
     };
-    if (!hasZero)
-        return insideWhenZeroIs(1);
     return intersected(insideWhenZeroIs(1), insideWhenZeroIs(-1));
 }
 
