@@ -1,6 +1,7 @@
 #include "core/fabrication/cut_section.h"
 
 #include "core/base/tolerances.h"
+#include "core/geometry/notch.h"
 
 #include <algorithm>
 #include <array>
@@ -46,6 +47,15 @@ CutKey makeKey(const Shape *shape, const std::vector<Slit> &slits)
     for (const Slit &s : slits)
         key.slits.push_back({s.inner.x(), s.inner.y(), s.mouth.x(), s.mouth.y(), s.width});
     return key;
+}
+
+std::vector<CurvedRegion> cutParts(const Shape &shape, const std::vector<Polygon> &cuts)
+{
+    if (shape.isPlain()) {
+        if (auto part = cutNotches(shape.contour(), shape.holes(), cuts, kCutChord))
+            return {*std::move(part)};
+    }
+    return subtract(shape.contour(), shape.holes(), cuts, kCutChord);
 }
 
 } // namespace
@@ -125,8 +135,7 @@ CutSectionPointer cutSection(const ShapePointer &shape, const std::vector<Slit> 
     cuts.reserve(slits.size());
     for (const Slit &slit : slits)
         cuts.push_back(slit.outline());
-    auto cut = std::make_shared<const CutSection>(
-        subtract(shape->contour(), shape->holes(), cuts, kCutChord));
+    auto cut = std::make_shared<const CutSection>(cutParts(*shape, cuts));
     cache.data().insert({std::move(key), shape, cut});
     return cut;
 }

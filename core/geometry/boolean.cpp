@@ -144,12 +144,14 @@ std::vector<CurvedRegion> windingRegions(const std::vector<Contour> &contours, W
 Result<ResolvedContour> resolveCrossings(const Contour &contour)
 {
     const ClipGrid grid(contour.bounds());
-    const GridRing ring = snapped(contour.flatten(kCutChord).points, grid);
+    Polygon chords = contour.flatten(kCutChord).points;
+    const GridRing ring = snapped(chords, grid);
     if (ring.size() < 3)
         return failure(ErrorCode::EmptyContour);
-    const bool isCrossing = !isSimple(ring) && windsOddly(ring);
+    const bool isPlain = isSimple(ring);
+    const bool isCrossing = !isPlain && windsOddly(ring);
     if (!isCrossing && std::abs(signedArea(ring)) * (kClipGrid * kClipGrid) >= kMinArea)
-        return ResolvedContour{contour, false};
+        return ResolvedContour{contour, false, std::move(chords), isPlain};
     // Sharp tips carry loops smaller than the usual chords: a contour that crosses itself anywhere
     // is looked at closely once, so that none stays in it.
     const double chord =
@@ -157,7 +159,7 @@ Result<ResolvedContour> resolveCrossings(const Contour &contour)
     std::vector<CurvedRegion> regions = windingRegions({contour}, WindingRule::NonZero, chord);
     if (regions.empty())
         return failure(ErrorCode::EmptyContour);
-    return ResolvedContour{std::move(regions.front().outer), true};
+    return ResolvedContour{std::move(regions.front().outer), true, {}, false};
 }
 
 Nesting nesting(const Contour &first, const Contour &second, double chord)
@@ -177,6 +179,15 @@ Nesting nesting(const Contour &first, const Contour &second, double chord)
     if (locate(a.front(), b) == Side::Inside)
         return Nesting::FirstInside;
     return locate(b.front(), a) == Side::Inside ? Nesting::SecondInside : Nesting::Apart;
+}
+
+bool isPlain(const Contour &contour, const std::vector<Contour> &others, double chord)
+{
+    const ClipGrid grid(contour.bounds());
+    std::vector<GridRing> rings{snapped(contour.flatten(chord).points, grid)};
+    for (const Contour &other : others)
+        rings.push_back(snapped(other.flatten(chord).points, grid));
+    return areSimpleAndApart(rings);
 }
 
 } // namespace fff

@@ -42,6 +42,8 @@ struct ResolvedContour
 {
     Contour contour;
     bool wasCrossing = false; // the contour crossed itself: something was left out or cut apart
+    Polygon chords;           // of kCutChord, where they are at hand
+    bool isPlain = false;     // known to be (see below), on those chords
 };
 
 /// The largest region that the contour winds round (non-zero), its outer boundary. A contour that
@@ -55,5 +57,8 @@ enum class Nesting { Apart, FirstInside, SecondInside, Meeting };
 
 /// Exact for the chords. Neither may cross itself. Far cheaper than `subtract`.
 Nesting nesting(const Contour &first, const Contour &second, double chord);
+
+/// Whether the contours, on their chords, neither touch themselves nor each other. Exact.
+bool isPlain(const Contour &contour, const std::vector<Contour> &others, double chord);
 
 } // namespace fff

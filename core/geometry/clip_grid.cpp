@@ -1,6 +1,7 @@
 #include "core/geometry/clip_grid.h"
 
 #include "core/base/tolerances.h"
+#include "core/geometry/grid_predicates.h"
 
 #include <algorithm>
 #include <bit>
@@ -111,13 +112,6 @@ void splitAtCorners(const GridRing &ring, std::vector<GridRing> &loops)
         loops.push_back(std::move(walk));
 }
 
-/// Twice the area of the triangle, exactly: coordinates reach 2^62.
-__extension__ using Wide = __int128;
-Wide doubleArea(const GridPoint &a, const GridPoint &b, const GridPoint &p)
-{
-    return Wide(b.x - a.x) * Wide(p.y - a.y) - Wide(b.y - a.y) * Wide(p.x - a.x);
-}
-
 /// Whether the loop lies inside the ring, which it may touch but not cross: by the first of its
 /// vertices that is not on the ring.
 bool liesInside(const GridRing &loop, const GridRing &ring)
@@ -129,7 +123,7 @@ bool liesInside(const GridRing &loop, const GridRing &ring)
             if (a.y == p.y && b.y == p.y) {
                 isOn = std::min(a.x, b.x) <= p.x && p.x <= std::max(a.x, b.x);
             } else if ((a.y <= p.y) != (b.y <= p.y)) {
-                const Wide side = doubleArea(a, b, p);
+                const int side = sideOf(a, b, p);
                 isOn = side == 0;
                 if ((b.y > a.y) == (side > 0))
                     inside = !inside;

@@ -1,30 +1,12 @@
 #include "core/geometry/simple_ring.h"
 
+#include "core/geometry/grid_predicates.h"
+
 #include <algorithm>
-#include <cmath>
-#include <limits>
 
 namespace fff {
 
 namespace {
-
-__extension__ using Wide = __int128;
-
-// Relative error of the difference of two rounded products, twice over.
-constexpr double kProductError = 4.0 * std::numeric_limits<double>::epsilon();
-
-/// On which side of the line from a to b lies p: the sign, exactly.
-int side(const GridPoint &a, const GridPoint &b, const GridPoint &p)
-{
-    const std::int64_t bx = b.x - a.x, by = b.y - a.y, px = p.x - a.x, py = p.y - a.y;
-    const double left = static_cast<double>(bx) * static_cast<double>(py);
-    const double right = static_cast<double>(by) * static_cast<double>(px);
-    const double difference = left - right;
-    if (std::abs(difference) > kProductError * (std::abs(left) + std::abs(right)))
-        return difference > 0.0 ? 1 : -1;
-    const Wide exact = Wide(bx) * Wide(py) - Wide(by) * Wide(px);
-    return exact > 0 ? 1 : (exact < 0 ? -1 : 0);
-}
 
 struct Edge
 {
@@ -38,18 +20,18 @@ struct Edge
 /// Edges that do not follow each other.
 bool edgesMeet(const Edge &a, const Edge &b)
 {
-    if (side(a.from, a.to, b.from) * side(a.from, a.to, b.to) > 0)
+    if (sideOf(a.from, a.to, b.from) * sideOf(a.from, a.to, b.to) > 0)
         return false;
-    return side(b.from, b.to, a.from) * side(b.from, b.to, a.to) <= 0;
+    return sideOf(b.from, b.to, a.from) * sideOf(b.from, b.to, a.to) <= 0;
 }
 
 /// The second edge runs back on the first, which it follows.
 bool turnsBack(const Edge &first, const Edge &second)
 {
-    if (side(first.from, first.to, second.to) != 0)
+    if (sideOf(first.from, first.to, second.to) != 0)
         return false;
-    const Wide along = Wide(first.to.x - first.from.x) * Wide(second.to.x - second.from.x) +
-                       Wide(first.to.y - first.from.y) * Wide(second.to.y - second.from.y);
+    const Int128 along = Int128(first.to.x - first.from.x) * Int128(second.to.x - second.from.x) +
+                         Int128(first.to.y - first.from.y) * Int128(second.to.y - second.from.y);
     return along < 0;
 }
 
@@ -109,15 +91,27 @@ bool anyPair(const std::vector<Edge> &edges, Test test)
 
 bool isSimple(const GridRing &ring)
 {
-    const std::size_t count = ring.size();
-    if (count < 3)
-        return false;
+    return areSimpleAndApart({&ring, 1});
+}
+
+bool areSimpleAndApart(std::span<const GridRing> rings)
+{
+    std::size_t count = 0;
+    for (const GridRing &ring : rings) {
+        if (ring.size() < 3)
+            return false;
+        count += ring.size();
+    }
     std::vector<Edge> edges;
     edges.reserve(count);
-    addEdges(ring, 0, isWide(ring), edges);
-    return !anyPair(edges, [count](const Edge &a, const Edge &b) {
-        const std::size_t afterA = a.index + 1 < count ? a.index + 1 : 0;
-        const std::size_t afterB = b.index + 1 < count ? b.index + 1 : 0;
+    for (std::size_t i = 0; i < rings.size(); ++i)
+        addEdges(rings[i], static_cast<int>(i), isWide(rings.front()), edges);
+    return !anyPair(edges, [&rings](const Edge &a, const Edge &b) {
+        if (a.ring != b.ring)
+            return edgesMeet(a, b);
+        const std::size_t size = rings[static_cast<std::size_t>(a.ring)].size();
+        const std::size_t afterA = a.index + 1 < size ? a.index + 1 : 0;
+        const std::size_t afterB = b.index + 1 < size ? b.index + 1 : 0;
         if (afterA == b.index)
             return turnsBack(a, b);
         return afterB == a.index ? turnsBack(b, a) : edgesMeet(a, b);

@@ -3,6 +3,8 @@
 
 #include "core/geometry/clip_grid.h"
 
+#include <span>
+
 namespace fff {
 
 /// True only when no two edges of the ring have more in common than the vertex between neighbours:
@@ -11,6 +13,9 @@ namespace fff {
 /// O(n log n) for what people draw: edges sorted along the longer side of the ring's box, each
 /// compared with those that reach beside it.
 bool isSimple(const GridRing &ring);
+
+/// The same of each of several rings, and that no two of them have a point in common.
+bool areSimpleAndApart(std::span<const GridRing> rings);
 
 /// Whether edges of two rings have a point in common. Exact; the same cost.
 bool meet(const GridRing &a, const GridRing &b);

@@ -9,6 +9,7 @@ target_sources(fff_core PRIVATE
     geometry/fit.cpp
     geometry/frame.cpp
     geometry/moments.cpp
+    geometry/notch.cpp
     geometry/offset.cpp
     geometry/polygon.cpp
     geometry/simple_ring.cpp

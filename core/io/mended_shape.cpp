@@ -93,6 +93,7 @@ private:
     };
 
     Contour m_contour;
+    Polygon m_chords; // of the contour, until it is notched
     std::vector<Hole> m_holes;
 };
 
@@ -160,6 +161,7 @@ void Mender::cutOut()
             inside.push_back(std::move(hole));
         } else if (std::optional<Contour> rest = notched(m_contour, hole.contour)) {
             m_contour = *std::move(rest);
+            m_chords.clear();
             warn(WarningCode::NotchedContour, hole.where);
         } else {
             warn(WarningCode::HoleOutside, hole.where);
@@ -177,6 +179,7 @@ Result<ShapePointer> Mender::mend(const PlacedContour &contour,
     if (isMended(*resolved, contour.contour))
         warn(WarningCode::SelfCrossingContour, contour.where);
     m_contour = std::move(resolved->contour);
+    m_chords = std::move(resolved->chords);
     for (const PlacedContour &hole : holes)
         addHole(hole);
     uniteOverlapping();
@@ -184,7 +187,8 @@ Result<ShapePointer> Mender::mend(const PlacedContour &contour,
     std::vector<Contour> mended;
     for (Hole &hole : m_holes)
         mended.push_back(std::move(hole.contour));
-    return Shape::make(std::move(m_contour), std::move(mended));
+    const bool isPlain = resolved->isPlain && !m_chords.empty();
+    return Shape::make(std::move(m_contour), std::move(mended), std::move(m_chords), isPlain);
 }
 
 /// Mending moves crossings by up to the grid's rounding and may leave others behind: this many

@@ -1,6 +1,7 @@
 #include "core/model/shape.h"
 
 #include "core/base/tolerances.h"
+#include "core/geometry/boolean.h"
 
 namespace fff {
 
@@ -29,10 +30,43 @@ int Shape::controlPointCount() const
     return static_cast<int>(count);
 }
 
+Result<ShapePointer> Shape::make(Contour contour, std::vector<Contour> holes, Polygon chords,
+                                 bool isPlain)
+{
+    const bool isTurned = contour.signedArea() < 0.0;
+    const Result<ShapePointer> result = make(std::move(contour), std::move(holes));
+    if (!result || isTurned)
+        return result;
+    // Nobody else has seen it yet.
+    Shape &shape = const_cast<Shape &>(**result);
+    shape.m_chords = std::move(chords);
+    if (isPlain && shape.m_holes.empty())
+        std::call_once(shape.m_plainOnce, [&shape] { shape.m_isPlain = true; });
+    return result;
+}
+
+Region Shape::makeRegion() const
+{
+    if (m_chords.empty())
+        return flatten(kCutChord);
+    Region region;
+    region.outer = m_chords;
+    for (const Contour &hole : m_holes)
+        region.holes.push_back(hole.flatten(kCutChord).points);
+    return region;
+}
+
+bool Shape::isPlain() const
+{
+    std::call_once(m_plainOnce,
+                   [this] { m_isPlain = fff::isPlain(m_contour, m_holes, kCutChord); });
+    return m_isPlain;
+}
+
 const Region &Shape::region() const
 {
     std::call_once(m_regionOnce, [this] {
-        m_region = flatten(kCutChord);
+        m_region = makeRegion();
         m_bounds = fff::bounds(m_region.outer);
     });
     return m_region;

@@ -21,6 +21,10 @@ public:
     /// the holes leave of it, has less than kMinArea.
     static Result<std::shared_ptr<const Shape>> make(Contour contour,
                                                      std::vector<Contour> holes = {});
+    /// The same where it has been seen before: `chords` are those of the contour to kCutChord, and
+    /// `isPlain` what isPlain() says of the contour alone.
+    static Result<std::shared_ptr<const Shape>> make(Contour contour, std::vector<Contour> holes,
+                                                     Polygon chords, bool isPlain);
 
     Shape(const Shape &) = delete;
     Shape &operator=(const Shape &) = delete;
@@ -31,6 +35,8 @@ public:
 
     /// The region to kCutChord.
     const Region &region() const;
+    /// Contour and holes neither touch themselves nor each other, on the chords of region().
+    bool isPlain() const;
     /// Of `region()`.
     const Triangulation &triangulation() const;
     /// Exact for the curves.
@@ -48,11 +54,14 @@ public:
 
 private:
     Shape() = default;
+    Region makeRegion() const;
 
     Contour m_contour;
     std::vector<Contour> m_holes;
     Moments m_moments;
-    mutable std::once_flag m_regionOnce, m_triangulationOnce;
+    Polygon m_chords; // of the contour, where they came with it
+    mutable std::once_flag m_regionOnce, m_triangulationOnce, m_plainOnce;
+    mutable bool m_isPlain = false;
     mutable Region m_region;
     mutable Box2 m_bounds;
     mutable Triangulation m_triangulation;
