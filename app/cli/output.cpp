@@ -76,7 +76,7 @@ std::vector<io::NamedBytes> sheetFiles(const QString &path, const std::vector<st
 Result<Analysis> analysed(const Document &document, const QString &input)
 {
     AnalysisCaches caches;
-    Analysis analysis = *analyse(evaluate(document), caches);
+    Analysis analysis = analyse(evaluate(document), caches);
     if (analysis.model.sectionCount() == 0)
         return failure(ErrorCode::NothingToExport, input.toStdString());
     return analysis;

@@ -125,7 +125,7 @@ int runCheck(const QStringList &arguments)
     if (loaded.status)
         return *loaded.status;
     AnalysisCaches caches;
-    const Analysis analysis = *analyse(evaluate(std::move(loaded.document)), caches);
+    const Analysis analysis = analyse(evaluate(std::move(loaded.document)), caches);
     const std::vector<Check> found = checks(analysis);
     std::vector<Problem> problems = problemsOf(found, analysis.model);
     for (Problem &problem : problemsOf(loaded.warnings))

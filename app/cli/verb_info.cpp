@@ -22,7 +22,7 @@ int runInfo(const QStringList &arguments)
     if (loaded.status)
         return *loaded.status;
     AnalysisCaches caches;
-    const Analysis analysis = *analyse(evaluate(std::move(loaded.document)), caches);
+    const Analysis analysis = analyse(evaluate(std::move(loaded.document)), caches);
     const InfoContext context{parsed.files.first().toStdString(), loaded.format};
     return print(parser.isSet(QStringLiteral("json")) ? infoJson(analysis, context)
                                                       : infoText(analysis, context));

@@ -52,7 +52,7 @@ int runParts(const QStringList &arguments)
     if (loaded.status)
         return *loaded.status;
     AnalysisCaches caches;
-    Analysis analysis = *analyse(evaluate(std::move(loaded.document)), caches);
+    Analysis analysis = analyse(evaluate(std::move(loaded.document)), caches);
     if (chord != kCutChord)
         analysis.cuts = cutsOnChords(analysis, chord);
     const std::vector<Part> parts = makeParts(analysis.model, analysis.assembly, analysis.cuts);

@@ -159,7 +159,7 @@ int runRender(const QStringList &arguments)
         return *loaded.status;
 
     AnalysisCaches caches;
-    const Analysis analysis = *analyse(evaluate(std::move(loaded.document)), caches);
+    const Analysis analysis = analyse(evaluate(std::move(loaded.document)), caches);
     ui::Scene scene = ui::sceneOf(analysis);
     ui::ViewStyle style;
     if (picture.showsChecks) {

@@ -2,7 +2,7 @@
 
 namespace fff {
 
-AnalysisPointer analyse(const Model &model, AnalysisCaches &caches)
+AnalysisPointer analyseNext(const Model &model, AnalysisCaches &caches)
 {
     static const Analysis nothing;
     const Analysis &last = caches.last ? *caches.last : nothing;
@@ -22,6 +22,11 @@ AnalysisPointer analyse(const Model &model, AnalysisCaches &caches)
     }
     caches.last = std::make_shared<const Analysis>(std::move(analysis));
     return caches.last;
+}
+
+Analysis analyse(const Model &model, AnalysisCaches &caches)
+{
+    return *analyseNext(model, caches);
 }
 
 void prepareDrawing(const Analysis &analysis)

@@ -25,7 +25,9 @@ struct AnalysisCaches
 
 /// As from scratch, with any caches. Reuses what they hold: an edit costs the work on the sections
 /// it touches and their mates, and a copy of a few pointers for each of the others.
-AnalysisPointer analyse(const Model &model, AnalysisCaches &caches);
+AnalysisPointer analyseNext(const Model &model, AnalysisCaches &caches);
+/// The same as a value.
+Analysis analyse(const Model &model, AnalysisCaches &caches);
 
 /// Computes now what drawing will ask for, so that it costs a worker's time, not the window's.
 void prepareDrawing(const Analysis &analysis);

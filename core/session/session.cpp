@@ -63,7 +63,7 @@ Session::Private::Private(Session *session)
     : q(session), stack(new QUndoStack(session)),
       job(
           [this](const ModelPointer &model) {
-              AnalysisPointer result = analyse(*model, caches);
+              AnalysisPointer result = analyseNext(*model, caches);
               prepareDrawing(*result);
               return result;
           },

@@ -83,14 +83,14 @@ struct Edits
 void measureEdits(const ModelPointer &committed, SectionId id, AnalysisCaches &caches,
                   double &offset, Edits &edits)
 {
-    prepareDrawing(*analyse(*committed, caches));
+    prepareDrawing(*analyseNext(*committed, caches));
     for (int i = 0; i < kMoves; ++i) {
         offset = offset < kStretch ? offset + kDragStep : -kStretch;
         double drag = 0.0, follow = 0.0, undo = 0.0;
         const ModelPointer next =
             timed(drag, [&] { return modelOf(moved(committed->document, id, offset)); });
         const auto analysed = [&](const ModelPointer &model) {
-            AnalysisPointer result = analyse(*model, caches);
+            AnalysisPointer result = analyseNext(*model, caches);
             prepareDrawing(*result);
             return result;
         };

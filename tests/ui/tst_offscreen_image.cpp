@@ -17,7 +17,7 @@ namespace {
 Analysis crossedPlates()
 {
     AnalysisCaches caches;
-    return *analyse(twoSections(polygonShape(rectangle(-60, 0, 60, 40)), front(),
+    return analyse(twoSections(polygonShape(rectangle(-60, 0, 60, 40)), front(),
                                polygonShape(rectangle(-60, 0, 60, 40)), side()),
                    caches);
 }
@@ -123,7 +123,7 @@ void TestOffscreenImage::impossibleSizesGiveNone()
 void TestOffscreenImage::emptyModelHasAPicture()
 {
     AnalysisCaches caches;
-    const Scene scene = sceneOf(*analyse(evaluate(newDocument()), caches));
+    const Scene scene = sceneOf(analyse(evaluate(newDocument()), caches));
     OffscreenPainter painter;
     QVERIFY(!painter.paint(scene, cameraFor(scene, "iso1", {64, 64}), {64, 64}).isNull());
 }

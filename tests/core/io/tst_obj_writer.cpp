@@ -33,9 +33,8 @@ struct Cut
 
 Cut cutOf(Model model)
 {
-    CrossingCache crossings;
     CutCache cache;
-    const Assembly assembly = assemble(model, crossings);
+    const Assembly assembly = assemble(model);
     Cut cut{std::move(model), {}};
     for (std::size_t i = 0; i < cut.model.sectionCount(); ++i)
         cut.cuts.push_back(cutSection(cut.model.section(i)->shape, assembly.slits[i], cache));

@@ -188,9 +188,9 @@ void TestAnalysis::incrementalEqualsFromScratch()
         else
             history.push_back(edits.next(history.back()));
         const Model model = evaluate(history.back());
-        const AnalysisPointer kept = analyse(model, caches);
+        const AnalysisPointer kept = analyseNext(model, caches);
         AnalysisCaches none;
-        const AnalysisPointer fresh = analyse(model, none);
+        const AnalysisPointer fresh = analyseNext(model, none);
         const QString wrong = difference(*kept, *fresh);
         QVERIFY2(wrong.isEmpty(), qPrintable(QStringLiteral("step %1: %2").arg(step).arg(wrong)));
         joints += kept->assembly.joints.size();
@@ -207,9 +207,10 @@ void TestAnalysis::whatAnEditDoesNotTouchIsShared()
         document = withSection(std::move(document), strip, front(-20.0 * (i + 1)));
     document = withSection(std::move(document), polygonShape(rectangle(5, 0, 50, 40)), side(50));
     AnalysisCaches caches;
-    const AnalysisPointer before = analyse(evaluate(document), caches);
+    const AnalysisPointer before = analyseNext(evaluate(document), caches);
     const SectionId id = document.sections.back()->id;
-    const AnalysisPointer after = analyse(evaluate(*moveSection(document, id, side(51))), caches);
+    const AnalysisPointer after =
+        analyseNext(evaluate(*moveSection(document, id, side(51))), caches);
     QCOMPARE(before->assembly.joints.size(), std::size_t(2));
     for (std::size_t i = 0; i < 9; ++i) {
         const bool isTouched = i < 2 || i == 8;
