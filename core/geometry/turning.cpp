@@ -140,15 +140,25 @@ Box2 turnedBounds(const Polygon &polygon, const Vec2 &turn)
 
 Box2 turnedBounds(const Contour &contour, const Vec2 &turn)
 {
+    // Ends first: a curve whose control points lie in their box does not reach out of it.
+    std::vector<Vec2> points;
+    points.reserve(contour.points().size() + 1);
+    for (const Vec2 &p : contour.points())
+        points.push_back(turned(p, turn));
     Box2 box;
-    for (int i = 0; i < contour.segmentCount(); ++i) {
-        CubicBezier curve = contour.segment(i);
-        for (Vec2 *p : {&curve.p0, &curve.p1, &curve.p2, &curve.p3})
-            *p = turned(*p, turn);
-        box.extend(curve.p0);
-        for (const int axis : {0, 1})
+    for (std::size_t i = 0; i < points.size(); i += 3)
+        box.extend(points[i]);
+    if (!points.empty())
+        points.push_back(points.front()); // where the last segment ends
+    for (std::size_t i = 0; i + 3 < points.size(); i += 3) {
+        const CubicBezier curve{points[i], points[i + 1], points[i + 2], points[i + 3]};
+        for (const int axis : {0, 1}) {
+            if (std::min(curve.p1[axis], curve.p2[axis]) >= box.min[axis] &&
+                std::max(curve.p1[axis], curve.p2[axis]) <= box.max[axis])
+                continue;
             for (const double t : extremes(curve, axis))
                 box.extend(curve.at(t));
+        }
     }
     return box;
 }
