@@ -96,6 +96,7 @@ std::vector<FoundJoint> findJoints(const Model &model,
                                    const std::vector<std::pair<int, int>> &pairs)
 {
     std::vector<FoundJoint> found;
+    found.reserve(pairs.size());
     for (const auto &[a, b] : pairs) {
         const Section &sectionA = *model.section(static_cast<std::size_t>(a));
         const Section &sectionB = *model.section(static_cast<std::size_t>(b));
@@ -214,18 +215,23 @@ bool renewJoints(const Difference &difference, const std::vector<int> &concerned
 /// Replaces the slits of the sections that are concerned; where joints got new ids, all that name
 /// them.
 void renewSlits(const Difference &difference, const std::vector<int> &concerned,
-                const std::vector<FoundJoint> &found, const JointList &joints, bool hasNewIds,
+                std::vector<FoundJoint> &found, const JointList &joints, bool hasNewIds,
                 SharedRows<Slit> &slits)
 {
-    const auto setIds = [&joints](int host, std::vector<Slit> &row) {
-        for (Slit &slit : row)
-            slit.joint = joints.find(std::min(host, slit.guest), std::max(host, slit.guest))->id;
+    const auto idOf = [&joints](int host, int guest) {
+        return joints.find(std::min(host, guest), std::max(host, guest))->id;
     };
-    std::unordered_map<int, std::vector<Slit>> added;
-    for (const FoundJoint &item : found) {
-        std::vector<Slit> &a = added[item.joint.a], &b = added[item.joint.b];
-        a.insert(a.end(), item.slitsOfA.begin(), item.slitsOfA.end());
-        b.insert(b.end(), item.slitsOfB.begin(), item.slitsOfB.end());
+    std::vector<std::vector<Slit>> added(slits.size());
+    for (FoundJoint &item : found) {
+        const int id = idOf(item.joint.a, item.joint.b);
+        for (auto &[index, list] :
+             {std::pair(item.joint.a, &item.slitsOfA), std::pair(item.joint.b, &item.slitsOfB)}) {
+            std::vector<Slit> &row = added[static_cast<std::size_t>(index)];
+            for (Slit &slit : *list) {
+                slit.joint = id;
+                row.push_back(slit);
+            }
+        }
     }
     std::vector<char> isDone(slits.size(), char(false));
     for (const int host : concerned) {
@@ -234,23 +240,29 @@ void renewSlits(const Difference &difference, const std::vector<int> &concerned,
         std::vector<Slit> row;
         if (!difference.isChanged(host)) {
             for (const Slit &slit : slits[index]) {
-                if (!difference.isChanged(slit.guest))
-                    row.push_back(slit);
+                if (difference.isChanged(slit.guest))
+                    continue;
+                row.push_back(slit);
+                if (hasNewIds)
+                    row.back().joint = idOf(host, slit.guest);
             }
         }
-        if (const auto it = added.find(host); it != added.end())
-            row.insert(row.end(), it->second.begin(), it->second.end());
+        if (row.empty())
+            row = std::move(added[index]);
+        else
+            row.insert(row.end(), added[index].begin(), added[index].end());
         // In the joints' order, which for one section is that of its guests.
-        std::stable_sort(row.begin(), row.end(),
-                         [](const Slit &x, const Slit &y) { return x.guest < y.guest; });
-        setIds(host, row);
+        const auto isBefore = [](const Slit &x, const Slit &y) { return x.guest < y.guest; };
+        if (!std::is_sorted(row.begin(), row.end(), isBefore))
+            std::stable_sort(row.begin(), row.end(), isBefore);
         slits.set(index, std::move(row));
     }
     for (std::size_t index = 0; hasNewIds && index < slits.size(); ++index) {
         if (isDone[index] || slits[index].empty())
             continue;
         std::vector<Slit> row = slits[index];
-        setIds(static_cast<int>(index), row);
+        for (Slit &slit : row)
+            slit.joint = idOf(static_cast<int>(index), slit.guest);
         slits.set(index, std::move(row));
     }
 }

@@ -106,6 +106,7 @@ std::vector<Interval> paired(std::vector<AxisEnd> crossings)
     std::sort(crossings.begin(), crossings.end(),
               [](const AxisEnd &a, const AxisEnd &b) { return a.at < b.at; });
     std::vector<Interval> intervals;
+    intervals.reserve(crossings.size() / 2);
     for (std::size_t i = 0; i + 1 < crossings.size(); i += 2) {
         // A gap below the grid of the booleans is none: a corner that just touches the line.
         if (!intervals.empty() && crossings[i].at - intervals.back().to.at <= kClipGrid)
@@ -192,6 +193,7 @@ std::vector<Interval> intervalsOn(const PlaneLine &line, const Region &region)
 {
     const int rings = 1 + static_cast<int>(region.holes.size());
     std::vector<AxisEnd> plain;
+    plain.reserve(4);
     const LineSide side(line);
     bool isPlain = true;
     for (int r = 0; r < rings && isPlain; ++r)

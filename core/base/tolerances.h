@@ -6,7 +6,7 @@ namespace fff {
 /// Largest distance between a curve and the chords that stand for it in what is cut and analysed.
 inline constexpr double kCutChord = 0.01;
 /// The same where a contour that crosses itself is taken apart, once, when it comes in.
-inline constexpr double kResolveChord = 1e-4;
+inline constexpr double kResolveChord = 4e-4;
 /// The same for what is only looked at.
 inline constexpr double kDrawChord = 0.05;
 /// Largest distance of a fitted curve from the offset curve that it stands for.

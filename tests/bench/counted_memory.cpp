@@ -1,13 +1,12 @@
 #include "tests/bench/counted_memory.h"
 
-#include <atomic>
 #include <cstddef>
 #include <cstdlib>
 #include <new>
 
 namespace {
 
-std::atomic<std::int64_t> live{0};
+thread_local std::int64_t live = 0;
 
 // Before each block stands its size, in as many bytes as keep the block's alignment.
 constexpr std::size_t kHeader = alignof(std::max_align_t);
@@ -17,7 +16,7 @@ static_assert(kHeader >= sizeof(std::size_t));
 
 std::int64_t fff::bench::liveBytes()
 {
-    return live.load(std::memory_order_relaxed);
+    return live;
 }
 
 void *operator new(std::size_t size)
@@ -26,7 +25,7 @@ void *operator new(std::size_t size)
     if (!block)
         throw std::bad_alloc();
     *static_cast<std::size_t *>(block) = size;
-    live.fetch_add(static_cast<std::int64_t>(size), std::memory_order_relaxed);
+    live += static_cast<std::int64_t>(size);
     return static_cast<char *>(block) + kHeader;
 }
 
@@ -35,8 +34,7 @@ void operator delete(void *pointer) noexcept
     if (!pointer)
         return;
     void *block = static_cast<char *>(pointer) - kHeader;
-    live.fetch_sub(static_cast<std::int64_t>(*static_cast<std::size_t *>(block)),
-                   std::memory_order_relaxed);
+    live -= static_cast<std::int64_t>(*static_cast<std::size_t *>(block));
     std::free(block);
 }
 

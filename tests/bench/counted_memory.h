@@ -5,7 +5,7 @@
 
 namespace fff::bench {
 
-/// Bytes that were asked for with new and not given back yet, in all threads.
+/// Bytes that this thread has asked for with new, less those that it has given back.
 std::int64_t liveBytes();
 
 } // namespace fff::bench
