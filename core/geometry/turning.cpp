@@ -33,16 +33,34 @@ std::vector<double> eventAngles(const Polygon &hull)
     return angles;
 }
 
+/// The same as unit vectors, without a sine or an angle: every part of a layout asks for them.
+std::vector<Vec2> eventDirections(const Polygon &hull)
+{
+    std::vector<Vec2> directions{Vec2::UnitX(), Vec2::UnitY()};
+    directions.reserve(hull.size() + 2);
+    for (std::size_t i = 0, j = hull.size() - 1; i < hull.size(); j = i++) {
+        Vec2 edge = hull[i] - hull[j];
+        if (!(edge.squaredNorm() > 0.0))
+            continue;
+        while (!(edge.x() > 0.0 && edge.y() >= 0.0))
+            edge = perpendicular(edge);
+        directions.push_back(edge.normalized());
+    }
+    std::sort(directions.begin() + 2, directions.end(),
+              [](const Vec2 &a, const Vec2 &b) { return a.y() < b.y(); });
+    std::rotate(directions.begin() + 1, directions.begin() + 2, directions.end()); // Y last
+    return directions;
+}
+
 /// The corners that reach farthest in four directions, followed while these turn.
 class Calipers
 {
 public:
     explicit Calipers(const Polygon &hull) : m_hull(hull) {}
 
-    /// `angle` of the first direction, ascending from call to call.
-    void turnTo(double angle)
+    /// The first direction, of any length and turning counter-clockwise from call to call.
+    void turnTo(Vec2 d)
     {
-        Vec2 d = direction(angle);
         for (std::size_t k = 0; k < 4; ++k, d = perpendicular(d)) {
             std::size_t &at = m_at[k];
             if (m_isFirst) {
@@ -166,16 +184,16 @@ Box2 turnedBounds(const Contour &contour, const Vec2 &turn)
 Turns findTurns(const Polygon &hull)
 {
     Turns turns;
-    const std::vector<double> angles = eventAngles(hull);
+    const std::vector<Vec2> directions = eventDirections(hull);
     Calipers calipers(hull);
     double smallest = std::numeric_limits<double>::infinity(), lowest = smallest;
-    for (std::size_t i = 0; i + 1 < angles.size(); ++i) {
-        calipers.turnTo(0.5 * (angles[i] + angles[i + 1]));
+    for (std::size_t i = 0; i + 1 < directions.size(); ++i) {
         // The interval's other end begins the next one; the last of all is the first, turned.
-        const Vec2 along = direction(angles[i]);
+        const Vec2 &along = directions[i];
+        calipers.turnTo(along + directions[i + 1]);
         const double width = calipers.along().dot(along),
                      height = calipers.across().dot(perpendicular(along));
-        const Vec2 turn = layingDown(angles[i]);
+        const Vec2 turn(along.x(), -along.y()); // lays it down along x
         const Vec2 lying = width >= height ? turn : quarterMore(turn);
         if (width * height < smallest) {
             smallest = width * height;
@@ -198,7 +216,7 @@ std::optional<Vec2> findFittingTurn(const Polygon &hull, const Vec2 &room)
     const Vec2 limit = room + Vec2::Constant(kClipGrid);
     for (std::size_t i = 0; i + 1 < angles.size(); ++i) {
         const Range all{angles[i], angles[i + 1]};
-        calipers.turnTo(0.5 * (all.from + all.to));
+        calipers.turnTo(direction(0.5 * (all.from + all.to)));
         for (const bool isTurned : {false, true}) {
             const Vec2 most = isTurned ? Vec2(limit.y(), limit.x()) : limit;
             for (const Range &range : within(within({all}, calipers.along(), 0.0, most.x()),
