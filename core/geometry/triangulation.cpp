@@ -2,12 +2,17 @@
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Spatial_sort_traits_adapter_2.h>
 #include <CGAL/Triangulation_face_base_with_info_2.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
 #include <CGAL/Uncertain.h>
 #include <CGAL/exceptions.h>
+#include <CGAL/hilbert_sort.h>
+#include <CGAL/property_map.h>
 
 #include <cmath>
+#include <numeric>
+#include <utility>
 
 namespace fff {
 
@@ -26,14 +31,41 @@ using Structure = CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>;
 using Cdt =
     CGAL::Constrained_Delaunay_triangulation_2<Kernel, Structure, CGAL::Exact_predicates_tag>;
 
-void insertRing(Cdt &cdt, const Polygon &polygon)
+/// All vertices first, near ones after each other, then the edges: inserting a ring along itself
+/// makes fans that are flipped over and over.
+void insertRings(Cdt &cdt, const Region &region)
 {
-    std::vector<Kernel::Point_2> ring;
-    ring.reserve(polygon.size());
-    for (const Vec2 &p : polygon)
-        ring.emplace_back(p.x(), p.y());
-    if (ring.size() >= 3)
-        cdt.insert_constraint(ring.begin(), ring.end(), true);
+    std::vector<Kernel::Point_2> points;
+    std::vector<std::pair<std::size_t, std::size_t>> edges;
+    const auto addRing = [&](const Polygon &ring) {
+        if (ring.size() < 3)
+            return;
+        const std::size_t first = points.size();
+        for (const Vec2 &p : ring)
+            points.emplace_back(p.x(), p.y());
+        for (std::size_t i = 0; i < ring.size(); ++i)
+            edges.emplace_back(first + i, first + (i + 1 < ring.size() ? i + 1 : 0));
+    };
+    addRing(region.outer);
+    for (const Polygon &hole : region.holes)
+        addRing(hole);
+
+    std::vector<std::size_t> order(points.size());
+    std::iota(order.begin(), order.end(), std::size_t(0));
+    using Traits = CGAL::Spatial_sort_traits_adapter_2<
+        Kernel, CGAL::Pointer_property_map<Kernel::Point_2>::const_type>;
+    CGAL::hilbert_sort(order.begin(), order.end(),
+                       Traits(CGAL::make_property_map(std::as_const(points))));
+    std::vector<Cdt::Vertex_handle> vertices(points.size());
+    Cdt::Face_handle hint;
+    for (const std::size_t i : order) {
+        vertices[i] = cdt.insert(points[i], hint);
+        hint = vertices[i]->face();
+    }
+    for (const auto &[from, to] : edges) {
+        if (vertices[from] != vertices[to])
+            cdt.insert_constraint(vertices[from], vertices[to]);
+    }
 }
 
 double doubleArea(Cdt::Face_handle face)
@@ -93,9 +125,7 @@ Triangulation constrainedDelaunay(const Region &region)
 {
     Triangulation result;
     Cdt cdt;
-    insertRing(cdt, region.outer);
-    for (const Polygon &hole : region.holes)
-        insertRing(cdt, hole);
+    insertRings(cdt, region);
     if (cdt.dimension() < 2)
         return result;
     const std::vector<bool> isInside = markPieces(cdt, region);
