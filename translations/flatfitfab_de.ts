@@ -2,362 +2,630 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="de" sourcelanguage="en">
 <context>
+    <name>Checks</name>
+    <message numerus="yes">
+        <source>%n sections</source>
+        <translation>
+            <numerusform>%n Scheibe</numerusform>
+            <numerusform>%n Scheiben</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 and %2</source>
+        <extracomment>the end of a list of names</extracomment>
+        <translation>%1 und %2</translation>
+    </message>
+    <message>
+        <source>Connected. There is only one section.</source>
+        <translation>Zusammenhängend. Es gibt nur eine Scheibe.</translation>
+    </message>
+    <message>
+        <source>Connected. All %1 sections, by %2.</source>
+        <translation>Zusammenhängend. Alle %1 Scheiben, durch %2.</translation>
+    </message>
+    <message>
+        <source>1 joint</source>
+        <translation>1 Verbindung</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n joints</source>
+        <translation>
+            <numerusform>%n Verbindung</numerusform>
+            <numerusform>%n Verbindungen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 is not joined to the rest.</source>
+        <translation>%1 ist nicht mit dem Rest verbunden.</translation>
+    </message>
+    <message>
+        <source>%1 are not joined to the rest.</source>
+        <translation>%1 sind nicht mit dem Rest verbunden.</translation>
+    </message>
+    <message>
+        <source>%1 meets %2, but no joint holds them together.</source>
+        <translation>%1 trifft %2, aber keine Verbindung hält sie zusammen.</translation>
+    </message>
+    <message>
+        <source>%1 meet %2, but no joint holds them together.</source>
+        <translation>%1 treffen %2, aber keine Verbindung hält sie zusammen.</translation>
+    </message>
+    <message>
+        <source>%1 touches nothing. It is %2 away from %3.</source>
+        <translation>%1 berührt nichts. Von %3 ist es %2 entfernt.</translation>
+    </message>
+    <message>
+        <source>%1 touch nothing else. They are %2 away from %3.</source>
+        <translation>%1 berühren sonst nichts. Von %3 sind sie %2 entfernt.</translation>
+    </message>
+    <message>
+        <source>Falls over forwards. The centre of mass lies %1 in front of the feet.</source>
+        <translation>Fällt nach vorn um. Der Schwerpunkt liegt %1 vor den Füßen.</translation>
+    </message>
+    <message>
+        <source>Falls over backwards. The centre of mass lies %1 behind the feet.</source>
+        <translation>Fällt nach hinten um. Der Schwerpunkt liegt %1 hinter den Füßen.</translation>
+    </message>
+    <message>
+        <source>Falls over to the left. The centre of mass lies %1 beside the feet.</source>
+        <translation>Fällt nach links um. Der Schwerpunkt liegt %1 neben den Füßen.</translation>
+    </message>
+    <message>
+        <source>Falls over to the right. The centre of mass lies %1 beside the feet.</source>
+        <translation>Fällt nach rechts um. Der Schwerpunkt liegt %1 neben den Füßen.</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <extracomment>%1 names sections, %2 is a sentence about them such as &quot;Falls over forwards.&quot;</extracomment>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Not on the ground. %1 reaches %2 below it.</source>
+        <translation>Nicht auf dem Boden. %1 reicht %2 darunter.</translation>
+    </message>
+    <message>
+        <source>Not on the ground. %1 reach up to %2 below it.</source>
+        <translation>Nicht auf dem Boden. %1 reichen bis zu %2 darunter.</translation>
+    </message>
+    <message>
+        <source>Stands. Tips only past %1. Margin %2.</source>
+        <translation>Steht. Kippt erst über %1. Reserve %2.</translation>
+    </message>
+    <message>
+        <source>Stands, but not firmly: it tips past %1. The centre of mass is only %2 inside the feet.</source>
+        <translation>Steht, aber nicht fest: Über %1 kippt es. Der Schwerpunkt liegt nur %2 innerhalb der Füße.</translation>
+    </message>
+    <message>
+        <source>Falls over. Its feet are all on one line, so nothing holds it upright.</source>
+        <translation>Fällt um. Alle Füße stehen auf einer Linie, nichts hält es aufrecht.</translation>
+    </message>
+    <message>
+        <source>Not on the ground. Its lowest point is %1 above it.</source>
+        <translation>Nicht auf dem Boden. Der tiefste Punkt liegt %1 darüber.</translation>
+    </message>
+    <message>
+        <source>%1 parts of %2 fit no sheet of %3 with a margin of %4, however they are turned.</source>
+        <translation>%1 Teile von %2 passen auf keine Platte von %3 mit %4 Rand, wie man sie auch dreht.</translation>
+    </message>
+    <message>
+        <source>%1 measures %2 and fits no sheet of %3 with a margin of %4, however it is turned.</source>
+        <translation>%1 misst %2 und passt auf keine Platte von %3 mit %4 Rand, wie man es auch dreht.</translation>
+    </message>
+    <message>
+        <source>1 sheet</source>
+        <translation>1 Platte</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n sheets</source>
+        <translation>
+            <numerusform>%n Platte</numerusform>
+            <numerusform>%n Platten</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Fits the sheet. %1, %2 % used.</source>
+        <translation>Passt auf die Platte. %1, %2 % genutzt.</translation>
+    </message>
+    <message>
+        <source>Fits the sheet. %1 of %2, %3 % used.</source>
+        <translation>Passt auf die Platte. %1 von %2, %3 % genutzt.</translation>
+    </message>
+    <message>
+        <source>%1 and %2 cut into each other, %3 long, but no slit lets them slide together.</source>
+        <translation>%1 und %2 durchdringen sich auf %3, aber kein Schlitz lässt sie zusammenstecken.</translation>
+    </message>
+    <message>
+        <source>%1 meets %2 at %3; slits get wide below %4.</source>
+        <translation>%1 trifft %2 mit %3; unter %4 werden Schlitze breit.</translation>
+    </message>
+    <message>
+        <source>The slits of %1 divide it into %2.</source>
+        <translation>Die Schlitze von %1 zerteilen es in %2.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n parts</source>
+        <translation>
+            <numerusform>%n Teil</numerusform>
+            <numerusform>%n Teile</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The slits of %1 leave nothing of it.</source>
+        <translation>Die Schlitze lassen von %1 nichts übrig.</translation>
+    </message>
+    <message>
+        <source>Connected</source>
+        <translation>Zusammenhängend</translation>
+    </message>
+    <message>
+        <source>Not connected</source>
+        <translation>Nicht zusammenhängend</translation>
+    </message>
+    <message>
+        <source>Stands</source>
+        <translation>Steht</translation>
+    </message>
+    <message>
+        <source>Tips easily</source>
+        <translation>Kippt leicht</translation>
+    </message>
+    <message>
+        <source>Falls over</source>
+        <translation>Fällt um</translation>
+    </message>
+    <message>
+        <source>Not on the ground</source>
+        <translation>Nicht auf dem Boden</translation>
+    </message>
+    <message>
+        <source>Fits the sheet</source>
+        <translation>Passt auf die Platte</translation>
+    </message>
+    <message>
+        <source>Too large for the sheet</source>
+        <translation>Zu groß für die Platte</translation>
+    </message>
+    <message>
+        <source>Mass</source>
+        <translation>Masse</translation>
+    </message>
+    <message>
+        <source>Cut into each other</source>
+        <translation>Durchdringen sich</translation>
+    </message>
+    <message>
+        <source>Shallow angle</source>
+        <translation>Flacher Winkel</translation>
+    </message>
+    <message>
+        <source>Divided by slits</source>
+        <translation>Von Schlitzen zerteilt</translation>
+    </message>
+    <message>
+        <source>Nothing left</source>
+        <translation>Nichts übrig</translation>
+    </message>
+    <message>
+        <source>Mass %1. The centre of mass lies %2 above the ground.</source>
+        <translation>Masse %1. Der Schwerpunkt liegt %2 über dem Boden.</translation>
+    </message>
+</context>
+<context>
     <name>CommandLine</name>
     <message>
         <source>Sections, joints, size and mass of a model</source>
-        <translation type="unfinished"></translation>
+        <translation>Scheiben, Verbindungen, Größe und Masse eines Modells</translation>
     </message>
     <message>
         <source>What is to be cut, in each section&apos;s own coordinates</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Cutting files, true to size; or the model in the native format</source>
-        <translation type="unfinished"></translation>
+        <translation>Was zu schneiden ist, in den eigenen Koordinaten jeder Scheibe</translation>
     </message>
     <message>
         <source>Runs a script of what a person does</source>
-        <translation type="unfinished"></translation>
+        <translation>Spielt ein Skript dessen ab, was jemand tut</translation>
     </message>
     <message>
         <source>For machines.</source>
-        <translation type="unfinished"></translation>
+        <translation>Für Programme.</translation>
     </message>
     <message>
         <source>There is no &quot;%1&quot;.</source>
-        <translation type="unfinished"></translation>
+        <translation>„%1“ gibt es nicht.</translation>
+    </message>
+    <message>
+        <source>Whether it holds together, stands and fits the sheet</source>
+        <translation>Ob es zusammenhält, steht und auf die Platte passt</translation>
+    </message>
+    <message>
+        <source>Cutting files, true to size; the solids in place; or the model itself</source>
+        <translation>Schneiddateien in wahrer Größe, die Körper an ihrem Ort oder das Modell selbst</translation>
+    </message>
+    <message>
+        <source>A picture of the model; needs a display</source>
+        <translation>Ein Bild des Modells; braucht eine Anzeige</translation>
+    </message>
+    <message>
+        <source>Nothing to check: the model has no section.</source>
+        <translation>Nichts zu prüfen: Das Modell hat keine Scheibe.</translation>
     </message>
 </context>
 <context>
     <name>Error</name>
     <message>
         <source>a model</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Modell</translation>
     </message>
     <message>
         <source>it is a folder</source>
-        <translation type="unfinished"></translation>
+        <translation>es ist ein Ordner</translation>
     </message>
     <message>
         <source>bytes</source>
-        <translation type="unfinished"></translation>
+        <translation>Bytes</translation>
     </message>
     <message>
         <source>this value is not possible here</source>
-        <translation type="unfinished"></translation>
+        <translation>dieser Wert ist hier nicht möglich</translation>
     </message>
     <message>
         <source>nothing here, expected %1</source>
-        <translation type="unfinished"></translation>
+        <translation>hier steht nichts, erwartet: %1</translation>
     </message>
     <message>
         <source>found &quot;%1&quot;, expected %2</source>
-        <translation type="unfinished"></translation>
+        <translation>gefunden: „%1“, erwartet: %2</translation>
     </message>
     <message>
         <source>%1: %2</source>
         <extracomment>%1 is a sentence such as &quot;could not be opened&quot;, %2 the system&apos;s reason</extracomment>
-        <translation type="unfinished"></translation>
+        <translation>%1: %2</translation>
     </message>
     <message>
         <source>a count that is not possible</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Anzahl, die nicht möglich ist</translation>
     </message>
     <message>
         <source>found a count of %1, expected at most %2</source>
-        <translation type="unfinished"></translation>
+        <translation>gefunden: Anzahl %1, erwartet: höchstens %2</translation>
     </message>
     <message>
         <source>found %1 %3, expected at most %2 %3</source>
         <extracomment>%3 is what was counted, such as &quot;bytes&quot;</extracomment>
-        <translation type="unfinished"></translation>
+        <translation>gefunden: %1 %3, erwartet: höchstens %2 %3</translation>
     </message>
     <message>
         <source>made by a newer FlatFitFab</source>
-        <translation type="unfinished"></translation>
+        <translation>mit einem neueren FlatFitFab gemacht</translation>
     </message>
     <message>
         <source>made by a newer FlatFitFab: found format %1, expected at most %2</source>
-        <translation type="unfinished"></translation>
+        <translation>mit einem neueren FlatFitFab gemacht: Format %1, dieses liest bis %2</translation>
     </message>
     <message>
         <source>these control points make no closed contour</source>
-        <translation type="unfinished"></translation>
+        <translation>diese Kontrollpunkte ergeben keine geschlossene Kontur</translation>
     </message>
     <message>
         <source>these control points make no closed contour: found %1, expected %2</source>
-        <translation type="unfinished"></translation>
+        <translation>diese Kontrollpunkte ergeben keine geschlossene Kontur: gefunden: %1, erwartet: %2</translation>
     </message>
     <message>
         <source>a part fits no sheet</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Teil passt auf keine Platte</translation>
     </message>
     <message>
         <source>part %1 is too large: it measures %2, its sheet %3</source>
-        <translation type="unfinished"></translation>
+        <translation>Teil %1 ist zu groß: Es misst %2, seine Platte %3</translation>
     </message>
     <message>
         <source>could not be opened</source>
-        <translation type="unfinished"></translation>
+        <translation>konnte nicht geöffnet werden</translation>
     </message>
     <message>
         <source>could not be written</source>
-        <translation type="unfinished"></translation>
+        <translation>konnte nicht geschrieben werden</translation>
     </message>
     <message>
         <source>not a model, expected a .fff file or a .txt file of FlatFab</source>
-        <translation type="unfinished"></translation>
+        <translation>kein Modell, erwartet: eine .fff-Datei oder eine .txt-Datei von FlatFab</translation>
     </message>
     <message>
         <source>the file ends here, expected %1</source>
-        <translation type="unfinished"></translation>
+        <translation>die Datei endet hier, erwartet: %1</translation>
     </message>
     <message>
         <source>the file ends too early</source>
-        <translation type="unfinished"></translation>
+        <translation>die Datei endet zu früh</translation>
     </message>
     <message>
         <source>found &quot;%1&quot;, expected a finite number</source>
-        <translation type="unfinished"></translation>
+        <translation>gefunden: „%1“, erwartet: eine endliche Zahl</translation>
     </message>
     <message>
         <source>a number is not finite</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Zahl ist nicht endlich</translation>
     </message>
     <message>
         <source>these axes make no frame, expected two of length 1 at a right angle</source>
-        <translation type="unfinished"></translation>
+        <translation>diese Achsen ergeben kein Koordinatensystem, erwartet: zwei der Länge 1 im rechten Winkel</translation>
     </message>
     <message>
         <source>this contour encloses no area</source>
-        <translation type="unfinished"></translation>
+        <translation>diese Kontur umschließt keine Fläche</translation>
     </message>
     <message>
         <source>there is nothing with the number %1</source>
-        <translation type="unfinished"></translation>
+        <translation>nichts hat die Nummer %1</translation>
     </message>
     <message>
         <source>this refers to nothing that is there</source>
-        <translation type="unfinished"></translation>
+        <translation>das verweist auf etwas, das es nicht gibt</translation>
     </message>
     <message>
         <source>the number %1 is given twice, expected one of its own</source>
-        <translation type="unfinished"></translation>
+        <translation>die Nummer %1 ist doppelt vergeben, erwartet: eine eigene</translation>
     </message>
     <message>
         <source>this number is given twice, expected one of its own</source>
-        <translation type="unfinished"></translation>
+        <translation>diese Nummer ist doppelt vergeben, erwartet: eine eigene</translation>
     </message>
     <message>
         <source>these two sections are nearly parallel and cannot be joined</source>
-        <translation type="unfinished"></translation>
+        <translation>diese zwei Scheiben sind fast parallel und lassen sich nicht verbinden</translation>
     </message>
     <message>
         <source>this contour crosses itself</source>
-        <translation type="unfinished"></translation>
+        <translation>diese Kontur kreuzt sich selbst</translation>
     </message>
     <message>
         <source>there is no section yet, so there is nothing to cut</source>
-        <translation type="unfinished"></translation>
+        <translation>es gibt noch keine Scheibe, also nichts zu schneiden</translation>
     </message>
     <message>
         <source>there is no command &quot;%1&quot;</source>
-        <translation type="unfinished"></translation>
+        <translation>es gibt keinen Befehl „%1“</translation>
     </message>
     <message>
         <source>there is no such command</source>
-        <translation type="unfinished"></translation>
+        <translation>diesen Befehl gibt es nicht</translation>
     </message>
     <message>
         <source>this event makes no sense here</source>
-        <translation type="unfinished"></translation>
+        <translation>dieses Ereignis ergibt hier keinen Sinn</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is not supported by this version</source>
-        <translation type="unfinished"></translation>
+        <translation>„%1“ kennt diese Version nicht</translation>
     </message>
     <message>
         <source>this is not supported by this version</source>
-        <translation type="unfinished"></translation>
+        <translation>das kennt diese Version nicht</translation>
     </message>
     <message>
         <source>the axes of %1 were not at right angles or not of length 1 and have been straightened</source>
-        <translation type="unfinished"></translation>
+        <translation>die Achsen von %1 standen nicht im rechten Winkel oder hatten nicht die Länge 1 und wurden gerichtet</translation>
     </message>
     <message>
         <source>the axes of a frame were not at right angles or not of length 1 and have been straightened</source>
-        <translation type="unfinished"></translation>
+        <translation>die Achsen eines Koordinatensystems standen nicht im rechten Winkel oder hatten nicht die Länge 1 und wurden gerichtet</translation>
     </message>
     <message>
         <source>a contour of %1 crosses itself; its largest region was kept</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Kontur von %1 kreuzt sich selbst; ihr größtes Gebiet wurde behalten</translation>
     </message>
     <message>
         <source>a contour crosses itself; its largest region was kept</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Kontur kreuzt sich selbst; ihr größtes Gebiet wurde behalten</translation>
     </message>
     <message>
         <source>a hole of %1 reaches out of its contour and was left out</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Loch von %1 ragt aus der Kontur und wurde weggelassen</translation>
     </message>
     <message>
         <source>a hole reaches out of its contour and was left out</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Loch ragt aus seiner Kontur und wurde weggelassen</translation>
     </message>
     <message>
         <source>a hole of %1 has no area and was left out</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Loch von %1 hat keine Fläche und wurde weggelassen</translation>
     </message>
     <message>
         <source>a hole has no area and was left out</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Loch hat keine Fläche und wurde weggelassen</translation>
     </message>
     <message>
         <source>lines after the last section were ignored</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeilen nach der letzten Scheibe wurden übergangen</translation>
     </message>
     <message>
         <source>text after the last section was ignored, lines: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Text nach der letzten Scheibe wurde übergangen, Zeilen: %1</translation>
     </message>
     <message>
         <source>the count in the header is not that of the file</source>
-        <translation type="unfinished"></translation>
+        <translation>die Anzahl im Kopf ist nicht die der Datei</translation>
     </message>
     <message>
         <source>an id below nextId</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Nummer unter nextId</translation>
     </message>
     <message>
         <source>a width and a height above 0</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Breite und eine Höhe über 0</translation>
     </message>
     <message>
         <source>three control points a segment, at least 6</source>
-        <translation type="unfinished"></translation>
+        <translation>drei Kontrollpunkte je Segment, mindestens 6</translation>
     </message>
     <message>
         <source>a parent that does not descend from its child</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Elternscheibe, die nicht von ihrem Kind abstammt</translation>
     </message>
     <message>
         <source>a length of at most 1000000 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Länge von höchstens 1000000 mm</translation>
     </message>
     <message>
         <source>a last control point that repeats the first</source>
-        <translation type="unfinished"></translation>
+        <translation>ein letzter Kontrollpunkt, der den ersten wiederholt</translation>
     </message>
     <message>
         <source>a number</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Zahl</translation>
     </message>
     <message>
         <source>a count</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Anzahl</translation>
     </message>
     <message>
         <source>a point of two numbers</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Punkt aus zwei Zahlen</translation>
     </message>
     <message>
         <source>three control points a segment and the first again, at least 7</source>
-        <translation type="unfinished"></translation>
+        <translation>drei Kontrollpunkte je Segment und der erste noch einmal, mindestens 7</translation>
     </message>
     <message>
         <source>at least 1 curve</source>
-        <translation type="unfinished"></translation>
+        <translation>mindestens 1 Kurve</translation>
     </message>
     <message>
         <source>an object</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Objekt</translation>
     </message>
     <message>
         <source>a list</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Liste</translation>
     </message>
     <message>
         <source>a number above 0</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Zahl über 0</translation>
     </message>
     <message>
         <source>a number, 0 or more</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Zahl, 0 oder mehr</translation>
     </message>
     <message>
         <source>a whole number in its range</source>
-        <translation type="unfinished"></translation>
+        <translation>eine ganze Zahl in ihrem Bereich</translation>
     </message>
     <message>
         <source>a text</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Text</translation>
     </message>
     <message>
         <source>a point [x, y]</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Punkt [x, y]</translation>
     </message>
     <message>
         <source>a point [x, y, z]</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Punkt [x, y, z]</translation>
     </message>
     <message>
         <source>a list of points</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Liste von Punkten</translation>
     </message>
     <message>
         <source>a name in quotes or the end of the object</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Name in Anführungszeichen oder das Ende des Objekts</translation>
     </message>
     <message>
         <source>a colon</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Doppelpunkt</translation>
     </message>
     <message>
         <source>a comma or the end of the list</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Komma oder das Ende der Liste</translation>
     </message>
     <message>
         <source>an escape sequence of JSON</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Escape-Folge von JSON</translation>
     </message>
     <message>
         <source>text in UTF-8</source>
-        <translation type="unfinished"></translation>
+        <translation>Text in UTF-8</translation>
     </message>
     <message>
         <source>the end of the text in quotes</source>
-        <translation type="unfinished"></translation>
+        <translation>das Ende des Textes in Anführungszeichen</translation>
     </message>
     <message>
         <source>another value after the comma</source>
-        <translation type="unfinished"></translation>
+        <translation>ein weiterer Wert nach dem Komma</translation>
     </message>
     <message>
         <source>no more than 1024 levels</source>
-        <translation type="unfinished"></translation>
+        <translation>höchstens 1024 Ebenen</translation>
     </message>
     <message>
         <source>a smaller file</source>
-        <translation type="unfinished"></translation>
+        <translation>eine kleinere Datei</translation>
     </message>
     <message>
         <source>the end of the file</source>
-        <translation type="unfinished"></translation>
+        <translation>das Ende der Datei</translation>
     </message>
     <message>
         <source>a value</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Wert</translation>
+    </message>
+    <message>
+        <source>the disk is full</source>
+        <translation>der Datenträger ist voll</translation>
+    </message>
+    <message>
+        <source>this file is read-only</source>
+        <translation>diese Datei ist schreibgeschützt</translation>
+    </message>
+    <message>
+        <source>this folder is read-only</source>
+        <translation>dieser Ordner ist schreibgeschützt</translation>
+    </message>
+    <message>
+        <source>holes of %1 overlap and were made one</source>
+        <translation>Löcher von %1 überlappen sich und wurden vereint</translation>
+    </message>
+    <message>
+        <source>holes overlap and were made one</source>
+        <translation>Löcher überlappen sich und wurden vereint</translation>
+    </message>
+    <message>
+        <source>a hole of %1 reaches out of its contour and was made a notch of it</source>
+        <translation>ein Loch von %1 ragt aus der Kontur und wurde zu einer Kerbe</translation>
+    </message>
+    <message>
+        <source>a hole reaches out of its contour and was made a notch of it</source>
+        <translation>ein Loch ragt aus seiner Kontur und wurde zu einer Kerbe</translation>
+    </message>
+    <message>
+        <source>at least one stock</source>
+        <translation>mindestens ein Material</translation>
+    </message>
+    <message>
+        <source>the folder cannot be used</source>
+        <translation>der Ordner ist nicht nutzbar</translation>
+    </message>
+    <message>
+        <source>it is open in another window</source>
+        <translation>es ist in einem anderen Fenster offen</translation>
     </message>
 </context>
 <context>
     <name>QDockWidget</name>
     <message>
         <source>Float</source>
-        <translation type="unfinished"></translation>
+        <translation>Lösen</translation>
     </message>
     <message>
         <source>Close</source>
-        <translation type="unfinished"></translation>
+        <translation>Schließen</translation>
+    </message>
+</context>
+<context>
+    <name>QProgressDialog</name>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
     </message>
 </context>
 <context>
@@ -365,52 +633,52 @@
     <message>
         <source>Draw %1</source>
         <extracomment>%1 is the name of a section</extracomment>
-        <translation type="unfinished"></translation>
+        <translation>%1 zeichnen</translation>
     </message>
     <message>
         <source>Delete %1</source>
         <extracomment>%1 is the name of a section</extracomment>
-        <translation type="unfinished"></translation>
+        <translation>%1 löschen</translation>
     </message>
     <message>
         <source>Rename %1</source>
         <extracomment>%1 is the name of a section</extracomment>
-        <translation type="unfinished"></translation>
+        <translation>%1 umbenennen</translation>
     </message>
     <message>
         <source>Move %1</source>
         <extracomment>%1 is the name of a section</extracomment>
-        <translation type="unfinished"></translation>
+        <translation>%1 bewegen</translation>
     </message>
     <message>
         <source>Change stock of %1</source>
         <extracomment>%1 is the name of a section</extracomment>
-        <translation type="unfinished"></translation>
+        <translation>Material von %1 wechseln</translation>
     </message>
     <message>
         <source>Edit %1</source>
         <extracomment>%1 is the name of a stock</extracomment>
-        <translation type="unfinished"></translation>
+        <translation>%1 bearbeiten</translation>
     </message>
     <message numerus="yes">
         <source>Delete %n sections</source>
         <translation>
-            <numerusform>%n Sektion löschen</numerusform>
-            <numerusform>%n Sektionen löschen</numerusform>
+            <numerusform>%n Scheibe löschen</numerusform>
+            <numerusform>%n Scheiben löschen</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>Move %n sections</source>
         <translation>
-            <numerusform>%n Sektion verschieben</numerusform>
-            <numerusform>%n Sektionen verschieben</numerusform>
+            <numerusform>%n Scheibe bewegen</numerusform>
+            <numerusform>%n Scheiben bewegen</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>Change stock of %n sections</source>
         <translation>
-            <numerusform>Material von %n Sektion ändern</numerusform>
-            <numerusform>Material von %n Sektionen ändern</numerusform>
+            <numerusform>Material von %n Scheibe wechseln</numerusform>
+            <numerusform>Material von %n Scheiben wechseln</numerusform>
         </translation>
     </message>
 </context>
@@ -418,237 +686,1120 @@
     <name>fff::cli</name>
     <message>
         <source>There is no stock &quot;%1&quot;. Known are those of the file, Birch plywood and Acrylic.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Material „%1“ gibt es nicht. Bekannt sind die der Datei, Birch plywood und Acrylic.</translation>
     </message>
     <message>
         <source>Usage: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Aufruf: %1</translation>
     </message>
     <message>
         <source>Shows this help.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeigt diese Hilfe.</translation>
     </message>
     <message>
         <source>A file is missing.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Datei fehlt.</translation>
     </message>
     <message>
         <source>Too many files: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Zu viele Dateien: %1</translation>
     </message>
     <message>
         <source>Thickness of every stock.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dicke jedes Materials.</translation>
     </message>
     <message>
         <source>Cuts every section from this stock.</source>
-        <translation type="unfinished"></translation>
+        <translation>Schneidet jede Scheibe aus diesem Material.</translation>
     </message>
     <message>
         <source>Full width that the machine removes.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ganze Breite, die die Maschine wegnimmt.</translation>
     </message>
     <message>
         <source>Play added to slits; negative presses.</source>
-        <translation type="unfinished"></translation>
+        <translation>Spiel, das Schlitze bekommen; negativ klemmt.</translation>
     </message>
     <message>
         <source>Size of a sheet, such as 600x400.</source>
-        <translation type="unfinished"></translation>
+        <translation>Größe einer Platte, etwa 600x400.</translation>
     </message>
     <message>
         <source>Millimetres a unit of a FlatFab file (25.4).</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>--%1: found &quot;%2&quot;, expected a number, at least %3.</source>
-        <translation type="unfinished"></translation>
+        <translation>Millimeter je Einheit einer FlatFab-Datei (25.4).</translation>
     </message>
     <message>
         <source>--sheet: found &quot;%1&quot;, expected width x height in mm, such as 600x400.</source>
-        <translation type="unfinished"></translation>
+        <translation>--sheet: gefunden: „%1“, erwartet: Breite x Höhe in mm, etwa 600x400.</translation>
     </message>
     <message>
         <source>Standard output could not be written.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Standardausgabe ließ sich nicht schreiben.</translation>
     </message>
     <message>
         <source>%1 × %2 mm</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Parts: %1, sheets: %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 × %2 mm</translation>
     </message>
     <message>
         <source>Narrowest slit as drawn: %1 mm.</source>
-        <translation type="unfinished"></translation>
+        <translation>Schmalster Schlitz, wie gezeichnet: %1 mm.</translation>
     </message>
     <message>
         <source>Too large for the sheet, on sheets of their own: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Zu groß für die Platte, auf eigenen Platten: %1</translation>
     </message>
     <message>
         <source>Too slim to carry a number: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Zu schmal für eine Nummer: %1</translation>
     </message>
     <message>
         <source>The file to write; - is standard output.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>svg or fff, where the file&apos;s name does not tell.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Datei, die geschrieben wird; - ist die Standardausgabe.</translation>
     </message>
     <message>
         <source>Leaves out the 100 mm bar beside the sheets.</source>
-        <translation type="unfinished"></translation>
+        <translation>Lässt den 100-mm-Balken neben den Platten weg.</translation>
     </message>
     <message>
         <source>-o is missing: the file to write.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1 is of no kind that can be written; expected .svg or .fff.</source>
-        <translation type="unfinished"></translation>
+        <translation>-o fehlt: die Datei, die geschrieben wird.</translation>
     </message>
     <message>
         <source>For machines.</source>
-        <translation type="unfinished"></translation>
+        <translation>Für Programme.</translation>
     </message>
     <message>
         <source>Largest distance of the chords from the curves (0.01).</source>
-        <translation type="unfinished"></translation>
+        <translation>Größter Abstand der Sehnen von den Kurven (0.01).</translation>
     </message>
     <message>
         <source>The model to start from; without it a new one.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Modell, mit dem begonnen wird; ohne Angabe ein neues.</translation>
+    </message>
+    <message>
+        <source>--%1: found &quot;%2&quot;, expected a number from %3 to %4.</source>
+        <translation>--%1: gefunden: „%2“, erwartet: eine Zahl von %3 bis %4.</translation>
+    </message>
+    <message>
+        <source>--%1 does not go with the stock %2, %3 mm thick.</source>
+        <translation>--%1 passt nicht zum Material %2, %3 mm dick.</translation>
+    </message>
+    <message>
+        <source>--%1: found &quot;%2&quot;, expected a number from 0 to %3.</source>
+        <translation>--%1: gefunden: „%2“, erwartet: eine Zahl von 0 bis %3.</translation>
+    </message>
+    <message>
+        <source>--sheets: found &quot;%1&quot;, expected groups or files.</source>
+        <translation>--sheets: gefunden: „%1“, erwartet: groups oder files.</translation>
+    </message>
+    <message>
+        <source>--sheets files needs a name: standard output is one file only.</source>
+        <translation>--sheets files braucht einen Namen: Die Standardausgabe ist nur eine Datei.</translation>
+    </message>
+    <message>
+        <source>Parts: %1, sheets: %2, %3 % used.</source>
+        <translation>Teile: %1, Platten: %2, %3 % genutzt.</translation>
+    </message>
+    <message>
+        <source>The kerf is as wide as the slits and closes them: %1</source>
+        <translation>Die Schnittfuge ist so breit wie die Schlitze und schließt sie: %1</translation>
+    </message>
+    <message>
+        <source>svg, obj or fff, where the file&apos;s name does not tell.</source>
+        <translation>svg, obj oder fff, wo der Dateiname es nicht sagt.</translation>
+    </message>
+    <message>
+        <source>From the sheet&apos;s edge to the nearest cut (5).</source>
+        <translation>Vom Rand der Platte zum nächsten Schnitt (5).</translation>
+    </message>
+    <message>
+        <source>Between neighbouring cuts (2).</source>
+        <translation>Zwischen benachbarten Schnitten (2).</translation>
+    </message>
+    <message>
+        <source>Quarter turns only, for sheets that have a grain.</source>
+        <translation>Nur Vierteldrehungen, für Platten mit Faserrichtung.</translation>
+    </message>
+    <message>
+        <source>groups: one SVG with a group a sheet; files: OUT-1.svg, OUT-2.svg and so on (groups).</source>
+        <translation>groups: ein SVG mit einer Gruppe je Platte; files: OUT-1.svg, OUT-2.svg und so weiter (groups).</translation>
+    </message>
+    <message>
+        <source>With -o - the kind is missing: --format svg, obj or fff.</source>
+        <translation>Bei -o - fehlt die Art: --format svg, obj oder fff.</translation>
+    </message>
+    <message>
+        <source>%1 is of no kind that can be written; expected .svg, .obj or .fff.</source>
+        <translation>%1 ist von keiner Art, die geschrieben werden kann; erwartet: .svg, .obj oder .fff.</translation>
+    </message>
+    <message>
+        <source>%1 is of no kind that can be written; expected .png.</source>
+        <translation>%1 ist von keiner Art, die geschrieben werden kann; erwartet: .png.</translation>
+    </message>
+    <message>
+        <source>--size: found &quot;%1&quot;, expected width x height in pixels up to %2, such as 1280x800.</source>
+        <translation>--size: gefunden: „%1“, erwartet: Breite x Höhe in Pixeln bis %2, etwa 1280x800.</translation>
+    </message>
+    <message>
+        <source>--view: found &quot;%1&quot;, expected one of %2.</source>
+        <translation>--view: gefunden: „%1“, erwartet eines von: %2.</translation>
+    </message>
+    <message>
+        <source>--show: found &quot;%1&quot;, expected labels, checks or both with a comma.</source>
+        <translation>--show: gefunden: „%1“, erwartet: labels, checks oder beide mit Komma.</translation>
+    </message>
+    <message>
+        <source>The PNG file to write; - is standard output.</source>
+        <translation>Die PNG-Datei, die geschrieben wird; - ist die Standardausgabe.</translation>
+    </message>
+    <message>
+        <source>Pixels of the picture (1280x800).</source>
+        <translation>Pixel des Bildes (1280x800).</translation>
+    </message>
+    <message>
+        <source>iso1 to iso4, front, right, top, left, back, bottom, or fit: the front again (iso1).</source>
+        <translation>iso1 bis iso4, front, right, top, left, back, bottom oder fit: wieder die Vorderseite (iso1).</translation>
+    </message>
+    <message>
+        <source>labels: the sections&apos; names; checks: outlines what has a problem.</source>
+        <translation>labels: die Namen der Scheiben; checks: umrandet, was ein Problem hat.</translation>
+    </message>
+    <message>
+        <source>A picture needs a display with OpenGL 3.3; there is none.</source>
+        <translation>Ein Bild braucht eine Anzeige mit OpenGL 3.3; es gibt keine.</translation>
+    </message>
+    <message>
+        <source>The picture could not be made a PNG file.</source>
+        <translation>Aus dem Bild ließ sich keine PNG-Datei machen.</translation>
+    </message>
+</context>
+<context>
+    <name>fff::ui::AboutDialog</name>
+    <message>
+        <source>About FlatFitFab</source>
+        <translation>Über FlatFitFab</translation>
+    </message>
+    <message>
+        <source>Licences</source>
+        <translation>Lizenzen</translation>
+    </message>
+    <message>
+        <source>For bug reports</source>
+        <translation>Für Fehlerberichte</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>FlatFitFab %1</source>
+        <translation>FlatFitFab %1</translation>
+    </message>
+    <message>
+        <source>Draw flat parts in 3D, see at once how they fit, and cut them. It works without an account, and nothing leaves this computer.</source>
+        <translation>Flache Teile in 3D zeichnen, sofort sehen, wie sie passen, und sie schneiden. Ohne Konto, und nichts verlässt diesen Rechner.</translation>
+    </message>
+    <message>
+        <source>After “FlatFitFab: Interactive Modeling with Planar Sections” by J. McCrae, N. Umetani and K. Singh (UIST 2014). Free software under the GNU General Public License, version 3 or later.</source>
+        <translation>Nach „FlatFitFab: Interactive Modeling with Planar Sections“ von J. McCrae, N. Umetani und K. Singh (UIST 2014). Freie Software unter der GNU General Public License, Version 3 oder neuer.</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Kopieren</translation>
+    </message>
+    <message>
+        <source>What this program is built with</source>
+        <translation>Womit dieses Programm gebaut ist</translation>
+    </message>
+    <message>
+        <source>Text of the licence</source>
+        <translation>Text der Lizenz</translation>
+    </message>
+    <message>
+        <source>This program</source>
+        <translation>Dieses Programm</translation>
+    </message>
+    <message>
+        <source>Windows, files and text</source>
+        <translation>Fenster, Dateien und Text</translation>
+    </message>
+    <message>
+        <source>Exact geometry</source>
+        <translation>Exakte Geometrie</translation>
+    </message>
+    <message>
+        <source>Vectors and matrices</source>
+        <translation>Vektoren und Matrizen</translation>
+    </message>
+    <message>
+        <source>Cutting and offsetting outlines</source>
+        <translation>Umrisse verschneiden und versetzen</translation>
+    </message>
+    <message>
+        <source>Meshes</source>
+        <translation>Netze</translation>
+    </message>
+    <message>
+        <source>Parts that CGAL uses</source>
+        <translation>Teile, die CGAL benutzt</translation>
+    </message>
+    <message>
+        <source>Numbers without rounding</source>
+        <translation>Zahlen ohne Rundung</translation>
+    </message>
+    <message>
+        <source>Numbers with many digits</source>
+        <translation>Zahlen mit vielen Stellen</translation>
+    </message>
+    <message>
+        <source>Results that may be errors</source>
+        <translation>Ergebnisse, die Fehler sein können</translation>
     </message>
 </context>
 <context>
     <name>fff::ui::ActionSet</name>
     <message>
         <source>There is no step to take back</source>
-        <translation type="unfinished"></translation>
+        <translation>Es gibt keinen Schritt zurückzunehmen</translation>
     </message>
     <message>
         <source>No step was taken back</source>
-        <translation type="unfinished"></translation>
+        <translation>Kein Schritt wurde zurückgenommen</translation>
     </message>
     <message>
         <source>&amp;Undo “%1”</source>
-        <translation type="unfinished"></translation>
+        <translation>„%1“ &amp;zurücknehmen</translation>
     </message>
     <message>
         <source>&amp;Undo</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Zurücknehmen</translation>
     </message>
     <message>
         <source>&amp;Redo “%1”</source>
-        <translation type="unfinished"></translation>
+        <translation>„%1“ &amp;wiederholen</translation>
     </message>
     <message>
         <source>&amp;Redo</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Wiederholen</translation>
     </message>
     <message>
         <source>Undo</source>
-        <translation type="unfinished"></translation>
+        <translation>Zurück</translation>
     </message>
     <message>
         <source>Redo</source>
-        <translation type="unfinished"></translation>
+        <translation>Wieder</translation>
     </message>
     <message>
         <source>Undo “%1”</source>
-        <translation type="unfinished"></translation>
+        <translation>„%1“ zurücknehmen</translation>
     </message>
     <message>
         <source>Redo “%1”</source>
-        <translation type="unfinished"></translation>
+        <translation>„%1“ wiederholen</translation>
     </message>
     <message>
         <source>There is no section yet</source>
-        <translation type="unfinished"></translation>
+        <translation>Es gibt noch keine Scheibe</translation>
     </message>
     <message>
         <source>No section is selected</source>
-        <translation type="unfinished"></translation>
+        <translation>Keine Scheibe ist gewählt</translation>
+    </message>
+    <message>
+        <source>There is no view before this one</source>
+        <translation>Vor dieser Ansicht gab es keine</translation>
+    </message>
+    <message>
+        <source>No section is hidden</source>
+        <translation>Keine Scheibe ist ausgeblendet</translation>
+    </message>
+    <message>
+        <source>&amp;New</source>
+        <translation>&amp;Neu</translation>
+    </message>
+    <message>
+        <source>New</source>
+        <translation>Neu</translation>
+    </message>
+    <message>
+        <source>Start a new model</source>
+        <translation>Ein neues Modell beginnen</translation>
+    </message>
+    <message>
+        <source>&amp;Open…</source>
+        <translation>Ö&amp;ffnen …</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Öffnen</translation>
+    </message>
+    <message>
+        <source>Open a model, also one of FlatFab</source>
+        <translation>Ein Modell öffnen, auch eines von FlatFab</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Speichern</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Speichern</translation>
+    </message>
+    <message>
+        <source>Save the model</source>
+        <translation>Das Modell speichern</translation>
+    </message>
+    <message>
+        <source>Save &amp;as…</source>
+        <translation>Speichern &amp;unter …</translation>
+    </message>
+    <message>
+        <source>Save as</source>
+        <translation>Speichern unter</translation>
+    </message>
+    <message>
+        <source>Save the model under another name</source>
+        <translation>Das Modell unter anderem Namen speichern</translation>
+    </message>
+    <message>
+        <source>&amp;Export cutting files…</source>
+        <translation>Schneiddateien &amp;ausgeben …</translation>
+    </message>
+    <message>
+        <source>Export…</source>
+        <translation>Ausgeben …</translation>
+    </message>
+    <message>
+        <source>Write the parts to a file for the laser cutter</source>
+        <translation>Die Teile in eine Datei für den Laserschneider schreiben</translation>
+    </message>
+    <message>
+        <source>&amp;Revert to saved</source>
+        <translation>&amp;Zum Gespeicherten zurück</translation>
+    </message>
+    <message>
+        <source>Revert</source>
+        <translation>Zurückkehren</translation>
+    </message>
+    <message>
+        <source>Go back to the model as it is in its file; Undo brings the changes back</source>
+        <translation>Zum Modell zurück, wie es in der Datei steht; Zurücknehmen bringt die Änderungen wieder</translation>
+    </message>
+    <message>
+        <source>Se&amp;ttings…</source>
+        <translation>&amp;Einstellungen …</translation>
+    </message>
+    <message>
+        <source>Settings</source>
+        <translation>Einstellungen</translation>
+    </message>
+    <message>
+        <source>Units, colours, language, files and shortcuts</source>
+        <translation>Einheiten, Farben, Sprache, Dateien und Tastenkürzel</translation>
+    </message>
+    <message>
+        <source>&amp;Close window</source>
+        <translation>Fenster &amp;schließen</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Close this window; others stay open</source>
+        <translation>Dieses Fenster schließen; andere bleiben offen</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>&amp;Beenden</translation>
+    </message>
+    <message>
+        <source>Quit</source>
+        <translation>Beenden</translation>
+    </message>
+    <message>
+        <source>Close all windows and the program</source>
+        <translation>Alle Fenster und das Programm schließen</translation>
+    </message>
+    <message>
+        <source>Take the last step back</source>
+        <translation>Den letzten Schritt zurücknehmen</translation>
+    </message>
+    <message>
+        <source>Do the step again that was taken back</source>
+        <translation>Den zurückgenommenen Schritt wiederholen</translation>
+    </message>
+    <message>
+        <source>&amp;Delete</source>
+        <translation>&amp;Löschen</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Löschen</translation>
+    </message>
+    <message>
+        <source>Delete the selected sections</source>
+        <translation>Die gewählten Scheiben löschen</translation>
+    </message>
+    <message>
+        <source>Select &amp;all</source>
+        <translation>&amp;Alles wählen</translation>
+    </message>
+    <message>
+        <source>Select all</source>
+        <translation>Alles wählen</translation>
+    </message>
+    <message>
+        <source>Select all sections</source>
+        <translation>Alle Scheiben wählen</translation>
+    </message>
+    <message>
+        <source>&amp;Front</source>
+        <translation>&amp;Vorn</translation>
+    </message>
+    <message>
+        <source>Front</source>
+        <translation>Vorn</translation>
+    </message>
+    <message>
+        <source>Look from the front</source>
+        <translation>Von vorn ansehen</translation>
+    </message>
+    <message>
+        <source>&amp;Top</source>
+        <translation>&amp;Oben</translation>
+    </message>
+    <message>
+        <source>Top</source>
+        <translation>Oben</translation>
+    </message>
+    <message>
+        <source>Look from the top</source>
+        <translation>Von oben ansehen</translation>
+    </message>
+    <message>
+        <source>&amp;Right</source>
+        <translation>&amp;Rechts</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Rechts</translation>
+    </message>
+    <message>
+        <source>Look from the right</source>
+        <translation>Von rechts ansehen</translation>
+    </message>
+    <message>
+        <source>&amp;Back</source>
+        <translation>&amp;Hinten</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Hinten</translation>
+    </message>
+    <message>
+        <source>Look from the back</source>
+        <translation>Von hinten ansehen</translation>
+    </message>
+    <message>
+        <source>Botto&amp;m</source>
+        <translation>&amp;Unten</translation>
+    </message>
+    <message>
+        <source>Bottom</source>
+        <translation>Unten</translation>
+    </message>
+    <message>
+        <source>Look from below</source>
+        <translation>Von unten ansehen</translation>
+    </message>
+    <message>
+        <source>&amp;Left</source>
+        <translation>&amp;Links</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>Links</translation>
+    </message>
+    <message>
+        <source>Look from the left</source>
+        <translation>Von links ansehen</translation>
+    </message>
+    <message>
+        <source>Next &amp;corner</source>
+        <translation>Nächste &amp;Ecke</translation>
+    </message>
+    <message>
+        <source>Corner</source>
+        <translation>Ecke</translation>
+    </message>
+    <message>
+        <source>Look from the next corner</source>
+        <translation>Von der nächsten Ecke ansehen</translation>
+    </message>
+    <message>
+        <source>Face the &amp;section</source>
+        <translation>Auf die &amp;Scheibe sehen</translation>
+    </message>
+    <message>
+        <source>Face</source>
+        <translation>Draufsicht</translation>
+    </message>
+    <message>
+        <source>Look straight at the selected section</source>
+        <translation>Gerade auf die gewählte Scheibe sehen</translation>
+    </message>
+    <message>
+        <source>Fit &amp;everything</source>
+        <translation>Alles ein&amp;passen</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>Einpassen</translation>
+    </message>
+    <message>
+        <source>Show the whole model</source>
+        <translation>Das ganze Modell zeigen</translation>
+    </message>
+    <message>
+        <source>Fit se&amp;lection</source>
+        <translation>Auswahl einpasse&amp;n</translation>
+    </message>
+    <message>
+        <source>Fit selection</source>
+        <translation>Auswahl einpassen</translation>
+    </message>
+    <message>
+        <source>Show the selected sections as large as possible</source>
+        <translation>Die gewählten Scheiben so groß wie möglich zeigen</translation>
+    </message>
+    <message>
+        <source>&amp;Previous view</source>
+        <translation>Vori&amp;ge Ansicht</translation>
+    </message>
+    <message>
+        <source>Previous</source>
+        <translation>Vorige</translation>
+    </message>
+    <message>
+        <source>Go back to the view before this one</source>
+        <translation>Zur vorigen Ansicht zurück</translation>
+    </message>
+    <message>
+        <source>Pers&amp;pective</source>
+        <translation>Perspe&amp;ktive</translation>
+    </message>
+    <message>
+        <source>Perspective</source>
+        <translation>Perspektive</translation>
+    </message>
+    <message>
+        <source>Show what is farther away smaller, as the eye sees it</source>
+        <translation>Entferntes kleiner zeigen, wie das Auge es sieht</translation>
+    </message>
+    <message>
+        <source>&amp;X-ray</source>
+        <translation>&amp;Röntgenblick</translation>
+    </message>
+    <message>
+        <source>X-ray</source>
+        <translation>Röntgen</translation>
+    </message>
+    <message>
+        <source>See through all sections, down to their slits</source>
+        <translation>Durch alle Scheiben sehen, bis auf die Schlitze</translation>
+    </message>
+    <message>
+        <source>&amp;Only the selection</source>
+        <translation>Nur die Aus&amp;wahl</translation>
+    </message>
+    <message>
+        <source>Isolate</source>
+        <translation>Nur Auswahl</translation>
+    </message>
+    <message>
+        <source>Let all other sections stand back</source>
+        <translation>Alle anderen Scheiben zurücktreten lassen</translation>
+    </message>
+    <message>
+        <source>&amp;Hide</source>
+        <translation>&amp;Ausblenden</translation>
+    </message>
+    <message>
+        <source>Hide</source>
+        <translation>Ausblenden</translation>
+    </message>
+    <message>
+        <source>Hide the selected sections</source>
+        <translation>Die gewählten Scheiben ausblenden</translation>
+    </message>
+    <message>
+        <source>Show &amp;all</source>
+        <translation>Alle ein&amp;blenden</translation>
+    </message>
+    <message>
+        <source>Show all</source>
+        <translation>Einblenden</translation>
+    </message>
+    <message>
+        <source>Show the hidden sections again</source>
+        <translation>Die ausgeblendeten Scheiben wieder zeigen</translation>
+    </message>
+    <message>
+        <source>&amp;Cut view open</source>
+        <translation>Ansicht auf&amp;schneiden</translation>
+    </message>
+    <message>
+        <source>Cut open</source>
+        <translation>Aufschneiden</translation>
+    </message>
+    <message>
+        <source>Cut the model open with a plane, to look inside</source>
+        <translation>Das Modell mit einer Ebene aufschneiden, um hineinzusehen</translation>
+    </message>
+    <message>
+        <source>&amp;Ground and shadow</source>
+        <translation>&amp;Boden und Schatten</translation>
+    </message>
+    <message>
+        <source>Ground</source>
+        <translation>Boden</translation>
+    </message>
+    <message>
+        <source>Show the ground with its grid and the model&apos;s shadow</source>
+        <translation>Den Boden mit Raster und den Schatten des Modells zeigen</translation>
+    </message>
+    <message>
+        <source>&amp;Hide all docks</source>
+        <translation>Alle Fensterteile aus&amp;blenden</translation>
+    </message>
+    <message>
+        <source>Hide docks</source>
+        <translation>Teile ausblenden</translation>
+    </message>
+    <message>
+        <source>Hide or show the panels at the sides</source>
+        <translation>Die Leisten an den Seiten aus- oder einblenden</translation>
+    </message>
+    <message>
+        <source>F&amp;ull screen</source>
+        <translation>Vollb&amp;ild</translation>
+    </message>
+    <message>
+        <source>Full screen</source>
+        <translation>Vollbild</translation>
+    </message>
+    <message>
+        <source>Fill the screen with the window</source>
+        <translation>Den Bildschirm mit dem Fenster füllen</translation>
+    </message>
+    <message>
+        <source>Reset &amp;window</source>
+        <translation>Fenster &amp;zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Reset window</source>
+        <translation>Fenster zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Put all panels back where they were at first</source>
+        <translation>Alle Leisten dorthin setzen, wo sie anfangs waren</translation>
+    </message>
+    <message>
+        <source>&amp;Next part of the window</source>
+        <translation>Nä&amp;chster Teil des Fensters</translation>
+    </message>
+    <message>
+        <source>Next part</source>
+        <translation>Nächster Teil</translation>
+    </message>
+    <message>
+        <source>Go to the next part of the window: tool bar, left, view, right</source>
+        <translation>Zum nächsten Teil des Fensters: Werkzeugleiste, links, Ansicht, rechts</translation>
+    </message>
+    <message>
+        <source>&amp;Previous part of the window</source>
+        <translation>&amp;Voriger Teil des Fensters</translation>
+    </message>
+    <message>
+        <source>Previous part</source>
+        <translation>Voriger Teil</translation>
+    </message>
+    <message>
+        <source>Go back to the part of the window before this one</source>
+        <translation>Zum vorigen Teil des Fensters zurück</translation>
+    </message>
+    <message>
+        <source>&amp;Next problem</source>
+        <translation>&amp;Nächstes Problem</translation>
+    </message>
+    <message>
+        <source>Next problem</source>
+        <translation>Nächstes Problem</translation>
+    </message>
+    <message>
+        <source>Select the sections of the next problem and show them</source>
+        <translation>Die Scheiben des nächsten Problems wählen und zeigen</translation>
+    </message>
+    <message>
+        <source>&amp;Previous problem</source>
+        <translation>&amp;Voriges Problem</translation>
+    </message>
+    <message>
+        <source>Previous problem</source>
+        <translation>Voriges Problem</translation>
+    </message>
+    <message>
+        <source>Select the sections of the problem before this one</source>
+        <translation>Die Scheiben des vorigen Problems wählen</translation>
+    </message>
+    <message>
+        <source>&amp;Stocks…</source>
+        <translation>&amp;Materialien …</translation>
+    </message>
+    <message>
+        <source>Stocks</source>
+        <translation>Materialien</translation>
+    </message>
+    <message>
+        <source>Sheet materials: thickness, strength, kerf and sheet size</source>
+        <translation>Plattenmaterial: Dicke, Festigkeit, Schnittfuge und Plattengröße</translation>
+    </message>
+    <message>
+        <source>&amp;Find an action…</source>
+        <translation>Befehl &amp;suchen …</translation>
+    </message>
+    <message>
+        <source>Find</source>
+        <translation>Suchen</translation>
+    </message>
+    <message>
+        <source>Type to find anything that the program can do</source>
+        <translation>Tippen, um alles zu finden, was das Programm kann</translation>
+    </message>
+    <message>
+        <source>&amp;Start page</source>
+        <translation>S&amp;tartseite</translation>
+    </message>
+    <message>
+        <source>Start page</source>
+        <translation>Startseite</translation>
+    </message>
+    <message>
+        <source>Recent models and samples</source>
+        <translation>Zuletzt benutzte Modelle und Beispiele</translation>
+    </message>
+    <message>
+        <source>&amp;About FlatFitFab</source>
+        <translation>&amp;Über FlatFitFab</translation>
+    </message>
+    <message>
+        <source>About</source>
+        <translation>Über</translation>
+    </message>
+    <message>
+        <source>What this program is, its version and its licences</source>
+        <translation>Was dieses Programm ist, seine Version und seine Lizenzen</translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation>&amp;Datei</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>&amp;Bearbeiten</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>&amp;Ansicht</translation>
+    </message>
+    <message>
+        <source>&amp;Checks</source>
+        <translation>&amp;Prüfungen</translation>
+    </message>
+    <message>
+        <source>F&amp;abricate</source>
+        <translation>Ferti&amp;gen</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>&amp;Hilfe</translation>
+    </message>
+</context>
+<context>
+    <name>fff::ui::AgoText</name>
+    <message>
+        <source>just now</source>
+        <translation>gerade eben</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n minute(s) ago</source>
+        <translation>
+            <numerusform>vor %n Minute</numerusform>
+            <numerusform>vor %n Minuten</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n hour(s) ago</source>
+        <translation>
+            <numerusform>vor %n Stunde</numerusform>
+            <numerusform>vor %n Stunden</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>yesterday</source>
+        <translation>gestern</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n day(s) ago</source>
+        <translation>
+            <numerusform>vor %n Tag</numerusform>
+            <numerusform>vor %n Tagen</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>fff::ui::Badge</name>
+    <message>
+        <source>Older than the drawing</source>
+        <translation>Älter als die Zeichnung</translation>
+    </message>
+    <message>
+        <source>%1: older than the drawing</source>
+        <translation>%1: älter als die Zeichnung</translation>
+    </message>
+</context>
+<context>
+    <name>fff::ui::Badges</name>
+    <message>
+        <source>Verdicts</source>
+        <translation>Urteile</translation>
+    </message>
+</context>
+<context>
+    <name>fff::ui::CheckRow</name>
+    <message>
+        <source>Older than the drawing</source>
+        <translation>Älter als die Zeichnung</translation>
+    </message>
+</context>
+<context>
+    <name>fff::ui::CheckWords</name>
+    <message>
+        <source>Good</source>
+        <translation>Gut</translation>
+    </message>
+    <message>
+        <source>Unknown</source>
+        <translation>Unbekannt</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>Hinweis</translation>
+    </message>
+    <message>
+        <source>Warning</source>
+        <translation>Warnung</translation>
+    </message>
+    <message>
+        <source>Problem</source>
+        <translation>Problem</translation>
+    </message>
+</context>
+<context>
+    <name>fff::ui::ChecksDock</name>
+    <message>
+        <source>Checks</source>
+        <translation>Prüfungen</translation>
+    </message>
+    <message>
+        <source>Checks begin with the first section.</source>
+        <translation>Die Prüfungen beginnen mit der ersten Scheibe.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n more like this</source>
+        <translation>
+            <numerusform>%n weiteres dieser Art</numerusform>
+            <numerusform>%n weitere dieser Art</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Checking…</source>
+        <translation>Wird geprüft …</translation>
+    </message>
+    <message>
+        <source>Older than the drawing</source>
+        <translation>Älter als die Zeichnung</translation>
+    </message>
+    <message>
+        <source>There is no section to check yet.</source>
+        <translation>Noch gibt es keine Scheibe zu prüfen.</translation>
+    </message>
+    <message>
+        <source>There is no problem.</source>
+        <translation>Es gibt kein Problem.</translation>
+    </message>
+    <message>
+        <source>Still checking; no problem so far.</source>
+        <translation>Wird noch geprüft; bisher kein Problem.</translation>
+    </message>
+    <message>
+        <source>Problem %1 of %2: %3.</source>
+        <translation>Problem %1 von %2: %3.</translation>
+    </message>
+    <message>
+        <source>Delete it</source>
+        <translation>Löschen</translation>
+    </message>
+    <message>
+        <source>Delete them</source>
+        <translation>Alle löschen</translation>
+    </message>
+    <message>
+        <source>Choose a sheet</source>
+        <translation>Andere Platte wählen</translation>
+    </message>
+</context>
+<context>
+    <name>fff::ui::CommandSearch</name>
+    <message>
+        <source>Find an action</source>
+        <translation>Befehl suchen</translation>
+    </message>
+    <message>
+        <source>Type what you want to do</source>
+        <translation>Eintippen, was geschehen soll</translation>
+    </message>
+    <message>
+        <source>Actions that fit</source>
+        <translation>Passende Befehle</translation>
+    </message>
+    <message>
+        <source>Nothing here is called so</source>
+        <translation>So heißt hier nichts</translation>
+    </message>
+    <message>
+        <source>Try another word for it</source>
+        <translation>Ein anderes Wort dafür versuchen</translation>
     </message>
 </context>
 <context>
     <name>fff::ui::DocumentFiles</name>
     <message>
         <source>Open a model</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Modell öffnen</translation>
     </message>
     <message>
         <source>Models (*.fff *.txt);;All files (*)</source>
-        <translation type="unfinished"></translation>
+        <translation>Modelle (*.fff *.txt);;Alle Dateien (*)</translation>
     </message>
     <message>
         <source>Save the model</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Modell speichern</translation>
     </message>
     <message>
         <source>FlatFitFab models (*.fff)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Export cutting files</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Drawings for cutters (*.svg)</source>
-        <translation type="unfinished"></translation>
+        <translation>FlatFitFab-Modelle (*.fff)</translation>
     </message>
     <message>
         <source>Unsaved changes</source>
-        <translation type="unfinished"></translation>
+        <translation>Ungespeicherte Änderungen</translation>
     </message>
     <message>
         <source>Save the changes to %1?</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Änderungen in %1 speichern?</translation>
     </message>
     <message>
         <source>Without saving, they are lost.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ohne Speichern gehen sie verloren.</translation>
     </message>
     <message>
         <source>Save</source>
-        <translation type="unfinished"></translation>
+        <translation>Speichern</translation>
     </message>
     <message>
         <source>Don’t save</source>
-        <translation type="unfinished"></translation>
+        <translation>Nicht speichern</translation>
     </message>
     <message>
         <source>Cancel</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1 could not be opened. Nothing was changed.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1 could not be saved. The file on disk is as it was before.</source>
-        <translation type="unfinished"></translation>
+        <translation>Abbrechen</translation>
     </message>
     <message>
         <source>Saved to %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>In %1 gespeichert.</translation>
     </message>
     <message>
-        <source>%1 could not be written.</source>
-        <translation type="unfinished"></translation>
+        <source>untitled</source>
+        <translation>unbenannt</translation>
     </message>
     <message>
-        <source>%1 is larger than the sheet. It lies on a sheet of its own size.</source>
-        <translation type="unfinished"></translation>
+        <source>Revert to saved</source>
+        <translation>Zum Gespeicherten zurück</translation>
     </message>
     <message>
-        <source>%1 is too slim to carry its number.</source>
-        <translation type="unfinished"></translation>
+        <source>%1 is as it was saved. Undo brings your changes back.</source>
+        <translation>%1 ist, wie es gespeichert war. Zurücknehmen bringt die Änderungen wieder.</translation>
+    </message>
+    <message>
+        <source>Opening %1…</source>
+        <translation>%1 wird geöffnet …</translation>
+    </message>
+    <message>
+        <source>Choose another file</source>
+        <translation>Andere Datei wählen</translation>
+    </message>
+    <message>
+        <source>Remove from the list</source>
+        <translation>Aus der Liste nehmen</translation>
+    </message>
+    <message>
+        <source>Saving %1…</source>
+        <translation>%1 wird gespeichert …</translation>
+    </message>
+    <message>
+        <source>Save somewhere else…</source>
+        <translation>Anderswo speichern …</translation>
+    </message>
+    <message>
+        <source>Changed on disk</source>
+        <translation>Auf dem Datenträger geändert</translation>
+    </message>
+    <message>
+        <source>%1 was changed by another program.</source>
+        <translation>%1 wurde von einem anderen Programm geändert.</translation>
+    </message>
+    <message>
+        <source>Saving over it would lose what was changed there.</source>
+        <translation>Darüber zu speichern verlöre, was dort geändert wurde.</translation>
+    </message>
+    <message>
+        <source>Save as…</source>
+        <translation>Speichern unter …</translation>
+    </message>
+    <message>
+        <source>Save over it</source>
+        <translation>Darüber speichern</translation>
+    </message>
+</context>
+<context>
+    <name>fff::ui::Exporting</name>
+    <message>
+        <source>Drawings for cutters (*.svg)</source>
+        <translation>Zeichnungen für Schneidmaschinen (*.svg)</translation>
+    </message>
+    <message>
+        <source>Solids for other programs (*.obj)</source>
+        <translation>Körper für andere Programme (*.obj)</translation>
+    </message>
+    <message>
+        <source>Export cutting files</source>
+        <translation>Schneiddateien ausgeben</translation>
+    </message>
+    <message>
+        <source>Exporting %1…</source>
+        <translation>%1 wird ausgegeben …</translation>
     </message>
     <message numerus="yes">
         <source>%n part(s)</source>
@@ -666,170 +1817,362 @@
     </message>
     <message>
         <source>Exported %1 on %2 to %3; slits are drawn %4&#x202f;mm wide.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 auf %2 nach %3 ausgegeben; Schlitze sind %4&#x202f;mm breit gezeichnet.</translation>
     </message>
     <message>
         <source>Exported %1 on %2 to %3.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 auf %2 nach %3 ausgegeben.</translation>
     </message>
     <message>
-        <source>untitled</source>
-        <translation type="unfinished"></translation>
+        <source>Exported %1 as solids to %2.</source>
+        <translation>%1 als Körper nach %2 ausgegeben.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n section(s)</source>
+        <translation>
+            <numerusform>%n Scheibe</numerusform>
+            <numerusform>%n Scheiben</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Export somewhere else…</source>
+        <translation>Anderswohin ausgeben …</translation>
+    </message>
+    <message>
+        <source>%1 is larger than the sheet. It lies on a sheet of its own size.</source>
+        <translation>%1 ist größer als die Platte und liegt auf einer Platte eigener Größe.</translation>
+    </message>
+    <message>
+        <source>%1 is too slim to carry its number.</source>
+        <translation>%1 ist zu schmal für seine Nummer.</translation>
+    </message>
+    <message>
+        <source>The kerf is as wide as the slits of %1: they would be closed.</source>
+        <translation>Die Schnittfuge ist so breit wie die Schlitze von %1: Sie wären zu.</translation>
+    </message>
+</context>
+<context>
+    <name>fff::ui::Failures</name>
+    <message>
+        <source>line %1</source>
+        <translation>Zeile %1</translation>
+    </message>
+    <message>
+        <source>%1 is not a model. FlatFitFab opens .fff and FlatFab’s .txt.</source>
+        <translation>%1 ist kein Modell. FlatFitFab öffnet .fff und .txt von FlatFab.</translation>
+    </message>
+    <message>
+        <source>%1 could not be opened: it is not in %2 any more. Nothing was changed.</source>
+        <translation>%1 konnte nicht geöffnet werden: Es ist nicht mehr in %2. Nichts wurde verändert.</translation>
+    </message>
+    <message>
+        <source>%1 could not be opened: %2. Nothing was changed.</source>
+        <translation>%1 konnte nicht geöffnet werden: %2. Nichts wurde verändert.</translation>
+    </message>
+    <message>
+        <source>%1 could not be opened: %2 (%3). Nothing was changed.</source>
+        <extracomment>%3 is a place in the file, such as &quot;line 340&quot;</extracomment>
+        <translation>%1 konnte nicht geöffnet werden: %2 (%3). Nichts wurde verändert.</translation>
+    </message>
+    <message>
+        <source>The file on disk is still the old one.</source>
+        <translation>Die Datei ist noch die alte.</translation>
+    </message>
+    <message>
+        <source>Nothing was written.</source>
+        <translation>Nichts wurde geschrieben.</translation>
+    </message>
+    <message>
+        <source>the folder %1 does not exist</source>
+        <translation>den Ordner %1 gibt es nicht</translation>
+    </message>
+    <message>
+        <source>Could not save %1: %2. %3</source>
+        <extracomment>%1 a file&apos;s name, %2 the reason, %3 a sentence</extracomment>
+        <translation>%1 konnte nicht gespeichert werden: %2. %3</translation>
     </message>
 </context>
 <context>
     <name>fff::ui::HintText</name>
     <message>
         <source>Draw the first section: press, draw its shape in one go, release.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die erste Scheibe zeichnen: drücken, ihre Form in einem Zug zeichnen, loslassen.</translation>
     </message>
     <message>
         <source>Drag to turn the view; middle drag moves it, the wheel zooms.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ziehen dreht die Ansicht; Ziehen mit der mittleren Taste verschiebt sie, das Rad vergrößert.</translation>
     </message>
     <message>
         <source>Drag out of %1 to draw a section across it; click to select it.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Drag on to leave %1; the slit ends at its edge. Esc cancels.</source>
-        <translation type="unfinished"></translation>
+        <translation>Aus %1 hinausziehen zeichnet eine Scheibe quer dazu; ein Klick wählt sie.</translation>
     </message>
     <message>
         <source>Turning to the new plane; move on when it stops.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Ansicht dreht sich zur neuen Ebene; weiter, wenn sie steht.</translation>
     </message>
     <message>
         <source>Leave the grey zone where the contour shall begin. Release here cancels.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Draw the contour, release to close it. Esc cancels.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>&lt;b&gt;Release&lt;/b&gt; to make the section. Esc cancels.</source>
-        <translation type="unfinished"></translation>
+        <translation>Den grauen Bereich dort verlassen, wo die Kontur beginnen soll. Loslassen bricht ab.</translation>
     </message>
     <message>
         <source>Move to turn the view, release to stop.</source>
-        <translation type="unfinished"></translation>
+        <translation>Bewegen dreht die Ansicht, Loslassen beendet es.</translation>
     </message>
     <message>
         <source>Move to shift the view, release to stop.</source>
-        <translation type="unfinished"></translation>
+        <translation>Bewegen verschiebt die Ansicht, Loslassen beendet es.</translation>
     </message>
     <message>
         <source>Nothing drawn: the slit never left %1. Start inside and drag across its edge.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts gezeichnet: Der Schlitz hat %1 nie verlassen. Innen beginnen und über den Rand ziehen.</translation>
     </message>
     <message>
         <source>Nothing drawn: the line is too short to enclose anything.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The contour crosses itself; the largest loop was kept. Ctrl+Z undoes it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts gezeichnet: Die Linie ist zu kurz, um etwas zu umschließen.</translation>
     </message>
     <message>
         <source>Nothing drawn: no section can be made of this line. Draw it as one open loop.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts gezeichnet: Aus dieser Linie wird keine Scheibe. Als eine offene Schleife zeichnen.</translation>
+    </message>
+    <message>
+        <source>Click to look from the front; drag to turn the view.</source>
+        <translation>Klick: von vorn ansehen; Ziehen dreht die Ansicht.</translation>
+    </message>
+    <message>
+        <source>Click to look from the back; drag to turn the view.</source>
+        <translation>Klick: von hinten ansehen; Ziehen dreht die Ansicht.</translation>
+    </message>
+    <message>
+        <source>Click to look from the left; drag to turn the view.</source>
+        <translation>Klick: von links ansehen; Ziehen dreht die Ansicht.</translation>
+    </message>
+    <message>
+        <source>Click to look from the right; drag to turn the view.</source>
+        <translation>Klick: von rechts ansehen; Ziehen dreht die Ansicht.</translation>
+    </message>
+    <message>
+        <source>Click to look from the top; drag to turn the view.</source>
+        <translation>Klick: von oben ansehen; Ziehen dreht die Ansicht.</translation>
+    </message>
+    <message>
+        <source>Click to look from below; drag to turn the view.</source>
+        <translation>Klick: von unten ansehen; Ziehen dreht die Ansicht.</translation>
+    </message>
+    <message>
+        <source>Click to look at this edge; drag to turn the view.</source>
+        <translation>Klick: auf diese Kante sehen; Ziehen dreht die Ansicht.</translation>
+    </message>
+    <message>
+        <source>Click to look at this corner; drag to turn the view.</source>
+        <translation>Klick: auf diese Ecke sehen; Ziehen dreht die Ansicht.</translation>
+    </message>
+    <message>
+        <source>Drag on to leave %1; the slit ends at its edge. &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
+        <translation>Weiterziehen, bis %1 verlassen ist; der Schlitz endet am Rand. &lt;kbd&gt;Esc&lt;/kbd&gt; bricht ab.</translation>
+    </message>
+    <message>
+        <source>Draw the contour, release to close it. &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
+        <translation>Die Kontur zeichnen, Loslassen schließt sie. &lt;kbd&gt;Esc&lt;/kbd&gt; bricht ab.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Release&lt;/b&gt; to make the section. &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
+        <translation>&lt;b&gt;Loslassen&lt;/b&gt; macht die Scheibe fertig. &lt;kbd&gt;Esc&lt;/kbd&gt; bricht ab.</translation>
+    </message>
+    <message>
+        <source>Drag to move the cut through the model; Esc closes it.</source>
+        <translation>Ziehen bewegt den Schnitt durch das Modell; Esc schließt ihn.</translation>
+    </message>
+    <message>
+        <source>Move to shift the cut, release to leave it there. Esc puts it back.</source>
+        <translation>Bewegen verschiebt den Schnitt, Loslassen lässt ihn dort. Esc setzt ihn zurück.</translation>
+    </message>
+    <message>
+        <source>The contour crosses itself; the largest loop was kept.</source>
+        <translation>Die Kontur kreuzt sich selbst; die größte Schleife blieb.</translation>
+    </message>
+    <message>
+        <source>The contour crosses itself; the largest loop was kept. &lt;kbd&gt;%1&lt;/kbd&gt; undoes it.</source>
+        <translation>Die Kontur kreuzt sich selbst; die größte Schleife blieb. &lt;kbd&gt;%1&lt;/kbd&gt; nimmt es zurück.</translation>
     </message>
 </context>
 <context>
-    <name>fff::ui::LengthEdit</name>
+    <name>fff::ui::HistoryDock</name>
     <message>
-        <source>mixed</source>
-        <translation type="unfinished"></translation>
+        <source>History</source>
+        <translation>Verlauf</translation>
     </message>
     <message>
+        <source>Every step; choosing one goes back to it.</source>
+        <translation>Alle Schritte; einen zu wählen führt zu ihm zurück.</translation>
+    </message>
+    <message>
+        <source>Every step will be listed here; go back to any of them.</source>
+        <translation>Hier wird jeder Schritt stehen; zu jedem führt ein Weg zurück.</translation>
+    </message>
+    <message>
+        <source>Back to the beginning. Click a later step to do it again.</source>
+        <translation>Zurück am Anfang. Ein Klick auf einen späteren Schritt wiederholt ihn.</translation>
+    </message>
+    <message>
+        <source>The model is as it was after “%1”.</source>
+        <translation>Das Modell ist, wie es nach „%1“ war.</translation>
+    </message>
+    <message>
+        <source>As it was opened</source>
+        <translation>Wie geöffnet</translation>
+    </message>
+    <message>
+        <source>New model</source>
+        <translation>Neues Modell</translation>
+    </message>
+    <message>
+        <source>Saved here</source>
+        <translation>Hier gespeichert</translation>
+    </message>
+</context>
+<context>
+    <name>fff::ui::JointList</name>
+    <message>
+        <source>cross lap</source>
+        <translation>Kreuzüberblattung</translation>
+    </message>
+    <message>
+        <source>extended cross lap</source>
+        <translation>verlängerte Kreuzüberblattung</translation>
+    </message>
+    <message>
+        <source>mortise</source>
+        <translation>Zapfenloch</translation>
+    </message>
+    <message>
+        <source>no joint</source>
+        <translation>keine Verbindung</translation>
+    </message>
+    <message>
+        <source>Select %1</source>
+        <translation>%1 wählen</translation>
+    </message>
+    <message>
+        <source>None yet</source>
+        <translation>Noch keine</translation>
+    </message>
+</context>
+<context>
+    <name>fff::ui::KeyRecorder</name>
+    <message>
+        <source>Press the keys</source>
+        <translation>Tasten drücken</translation>
+    </message>
+</context>
+<context>
+    <name>fff::ui::LengthText</name>
+    <message>
         <source>mm</source>
-        <translation type="unfinished"></translation>
+        <translation>mm</translation>
+    </message>
+    <message>
+        <source>cm</source>
+        <translation>cm</translation>
+    </message>
+    <message>
+        <source>in</source>
+        <translation>in</translation>
+    </message>
+    <message>
+        <source>Millimetres</source>
+        <translation>Millimeter</translation>
+    </message>
+    <message>
+        <source>Centimetres</source>
+        <translation>Zentimeter</translation>
+    </message>
+    <message>
+        <source>Inches</source>
+        <translation>Zoll</translation>
+    </message>
+</context>
+<context>
+    <name>fff::ui::MainToolBar</name>
+    <message>
+        <source>Tool bar</source>
+        <translation>Werkzeugleiste</translation>
     </message>
 </context>
 <context>
     <name>fff::ui::MainWindow</name>
     <message>
         <source>The model cannot be shown: the graphics driver offers no OpenGL 3.3. A newer driver may help.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Modell kann nicht gezeigt werden: Der Grafiktreiber bietet kein OpenGL 3.3. Ein neuerer Treiber kann helfen.</translation>
     </message>
     <message>
         <source>The model cannot be shown on this display.</source>
-        <translation type="unfinished"></translation>
+        <translation>Auf dieser Anzeige kann das Modell nicht gezeigt werden.</translation>
     </message>
     <message>
-        <source>&amp;File</source>
-        <translation type="unfinished"></translation>
+        <source>It was never saved</source>
+        <translation>Es wurde nie gespeichert</translation>
     </message>
     <message>
-        <source>&amp;Edit</source>
-        <translation type="unfinished"></translation>
+        <source>Nothing was changed since it was saved</source>
+        <translation>Seit dem Speichern wurde nichts geändert</translation>
+    </message>
+    <message numerus="yes">
+        <source>Recovered: %n model(s) that were not saved</source>
+        <translation>
+            <numerusform>Gerettet: %n ungespeichertes Modell</numerusform>
+            <numerusform>Gerettet: %n ungespeicherte Modelle</numerusform>
+        </translation>
     </message>
     <message>
-        <source>&amp;View</source>
-        <translation type="unfinished"></translation>
+        <source>Show them</source>
+        <translation>Anzeigen</translation>
     </message>
     <message>
-        <source>&amp;Help</source>
-        <translation type="unfinished"></translation>
+        <source>Recovered: %1</source>
+        <extracomment>%1 is a model&apos;s name, how much was done, and when</extracomment>
+        <translation>Gerettet: %1</translation>
     </message>
     <message>
-        <source>Tool bar</source>
-        <translation type="unfinished"></translation>
+        <source>Open it</source>
+        <translation>Öffnen</translation>
     </message>
     <message>
-        <source>Stock of the next section</source>
-        <translation type="unfinished"></translation>
+        <source>Discard</source>
+        <translation>Verwerfen</translation>
     </message>
     <message>
-        <source>Undid “%1”. Ctrl+Shift+Z brings it back.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Did “%1” again. Ctrl+Z takes it back.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>About FlatFitFab</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>&lt;b&gt;FlatFitFab %1&lt;/b&gt;</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Draw flat parts in 3D, see at once how they fit, and cut them. It works without an account, and nothing leaves this computer.</source>
-        <translation type="unfinished"></translation>
+        <source>Begin a model of your own, go on with one, or look at a sample.</source>
+        <translation>Ein eigenes Modell beginnen, an einem weiterarbeiten oder ein Beispiel ansehen.</translation>
     </message>
 </context>
 <context>
     <name>fff::ui::MeasureText</name>
     <message>
-        <source>%1&#x202f;mm</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>%1&#x202f;kg</source>
-        <translation type="unfinished"></translation>
+        <translation>%1&#x202f;kg</translation>
     </message>
     <message>
         <source>%1&#x202f;g</source>
-        <translation type="unfinished"></translation>
+        <translation>%1&#x202f;g</translation>
     </message>
     <message>
-        <source>%1˼m²</source>
-        <translation type="unfinished"></translation>
+        <source>%1&#x202f;in²</source>
+        <translation>%1&#x202f;in²</translation>
+    </message>
+    <message>
+        <source>%1&#x202f;cm²</source>
+        <translation>%1&#x202f;cm²</translation>
     </message>
 </context>
 <context>
     <name>fff::ui::MessageBar</name>
     <message>
         <source>Message</source>
-        <translation type="unfinished"></translation>
+        <translation>Meldung</translation>
     </message>
     <message>
         <source>Close this message</source>
-        <translation type="unfinished"></translation>
+        <translation>Diese Meldung schließen</translation>
     </message>
     <message numerus="yes">
         <source>And %n more.</source>
@@ -838,123 +2181,150 @@
             <numerusform>Und %n weitere.</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Details</source>
+        <translation>Einzelheiten</translation>
+    </message>
+</context>
+<context>
+    <name>fff::ui::NumberEdit</name>
+    <message>
+        <source>mixed</source>
+        <translation>verschieden</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::OutlineDock</name>
     <message>
         <source>Outline</source>
-        <translation type="unfinished"></translation>
+        <translation>Gliederung</translation>
     </message>
     <message>
         <source>Filter by name or stock</source>
-        <translation type="unfinished"></translation>
+        <translation>Nach Name oder Material filtern</translation>
     </message>
     <message>
         <source>Sections</source>
-        <translation type="unfinished"></translation>
+        <translation>Scheiben</translation>
     </message>
     <message>
         <source>Sections appear here as you draw them.</source>
-        <translation type="unfinished"></translation>
+        <translation>Hier erscheinen die Scheiben, während Sie zeichnen.</translation>
     </message>
     <message>
         <source>%1, being drawn</source>
         <extracomment>%1 is the name of a section</extracomment>
-        <translation type="unfinished"></translation>
+        <translation>%1, wird gezeichnet</translation>
+    </message>
+    <message>
+        <source>F2 renames, Space hides and shows.</source>
+        <translation>F2 benennt um, Leertaste blendet aus und ein.</translation>
+    </message>
+    <message>
+        <source>Hidden: show it</source>
+        <translation>Ausgeblendet: einblenden</translation>
+    </message>
+    <message>
+        <source>Hide it</source>
+        <translation>Ausblenden</translation>
     </message>
 </context>
 <context>
     <name>fff::ui::OverlayPainter</name>
     <message>
         <source>%1 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 mm</translation>
     </message>
     <message>
         <source>%1 m</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 m</translation>
     </message>
     <message>
         <source>Draw a shape here with the left button held down.</source>
-        <translation type="unfinished"></translation>
+        <translation>Hier mit gedrückter linker Taste eine Form zeichnen.</translation>
     </message>
     <message>
         <source>Slit %1 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>Schlitz %1 mm</translation>
+    </message>
+    <message>
+        <source>Working out the slits…</source>
+        <translation>Schlitze werden berechnet …</translation>
     </message>
 </context>
 <context>
     <name>fff::ui::PropertiesDock</name>
     <message>
         <source>Properties</source>
-        <translation type="unfinished"></translation>
+        <translation>Eigenschaften</translation>
     </message>
     <message>
         <source>Name</source>
-        <translation type="unfinished"></translation>
+        <translation>Name</translation>
     </message>
     <message>
         <source>Model</source>
-        <translation type="unfinished"></translation>
+        <translation>Modell</translation>
     </message>
     <message>
         <source>Size</source>
-        <translation type="unfinished"></translation>
+        <translation>Größe</translation>
     </message>
     <message>
         <source>Mass</source>
-        <translation type="unfinished"></translation>
+        <translation>Masse</translation>
     </message>
     <message>
         <source>Sections</source>
-        <translation type="unfinished"></translation>
+        <translation>Scheiben</translation>
     </message>
     <message>
         <source>Stock</source>
-        <translation type="unfinished"></translation>
+        <translation>Material</translation>
     </message>
     <message>
         <source>Place</source>
-        <translation type="unfinished"></translation>
+        <translation>Lage</translation>
     </message>
     <message>
         <source>Contour</source>
-        <translation type="unfinished"></translation>
+        <translation>Kontur</translation>
     </message>
     <message>
         <source>Thickness</source>
-        <translation type="unfinished"></translation>
+        <translation>Dicke</translation>
     </message>
     <message>
         <source>On</source>
-        <translation type="unfinished"></translation>
+        <translation>Auf</translation>
     </message>
     <message>
         <source>nothing</source>
-        <translation type="unfinished"></translation>
+        <translation>nichts</translation>
     </message>
     <message>
         <source>Position X</source>
-        <translation type="unfinished"></translation>
+        <translation>Position X</translation>
     </message>
     <message>
         <source>Position Y</source>
-        <translation type="unfinished"></translation>
+        <translation>Position Y</translation>
     </message>
     <message>
         <source>Position Z</source>
-        <translation type="unfinished"></translation>
+        <translation>Position Z</translation>
     </message>
     <message>
         <source>Area</source>
-        <translation type="unfinished"></translation>
+        <translation>Fläche</translation>
     </message>
     <message>
         <source>Nothing is selected</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts ist gewählt</translation>
     </message>
     <message>
         <source>Section · %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Scheibe · %1</translation>
     </message>
     <message numerus="yes">
         <source>%n joint(s)</source>
@@ -966,139 +2336,910 @@
     <message numerus="yes">
         <source>%n section(s)</source>
         <translation>
-            <numerusform>%n Sektion</numerusform>
-            <numerusform>%n Sektionen</numerusform>
+            <numerusform>%n Scheibe</numerusform>
+            <numerusform>%n Scheiben</numerusform>
         </translation>
     </message>
     <message>
         <source>Changes apply to all of them</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>mixed</source>
-        <translation type="unfinished"></translation>
+        <translation>Änderungen gelten für alle</translation>
     </message>
     <message>
         <source>New sections</source>
-        <translation type="unfinished"></translation>
+        <translation>Neue Scheiben</translation>
     </message>
     <message>
         <source>nothing drawn yet</source>
-        <translation type="unfinished"></translation>
+        <translation>noch nichts gezeichnet</translation>
+    </message>
+    <message>
+        <source>Drawing</source>
+        <translation>Zeichnen</translation>
+    </message>
+    <message>
+        <source>Units</source>
+        <translation>Einheiten</translation>
+    </message>
+    <message>
+        <source>Stock of the sections that are drawn next</source>
+        <translation>Material der Scheiben, die als nächste gezeichnet werden</translation>
+    </message>
+    <message>
+        <source>Edit the stock</source>
+        <translation>Material bearbeiten</translation>
+    </message>
+    <message>
+        <source>ms</source>
+        <translation>ms</translation>
+    </message>
+    <message>
+        <source>Turn time</source>
+        <translation>Drehzeit</translation>
+    </message>
+    <message>
+        <source>How long the view takes to turn to the plane of a new section</source>
+        <translation>Wie lange sich die Ansicht zur Ebene einer neuen Scheibe dreht</translation>
+    </message>
+    <message>
+        <source>Joints</source>
+        <translation>Verbindungen</translation>
+    </message>
+    <message>
+        <source>That of the stock: all sections of it follow</source>
+        <translation>Die des Materials: Alle Scheiben daraus folgen</translation>
+    </message>
+    <message>
+        <source>Angle to it</source>
+        <translation>Winkel dazu</translation>
+    </message>
+    <message>
+        <source>%1°</source>
+        <translation>%1°</translation>
+    </message>
+    <message>
+        <source>Normal</source>
+        <translation>Normale</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>Punkte</translation>
+    </message>
+    <message>
+        <source>Holes</source>
+        <translation>Löcher</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>%1 · %2</source>
+        <translation>%1 · %2</translation>
+    </message>
+    <message>
+        <source>Section · on %1 · %2</source>
+        <translation>Scheibe · auf %1 · %2</translation>
+    </message>
+</context>
+<context>
+    <name>fff::ui::RecentMenu</name>
+    <message>
+        <source>Open &amp;recent</source>
+        <translation>Zuletzt &amp;benutzt</translation>
+    </message>
+    <message>
+        <source>%1 (missing)</source>
+        <translation>%1 (fehlt)</translation>
+    </message>
+    <message>
+        <source>&amp;Clear this list</source>
+        <translation>Diese Liste &amp;leeren</translation>
+    </message>
+    <message>
+        <source>Forget these names; the files stay</source>
+        <translation>Diese Namen vergessen; die Dateien bleiben</translation>
+    </message>
+</context>
+<context>
+    <name>fff::ui::Samples</name>
+    <message>
+        <source>Fish</source>
+        <translation>Fisch</translation>
+    </message>
+    <message>
+        <source>Dachshund</source>
+        <translation>Dackel</translation>
+    </message>
+    <message>
+        <source>Fir tree</source>
+        <translation>Tanne</translation>
+    </message>
+    <message>
+        <source>Lamp shade</source>
+        <translation>Lampenschirm</translation>
+    </message>
+    <message>
+        <source>Doll’s chair</source>
+        <translation>Puppenstuhl</translation>
+    </message>
+    <message>
+        <source>Glass holder</source>
+        <translation>Glashalter</translation>
+    </message>
+    <message>
+        <source>Desk organiser</source>
+        <translation>Schreibtischordner</translation>
+    </message>
+</context>
+<context>
+    <name>fff::ui::SettingsDialog</name>
+    <message>
+        <source>Settings</source>
+        <translation>Einstellungen</translation>
+    </message>
+    <message>
+        <source>Groups of settings</source>
+        <translation>Gruppen von Einstellungen</translation>
+    </message>
+    <message>
+        <source>General</source>
+        <translation>Allgemein</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>Ansicht</translation>
+    </message>
+    <message>
+        <source>Files</source>
+        <translation>Dateien</translation>
+    </message>
+    <message>
+        <source>Keyboard</source>
+        <translation>Tastatur</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Lengths in</source>
+        <translation>Längen in</translation>
+    </message>
+    <message>
+        <source>Millimetres (mm)</source>
+        <translation>Millimeter (mm)</translation>
+    </message>
+    <message>
+        <source>Centimetres (cm)</source>
+        <translation>Zentimeter (cm)</translation>
+    </message>
+    <message>
+        <source>Inches (in)</source>
+        <translation>Zoll (in)</translation>
+    </message>
+    <message>
+        <source>What is shown and typed. Files always hold millimetres.</source>
+        <translation>So wird angezeigt und eingegeben. Dateien enthalten immer Millimeter.</translation>
+    </message>
+    <message>
+        <source>Colours</source>
+        <translation>Farben</translation>
+    </message>
+    <message>
+        <source>As the system</source>
+        <translation>Wie das System</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Hell</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>Dunkel</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>Sprache</translation>
+    </message>
+    <message>
+        <source>Another language is used from the next start on.</source>
+        <translation>Eine andere Sprache gilt ab dem nächsten Start.</translation>
+    </message>
+    <message>
+        <source>Show the start page at start</source>
+        <translation>Beim Start die Startseite zeigen</translation>
+    </message>
+    <message>
+        <source>Turn time</source>
+        <translation>Drehzeit</translation>
+    </message>
+    <message>
+        <source>ms</source>
+        <translation>ms</translation>
+    </message>
+    <message>
+        <source>How long the view takes, while you draw, to turn to the new plane. With 0 it jumps.</source>
+        <translation>Wie lange sich die Ansicht beim Zeichnen zur neuen Ebene dreht. Mit 0 springt sie.</translation>
+    </message>
+    <message>
+        <source>Motion</source>
+        <translation>Bewegung</translation>
+    </message>
+    <message>
+        <source>Always</source>
+        <translation>Immer</translation>
+    </message>
+    <message>
+        <source>As little as possible</source>
+        <translation>So wenig wie möglich</translation>
+    </message>
+    <message>
+        <source>With as little as possible, the view jumps instead of turning.</source>
+        <translation>Bei „so wenig wie möglich“ springt die Ansicht, statt sich zu drehen.</translation>
+    </message>
+    <message>
+        <source>Keep unsaved work every</source>
+        <translation>Ungespeichertes sichern alle</translation>
+    </message>
+    <message>
+        <source>s</source>
+        <translation>s</translation>
+    </message>
+    <message>
+        <source>After a crash or a power cut you get it back, also what was never saved. Your file is left alone.</source>
+        <translation>Nach einem Absturz oder Stromausfall ist es wieder da, auch nie Gespeichertes. Ihre Datei bleibt unberührt.</translation>
+    </message>
+    <message>
+        <source>When saving, keep the file as it was before</source>
+        <translation>Beim Speichern die vorige Fassung der Datei behalten</translation>
+    </message>
+</context>
+<context>
+    <name>fff::ui::Sheet</name>
+    <message>
+        <source>A4</source>
+        <translation>A4</translation>
+    </message>
+    <message>
+        <source>A3</source>
+        <translation>A3</translation>
+    </message>
+    <message>
+        <source>Letter</source>
+        <translation>Letter</translation>
+    </message>
+    <message>
+        <source>K40 laser</source>
+        <translation>K40-Laser</translation>
+    </message>
+    <message>
+        <source>12 × 20 in</source>
+        <translation>12 × 20 in</translation>
+    </message>
+    <message>
+        <source>Whole plywood board</source>
+        <translation>Ganze Sperrholzplatte</translation>
+    </message>
+</context>
+<context>
+    <name>fff::ui::ShortcutEditor</name>
+    <message>
+        <source>Filter by name or keys</source>
+        <translation>Nach Name oder Tasten filtern</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>No keys for this action</source>
+        <translation>Keine Tasten für diesen Befehl</translation>
+    </message>
+    <message>
+        <source>Reset</source>
+        <translation>Zurücksetzen</translation>
+    </message>
+    <message>
+        <source>The keys that this action has at first</source>
+        <translation>Die Tasten, die dieser Befehl anfangs hat</translation>
+    </message>
+    <message>
+        <source>Reset all</source>
+        <translation>Alle zurücksetzen</translation>
+    </message>
+    <message>
+        <source>The keys that all actions have at first</source>
+        <translation>Die Tasten, die alle Befehle anfangs haben</translation>
+    </message>
+    <message>
+        <source>Use it here</source>
+        <translation>Hier verwenden</translation>
+    </message>
+    <message>
+        <source>Actions and their shortcuts</source>
+        <translation>Befehle und ihre Tastenkürzel</translation>
+    </message>
+    <message>
+        <source>Action</source>
+        <translation>Befehl</translation>
+    </message>
+    <message>
+        <source>Shortcut</source>
+        <translation>Tastenkürzel</translation>
+    </message>
+    <message>
+        <source>Works</source>
+        <translation>Wirkt</translation>
+    </message>
+    <message>
+        <source>in the view</source>
+        <translation>in der Ansicht</translation>
+    </message>
+    <message>
+        <source>everywhere</source>
+        <translation>überall</translation>
+    </message>
+    <message>
+        <source>Choose an action</source>
+        <translation>Einen Befehl wählen</translation>
+    </message>
+    <message>
+        <source>Keys for %1:</source>
+        <translation>Tasten für %1:</translation>
+    </message>
+    <message>
+        <source>Changed by you</source>
+        <translation>Von Ihnen geändert</translation>
+    </message>
+    <message>
+        <source>%1 alone would get in the way of typing. Hold Ctrl or Alt with it; single keys are for actions that work in the view.</source>
+        <translation>%1 allein käme beim Tippen in die Quere. Strg oder Alt dazu halten; einzelne Tasten sind für Befehle, die in der Ansicht wirken.</translation>
+    </message>
+    <message>
+        <source>%1 belongs to “%2”.</source>
+        <translation>%1 gehört zu „%2“.</translation>
+    </message>
+</context>
+<context>
+    <name>fff::ui::StartPage</name>
+    <message>
+        <source>Start page</source>
+        <translation>Startseite</translation>
+    </message>
+    <message>
+        <source>New</source>
+        <translation>Neu</translation>
+    </message>
+    <message>
+        <source>Draw a model of your own</source>
+        <translation>Ein eigenes Modell zeichnen</translation>
+    </message>
+    <message>
+        <source>Open…</source>
+        <translation>Öffnen …</translation>
+    </message>
+    <message>
+        <source>Open a model, also one of FlatFab</source>
+        <translation>Ein Modell öffnen, auch eines von FlatFab</translation>
+    </message>
+    <message>
+        <source>No account, nothing leaves this computer.</source>
+        <translation>Kein Konto, nichts verlässt diesen Rechner.</translation>
+    </message>
+    <message>
+        <source>Show at start</source>
+        <translation>Beim Start zeigen</translation>
+    </message>
+    <message>
+        <source>Recent</source>
+        <translation>Zuletzt</translation>
+    </message>
+    <message>
+        <source>Samples</source>
+        <translation>Beispiele</translation>
+    </message>
+    <message>
+        <source>Recovered: %1</source>
+        <extracomment>%1 is a model&apos;s name, how much was done, and when</extracomment>
+        <translation>Gerettet: %1</translation>
+    </message>
+    <message>
+        <source>Open it</source>
+        <translation>Öffnen</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation>Verwerfen</translation>
+    </message>
+    <message>
+        <source>missing</source>
+        <translation>fehlt</translation>
+    </message>
+    <message>
+        <source>Remove from this list</source>
+        <translation>Aus dieser Liste nehmen</translation>
+    </message>
+    <message>
+        <source>Open a copy of it</source>
+        <translation>Als Kopie öffnen</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n section(s)</source>
+        <translation>
+            <numerusform>%n Scheibe</numerusform>
+            <numerusform>%n Scheiben</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <extracomment>%1 is a number of sections, %2 when it was saved</extracomment>
+        <translation>%1, %2</translation>
     </message>
 </context>
 <context>
     <name>fff::ui::StatusLine</name>
     <message>
         <source>What the next gesture does</source>
-        <translation type="unfinished"></translation>
+        <translation>Was die nächste Geste tut</translation>
     </message>
     <message>
         <source>Number of sections</source>
-        <translation type="unfinished"></translation>
+        <translation>Anzahl der Scheiben</translation>
     </message>
     <message>
         <source>Size of the model</source>
-        <translation type="unfinished"></translation>
+        <translation>Größe des Modells</translation>
     </message>
     <message>
         <source>Mass of the model</source>
-        <translation type="unfinished"></translation>
+        <translation>Masse des Modells</translation>
     </message>
     <message>
         <source>Units</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>mm</source>
-        <translation type="unfinished"></translation>
+        <translation>Einheiten</translation>
     </message>
     <message numerus="yes">
         <source>%n section(s)</source>
         <translation>
-            <numerusform>%n Sektion</numerusform>
-            <numerusform>%n Sektionen</numerusform>
+            <numerusform>%n Scheibe</numerusform>
+            <numerusform>%n Scheiben</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Unit of all lengths</source>
+        <translation>Einheit aller Längen</translation>
+    </message>
+    <message>
+        <source>Undid “%1”.</source>
+        <translation>„%1“ zurückgenommen.</translation>
+    </message>
+    <message>
+        <source>Undid “%1”. &lt;kbd&gt;%2&lt;/kbd&gt; brings it back.</source>
+        <translation>„%1“ zurückgenommen. &lt;kbd&gt;%2&lt;/kbd&gt; bringt es wieder.</translation>
+    </message>
+    <message>
+        <source>Did “%1” again.</source>
+        <translation>„%1“ wiederholt.</translation>
+    </message>
+    <message>
+        <source>Did “%1” again. &lt;kbd&gt;%2&lt;/kbd&gt; takes it back.</source>
+        <translation>„%1“ wiederholt. &lt;kbd&gt;%2&lt;/kbd&gt; nimmt es zurück.</translation>
     </message>
 </context>
 <context>
     <name>fff::ui::Stock</name>
     <message>
-        <source>%1 %2&#x202f;mm</source>
-        <translation type="unfinished"></translation>
+        <source>Use %1 for new sections</source>
+        <translation>%1 für neue Scheiben nehmen</translation>
     </message>
     <message>
-        <source>Use %1 for new sections</source>
-        <translation type="unfinished"></translation>
+        <source>Birch plywood</source>
+        <translation>Birkensperrholz</translation>
+    </message>
+    <message>
+        <source>Birch plywood 4 mm</source>
+        <translation>Birkensperrholz 4 mm</translation>
+    </message>
+    <message>
+        <source>Birch plywood 6.5 mm</source>
+        <translation>Birkensperrholz 6,5 mm</translation>
+    </message>
+    <message>
+        <source>Birch plywood 9 mm</source>
+        <translation>Birkensperrholz 9 mm</translation>
+    </message>
+    <message>
+        <source>MDF</source>
+        <translation>MDF</translation>
+    </message>
+    <message>
+        <source>Acrylic</source>
+        <translation>Acrylglas</translation>
+    </message>
+    <message>
+        <source>Acrylic, clear</source>
+        <translation>Acrylglas, klar</translation>
+    </message>
+    <message>
+        <source>Acrylic, red</source>
+        <translation>Acrylglas, rot</translation>
+    </message>
+    <message>
+        <source>Corrugated board B</source>
+        <translation>Wellpappe B</translation>
+    </message>
+    <message>
+        <source>Corrugated board C</source>
+        <translation>Wellpappe C</translation>
+    </message>
+    <message>
+        <source>Corrugated board E</source>
+        <translation>Wellpappe E</translation>
+    </message>
+    <message>
+        <source>Card</source>
+        <translation>Karton</translation>
+    </message>
+    <message>
+        <source>Basswood</source>
+        <translation>Lindenholz</translation>
+    </message>
+    <message>
+        <source>POM</source>
+        <translation>POM</translation>
+    </message>
+    <message>
+        <source>Aluminium 6061</source>
+        <translation>Aluminium 6061</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
+    </message>
+</context>
+<context>
+    <name>fff::ui::StockBox</name>
+    <message>
+        <source>Stock of the next section</source>
+        <translation>Material der nächsten Scheibe</translation>
+    </message>
+    <message>
+        <source>Thickness</source>
+        <translation>Dicke</translation>
+    </message>
+    <message>
+        <source>Stock of the next section: %1</source>
+        <translation>Material der nächsten Scheibe: %1</translation>
+    </message>
+    <message>
+        <source>Stocks…</source>
+        <translation>Materialien …</translation>
+    </message>
+</context>
+<context>
+    <name>fff::ui::StockEditor</name>
+    <message>
+        <source>Stocks</source>
+        <translation>Materialien</translation>
+    </message>
+</context>
+<context>
+    <name>fff::ui::StockFields</name>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Sheet</source>
+        <translation>Platte</translation>
+    </message>
+    <message>
+        <source>Thickness</source>
+        <translation>Dicke</translation>
+    </message>
+    <message>
+        <source>Sheet W × H</source>
+        <translation>Platte B × H</translation>
+    </message>
+    <message>
+        <source>Density</source>
+        <translation>Dichte</translation>
+    </message>
+    <message>
+        <source>kg/m³</source>
+        <translation>kg/m³</translation>
+    </message>
+    <message>
+        <source>Width of the sheet</source>
+        <translation>Breite der Platte</translation>
+    </message>
+    <message>
+        <source>Height of the sheet</source>
+        <translation>Höhe der Platte</translation>
+    </message>
+    <message>
+        <source>Common sheets</source>
+        <translation>Übliche Platten</translation>
+    </message>
+    <message>
+        <source>Strength</source>
+        <translation>Festigkeit</translation>
+    </message>
+    <message>
+        <source>Tensile strength</source>
+        <translation>Zugfestigkeit</translation>
+    </message>
+    <message>
+        <source>MPa</source>
+        <translation>MPa</translation>
+    </message>
+    <message>
+        <source>Flexural strength</source>
+        <translation>Biegefestigkeit</translation>
+    </message>
+    <message>
+        <source>Stiffness</source>
+        <translation>Steifigkeit</translation>
+    </message>
+    <message>
+        <source>GPa</source>
+        <translation>GPa</translation>
+    </message>
+    <message>
+        <source>Cutting</source>
+        <translation>Schneiden</translation>
+    </message>
+    <message>
+        <source>Kerf width (full)</source>
+        <translation>Schnittfuge (ganz)</translation>
+    </message>
+    <message>
+        <source>Slit clearance</source>
+        <translation>Schlitzspiel</translation>
+    </message>
+    <message>
+        <source>Drawn slit width</source>
+        <translation>Schlitz gezeichnet</translation>
+    </message>
+    <message>
+        <source>%1 = %2 + %3 − %4</source>
+        <translation>%1 = %2 + %3 − %4</translation>
+    </message>
+    <message>
+        <source>none: the kerf is wider than the slit</source>
+        <translation>keine: Die Schnittfuge ist breiter als der Schlitz</translation>
+    </message>
+    <message>
+        <source>Thickness, clearance and kerf of two sections of this stock that stand square on each other</source>
+        <translation>Dicke, Spiel und Schnittfuge zweier Scheiben dieses Materials, die rechtwinklig zueinander stehen</translation>
+    </message>
+    <message>
+        <source>not rated</source>
+        <translation>ohne Angabe</translation>
+    </message>
+    <message>
+        <source>0 stands for: not rated</source>
+        <translation>0 heißt: ohne Angabe</translation>
+    </message>
+    <message>
+        <source>No section is made of it</source>
+        <translation>Keine Scheibe ist daraus</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n section(s)</source>
+        <translation>
+            <numerusform>%n Scheibe</numerusform>
+            <numerusform>%n Scheiben</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>fff::ui::StockList</name>
+    <message>
+        <source>Stocks of this model</source>
+        <translation>Materialien dieses Modells</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add a stock from the presets</source>
+        <translation>Ein Material aus den Vorgaben hinzufügen</translation>
+    </message>
+    <message>
+        <source>Duplicate</source>
+        <translation>Verdoppeln</translation>
+    </message>
+    <message>
+        <source>Add a stock with the same numbers</source>
+        <translation>Ein Material mit den gleichen Zahlen hinzufügen</translation>
+    </message>
+    <message>
+        <source>Remove the stock</source>
+        <translation>Das Material entfernen</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n section(s)</source>
+        <translation>
+            <numerusform>%n Scheibe</numerusform>
+            <numerusform>%n Scheiben</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>A model needs a stock; add another one first</source>
+        <translation>Ein Modell braucht ein Material; erst ein anderes hinzufügen</translation>
+    </message>
+    <message>
+        <source>Remove this stock</source>
+        <translation>Dieses Material entfernen</translation>
+    </message>
+    <message numerus="yes">
+        <source>Make its %n section(s) of</source>
+        <translation>
+            <numerusform>Seine %n Scheibe wird aus</numerusform>
+            <numerusform>Seine %n Scheiben werden aus</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Add stock %1</source>
+        <translation>Material %1 hinzufügen</translation>
+    </message>
+    <message>
+        <source>Remove stock %1</source>
+        <translation>Material %1 entfernen</translation>
+    </message>
+</context>
+<context>
+    <name>fff::ui::ThicknessField</name>
+    <message>
+        <source>Thickness</source>
+        <translation>Dicke</translation>
+    </message>
+</context>
+<context>
+    <name>fff::ui::UnsavedWork</name>
+    <message>
+        <source>Unsaved work cannot be kept for the case of a crash. Save it to be safe.</source>
+        <translation>Ungespeichertes kann nicht für den Fall eines Absturzes gesichert werden. Besser speichern.</translation>
+    </message>
+    <message>
+        <source>This work was opened or discarded in another window.</source>
+        <translation>Das wurde in einem anderen Fenster geöffnet oder verworfen.</translation>
+    </message>
+    <message>
+        <source>What was kept could not be opened: %1.</source>
+        <translation>Das Gesicherte konnte nicht geöffnet werden: %1.</translation>
+    </message>
+    <message>
+        <source>untitled</source>
+        <translation>unbenannt</translation>
+    </message>
+    <message>
+        <source>%1, %2, %3</source>
+        <extracomment>%1 is a model&apos;s name, %2 how many steps, %3 when: &quot;untitled, 14 steps, 2 minutes ago&quot;</extracomment>
+        <translation>%1, %2, %3</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n step(s)</source>
+        <translation>
+            <numerusform>%n Schritt</numerusform>
+            <numerusform>%n Schritte</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>fff::ui::ViewCube</name>
+    <message>
+        <source>TOP</source>
+        <comment>a face of the view cube: short</comment>
+        <translation>OBEN</translation>
+    </message>
+    <message>
+        <source>BOTTOM</source>
+        <comment>a face of the view cube: short</comment>
+        <translation>UNTEN</translation>
+    </message>
+    <message>
+        <source>FRONT</source>
+        <comment>a face of the view cube: short</comment>
+        <translation>VORN</translation>
+    </message>
+    <message>
+        <source>BACK</source>
+        <comment>a face of the view cube: short</comment>
+        <translation>HINTEN</translation>
+    </message>
+    <message>
+        <source>RIGHT</source>
+        <comment>a face of the view cube: short</comment>
+        <translation>RECHTS</translation>
+    </message>
+    <message>
+        <source>LEFT</source>
+        <comment>a face of the view cube: short</comment>
+        <translation>LINKS</translation>
     </message>
 </context>
 <context>
     <name>fff::ui::Viewport</name>
     <message>
         <source>View of the model</source>
-        <translation type="unfinished"></translation>
+        <translation>Ansicht des Modells</translation>
     </message>
     <message>
         <source>Draw with the left mouse button, turn with the right one.</source>
-        <translation type="unfinished"></translation>
+        <translation>Mit der linken Maustaste zeichnen, mit der rechten drehen.</translation>
     </message>
 </context>
 <context>
     <name>main</name>
     <message>
         <source>Draws flat parts in 3D and cuts them.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeichnet flache Teile in 3D und schneidet sie.</translation>
     </message>
     <message>
-        <source>The model to open.</source>
-        <translation type="unfinished"></translation>
+        <source>The models to open, each in a window.</source>
+        <translation>Die Modelle, die geöffnet werden, jedes in einem Fenster.</translation>
+    </message>
+    <message>
+        <source>Opens FILE as a copy: saving asks for a name.</source>
+        <translation>Öffnet FILE als Kopie: Speichern fragt nach einem Namen.</translation>
+    </message>
+    <message>
+        <source>Plays a script of presses and moves.</source>
+        <translation>Spielt ein Skript von Drücken und Bewegen ab.</translation>
+    </message>
+    <message>
+        <source>SCRIPT</source>
+        <translation>SKRIPT</translation>
     </message>
 </context>
 <context>
     <name>std</name>
     <message>
         <source>Sections: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Scheiben: %1</translation>
     </message>
     <message>
         <source>Joints: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Verbindungen: %1</translation>
     </message>
     <message>
         <source>%1 and %2 meet, but no slit lets them slide together.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 und %2 treffen sich, aber kein Schlitz lässt sie zusammenstecken.</translation>
     </message>
     <message>
         <source>All sections hold together.</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle Scheiben halten zusammen.</translation>
     </message>
     <message>
         <source>Not connected to the rest: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Nicht mit dem Rest verbunden: %1</translation>
     </message>
     <message>
         <source>Size %1 × %2 × %3 mm (width, height, depth)</source>
-        <translation type="unfinished"></translation>
+        <translation>Größe %1 × %2 × %3 mm (Breite, Höhe, Tiefe)</translation>
     </message>
     <message>
         <source>Mass %1 g</source>
-        <translation type="unfinished"></translation>
+        <translation>Masse %1 g</translation>
     </message>
     <message>
         <source>Stock %1, %2 mm, sheets of %3</source>
-        <translation type="unfinished"></translation>
+        <translation>Material %1, %2 mm, Platten von %3</translation>
     </message>
     <message>
         <source>Part %1: %2, %3</source>
-        <translation type="unfinished"></translation>
+        <translation>Teil %1: %2, %3</translation>
     </message>
     <message>
         <source>, joints %1</source>
-        <translation type="unfinished"></translation>
+        <translation>, Verbindungen %1</translation>
     </message>
     <message>
         <source>Nothing to cut: the model has no section.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts zu schneiden: Das Modell hat keine Scheibe.</translation>
     </message>
 </context>
 </TS>

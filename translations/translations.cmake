@@ -1,6 +1,4 @@
-# Embedded in fff_ui as :/i18n/flatfitfab_LANGUAGE.qm. After a change of texts:
-#   lupdate -I . ui app core -locations none -no-obsolete -ts translations/flatfitfab_de.ts
-#   lupdate -I . ui app core -locations none -no-obsolete -pluralonly -ts translations/flatfitfab_en.ts
+# Embedded in fff_ui as :/i18n/flatfitfab_LANGUAGE.qm. After a change of texts run translations/update.
 set_source_files_properties(
     ${CMAKE_CURRENT_LIST_DIR}/flatfitfab_de.ts ${CMAKE_CURRENT_LIST_DIR}/flatfitfab_en.ts
     PROPERTIES OUTPUT_LOCATION ${CMAKE_CURRENT_BINARY_DIR}/i18n)

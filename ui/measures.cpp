@@ -72,7 +72,9 @@ QString areaText(double squareMillimetres, const QLocale &locale)
         return MeasureText::tr("%1\u202fin²")
             .arg(locale.toString(squareMillimetres / (inch * inch), 'f', 2));
     }
-    return MeasureText::tr("%1\u202fcm²").arg(locale.toString(squareMillimetres / 100.0, 'f', 1));
+    return MeasureText::tr("%1\u202f"
+                           "cm²")
+        .arg(locale.toString(squareMillimetres / 100.0, 'f', 1));
 }
 
 QString sizeText(std::initializer_list<double> millimetres, int digits, const QLocale &locale)

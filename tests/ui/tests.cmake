@@ -7,6 +7,9 @@ fff_test(ui/tst_docks fff::ui)
 fff_test(ui/tst_lengths fff::ui)
 fff_test(ui/tst_measures fff::ui)
 fff_test(ui/tst_slab_mesh fff::view)
+fff_test(ui/tst_translations fff::ui)
+target_compile_definitions(tst_translations PRIVATE FFF_SOURCES="${PROJECT_SOURCE_DIR}"
+    FFF_LUPDATE="$<TARGET_FILE:Qt6::lupdate>")
 
 # A real window with a real OpenGL view: needs a display, which tests/run provides.
 fff_test(ui/tst_main_window fff::ui)
