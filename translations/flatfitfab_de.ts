@@ -1075,10 +1075,6 @@
         <translation>Die Teile in eine Datei für den Laserschneider schreiben</translation>
     </message>
     <message>
-        <source>&amp;Revert to saved</source>
-        <translation>&amp;Zum Gespeicherten zurück</translation>
-    </message>
-    <message>
         <source>Revert</source>
         <translation>Zurückkehren</translation>
     </message>
@@ -1100,7 +1096,7 @@
     </message>
     <message>
         <source>&amp;Close window</source>
-        <translation>Fenster &amp;schließen</translation>
+        <translation>Fenster s&amp;chließen</translation>
     </message>
     <message>
         <source>Close</source>
@@ -1263,10 +1259,6 @@
         <translation>Das ganze Modell zeigen</translation>
     </message>
     <message>
-        <source>Fit se&amp;lection</source>
-        <translation>Auswahl einpasse&amp;n</translation>
-    </message>
-    <message>
         <source>Fit selection</source>
         <translation>Auswahl einpassen</translation>
     </message>
@@ -1287,10 +1279,6 @@
         <translation>Zur vorigen Ansicht zurück</translation>
     </message>
     <message>
-        <source>Pers&amp;pective</source>
-        <translation>Perspe&amp;ktive</translation>
-    </message>
-    <message>
         <source>Perspective</source>
         <translation>Perspektive</translation>
     </message>
@@ -1300,7 +1288,7 @@
     </message>
     <message>
         <source>&amp;X-ray</source>
-        <translation>&amp;Röntgenblick</translation>
+        <translation>Rön&amp;tgenblick</translation>
     </message>
     <message>
         <source>X-ray</source>
@@ -1309,10 +1297,6 @@
     <message>
         <source>See through all sections, down to their slits</source>
         <translation>Durch alle Scheiben sehen, bis auf die Schlitze</translation>
-    </message>
-    <message>
-        <source>&amp;Only the selection</source>
-        <translation>Nur die Aus&amp;wahl</translation>
     </message>
     <message>
         <source>Isolate</source>
@@ -1336,7 +1320,7 @@
     </message>
     <message>
         <source>Show &amp;all</source>
-        <translation>Alle ein&amp;blenden</translation>
+        <translation>Alle einblen&amp;den</translation>
     </message>
     <message>
         <source>Show all</source>
@@ -1345,10 +1329,6 @@
     <message>
         <source>Show the hidden sections again</source>
         <translation>Die ausgeblendeten Scheiben wieder zeigen</translation>
-    </message>
-    <message>
-        <source>&amp;Cut view open</source>
-        <translation>Ansicht auf&amp;schneiden</translation>
     </message>
     <message>
         <source>Cut open</source>
@@ -1371,10 +1351,6 @@
         <translation>Den Boden mit Raster und den Schatten des Modells zeigen</translation>
     </message>
     <message>
-        <source>&amp;Hide all docks</source>
-        <translation>Alle Fensterteile aus&amp;blenden</translation>
-    </message>
-    <message>
         <source>Hide docks</source>
         <translation>Teile ausblenden</translation>
     </message>
@@ -1384,7 +1360,7 @@
     </message>
     <message>
         <source>F&amp;ull screen</source>
-        <translation>Vollb&amp;ild</translation>
+        <translation>Vollbild</translation>
     </message>
     <message>
         <source>Full screen</source>
@@ -1417,10 +1393,6 @@
     <message>
         <source>Go to the next part of the window: tool bar, left, view, right</source>
         <translation>Zum nächsten Teil des Fensters: Werkzeugleiste, links, Ansicht, rechts</translation>
-    </message>
-    <message>
-        <source>&amp;Previous part of the window</source>
-        <translation>&amp;Voriger Teil des Fensters</translation>
     </message>
     <message>
         <source>Previous part</source>
@@ -1525,6 +1497,34 @@
     <message>
         <source>&amp;Help</source>
         <translation>&amp;Hilfe</translation>
+    </message>
+    <message>
+        <source>Re&amp;vert to saved</source>
+        <translation>&amp;Zum Gespeicherten zurück</translation>
+    </message>
+    <message>
+        <source>F&amp;it selection</source>
+        <translation>Auswahl einpasse&amp;n</translation>
+    </message>
+    <message>
+        <source>Perspecti&amp;ve</source>
+        <translation>Perspe&amp;ktive</translation>
+    </message>
+    <message>
+        <source>Onl&amp;y the selection</source>
+        <translation>Nur die Aus&amp;wahl</translation>
+    </message>
+    <message>
+        <source>Cut view &amp;open</source>
+        <translation>Ansicht au&amp;fschneiden</translation>
+    </message>
+    <message>
+        <source>Hide all doc&amp;ks</source>
+        <translation>Alle Fensterte&amp;ile ausblenden</translation>
+    </message>
+    <message>
+        <source>Previous part of the win&amp;dow</source>
+        <translation>Voriger Teil des Fensters</translation>
     </message>
 </context>
 <context>
@@ -2425,7 +2425,7 @@
     <name>fff::ui::RecentMenu</name>
     <message>
         <source>Open &amp;recent</source>
-        <translation>Zuletzt &amp;benutzt</translation>
+        <translation>Zu&amp;letzt benutzt</translation>
     </message>
     <message>
         <source>%1 (missing)</source>
