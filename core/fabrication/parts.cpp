@@ -38,6 +38,8 @@ double distanceTo(const Vec2 &point, const Region &region)
 std::size_t partAtBottom(const std::vector<CurvedRegion> &parts, const Vec2 &inner,
                          const Vec2 &direction)
 {
+    if (parts.size() == 1)
+        return 0;
     const Vec2 beyond = inner + kMinOverlap * direction;
     std::size_t best = 0;
     double bestDistance = std::numeric_limits<double>::infinity();

@@ -172,7 +172,6 @@ void RoomSearch::look(const Vec2 &center, double size, const Cell *parent)
 void RoomSearch::keepRelevant(Cell &cell)
 {
     const double reach = std::abs(cell.scale) + 2.0 * cell.size;
-    m_edges.reserve(m_edges.size() + cell.edges); // read while it grows
     const auto firstEdge = static_cast<std::uint32_t>(m_edges.size());
     for (std::uint32_t i = 0; i < cell.edges; ++i) {
         const Edge edge = m_edges[cell.firstEdge + i];
@@ -194,6 +193,7 @@ void RoomSearch::keepRelevant(Cell &cell)
 Vec2 RoomSearch::roomiest(const Vec2 &low, const Vec2 &extent, double enough)
 {
     m_edgeCount = static_cast<std::uint32_t>(m_edges.size());
+    m_edges.reserve(8 * m_edges.size());
     m_boxCount = static_cast<std::uint32_t>(m_boxes.size());
     look(low + 0.5 * extent, 0.0, nullptr);
     const double side = std::max(extent.minCoeff(), extent.maxCoeff() / kMaxFirstCells);

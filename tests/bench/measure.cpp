@@ -1,6 +1,9 @@
 #include "tests/bench/measure.h"
 
+#include "core/fabrication/kerf.h"
+#include "core/fabrication/marks.h"
 #include "core/io/document_file.h"
+#include "core/io/svg_writer.h"
 #include "core/model/edits.h"
 #include "core/operations/evaluate.h"
 #include "core/session/cutting_file.h"
@@ -102,6 +105,19 @@ void measureEdits(const ModelPointer &committed, SectionId id, AnalysisCaches &c
     }
 }
 
+double drawingTime(const Analysis &analysis)
+{
+    std::vector<Part> parts = makeParts(analysis.model, analysis.assembly, analysis.cuts);
+    std::vector<Engraving> engravings;
+    for (const Part &part : parts)
+        engravings.push_back(engrave(part));
+    parts = compensateKerf(std::move(parts), analysis.model);
+    const Layout layout = layOut(parts, analysis.model, LayoutOptions());
+    double milliseconds = 0.0;
+    timed(milliseconds, [&] { return io::writeSvg(layout, parts, engravings, analysis.model); });
+    return milliseconds;
+}
+
 } // namespace
 
 Result<Measurement> measure(const std::string &name, const QString &path, int runs, int edited)
@@ -133,6 +149,7 @@ Result<Measurement> measure(const std::string &name, const QString &path, int ru
         const auto file = timed(t.svg, [&] { return makeCuttingFile(analysis); });
         if (!file)
             return tl::unexpected(file.error());
+        t.drawing = drawingTime(analysis);
         all.push_back(t);
 
         const std::vector<int> counts = jointCounts(analysis);
@@ -150,8 +167,8 @@ Result<Measurement> measure(const std::string &name, const QString &path, int ru
             values.push_back(t.*field);
         return median(std::move(values));
     };
-    for (double Timings::*field :
-         {&Timings::load, &Timings::evaluate, &Timings::slits, &Timings::parts, &Timings::svg})
+    for (double Timings::*field : {&Timings::load, &Timings::evaluate, &Timings::slits,
+                                   &Timings::parts, &Timings::svg, &Timings::drawing})
         result.milliseconds.*field = middle(field);
     result.milliseconds.drag = median(edits.drag);
     result.milliseconds.edit = median(edits.edit);

@@ -20,6 +20,7 @@ struct Timings
     double slits = 0.0;    // model to all joints and slits
     double parts = 0.0;    // slits to all parts: the cut sections
     double svg = 0.0;      // cut sections to the bytes of the cutting file
+    double drawing = 0.0;  // of that the writing alone: marks, kerf and layout are there
     double drag = 0.0;     // a section moved, and the model of that; no slits
     double edit = 0.0;     // the same with all joints, slits, cuts and triangles that follow
     double undo = 0.0;     // back, with all of that
