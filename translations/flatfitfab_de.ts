@@ -2468,7 +2468,7 @@
     </message>
     <message>
         <source>Desk organiser</source>
-        <translation>Schreibtischordner</translation>
+        <translation>Schreibtischbox</translation>
     </message>
 </context>
 <context>
@@ -2921,6 +2921,10 @@
     <message>
         <source>Stocks</source>
         <translation>Materialien</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
     </message>
 </context>
 <context>

@@ -37,10 +37,11 @@ StockEditor::StockEditor(Workbench &bench, const ActionSet &actions, QWidget *pa
     row->setSpacing(16);
     row->addWidget(m_list);
     row->addWidget(area, 1);
-    auto *buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
+    auto *buttons = new QDialogButtonBox(this);
+    // A text of our own: Qt's are in English where its translations are not installed.
+    QPushButton *close = buttons->addButton(tr("Close"), QDialogButtonBox::RejectRole);
     // Enter in a field is for the field.
-    buttons->button(QDialogButtonBox::Close)->setAutoDefault(false);
-    buttons->button(QDialogButtonBox::Close)->setIcon(QIcon());
+    close->setAutoDefault(false);
     auto *column = new QVBoxLayout(this);
     column->setContentsMargins(16, 16, 16, 12);
     column->setSpacing(12);
