@@ -76,6 +76,7 @@ private:
     void click(const QPoint &inView);
     void drag(const std::vector<QPoint> &points);
     void drawFirst();
+    bool comesToRest();
     void drawSecond();
     Session &session() { return m_window->bench().session(); }
     const Section &first() { return *session().committed().section(0); }
@@ -593,13 +594,23 @@ void TestMainWindow::importsKeepTheirTitleAndAskForAName()
     QVERIFY(asked);
 }
 
+/// Whether a second goes by without a frame. What is still to come after the last change (the
+/// picture in full, the name of what is under the cursor) takes as long as the machine is slow.
+bool TestMainWindow::comesToRest()
+{
+    for (int seconds = 0; seconds < 20; ++seconds) {
+        const int painted = m_view->paintCount();
+        QTest::qWait(1000);
+        if (m_view->paintCount() == painted)
+            return true;
+    }
+    return false;
+}
+
 void TestMainWindow::nothingIsPaintedWhenNothingChanges()
 {
     drawFirst();
-    QTest::qWait(1200); // the picture is drawn in full, the section's name appears
-    const int painted = m_view->paintCount();
-    QTest::qWait(400);
-    QCOMPARE(m_view->paintCount(), painted);
+    QVERIFY2(comesToRest(), "the view paints on and on");
 }
 
 void TestMainWindow::movingOverTheSamePaintsNothing()
@@ -608,7 +619,7 @@ void TestMainWindow::movingOverTheSamePaintsNothing()
     for (const QPoint &start : {onScreen(worldBounds(*first().shape, first().frame).center()),
                                 QPoint(m_view->width() / 2, 14)}) {
         move(start);
-        QTest::qWait(1200); // its name is shown
+        QVERIFY(comesToRest()); // its name is shown
         const int painted = m_view->paintCount();
         for (int i = 0; i < 8; ++i)
             move(start + QPoint(i, 0));
