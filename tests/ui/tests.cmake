@@ -32,3 +32,6 @@ fff_test(ui/tst_killed fff::session)
 target_compile_definitions(tst_killed PRIVATE FFF_WINDOW="$<TARGET_FILE:flatfitfab>")
 add_dependencies(tst_killed flatfitfab)
 set_tests_properties(ui/tst_killed PROPERTIES LABELS gl ENVIRONMENT "QT_QPA_PLATFORM=xcb" TIMEOUT 600)
+
+# Windows of two programs on one display take the focus from each other.
+set_tests_properties(ui/tst_main_window ui/tst_script_player ui/tst_killed PROPERTIES RESOURCE_LOCK focus)
