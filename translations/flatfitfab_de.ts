@@ -2031,7 +2031,7 @@
     </message>
 </context>
 <context>
-    <name>fff::ui::JointList</name>
+    <name>fff::ui::JointRows</name>
     <message>
         <source>cross lap</source>
         <translation>Kreuzüberblattung</translation>

@@ -6,7 +6,7 @@
 #include "ui/docks/dock_title.h"
 #include "ui/icon.h"
 #include "ui/measures.h"
-#include "ui/properties/joint_list.h"
+#include "ui/properties/joint_rows.h"
 #include "ui/properties/property_rows.h"
 #include "ui/properties/stock_choice.h"
 #include "ui/theme.h"
@@ -191,9 +191,9 @@ QWidget *PropertiesDock::makeSectionPage(QWidget *parent)
     addStockRows(stock);
     addPlaceRows(place);
     addContourRows(contour);
-    m_joints = new JointList(m_jointGroup);
+    m_joints = new JointRows(m_jointGroup);
     m_joints->setObjectName(QStringLiteral("jointList"));
-    connect(m_joints, &JointList::chosen, this,
+    connect(m_joints, &JointRows::chosen, this,
             [this](const SectionRef &section) { m_bench.select({section}); });
     m_jointGroup->add(m_joints);
 
@@ -414,7 +414,7 @@ void PropertiesDock::refreshJoints()
         return;
     const Analysis &analysis = m_bench.session().analysis();
     const int here = analysis.model.indexOf(model.ref(static_cast<std::size_t>(sections.front())));
-    std::vector<JointList::Entry> entries;
+    std::vector<JointRows::Entry> entries;
     for (const Joint &joint : analysis.assembly.joints) {
         if (here < 0 || (joint.a != here && joint.b != here))
             continue;

@@ -14,7 +14,7 @@ class QLineEdit;
 
 namespace fff::ui {
 
-class JointList;
+class JointRows;
 class PropertyGroup;
 class PropertyRow;
 class Workbench;
@@ -57,7 +57,7 @@ private:
     QLabel *m_kind = nullptr;
     QWidget *m_modelPage = nullptr, *m_sectionPage = nullptr;
     PropertyGroup *m_jointGroup = nullptr;
-    JointList *m_joints = nullptr;
+    JointRows *m_joints = nullptr;
     std::vector<PropertyRow *> m_modelRows, m_sectionRows;
 };
 

@@ -16,7 +16,7 @@ QString jointKindText(JointKind kind);
 
 class JointRow;
 
-class JointList : public QWidget
+class JointRows : public QWidget
 {
     Q_OBJECT
 public:
@@ -28,7 +28,7 @@ public:
         bool operator==(const Entry &) const = default;
     };
 
-    explicit JointList(QWidget *parent = nullptr);
+    explicit JointRows(QWidget *parent = nullptr);
 
     /// Changes only what differs.
     void setEntries(const std::vector<Entry> &entries);

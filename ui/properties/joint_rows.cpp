@@ -1,4 +1,4 @@
-#include "ui/properties/joint_list.h"
+#include "ui/properties/joint_rows.h"
 
 #include "ui/icon.h"
 #include "ui/theme.h"
@@ -20,13 +20,13 @@ QString jointKindText(JointKind kind)
 {
     switch (kind) {
     case JointKind::CrossLap:
-        return JointList::tr("cross lap");
+        return JointRows::tr("cross lap");
     case JointKind::ExtendedCrossLap:
-        return JointList::tr("extended cross lap");
+        return JointRows::tr("extended cross lap");
     case JointKind::Mortise:
-        return JointList::tr("mortise");
+        return JointRows::tr("mortise");
     case JointKind::None:
-        return JointList::tr("no joint");
+        return JointRows::tr("no joint");
     }
     return {};
 }
@@ -41,11 +41,11 @@ public:
         setFixedHeight(kRowHeight);
     }
 
-    void setEntry(const JointList::Entry &entry)
+    void setEntry(const JointRows::Entry &entry)
     {
         m_entry = entry;
         setAccessibleName(QStringLiteral("%1, %2").arg(entry.name, entry.text));
-        setToolTip(JointList::tr("Select %1").arg(entry.name));
+        setToolTip(JointRows::tr("Select %1").arg(entry.name));
         update();
     }
 
@@ -83,10 +83,10 @@ protected:
     }
 
 private:
-    JointList::Entry m_entry;
+    JointRows::Entry m_entry;
 };
 
-JointList::JointList(QWidget *parent) : QWidget(parent), m_empty(new QLabel(tr("None yet"), this))
+JointRows::JointRows(QWidget *parent) : QWidget(parent), m_empty(new QLabel(tr("None yet"), this))
 {
     m_empty->setForegroundRole(QPalette::PlaceholderText);
     auto *column = new QVBoxLayout(this);
@@ -95,7 +95,7 @@ JointList::JointList(QWidget *parent) : QWidget(parent), m_empty(new QLabel(tr("
     column->addWidget(m_empty);
 }
 
-void JointList::setEntries(const std::vector<Entry> &entries)
+void JointRows::setEntries(const std::vector<Entry> &entries)
 {
     if (entries == m_entries)
         return;
