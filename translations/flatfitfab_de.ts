@@ -2259,10 +2259,6 @@
         <translation>Eigenschaften</translation>
     </message>
     <message>
-        <source>Name</source>
-        <translation>Name</translation>
-    </message>
-    <message>
         <source>Model</source>
         <translation>Modell</translation>
     </message>
@@ -2317,32 +2313,6 @@
     <message>
         <source>Area</source>
         <translation>Fläche</translation>
-    </message>
-    <message>
-        <source>Nothing is selected</source>
-        <translation>Nichts ist gewählt</translation>
-    </message>
-    <message>
-        <source>Section · %1</source>
-        <translation>Scheibe · %1</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n joint(s)</source>
-        <translation>
-            <numerusform>%n Verbindung</numerusform>
-            <numerusform>%n Verbindungen</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n section(s)</source>
-        <translation>
-            <numerusform>%n Scheibe</numerusform>
-            <numerusform>%n Scheiben</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Changes apply to all of them</source>
-        <translation>Änderungen gelten für alle</translation>
     </message>
     <message>
         <source>New sections</source>
@@ -2415,6 +2385,43 @@
     <message>
         <source>%1 · %2</source>
         <translation>%1 · %2</translation>
+    </message>
+</context>
+<context>
+    <name>fff::ui::PropertiesHeader</name>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Model</source>
+        <translation>Modell</translation>
+    </message>
+    <message>
+        <source>Nothing is selected</source>
+        <translation>Nichts ist gewählt</translation>
+    </message>
+    <message>
+        <source>Section · %1</source>
+        <translation>Scheibe · %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n joint(s)</source>
+        <translation>
+            <numerusform>%n Verbindung</numerusform>
+            <numerusform>%n Verbindungen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n section(s)</source>
+        <translation>
+            <numerusform>%n Scheibe</numerusform>
+            <numerusform>%n Scheiben</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Changes apply to all of them</source>
+        <translation>Änderungen gelten für alle</translation>
     </message>
     <message>
         <source>Section · on %1 · %2</source>

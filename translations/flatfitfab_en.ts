@@ -135,7 +135,7 @@
     </message>
 </context>
 <context>
-    <name>fff::ui::PropertiesDock</name>
+    <name>fff::ui::PropertiesHeader</name>
     <message numerus="yes">
         <source>%n joint(s)</source>
         <translation>

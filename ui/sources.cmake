@@ -22,6 +22,7 @@ target_sources(fff_ui PRIVATE
     docks/history_dock.cpp
     docks/outline_dock.cpp
     docks/properties_dock.cpp
+    docks/properties_header.cpp
     field_style.cpp
     files/document_files.cpp
     files/exporting.cpp

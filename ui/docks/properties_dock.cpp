@@ -4,16 +4,13 @@
 #include "core/base/units.h"
 #include "core/model/edits.h"
 #include "ui/docks/dock_title.h"
-#include "ui/icon.h"
+#include "ui/docks/properties_header.h"
 #include "ui/measures.h"
 #include "ui/properties/joint_rows.h"
 #include "ui/properties/property_rows.h"
 #include "ui/properties/stock_choice.h"
-#include "ui/theme.h"
 #include "ui/workbench.h"
 
-#include <QLabel>
-#include <QLineEdit>
 #include <QScrollArea>
 #include <QVBoxLayout>
 
@@ -55,12 +52,13 @@ PropertiesDock::PropertiesDock(Workbench &bench, QWidget *parent)
     area->setWidgetResizable(true);
     area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     auto *content = new QWidget(area);
+    m_header = new PropertiesHeader(bench, content);
     m_modelPage = makeModelPage(content);
     m_sectionPage = makeSectionPage(content);
     auto *column = new QVBoxLayout(content);
     column->setContentsMargins(16, 12, 12, 12);
     column->setSpacing(0);
-    column->addWidget(makeHeader(content));
+    column->addWidget(m_header);
     column->addSpacing(12);
     column->addWidget(m_modelPage);
     column->addWidget(m_sectionPage);
@@ -74,40 +72,6 @@ PropertiesDock::PropertiesDock(Workbench &bench, QWidget *parent)
     connect(&settings(), &Settings::unitChanged, this, &PropertiesDock::refresh);
     connect(&settings(), &Settings::viewChanged, this, &PropertiesDock::refresh);
     connect(this, &QDockWidget::visibilityChanged, this, &PropertiesDock::refresh);
-    refreshHeader();
-}
-
-QWidget *PropertiesDock::makeHeader(QWidget *parent)
-{
-    constexpr int kIconSize = 34;
-    auto *header = new QWidget(parent);
-    m_icon = new QLabel(header);
-    m_icon->setObjectName(QStringLiteral("propertiesIcon"));
-    m_icon->setFixedSize(kIconSize, kIconSize);
-    m_icon->setAlignment(Qt::AlignCenter);
-    m_name = new QLineEdit(header);
-    m_name->setObjectName(QStringLiteral("propertiesName"));
-    m_name->setAccessibleName(tr("Name"));
-    QFont bold = m_name->font();
-    bold.setWeight(QFont::DemiBold);
-    m_name->setFont(bold);
-    m_title = new QLabel(header);
-    m_title->setObjectName(QStringLiteral("propertiesTitle"));
-    m_title->setFont(bold);
-    m_title->setMinimumHeight(m_name->sizeHint().height());
-    m_kind = new QLabel(header);
-    m_kind->setObjectName(QStringLiteral("propertiesKind"));
-    m_kind->setForegroundRole(QPalette::PlaceholderText);
-    auto *grid = new QGridLayout(header);
-    grid->setContentsMargins(0, 0, 0, 0);
-    grid->setHorizontalSpacing(10);
-    grid->setVerticalSpacing(6);
-    grid->addWidget(m_icon, 0, 0);
-    grid->addWidget(m_name, 0, 1);
-    grid->addWidget(m_title, 0, 1);
-    grid->addWidget(m_kind, 1, 1);
-    connect(m_name, &QLineEdit::editingFinished, this, &PropertiesDock::rename);
-    return header;
 }
 
 QWidget *PropertiesDock::makeModelPage(QWidget *parent)
@@ -211,7 +175,7 @@ void PropertiesDock::addStockRows(PropertyGroup *group)
         tr("Stock"), "sectionStock",
         [this] {
             const Model &model = m_bench.session().model();
-            const std::set<StockId> used = stocksOf(model, selected());
+            const std::set<StockId> used = stocksOf(model, selectedSections(m_bench));
             return choicesOfStock(model.document,
                                   used.size() == 1 ? std::optional(*used.begin()) : std::nullopt);
         },
@@ -221,7 +185,7 @@ void PropertiesDock::addStockRows(PropertyGroup *group)
             StockId id;
             Result<Document> next = withStock(model.document, choice, id);
             std::vector<std::string> names;
-            for (int i : selected()) {
+            for (int i : selectedSections(m_bench)) {
                 names.push_back(nameOf(model, i));
                 if (next)
                     next = setSectionStock(std::move(*next),
@@ -231,7 +195,8 @@ void PropertiesDock::addStockRows(PropertyGroup *group)
         },
         group);
     stock->addButton(QStringLiteral("stocks"), "sectionStockEdit", tr("Edit the stock"), [this] {
-        const std::set<StockId> used = stocksOf(m_bench.session().model(), selected());
+        const std::set<StockId> used =
+            stocksOf(m_bench.session().model(), selectedSections(m_bench));
         if (!used.empty())
             Q_EMIT stockWanted(*used.begin());
     });
@@ -240,12 +205,13 @@ void PropertiesDock::addStockRows(PropertyGroup *group)
         [this]() -> std::optional<double> {
             const Document &document = m_bench.session().model().document;
             std::set<double> values;
-            for (StockId id : stocksOf(m_bench.session().model(), selected()))
+            for (StockId id : stocksOf(m_bench.session().model(), selectedSections(m_bench)))
                 values.insert(document.find(id)->thickness);
             return values.size() == 1 ? std::optional(*values.begin()) : std::nullopt;
         },
         [this](double value) {
-            const std::set<StockId> used = stocksOf(m_bench.session().committed(), selected());
+            const std::set<StockId> used =
+                stocksOf(m_bench.session().committed(), selectedSections(m_bench));
             commitThickness(m_bench, std::vector(used.begin(), used.end()), value);
         },
         group);
@@ -255,7 +221,7 @@ void PropertiesDock::addStockRows(PropertyGroup *group)
         [this] {
             const Measures measures(m_bench.session());
             double sum = 0.0;
-            for (int i : selected())
+            for (int i : selectedSections(m_bench))
                 sum += measures.mass(i);
             return massText(sum, locale());
         },
@@ -342,7 +308,7 @@ void PropertiesDock::addContourRows(PropertyGroup *group)
     add(tr("Area"), "sectionArea", [this] {
         const Measures measures(m_bench.session());
         double sum = 0.0;
-        for (int i : selected())
+        for (int i : selectedSections(m_bench))
             sum += measures.area(i);
         return areaText(sum, locale());
     });
@@ -369,7 +335,7 @@ PropertyRow *PropertiesDock::positionRow(int axis, const QString &name, const ch
         [this, axis]() -> std::optional<double> {
             const Model &model = m_bench.session().model();
             std::set<double> values;
-            for (int i : selected())
+            for (int i : selectedSections(m_bench))
                 values.insert(model.section(static_cast<std::size_t>(i))->frame.origin[axis]);
             return values.size() == 1 ? std::optional(*values.begin()) : std::nullopt;
         },
@@ -377,7 +343,7 @@ PropertyRow *PropertiesDock::positionRow(int axis, const QString &name, const ch
             const Model &model = m_bench.session().committed();
             Result<Document> next = model.document;
             std::vector<std::string> names;
-            for (int i : selected()) {
+            for (int i : selectedSections(m_bench)) {
                 Frame frame = model.section(static_cast<std::size_t>(i))->frame;
                 frame.origin[axis] = value;
                 names.push_back(nameOf(model, i));
@@ -394,8 +360,8 @@ void PropertiesDock::refresh()
 {
     if (!isVisible())
         return; // once it is seen again
-    const bool hasSection = !selected().empty();
-    refreshHeader();
+    const bool hasSection = !selectedSections(m_bench).empty();
+    m_header->refresh();
     m_modelPage->setVisible(!hasSection);
     m_sectionPage->setVisible(hasSection);
     for (PropertyRow *row : hasSection ? m_sectionRows : m_modelRows)
@@ -408,7 +374,7 @@ void PropertiesDock::refresh()
 void PropertiesDock::refreshJoints()
 {
     const Model &model = m_bench.session().model();
-    const std::vector<int> sections = selected();
+    const std::vector<int> sections = selectedSections(m_bench);
     m_jointGroup->setVisible(sections.size() == 1);
     if (sections.size() != 1)
         return;
@@ -430,83 +396,10 @@ void PropertiesDock::refreshJoints()
     m_joints->setEntries(entries);
 }
 
-void PropertiesDock::refreshHeader()
-{
-    const Model &model = m_bench.session().model();
-    const std::vector<int> sections = selected();
-    m_icon->setPixmap(
-        tintedPixmap(sections.empty() ? QStringLiteral("view_iso") : QStringLiteral("section"), 22,
-                     theme().accent, devicePixelRatioF()));
-
-    QString name, kind;
-    if (sections.empty()) {
-        name = tr("Model");
-        kind = tr("Nothing is selected");
-    } else if (sections.size() == 1) {
-        const auto index = static_cast<std::size_t>(sections.front());
-        const int joints = [&] {
-            const Analysis &analysis = m_bench.session().analysis();
-            const int there = analysis.model.indexOf(model.ref(index));
-            int count = 0;
-            for (const Joint &joint : analysis.assembly.joints)
-                count += joint.a == there || joint.b == there ? 1 : 0;
-            return count;
-        }();
-        name = QString::fromStdString(nameOf(model, sections.front()));
-        const auto &link = model.section(index)->parent;
-        const int on = link ? model.indexOf(link->section) : -1;
-        const QString count = tr("%n joint(s)", nullptr, joints);
-        kind =
-            on < 0
-                ? tr("Section · %1").arg(count)
-                : tr("Section · on %1 · %2").arg(QString::fromStdString(nameOf(model, on)), count);
-    } else {
-        name = tr("%n section(s)", nullptr, static_cast<int>(sections.size()));
-        kind = tr("Changes apply to all of them");
-    }
-    m_name->setVisible(sections.size() == 1);
-    m_title->setVisible(sections.size() != 1);
-    m_title->setText(name);
-    if (!(m_name->hasFocus() && m_name->isModified()) && m_name->text() != name) {
-        m_name->setText(name);
-        m_name->setCursorPosition(0);
-    }
-    m_kind->setText(kind);
-}
-
-void PropertiesDock::rename()
-{
-    const std::vector<int> sections = selected();
-    if (sections.size() != 1 || !m_name->isModified())
-        return;
-    m_name->setModified(false);
-    const Model &model = m_bench.session().committed();
-    const std::string before = nameOf(model, sections.front());
-    const QString name = m_name->text().trimmed();
-    if (!name.isEmpty() && name.toStdString() != before) {
-        m_bench.commit({Step::Kind::RenameSection, {before}},
-                       renameSection(model.document,
-                                     model.ref(static_cast<std::size_t>(sections.front())).drawn,
-                                     name.toStdString()));
-    }
-    refreshHeader();
-}
-
-std::vector<int> PropertiesDock::selected() const
-{
-    const Model &model = m_bench.session().model();
-    std::vector<int> sections;
-    for (const SectionRef &ref : m_bench.interaction().selection()) {
-        if (const int index = model.indexOf(ref); index >= 0)
-            sections.push_back(index);
-    }
-    return sections;
-}
-
 QString PropertiesDock::commonText(const std::function<QString(int)> &text) const
 {
     std::set<QString> values;
-    for (int i : selected()) {
+    for (int i : selectedSections(m_bench)) {
         values.insert(text(i));
         if (values.size() > 1)
             return {};

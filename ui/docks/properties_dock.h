@@ -9,12 +9,10 @@
 #include <functional>
 #include <vector>
 
-class QLabel;
-class QLineEdit;
-
 namespace fff::ui {
 
 class JointRows;
+class PropertiesHeader;
 class PropertyGroup;
 class PropertyRow;
 class Workbench;
@@ -33,7 +31,6 @@ Q_SIGNALS:
     void stockWanted(fff::StockId stock);
 
 private:
-    QWidget *makeHeader(QWidget *parent);
     QWidget *makeModelPage(QWidget *parent);
     QWidget *makeSectionPage(QWidget *parent);
     void addStockRows(PropertyGroup *group);
@@ -42,19 +39,11 @@ private:
     void refreshJoints();
     PropertyRow *positionRow(int axis, const QString &name, const char *objectName,
                              QWidget *parent);
-    void refreshHeader();
-    void rename();
-
-    /// Of the selected sections that exist now.
-    std::vector<int> selected() const;
-    /// Null when they differ.
+    /// Of the selected sections; null when they differ.
     QString commonText(const std::function<QString(int)> &text) const;
 
     Workbench &m_bench;
-    QLabel *m_icon = nullptr;
-    QLabel *m_title = nullptr; // of what has no name to change
-    QLineEdit *m_name = nullptr;
-    QLabel *m_kind = nullptr;
+    PropertiesHeader *m_header = nullptr;
     QWidget *m_modelPage = nullptr, *m_sectionPage = nullptr;
     PropertyGroup *m_jointGroup = nullptr;
     JointRows *m_joints = nullptr;

@@ -1,0 +1,124 @@
+#include "ui/docks/properties_header.h"
+
+#include "core/model/edits.h"
+#include "ui/icon.h"
+#include "ui/theme.h"
+#include "ui/workbench.h"
+
+#include <QGridLayout>
+#include <QLabel>
+#include <QLineEdit>
+
+namespace fff::ui {
+
+PropertiesHeader::PropertiesHeader(Workbench &bench, QWidget *parent)
+    : QWidget(parent), m_bench(bench)
+{
+    constexpr int kIconSize = 34;
+    m_icon = new QLabel(this);
+    m_icon->setObjectName(QStringLiteral("propertiesIcon"));
+    m_icon->setFixedSize(kIconSize, kIconSize);
+    m_icon->setAlignment(Qt::AlignCenter);
+    m_name = new QLineEdit(this);
+    m_name->setObjectName(QStringLiteral("propertiesName"));
+    m_name->setAccessibleName(tr("Name"));
+    QFont bold = m_name->font();
+    bold.setWeight(QFont::DemiBold);
+    m_name->setFont(bold);
+    m_title = new QLabel(this);
+    m_title->setObjectName(QStringLiteral("propertiesTitle"));
+    m_title->setFont(bold);
+    m_title->setMinimumHeight(m_name->sizeHint().height());
+    m_kind = new QLabel(this);
+    m_kind->setObjectName(QStringLiteral("propertiesKind"));
+    m_kind->setForegroundRole(QPalette::PlaceholderText);
+    auto *grid = new QGridLayout(this);
+    grid->setContentsMargins(0, 0, 0, 0);
+    grid->setHorizontalSpacing(10);
+    grid->setVerticalSpacing(6);
+    grid->addWidget(m_icon, 0, 0);
+    grid->addWidget(m_name, 0, 1);
+    grid->addWidget(m_title, 0, 1);
+    grid->addWidget(m_kind, 1, 1);
+    connect(m_name, &QLineEdit::editingFinished, this, &PropertiesHeader::rename);
+    refresh();
+}
+
+void PropertiesHeader::refresh()
+{
+    const std::vector<int> sections = selectedSections(m_bench);
+    m_icon->setPixmap(
+        tintedPixmap(sections.empty() ? QStringLiteral("view_iso") : QStringLiteral("section"), 22,
+                     theme().accent, devicePixelRatioF()));
+
+    QString name, kind;
+    if (sections.empty()) {
+        name = tr("Model");
+        kind = tr("Nothing is selected");
+    } else if (sections.size() == 1) {
+        const Model &model = m_bench.session().model();
+        name =
+            QString::fromStdString(model.section(static_cast<std::size_t>(sections.front()))->name);
+        kind = kindOf(sections.front());
+    } else {
+        name = tr("%n section(s)", nullptr, static_cast<int>(sections.size()));
+        kind = tr("Changes apply to all of them");
+    }
+    m_name->setVisible(sections.size() == 1);
+    m_title->setVisible(sections.size() != 1);
+    m_title->setText(name);
+    if (!(m_name->hasFocus() && m_name->isModified()) && m_name->text() != name) {
+        m_name->setText(name);
+        m_name->setCursorPosition(0);
+    }
+    m_kind->setText(kind);
+}
+
+QString PropertiesHeader::kindOf(int section) const
+{
+    const Model &model = m_bench.session().model();
+    const auto index = static_cast<std::size_t>(section);
+    const Analysis &analysis = m_bench.session().analysis();
+    const int there = analysis.model.indexOf(model.ref(index));
+    int joints = 0;
+    for (const Joint &joint : analysis.assembly.joints)
+        joints += joint.a == there || joint.b == there ? 1 : 0;
+    const QString count = tr("%n joint(s)", nullptr, joints);
+    const auto &link = model.section(index)->parent;
+    const int on = link ? model.indexOf(link->section) : -1;
+    return on < 0
+               ? tr("Section · %1").arg(count)
+               : tr("Section · on %1 · %2")
+                     .arg(QString::fromStdString(model.section(static_cast<std::size_t>(on))->name),
+                          count);
+}
+
+void PropertiesHeader::rename()
+{
+    const std::vector<int> sections = selectedSections(m_bench);
+    if (sections.size() != 1 || !m_name->isModified())
+        return;
+    m_name->setModified(false);
+    const Model &model = m_bench.session().committed();
+    const auto index = static_cast<std::size_t>(sections.front());
+    const std::string before = model.section(index)->name;
+    const QString name = m_name->text().trimmed();
+    if (!name.isEmpty() && name.toStdString() != before) {
+        m_bench.commit({Step::Kind::RenameSection, {before}},
+                       renameSection(model.document, model.ref(index).drawn, name.toStdString()));
+    }
+    refresh();
+}
+
+std::vector<int> selectedSections(const Workbench &bench)
+{
+    const Model &model = bench.session().model();
+    std::vector<int> sections;
+    for (const SectionRef &ref : bench.interaction().selection()) {
+        if (const int index = model.indexOf(ref); index >= 0)
+            sections.push_back(index);
+    }
+    return sections;
+}
+
+} // namespace fff::ui

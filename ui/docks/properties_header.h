@@ -1,0 +1,39 @@
+// The head of the properties: what the numbers below are of. The name of a single section can be
+// changed there.
+#pragma once
+
+#include <QWidget> // first: moc stumbles over some standard headers
+
+#include <vector>
+
+class QLabel;
+class QLineEdit;
+
+namespace fff::ui {
+
+class Workbench;
+
+class PropertiesHeader : public QWidget
+{
+    Q_OBJECT
+public:
+    PropertiesHeader(Workbench &bench, QWidget *parent);
+
+    /// Reads everything again; also for another theme.
+    void refresh();
+
+private:
+    QString kindOf(int section) const;
+    void rename();
+
+    Workbench &m_bench;
+    QLabel *m_icon = nullptr;
+    QLabel *m_title = nullptr; // of what has no name to change
+    QLineEdit *m_name = nullptr;
+    QLabel *m_kind = nullptr;
+};
+
+/// Indices in the model that is shown, of those selected sections that exist in it.
+std::vector<int> selectedSections(const Workbench &bench);
+
+} // namespace fff::ui
