@@ -79,6 +79,7 @@ void GroundShadow::update(const Scene &scene, const SlabBuffers &slabs)
                             GL_UNSIGNED_INT, nullptr);
     }
     m_gl.glBlendEquation(GL_FUNC_ADD);
+    m_gl.glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
     m_gl.glDisable(GL_BLEND);
     blur(m_image, m_other, Vec2::UnitX(), unit);
     blur(m_other, m_image, Vec2::UnitY(), unit);

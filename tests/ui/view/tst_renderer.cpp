@@ -107,6 +107,8 @@ private Q_SLOTS:
     void outlinesDrawNothingAnew();
     void onlyWhatChangedIsUploaded();
     void simplerPicturesAreAlike();
+    void aNewShadowChangesNothingElse_data();
+    void aNewShadowChangesNothingElse();
     void aNewContextDrawsTheSame();
     void groundCanBeLeftOut();
 
@@ -405,6 +407,31 @@ void TestRenderer::simplerPicturesAreAlike()
         // Edges and corners differ, nothing is missing or elsewhere.
         QVERIFY(differing(full, paint(scene, camera, options), 60) < kSide * kSide / 20);
     }
+}
+
+void TestRenderer::aNewShadowChangesNothingElse_data()
+{
+    QTest::addColumn<int>("quality");
+    QTest::newRow("full") << int(FrameQuality::Full);
+    QTest::newRow("plain") << int(FrameQuality::Plain);
+    QTest::newRow("coarse") << int(FrameQuality::Coarse);
+}
+
+/// Grid and ghosts were white in the frame that made the shadow anew, and for as long as it stood.
+void TestRenderer::aNewShadowChangesNothingElse()
+{
+    QFETCH(const int, quality);
+    Scene scene = sceneOf(twoSections(plate(20.0), side(0.0), plate(), front(-30.0)));
+    const Camera camera = named(scene, "iso1");
+    RenderOptions options;
+    options.quality = static_cast<FrameQuality>(quality);
+    paint(scene, camera, options);
+    scene.sections[1].isGhost = true;
+    const QImage first = paint(scene, camera, options);
+    // Drawn again without a new shadow.
+    paint(scene, named(scene, "iso2"), options);
+    const QImage second = paint(scene, camera, options);
+    QCOMPARE(differing(first, second), 0);
 }
 
 void TestRenderer::aNewContextDrawsTheSame()
