@@ -34,6 +34,7 @@
 #include <QGuiApplication>
 #include <QLabel>
 #include <QMenuBar>
+#include <QScreen>
 #include <QStackedWidget>
 #include <QTabBar>
 #include <QVBoxLayout>
@@ -58,7 +59,8 @@ MainWindow::MainWindow(QWidget *parent) : QMainWindow(parent), m_bench(new Workb
 {
     setObjectName(QStringLiteral("mainWindow"));
     setMinimumSize(1024, 640);
-    resize(1440, 900);
+    // With room for the frame that the system puts round it.
+    resize(QSize(1440, 900).boundedTo(screen()->availableSize() - QSize(16, 56)));
     setContextMenuPolicy(Qt::NoContextMenu); // Qt's own menu could hide the tool bar for good
 
     m_actions = new ActionSet(*m_bench, this);

@@ -4,6 +4,7 @@
 
 #include <QDockWidget>
 #include <QGuiApplication>
+#include <QLayout>
 #include <QMainWindow>
 #include <QScreen>
 
@@ -105,14 +106,14 @@ void WindowLayout::restore()
         m_window.resize(before);
         m_window.move(m_window.screen()->availableGeometry().topLeft());
     }
-    reset(); // where docks are that the kept state does not know
-    m_isRestored = m_window.restoreState(settings().windowState(), kVersion);
+    reset();
 }
 
 void WindowLayout::windowShown()
 {
-    if (!m_isRestored)
-        reset();
+    reset(); // where docks are that the kept state does not know
+    m_window.layout()->activate(); // or sizes are taken for those of a window without bars
+    m_window.restoreState(settings().windowState(), kVersion);
 }
 
 void WindowLayout::save() const

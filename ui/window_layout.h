@@ -26,12 +26,13 @@ public:
 
     /// Every dock where it is at first, for the window's present width.
     void reset();
-    /// Size and arrangement as save() has kept them; what this screen or this version cannot follow
-    /// is as at first. Call when all docks were added, before the window is shown.
+    /// The window's size as save() has kept it, unless this screen cannot follow. Call when all docks
+    /// were added, before the window is shown.
     void restore();
     /// For the next start. Docks that are hidden all together are kept as they were before.
     void save() const;
-    /// Call when the window is shown: only now its real width is known.
+    /// The docks as save() has kept them; what this version cannot follow is as at first. Call when
+    /// the window is shown: only now its real size is known.
     void windowShown();
 
     /// All docks away, and back exactly as they were.
@@ -51,7 +52,6 @@ private:
     std::vector<Place> m_places; // one a dock
     QByteArray m_beforeHiding;
     bool m_isHidden = false;
-    bool m_isRestored = false;
 };
 
 } // namespace fff::ui

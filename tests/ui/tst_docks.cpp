@@ -70,6 +70,7 @@ private Q_SLOTS:
 
     void f9HidesAllDocksAndBringsThemBack();
     void theArrangementIsKept();
+    void startingAgainKeepsTheSizes();
     void aStateOfAnotherVersionIsLeftOut();
     void aJumpInTheHistoryIsAnnouncedOnce();
     void checksSayWhatIsWrong_data();
@@ -162,6 +163,23 @@ void TestDocks::theArrangementIsKept()
     find<QAction>("view.resetWindow")->trigger();
     QVERIFY(!find<QDockWidget>("historyDock")->isHidden());
     QCOMPARE(m_window->dockWidgetArea(find<QDockWidget>("outlineDock")), Qt::LeftDockWidgetArea);
+}
+
+// Wrong: docks that shrink a little at every start.
+void TestDocks::startingAgainKeepsTheSizes()
+{
+    auto *const outline = find<QDockWidget>("outlineDock"), *const checks =
+                                                                find<QDockWidget>("checksDock");
+    m_window->resizeDocks({outline, checks}, {300, 400}, Qt::Vertical);
+    m_window->resizeDocks({outline}, {310}, Qt::Horizontal);
+    QCoreApplication::processEvents();
+    const QSize first = checks->size();
+    for (int i = 0; i < 3; ++i) {
+        QVERIFY(m_window->close());
+        open();
+        QCoreApplication::processEvents();
+        QCOMPARE(find<QDockWidget>("checksDock")->size(), first);
+    }
 }
 
 void TestDocks::aStateOfAnotherVersionIsLeftOut()
