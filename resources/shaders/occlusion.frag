@@ -13,10 +13,12 @@ out vec4 colour;
 
 const int count = 12;
 
-vec3 at(vec2 where)
+vec3 at(ivec2 texel)
 {
-    float depth = textureLod(depths, where, 0.0).r;
-    vec4 p = fromClip * vec4(2.0 * where - 1.0, 2.0 * depth - 1.0, 1.0);
+    // Where that depth was taken: half a texel beside it a slanted plane would be a rough one.
+    vec2 middle = (vec2(texel) + 0.5) / vec2(textureSize(depths, 0));
+    float depth = texelFetch(depths, texel, 0).r;
+    vec4 p = fromClip * vec4(2.0 * middle - 1.0, 2.0 * depth - 1.0, 1.0);
     return p.xyz / p.w;
 }
 
@@ -27,15 +29,15 @@ vec3 nearerStep(vec3 p, vec3 before, vec3 after)
 
 void main()
 {
-    float depth = textureLod(depths, place, 0.0).r;
-    if (depth >= 1.0) {
+    ivec2 size = textureSize(depths, 0), last = size - 1;
+    ivec2 here = min(ivec2(place * vec2(size)), last);
+    if (texelFetch(depths, here, 0).r >= 1.0) {
         colour = vec4(1.0);
         return;
     }
-    vec3 p = at(place);
-    vec2 pixel = 1.0 / vec2(textureSize(depths, 0));
-    vec3 dx = nearerStep(p, at(place - vec2(pixel.x, 0.0)), at(place + vec2(pixel.x, 0.0)));
-    vec3 dy = nearerStep(p, at(place - vec2(0.0, pixel.y)), at(place + vec2(0.0, pixel.y)));
+    vec3 p = at(here);
+    vec3 dx = nearerStep(p, at(max(here - ivec2(1, 0), 0)), at(min(here + ivec2(1, 0), last)));
+    vec3 dy = nearerStep(p, at(max(here - ivec2(0, 1), 0)), at(min(here + ivec2(0, 1), last)));
     vec3 normal = normalize(cross(dx, dy));
 
     vec2 spread = reach * (isPerspective > 0.5 ? eyeDistance / max(-p.z, 1e-3) : 1.0);
@@ -45,7 +47,8 @@ void main()
     for (int i = 0; i < count; ++i) {
         float part = (float(i) + 0.5) / float(count);
         float angle = turn + part * 6.2831853 * 5.0;
-        vec3 v = at(place + part * spread * vec2(cos(angle), sin(angle))) - p;
+        vec2 there = place + part * spread * vec2(cos(angle), sin(angle));
+        vec3 v = at(clamp(ivec2(there * vec2(size)), ivec2(0), last)) - p;
         float far2 = dot(v, v);
         float above = max(dot(v, normal) - 0.03 * radius, 0.0);
         float fade = max(1.0 - far2 / (radius * radius), 0.0);
