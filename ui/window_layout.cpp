@@ -111,7 +111,7 @@ void WindowLayout::restore()
 
 void WindowLayout::windowShown()
 {
-    reset(); // where docks are that the kept state does not know
+    reset();                       // where docks are that the kept state does not know
     m_window.layout()->activate(); // or sizes are taken for those of a window without bars
     m_window.restoreState(settings().windowState(), kVersion);
 }
