@@ -87,9 +87,7 @@ void WindowLayout::reset()
             leader->raise();
     }
     if (left && below)
-        m_window.resizeDocks({left, below},
-                             {std::max(1, m_window.height() - kBelowHeight), kBelowHeight},
-                             Qt::Vertical);
+        m_window.resizeDocks({below}, {kBelowHeight}, Qt::Vertical);
     if (left)
         m_window.resizeDocks({left}, {kLeftWidth}, Qt::Horizontal);
     if (right)

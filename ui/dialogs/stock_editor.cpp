@@ -10,9 +10,19 @@
 #include <QHBoxLayout>
 #include <QIcon>
 #include <QPushButton>
+#include <QScreen>
 #include <QScrollArea>
 
+#include <algorithm>
+
 namespace fff::ui {
+
+namespace {
+
+constexpr int kInset = 12;      // px from the window's right edge
+constexpr int kBelowBars = 116; // px from its upper one: title, menus and tools stay in sight
+
+} // namespace
 
 StockEditor::StockEditor(Workbench &bench, const ActionSet &actions, QWidget *parent)
     : QDialog(parent), m_bench(bench)
@@ -58,6 +68,14 @@ void StockEditor::open(StockId stock)
 {
     const Document &document = m_bench.session().committed().document;
     m_list->choose(document.find(stock) ? stock : document.currentStock);
+    if (!m_wasPlaced) {
+        // At the right, where numbers are: the slits in the view follow, which one wants to see.
+        m_wasPlaced = true;
+        const QRect window = parentWidget()->frameGeometry(), free = screen()->availableGeometry();
+        const int left = window.right() - width() - kInset;
+        move(std::clamp(left, free.left(), std::max(free.left(), free.right() - width())),
+             window.top() + kBelowBars);
+    }
     show();
     raise();
     activateWindow();

@@ -19,7 +19,8 @@ class StockEditor : public QDialog
 public:
     StockEditor(Workbench &bench, const ActionSet &actions, QWidget *parent);
 
-    /// Shows it with this stock, or with that of the next section.
+    /// Shows it with this stock, or with that of the next section. The first time beside the model,
+    /// later where it was left.
     void open(StockId stock);
     /// In the colours of the theme.
     void refresh();
@@ -28,6 +29,7 @@ private:
     StockList *m_list = nullptr;
     StockFields *m_fields = nullptr;
     Workbench &m_bench;
+    bool m_wasPlaced = false;
 };
 
 } // namespace fff::ui
