@@ -2903,6 +2903,11 @@
         <source>%1 %2</source>
         <translation>%1 %2</translation>
     </message>
+    <message>
+        <source>%1: %2 → %3 thick</source>
+        <extracomment>a step of the history; %1 is a stock, %2 and %3 are lengths</extracomment>
+        <translation>%1: %2 → %3 dick</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::StockBox</name>

@@ -286,6 +286,8 @@ void TestDocks::draggingTheThicknessIsOneStep()
     QVERIFY(std::abs(session().currentAnalysis().assembly.slits[0][0].width - shown) < 1e-9);
     QTest::mouseRelease(slider, Qt::LeftButton, {}, {at(4.5), y});
     QCOMPARE(session().history()->index(), steps + 1);
+    const QString step = session().history()->text(steps);
+    QVERIFY2(step.startsWith(QStringLiteral("Birch plywood: 3.0 → 4.")), qPrintable(step));
     QVERIFY(!session().hasPreview());
     session().history()->undo();
     QCOMPARE(session().committed().document.stocks.front()->thickness, before);

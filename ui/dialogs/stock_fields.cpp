@@ -287,7 +287,7 @@ void StockFields::edit(const std::function<void(Stock &)> &change)
         return;
     Stock next = *before;
     change(next);
-    m_bench.commit({Step::Kind::EditStock, {before->name}},
+    m_bench.commit({Step::Kind::EditStock, {stockName(*before).toStdString()}},
                    fff::setStock(document, std::move(next)));
     refresh(); // a refused value goes back to what it was
 }

@@ -122,12 +122,18 @@ void previewThickness(Workbench &bench, std::span<const StockId> stocks, double 
 void commitThickness(Workbench &bench, std::span<const StockId> stocks, double millimetres)
 {
     const Document &document = bench.session().committed().document;
-    std::vector<std::string> names;
-    for (StockId id : stocks) {
-        if (const Stock *stock = document.find(id))
-            names.push_back(stock->name);
-    }
-    bench.commit({Step::Kind::EditStock, names}, withThickness(document, stocks, millimetres));
+    const Stock *stock = nullptr;
+    for (StockId id : stocks)
+        stock = stock ? stock : document.find(id);
+    if (!stock)
+        return;
+    const QLocale locale;
+    const QString text =
+        //: a step of the history; %1 is a stock, %2 and %3 are lengths
+        QCoreApplication::translate("fff::ui::Stock", "%1: %2 → %3 thick")
+            .arg(stockName(*stock), lengthNumber(stock->thickness, 1, 3, locale),
+                 lengthText(millimetres, 1, 3, locale));
+    bench.commit(text, withThickness(document, stocks, millimetres));
 }
 
 } // namespace fff::ui
