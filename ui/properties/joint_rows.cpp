@@ -8,11 +8,13 @@
 #include <QPainter>
 #include <QVBoxLayout>
 
+#include <algorithm>
+
 namespace fff::ui {
 
 namespace {
 
-constexpr int kRowHeight = 26, kGlyph = 16; // px
+constexpr int kRowHeight = 26, kGlyph = 16, kGap = 8; // px
 
 } // namespace
 
@@ -45,7 +47,8 @@ public:
     {
         m_entry = entry;
         setAccessibleName(QStringLiteral("%1, %2").arg(entry.name, entry.text));
-        setToolTip(JointRows::tr("Select %1").arg(entry.name));
+        setToolTip(
+            QStringLiteral("%1\n%2").arg(JointRows::tr("Select %1").arg(entry.name), entry.text));
         update();
     }
 
@@ -73,13 +76,17 @@ protected:
                                         devicePixelRatioF()));
         const QRect words = rect().adjusted(kGlyph + 12, 0, -6, 0);
         const QFontMetrics metrics(font());
-        const int right = metrics.horizontalAdvance(m_entry.text);
+        // The name says which joint it is: it keeps half of the row before the kind is cut short.
+        const int name = std::min(metrics.horizontalAdvance(m_entry.name), words.width() / 2);
+        const QString text =
+            metrics.elidedText(m_entry.text, Qt::ElideMiddle, words.width() - name - kGap);
+        const int right = metrics.horizontalAdvance(text);
         painter.setPen(t.muted);
-        painter.drawText(words, Qt::AlignRight | Qt::AlignVCenter, m_entry.text);
+        painter.drawText(words, Qt::AlignRight | Qt::AlignVCenter, text);
         painter.setPen(t.text);
         painter.drawText(
             words, Qt::AlignLeft | Qt::AlignVCenter,
-            metrics.elidedText(m_entry.name, Qt::ElideRight, words.width() - right - 8));
+            metrics.elidedText(m_entry.name, Qt::ElideRight, words.width() - right - kGap));
     }
 
 private:
