@@ -1816,10 +1816,6 @@
         </translation>
     </message>
     <message>
-        <source>Exported %1 on %2 to %3; slits are drawn %4&#x202f;mm wide.</source>
-        <translation>%1 auf %2 nach %3 ausgegeben; Schlitze sind %4&#x202f;mm breit gezeichnet.</translation>
-    </message>
-    <message>
         <source>Exported %1 on %2 to %3.</source>
         <translation>%1 auf %2 nach %3 ausgegeben.</translation>
     </message>
@@ -1849,6 +1845,37 @@
     <message>
         <source>The kerf is as wide as the slits of %1: they would be closed.</source>
         <translation>Die Schnittfuge ist so breit wie die Schlitze von %1: Sie wären zu.</translation>
+    </message>
+    <message>
+        <source>Drawings for cutters, one for each sheet (*.svg)</source>
+        <translation>Zeichnungen für Schneidmaschinen, eine je Platte (*.svg)</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 bis %2</translation>
+    </message>
+    <message>
+        <source>Replace files</source>
+        <translation>Dateien ersetzen</translation>
+    </message>
+    <message numerus="yes">
+        <source>Replace %n file(s) of an earlier export?</source>
+        <translation>
+            <numerusform>%n Datei einer früheren Ausgabe ersetzen?</numerusform>
+            <numerusform>%n Dateien einer früheren Ausgabe ersetzen?</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>Ersetzen</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Exported %1 on %2 to %3; slits are drawn %4 wide.</source>
+        <translation>%1 auf %2 nach %3 ausgegeben; Schlitze sind %4 breit gezeichnet.</translation>
     </message>
 </context>
 <context>

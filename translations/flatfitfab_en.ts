@@ -113,6 +113,13 @@
             <numerusform>%n sections</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>Replace %n file(s) of an earlier export?</source>
+        <translation>
+            <numerusform>Replace %n file of an earlier export?</numerusform>
+            <numerusform>Replace %n files of an earlier export?</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::MainWindow</name>

@@ -59,20 +59,6 @@ std::optional<CuttingFileOptions> cuttingOptions(const QCommandLineParser &parse
     return why.isEmpty() ? std::optional(options) : std::nullopt;
 }
 
-/// OUT.svg -> OUT-1.svg, OUT-2.svg, …
-std::vector<io::NamedBytes> sheetFiles(const QString &path, const std::vector<std::string> &sheets)
-{
-    const QString suffix = QFileInfo(path).suffix();
-    const QString base = suffix.isEmpty() ? path : path.chopped(suffix.size() + 1);
-    std::vector<io::NamedBytes> files;
-    for (const std::string &sheet : sheets)
-        files.push_back({QStringLiteral("%1-%2.%3")
-                             .arg(base, QString::number(files.size() + 1),
-                                  suffix.isEmpty() ? QStringLiteral("svg") : suffix),
-                         sheet});
-    return files;
-}
-
 Result<Analysis> analysed(const Document &document, const QString &input)
 {
     AnalysisCaches caches;
@@ -108,7 +94,7 @@ int writeCuttingFile(const QCommandLineParser &parser, const Document &document,
     }
     const QString path = parser.value(QStringLiteral("output"));
     const Result<void> written = options.isFilePerSheet
-                                     ? io::writeFiles(sheetFiles(path, file->sheets))
+                                     ? io::writeFiles(io::numberedFiles(path, file->sheets))
                                      : io::writeFile(path, file->svg);
     if (!written)
         return report(written.error());

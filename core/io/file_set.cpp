@@ -39,6 +39,19 @@ void restore(const std::vector<Before> &done)
 
 } // namespace
 
+std::vector<NamedBytes> numberedFiles(const QString &path, const std::vector<std::string> &contents)
+{
+    const QString suffix = QFileInfo(path).suffix();
+    const QString base = suffix.isEmpty() ? path : path.chopped(suffix.size() + 1);
+    std::vector<NamedBytes> files;
+    for (const std::string &bytes : contents)
+        files.push_back({QStringLiteral("%1-%2.%3")
+                             .arg(base, QString::number(files.size() + 1),
+                                  suffix.isEmpty() ? QStringLiteral("svg") : suffix),
+                         bytes});
+    return files;
+}
+
 Result<void> writeFiles(const std::vector<NamedBytes> &files)
 {
     std::vector<std::unique_ptr<QSaveFile>> waiting;

@@ -227,6 +227,11 @@ bool DocumentFiles::exportFile(const QString &path)
     return m_exporting->write(path);
 }
 
+bool DocumentFiles::exportSheets(const QString &path)
+{
+    return m_exporting->writeSheets(path);
+}
+
 QString DocumentFiles::folder() const
 {
     return m_path.isEmpty() ? QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation)

@@ -49,6 +49,8 @@ public:
     bool openFile(const QString &path, bool asCopy = false);
     bool saveFile(const QString &path);
     bool exportFile(const QString &path);
+    /// A file for each sheet; asks only before it replaces some.
+    bool exportSheets(const QString &path);
 
     /// The two halves of openFile. What cannot be read is said in this window's message bar.
     std::optional<io::LoadedDocument> read(const QString &path);

@@ -2,6 +2,7 @@
 
 #include "core/io/document_file.h"
 #include "core/io/error_text.h"
+#include "core/io/file_set.h"
 #include "core/io/obj_writer.h"
 #include "core/session/cutting_file.h"
 #include "ui/files/failures.h"
@@ -14,19 +15,14 @@
 
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QMessageBox>
+#include <QPushButton>
 
 namespace fff::ui {
 
 namespace {
 
 const QString kDrawing = QStringLiteral("svg"), kSolids = QStringLiteral("obj");
-
-/// Both steps of an export on the other thread: making and writing.
-struct Exported
-{
-    CuttingFile file;
-    Result<void> written;
-};
 
 } // namespace
 
@@ -38,9 +34,10 @@ Exporting::Exporting(Workbench &bench, MessageBar &messages, StatusLine &status,
 bool Exporting::ask(const QString &suggestion)
 {
     const QString drawings = tr("Drawings for cutters (*.svg)"),
+                  sheets = tr("Drawings for cutters, one for each sheet (*.svg)"),
                   solids = tr("Solids for other programs (*.obj)");
     QFileDialog dialog(&m_window, tr("Export cutting files"), QFileInfo(suggestion).absolutePath(),
-                       drawings + QStringLiteral(";;") + solids);
+                       QStringList{drawings, sheets, solids}.join(QStringLiteral(";;")));
     dialog.setPalette(theme().palette());
     dialog.setAcceptMode(QFileDialog::AcceptSave);
     dialog.setDefaultSuffix(kDrawing);
@@ -48,22 +45,37 @@ bool Exporting::ask(const QString &suggestion)
     connect(&dialog, &QFileDialog::filterSelected, &dialog, [&](const QString &filter) {
         const QString suffix = filter == solids ? kSolids : kDrawing;
         dialog.setDefaultSuffix(suffix);
+        // The name is then none of a file.
+        dialog.setOption(QFileDialog::DontConfirmOverwrite, filter == sheets);
         const QFileInfo chosen(dialog.selectedFiles().value(0));
         if (!chosen.isDir())
             dialog.selectFile(chosen.completeBaseName() + u'.' + suffix);
     });
     // The dialog asks before overwriting, also when it has put the suffix there itself.
-    return dialog.exec() == QDialog::Accepted && write(dialog.selectedFiles().value(0));
+    if (dialog.exec() != QDialog::Accepted)
+        return false;
+    const QString path = dialog.selectedFiles().value(0);
+    return dialog.selectedNameFilter() == sheets ? writeSheets(path) : write(path);
 }
 
 bool Exporting::write(const QString &path)
 {
-    if (m_bench.session().hasPreview())
-        m_bench.escape(); // a section that is still being drawn is not cut
-    if (!finishAnalysis(QFileInfo(path).fileName()))
+    if (!prepare(path))
         return false;
     const bool isSolids = QFileInfo(path).suffix().compare(kSolids, Qt::CaseInsensitive) == 0;
-    return isSolids ? writeSolids(path) : writeDrawing(path);
+    return isSolids ? writeSolids(path) : writeDrawing(path, false);
+}
+
+bool Exporting::writeSheets(const QString &path)
+{
+    return prepare(path) && writeDrawing(path, true);
+}
+
+bool Exporting::prepare(const QString &path)
+{
+    if (m_bench.session().hasPreview())
+        m_bench.escape(); // a section that is still being drawn is not cut
+    return finishAnalysis(QFileInfo(path).fileName());
 }
 
 /// The slits of the model that is shown are cut on another thread already.
@@ -75,33 +87,74 @@ bool Exporting::finishAnalysis(const QString &name)
     });
 }
 
-bool Exporting::writeDrawing(const QString &path)
+bool Exporting::writeDrawing(const QString &path, bool isFilePerSheet)
 {
     const QString name = QFileInfo(path).fileName();
-    const Analysis analysis = m_bench.session().analysis();
-    const auto exported =
-        inBackground<Result<Exported>>(m_window, tr("Exporting %1…").arg(name), MayCancel::No,
-                                       [analysis, path]() -> Result<Exported> {
-                                           Result<CuttingFile> file = makeCuttingFile(analysis);
-                                           if (!file)
-                                               return tl::unexpected(file.error());
-                                           Result<void> written = io::writeFile(path, file->svg);
-                                           return Exported{std::move(*file), std::move(written)};
-                                       });
-    if (!*exported)
-        return tellFailure(path, exported->error());
-    if (!(*exported)->written)
-        return tellFailure(path, (*exported)->written.error());
-    const CuttingFile &file = (*exported)->file;
+    CuttingFileOptions options;
+    options.isFilePerSheet = isFilePerSheet;
+    const QString doing = tr("Exporting %1…").arg(name);
+    const auto made = inBackground<Result<CuttingFile>>(
+        m_window, doing, MayCancel::No, [analysis = m_bench.session().analysis(), options] {
+            return makeCuttingFile(analysis, options);
+        });
+    if (!*made)
+        return tellFailure(path, made->error());
+    const CuttingFile &file = **made;
+    std::vector<io::NamedBytes> files{{path, file.svg}};
+    if (isFilePerSheet) {
+        files = io::numberedFiles(path, file.sheets);
+        if (!mayReplace(files))
+            return false;
+    }
+    const auto written = inBackground<Result<void>>(m_window, doing, MayCancel::No, [files] {
+        return files.size() == 1 ? io::writeFile(files[0].path, files[0].bytes)
+                                 : io::writeFiles(files);
+    });
+    if (!*written)
+        return tellFailure(path, written->error());
     m_messages.show(MessageBar::Severity::Warning, warningsOf(file)); // hides without any
+    const auto nameOf = [](const io::NamedBytes &one) { return QFileInfo(one.path).fileName(); };
+    tellDone(file, files.size() == 1
+                       ? nameOf(files.front())
+                       //: %1 and %2 are the first and the last of several files
+                       : tr("%1 to %2").arg(nameOf(files.front()), nameOf(files.back())));
+    return true;
+}
+
+/// The dialog could not ask: how many there are is known only now.
+bool Exporting::mayReplace(const std::vector<io::NamedBytes> &files)
+{
+    QStringList there;
+    for (const io::NamedBytes &file : files) {
+        if (QFileInfo::exists(file.path))
+            there += QFileInfo(file.path).fileName();
+    }
+    if (there.isEmpty())
+        return true;
+    QMessageBox question(
+        QMessageBox::NoIcon, tr("Replace files"),
+        tr("Replace %n file(s) of an earlier export?", nullptr, static_cast<int>(there.size())),
+        QMessageBox::NoButton, &m_window);
+    question.setObjectName(QStringLiteral("replaceQuestion"));
+    question.setPalette(theme().palette());
+    question.setInformativeText(there.join(QStringLiteral(", ")));
+    QPushButton *replace = question.addButton(tr("Replace"), QMessageBox::AcceptRole);
+    QPushButton *back = question.addButton(tr("Cancel"), QMessageBox::RejectRole);
+    question.setDefaultButton(replace);
+    question.setEscapeButton(back);
+    question.exec();
+    return question.clickedButton() == replace;
+}
+
+void Exporting::tellDone(const CuttingFile &file, const QString &name)
+{
     const QString parts = tr("%n part(s)", nullptr, file.partCount);
     const QString sheets = tr("%n sheet(s)", nullptr, file.sheetCount);
-    const QLocale locale = m_window.locale();
-    m_status.say(file.slitWidth && *file.slitWidth > 0.0
-                     ? tr("Exported %1 on %2 to %3; slits are drawn %4\u202fmm wide.")
-                           .arg(parts, sheets, name, locale.toString(*file.slitWidth, 'f', 2))
-                     : tr("Exported %1 on %2 to %3.").arg(parts, sheets, name));
-    return true;
+    m_status.say(
+        file.slitWidth && *file.slitWidth > 0.0
+            ? tr("Exported %1 on %2 to %3; slits are drawn %4 wide.")
+                  .arg(parts, sheets, name, lengthText(*file.slitWidth, 2, 2, m_window.locale()))
+            : tr("Exported %1 on %2 to %3.").arg(parts, sheets, name));
 }
 
 bool Exporting::writeSolids(const QString &path)

@@ -5,11 +5,16 @@
 #include <QObject>
 #include <QStringList>
 
+#include <vector>
+
 class QWidget;
 
 namespace fff {
 struct CuttingFile;
 struct Error;
+namespace io {
+struct NamedBytes;
+}
 } // namespace fff
 
 namespace fff::ui {
@@ -29,9 +34,15 @@ public:
     /// What it writes follows from the suffix: .obj has solids, all else the drawing. False when
     /// nothing was written.
     bool write(const QString &path);
+    /// A drawing for each sheet: OUT-1.svg, OUT-2.svg, … for OUT.svg. Asks before it replaces
+    /// files.
+    bool writeSheets(const QString &path);
 
 private:
-    bool writeDrawing(const QString &path);
+    bool prepare(const QString &path);
+    bool writeDrawing(const QString &path, bool isFilePerSheet);
+    bool mayReplace(const std::vector<io::NamedBytes> &files);
+    void tellDone(const CuttingFile &file, const QString &name);
     bool writeSolids(const QString &path);
     bool finishAnalysis(const QString &name);
     bool tellFailure(const QString &path, const fff::Error &error);

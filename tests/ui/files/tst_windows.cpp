@@ -1,7 +1,9 @@
 // Files and windows: what is opened where, and that nothing is lost on the way.
 #include <QTest>
 
+#include "core/model/edits.h"
 #include "core/session/autosave.h"
+#include "tests/core/assembly/plates.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/files/recent_menu.h"
 #include "ui/files/unsaved_work.h"
@@ -45,6 +47,7 @@ private Q_SLOTS:
     void savingWhereNothingCanBeSaysWhatToDo();
     void aBackupIsKeptAsSet();
     void solidsAreExportedByTheirSuffix();
+    void sheetsHaveAFileEach();
     void aCrashIsRecoveredFrom();
     void whatIsDiscardedIsGone();
     void savedAndForgottenWorkIsNotOffered();
@@ -324,6 +327,36 @@ void TestWindows::solidsAreExportedByTheirSuffix()
     const Result<std::string> obj = io::readFile(file("a.obj")), svg = io::readFile(file("a.svg"));
     QVERIFY(obj && obj->find("\nf ") != std::string::npos);
     QVERIFY(svg && svg->find("<svg") != std::string::npos);
+}
+
+// Wrong: files of an earlier export lost without a question, or one that is asked about none.
+void TestWindows::sheetsHaveAFileEach()
+{
+    change(*m_window, 320); // two of them do not lie beside each other on a sheet
+    Document document = m_window->bench().session().committed().document;
+    document =
+        fff::test::withSection(document, document.sections.front()->shape, fff::test::front(100.0));
+    m_window->bench().session().commit(QStringLiteral("Another"), document);
+    QVERIFY(m_window->files().exportSheets(file("a.svg")));
+    QVERIFY(!QFile::exists(file("a.svg")));
+    for (const char *name : {"a-1.svg", "a-2.svg"}) {
+        const Result<std::string> svg = io::readFile(file(name));
+        QVERIFY2(svg && svg->find("<g id=\"part") != std::string::npos, name);
+    }
+    QVERIFY(!QFile::exists(file("a-3.svg")));
+
+    QVERIFY(QFile::remove(file("a-1.svg")));
+    QVERIFY(io::writeFile(file("a-2.svg"), "mine"));
+    int asked = 0;
+    answer(QStringLiteral("Cancel"), &asked);
+    QVERIFY(!m_window->files().exportSheets(file("a.svg")));
+    QCOMPARE(asked, 1);
+    QVERIFY(!QFile::exists(file("a-1.svg")));
+    QCOMPARE(io::readFile(file("a-2.svg")).value(), std::string("mine"));
+    answer(QStringLiteral("Replace"), &asked);
+    QVERIFY(m_window->files().exportSheets(file("a.svg")));
+    QCOMPARE(asked, 2);
+    QVERIFY(io::readFile(file("a-2.svg")).value() != "mine");
 }
 
 /// What a program that was killed leaves: the slot, and a lock that nobody holds.
