@@ -52,7 +52,7 @@ CutKey makeKey(const Shape *shape, const std::vector<Slit> &slits)
 std::vector<CurvedRegion> cutParts(const Shape &shape, const std::vector<Polygon> &cuts)
 {
     if (shape.isPlain()) {
-        if (auto part = cutNotches(shape.contour(), shape.holes(), cuts, kCutChord))
+        if (auto part = cutNotches(shape.contour(), shape.chords(), shape.holes(), cuts, kCutChord))
             return {*std::move(part)};
     }
     return subtract(shape.contour(), shape.holes(), cuts, kCutChord);

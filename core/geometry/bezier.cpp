@@ -50,14 +50,19 @@ CubicBezier CubicBezier::piece(double t0, double t1) const
 
 bool CubicBezier::isStraight(double tolerance) const
 {
+    // By squares: most segments are told without a root.
     const Vec2 chord = p3 - p0;
-    const double length = chord.norm();
-    if (length <= tolerance)
-        return (p1 - p0).norm() <= tolerance && (p2 - p0).norm() <= tolerance;
+    const double squared = chord.squaredNorm(), least = tolerance * tolerance;
+    if (squared <= least)
+        return (p1 - p0).squaredNorm() <= least && (p2 - p0).squaredNorm() <= least;
     const auto isNear = [&](const Vec2 &p) {
-        const double along = chord.dot(p - p0) / length;
-        return std::abs(cross(chord, p - p0)) / length <= tolerance && along >= -tolerance &&
-               along <= length + tolerance;
+        const double along = chord.dot(p - p0), across = cross(chord, p - p0);
+        if (across * across > least * squared)
+            return false;
+        if (along >= 0.0 && along <= squared)
+            return true;
+        const double slack = tolerance * std::sqrt(squared);
+        return along >= -slack && along <= squared + slack;
     };
     return isNear(p1) && isNear(p2);
 }

@@ -144,8 +144,8 @@ std::vector<CurvedRegion> windingRegions(const std::vector<Contour> &contours, W
 Result<ResolvedContour> resolveCrossings(const Contour &contour)
 {
     const ClipGrid grid(contour.bounds());
-    Polygon chords = contour.flatten(kCutChord).points;
-    const GridRing ring = snapped(chords, grid);
+    Polyline chords = contour.flatten(kCutChord);
+    const GridRing ring = snapped(chords.points, grid);
     if (ring.size() < 3)
         return failure(ErrorCode::EmptyContour);
     const bool isPlain = isSimple(ring);

@@ -42,7 +42,7 @@ struct ResolvedContour
 {
     Contour contour;
     bool wasCrossing = false; // the contour crossed itself: something was left out or cut apart
-    Polygon chords;           // of kCutChord, where they are at hand
+    Polyline chords;          // of kCutChord, where they are at hand
     bool isPlain = false;     // known to be (see below), on those chords
 };
 

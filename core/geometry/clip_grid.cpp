@@ -206,19 +206,8 @@ ClipGrid::ClipGrid(const Box2 &box)
     if (box.isEmpty())
         return;
     const Vec2 middle = box.center() / kClipGrid;
-    m_x = std::llround(middle.x());
-    m_y = std::llround(middle.y());
-}
-
-GridPoint ClipGrid::snap(const Vec2 &point) const
-{
-    return {std::llround(point.x() / kClipGrid) - m_x, std::llround(point.y() / kClipGrid) - m_y};
-}
-
-Vec2 ClipGrid::position(const GridPoint &point) const
-{
-    return {static_cast<double>(point.x + m_x) * kClipGrid,
-            static_cast<double>(point.y + m_y) * kClipGrid};
+    m_x = rounded(middle.x());
+    m_y = rounded(middle.y());
 }
 
 Polygon ClipGrid::positions(const GridRing &ring) const

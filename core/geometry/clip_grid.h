@@ -2,6 +2,7 @@
 // public functions are in boolean.h and offset.h.
 #pragma once
 
+#include "core/base/tolerances.h"
 #include "core/geometry/polygon.h"
 
 #include <compare>
@@ -41,11 +42,24 @@ class ClipGrid
 public:
     explicit ClipGrid(const Box2 &box);
 
-    GridPoint snap(const Vec2 &point) const;
-    Vec2 position(const GridPoint &point) const;
+    GridPoint snap(const Vec2 &point) const
+    {
+        return {rounded(point.x() / kClipGrid) - m_x, rounded(point.y() / kClipGrid) - m_y};
+    }
+    Vec2 position(const GridPoint &point) const
+    {
+        return {static_cast<double>(point.x + m_x) * kClipGrid,
+                static_cast<double>(point.y + m_y) * kClipGrid};
+    }
     Polygon positions(const GridRing &ring) const;
 
 private:
+    /// As std::llround for what a grid can hold, without a call: all points go through here.
+    static std::int64_t rounded(double steps)
+    {
+        return static_cast<std::int64_t>(steps < 0.0 ? steps - 0.5 : steps + 0.5);
+    }
+
     std::int64_t m_x = 0, m_y = 0;
 };
 

@@ -2,7 +2,25 @@
 
 #include "core/base/tolerances.h"
 
+#include <algorithm>
+
 namespace fff {
+
+Polyline reversed(const Polyline &chords, int segments)
+{
+    Polyline result = chords;
+    if (chords.points.empty())
+        return result;
+    std::reverse(result.points.begin() + 1, result.points.end());
+    std::reverse(result.origins.begin() + 1, result.origins.end());
+    for (CurvePoint &origin : result.origins) {
+        // A segment's start is the end of the one before, which becomes the start of its successor.
+        origin.segment = segments - origin.segment - (origin.t > 0.0 ? 1 : 0);
+        origin.segment = origin.segment < segments ? origin.segment : 0;
+        origin.t = origin.t > 0.0 ? 1.0 - origin.t : 0.0;
+    }
+    return result;
+}
 
 Result<Contour> Contour::fromPoints(std::vector<Vec2> points)
 {
@@ -80,9 +98,19 @@ Box2 Contour::bounds() const
 Polyline Contour::flatten(double tolerance) const
 {
     Polyline polyline;
+    std::vector<int> counts;
+    std::size_t total = 0;
+    counts.reserve(m_points.size() / 3);
     for (int i = 0; i < segmentCount(); ++i) {
         const CubicBezier curve = segment(i);
-        const int count = curve.isStraight(kClipGrid) ? 1 : curve.chordCount(tolerance);
+        counts.push_back(curve.isStraight(kClipGrid) ? 1 : curve.chordCount(tolerance));
+        total += static_cast<std::size_t>(counts.back());
+    }
+    polyline.points.reserve(total);
+    polyline.origins.reserve(total);
+    for (int i = 0; i < segmentCount(); ++i) {
+        const CubicBezier curve = segment(i);
+        const int count = counts[static_cast<std::size_t>(i)];
         for (int j = 0; j < count; ++j) {
             const double t = static_cast<double>(j) / count;
             const Vec2 point = curve.at(t);

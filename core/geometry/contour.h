@@ -25,6 +25,9 @@ struct Polyline
     std::vector<CurvePoint> origins; // n
 };
 
+/// The chords of a contour of so many segments, of the same one reversed. The first vertex stays.
+Polyline reversed(const Polyline &chords, int segments);
+
 class Contour
 {
 public:

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace fff {
 
@@ -78,10 +79,14 @@ std::optional<double> crossLine(const CurveRange &range, const Vec2 &point, cons
             return std::nullopt;
         return lowIsNearer ? low : high;
     }
+    // What a height is rounded by: nearer than that no parameter is better than another. Most lines
+    // cross most lines, and there the first guess is as near.
+    const double rounding = std::numeric_limits<double>::epsilon() *
+                            std::max(std::abs(lowHeight), std::abs(highHeight));
     double t = low + (high - low) * lowHeight / (lowHeight - highHeight);
     for (int i = 0; i < kMaxSteps; ++i) {
         const double h = height(t);
-        if (h == 0.0)
+        if (std::abs(h) <= rounding)
             return t;
         if ((h > 0.0) == (lowHeight > 0.0))
             low = t;

@@ -19,29 +19,6 @@ double squaredSteps(const GridPoint &a, const GridPoint &b)
     return x * x + y * y;
 }
 
-/// Which segment the chord from one vertex to the next belongs to. Segments of no length have no
-/// vertex of their own, so the origins of neighbours may be several segments apart.
-EdgeSpan spanBetween(const Contour &contour, const CurvePoint &from, const CurvePoint &to)
-{
-    const int count = contour.segmentCount();
-    if (from.segment == to.segment && to.t > from.t)
-        return {from.segment, from.t, to.t};
-    if (from.t > 0.0 && to.t == 0.0)
-        return {from.segment, from.t, 1.0};
-    if (to.t > 0.0)
-        return {to.segment, 0.0, to.t};
-    EdgeSpan longest{from.segment, 0.0, 1.0};
-    const auto length = [&](int s) {
-        const CubicBezier curve = contour.segment(s);
-        return (curve.p3 - curve.p0).squaredNorm();
-    };
-    for (int s = (from.segment + 1) % count; s != to.segment; s = (s + 1) % count) {
-        if (length(s) > length(longest.segment))
-            longest.segment = s;
-    }
-    return longest;
-}
-
 /// One ring of the result on its way back to curves. Vertex i starts edge i.
 class RingRecovery
 {
@@ -315,10 +292,36 @@ GridRing withoutSplinters(const GridRing &ring, const SourceIndex &index)
 
 } // namespace
 
+EdgeSpan spanBetween(const Contour &contour, const CurvePoint &from, const CurvePoint &to)
+{
+    const int count = contour.segmentCount();
+    if (from.segment == to.segment && to.t > from.t)
+        return {from.segment, from.t, to.t};
+    if (from.t > 0.0 && to.t == 0.0)
+        return {from.segment, from.t, 1.0};
+    if (to.t > 0.0)
+        return {to.segment, 0.0, to.t};
+    EdgeSpan longest{from.segment, 0.0, 1.0};
+    const auto length = [&](int s) {
+        const CubicBezier curve = contour.segment(s);
+        return (curve.p3 - curve.p0).squaredNorm();
+    };
+    for (int s = (from.segment + 1) % count; s != to.segment; s = (s + 1) % count) {
+        if (length(s) > length(longest.segment))
+            longest.segment = s;
+    }
+    return longest;
+}
+
 SourceRing makeSourceRing(const Contour &contour, double chord, const ClipGrid &grid, bool isCut)
 {
+    return makeSourceRing(contour, contour.flatten(chord), grid, isCut);
+}
+
+SourceRing makeSourceRing(const Contour &contour, const Polyline &polyline, const ClipGrid &grid,
+                          bool isCut)
+{
     SourceRing ring{contour, isCut, {}, {}, {}};
-    const Polyline polyline = contour.flatten(chord);
     std::vector<CurvePoint> origins;
     origins.reserve(polyline.points.size());
     ring.points.reserve(polyline.points.size());
@@ -346,7 +349,8 @@ SourceRing makeSourceRing(const Contour &contour, double chord, const ClipGrid &
     if (ring.snapped.size() < 3)
         return {contour, isCut, {}, {}, {}};
     for (std::size_t i = 0; i < origins.size(); ++i)
-        ring.spans.push_back(spanBetween(contour, origins[i], origins[(i + 1) % origins.size()]));
+        ring.spans.push_back(
+            spanBetween(contour, origins[i], origins[i + 1 < origins.size() ? i + 1 : 0]));
     return ring;
 }
 

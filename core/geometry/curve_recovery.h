@@ -20,6 +20,11 @@ struct EdgeSpan
     double from = 0.0, to = 1.0; // parameters, from < to
 };
 
+/// The segment, and where on it, of the chord from one vertex of the contour's to the next.
+/// Segments of no length have no vertex of their own, so the origins of neighbours may be several
+/// apart.
+EdgeSpan spanBetween(const Contour &contour, const CurvePoint &from, const CurvePoint &to);
+
 /// One closed curve that goes into a boolean.
 struct SourceRing
 {
@@ -32,6 +37,9 @@ struct SourceRing
 
 /// Chords of the contour within `chord` mm, on the grid. Empty rings when nothing is left there.
 SourceRing makeSourceRing(const Contour &contour, double chord, const ClipGrid &grid, bool isCut);
+/// The same of chords that are at hand.
+SourceRing makeSourceRing(const Contour &contour, const Polyline &chords, const ClipGrid &grid,
+                          bool isCut);
 
 /// A ring of a boolean's result with its curves.
 struct RecoveredRing

@@ -6,6 +6,7 @@
 #include "core/geometry/grid_predicates.h"
 
 #include <algorithm>
+#include <span>
 
 namespace fff {
 
@@ -13,11 +14,20 @@ namespace {
 
 /// Nearer than this to a corner a crossing is left to the general way, which joins them.
 constexpr double kNearCorner = 10.0 * kClipSlack; // mm
+/// Edges that are looked at together.
+constexpr std::size_t kRun = 16;
 
 struct GridBox
 {
     std::int64_t left, right, bottom, top;
 
+    void extend(const GridPoint &p)
+    {
+        left = std::min(left, p.x);
+        right = std::max(right, p.x);
+        bottom = std::min(bottom, p.y);
+        top = std::max(top, p.y);
+    }
     bool meets(const GridBox &other) const
     {
         return left <= other.right && other.left <= right && bottom <= other.top &&
@@ -25,15 +35,11 @@ struct GridBox
     }
 };
 
-GridBox boxOf(const GridRing &ring)
+GridBox boxOf(std::span<const GridPoint> points)
 {
-    GridBox box{ring[0].x, ring[0].x, ring[0].y, ring[0].y};
-    for (const GridPoint &p : ring) {
-        box.left = std::min(box.left, p.x);
-        box.right = std::max(box.right, p.x);
-        box.bottom = std::min(box.bottom, p.y);
-        box.top = std::max(box.top, p.y);
-    }
+    GridBox box{points[0].x, points[0].x, points[0].y, points[0].y};
+    for (const GridPoint &p : points)
+        box.extend(p);
     return box;
 }
 
@@ -70,7 +76,7 @@ struct Passage
 class NotchCutter
 {
 public:
-    NotchCutter(const Contour &contour, double chord, const std::vector<Polygon> &cuts);
+    NotchCutter(const Contour &contour, const Polyline &chords, const std::vector<Polygon> &cuts);
 
     /// False where the general way is needed.
     bool findPassages();
@@ -79,7 +85,19 @@ public:
     const ClipGrid &grid() const { return m_grid; }
 
 private:
+    /// Edges that follow each other, looked at together.
+    struct Run
+    {
+        std::size_t first = 0, end = 0;
+        GridBox box{};
+    };
+
+    std::size_t count() const { return m_snapped.size(); }
+    std::size_t after(std::size_t vertex) const { return vertex + 1 < count() ? vertex + 1 : 0; }
+    const Vec2 &vertex(std::size_t i) const { return m_chords.points[i]; }
+    void snapChords();
     bool findPassages(std::size_t bite);
+    bool findPassages(std::size_t bite, std::size_t edge, std::size_t firstPassage);
     bool place(Passage &passage) const;
     bool areBitesApart() const;
     bool isInOrder() const;
@@ -89,19 +107,25 @@ private:
                  Polygon &chords) const;
     void addLine(const Vec2 &from, const Vec2 &to, std::vector<Vec2> &points) const;
 
+    const Contour &m_contour;
+    const Polyline &m_chords;
     ClipGrid m_grid;
-    SourceRing m_ring;
+    GridRing m_snapped; // the chords' vertices; neighbours may be the same
+    std::vector<Run> m_runs;
     std::vector<Bite> m_bites;
     std::vector<Passage> m_passages; // in the order of the boundary
 };
 
-NotchCutter::NotchCutter(const Contour &contour, double chord, const std::vector<Polygon> &cuts)
-    : m_grid(contour.bounds()), m_ring(makeSourceRing(contour, chord, m_grid, false))
+NotchCutter::NotchCutter(const Contour &contour, const Polyline &chords,
+                         const std::vector<Polygon> &cuts)
+    : m_contour(contour), m_chords(chords), m_grid(contour.bounds())
 {
+    snapChords();
     m_bites.reserve(cuts.size());
     for (const Polygon &cut : cuts) {
         Bite bite;
         bite.corners = &cut;
+        bite.snapped.reserve(cut.size());
         for (const Vec2 &corner : cut)
             bite.snapped.push_back(m_grid.snap(corner));
         bite.box = boxOf(bite.snapped);
@@ -109,25 +133,45 @@ NotchCutter::NotchCutter(const Contour &contour, double chord, const std::vector
     }
 }
 
+void NotchCutter::snapChords()
+{
+    const std::size_t size = m_chords.points.size();
+    m_snapped.resize(size);
+    for (std::size_t i = 0; i < size; ++i)
+        m_snapped[i] = m_grid.snap(vertex(i));
+    m_runs.reserve(size / kRun + 1);
+    for (std::size_t first = 0; first < size; first += kRun) {
+        Run run{first, std::min(first + kRun, size), boxOf({&m_snapped[first], 1})};
+        for (std::size_t i = first + 1; i < run.end; ++i)
+            run.box.extend(m_snapped[i]);
+        run.box.extend(m_snapped[after(run.end - 1)]);
+        m_runs.push_back(run);
+    }
+}
+
 /// Where the curve itself crosses the bite's side, given that its chord does.
 bool NotchCutter::place(Passage &passage) const
 {
     const Bite &bite = m_bites[passage.bite];
-    const std::size_t next = passage.edge + 1 < m_ring.points.size() ? passage.edge + 1 : 0;
-    const Vec2 a = m_ring.points[passage.edge], b = m_ring.points[next];
+    const std::size_t next = after(passage.edge);
+    const Vec2 a = vertex(passage.edge), b = vertex(next);
     const Vec2 from = (*bite.corners)[passage.side];
     const Vec2 to = (*bite.corners)[bite.after(passage.side)];
     const double whole = cross(to - from, b - a);
+    if (std::abs(whole) <= kParallelSine * (to - from).norm() * (b - a).norm())
+        return false;
     passage.along = cross(to - from, from - a) / whole;
     passage.onChord = a + passage.along * (b - a);
-    const EdgeSpan &span = m_ring.spans[passage.edge];
+    const EdgeSpan span =
+        spanBetween(m_contour, m_chords.origins[passage.edge], m_chords.origins[next]);
     passage.segment = span.segment;
-    const auto crossing = crossNear({m_ring.contour.segment(span.segment), span.from, span.to},
-                                    {CubicBezier::line(from, to), 0.0, 1.0}, passage.onChord);
-    if (!crossing)
+    const CubicBezier curve = m_contour.segment(span.segment);
+    const Vec2 normal = perpendicular((to - from).normalized());
+    const auto t = crossLine({curve, span.from, span.to}, from, normal, kClipSlack);
+    if (!t)
         return false;
-    passage.t = crossing->a;
-    passage.position = crossing->point;
+    passage.t = *t;
+    passage.position = curve.at(*t);
     // Neither the chord's crossing nor the curve's may come to the end of an edge or a side.
     for (const Vec2 &p : {passage.onChord, passage.position}) {
         if ((p - a).dot(b - a) <= kNearCorner * (b - a).norm() ||
@@ -139,33 +183,45 @@ bool NotchCutter::place(Passage &passage) const
     return true;
 }
 
-bool NotchCutter::findPassages(std::size_t index)
+/// Where the edge goes through the sides of the bite.
+bool NotchCutter::findPassages(std::size_t index, std::size_t edge, std::size_t first)
 {
     const Bite &bite = m_bites[index];
-    const std::size_t first = m_passages.size(), count = m_ring.snapped.size();
-    for (std::size_t e = 0; e < count; ++e) {
-        const GridPoint &a = m_ring.snapped[e], &b = m_ring.snapped[e + 1 < count ? e + 1 : 0];
-        if (std::max(a.x, b.x) < bite.box.left || std::min(a.x, b.x) > bite.box.right ||
-            std::max(a.y, b.y) < bite.box.bottom || std::min(a.y, b.y) > bite.box.top)
+    const GridPoint &a = m_snapped[edge], &b = m_snapped[after(edge)];
+    if (std::max(a.x, b.x) < bite.box.left || std::min(a.x, b.x) > bite.box.right ||
+        std::max(a.y, b.y) < bite.box.bottom || std::min(a.y, b.y) > bite.box.top)
+        return true;
+    for (std::size_t s = 0; s < bite.snapped.size(); ++s) {
+        const GridPoint &from = bite.snapped[s], &to = bite.snapped[bite.after(s)];
+        const int sideOfA = sideOf(from, to, a), sideOfB = sideOf(from, to, b);
+        if (sideOfA * sideOfB > 0)
             continue;
-        for (std::size_t s = 0; s < bite.snapped.size(); ++s) {
-            const GridPoint &from = bite.snapped[s], &to = bite.snapped[bite.after(s)];
-            const int sideOfA = sideOf(from, to, a), sideOfB = sideOf(from, to, b);
-            if (sideOfA * sideOfB > 0)
-                continue;
-            const int sidesOfEnds = sideOf(a, b, from) * sideOf(a, b, to);
-            if (sidesOfEnds > 0)
-                continue;
-            if (sideOfA * sideOfB == 0 || sidesOfEnds == 0 || m_passages.size() == first + 2)
-                return false; // they touch, or there are too many
-            Passage passage;
-            passage.bite = index;
-            passage.side = s;
-            passage.edge = e;
-            passage.entersBite = sideOfB > 0;
-            if (!place(passage))
+        const int sidesOfEnds = sideOf(a, b, from) * sideOf(a, b, to);
+        if (sidesOfEnds > 0)
+            continue;
+        if (sideOfA * sideOfB == 0 || sidesOfEnds == 0 || m_passages.size() == first + 2)
+            return false; // they touch, or there are too many
+        Passage passage;
+        passage.bite = index;
+        passage.side = s;
+        passage.edge = edge;
+        passage.entersBite = sideOfB > 0;
+        if (!place(passage))
+            return false;
+        m_passages.push_back(passage);
+    }
+    return true;
+}
+
+bool NotchCutter::findPassages(std::size_t index)
+{
+    const std::size_t first = m_passages.size();
+    for (const Run &run : m_runs) {
+        if (!run.box.meets(m_bites[index].box))
+            continue;
+        for (std::size_t edge = run.first; edge < run.end; ++edge) {
+            if (!findPassages(index, edge, first))
                 return false;
-            m_passages.push_back(passage);
         }
     }
     if (m_passages.size() != first + 2)
@@ -212,10 +268,7 @@ bool NotchCutter::isInOrder() const
         const Passage &here = m_passages[i], &next = m_passages[i + 1 < count ? i + 1 : 0];
         if (here.entersBite == next.entersBite || (here.entersBite && here.bite != next.bite) ||
             (here.edge == next.edge && i + 1 < count &&
-             (next.along - here.along) *
-                     (m_ring.points[here.edge + 1 < m_ring.points.size() ? here.edge + 1 : 0] -
-                      m_ring.points[here.edge])
-                         .norm() <=
+             (next.along - here.along) * (vertex(after(here.edge)) - vertex(here.edge)).norm() <=
                  kNearCorner))
             return false;
         // On one segment the curve's crossings are in the order of its chords'.
@@ -227,7 +280,7 @@ bool NotchCutter::isInOrder() const
 
 bool NotchCutter::findPassages()
 {
-    if (m_ring.snapped.size() < 3 || signedArea(m_ring.snapped) <= 0.0)
+    if (count() < 3 || m_contour.signedArea() <= 0.0)
         return false;
     m_passages.reserve(2 * m_bites.size());
     for (std::size_t i = 0; i < m_bites.size(); ++i) {
@@ -259,11 +312,11 @@ void NotchCutter::addRun(const Passage *from, const Passage *to, std::vector<Vec
                          Polygon &chords) const
 {
     const int first = from ? from->segment : 0;
-    const int last = to ? to->segment : m_ring.contour.segmentCount() - 1;
+    const int last = to ? to->segment : m_contour.segmentCount() - 1;
     for (int s = first; s <= last; ++s) {
         const double t0 = from && s == first ? from->t : 0.0;
         const double t1 = to && s == last ? to->t : 1.0;
-        const CubicBezier curve = m_ring.contour.segment(s);
+        const CubicBezier curve = m_contour.segment(s);
         const CubicBezier piece = t0 > 0.0 || t1 < 1.0 ? curve.piece(t0, t1) : curve;
         if (piece.p0 != piece.p3 || !piece.isStraight(kClipGrid))
             points.insert(points.end(), {piece.p0, piece.p1, piece.p2});
@@ -271,9 +324,11 @@ void NotchCutter::addRun(const Passage *from, const Passage *to, std::vector<Vec
     if (from)
         chords.push_back(m_grid.position(m_grid.snap(from->onChord)));
     const std::size_t begin = from ? from->edge + 1 : 0;
-    const std::size_t end = to ? to->edge + 1 : m_ring.snapped.size();
-    for (std::size_t v = begin; v < end; ++v)
-        chords.push_back(m_grid.position(m_ring.snapped[v]));
+    const std::size_t end = to ? to->edge + 1 : count();
+    for (std::size_t v = begin; v < end; ++v) {
+        if (v == 0 || m_snapped[v] != m_snapped[v - 1])
+            chords.push_back(m_grid.position(m_snapped[v]));
+    }
     if (to)
         chords.push_back(m_grid.position(m_grid.snap(to->onChord)));
 }
@@ -298,10 +353,10 @@ void NotchCutter::addBite(const Passage &in, const Passage &out, std::vector<Vec
 CurvedRegion NotchCutter::region() const
 {
     std::vector<Vec2> points;
-    points.reserve(m_ring.contour.points().size() + 15 * m_bites.size());
+    points.reserve(m_contour.points().size() + 15 * m_bites.size());
     CurvedRegion result;
     Polygon &chords = result.region.outer;
-    chords.reserve(m_ring.snapped.size() + 4 * m_bites.size());
+    chords.reserve(count() + 4 * m_bites.size());
     const std::size_t count = m_passages.size();
     if (count == 0) {
         addRun(nullptr, nullptr, points, chords);
@@ -329,9 +384,16 @@ CurvedRegion NotchCutter::region() const
 std::optional<CurvedRegion> cutNotches(const Contour &contour, const std::vector<Contour> &holes,
                                        const std::vector<Polygon> &cuts, double chord)
 {
+    return cutNotches(contour, contour.flatten(chord), holes, cuts, chord);
+}
+
+std::optional<CurvedRegion> cutNotches(const Contour &contour, const Polyline &polyline,
+                                       const std::vector<Contour> &holes,
+                                       const std::vector<Polygon> &cuts, double chord)
+{
     if (std::any_of(cuts.begin(), cuts.end(), [](const Polygon &cut) { return cut.size() < 3; }))
         return std::nullopt;
-    NotchCutter cutter(contour, chord, cuts);
+    NotchCutter cutter(contour, polyline, cuts);
     if (!cutter.findPassages())
         return std::nullopt;
     CurvedRegion region = cutter.region();
@@ -345,7 +407,10 @@ std::optional<CurvedRegion> cutNotches(const Contour &contour, const std::vector
         region.holes.push_back(hole);
         region.region.holes.push_back(std::move(chords));
     }
-    if (region.outer.segmentCount() == 0 || area(region.region) < kMinArea)
+    double left = region.outer.signedArea();
+    for (const Contour &hole : region.holes)
+        left += hole.signedArea();
+    if (!(left >= kMinArea))
         return std::nullopt;
     return region;
 }

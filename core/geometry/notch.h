@@ -20,5 +20,9 @@ namespace fff {
 /// cuts' lines, as there.
 std::optional<CurvedRegion> cutNotches(const Contour &contour, const std::vector<Contour> &holes,
                                        const std::vector<Polygon> &cuts, double chord);
+/// The same where the contour's chords are at hand.
+std::optional<CurvedRegion> cutNotches(const Contour &contour, const Polyline &chords,
+                                       const std::vector<Contour> &holes,
+                                       const std::vector<Polygon> &cuts, double chord);
 
 } // namespace fff

@@ -93,7 +93,7 @@ private:
     };
 
     Contour m_contour;
-    Polygon m_chords; // of the contour, until it is notched
+    Polyline m_chords; // of the contour, until it is notched
     std::vector<Hole> m_holes;
 };
 
@@ -161,7 +161,7 @@ void Mender::cutOut()
             inside.push_back(std::move(hole));
         } else if (std::optional<Contour> rest = notched(m_contour, hole.contour)) {
             m_contour = *std::move(rest);
-            m_chords.clear();
+            m_chords = {};
             warn(WarningCode::NotchedContour, hole.where);
         } else {
             warn(WarningCode::HoleOutside, hole.where);
@@ -187,7 +187,7 @@ Result<ShapePointer> Mender::mend(const PlacedContour &contour,
     std::vector<Contour> mended;
     for (Hole &hole : m_holes)
         mended.push_back(std::move(hole.contour));
-    const bool isPlain = resolved->isPlain && !m_chords.empty();
+    const bool isPlain = resolved->isPlain && !m_chords.points.empty();
     return Shape::make(std::move(m_contour), std::move(mended), std::move(m_chords), isPlain);
 }
 

@@ -30,30 +30,28 @@ int Shape::controlPointCount() const
     return static_cast<int>(count);
 }
 
-Result<ShapePointer> Shape::make(Contour contour, std::vector<Contour> holes, Polygon chords,
+Result<ShapePointer> Shape::make(Contour contour, std::vector<Contour> holes, Polyline chords,
                                  bool isPlain)
 {
     const bool isTurned = contour.signedArea() < 0.0;
     const Result<ShapePointer> result = make(std::move(contour), std::move(holes));
-    if (!result || isTurned)
+    if (!result || chords.points.empty())
         return result;
     // Nobody else has seen it yet.
-    Shape &shape = const_cast<Shape &>(**result);
-    shape.m_chords = std::move(chords);
+    const Shape &shape = **result;
+    std::call_once(shape.m_chordsOnce, [&] {
+        shape.m_chords =
+            isTurned ? reversed(chords, shape.m_contour.segmentCount()) : std::move(chords);
+    });
     if (isPlain && shape.m_holes.empty())
         std::call_once(shape.m_plainOnce, [&shape] { shape.m_isPlain = true; });
     return result;
 }
 
-Region Shape::makeRegion() const
+const Polyline &Shape::chords() const
 {
-    if (m_chords.empty())
-        return flatten(kCutChord);
-    Region region;
-    region.outer = m_chords;
-    for (const Contour &hole : m_holes)
-        region.holes.push_back(hole.flatten(kCutChord).points);
-    return region;
+    std::call_once(m_chordsOnce, [this] { m_chords = m_contour.flatten(kCutChord); });
+    return m_chords;
 }
 
 bool Shape::isPlain() const
@@ -66,7 +64,9 @@ bool Shape::isPlain() const
 const Region &Shape::region() const
 {
     std::call_once(m_regionOnce, [this] {
-        m_region = makeRegion();
+        m_region.outer = chords().points;
+        for (const Contour &hole : m_holes)
+            m_region.holes.push_back(hole.flatten(kCutChord).points);
         m_bounds = fff::bounds(m_region.outer);
     });
     return m_region;

@@ -21,10 +21,10 @@ public:
     /// the holes leave of it, has less than kMinArea.
     static Result<std::shared_ptr<const Shape>> make(Contour contour,
                                                      std::vector<Contour> holes = {});
-    /// The same where it has been seen before: `chords` are those of the contour to kCutChord, and
-    /// `isPlain` what isPlain() says of the contour alone.
+    /// The same where it has been seen before: `chords` are those of the contour to kCutChord, or
+    /// none, and `isPlain` what isPlain() says of the contour alone.
     static Result<std::shared_ptr<const Shape>> make(Contour contour, std::vector<Contour> holes,
-                                                     Polygon chords, bool isPlain);
+                                                     Polyline chords, bool isPlain);
 
     Shape(const Shape &) = delete;
     Shape &operator=(const Shape &) = delete;
@@ -33,7 +33,9 @@ public:
     const std::vector<Contour> &holes() const { return m_holes; }
     int controlPointCount() const;
 
-    /// The region to kCutChord.
+    /// Of the contour, to kCutChord.
+    const Polyline &chords() const;
+    /// The region on these chords and those of the holes.
     const Region &region() const;
     /// Contour and holes neither touch themselves nor each other, on the chords of region().
     bool isPlain() const;
@@ -54,13 +56,11 @@ public:
 
 private:
     Shape() = default;
-    Region makeRegion() const;
-
     Contour m_contour;
     std::vector<Contour> m_holes;
     Moments m_moments;
-    Polygon m_chords; // of the contour, where they came with it
-    mutable std::once_flag m_regionOnce, m_triangulationOnce, m_plainOnce;
+    mutable Polyline m_chords;
+    mutable std::once_flag m_chordsOnce, m_regionOnce, m_triangulationOnce, m_plainOnce;
     mutable bool m_isPlain = false;
     mutable Region m_region;
     mutable Box2 m_bounds;

@@ -22,6 +22,7 @@ private Q_SLOTS:
     void flattenTellsWhereEachPointIsFrom_data();
     void flattenTellsWhereEachPointIsFrom();
     void flattenLeavesOutRepeatedPoints();
+    void chordsReversedAreThoseOfTheContourReversed();
 };
 
 void TestContour::badPointsAreRefused_data()
@@ -128,6 +129,26 @@ void TestContour::flattenLeavesOutRepeatedPoints()
     const Contour contour =
         polygonContour({{0, 0}, {0, 0}, {10, 0}, {10, 0}, {10, 10}, {0, 10}, {0, 0}});
     QCOMPARE(contour.flatten(kCutChord).points.size(), 4U);
+}
+
+// Wrong: a slit would be cut into another segment of a contour that was drawn clockwise.
+void TestContour::chordsReversedAreThoseOfTheContourReversed()
+{
+    for (const NamedContour &shape : simpleContours()) {
+        const Contour back = shape.contour.reversed();
+        const Polyline chords = shape.contour.flatten(kCutChord);
+        const Polyline turned = reversed(chords, shape.contour.segmentCount());
+        QCOMPARE(turned.points.size(), chords.points.size());
+        QCOMPARE(turned.origins.front(), (CurvePoint{0, 0.0}));
+        for (std::size_t i = 0; i < turned.points.size(); ++i) {
+            const CurvePoint &origin = turned.origins[i];
+            QVERIFY2((back.segment(origin.segment).at(origin.t) - turned.points[i]).norm() < 1e-9,
+                     shape.name);
+            QVERIFY(i == 0 || origin.segment > turned.origins[i - 1].segment ||
+                    (origin.segment == turned.origins[i - 1].segment &&
+                     origin.t > turned.origins[i - 1].t));
+        }
+    }
 }
 
 QTEST_GUILESS_MAIN(TestContour)
