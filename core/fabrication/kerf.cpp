@@ -13,7 +13,8 @@ std::vector<Part> compensateKerf(std::vector<Part> parts, const Model &model)
 {
     for (Part &part : parts) {
         const double kerf = model.stockOf(static_cast<std::size_t>(part.section)).kerf;
-        part.outline = compensateKerf(part.outline, kerf);
+        if (kerf > 0.0)
+            part.outline = compensateKerf(part.outline, kerf);
     }
     return parts;
 }

@@ -14,6 +14,9 @@ namespace {
 /// Less used height than this is no reason to turn parts away from how they are drawn, mm.
 constexpr double kWorthTurning = 1.0;
 
+/// Chords on which it is told how a part is best turned, mm; its box is that of its curves.
+constexpr double kTurnChord = 0.5;
+
 enum class Turning { AsDrawn, Smallest, Lowest };
 enum class Order { Tallest, Largest, Longest };
 
@@ -30,7 +33,8 @@ struct Item
 {
     int part = 0;
     const Contour *outline = nullptr;
-    Turns turns;
+    Pose drawn;
+    Turns turns;                 // where they are tried
     std::optional<Vec2> fitting; // the turn, where it fits neither as drawn nor by a quarter turn
 };
 
@@ -53,6 +57,14 @@ bool fits(const Vec2 &size, const Vec2 &room)
     return (size.array() <= room.array() + kClipGrid).all();
 }
 
+double areaOf(const CurvedRegion &outline)
+{
+    double sum = outline.outer.signedArea();
+    for (const Contour &hole : outline.holes)
+        sum += hole.signedArea();
+    return sum;
+}
+
 bool hasCurves(const CurvedRegion &outline)
 {
     for (int i = 0; i < outline.outer.segmentCount(); ++i)
@@ -61,24 +73,49 @@ bool hasCurves(const CurvedRegion &outline)
     return false;
 }
 
-/// The ways in which a part may lie: that of its turning and a quarter turn more, lying first.
-std::vector<Pose> posesOf(const Item &item, Turning turning, const Vec2 &room)
+/// The ways in which a part may lie.
+class Poses
 {
-    if (item.fitting)
-        return {poseOf(item, *item.fitting)};
-    std::vector<Pose> poses;
-    const auto add = [&](const Vec2 &turn) {
-        const Pose pose = poseOf(item, turn);
+public:
+    void add(const Pose &pose) { m_poses[m_count++] = pose; }
+    const Pose *begin() const { return m_poses.data(); }
+    const Pose *end() const { return m_poses.data() + m_count; }
+    bool isEmpty() const { return m_count == 0; }
+    const Pose &lying() const { return m_poses[0]; }
+    void putLyingFirst()
+    {
+        if (m_count == 2 && m_poses[1].size().y() < m_poses[0].size().y())
+            std::swap(m_poses[0], m_poses[1]);
+    }
+    bool operator==(const Poses &other) const
+    {
+        return std::equal(begin(), end(), other.begin(), other.end(),
+                          [](const Pose &a, const Pose &b) { return a.turn == b.turn; });
+    }
+
+private:
+    std::array<Pose, 2> m_poses;
+    std::size_t m_count = 0;
+};
+
+/// That of its turning and a quarter turn more, lying first.
+Poses posesOf(const Item &item, Turning turning, const Vec2 &room)
+{
+    Poses poses;
+    if (item.fitting) {
+        poses.add(poseOf(item, *item.fitting));
+        return poses;
+    }
+    const auto add = [&](const Pose &pose) {
         for (const Pose &candidate : {pose, quarterMore(pose)})
             if (fits(candidate.size(), room))
-                poses.push_back(candidate);
+                poses.add(candidate);
     };
     if (turning != Turning::AsDrawn)
-        add(turning == Turning::Smallest ? item.turns.smallest : item.turns.lowest);
-    if (poses.empty())
-        add(Vec2::UnitX());
-    std::stable_sort(poses.begin(), poses.end(),
-                     [](const Pose &a, const Pose &b) { return a.size().y() < b.size().y(); });
+        add(poseOf(item, turning == Turning::Smallest ? item.turns.smallest : item.turns.lowest));
+    if (poses.isEmpty())
+        add(item.drawn);
+    poses.putLyingFirst();
     return poses;
 }
 
@@ -113,19 +150,25 @@ double sortKey(const Pose &lying, Order order)
 /// The ways in which each item may lie, and the order in which they are put.
 struct Plan
 {
-    std::vector<std::vector<Pose>> poses; // one list an item
+    std::vector<Poses> poses; // of each item
     std::vector<std::size_t> order;
 
-    void sort(Order by)
-    {
-        order.resize(poses.size());
-        for (std::size_t i = 0; i < order.size(); ++i)
-            order[i] = i;
-        std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-            return sortKey(poses[a].front(), by) > sortKey(poses[b].front(), by);
-        });
-    }
+    bool operator==(const Plan &) const = default;
 };
+
+std::vector<std::size_t> sorted(const std::vector<Poses> &poses, Order by)
+{
+    std::vector<std::pair<double, std::size_t>> keys;
+    keys.reserve(poses.size());
+    for (std::size_t i = 0; i < poses.size(); ++i)
+        keys.emplace_back(-sortKey(poses[i].lying(), by), i);
+    std::sort(keys.begin(), keys.end());
+    std::vector<std::size_t> order;
+    order.reserve(keys.size());
+    for (const auto &[key, index] : keys)
+        order.push_back(index);
+    return order;
+}
 
 /// Gives up, with one sheet too many, when it takes more sheets than `most`.
 Packing pack(const std::vector<Item> &items, const Plan &plan, const Sheet &empty,
@@ -169,40 +212,57 @@ Packing pack(const std::vector<Item> &items, const Plan &plan, const Sheet &empt
     return packing;
 }
 
-Packing bestPacking(const std::vector<Item> &items, const Sheet &empty,
-                    const LayoutOptions &options)
+/// Tries that differ, each once.
+std::vector<Plan> plansFor(const std::vector<Item> &items, Turning turning, const Vec2 &room)
+{
+    std::vector<Poses> poses;
+    poses.reserve(items.size());
+    for (const Item &item : items)
+        poses.push_back(posesOf(item, turning, room));
+    std::vector<Plan> plans;
+    for (const Order by : {Order::Tallest, Order::Largest, Order::Longest}) {
+        Plan plan{poses, sorted(poses, by)};
+        if (std::find(plans.begin(), plans.end(), plan) == plans.end())
+            plans.push_back(std::move(plan));
+    }
+    return plans;
+}
+
+Packing bestPacking(std::vector<Item> &items, const Sheet &empty, const LayoutOptions &options)
 {
     const Vec2 room = empty.size - Vec2::Constant(2.0 * options.margin);
+    std::vector<Turning> turnings{Turning::AsDrawn};
+    if (options.turnsFreely) {
+        turnings.insert(turnings.end(), {Turning::Smallest, Turning::Lowest});
+        for (Item &item : items)
+            item.turns = findTurns(item.outline->flatten(kTurnChord).points);
+    }
     Packing best;
-    bool isFirst = true;
-    for (const Turning turning : {Turning::AsDrawn, Turning::Smallest, Turning::Lowest}) {
-        if (turning != Turning::AsDrawn && !options.turnsFreely)
-            break;
-        Plan plan;
-        for (const Item &item : items)
-            plan.poses.push_back(posesOf(item, turning, room));
-        for (const Order order : {Order::Tallest, Order::Largest, Order::Longest}) {
-            plan.sort(order);
-            Packing packing =
-                pack(items, plan, empty, options, isFirst ? items.size() : best.sheets.size());
-            if (isFirst || packing.isBetterThan(best))
+    std::vector<Plan> tried;
+    for (const Turning turning : turnings) {
+        for (Plan &plan : plansFor(items, turning, room)) {
+            // Parts that are best turned as they are drawn are tried once.
+            if (std::find(tried.begin(), tried.end(), plan) != tried.end())
+                continue;
+            Packing packing = pack(items, plan, empty, options,
+                                   tried.empty() ? items.size() : best.sheets.size());
+            if (tried.empty() || packing.isBetterThan(best))
                 best = std::move(packing);
-            isFirst = false;
+            tried.push_back(std::move(plan));
         }
     }
     return best;
 }
 
-/// Whether it fits the room, and what it needs to know to be turned.
+/// Whether it fits the room, and how it must be turned for that.
 bool prepare(Item &item, const Part &part, const Vec2 &room, bool turnsFreely)
 {
     item.outline = &part.outline.outer;
-    const Polygon hull =
-        turnsFreely ? convexHull(part.outline.region.outer) : Polygon(); // of chords
-    if (hull.size() >= 3)
-        item.turns = findTurns(hull);
-    if (!posesOf(item, Turning::AsDrawn, room).empty())
+    item.drawn = poseOf(item, Vec2::UnitX());
+    if (!posesOf(item, Turning::AsDrawn, room).isEmpty())
         return true;
+    const Polygon hull =
+        turnsFreely ? convexHull(part.outline.outer.flatten(kCutChord).points) : Polygon();
     if (hull.size() < 3)
         return false;
     const double bulge = hasCurves(part.outline) ? 2.0 * kCutChord : 0.0; // beyond the chords
@@ -229,7 +289,7 @@ Layout layOut(const std::vector<Part> &parts, const Model &model, const LayoutOp
                 items.push_back(std::move(item));
                 continue;
             }
-            const Pose pose = poseOf(item, Vec2::UnitX());
+            const Pose &pose = item.drawn;
             Sheet own{stock->id, pose.size() + Vec2::Constant(2.0 * options.margin), {}};
             own.placements.push_back(
                 {item.part, pose.turn, Vec2::Constant(options.margin) - pose.box.min});
@@ -252,7 +312,7 @@ double usedShare(const Layout &layout, const std::vector<Part> &parts)
     for (const Sheet &sheet : layout.sheets) {
         whole += sheet.size.x() * sheet.size.y();
         for (const Placement &placement : sheet.placements)
-            used += area(parts[static_cast<std::size_t>(placement.part)].outline.region);
+            used += areaOf(parts[static_cast<std::size_t>(placement.part)].outline);
     }
     return whole > 0.0 ? used / whole : 0.0;
 }

@@ -6,7 +6,7 @@
 
 namespace fff {
 
-Skyline::Skyline(const Vec2 &size) : m_size(size), m_segments{{0.0, size.x(), 0.0}} {}
+Skyline::Skyline(const Vec2 &size) : m_size(size), m_segments{{0.0, size.x(), 0.0}}, m_next() {}
 
 Skyline::Place Skyline::find(const Vec2 &box) const
 {
@@ -31,8 +31,8 @@ Skyline::Place Skyline::find(const Vec2 &box) const
 void Skyline::put(const Vec2 &box, const Place &place)
 {
     const double from = place.corner.x(), to = std::min(from + box.x(), m_size.x());
-    std::vector<Segment> next;
-    next.reserve(m_segments.size() + 2);
+    std::vector<Segment> &next = m_next;
+    next.clear();
     const auto append = [&next](const Segment &segment) {
         if (segment.to - segment.from <= kClipGrid)
             return; // too narrow for anything
@@ -47,7 +47,7 @@ void Skyline::put(const Vec2 &box, const Place &place)
             append({from, to, place.top});
         append({std::max(segment.from, to), segment.to, segment.y});
     }
-    m_segments = std::move(next);
+    m_segments.swap(next);
 }
 
 double Skyline::height() const

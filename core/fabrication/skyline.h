@@ -35,6 +35,7 @@ private:
 
     Vec2 m_size;
     std::vector<Segment> m_segments; // from left to right, touching
+    std::vector<Segment> m_next;     // space for those after a box is put
 };
 
 } // namespace fff

@@ -127,23 +127,50 @@ Vec2 quarterMore(const Vec2 &turn)
     return {-turn.y(), turn.x()};
 }
 
-/// Parameters at which a coordinate of the curve is largest or smallest within it, by the zeros of
-/// its derivative a t² + 2 b t + c.
-std::vector<double> extremes(const CubicBezier &curve, int axis)
+/// Extends the range by where a coordinate of the curve is largest or smallest within it: at the
+/// zeros of its derivative a t² + 2 b t + c.
+void extendByExtremes(double p0, double p1, double p2, double p3, double &low, double &high)
 {
-    const double d0 = curve.p1[axis] - curve.p0[axis], d1 = curve.p2[axis] - curve.p1[axis],
-                 d2 = curve.p3[axis] - curve.p2[axis];
+    const double d0 = p1 - p0, d1 = p2 - p1, d2 = p3 - p2;
     const double a = d0 - 2.0 * d1 + d2, b = d1 - d0, c = d0;
     const double discriminant = b * b - a * c;
     if (!(discriminant >= 0.0))
-        return {};
+        return;
     // Without cancellation, also where a is next to nothing.
     const double q = -(b + std::copysign(std::sqrt(discriminant), b));
-    std::vector<double> inside;
-    for (const double t : {q / a, c / q})
-        if (t > 0.0 && t < 1.0) // neither of them when it is not finite
-            inside.push_back(t);
-    return inside;
+    for (const double t : {q / a, c / q}) {
+        if (!(t > 0.0 && t < 1.0)) // neither of them when it is not finite
+            continue;
+        const double s = 1.0 - t;
+        const double value = s * s * (s * p0 + 3.0 * t * p1) + t * t * (3.0 * s * p2 + t * p3);
+        low = std::min(low, value);
+        high = std::max(high, value);
+    }
+}
+
+/// Corners that a turned box can rest on: all of the hull but for rounding.
+Polygon outerCorners(Polygon points)
+{
+    std::sort(points.begin(), points.end(), [](const Vec2 &a, const Vec2 &b) {
+        return a.x() < b.x() || (a.x() == b.x() && a.y() < b.y());
+    });
+    // Below from left to right, then above from right to left.
+    // Source  A. Andrew 1979, Another efficient algorithm for convex hulls in two dimensions.
+    Polygon hull;
+    hull.reserve(2 * points.size());
+    const auto add = [&hull](const Vec2 &p, std::size_t first) {
+        while (hull.size() >= first + 2 &&
+               cross(hull.back() - hull[hull.size() - 2], p - hull.back()) <= 0.0)
+            hull.pop_back();
+        hull.push_back(p);
+    };
+    for (const Vec2 &p : points)
+        add(p, 0);
+    const std::size_t first = hull.size() - 1;
+    for (std::size_t i = points.size() - 1; i-- > 0;)
+        add(points[i], first);
+    hull.pop_back(); // the first again
+    return hull;
 }
 
 } // namespace
@@ -159,31 +186,37 @@ Box2 turnedBounds(const Polygon &polygon, const Vec2 &turn)
 Box2 turnedBounds(const Contour &contour, const Vec2 &turn)
 {
     // Ends first: a curve whose control points lie in their box does not reach out of it.
-    std::vector<Vec2> points;
-    points.reserve(contour.points().size() + 1);
-    for (const Vec2 &p : contour.points())
-        points.push_back(turned(p, turn));
+    const std::vector<Vec2> &points = contour.points();
     Box2 box;
     for (std::size_t i = 0; i < points.size(); i += 3)
-        box.extend(points[i]);
-    if (!points.empty())
-        points.push_back(points.front()); // where the last segment ends
-    for (std::size_t i = 0; i + 3 < points.size(); i += 3) {
-        const CubicBezier curve{points[i], points[i + 1], points[i + 2], points[i + 3]};
+        box.extend(turned(points[i], turn));
+    const Box2 ends = box;
+    for (std::size_t i = 0; i < points.size(); i += 3) {
+        const Vec2 p1 = turned(points[i + 1], turn), p2 = turned(points[i + 2], turn);
+        const bool staysInside[2] = {
+            std::min(p1.x(), p2.x()) >= ends.min.x() && std::max(p1.x(), p2.x()) <= ends.max.x(),
+            std::min(p1.y(), p2.y()) >= ends.min.y() && std::max(p1.y(), p2.y()) <= ends.max.y()};
+        if (staysInside[0] && staysInside[1])
+            continue;
+        const Vec2 p0 = turned(points[i], turn);
+        const Vec2 p3 = turned(points[i + 3 < points.size() ? i + 3 : 0], turn);
         for (const int axis : {0, 1}) {
-            if (std::min(curve.p1[axis], curve.p2[axis]) >= box.min[axis] &&
-                std::max(curve.p1[axis], curve.p2[axis]) <= box.max[axis])
-                continue;
-            for (const double t : extremes(curve, axis))
-                box.extend(curve.at(t));
+            if (!staysInside[axis])
+                extendByExtremes(p0[axis], p1[axis], p2[axis], p3[axis], box.min[axis],
+                                 box.max[axis]);
         }
     }
     return box;
 }
 
-Turns findTurns(const Polygon &hull)
+Turns findTurns(const Polygon &polygon)
 {
     Turns turns;
+    if (polygon.size() < 3)
+        return turns;
+    const Polygon hull = outerCorners(polygon);
+    if (hull.size() < 3)
+        return turns;
     const std::vector<Vec2> directions = eventDirections(hull);
     Calipers calipers(hull);
     double smallest = std::numeric_limits<double>::infinity(), lowest = smallest;

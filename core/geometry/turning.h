@@ -25,9 +25,9 @@ struct Turns
     Vec2 lowest = Vec2::UnitX();   // of all turns the one whose box is lowest
 };
 
-/// The best turns of a convex polygon, counter-clockwise as convexHull gives it, with at least 3
-/// corners; boxes lie on their longer sides. Both have an edge of the polygon along an axis.
-/// Source  H. Freeman, R. Shapira 1975, Determining the minimum-area encasing rectangle; G.
+/// The best turns of a polygon; boxes lie on their longer sides. Both have an edge of its hull
+/// along an axis; none for what has no area. Source  H. Freeman, R. Shapira 1975, Determining the
+/// minimum-area encasing rectangle; G.
 ///         Toussaint 1983, Solving geometric problems with the rotating calipers. O(n log n).
 Turns findTurns(const Polygon &hull);
 
