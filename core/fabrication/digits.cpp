@@ -8,6 +8,8 @@ namespace fff {
 
 namespace {
 
+using Stroke = std::vector<Vec2>;
+
 constexpr double kDigitWidth = 0.6;
 constexpr double kDigitGap = 0.25;
 constexpr double kUnderline = 0.25; // below the digits
@@ -97,27 +99,48 @@ bool isAmbiguous(const std::string &text)
            text.find_first_of("69") != std::string::npos;
 }
 
-} // namespace
+double bottomOf(const std::string &text)
+{
+    return isAmbiguous(text) ? kUnderline : 0.0;
+}
 
-StrokedNumber strokedNumber(int number)
+Vec2 sizeOf(const std::string &text)
+{
+    const auto count = static_cast<double>(text.size());
+    return {count * (kDigitWidth + kDigitGap) - kDigitGap, 1.0 + bottomOf(text)};
+}
+
+std::string textOf(int number)
 {
     assert(number >= 0 && "parts and joints are counted from 1");
-    const std::string text = std::to_string(number);
-    const double bottom = isAmbiguous(text) ? kUnderline : 0.0;
-    StrokedNumber result;
+    return std::to_string(number);
+}
+
+} // namespace
+
+Vec2 strokedSize(int number)
+{
+    return sizeOf(textOf(number));
+}
+
+void appendNumber(int number, const Vec2 &corner, double scale, Strokes &strokes)
+{
+    const std::string text = textOf(number);
+    const double bottom = bottomOf(text);
     double left = 0.0;
     for (const char c : text) {
-        for (Stroke stroke : digits()[static_cast<std::size_t>(c - '0')]) {
-            for (Vec2 &p : stroke)
-                p += Vec2(left, bottom);
-            result.strokes.push_back(std::move(stroke));
+        for (const Stroke &stroke : digits()[static_cast<std::size_t>(c - '0')]) {
+            strokes.start();
+            for (const Vec2 &p : stroke)
+                strokes.add(corner + scale * (p + Vec2(left, bottom)));
         }
         left += kDigitWidth + kDigitGap;
     }
-    result.size = {left - kDigitGap, 1.0 + bottom};
-    if (bottom > 0.0)
-        result.strokes.push_back({Vec2(0.0, 0.0), Vec2(result.size.x(), 0.0)});
-    return result;
+    if (bottom > 0.0) {
+        strokes.start();
+        strokes.add(corner);
+        strokes.add(corner + Vec2(scale * sizeOf(text).x(), 0.0));
+    }
 }
 
 } // namespace fff

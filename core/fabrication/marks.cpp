@@ -23,32 +23,29 @@ double reach(const Vec2 &half, const Vec2 &direction)
     return half.dot(direction.cwiseAbs());
 }
 
-void draw(const StrokedNumber &number, const Vec2 &center, double height, Engraving &engraving)
+void draw(int number, const Vec2 &center, double height, Engraving &engraving)
 {
-    for (Stroke stroke : number.strokes) {
-        for (Vec2 &p : stroke)
-            p = center + height * (p - 0.5 * number.size);
-        engraving.strokes.push_back(std::move(stroke));
-    }
-    const Vec2 half = 0.5 * height * number.size;
+    const Vec2 half = 0.5 * height * strokedSize(number);
+    appendNumber(number, center - half, height, engraving.strokes);
     engraving.boxes.push_back({center - half, center + half});
 }
 
 /// Middles of the places for a joint's number whose box, with the clearance, has this half size:
 /// beyond the slit's bottom, straight on and to either side, then along its two walls.
-std::vector<Vec2> placesAt(const Part::JointMark &mark, const Vec2 &half)
+std::array<Vec2, 11> placesAt(const Part::JointMark &mark, const Vec2 &half)
 {
     const Vec2 side = perpendicular(mark.direction);
     // Chords of the drawing's tolerance must not seem to touch what lies along the slit.
     const double along = reach(half, mark.direction) + kDrawChord;
     const double across = reach(half, side) + kDrawChord;
     const double beside = 0.5 * mark.width + across;
-    std::vector<Vec2> places;
+    std::array<Vec2, 11> places;
+    auto next = places.begin();
     for (double shift : {0.0, across, -across})
-        places.push_back(mark.inner + along * mark.direction + shift * side);
+        *next++ = mark.inner + along * mark.direction + shift * side;
     for (double back : {0.0, 1.0, 2.0, 3.0}) {
         for (double sign : {1.0, -1.0})
-            places.push_back(mark.inner - back * along * mark.direction + sign * beside * side);
+            *next++ = mark.inner - back * along * mark.direction + sign * beside * side;
     }
     return places;
 }
@@ -56,13 +53,13 @@ std::vector<Vec2> placesAt(const Part::JointMark &mark, const Vec2 &half)
 bool engraveJoint(const Part::JointMark &mark, const MarkOptions &options, Room &room,
                   Engraving &engraving)
 {
-    const StrokedNumber number = strokedNumber(mark.joint);
+    const Vec2 size = strokedSize(mark.joint);
     for (double height = options.jointHeight; height >= options.minHeight; height *= kShrink) {
-        const Vec2 half = 0.5 * height * number.size + Vec2::Constant(options.clearance);
+        const Vec2 half = 0.5 * height * size + Vec2::Constant(options.clearance);
         for (const Vec2 &center : placesAt(mark, half)) {
             if (!room.fits(center, half))
                 continue;
-            draw(number, center, height, engraving);
+            draw(mark.joint, center, height, engraving);
             room.take(engraving.boxes.back());
             return true;
         }
@@ -72,16 +69,20 @@ bool engraveJoint(const Part::JointMark &mark, const MarkOptions &options, Room 
 
 bool engraveNumber(int value, const MarkOptions &options, const Room &room, Engraving &engraving)
 {
-    const StrokedNumber number = strokedNumber(value);
+    const Vec2 size = strokedSize(value);
     const Vec2 clearance = Vec2::Constant(options.clearance);
-    const Vec2 half = 0.5 * options.numberHeight * number.size + clearance;
+    const Vec2 half = 0.5 * options.numberHeight * size + clearance;
+    if (const std::optional<Vec2> place = room.findInRows(half)) {
+        draw(value, *place, options.numberHeight, engraving);
+        return true;
+    }
     const Vec2 center = room.roomiest(half, kAmpleRoom);
     // The clearance does not shrink with the number.
     const Vec2 left = std::min(room.scaleAt(center, half), 1.0) * half - clearance;
-    const double height = 2.0 * left.cwiseQuotient(number.size).minCoeff();
+    const double height = 2.0 * left.cwiseQuotient(size).minCoeff();
     if (height < options.minHeight)
         return false;
-    draw(number, center, height, engraving);
+    draw(value, center, height, engraving);
     return true;
 }
 
@@ -96,7 +97,7 @@ Engraving engrave(const Part &part, const MarkOptions &options)
     Engraving engraving;
     if (region.outer.size() < 3)
         return engraving;
-    Room room(std::move(region));
+    Room room(region);
     // Joints first: their places are few, the part's number can go anywhere.
     for (const Part::JointMark &mark : part.joints) {
         if (!engraveJoint(mark, options, room, engraving))

@@ -17,8 +17,8 @@ struct MarkOptions
 
 struct Engraving
 {
-    std::vector<Stroke> strokes; // in the part's coordinates, mm
-    std::vector<Box2> boxes;     // one a mark: what it takes up
+    Strokes strokes;         // in the part's coordinates, mm
+    std::vector<Box2> boxes; // one a mark: what it takes up
     bool hasNumber = false;
     std::vector<int> jointsLeftOut; // joints' numbers for which there was no room
 };

@@ -3,9 +3,11 @@
 #include "core/base/tolerances.h"
 
 #include <QString>
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <cstring>
 #include <set>
 #include <utility>
 
@@ -15,50 +17,99 @@ namespace {
 
 constexpr double kSheetGap = 10.0;
 const Vec2 kReferenceSize(100.0, 10.0);
-constexpr double kDecimals = 1e6; // coordinates are whole multiples of one over this
 constexpr const char *kCut = "#ff0000";
 constexpr const char *kEngraving = "#0000ff";
 constexpr const char *kGuide = "#ffcc00";
 
-/// Appends the shortest text of the number rounded to kDecimals, without an exponent. By whole
-/// numbers: a drawing is made of little else.
-void append(std::string &out, double value)
-{
-    const auto whole = static_cast<std::int64_t>(std::llround(value * kDecimals));
-    std::uint64_t rest = static_cast<std::uint64_t>(whole < 0 ? -whole : whole);
-    std::array<char, 32> buffer;
-    char *const end = buffer.data() + buffer.size();
-    char *begin = end;
-    bool hasDigits = false; // after the point, from the last one that is not 0
-    for (std::int64_t place = 1; place < static_cast<std::int64_t>(kDecimals); place *= 10) {
-        const auto digit = static_cast<char>(rest % 10);
-        rest /= 10;
-        hasDigits |= digit != 0;
-        if (hasDigits)
-            *--begin = static_cast<char>('0' + digit);
+/// What coordinates are whole multiples of: one over a power of ten.
+enum class Decimals : std::uint32_t {
+    Cut = 1'000'000,  // a nanometre: the drawing is what was computed
+    Engraving = 1'000 // a micrometre: no one measures a digit, and there are many
+};
+
+/// The texts of 00 … 99, one after the other.
+constexpr std::array<char, 200> kPairs = [] {
+    std::array<char, 200> pairs{};
+    for (std::size_t i = 0; i < 100; ++i) {
+        pairs[2 * i] = static_cast<char>('0' + i / 10);
+        pairs[2 * i + 1] = static_cast<char>('0' + i % 10);
     }
-    if (hasDigits)
-        *--begin = '.';
-    do {
-        *--begin = static_cast<char>('0' + static_cast<char>(rest % 10));
-        rest /= 10;
-    } while (rest != 0);
-    if (whole < 0)
-        *--begin = '-';
-    out.append(begin, end);
+    return pairs;
+}();
+
+/// A short text that grows to its front.
+class Digits
+{
+public:
+    void put(char c) { *--m_begin = c; }
+    void putPair(std::uint64_t below100)
+    {
+        m_begin -= 2;
+        std::memcpy(m_begin, kPairs.data() + 2 * below100, 2);
+    }
+    void putWhole(std::uint64_t value)
+    {
+        for (; value >= 100; value /= 100)
+            putPair(value % 100);
+        if (value >= 10)
+            putPair(value);
+        else
+            put(static_cast<char>('0' + value));
+    }
+    /// As many digits as there are zeros in `scale`, without those 0 that stand last.
+    void putFraction(std::uint32_t value, std::uint32_t scale)
+    {
+        for (; scale >= 10 && value % 10 == 0; scale /= 10)
+            value /= 10;
+        for (; scale >= 100; scale /= 100, value /= 100)
+            putPair(value % 100);
+        if (scale >= 10)
+            put(static_cast<char>('0' + value));
+    }
+    void appendTo(std::string &out) const
+    {
+        out.append(m_begin, static_cast<std::size_t>(end() - m_begin));
+    }
+
+private:
+    const char *end() const { return m_buffer.data() + m_buffer.size(); }
+
+    std::array<char, 64> m_buffer;
+    char *m_begin = m_buffer.data() + m_buffer.size();
+};
+
+/// The shortest text of the number rounded to so many decimals, without an exponent. By whole
+/// numbers: a drawing is made of little else.
+template <Decimals decimals>
+void put(Digits &digits, double value)
+{
+    constexpr auto kScale = static_cast<std::uint32_t>(decimals);
+    const auto size = static_cast<std::uint64_t>(std::abs(value) * kScale + 0.5);
+    if (const auto fraction = static_cast<std::uint32_t>(size % kScale)) {
+        digits.putFraction(fraction, kScale);
+        digits.put('.');
+    }
+    digits.putWhole(size / kScale);
+    if (value < 0.0 && size > 0)
+        digits.put('-');
 }
 
+template <Decimals decimals>
 void append(std::string &out, const Vec2 &p)
 {
-    append(out, p.x());
-    out += ' ';
-    append(out, p.y());
+    Digits digits;
+    put<decimals>(digits, p.y());
+    digits.put(' ');
+    put<decimals>(digits, p.x());
+    digits.appendTo(out);
 }
 
 std::string number(double value)
 {
+    Digits digits;
+    put<Decimals::Cut>(digits, value);
     std::string text;
-    append(text, value);
+    digits.appendTo(text);
     return text;
 }
 
@@ -67,9 +118,18 @@ std::string pair(const Vec2 &p)
     return number(p.x()) + ' ' + number(p.y());
 }
 
+bool isPlainText(const std::string &text)
+{
+    return std::all_of(text.begin(), text.end(), [](char c) {
+        return c >= ' ' && c <= '~' && c != '&' && c != '<' && c != '>' && c != '"';
+    });
+}
+
 /// For text and attributes. What is no UTF-8 or not allowed in XML becomes U+FFFD.
 std::string escaped(const std::string &text)
 {
+    if (isPlainText(text))
+        return text;
     QString result;
     for (const QChar c : QString::fromStdString(text)) {
         if (c == QLatin1Char('&'))
@@ -111,7 +171,7 @@ private:
 void appendClosed(const Contour &contour, const Transform &transform, std::string &out)
 {
     out += "M ";
-    append(out, transform(contour.points().front()));
+    append<Decimals::Cut>(out, transform(contour.points().front()));
     const int count = contour.segmentCount();
     for (int i = 0; i < count; ++i) {
         const CubicBezier curve = contour.segment(i);
@@ -119,22 +179,25 @@ void appendClosed(const Contour &contour, const Transform &transform, std::strin
             const char *separator = " C ";
             for (const Vec2 *p : {&curve.p1, &curve.p2, &curve.p3}) {
                 out += std::exchange(separator, " ");
-                append(out, transform(*p));
+                append<Decimals::Cut>(out, transform(*p));
             }
         } else if (i + 1 < count) { // Z draws the last one
             out += " L ";
-            append(out, transform(curve.p3));
+            append<Decimals::Cut>(out, transform(curve.p3));
         }
     }
     out += " Z";
 }
 
-void appendOpen(const Stroke &stroke, const Transform &transform, std::string &out)
+void appendOpen(const Strokes &strokes, const Transform &transform, std::string &out)
 {
-    const char *separator = "M ";
-    for (const Vec2 &p : stroke) {
-        out += std::exchange(separator, " L ");
-        append(out, transform(p));
+    const char *start = "M ";
+    for (std::size_t i = 0; i < strokes.size(); ++i) {
+        const char *separator = std::exchange(start, " M ");
+        for (const Vec2 &p : strokes[i]) {
+            out += std::exchange(separator, " L ");
+            append<Decimals::Engraving>(out, transform(p));
+        }
     }
 }
 
@@ -156,10 +219,8 @@ void writePart(const Part &part, const Engraving *engraving, const Transform &tr
     const Section &section = *model.section(static_cast<std::size_t>(part.section));
     out += "    <g id=\"part-" + std::to_string(part.number) + "\">\n";
     out += "      <title>" + escaped(section.name) + "</title>\n";
-    if (engraving) {
-        for (const Stroke &stroke : engraving->strokes)
-            path(kEngraving, [&] { appendOpen(stroke, transform, out); });
-    }
+    if (engraving && !engraving->strokes.isEmpty())
+        path(kEngraving, [&] { appendOpen(engraving->strokes, transform, out); });
     for (const Contour &hole : part.outline.holes)
         path(kCut, [&] { appendClosed(hole, transform, out); });
     path(kCut, [&] { appendClosed(part.outline.outer, transform, out); });
@@ -185,6 +246,15 @@ void writeMetadata(const Layout &layout, const Model &model, const SvgOptions &o
     out += "    </fff:cutting>\n  </metadata>\n";
 }
 
+/// Control points; of straight segments fewer are written.
+std::size_t pointCount(const CurvedRegion &outline)
+{
+    std::size_t count = outline.outer.points().size();
+    for (const Contour &hole : outline.holes)
+        count += hole.points().size();
+    return count;
+}
+
 /// Width and height of the drawing.
 Vec2 drawingSize(const Layout &layout, const SvgOptions &options)
 {
@@ -200,6 +270,23 @@ Vec2 drawingSize(const Layout &layout, const SvgOptions &options)
     return size;
 }
 
+/// About as much text as a drawing takes, rather more: so that it is not moved while it grows.
+std::size_t estimatedLength(const Layout &layout, const std::vector<Part> &parts,
+                            const std::vector<Engraving> &engravings)
+{
+    constexpr std::size_t kHead = 2000, kPart = 200, kCutPoint = 24, kStrokePoint = 18;
+    std::size_t length = kHead;
+    for (const Sheet &sheet : layout.sheets) {
+        for (const Placement &placement : sheet.placements) {
+            const auto part = static_cast<std::size_t>(placement.part);
+            length += kPart + kCutPoint * pointCount(parts[part].outline);
+            if (!engravings.empty())
+                length += kStrokePoint * engravings[part].strokes.pointCount();
+        }
+    }
+    return length;
+}
+
 } // namespace
 
 std::string writeSvg(const Layout &layout, const std::vector<Part> &parts,
@@ -211,6 +298,7 @@ std::string writeSvg(const Layout &layout, const std::vector<Part> &parts,
                       "<svg xmlns=\"http://www.w3.org/2000/svg\" version=\"1.1\" width=\"" +
                       number(size.x()) + "mm\" height=\"" + number(size.y()) +
                       "mm\" viewBox=\"0 0 " + pair(size) + "\">\n";
+    out.reserve(estimatedLength(layout, parts, engravings));
     writeMetadata(layout, model, options, out);
     double top = 0.0;
     for (std::size_t i = 0; i < layout.sheets.size(); ++i) {
@@ -230,7 +318,8 @@ std::string writeSvg(const Layout &layout, const std::vector<Part> &parts,
     if (options.hasReference)
         out += "  <g id=\"reference-100mm-10mm\" fill=\"none\" stroke-width=\"0.05\">\n    " +
                rectangle({0.0, top}, kReferenceSize) + "  </g>\n";
-    return out + "</svg>\n";
+    out += "</svg>\n";
+    return out;
 }
 
 } // namespace fff::io

@@ -21,15 +21,15 @@ struct SvgOptions
 ///   cuts       red (#ff0000), 0.05 mm wide, no fill, every boundary a path of its own closed by Z,
 ///              holes of a part before its outside, as they are to be cut; curves as C, straight
 ///              edges as L
-///   engraving  blue (#0000ff) open paths
+///   engraving  blue (#0000ff), one path a part of open subpaths
 ///   guides     yellow (#ffcc00): frames of the sheets when there are several, the reference bar
 ///   groups     <g id="sheet-1"> holds <g id="part-7">, whose <title> is its section's name
 ///   metadata   the program's version, each stock with its thickness, clearance and kerf, and
 ///              whether the kerf is applied already
 ///
-/// Coordinates are rounded to 1e-6 mm, y downwards. `layout` and `parts` belong to
-/// `model`; `engravings` to the parts, one each, or none at all. UTF-8,
-/// same bytes for same input. Colours and the rest follow what laser programs read; see
+/// Coordinates of cuts are rounded to 1e-6 mm, those of engravings to 1e-3 mm; y downwards.
+/// `layout` and `parts` belong to `model`; `engravings` to the parts, one each, or none at all.
+/// UTF-8, same bytes for same input. Colours and the rest follow what laser programs read; see
 /// core/README.md.
 std::string writeSvg(const Layout &layout, const std::vector<Part> &parts,
                      const std::vector<Engraving> &engravings, const Model &model,

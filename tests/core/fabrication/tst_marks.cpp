@@ -1,3 +1,4 @@
+#include "core/base/tolerances.h"
 #include "core/fabrication/marks.h"
 #include "core/fabrication/room.h"
 #include "tests/core/assembly/plates.h"
@@ -7,6 +8,7 @@
 
 #include <QTest>
 
+#include <random>
 #include <set>
 
 using namespace fff;
@@ -28,8 +30,8 @@ QString whatIsWrong(const Engraving &engraving, const Part &part, const MarkOpti
     // Marks are placed on chords of the drawing's tolerance.
     const double least = options.clearance - 0.05;
     const Region &region = part.outline.region;
-    for (const Stroke &stroke : engraving.strokes) {
-        for (const Vec2 &p : stroke) {
+    for (std::size_t i = 0; i < engraving.strokes.size(); ++i) {
+        for (const Vec2 &p : engraving.strokes[i]) {
             double nearest = distanceTo(p, region.outer);
             for (const Polygon &hole : region.holes)
                 nearest = std::min(nearest, distanceTo(p, hole));
@@ -70,6 +72,8 @@ private Q_SLOTS:
     void jointMovesAsideWhereThereIsNoRoomBeyond();
     void manyJointsKeepApart();
     void roomiestPlaceOfAnL();
+    void whatFitsIsWhatCanGrow();
+    void rowsLeadToAPlaceThatFits();
 };
 
 // Wrong: two numbers would look the same.
@@ -77,18 +81,19 @@ void TestMarks::digitsDiffer()
 {
     std::set<std::vector<std::pair<double, double>>> seen;
     for (int digit = 0; digit < 10; ++digit) {
-        const StrokedNumber number = strokedNumber(digit);
+        Strokes strokes;
+        appendNumber(digit, {0, 0}, 1.0, strokes);
         std::vector<std::pair<double, double>> points;
-        for (const Stroke &stroke : number.strokes) {
-            QVERIFY(stroke.size() >= 2);
-            for (const Vec2 &p : stroke) {
-                QVERIFY(p.minCoeff() >= 0.0 && (number.size - p).minCoeff() >= -1e-12);
+        for (std::size_t i = 0; i < strokes.size(); ++i) {
+            QVERIFY(strokes[i].size() >= 2);
+            for (const Vec2 &p : strokes[i]) {
+                QVERIFY(p.minCoeff() >= 0.0 && (strokedSize(digit) - p).minCoeff() >= -1e-12);
                 points.emplace_back(p.x(), p.y());
             }
         }
         QVERIFY(seen.insert(points).second);
     }
-    QVERIFY(strokedNumber(1234567890).size.x() > 9.0 * strokedNumber(1).size.x());
+    QVERIFY(strokedSize(1234567890).x() > 9.0 * strokedSize(1).x());
 }
 
 void TestMarks::ambiguousNumbersAreUnderlined_data()
@@ -108,7 +113,7 @@ void TestMarks::ambiguousNumbersAreUnderlined()
 {
     QFETCH(int, number);
     QFETCH(bool, underlined);
-    QCOMPARE(strokedNumber(number).size.y() > 1.0, underlined);
+    QCOMPARE(strokedSize(number).y() > 1.0, underlined);
 }
 
 void TestMarks::numberLiesInTheMaterial_data()
@@ -127,7 +132,7 @@ void TestMarks::numberLiesInTheMaterial()
         partOf(regionOf(simpleContours()[static_cast<std::size_t>(shape)].contour), 108);
     const Engraving engraving = engrave(part);
     QCOMPARE(whatIsWrong(engraving, part, {}), QString());
-    QCOMPARE(engraving.hasNumber, !engraving.strokes.empty());
+    QCOMPARE(engraving.hasNumber, !engraving.strokes.isEmpty());
     // Only the needle is too slim.
     QCOMPARE(engraving.hasNumber,
              QByteArray(QTest::currentDataTag()) != "a triangle like a needle");
@@ -149,7 +154,7 @@ void TestMarks::numberIsLeftOutWhereNoneCanBeRead()
 {
     const Engraving none = engrave(partOf(regionOf(polygonContour(rectangleAt(0, 0, 40, 1.8)))));
     QVERIFY(!none.hasNumber);
-    QVERIFY(none.strokes.empty());
+    QVERIFY(none.strokes.isEmpty());
 }
 
 // Wrong: one would look for the joint's number in the wrong place.
@@ -211,6 +216,51 @@ void TestMarks::roomiestPlaceOfAnL()
     // The arm 40 mm wide is the wider one: boxes up to 20 mm of half size fit there.
     QVERIFY(room.scaleAt(center, half) >= 0.95 * 10.0);
     QVERIFY(room.scaleAt({90, 90}, half) < 0.0);
+}
+
+// Wrong: one of two ways to look for a place would burn numbers across cuts.
+void TestMarks::whatFitsIsWhatCanGrow()
+{
+    constexpr unsigned kSeed = 17;
+    std::mt19937 random(kSeed);
+    int fitting = 0;
+    for (const NamedContour &shape : simpleContours()) {
+        Room room({shape.contour.flatten(kDrawChord).points, {}});
+        const Box2 box = shape.contour.bounds();
+        room.take({box.center(), box.center() + 0.1 * box.size()});
+        std::uniform_real_distribution<double> share(0.0, 1.0);
+        for (int i = 0; i < 200; ++i) {
+            const Vec2 center =
+                box.min + box.size().cwiseProduct(Vec2(share(random), share(random)));
+            const Vec2 half = 0.2 * box.size().cwiseProduct(Vec2(share(random), share(random)));
+            const double scale = room.scaleAt(center, half);
+            if (std::abs(scale - 1.0) < 1e-9)
+                continue;
+            QVERIFY2(room.fits(center, half) == (scale > 1.0), shape.name);
+            fitting += scale > 1.0;
+        }
+    }
+    QVERIFY(fitting > 100);
+}
+
+// Wrong: the first look for the number's place would find none, or one across a cut.
+void TestMarks::rowsLeadToAPlaceThatFits()
+{
+    const Vec2 half(2, 4);
+    Room plate({rectangleAt(0, 0, 40, 30), {}});
+    QVERIFY(plate.findInRows(half).has_value());
+    QVERIFY((*plate.findInRows(half) - Vec2(20, 15)).norm() < 1e-9);
+    plate.take({{0, 12}, {38, 18}}); // the middle row is full
+    const auto place = plate.findInRows(half);
+    QVERIFY(place.has_value());
+    QVERIFY(plate.fits(*place, half));
+    // An arch: the middle of its box is no material.
+    Polygon arch = rectangleAt(0, 0, 60, 30);
+    arch.insert(arch.begin() + 1, {{5.5, 0}, {5.5, 24}, {54.5, 24}, {54.5, 0}});
+    const Room legs({arch, {}});
+    QVERIFY(legs.findInRows(half).has_value());
+    QVERIFY(legs.fits(*legs.findInRows(half), half));
+    QVERIFY(!Room({rectangleAt(0, 0, 40, 7), {}}).findInRows(half).has_value());
 }
 
 QTEST_GUILESS_MAIN(TestMarks)
