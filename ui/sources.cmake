@@ -41,6 +41,7 @@ target_sources(fff_ui PRIVATE
     message_bar.cpp
     panes.cpp
     properties/choice_box.cpp
+    naming.cpp
     properties/joint_rows.cpp
     properties/length_edit.cpp
     properties/number_edit.cpp

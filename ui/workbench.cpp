@@ -1,6 +1,7 @@
 #include "ui/workbench.h"
 
 #include "core/session/session_commands.h"
+#include "ui/naming.h"
 #include "ui/settings/settings.h"
 
 #include <algorithm>
@@ -18,6 +19,7 @@ Workbench::Workbench(QObject *parent)
     connect(&settings(), &Settings::viewChanged, this, &Workbench::followSettings);
     followSettings();
 }
+    m_interaction->settings().naming = naming();
 
 void Workbench::followSettings()
 {

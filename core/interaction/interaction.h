@@ -8,6 +8,7 @@
 #include "core/interaction/view_cube.h"
 #include "core/interaction/view_state.h"
 
+#include "core/model/naming.h"
 #include <memory>
 #include <optional>
 #include <string>
@@ -145,6 +146,7 @@ struct InteractionSettings
 class Interaction
 {
 public:
+    Naming naming;                   // of what is drawn
     explicit Interaction(InteractionHost &host);
     ~Interaction();
 

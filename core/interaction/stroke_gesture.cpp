@@ -169,6 +169,7 @@ void StrokeGesture::updateDocument(const GestureContext &context)
     if (!shape)
         return;
     NewSection section;
+    section.name = freeSectionName(context.model.document, context.settings.naming);
     section.shape = *shape;
     section.frame = m_canvas;
     if (m_ground)

@@ -159,7 +159,8 @@ Result<LoadedDocument> readFlatfab(std::string_view bytes, const std::string &na
     document.stocks.push_back(std::make_shared<const Stock>(std::move(stock)));
     document.sections.reserve(sources.size());
     for (const FlatfabSection &source : sources) {
-        const std::string sectionName = "Section " + std::to_string(document.sections.size() + 1);
+        const std::string sectionName =
+            numberedName(options.naming.section, document.sections.size() + 1);
         const auto section = SectionBuilder(source, sectionName, options.unitMm, problems).build();
         if (!section)
             return tl::unexpected(*problems.error);

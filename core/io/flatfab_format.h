@@ -5,12 +5,14 @@
 
 #include "core/base/units.h"
 #include "core/io/loaded_document.h"
+#include "core/model/naming.h"
 
 namespace fff::io {
 
 struct FlatfabOptions
 {
     double unitMm = kPaperUnit; // mm a unit of the file; positive
+    Naming naming = {};         // of its sections, which have no names in the file
 };
 
 /// Reads a whole file; every world point P + uT + vB of the file stays where it is, whatever the

@@ -1,6 +1,7 @@
 #include "core/model/edits.h"
 
 #include "core/base/tolerances.h"
+#include "core/model/naming.h"
 
 #include <algorithm>
 
@@ -13,17 +14,6 @@ tl::unexpected<Error> unknown(Id<Tag> id)
 {
     return failure(ErrorCode::UnknownReference, std::to_string(id.value),
                    {std::to_string(id.value)});
-}
-
-/// "Section N" with the smallest N above the number of sections that no section has.
-std::string freeName(const Document &document)
-{
-    for (std::size_t n = document.sections.size() + 1;; ++n) {
-        std::string name = "Section " + std::to_string(n);
-        if (std::none_of(document.sections.begin(), document.sections.end(),
-                         [&](const SectionPointer &s) { return s->name == name; }))
-            return name;
-    }
 }
 
 /// Copies the section, lets `change` alter the copy and puts it in place, unless nothing changed.
@@ -78,7 +68,7 @@ Result<Document> addSection(Document document, NewSection section)
         return unknown(stock);
     Section next;
     next.id = SectionId{document.nextId++};
-    next.name = section.name.empty() ? freeName(document) : std::move(section.name);
+    next.name = section.name.empty() ? freeSectionName(document) : std::move(section.name);
     next.parent = std::move(section.parent);
     next.shape = std::move(section.shape);
     next.frame = section.frame;

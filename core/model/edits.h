@@ -11,7 +11,7 @@ namespace fff {
 
 struct NewSection
 {
-    std::string name; // empty: "Section N", N the number of the next free one
+    std::string name; // empty: freeSectionName() in English
     std::optional<Parent> parent;
     ShapePointer shape;
     Frame frame;

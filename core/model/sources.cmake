@@ -4,6 +4,7 @@ target_sources(fff_core PRIVATE
     model/materials.cpp
     model/model.cpp
     model/section.cpp
+    model/naming.cpp
     model/shape.cpp
     model/stock.cpp
 )

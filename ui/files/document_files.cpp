@@ -7,6 +7,7 @@
 #include "ui/files/failures.h"
 #include "ui/files/progress.h"
 #include "ui/message_bar.h"
+#include "ui/naming.h"
 #include "ui/properties/open_editor.h"
 #include "ui/settings/settings.h"
 #include "ui/status_line.h"
@@ -136,6 +137,7 @@ std::optional<io::LoadedDocument> DocumentFiles::read(const QString &path)
     const QString name = QFileInfo(path).fileName();
     io::ReadOptions options;
     options.name = name.toStdString();
+    options.flatfab.naming = naming();
     const auto loaded = inBackground<Result<io::LoadedDocument>>(
         m_window, tr("Opening %1…").arg(name), MayCancel::Yes,
         [path, options] { return io::readDocument(path, options); });

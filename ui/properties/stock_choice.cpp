@@ -14,8 +14,8 @@ namespace fff::ui {
 
 namespace {
 
-// Names of presets (core/model/materials.cpp, stock.cpp), for lupdate; stockName() looks them up.
-[[maybe_unused]] const char *const kNames[] = {
+// Names of presets (core/model/materials.cpp, stock.cpp), for lupdate too.
+const char *const kNames[] = {
     QT_TRANSLATE_NOOP("fff::ui::Stock", "Birch plywood"),
     QT_TRANSLATE_NOOP("fff::ui::Stock", "Birch plywood 4 mm"),
     QT_TRANSLATE_NOOP("fff::ui::Stock", "Birch plywood 6.5 mm"),
@@ -32,6 +32,12 @@ namespace {
     QT_TRANSLATE_NOOP("fff::ui::Stock", "POM"),
     QT_TRANSLATE_NOOP("fff::ui::Stock", "Aluminium 6061"),
 };
+
+bool isPreset(const QByteArray &name)
+{
+    return std::any_of(std::begin(kNames), std::end(kNames),
+                       [&](const char *preset) { return name == preset; });
+}
 
 } // namespace
 
@@ -52,7 +58,17 @@ std::vector<Stock> stockChoices(const Document &document)
 
 QString stockName(const Stock &stock)
 {
-    return QCoreApplication::translate("fff::ui::Stock", stock.name.c_str());
+    const auto translated = [](const QByteArray &name) {
+        return QCoreApplication::translate("fff::ui::Stock", name.constData());
+    };
+    const QByteArray name = QByteArray::fromStdString(stock.name);
+    // "MDF 2", a second one of a preset, is read as the preset is; "Birch plywood 4 mm" is one.
+    const qsizetype blank = name.lastIndexOf(' ');
+    bool isNumber = false;
+    name.mid(blank + 1).toUInt(&isNumber);
+    if (blank > 0 && isNumber && !isPreset(name) && isPreset(name.first(blank)))
+        return translated(name.first(blank)) + QString::fromUtf8(name.mid(blank));
+    return isPreset(name) ? translated(name) : QString::fromStdString(stock.name);
 }
 
 QString stockText(const Stock &stock, const QLocale &locale)

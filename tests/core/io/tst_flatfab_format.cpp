@@ -82,6 +82,8 @@ void TestFlatfabFormat::squaresAreRead()
     QCOMPARE(document.currentStock, document.stocks.front()->id);
     const Section &first = *document.sections.front();
     QCOMPARE(first.name, std::string("Section 1"));
+    const auto german = readFlatfab(flatfabSquares(2), {}, {.naming = {"Scheibe %1"}});
+    QCOMPARE(german->document.sections.back()->name, std::string("Scheibe 2"));
     QVERIFY(!first.parent);
     QCOMPARE(first.stock, document.currentStock);
     QCOMPARE(first.frame.origin, Vec3(0, 3 * 25.4, 0));

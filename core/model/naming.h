@@ -1,0 +1,27 @@
+// What the program calls sections that nobody has named, in the language of whoever draws. A name
+// is the document's from then on: it is never translated again.
+#pragma once
+
+#include "core/model/document.h"
+
+#include <string>
+#include <vector>
+
+namespace fff {
+
+/// Patterns, UTF-8: "%1" stands for the number.
+struct Naming
+{
+    std::string section = "Section %1";
+    /// What others call theirs, in other languages: their numbers are taken as well.
+    std::vector<std::string> others = {};
+};
+
+/// The pattern with this number in it; one without a place for it gets it behind a blank.
+std::string numberedName(const std::string &pattern, std::size_t number);
+
+/// The section's pattern with the smallest number above the number of sections that no section has
+/// by this pattern or one of the others.
+std::string freeSectionName(const Document &document, const Naming &naming = {});
+
+} // namespace fff
