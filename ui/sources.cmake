@@ -23,6 +23,7 @@ target_sources(fff_ui PRIVATE
     docks/outline_dock.cpp
     docks/properties_dock.cpp
     docks/properties_header.cpp
+    expression.cpp
     field_style.cpp
     files/document_files.cpp
     files/exporting.cpp

@@ -1,6 +1,7 @@
 // Lengths as people read and type them.
 #include <QTest> // first: moc stumbles over some standard headers
 
+#include "ui/expression.h"
 #include "ui/lengths.h"
 #include "ui/measures.h"
 
@@ -20,6 +21,10 @@ private Q_SLOTS:
 
     void whatIsTyped_data();
     void whatIsTyped();
+    void whatIsRefusedSaysWhy_data();
+    void whatIsRefusedSaysWhy();
+    void numbersTakeSumsToo_data();
+    void numbersTakeSumsToo();
     void whatIsShownIsReadBack_data();
     void whatIsShownIsReadBack();
     void sizesFollowTheUnit();
@@ -74,10 +79,80 @@ void TestLengths::whatIsTyped()
     QFETCH(LengthUnit, unit);
     QFETCH(QLocale::Language, language);
     QFETCH(double, mm);
-    const std::optional<double> length = parseLength(text, unit, QLocale(language), 4.0);
+    const std::optional<double> length = readLength(text, unit, QLocale(language), 4.0).value;
     QCOMPARE(length.has_value(), !std::isnan(mm));
     if (length)
         QVERIFY2(std::abs(*length - mm) < 1e-9, qPrintable(QString::number(*length)));
+}
+
+void TestLengths::whatIsRefusedSaysWhy_data()
+{
+    QTest::addColumn<QString>("text");
+    QTest::addColumn<int>("fault");
+    QTest::addColumn<QString>("piece");
+    const auto row = [](const char *says, const char *text, Expression::Fault fault,
+                        const char *piece) {
+        QTest::newRow(says) << QString::fromUtf8(text) << static_cast<int>(fault)
+                            << QString::fromUtf8(piece);
+    };
+    using Fault = Expression::Fault;
+    row("blanks", "  ", Fault::Empty, "");
+    row("another unit", "3 kg", Fault::Unreadable, "kg");
+    row("a word", "three", Fault::Unreadable, "three");
+    row("a word that begins with t", "3*thick", Fault::Unreadable, "thick");
+    row("a sign that is none", "3 # 4", Fault::Unreadable, "#");
+    row("an open sum", "3 +", Fault::Unfinished, "3 +");
+    row("an open parenthesis", "(3 + 4", Fault::OpenParenthesis, "");
+    row("a parenthesis too many", "3 + 4)", Fault::LooseParenthesis, ")");
+    row("nothing to divide by", "3/(2 - 2)", Fault::DivisionByZero, "");
+    row("an area", "2mm * 3mm", Fault::NotALength, "");
+    row("the thickness of nothing", "3*t", Fault::NoThickness, "");
+}
+
+// Wrong: a field that jumps back without a word leaves one guessing what it did not like.
+void TestLengths::whatIsRefusedSaysWhy()
+{
+    QFETCH(QString, text);
+    QFETCH(int, fault);
+    QFETCH(QString, piece);
+    const Expression read = readLength(text, LengthUnit::Millimetre, QLocale::c());
+    QVERIFY(!read.value);
+    QCOMPARE(static_cast<int>(read.fault), fault);
+    if (!piece.isEmpty())
+        QCOMPARE(read.piece, piece);
+    QVERIFY(!refusalText(read).isEmpty());
+}
+
+void TestLengths::numbersTakeSumsToo_data()
+{
+    QTest::addColumn<QString>("text");
+    QTest::addColumn<QString>("sign");
+    QTest::addColumn<double>("number"); // nan: none
+    const double none = std::nan("");
+    QTest::newRow("a part of a turn") << "360/8"
+                                      << "°" << 45.0;
+    QTest::newRow("with its sign") << "2*(3+4) °"
+                                   << "°" << 14.0;
+    QTest::newRow("a sign inside") << "90° - 15°"
+                                   << "°" << 75.0;
+    QTest::newRow("without any sign") << "1.5*2"
+                                      << "" << 3.0;
+    QTest::newRow("a length is none") << "3 mm"
+                                      << "°" << none;
+    QTest::newRow("no thickness in degrees") << "2*t"
+                                             << "°" << none;
+}
+
+// Wrong: sums that work in one field and not in the one beside it.
+void TestLengths::numbersTakeSumsToo()
+{
+    QFETCH(QString, text);
+    QFETCH(QString, sign);
+    QFETCH(double, number);
+    const std::optional<double> read = readNumber(text, sign, QLocale::c()).value;
+    QCOMPARE(read.has_value(), !std::isnan(number));
+    if (read)
+        QCOMPARE(*read, number);
 }
 
 void TestLengths::whatIsShownIsReadBack_data()
@@ -103,7 +178,7 @@ void TestLengths::whatIsShownIsReadBack()
     locale.setNumberOptions(QLocale::OmitGroupSeparator); // as the fields do
     for (double mm : {0.0, 3.0, 3.175, -0.5, 12.7, 999.999, 1000.0, -123456.789}) {
         const QString text = lengthText(mm, 2, 3, locale);
-        const std::optional<double> back = parseLength(text, LengthUnit::Millimetre, locale);
+        const std::optional<double> back = readLength(text, LengthUnit::Millimetre, locale).value;
         QVERIFY2(back, qPrintable(text));
         const double digit = unit == LengthUnit::Inch ? 0.0001 * 25.4 : 0.001;
         QVERIFY2(std::abs(*back - mm) < 0.51 * digit, qPrintable(text));

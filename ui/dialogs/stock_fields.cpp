@@ -118,6 +118,7 @@ QWidget *StockFields::makeSheetSize()
                                         : QStringLiteral("stockSheetHeight"));
         length->setAccessibleName(axis == 0 ? tr("Width of the sheet") : tr("Height of the sheet"));
         length->setFixedWidth(94);
+        length->setThickness([this] { return std::optional(stock()->thickness); });
         connect(length, &LengthEdit::lengthEdited, this,
                 [this, axis](double mm) { edit([axis, mm](Stock &s) { s.sheet[axis] = mm; }); });
         // A row that is not shown: it only reads.
@@ -238,6 +239,7 @@ void StockFields::addLength(PropertyGroup *group, const QString &name, const cha
         name, objectName, {least, most, 0.01, 2, 3},
         [this, value] { return std::optional(stock()->*value); },
         [this, value](double mm) { edit([&](Stock &s) { s.*value = mm; }); }, group);
+    row->setThickness([this] { return std::optional(stock()->thickness); });
     group->add(row);
     m_rows.push_back(row);
 }

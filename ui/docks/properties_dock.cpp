@@ -201,20 +201,14 @@ void PropertiesDock::addStockRows(PropertyGroup *group)
             Q_EMIT stockWanted(*used.begin());
     });
     auto *thickness = new LengthRow(
-        tr("Thickness"), "sectionThickness", kThicknessRange,
-        [this]() -> std::optional<double> {
-            const Document &document = m_bench.session().model().document;
-            std::set<double> values;
-            for (StockId id : stocksOf(m_bench.session().model(), selectedSections(m_bench)))
-                values.insert(document.find(id)->thickness);
-            return values.size() == 1 ? std::optional(*values.begin()) : std::nullopt;
-        },
+        tr("Thickness"), "sectionThickness", kThicknessRange, [this] { return commonThickness(); },
         [this](double value) {
             const std::set<StockId> used =
                 stocksOf(m_bench.session().committed(), selectedSections(m_bench));
             commitThickness(m_bench, std::vector(used.begin(), used.end()), value);
         },
         group);
+    thickness->setThickness([this] { return commonThickness(); });
     thickness->setToolTip(tr("That of the stock: all sections of it follow"));
     auto *mass = new TextRow(
         tr("Mass"), "sectionMass",
@@ -326,11 +320,21 @@ void PropertiesDock::addContourRows(PropertyGroup *group)
     });
 }
 
+/// That all selected sections share.
+std::optional<double> PropertiesDock::commonThickness() const
+{
+    const Model &model = m_bench.session().model();
+    std::set<double> values;
+    for (StockId id : stocksOf(model, selectedSections(m_bench)))
+        values.insert(model.document.find(id)->thickness);
+    return values.size() == 1 ? std::optional(*values.begin()) : std::nullopt;
+}
+
 /// Of the frame's origin; a new value moves the section along the world's axis.
 PropertyRow *PropertiesDock::positionRow(int axis, const QString &name, const char *objectName,
                                          QWidget *parent)
 {
-    return new LengthRow(
+    auto *row = new LengthRow(
         name, objectName, kPositionRange,
         [this, axis]() -> std::optional<double> {
             const Model &model = m_bench.session().model();
@@ -354,6 +358,8 @@ PropertyRow *PropertiesDock::positionRow(int axis, const QString &name, const ch
             m_bench.commit({Step::Kind::MoveSection, names}, std::move(next));
         },
         parent);
+    row->setThickness([this] { return commonThickness(); });
+    return row;
 }
 
 void PropertiesDock::refresh()

@@ -7,6 +7,7 @@
 #include "core/base/ids.h"
 
 #include <functional>
+#include <optional>
 #include <vector>
 
 namespace fff::ui {
@@ -37,6 +38,7 @@ private:
     void addPlaceRows(PropertyGroup *group);
     void addContourRows(PropertyGroup *group);
     void refreshJoints();
+    std::optional<double> commonThickness() const;
     PropertyRow *positionRow(int axis, const QString &name, const char *objectName,
                              QWidget *parent);
     /// Of the selected sections; null when they differ.

@@ -41,35 +41,10 @@ QString LengthEdit::textFromValue(double value) const
     return lengthNumber(value, range().digits, range().mostDigits, plain);
 }
 
-std::optional<double> LengthEdit::parsed(const QString &text) const
+Expression LengthEdit::read(const QString &text) const
 {
-    const LengthUnit unit = settings().unit();
-    if (text.endsWith(suffix())) {
-        // A unit that was typed before the field's own one counts.
-        const QString before = text.chopped(suffix().size());
-        if (const auto value = parseLength(before, unit, locale(), m_thickness))
-            return value;
-    }
-    return parseLength(text, unit, locale(), m_thickness);
-}
-
-double LengthEdit::valueFromText(const QString &text) const
-{
-    return showsValue(text) ? value() : parsed(text).value_or(value());
-}
-
-QValidator::State LengthEdit::validate(QString &text, int &) const
-{
-    const std::optional<double> value = parsed(text);
-    if (value && *value >= minimum() && *value <= maximum())
-        return QValidator::Acceptable;
-    for (const QChar c : text) {
-        const bool isPartOfSum = c.isDigit() || c.isSpace() || c.isLetter() ||
-                                 QStringView(u"+-\u2212*\u00d7/:\u00f7().,\"").contains(c);
-        if (!isPartOfSum)
-            return QValidator::Invalid;
-    }
-    return QValidator::Intermediate;
+    return readLength(text, settings().unit(), locale(),
+                      m_thickness ? m_thickness() : std::optional<double>());
 }
 
 } // namespace fff::ui

@@ -2,7 +2,10 @@
 
 #include "ui/lengths.h"
 
+#include <QFocusEvent>
+#include <QKeyEvent>
 #include <QLineEdit>
+#include <QToolTip>
 #include <QWheelEvent>
 
 namespace fff::ui {
@@ -11,8 +14,9 @@ namespace {
 
 constexpr int kWidth = 120;        // px; figures are not of one width in Qt 6.4's fonts
 constexpr int kSettleTime = 350;   // ms after the last step of an arrow
+constexpr int kRefusalTime = 6000; // ms that a reason is said
 constexpr int kStoredDecimals = 9; // the value is exact, only what is shown is rounded
-constexpr char16_t kThinSpace = u'\u202f', kMinus = u'\u2212';
+constexpr char16_t kThinSpace = u'\u202f';
 
 } // namespace
 
@@ -104,19 +108,82 @@ QString NumberEdit::textFromValue(double value) const
     return numberText(value, m_range.digits, m_range.mostDigits, plain);
 }
 
-/// The keyboard's minus is as good as the real one.
-double NumberEdit::valueFromText(const QString &text) const
+Expression NumberEdit::read(const QString &text) const
 {
-    return showsValue(text) ? value()
-                            : QDoubleSpinBox::valueFromText(
-                                  QString(text).replace(QChar(kMinus), locale().negativeSign()));
+    return readNumber(text, m_suffix.trimmed(), locale());
 }
 
-QValidator::State NumberEdit::validate(QString &text, int &position) const
+/// A unit that was typed before the field's own one counts.
+Expression NumberEdit::readWithUnit(const QString &text) const
 {
-    QString plain = text;
-    plain.replace(QChar(kMinus), locale().negativeSign());
-    return QDoubleSpinBox::validate(plain, position);
+    return read(text.endsWith(suffix()) ? text.chopped(suffix().size()) : text);
+}
+
+/// Such as "not rated".
+bool NumberEdit::isSpecial(const QString &text) const
+{
+    return !specialValueText().isEmpty() && text == specialValueText();
+}
+
+double NumberEdit::valueFromText(const QString &text) const
+{
+    if (isSpecial(text))
+        return minimum();
+    return showsValue(text) ? value() : readWithUnit(text).value.value_or(value());
+}
+
+/// Anything may be typed on the way to a sum; refusal() says at the end what is wrong with it.
+QValidator::State NumberEdit::validate(QString &text, int &) const
+{
+    if (isSpecial(text))
+        return QValidator::Acceptable;
+    const std::optional<double> value = readWithUnit(text).value;
+    return value && *value >= minimum() && *value <= maximum() ? QValidator::Acceptable
+                                                               : QValidator::Intermediate;
+}
+
+QString NumberEdit::refusal() const
+{
+    const Expression typed = readWithUnit(text());
+    if (typed.fault == Expression::Fault::Empty || showsValue(text()) || isSpecial(text()))
+        return {}; // nothing was typed
+    if (!typed.value)
+        return refusalText(typed);
+    if (*typed.value >= minimum() && *typed.value <= maximum())
+        return {};
+    return *typed.value < minimum()
+               //: %1 is the smallest value, with its unit
+               ? tr("At least %1.").arg(textFromValue(minimum()) + m_suffix)
+               //: %1 is the largest value, with its unit
+               : tr("At most %1.").arg(textFromValue(maximum()) + m_suffix);
+}
+
+void NumberEdit::refuse(const QString &reason)
+{
+    QToolTip::showText(mapToGlobal(QPoint(0, height() - 12)), reason, this, {}, kRefusalTime);
+    Q_EMIT refused(reason);
+}
+
+void NumberEdit::keyPressEvent(QKeyEvent *event)
+{
+    const bool isEnter = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
+    const QString reason = isEnter ? refusal() : QString();
+    if (!reason.isEmpty()) {
+        refuse(reason);
+        event->accept();
+        return;
+    }
+    if (QToolTip::isVisible())
+        QToolTip::hideText();
+    QDoubleSpinBox::keyPressEvent(event);
+}
+
+void NumberEdit::focusOutEvent(QFocusEvent *event)
+{
+    const QString reason = lineEdit()->isModified() ? refusal() : QString();
+    QDoubleSpinBox::focusOutEvent(event);
+    if (!reason.isEmpty() && event->reason() != Qt::PopupFocusReason)
+        refuse(reason);
 }
 
 void NumberEdit::wheelEvent(QWheelEvent *event)

@@ -1,9 +1,13 @@
-// A field for a number with a unit behind it. Says a new value once when it is done: on Enter, when
-// the focus leaves, or a moment after the last step of its arrows.
+// A field for a number with a unit behind it, or for a sum of numbers. Says a new value once when
+// it is done: on Enter, when the focus leaves, or a moment after the last step of its arrows. What
+// it cannot take it refuses with a reason, beside it: on Enter it stays there to be mended, and
+// when the focus leaves the value before it comes back.
 #pragma once
 
-#include <QDoubleSpinBox>
+#include <QDoubleSpinBox> // first: moc stumbles over some standard headers
 #include <QTimer>
+
+#include "ui/expression.h"
 
 #include <optional>
 
@@ -27,14 +31,22 @@ public:
     /// alone while a person is typing in it.
     void setNumber(std::optional<double> number);
 
+    /// Why what stands in the field is no value of it; empty when it is one.
+    QString refusal() const;
+
 Q_SIGNALS:
     void numberEdited(double number);
+    void refused(const QString &reason);
 
 protected:
+    /// What stands in the field, without its unit, as a number of the range.
+    virtual Expression read(const QString &text) const;
     QString textFromValue(double value) const override;
     double valueFromText(const QString &text) const override;
     QValidator::State validate(QString &text, int &position) const override;
     void wheelEvent(QWheelEvent *event) override;
+    void keyPressEvent(QKeyEvent *event) override;
+    void focusOutEvent(QFocusEvent *event) override;
 
     const Range &range() const { return m_range; }
     void setUnit(const QString &sign, double step);
@@ -44,6 +56,9 @@ protected:
 private:
     void announce();
     void showNothing();
+    bool isSpecial(const QString &text) const;
+    Expression readWithUnit(const QString &text) const;
+    void refuse(const QString &reason);
 
     Range m_range;
     QString m_suffix;              // the unit behind every number

@@ -55,6 +55,11 @@ public:
               std::function<std::optional<double>()> read, std::function<void(double)> write,
               QWidget *parent = nullptr);
     void refresh() override;
+    /// What "t" stands for in it.
+    void setThickness(LengthEdit::Thickness thickness)
+    {
+        m_edit->setThickness(std::move(thickness));
+    }
 
 private:
     LengthEdit *m_edit = nullptr;

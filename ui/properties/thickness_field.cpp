@@ -39,6 +39,7 @@ ThicknessField::ThicknessField(QWidget *parent) : QWidget(parent)
     m_edit->setObjectName(QStringLiteral("thicknessEdit"));
     m_edit->setFixedWidth(m_edit->minimumWidth());
     m_edit->setAccessibleName(tr("Thickness"));
+    m_edit->setThickness([this] { return m_thickness; });
     setFocusProxy(m_edit);
     auto *row = new QHBoxLayout(this);
     row->setContentsMargins(0, 0, 0, 0);
@@ -57,6 +58,7 @@ ThicknessField::ThicknessField(QWidget *parent) : QWidget(parent)
 void ThicknessField::setThickness(std::optional<double> millimetres)
 {
     m_isSetting = true;
+    m_thickness = millimetres;
     if (!m_slider->isSliderDown() && !m_settled.isActive())
         m_slider->setValue(toNotch(millimetres.value_or(kSliderLeast)));
     m_edit->setLength(millimetres);

@@ -36,8 +36,9 @@ private:
 
     QSlider *m_slider = nullptr;
     LengthEdit *m_edit = nullptr;
-    QTimer m_settled;               // after the last key or click on the slider
-    std::optional<double> m_before; // of the drag that runs
+    QTimer m_settled;                  // after the last key or click on the slider
+    std::optional<double> m_thickness; // as last set: "t" in the field
+    std::optional<double> m_before;    // of the drag that runs
     bool m_isSetting = false;
 };
 

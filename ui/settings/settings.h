@@ -10,6 +10,8 @@
 // Every setter writes at once and announces only what differs.
 #pragma once
 
+#include "ui/view/length_unit.h"
+
 #include <QByteArray>
 #include <QKeySequence>
 #include <QList>
@@ -21,8 +23,7 @@
 
 namespace fff::ui {
 
-enum class LengthUnit { Millimetre, Centimetre, Inch };
-enum class ColourScheme { System, Light, Dark };
+enum class ColourScheme { System, Light, Dark, HighContrast };
 enum class Motion { System, Full, Reduced };
 
 class Settings : public QObject

@@ -6,6 +6,7 @@ target_sources(fff_view PRIVATE
     view/ground_shadow.cpp
     view/layers.cpp
     view/occlusion.cpp
+    view/length_unit.cpp
     view/offscreen_image.cpp
     view/overlay_painter.cpp
     view/render_target.cpp
