@@ -105,6 +105,7 @@ Viewport::Viewport(Workbench &bench, QWidget *parent) : QOpenGLWidget(parent), m
     });
     m_builder.setAnalysis(bench.session().analysis());
     rebuildScene();
+    connect(&settings(), &Settings::unitChanged, this, qOverload<>(&QWidget::update));
 }
 
 Viewport::~Viewport()
@@ -187,6 +188,12 @@ void Viewport::paintMarks()
     paintOverlay(painter, scene, theme().viewStyle(), locale());
 }
 
+    scene.unit = settings().unit();
+    const bool isDrawing = overlay.slit || overlay.stroke;
+    if (!isDrawing)
+        scene.marks =
+            placeMarks(interaction.marks(), interaction.camera(), scene.viewport, scene.view);
+    scene.litMark = litMark();
 /// Its mark appears when it takes longer than one waits for.
 void Viewport::watchAnalysis()
 {

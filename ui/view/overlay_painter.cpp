@@ -1,6 +1,7 @@
 #include "ui/view/overlay_painter.h"
 
 #include "core/interaction/clip_gesture.h"
+#include "ui/view/scale_bar.h"
 #include "ui/view/view_cube_painter.h"
 
 #include <QCoreApplication>
@@ -97,24 +98,23 @@ void Drawing::scaleBar()
 {
     constexpr double kLongest = 150.0, kLeft = 14.5, kTick = 5.0;
     const double perPixel = m_scene.camera.millimetresPerPixel;
-    const double length = scaleBarLength(kLongest * perPixel);
-    const double width = length / perPixel, bottom = m_scene.viewport.y() - 30.5;
+    const ScaleBar scale = fff::ui::scaleBar(kLongest * perPixel, m_scene.unit, m_locale);
+    const double width = scale.length / perPixel, bottom = m_scene.viewport.y() - 30.5;
 
     QFont font = m_painter.font();
     font.setPixelSize(12);
     m_painter.setFont(font);
-    m_painter.setPen(QPen(m_style.muted, 1.2));
-    const QPointF bar[] = {{kLeft, bottom - kTick},
-                           {kLeft, bottom},
-                           {kLeft + width, bottom},
-                           {kLeft + width, bottom - kTick}};
-    m_painter.drawPolyline(bar, 4);
-    const QString text = length < 10000.0
-                             ? QCoreApplication::translate("fff::ui::OverlayPainter", "%1 mm")
-                                   .arg(m_locale.toString(length, 'g', 6))
-                             : QCoreApplication::translate("fff::ui::OverlayPainter", "%1 m")
-                                   .arg(m_locale.toString(length / 1000.0, 'g', 6));
-    m_painter.drawText(QPointF(kLeft - 0.5, bottom + 16.0), text);
+    QPainterPath bar({kLeft, bottom - kTick});
+    for (const QPointF &to : {QPointF(kLeft, bottom), QPointF(kLeft + width, bottom),
+                              QPointF(kLeft + width, bottom - kTick)})
+        bar.lineTo(to);
+    cased(bar, QPen(m_style.muted, 1.2));
+    // Sections may lie under it, in any colour.
+    QPainterPath words;
+    words.addText(QPointF(kLeft - 0.5, bottom + 16.0), font, scale.text);
+    m_painter.strokePath(words, roundPen(faded(m_style.panel, 0.85), 3.0));
+    m_painter.setPen(m_style.muted);
+    m_painter.drawText(QPointF(kLeft - 0.5, bottom + 16.0), scale.text);
 }
 
 void Drawing::invitation()
@@ -236,8 +236,9 @@ void Drawing::slit()
     const double length = (slit->to - slit->from).norm();
     const double reach = m_scene.overlay.deadZone ? m_scene.overlay.deadZone->radius + 14.0 : 22.0;
     chip({0.5 * (from.x() + to.x()) - reach, 0.5 * (from.y() + to.y())},
-         QCoreApplication::translate("fff::ui::OverlayPainter", "Slit %1 mm")
-             .arg(m_locale.toString(length, 'f', 1)),
+         //: %1 is its length, with a unit
+         QCoreApplication::translate("fff::ui::OverlayPainter", "Slit %1")
+             .arg(lengthText(length, m_scene.unit, 1, 1, m_locale)),
          m_style.slit);
 }
 
@@ -351,3 +352,5 @@ void paintOverlay(QPainter &painter, const OverlayScene &scene, const ViewStyle 
 }
 
 } // namespace fff::ui
+} // namespace
+

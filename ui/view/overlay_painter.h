@@ -5,6 +5,7 @@
 
 #include "core/interaction/interaction.h"
 #include "core/interaction/view_state.h"
+#include "ui/view/length_unit.h"
 #include "ui/view/view_style.h"
 
 #include <QLocale>
@@ -32,9 +33,5 @@ struct OverlayScene
 /// Leaves the painter's state changed. Lengths are written as the locale has them.
 void paintOverlay(QPainter &painter, const OverlayScene &scene, const ViewStyle &style,
                   const QLocale &locale);
-
-/// The length that a scale bar shows: 1, 2 or 5 times a power of ten, the longest that is at most
-/// `longest` mm.
-double scaleBarLength(double longest);
 
 } // namespace fff::ui

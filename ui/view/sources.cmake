@@ -11,6 +11,7 @@ target_sources(fff_view PRIVATE
     view/overlay_painter.cpp
     view/render_target.cpp
     view/renderer.cpp
+    view/scale_bar.cpp
     view/scene.cpp
     view/slab_buffers.cpp
     view/slab_mesh.cpp
