@@ -115,6 +115,28 @@ void Workbench::setProblemSections(const std::vector<SectionRef> &sections)
 }
 
 void Workbench::announceChanges()
+void Workbench::setProblemMarks(std::vector<ProblemMark> marks)
+{
+    if (marks == m_interaction->marks())
+        return;
+    m_interaction->setMarks(std::move(marks));
+    announceChanges();
+}
+
+void Workbench::setLitProblem(int number)
+{
+    if (std::exchange(m_litProblem, number) != number)
+        Q_EMIT viewChanged();
+}
+
+void Workbench::setOutlined(std::vector<SectionRef> sections)
+{
+    if (sections == m_outlined)
+        return;
+    m_outlined = std::move(sections);
+    Q_EMIT viewChanged();
+}
+
 {
     if (m_selection != m_interaction->selection()) {
         m_selection = m_interaction->selection();

@@ -51,6 +51,16 @@ public:
     void setHidden(const SectionRef &ref, bool hidden);
     /// Those that are part of the problem looked at: red and hatched.
     void setProblemSections(const std::vector<SectionRef> &sections);
+    /// Numbers beside problems. A click on one is announced by problemChosen.
+    void setProblemMarks(std::vector<ProblemMark> marks);
+    /// The mark that is shown as if the cursor were on it, because it is on its row; 0: none.
+    void setLitProblem(int number);
+    int litProblem() const { return m_litProblem; }
+
+    /// Outlined as if the cursor were on them, sorted; those that are not there now are passed
+    /// over.
+    void setOutlined(std::vector<SectionRef> sections);
+    const std::vector<SectionRef> &outlined() const { return m_outlined; }
 
     /// Commits an edit; a failed one is announced by editFailed and changes nothing.
     void commit(const Step &step, Result<Document> document);
@@ -78,6 +88,8 @@ private:
     Projection m_projection = Projection::Orthographic;
     bool m_couldGoBack = false;
     EventClock m_clock;
+    std::vector<SectionRef> m_outlined;
+    int m_litProblem = 0, m_hoveredProblem = 0;
     CommandRegistry m_commands;
     std::string m_viewToShow; // asked for before there was a size
 };

@@ -1,4 +1,5 @@
 target_sources(fff_core PRIVATE
+    model/changes.cpp
     model/document.cpp
     model/edits.cpp
     model/materials.cpp

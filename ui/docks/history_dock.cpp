@@ -1,10 +1,12 @@
 #include "ui/docks/history_dock.h"
 
+#include "core/model/changes.h"
 #include "ui/docks/dock_title.h"
 #include "ui/icon.h"
 #include "ui/theme.h"
 #include "ui/workbench.h"
 
+#include <QEvent>
 #include <QLabel>
 #include <QPainter>
 #include <QStyledItemDelegate>
@@ -94,6 +96,8 @@ HistoryDock::HistoryDock(Workbench &bench, QWidget *parent)
 
     connect(m_view, &QAbstractItemView::entered, this,
             [this](const QModelIndex &index) { hoverStep(index.row()); });
+    connect(m_view, &QAbstractItemView::viewportEntered, this, &HistoryDock::leaveSteps);
+    m_view->viewport()->installEventFilter(this);
     // A click in the list: the stack has jumped by then.
     connect(m_view, &QAbstractItemView::clicked, this, [this](const QModelIndex &index) {
         const QString step = index.data().toString().toHtmlEscaped();
@@ -121,14 +125,39 @@ void HistoryDock::refresh()
     m_view->setEmptyLabel(first && first->sectionCount() > 0 ? tr("As it was opened")
                                                              : tr("New model"));
     m_view->viewport()->update(); // also rows whose index is the old one
+    // Another step may be under the cursor by now, or the same one have another effect.
+    const QWidget *rows = m_view->viewport();
+    const QModelIndex under =
+        rows->underMouse() ? m_view->indexAt(rows->mapFromGlobal(QCursor::pos())) : QModelIndex();
+    if (under.isValid())
+        hoverStep(under.row());
+    else
+        leaveSteps();
 }
 
-/// Says what the step under the cursor would change back.
+/// Outlines what the step changed, of what is there now. It is done when the cursor comes to it,
+/// not with every move.
 void HistoryDock::hoverStep(int row)
 {
-    const QUndoStack &history = *m_bench.session().history();
-    QString tip = row == history.cleanIndex() ? tr("Saved here") : QString();
-    m_view->setToolTip(tip);
+    const Session &session = m_bench.session();
+    m_view->setToolTip(row == session.history()->cleanIndex() ? tr("Saved here") : QString());
+    const Model *before = row > 0 ? session.modelAfter(row - 1) : nullptr;
+    const Model *after = session.modelAfter(row);
+    m_bench.setOutlined(before && after ? changedSections(*before, *after)
+                                        : std::vector<SectionRef>());
+}
+
+void HistoryDock::leaveSteps()
+{
+    m_view->setToolTip(QString());
+    m_bench.setOutlined({});
+}
+
+bool HistoryDock::eventFilter(QObject *object, QEvent *event)
+{
+    if (event->type() == QEvent::Leave || event->type() == QEvent::Hide)
+        leaveSteps();
+    return QDockWidget::eventFilter(object, event);
 }
 
 } // namespace fff::ui

@@ -1,5 +1,5 @@
 // Every step that was done, the newest at the bottom. A click goes back to any of them, or on
-// again.
+// again; what the step under the cursor changed is outlined in the view.
 #pragma once
 
 #include <QDockWidget>
@@ -24,9 +24,13 @@ Q_SIGNALS:
     /// What a jump did, for the status bar, with marks.
     void said(const QString &sentence);
 
+protected:
+    bool eventFilter(QObject *object, QEvent *event) override;
+
 private:
     void refresh();
     void hoverStep(int row);
+    void leaveSteps();
 
     Workbench &m_bench;
     QUndoView *m_view = nullptr;

@@ -1,3 +1,4 @@
+fff_test(core/model/tst_changes fff::core)
 fff_test(core/model/tst_document fff::core)
 fff_test(core/model/tst_edits fff::core)
 fff_test(core/model/tst_shape fff::core)

@@ -1,0 +1,62 @@
+#include "core/model/changes.h"
+
+#include <algorithm>
+#include <unordered_set>
+
+namespace fff {
+
+namespace {
+
+/// Those of `after` that are not in `before`, by pointer; what both begin and end with is passed
+/// over, since an edit adds at the end or changes in place.
+template <class T, class Pointer, class Found>
+void eachNew(const std::vector<T> &before, const std::vector<T> &after, Pointer pointer,
+             Found found)
+{
+    const auto isSame = [&](const T &a, const T &b) { return pointer(a) == pointer(b); };
+    auto [b, a] = std::mismatch(before.begin(), before.end(), after.begin(), after.end(), isSame);
+    auto bEnd = before.end();
+    auto aEnd = after.end();
+    while (bEnd != b && aEnd != a && isSame(*(bEnd - 1), *(aEnd - 1))) {
+        --bEnd;
+        --aEnd;
+    }
+    std::unordered_set<const void *> known;
+    for (; b != bEnd; ++b)
+        known.insert(pointer(*b));
+    for (; a != aEnd; ++a) {
+        if (known.count(pointer(*a)) == 0)
+            found(*a);
+    }
+}
+
+} // namespace
+
+std::vector<SectionRef> changedSections(const Model &before, const Model &after)
+{
+    std::vector<SectionRef> changed;
+    eachNew(
+        before.document.sections, after.document.sections,
+        [](const SectionPointer &s) { return s.get(); },
+        [&](const SectionPointer &s) { changed.push_back(s->id); });
+    eachNew(
+        before.evaluation.sections, after.evaluation.sections,
+        [](const GeneratedSection &s) { return s.section.get(); },
+        [&](const GeneratedSection &s) { changed.push_back(s.ref); });
+
+    std::vector<StockId> stocks;
+    eachNew(
+        before.document.stocks, after.document.stocks, [](const auto &s) { return s.get(); },
+        [&](const auto &s) { stocks.push_back(s->id); });
+    if (!stocks.empty()) {
+        for (std::size_t i = 0; i < after.sectionCount(); ++i) {
+            if (std::find(stocks.begin(), stocks.end(), after.section(i)->stock) != stocks.end())
+                changed.push_back(after.ref(i));
+        }
+    }
+    std::sort(changed.begin(), changed.end());
+    changed.erase(std::unique(changed.begin(), changed.end()), changed.end());
+    return changed;
+}
+
+} // namespace fff

@@ -1,0 +1,15 @@
+// What differs between two models that one edit lies between.
+#pragma once
+
+#include "core/model/model.h"
+
+#include <vector>
+
+namespace fff {
+
+/// The sections of `after`, drawn and generated, that `before` does not have as they are: added or
+/// changed ones, and those whose stock was changed. Sorted. Compares pointers: what an edit leaves
+/// alone costs one comparison.
+std::vector<SectionRef> changedSections(const Model &before, const Model &after);
+
+} // namespace fff
