@@ -68,6 +68,8 @@ QString hintSentence(const Hint &hint, const QString &undoKeys)
         return HintText::tr("Drag to move the cut through the model; Esc closes it.");
     case Hint::Kind::MovingCut:
         return HintText::tr("Move to shift the cut, release to leave it there. Esc puts it back.");
+    case Hint::Kind::ChooseProblem:
+        return HintText::tr("Click to select problem %1; drag to turn the view.").arg(name);
     case Hint::Kind::NeverLeft:
         return HintText::tr(
                    "Nothing drawn: the slit never left %1. Start inside and drag across its edge.")

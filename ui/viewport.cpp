@@ -56,9 +56,10 @@ bool Viewport::Seen::isSamePicture(const Seen &other) const
 
 bool Viewport::Seen::operator==(const Seen &other) const
 {
-    return isSamePicture(other) && selection == other.selection && hovered == other.hovered &&
-           namePlace == other.namePlace && cubePart == other.cubePart &&
-           isHandleHovered == other.isHandleHovered && hasGesture == other.hasGesture;
+    return isSamePicture(other) && selection == other.selection && outlined == other.outlined &&
+           hovered == other.hovered && namePlace == other.namePlace && cubePart == other.cubePart &&
+           isHandleHovered == other.isHandleHovered && hasGesture == other.hasGesture &&
+           marks == other.marks && litMark == other.litMark;
 }
 
 Viewport::Viewport(Workbench &bench, QWidget *parent) : QOpenGLWidget(parent), m_bench(bench)
@@ -359,9 +360,10 @@ Viewport::Seen Viewport::seen() const
 {
     const Interaction &interaction = m_bench.interaction();
     const Overlay &overlay = interaction.overlay();
-    return {interaction.camera(),    interaction.view(),       interaction.selection(),
-            overlay.hovered,         overlay.namePlace,        overlay.cubePart,
-            overlay.isHandleHovered, interaction.hasGesture(), overlay.stroke.has_value()};
+    return {interaction.camera(),       interaction.view(),      interaction.selection(),
+            presentlyOutlined(),        overlay.hovered,         overlay.namePlace,
+            overlay.cubePart,           overlay.isHandleHovered, interaction.hasGesture(),
+            overlay.stroke.has_value(), interaction.marks(),     litMark()};
 }
 
 /// Something that is seen may have changed: paints only if it has.
@@ -388,6 +390,28 @@ void Viewport::refresh()
     m_seen = std::move(now);
     markScene();
     update();
+/// Under the cursor, or with the cursor on its row.
+int Viewport::litMark() const
+{
+    const int hovered = m_bench.interaction().overlay().mark;
+    return hovered > 0 ? hovered : m_bench.litProblem();
+}
+
+/// Of those that are to be outlined, the ones that are in the model: others change nothing that is
+/// seen.
+std::vector<SectionRef> Viewport::presentlyOutlined() const
+{
+    std::vector<SectionRef> present;
+    const Model &model = m_bench.session().model();
+    const std::vector<SectionRef> &wanted = m_bench.outlined();
+    for (std::size_t i = 0; !wanted.empty() && i < model.sectionCount(); ++i) {
+        const SectionRef ref = model.ref(i);
+        if (std::binary_search(wanted.begin(), wanted.end(), ref))
+            present.push_back(ref);
+    }
+    return present;
+}
+
 }
 
 void Viewport::rebuildScene()
@@ -414,9 +438,11 @@ void Viewport::markScene()
         SceneSection &section = m_scene.sections[i];
         section.isSelected =
             std::find(selection.begin(), selection.end(), model.ref(i)) != selection.end();
-        section.isHovered = interaction.overlay().hovered == static_cast<int>(i);
+        section.isHovered = interaction.overlay().hovered == static_cast<int>(i) ||
+                            std::binary_search(outlined.begin(), outlined.end(), model.ref(i));
         section.isGhost = section.isGhost || (isDrawing && i < committed);
     }
 }
 
 } // namespace fff::ui
+    const auto &outlined = m_bench.outlined();

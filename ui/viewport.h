@@ -57,11 +57,13 @@ private:
     {
         Camera camera;
         ViewState view;
-        std::vector<SectionRef> selection;
+        std::vector<SectionRef> selection, outlined;
         int hovered = -1;
         std::optional<Vec2> namePlace;
         std::optional<CubePart> cubePart;
         bool isHandleHovered = false, hasGesture = false, isGhosted = false;
+        std::vector<ProblemMark> marks;
+        int litMark = 0;
 
         bool isSamePicture(const Seen &other) const;
         bool operator==(const Seen &other) const;
@@ -79,6 +81,8 @@ private:
     void markScene();
     Seen seen() const;
     void watchAnalysis();
+    std::vector<SectionRef> presentlyOutlined() const;
+    int litMark() const;
     void paintMarks();
 
     Workbench &m_bench;

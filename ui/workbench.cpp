@@ -14,12 +14,13 @@ Workbench::Workbench(QObject *parent)
 {
     m_hint = m_interaction->hint();
     m_host.attach(*m_interaction);
+    connect(&m_host, &SessionHost::problemChosen, this, &Workbench::problemChosen);
     connect(&m_session, &Session::modelChanged, this, &Workbench::announceChanges);
     registerSessionCommands(m_commands, m_session, *m_interaction);
     connect(&settings(), &Settings::viewChanged, this, &Workbench::followSettings);
     followSettings();
-}
     m_interaction->settings().naming = naming();
+}
 
 void Workbench::followSettings()
 {
@@ -114,7 +115,6 @@ void Workbench::setProblemSections(const std::vector<SectionRef> &sections)
     announceChanges();
 }
 
-void Workbench::announceChanges()
 void Workbench::setProblemMarks(std::vector<ProblemMark> marks)
 {
     if (marks == m_interaction->marks())
@@ -137,6 +137,7 @@ void Workbench::setOutlined(std::vector<SectionRef> sections)
     Q_EMIT viewChanged();
 }
 
+void Workbench::announceChanges()
 {
     if (m_selection != m_interaction->selection()) {
         m_selection = m_interaction->selection();
@@ -154,6 +155,10 @@ void Workbench::setOutlined(std::vector<SectionRef> sections)
         m_projection = projection;
         m_couldGoBack = canGoBack;
         Q_EMIT viewStateChanged();
+    }
+    if (m_hoveredProblem != m_interaction->overlay().mark) {
+        m_hoveredProblem = m_interaction->overlay().mark;
+        Q_EMIT problemHovered(m_hoveredProblem);
     }
     Q_EMIT viewChanged();
 }

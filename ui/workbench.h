@@ -74,6 +74,9 @@ Q_SIGNALS:
     /// What is hidden, isolated, seen through or cut open, or the projection.
     void viewStateChanged();
     void editFailed(const fff::Error &error);
+    /// The mark of this problem was clicked, or is under the cursor (0: none is).
+    void problemChosen(int number);
+    void problemHovered(int number);
 
 private:
     void announceChanges();

@@ -58,6 +58,7 @@ public:
     /// Whether the section is seen so much on edge there that points on it are guesses.
     bool isOnEdge(const Hit &hit) const;
     bool isOnHandle(const Vec2 &position) const;
+    int markUnder(const Vec2 &position) const;
 
     void press(const PointerEvent &event);
     void move(const PointerEvent &event);
@@ -85,6 +86,7 @@ public:
     InteractionSettings settings;
     ViewMotion motion;
     ViewState view;
+    std::vector<ProblemMark> marks;
     double now = 0.0; // ms, of the last event
 
     Document document; // committed, as known here
@@ -133,12 +135,19 @@ bool Interaction::Private::isOnHandle(const Vec2 &position) const
     return (motion.camera.toScreen(handle, motion.viewport) - position).norm() <= kHandleReach;
 }
 
+int Interaction::Private::markUnder(const Vec2 &position) const
+{
+    return markAt(position, placeMarks(marks, motion.camera, motion.viewport, view));
+}
+
 std::unique_ptr<Gesture> Interaction::Private::gestureFor(const PointerEvent &press)
 {
     const Vec2 &at = press.position;
     const bool isLeft = press.button == Button::Left;
     if (isLeft && cubePartAt(at, motion.camera.orientation, motion.viewport))
         return std::make_unique<OrbitGesture>(press, middle());
+    if (isLeft && markUnder(at) > 0)
+        return std::make_unique<OrbitGesture>(press, pivotAt(at));
     if (isLeft && isOnHandle(at))
         return std::make_unique<ClipGesture>(press, context());
     motion.camera = cameraAt(at);
@@ -282,6 +291,10 @@ void Interaction::Private::click(const PointerEvent &begin)
              std::min(kCubeTime, settings.turnTime));
         return;
     }
+    if (const int number = markUnder(begin.position); number > 0) {
+        host.chooseProblem(number);
+        return;
+    }
     if (isOnHandle(begin.position))
         return;
     selection = clicks.click(host.model(), hitsAt(begin.position), begin.position,
@@ -353,12 +366,16 @@ void Interaction::Private::hover()
     overlay.slitStart.reset();
     overlay.cubePart.reset();
     overlay.isHandleHovered = false;
+    overlay.mark = 0;
     const std::optional<double> nameDue = std::exchange(nameTime, {});
     const std::optional<Vec2> namePlace = std::exchange(overlay.namePlace, {});
     if (!cursorPosition || motion.animation)
         return;
     overlay.cubePart = cubePartAt(*cursorPosition, motion.camera.orientation, motion.viewport);
     if (overlay.cubePart)
+        return;
+    overlay.mark = markUnder(*cursorPosition);
+    if (overlay.mark > 0)
         return;
     overlay.isHandleHovered = isOnHandle(*cursorPosition);
     if (overlay.isHandleHovered)
@@ -391,6 +408,8 @@ void Interaction::Private::update()
     else if (overlay.cubePart)
         say({Hint::Kind::LookFrom, std::string(nameOfPart(*overlay.cubePart)), false},
             Cursor::Hand);
+    else if (overlay.mark > 0)
+        say({Hint::Kind::ChooseProblem, std::to_string(overlay.mark), false}, Cursor::Hand);
     else if (overlay.isHandleHovered)
         say({Hint::Kind::MoveCut, {}, false}, Cursor::MoveCross);
     else if (host.model().sectionCount() == 0)
@@ -526,6 +545,21 @@ void Interaction::setView(ViewState view)
     d->view = std::move(view);
     d->clicks.forget();
     d->hover();
+    d->update();
+}
+
+const std::vector<ProblemMark> &Interaction::marks() const
+{
+    return d->marks;
+}
+
+void Interaction::setMarks(std::vector<ProblemMark> marks)
+{
+    if (marks == d->marks)
+        return;
+    d->marks = std::move(marks);
+    if (!d->gesture && d->pending.empty())
+        d->hover();
     d->update();
 }
 

@@ -5,10 +5,11 @@
 
 #include "core/interaction/camera.h"
 #include "core/interaction/pick.h"
+#include "core/interaction/problem_marks.h"
 #include "core/interaction/view_cube.h"
 #include "core/interaction/view_state.h"
-
 #include "core/model/naming.h"
+
 #include <memory>
 #include <optional>
 #include <string>
@@ -68,9 +69,10 @@ struct Hint
         ReleaseToMake,
         Orbiting,
         Panning,
-        LookFrom,  // section: nameOfPart() of the cube's part
-        MoveCut,   // over the handle
-        MovingCut, // dragging it
+        LookFrom,      // section: nameOfPart() of the cube's part
+        MoveCut,       // over the handle
+        MovingCut,     // dragging it
+        ChooseProblem, // section: the number of its mark
         NeverLeft,
         TooShort,
         CrossesItself,
@@ -121,6 +123,7 @@ struct Overlay
     std::optional<Vec2> namePlace;
     std::optional<CubePart> cubePart; // of the view cube, under the cursor
     bool isHandleHovered = false;     // of the cut
+    int mark = 0;                     // number of the problem's mark under the cursor; 0: none
 };
 
 /// What interaction asks of whoever holds the model (the session).
@@ -132,6 +135,8 @@ public:
     virtual void preview(Document document) = 0;
     virtual void cancelPreview() = 0;
     virtual void commit(const Step &step, Document document) = 0;
+    /// The mark of this number was clicked.
+    virtual void chooseProblem(int /*number*/) {}
 };
 
 struct InteractionSettings
@@ -172,6 +177,10 @@ public:
 
     const ViewState &view() const;
     void setView(ViewState view);
+
+    /// Numbers beside problems: to be hovered and clicked, in the way of nothing else.
+    const std::vector<ProblemMark> &marks() const;
+    void setMarks(std::vector<ProblemMark> marks);
 
     void handle(const PointerEvent &event);
     /// Esc: one step back (gesture, selection, cut, isolated sections). True when there was

@@ -6,6 +6,7 @@ target_sources(fff_core PRIVATE
     interaction/facing.cpp
     interaction/interaction.cpp
     interaction/pick.cpp
+    interaction/problem_marks.cpp
     interaction/stroke_gesture.cpp
     interaction/view_cube.cpp
     interaction/view_gestures.cpp

@@ -4,8 +4,8 @@ target_sources(fff_core PRIVATE
     model/edits.cpp
     model/materials.cpp
     model/model.cpp
-    model/section.cpp
     model/naming.cpp
+    model/section.cpp
     model/shape.cpp
     model/stock.cpp
 )

@@ -31,6 +31,11 @@ void SessionHost::commit(const Step &step, Document document)
     m_session.commit(undoText(step), std::move(document));
 }
 
+void SessionHost::chooseProblem(int number)
+{
+    Q_EMIT problemChosen(number);
+}
+
 QString SessionHost::undoText(const Step &step)
 {
     const int count = static_cast<int>(step.names.size());

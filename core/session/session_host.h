@@ -22,9 +22,13 @@ public:
     void preview(Document document) override;
     void cancelPreview() override;
     void commit(const Step &step, Document document) override;
+    void chooseProblem(int number) override;
 
     /// What the history says: "Draw Section 3", "Delete 3 sections".
     static QString undoText(const Step &step);
+
+Q_SIGNALS:
+    void problemChosen(int number);
 
 private:
     Session &m_session;

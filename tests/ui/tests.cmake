@@ -6,7 +6,6 @@ fff_test(ui/start/tst_samples fff::ui)
 fff_test(ui/tst_docks fff::ui)
 fff_test(ui/tst_lengths fff::ui)
 fff_test(ui/tst_measures fff::ui)
-fff_test(ui/tst_slab_mesh fff::view)
 fff_test(ui/tst_names_in_german fff::ui)
 fff_test(ui/tst_translations fff::ui)
 target_compile_definitions(tst_translations PRIVATE FFF_SOURCES="${PROJECT_SOURCE_DIR}"

@@ -1,6 +1,7 @@
 // Docks, checks, history, stocks and units as a person uses them, in a window without its view.
 #include <QTest> // first: moc stumbles over some standard headers
 
+#include "core/model/edits.h"
 #include "core/session/check_list.h"
 #include "tests/core/assembly/plates.h"
 #include "ui/docks/check_row.h"
@@ -75,6 +76,9 @@ private Q_SLOTS:
     void aJumpInTheHistoryIsAnnouncedOnce();
     void checksSayWhatIsWrong_data();
     void checksSayWhatIsWrong();
+    void marksHaveTheNumbersOfTheirRows();
+    void aRowUnderTheCursorLightsItsMark();
+    void aStepUnderTheCursorIsOutlined();
     void aCheckSelectsWhomItIsAbout();
     void draggingTheThicknessIsOneStep();
     void escapeEndsADragWithoutAStep();
@@ -111,7 +115,7 @@ void TestDocks::init()
 void TestDocks::open()
 {
     m_window = std::make_unique<MainWindow>();
-    if (settings().windowGeometry().isEmpty())
+    if (!m_window->restoreGeometry(settings().windowGeometry()))
         m_window->resize(1400, 900);
     m_window->show();
     QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
@@ -222,18 +226,18 @@ void TestDocks::checksSayWhatIsWrong_data()
     QTest::newRow("two plates across each other stand") << cross() << "Good: Connected";
     QTest::newRow("one plate on its edge tips easily")
         << withSection(newDocument(), polygonShape(rectangle(0, 0, 50, 50)), front())
-        << "Warning: Stands, but not firmly";
+        << "Warning 1: Stands, but not firmly";
     QTest::newRow("what hangs over falls")
         << withSection(newDocument(), polygonShape({{0, 0}, {10, 0}, {120, 60}, {0, 60}}), front())
-        << "Problem: Falls over to the right";
+        << "Problem 1: Falls over to the right";
     QTest::newRow("a plate in the air is not connected")
         << withSection(cross(), polygonShape(rectangle(-50, 0, 50, 60)), front(90))
-        << "Problem: Section 3 touches nothing";
+        << "Problem 1: Section 3 touches nothing";
     QTest::newRow("a plate is larger than its sheet")
         << twoSections(polygonShape(rectangle(-500, 0, 500, 60)), front(),
                        polygonShape(rectangle(-50, 0, 50, 60)), side())
                .document
-        << "Problem: Too large for the sheet";
+        << "Problem 1: Too large for the sheet";
 }
 
 void TestDocks::checksSayWhatIsWrong()
@@ -245,6 +249,86 @@ void TestDocks::checksSayWhatIsWrong()
     QTRY_VERIFY2(find<CheckRow>("checkRow0") && firstCheck().startsWith(title),
                  qPrintable(find<CheckRow>("checkRow0") ? firstCheck() : title));
     QVERIFY(!find<QLabel>("checksEmpty")->isVisibleTo(m_window.get()));
+}
+
+// Wrong: a number in the view that is another one in the list, or numbers of a list that is closed.
+void TestDocks::marksHaveTheNumbersOfTheirRows()
+{
+    Document document = withSection(cross(), polygonShape(rectangle(-50, 0, 50, 60)), front(90));
+    document = withSection(document, polygonShape(rectangle(-20, 0, 20, 20)), front(-90));
+    session().reset(document);
+    Workbench &bench = m_window->bench();
+    QTRY_VERIFY(bench.interaction().marks().size() >= 2);
+    for (const ProblemMark &mark : bench.interaction().marks()) {
+        const QByteArray row = "checkRow" + QByteArray::number(mark.number - 1);
+        const QString name = find<CheckRow>(row.constData())->accessibleName();
+        QVERIFY2(name.contains(QStringLiteral(" %1: ").arg(mark.number)), qPrintable(name));
+        const int section = session().model().indexOf(mark.sections.front());
+        QVERIFY2(name.contains(QString::fromStdString(
+                     session().model().section(static_cast<std::size_t>(section))->name)),
+                 qPrintable(name));
+    }
+
+    Q_EMIT bench.problemChosen(2);
+    QVERIFY(find<CheckRow>("checkRow1")->isChecked());
+    QVERIFY(bench.interaction().selection() == bench.interaction().marks()[1].sections);
+
+    find<QDockWidget>("checksDock")->toggleViewAction()->trigger();
+    QVERIFY(bench.interaction().marks().empty());
+    find<QDockWidget>("checksDock")->toggleViewAction()->trigger();
+    QVERIFY(!bench.interaction().marks().empty());
+}
+
+// Wrong: one looks for the row or for the place by reading numbers.
+void TestDocks::aRowUnderTheCursorLightsItsMark()
+{
+    session().reset(withSection(cross(), polygonShape(rectangle(-50, 0, 50, 60)), front(90)));
+    QTRY_VERIFY(find<CheckRow>("checkRow0") && !firstCheck().isEmpty());
+    auto *row = find<CheckRow>("checkRow0");
+    QTRY_VERIFY(firstCheck().startsWith(QStringLiteral("Problem 1")));
+    QEnterEvent enter({5, 5}, {5, 5}, {5, 5});
+    QCoreApplication::sendEvent(row, &enter);
+    QCOMPARE(m_window->bench().litProblem(), 1);
+    QEvent leave(QEvent::Leave);
+    QCoreApplication::sendEvent(row, &leave);
+    QCOMPARE(m_window->bench().litProblem(), 0);
+}
+
+// Wrong: the view says nothing about the step, or keeps on saying it.
+void TestDocks::aStepUnderTheCursorIsOutlined()
+{
+    session().reset(cross());
+    Workbench &bench = m_window->bench();
+    const SectionRef b = session().model().ref(1);
+    bench.commit(QStringLiteral("Rename"),
+                 renameSection(session().committed().document, b.drawn, "Fin"));
+    const auto outlined = [&] { return bench.outlined(); };
+    auto *list = find<QAbstractItemView>("historyList");
+    auto *rows = list->viewport();
+    const auto hover = [&](int row) {
+        const QPoint at = list->visualRect(list->model()->index(row, 0)).center();
+        QTest::mouseMove(rows, at);
+    };
+    m_window->findChild<QDockWidget *>(QStringLiteral("historyDock"))->raise();
+    QTRY_VERIFY(rows->isVisible());
+    QSignalSpy seen(&bench, &Workbench::viewChanged);
+    hover(1);
+    QTRY_VERIFY(outlined() == std::vector{b});
+    const auto told = seen.count();
+    QTest::mouseMove(rows, list->visualRect(list->model()->index(1, 0)).center() + QPoint(5, 0));
+    QTest::qWait(20);
+    QCOMPARE(seen.count(), told); // the same step: nothing to paint
+    hover(0);
+    QTRY_VERIFY(outlined().empty());
+    hover(1);
+    QTRY_VERIFY(!outlined().empty());
+    QTest::mouseMove(rows, {20, rows->height() - 3}); // below the last step
+    QTRY_VERIFY(outlined().empty());
+    hover(1);
+    QTRY_VERIFY(!outlined().empty());
+    QEvent leave(QEvent::Leave);
+    QCoreApplication::sendEvent(rows, &leave);
+    QVERIFY(outlined().empty());
 }
 
 void TestDocks::aCheckSelectsWhomItIsAbout()

@@ -17,9 +17,11 @@
 #include "ui/viewport.h"
 #include "ui/workbench.h"
 
-#include <QAction>
 #include <QAbstractButton>
+#include <QAbstractItemView>
+#include <QAction>
 #include <QApplication>
+#include <QDockWidget>
 #include <QDoubleSpinBox>
 #include <QLineEdit>
 #include <QMessageBox>
@@ -63,6 +65,8 @@ private Q_SLOTS:
     void nothingIsPaintedWhenNothingChanges();
     void badgesCostTheViewNoFrame();
     void movingOverTheSamePaintsNothing();
+    void aStepUnderTheCursorIsOutlined();
+    void aProblemIsChosenByItsNumber();
     void viewActionsShowTheirState();
     void lettersWorkOnlyInTheView();
     void narrowWindowsHaveOneColumn();
@@ -626,6 +630,62 @@ void TestMainWindow::movingOverTheSamePaintsNothing()
         QTest::qWait(200);
         QCOMPARE(m_view->paintCount(), painted);
     }
+}
+
+// Wrong: the outline stays, is painted again and again, or everything is drawn anew for it.
+void TestMainWindow::aStepUnderTheCursorIsOutlined()
+{
+    drawFirst();
+    drawSecond();
+    m_window->bench().select({});
+    m_window->findChild<QDockWidget *>(QStringLiteral("historyDock"))->raise();
+    auto *list = m_window->findChild<QAbstractItemView *>(QStringLiteral("historyList"));
+    QTRY_VERIFY(list->viewport()->isVisible());
+    const auto moveTo = [&](const QPoint &inList) {
+        QTest::mouseMove(m_window->windowHandle(), list->viewport()->mapTo(m_window.get(), inList),
+                         5);
+    };
+    const auto row = [&](int i) { return list->visualRect(list->model()->index(i, 0)).center(); };
+    moveTo(row(0));
+    QVERIFY(comesToRest());
+    const QImage before = m_view->grabFramebuffer();
+    const int opaque = m_view->renderer().drawCount();
+    moveTo(row(2));
+    QTRY_VERIFY(!m_window->bench().outlined().empty());
+    QVERIFY(comesToRest());
+    QVERIFY(m_view->grabFramebuffer() != before);
+    const int painted = m_view->paintCount();
+    moveTo(row(2) + QPoint(6, 2));
+    QTest::qWait(100);
+    QCOMPARE(m_view->paintCount(), painted);
+    moveTo(row(0));
+    QTRY_VERIFY(m_window->bench().outlined().empty());
+    QVERIFY(comesToRest());
+    QCOMPARE(m_view->grabFramebuffer(), before);
+    QCOMPARE(m_view->renderer().drawCount(), opaque);
+}
+
+// Wrong: numbers that cannot be clicked, or that draw, select or turn instead.
+void TestMainWindow::aProblemIsChosenByItsNumber()
+{
+    drawFirst();
+    const Interaction &interaction = m_window->bench().interaction();
+    QTRY_VERIFY(!interaction.marks().empty());
+    const auto place = [&] {
+        const std::vector<PlacedMark> placed =
+            placeMarks(interaction.marks(), interaction.camera(), interaction.viewport(), {});
+        return placed.empty() ? Vec2(0, 0) : placed.front().centre;
+    };
+    const QPoint at(static_cast<int>(place().x()), static_cast<int>(place().y()));
+    auto *row = m_window->findChild<QAbstractButton *>(QStringLiteral("checkRow0"));
+    move(at);
+    QTRY_COMPARE(interaction.overlay().mark, 1);
+    const Camera camera = interaction.camera();
+    press(at);
+    release(at);
+    QTRY_VERIFY(row->isChecked());
+    QVERIFY(interaction.camera().target == camera.target); // it was in sight
+    QCOMPARE(count(), std::size_t(1));
 }
 
 void TestMainWindow::viewActionsShowTheirState()

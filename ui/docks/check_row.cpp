@@ -8,6 +8,8 @@
 #include <QLabel>
 #include <QPainter>
 
+#include <utility>
+
 namespace fff::ui {
 
 namespace {
@@ -67,20 +69,21 @@ void CheckRow::setContent(const Content &content)
     if (content == m_content)
         return;
     m_content = content;
-    m_title->setText(content.title);
+    m_title->setText(content.number == 0
+                         ? content.title
+                         : QStringLiteral("%1  %2").arg(content.number).arg(content.title));
     m_text->setText(content.text);
     m_text->setVisible(!content.text.isEmpty());
-    m_link->setText(
-        content.link.isEmpty()
-            ? QString()
-            : QStringLiteral("<a href=\"do\">%1</a>").arg(content.link.toHtmlEscaped()));
     m_link->setVisible(!content.link.isEmpty());
     for (QLabel *words : {m_title, m_text}) {
         QFont f = words->font();
         f.setItalic(content.isOlder);
         words->setFont(f);
     }
-    setAccessibleName(QStringLiteral("%1: %2. %3").arg(content.kind, content.title, content.text));
+    const QString kind = content.number == 0
+                             ? content.kind
+                             : QStringLiteral("%1 %2").arg(content.kind).arg(content.number);
+    setAccessibleName(QStringLiteral("%1: %2. %3").arg(kind, content.title, content.text));
     setAccessibleDescription(content.isOlder ? tr("Older than the drawing") : QString());
     refresh();
     updateGeometry();
@@ -88,6 +91,11 @@ void CheckRow::setContent(const Content &content)
 
 void CheckRow::refresh()
 {
+    // Links in a text have the application's colour, not that of the palette here.
+    m_link->setText(m_content.link.isEmpty()
+                        ? QString()
+                        : QStringLiteral("<a href=\"do\" style=\"color:%1\">%2</a>")
+                              .arg(theme().accent.name(), m_content.link.toHtmlEscaped()));
     m_glyph->setPixmap(
         tintedPixmap(m_content.glyph, kGlyphSize, m_content.colour, devicePixelRatioF()));
     update();
@@ -107,12 +115,30 @@ void CheckRow::paintEvent(QPaintEvent *)
 {
     QPainter painter(this);
     const Theme &t = theme();
-    painter.fillRect(rect(), isChecked() ? t.soft : underMouse() ? t.hover : t.panel);
+    painter.fillRect(rect(), isChecked() ? t.soft : underMouse() || m_isLit ? t.hover : t.panel);
     painter.fillRect(0, height() - 1, width(), 1, t.border);
     if (hasFocus()) {
         painter.setPen(QPen(t.accent, 2.0));
         painter.drawRect(rect().adjusted(1, 1, -1, -2));
     }
+}
+
+void CheckRow::setLit(bool lit)
+{
+    if (std::exchange(m_isLit, lit) != lit)
+        update();
+}
+
+void CheckRow::enterEvent(QEnterEvent *event)
+{
+    QAbstractButton::enterEvent(event);
+    Q_EMIT hovered(true);
+}
+
+void CheckRow::leaveEvent(QEvent *event)
+{
+    QAbstractButton::leaveEvent(event);
+    Q_EMIT hovered(false);
 }
 
 void CheckRow::keyPressEvent(QKeyEvent *event)

@@ -16,6 +16,7 @@ public:
         QString glyph; // name of an icon
         QColor colour;
         QString kind; // "Problem", for those who hear it
+        int number = 0; // of a problem, before its title; 0: none
         QString title, text;
         QString link; // what can be done at once; may be empty
         bool isOlder = false;
@@ -27,6 +28,8 @@ public:
     /// Changes only what differs.
     void setContent(const Content &content);
     void refresh(); // in the colours of the theme
+    /// As if the cursor were on it: it is on its mark in the view.
+    void setLit(bool lit);
 
     QSize sizeHint() const override;
     bool hasHeightForWidth() const override { return true; }
@@ -34,13 +37,17 @@ public:
 
 Q_SIGNALS:
     void linkClicked();
+    void hovered(bool isOver);
 
 protected:
     void paintEvent(QPaintEvent *event) override;
     void keyPressEvent(QKeyEvent *event) override;
+    void enterEvent(QEnterEvent *event) override;
+    void leaveEvent(QEvent *event) override;
 
 private:
     Content m_content;
+    bool m_isLit = false;
     QLabel *m_glyph = nullptr, *m_title = nullptr, *m_text = nullptr, *m_link = nullptr;
 };
 

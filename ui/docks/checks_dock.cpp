@@ -1,5 +1,6 @@
 #include "ui/docks/checks_dock.h"
 
+#include "core/fabrication/summary.h"
 #include "core/model/edits.h"
 #include "core/session/check_list.h"
 #include "ui/check_words.h"
@@ -10,6 +11,7 @@
 #include "ui/theme.h"
 #include "ui/workbench.h"
 
+#include <QAction>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QScopedValueRollback>
@@ -113,6 +115,19 @@ ChecksDock::ChecksDock(Workbench &bench, const CheckList &list, QWidget *parent)
                 if (before.sectionCount() == 0 || after.sectionCount() == 0)
                     refresh(); // whether there is anything to check
             });
+    connect(&bench, &Workbench::problemChosen, this, [this](int number) {
+        if (const int row = rowOf(number); row >= 0) {
+            Q_EMIT shown();
+            choose(row, false); // the view has it in sight
+        }
+    });
+    connect(&bench, &Workbench::problemHovered, this, [this](int number) {
+        const int row = rowOf(number);
+        for (std::size_t i = 0; i < m_widgets.size(); ++i)
+            m_widgets[i]->setLit(static_cast<int>(i) == row);
+    });
+    // Without the dock there are no rows that the numbers could be of.
+    connect(toggleViewAction(), &QAction::toggled, this, &ChecksDock::markProblems);
     connect(&bench, &Workbench::selectionChanged, this, [this] {
         if (!m_isChoosing)
             forgetChoice();
@@ -128,7 +143,7 @@ void ChecksDock::refresh()
         const auto alike = std::count_if(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(i),
                                          [&](const Check &c) { return c.code == all[i].code; });
         if (alike < kMostAlike) {
-            m_rows.push_back({all[i], 1});
+            m_rows.push_back({all[i]});
         } else {
             const auto last = std::find_if(m_rows.rbegin(), m_rows.rend(), [&](const Row &row) {
                 return row.check.code == all[i].code;
@@ -148,14 +163,19 @@ void ChecksDock::refresh()
         const int index = static_cast<int>(m_widgets.size());
         row->setObjectName(QStringLiteral("checkRow%1").arg(index));
         connect(row, &CheckRow::clicked, this, [this, index] { choose(index, true); });
+        connect(row, &CheckRow::hovered, this, [this, index](bool isOver) {
+            const bool isThere = isOver && index < static_cast<int>(m_rows.size());
+            m_bench.setLitProblem(isThere ? m_rows[static_cast<std::size_t>(index)].number : 0);
+        });
         connect(row, &CheckRow::linkClicked, this, [this, index] { act(index); });
         m_column->insertWidget(static_cast<int>(m_widgets.size()), row);
         m_widgets.push_back(row);
     }
     int number = 0;
-    const auto errors = std::count_if(m_rows.begin(), m_rows.end(), [](const Row &row) {
-        return row.check.severity == CheckSeverity::Error;
-    });
+    for (Row &row : m_rows) {
+        if (isProblem(row.check))
+            row.number = ++number;
+    }
     bool isChosenThere = false;
     for (std::size_t i = 0; i < m_widgets.size(); ++i) {
         m_widgets[i]->setVisible(i < m_rows.size());
@@ -165,13 +185,12 @@ void ChecksDock::refresh()
         CheckWords words = checkWords(check, m_list.model());
         if (m_rows[i].count > 1)
             words = {tr("%n more like this", nullptr, m_rows[i].count), QString()};
-        if (check.severity == CheckSeverity::Error && errors > 1)
-            words.title = QStringLiteral("%1  %2").arg(++number).arg(words.title);
         const QColor colour = isOlder && check.severity == CheckSeverity::Good
                                   ? theme().muted
                                   : checkColour(check.severity);
         m_widgets[i]->setContent({checkGlyph(check.severity), colour, severityWord(check.severity),
-                                  words.title, words.text, linkOf(check), isOlder});
+                                  m_rows[i].number, words.title, words.text, linkOf(check),
+                                  isOlder});
         const bool isChosen = m_chosen && isSameVerdict(*m_chosen, check);
         m_widgets[i]->setChecked(isChosen);
         isChosenThere = isChosenThere || isChosen;
@@ -179,7 +198,39 @@ void ChecksDock::refresh()
     m_empty->setVisible(m_rows.empty() && m_bench.session().model().sectionCount() == 0);
     if (m_chosen && !isChosenThere)
         forgetChoice(); // it is mended
+    markProblems();
     refreshFooter();
+}
+
+/// The numbers in the view. A problem without a place of its own stands where its sections are; a
+/// row for many has many places, and so no number there.
+void ChecksDock::markProblems()
+{
+    std::vector<ProblemMark> marks;
+    for (const Row &row : m_rows) {
+        if (row.number == 0 || row.count > 1 || !toggleViewAction()->isChecked())
+            continue;
+        const Check &check = row.check;
+        const Model &model = m_list.model();
+        Box3 box;
+        for (const SectionRef &ref : check.sections) {
+            if (const int index = model.indexOf(ref); index >= 0) {
+                const Section &section = *model.section(static_cast<std::size_t>(index));
+                box.extend(slabBounds(section, model.document.stockOf(section)));
+            }
+        }
+        if (check.at || !box.isEmpty())
+            marks.push_back({row.number, check.at ? *check.at : Vec3(box.center()), check.sections,
+                             check.severity == CheckSeverity::Error});
+    }
+    m_bench.setProblemMarks(std::move(marks));
+}
+
+int ChecksDock::rowOf(int number) const
+{
+    const auto row = std::find_if(m_rows.begin(), m_rows.end(),
+                                  [&](const Row &r) { return number > 0 && r.number == number; });
+    return row == m_rows.end() ? -1 : static_cast<int>(row - m_rows.begin());
 }
 
 void ChecksDock::refreshFooter()

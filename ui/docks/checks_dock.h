@@ -1,5 +1,5 @@
 // The verdicts on the model, worst first. A click selects the sections that one is about and frames
-// them; a problem is marked red in the view.
+// them; a problem is marked red in the view. Problems are numbered, here and at their places there.
 #pragma once
 
 #include <QDockWidget> // first: moc stumbles over some standard headers
@@ -46,13 +46,16 @@ private:
     struct Row
     {
         Check check;
-        int count = 1; // of equal ones that this row stands for
+        int count = 1;  // of equal ones that this row stands for
+        int number = 0; // of a problem, from 1 on
     };
 
     void refresh();
     void refreshFooter();
     void choose(int row, bool frames);
     void forgetChoice();
+    void markProblems();
+    int rowOf(int number) const; // of a problem; -1: there is none any more
     void act(int row);
     QString linkOf(const Check &check) const;
     std::vector<int> problems() const; // rows

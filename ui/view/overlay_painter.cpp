@@ -31,6 +31,8 @@ public:
     void cutHandle();
     void hoveredName();
     void progress();
+    void marks();
+    void mark(const PlacedMark &mark, bool isLit);
     void cube()
     {
         paintViewCube(m_painter, m_scene.camera.orientation, m_scene.viewport,
@@ -320,18 +322,64 @@ void Drawing::progress()
     m_painter.restore();
 }
 
-} // namespace
-
-double scaleBarLength(double longest)
+/// Numbers of problems: lines to their places first, so that none runs over a number.
+void Drawing::marks()
 {
-    if (!(longest > 0.0))
-        return 1.0;
-    const double power = std::pow(10.0, std::floor(std::log10(longest)));
-    for (double step : {5.0, 2.0}) {
-        if (step * power <= longest)
-            return step * power;
+    for (const PlacedMark &mark : m_scene.marks) {
+        const QPointF anchor(mark.anchor.x(), mark.anchor.y());
+        QPainterPath line(anchor);
+        line.lineTo(mark.centre.x(), mark.centre.y());
+        const QColor &colour = mark.isError ? m_style.problem : m_style.warning;
+        cased(line, roundPen(colour, 1.5));
+        m_painter.setPen(QPen(m_style.panel, 1.0));
+        m_painter.setBrush(colour);
+        m_painter.drawEllipse(anchor, 3.0, 3.0);
     }
-    return power;
+    const PlacedMark *lit = nullptr;
+    for (const PlacedMark &mark : m_scene.marks) {
+        if (mark.number == m_scene.litMark)
+            lit = &mark;
+        else
+            this->mark(mark, false);
+    }
+    if (lit)
+        mark(*lit, true);
+}
+
+/// An octagon for an error, a square with round corners for a warning: told apart without colours.
+void Drawing::mark(const PlacedMark &mark, bool isLit)
+{
+    const QPointF centre(mark.centre.x(), mark.centre.y());
+    const double radius = kMarkRadius + (isLit ? 2.5 : -0.5);
+    QPainterPath shape;
+    if (mark.isError) {
+        constexpr double kCut = 0.4142; // tan 22.5°: all eight sides are equal
+        const double corners[][2] = {{1, kCut},   {kCut, 1},   {-kCut, 1}, {-1, kCut},
+                                     {-1, -kCut}, {-kCut, -1}, {kCut, -1}, {1, -kCut}};
+        QPolygonF octagon;
+        for (const auto &corner : corners)
+            octagon += centre + radius * QPointF(corner[0], corner[1]);
+        shape.addPolygon(octagon);
+        shape.closeSubpath();
+    } else {
+        const double half = 0.88 * radius;
+        shape.addRoundedRect(QRectF(centre.x() - half, centre.y() - half, 2 * half, 2 * half), 4.0,
+                             4.0);
+    }
+    const QColor &colour = mark.isError ? m_style.problem : m_style.warning;
+    if (isLit)
+        m_painter.strokePath(shape, roundPen(m_style.accent, 6.0));
+    m_painter.strokePath(shape, roundPen(m_style.panel, 3.0));
+    m_painter.fillPath(shape, colour);
+    m_painter.save();
+    QFont font = m_painter.font();
+    font.setPixelSize(mark.number < 10 ? 13 : 11);
+    font.setWeight(QFont::Bold);
+    m_painter.setFont(font);
+    m_painter.setPen(m_style.panel);
+    m_painter.drawText(QRectF(centre.x() - radius, centre.y() - radius, 2 * radius, 2 * radius),
+                       Qt::AlignCenter, m_locale.toString(mark.number));
+    m_painter.restore();
 }
 
 void paintOverlay(QPainter &painter, const OverlayScene &scene, const ViewStyle &style,
@@ -346,6 +394,7 @@ void paintOverlay(QPainter &painter, const OverlayScene &scene, const ViewStyle 
     drawing.cutHandle();
     drawing.invitation();
     drawing.scaleBar();
+    drawing.marks();
     drawing.cube();
     drawing.progress();
     drawing.hoveredName();

@@ -22,6 +22,7 @@ struct ViewStyle
     QColor edge = QColor(0x2b, 0x21, 0x18);
     QColor problem = QColor(0xb3, 0x26, 0x1e); // its outline and hatch
     QColor problemFace = QColor(0xe5, 0x8a, 0x80), problemSide = QColor(0xb2, 0x3b, 0x33);
+    QColor warning = QColor(0x8a, 0x53, 0x00);
     QColor problemHatch = QColor(0xb3, 0x26, 0x1e);
     QColor casing;               // round the outline of a selected section; invalid: none
     double faceBrightness = 1.0; // of the stocks' faces

@@ -1,5 +1,6 @@
 fff_test(core/interaction/tst_camera fff::core)
 fff_test(core/interaction/tst_pick fff::core)
 fff_test(core/interaction/tst_interaction fff::session)
+fff_test(core/interaction/tst_problem_marks fff::session)
 fff_test(core/interaction/tst_view_cube fff::core)
 fff_test(core/interaction/tst_view_history fff::core)

@@ -1,0 +1,165 @@
+#include <QTest>
+
+#include "core/interaction/interaction.h"
+#include "core/interaction/problem_marks.h"
+#include "core/interaction/view_cube.h"
+#include "core/operations/evaluate.h"
+#include "tests/core/assembly/plates.h"
+
+using namespace fff;
+using namespace fff::test;
+
+namespace {
+
+const Vec2 kViewport(1000, 700);
+
+ProblemMark mark(int number, const Vec3 &at, std::vector<SectionRef> sections = {})
+{
+    return {number, at, std::move(sections), true};
+}
+
+/// Remembers which problem was chosen; its model is one plate.
+class Host : public InteractionHost
+{
+public:
+    Host()
+        : m_model(evaluate(
+              withSection(newDocument(), polygonShape(rectangle(-50, 0, 50, 80)), front())))
+    {
+    }
+    const Model &model() const override { return m_model; }
+    void preview(Document) override { ++previews; }
+    void cancelPreview() override {}
+    void commit(const Step &, Document) override { ++commits; }
+    void chooseProblem(int number) override { chosen.push_back(number); }
+
+    std::vector<int> chosen;
+    int previews = 0, commits = 0;
+
+private:
+    Model m_model;
+};
+
+void send(Interaction &interaction, PointerEvent::Type type, const Vec2 &at,
+          Button button = Button::None)
+{
+    PointerEvent event;
+    event.type = type;
+    event.position = at;
+    event.button = button;
+    event.time = 1000.0;
+    interaction.handle(event);
+}
+
+} // namespace
+
+class TestProblemMarks : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    /// Two numbers on one spot: neither can be read.
+    void manyAtOnePlaceStandApart()
+    {
+        std::vector<ProblemMark> marks;
+        for (int i = 1; i <= 20; ++i)
+            marks.push_back(mark(i, {0.3 * i, 0, 0}));
+        const std::vector<PlacedMark> placed = placeMarks(marks, Camera(), kViewport, {});
+        QCOMPARE(placed.size(), marks.size());
+        for (std::size_t i = 0; i < placed.size(); ++i) {
+            for (std::size_t k = 0; k < i; ++k)
+                QVERIFY((placed[i].centre - placed[k].centre).norm() >= 2.0 * kMarkRadius);
+        }
+    }
+
+    void marksStayInTheView_data()
+    {
+        QTest::addColumn<double>("x");
+        QTest::addColumn<double>("y");
+        QTest::newRow("the upper left corner") << 1.0 << 1.0;
+        QTest::newRow("the lower edge") << 500.0 << 699.0;
+        QTest::newRow("the right edge") << 999.0 << 400.0;
+        QTest::newRow("behind the view cube") << 950.0 << 50.0;
+    }
+
+    /// Half a number at the edge, or one under the cube, can be neither read nor clicked.
+    void marksStayInTheView()
+    {
+        QFETCH(double, x);
+        QFETCH(double, y);
+        const Camera camera;
+        const std::vector marks{mark(1, camera.pointAt({x, y}, kViewport))};
+        const std::vector<PlacedMark> placed = placeMarks(marks, camera, kViewport, {});
+        QCOMPARE(placed.size(), std::size_t(1));
+        const Vec2 c = placed[0].centre;
+        QVERIFY(c.x() >= kMarkRadius && c.x() <= kViewport.x() - kMarkRadius);
+        QVERIFY(c.y() >= kMarkRadius && c.y() <= kViewport.y() - kMarkRadius);
+        QVERIFY(!cubePartAt(c, camera.orientation, kViewport));
+    }
+
+    /// A number in the air would point at nothing.
+    void whatIsNotSeenHasNoMark()
+    {
+        const SectionRef a(SectionId{1}), b(SectionId{2});
+        const std::vector marks{mark(1, {0, 0, 0}, {a}), mark(2, {20, 0, 0}, {a, b}),
+                                mark(3, {1e5, 0, 0}), mark(4, {-20, 0, 0})};
+        ViewState view;
+        view.hidden = {a};
+        const std::vector<PlacedMark> placed = placeMarks(marks, Camera(), kViewport, view);
+        QCOMPARE(placed.size(), std::size_t(2)); // not the hidden one, not the one far outside
+        QCOMPARE(placed[0].number, 2);
+        QCOMPARE(placed[1].number, 4);
+    }
+
+    /// What stands behind the eye would be seen mirrored before it.
+    void behindTheEyeIsNothing()
+    {
+        Camera camera;
+        camera.projection = Projection::Perspective;
+        const Vec3 behind = camera.eye(kViewport) + 10.0 * camera.backward();
+        QVERIFY(placeMarks(std::vector{mark(1, behind)}, camera, kViewport, {}).empty());
+    }
+
+    /// A click on a number would draw, select what is behind it, or do nothing.
+    void aClickChoosesTheProblem()
+    {
+        Host host;
+        Interaction interaction(host);
+        interaction.setViewport(kViewport);
+        interaction.setMarks({mark(3, {0, 40, 0})});
+        const Vec2 at =
+            placeMarks(interaction.marks(), interaction.camera(), kViewport, {})[0].centre;
+        send(interaction, PointerEvent::Type::Move, at);
+        QCOMPARE(interaction.overlay().mark, 3);
+        QCOMPARE(interaction.overlay().hovered, -1);
+        QCOMPARE(interaction.hint().kind, Hint::Kind::ChooseProblem);
+        send(interaction, PointerEvent::Type::Press, at, Button::Left);
+        send(interaction, PointerEvent::Type::Release, at, Button::Left);
+        QCOMPARE(host.chosen, std::vector{3});
+        QVERIFY(interaction.selection().empty());
+
+        send(interaction, PointerEvent::Type::Move, at + Vec2(0, 60));
+        QCOMPARE(interaction.overlay().mark, 0);
+        QVERIFY(interaction.overlay().hovered >= 0);
+    }
+
+    /// A stroke that begins on a number would draw on what lies behind it.
+    void aDragFromAMarkTurnsTheView()
+    {
+        Host host;
+        Interaction interaction(host);
+        interaction.setViewport(kViewport);
+        interaction.setMarks({mark(1, {0, 40, 0})});
+        const Camera before = interaction.camera();
+        const Vec2 at = placeMarks(interaction.marks(), before, kViewport, {})[0].centre;
+        send(interaction, PointerEvent::Type::Press, at, Button::Left);
+        send(interaction, PointerEvent::Type::Move, at + Vec2(80, 0));
+        send(interaction, PointerEvent::Type::Release, at + Vec2(80, 0), Button::Left);
+        QVERIFY(host.chosen.empty());
+        QCOMPARE(host.previews + host.commits, 0);
+        QVERIFY(interaction.camera().orientation.angularDistance(before.orientation) > 0.1);
+    }
+};
+
+QTEST_APPLESS_MAIN(TestProblemMarks)
+#include "tst_problem_marks.moc"
