@@ -2,6 +2,7 @@
 #include "core/io/document_file.h"
 #include "core/io/error_text.h"
 #include "ui/field_style.h"
+#include "ui/focus_frame.h"
 #include "ui/main_window.h"
 #include "ui/script_player.h"
 #include "ui/settings/settings.h"
@@ -56,6 +57,7 @@ int main(int argc, char *argv[])
     // constructor: X11's platform plugin switches it on there.
     QCoreApplication::setAttribute(Qt::AA_CompressHighFrequencyEvents, false);
     QApplication::setStyle(new fff::ui::FieldStyle);
+    new fff::ui::FocusFrame(application);
     QApplication::setApplicationName(QStringLiteral("flatfitfab"));
     QApplication::setApplicationDisplayName(QString()); // the window's title names the program
     QApplication::setApplicationVersion(QStringLiteral(FFF_VERSION));

@@ -1879,6 +1879,41 @@
     </message>
 </context>
 <context>
+    <name>fff::ui::Expression</name>
+    <message>
+        <source>A number is missing.</source>
+        <translation>Es fehlt eine Zahl.</translation>
+    </message>
+    <message>
+        <source>“%1” cannot be read here.</source>
+        <translation>„%1“ kann hier nicht gelesen werden.</translation>
+    </message>
+    <message>
+        <source>Something is missing behind “%1”.</source>
+        <translation>Hinter „%1“ fehlt etwas.</translation>
+    </message>
+    <message>
+        <source>A parenthesis is not closed.</source>
+        <translation>Eine Klammer ist nicht geschlossen.</translation>
+    </message>
+    <message>
+        <source>There is one closing parenthesis too many.</source>
+        <translation>Da ist eine schließende Klammer zu viel.</translation>
+    </message>
+    <message>
+        <source>Nothing can be divided by 0.</source>
+        <translation>Durch 0 kann nicht geteilt werden.</translation>
+    </message>
+    <message>
+        <source>This makes no length; multiply a length by a plain number.</source>
+        <translation>Das ergibt keine Länge; eine Länge wird mit einer bloßen Zahl malgenommen.</translation>
+    </message>
+    <message>
+        <source>“t” is the thickness of the stock; there is not one stock here.</source>
+        <translation>„t“ ist die Dicke des Materials; hier gibt es nicht ein einziges.</translation>
+    </message>
+</context>
+<context>
     <name>fff::ui::Failures</name>
     <message>
         <source>line %1</source>
@@ -2020,6 +2055,10 @@
     <message>
         <source>The contour crosses itself; the largest loop was kept. &lt;kbd&gt;%1&lt;/kbd&gt; undoes it.</source>
         <translation>Die Kontur kreuzt sich selbst; die größte Schleife blieb. &lt;kbd&gt;%1&lt;/kbd&gt; nimmt es zurück.</translation>
+    </message>
+    <message>
+        <source>Click to select problem %1; drag to turn the view.</source>
+        <translation>Klicken wählt Problem %1; Ziehen dreht die Ansicht.</translation>
     </message>
 </context>
 <context>
@@ -2214,10 +2253,28 @@
     </message>
 </context>
 <context>
+    <name>fff::ui::Naming</name>
+    <message>
+        <source>Section %1</source>
+        <extracomment>the name of a section that nobody has named; %1 is its number</extracomment>
+        <translation>Scheibe %1</translation>
+    </message>
+</context>
+<context>
     <name>fff::ui::NumberEdit</name>
     <message>
         <source>mixed</source>
         <translation>verschieden</translation>
+    </message>
+    <message>
+        <source>At least %1.</source>
+        <extracomment>%1 is the smallest value, with its unit</extracomment>
+        <translation>Mindestens %1.</translation>
+    </message>
+    <message>
+        <source>At most %1.</source>
+        <extracomment>%1 is the largest value, with its unit</extracomment>
+        <translation>Höchstens %1.</translation>
     </message>
 </context>
 <context>
@@ -2259,24 +2316,17 @@
 <context>
     <name>fff::ui::OverlayPainter</name>
     <message>
-        <source>%1 mm</source>
-        <translation>%1 mm</translation>
-    </message>
-    <message>
-        <source>%1 m</source>
-        <translation>%1 m</translation>
-    </message>
-    <message>
         <source>Draw a shape here with the left button held down.</source>
         <translation>Hier mit gedrückter linker Taste eine Form zeichnen.</translation>
     </message>
     <message>
-        <source>Slit %1 mm</source>
-        <translation>Schlitz %1 mm</translation>
-    </message>
-    <message>
         <source>Working out the slits…</source>
         <translation>Schlitze werden berechnet …</translation>
+    </message>
+    <message>
+        <source>Slit %1</source>
+        <extracomment>%1 is its length, with a unit</extracomment>
+        <translation>Schlitz %1</translation>
     </message>
 </context>
 <context>
@@ -2506,6 +2556,17 @@
     </message>
 </context>
 <context>
+    <name>fff::ui::ScaleBar</name>
+    <message>
+        <source>ft</source>
+        <translation>ft</translation>
+    </message>
+    <message>
+        <source>m</source>
+        <translation>m</translation>
+    </message>
+</context>
+<context>
     <name>fff::ui::SettingsDialog</name>
     <message>
         <source>Settings</source>
@@ -2626,6 +2687,10 @@
     <message>
         <source>When saving, keep the file as it was before</source>
         <translation>Beim Speichern die vorige Fassung der Datei behalten</translation>
+    </message>
+    <message>
+        <source>High contrast</source>
+        <translation>Hoher Kontrast</translation>
     </message>
 </context>
 <context>

@@ -88,7 +88,9 @@ void Badge::paintEvent(QPaintEvent *)
     const double filled =
         m_fill.state() == QAbstractAnimation::Running ? m_fill.currentValue().toDouble() : 1.0;
     // On red, white reads in both themes; the dark theme's red is too light for it.
-    const QColor red = t.isDark ? QColor(0xb3, 0x26, 0x1e) : t.problem;
+    const QColor red = t.isHighContrast ? QColor(0x8c, 0x0d, 0x0d)
+                       : t.isDark       ? QColor(0xb3, 0x26, 0x1e)
+                                        : t.problem;
 
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);

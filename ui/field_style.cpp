@@ -57,6 +57,41 @@ void FieldStyle::drawPrimitive(PrimitiveElement element, const QStyleOption *opt
         drawBorder(painter, option);
 }
 
+/// With a line of the ground's colour inside, so that it is seen on what has the accent's, too.
+void FieldStyle::drawControl(ControlElement element, const QStyleOption *option, QPainter *painter,
+                             const QWidget *widget) const
+{
+    if (element != CE_FocusFrame) {
+        QProxyStyle::drawControl(element, option, painter, widget);
+        return;
+    }
+    painter->save();
+    painter->setRenderHint(QPainter::Antialiasing);
+    painter->setBrush(Qt::NoBrush);
+    painter->setPen(QPen(theme().panel, 1.0));
+    painter->drawRoundedRect(QRectF(option->rect).adjusted(2.5, 2.5, -2.5, -2.5), 2.0, 2.0);
+    painter->setPen(QPen(theme().accent, 2.0));
+    painter->drawRoundedRect(QRectF(option->rect).adjusted(1.0, 1.0, -1.0, -1.0), kCorner, kCorner);
+    painter->restore();
+}
+
+int FieldStyle::pixelMetric(PixelMetric metric, const QStyleOption *option,
+                            const QWidget *widget) const
+{
+    // Outside of a widget there may be nothing to draw on.
+    if (metric == PM_FocusFrameHMargin || metric == PM_FocusFrameVMargin)
+        return 0;
+    return QProxyStyle::pixelMetric(metric, option, widget);
+}
+
+int FieldStyle::styleHint(StyleHint hint, const QStyleOption *option, const QWidget *widget,
+                          QStyleHintReturn *returned) const
+{
+    if (hint == SH_FocusFrame_AboveWidget)
+        return 1;
+    return QProxyStyle::styleHint(hint, option, widget, returned);
+}
+
 void FieldStyle::drawComplexControl(ComplexControl control, const QStyleOptionComplex *option,
                                     QPainter *painter, const QWidget *widget) const
 {

@@ -355,6 +355,20 @@ void MainWindow::closeEvent(QCloseEvent *event)
     m_unsaved->discard();
 }
 
+/// Passes over what lies in docks behind other tabs: Qt goes there too.
+bool MainWindow::focusNextPrevChild(bool next)
+{
+    const QWidget *first = nullptr;
+    while (QMainWindow::focusNextPrevChild(next)) {
+        const QWidget *now = focusWidget();
+        if (!now || now == first || isSeen(now))
+            return true;
+        if (!first)
+            first = now;
+    }
+    return false;
+}
+
 void MainWindow::resizeEvent(QResizeEvent *event)
 {
     QMainWindow::resizeEvent(event);

@@ -10,12 +10,6 @@ namespace fff::ui {
 
 namespace {
 
-/// A dock behind another tab says it is visible but shows nothing.
-bool isSeen(const QWidget *widget)
-{
-    return widget->isVisible() && !widget->visibleRegion().isEmpty();
-}
-
 /// Where it comes: by column, in one from top to bottom; floating ones last.
 int rankOf(const QMainWindow &window, QDockWidget *dock)
 {
@@ -48,6 +42,11 @@ QWidget *firstField(QWidget *pane)
 }
 
 } // namespace
+
+bool isSeen(const QWidget *widget)
+{
+    return widget->isVisible() && !widget->visibleRegion().isEmpty();
+}
 
 void goToPane(QMainWindow &window, QWidget *toolBar, QWidget *view, int step)
 {

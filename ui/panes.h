@@ -10,4 +10,7 @@ namespace fff::ui {
 /// `view` is what stands in the middle. Panes that cannot be seen are left out.
 void goToPane(QMainWindow &window, QWidget *toolBar, QWidget *view, int step);
 
+/// False also for what lies in a dock behind another tab, which says that it is visible.
+bool isSeen(const QWidget *widget);
+
 } // namespace fff::ui

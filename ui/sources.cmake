@@ -33,6 +33,7 @@ target_sources(fff_ui PRIVATE
     files/progress.cpp
     files/recent_menu.cpp
     files/unsaved_work.cpp
+    focus_frame.cpp
     hint_text.cpp
     icon.cpp
     lengths.cpp
@@ -40,9 +41,9 @@ target_sources(fff_ui PRIVATE
     main_window.cpp
     measures.cpp
     message_bar.cpp
+    naming.cpp
     panes.cpp
     properties/choice_box.cpp
-    naming.cpp
     properties/joint_rows.cpp
     properties/length_edit.cpp
     properties/number_edit.cpp
@@ -54,7 +55,7 @@ target_sources(fff_ui PRIVATE
     script_player.cpp
     sentence_label.cpp
     settings/settings.cpp
-    settings/system_motion.cpp
+    settings/system_wishes.cpp
     start/ago_text.cpp
     start/card_grid.cpp
     start/model_card.cpp

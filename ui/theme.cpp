@@ -1,6 +1,7 @@
 #include "ui/theme.h"
 
 #include "ui/settings/settings.h"
+#include "ui/settings/system_wishes.h"
 
 #include <QFile>
 #include <QGuiApplication>
@@ -58,6 +59,46 @@ Theme dark()
     return t;
 }
 
+/// Text and lines have 7:1 on every ground that they stand on; grounds have no shades.
+Theme contrastLight()
+{
+    Theme t;
+    t.isHighContrast = true;
+    t.window = t.panel = t.alternate = t.onAccent = t.button = QColor(0xff, 0xff, 0xff);
+    t.text = t.border = QColor(0x00, 0x00, 0x00);
+    t.muted = QColor(0x26, 0x26, 0x26);
+    t.strong = QColor(0x4a, 0x4a, 0x4a);
+    t.accent = QColor(0x00, 0x3c, 0x9e);
+    t.soft = QColor(0xdc, 0xe8, 0xff);
+    t.hover = QColor(0xe6, 0xe6, 0xe6);
+    t.problem = QColor(0x8c, 0x0d, 0x0d);
+    t.problemSoft = QColor(0xff, 0xec, 0xea);
+    t.warning = QColor(0x5e, 0x35, 0x00);
+    t.warningSoft = QColor(0xff, 0xf3, 0xdc);
+    t.good = QColor(0x00, 0x4d, 0x1f);
+    return t;
+}
+
+Theme contrastDark()
+{
+    Theme t;
+    t.isDark = true;
+    t.isHighContrast = true;
+    t.window = t.panel = t.alternate = t.onAccent = t.button = QColor(0x00, 0x00, 0x00);
+    t.text = t.border = QColor(0xff, 0xff, 0xff);
+    t.muted = QColor(0xe0, 0xe0, 0xe0);
+    t.strong = QColor(0xb5, 0xb5, 0xb5);
+    t.accent = QColor(0x8f, 0xc7, 0xff);
+    t.soft = QColor(0x00, 0x26, 0x4d);
+    t.hover = QColor(0x26, 0x26, 0x26);
+    t.problem = QColor(0xff, 0xa1, 0x99);
+    t.problemSoft = QColor(0x3d, 0x0a, 0x08);
+    t.warning = QColor(0xff, 0xd1, 0x66);
+    t.warningSoft = QColor(0x33, 0x25, 0x00);
+    t.good = QColor(0x7f, 0xe0, 0xa0);
+    return t;
+}
+
 Theme &current()
 {
     static Theme chosen = light();
@@ -74,9 +115,24 @@ bool wantsDark()
     case ColourScheme::Dark:
         return true;
     case ColourScheme::System:
+    case ColourScheme::HighContrast:
         break;
     }
     return QGuiApplication::palette().color(QPalette::Window).lightness() < 128;
+}
+
+bool wantsContrast()
+{
+    const ColourScheme scheme = settings().colourScheme();
+    return scheme == ColourScheme::HighContrast ||
+           (scheme == ColourScheme::System && systemWantsContrast());
+}
+
+Theme wanted()
+{
+    if (wantsContrast())
+        return wantsDark() ? contrastDark() : contrastLight();
+    return wantsDark() ? dark() : light();
 }
 
 QColor withAlpha(QColor colour, double alpha)
@@ -113,7 +169,7 @@ QPalette Theme::palette() const
     for (QPalette::ColorRole role :
          {QPalette::WindowText, QPalette::Text, QPalette::ButtonText, QPalette::HighlightedText})
         p.setColor(QPalette::Disabled, role, off);
-    p.setColor(QPalette::Disabled, QPalette::Highlight, border);
+    p.setColor(QPalette::Disabled, QPalette::Highlight, isHighContrast ? hover : border);
     return p;
 }
 
@@ -123,6 +179,9 @@ QString Theme::styleSheet() const
     if (!file.open(QIODevice::ReadOnly))
         return {};
     QString sheet = QString::fromUtf8(file.readAll());
+    QFile more(QStringLiteral(":/style/contrast.qss"));
+    if (isHighContrast && more.open(QIODevice::ReadOnly))
+        sheet += QString::fromUtf8(more.readAll());
     const std::pair<QString, QColor> names[] = {
         {QStringLiteral("@window"), window},
         {QStringLiteral("@panel"), panel},
@@ -148,29 +207,47 @@ QString Theme::styleSheet() const
 ViewStyle Theme::viewStyle() const
 {
     ViewStyle style; // the light one
-    if (!isDark)
+    if (!isDark && !isHighContrast)
         return style;
-    style.top = QColor(0x34, 0x3a, 0x43);
-    style.bottom = QColor(0x1a, 0x1d, 0x22);
-    style.gridFine = QColor(0x3f, 0x46, 0x50);
-    style.gridStrong = QColor(0x5a, 0x64, 0x70);
-    style.shadow = QColor(0, 0, 0, 158);
     style.text = text;
     style.muted = muted;
     style.strong = strong;
     style.panel = panel;
     style.accent = accent;
-    style.slit = QColor(0xff, 0x9a, 0x5c);
     style.deadZone = muted;
-    style.casing = QColor(0x15, 0x11, 0x0c);
     style.problem = problem;
-    style.faceBrightness = 0.94;
+    style.warning = warning;
+    if (isDark) {
+        style.top = QColor(0x34, 0x3a, 0x43);
+        style.bottom = QColor(0x1a, 0x1d, 0x22);
+        style.gridFine = QColor(0x3f, 0x46, 0x50);
+        style.gridStrong = QColor(0x5a, 0x64, 0x70);
+        style.shadow = QColor(0, 0, 0, 158);
+        style.slit = QColor(0xff, 0x9a, 0x5c);
+        style.casing = QColor(0x15, 0x11, 0x0c);
+        style.faceBrightness = 0.94;
+    }
+    if (isHighContrast) {
+        style.top = style.bottom = window;
+        style.gridFine = isDark ? QColor(0x5a, 0x5a, 0x5a) : QColor(0xa6, 0xa6, 0xa6);
+        style.gridStrong = isDark ? QColor(0xa6, 0xa6, 0xa6) : QColor(0x5a, 0x5a, 0x5a);
+        style.slit = isDark ? QColor(0xff, 0xb0, 0x80) : QColor(0x7a, 0x26, 0x00);
+        style.edge = QColor(0x00, 0x00, 0x00);
+        style.edgeWidth = 1.5;
+        style.silhouetteWidth = 2.2;
+        // A line is seen against its casing, whatever lies under both.
+        style.casing = window;
+        style.casesHover = true;
+        style.hoverAlpha = 1.0;
+        style.hoverWidth = 2.4;
+        style.selectionWidth = 3.4;
+    }
     return style;
 }
 
 void applyTheme(QWidget *window)
 {
-    current() = wantsDark() ? dark() : light();
+    current() = wanted();
     // Without this a style sheet keeps the window's palette from the widgets in it.
     QCoreApplication::setAttribute(Qt::AA_UseStyleSheetPropagationInWidgetStyles);
     window->setPalette(theme().palette());

@@ -1,10 +1,13 @@
 #include "ui/viewport.h"
 
 #include "ui/cursors.h"
+#include "ui/focus_frame.h"
+#include "ui/settings/settings.h"
 #include "ui/theme.h"
 #include "ui/view/overlay_painter.h"
 #include "ui/workbench.h"
 
+#include <QFocusEvent>
 #include <QMouseEvent>
 #include <QOpenGLContext>
 #include <QOpenGLFunctions>
@@ -27,6 +30,12 @@ constexpr double kBusyStep = 0.08;    // of a turn
 Vec2 toVec(const QPointF &p)
 {
     return {p.x(), p.y()};
+}
+
+bool isOfKeys(Qt::FocusReason reason)
+{
+    return reason == Qt::TabFocusReason || reason == Qt::BacktabFocusReason ||
+           reason == Qt::ShortcutFocusReason;
 }
 
 Button toButton(Qt::MouseButton button)
@@ -77,6 +86,7 @@ Viewport::Viewport(Workbench &bench, QWidget *parent) : QOpenGLWidget(parent), m
     setMinimumSize(480, 360);
     setMouseTracking(true);
     setFocusPolicy(Qt::StrongFocus);
+    FocusFrame::leaveTo(this);
 
     m_burst.setSingleShot(true);
     m_burst.setInterval(0);
@@ -95,6 +105,7 @@ Viewport::Viewport(Workbench &bench, QWidget *parent) : QOpenGLWidget(parent), m
         update();
     });
     connect(&bench, &Workbench::viewChanged, this, &Viewport::refresh);
+    connect(&settings(), &Settings::unitChanged, this, qOverload<>(&QWidget::update));
     connect(&bench.session(), &Session::modelChanged, this, [this] {
         watchAnalysis();
         rebuildScene();
@@ -106,7 +117,6 @@ Viewport::Viewport(Workbench &bench, QWidget *parent) : QOpenGLWidget(parent), m
     });
     m_builder.setAnalysis(bench.session().analysis());
     rebuildScene();
-    connect(&settings(), &Settings::unitChanged, this, qOverload<>(&QWidget::update));
 }
 
 Viewport::~Viewport()
@@ -178,6 +188,12 @@ void Viewport::paintMarks()
     OverlayScene scene{overlay, interaction.camera(), Vec2(width(), height()),
                        m_scene.sections.empty(), !interaction.hasGesture()};
     scene.view = interaction.view();
+    scene.unit = settings().unit();
+    const bool isDrawing = overlay.slit || overlay.stroke;
+    if (!isDrawing)
+        scene.marks =
+            placeMarks(interaction.marks(), interaction.camera(), scene.viewport, scene.view);
+    scene.litMark = litMark();
     scene.bounds = m_bench.session().committed().bounds();
     const auto hovered = static_cast<std::size_t>(std::max(overlay.hovered, 0));
     if (overlay.hovered >= 0 && hovered < model.sectionCount())
@@ -187,14 +203,16 @@ void Viewport::paintMarks()
     QPainter painter(&m_marks);
     painter.setFont(font());
     paintOverlay(painter, scene, theme().viewStyle(), locale());
+    if (!m_showsFocus)
+        return;
+    const QRectF inside = QRectF(rect()).adjusted(1.0, 1.0, -1.0, -1.0);
+    painter.setBrush(Qt::NoBrush);
+    for (const QPen &pen : {QPen(theme().panel, 4.0), QPen(theme().accent, 2.0)}) {
+        painter.setPen(pen);
+        painter.drawRect(inside);
+    }
 }
 
-    scene.unit = settings().unit();
-    const bool isDrawing = overlay.slit || overlay.stroke;
-    if (!isDrawing)
-        scene.marks =
-            placeMarks(interaction.marks(), interaction.camera(), scene.viewport, scene.view);
-    scene.litMark = litMark();
 /// Its mark appears when it takes longer than one waits for.
 void Viewport::watchAnalysis()
 {
@@ -210,8 +228,16 @@ void Viewport::watchAnalysis()
     m_busyTurn.stop();
 }
 
+/// A frame for those who came by keys; whoever has the mouse here knows.
+void Viewport::showFocus(bool shows)
+{
+    if (std::exchange(m_showsFocus, shows) != shows)
+        update();
+}
+
 void Viewport::mousePressEvent(QMouseEvent *event)
 {
+    showFocus(false);
     flushMoves();
     m_bench.handle(pointer(PointerEvent::Type::Press, event));
 }
@@ -335,8 +361,15 @@ bool Viewport::event(QEvent *event)
         return true;
     if (event->type() == QEvent::Leave)
         leave();
-    else if (event->type() == QEvent::FocusOut)
+    else if (event->type() == QEvent::FocusIn)
+        showFocus(m_showsFocus || isOfKeys(static_cast<QFocusEvent *>(event)->reason()));
+    else if (event->type() == QEvent::FocusOut) {
         m_isSpaceHeld = false;
+        // Back in this window, or behind a menu, it is where it was.
+        const Qt::FocusReason reason = static_cast<QFocusEvent *>(event)->reason();
+        if (reason != Qt::ActiveWindowFocusReason && reason != Qt::PopupFocusReason)
+            showFocus(false);
+    }
     return QOpenGLWidget::event(event);
 }
 
@@ -354,6 +387,28 @@ void Viewport::advance()
     flushMoves();
     if (!m_bench.advance())
         m_frames.stop();
+}
+
+/// Under the cursor, or with the cursor on its row.
+int Viewport::litMark() const
+{
+    const int hovered = m_bench.interaction().overlay().mark;
+    return hovered > 0 ? hovered : m_bench.litProblem();
+}
+
+/// Of those that are to be outlined, the ones that are in the model: others change nothing that is
+/// seen.
+std::vector<SectionRef> Viewport::presentlyOutlined() const
+{
+    std::vector<SectionRef> present;
+    const Model &model = m_bench.session().model();
+    const std::vector<SectionRef> &wanted = m_bench.outlined();
+    for (std::size_t i = 0; !wanted.empty() && i < model.sectionCount(); ++i) {
+        const SectionRef ref = model.ref(i);
+        if (std::binary_search(wanted.begin(), wanted.end(), ref))
+            present.push_back(ref);
+    }
+    return present;
 }
 
 Viewport::Seen Viewport::seen() const
@@ -390,28 +445,6 @@ void Viewport::refresh()
     m_seen = std::move(now);
     markScene();
     update();
-/// Under the cursor, or with the cursor on its row.
-int Viewport::litMark() const
-{
-    const int hovered = m_bench.interaction().overlay().mark;
-    return hovered > 0 ? hovered : m_bench.litProblem();
-}
-
-/// Of those that are to be outlined, the ones that are in the model: others change nothing that is
-/// seen.
-std::vector<SectionRef> Viewport::presentlyOutlined() const
-{
-    std::vector<SectionRef> present;
-    const Model &model = m_bench.session().model();
-    const std::vector<SectionRef> &wanted = m_bench.outlined();
-    for (std::size_t i = 0; !wanted.empty() && i < model.sectionCount(); ++i) {
-        const SectionRef ref = model.ref(i);
-        if (std::binary_search(wanted.begin(), wanted.end(), ref))
-            present.push_back(ref);
-    }
-    return present;
-}
-
 }
 
 void Viewport::rebuildScene()
@@ -430,6 +463,7 @@ void Viewport::markScene()
     if (model.sectionCount() != m_scene.sections.size())
         return; // rebuilt at once after this
     const auto &selection = interaction.selection();
+    const auto &outlined = m_bench.outlined();
     applyView(m_scene, model, interaction.view());
     const bool isDrawing = interaction.overlay().stroke.has_value();
     // The section being drawn is the preview's last; all that is committed stands back for it.
@@ -445,4 +479,3 @@ void Viewport::markScene()
 }
 
 } // namespace fff::ui
-    const auto &outlined = m_bench.outlined();

@@ -73,6 +73,7 @@ private:
     PointerEvent pointer(PointerEvent::Type type, const QPointF &place, Qt::KeyboardModifiers keys,
                          quint64 time);
     bool pinch(QNativeGestureEvent *event);
+    void showFocus(bool shows);
     void flushMoves();
     void leave();
     void advance();
@@ -80,9 +81,9 @@ private:
     void rebuildScene();
     void markScene();
     Seen seen() const;
-    void watchAnalysis();
     std::vector<SectionRef> presentlyOutlined() const;
     int litMark() const;
+    void watchAnalysis();
     void paintMarks();
 
     Workbench &m_bench;
@@ -91,6 +92,7 @@ private:
     Scene m_scene;
     bool m_isUsable = false;
     bool m_isSpaceHeld = false;
+    bool m_showsFocus = false;         // a frame says that keys go here
     std::vector<PointerEvent> m_moves; // of the burst that is coming in
     QTimer m_burst;                    // ends when nothing more is at hand
     QTimer m_frames;

@@ -88,11 +88,11 @@ private:
     std::vector<SectionRef> m_selection; // as last announced
     Hint m_hint;
     ViewState m_view;
+    std::vector<SectionRef> m_outlined;
+    int m_litProblem = 0, m_hoveredProblem = 0;
     Projection m_projection = Projection::Orthographic;
     bool m_couldGoBack = false;
     EventClock m_clock;
-    std::vector<SectionRef> m_outlined;
-    int m_litProblem = 0, m_hoveredProblem = 0;
     CommandRegistry m_commands;
     std::string m_viewToShow; // asked for before there was a size
 };

@@ -146,12 +146,12 @@ struct InteractionSettings
     double dragThreshold = 4.0;      // px
     double nameDelay = 400.0;        // ms that the cursor rests before a name is shown
     double fitTolerance = 2.0;       // px that the fitted contour may be off the samples
+    Naming naming;                   // of what is drawn
 };
 
 class Interaction
 {
 public:
-    Naming naming;                   // of what is drawn
     explicit Interaction(InteractionHost &host);
     ~Interaction();
 

@@ -84,11 +84,11 @@ private Q_SLOTS:
     void escapeEndsADragWithoutAStep();
     void aUsedStockIsReplaced();
     void lengthsFollowTheUnit();
+    void fieldsReckonWithTheThickness();
     void fieldsOfSectionsThatDifferSayMixed();
     void longSentencesAreCutShort();
     void anEditTouchesOneRowOfTheOutline();
     void theFilterKeepsParents();
-    void fieldsReckonWithTheThickness();
     void f6GoesRoundTheWindow();
 
 private:
@@ -428,6 +428,41 @@ void TestDocks::lengthsFollowTheUnit()
     QCOMPARE(session().committed().document.stocks.front()->thickness, 3.175);
 }
 
+// Wrong: "3*t" in the field that shows t, or a typing error that vanishes without a word.
+void TestDocks::fieldsReckonWithTheThickness()
+{
+    session().reset(cross());
+    m_window->bench().select({session().model().ref(0)});
+    auto *x = find<QDoubleSpinBox>("positionX");
+    QVERIFY(x);
+    QTRY_VERIFY(x->isVisible());
+    QSignalSpy refused(x, SIGNAL(refused(QString)));
+    const auto type = [&](const char *text) {
+        x->setFocus();
+        x->selectAll();
+        QTest::keyClicks(x, QString::fromUtf8(text));
+        QTest::keyClick(x, Qt::Key_Return);
+    };
+    const auto position = [&] { return session().committed().section(0)->frame.origin.x(); };
+    type("3*t");
+    QVERIFY(std::abs(position() - 9.0) < 1e-9);
+    type("1 in + 2 mm");
+    QVERIFY(std::abs(position() - 27.4) < 1e-9);
+    QCOMPARE(refused.count(), 0);
+    const int steps = session().history()->index();
+    type("3*kg");
+    QCOMPARE(refused.count(), 1);
+    QVERIFY(refused[0][0].toString().contains(QStringLiteral("kg")));
+    QVERIFY(x->text().contains(QStringLiteral("kg"))); // to be mended
+    type("99999999");
+    QCOMPARE(refused.count(), 2);
+    QVERIFY2(refused[1][0].toString().startsWith(QStringLiteral("At most")),
+             qPrintable(refused[1][0].toString()));
+    x->clearFocus();
+    QCOMPARE(session().history()->index(), steps);
+    QVERIFY2(x->text().startsWith(QStringLiteral("27.4")), qPrintable(x->text()));
+}
+
 // Wrong: a field that gives all sections the value of one when it is only passed by.
 void TestDocks::fieldsOfSectionsThatDifferSayMixed()
 {
@@ -512,41 +547,6 @@ void TestDocks::f6GoesRoundTheWindow()
     for (int i = 0; i < 8; ++i) {
         QTest::keyClick(m_window.get(), Qt::Key_F6);
         for (QWidget *at = QApplication::focusWidget(); at; at = at->parentWidget()) {
-// Wrong: "3*t" in the field that shows t, or a typing error that vanishes without a word.
-void TestDocks::fieldsReckonWithTheThickness()
-{
-    session().reset(cross());
-    m_window->bench().select({session().model().ref(0)});
-    auto *x = find<QDoubleSpinBox>("positionX");
-    QVERIFY(x);
-    QTRY_VERIFY(x->isVisible());
-    QSignalSpy refused(x, SIGNAL(refused(QString)));
-    const auto type = [&](const char *text) {
-        x->setFocus();
-        x->selectAll();
-        QTest::keyClicks(x, QString::fromUtf8(text));
-        QTest::keyClick(x, Qt::Key_Return);
-    };
-    const auto position = [&] { return session().committed().section(0)->frame.origin.x(); };
-    type("3*t");
-    QVERIFY(std::abs(position() - 9.0) < 1e-9);
-    type("1 in + 2 mm");
-    QVERIFY(std::abs(position() - 27.4) < 1e-9);
-    QCOMPARE(refused.count(), 0);
-    const int steps = session().history()->index();
-    type("3*kg");
-    QCOMPARE(refused.count(), 1);
-    QVERIFY(refused[0][0].toString().contains(QStringLiteral("kg")));
-    QVERIFY(x->text().contains(QStringLiteral("kg"))); // to be mended
-    type("99999999");
-    QCOMPARE(refused.count(), 2);
-    QVERIFY2(refused[1][0].toString().startsWith(QStringLiteral("At most")),
-             qPrintable(refused[1][0].toString()));
-    x->clearFocus();
-    QCOMPARE(session().history()->index(), steps);
-    QVERIFY2(x->text().startsWith(QStringLiteral("27.4")), qPrintable(x->text()));
-}
-
             if (parts.contains(at->objectName()))
                 panes += at->objectName();
         }

@@ -188,7 +188,8 @@ QWidget *SettingsDialog::makeGeneral()
                  static_cast<int>(settings().unit()),
                  [](int index) { settings().setUnit(static_cast<LengthUnit>(index)); });
     form->note(tr("What is shown and typed. Files always hold millimetres."));
-    form->choice("settingsTheme", tr("Colours"), {tr("As the system"), tr("Light"), tr("Dark")},
+    form->choice("settingsTheme", tr("Colours"),
+                 {tr("As the system"), tr("Light"), tr("Dark"), tr("High contrast")},
                  static_cast<int>(settings().colourScheme()),
                  [](int index) { settings().setColourScheme(static_cast<ColourScheme>(index)); });
     // Languages are named in themselves, so that whoever got lost finds back.

@@ -1,6 +1,6 @@
 #include "ui/settings/settings.h"
 
-#include "ui/settings/system_motion.h"
+#include "ui/settings/system_wishes.h"
 
 #include <QDir>
 #include <QFileInfo>
@@ -36,8 +36,10 @@ using Words = std::initializer_list<std::pair<Value, const char *>>;
 
 const Words<LengthUnit> kUnits = {
     {LengthUnit::Millimetre, "mm"}, {LengthUnit::Centimetre, "cm"}, {LengthUnit::Inch, "in"}};
-const Words<ColourScheme> kSchemes = {
-    {ColourScheme::System, "system"}, {ColourScheme::Light, "light"}, {ColourScheme::Dark, "dark"}};
+const Words<ColourScheme> kSchemes = {{ColourScheme::System, "system"},
+                                      {ColourScheme::Light, "light"},
+                                      {ColourScheme::Dark, "dark"},
+                                      {ColourScheme::HighContrast, "contrast"}};
 const Words<Motion> kMotions = {
     {Motion::System, "system"}, {Motion::Full, "full"}, {Motion::Reduced, "reduced"}};
 

@@ -223,7 +223,7 @@ void StartPage::fillSamples()
 
 void StartPage::refreshColours()
 {
-    m_wasDark = theme().isDark;
+    m_shownStyle = theme().viewStyle();
     m_new->setIcon(tintedPixmap(QStringLiteral("new"), 24, theme().onAccent, devicePixelRatioF()));
     requestPictures();
 }
@@ -266,7 +266,7 @@ void StartPage::changeEvent(QEvent *event)
     QWidget::changeEvent(event);
     const bool isOfColours =
         event->type() == QEvent::PaletteChange || event->type() == QEvent::StyleChange;
-    if (isOfColours && isVisible() && m_wasDark != theme().isDark)
+    if (isOfColours && isVisible() && !(m_shownStyle == theme().viewStyle()))
         refreshColours();
 }
 

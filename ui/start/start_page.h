@@ -4,6 +4,7 @@
 
 #include "ui/files/unsaved_work.h"
 #include "ui/start/thumbnails.h"
+#include "ui/view/view_style.h"
 
 #include <QWidget>
 
@@ -62,7 +63,7 @@ private:
     QLabel *m_recentHeading = nullptr;
     CardGrid *m_recent = nullptr, *m_samples = nullptr;
     std::vector<Shown> m_shownRecent, m_shownSamples;
-    bool m_wasDark = false;
+    ViewStyle m_shownStyle; // of the pictures
 };
 
 } // namespace fff::ui

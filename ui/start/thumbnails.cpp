@@ -40,7 +40,8 @@ QString nameOf(const QString &path, const QSize &size, double pixelRatio)
         path.startsWith(u':') ? QStringLiteral(FFF_VERSION)
                               : info.lastModified().toString(Qt::ISODateWithMs),
         QString::number(size.width()), QString::number(size.height()), QString::number(pixelRatio),
-        theme().isDark ? QStringLiteral("dark") : QStringLiteral("light"), QString::number(kLook)};
+        theme().isDark ? QStringLiteral("dark") : QStringLiteral("light"),
+        theme().isHighContrast ? QStringLiteral("contrast") : QString(), QString::number(kLook)};
     const QByteArray key = facts.join(u'\n').toUtf8();
     return QString::fromLatin1(QCryptographicHash::hash(key, QCryptographicHash::Sha1).toHex()) +
            QStringLiteral(".png");

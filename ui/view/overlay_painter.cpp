@@ -382,6 +382,8 @@ void Drawing::mark(const PlacedMark &mark, bool isLit)
     m_painter.restore();
 }
 
+} // namespace
+
 void paintOverlay(QPainter &painter, const OverlayScene &scene, const ViewStyle &style,
                   const QLocale &locale)
 {
@@ -392,14 +394,12 @@ void paintOverlay(QPainter &painter, const OverlayScene &scene, const ViewStyle 
     drawing.stroke();
     drawing.slit();
     drawing.cutHandle();
+    drawing.marks();
     drawing.invitation();
     drawing.scaleBar();
-    drawing.marks();
     drawing.cube();
     drawing.progress();
     drawing.hoveredName();
 }
 
 } // namespace fff::ui
-} // namespace
-

@@ -18,7 +18,6 @@ constexpr double kGhostFace = 0.26, kGhostEdge = 0.40; // opacity
 constexpr double kXrayFace = 0.20, kXrayEdge = 0.60;
 constexpr double kEdgeOn = 1e-3;           // sine of the angle to the ground
 constexpr double kHiddenOutline = 0.4;     // opacity
-constexpr double kHoverOutline = 0.6;      // opacity
 constexpr double kLeastGridRadius = 320.0; // mm
 constexpr double kShadeRadius = 0.055;     // of the model's diagonal: how far corners are darkened
 /// Layers of what lets light through: behind so many, next to nothing is seen.
@@ -492,8 +491,11 @@ void Renderer::Private::drawOutlines(const Scene &scene, const ViewStyle &style)
         painter.edges(i, {premultiplied(colour, alpha), width, width, nearer + width * pixel});
     };
     for (std::size_t i = 0; i < scene.sections.size(); ++i) {
-        if (scene.sections[i].isHovered && !scene.sections[i].isSelected)
-            outline(i, style.accent, kHoverOutline, style.hoverWidth, 0.3);
+        if (!scene.sections[i].isHovered || scene.sections[i].isSelected)
+            continue;
+        if (style.casesHover && style.casing.isValid())
+            outline(i, style.casing, 1.0, style.hoverWidth + 2.0, 0.2);
+        outline(i, style.accent, style.hoverAlpha, style.hoverWidth, 0.3);
     }
     // Selected ones are seen through what is before them, but faintly.
     gl.glDepthFunc(GL_GREATER);

@@ -25,6 +25,8 @@ struct ViewStyle
     QColor warning = QColor(0x8a, 0x53, 0x00);
     QColor problemHatch = QColor(0xb3, 0x26, 0x1e);
     QColor casing;               // round the outline of a selected section; invalid: none
+    bool casesHover = false;     // and of a hovered one
+    double hoverAlpha = 0.6;     // of its outline
     double faceBrightness = 1.0; // of the stocks' faces
 
     double edgeWidth = 1.0, silhouetteWidth = 1.4; // px

@@ -130,6 +130,9 @@ void TestDialogs::theThemeIsFollowedAtOnce()
     settings().setColourScheme(ColourScheme::Light);
     QVERIFY(!theme().isDark);
     QVERIFY(m_window->palette().color(QPalette::Window).lightness() > 128);
+    settings().setColourScheme(ColourScheme::HighContrast);
+    QVERIFY(theme().isHighContrast);
+    QCOMPARE(m_window->palette().color(QPalette::Window), theme().window);
 }
 
 void TestDialogs::theTurnTimeIsFollowedAtOnce()

@@ -1,5 +1,6 @@
-#include "ui/settings/system_motion.h"
+#include "ui/settings/system_wishes.h"
 
+#include <QIcon>
 #include <QSettings>
 #include <QStandardPaths>
 #include <QVariant>
@@ -13,10 +14,18 @@ namespace fff::ui {
 namespace {
 
 #if defined(Q_OS_WIN)
-bool ask()
+bool askForMotion()
 {
     BOOL animates = TRUE;
     return SystemParametersInfoW(SPI_GETCLIENTAREAANIMATION, 0, &animates, 0) && !animates;
+}
+
+bool askForContrast()
+{
+    HIGHCONTRASTW contrast = {};
+    contrast.cbSize = sizeof(contrast);
+    return SystemParametersInfoW(SPI_GETHIGHCONTRAST, sizeof(contrast), &contrast, 0) &&
+           (contrast.dwFlags & HCF_HIGHCONTRASTON) != 0;
 }
 #else
 QVariant configured(const QString &file, const QString &key)
@@ -26,7 +35,7 @@ QVariant configured(const QString &file, const QString &key)
 }
 
 /// Plasma has a factor for all durations; GTK's file has a switch, which other desktops write too.
-bool ask()
+bool askForMotion()
 {
     bool isNumber = false;
     const double factor =
@@ -38,14 +47,30 @@ bool ask()
                                     QStringLiteral("Settings/gtk-enable-animations"));
     return gtk.isValid() && !gtk.toBool();
 }
+
+/// GNOME's switch changes the theme of widgets and that of icons.
+bool askForContrast()
+{
+    const QLatin1StringView name("HighContrast");
+    return QIcon::themeName().startsWith(name) ||
+           configured(QStringLiteral("gtk-3.0/settings.ini"),
+                      QStringLiteral("Settings/gtk-theme-name"))
+               .toString()
+               .startsWith(name);
+}
 #endif
 
 } // namespace
 
 bool systemReducesMotion()
 {
-    static const bool reduces = ask();
+    static const bool reduces = askForMotion();
     return reduces;
+}
+
+bool systemWantsContrast()
+{
+    return askForContrast();
 }
 
 } // namespace fff::ui

@@ -1,0 +1,134 @@
+// What stands on what can be read: contrasts as WCAG 2.1 reckons them.
+#include <QTest>
+
+#include "ui/settings/settings.h"
+#include "ui/theme.h"
+
+#include <QApplication>
+#include <QTemporaryDir>
+#include <QWidget>
+
+#include <cmath>
+
+using namespace fff::ui;
+
+namespace {
+
+double luminance(const QColor &colour)
+{
+    const auto linear = [](double v) {
+        return v <= 0.03928 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4);
+    };
+    return 0.2126 * linear(colour.redF()) + 0.7152 * linear(colour.greenF()) +
+           0.0722 * linear(colour.blueF());
+}
+
+double contrast(const QColor &a, const QColor &b)
+{
+    const double la = luminance(a), lb = luminance(b);
+    return (std::max(la, lb) + 0.05) / (std::min(la, lb) + 0.05);
+}
+
+} // namespace
+
+class TestTheme : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void initTestCase()
+    {
+        QVERIFY(m_folder.isValid());
+        Settings::setFile(m_folder.filePath(QStringLiteral("settings.ini")));
+    }
+
+    void everyTextCanBeRead_data()
+    {
+        QTest::addColumn<int>("scheme");
+        QTest::addColumn<bool>("isSystemDark");
+        QTest::addColumn<double>("least");
+        QTest::newRow("light") << static_cast<int>(ColourScheme::Light) << false << 4.5;
+        QTest::newRow("dark") << static_cast<int>(ColourScheme::Dark) << false << 4.5;
+        QTest::newRow("high contrast, light")
+            << static_cast<int>(ColourScheme::HighContrast) << false << 7.0;
+        QTest::newRow("high contrast, dark")
+            << static_cast<int>(ColourScheme::HighContrast) << true << 7.0;
+    }
+
+    /// Who chose high contrast would still meet grey on grey, or an edge that cannot be seen.
+    void everyTextCanBeRead()
+    {
+        QFETCH(int, scheme);
+        QFETCH(bool, isSystemDark);
+        QFETCH(double, least);
+        const QPalette before = QApplication::palette();
+        QApplication::setPalette(
+            QPalette(isSystemDark ? QColor(0x30, 0x30, 0x30) : QColor(0xf0, 0xf0, 0xf0)));
+        settings().setColourScheme(static_cast<ColourScheme>(scheme));
+        QWidget window;
+        applyTheme(&window);
+        QApplication::setPalette(before);
+        const Theme &t = theme();
+        const bool isContrast = least > 5.0;
+        QCOMPARE(t.isHighContrast, isContrast);
+        if (isContrast)
+            QCOMPARE(t.isDark, isSystemDark);
+
+        struct Pair
+        {
+            const char *name;
+            QColor line, ground;
+            double least;
+        };
+        const ViewStyle v = t.viewStyle();
+        // On the ground that is lit, marks other than text need less in the usual themes.
+        const double mark = isContrast ? 7.0 : 3.0;
+        const Pair pairs[] = {
+            {"text on the window", t.text, t.window, least},
+            {"text on a panel", t.text, t.panel, least},
+            {"text on every other row", t.text, t.alternate, least},
+            {"text on a button", t.text, t.button, least},
+            {"text on a hovered row", t.text, t.hover, least},
+            {"text on a chosen check", t.text, t.soft, least},
+            {"muted on the window", t.muted, t.window, least},
+            {"muted on a panel", t.muted, t.panel, least},
+            {"muted on a hovered row", t.muted, t.hover, least},
+            {"muted on a chosen check", t.muted, t.soft, least},
+            {"a selected row", t.onAccent, t.accent, least},
+            {"a checked tool", t.accent, t.soft, isContrast ? 7.0 : 4.5},
+            {"the focus on a panel", t.accent, t.panel, mark},
+            {"the focus on the window", t.accent, t.window, mark},
+            {"a field's border", t.strong, t.window, mark},
+            {"a problem", t.problem, t.panel, least},
+            {"a problem in a bar", t.problem, t.problemSoft, least},
+            {"text in a bar of problems", t.text, t.problemSoft, least},
+            {"a warning", t.warning, t.panel, least},
+            {"a warning in a bar", t.warning, t.warningSoft, least},
+            {"good", t.good, t.panel, least},
+            {"the number of a problem", v.panel, v.problem, least},
+            {"the number of a warning", v.panel, v.warning, least},
+            {"words in the view, above", v.muted, v.top, least},
+            {"words in the view, below", v.muted, v.bottom, least},
+            {"the slit in its casing", v.slit, v.panel, mark},
+            {"a problem's outline", v.problem, isContrast ? v.bottom : v.top, mark},
+        };
+        for (const Pair &pair : pairs)
+            QVERIFY2(contrast(pair.line, pair.ground) >= pair.least - 1e-9,
+                     qPrintable(QStringLiteral("%1: %2 to 1")
+                                    .arg(QLatin1String(pair.name))
+                                    .arg(contrast(pair.line, pair.ground))));
+        if (!isContrast)
+            return;
+        // In the view the ground is any material: the casing is what an outline is seen against.
+        QVERIFY(v.casing.isValid() && v.casesHover);
+        QVERIFY(contrast(v.accent, v.casing) >= 7.0);
+        QCOMPARE(v.hoverAlpha, 1.0);
+        QCOMPARE(v.top, v.bottom); // no gradient
+    }
+
+private:
+    QTemporaryDir m_folder;
+};
+
+QTEST_MAIN(TestTheme)
+#include "tst_theme.moc"
