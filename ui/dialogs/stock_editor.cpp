@@ -40,6 +40,7 @@ StockEditor::StockEditor(Workbench &bench, const ActionSet &actions, QWidget *pa
     area->setObjectName(QStringLiteral("stockArea"));
     area->setFrameShape(QFrame::NoFrame);
     area->setWidgetResizable(true);
+    area->setFocusPolicy(Qt::NoFocus); // its fields have it
     area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     m_fields = new StockFields(bench, area);
     area->setWidget(m_fields);
