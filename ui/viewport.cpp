@@ -56,11 +56,7 @@ Button toButton(Qt::MouseButton button)
 
 bool Viewport::Seen::isSamePicture(const Seen &other) const
 {
-    return camera.target == other.camera.target &&
-           camera.orientation.coeffs() == other.camera.orientation.coeffs() &&
-           camera.millimetresPerPixel == other.camera.millimetresPerPixel &&
-           camera.projection == other.camera.projection && view == other.view &&
-           isGhosted == other.isGhosted;
+    return camera == other.camera && view == other.view && isGhosted == other.isGhosted;
 }
 
 bool Viewport::Seen::operator==(const Seen &other) const

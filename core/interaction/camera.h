@@ -31,6 +31,12 @@ struct Camera
     Vec3 forward() const { return -backward(); }
 
     bool isPerspective() const { return projection == Projection::Perspective; }
+    /// The very same view.
+    bool operator==(const Camera &other) const
+    {
+        return target == other.target && orientation.coeffs() == other.orientation.coeffs() &&
+               millimetresPerPixel == other.millimetresPerPixel && projection == other.projection;
+    }
     /// From the target back to the eye, mm. In an orthographic view, far beyond everything.
     double eyeDistance(const Vec2 &viewport) const;
     Vec3 eye(const Vec2 &viewport) const { return target + eyeDistance(viewport) * backward(); }

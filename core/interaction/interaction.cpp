@@ -1,15 +1,15 @@
 #include "core/interaction/interaction.h"
 
-#include "core/base/tolerances.h"
-#include "core/base/units.h"
 #include "core/interaction/click_selection.h"
 #include "core/interaction/clip_gesture.h"
+#include "core/interaction/hovering.h"
 #include "core/interaction/stroke_gesture.h"
 #include "core/interaction/view_gestures.h"
 #include "core/interaction/view_motion.h"
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 #include <utility>
 
 namespace fff {
@@ -24,20 +24,12 @@ constexpr double kReturnTime = 400.0;
 constexpr double kNoteTime = 6000.0;
 /// A click on the view cube turns in this time, ms; never longer than a turn.
 constexpr double kCubeTime = 400.0;
-/// A name stays while the cursor is this near to where it was shown, px.
-constexpr double kNameReach = 24.0;
 
 struct Note
 {
     Hint hint;
     double until = 0.0; // ms
 };
-
-bool isSame(const Camera &a, const Camera &b)
-{
-    return a.target == b.target && a.orientation.coeffs() == b.orientation.coeffs() &&
-           a.millimetresPerPixel == b.millimetresPerPixel && a.projection == b.projection;
-}
 
 } // namespace
 
@@ -53,12 +45,7 @@ public:
     {
         return {host.model(), settings, motion.viewport, motion.camera, overlay, view};
     }
-    std::vector<Hit> hitsAt(const Vec2 &position) const;
-    const Section &sectionAt(const Hit &hit) const;
-    /// Whether the section is seen so much on edge there that points on it are guesses.
-    bool isOnEdge(const Hit &hit) const;
-    bool isOnHandle(const Vec2 &position) const;
-    int markUnder(const Vec2 &position) const;
+    Sight sight() const { return {host.model(), motion.camera, motion.viewport, view, marks}; }
 
     void press(const PointerEvent &event);
     void move(const PointerEvent &event);
@@ -68,9 +55,6 @@ public:
     void leave();
 
     std::unique_ptr<Gesture> gestureFor(const PointerEvent &press);
-    Vec3 middle() const;
-    Vec3 pivotAt(const Vec2 &position) const;
-    Camera cameraAt(const Vec2 &position) const;
     void click(const PointerEvent &press);
     void feed(const PointerEvent &event);
     void take(GestureReply reply);
@@ -78,7 +62,6 @@ public:
     bool cancelGesture();
 
     void hover();
-    void say(Hint next, Cursor nextCursor);
     void update();
     void turn(const Camera &to, double start, double duration);
 
@@ -98,9 +81,7 @@ public:
     bool hasPreview = false; // of the gesture
     Camera cameraBefore;     // the gesture
     Button pressed = Button::None;
-    std::optional<Vec2> cursorPosition; // none: not over the viewport
-    bool cursorRests = false;           // since the hover before this one
-    std::optional<double> nameTime;     // ms, when the name of what is hovered is to be shown
+    Hovering hovering;
     Modifiers modifiers;
 
     Overlay overlay;
@@ -111,89 +92,27 @@ public:
 
 // Routing: which gesture a press begins.
 
-std::vector<Hit> Interaction::Private::hitsAt(const Vec2 &position) const
-{
-    return pick(host.model(), motion.camera.rayThrough(position, motion.viewport), view);
-}
-
-const Section &Interaction::Private::sectionAt(const Hit &hit) const
-{
-    return *host.model().section(static_cast<std::size_t>(hit.section));
-}
-
-bool Interaction::Private::isOnEdge(const Hit &hit) const
-{
-    const Vec3 eye = motion.camera.towardsEye(hit.point, motion.viewport);
-    return std::abs(sectionAt(hit).frame.normal().dot(eye)) < std::sin(kMinDrawAngle);
-}
-
-bool Interaction::Private::isOnHandle(const Vec2 &position) const
-{
-    if (!view.clip)
-        return false;
-    const Vec3 handle = clipHandle(*view.clip, host.model().bounds());
-    return (motion.camera.toScreen(handle, motion.viewport) - position).norm() <= kHandleReach;
-}
-
-int Interaction::Private::markUnder(const Vec2 &position) const
-{
-    return markAt(position, placeMarks(marks, motion.camera, motion.viewport, view));
-}
-
 std::unique_ptr<Gesture> Interaction::Private::gestureFor(const PointerEvent &press)
 {
     const Vec2 &at = press.position;
     const bool isLeft = press.button == Button::Left;
-    if (isLeft && cubePartAt(at, motion.camera.orientation, motion.viewport))
-        return std::make_unique<OrbitGesture>(press, middle());
-    if (isLeft && markUnder(at) > 0)
-        return std::make_unique<OrbitGesture>(press, pivotAt(at));
-    if (isLeft && isOnHandle(at))
+    if (isLeft && sight().cubePartAt(at))
+        return std::make_unique<OrbitGesture>(press, sight().middleOf(selection));
+    if (isLeft && sight().markAt(at) > 0)
+        return std::make_unique<OrbitGesture>(press, sight().pivotAt(at));
+    if (isLeft && sight().isOnHandle(at))
         return std::make_unique<ClipGesture>(press, context());
-    motion.camera = cameraAt(at);
+    motion.camera = sight().cameraAt(at);
     if (press.button == Button::Middle || (isLeft && press.modifiers.space))
         return std::make_unique<PanGesture>(press);
     if (isLeft && !press.modifiers.control) {
         if (host.model().sectionCount() == 0)
             return std::make_unique<StrokeGesture>(press, context());
-        const std::vector<Hit> hits = hitsAt(at);
-        if (!hits.empty() && !isOnEdge(hits.front()))
+        const std::vector<Hit> hits = sight().hitsAt(at);
+        if (!hits.empty() && !sight().isOnEdge(hits.front()))
             return std::make_unique<StrokeGesture>(press, hits.front(), context());
     }
-    return std::make_unique<OrbitGesture>(press, pivotAt(at));
-}
-
-/// The same view; in perspective, pixels count at the depth of what is there.
-Camera Interaction::Private::cameraAt(const Vec2 &position) const
-{
-    return motion.camera.isPerspective()
-               ? retargeted(motion.camera, pivotAt(position), motion.viewport)
-               : motion.camera;
-}
-
-/// Of what is selected and there, else of the model.
-Vec3 Interaction::Private::middle() const
-{
-    const Model &model = host.model();
-    Box3 box;
-    for (const SectionRef &ref : selection) {
-        if (const int index = model.indexOf(ref); index >= 0) {
-            const Section &section = *model.section(static_cast<std::size_t>(index));
-            box.extend(worldBounds(*section.shape, section.frame));
-        }
-    }
-    if (box.isEmpty())
-        box = model.bounds();
-    return box.isEmpty() ? Vec3(0.0, kFirstPlaneHeight, 0.0) : box.center();
-}
-
-/// What was pressed, else the middle of the model.
-Vec3 Interaction::Private::pivotAt(const Vec2 &position) const
-{
-    if (const std::vector<Hit> hits = hitsAt(position); !hits.empty())
-        return hits.front().point;
-    const Box3 box = host.model().bounds();
-    return box.isEmpty() ? Vec3(0.0, kFirstPlaneHeight, 0.0) : box.center();
+    return std::make_unique<OrbitGesture>(press, sight().pivotAt(at));
 }
 
 void Interaction::Private::press(const PointerEvent &event)
@@ -223,7 +142,8 @@ void Interaction::Private::move(const PointerEvent &event)
         return;
     gesture = gestureFor(begin);
     cameraBefore = motion.camera;
-    overlay = {}; // what hovering marked
+    hovering.unmark(overlay);
+    overlay = {};
     const std::vector<PointerEvent> moves(pending.begin() + 1, pending.end());
     pending.clear();
     for (const PointerEvent &moved : moves) {
@@ -258,7 +178,8 @@ void Interaction::Private::zoom(const PointerEvent &event, double factor)
     motion.history.leave(motion.camera, ViewHistory::Change::Wheel);
     clicks.forget();
     motion.isTouched = true;
-    motion.camera = zoomed(cameraAt(event.position), factor, event.position, motion.viewport);
+    motion.camera =
+        zoomed(sight().cameraAt(event.position), factor, event.position, motion.viewport);
     hover();
 }
 
@@ -270,14 +191,14 @@ void Interaction::Private::scroll(const PointerEvent &event)
     motion.history.leave(motion.camera, ViewHistory::Change::Wheel);
     clicks.forget();
     motion.isTouched = true;
-    motion.camera = panned(cameraAt(event.position), event.position, event.position + event.scroll,
-                           motion.viewport);
+    motion.camera = panned(sight().cameraAt(event.position), event.position,
+                           event.position + event.scroll, motion.viewport);
     hover();
 }
 
 void Interaction::Private::leave()
 {
-    cursorPosition.reset();
+    hovering.leave();
     if (!gesture && pending.empty())
         hover();
 }
@@ -286,18 +207,19 @@ void Interaction::Private::click(const PointerEvent &begin)
 {
     if (begin.button != Button::Left || begin.modifiers.space)
         return;
-    if (const auto part = cubePartAt(begin.position, motion.camera.orientation, motion.viewport)) {
-        turn(turned(motion.camera, orientationOfPart(*part), middle(), motion.viewport), now,
-             std::min(kCubeTime, settings.turnTime));
+    if (const auto part = sight().cubePartAt(begin.position)) {
+        turn(turned(motion.camera, orientationOfPart(*part), sight().middleOf(selection),
+                    motion.viewport),
+             now, std::min(kCubeTime, settings.turnTime));
         return;
     }
-    if (const int number = markUnder(begin.position); number > 0) {
+    if (const int number = sight().markAt(begin.position); number > 0) {
         host.chooseProblem(number);
         return;
     }
-    if (isOnHandle(begin.position))
+    if (sight().isOnHandle(begin.position))
         return;
-    selection = clicks.click(host.model(), hitsAt(begin.position), begin.position,
+    selection = clicks.click(host.model(), sight().hitsAt(begin.position), begin.position,
                              settings.dragThreshold, begin.modifiers.control, selection);
 }
 
@@ -317,7 +239,7 @@ void Interaction::Private::take(GestureReply reply)
     }
     // The gesture goes first: the host's answer to what follows may come back here.
     gesture.reset();
-    if (!reply.returnTo && !isSame(cameraBefore, motion.camera))
+    if (!reply.returnTo && !(cameraBefore == motion.camera))
         motion.history.leave(cameraBefore, ViewHistory::Change::Drag);
     pending.clear();
     overlay = {};
@@ -362,64 +284,18 @@ bool Interaction::Private::cancelGesture()
 
 void Interaction::Private::hover()
 {
-    const int hovered = std::exchange(overlay.hovered, -1);
-    overlay.slitStart.reset();
-    overlay.cubePart.reset();
-    overlay.isHandleHovered = false;
-    overlay.mark = 0;
-    const std::optional<double> nameDue = std::exchange(nameTime, {});
-    const std::optional<Vec2> namePlace = std::exchange(overlay.namePlace, {});
-    if (!cursorPosition || motion.animation)
-        return;
-    overlay.cubePart = cubePartAt(*cursorPosition, motion.camera.orientation, motion.viewport);
-    if (overlay.cubePart)
-        return;
-    overlay.mark = markUnder(*cursorPosition);
-    if (overlay.mark > 0)
-        return;
-    overlay.isHandleHovered = isOnHandle(*cursorPosition);
-    if (overlay.isHandleHovered)
-        return;
-    const std::vector<Hit> hits = hitsAt(*cursorPosition);
-    if (hits.empty())
-        return;
-    overlay.hovered = hits.front().section;
-    if (!isOnEdge(hits.front()))
-        overlay.slitStart = hits.front().point;
-    if (overlay.hovered == hovered && namePlace &&
-        (*namePlace - *cursorPosition).norm() <= kNameReach)
-        overlay.namePlace = namePlace;
-    else if (overlay.hovered == hovered && nameDue && cursorRests)
-        nameTime = nameDue;
+    if (motion.animation)
+        hovering.unmark(overlay);
     else
-        nameTime = now + settings.nameDelay;
-}
-
-void Interaction::Private::say(Hint next, Cursor nextCursor)
-{
-    hint = std::move(next);
-    cursor = nextCursor;
+        hovering.mark(sight(), now, settings.nameDelay, overlay);
 }
 
 void Interaction::Private::update()
 {
     if (gesture)
-        say(gesture->hint(), gesture->cursor());
-    else if (overlay.cubePart)
-        say({Hint::Kind::LookFrom, std::string(nameOfPart(*overlay.cubePart)), false},
-            Cursor::Hand);
-    else if (overlay.mark > 0)
-        say({Hint::Kind::ChooseProblem, std::to_string(overlay.mark), false}, Cursor::Hand);
-    else if (overlay.isHandleHovered)
-        say({Hint::Kind::MoveCut, {}, false}, Cursor::MoveCross);
-    else if (host.model().sectionCount() == 0)
-        say({Hint::Kind::DrawFirstSection, {}, false}, Cursor::Pencil);
-    else if (overlay.slitStart)
-        say({Hint::Kind::DragOutOfSection,
-             host.model().section(static_cast<std::size_t>(overlay.hovered))->name, false},
-            Cursor::PencilWithSlit);
+        std::tie(hint, cursor) = std::pair(gesture->hint(), gesture->cursor());
     else
-        say({Hint::Kind::TurnView, {}, false}, Cursor::Arrow);
+        std::tie(hint, cursor) = hoverHint(overlay, host.model());
     if (modifiers.space && !gesture)
         cursor = Cursor::Hand;
 
@@ -498,7 +374,7 @@ void Interaction::setProjection(Projection projection)
     d->cancelGesture();
     d->motion.finish();
     Camera &camera = d->motion.camera;
-    camera = retargeted(camera, d->middle(), d->motion.viewport);
+    camera = retargeted(camera, d->sight().middleOf(d->selection), d->motion.viewport);
     camera.projection = projection;
     d->clicks.forget();
     d->hover();
@@ -568,9 +444,8 @@ void Interaction::handle(const PointerEvent &event)
     if (!event.position.allFinite())
         return;
     advance(event.time);
-    d->cursorRests = event.type != PointerEvent::Type::Leave && d->cursorPosition == event.position;
     if (event.type != PointerEvent::Type::Leave)
-        d->cursorPosition = event.position;
+        d->hovering.moveTo(event.position);
     d->modifiers = event.modifiers;
     switch (event.type) {
     case PointerEvent::Type::Press:
@@ -629,13 +504,10 @@ bool Interaction::advance(double time)
         d->gesture->advance(d->now, with);
     }
     if (d->motion.advance(d->now)) {
-        d->cursorRests = false;
+        d->hovering.disturb();
         d->hover();
     }
-    if (d->nameTime && d->now >= *d->nameTime) {
-        d->nameTime.reset();
-        d->overlay.namePlace = d->cursorPosition;
-    }
+    d->hovering.advance(d->now, d->overlay);
     d->update();
     return isAnimating();
 }
@@ -652,7 +524,7 @@ bool Interaction::hasGesture() const
 
 std::optional<double> Interaction::wakeTime() const
 {
-    std::optional<double> time = d->nameTime;
+    std::optional<double> time = d->hovering.nameTime();
     if (d->note && (!time || d->note->until < *time))
         time = d->note->until;
     return time;

@@ -45,10 +45,8 @@ struct Picture
     bool isOf(const Scene &scene, const Camera &c, const Vec2 &size, double ratio,
               const ViewStyle &s, const RenderOptions &o) const
     {
-        return camera.target == c.target && camera.orientation.coeffs() == c.orientation.coeffs() &&
-               camera.millimetresPerPixel == c.millimetresPerPixel &&
-               camera.projection == c.projection && viewport == size && pixelRatio == ratio &&
-               style == s && options == o &&
+        return camera == c && viewport == size && pixelRatio == ratio && style == s &&
+               options == o &&
                std::equal(
                    sections.begin(), sections.end(), scene.sections.begin(), scene.sections.end(),
                    [](const SceneSection &a, const SceneSection &b) { return a.looksTheSame(b); });

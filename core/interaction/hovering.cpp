@@ -1,0 +1,94 @@
+#include "core/interaction/hovering.h"
+
+#include <string>
+
+namespace fff {
+
+namespace {
+
+/// A name stays while the cursor is this near to where it was shown, px.
+constexpr double kNameReach = 24.0;
+
+} // namespace
+
+void Hovering::moveTo(const Vec2 &position)
+{
+    m_rests = m_position == position;
+    m_position = position;
+}
+
+void Hovering::leave()
+{
+    m_rests = false;
+    m_position.reset();
+}
+
+void Hovering::unmark(Overlay &overlay)
+{
+    overlay.hovered = -1;
+    overlay.slitStart.reset();
+    overlay.namePlace.reset();
+    overlay.cubePart.reset();
+    overlay.isHandleHovered = false;
+    overlay.mark = 0;
+    m_nameTime.reset();
+}
+
+void Hovering::mark(const Sight &sight, double now, double nameDelay, Overlay &overlay)
+{
+    const int hovered = overlay.hovered;
+    const std::optional<Vec2> namePlace = overlay.namePlace;
+    const std::optional<double> nameDue = m_nameTime;
+    unmark(overlay);
+    if (!m_position)
+        return;
+    overlay.cubePart = sight.cubePartAt(*m_position);
+    if (overlay.cubePart)
+        return;
+    overlay.mark = sight.markAt(*m_position);
+    if (overlay.mark > 0)
+        return;
+    overlay.isHandleHovered = sight.isOnHandle(*m_position);
+    if (overlay.isHandleHovered)
+        return;
+    const std::vector<Hit> hits = sight.hitsAt(*m_position);
+    if (hits.empty())
+        return;
+    overlay.hovered = hits.front().section;
+    if (!sight.isOnEdge(hits.front()))
+        overlay.slitStart = hits.front().point;
+    if (overlay.hovered == hovered && namePlace && (*namePlace - *m_position).norm() <= kNameReach)
+        overlay.namePlace = namePlace;
+    else if (overlay.hovered == hovered && nameDue && m_rests)
+        m_nameTime = nameDue;
+    else
+        m_nameTime = now + nameDelay;
+}
+
+void Hovering::advance(double now, Overlay &overlay)
+{
+    if (m_nameTime && now >= *m_nameTime) {
+        m_nameTime.reset();
+        overlay.namePlace = m_position;
+    }
+}
+
+std::pair<Hint, Cursor> hoverHint(const Overlay &overlay, const Model &model)
+{
+    if (overlay.cubePart)
+        return {{Hint::Kind::LookFrom, std::string(nameOfPart(*overlay.cubePart)), false},
+                Cursor::Hand};
+    if (overlay.mark > 0)
+        return {{Hint::Kind::ChooseProblem, std::to_string(overlay.mark), false}, Cursor::Hand};
+    if (overlay.isHandleHovered)
+        return {{Hint::Kind::MoveCut, {}, false}, Cursor::MoveCross};
+    if (model.sectionCount() == 0)
+        return {{Hint::Kind::DrawFirstSection, {}, false}, Cursor::Pencil};
+    if (overlay.slitStart) {
+        const Section &section = *model.section(static_cast<std::size_t>(overlay.hovered));
+        return {{Hint::Kind::DragOutOfSection, section.name, false}, Cursor::PencilWithSlit};
+    }
+    return {{Hint::Kind::TurnView, {}, false}, Cursor::Arrow};
+}
+
+} // namespace fff

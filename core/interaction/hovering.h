@@ -1,0 +1,42 @@
+// What the cursor marks while no button is pressed: the section under it and where a slit would
+// begin, after a while its name, the view cube, a problem’s number, the handle of the cut.
+#pragma once
+
+#include "core/interaction/interaction.h"
+#include "core/interaction/sight.h"
+
+#include <optional>
+#include <utility>
+
+namespace fff {
+
+class Hovering
+{
+public:
+    /// The cursor is there (px) by now; a name is waited for from when it comes to rest.
+    void moveTo(const Vec2 &position);
+    /// It is over the view no more.
+    void leave();
+    /// The view moves under it, so it does not rest.
+    void disturb() { m_rests = false; }
+
+    /// Marks what is under the cursor, and nothing else, in the overlay. `now`: ms;
+    /// `nameDelay`: ms that the cursor rests before a name is shown.
+    void mark(const Sight &sight, double now, double nameDelay, Overlay &overlay);
+    /// Marks nothing: the view turns.
+    void unmark(Overlay &overlay);
+    /// Shows the name whose time has come.
+    void advance(double now, Overlay &overlay);
+    /// When a name is to be shown, ms.
+    const std::optional<double> &nameTime() const { return m_nameTime; }
+
+private:
+    std::optional<Vec2> m_position;   // none: not over the view
+    bool m_rests = false;             // since it was marked last
+    std::optional<double> m_nameTime; // ms
+};
+
+/// What the next click or drag does at what is marked, and the cursor that says so.
+std::pair<Hint, Cursor> hoverHint(const Overlay &overlay, const Model &model);
+
+} // namespace fff
