@@ -4,6 +4,8 @@
 #include "core/session/journal.h"
 #include "core/session/latest_job.h"
 
+#include <QScopedValueRollback>
+#include <QSignalBlocker>
 #include <QUndoCommand>
 
 namespace fff {
@@ -96,6 +98,7 @@ void Session::Private::indexChanged()
         return;
     qCDebug(journal, "step %s", digestOf(committed->document).constData());
     show(committed);
+    Q_EMIT q->committedChanged();
 }
 
 Session::Session(QObject *parent) : QObject(parent), d(std::make_unique<Private>(this))
@@ -134,6 +137,7 @@ void Session::reset(Document document)
     d->isResetting = false;
     qCDebug(journal, "opened %s", digestOf(d->committed->document).constData());
     d->show(d->committed);
+    Q_EMIT committedChanged();
 }
 
 void Session::preview(Document document)
@@ -190,6 +194,32 @@ bool Session::isClean() const
 void Session::setClean()
 {
     d->stack->setClean();
+}
+
+void Session::setSaved(const Document &document)
+{
+    QUndoStack &stack = *d->stack;
+    if (document.isSame(d->committed->document)) {
+        stack.setClean();
+        return;
+    }
+    const int index = stack.index();
+    int saved = stack.count();
+    while (saved >= 0 && !document.isSame(modelAfter(saved)->document))
+        --saved;
+    {
+        // The stack marks only the step that it stands at.
+        const QScopedValueRollback going(d->isResetting, true);
+        const QSignalBlocker quiet(stack);
+        if (saved >= 0) {
+            stack.setIndex(saved);
+            stack.setClean();
+            stack.setIndex(index);
+        } else {
+            stack.resetClean();
+        }
+    }
+    Q_EMIT stack.cleanChanged(stack.isClean());
 }
 
 void Session::setUnsaved()

@@ -42,6 +42,9 @@ public:
     const Model *modelAfter(int steps) const;
     bool isClean() const;
     void setClean(); // saved
+    /// This document is on disk now. It may be an earlier or later step than what is committed by
+    /// then: clean is the step that it is; when the history has it no more, none is.
+    void setSaved(const Document &document);
     /// What is shown is on no disk (recovered after a crash): not clean until it is saved.
     void setUnsaved();
 
@@ -57,6 +60,8 @@ public:
 
 Q_SIGNALS:
     void modelChanged(const fff::Model &before, const fff::Model &after);
+    /// committed() is another one, also where what is shown stays: a preview was committed.
+    void committedChanged();
     void analysisChanged();
     void cleanChanged(bool clean);
 

@@ -8,6 +8,8 @@ void SessionHost::attach(Interaction &interaction)
 {
     connect(&m_session, &Session::modelChanged, this,
             [&interaction] { interaction.modelChanged(); });
+    connect(&m_session, &Session::committedChanged, this,
+            [&interaction] { interaction.modelChanged(); });
     interaction.modelChanged();
 }
 

@@ -196,7 +196,7 @@ bool DocumentFiles::saveFile(const QString &path)
     }
     qCDebug(journal, "saved %s", digestOf(document).constData());
     m_messages.hide();
-    m_bench.session().setClean();
+    m_bench.session().setSaved(document); // not what it may have become meanwhile
     setPath(path, true, true);
     settings().addRecentFile(path);
     m_status.say(tr("Saved to %1.").arg(file));

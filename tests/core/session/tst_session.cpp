@@ -3,6 +3,7 @@
 #include "core/model/edits.h"
 #include "core/session/latest_job.h"
 #include "core/session/session.h"
+#include "core/session/session_host.h"
 
 #include <QSignalSpy>
 
@@ -57,6 +58,9 @@ private Q_SLOTS:
     void commitOfThePreviewIsQuiet();
     void resetStartsAnew();
     void cleanFollowsTheHistory();
+    void savedIsWhatWasWritten_data();
+    void savedIsWhatWasWritten();
+    void aStrokeGoesOnAfterACommittedPreview();
     void revisionCountsEveryChange();
     void analysisBelongsToItsRevision();
     void goneWhileTheJobRuns();
@@ -184,6 +188,97 @@ void TestSession::cleanFollowsTheHistory()
     session.history()->redo();
     QVERIFY(session.isClean());
     QCOMPARE(spy.count(), 4);
+}
+
+void TestSession::savedIsWhatWasWritten_data()
+{
+    QTest::addColumn<int>("written");   // the step that is being written
+    QTest::addColumn<int>("before");    // the step that was clean then
+    QTest::addColumn<int>("now");       // the step that is shown when it is on disk
+    QTest::addColumn<int>("cleanStep"); // -1: none
+    QTest::newRow("nothing happened meanwhile") << 2 << 0 << 2 << 2;
+    QTest::newRow("a section was drawn meanwhile") << 2 << 0 << 3 << 2;
+    QTest::newRow("two steps were undone meanwhile") << 3 << 1 << 1 << 3;
+    QTest::newRow("undone to what the file held before") << 2 << 0 << 0 << 2;
+}
+
+/// What is edited while a file is being written is not in it: closing must ask, and only the step
+/// that was written may say that there is nothing to lose.
+void TestSession::savedIsWhatWasWritten()
+{
+    QFETCH(int, written);
+    QFETCH(int, before);
+    QFETCH(int, now);
+    QFETCH(int, cleanStep);
+    Session session;
+    draw(session, 3);
+    QUndoStack &history = *session.history();
+    history.setIndex(before);
+    session.setClean();
+    history.setIndex(written);
+    const Document document = session.committed().document;
+    history.setIndex(now);
+
+    const Model *shown = &session.model();
+    Changes changes(session);
+    QSignalSpy steps(&history, &QUndoStack::indexChanged);
+    bool saidClean = session.isClean();
+    connect(&session, &Session::cleanChanged, this, [&](bool clean) { saidClean = clean; });
+    session.setSaved(document);
+    QCOMPARE(&session.model(), shown);
+    QVERIFY(changes.pairs.empty());
+    QCOMPARE(steps.count(), 0);
+    QCOMPARE(session.isClean(), now == cleanStep);
+    QCOMPARE(saidClean, session.isClean());
+    for (int step = 0; step <= 3; ++step) {
+        history.setIndex(step);
+        QCOMPARE(session.isClean(), step == cleanStep);
+    }
+    history.setIndex(1);
+    session.commit(QStringLiteral("Draw"), withSection(session.committed().document, 9.0));
+    session.setSaved(document);
+    const bool isThere = cleanStep <= 1; // the steps above were given up for the new one
+    for (int step = 0; step <= 2; ++step) {
+        history.setIndex(step);
+        QCOMPARE(session.isClean(), isThere && step == cleanStep);
+    }
+}
+
+/// Dragging the thickness previews what is then committed. The interaction must hear of that, or
+/// takes the first preview of the next stroke for an edit by someone else and gives the stroke up.
+void TestSession::aStrokeGoesOnAfterACommittedPreview()
+{
+    Session session;
+    SessionHost host(session);
+    Interaction interaction(host);
+    host.attach(interaction);
+    interaction.setViewport({1000.0, 800.0});
+    const Document &document = session.committed().document;
+    Stock stock = *document.stocks.front();
+    stock.thickness = 5.0;
+    const Document thicker = *setStock(document, stock);
+    session.preview(thicker);
+    session.commit(QStringLiteral("Thicker"), thicker);
+
+    const std::vector<Vec2> way{{400, 300}, {600, 300}, {600, 500}, {400, 500}, {400, 320}};
+    PointerEvent event;
+    event.type = PointerEvent::Type::Press;
+    event.button = Button::Left;
+    event.position = way.front();
+    interaction.handle(event);
+    event.type = PointerEvent::Type::Move;
+    for (std::size_t i = 1; i < way.size(); ++i) {
+        for (int part = 1; part <= 10; ++part) {
+            event.time += 10.0;
+            event.position = way[i - 1] + (way[i] - way[i - 1]) * (part / 10.0);
+            interaction.handle(event);
+        }
+    }
+    QVERIFY(interaction.hasGesture());
+    event.type = PointerEvent::Type::Release;
+    interaction.handle(event);
+    QCOMPARE(session.committed().sectionCount(), std::size_t(1));
+    QCOMPARE(session.history()->count(), 2);
 }
 
 void TestSession::revisionCountsEveryChange()
