@@ -1,5 +1,6 @@
 fff_test(ui/actions/tst_action_finder fff::ui)
 fff_test(ui/dialogs/tst_dialogs fff::ui)
+fff_test(ui/files/tst_progress fff::ui)
 fff_test(ui/files/tst_windows fff::ui)
 fff_test(ui/settings/tst_settings fff::ui)
 fff_test(ui/start/tst_samples fff::ui)

@@ -2,6 +2,7 @@
 
 #include "ui/theme.h"
 
+#include <QCloseEvent>
 #include <QElapsedTimer>
 #include <QEventLoop>
 #include <QProgressDialog>
@@ -13,6 +14,36 @@ namespace {
 
 constexpr int kPatience = 500; // ms without a word
 constexpr int kAskEvery = 10;  // ms
+
+/// A dialog that neither Esc nor its frame takes away before the work is done: it is what keeps
+/// input from the windows.
+class Progress : public QProgressDialog
+{
+public:
+    Progress(const QString &text, MayCancel mayCancel, QWidget *window)
+        : QProgressDialog(text, QString(), 0, 0, window, Qt::Dialog | Qt::CustomizeWindowHint),
+          m_mayCancel(mayCancel)
+    {
+    }
+
+    void reject() override
+    {
+        if (m_mayCancel == MayCancel::Yes)
+            QProgressDialog::reject();
+    }
+
+protected:
+    void closeEvent(QCloseEvent *event) override
+    {
+        if (m_mayCancel == MayCancel::Yes)
+            QProgressDialog::closeEvent(event);
+        else
+            event->ignore();
+    }
+
+private:
+    MayCancel m_mayCancel;
+};
 
 } // namespace
 
@@ -34,7 +65,7 @@ bool waitWithProgress(QWidget &window, const QString &text, MayCancel mayCancel,
     if (isDone())
         return true;
 
-    QProgressDialog dialog(text, QString(), 0, 0, &window, Qt::Dialog | Qt::CustomizeWindowHint);
+    Progress dialog(text, mayCancel, &window);
     dialog.setObjectName(QStringLiteral("progress"));
     dialog.setPalette(theme().palette());
     dialog.setWindowModality(Qt::ApplicationModal);
