@@ -16,11 +16,29 @@ bool equalValues(const Pointers &a, const Pointers &b)
 
 } // namespace
 
+int Document::indexOf(SectionId id) const
+{
+    std::size_t from = 0, to = sections.size();
+    while (from < to) {
+        const std::size_t middle = from + (to - from) / 2;
+        if (sections[middle]->id == id)
+            return static_cast<int>(middle);
+        if (sections[middle]->id < id)
+            from = middle + 1;
+        else
+            to = middle;
+    }
+    for (std::size_t i = 0; i < sections.size(); ++i) {
+        if (sections[i]->id == id)
+            return static_cast<int>(i);
+    }
+    return -1;
+}
+
 const Section *Document::find(SectionId id) const
 {
-    const auto it = std::find_if(sections.begin(), sections.end(),
-                                 [id](const SectionPointer &s) { return s->id == id; });
-    return it == sections.end() ? nullptr : it->get();
+    const int index = indexOf(id);
+    return index < 0 ? nullptr : sections[static_cast<std::size_t>(index)].get();
 }
 
 const Stock *Document::find(StockId id) const

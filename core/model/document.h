@@ -47,6 +47,9 @@ struct Document
     StockId currentStock;
     std::int64_t nextId = 1;
 
+    /// In `sections`, or -1. Ids rise in the order of drawing, where it takes O(log sections); a
+    /// file may have them in another order, where it takes O(sections).
+    int indexOf(SectionId id) const;
     /// Null when there is none.
     const Section *find(SectionId id) const;
     const Stock *find(StockId id) const;

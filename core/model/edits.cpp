@@ -20,16 +20,15 @@ tl::unexpected<Error> unknown(Id<Tag> id)
 template <class Change>
 Result<Document> changeSection(Document document, SectionId id, Change change)
 {
-    for (SectionPointer &pointer : document.sections) {
-        if (pointer->id != id)
-            continue;
-        Section next = *pointer;
-        change(next);
-        if (next.shape != pointer->shape || !(next == *pointer))
-            pointer = std::make_shared<const Section>(std::move(next));
-        return document;
-    }
-    return unknown(id);
+    const int index = document.indexOf(id);
+    if (index < 0)
+        return unknown(id);
+    SectionPointer &pointer = document.sections[static_cast<std::size_t>(index)];
+    Section next = *pointer;
+    change(next);
+    if (next.shape != pointer->shape || !(next == *pointer))
+        pointer = std::make_shared<const Section>(std::move(next));
+    return document;
 }
 
 /// The first field of a stock that no sheet can have, or null.

@@ -1,5 +1,7 @@
 #include "core/model/model.h"
 
+#include <algorithm>
+
 namespace fff {
 
 const SectionPointer &Model::section(std::size_t index) const
@@ -17,11 +19,14 @@ SectionRef Model::ref(std::size_t index) const
 
 int Model::indexOf(const SectionRef &ref) const
 {
-    for (std::size_t i = 0; i < sectionCount(); ++i) {
-        if (this->ref(i) == ref)
-            return static_cast<int>(i);
-    }
-    return -1;
+    if (ref.drawn.isValid())
+        return document.indexOf(ref.drawn);
+    const auto &made = evaluation.sections;
+    const auto it = std::find_if(made.begin(), made.end(),
+                                 [&](const GeneratedSection &s) { return s.ref == ref; });
+    return it == made.end()
+               ? -1
+               : static_cast<int>(document.sections.size()) + static_cast<int>(it - made.begin());
 }
 
 Box3 Model::bounds() const

@@ -28,10 +28,40 @@ private Q_SLOTS:
     void copiesAreTheSame();
     void equalValuesAreNotTheSameObjects();
     void findByNameOfNothing();
+    void sectionsAreFoundInAnyOrder_data();
+    void sectionsAreFoundInAnyOrder();
     void modelListsDrawnThenGenerated();
     void referencesAreOrderedAndTold();
     void emptyModelHasNoBounds();
 };
+
+void TestDocument::sectionsAreFoundInAnyOrder_data()
+{
+    QTest::addColumn<QList<qint64>>("ids");
+    QTest::newRow("none") << QList<qint64>{};
+    QTest::newRow("as drawn") << QList<qint64>{2, 3, 4, 7, 9, 10, 12};
+    QTest::newRow("backwards") << QList<qint64>{12, 10, 9, 7, 4, 3, 2};
+    QTest::newRow("mixed, as a file may have them") << QList<qint64>{7, 12, 2, 10, 3, 9, 4};
+}
+
+// Wrong: a section of a file whose ids do not rise could not be selected, moved or deleted.
+void TestDocument::sectionsAreFoundInAnyOrder()
+{
+    QFETCH(QList<qint64>, ids);
+    Model model{newDocument(), {}};
+    const SectionPointer disc = withDisc(newDocument()).sections.front();
+    for (const qint64 id : ids) {
+        Section section = *disc;
+        section.id = SectionId{id};
+        model.document.sections.push_back(std::make_shared<const Section>(section));
+    }
+    for (qint64 id = -1; id < 14; ++id) {
+        const int index = static_cast<int>(ids.indexOf(id));
+        QCOMPARE(model.document.indexOf(SectionId{id}), index);
+        QCOMPARE(model.indexOf(SectionRef(SectionId{id})), index);
+        QCOMPARE(model.document.find(SectionId{id}) != nullptr, index >= 0);
+    }
+}
 
 // Wrong: the first stroke would be of no material.
 void TestDocument::newDocumentHasAStock()
