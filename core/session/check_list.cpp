@@ -15,10 +15,12 @@ constexpr int kSeen = 100, kLate = 500;
 CheckList::CheckList(const Session &session, QObject *parent)
     : QObject(parent), m_session(session),
       m_job(
-          [](const std::shared_ptr<const Analysis> &analysis) -> VerdictsPointer {
+          [](const AnalysisPointer &analysis) -> VerdictsPointer {
               return std::make_shared<const Verdicts>(Verdicts{analysis->model, checks(*analysis)});
           },
           [this](std::uint64_t revision, VerdictsPointer verdicts) {
+              if (revision != m_session.revision() && m_session.model().sectionCount() == 0)
+                  return; // late, on what is gone
               m_verdicts = std::move(verdicts);
               m_revision = revision;
               if (revision == m_session.revision()) {
@@ -36,11 +38,9 @@ CheckList::CheckList(const Session &session, QObject *parent)
     connect(&m_becomesOlder, &QTimer::timeout, this, [this] { grow(Age::Older); });
     connect(&m_becomesLate, &QTimer::timeout, this, [this] { grow(Age::Late); });
     connect(&session, &Session::modelChanged, this, &CheckList::modelChanged);
-    connect(&session, &Session::analysisChanged, this, [this] {
-        m_job.request(m_session.analysedRevision(),
-                      std::make_shared<const Analysis>(m_session.analysis()));
-    });
-    m_job.request(session.analysedRevision(), std::make_shared<const Analysis>(session.analysis()));
+    connect(&session, &Session::analysisChanged, this,
+            [this] { m_job.request(m_session.analysedRevision(), m_session.analysisPointer()); });
+    m_job.request(session.analysedRevision(), session.analysisPointer());
     if (session.analysedRevision() != session.revision())
         modelChanged();
 }

@@ -57,7 +57,7 @@ private:
     std::uint64_t m_revision = 0; // that they belong to
     Age m_age = Age::Current;
     QTimer m_becomesOlder, m_becomesLate;
-    LatestJob<std::shared_ptr<const Analysis>, VerdictsPointer> m_job; // last: waits for its worker
+    LatestJob<AnalysisPointer, VerdictsPointer> m_job; // last: waits for its worker
 };
 
 } // namespace fff

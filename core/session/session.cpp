@@ -237,6 +237,11 @@ const Analysis &Session::analysis() const
     return *d->analysis;
 }
 
+const AnalysisPointer &Session::analysisPointer() const
+{
+    return d->analysis;
+}
+
 std::uint64_t Session::analysedRevision() const
 {
     return d->analysedRevision;

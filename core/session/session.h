@@ -54,6 +54,8 @@ public:
     /// The newest finished analysis (of an older revision while one is running). Computed on a
     /// worker: one runs, the newest request waits, others are dropped.
     const Analysis &analysis() const;
+    /// The same, to be kept.
+    const AnalysisPointer &analysisPointer() const;
     std::uint64_t analysedRevision() const;
     /// Blocks until analysis() belongs to revision(): for exports and the command line.
     const Analysis &currentAnalysis();
