@@ -19,6 +19,7 @@
 #include <QDoubleSpinBox>
 #include <QLabel>
 #include <QLineEdit>
+#include <QListWidget>
 #include <QSignalSpy>
 #include <QSlider>
 #include <QTemporaryDir>
@@ -82,6 +83,10 @@ private Q_SLOTS:
     void aCheckSelectsWhomItIsAbout();
     void draggingTheThicknessIsOneStep();
     void escapeEndsADragWithoutAStep();
+    void escapeEndsADragOfTheMouse();
+    void aKeyOnTheSliderIsForTheStockThatIsShown();
+    void undoAfterAKeyOnTheSliderTakesItBack();
+    void aNameIsForTheSectionItWasTypedAt();
     void aUsedStockIsReplaced();
     void lengthsFollowTheUnit();
     void fieldsReckonWithTheThickness();
@@ -391,6 +396,99 @@ void TestDocks::escapeEndsADragWithoutAStep()
     QVERIFY(!session().hasPreview());
     QTest::qWait(500);
     QCOMPARE(session().history()->index(), 0);
+}
+
+// Wrong: the mouse, still down after Esc, goes on to drag and commits what was given up.
+void TestDocks::escapeEndsADragOfTheMouse()
+{
+    session().reset(cross());
+    find<QAction>("fabricate.stocks")->trigger();
+    auto *slider = find<QWidget>("stockThickness")->findChild<QSlider *>();
+    QTRY_VERIFY(slider->isVisible());
+    const double before = session().committed().document.stocks.front()->thickness;
+    const int y = slider->height() / 2, middle = slider->width() / 2;
+    slider->setFocus();
+    QTest::mousePress(slider, Qt::LeftButton, {}, {middle, y});
+    QTest::mouseMove(slider, {middle + 12, y});
+    QTest::keyClick(slider, Qt::Key_Escape);
+    QVERIFY(!session().hasPreview());
+    QTest::mouseMove(slider, {middle + 24, y});
+    QVERIFY(!session().hasPreview());
+    QTest::mouseRelease(slider, Qt::LeftButton, {}, {middle + 24, y});
+    QVERIFY(!session().hasPreview());
+    QCOMPARE(session().history()->index(), 0);
+    QCOMPARE(session().model().document.stocks.front()->thickness, before);
+    // The next drag is one again.
+    QTest::mousePress(slider, Qt::LeftButton, {}, {middle, y});
+    QTest::mouseMove(slider, {middle + 30, y});
+    QTest::mouseMove(slider, {middle + 50, y});
+    QTest::mouseRelease(slider, Qt::LeftButton, {}, {middle + 50, y});
+    QVERIFY(session().history()->index() > 0);
+}
+
+// Wrong: the thickness of one stock given to another that is chosen before the slider has settled.
+void TestDocks::aKeyOnTheSliderIsForTheStockThatIsShown()
+{
+    Document document = cross();
+    Stock thick = *document.stocks.front();
+    thick.name = "Thick";
+    thick.thickness = 12.0;
+    document = *addStock(std::move(document), thick);
+    session().reset(document);
+    find<QAction>("fabricate.stocks")->trigger();
+    auto *list = find<QListWidget>("stockList");
+    list->setCurrentRow(0);
+    auto *slider = find<QWidget>("stockThickness")->findChild<QSlider *>();
+    QTRY_VERIFY(slider->isVisible());
+    const double before = session().committed().document.stocks.front()->thickness;
+    QTest::keyClick(slider, Qt::Key_Right);
+    list->setCurrentRow(1);
+    QCOMPARE(session().history()->index(), 1);
+    const auto &stocks = session().committed().document.stocks;
+    QVERIFY(stocks.front()->thickness > before);
+    QCOMPARE(stocks.back()->thickness, 12.0);
+    QVERIFY(!session().hasPreview());
+}
+
+// Wrong: Undo takes back the step before, and what was set by a key comes after it as a new one.
+void TestDocks::undoAfterAKeyOnTheSliderTakesItBack()
+{
+    session().reset(cross());
+    session().commit(QStringLiteral("Rename"),
+                     *renameSection(session().committed().document,
+                                    session().committed().document.sections.front()->id, "Fin"));
+    find<QAction>("fabricate.stocks")->trigger();
+    auto *slider = find<QWidget>("stockThickness")->findChild<QSlider *>();
+    QTRY_VERIFY(slider->isVisible());
+    slider->window()->activateWindow();
+    slider->setFocus();
+    QTRY_COMPARE(QApplication::focusWidget(), slider);
+    QTest::keyClick(slider, Qt::Key_Right);
+    find<QAction>("edit.undo")->trigger();
+    QCOMPARE(session().history()->index(), 1);
+    QCOMPARE(session().history()->count(), 2);
+    QCOMPARE(session().committed().document.sections.front()->name, std::string("Fin"));
+    QVERIFY(!session().hasPreview());
+}
+
+// Wrong: what was typed for one section becomes the name of the one that is selected next.
+void TestDocks::aNameIsForTheSectionItWasTypedAt()
+{
+    session().reset(cross());
+    const Document document = session().committed().document;
+    const SectionId first = document.sections[0]->id, second = document.sections[1]->id;
+    const std::string kept = document.sections[1]->name;
+    m_window->bench().select({SectionRef(first)});
+    auto *name = find<QLineEdit>("propertiesName");
+    name->setFocus();
+    name->selectAll();
+    QTest::keyClicks(name, QStringLiteral("Fin"));
+    m_window->bench().select({SectionRef(second)});
+    QTest::keyClick(name, Qt::Key_Return);
+    QCOMPARE(session().committed().document.find(first)->name, std::string("Fin"));
+    QCOMPARE(session().committed().document.find(second)->name, kept);
+    QCOMPARE(name->text(), QString::fromStdString(kept));
+    QCOMPARE(session().history()->index(), 1);
 }
 
 void TestDocks::aUsedStockIsReplaced()

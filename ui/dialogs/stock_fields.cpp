@@ -87,7 +87,7 @@ PropertyGroup *StockFields::addGroup(const QString &name)
 void StockFields::makeSheet()
 {
     PropertyGroup *group = addGroup(tr("Sheet"));
-    auto *thickness = new ThicknessField(group);
+    auto *thickness = m_thickness = new ThicknessField(group);
     connect(thickness, &ThicknessField::dragged, this,
             [this](double mm) { previewThickness(m_bench, std::array{m_stock}, mm); });
     connect(thickness, &ThicknessField::settled, this,
@@ -253,6 +253,7 @@ void StockFields::setStock(StockId stock)
 {
     if (m_name->isModified())
         rename(); // of the one that was shown
+    m_thickness->settle();
     m_stock = stock;
     refresh();
 }

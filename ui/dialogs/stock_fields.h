@@ -52,6 +52,7 @@ private:
     StockId m_stock;
     QLineEdit *m_name = nullptr;
     QLabel *m_uses = nullptr;
+    ThicknessField *m_thickness = nullptr;
     std::vector<PropertyRow *> m_rows;
 };
 

@@ -46,6 +46,7 @@ PropertiesHeader::PropertiesHeader(Workbench &bench, QWidget *parent)
 
 void PropertiesHeader::refresh()
 {
+    nameWhatIsSelected();
     const std::vector<int> sections = selectedSections(m_bench);
     m_icon->setPixmap(
         tintedPixmap(sections.empty() ? QStringLiteral("view_iso") : QStringLiteral("section"), 22,
@@ -74,6 +75,20 @@ void PropertiesHeader::refresh()
     m_kind->setText(kind);
 }
 
+/// What was typed before another section was selected is the name of the one that was.
+void PropertiesHeader::nameWhatIsSelected()
+{
+    const std::vector<int> sections = selectedSections(m_bench);
+    const SectionRef single =
+        sections.size() == 1
+            ? m_bench.session().model().ref(static_cast<std::size_t>(sections.front()))
+            : SectionRef();
+    if (single == m_named)
+        return;
+    rename();
+    m_named = single;
+}
+
 QString PropertiesHeader::kindOf(int section) const
 {
     const Model &model = m_bench.session().model();
@@ -95,17 +110,15 @@ QString PropertiesHeader::kindOf(int section) const
 
 void PropertiesHeader::rename()
 {
-    const std::vector<int> sections = selectedSections(m_bench);
-    if (sections.size() != 1 || !m_name->isModified())
+    if (!m_name->isModified())
         return;
     m_name->setModified(false);
-    const Model &model = m_bench.session().committed();
-    const auto index = static_cast<std::size_t>(sections.front());
-    const std::string before = model.section(index)->name;
-    const QString name = m_name->text().trimmed();
-    if (!name.isEmpty() && name.toStdString() != before) {
-        m_bench.commit({Step::Kind::RenameSection, {before}},
-                       renameSection(model.document, model.ref(index).drawn, name.toStdString()));
+    const Document document = m_bench.session().committed().document;
+    const Section *section = document.find(m_named.drawn);
+    const std::string name = m_name->text().trimmed().toStdString();
+    if (section && !name.empty() && name != section->name) {
+        m_bench.commit({Step::Kind::RenameSection, {section->name}},
+                       renameSection(document, m_named.drawn, name));
     }
     refresh();
 }

@@ -4,6 +4,8 @@
 
 #include <QWidget> // first: moc stumbles over some standard headers
 
+#include "core/model/section.h"
+
 #include <vector>
 
 class QLabel;
@@ -24,6 +26,7 @@ public:
 
 private:
     QString kindOf(int section) const;
+    void nameWhatIsSelected();
     void rename();
 
     Workbench &m_bench;
@@ -31,6 +34,7 @@ private:
     QLabel *m_title = nullptr; // of what has no name to change
     QLineEdit *m_name = nullptr;
     QLabel *m_kind = nullptr;
+    SectionRef m_named; // whose name the field has; none unless one is selected
 };
 
 /// Indices in the model that is shown, of those selected sections that exist in it.

@@ -1,5 +1,6 @@
 #include "ui/properties/open_editor.h"
 
+#include <QAbstractSlider>
 #include <QAbstractSpinBox>
 #include <QApplication>
 #include <QLineEdit>
@@ -10,7 +11,8 @@ namespace fff::ui {
 void commitOpenEditor()
 {
     const QPointer<QWidget> editor = QApplication::focusWidget();
-    if (!qobject_cast<QLineEdit *>(editor) && !qobject_cast<QAbstractSpinBox *>(editor))
+    if (!qobject_cast<QLineEdit *>(editor) && !qobject_cast<QAbstractSpinBox *>(editor) &&
+        !qobject_cast<QAbstractSlider *>(editor))
         return;
     editor->clearFocus();
     // The outline renames in a call of its own, once its editor has gone.

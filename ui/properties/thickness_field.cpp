@@ -93,11 +93,18 @@ bool ThicknessField::eventFilter(QObject *object, QEvent *event)
         event->ignore(); // scrolling must not change numbers on the way
         return true;
     }
+    if (event->type() == QEvent::FocusOut)
+        settle(); // what is selected next may be another stock
+    if (m_isGivenUp && event->type() == QEvent::MouseMove)
+        return true; // the button is still down, but drags nothing any more
+    if (event->type() == QEvent::MouseButtonRelease || event->type() == QEvent::MouseButtonPress)
+        m_isGivenUp = false;
     const bool isEscape = event->type() == QEvent::KeyPress &&
                           static_cast<QKeyEvent *>(event)->key() == Qt::Key_Escape;
     if (isEscape && m_before) {
         m_settled.stop();
         m_before.reset();
+        m_isGivenUp = m_slider->isSliderDown();
         m_slider->setSliderDown(false);
         Q_EMIT cancelled();
         return true;

@@ -21,6 +21,8 @@ public:
 
     /// Announces nothing. Nothing: several stocks that differ.
     void setThickness(std::optional<double> millimetres);
+    /// What waits to be announced is, now: the field is about to be for something else.
+    void settle();
 
 Q_SIGNALS:
     void dragged(double millimetres); // on the way
@@ -32,7 +34,6 @@ protected:
 
 private:
     void follow(int notch);
-    void settle();
 
     QSlider *m_slider = nullptr;
     LengthEdit *m_edit = nullptr;
@@ -40,6 +41,7 @@ private:
     std::optional<double> m_thickness; // as last set: "t" in the field
     std::optional<double> m_before;    // of the drag that runs
     bool m_isSetting = false;
+    bool m_isGivenUp = false; // by Esc, with the button still down
 };
 
 } // namespace fff::ui
