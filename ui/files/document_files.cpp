@@ -71,8 +71,6 @@ bool DocumentFiles::saveAs()
         askForTarget(tr("Save the model"), tr("FlatFitFab models (*.fff)"), kSuffix);
     if (path.isEmpty())
         return false;
-    if (path != m_path)
-        m_stamp = {}; // the dialog has asked about that file
     return saveFile(path);
 }
 
@@ -116,7 +114,8 @@ bool DocumentFiles::revert()
     if (!loaded)
         return false;
     m_messages.hide();
-    m_bench.escape(); // a section that is still being drawn
+    if (m_bench.interaction().hasGesture())
+        m_bench.escape(); // a section that is still being drawn; else Esc would drop the selection
     m_bench.session().commit(tr("Revert to saved"), loaded->document);
     m_bench.session().setClean();
     m_stamp = FileStamp::of(m_path);

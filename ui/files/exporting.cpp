@@ -94,8 +94,8 @@ bool Exporting::writeDrawing(const QString &path, bool isFilePerSheet)
     options.isFilePerSheet = isFilePerSheet;
     const QString doing = tr("Exporting %1…").arg(name);
     const auto made = inBackground<Result<CuttingFile>>(
-        m_window, doing, MayCancel::No, [analysis = m_bench.session().analysis(), options] {
-            return makeCuttingFile(analysis, options);
+        m_window, doing, MayCancel::No, [analysis = m_bench.session().analysisPointer(), options] {
+            return makeCuttingFile(*analysis, options);
         });
     if (!*made)
         return tellFailure(path, made->error());
@@ -160,19 +160,19 @@ void Exporting::tellDone(const CuttingFile &file, const QString &name)
 bool Exporting::writeSolids(const QString &path)
 {
     const QString name = QFileInfo(path).fileName();
-    const Analysis analysis = m_bench.session().analysis();
-    if (analysis.model.sectionCount() == 0)
+    const AnalysisPointer analysis = m_bench.session().analysisPointer();
+    if (analysis->model.sectionCount() == 0)
         return tellFailure(path, Error{ErrorCode::NothingToExport, {}, {}});
     const auto written = inBackground<Result<void>>(
         m_window, tr("Exporting %1…").arg(name), MayCancel::No, [analysis, path] {
-            return io::writeFile(path, io::writeObj(analysis.model, analysis.cuts));
+            return io::writeFile(path, io::writeObj(analysis->model, analysis->cuts));
         });
     if (!*written)
         return tellFailure(path, written->error());
     m_messages.hide();
     m_status.say(
         tr("Exported %1 as solids to %2.")
-            .arg(tr("%n section(s)", nullptr, static_cast<int>(analysis.model.sectionCount())),
+            .arg(tr("%n section(s)", nullptr, static_cast<int>(analysis->model.sectionCount())),
                  name));
     return true;
 }
