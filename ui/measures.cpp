@@ -16,19 +16,30 @@ struct MeasureText
 
 } // namespace
 
-Measures::Measures(const Session &session) : m_model(session.model())
+Measures::Measures(const Session &session)
+    : m_model(session.model()), m_analysis(session.analysis())
 {
-    const Analysis &analysis = session.analysis();
-    const std::size_t count = std::min(analysis.model.sectionCount(), analysis.cuts.size());
-    for (std::size_t i = 0; i < count; ++i)
-        m_cuts[analysis.model.section(i).get()] = analysis.cuts[i];
+}
+
+/// The cut of just this section, or null while none is known. Mostly it stands where it stood.
+const CutSection *Measures::cutOf(int section) const
+{
+    const auto index = static_cast<std::size_t>(section);
+    const Model &known = m_analysis.model;
+    int at = section;
+    if (index >= known.sectionCount() || known.section(index) != m_model.section(index))
+        at = known.indexOf(m_model.ref(index));
+    const auto there = static_cast<std::size_t>(at);
+    return at >= 0 && there < m_analysis.cuts.size() &&
+                   known.section(there) == m_model.section(index)
+               ? m_analysis.cuts[there].get()
+               : nullptr;
 }
 
 double Measures::area(int section) const
 {
-    const SectionPointer &pointer = m_model.section(static_cast<std::size_t>(section));
-    const auto known = m_cuts.find(pointer.get());
-    return known != m_cuts.end() && known->second ? known->second->area() : pointer->shape->area();
+    const CutSection *cut = cutOf(section);
+    return cut ? cut->area() : m_model.section(static_cast<std::size_t>(section))->shape->area();
 }
 
 double Measures::mass(int section) const

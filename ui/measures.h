@@ -7,10 +7,9 @@
 
 #include <QLocale>
 
-#include <unordered_map>
-
 namespace fff::ui {
 
+/// To be asked at once: refers to the session's model and analysis.
 class Measures
 {
 public:
@@ -23,8 +22,10 @@ public:
     Vec2 contourSize(int section) const; // mm, along the frame's axes
 
 private:
+    const CutSection *cutOf(int section) const;
+
     const Model &m_model;
-    std::unordered_map<const Section *, CutSectionPointer> m_cuts;
+    const Analysis &m_analysis;
 };
 
 QString massText(double kilograms, const QLocale &locale);         // "78 g", "1.25 kg"

@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <utility>
 
 namespace fff::ui {
@@ -458,7 +459,8 @@ void Viewport::markScene()
     const Model &model = m_bench.session().model();
     if (model.sectionCount() != m_scene.sections.size())
         return; // rebuilt at once after this
-    const auto &selection = interaction.selection();
+    const std::set<SectionRef> selected(interaction.selection().begin(),
+                                        interaction.selection().end());
     const auto &outlined = m_bench.outlined();
     applyView(m_scene, model, interaction.view());
     const bool isDrawing = interaction.overlay().stroke.has_value();
@@ -466,8 +468,7 @@ void Viewport::markScene()
     const std::size_t committed = m_bench.session().committed().sectionCount();
     for (std::size_t i = 0; i < m_scene.sections.size(); ++i) {
         SceneSection &section = m_scene.sections[i];
-        section.isSelected =
-            std::find(selection.begin(), selection.end(), model.ref(i)) != selection.end();
+        section.isSelected = !selected.empty() && selected.contains(model.ref(i));
         section.isHovered = interaction.overlay().hovered == static_cast<int>(i) ||
                             std::binary_search(outlined.begin(), outlined.end(), model.ref(i));
         section.isGhost = section.isGhost || (isDrawing && i < committed);

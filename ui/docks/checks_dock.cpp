@@ -20,6 +20,7 @@
 #include <QTransform>
 
 #include <algorithm>
+#include <map>
 
 namespace fff::ui {
 
@@ -139,10 +140,9 @@ void ChecksDock::refresh()
 {
     m_rows.clear();
     const std::vector<Check> &all = m_list.all();
+    std::map<CheckCode, int> alike;
     for (std::size_t i = 0; i < all.size(); ++i) {
-        const auto alike = std::count_if(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(i),
-                                         [&](const Check &c) { return c.code == all[i].code; });
-        if (alike < kMostAlike) {
+        if (alike[all[i].code]++ < kMostAlike) {
             m_rows.push_back({all[i]});
         } else {
             const auto last = std::find_if(m_rows.rbegin(), m_rows.rend(), [&](const Row &row) {

@@ -165,83 +165,112 @@ void OutlineDock::refreshColours()
     m_tree->viewport()->update();
 }
 
+/// What is shown only while a section is drawn.
+std::set<SectionId> OutlineDock::drafts() const
+{
+    std::set<SectionId> drafts;
+    if (!m_bench.session().hasPreview())
+        return drafts;
+    const Document &committed = m_bench.session().committed().document;
+    for (const SectionPointer &section : m_bench.session().model().document.sections) {
+        if (!committed.find(section->id))
+            drafts.insert(section->id);
+    }
+    return drafts;
+}
+
+/// Drops the rows of what is gone. Those below them go to the top, to be placed anew.
+void OutlineDock::dropRows(const Document &document, std::set<SectionId> &moved)
+{
+    std::set<SectionId> there;
+    for (const SectionPointer &section : document.sections)
+        there.insert(section->id);
+    for (auto it = m_items.begin(); it != m_items.end();) {
+        if (there.contains(it->first)) {
+            ++it;
+            continue;
+        }
+        QTreeWidgetItem *item = it->second;
+        for (QTreeWidgetItem *child : item->takeChildren()) {
+            m_tree->addTopLevelItem(child);
+            moved.insert(idOf(child));
+        }
+        it = m_items.erase(it);
+        delete item;
+    }
+}
+
+/// Makes the row or writes it anew.
+void OutlineDock::writeRow(QTreeWidgetItem *&item, const Section &section, bool isDraft)
+{
+    if (!item) {
+        item = new QTreeWidgetItem;
+        item->setIcon(kName, rowIcon(QStringLiteral("section")));
+        item->setSizeHint(kName, {0, kRowHeight});
+        item->setData(kName, kIdRole, static_cast<qlonglong>(section.id.value));
+    }
+    fill(item, section);
+    QFont words = font();
+    words.setItalic(isDraft);
+    item->setFont(kName, words);
+    const auto flags = item->flags();
+    item->setFlags(isDraft ? flags & ~Qt::ItemIsEditable : flags | Qt::ItemIsEditable);
+    const QString name = QString::fromStdString(section.name);
+    //: %1 is the name of a section
+    item->setText(kName, isDraft ? tr("%1, being drawn").arg(name) : name);
+}
+
 /// Makes the rows of what is new, drops those of what is gone, and writes those whose section is
-/// another object than the one they were made of.
+/// another object than the one they were made of. Every move of a drag comes by here: the sections
+/// that stay cost a look at their pointers.
 void OutlineDock::followModel()
 {
     const Document &document = m_bench.session().model().document;
-    const Document &committed = m_bench.session().committed().document;
-    bool hasNewRows = false;
+    const auto &sections = document.sections;
+    const bool hasSameRows =
+        std::equal(m_shown.begin(), m_shown.end(), sections.begin(), sections.end(),
+                   [](const auto &a, const auto &b) { return a == b || a->id == b->id; });
+    bool isTouched = !hasSameRows;
     {
         const QScopedValueRollback filling(m_isFilling, true);
         const bool stocksDiffer = !showTheSame(m_stocks, document.stocks);
         m_stocks = document.stocks;
-
-        std::set<SectionId> there, moved, drafts;
-        for (const SectionPointer &section : document.sections)
-            there.insert(section->id);
-        if (m_bench.session().hasPreview()) {
-            for (const SectionPointer &section : document.sections) {
-                if (!committed.find(section->id))
-                    drafts.insert(section->id);
-            }
-        }
-        for (auto it = m_items.begin(); it != m_items.end();) {
-            if (there.contains(it->first)) {
-                ++it;
+        std::set<SectionId> moved, drafts = this->drafts();
+        if (!hasSameRows)
+            dropRows(document, moved);
+        std::unordered_map<SectionId, SectionPointer> before;
+        for (const SectionPointer &section : hasSameRows ? SectionList() : m_shown)
+            before.emplace(section->id, section);
+        for (std::size_t i = 0; i < sections.size(); ++i) {
+            const Section &section = *sections[i];
+            const auto known = before.find(section.id);
+            const Section *shown = hasSameRows             ? m_shown[i].get()
+                                   : known != before.end() ? known->second.get()
+                                                           : nullptr;
+            const bool isDraft = !drafts.empty() && drafts.contains(section.id);
+            const bool wasDraft = !m_drafts.empty() && m_drafts.contains(section.id);
+            if (shown == &section && !stocksDiffer && isDraft == wasDraft)
                 continue;
-            }
-            QTreeWidgetItem *item = it->second;
-            for (QTreeWidgetItem *child : item->takeChildren()) {
-                m_tree->addTopLevelItem(child);
-                moved.insert(idOf(child));
-            }
-            m_shown.erase(it->first);
-            it = m_items.erase(it);
-            delete item;
-        }
-        for (const SectionPointer &section : document.sections) {
-            SectionPointer &shown = m_shown[section->id];
-            QTreeWidgetItem *&item = m_items[section->id];
-            const bool isNew = !item;
-            const bool isDraft = drafts.contains(section->id);
-            if (!isNew && shown == section && !stocksDiffer &&
-                isDraft == m_drafts.contains(section->id))
-                continue;
-            if (isNew) {
-                item = new QTreeWidgetItem;
-                item->setIcon(kName, rowIcon(QStringLiteral("section")));
-                item->setSizeHint(kName, {0, kRowHeight});
-                item->setData(kName, kIdRole, static_cast<qlonglong>(section->id.value));
-            }
-            if (isNew || !(shown->parent == section->parent))
-                moved.insert(section->id);
-            if (isNew || shown != section)
+            if (!shown || !(shown->parent == section.parent))
+                moved.insert(section.id);
+            if (shown != &section)
                 ++m_rowsTouched;
-            shown = section;
-            fill(item, *section);
-            QFont words = font();
-            words.setItalic(isDraft);
-            item->setFont(kName, words);
-            const auto flags = item->flags();
-            item->setFlags(isDraft ? flags & ~Qt::ItemIsEditable : flags | Qt::ItemIsEditable);
-            const QString name = QString::fromStdString(section->name);
-            //: %1 is the name of a section
-            item->setText(kName, isDraft ? tr("%1, being drawn").arg(name) : name);
-            hasNewRows = hasNewRows || isNew;
+            writeRow(m_items[section.id], section, isDraft);
+            isTouched = true;
         }
+        m_shown = sections;
         m_drafts = std::move(drafts);
         place(document, moved);
         m_empty->setVisible(m_items.empty());
         showColumns();
     }
-    if (hasNewRows) {
+    if (!hasSameRows) {
         markHidden();
         markProblems();
+        showSelection();
     }
-    if (!m_filter->text().isEmpty())
+    if (isTouched && !m_filter->text().isEmpty())
         applyFilter();
-    showSelection();
 }
 
 void OutlineDock::fill(QTreeWidgetItem *item, const Section &section)

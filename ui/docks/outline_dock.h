@@ -36,6 +36,9 @@ public:
 
 private:
     void followModel();
+    std::set<SectionId> drafts() const;
+    void dropRows(const Document &document, std::set<SectionId> &moved);
+    void writeRow(QTreeWidgetItem *&item, const Section &section, bool isDraft);
     void fill(QTreeWidgetItem *item, const Section &section);
     void place(const Document &document, const std::set<SectionId> &moved);
     void markProblems();
@@ -47,15 +50,17 @@ private:
     void takeSelection();
     void showSelection();
 
+    using SectionList = std::vector<SectionPointer>;
+
     Workbench &m_bench;
     const CheckList &m_list;
     QLineEdit *m_filter = nullptr;
     QTreeWidget *m_tree = nullptr;
     QLabel *m_empty = nullptr;
     std::unordered_map<SectionId, QTreeWidgetItem *> m_items;
-    std::unordered_map<SectionId, SectionPointer> m_shown; // what the items were made of
-    std::vector<std::shared_ptr<const Stock>> m_stocks;    // likewise
-    std::set<SectionId> m_drafts;                          // shown, but not committed
+    SectionList m_shown;                                // what the items were made of
+    std::vector<std::shared_ptr<const Stock>> m_stocks; // likewise
+    std::set<SectionId> m_drafts;                       // shown, but not committed
     int m_rowsTouched = 0;
     bool m_isFilling = false;
 };

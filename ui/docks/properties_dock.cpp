@@ -32,6 +32,40 @@ std::string nameOf(const Model &model, int index)
     return model.section(static_cast<std::size_t>(index))->name;
 }
 
+/// What all sections have in common, as text; null when they differ in it. The text is made only
+/// where the value is another one than the section's before: thousands may be selected.
+template <class Value, class Text>
+QString commonText(const std::vector<int> &sections, Value valueOf, Text textOf)
+{
+    using Known = decltype(valueOf(0));
+    std::optional<Known> last;
+    QString common;
+    for (const int i : sections) {
+        const Known value = valueOf(i);
+        if (last && *last == value)
+            continue;
+        const QString text = textOf(value);
+        if (last && text != common)
+            return {};
+        last = value;
+        common = text;
+    }
+    return common;
+}
+
+std::optional<double> commonNumber(const std::vector<int> &sections,
+                                   const std::function<double(int)> &numberOf)
+{
+    std::optional<double> common;
+    for (const int i : sections) {
+        const double number = numberOf(i);
+        if (common && *common != number)
+            return {};
+        common = number;
+    }
+    return common;
+}
+
 /// The stocks of these sections, each once.
 std::set<StockId> stocksOf(const Model &model, const std::vector<int> &sections)
 {
@@ -176,7 +210,7 @@ void PropertiesDock::addStockRows(PropertyGroup *group)
         tr("Stock"), "sectionStock",
         [this] {
             const Model &model = m_bench.session().model();
-            const std::set<StockId> used = stocksOf(model, selectedSections(m_bench));
+            const std::set<StockId> used = stocksOf(model, m_selected);
             return choicesOfStock(model.document,
                                   used.size() == 1 ? std::optional(*used.begin()) : std::nullopt);
         },
@@ -216,7 +250,7 @@ void PropertiesDock::addStockRows(PropertyGroup *group)
         [this] {
             const Measures measures(m_bench.session());
             double sum = 0.0;
-            for (int i : selectedSections(m_bench))
+            for (int i : m_selected)
                 sum += measures.mass(i);
             return massText(sum, locale());
         },
@@ -240,14 +274,19 @@ void PropertiesDock::addPlaceRows(PropertyGroup *group)
         const auto &link = model.section(static_cast<std::size_t>(i))->parent;
         return link ? model.indexOf(link->section) : -1;
     };
-    const auto normalOf = [this](int i) {
+    const auto normalOf = [this](int i) -> Vec3 {
         return m_bench.session().model().section(static_cast<std::size_t>(i))->frame.normal();
+    };
+    /// Of the angle to the parent; above 1 without one.
+    const auto cosineOf = [parentOf, normalOf](int i) {
+        constexpr double kNone = 2.0;
+        const int on = parentOf(i);
+        return on < 0 ? kNone : std::clamp(std::abs(normalOf(i).dot(normalOf(on))), 0.0, 1.0);
     };
     add(new TextRow(
         tr("On"), "sectionParent",
         [this, parentOf] {
-            return commonText([this, parentOf](int i) {
-                const int on = parentOf(i);
+            return commonText(m_selected, parentOf, [this](int on) {
                 return on < 0 ? tr("nothing")
                               : QString::fromStdString(nameOf(m_bench.session().model(), on));
             });
@@ -255,13 +294,11 @@ void PropertiesDock::addPlaceRows(PropertyGroup *group)
         group));
     add(new TextRow(
         tr("Angle to it"), "sectionAngle",
-        [this, parentOf, normalOf] {
-            return commonText([this, parentOf, normalOf](int i) {
-                const int on = parentOf(i);
-                if (on < 0)
-                    return QStringLiteral("\u2013");
-                const double cosine = std::clamp(std::abs(normalOf(i).dot(normalOf(on))), 0.0, 1.0);
-                return tr("%1°").arg(numberText(degrees(std::acos(cosine)), 0, 1, locale()));
+        [this, cosineOf] {
+            return commonText(m_selected, cosineOf, [this](double cosine) {
+                return cosine > 1.0
+                           ? QStringLiteral("\u2013")
+                           : tr("%1°").arg(numberText(degrees(std::acos(cosine)), 0, 1, locale()));
             });
         },
         group));
@@ -271,8 +308,7 @@ void PropertiesDock::addPlaceRows(PropertyGroup *group)
     add(new TextRow(
         tr("Normal"), "sectionNormal",
         [this, normalOf] {
-            return commonText([this, normalOf](int i) {
-                const Vec3 normal = normalOf(i);
+            return commonText(m_selected, normalOf, [this](const Vec3 &normal) {
                 QStringList numbers;
                 for (int axis : {0, 1, 2}) // no minus before a zero
                     numbers += numberText(std::round(normal[axis] * 1000.0) / 1000.0 + 0.0, 0, 3,
@@ -295,29 +331,32 @@ void PropertiesDock::addContourRows(PropertyGroup *group)
         return *m_bench.session().model().section(static_cast<std::size_t>(i))->shape;
     };
     add(tr("Size"), "sectionSize", [this] {
-        return commonText([this](int i) {
-            const Vec2 size = Measures(m_bench.session()).contourSize(i);
-            return sizeText({size.x(), size.y()}, 1, locale());
-        });
+        const Measures measures(m_bench.session());
+        return commonText(
+            m_selected, [&](int i) -> Vec2 { return measures.contourSize(i); },
+            [this](const Vec2 &size) {
+                return sizeText({size.x(), size.y()}, 1, locale());
+            });
     });
     add(tr("Area"), "sectionArea", [this] {
         const Measures measures(m_bench.session());
         double sum = 0.0;
-        for (int i : selectedSections(m_bench))
+        for (int i : m_selected)
             sum += measures.area(i);
         return areaText(sum, locale());
     });
     add(tr("Points"), "sectionPoints", [this, shapeOf] {
-        return commonText([this, shapeOf](int i) {
-            // A closed chain of n curves has 3 n control points, n of them on the contour.
-            return locale().toString(shapeOf(i).controlPointCount() / 3);
-        });
+        // A closed chain of n curves has 3 n control points, n of them on the contour.
+        return commonText(
+            m_selected, [&](int i) { return shapeOf(i).controlPointCount() / 3; },
+            [this](auto count) { return locale().toString(count); });
     });
     add(tr("Holes"), "sectionHoles", [this, shapeOf] {
-        return commonText([this, shapeOf](int i) {
-            const auto count = static_cast<qulonglong>(shapeOf(i).holes().size());
-            return count == 0 ? tr("none") : locale().toString(count);
-        });
+        return commonText(
+            m_selected, [&](int i) { return static_cast<qulonglong>(shapeOf(i).holes().size()); },
+            [this](qulonglong count) {
+                return count == 0 ? tr("none") : locale().toString(count);
+            });
     });
 }
 
@@ -326,7 +365,7 @@ std::optional<double> PropertiesDock::commonThickness() const
 {
     const Model &model = m_bench.session().model();
     std::set<double> values;
-    for (StockId id : stocksOf(model, selectedSections(m_bench)))
+    for (StockId id : stocksOf(model, m_selected))
         values.insert(model.document.find(id)->thickness);
     return values.size() == 1 ? std::optional(*values.begin()) : std::nullopt;
 }
@@ -339,10 +378,9 @@ PropertyRow *PropertiesDock::positionRow(int axis, const QString &name, const ch
         name, objectName, kPositionRange,
         [this, axis]() -> std::optional<double> {
             const Model &model = m_bench.session().model();
-            std::set<double> values;
-            for (int i : selectedSections(m_bench))
-                values.insert(model.section(static_cast<std::size_t>(i))->frame.origin[axis]);
-            return values.size() == 1 ? std::optional(*values.begin()) : std::nullopt;
+            return commonNumber(m_selected, [&](int i) {
+                return model.section(static_cast<std::size_t>(i))->frame.origin[axis];
+            });
         },
         [this, axis](double value) {
             const Model &model = m_bench.session().committed();
@@ -367,7 +405,8 @@ void PropertiesDock::refresh()
 {
     if (!isVisible())
         return; // once it is seen again
-    const bool hasSection = !selectedSections(m_bench).empty();
+    m_selected = selectedSections(m_bench);
+    const bool hasSection = !m_selected.empty();
     m_header->refresh();
     m_modelPage->setVisible(!hasSection);
     m_sectionPage->setVisible(hasSection);
@@ -381,12 +420,12 @@ void PropertiesDock::refresh()
 void PropertiesDock::refreshJoints()
 {
     const Model &model = m_bench.session().model();
-    const std::vector<int> sections = selectedSections(m_bench);
-    m_jointGroup->setVisible(sections.size() == 1);
-    if (sections.size() != 1)
+    m_jointGroup->setVisible(m_selected.size() == 1);
+    if (m_selected.size() != 1)
         return;
     const Analysis &analysis = m_bench.session().analysis();
-    const int here = analysis.model.indexOf(model.ref(static_cast<std::size_t>(sections.front())));
+    const int here =
+        analysis.model.indexOf(model.ref(static_cast<std::size_t>(m_selected.front())));
     std::vector<JointRows::Entry> entries;
     for (const Joint &joint : analysis.assembly.joints) {
         if (here < 0 || (joint.a != here && joint.b != here))
@@ -401,17 +440,6 @@ void PropertiesDock::refreshJoints()
              joint.kind == JointKind::None});
     }
     m_joints->setEntries(entries);
-}
-
-QString PropertiesDock::commonText(const std::function<QString(int)> &text) const
-{
-    std::set<QString> values;
-    for (int i : selectedSections(m_bench)) {
-        values.insert(text(i));
-        if (values.size() > 1)
-            return {};
-    }
-    return values.empty() ? QString() : *values.begin();
 }
 
 } // namespace fff::ui

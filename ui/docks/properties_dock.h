@@ -6,7 +6,6 @@
 
 #include "core/base/ids.h"
 
-#include <functional>
 #include <optional>
 #include <vector>
 
@@ -41,14 +40,13 @@ private:
     std::optional<double> commonThickness() const;
     PropertyRow *positionRow(int axis, const QString &name, const char *objectName,
                              QWidget *parent);
-    /// Of the selected sections; null when they differ.
-    QString commonText(const std::function<QString(int)> &text) const;
 
     Workbench &m_bench;
     PropertiesHeader *m_header = nullptr;
     QWidget *m_modelPage = nullptr, *m_sectionPage = nullptr;
     PropertyGroup *m_jointGroup = nullptr;
     JointRows *m_joints = nullptr;
+    std::vector<int> m_selected; // indices in the model that is shown, as of refresh()
     std::vector<PropertyRow *> m_modelRows, m_sectionRows;
 };
 

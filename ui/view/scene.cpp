@@ -1,6 +1,8 @@
 #include "ui/view/scene.h"
 
 #include <algorithm>
+#include <map>
+#include <unordered_map>
 
 namespace fff::ui {
 
@@ -13,13 +15,24 @@ bool SceneSection::looksTheSame(const SceneSection &other) const
            isHidden == other.isHidden && isProblem == other.isProblem;
 }
 
+/// What is known of a section of another model, or null. Mostly it stands where it stood.
+const SceneBuilder::Known *SceneBuilder::knownOf(const Model &model, std::size_t index) const
+{
+    const bool isThere =
+        index < m_known.size() &&
+        (m_model.section(index) == model.section(index) || m_model.ref(index) == model.ref(index));
+    const int at = isThere ? static_cast<int>(index) : m_model.indexOf(model.ref(index));
+    return at >= 0 && at < static_cast<int>(m_known.size()) ? &m_known[static_cast<std::size_t>(at)]
+                                                            : nullptr;
+}
+
 /// Whether neither the section nor what fills its slits has changed, so that its covers stay.
 bool SceneBuilder::isAsBefore(const Analysis &analysis, std::size_t index) const
 {
     const auto isSame = [&](std::size_t i) {
-        const auto known = m_known.find(analysis.model.ref(i));
-        return known != m_known.end() && known->second.cut == analysis.cuts[i] &&
-               known->second.frame == analysis.model.section(i)->frame;
+        const Known *known = knownOf(analysis.model, i);
+        return known && known->cut == analysis.cuts[i] &&
+               known->frame == analysis.model.section(i)->frame;
     };
     if (!isSame(index))
         return false;
@@ -31,9 +44,9 @@ bool SceneBuilder::isAsBefore(const Analysis &analysis, std::size_t index) const
 
 void SceneBuilder::setAnalysis(const Analysis &analysis)
 {
-    KnownSections next;
-    std::multimap<const CutSection *, CoversPointer> shared;
-    for (const auto &[ref, known] : m_known)
+    std::vector<Known> next;
+    std::unordered_multimap<const CutSection *, CoversPointer> shared;
+    for (const Known &known : m_known)
         shared.emplace(known.cut.get(), known.covers);
     const auto sharedCovers = [&](const CutSection *cut, std::vector<SlitCover> covers) {
         const auto [begin, end] = shared.equal_range(cut);
@@ -46,24 +59,26 @@ void SceneBuilder::setAnalysis(const Analysis &analysis)
             ->second;
     };
     const std::size_t count = std::min(analysis.model.sectionCount(), analysis.cuts.size());
+    next.reserve(count);
     for (std::size_t i = 0; i < count; ++i) {
-        const SectionRef ref = analysis.model.ref(i);
         Known known{analysis.model.section(i)->shape,
                     analysis.model.section(i)->frame,
                     analysis.cuts[i],
                     nullptr,
                     {}};
         if (isAsBefore(analysis, i)) {
-            known.covers = m_known.at(ref).covers;
-            known.guests = m_known.at(ref).guests;
+            const Known &before = *knownOf(analysis.model, i);
+            known.covers = before.covers;
+            known.guests = before.guests;
         } else {
             SectionCovers covers = slitCovers(analysis, i);
             known.covers = sharedCovers(known.cut.get(), std::move(covers.covers));
             for (const int guest : covers.guests)
                 known.guests.push_back(analysis.model.ref(static_cast<std::size_t>(guest)));
         }
-        next.emplace(ref, std::move(known));
+        next.push_back(std::move(known));
     }
+    m_model = analysis.model;
     m_known = std::move(next);
 }
 
@@ -72,9 +87,6 @@ Scene SceneBuilder::build(const Model &model) const
     Scene scene;
     scene.sections.reserve(model.sectionCount());
     std::map<const Stock *, StockLook> looks;
-    std::map<SectionRef, int> places;
-    for (std::size_t i = 0; i < model.sectionCount(); ++i)
-        places.emplace(model.ref(i), static_cast<int>(i));
     for (std::size_t i = 0; i < model.sectionCount(); ++i) {
         const Section &section = *model.section(i);
         const Stock &stock = model.stockOf(i);
@@ -88,15 +100,12 @@ Scene SceneBuilder::build(const Model &model) const
         item.look = look->second;
         // A section that is being drawn has a new shape with every move: its last cut stays until
         // the next one is there, or its slits would flicker.
-        const auto known = m_known.find(model.ref(i));
-        if (known != m_known.end() &&
-            (known->second.shape == section.shape || known->second.frame == section.frame)) {
-            item.cut = known->second.cut;
-            item.covers = known->second.covers;
-            for (const SectionRef &guest : known->second.guests) {
-                const auto place = places.find(guest);
-                item.guests.push_back(place == places.end() ? -1 : place->second);
-            }
+        const Known *known = knownOf(model, i);
+        if (known && (known->shape == section.shape || known->frame == section.frame)) {
+            item.cut = known->cut;
+            item.covers = known->covers;
+            for (const SectionRef &guest : known->guests)
+                item.guests.push_back(model.indexOf(guest));
         }
         item.bounds = worldBounds(*section.shape, section.frame);
         const Vec3 reach = 0.5 * stock.thickness * section.frame.normal().cwiseAbs();

@@ -7,7 +7,6 @@
 #include "ui/view/slit_covers.h"
 #include "ui/view/view_style.h"
 
-#include <map>
 #include <memory>
 #include <vector>
 
@@ -59,10 +58,11 @@ private:
         CoversPointer covers;
         std::vector<SectionRef> guests;
     };
-    using KnownSections = std::map<SectionRef, Known>;
+    const Known *knownOf(const Model &model, std::size_t index) const;
     bool isAsBefore(const Analysis &analysis, std::size_t index) const;
 
-    KnownSections m_known;
+    Model m_model;              // of the newest analysis
+    std::vector<Known> m_known; // in the order of its sections
 };
 
 /// Hides, ghosts and reddens the sections as the view's state says. The scene is of this model.
