@@ -12,8 +12,10 @@
 #include <QDir>
 #include <QDragEnterEvent>
 #include <QDropEvent>
+#include <QFileDialog>
 #include <QLabel>
 #include <QMimeData>
+#include <QTimer>
 #include <QToolButton>
 #include <QUrl>
 
@@ -40,9 +42,11 @@ private Q_SLOTS:
     void aMissingFileIsSaidAndForgotten();
     void recentFilesAreListed();
     void revertIsAStep();
+    void revertKeepsTheSelection();
     void revertWaitsForAFileAndAChange();
     void aChangeByAnotherProgramIsAskedAbout_data();
     void aChangeByAnotherProgramIsAskedAbout();
+    void aChangeIsAskedAboutAlsoAfterAFailedSave();
     void aTouchedFileIsNoChange();
     void savingWhereNothingCanBeSaysWhatToDo();
     void aBackupIsKeptAsSet();
@@ -246,6 +250,18 @@ void TestWindows::revertIsAStep()
     QVERIFY(!session.isClean());
 }
 
+// Wrong: Revert works like Esc where nothing is being drawn.
+void TestWindows::revertKeepsTheSelection()
+{
+    openFiles(*m_window, {model("a.fff", 40)});
+    change(*m_window, 55);
+    const std::vector<SectionRef> first{m_window->bench().session().committed().ref(0)};
+    m_window->bench().select(first);
+    actionOf(*m_window, "file.revert")->trigger();
+    QVERIFY(m_window->bench().session().isClean());
+    QVERIFY(m_window->bench().interaction().selection() == first);
+}
+
 void TestWindows::revertWaitsForAFileAndAChange()
 {
     QAction *revert = actionOf(*m_window, "file.revert");
@@ -279,6 +295,27 @@ void TestWindows::aChangeByAnotherProgramIsAskedAbout()
     const Result<io::LoadedDocument> onDisk = io::readDocument(path);
     QVERIFY(onDisk);
     QCOMPARE(onDisk->document.sections.front()->shape->bounds().size().x(), isSaved ? 50.0 : 77.0);
+}
+
+// Wrong: a Save as that failed leaves the document's own file unguarded.
+void TestWindows::aChangeIsAskedAboutAlsoAfterAFailedSave()
+{
+    openFiles(*m_window, {model("a.fff", 40)});
+    change(*m_window, 50);
+    const QString folder = file("there.fff");
+    QVERIFY(QDir().mkdir(folder));
+    QTimer::singleShot(0, this, [folder] {
+        auto *dialog = qobject_cast<QFileDialog *>(QApplication::activeModalWidget());
+        QVERIFY(dialog);
+        dialog->selectFile(folder);
+        dialog->QDialog::done(QDialog::Accepted); // with no regard to what is there
+    });
+    QVERIFY(!m_window->files().saveAs());
+    model("a.fff", 77);
+    int asked = 0;
+    answer(QStringLiteral("Cancel"), &asked);
+    QVERIFY(!m_window->files().save());
+    QCOMPARE(asked, 1);
 }
 
 void TestWindows::aTouchedFileIsNoChange()
