@@ -14,11 +14,22 @@ namespace fff::ui {
 
 namespace {
 
-constexpr int kLeftWidth = 264, kRightWidth = 314, kNarrowRightWidth = 306; // px
-constexpr int kBelowHeight = 272;                                           // px
+constexpr int kLeftWidth = 264, kRightWidth = 314;                  // px
+constexpr int kNarrowRightWidth = 306, kMostNarrowRightWidth = 370; // px
+constexpr int kTabBorders = 20;   // px beside a tab's name (resources/style/window.qss)
+constexpr int kBelowHeight = 272; // px
 constexpr int kTwoColumns = 1280; // px; a narrower window has all docks at the right
 /// Of what saveState() writes. Counted up when docks change so that an old state makes no sense.
 constexpr int kVersion = 2;
+
+/// All names of the tabs can be read, also long ones.
+int narrowWidth(const std::vector<QDockWidget *> &docks)
+{
+    int tabs = 0;
+    for (const QDockWidget *dock : docks)
+        tabs += dock->fontMetrics().horizontalAdvance(dock->windowTitle()) + kTabBorders;
+    return std::clamp(tabs, kNarrowRightWidth, kMostNarrowRightWidth);
+}
 
 /// saveGeometry() knows the screen it was on; that one may be gone or smaller.
 bool isOnScreen(const QRect &window)
@@ -91,7 +102,7 @@ void WindowLayout::reset()
     if (left)
         m_window.resizeDocks({left}, {kLeftWidth}, Qt::Horizontal);
     if (right)
-        m_window.resizeDocks({right}, {wide ? kRightWidth : kNarrowRightWidth}, Qt::Horizontal);
+        m_window.resizeDocks({right}, {wide ? kRightWidth : narrowWidth(m_docks)}, Qt::Horizontal);
     forgetHiding();
 }
 
