@@ -15,8 +15,8 @@ namespace fff::ui {
 namespace {
 
 constexpr int kLeftWidth = 264, kRightWidth = 314;                  // px
-constexpr int kNarrowRightWidth = 306, kMostNarrowRightWidth = 370; // px
-constexpr int kTabBorders = 20;   // px beside a tab's name (resources/style/window.qss)
+constexpr int kNarrowRightWidth = 306, kMostNarrowRightWidth = 380; // px
+constexpr int kTabBorders = 30;   // px beside a tab's name (resources/style/window.qss)
 constexpr int kBelowHeight = 272; // px
 constexpr int kTwoColumns = 1280; // px; a narrower window has all docks at the right
 /// Of what saveState() writes. Counted up when docks change so that an old state makes no sense.
