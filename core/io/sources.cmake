@@ -1,5 +1,6 @@
 target_sources(fff_io PRIVATE
     document_file.cpp
+    drawing_text.cpp
     error_text.cpp
     fff_migration.cpp
     fff_reader.cpp
