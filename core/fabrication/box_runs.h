@@ -3,6 +3,7 @@
 
 #include "core/geometry/vector.h"
 
+#include <algorithm>
 #include <vector>
 
 namespace fff {
@@ -12,10 +13,20 @@ namespace fff {
 class BoxRuns
 {
 public:
-    void reserve(std::size_t count)
+    /// Of so many things at once.
+    template <class BoxOf>
+    void fill(std::size_t count, BoxOf boxOf)
     {
-        m_runs.reserve(count / kRun + 1);
-        m_groups.reserve(count / (kRun * kRun) + 1);
+        m_count = count;
+        m_runs.resize((count + kRun - 1) / kRun);
+        m_groups.resize((m_runs.size() + kRun - 1) / kRun);
+        for (std::size_t run = 0; run < m_runs.size(); ++run) {
+            Box2 box;
+            for (std::size_t i = run * kRun; i < std::min((run + 1) * kRun, count); ++i)
+                box.extend(boxOf(i));
+            m_runs[run] = box;
+            m_groups[run / kRun].extend(box);
+        }
     }
     /// Of the next thing.
     void add(const Box2 &box)
@@ -29,6 +40,14 @@ public:
         ++m_count;
     }
 
+    /// Of everything.
+    Box2 bounds() const
+    {
+        Box2 all;
+        for (const Box2 &group : m_groups)
+            all.extend(group);
+        return all;
+    }
     /// Calls `visit` with the index of everything in the boxes of which `isNear` says true, until
     /// it says true itself. Whether it did.
     template <class IsNear, class Visit>
@@ -51,7 +70,7 @@ public:
     }
 
 private:
-    static constexpr std::size_t kRun = 16;
+    static constexpr std::size_t kRun = 8;
 
     std::size_t m_count = 0;
     std::vector<Box2> m_runs, m_groups;

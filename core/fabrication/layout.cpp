@@ -14,8 +14,9 @@ namespace {
 /// Less used height than this is no reason to turn parts away from how they are drawn, mm.
 constexpr double kWorthTurning = 1.0;
 
-/// Chords on which it is told how a part is best turned, mm; its box is that of its curves.
-constexpr double kTurnChord = 0.5;
+/// Chords on which it is told how a part is best turned, as a share of its size, and mm at most;
+/// its box is that of its curves.
+constexpr double kTurnShare = 0.01, kMaxTurnChord = 1.0;
 
 enum class Turning { AsDrawn, Smallest, Lowest };
 enum class Order { Tallest, Largest, Longest };
@@ -119,16 +120,24 @@ Poses posesOf(const Item &item, Turning turning, const Vec2 &room)
     return poses;
 }
 
-/// One try: all items of a stock on sheets.
+/// One try: all items of a stock on sheets, or those put so far.
 struct Packing
 {
-    std::vector<Sheet> sheets;
-    double height = 0.0; // used, of all sheets together
+    struct Put
+    {
+        std::size_t sheet = 0;
+        Placement placement;
+    };
 
+    std::vector<Put> puts;
+    std::vector<double> heights; // used, of each sheet
+    double height = 0.0;         // of all together
+
+    /// Whether it is better, or can become it: neither sheets nor heights get less.
     bool isBetterThan(const Packing &other) const
     {
-        if (sheets.size() != other.sheets.size())
-            return sheets.size() < other.sheets.size();
+        if (heights.size() != other.heights.size())
+            return heights.size() < other.heights.size();
         return height < other.height - kWorthTurning;
     }
 };
@@ -170,45 +179,43 @@ std::vector<std::size_t> sorted(const std::vector<Poses> &poses, Order by)
     return order;
 }
 
-/// Gives up, with one sheet too many, when it takes more sheets than `most`.
-Packing pack(const std::vector<Item> &items, const Plan &plan, const Sheet &empty,
-             const LayoutOptions &options, std::size_t most)
+/// Nothing when it cannot become better than the best so far.
+std::optional<Packing> pack(const std::vector<Item> &items, const Plan &plan, const Vec2 &size,
+                            const LayoutOptions &options, const std::optional<Packing> &best)
 {
     // Boxes and room both get the spacing on two sides: so it is between boxes and nowhere else.
     const Vec2 gap = Vec2::Constant(options.spacing);
-    const Vec2 room = empty.size - Vec2::Constant(2.0 * options.margin) + gap;
+    const Vec2 room = size - Vec2::Constant(2.0 * options.margin) + gap;
     Packing packing;
+    packing.puts.reserve(items.size());
     std::vector<Skyline> skylines;
     for (const std::size_t index : plan.order) {
         const Pose *pose = nullptr;
-        Skyline::Place best;
+        Skyline::Place lowest;
         std::size_t sheet = 0;
         for (; !pose; ++sheet) {
             if (sheet == skylines.size()) {
-                if (packing.sheets.size() == most) {
-                    packing.sheets.push_back(empty);
-                    return packing;
-                }
                 skylines.emplace_back(room);
-                packing.sheets.push_back(empty);
+                packing.heights.push_back(0.0);
             }
-            best.top = std::numeric_limits<double>::infinity();
+            lowest.top = std::numeric_limits<double>::infinity();
             for (const Pose &candidate : plan.poses[index]) {
                 const Skyline::Place place = skylines[sheet].find(candidate.size() + gap);
-                if (place.top < best.top) {
-                    best = place;
+                if (place.top < lowest.top) {
+                    lowest = place;
                     pose = &candidate;
                 }
             }
         }
         --sheet;
-        skylines[sheet].put(pose->size() + gap, best);
-        const Vec2 corner = Vec2::Constant(options.margin) + best.corner;
-        packing.sheets[sheet].placements.push_back(
-            {items[index].part, pose->turn, corner - pose->box.min});
+        skylines[sheet].put(pose->size() + gap, lowest);
+        packing.height += std::max(0.0, lowest.top - packing.heights[sheet]);
+        packing.heights[sheet] = std::max(packing.heights[sheet], lowest.top);
+        if (best && !packing.isBetterThan(*best))
+            return std::nullopt;
+        const Vec2 corner = Vec2::Constant(options.margin) + lowest.corner;
+        packing.puts.push_back({sheet, {items[index].part, pose->turn, corner - pose->box.min}});
     }
-    for (const Skyline &skyline : skylines)
-        packing.height += skyline.height();
     return packing;
 }
 
@@ -228,30 +235,39 @@ std::vector<Plan> plansFor(const std::vector<Item> &items, Turning turning, cons
     return plans;
 }
 
-Packing bestPacking(std::vector<Item> &items, const Sheet &empty, const LayoutOptions &options)
+std::vector<Sheet> sheetsOf(const Packing &packing, const Sheet &empty)
+{
+    std::vector<Sheet> sheets(packing.heights.size(), empty);
+    for (const Packing::Put &put : packing.puts)
+        sheets[put.sheet].placements.push_back(put.placement);
+    return sheets;
+}
+
+std::vector<Sheet> pack(std::vector<Item> &items, const Sheet &empty, const LayoutOptions &options)
 {
     const Vec2 room = empty.size - Vec2::Constant(2.0 * options.margin);
     std::vector<Turning> turnings{Turning::AsDrawn};
     if (options.turnsFreely) {
         turnings.insert(turnings.end(), {Turning::Smallest, Turning::Lowest});
-        for (Item &item : items)
-            item.turns = findTurns(item.outline->flatten(kTurnChord).points);
+        for (Item &item : items) {
+            const double size = item.drawn.size().maxCoeff();
+            item.turns =
+                findTurns(item.outline->polygon(std::min(kTurnShare * size, kMaxTurnChord)));
+        }
     }
-    Packing best;
+    std::optional<Packing> best;
     std::vector<Plan> tried;
     for (const Turning turning : turnings) {
         for (Plan &plan : plansFor(items, turning, room)) {
             // Parts that are best turned as they are drawn are tried once.
             if (std::find(tried.begin(), tried.end(), plan) != tried.end())
                 continue;
-            Packing packing = pack(items, plan, empty, options,
-                                   tried.empty() ? items.size() : best.sheets.size());
-            if (tried.empty() || packing.isBetterThan(best))
+            if (auto packing = pack(items, plan, empty.size, options, best))
                 best = std::move(packing);
             tried.push_back(std::move(plan));
         }
     }
-    return best;
+    return sheetsOf(*best, empty);
 }
 
 /// Whether it fits the room, and how it must be turned for that.
@@ -297,9 +313,8 @@ Layout layOut(const std::vector<Part> &parts, const Model &model, const LayoutOp
             layout.oversized.push_back(item.part);
         }
         if (!items.empty()) {
-            Packing packing = bestPacking(items, empty, options);
-            std::move(packing.sheets.begin(), packing.sheets.end(),
-                      std::back_inserter(layout.sheets));
+            std::vector<Sheet> sheets = pack(items, empty, options);
+            std::move(sheets.begin(), sheets.end(), std::back_inserter(layout.sheets));
         }
         std::move(oversized.begin(), oversized.end(), std::back_inserter(layout.sheets));
     }

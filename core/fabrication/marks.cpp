@@ -67,12 +67,32 @@ bool engraveJoint(const Part::JointMark &mark, const MarkOptions &options, Room 
     return false;
 }
 
-bool engraveNumber(int value, const MarkOptions &options, const Room &room, Engraving &engraving)
+/// A place for the part's number in full size that is soon found: in one of a few rows, or beside
+/// the slits and the joints' numbers there, since parts that are slim elsewhere are wide at slits.
+std::optional<Vec2> handyPlace(const Part &part, const Vec2 &half, const MarkOptions &options,
+                               const Room &room)
 {
+    if (const std::optional<Vec2> place = room.findInRows(half))
+        return place;
+    for (const Part::JointMark &mark : part.joints) {
+        Part::JointMark beyond = mark;
+        beyond.inner += options.jointHeight * mark.direction;
+        for (const Vec2 &center : placesAt(beyond, half)) {
+            if (room.fits(center, half))
+                return center;
+        }
+    }
+    return std::nullopt;
+}
+
+bool engraveNumber(const Part &part, const MarkOptions &options, const Room &room,
+                   Engraving &engraving)
+{
+    const int value = part.number;
     const Vec2 size = strokedSize(value);
     const Vec2 clearance = Vec2::Constant(options.clearance);
     const Vec2 half = 0.5 * options.numberHeight * size + clearance;
-    if (const std::optional<Vec2> place = room.findInRows(half)) {
+    if (const std::optional<Vec2> place = handyPlace(part, half, options, room)) {
         draw(value, *place, options.numberHeight, engraving);
         return true;
     }
@@ -91,9 +111,9 @@ bool engraveNumber(int value, const MarkOptions &options, const Room &room, Engr
 Engraving engrave(const Part &part, const MarkOptions &options)
 {
     Region region;
-    region.outer = part.outline.outer.flatten(kDrawChord).points;
+    region.outer = part.outline.outer.polygon(kDrawChord);
     for (const Contour &hole : part.outline.holes)
-        region.holes.push_back(hole.flatten(kDrawChord).points);
+        region.holes.push_back(hole.polygon(kDrawChord));
     Engraving engraving;
     if (region.outer.size() < 3)
         return engraving;
@@ -103,7 +123,7 @@ Engraving engrave(const Part &part, const MarkOptions &options)
         if (!engraveJoint(mark, options, room, engraving))
             engraving.jointsLeftOut.push_back(mark.joint);
     }
-    engraving.hasNumber = engraveNumber(part.number, options, room, engraving);
+    engraving.hasNumber = engraveNumber(part, options, room, engraving);
     return engraving;
 }
 

@@ -15,7 +15,7 @@ constexpr double kRelativeStep = 0.05;
 // A part that is a thousand times longer than wide is searched more coarsely.
 constexpr double kMaxFirstCells = 1024.0;
 // Rows are tried at halves, quarters and so on up to one over this.
-constexpr int kFinestRow = 8;
+constexpr int kFinestRow = 4;
 
 /// Smallest max(|x|, |y|) on the way from a to b: at an end, or where x, y, x + y or x - y is zero.
 double squareDistance(const Vec2 &a, const Vec2 &b)
@@ -81,19 +81,19 @@ Room::Room(const Region &region)
     std::size_t count = region.outer.size();
     for (const Polygon &hole : region.holes)
         count += hole.size();
-    m_edges.reserve(count);
-    m_edgeBoxes.reserve(count);
-    const auto addRing = [this](const Polygon &ring) {
-        for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++) {
-            const Box2 box{ring[j].cwiseMin(ring[i]), ring[j].cwiseMax(ring[i])};
-            m_edges.push_back({ring[j], ring[i]});
-            m_edgeBoxes.add(box);
-            m_bounds.extend(box);
-        }
+    m_edges.resize(count);
+    auto addRing = [next = m_edges.begin()](const Polygon &ring) mutable {
+        for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++)
+            *next++ = {ring[j], ring[i]};
     };
     addRing(region.outer);
     for (const Polygon &hole : region.holes)
         addRing(hole);
+    m_edgeBoxes.fill(count, [this](std::size_t i) {
+        const Edge &e = m_edges[i];
+        return Box2{e.from.cwiseMin(e.to), e.from.cwiseMax(e.to)};
+    });
+    m_bounds = m_edgeBoxes.bounds();
 }
 
 void Room::take(const Box2 &box)

@@ -50,12 +50,4 @@ void Skyline::put(const Vec2 &box, const Place &place)
     m_segments.swap(next);
 }
 
-double Skyline::height() const
-{
-    double height = 0.0;
-    for (const Segment &segment : m_segments)
-        height = std::max(height, segment.y);
-    return height;
-}
-
 } // namespace fff

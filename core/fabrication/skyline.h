@@ -23,8 +23,6 @@ public:
     /// O(segments).
     Place find(const Vec2 &box) const;
     void put(const Vec2 &box, const Place &place);
-    /// Height of what is used, mm.
-    double height() const;
 
 private:
     struct Segment

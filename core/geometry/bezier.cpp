@@ -69,10 +69,13 @@ bool CubicBezier::isStraight(double tolerance) const
 
 int CubicBezier::chordCount(double tolerance) const
 {
-    const double bend = std::max((p2 - 2.0 * p1 + p0).norm(), (p3 - 2.0 * p2 + p1).norm());
+    const double bend =
+        std::sqrt(std::max((p2 - 2.0 * p1 + p0).squaredNorm(), (p3 - 2.0 * p2 + p1).squaredNorm()));
     // |B''| <= 6 bend, a chord over a step h is off by at most h² |B''| / 8.
-    const double steps = std::ceil(std::sqrt(0.75 * bend / tolerance));
-    return static_cast<int>(std::clamp(steps, 1.0, static_cast<double>(kMaxChords)));
+    const double steps =
+        std::min(std::sqrt(0.75 * bend / tolerance), static_cast<double>(kMaxChords));
+    const int whole = static_cast<int>(steps);
+    return std::max(whole < steps ? whole + 1 : whole, 1);
 }
 
 } // namespace fff

@@ -95,6 +95,31 @@ Box2 Contour::bounds() const
     return box;
 }
 
+Polygon Contour::polygon(double tolerance) const
+{
+    constexpr std::size_t kUsualChords = 16; // of a curve
+    Polygon polygon;
+    polygon.reserve(kUsualChords * m_points.size() / 3);
+    for (int i = 0; i < segmentCount(); ++i) {
+        const CubicBezier curve = segment(i);
+        if (polygon.empty() || polygon.back() != curve.p0)
+            polygon.push_back(curve.p0);
+        if (curve.isStraight(kClipGrid))
+            continue;
+        const Vec2 c1 = 3.0 * (curve.p1 - curve.p0), c2 = 3.0 * (curve.p2 - curve.p1) - c1,
+                   c3 = curve.p3 - curve.p0 - c1 - c2;
+        const int count = curve.chordCount(tolerance);
+        const double step = 1.0 / count;
+        for (int j = 1; j < count; ++j) {
+            const double t = j * step;
+            polygon.push_back(curve.p0 + t * (c1 + t * (c2 + t * c3)));
+        }
+    }
+    while (polygon.size() > 1 && polygon.back() == polygon.front())
+        polygon.pop_back();
+    return polygon;
+}
+
 Polyline Contour::flatten(double tolerance) const
 {
     Polyline polyline;

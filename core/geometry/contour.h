@@ -55,6 +55,8 @@ public:
     /// Chords within `tolerance` mm of the curve; every segment's start is a vertex; consecutive
     /// equal points are left out. O(number of chords).
     Polyline flatten(double tolerance) const;
+    /// Its points alone, off the curve by rounding: for what looks at a boundary and keeps nothing.
+    Polygon polygon(double tolerance) const;
 
     bool operator==(const Contour &) const = default;
 

@@ -6,7 +6,6 @@
 #include "core/geometry/grid_predicates.h"
 
 #include <algorithm>
-#include <span>
 
 namespace fff {
 
@@ -17,30 +16,9 @@ constexpr double kNearCorner = 10.0 * kClipSlack; // mm
 /// Edges that are looked at together.
 constexpr std::size_t kRun = 16;
 
-struct GridBox
+bool meet(const Box2 &a, const Box2 &b)
 {
-    std::int64_t left, right, bottom, top;
-
-    void extend(const GridPoint &p)
-    {
-        left = std::min(left, p.x);
-        right = std::max(right, p.x);
-        bottom = std::min(bottom, p.y);
-        top = std::max(top, p.y);
-    }
-    bool meets(const GridBox &other) const
-    {
-        return left <= other.right && other.left <= right && bottom <= other.top &&
-               other.bottom <= top;
-    }
-};
-
-GridBox boxOf(std::span<const GridPoint> points)
-{
-    GridBox box{points[0].x, points[0].x, points[0].y, points[0].y};
-    for (const GridPoint &p : points)
-        box.extend(p);
-    return box;
+    return (a.min.array() <= b.max.array()).all() && (b.min.array() <= a.max.array()).all();
 }
 
 /// A polygon that takes a bite.
@@ -48,7 +26,7 @@ struct Bite
 {
     const Polygon *corners = nullptr;
     GridRing snapped;
-    GridBox box{};
+    Box2 box; // and what snapping moves
 
     std::size_t after(std::size_t corner) const
     {
@@ -80,22 +58,21 @@ public:
 
     /// False where the general way is needed.
     bool findPassages();
-    bool meetsAny(const GridRing &hole) const;
+    bool meetsAny(const Polygon &hole) const;
     CurvedRegion region() const;
-    const ClipGrid &grid() const { return m_grid; }
 
 private:
     /// Edges that follow each other, looked at together.
     struct Run
     {
         std::size_t first = 0, end = 0;
-        GridBox box{};
+        Box2 box;
     };
 
-    std::size_t count() const { return m_snapped.size(); }
+    std::size_t count() const { return m_chords.points.size(); }
     std::size_t after(std::size_t vertex) const { return vertex + 1 < count() ? vertex + 1 : 0; }
     const Vec2 &vertex(std::size_t i) const { return m_chords.points[i]; }
-    void snapChords();
+    void findRuns();
     bool findPassages(std::size_t bite);
     bool findPassages(std::size_t bite, std::size_t edge, std::size_t firstPassage);
     bool place(Passage &passage) const;
@@ -110,7 +87,6 @@ private:
     const Contour &m_contour;
     const Polyline &m_chords;
     ClipGrid m_grid;
-    GridRing m_snapped; // the chords' vertices; neighbours may be the same
     std::vector<Run> m_runs;
     std::vector<Bite> m_bites;
     std::vector<Passage> m_passages; // in the order of the boundary
@@ -120,7 +96,7 @@ NotchCutter::NotchCutter(const Contour &contour, const Polyline &chords,
                          const std::vector<Polygon> &cuts)
     : m_contour(contour), m_chords(chords), m_grid(contour.bounds())
 {
-    snapChords();
+    findRuns();
     m_bites.reserve(cuts.size());
     for (const Polygon &cut : cuts) {
         Bite bite;
@@ -128,23 +104,22 @@ NotchCutter::NotchCutter(const Contour &contour, const Polyline &chords,
         bite.snapped.reserve(cut.size());
         for (const Vec2 &corner : cut)
             bite.snapped.push_back(m_grid.snap(corner));
-        bite.box = boxOf(bite.snapped);
+        for (const Vec2 &corner : cut)
+            bite.box.extend(corner);
+        bite.box.min -= Vec2::Constant(kClipSlack);
+        bite.box.max += Vec2::Constant(kClipSlack);
         m_bites.push_back(std::move(bite));
     }
 }
 
-void NotchCutter::snapChords()
+void NotchCutter::findRuns()
 {
-    const std::size_t size = m_chords.points.size();
-    m_snapped.resize(size);
-    for (std::size_t i = 0; i < size; ++i)
-        m_snapped[i] = m_grid.snap(vertex(i));
-    m_runs.reserve(size / kRun + 1);
-    for (std::size_t first = 0; first < size; first += kRun) {
-        Run run{first, std::min(first + kRun, size), boxOf({&m_snapped[first], 1})};
-        for (std::size_t i = first + 1; i < run.end; ++i)
-            run.box.extend(m_snapped[i]);
-        run.box.extend(m_snapped[after(run.end - 1)]);
+    m_runs.reserve(count() / kRun + 1);
+    for (std::size_t first = 0; first < count(); first += kRun) {
+        Run run{first, std::min(first + kRun, count()), {}};
+        for (std::size_t i = first; i < run.end; ++i)
+            run.box.extend(vertex(i));
+        run.box.extend(vertex(after(run.end - 1)));
         m_runs.push_back(run);
     }
 }
@@ -187,10 +162,10 @@ bool NotchCutter::place(Passage &passage) const
 bool NotchCutter::findPassages(std::size_t index, std::size_t edge, std::size_t first)
 {
     const Bite &bite = m_bites[index];
-    const GridPoint &a = m_snapped[edge], &b = m_snapped[after(edge)];
-    if (std::max(a.x, b.x) < bite.box.left || std::min(a.x, b.x) > bite.box.right ||
-        std::max(a.y, b.y) < bite.box.bottom || std::min(a.y, b.y) > bite.box.top)
+    const Vec2 &start = vertex(edge), &end = vertex(after(edge));
+    if (!meet({start.cwiseMin(end), start.cwiseMax(end)}, bite.box))
         return true;
+    const GridPoint a = m_grid.snap(start), b = m_grid.snap(end);
     for (std::size_t s = 0; s < bite.snapped.size(); ++s) {
         const GridPoint &from = bite.snapped[s], &to = bite.snapped[bite.after(s)];
         const int sideOfA = sideOf(from, to, a), sideOfB = sideOf(from, to, b);
@@ -217,7 +192,7 @@ bool NotchCutter::findPassages(std::size_t index)
 {
     const std::size_t first = m_passages.size();
     for (const Run &run : m_runs) {
-        if (!run.box.meets(m_bites[index].box))
+        if (!meet(run.box, m_bites[index].box))
             continue;
         for (std::size_t edge = run.first; edge < run.end; ++edge) {
             if (!findPassages(index, edge, first))
@@ -248,12 +223,12 @@ bool NotchCutter::areBitesApart() const
     for (const Bite &bite : m_bites)
         order.push_back(&bite);
     std::sort(order.begin(), order.end(),
-              [](const Bite *a, const Bite *b) { return a->box.left < b->box.left; });
+              [](const Bite *a, const Bite *b) { return a->box.min.x() < b->box.min.x(); });
     for (std::size_t i = 0; i < order.size(); ++i) {
-        for (std::size_t j = i + 1; j < order.size() && order[j]->box.left <= order[i]->box.right;
-             ++j) {
+        for (std::size_t j = i + 1;
+             j < order.size() && order[j]->box.min.x() <= order[i]->box.max.x(); ++j) {
             const Polygon &a = *order[i]->corners, &b = *order[j]->corners;
-            if (order[i]->box.meets(order[j]->box) && !isBeside(a, b) && !isBeside(b, a))
+            if (meet(order[i]->box, order[j]->box) && !isBeside(a, b) && !isBeside(b, a))
                 return false;
         }
     }
@@ -294,11 +269,11 @@ bool NotchCutter::findPassages()
     return isInOrder() && areBitesApart();
 }
 
-bool NotchCutter::meetsAny(const GridRing &hole) const
+bool NotchCutter::meetsAny(const Polygon &hole) const
 {
-    const GridBox box = boxOf(hole);
+    const Box2 box = bounds(hole);
     return std::any_of(m_bites.begin(), m_bites.end(),
-                       [&](const Bite &bite) { return bite.box.meets(box); });
+                       [&](const Bite &bite) { return meet(bite.box, box); });
 }
 
 void NotchCutter::addLine(const Vec2 &from, const Vec2 &to, std::vector<Vec2> &points) const
@@ -322,15 +297,13 @@ void NotchCutter::addRun(const Passage *from, const Passage *to, std::vector<Vec
             points.insert(points.end(), {piece.p0, piece.p1, piece.p2});
     }
     if (from)
-        chords.push_back(m_grid.position(m_grid.snap(from->onChord)));
-    const std::size_t begin = from ? from->edge + 1 : 0;
-    const std::size_t end = to ? to->edge + 1 : count();
-    for (std::size_t v = begin; v < end; ++v) {
-        if (v == 0 || m_snapped[v] != m_snapped[v - 1])
-            chords.push_back(m_grid.position(m_snapped[v]));
-    }
+        chords.push_back(from->onChord);
+    const auto at = [this](std::size_t vertex) {
+        return m_chords.points.begin() + static_cast<std::ptrdiff_t>(vertex);
+    };
+    chords.insert(chords.end(), at(from ? from->edge + 1 : 0), at(to ? to->edge + 1 : count()));
     if (to)
-        chords.push_back(m_grid.position(m_grid.snap(to->onChord)));
+        chords.push_back(to->onChord);
 }
 
 /// Round the bite, clockwise: what is left of the boundary has its inside to the left.
@@ -342,7 +315,7 @@ void NotchCutter::addBite(const Passage &in, const Passage &out, std::vector<Vec
     for (std::size_t corner = in.side;; corner = bite.before(corner)) {
         const Vec2 &to = (*bite.corners)[corner];
         addLine(from, to, points);
-        chords.push_back(m_grid.position(bite.snapped[corner]));
+        chords.push_back(to);
         from = to;
         if (corner == bite.after(out.side))
             break;
@@ -398,14 +371,13 @@ std::optional<CurvedRegion> cutNotches(const Contour &contour, const Polyline &p
         return std::nullopt;
     CurvedRegion region = cutter.region();
     for (const Contour &hole : holes) {
-        const SourceRing ring = makeSourceRing(hole, chord, cutter.grid(), false);
-        if (ring.snapped.size() < 3 || cutter.meetsAny(ring.snapped))
+        Polygon ring = hole.flatten(chord).points;
+        if (ring.size() < 3 || cutter.meetsAny(ring))
             return std::nullopt;
-        Polygon chords = cutter.grid().positions(ring.snapped);
-        if (std::abs(signedArea(chords)) < kMinArea)
+        if (std::abs(signedArea(ring)) < kMinArea)
             continue;
         region.holes.push_back(hole);
-        region.region.holes.push_back(std::move(chords));
+        region.region.holes.push_back(std::move(ring));
     }
     double left = region.outer.signedArea();
     for (const Contour &hole : region.holes)

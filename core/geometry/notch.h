@@ -17,7 +17,7 @@ namespace fff {
 /// Nothing where it is not that plain: cuts that meet each other or a hole, that lie inside or
 /// outside, or whose sides meet the contour within rounding of a corner. Then `subtract` tells.
 /// Topology is decided exactly on the same grid as there; ends of curves are where they cross the
-/// cuts' lines, as there.
+/// cuts' lines, as there. The chords of the result are those given, not moved to the grid.
 std::optional<CurvedRegion> cutNotches(const Contour &contour, const std::vector<Contour> &holes,
                                        const std::vector<Polygon> &cuts, double chord);
 /// The same where the contour's chords are at hand.

@@ -40,9 +40,16 @@ double area(const Region &region)
 
 Box2 bounds(const Polygon &polygon)
 {
-    Box2 box;
-    for (const Vec2 &p : polygon)
-        box.extend(p);
+    // Two chains of comparisons, neither of which waits for the other.
+    Box2 box, other;
+    std::size_t i = 0;
+    for (; i + 1 < polygon.size(); i += 2) {
+        box.extend(polygon[i]);
+        other.extend(polygon[i + 1]);
+    }
+    if (i < polygon.size())
+        box.extend(polygon[i]);
+    box.extend(other);
     return box;
 }
 

@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <numbers>
+#include <numeric>
 
 namespace fff {
 
@@ -31,25 +33,6 @@ std::vector<double> eventAngles(const Polygon &hull)
     }
     std::sort(angles.begin(), angles.end());
     return angles;
-}
-
-/// The same as unit vectors, without a sine or an angle: every part of a layout asks for them.
-std::vector<Vec2> eventDirections(const Polygon &hull)
-{
-    std::vector<Vec2> directions{Vec2::UnitX(), Vec2::UnitY()};
-    directions.reserve(hull.size() + 2);
-    for (std::size_t i = 0, j = hull.size() - 1; i < hull.size(); j = i++) {
-        Vec2 edge = hull[i] - hull[j];
-        if (!(edge.squaredNorm() > 0.0))
-            continue;
-        while (!(edge.x() > 0.0 && edge.y() >= 0.0))
-            edge = perpendicular(edge);
-        directions.push_back(edge.normalized());
-    }
-    std::sort(directions.begin() + 2, directions.end(),
-              [](const Vec2 &a, const Vec2 &b) { return a.y() < b.y(); });
-    std::rotate(directions.begin() + 1, directions.begin() + 2, directions.end()); // Y last
-    return directions;
 }
 
 /// The corners that reach farthest in four directions, followed while these turn.
@@ -82,6 +65,65 @@ private:
     const Polygon &m_hull;
     std::array<std::size_t, 4> m_at{};
     bool m_isFirst = true;
+};
+
+/// The box of a convex polygon that turns from one of its edges to the next, for a quarter turn:
+/// then every edge has lain along one of the box's sides.
+class TurningBox
+{
+public:
+    explicit TurningBox(const Polygon &hull) : m_hull(hull)
+    {
+        // Below, to the right, above, to the left; of two that reach as far the one that is left
+        // last when going counter-clockwise.
+        Vec2 outwards(0.0, -1.0);
+        for (std::size_t side = 0; side < 4; ++side, outwards = perpendicular(outwards)) {
+            std::size_t &at = m_at[side];
+            for (std::size_t i = 1; i < hull.size(); ++i)
+                if (outwards.dot(hull[i]) > outwards.dot(hull[at]))
+                    at = i;
+            while (outwards.dot(hull[next(at)]) >= outwards.dot(hull[at]) && next(at) != 0)
+                at = next(at);
+        }
+    }
+
+    /// To the next edge: which way the box lies then, of any length; from +x to +y in all.
+    Vec2 turn()
+    {
+        std::size_t first = 0;
+        Vec2 along = edge(0);
+        for (std::size_t side = 1; side < 4; ++side) {
+            const Vec2 other = edge(side);
+            const bool isBefore = cross(other, along) > 0.0;
+            first = isBefore ? side : first;
+            along = isBefore ? other : along;
+        }
+        m_at[first] = next(m_at[first]);
+        return along;
+    }
+    Vec2 along() const { return m_hull[m_at[1]] - m_hull[m_at[3]]; }
+    Vec2 across() const { return m_hull[m_at[2]] - m_hull[m_at[0]]; }
+
+private:
+    std::size_t next(std::size_t i) const { return i + 1 == m_hull.size() ? 0 : i + 1; }
+    /// That which the side comes to lie along next, turned back to the direction of the first side.
+    Vec2 edge(std::size_t side) const
+    {
+        const Vec2 e = m_hull[next(m_at[side])] - m_hull[m_at[side]];
+        switch (side) {
+        case 0:
+            return e;
+        case 1:
+            return {e.y(), -e.x()};
+        case 2:
+            return -e;
+        default:
+            return {-e.y(), e.x()};
+        }
+    }
+
+    const Polygon &m_hull;
+    std::array<std::size_t, 4> m_at{};
 };
 
 struct Range
@@ -148,12 +190,42 @@ void extendByExtremes(double p0, double p1, double p2, double p3, double &low, d
     }
 }
 
-/// Corners that a turned box can rest on: all of the hull but for rounding.
-Polygon outerCorners(Polygon points)
+bool isBefore(const Vec2 &a, const Vec2 &b)
 {
-    std::sort(points.begin(), points.end(), [](const Vec2 &a, const Vec2 &b) {
-        return a.x() < b.x() || (a.x() == b.x() && a.y() < b.y());
-    });
+    return a.x() < b.x() || (a.x() == b.x() && a.y() < b.y());
+}
+
+/// From left to right, below before above. By counting into columns first, since what is left to
+/// compare then is next to nothing.
+Polygon fromLeftToRight(const Polygon &points)
+{
+    const Box2 box = bounds(points);
+    const double width = box.max.x() - box.min.x();
+    const auto last = static_cast<double>(points.size() - 1);
+    const double toColumn = width > 0.0 ? last / width : 0.0;
+    const auto column = [&](const Vec2 &p) {
+        return static_cast<std::size_t>(std::min((p.x() - box.min.x()) * toColumn, last));
+    };
+    std::vector<std::uint32_t> ends(points.size(), 0);
+    for (const Vec2 &p : points)
+        ++ends[column(p)];
+    std::partial_sum(ends.begin(), ends.end(), ends.begin());
+    Polygon sorted(points.size());
+    for (const Vec2 &p : points)
+        sorted[--ends[column(p)]] = p;
+    for (std::size_t c = 0; c < ends.size(); ++c) { // which are starts by now
+        const std::size_t end = c + 1 < ends.size() ? ends[c + 1] : sorted.size();
+        if (end - ends[c] > 1)
+            std::sort(sorted.begin() + ends[c], sorted.begin() + static_cast<std::ptrdiff_t>(end),
+                      isBefore);
+    }
+    return sorted;
+}
+
+/// Corners that a turned box can rest on: all of the hull but for rounding.
+Polygon outerCorners(const Polygon &polygon)
+{
+    const Polygon points = fromLeftToRight(polygon);
     // Below from left to right, then above from right to left.
     // Source  A. Andrew 1979, Another efficient algorithm for convex hulls in two dimensions.
     Polygon hull;
@@ -217,23 +289,26 @@ Turns findTurns(const Polygon &polygon)
     const Polygon hull = outerCorners(polygon);
     if (hull.size() < 3)
         return turns;
-    const std::vector<Vec2> directions = eventDirections(hull);
-    Calipers calipers(hull);
+    TurningBox box(hull);
     double smallest = std::numeric_limits<double>::infinity(), lowest = smallest;
-    for (std::size_t i = 0; i + 1 < directions.size(); ++i) {
-        // The interval's other end begins the next one; the last of all is the first, turned.
-        const Vec2 &along = directions[i];
-        calipers.turnTo(along + directions[i + 1]);
-        const double width = calipers.along().dot(along),
-                     height = calipers.across().dot(perpendicular(along));
-        const Vec2 turn(along.x(), -along.y()); // lays it down along x
+    for (std::size_t i = 0; i < hull.size(); ++i) {
+        const Vec2 along = box.turn();
+        // Width and height are these over the direction's length.
+        const double width = box.along().dot(along),
+                     height = box.across().dot(perpendicular(along));
+        const double squared = along.squaredNorm();
+        const double area = width * height / squared,
+                     low = std::min(width, height) * std::min(width, height) / squared;
+        if (area >= smallest && low >= lowest)
+            continue;
+        const Vec2 turn = Vec2(along.x(), -along.y()).normalized(); // lays it down along x
         const Vec2 lying = width >= height ? turn : quarterMore(turn);
-        if (width * height < smallest) {
-            smallest = width * height;
+        if (area < smallest) {
+            smallest = area;
             turns.smallest = lying;
         }
-        if (std::min(width, height) < lowest) {
-            lowest = std::min(width, height);
+        if (low < lowest) {
+            lowest = low;
             turns.lowest = lying;
         }
     }

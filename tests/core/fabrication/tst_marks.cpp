@@ -250,7 +250,7 @@ void TestMarks::rowsLeadToAPlaceThatFits()
     Room plate({rectangleAt(0, 0, 40, 30), {}});
     QVERIFY(plate.findInRows(half).has_value());
     QVERIFY((*plate.findInRows(half) - Vec2(20, 15)).norm() < 1e-9);
-    plate.take({{0, 12}, {38, 18}}); // the middle row is full
+    plate.take({{0, 14}, {38, 16}}); // the middle row is full
     const auto place = plate.findInRows(half);
     QVERIFY(place.has_value());
     QVERIFY(plate.fits(*place, half));

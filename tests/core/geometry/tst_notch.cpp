@@ -91,8 +91,9 @@ void TestNotch::sameAsTheBoolean()
         const QByteArray name = QTest::currentDataTag();
         if (!name.contains("below the grid") && !name.contains("handle on its tip"))
             QVERIFY(isSameCurve(parts.front().outer, quick->outer));
+        // The boolean's chords are on its grid: walls as long as the needle are moved by that.
         QVERIFY(std::abs(area(parts.front().region) - area(quick->region)) <=
-                1e-6 * contour.signedArea());
+                1e-6 * contour.signedArea() + kClipSlack * box.size().sum());
     }
     const QByteArray name = QTest::currentDataTag();
     QVERIFY(taken > 0 || name.contains("needle") || name.contains("tiny"));
