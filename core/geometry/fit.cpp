@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 namespace fff {
 
@@ -112,24 +111,24 @@ std::vector<std::size_t> findCorners(const Line &line, const FitOptions &options
     const double reach = options.reach * options.tolerance;
     const std::size_t last = line.size() - 1;
     std::vector<std::size_t> corners{0};
-    std::optional<std::size_t> best;
+    std::size_t best = 0; // of a reach; 0 for none, that is a corner already
     double bestTurn = 0.0;
     for (std::size_t i = 1; i < last; ++i) {
-        if (best && line.lengthBetween(*best, i) > reach) {
-            corners.push_back(*best);
-            best.reset();
+        if (best > 0 && line.lengthBetween(best, i) > reach) {
+            corners.push_back(best);
+            best = 0;
         }
         // So near to an end there is too little line to tell a corner from a shaky hand.
         if (line.length[i] < 0.5 * reach || line.lengthBetween(i, last) < 0.5 * reach)
             continue;
         const double turn = turnAt(line, i, reach);
-        if (turn > options.cornerAngle && (!best || turn > bestTurn)) {
+        if (turn > options.cornerAngle && (best == 0 || turn > bestTurn)) {
             best = i;
             bestTurn = turn;
         }
     }
-    if (best)
-        corners.push_back(*best);
+    if (best > 0)
+        corners.push_back(best);
     corners.push_back(last);
     return corners;
 }

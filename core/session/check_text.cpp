@@ -1,5 +1,6 @@
 #include "core/session/check_text.h"
 
+#include "core/base/tolerances.h"
 #include "core/base/units.h"
 
 #include <QCoreApplication>
@@ -36,7 +37,8 @@ QString decimal(double value)
 QString wholeDegrees(double angle)
 {
     // Rounded down: what is promised must hold.
-    return QLocale().toString(std::floor(degrees(angle) + 1e-9), 'f', 0) + QStringLiteral("°");
+    return QLocale().toString(std::floor(degrees(angle + kSameDirection)), 'f', 0) +
+           QStringLiteral("°");
 }
 
 QString nameOf(const Model &model, const SectionRef &ref)
