@@ -1,7 +1,6 @@
-#include "app/cli/command_line.h"
+#include "app/cli/analysed_file.h"
 #include "core/io/error_text.h"
 #include "core/io/json_writer.h"
-#include "core/operations/evaluate.h"
 #include "core/session/check_text.h"
 
 #include <algorithm>
@@ -109,30 +108,15 @@ std::string checksText(const std::vector<Check> &found, const std::vector<Proble
 
 int runCheck(const QStringList &arguments)
 {
-    QCommandLineParser parser;
-    parser.addOption(
-        {QStringLiteral("json"), QCoreApplication::translate("CommandLine", "For machines.")});
-    addDocumentOptions(parser);
-    const Verb &verb = verbNamed("check");
-    const Arguments parsed = parse(parser, verb, arguments, 1);
-    if (parsed.status)
-        return *parsed.status;
-    std::optional<int> status;
-    const auto options = documentOptions(parser, verb, status);
-    if (!options)
-        return *status;
-    Loaded loaded = load(parsed.files.first(), *options, verb);
-    if (loaded.status)
-        return *loaded.status;
-    AnalysisCaches caches;
-    const Analysis analysis = analyse(evaluate(std::move(loaded.document)), caches);
-    const std::vector<Check> found = checks(analysis);
-    std::vector<Problem> problems = problemsOf(found, analysis.model);
-    for (Problem &problem : problemsOf(loaded.warnings))
+    const AnalysedFile model = analysedFile("check", arguments);
+    if (model.status)
+        return *model.status;
+    const std::vector<Check> found = checks(model.analysis);
+    std::vector<Problem> problems = problemsOf(found, model.analysis.model);
+    for (Problem &problem : problemsOf(model.warnings))
         problems.push_back(std::move(problem));
-    if (const int printed = print(parser.isSet(QStringLiteral("json"))
-                                      ? problemsJson(problems)
-                                      : checksText(found, problems, analysis.model)))
+    if (const int printed = print(model.asJson ? problemsJson(problems)
+                                               : checksText(found, problems, model.analysis.model)))
         return printed;
     return std::any_of(problems.begin(), problems.end(),
                        [](const Problem &problem) { return problem.isError; })
