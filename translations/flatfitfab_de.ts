@@ -2060,6 +2060,10 @@
         <source>Click to select problem %1; drag to turn the view.</source>
         <translation>Klicken wählt Problem %1; Ziehen dreht die Ansicht.</translation>
     </message>
+    <message>
+        <source>Click to select %1. Drag to turn the view: on its edge nothing is drawn.</source>
+        <translation>Ein Klick wählt %1. Ziehen dreht die Ansicht: Auf der Kante wird nicht gezeichnet.</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::HistoryDock</name>

@@ -45,6 +45,10 @@ QString hintSentence(const Hint &hint, const QString &undoKeys)
     case Hint::Kind::DragOutOfSection:
         return HintText::tr("Drag out of %1 to draw a section across it; click to select it.")
             .arg(name);
+    case Hint::Kind::SeenOnEdge:
+        return HintText::tr(
+                   "Click to select %1. Drag to turn the view: on its edge nothing is drawn.")
+            .arg(name);
     case Hint::Kind::LeaveSection:
         return HintText::tr(
                    "Drag on to leave %1; the slit ends at its edge. <kbd>Esc</kbd> cancels.")

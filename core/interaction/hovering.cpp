@@ -84,9 +84,11 @@ std::pair<Hint, Cursor> hoverHint(const Overlay &overlay, const Model &model)
         return {{Hint::Kind::MoveCut, {}, false}, Cursor::MoveCross};
     if (model.sectionCount() == 0)
         return {{Hint::Kind::DrawFirstSection, {}, false}, Cursor::Pencil};
-    if (overlay.slitStart) {
+    if (overlay.hovered >= 0) {
         const Section &section = *model.section(static_cast<std::size_t>(overlay.hovered));
-        return {{Hint::Kind::DragOutOfSection, section.name, false}, Cursor::PencilWithSlit};
+        if (overlay.slitStart)
+            return {{Hint::Kind::DragOutOfSection, section.name, false}, Cursor::PencilWithSlit};
+        return {{Hint::Kind::SeenOnEdge, section.name, false}, Cursor::Arrow};
     }
     return {{Hint::Kind::TurnView, {}, false}, Cursor::Arrow};
 }

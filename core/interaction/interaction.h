@@ -62,6 +62,7 @@ struct Hint
         DrawFirstSection,
         TurnView,
         DragOutOfSection,
+        SeenOnEdge, // too slanted to draw on
         LeaveSection,
         Turning,
         LeaveDeadZone,

@@ -532,7 +532,8 @@ void TestInteraction::edgeOnSectionsAreTurnedNotDrawnOn()
     orientationOfView("right", camera.orientation);
     desk.interaction.setCamera(camera);
     desk.send(Type::Move, desk.plate(0, 0));
-    QCOMPARE(desk.hint(), Hint::Kind::TurnView);
+    QCOMPARE(desk.hint(), Hint::Kind::SeenOnEdge);
+    QCOMPARE(desk.interaction.hint().section, std::string("Section 1"));
     desk.drag({desk.plate(0, 0), desk.plate(0, 0) + Vec2(80, 0)});
     QVERIFY(std::abs(desk.interaction.camera().backward().x()) < 0.99);
     QCOMPARE(desk.sections().size(), std::size_t(1));
