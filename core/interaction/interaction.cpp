@@ -63,6 +63,7 @@ public:
 
     void hover();
     void update();
+    void followSelected();
     void turn(const Camera &to, double start, double duration);
 
     InteractionHost &host;
@@ -74,6 +75,8 @@ public:
 
     Document document; // committed, as known here
     std::vector<SectionRef> selection;
+    /// Before sections of it went, and what stayed: Undo brings it back as it was.
+    std::vector<SectionRef> selectionBefore, selectionLeft;
     ClickSelection clicks;
 
     std::vector<PointerEvent> pending; // a press and its moves, not yet a click or a drag
@@ -305,6 +308,24 @@ void Interaction::Private::update()
         hint = note->hint;
 }
 
+/// Sections went or came. Those that went are not selected, but are again when they come back, if
+/// nobody has chosen something else meanwhile.
+void Interaction::Private::followSelected()
+{
+    const Model &model = host.model();
+    const auto isGone = [&](const SectionRef &ref) { return model.indexOf(ref) < 0; };
+    if (!selectionBefore.empty() && selection == selectionLeft &&
+        std::none_of(selectionBefore.begin(), selectionBefore.end(), isGone)) {
+        selection = std::exchange(selectionBefore, {});
+        return;
+    }
+    if (std::none_of(selection.begin(), selection.end(), isGone))
+        return;
+    selectionBefore = selection;
+    std::erase_if(selection, isGone);
+    selectionLeft = selection;
+}
+
 // The camera.
 
 /// Somewhere on purpose: the view before it is kept.
@@ -403,6 +424,7 @@ bool Interaction::canGoBack() const
 void Interaction::forgetViews()
 {
     d->motion.history.clear();
+    d->selectionBefore.clear(); // ids of another document name other sections
 }
 
 const ViewState &Interaction::view() const
@@ -548,7 +570,7 @@ void Interaction::modelChanged()
     d->document = model.document;
     d->cancelGesture();
     d->clicks.forget();
-    std::erase_if(d->selection, [&](const SectionRef &ref) { return model.indexOf(ref) < 0; });
+    d->followSelected();
     if (!d->motion.isTouched)
         d->motion.fitFirst(model.bounds());
     d->hover();

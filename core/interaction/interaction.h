@@ -173,7 +173,8 @@ public:
     /// To the view before this one, animated as turnTo.
     void goBack(double time, double duration);
     bool canGoBack() const;
-    /// Another document: its views are of no use in this one.
+    /// Another document: the views of the one before, and what was selected there and deleted, are
+    /// of no use in this one.
     void forgetViews();
 
     const ViewState &view() const;
@@ -197,7 +198,8 @@ public:
 
     const std::vector<SectionRef> &selection() const;
     void select(std::vector<SectionRef> selection);
-    /// The model changed (commit, undo, another document): forgets what is no longer there.
+    /// The model changed (commit, undo, another document): what is no longer there is not selected,
+    /// until it comes back.
     void modelChanged();
 
     const Overlay &overlay() const;

@@ -87,7 +87,9 @@ void registerEdits(CommandRegistry &registry, Session &session, Interaction &int
     registry.add("file.new",
                  {[&](const CommandParameters &, double) -> Result<void> {
                       session.reset(newDocument());
+                      interaction.select({});
                       interaction.setCamera(fitted(Camera(), Box3(), interaction.viewport()));
+                      interaction.forgetViews();
                       return {};
                   },
                   {}});
