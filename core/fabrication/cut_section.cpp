@@ -1,6 +1,7 @@
 #include "core/fabrication/cut_section.h"
 
 #include "core/base/tolerances.h"
+#include "core/fabrication/kerf.h"
 #include "core/geometry/notch.h"
 
 #include <algorithm>
@@ -80,6 +81,20 @@ double CutSection::area() const
             sum += hole.signedArea();
     }
     return sum;
+}
+
+std::shared_ptr<const std::vector<CurvedRegion>> CutSection::compensated(double kerf) const
+{
+    const std::lock_guard lock(m_compensatedMutex);
+    if (!m_compensated || m_compensatedKerf != kerf) {
+        std::vector<CurvedRegion> parts;
+        parts.reserve(m_parts.size());
+        for (const CurvedRegion &part : m_parts)
+            parts.push_back(compensateKerf(part, kerf));
+        m_compensated = std::make_shared<const std::vector<CurvedRegion>>(std::move(parts));
+        m_compensatedKerf = kerf;
+    }
+    return m_compensated;
 }
 
 struct CutCache::Data

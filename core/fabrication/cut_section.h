@@ -24,9 +24,16 @@ public:
     /// Of each part's region, computed at first use, once, from any thread.
     const std::vector<Triangulation> &triangulations() const;
     double area() const;
+    /// The parts as compensateKerf makes them, in the same order. Kept for the kerf that was asked
+    /// for last, for checks, export and every edit elsewhere; from any thread.
+    /// kerf   above 0, mm
+    std::shared_ptr<const std::vector<CurvedRegion>> compensated(double kerf) const;
 
 private:
     std::vector<CurvedRegion> m_parts;
+    mutable std::mutex m_compensatedMutex;
+    mutable double m_compensatedKerf = 0.0;
+    mutable std::shared_ptr<const std::vector<CurvedRegion>> m_compensated;
     mutable std::once_flag m_once;
     mutable std::vector<Triangulation> m_triangulations;
 };

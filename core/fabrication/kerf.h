@@ -12,6 +12,8 @@ namespace fff {
 CurvedRegion compensateKerf(const CurvedRegion &region, double kerf);
 
 /// The parts with their outlines compensated for the kerf of each one's stock. Marks stay.
-std::vector<Part> compensateKerf(std::vector<Part> parts, const Model &model);
+/// parts   all that makeParts makes of these cuts, in its order; the cuts keep the outlines
+std::vector<Part> compensateKerf(std::vector<Part> parts, const Model &model,
+                                 const std::vector<CutSectionPointer> &cuts);
 
 } // namespace fff

@@ -211,7 +211,7 @@ void addSize(const Analysis &analysis, const LayoutOptions &options, std::vector
 {
     const Model &model = analysis.model;
     const std::vector<Part> designed = makeParts(model, analysis.assembly, analysis.cuts);
-    const std::vector<Part> parts = compensateKerf(designed, model);
+    const std::vector<Part> parts = compensateKerf(designed, model, analysis.cuts);
     const Layout layout = layOut(parts, model, options);
     std::vector<int> oversized = layout.oversized;
     std::sort(oversized.begin(), oversized.end());

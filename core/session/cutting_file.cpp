@@ -51,7 +51,7 @@ Result<CuttingFile> makeCuttingFile(const Analysis &analysis, const CuttingFileO
             addOnce(file.unmarked, nameOf(analysis, part));
     }
     if (options.compensatesKerf)
-        parts = compensateKerf(std::move(parts), analysis.model);
+        parts = compensateKerf(std::move(parts), analysis.model, analysis.cuts);
     const Layout layout = layOut(parts, analysis.model, options.layout);
     file.sheetCount = static_cast<int>(layout.sheets.size());
     file.usedShare = usedShare(layout, parts);

@@ -111,7 +111,7 @@ double drawingTime(const Analysis &analysis)
     std::vector<Engraving> engravings;
     for (const Part &part : parts)
         engravings.push_back(engrave(part));
-    parts = compensateKerf(std::move(parts), analysis.model);
+    parts = compensateKerf(std::move(parts), analysis.model, analysis.cuts);
     const Layout layout = layOut(parts, analysis.model, LayoutOptions());
     double milliseconds = 0.0;
     timed(milliseconds, [&] { return io::writeSvg(layout, parts, engravings, analysis.model); });

@@ -6,14 +6,19 @@
 
 namespace fff::test {
 
-inline std::vector<Part> partsOf(const Model &model)
+inline std::vector<CutSectionPointer> cutsOf(const Model &model, const Assembly &assembly)
 {
     CutCache cache;
-    const Assembly assembly = assemble(model);
     std::vector<CutSectionPointer> cuts;
     for (std::size_t i = 0; i < model.sectionCount(); ++i)
         cuts.push_back(cutSection(model.section(i)->shape, assembly.slits[i], cache));
-    return makeParts(model, assembly, cuts);
+    return cuts;
+}
+
+inline std::vector<Part> partsOf(const Model &model)
+{
+    const Assembly assembly = assemble(model);
+    return makeParts(model, assembly, cutsOf(model, assembly));
 }
 
 inline CurvedRegion regionOf(const Contour &contour, const std::vector<Contour> &holes = {},

@@ -48,6 +48,7 @@ private Q_SLOTS:
     void pathKeepsItsDistance();
     void spikeIsCutOff();
     void everyPartTakesItsStocksKerf();
+    void sectionsKeepWhatWasCompensatedLast();
 };
 
 // Wrong: "no kerf" would still reshape the file.
@@ -201,9 +202,24 @@ void TestKerf::everyPartTakesItsStocksKerf()
     model.document = *addStock(model.document, acrylic);
     model.document = *setSectionStock(model.document, model.document.sections[1]->id,
                                       model.document.currentStock);
-    const std::vector<Part> parts = compensateKerf(partsOf(model), model);
+    const Assembly assembly = assemble(model);
+    const auto cuts = cutsOf(model, assembly);
+    const std::vector<Part> parts = compensateKerf(makeParts(model, assembly, cuts), model, cuts);
     QVERIFY(std::abs(totalArea(parts[0].outline) - 40.2 * 40.2) < kRounding);
     QVERIFY(std::abs(totalArea(parts[1].outline) - 41.0 * 41.0) < kRounding);
+}
+
+// Wrong: a part would get the outline of another, or that of a kerf set before.
+void TestKerf::sectionsKeepWhatWasCompensatedLast()
+{
+    const CutSection cut({regionOf(polygonContour(rectangleAt(0, 0, 40, 40))),
+                          regionOf(polygonContour(rectangleAt(60, 0, 20, 20)))});
+    const auto first = cut.compensated(0.2);
+    QCOMPARE(first->size(), 2U);
+    QVERIFY(std::abs(totalArea((*first)[0]) - 40.2 * 40.2) < kRounding);
+    QVERIFY(std::abs(totalArea((*first)[1]) - 20.2 * 20.2) < kRounding);
+    QCOMPARE(cut.compensated(0.2), first);
+    QVERIFY(std::abs(totalArea((*cut.compensated(1.0))[1]) - 21.0 * 21.0) < kRounding);
 }
 
 QTEST_GUILESS_MAIN(TestKerf)

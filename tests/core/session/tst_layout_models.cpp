@@ -50,7 +50,7 @@ std::vector<Part> partsOf(const QString &file)
     AnalysisCaches caches;
     const Analysis analysis = analyse(evaluate(std::move(read->document)), caches);
     return compensateKerf(makeParts(analysis.model, analysis.assembly, analysis.cuts),
-                          analysis.model);
+                          analysis.model, analysis.cuts);
 }
 
 } // namespace
