@@ -50,6 +50,8 @@ void insertRings(Cdt &cdt, const Region &region)
     for (const Polygon &hole : region.holes)
         addRing(hole);
 
+    if (points.empty())
+        return; // CGAL takes the address of the first
     std::vector<std::size_t> order(points.size());
     std::iota(order.begin(), order.end(), std::size_t(0));
     using Traits = CGAL::Spatial_sort_traits_adapter_2<

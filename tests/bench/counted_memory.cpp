@@ -29,6 +29,20 @@ void *operator new(std::size_t size)
     return static_cast<char *>(block) + kHeader;
 }
 
+void *operator new(std::size_t size, const std::nothrow_t &) noexcept
+{
+    try {
+        return ::operator new(size);
+    } catch (const std::bad_alloc &) {
+        return nullptr;
+    }
+}
+
+void *operator new[](std::size_t size, const std::nothrow_t &) noexcept
+{
+    return ::operator new(size, std::nothrow);
+}
+
 void operator delete(void *pointer) noexcept
 {
     if (!pointer)
