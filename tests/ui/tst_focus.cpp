@@ -3,6 +3,7 @@
 
 #include "core/model/edits.h"
 #include "tests/core/assembly/plates.h"
+#include "tests/ui/contrast.h"
 #include "ui/dialogs/settings_dialog.h"
 #include "ui/field_style.h"
 #include "ui/focus_frame.h"
@@ -17,7 +18,6 @@
 #include <QListWidget>
 #include <QTemporaryDir>
 
-#include <cmath>
 #include <memory>
 
 using namespace fff;
@@ -26,23 +26,13 @@ using namespace fff::ui;
 
 namespace {
 
-double luminance(const QColor &colour)
-{
-    const auto linear = [](double v) {
-        return v <= 0.03928 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4);
-    };
-    return 0.2126 * linear(colour.redF()) + 0.7152 * linear(colour.greenF()) +
-           0.0722 * linear(colour.blueF());
-}
-
-/// Pixels that differ by so much, in luminance.
-int changedPixels(const QImage &a, const QImage &b, double contrast)
+/// Pixels that differ by a contrast of at least so much.
+int changedPixels(const QImage &a, const QImage &b, double least)
 {
     int changed = 0;
     for (int y = 0; y < a.height(); ++y) {
         for (int x = 0; x < a.width(); ++x) {
-            const double la = luminance(a.pixelColor(x, y)), lb = luminance(b.pixelColor(x, y));
-            if ((std::max(la, lb) + 0.05) / (std::min(la, lb) + 0.05) >= contrast)
+            if (contrast(a.pixelColor(x, y), b.pixelColor(x, y)) >= least)
                 ++changed;
         }
     }

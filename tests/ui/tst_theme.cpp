@@ -1,6 +1,7 @@
 // What stands on what can be read: contrasts as WCAG 2.1 reckons them.
 #include <QTest>
 
+#include "tests/ui/contrast.h"
 #include "ui/settings/settings.h"
 #include "ui/theme.h"
 
@@ -8,28 +9,8 @@
 #include <QTemporaryDir>
 #include <QWidget>
 
-#include <cmath>
-
+using namespace fff::test;
 using namespace fff::ui;
-
-namespace {
-
-double luminance(const QColor &colour)
-{
-    const auto linear = [](double v) {
-        return v <= 0.03928 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4);
-    };
-    return 0.2126 * linear(colour.redF()) + 0.7152 * linear(colour.greenF()) +
-           0.0722 * linear(colour.blueF());
-}
-
-double contrast(const QColor &a, const QColor &b)
-{
-    const double la = luminance(a), lb = luminance(b);
-    return (std::max(la, lb) + 0.05) / (std::min(la, lb) + 0.05);
-}
-
-} // namespace
 
 class TestTheme : public QObject
 {
