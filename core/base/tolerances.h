@@ -19,6 +19,8 @@ inline constexpr double kClipGrid = 1e-6;
 inline constexpr double kClipSlack = 3.0 * kClipGrid;
 /// Two curves are taken to cross where they are this near.
 inline constexpr double kCrossingError = 1e-10;
+/// A point this near to the line that a shape is clipped at lies on it.
+inline constexpr double kOnLine = 1e-9;
 /// Sine of the angle below which two edges are parallel: where they cross is rounding (no unit).
 inline constexpr double kParallelSine = 1e-9;
 /// Largest coordinate that a document may hold: 1 km. Keeps every product in the integer booleans

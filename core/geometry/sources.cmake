@@ -8,6 +8,7 @@ target_sources(fff_core PRIVATE
     geometry/curve_recovery.cpp
     geometry/fit.cpp
     geometry/frame.cpp
+    geometry/halfplane_clip.cpp
     geometry/moments.cpp
     geometry/notch.cpp
     geometry/offset.cpp
