@@ -2,6 +2,7 @@ target_sources(fff_core PRIVATE
     model/changes.cpp
     model/document.cpp
     model/edits.cpp
+    model/ground.cpp
     model/materials.cpp
     model/model.cpp
     model/naming.cpp

@@ -1,5 +1,6 @@
 fff_test(core/model/tst_changes fff::core)
 fff_test(core/model/tst_document fff::core)
 fff_test(core/model/tst_edits fff::core)
+fff_test(core/model/tst_ground fff::core)
 fff_test(core/model/tst_naming fff::core)
 fff_test(core/model/tst_shape fff::core)

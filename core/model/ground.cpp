@@ -1,0 +1,51 @@
+#include "core/model/ground.h"
+
+#include "core/base/tolerances.h"
+
+namespace fff {
+
+namespace {
+
+bool isBelow(const Frame &levelFrame)
+{
+    return levelFrame.origin.y() < -kOnLine;
+}
+
+} // namespace
+
+std::optional<Halfplane> groundLine(const Frame &frame)
+{
+    // Height above the ground rises along this by its length a mm.
+    const Vec2 upwards(frame.x.y(), frame.y.y());
+    const double rise = upwards.norm();
+    if (rise <= kSameDirection)
+        return {};
+    const Vec2 inward = upwards / rise;
+    return Halfplane{-(frame.origin.y() / rise) * inward, inward};
+}
+
+std::vector<ClippedPiece> clippedAtGround(const Contour &contour, const Frame &frame)
+{
+    if (const std::optional<Halfplane> above = groundLine(frame))
+        return clip(contour, {}, *above);
+    if (isBelow(frame))
+        return {};
+    return {{contour, {}}};
+}
+
+std::vector<ShapePointer> clippedAtGround(const ShapePointer &shape, const Frame &frame)
+{
+    const std::optional<Halfplane> above = groundLine(frame);
+    if (above ? isInside(shape->contour(), *above) : !isBelow(frame))
+        return {shape};
+    std::vector<ShapePointer> shapes;
+    if (!above)
+        return shapes;
+    for (ClippedPiece &piece : clip(shape->contour(), shape->holes(), *above)) {
+        if (Result<ShapePointer> made = Shape::make(std::move(piece.outer), std::move(piece.holes)))
+            shapes.push_back(std::move(*made));
+    }
+    return shapes;
+}
+
+} // namespace fff
