@@ -36,7 +36,7 @@ Result<std::string> writeFff(const Document &document);
 ///           name:$.json.path  BadValue, DuplicateId, UnknownReference, DegenerateFrame (axes off
 ///           by more than kFrameRounding), BadContour, EmptyContour, Unsupported (operations).
 /// Warnings  SkewFrame: axes off by more than rounding of a double, made orthonormal again.
-///           Those of core/io/mended_shape.h.
+///           Those of core/model/mended_shape.h.
 Result<LoadedDocument> readFff(std::string_view bytes, const std::string &name = {});
 
 } // namespace fff::io

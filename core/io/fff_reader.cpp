@@ -3,7 +3,7 @@
 #include "core/io/fff_migration.h"
 #include "core/io/json_cursor.h"
 #include "core/io/json_syntax.h"
-#include "core/io/mended_shape.h"
+#include "core/model/mended_shape.h"
 
 #include <QtCore/QCoreApplication>
 #include <algorithm>
@@ -135,7 +135,9 @@ ShapePointer FffReader::readShape(const JsonCursor &cursor)
     if (m_problems.failed())
         return nullptr;
     // Sections may share it: it has no name of its own.
-    Result<ShapePointer> shape = makeMendedShape(contour, holes, {}, m_problems);
+    std::vector<Warning> mended;
+    Result<ShapePointer> shape = makeMendedShape(contour, holes, {}, mended);
+    m_problems.warn(mended);
     if (shape)
         return *std::move(shape);
     cursor.fail(shape.error().code, shape.error().args);

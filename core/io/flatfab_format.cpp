@@ -2,7 +2,7 @@
 
 #include "core/base/tolerances.h"
 #include "core/io/flatfab_text.h"
-#include "core/io/mended_shape.h"
+#include "core/model/mended_shape.h"
 
 #include <Eigen/Geometry>
 #include <QtCore/QCoreApplication>
@@ -122,7 +122,9 @@ std::shared_ptr<Section> SectionBuilder::build()
         curves.push_back({*std::move(contour), std::to_string(curve.line)});
     }
     const std::vector<PlacedContour> holes(curves.begin() + 1, curves.end());
-    Result<ShapePointer> shape = makeMendedShape(curves.front(), holes, m_name, m_problems);
+    std::vector<Warning> mended;
+    Result<ShapePointer> shape = makeMendedShape(curves.front(), holes, m_name, mended);
+    m_problems.warn(mended);
     if (!shape) {
         fail(m_source.curves.front().line, shape.error());
         return nullptr;

@@ -22,7 +22,7 @@ struct FlatfabOptions
 /// Errors    NotAModel; at name:line  Truncated, BadSyntax, BadValue, NonFinite, BadCount,
 ///           DegenerateFrame, BadContour, EmptyContour
 /// Warnings  SkewFrame: T, N, B off by more than kFrameRounding from three orthonormal axes; the
-///           plane is that of T and B. Those of core/io/mended_shape.h. TrailingLines.
+///           plane is that of T and B. Those of core/model/mended_shape.h. TrailingLines.
 /// Takes     both header words, files without BoundaryCurves, CR LF, blank lines, several blanks
 ///           between numbers, curves of any winding, axes that are not orthonormal.
 /// Nothing is allocated because of a count alone: memory follows the bytes that are there.

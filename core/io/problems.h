@@ -26,6 +26,12 @@ struct Problems
     {
         warnings.push_back({code, placeIn(file, where), std::move(args)});
     }
+    /// Warnings that know where in the file, but not of which file.
+    void warn(const std::vector<Warning> &placed)
+    {
+        for (const Warning &warning : placed)
+            warn(warning.code, warning.place, warning.args);
+    }
 };
 
 } // namespace fff::io

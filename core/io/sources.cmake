@@ -12,7 +12,6 @@ target_sources(fff_io PRIVATE
     json_syntax.cpp
     json_writer.cpp
     loaded_document.cpp
-    mended_shape.cpp
     obj_writer.cpp
     svg_writer.cpp
 )

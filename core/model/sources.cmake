@@ -4,6 +4,7 @@ target_sources(fff_core PRIVATE
     model/edits.cpp
     model/ground.cpp
     model/materials.cpp
+    model/mended_shape.cpp
     model/model.cpp
     model/naming.cpp
     model/section.cpp

@@ -1,13 +1,15 @@
-// Shapes of files: whatever was drawn, what comes out is a contour that does not cross itself with
-// holes that lie in it and not on each other. Every reader goes through here.
+// Whatever was drawn or read, what comes out is a contour that does not cross itself with holes
+// that lie in it and not on each other. Every reader and every drawn hole goes through here.
 #pragma once
 
-#include "core/io/problems.h"
 #include "core/model/shape.h"
 
-namespace fff::io {
+#include <string>
+#include <vector>
 
-/// A contour or hole and where it stands in the file.
+namespace fff {
+
+/// A contour or hole and where it stands in a file, if it is from one: the place of warnings.
 struct PlacedContour
 {
     Contour contour;
@@ -24,6 +26,6 @@ struct PlacedContour
 ///           now. NotchedContour: a hole that crosses the contour was cut out of it.
 Result<ShapePointer> makeMendedShape(const PlacedContour &contour,
                                      const std::vector<PlacedContour> &holes,
-                                     const std::string &name, Problems &problems);
+                                     const std::string &name, std::vector<Warning> &warnings);
 
-} // namespace fff::io
+} // namespace fff

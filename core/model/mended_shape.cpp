@@ -1,4 +1,4 @@
-#include "core/io/mended_shape.h"
+#include "core/model/mended_shape.h"
 
 #include "core/base/tolerances.h"
 #include "core/geometry/boolean.h"
@@ -7,7 +7,7 @@
 #include <cmath>
 #include <optional>
 
-namespace fff::io {
+namespace fff {
 
 namespace {
 
@@ -71,7 +71,10 @@ bool isMended(const ResolvedContour &resolved, const Contour &drawn)
 class Mender
 {
 public:
-    Mender(const std::string &name, Problems &problems) : m_name(name), m_problems(problems) {}
+    Mender(const std::string &name, std::vector<Warning> &warnings)
+        : m_name(name), m_warnings(warnings)
+    {
+    }
 
     Result<ShapePointer> mend(const PlacedContour &contour,
                               const std::vector<PlacedContour> &holes);
@@ -84,7 +87,7 @@ private:
     void cutOut();
 
     const std::string m_name;
-    Problems &m_problems;
+    std::vector<Warning> &m_warnings;
     struct Hole
     {
         Contour contour;
@@ -99,7 +102,8 @@ private:
 
 void Mender::warn(WarningCode code, const std::string &where)
 {
-    m_problems.warn(code, where, m_name.empty() ? std::vector<std::string>{} : std::vector{m_name});
+    m_warnings.push_back(
+        {code, where, m_name.empty() ? std::vector<std::string>{} : std::vector{m_name}});
 }
 
 /// A hole that cannot be one is left out with a warning.
@@ -200,7 +204,7 @@ Result<ShapePointer> mendedAgain(const Shape &shape)
     std::vector<PlacedContour> holes;
     for (const Contour &hole : shape.holes())
         holes.push_back({hole, {}});
-    Problems ignored;
+    std::vector<Warning> ignored;
     return Mender({}, ignored).mend({shape.contour(), {}}, holes);
 }
 
@@ -208,11 +212,11 @@ Result<ShapePointer> mendedAgain(const Shape &shape)
 
 Result<ShapePointer> makeMendedShape(const PlacedContour &contour,
                                      const std::vector<PlacedContour> &holes,
-                                     const std::string &name, Problems &problems)
+                                     const std::string &name, std::vector<Warning> &warnings)
 {
-    const std::size_t warningsBefore = problems.warnings.size();
-    Result<ShapePointer> shape = Mender(name, problems).mend(contour, holes);
-    if (problems.warnings.size() == warningsBefore)
+    const std::size_t warningsBefore = warnings.size();
+    Result<ShapePointer> shape = Mender(name, warnings).mend(contour, holes);
+    if (warnings.size() == warningsBefore)
         return shape;
     for (int pass = 0; shape && pass < kMaxPasses; ++pass) {
         Result<ShapePointer> again = mendedAgain(**shape);
@@ -223,4 +227,4 @@ Result<ShapePointer> makeMendedShape(const PlacedContour &contour,
     return shape;
 }
 
-} // namespace fff::io
+} // namespace fff
