@@ -41,7 +41,7 @@ QString hintSentence(const Hint &hint, const QString &undoKeys)
     case Hint::Kind::DrawFirstSection:
         return HintText::tr("Draw the first section: press, draw its shape in one go, release.");
     case Hint::Kind::TurnView:
-        return HintText::tr("Drag to turn the view; middle drag moves it, the wheel zooms.");
+        return HintText::tr("Drag to turn the view; <kbd>Shift</kbd> drag selects a group.");
     case Hint::Kind::DragOutOfSection:
         return HintText::tr("Drag out of %1 to draw a section across it; click to select it.")
             .arg(name);
@@ -62,10 +62,26 @@ QString hintSentence(const Hint &hint, const QString &undoKeys)
         return HintText::tr("Draw the contour, release to close it. <kbd>Esc</kbd> cancels.");
     case Hint::Kind::ReleaseToMake:
         return HintText::tr("<b>Release</b> to make the section. <kbd>Esc</kbd> cancels.");
+    case Hint::Kind::ReleaseToMirror:
+        return HintText::tr("<b>Release</b> to make the section, mirrored across the slit. Hold "
+                            "<kbd>Shift</kbd> to keep only this side. <kbd>Esc</kbd> cancels.");
+    case Hint::Kind::DrawOnPlane:
+        return HintText::tr("Draw a section on %1: press, draw its shape in one go, release. "
+                            "<kbd>Esc</kbd> cancels.")
+            .arg(name);
+    case Hint::Kind::DrawNewContour:
+        return HintText::tr("Draw the new contour of %1 in one go. <kbd>Esc</kbd> keeps the old one.")
+            .arg(name);
+    case Hint::Kind::DrawHole:
+        return HintText::tr("Draw a hole in %1 in one go. <kbd>Esc</kbd> cancels.").arg(name);
     case Hint::Kind::Orbiting:
         return HintText::tr("Move to turn the view, release to stop.");
     case Hint::Kind::Panning:
         return HintText::tr("Move to shift the view, release to stop.");
+    case Hint::Kind::Zooming:
+        return HintText::tr("Move up to come nearer, down to go away; release to stop.");
+    case Hint::Kind::RubberBand:
+        return HintText::tr("Release to select all that is wholly inside. <kbd>Esc</kbd> cancels.");
     case Hint::Kind::LookFrom:
         return lookFrom(QString::fromStdString(hint.section));
     case Hint::Kind::MoveCut:
@@ -86,6 +102,19 @@ QString hintSentence(const Hint &hint, const QString &undoKeys)
                    : HintText::tr("The contour crosses itself; the largest loop was kept. "
                                   "<kbd>%1</kbd> undoes it.")
                          .arg(undoKeys.toHtmlEscaped());
+    case Hint::Kind::CutAtGround:
+        return HintText::tr("%1 was cut flat at the ground.").arg(name);
+    case Hint::Kind::BelowGround:
+        return HintText::tr("Nothing drawn: all of it lies below the ground, where it is cut off.");
+    case Hint::Kind::HoleOutside:
+        return HintText::tr("No hole made: it must lie in %1 and leave it in one piece.").arg(name);
+    case Hint::Kind::HoleIsNotch:
+        return HintText::tr("The hole reaches over the edge of %1 and was cut out of it.").arg(name);
+    case Hint::Kind::HolesMerged:
+        return HintText::tr("The hole met others in %1; they are one hole now.").arg(name);
+    case Hint::Kind::HolesLeftOut:
+        return HintText::tr("Holes of %1 that lie outside of its new contour were left out.")
+            .arg(name);
     case Hint::Kind::Failed:
         return HintText::tr(
             "Nothing drawn: no section can be made of this line. Draw it as one open loop.");

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/interaction/interaction.h"
+#include "core/interaction/selection.h"
 
 namespace fff {
 
@@ -15,6 +16,7 @@ struct GestureContext
     Camera &camera;
     Overlay &overlay;
     ViewState &view;
+    const Selection &selection;
 };
 
 struct GestureReply
@@ -28,9 +30,11 @@ struct GestureReply
 
     State state = State::Running;
     std::optional<Document> preview; // show this; none: show the committed document
-    std::optional<Commit> commit;    // only when over
+    std::optional<Commit> commit;    // of a gesture, only when over
     std::optional<Hint> note;        // why it came to nothing, or what there is to know
     std::optional<Camera> returnTo;  // turn the view back to where it was
+    std::optional<Camera> turnTo;    // turn the view there, as a view of its own
+    std::optional<std::vector<SectionRef>> select;
 };
 
 class Gesture

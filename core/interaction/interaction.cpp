@@ -1,9 +1,9 @@
 #include "core/interaction/interaction.h"
 
 #include "core/interaction/click_selection.h"
-#include "core/interaction/clip_gesture.h"
 #include "core/interaction/hovering.h"
-#include "core/interaction/stroke_gesture.h"
+#include "core/interaction/routing.h"
+#include "core/interaction/tool.h"
 #include "core/interaction/view_gestures.h"
 #include "core/interaction/view_motion.h"
 
@@ -25,6 +25,23 @@ constexpr double kNoteTime = 6000.0;
 /// A click on the view cube turns in this time, ms; never longer than a turn.
 constexpr double kCubeTime = 400.0;
 
+/// Says, as long as it lives, that what changes is a tool's own doing.
+class QuietTool
+{
+public:
+    explicit QuietTool(bool &isCommitting) : m_isCommitting(isCommitting), m_was(isCommitting)
+    {
+        m_isCommitting = true;
+    }
+    ~QuietTool() { m_isCommitting = m_was; }
+    QuietTool(const QuietTool &) = delete;
+    QuietTool &operator=(const QuietTool &) = delete;
+
+private:
+    bool &m_isCommitting;
+    const bool m_was;
+};
+
 struct Note
 {
     Hint hint;
@@ -43,7 +60,7 @@ public:
 
     GestureContext context()
     {
-        return {host.model(), settings, motion.viewport, motion.camera, overlay, view};
+        return {host.model(), settings, motion.viewport, motion.camera, overlay, view, selection};
     }
     Sight sight() const { return {host.model(), motion.camera, motion.viewport, view, marks}; }
 
@@ -54,16 +71,21 @@ public:
     void scroll(const PointerEvent &event);
     void leave();
 
-    std::unique_ptr<Gesture> gestureFor(const PointerEvent &press);
+    void beginWithSecondButton(std::unique_ptr<Gesture> next);
+    bool toolTakes(const PointerEvent &event) const;
+    void feedTool(const PointerEvent &event);
     void click(const PointerEvent &press);
     void feed(const PointerEvent &event);
     void take(GestureReply reply);
+    void takeFromTool(GestureReply reply);
+    void carryOut(GestureReply &reply);
+    void layToolDown();
     void showPreview(std::optional<Document> shown);
     bool cancelGesture();
+    bool cancelTool();
 
     void hover();
     void update();
-    void followSelected();
     void turn(const Camera &to, double start, double duration);
 
     InteractionHost &host;
@@ -74,15 +96,17 @@ public:
     double now = 0.0; // ms, of the last event
 
     Document document; // committed, as known here
-    std::vector<SectionRef> selection;
-    /// Before sections of it went, and what stayed: Undo brings it back as it was.
-    std::vector<SectionRef> selectionBefore, selectionLeft;
+    Selection selection;
     ClickSelection clicks;
 
     std::vector<PointerEvent> pending; // a press and its moves, not yet a click or a drag
     std::unique_ptr<Gesture> gesture;
-    bool hasPreview = false; // of the gesture
-    Camera cameraBefore;     // the gesture
+    bool hasSecondButton = false; // turns the view as long as it is pressed
+    std::unique_ptr<Tool> tool;
+    bool isToolPressed = false;    // the left button, for the tool
+    bool isToolCommitting = false; // what changes then is its own doing
+    bool hasPreview = false;       // of the gesture
+    Camera cameraBefore;           // the gesture
     Button pressed = Button::None;
     Hovering hovering;
     Modifiers modifiers;
@@ -93,33 +117,17 @@ public:
     Cursor cursor = Cursor::Arrow;
 };
 
-// Routing: which gesture a press begins.
-
-std::unique_ptr<Gesture> Interaction::Private::gestureFor(const PointerEvent &press)
-{
-    const Vec2 &at = press.position;
-    const bool isLeft = press.button == Button::Left;
-    if (isLeft && sight().cubePartAt(at))
-        return std::make_unique<OrbitGesture>(press, sight().middleOf(selection));
-    if (isLeft && sight().markAt(at) > 0)
-        return std::make_unique<OrbitGesture>(press, sight().pivotAt(at));
-    if (isLeft && sight().isOnHandle(at))
-        return std::make_unique<ClipGesture>(press, context());
-    motion.camera = sight().cameraAt(at);
-    if (press.button == Button::Middle || (isLeft && press.modifiers.space))
-        return std::make_unique<PanGesture>(press);
-    if (isLeft && !press.modifiers.control) {
-        if (host.model().sectionCount() == 0)
-            return std::make_unique<StrokeGesture>(press, context());
-        const std::vector<Hit> hits = sight().hitsAt(at);
-        if (!hits.empty() && !sight().isOnEdge(hits.front()))
-            return std::make_unique<StrokeGesture>(press, hits.front(), context());
-    }
-    return std::make_unique<OrbitGesture>(press, sight().pivotAt(at));
-}
+// What the person does.
 
 void Interaction::Private::press(const PointerEvent &event)
 {
+    if (pressed == Button::Middle && event.button == Button::Left &&
+        turnsWithSecondButton(settings.navigation)) {
+        beginWithSecondButton(
+            std::make_unique<OrbitGesture>(event, sight().pivotAt(event.position)));
+        hasSecondButton = true;
+        return;
+    }
     if (gesture || !pending.empty())
         return; // a second button during a gesture
     motion.finish();
@@ -143,7 +151,8 @@ void Interaction::Private::move(const PointerEvent &event)
     const PointerEvent begin = pending.front();
     if ((event.position - begin.position).norm() <= settings.dragThreshold)
         return;
-    gesture = gestureFor(begin);
+    GestureContext with = context();
+    gesture = gestureFor(begin, sight(), with);
     cameraBefore = motion.camera;
     hovering.unmark(overlay);
     overlay = {};
@@ -155,10 +164,25 @@ void Interaction::Private::move(const PointerEvent &event)
     }
 }
 
+/// Another way to move the view, in the middle of a drag.
+void Interaction::Private::beginWithSecondButton(std::unique_ptr<Gesture> next)
+{
+    if (!gesture)
+        cameraBefore = motion.camera;
+    pending.clear();
+    gesture = std::move(next);
+}
+
 void Interaction::Private::release(const PointerEvent &event)
 {
+    if (event.button == Button::Left && std::exchange(hasSecondButton, false)) {
+        // On with moving the view, from where it is now.
+        beginWithSecondButton(std::make_unique<PanGesture>(event));
+        return;
+    }
     if (event.button != pressed)
         return;
+    hasSecondButton = false;
     if (!pending.empty())
         move(event); // may find that it was a drag after all
     if (!pending.empty()) {
@@ -211,7 +235,7 @@ void Interaction::Private::click(const PointerEvent &begin)
     if (begin.button != Button::Left || begin.modifiers.space)
         return;
     if (const auto part = sight().cubePartAt(begin.position)) {
-        turn(turned(motion.camera, orientationOfPart(*part), sight().middleOf(selection),
+        turn(turned(motion.camera, orientationOfPart(*part), sight().middleOf(selection.sections()),
                     motion.viewport),
              now, std::min(kCubeTime, settings.turnTime));
         return;
@@ -222,8 +246,9 @@ void Interaction::Private::click(const PointerEvent &begin)
     }
     if (sight().isOnHandle(begin.position))
         return;
-    selection = clicks.click(host.model(), sight().hitsAt(begin.position), begin.position,
-                             settings.dragThreshold, begin.modifiers.control, selection);
+    selection.select(clicks.click(host.model(), sight().hitsAt(begin.position), begin.position,
+                                  settings.dragThreshold, begin.modifiers.control,
+                                  selection.sections()));
 }
 
 // Carrying out what gestures answer.
@@ -238,27 +263,103 @@ void Interaction::Private::take(GestureReply reply)
 {
     if (reply.state == GestureReply::State::Running) {
         showPreview(std::move(reply.preview));
+        if (reply.select)
+            selection.select(*std::move(reply.select));
         return;
     }
     // The gesture goes first: the host's answer to what follows may come back here.
     gesture.reset();
+    hasSecondButton = false;
     if (!reply.returnTo && !(cameraBefore == motion.camera))
         motion.history.leave(cameraBefore, ViewHistory::Change::Drag);
     pending.clear();
     overlay = {};
+    carryOut(reply);
+    if (!reply.commit)
+        showPreview({});
+    clicks.forget();
+    hover();
+}
+
+/// What replies of gestures and tools have in common.
+void Interaction::Private::carryOut(GestureReply &reply)
+{
     if (reply.note)
         note = Note{*reply.note, now + kNoteTime};
+    if (reply.select)
+        selection.select(*std::move(reply.select));
     if (reply.returnTo)
         motion.animate(*reply.returnTo, now, std::min(kReturnTime, settings.turnTime));
+    if (reply.turnTo)
+        turn(*reply.turnTo, now, settings.turnTime);
     if (reply.commit) {
         hasPreview = false; // the commit ends it
         document = reply.commit->document;
         host.commit(reply.commit->step, std::move(reply.commit->document));
-    } else {
-        showPreview({});
     }
+}
+
+// Tools.
+
+/// What lies over the view comes first, and drags that move it are as without a tool.
+bool Interaction::Private::toolTakes(const PointerEvent &event) const
+{
+    if (!tool || gesture || !pending.empty())
+        return false;
+    switch (event.type) {
+    case PointerEvent::Type::Press:
+    case PointerEvent::Type::DoubleClick:
+        return event.button == Button::Left && !isOnViewMark(sight(), event.position) &&
+               dragKind(settings.navigation, event.button, event.modifiers) == DragKind::Edit;
+    case PointerEvent::Type::Release:
+        return isToolPressed && event.button == Button::Left;
+    case PointerEvent::Type::Move:
+    case PointerEvent::Type::Modifiers:
+        return isToolPressed || !isOnViewMark(sight(), event.position);
+    default:
+        return false;
+    }
+}
+
+void Interaction::Private::feedTool(const PointerEvent &event)
+{
+    const bool presses =
+        event.type == PointerEvent::Type::Press || event.type == PointerEvent::Type::DoubleClick;
+    if (presses) {
+        motion.finish();
+        motion.history.interrupt();
+        note.reset();
+        motion.isTouched = true;
+        isToolPressed = true;
+    } else if (event.type == PointerEvent::Type::Release) {
+        isToolPressed = false;
+    }
+    if (motion.animation)
+        return; // the view is still on its way
+    hovering.unmark(overlay);
+    GestureContext with = context();
+    takeFromTool(tool->handle(event, with));
+}
+
+void Interaction::Private::takeFromTool(GestureReply reply)
+{
+    const bool isOver = reply.state == GestureReply::State::Over;
+    if (isOver)
+        layToolDown();
+    if (!reply.commit)
+        showPreview(std::move(reply.preview));
+    const QuietTool quiet(isToolCommitting);
+    carryOut(reply);
+    if (isOver)
+        hover();
+}
+
+void Interaction::Private::layToolDown()
+{
+    tool.reset();
+    isToolPressed = false;
+    overlay = {};
     clicks.forget();
-    hover();
 }
 
 /// Only a preview that a gesture has put up is taken down: others have theirs.
@@ -283,6 +384,16 @@ bool Interaction::Private::cancelGesture()
     return true;
 }
 
+/// One step back of the tool; the last one lays it down. False when none is held.
+bool Interaction::Private::cancelTool()
+{
+    if (!tool)
+        return false;
+    GestureContext with = context();
+    takeFromTool(tool->cancel(with));
+    return true;
+}
+
 // What is under the cursor, and what is said about it.
 
 void Interaction::Private::hover()
@@ -297,6 +408,8 @@ void Interaction::Private::update()
 {
     if (gesture)
         std::tie(hint, cursor) = std::pair(gesture->hint(), gesture->cursor());
+    else if (tool && !overlay.cubePart && overlay.mark == 0 && !overlay.isHandleHovered)
+        std::tie(hint, cursor) = std::pair(tool->hint(), tool->cursor());
     else
         std::tie(hint, cursor) = hoverHint(overlay, host.model());
     if (modifiers.space && !gesture)
@@ -304,26 +417,8 @@ void Interaction::Private::update()
 
     if (note && now >= note->until)
         note.reset();
-    if (note && !gesture)
+    if (note && !gesture && !isToolPressed)
         hint = note->hint;
-}
-
-/// Sections went or came. Those that went are not selected, but are again when they come back, if
-/// nobody has chosen something else meanwhile.
-void Interaction::Private::followSelected()
-{
-    const Model &model = host.model();
-    const auto isGone = [&](const SectionRef &ref) { return model.indexOf(ref) < 0; };
-    if (!selectionBefore.empty() && selection == selectionLeft &&
-        std::none_of(selectionBefore.begin(), selectionBefore.end(), isGone)) {
-        selection = std::exchange(selectionBefore, {});
-        return;
-    }
-    if (std::none_of(selection.begin(), selection.end(), isGone))
-        return;
-    selectionBefore = selection;
-    std::erase_if(selection, isGone);
-    selectionLeft = selection;
 }
 
 // The camera.
@@ -395,7 +490,7 @@ void Interaction::setProjection(Projection projection)
     d->cancelGesture();
     d->motion.finish();
     Camera &camera = d->motion.camera;
-    camera = retargeted(camera, d->sight().middleOf(d->selection), d->motion.viewport);
+    camera = retargeted(camera, d->sight().middleOf(d->selection.sections()), d->motion.viewport);
     camera.projection = projection;
     d->clicks.forget();
     d->hover();
@@ -424,7 +519,7 @@ bool Interaction::canGoBack() const
 void Interaction::forgetViews()
 {
     d->motion.history.clear();
-    d->selectionBefore.clear(); // ids of another document name other sections
+    d->selection.forget();
 }
 
 const ViewState &Interaction::view() const
@@ -469,6 +564,11 @@ void Interaction::handle(const PointerEvent &event)
     if (event.type != PointerEvent::Type::Leave)
         d->hovering.moveTo(event.position);
     d->modifiers = event.modifiers;
+    if (d->toolTakes(event)) {
+        d->feedTool(event);
+        d->update();
+        return;
+    }
     switch (event.type) {
     case PointerEvent::Type::Press:
     case PointerEvent::Type::DoubleClick: // the second press of two quick strokes
@@ -492,6 +592,10 @@ void Interaction::handle(const PointerEvent &event)
     case PointerEvent::Type::Leave:
         d->leave();
         break;
+    case PointerEvent::Type::Modifiers:
+        if (d->gesture)
+            d->feed(event);
+        break;
     }
     d->update();
 }
@@ -501,12 +605,12 @@ bool Interaction::escape(double time)
     advance(time);
     const bool hadNote = d->note.has_value();
     d->note.reset();
-    const bool hadGesture = d->cancelGesture();
-    const bool hadSelection = !hadGesture && !d->selection.empty();
+    const bool hadGesture = d->cancelGesture() || d->cancelTool();
+    const bool hadSelection = !hadGesture && !d->selection.isEmpty();
     const bool hadView =
         !hadGesture && !hadSelection && (d->view.clip || !d->view.isolated.empty());
     if (hadSelection)
-        d->selection.clear();
+        d->selection.select({});
     if (hadView) {
         if (d->view.clip)
             d->view.clip.reset();
@@ -524,6 +628,9 @@ bool Interaction::advance(double time)
     if (d->gesture) {
         GestureContext with = d->context();
         d->gesture->advance(d->now, with);
+    } else if (d->tool && !d->motion.animation) {
+        GestureContext with = d->context();
+        d->tool->advance(d->now, with);
     }
     if (d->motion.advance(d->now)) {
         d->hovering.disturb();
@@ -536,12 +643,13 @@ bool Interaction::advance(double time)
 
 bool Interaction::isAnimating() const
 {
-    return d->motion.animation.has_value() || (d->gesture && d->gesture->isAnimating());
+    return d->motion.animation.has_value() || (d->gesture && d->gesture->isAnimating()) ||
+           (d->tool && d->tool->isAnimating());
 }
 
 bool Interaction::hasGesture() const
 {
-    return d->gesture != nullptr || !d->pending.empty();
+    return d->gesture != nullptr || !d->pending.empty() || d->isToolPressed;
 }
 
 std::optional<double> Interaction::wakeTime() const
@@ -552,14 +660,59 @@ std::optional<double> Interaction::wakeTime() const
     return time;
 }
 
+void Interaction::pickUp(std::unique_ptr<Tool> tool, double time)
+{
+    const bool isSame = d->tool && d->tool->command() == tool->command();
+    layDown(time);
+    if (isSame)
+        return;
+    d->cancelGesture();
+    d->motion.finish();
+    d->note.reset();
+    d->tool = std::move(tool);
+    d->hovering.unmark(d->overlay);
+    GestureContext with = d->context();
+    d->takeFromTool(d->tool->begin(with, d->now));
+    d->update();
+}
+
+void Interaction::layDown(double time)
+{
+    advance(time);
+    while (d->cancelTool())
+        ;
+    d->update();
+}
+
+const Tool *Interaction::tool() const
+{
+    return d->tool.get();
+}
+
+bool Interaction::wants(ToolKey key) const
+{
+    return d->tool && d->tool->wants(key);
+}
+
+bool Interaction::key(ToolKey key, double time)
+{
+    advance(time);
+    if (!wants(key))
+        return false;
+    GestureContext with = d->context();
+    d->takeFromTool(d->tool->key(key, with));
+    d->update();
+    return true;
+}
+
 const std::vector<SectionRef> &Interaction::selection() const
 {
-    return d->selection;
+    return d->selection.sections();
 }
 
 void Interaction::select(std::vector<SectionRef> selection)
 {
-    d->selection = std::move(selection);
+    d->selection.select(std::move(selection));
 }
 
 void Interaction::modelChanged()
@@ -569,8 +722,12 @@ void Interaction::modelChanged()
         return; // a preview came or went
     d->document = model.document;
     d->cancelGesture();
+    if (d->tool && !d->isToolCommitting) {
+        GestureContext with = d->context();
+        d->takeFromTool(d->tool->modelChanged(with));
+    }
     d->clicks.forget();
-    d->followSelected();
+    d->selection.follow(model);
     if (!d->motion.isTouched)
         d->motion.fitFirst(model.bounds());
     d->hover();

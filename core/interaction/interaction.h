@@ -4,86 +4,23 @@
 #pragma once
 
 #include "core/interaction/camera.h"
+#include "core/interaction/hint.h"
+#include "core/interaction/navigation.h"
 #include "core/interaction/pick.h"
+#include "core/interaction/pointer_event.h"
 #include "core/interaction/problem_marks.h"
+#include "core/interaction/step.h"
 #include "core/interaction/view_cube.h"
 #include "core/interaction/view_state.h"
 #include "core/model/naming.h"
 
 #include <memory>
+#include <numbers>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace fff {
-
-enum class Button { None, Left, Middle, Right };
-
-struct Modifiers
-{
-    bool shift = false, control = false, space = false;
-};
-
-struct PointerEvent
-{
-    enum class Type { Press, Move, Release, Wheel, Zoom, Scroll, DoubleClick, Leave };
-    Type type = Type::Move;
-    Vec2 position = Vec2::Zero(); // px
-    Button button = Button::None; // that was pressed or released
-    Modifiers modifiers;
-    double wheelSteps = 0.0;    // notches, positive away from the person
-    double zoomFactor = 1.0;    // Zoom: two fingers apart; above 1 is nearer
-    Vec2 scroll = Vec2::Zero(); // Scroll: px that two fingers push the picture
-    double time = 0.0;          // ms, the only clock
-    /// More moves are at hand and follow at once: this one is taken in, nothing is shown for it.
-    bool isFollowed = false;
-};
-
-/// What a commit did; ui makes the words ("Draw Section 3") of it.
-struct Step
-{
-    enum class Kind {
-        DrawSection,
-        DeleteSections,
-        RenameSection,
-        MoveSection,
-        SetStock,
-        EditStock
-    };
-    Kind kind = Kind::DrawSection;
-    std::vector<std::string> names; // of the sections or stocks it was done to
-};
-
-/// What the next click or drag does, or why one came to nothing; ui makes the sentence (ui/UI.md,
-/// 8).
-struct Hint
-{
-    enum class Kind {
-        DrawFirstSection,
-        TurnView,
-        DragOutOfSection,
-        SeenOnEdge, // too slanted to draw on
-        LeaveSection,
-        Turning,
-        LeaveDeadZone,
-        DrawContour,
-        ReleaseToMake,
-        Orbiting,
-        Panning,
-        LookFrom,      // section: nameOfPart() of the cube's part
-        MoveCut,       // over the handle
-        MovingCut,     // dragging it
-        ChooseProblem, // section: the number of its mark
-        NeverLeft,
-        TooShort,
-        CrossesItself,
-        Failed
-    };
-    Kind kind = Kind::TurnView;
-    std::string section;    // the name that the sentence speaks of
-    bool isRefusal = false; // amber, stays for 6 s or until the next press
-    bool operator==(const Hint &) const = default;
-};
 
 enum class Cursor {
     Arrow,
@@ -114,10 +51,19 @@ struct Overlay
         std::vector<Vec2> samples;          // frame coordinates of canvas
         std::vector<CubicBezier> fitted;    // open chain as drawn so far
         std::optional<CubicBezier> closing; // the piece that a release would add
+        std::optional<Contour> cut;         // what it encloses, where the ground cuts that
+        std::optional<Box2> size;           // of what a release makes
+    };
+    /// Where the canvas meets the ground: a line without ends.
+    struct GroundLine
+    {
+        Vec3 point, direction; // unit
     };
     std::optional<SlitLine> slit;
     std::optional<DeadZone> deadZone;
     std::optional<Stroke> stroke;
+    std::optional<GroundLine> ground;
+    std::optional<Box2> band;      // of a rubber band, px
     std::optional<Vec3> slitStart; // hovering: where a slit would begin
     int hovered = -1;              // index of the section under the cursor
     /// The cursor has rested on a section: its name may be shown there (px).
@@ -142,13 +88,22 @@ public:
 
 struct InteractionSettings
 {
-    double turnTime = 800.0;         // ms; 0 jumps
+    NavigationPreset navigation = NavigationPreset::FlatFitFab;
+    double turnTime = 800.0; // ms; 0 jumps
+    /// Between the view and the slit's section at the end of a turn, radians: at a right angle the
+    /// canvas is seen straight, with less its section stays readable.
+    double turnAngle = std::numbers::pi / 2.0;
+    bool mirrors = true;       // local symmetry: a stroke on one side of its slit is mirrored
+    bool mirrorsFirst = false; // also the first section's, across the vertical through its start
+    bool cutsAtGround = true;  // contours end at Y = 0
     double deadZoneFraction = 0.025; // of the viewport's width
     double dragThreshold = 4.0;      // px
     double nameDelay = 400.0;        // ms that the cursor rests before a name is shown
     double fitTolerance = 2.0;       // px that the fitted contour may be off the samples
     Naming naming;                   // of what is drawn
 };
+
+class Tool;
 
 class Interaction
 {
@@ -185,7 +140,7 @@ public:
     void setMarks(std::vector<ProblemMark> marks);
 
     void handle(const PointerEvent &event);
-    /// Esc: one step back (gesture, selection, cut, isolated sections). True when there was
+    /// Esc: one step back (gesture, tool, selection, cut, isolated sections). True when there was
     /// something to go back from.
     bool escape(double time);
     /// Moves animations on to `time`; true while one runs, so that the caller asks again.
@@ -195,6 +150,16 @@ public:
     /// When something will change that no event brings (a name appears, a note goes): advance()
     /// wants to be called then. ms; none while nothing is waited for.
     std::optional<double> wakeTime() const;
+
+    /// Holds a tool, in place of the one held before; the same one again is laid down.
+    void pickUp(std::unique_ptr<Tool> tool, double time);
+    /// As Esc does, to the end.
+    void layDown(double time);
+    /// Null: none is held.
+    const Tool *tool() const;
+    bool wants(ToolKey key) const;
+    /// True when the tool had a use for it.
+    bool key(ToolKey key, double time);
 
     const std::vector<SectionRef> &selection() const;
     void select(std::vector<SectionRef> selection);

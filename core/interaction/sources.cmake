@@ -1,13 +1,20 @@
 target_sources(fff_core PRIVATE
     interaction/camera.cpp
+    interaction/canvas_turn.cpp
     interaction/click_selection.cpp
     interaction/clip_gesture.cpp
     interaction/commands.cpp
+    interaction/contour_target.cpp
+    interaction/draw_tool.cpp
     interaction/facing.cpp
     interaction/hovering.cpp
     interaction/interaction.cpp
+    interaction/navigation.cpp
     interaction/pick.cpp
     interaction/problem_marks.cpp
+    interaction/routing.cpp
+    interaction/rubber_band.cpp
+    interaction/selection.cpp
     interaction/sight.cpp
     interaction/stroke_gesture.cpp
     interaction/view_cube.cpp

@@ -1,14 +1,18 @@
 #include "core/interaction/stroke_gesture.h"
 
 #include "core/base/units.h"
-#include "core/interaction/facing.h"
-#include "core/model/edits.h"
+
+#include <limits>
+#include <utility>
 
 namespace fff {
 
 namespace {
 
-/// The canvas will lie at the target's depth (see beginTurn), so pixels count there.
+/// Largest part of the viewport's width that the view moves in a turn's time to make room.
+constexpr double kRoomPerTurn = 0.5;
+
+/// The canvas will lie at the target's depth (see CanvasTurn), so pixels count there.
 Stroke::Options strokeOptions(const GestureContext &context)
 {
     const double scale = context.camera.millimetresPerPixel;
@@ -32,16 +36,23 @@ Vec2 pointOnPlane(const Frame &plane, const Vec2 &screen, const GestureContext &
 
 } // namespace
 
-StrokeGesture::StrokeGesture(const PointerEvent &press, const GestureContext &context)
-    : m_stroke(strokeOptions(context)), m_before(context.camera), m_cursor(press.position)
+Frame firstCanvas(const Camera &camera)
 {
-    m_canvas = {Vec3(0.0, kFirstPlaneHeight, 0.0), m_before.right(), m_before.up()};
-    m_stroke.beginOnCanvas({press.time, pointOnPlane(m_canvas, press.position, context)});
+    return {Vec3(0.0, kFirstPlaneHeight, 0.0), camera.right(), camera.up()};
+}
+
+StrokeGesture::StrokeGesture(const PointerEvent &press, ContourTarget target,
+                             const GestureContext &context)
+    : m_stroke(strokeOptions(context)), m_target(std::move(target)), m_before(context.camera),
+      m_cursor(press.position), m_now(press.time)
+{
+    m_stroke.beginOnCanvas({press.time, pointOnPlane(m_target.canvas, press.position, context)});
 }
 
 StrokeGesture::StrokeGesture(const PointerEvent &press, const Hit &hit,
                              const GestureContext &context)
-    : m_stroke(strokeOptions(context)), m_before(context.camera), m_cursor(press.position)
+    : m_stroke(strokeOptions(context)), m_before(context.camera), m_cursor(press.position),
+      m_now(press.time)
 {
     const auto index = static_cast<std::size_t>(hit.section);
     m_ground = Ground{context.model.ref(index), context.model.section(index)};
@@ -50,7 +61,7 @@ StrokeGesture::StrokeGesture(const PointerEvent &press, const Hit &hit,
 
 const Frame &StrokeGesture::plane() const
 {
-    return m_stroke.state() == Stroke::State::Slit ? m_ground->section->frame : m_canvas;
+    return m_stroke.state() == Stroke::State::Slit ? m_ground->section->frame : m_target.canvas;
 }
 
 GestureReply StrokeGesture::handle(const PointerEvent &event, GestureContext &context)
@@ -58,11 +69,13 @@ GestureReply StrokeGesture::handle(const PointerEvent &event, GestureContext &co
     // A turn that ended before this event ended with the cursor where it was then.
     advance(event.time, context);
     m_cursor = event.position;
-    const bool wasInSection = m_stroke.state() == Stroke::State::Slit;
-    m_stroke.move({event.time, pointOnPlane(plane(), event.position, context)});
-    if (wasInSection && m_stroke.state() == Stroke::State::Turn)
-        beginTurn(context);
-    advance(event.time, context);
+    if (event.type != PointerEvent::Type::Modifiers) {
+        const bool wasInSection = m_stroke.state() == Stroke::State::Slit;
+        m_stroke.move({event.time, pointOnPlane(plane(), event.position, context)});
+        if (wasInSection && m_stroke.state() == Stroke::State::Turn)
+            beginTurn(context);
+        advance(event.time, context);
+    }
     if (event.type == PointerEvent::Type::Release)
         m_stroke.release();
     else if (event.isFollowed && m_stroke.state() == Stroke::State::Contour)
@@ -72,49 +85,56 @@ GestureReply StrokeGesture::handle(const PointerEvent &event, GestureContext &co
 
 void StrokeGesture::advance(double time, GestureContext &context)
 {
-    if (m_stroke.state() != Stroke::State::Turn)
-        return;
-    m_stroke.advance(time);
-    const Camera turned = interpolated(m_from, m_to, m_stroke.turnProgress(time));
-    const Vec3 slitEnd = m_ground->section->frame.toWorld(m_stroke.slitTo());
-    context.camera = pinned(turned, slitEnd, m_cursor, context.viewport);
-    updateOverlay(context);
+    if (m_stroke.state() == Stroke::State::Turn) {
+        const double end = m_stroke.turnEnd();
+        m_stroke.advance(time);
+        context.camera = m_turn->at(m_stroke.turnProgress(time), m_cursor, context.viewport);
+        m_now = std::min(time, end);
+        updateOverlay(context);
+    }
+    if (m_stroke.state() == Stroke::State::DeadZone)
+        makeRoom(time, context);
+    m_now = std::max(m_now, time);
 }
 
 bool StrokeGesture::isAnimating() const
 {
-    return m_stroke.state() == Stroke::State::Turn;
+    return m_stroke.state() == Stroke::State::Turn || m_isMovingToRoom;
 }
 
-/// The canvas holds the slit and stands at a right angle to the section: its x axis runs along the
-/// slit, its y axis along the section's normal, to the side from which the canvas is looked at.
 void StrokeGesture::beginTurn(GestureContext &context)
 {
-    const Frame &ground = m_ground->section->frame;
-    const Vec2 along = (m_stroke.slitTo() - m_stroke.slitFrom()).normalized();
-    const Vec3 x = ground.directionToWorld(along).normalized();
-    const Vec3 y = ground.normal().normalized();
-    const Eigen::Quaterniond orientation =
-        facingOrientation(context.camera.orientation, x.cross(y));
-    const Vec3 backward = orientation * Vec3::UnitZ();
-    m_canvas = {ground.toWorld(m_stroke.slitFrom()), x,
-                x.cross(y).dot(backward) > 0.0 ? y : Vec3(-y)};
+    m_turn.emplace(context.camera, m_ground->section->frame, m_stroke.slitFrom(), m_stroke.slitTo(),
+                   context.settings.turnAngle, context.viewport);
+    m_target = ContourTarget::newSection(
+        m_turn->canvas(), Parent{m_ground->ref, m_stroke.slitFrom(), m_stroke.slitTo()});
+    const double turnTime = context.settings.turnTime;
+    m_room = RoomPan{m_target.canvas, m_stroke.slitLength(), m_stroke.deadZoneRadius(),
+                     turnTime > 0.0 ? kRoomPerTurn * context.viewport.x() / turnTime
+                                    : std::numeric_limits<double>::infinity()};
+}
 
-    m_to = context.camera;
-    m_to.orientation = orientation;
-    m_to.target = ground.toWorld(m_stroke.slitTo());
-    m_from = retargeted(context.camera, m_to.target, context.viewport);
-    m_hasTurned = true;
+/// While the cursor rests in the dead zone, or moves in it, the slit comes away from the edge.
+void StrokeGesture::makeRoom(double time, GestureContext &context)
+{
+    const Camera before = context.camera;
+    context.camera = m_room->after(time - m_now, before, m_cursor, context.viewport);
+    m_isMovingToRoom = !(context.camera.target - before.target).isZero() &&
+                       !m_room->way(context.camera, context.viewport).isZero(1e-3);
+    m_stroke.viewMoved(pointOnPlane(m_target.canvas, m_cursor, context));
+    updateOverlay(context);
 }
 
 GestureReply StrokeGesture::reply(GestureContext &context)
 {
+    if (m_stroke.state() != Stroke::State::DeadZone)
+        m_isMovingToRoom = false;
     switch (m_stroke.state()) {
     case Stroke::State::Contour:
-        updateDocument(context);
+        updateDrawn(context);
         break;
     case Stroke::State::Done:
-        updateDocument(context);
+        updateDrawn(context);
         return done();
     case Stroke::State::Cancelled:
         return over();
@@ -128,7 +148,8 @@ GestureReply StrokeGesture::reply(GestureContext &context)
 GestureReply StrokeGesture::running() const
 {
     GestureReply reply;
-    reply.preview = m_document;
+    if (m_drawn && *m_drawn)
+        reply.preview = (*m_drawn)->document;
     return reply;
 }
 
@@ -148,50 +169,42 @@ void StrokeGesture::updateOverlay(GestureContext &context) const
     }
     if (state == Stroke::State::Contour) {
         const StrokeContour &contour = m_stroke.contour();
-        overlay.stroke =
-            Overlay::Stroke{m_canvas, m_stroke.samples(), contour.fitted, contour.closing};
+        Overlay::Stroke &stroke = overlay.stroke.emplace();
+        stroke.canvas = m_target.canvas;
+        stroke.samples = m_stroke.samples();
+        stroke.fitted = contour.fitted;
+        stroke.closing = contour.closing;
     }
     context.overlay = std::move(overlay);
 }
 
 /// Each time from the committed document; kept while no sample is added, so that the release
 /// commits the very section that was shown.
-void StrokeGesture::updateDocument(const GestureContext &context)
+void StrokeGesture::updateDrawn(const GestureContext &context)
 {
     if (m_stroke.samples().size() == m_drawnSamples)
         return;
     m_drawnSamples = m_stroke.samples().size();
-    m_document.reset();
-    const std::optional<Contour> &contour = m_stroke.contour().contour;
-    if (!contour)
-        return;
-    const Result<ShapePointer> shape = Shape::make(*contour);
-    if (!shape)
-        return;
-    NewSection section;
-    section.name = freeSectionName(context.model.document, context.settings.naming);
-    section.shape = *shape;
-    section.frame = m_canvas;
-    if (m_ground)
-        section.parent = Parent{m_ground->ref, m_stroke.slitFrom(), m_stroke.slitTo()};
-    Result<Document> document = addSection(context.model.document, std::move(section));
-    if (document)
-        m_document = std::move(*document);
+    m_drawn.reset();
+    if (const std::optional<Contour> &contour = m_stroke.contour().contour)
+        m_drawn = drawContour(context.model.document, m_target, *contour,
+                              {context.settings.cutsAtGround, context.settings.naming});
 }
 
 GestureReply StrokeGesture::done()
 {
-    if (!m_document) {
+    if (!m_drawn || !*m_drawn) {
         GestureReply failed = over();
-        failed.note = Hint{Hint::Kind::Failed, {}, true};
+        failed.note = m_drawn ? m_drawn->error() : Hint{Hint::Kind::Failed, {}, true};
         return failed;
     }
+    DrawnContour &drawn = **m_drawn;
     GestureReply reply;
     reply.state = GestureReply::State::Over;
-    const std::string name = m_document->sections.back()->name;
-    reply.commit = {{Step::Kind::DrawSection, {name}}, std::move(*m_document)};
+    reply.note = std::move(drawn.note);
     if (m_stroke.contour().wasCrossing)
-        reply.note = Hint{Hint::Kind::CrossesItself, name, false};
+        reply.note = Hint{Hint::Kind::CrossesItself, drawn.step.names.front(), false};
+    reply.commit = {std::move(drawn.step), std::move(drawn.document)};
     return reply;
 }
 
@@ -200,7 +213,7 @@ GestureReply StrokeGesture::over() const
 {
     GestureReply reply;
     reply.state = GestureReply::State::Over;
-    if (m_hasTurned)
+    if (m_turn)
         reply.returnTo = m_before;
     switch (m_stroke.refusal()) {
     case Stroke::Refusal::NeverLeft:
@@ -231,7 +244,8 @@ Hint StrokeGesture::hint() const
     case Stroke::State::DeadZone:
         return {Hint::Kind::LeaveDeadZone, {}, false};
     default:
-        return {m_document ? Hint::Kind::ReleaseToMake : Hint::Kind::DrawContour, {}, false};
+        return {
+            m_drawn && *m_drawn ? Hint::Kind::ReleaseToMake : Hint::Kind::DrawContour, {}, false};
     }
 }
 

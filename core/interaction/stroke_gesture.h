@@ -1,19 +1,24 @@
 // The single stroke in the view: feeds the stroke's state machine with points on planes, turns the
-// camera and shows the section that a release would make.
+// camera and shows what a release would make.
 #pragma once
 
+#include "core/interaction/canvas_turn.h"
+#include "core/interaction/contour_target.h"
 #include "core/interaction/gesture.h"
 #include "core/stroke/stroke.h"
 
 namespace fff {
 
+/// The plane of the first section: through (0, kFirstPlaneHeight, 0), facing the camera.
+Frame firstCanvas(const Camera &camera);
+
 class StrokeGesture : public Gesture
 {
 public:
     // The camera's target lies at the depth of what was pressed, so that pixels count there.
-    /// The first section: on the plane through (0, kFirstPlaneHeight, 0) that faces the camera.
-    StrokeGesture(const PointerEvent &press, const GestureContext &context);
-    /// On a section, from the point that was hit.
+    /// On a canvas that the view looks at: the contour begins where it was pressed.
+    StrokeGesture(const PointerEvent &press, ContourTarget target, const GestureContext &context);
+    /// On a section, from the point that was hit: the slit comes first.
     StrokeGesture(const PointerEvent &press, const Hit &hit, const GestureContext &context);
 
     GestureReply handle(const PointerEvent &event, GestureContext &context) override;
@@ -32,8 +37,9 @@ private:
 
     const Frame &plane() const; // that the cursor is on
     void beginTurn(GestureContext &context);
+    void makeRoom(double time, GestureContext &context);
     void updateOverlay(GestureContext &context) const;
-    void updateDocument(const GestureContext &context);
+    void updateDrawn(const GestureContext &context);
     GestureReply reply(GestureContext &context);
     GestureReply running() const;
     GestureReply over() const;
@@ -41,13 +47,15 @@ private:
 
     Stroke m_stroke;
     std::optional<Ground> m_ground;
-    Frame m_canvas;
-    Camera m_before;     // of the stroke: where Esc returns to
-    Camera m_from, m_to; // of the turn
-    Vec2 m_cursor;       // px
-    bool m_hasTurned = false;
-    std::size_t m_drawnSamples = 0;     // that m_document belongs to
-    std::optional<Document> m_document; // with the new section
+    ContourTarget m_target;
+    std::optional<CanvasTurn> m_turn;
+    std::optional<RoomPan> m_room;
+    Camera m_before;    // of the stroke: where Esc returns to
+    Vec2 m_cursor;      // px
+    double m_now = 0.0; // ms
+    bool m_isMovingToRoom = false;
+    std::size_t m_drawnSamples = 0;                          // that m_drawn belongs to
+    std::optional<tl::expected<DrawnContour, Hint>> m_drawn; // none: nothing is enclosed yet
 };
 
 } // namespace fff

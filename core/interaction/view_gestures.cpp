@@ -1,8 +1,13 @@
 #include "core/interaction/view_gestures.h"
 
+#include <cmath>
+
 namespace fff {
 
 namespace {
+
+/// Nearer by this factor for each pixel of a zooming drag.
+constexpr double kZoomPerPixel = 1.005;
 
 GestureReply replyTo(const PointerEvent &event)
 {
@@ -46,6 +51,20 @@ GestureReply PanGesture::handle(const PointerEvent &event, GestureContext &conte
 }
 
 GestureReply PanGesture::cancel(GestureContext &)
+{
+    return cancelled(m_before);
+}
+
+GestureReply ZoomGesture::handle(const PointerEvent &event, GestureContext &context)
+{
+    if (!m_before)
+        m_before = context.camera;
+    const double factor = std::pow(kZoomPerPixel, m_press.y() - event.position.y());
+    context.camera = zoomed(*m_before, factor, m_press, context.viewport);
+    return replyTo(event);
+}
+
+GestureReply ZoomGesture::cancel(GestureContext &)
 {
     return cancelled(m_before);
 }

@@ -1,4 +1,4 @@
-// Drags that move the camera: orbit and pan.
+// Drags that move the camera: orbit, pan and zoom.
 #pragma once
 
 #include "core/interaction/gesture.h"
@@ -33,6 +33,21 @@ public:
     GestureReply cancel(GestureContext &context) override;
     Hint hint() const override { return {Hint::Kind::Panning, {}, false}; }
     Cursor cursor() const override { return Cursor::Hand; }
+
+private:
+    Vec2 m_press;
+    std::optional<Camera> m_before;
+};
+
+/// Up is nearer, down farther away, about what was pressed.
+class ZoomGesture : public Gesture
+{
+public:
+    explicit ZoomGesture(const PointerEvent &press) : m_press(press.position) {}
+    GestureReply handle(const PointerEvent &event, GestureContext &context) override;
+    GestureReply cancel(GestureContext &context) override;
+    Hint hint() const override { return {Hint::Kind::Zooming, {}, false}; }
+    Cursor cursor() const override { return Cursor::MoveCross; }
 
 private:
     Vec2 m_press;

@@ -46,6 +46,14 @@ QString SessionHost::undoText(const Step &step)
     case Step::Kind::DrawSection:
         //: %1 is the name of a section
         return tr("Draw %1").arg(name);
+    case Step::Kind::RedrawSection:
+        //: %1 is the name of a section
+        return tr("Redraw %1").arg(name);
+    case Step::Kind::AddHole:
+        //: %1 is the name of a section
+        return tr("Draw a hole in %1").arg(name);
+    case Step::Kind::DropToGround:
+        return tr("Drop to the ground");
     // One section is named, so that the texts with a number need no singular.
     case Step::Kind::DeleteSections:
         //: %1 is the name of a section

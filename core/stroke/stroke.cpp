@@ -52,6 +52,12 @@ void Stroke::move(const Sample &sample)
     }
 }
 
+void Stroke::viewMoved(const Vec2 &point)
+{
+    if (m_state == State::DeadZone && point.allFinite())
+        m_last = point;
+}
+
 void Stroke::release()
 {
     switch (m_state) {
@@ -83,7 +89,7 @@ void Stroke::cancel()
 
 void Stroke::advance(double time)
 {
-    if (m_state != State::Turn || time < m_turnStart + m_options.turnTime)
+    if (m_state != State::Turn || time < turnEnd())
         return;
     m_state = State::DeadZone;
     // The turn kept the slit's end under the cursor.

@@ -48,6 +48,8 @@ public:
     void beginInSection(ShapePointer shape, const Sample &sample);
     /// Call advance(sample.time) before it: after a turn the point is one on the canvas.
     void move(const Sample &sample);
+    /// The view has moved while the cursor rested in the dead zone, and is over this point now.
+    void viewMoved(const Vec2 &point);
     /// Where the last move was.
     void release();
     void cancel();
@@ -61,6 +63,8 @@ public:
     const Vec2 &slitTo() const { return m_slitTo; }
     double slitLength() const { return (m_slitTo - m_slitFrom).norm(); }
     double deadZoneRadius() const { return m_options.deadZoneRadius; }
+    /// ms
+    double turnEnd() const { return m_turnStart + m_options.turnTime; }
     /// How far the turn has come at a time, eased, 0 … 1.
     double turnProgress(double time) const;
 

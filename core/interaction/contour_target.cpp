@@ -1,0 +1,114 @@
+#include "core/interaction/contour_target.h"
+
+#include "core/model/edits.h"
+#include "core/model/mended_shape.h"
+
+#include <algorithm>
+
+namespace fff {
+
+namespace {
+
+tl::unexpected<Hint> refused(Hint::Kind kind, const std::string &section = {})
+{
+    return tl::unexpected<Hint>(Hint{kind, section, true});
+}
+
+/// The section's shape with these holes, mended; its hint says what had to be.
+tl::expected<DrawnContour, Hint> withShape(const Document &document, const Section &section,
+                                           const Contour &contour,
+                                           const std::vector<Contour> &holes, Step::Kind kind)
+{
+    std::vector<PlacedContour> placed;
+    for (const Contour &hole : holes)
+        placed.push_back({hole, {}});
+    std::vector<Warning> warnings;
+    Result<ShapePointer> shape = makeMendedShape({contour, {}}, placed, section.name, warnings);
+    if (!shape)
+        return refused(Hint::Kind::Failed);
+    const auto has = [&](WarningCode code) {
+        return std::any_of(warnings.begin(), warnings.end(),
+                           [code](const Warning &w) { return w.code == code; });
+    };
+    if (kind == Step::Kind::AddHole && has(WarningCode::HoleOutside))
+        return refused(Hint::Kind::HoleOutside, section.name);
+    Result<Document> next = setShape(document, section.id, *std::move(shape));
+    if (!next)
+        return refused(Hint::Kind::Failed);
+    DrawnContour drawn;
+    drawn.document = *std::move(next);
+    drawn.step = {kind, {section.name}};
+    drawn.section = section.id;
+    if (kind == Step::Kind::AddHole && has(WarningCode::NotchedContour))
+        drawn.note = Hint{Hint::Kind::HoleIsNotch, section.name, false};
+    else if (kind == Step::Kind::AddHole && has(WarningCode::MergedHoles))
+        drawn.note = Hint{Hint::Kind::HolesMerged, section.name, false};
+    else if (has(WarningCode::HoleOutside))
+        drawn.note = Hint{Hint::Kind::HolesLeftOut, section.name, false};
+    return drawn;
+}
+
+tl::expected<DrawnContour, Hint> newSection(const Document &document, const ContourTarget &target,
+                                            const Contour &contour, const Naming &naming)
+{
+    const Result<ShapePointer> shape = Shape::make(contour);
+    if (!shape)
+        return refused(Hint::Kind::Failed);
+    NewSection section;
+    section.name = freeSectionName(document, naming);
+    section.shape = *shape;
+    section.frame = target.canvas;
+    section.parent = target.parent;
+    Result<Document> next = addSection(document, std::move(section));
+    if (!next)
+        return refused(Hint::Kind::Failed);
+    DrawnContour drawn;
+    drawn.document = *std::move(next);
+    const Section &added = *drawn.document.sections.back();
+    drawn.step = {Step::Kind::DrawSection, {added.name}};
+    drawn.section = added.id;
+    return drawn;
+}
+
+} // namespace
+
+ContourTarget ContourTarget::newSection(const Frame &canvas, std::optional<Parent> parent)
+{
+    ContourTarget target;
+    target.canvas = canvas;
+    target.parent = std::move(parent);
+    return target;
+}
+
+ContourTarget ContourTarget::redraw(const Section &section)
+{
+    ContourTarget target;
+    target.purpose = Purpose::Redraw;
+    target.canvas = section.frame;
+    target.section = section.id;
+    return target;
+}
+
+ContourTarget ContourTarget::hole(const Section &section)
+{
+    ContourTarget target = redraw(section);
+    target.purpose = Purpose::Hole;
+    return target;
+}
+
+tl::expected<DrawnContour, Hint> drawContour(const Document &document, const ContourTarget &target,
+                                             const Contour &contour, const DrawingRules &rules)
+{
+    if (target.purpose == ContourTarget::Purpose::NewSection)
+        return newSection(document, target, contour, rules.naming);
+    const Section *section = document.find(target.section);
+    if (!section)
+        return refused(Hint::Kind::Failed);
+    std::vector<Contour> holes = section->shape->holes();
+    if (target.purpose == ContourTarget::Purpose::Redraw)
+        return withShape(document, *section, contour, holes, Step::Kind::RedrawSection);
+    holes.push_back(contour);
+    return withShape(document, *section, section->shape->contour(), holes, Step::Kind::AddHole);
+}
+
+} // namespace fff

@@ -1,0 +1,53 @@
+// What a contour that is drawn on a canvas becomes: a new section, another contour or a hole of one
+// that is there. Strokes and the pen differ in how they get to a contour, not in this.
+#pragma once
+
+#include "core/interaction/hint.h"
+#include "core/interaction/step.h"
+#include "core/model/model.h"
+#include "core/model/naming.h"
+
+#include <optional>
+
+namespace fff {
+
+struct ContourTarget
+{
+    enum class Purpose { NewSection, Redraw, Hole };
+
+    Purpose purpose = Purpose::NewSection;
+    Frame canvas;                 // of Redraw and Hole: the section's own frame
+    std::optional<Parent> parent; // NewSection: what it stands on, and its slit
+    SectionId section;            // Redraw, Hole
+
+    static ContourTarget newSection(const Frame &canvas, std::optional<Parent> parent = {});
+    static ContourTarget redraw(const Section &section);
+    static ContourTarget hole(const Section &section);
+};
+
+/// A document with the contour in it.
+struct DrawnContour
+{
+    Document document;
+    Step step;
+    SectionRef section;         // that it is part of
+    bool isCutAtGround = false; // what was drawn below the ground is left out
+    bool wasTakenApart = false; // what is left fell apart: the largest piece was kept
+    std::optional<Hint> note;   // what became of it beyond what was drawn
+};
+
+struct DrawingRules
+{
+    bool cutsAtGround = true; // contours end at Y = 0; holes are not cut
+    Naming naming;            // of a new section
+};
+
+/// The committed document with this contour (canvas coordinates, mm, not crossing itself) in its
+/// place. A redrawn section keeps the holes that lie in the new contour, a hole that overlaps
+/// others becomes one with them, and one that reaches over the contour's edge is cut out of it.
+/// Refused, with the hint that says why: BelowGround (nothing of it is above), HoleOutside,
+/// Failed.
+tl::expected<DrawnContour, Hint> drawContour(const Document &document, const ContourTarget &target,
+                                             const Contour &contour, const DrawingRules &rules);
+
+} // namespace fff

@@ -1,0 +1,51 @@
+// What the next click or drag does, or why one came to nothing.
+#pragma once
+
+#include <string>
+
+namespace fff {
+
+/// ui makes the sentence (ui/UI.md, section 8).
+struct Hint
+{
+    enum class Kind {
+        DrawFirstSection,
+        TurnView,
+        DragOutOfSection,
+        SeenOnEdge, // too slanted to draw on
+        LeaveSection,
+        Turning,
+        LeaveDeadZone,
+        DrawContour,
+        ReleaseToMake,
+        ReleaseToMirror, // to make it, mirrored across the slit
+        DrawOnPlane,     // a tool waits for a stroke on its plane
+        DrawNewContour,  // of the section
+        DrawHole,        // in the section
+        Orbiting,
+        Panning,
+        Zooming,
+        RubberBand,
+        LookFrom,      // section: nameOfPart() of the cube's part
+        MoveCut,       // over the handle
+        MovingCut,     // dragging it
+        ChooseProblem, // section: the number of its mark
+        // Notes and refusals
+        NeverLeft,
+        TooShort,
+        CrossesItself,
+        CutAtGround,  // what was drawn below the ground was left out
+        BelowGround,  // nothing of it is above
+        HoleOutside,  // the hole lies beside the section
+        HoleIsNotch,  // it was cut out of the section's edge
+        HolesMerged,  // it became one with others
+        HolesLeftOut, // of a redrawn section: those outside of it
+        Failed
+    };
+    Kind kind = Kind::TurnView;
+    std::string section;    // the name that the sentence speaks of
+    bool isRefusal = false; // amber, stays for 6 s or until the next press
+    bool operator==(const Hint &) const = default;
+};
+
+} // namespace fff

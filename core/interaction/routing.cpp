@@ -1,0 +1,64 @@
+#include "core/interaction/routing.h"
+
+#include "core/interaction/clip_gesture.h"
+#include "core/interaction/rubber_band.h"
+#include "core/interaction/stroke_gesture.h"
+#include "core/interaction/view_gestures.h"
+
+namespace fff {
+
+namespace {
+
+std::unique_ptr<Gesture> onViewMark(const PointerEvent &press, const Sight &sight,
+                                    GestureContext &context)
+{
+    const Vec2 &at = press.position;
+    if (sight.cubePartAt(at))
+        return std::make_unique<OrbitGesture>(press, sight.middleOf(context.selection.sections()));
+    if (sight.markAt(at) > 0)
+        return std::make_unique<OrbitGesture>(press, sight.pivotAt(at));
+    return std::make_unique<ClipGesture>(press, context);
+}
+
+/// The left button alone: what lies under the cursor decides.
+std::unique_ptr<Gesture> editing(const PointerEvent &press, const Sight &sight,
+                                 GestureContext &context)
+{
+    if (context.model.sectionCount() == 0)
+        return std::make_unique<StrokeGesture>(
+            press, ContourTarget::newSection(firstCanvas(context.camera)), context);
+    const std::vector<Hit> hits = sight.hitsAt(press.position);
+    if (hits.empty() && press.modifiers.shift)
+        return std::make_unique<RubberBandGesture>(press);
+    if (!hits.empty() && !sight.isOnEdge(hits.front()))
+        return std::make_unique<StrokeGesture>(press, hits.front(), context);
+    return std::make_unique<OrbitGesture>(press, sight.pivotAt(press.position));
+}
+
+} // namespace
+
+bool isOnViewMark(const Sight &sight, const Vec2 &position)
+{
+    return sight.cubePartAt(position) || sight.markAt(position) > 0 || sight.isOnHandle(position);
+}
+
+std::unique_ptr<Gesture> gestureFor(const PointerEvent &press, const Sight &sight,
+                                    GestureContext &context)
+{
+    if (press.button == Button::Left && isOnViewMark(sight, press.position))
+        return onViewMark(press, sight, context);
+    context.camera = sight.cameraAt(press.position);
+    switch (dragKind(context.settings.navigation, press.button, press.modifiers)) {
+    case DragKind::Edit:
+        return editing(press, sight, context);
+    case DragKind::Pan:
+        return std::make_unique<PanGesture>(press);
+    case DragKind::Zoom:
+        return std::make_unique<ZoomGesture>(press);
+    case DragKind::Orbit:
+        break;
+    }
+    return std::make_unique<OrbitGesture>(press, sight.pivotAt(press.position));
+}
+
+} // namespace fff
