@@ -147,8 +147,13 @@ public:
     {
         m_from = from;
         m_to = to;
-        fit(from, to, directionOver(m_line, from, to, from, m_reach),
-            directionOver(m_line, from, to, to, -m_reach));
+        Vec2 out = directionOver(m_line, from, to, from, m_reach);
+        Vec2 in = directionOver(m_line, from, to, to, -m_reach);
+        if (from == 0 && m_options.startDirection)
+            out = *m_options.startDirection;
+        if (to + 1 == m_line.size() && m_options.endDirection)
+            in = -*m_options.endDirection;
+        fit(from, to, out, in);
     }
 
 private:

@@ -3,6 +3,7 @@
 
 #include "core/geometry/bezier.h"
 
+#include <optional>
 #include <vector>
 
 namespace fff {
@@ -15,6 +16,8 @@ struct FitOptions
     /// Corners and tangents are judged over this many tolerances along the line; also the longest
     /// gap between samples that is left without further ones on the straight way.
     double reach = 4.0;
+    /// The way at the first (at the last) sample, unit; none: that of the line there.
+    std::optional<Vec2> startDirection = {}, endDirection = {};
 };
 
 /// An open chain of cubic Béziers along the polyline through the samples, from the first to the

@@ -19,7 +19,7 @@ Stroke::Options strokeOptions(const GestureContext &context)
     Stroke::Options options;
     options.turnTime = context.settings.turnTime;
     options.deadZoneRadius = context.settings.deadZoneFraction * context.viewport.x() * scale;
-    options.tolerance = context.settings.fitTolerance * scale;
+    options.contour.tolerance = context.settings.fitTolerance * scale;
     return options;
 }
 

@@ -2,4 +2,5 @@ target_sources(fff_core PRIVATE
     stroke/leaving.cpp
     stroke/stroke.cpp
     stroke/stroke_contour.cpp
+    stroke/symmetry.cpp
 )

@@ -108,7 +108,7 @@ double Stroke::turnProgress(double time) const
 const StrokeContour &Stroke::contour() const
 {
     if (!m_contour)
-        m_contour = strokeContour(m_samples, m_options.tolerance);
+        m_contour = strokeContour(m_samples, m_options.contour);
     return *m_contour;
 }
 

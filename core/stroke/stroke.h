@@ -38,7 +38,7 @@ public:
     {
         double turnTime = 800.0;     // ms
         double deadZoneRadius = 0.0; // mm
-        double tolerance = 0.5;      // mm that the contour may be off the samples
+        StrokeContourOptions contour;
     };
 
     explicit Stroke(const Options &options) : m_options(options) {}

@@ -10,48 +10,100 @@ namespace fff {
 
 namespace {
 
+using Refusal = StrokeContour::Refusal;
+
 /// What is smaller than this many tolerances is a slip of the hand, not a shape.
 constexpr double kSmallestExtent = 5.0;
 
-/// All segments of the closed chain.
-std::vector<CubicBezier> closedChain(const StrokeContour &stroke)
+double extentOf(const std::vector<CubicBezier> &chain)
 {
-    std::vector<CubicBezier> chain = stroke.fitted;
-    if (stroke.closing)
-        chain.push_back(*stroke.closing);
+    Box2 box;
+    for (const CubicBezier &s : chain)
+        for (const double t : {0.0, 0.25, 0.5, 0.75, 1.0})
+            box.extend(s.at(t));
+    return box.size().maxCoeff();
+}
+
+/// The largest region of the closed chain, if it is one to speak of.
+void close(std::vector<CubicBezier> chain, double tolerance, StrokeContour &stroke)
+{
+    const double chainExtent = extentOf(chain);
+    stroke.refusal =
+        chainExtent < kSmallestExtent * tolerance ? Refusal::TooShort : Refusal::NoArea;
     // A contour has two segments at least: a loop of a single one is cut in its middle.
     if (chain.size() == 1)
         chain = {chain.front().piece(0.0, 0.5), chain.front().piece(0.5, 1.0)};
-    return chain;
+    const Result<Contour> closed = Contour::fromSegments(chain);
+    if (!closed)
+        return;
+    Result<ResolvedContour> resolved = resolveCrossings(*closed);
+    if (!resolved)
+        return;
+    const double extent = bounds(resolved->contour.flatten(tolerance).points).size().maxCoeff();
+    const double area = std::abs(resolved->contour.signedArea());
+    if (extent < kSmallestExtent * tolerance || area < std::max(kMinArea, tolerance * extent)) {
+        if (resolved->wasCrossing && stroke.refusal == Refusal::NoArea)
+            stroke.refusal = Refusal::CrossesWithoutLoop;
+        return;
+    }
+    stroke.contour = std::move(resolved->contour);
+    stroke.wasCrossing = stroke.wasCrossing || resolved->wasCrossing;
+    stroke.refusal = Refusal::None;
 }
 
-} // namespace
-
-StrokeContour strokeContour(const std::vector<Vec2> &samples, double tolerance)
+void closePlain(const std::vector<Vec2> &samples, double tolerance, StrokeContour &stroke)
 {
-    StrokeContour stroke;
     stroke.fitted = fitCurve(samples, {.tolerance = tolerance});
     if (stroke.fitted.empty())
-        return stroke;
+        return;
     CubicBezier &last = stroke.fitted.back();
     const Vec2 &start = stroke.fitted.front().p0;
     if ((last.p3 - start).norm() <= kClipGrid)
         last.p3 = start;
     else
         stroke.closing = closingSegment(stroke.fitted);
+    std::vector<CubicBezier> chain = stroke.fitted;
+    if (stroke.closing)
+        chain.push_back(*stroke.closing);
+    close(std::move(chain), tolerance, stroke);
+}
 
-    const Result<Contour> closed = Contour::fromSegments(closedChain(stroke));
-    if (!closed)
-        return stroke;
-    Result<ResolvedContour> resolved = resolveCrossings(*closed);
-    if (!resolved)
-        return stroke;
-    const double extent = bounds(resolved->contour.flatten(tolerance).points).size().maxCoeff();
-    const double area = std::abs(resolved->contour.signedArea());
-    if (extent < kSmallestExtent * tolerance || area < std::max(kMinArea, tolerance * extent))
-        return stroke;
-    stroke.contour = std::move(resolved->contour);
-    stroke.wasCrossing = resolved->wasCrossing;
+void closeMirrored(const std::vector<Vec2> &samples, double tolerance, StrokeContour &stroke)
+{
+    std::optional<MirroredHalf> half =
+        mirroredHalf(samples, *stroke.axis, *stroke.symmetry, tolerance);
+    if (!half) {
+        // What is drawn is shown all the same.
+        stroke.fitted = fitCurve(samples, {.tolerance = tolerance});
+        if (extentOf(stroke.fitted) >= kSmallestExtent * tolerance)
+            stroke.refusal = Refusal::HalvesDoNotMeet;
+        return;
+    }
+    std::vector<CubicBezier> chain = std::move(half->outline);
+    chain.insert(chain.end(), half->mirrored.begin(), half->mirrored.end());
+    stroke.fitted = std::move(half->fitted);
+    stroke.opening = half->opening;
+    stroke.closing = half->closing;
+    stroke.mirrored = std::move(half->mirrored);
+    stroke.wasCrossing = half->wasCrossing;
+    stroke.wasCutAtAxis = half->wasCut;
+    close(std::move(chain), tolerance, stroke);
+}
+
+} // namespace
+
+StrokeContour strokeContour(const std::vector<Vec2> &samples, const StrokeContourOptions &options)
+{
+    StrokeContour stroke;
+    stroke.refusal = Refusal::TooShort;
+    stroke.axis = options.axis;
+    if (options.axis)
+        stroke.symmetry = judgeSymmetry(samples, *options.axis, options.mirrorRatio);
+    stroke.isMirrored = stroke.symmetry && stroke.symmetry->isOneSided && options.isSymmetryOn;
+    if (stroke.isMirrored)
+        closeMirrored(samples, options.tolerance, stroke);
+    else
+        closePlain(samples, options.tolerance, stroke);
     return stroke;
 }
 

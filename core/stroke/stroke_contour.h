@@ -2,25 +2,55 @@
 #pragma once
 
 #include "core/geometry/contour.h"
+#include "core/stroke/symmetry.h"
 
 #include <optional>
 #include <vector>
 
 namespace fff {
 
+struct StrokeContourOptions
+{
+    double tolerance = 0.5; // mm that the fit may be off the samples
+    /// Across which a stroke on one side is mirrored; none where there is nothing to mirror at.
+    std::optional<MirrorAxis> axis = {};
+    double mirrorRatio = kMirrorRatio;
+    bool isSymmetryOn = true; // off: the axis is judged, not used
+};
+
 /// What is seen while drawing and what a release makes, from one and the same fit.
+///
+/// The contour is closed by what `isMirrored` says: plain, the chain fitted - closing; mirrored,
+/// the chain opening - fitted - closing, which runs from the axis to the axis, and `mirrored`.
 struct StrokeContour
 {
-    std::vector<CubicBezier> fitted;    // open chain along the samples
-    std::optional<CubicBezier> closing; // from its end back to its start; none when they meet
+    /// Why there is no contour.
+    enum class Refusal {
+        None,
+        TooShort,           // no line yet, or a dot
+        NoArea,             // it goes there and back, along a line
+        CrossesWithoutLoop, // it crosses itself, but no loop of it is large enough
+        HalvesDoNotMeet,    // the two halves would have nothing in common
+    };
+
+    std::vector<CubicBezier> fitted;    // open chain along the samples (of the half that is kept)
+    std::optional<CubicBezier> opening; // from the axis to its start
+    std::optional<CubicBezier> closing; // from its end to its start or the axis; none when there
+    std::vector<CubicBezier> mirrored;  // the other half, from the chain's end back to its start
     /// Closed, free of crossings; none while nothing is enclosed that can be told from a line or a
     /// dot: its area is below the tolerance times its extent, or that below five tolerances.
     std::optional<Contour> contour;
-    bool wasCrossing = false; // the closed chain crossed itself, the largest loop was kept
+    Refusal refusal = Refusal::None; // None if and only if there is a contour
+    bool wasCrossing = false;        // the closed chain crossed itself, the largest loop was kept
+    bool wasCutAtAxis = false;       // it came over the axis and back, the largest half was kept
+
+    std::optional<MirrorAxis> axis;          // as in the options
+    std::optional<SymmetryVerdict> symmetry; // of the samples, where there is an axis
+    bool isMirrored = false;                 // one-sided, and symmetry is on
 };
 
-/// samples: canvas coordinates, mm; tolerance: mm that the fit may be off them. A function of all
-/// samples, so that nothing jumps at the release.
-StrokeContour strokeContour(const std::vector<Vec2> &samples, double tolerance);
+/// samples: canvas coordinates, mm. A function of all samples, so that nothing jumps at the
+/// release.
+StrokeContour strokeContour(const std::vector<Vec2> &samples, const StrokeContourOptions &options);
 
 } // namespace fff

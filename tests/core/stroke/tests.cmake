@@ -1,1 +1,2 @@
 fff_test(core/stroke/tst_stroke fff::core)
+fff_test(core/stroke/tst_symmetry fff::core)

@@ -41,7 +41,7 @@ Contour disc()
                                  {r, -k}});
 }
 
-constexpr Stroke::Options kOptions{800.0, 5.0, 0.5};
+const Stroke::Options kOptions{800.0, 5.0, {.tolerance = 0.5}};
 
 /// Out through the right edge at y = -20, 60 mm long, leaving at 10 ms.
 Stroke leftAtTheRight()
@@ -253,7 +253,7 @@ void TestStroke::turnIsEased()
 
 void TestStroke::withoutATurnTime()
 {
-    Stroke stroke({0.0, 5.0, 0.5});
+    Stroke stroke({0.0, 5.0, {.tolerance = 0.5}});
     stroke.beginInSection(plate(), {0.0, {-10, -20}});
     stroke.move({10.0, {70, -20}});
     QCOMPARE(stroke.state(), State::Turn);
@@ -314,7 +314,7 @@ void TestStroke::crossingKeepsTheLargestLoop()
         const double size = std::cos(a) > 0.0 ? 60.0 : 25.0;
         samples.emplace_back(size * std::cos(a), 0.7 * size * std::sin(2.0 * a));
     }
-    const StrokeContour stroke = strokeContour(samples, 0.3);
+    const StrokeContour stroke = strokeContour(samples, {.tolerance = 0.3});
     QVERIFY(stroke.contour);
     QVERIFY(stroke.wasCrossing);
     const Box2 box = bounds(stroke.contour->flatten(0.1).points);

@@ -1,0 +1,354 @@
+#include "core/stroke/symmetry.h"
+
+#include "core/base/tolerances.h"
+#include "core/geometry/boolean.h"
+#include "core/geometry/fit.h"
+#include "core/geometry/halfplane_clip.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <span>
+
+namespace fff {
+
+namespace {
+
+/// A stroke that meets the axis at less than this is a tip: mirrored, it turns by a right angle or
+/// more there. Radians.
+constexpr double kTipAngle = std::numbers::pi / 4.0;
+/// An end that heads for the axis at less than this will not reach it soon: it gets a join, no tip.
+constexpr double kLeastTipAngle = 0.17;
+/// Rounding of the two distances that are compared, as a part of them.
+constexpr double kRatioRounding = 1e-12;
+/// Ends nearer to each other than this part of the stroke's largest distance close it.
+constexpr double kClosingGap = 0.15;
+/// A join lands no further along the axis than so many times its height: an end that heads away
+/// from the axis would make it endless.
+constexpr double kLongestJoin = 2.0;
+/// A closed stroke is opened where it is within so many times its least distance from the axis.
+constexpr double kNeckHeight = 2.0;
+
+using Line = std::vector<Vec2>;
+
+/// u along the axis, v away from it to the side that is mirrored. An isometry.
+class AxisFrame
+{
+public:
+    AxisFrame(const MirrorAxis &axis, bool isLeft)
+        : m_axis(axis),
+          m_up(isLeft ? perpendicular(axis.direction) : Vec2(-perpendicular(axis.direction)))
+    {
+    }
+
+    Vec2 toLocal(const Vec2 &p) const
+    {
+        return {m_axis.direction.dot(p - m_axis.point), m_up.dot(p - m_axis.point)};
+    }
+    Vec2 toCanvas(const Vec2 &p) const
+    {
+        return m_axis.point + p.x() * m_axis.direction + p.y() * m_up;
+    }
+    CubicBezier toCanvas(const CubicBezier &s) const
+    {
+        return {toCanvas(s.p0), toCanvas(s.p1), toCanvas(s.p2), toCanvas(s.p3)};
+    }
+    std::vector<CubicBezier> toCanvas(const std::vector<CubicBezier> &chain) const
+    {
+        std::vector<CubicBezier> result;
+        for (const CubicBezier &segment : chain)
+            result.push_back(toCanvas(segment));
+        return result;
+    }
+
+private:
+    MirrorAxis m_axis;
+    Vec2 m_up;
+};
+
+Vec2 acrossAxis(const Vec2 &local)
+{
+    return {local.x(), -local.y()};
+}
+
+std::vector<CubicBezier> acrossAxis(const std::vector<CubicBezier> &chain)
+{
+    std::vector<CubicBezier> result;
+    for (auto s = chain.rbegin(); s != chain.rend(); ++s)
+        result.push_back(
+            {acrossAxis(s->p3), acrossAxis(s->p2), acrossAxis(s->p1), acrossAxis(s->p0)});
+    return result;
+}
+
+bool isUsable(const Vec2 &sample)
+{
+    return sample.allFinite() && sample.cwiseAbs().maxCoeff() <= kMaxCoordinate;
+}
+
+/// What the line encloses with the axis, lines from its ends straight down to it. mm².
+double areaOverAxis(const Line &line)
+{
+    double area = 0.0;
+    for (std::size_t i = 0; i + 1 < line.size(); ++i)
+        area += 0.5 * (line[i].y() + line[i + 1].y()) * (line[i].x() - line[i + 1].x());
+    return std::abs(area);
+}
+
+/// The runs of a line over the axis. Where it crosses, they start and end at v = 0 exactly.
+std::vector<Line> runsOverAxis(const Line &line)
+{
+    std::vector<Line> runs;
+    bool isRunning = false;
+    for (std::size_t i = 0; i < line.size(); ++i) {
+        const bool isOver = line[i].y() > 0.0;
+        if (isOver != isRunning && i > 0) {
+            const Vec2 &a = line[i - 1], &b = line[i];
+            const double share = a.y() / (a.y() - b.y());
+            const Vec2 crossing(a.x() + share * (b.x() - a.x()), 0.0);
+            if (isOver)
+                runs.push_back({crossing});
+            else
+                runs.back().push_back(crossing);
+        } else if (isOver && i == 0) {
+            runs.emplace_back();
+        }
+        if (isOver)
+            runs.back().push_back(line[i]);
+        isRunning = isOver;
+    }
+    return runs;
+}
+
+/// A closed line from its first to its last point along the axis that lies within `band` of it, the
+/// way that encloses more.
+Line openedAtAxis(const Line &line, double band)
+{
+    std::optional<std::size_t> first, last;
+    for (std::size_t i = 0; i < line.size(); ++i) {
+        if (line[i].y() > band)
+            continue;
+        if (!first || line[i].x() < line[*first].x())
+            first = i;
+        if (!last || line[i].x() > line[*last].x())
+            last = i;
+    }
+    const auto way = [&](std::size_t from, std::size_t to) {
+        Line result;
+        for (std::size_t i = from; i != to; i = (i + 1) % line.size())
+            result.push_back(line[i]);
+        result.push_back(line[to]);
+        return result;
+    };
+    Line one = way(*first, *last), two = way(*last, *first);
+    return areaOverAxis(one) >= areaOverAxis(two) ? one : two;
+}
+
+/// The part of the stroke that is the half, in local coordinates.
+struct HalfLine
+{
+    Line line;
+    bool wasCut = false;
+};
+
+HalfLine halfLine(Line line, double tolerance, double largest)
+{
+    const double reach = FitOptions().reach * tolerance;
+    const bool isClosed =
+        (line.front() - line.back()).norm() <= std::max(reach, kClosingGap * largest);
+    if (isClosed) {
+        const auto under =
+            std::find_if(line.begin(), line.end(), [](const Vec2 &p) { return p.y() <= 0.0; });
+        const auto lowest = std::min_element(
+            line.begin(), line.end(), [](const Vec2 &a, const Vec2 &b) { return a.y() < b.y(); });
+        if (under == line.end() && line.size() > 2)
+            return {openedAtAxis(line, std::max(reach, kNeckHeight * lowest->y())), false};
+        // So that no run is cut apart where the stroke began.
+        std::rotate(line.begin(), under, line.end());
+        line.push_back(line.front());
+    }
+    std::vector<Line> runs = runsOverAxis(line);
+    const auto best = std::max_element(runs.begin(), runs.end(), [](const Line &a, const Line &b) {
+        return areaOverAxis(a) < areaOverAxis(b);
+    });
+    double dropped = -areaOverAxis(*best);
+    for (const Line &run : runs)
+        dropped += areaOverAxis(run);
+    HalfLine half{*best, dropped > tolerance * largest};
+    // A closed stroke that comes over the axis somewhere else than it lies next to it.
+    if (isClosed && runs.size() == 1 &&
+        std::abs(half.line.front().x() - half.line.back().x()) < 2.0 * tolerance)
+        half.line = openedAtAxis(half.line, reach);
+    return half;
+}
+
+/// Where the line goes from its first point, over a reach. Unit, zero for a point.
+Vec2 directionOver(std::span<const Vec2> line, double reach)
+{
+    Vec2 way = Vec2::Zero();
+    for (const Vec2 &p : line) {
+        way = p - line.front();
+        if (way.norm() >= reach)
+            break;
+    }
+    return way.norm() > kClipGrid ? Vec2(way.normalized()) : Vec2::Zero();
+}
+
+/// Prepares the line's first point for the fit: a tip that stops short is drawn out to the axis.
+/// The direction that the fit has to start in, if any. Backwards for the line's end.
+std::optional<Vec2> prepareStart(Line &line, double reach)
+{
+    const Vec2 way = directionOver(line, reach);
+    const double angle = std::asin(std::clamp(way.y(), -1.0, 1.0)); // between axis and line
+    const double height = line.front().y();
+    if (height > 0.0) {
+        if (height <= reach && angle >= kLeastTipAngle && angle < kTipAngle)
+            line.insert(line.begin(), {line.front().x() - height / way.y() * way.x(), 0.0});
+        return {};
+    }
+    if (angle < kTipAngle)
+        return {};
+    return Vec2(Vec2::UnitY());
+}
+
+/// From an end of the half that lies off the axis on to it, the way that `heading` (unit) goes.
+CubicBezier joinToAxis(const Vec2 &end, const Vec2 &heading)
+{
+    // A circle whose centre is on the axis, through the end and tangent to the heading, falls by
+    // `sine` there and meets the axis after turning until it falls straight.
+    const double sine = std::clamp(-heading.y(), -1.0, 1.0);
+    const double cosine = std::sqrt(1.0 - sine * sine);
+    const double along = std::min(end.y() * kLongestJoin, end.y() * (1.0 - sine) / cosine);
+    const double sign = heading.x() < 0.0 ? -1.0 : 1.0;
+    // Straight down, the quotient is 0 / 0.
+    const Vec2 foot(end.x() + (cosine > kSameDirection ? sign * along : 0.0), 0.0);
+    const double turn = std::numbers::pi / 2.0 - std::asin(sine);
+    const double handle = (foot - end).norm() / (3.0 * std::pow(std::cos(turn / 4.0), 2.0));
+    return {end, end + handle * heading, foot + handle * Vec2::UnitY(), foot};
+}
+
+/// The chain, or the boundary of the largest loop that it makes with the axis. Empty when too
+/// little of that is on the axis.
+std::vector<CubicBezier> withoutCrossings(const std::vector<CubicBezier> &chain,
+                                          double leastContact, bool &wasCrossing)
+{
+    const Halfplane over;
+    std::vector<CubicBezier> closed = chain;
+    closed.push_back(CubicBezier::line(chain.back().p3, chain.front().p0));
+    const Result<Contour> contour = Contour::fromSegments(closed);
+    if (!contour)
+        return {};
+    const Result<ResolvedContour> resolved = resolveCrossings(*contour);
+    if (!resolved)
+        return {};
+    if (!resolved->wasCrossing && isInside(resolved->contour, over)) {
+        if (std::abs(chain.front().p0.x() - chain.back().p3.x()) < leastContact)
+            return {};
+        return chain;
+    }
+    wasCrossing = resolved->wasCrossing;
+    const std::vector<ClippedPiece> pieces = clip(resolved->contour, {}, over);
+    if (pieces.empty())
+        return {};
+    Contour outer = pieces.front().outer;
+    if (outer.signedArea() < 0.0)
+        outer = outer.reversed();
+    std::optional<int> first, last; // segments that start on the axis, by u
+    const auto u = [&](int i) { return outer.segment(i).p0.x(); };
+    for (int i = 0; i < outer.segmentCount(); ++i) {
+        if (std::abs(outer.segment(i).p0.y()) > kClipSlack)
+            continue;
+        if (!first || u(i) < u(*first))
+            first = i;
+        if (!last || u(i) > u(*last))
+            last = i;
+    }
+    if (!first || u(*last) - u(*first) < leastContact)
+        return {};
+    // Counter-clockwise, the way from the last to the first goes over everything.
+    std::vector<CubicBezier> outline;
+    for (int i = *last; i != *first; i = (i + 1) % outer.segmentCount())
+        outline.push_back(outer.segment(i));
+    outline.front().p0.y() = 0.0;
+    outline.back().p3.y() = 0.0;
+    return outline;
+}
+
+} // namespace
+
+Vec2 MirrorAxis::mirrored(const Vec2 &p) const
+{
+    const Vec2 normal = perpendicular(direction);
+    return p - 2.0 * normal.dot(p - point) * normal;
+}
+
+SymmetryVerdict judgeSymmetry(const std::vector<Vec2> &samples, const MirrorAxis &axis,
+                              double ratio)
+{
+    SymmetryVerdict verdict;
+    const Vec2 normal = perpendicular(axis.direction);
+    for (const Vec2 &p : samples) {
+        if (!isUsable(p))
+            continue;
+        const double height = normal.dot(p - axis.point);
+        verdict.left = std::max(verdict.left, height);
+        verdict.right = std::max(verdict.right, -height);
+    }
+    const double larger = std::max(verdict.left, verdict.right);
+    const double smaller = std::min(verdict.left, verdict.right);
+    verdict.limit = larger / ratio;
+    verdict.isOneSided = larger > kClipGrid && larger * (1.0 + kRatioRounding) >= ratio * smaller;
+    return verdict;
+}
+
+std::optional<MirroredHalf> mirroredHalf(const std::vector<Vec2> &samples, const MirrorAxis &axis,
+                                         const SymmetryVerdict &verdict, double tolerance)
+{
+    const AxisFrame frame(axis, verdict.isLeft());
+    Line line;
+    for (const Vec2 &p : samples) {
+        if (!isUsable(p))
+            continue;
+        line.push_back(frame.toLocal(p));
+        if (std::abs(line.back().y()) <= kClipGrid)
+            line.back().y() = 0.0; // meant to be on it: no join of a few nanometres
+    }
+    const double largest = std::max(verdict.left, verdict.right);
+    if (line.size() < 2 || !(largest > kClipGrid))
+        return {};
+    HalfLine half = halfLine(std::move(line), tolerance, largest);
+
+    FitOptions options;
+    options.tolerance = tolerance;
+    const double reach = options.reach * tolerance;
+    options.startDirection = prepareStart(half.line, reach);
+    std::reverse(half.line.begin(), half.line.end());
+    if (prepareStart(half.line, reach))
+        options.endDirection = -Vec2::UnitY();
+    std::reverse(half.line.begin(), half.line.end());
+
+    const std::vector<CubicBezier> fitted = fitCurve(half.line, options);
+    if (fitted.empty())
+        return {};
+    MirroredHalf result;
+    std::vector<CubicBezier> chain;
+    if (fitted.front().p0.y() > 0.0) {
+        chain.push_back(joinToAxis(fitted.front().p0, -startDirection(fitted.front())).reversed());
+        result.opening = frame.toCanvas(chain.front());
+    }
+    chain.insert(chain.end(), fitted.begin(), fitted.end());
+    if (fitted.back().p3.y() > 0.0) {
+        chain.push_back(joinToAxis(fitted.back().p3, endDirection(fitted.back())));
+        result.closing = frame.toCanvas(chain.back());
+    }
+    const std::vector<CubicBezier> outline =
+        withoutCrossings(chain, 2.0 * tolerance, result.wasCrossing);
+    if (outline.empty())
+        return {};
+    result.fitted = frame.toCanvas(fitted);
+    result.outline = frame.toCanvas(outline);
+    result.mirrored = frame.toCanvas(acrossAxis(outline));
+    result.wasCut = half.wasCut;
+    return result;
+}
+
+} // namespace fff
