@@ -16,6 +16,7 @@ target_sources(fff_core PRIVATE
     interaction/rubber_band.cpp
     interaction/selection.cpp
     interaction/sight.cpp
+    interaction/snapping.cpp
     interaction/stroke_gesture.cpp
     interaction/view_cube.cpp
     interaction/view_gestures.cpp
