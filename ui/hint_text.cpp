@@ -70,7 +70,8 @@ QString hintSentence(const Hint &hint, const QString &undoKeys)
                             "<kbd>Esc</kbd> cancels.")
             .arg(name);
     case Hint::Kind::DrawNewContour:
-        return HintText::tr("Draw the new contour of %1 in one go. <kbd>Esc</kbd> keeps the old one.")
+        return HintText::tr(
+                   "Draw the new contour of %1 in one go. <kbd>Esc</kbd> keeps the old one.")
             .arg(name);
     case Hint::Kind::DrawHole:
         return HintText::tr("Draw a hole in %1 in one go. <kbd>Esc</kbd> cancels.").arg(name);
@@ -104,12 +105,16 @@ QString hintSentence(const Hint &hint, const QString &undoKeys)
                          .arg(undoKeys.toHtmlEscaped());
     case Hint::Kind::CutAtGround:
         return HintText::tr("%1 was cut flat at the ground.").arg(name);
+    case Hint::Kind::LargestPiece:
+        return HintText::tr("Cut flat at the ground, %1 fell apart; the largest piece was kept.")
+            .arg(name);
     case Hint::Kind::BelowGround:
         return HintText::tr("Nothing drawn: all of it lies below the ground, where it is cut off.");
     case Hint::Kind::HoleOutside:
         return HintText::tr("No hole made: it must lie in %1 and leave it in one piece.").arg(name);
     case Hint::Kind::HoleIsNotch:
-        return HintText::tr("The hole reaches over the edge of %1 and was cut out of it.").arg(name);
+        return HintText::tr("The hole reaches over the edge of %1 and was cut out of it.")
+            .arg(name);
     case Hint::Kind::HolesMerged:
         return HintText::tr("The hole met others in %1; they are one hole now.").arg(name);
     case Hint::Kind::HolesLeftOut:

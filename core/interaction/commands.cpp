@@ -1,8 +1,30 @@
 #include "core/interaction/commands.h"
 
 #include <cassert>
+#include <charconv>
+#include <cmath>
 
 namespace fff {
+
+bool switched(const CommandParameters &parameters, bool isNow)
+{
+    const auto found = parameters.find("on");
+    return found == parameters.end() ? !isNow : found->second == "true" || found->second == "1";
+}
+
+Result<double> numberOf(const CommandParameters &parameters, const std::string &name,
+                        double otherwise)
+{
+    const auto found = parameters.find(name);
+    if (found == parameters.end())
+        return otherwise;
+    const std::string &text = found->second;
+    double number = 0.0;
+    const auto read = std::from_chars(text.data(), text.data() + text.size(), number);
+    if (read.ec != std::errc() || read.ptr != text.data() + text.size() || !std::isfinite(number))
+        return failure(ErrorCode::BadValue, name, {text, "a number"});
+    return number;
+}
 
 void CommandRegistry::add(std::string id, Command command)
 {

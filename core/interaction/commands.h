@@ -14,6 +14,12 @@ namespace fff {
 /// By name, as text: a script has numbers and booleans as text too ("12.7", "true").
 using CommandParameters = std::map<std::string, std::string>;
 
+/// The parameter "on", else the other way round than it is.
+bool switched(const CommandParameters &parameters, bool isNow);
+/// A number among the parameters. Errors  BadValue, place = name, for what is none.
+Result<double> numberOf(const CommandParameters &parameters, const std::string &name,
+                        double otherwise);
+
 struct Command
 {
     /// time: ms, that of the event which asks for it; animations start there.

@@ -1,6 +1,7 @@
 #include "core/interaction/contour_target.h"
 
 #include "core/model/edits.h"
+#include "core/model/ground.h"
 #include "core/model/mended_shape.h"
 
 #include <algorithm>
@@ -70,6 +71,27 @@ tl::expected<DrawnContour, Hint> newSection(const Document &document, const Cont
     return drawn;
 }
 
+tl::expected<DrawnContour, Hint> redrawn(const Document &document, SectionId id,
+                                         const Contour &contour)
+{
+    const Section *section = document.find(id);
+    if (!section)
+        return refused(Hint::Kind::Failed);
+    return withShape(document, *section, contour, section->shape->holes(),
+                     Step::Kind::RedrawSection);
+}
+
+tl::expected<DrawnContour, Hint> withHole(const Document &document, SectionId id,
+                                          const Contour &hole)
+{
+    const Section *section = document.find(id);
+    if (!section)
+        return refused(Hint::Kind::Failed);
+    std::vector<Contour> holes = section->shape->holes();
+    holes.push_back(hole);
+    return withShape(document, *section, section->shape->contour(), holes, Step::Kind::AddHole);
+}
+
 } // namespace
 
 ContourTarget ContourTarget::newSection(const Frame &canvas, std::optional<Parent> parent)
@@ -99,16 +121,27 @@ ContourTarget ContourTarget::hole(const Section &section)
 tl::expected<DrawnContour, Hint> drawContour(const Document &document, const ContourTarget &target,
                                              const Contour &contour, const DrawingRules &rules)
 {
-    if (target.purpose == ContourTarget::Purpose::NewSection)
-        return newSection(document, target, contour, rules.naming);
-    const Section *section = document.find(target.section);
-    if (!section)
-        return refused(Hint::Kind::Failed);
-    std::vector<Contour> holes = section->shape->holes();
-    if (target.purpose == ContourTarget::Purpose::Redraw)
-        return withShape(document, *section, contour, holes, Step::Kind::RedrawSection);
-    holes.push_back(contour);
-    return withShape(document, *section, section->shape->contour(), holes, Step::Kind::AddHole);
+    if (target.purpose == ContourTarget::Purpose::Hole)
+        return withHole(document, target.section, contour);
+    std::vector<ClippedPiece> pieces;
+    if (rules.cutsAtGround)
+        pieces = clippedAtGround(contour, target.canvas);
+    else
+        pieces.push_back({contour, {}});
+    if (pieces.empty())
+        return refused(Hint::Kind::BelowGround);
+    const Contour &kept = pieces.front().outer;
+    tl::expected<DrawnContour, Hint> drawn = target.purpose == ContourTarget::Purpose::Redraw
+                                                 ? redrawn(document, target.section, kept)
+                                                 : newSection(document, target, kept, rules.naming);
+    if (!drawn)
+        return drawn;
+    drawn->isCutAtGround = !(kept == contour);
+    if (pieces.size() > 1)
+        drawn->note = Hint{Hint::Kind::LargestPiece, drawn->step.names.front(), false};
+    else if (drawn->isCutAtGround && !drawn->note)
+        drawn->note = Hint{Hint::Kind::CutAtGround, drawn->step.names.front(), false};
+    return drawn;
 }
 
 } // namespace fff

@@ -32,7 +32,6 @@ struct DrawnContour
     Step step;
     SectionRef section;         // that it is part of
     bool isCutAtGround = false; // what was drawn below the ground is left out
-    bool wasTakenApart = false; // what is left fell apart: the largest piece was kept
     std::optional<Hint> note;   // what became of it beyond what was drawn
 };
 
@@ -45,7 +44,8 @@ struct DrawingRules
 /// The committed document with this contour (canvas coordinates, mm, not crossing itself) in its
 /// place. A redrawn section keeps the holes that lie in the new contour, a hole that overlaps
 /// others becomes one with them, and one that reaches over the contour's edge is cut out of it.
-/// Refused, with the hint that says why: BelowGround (nothing of it is above), HoleOutside,
+/// Where cutting at the ground takes a contour apart, its largest piece is kept, and the note says
+/// so. Refused, with the hint that says why: BelowGround (nothing of it is above), HoleOutside,
 /// Failed.
 tl::expected<DrawnContour, Hint> drawContour(const Document &document, const ContourTarget &target,
                                              const Contour &contour, const DrawingRules &rules);

@@ -35,6 +35,7 @@ struct Hint
         TooShort,
         CrossesItself,
         CutAtGround,  // what was drawn below the ground was left out
+        LargestPiece, // cutting there took it apart: the largest piece was kept
         BelowGround,  // nothing of it is above
         HoleOutside,  // the hole lies beside the section
         HoleIsNotch,  // it was cut out of the section's edge

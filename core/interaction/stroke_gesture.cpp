@@ -1,6 +1,7 @@
 #include "core/interaction/stroke_gesture.h"
 
 #include "core/base/units.h"
+#include "core/model/ground.h"
 
 #include <limits>
 #include <utility>
@@ -32,6 +33,15 @@ Vec2 pointOnPlane(const Frame &plane, const Vec2 &screen, const GestureContext &
     const Vec3 direction = -context.camera.towardsEye(start, context.viewport);
     const double distance = -plane.height(start) / plane.normal().dot(direction);
     return plane.toLocal(start + distance * direction);
+}
+
+std::optional<Overlay::GroundLine> groundLineOf(const Frame &canvas)
+{
+    const std::optional<Halfplane> above = groundLine(canvas);
+    if (!above)
+        return {};
+    return Overlay::GroundLine{canvas.toWorld(above->point),
+                               canvas.directionToWorld(above->along())};
 }
 
 } // namespace
@@ -174,7 +184,15 @@ void StrokeGesture::updateOverlay(GestureContext &context) const
         stroke.samples = m_stroke.samples();
         stroke.fitted = contour.fitted;
         stroke.closing = contour.closing;
+        if (m_drawn && *m_drawn) {
+            const Section &drawn = *(*m_drawn)->document.find((*m_drawn)->section.drawn);
+            stroke.size = drawn.shape->bounds();
+            if ((*m_drawn)->isCutAtGround)
+                stroke.cut = contour.contour;
+        }
     }
+    if (state == Stroke::State::Contour || state == Stroke::State::DeadZone)
+        overlay.ground = groundLineOf(m_target.canvas);
     context.overlay = std::move(overlay);
 }
 

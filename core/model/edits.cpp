@@ -104,6 +104,18 @@ Result<Document> moveSection(Document document, SectionId id, const Frame &frame
     return changeSection(std::move(document), id, [&](Section &s) { s.frame = frame; });
 }
 
+Document moveAll(Document document, const Vec3 &way)
+{
+    if (way.isZero())
+        return document;
+    for (SectionPointer &pointer : document.sections) {
+        Section next = *pointer;
+        next.frame.origin += way;
+        pointer = std::make_shared<const Section>(std::move(next));
+    }
+    return document;
+}
+
 Result<Document> setShape(Document document, SectionId id, ShapePointer shape)
 {
     if (!shape)

@@ -25,6 +25,8 @@ Result<Document> addSection(Document document, NewSection section);
 /// go.
 Result<Document> removeSections(Document document, std::span<const SectionId> ids);
 Result<Document> moveSection(Document document, SectionId id, const Frame &frame);
+/// All sections by the same way in the world, mm.
+Document moveAll(Document document, const Vec3 &way);
 Result<Document> setShape(Document document, SectionId id, ShapePointer shape);
 Result<Document> renameSection(Document document, SectionId id, std::string name);
 Result<Document> setSectionStock(Document document, SectionId id, StockId stock);

@@ -6,6 +6,7 @@
 #include "core/interaction/facing.h"
 #include "core/model/edits.h"
 #include "core/session/session_host.h"
+#include "core/session/tool_commands.h"
 
 #include <array>
 #include <cmath>
@@ -151,13 +152,6 @@ void registerTurns(CommandRegistry &registry, Session &session, Interaction &int
          [&] { return !interaction.selection().empty(); }});
 }
 
-/// "on" of the parameters, else the other way round than it is.
-bool wanted(const CommandParameters &parameters, bool isNow)
-{
-    const auto found = parameters.find("on");
-    return found == parameters.end() ? !isNow : found->second == "true" || found->second == "1";
-}
-
 /// Faces the eye, through the target; through the model's middle when that plane would miss it.
 ClipPlane cutFacingEye(const Session &session, const Interaction &interaction)
 {
@@ -180,7 +174,7 @@ void addSwitch(CommandRegistry &registry, const char *id, Interaction &interacti
     registry.add(id, {[&interaction, isOn, set](const CommandParameters &parameters,
                                                 double) -> Result<void> {
                           ViewState view = interaction.view();
-                          const bool on = wanted(parameters, isOn(view));
+                          const bool on = switched(parameters, isOn(view));
                           if (on != isOn(view)) {
                               set(view, on);
                               interaction.setView(std::move(view));
@@ -248,7 +242,7 @@ void registerCamera(CommandRegistry &registry, Interaction &interaction)
     registry.add(
         "view.perspective",
         {[&](const CommandParameters &parameters, double) -> Result<void> {
-             const bool on = wanted(parameters, interaction.targetCamera().isPerspective());
+             const bool on = switched(parameters, interaction.targetCamera().isPerspective());
              interaction.setProjection(on ? Projection::Perspective : Projection::Orthographic);
              return {};
          },
@@ -290,6 +284,7 @@ void registerSessionCommands(CommandRegistry &registry, Session &session, Intera
     registerFits(registry, session, interaction);
     registerCamera(registry, interaction);
     registerLooks(registry, session, interaction);
+    registerToolCommands(registry, session, interaction);
 }
 
 Camera turnedTo(const Eigen::Quaterniond &orientation, const Session &session,

@@ -12,4 +12,5 @@ target_sources(fff_session PRIVATE
     session.cpp
     session_commands.cpp
     session_host.cpp
+    tool_commands.cpp
 )

@@ -1,0 +1,148 @@
+#include "core/session/tool_commands.h"
+
+#include "core/base/tolerances.h"
+#include "core/interaction/draw_tool.h"
+#include "core/model/edits.h"
+#include "core/session/session_host.h"
+
+#include <cmath>
+#include <memory>
+#include <optional>
+
+namespace fff {
+
+namespace {
+
+/// How far from its section a parallel plane lies, mm, when nobody says (half an inch).
+constexpr double kParallelDistance = 12.7;
+/// What stands this near to the ground needs no dropping, mm.
+constexpr double kDropped = 1e-6;
+
+/// The one drawn section that is selected; null when there is none or are several.
+const Section *selectedSection(const Session &session, const Interaction &interaction)
+{
+    const std::vector<SectionRef> &selection = interaction.selection();
+    if (selection.size() != 1)
+        return nullptr;
+    return session.committed().document.find(selection.front().drawn);
+}
+
+/// A plane through a point with these axes as seen from where one looks straight at it.
+ContourTarget onPlane(const Vec3 &origin, const Vec3 &x, const Vec3 &y)
+{
+    return ContourTarget::newSection({origin, x, y});
+}
+
+/// Y of the lowest point of the slabs, mm; none without sections.
+std::optional<double> lowestPoint(const Model &model)
+{
+    std::optional<double> lowest;
+    for (std::size_t i = 0; i < model.sectionCount(); ++i) {
+        const Section &section = *model.section(i);
+        const double half = 0.5 * model.document.stockOf(section).thickness;
+        const double below = half * std::abs(section.frame.normal().y());
+        for (const Vec2 &p : section.shape->region().outer) {
+            const double y = section.frame.toWorld(p).y() - below;
+            if (!lowest || y < *lowest)
+                lowest = y;
+        }
+    }
+    return lowest;
+}
+
+void registerDrawing(CommandRegistry &registry, Session &session, Interaction &interaction)
+{
+    const auto hasSection = [&] { return selectedSection(session, interaction) != nullptr; };
+    const auto add = [&](const char *id, ContourTarget (*target)(const Section &)) {
+        registry.add(id, {[&session, &interaction, id, target](const CommandParameters &,
+                                                               double time) -> Result<void> {
+                              const Section &section = *selectedSection(session, interaction);
+                              interaction.pickUp(
+                                  std::make_unique<DrawTool>(target(section), id, section.name),
+                                  time);
+                              return {};
+                          },
+                          hasSection});
+    };
+    add("section.redraw", &ContourTarget::redraw);
+    add("section.addHole", &ContourTarget::hole);
+}
+
+void registerPlanes(CommandRegistry &registry, Session &session, Interaction &interaction)
+{
+    const auto add = [&](const char *id, std::function<ContourTarget()> target) {
+        registry.add(
+            id,
+            {[&interaction, id, target](const CommandParameters &, double time) -> Result<void> {
+                 interaction.pickUp(std::make_unique<DrawTool>(target(), id, std::string()), time);
+                 return {};
+             },
+             {}});
+    };
+    // What is drawn on the ground lies on it with its lower face.
+    add("section.planeGround", [&session] {
+        const Document &document = session.committed().document;
+        const double half = 0.5 * document.find(document.currentStock)->thickness;
+        return onPlane({0.0, half, 0.0}, Vec3::UnitX(), -Vec3::UnitZ());
+    });
+    add("section.planeFront", [] { return onPlane(Vec3::Zero(), Vec3::UnitX(), Vec3::UnitY()); });
+    add("section.planeSide", [] { return onPlane(Vec3::Zero(), -Vec3::UnitZ(), Vec3::UnitY()); });
+    registry.add(
+        "section.planeParallel",
+        {[&](const CommandParameters &parameters, double time) -> Result<void> {
+             const Result<double> distance = numberOf(parameters, "distance", kParallelDistance);
+             if (!distance)
+                 return tl::unexpected(distance.error());
+             const Section &section = *selectedSection(session, interaction);
+             Frame canvas = section.frame;
+             canvas.origin += *distance * canvas.normal();
+             interaction.pickUp(std::make_unique<DrawTool>(ContourTarget::newSection(canvas),
+                                                           "section.planeParallel", section.name),
+                                time);
+             return {};
+         },
+         [&] { return selectedSection(session, interaction) != nullptr; }});
+}
+
+void registerGround(CommandRegistry &registry, Session &session)
+{
+    const auto isOff = [&session] {
+        const std::optional<double> lowest = lowestPoint(session.committed());
+        return lowest && std::abs(*lowest) > kDropped;
+    };
+    registry.add("section.dropToGround",
+                 {[&session](const CommandParameters &, double) -> Result<void> {
+                      const Model &model = session.committed();
+                      session.commit(SessionHost::undoText({Step::Kind::DropToGround, {}}),
+                                     moveAll(model.document, Vec3(0.0, -*lowestPoint(model), 0.0)));
+                      return {};
+                  },
+                  isOff});
+}
+
+void registerSwitches(CommandRegistry &registry, Interaction &interaction)
+{
+    const auto add = [&](const char *id, bool InteractionSettings::*field) {
+        registry.add(id, {[&interaction, field](const CommandParameters &parameters,
+                                                double) -> Result<void> {
+                              bool &is = interaction.settings().*field;
+                              is = switched(parameters, is);
+                              return {};
+                          },
+                          {}});
+    };
+    add("section.symmetry", &InteractionSettings::mirrors);
+    add("section.ground", &InteractionSettings::cutsAtGround);
+}
+
+} // namespace
+
+void registerToolCommands(CommandRegistry &registry, Session &session, Interaction &interaction)
+{
+    registerDrawing(registry, session, interaction);
+    registerPlanes(registry, session, interaction);
+    registerGround(registry, session);
+    registerSwitches(registry, interaction);
+}
+
+} // namespace fff

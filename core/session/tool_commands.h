@@ -1,0 +1,17 @@
+// The commands that pick up tools and say how strokes are drawn.
+#pragma once
+
+#include "core/interaction/commands.h"
+#include "core/interaction/interaction.h"
+#include "core/session/session.h"
+
+namespace fff {
+
+/// section.redraw and section.addHole (of the selected section), section.planeGround,
+/// section.planeFront, section.planeSide, section.planeParallel (to the selected section; parameter
+/// "distance", mm along its normal), section.dropToGround, and the switches section.symmetry and
+/// section.ground, which take the parameter "on" as those of the view do. Session and interaction
+/// outlive the registry.
+void registerToolCommands(CommandRegistry &registry, Session &session, Interaction &interaction);
+
+} // namespace fff
