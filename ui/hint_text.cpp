@@ -31,6 +31,16 @@ QString lookFrom(const QString &part)
     return HintText::tr("Click to look at this corner; drag to turn the view.");
 }
 
+/// By the name of the plane.
+QString drawOn(const QString &plane)
+{
+    if (plane == QLatin1String("ground"))
+        return HintText::tr("Draw a section on the ground in one go. <kbd>Esc</kbd> cancels.");
+    if (plane == QLatin1String("front"))
+        return HintText::tr("Draw a section on the front plane in one go. <kbd>Esc</kbd> cancels.");
+    return HintText::tr("Draw a section on the side plane in one go. <kbd>Esc</kbd> cancels.");
+}
+
 } // namespace
 
 QString hintSentence(const Hint &hint, const QString &undoKeys)
@@ -65,9 +75,13 @@ QString hintSentence(const Hint &hint, const QString &undoKeys)
     case Hint::Kind::ReleaseToMirror:
         return HintText::tr("<b>Release</b> to make the section, mirrored across the slit. Hold "
                             "<kbd>Shift</kbd> to keep only this side. <kbd>Esc</kbd> cancels.");
+    case Hint::Kind::ReleaseToMirrorFirst:
+        return HintText::tr("<b>Release</b> to make the section, mirrored across the vertical. Hold "
+                            "<kbd>Shift</kbd> to keep only this side.");
     case Hint::Kind::DrawOnPlane:
-        return HintText::tr("Draw a section on %1: press, draw its shape in one go, release. "
-                            "<kbd>Esc</kbd> cancels.")
+        return drawOn(QString::fromStdString(hint.section));
+    case Hint::Kind::DrawParallel:
+        return HintText::tr("Draw a section parallel to %1 in one go. <kbd>Esc</kbd> cancels.")
             .arg(name);
     case Hint::Kind::DrawNewContour:
         return HintText::tr(
@@ -97,6 +111,14 @@ QString hintSentence(const Hint &hint, const QString &undoKeys)
             .arg(name);
     case Hint::Kind::TooShort:
         return HintText::tr("Nothing drawn: the line is too short to enclose anything.");
+    case Hint::Kind::NoArea:
+        return HintText::tr("Nothing drawn: the line goes there and back and encloses nothing.");
+    case Hint::Kind::CrossesWithoutLoop:
+        return HintText::tr(
+            "Nothing drawn: the line crosses itself, and no loop of it is large enough.");
+    case Hint::Kind::HalvesDoNotMeet:
+        return HintText::tr("Nothing drawn: mirrored, it would be two pieces. Hold "
+                            "<kbd>Shift</kbd> to draw one side.");
     case Hint::Kind::CrossesItself:
         return undoKeys.isEmpty()
                    ? HintText::tr("The contour crosses itself; the largest loop was kept.")

@@ -1,5 +1,6 @@
 #include "core/interaction/contour_target.h"
 
+#include "core/base/tolerances.h"
 #include "core/model/edits.h"
 #include "core/model/ground.h"
 #include "core/model/mended_shape.h"
@@ -116,6 +117,25 @@ ContourTarget ContourTarget::hole(const Section &section)
     ContourTarget target = redraw(section);
     target.purpose = Purpose::Hole;
     return target;
+}
+
+std::optional<MirrorAxis> slitAxis(const ContourTarget &target, const Document &document)
+{
+    std::optional<Parent> parent = target.parent;
+    if (target.purpose == ContourTarget::Purpose::Redraw) {
+        if (const Section *section = document.find(target.section))
+            parent = section->parent;
+    }
+    const Section *ground = parent ? document.find(parent->section.drawn) : nullptr;
+    if (!ground)
+        return {};
+    const auto onCanvas = [&](const Vec2 &p) {
+        return target.canvas.toLocal(ground->frame.toWorld(p));
+    };
+    const Vec2 from = onCanvas(parent->slitFrom), way = onCanvas(parent->slitTo) - from;
+    if (way.norm() < kMinOverlap)
+        return {};
+    return MirrorAxis{from, way.normalized()};
 }
 
 tl::expected<DrawnContour, Hint> drawContour(const Document &document, const ContourTarget &target,

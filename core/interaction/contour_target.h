@@ -6,6 +6,7 @@
 #include "core/interaction/step.h"
 #include "core/model/model.h"
 #include "core/model/naming.h"
+#include "core/stroke/symmetry.h"
 
 #include <optional>
 
@@ -24,6 +25,10 @@ struct ContourTarget
     static ContourTarget redraw(const Section &section);
     static ContourTarget hole(const Section &section);
 };
+
+/// The slit across which what is drawn can be mirrored, in canvas coordinates; none where no slit
+/// is known.
+std::optional<MirrorAxis> slitAxis(const ContourTarget &target, const Document &document);
 
 /// A document with the contour in it.
 struct DrawnContour

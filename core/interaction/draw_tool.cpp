@@ -88,7 +88,9 @@ Hint DrawTool::hint() const
     case ContourTarget::Purpose::NewSection:
         break;
     }
-    return {Hint::Kind::DrawOnPlane, m_name, false};
+    return {m_command == "section.planeParallel" ? Hint::Kind::DrawParallel
+                                                 : Hint::Kind::DrawOnPlane,
+            m_name, false};
 }
 
 } // namespace fff

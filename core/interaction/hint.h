@@ -18,10 +18,12 @@ struct Hint
         LeaveDeadZone,
         DrawContour,
         ReleaseToMake,
-        ReleaseToMirror, // to make it, mirrored across the slit
-        DrawOnPlane,     // a tool waits for a stroke on its plane
-        DrawNewContour,  // of the section
-        DrawHole,        // in the section
+        ReleaseToMirror,      // to make it, mirrored across the slit
+        ReleaseToMirrorFirst, // across the vertical through its start
+        DrawOnPlane,          // section: ground, front or side
+        DrawParallel,         // to the section
+        DrawNewContour,       // of the section
+        DrawHole,             // in the section
         Orbiting,
         Panning,
         Zooming,
@@ -33,6 +35,9 @@ struct Hint
         // Notes and refusals
         NeverLeft,
         TooShort,
+        NoArea,             // the line goes there and back
+        CrossesWithoutLoop, // it crosses itself, but no loop of it is large enough
+        HalvesDoNotMeet,    // mirrored, it would be two pieces
         CrossesItself,
         CutAtGround,  // what was drawn below the ground was left out
         LargestPiece, // cutting there took it apart: the largest piece was kept

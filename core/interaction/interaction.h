@@ -13,6 +13,7 @@
 #include "core/interaction/view_cube.h"
 #include "core/interaction/view_state.h"
 #include "core/model/naming.h"
+#include "core/stroke/symmetry.h"
 
 #include <memory>
 #include <numbers>
@@ -48,11 +49,17 @@ struct Overlay
     struct Stroke
     {
         Frame canvas;
-        std::vector<Vec2> samples;          // frame coordinates of canvas
-        std::vector<CubicBezier> fitted;    // open chain as drawn so far
-        std::optional<CubicBezier> closing; // the piece that a release would add
-        std::optional<Contour> cut;         // what it encloses, where the ground cuts that
-        std::optional<Box2> size;           // of what a release makes
+        std::vector<Vec2> samples;       // frame coordinates of canvas
+        std::vector<CubicBezier> fitted; // open chain as drawn so far
+        /// The pieces that a release would add: before its start, when it is mirrored, and at its
+        /// end; and the half that is mirrored.
+        std::optional<CubicBezier> opening, closing;
+        std::vector<CubicBezier> mirrored;
+        std::optional<MirrorAxis> axis;          // there is one, whether it is used or not
+        std::optional<SymmetryVerdict> symmetry; // where there is an axis
+        bool isMirrored = false;
+        std::optional<Contour> cut; // what it encloses, where the ground cuts that
+        std::optional<Box2> size;   // of what a release makes
     };
     /// Where the canvas meets the ground: a line without ends.
     struct GroundLine

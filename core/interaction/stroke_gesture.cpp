@@ -14,13 +14,16 @@ namespace {
 constexpr double kRoomPerTurn = 0.5;
 
 /// The canvas will lie at the target's depth (see CanvasTurn), so pixels count there.
-Stroke::Options strokeOptions(const GestureContext &context)
+Stroke::Options strokeOptions(const GestureContext &context, std::optional<MirrorAxis> axis,
+                              bool mirrors)
 {
     const double scale = context.camera.millimetresPerPixel;
     Stroke::Options options;
     options.turnTime = context.settings.turnTime;
     options.deadZoneRadius = context.settings.deadZoneFraction * context.viewport.x() * scale;
     options.contour.tolerance = context.settings.fitTolerance * scale;
+    options.contour.axis = std::move(axis);
+    options.contour.isSymmetryOn = mirrors;
     return options;
 }
 
@@ -44,6 +47,22 @@ std::optional<Overlay::GroundLine> groundLineOf(const Frame &canvas)
                                canvas.directionToWorld(above->along())};
 }
 
+Hint::Kind refusalOf(const StrokeContour &contour)
+{
+    switch (contour.refusal) {
+    case StrokeContour::Refusal::NoArea:
+        return Hint::Kind::NoArea;
+    case StrokeContour::Refusal::CrossesWithoutLoop:
+        return Hint::Kind::CrossesWithoutLoop;
+    case StrokeContour::Refusal::HalvesDoNotMeet:
+        return Hint::Kind::HalvesDoNotMeet;
+    case StrokeContour::Refusal::None:
+    case StrokeContour::Refusal::TooShort:
+        break;
+    }
+    return Hint::Kind::TooShort;
+}
+
 } // namespace
 
 Frame firstCanvas(const Camera &camera)
@@ -53,15 +72,23 @@ Frame firstCanvas(const Camera &camera)
 
 StrokeGesture::StrokeGesture(const PointerEvent &press, ContourTarget target,
                              const GestureContext &context)
-    : m_stroke(strokeOptions(context)), m_target(std::move(target)), m_before(context.camera),
-      m_cursor(press.position), m_now(press.time)
+    : m_stroke({}), m_target(std::move(target)), m_before(context.camera), m_cursor(press.position),
+      m_now(press.time)
 {
-    m_stroke.beginOnCanvas({press.time, pointOnPlane(m_target.canvas, press.position, context)});
+    const Vec2 start = pointOnPlane(m_target.canvas, press.position, context);
+    std::optional<MirrorAxis> axis = slitAxis(m_target, context.model.document);
+    m_isAxisSlit = axis.has_value();
+    m_mirrors = axis ? context.settings.mirrors : context.settings.mirrorsFirst;
+    if (!axis && m_target.purpose == ContourTarget::Purpose::NewSection)
+        axis = MirrorAxis{start, Vec2::UnitY()};
+    m_stroke = Stroke(strokeOptions(context, axis, m_mirrors != press.modifiers.shift));
+    m_stroke.beginOnCanvas({press.time, start});
 }
 
 StrokeGesture::StrokeGesture(const PointerEvent &press, const Hit &hit,
                              const GestureContext &context)
-    : m_stroke(strokeOptions(context)), m_before(context.camera), m_cursor(press.position),
+    : m_stroke(strokeOptions(context, MirrorAxis(), context.settings.mirrors)),
+      m_mirrors(context.settings.mirrors), m_before(context.camera), m_cursor(press.position),
       m_now(press.time)
 {
     const auto index = static_cast<std::size_t>(hit.section);
@@ -79,6 +106,7 @@ GestureReply StrokeGesture::handle(const PointerEvent &event, GestureContext &co
     // A turn that ended before this event ended with the cursor where it was then.
     advance(event.time, context);
     m_cursor = event.position;
+    m_stroke.setSymmetryOn(m_mirrors != event.modifiers.shift);
     if (event.type != PointerEvent::Type::Modifiers) {
         const bool wasInSection = m_stroke.state() == Stroke::State::Slit;
         m_stroke.move({event.time, pointOnPlane(plane(), event.position, context)});
@@ -183,7 +211,12 @@ void StrokeGesture::updateOverlay(GestureContext &context) const
         stroke.canvas = m_target.canvas;
         stroke.samples = m_stroke.samples();
         stroke.fitted = contour.fitted;
+        stroke.opening = contour.opening;
         stroke.closing = contour.closing;
+        stroke.mirrored = contour.mirrored;
+        stroke.axis = contour.axis;
+        stroke.symmetry = contour.symmetry;
+        stroke.isMirrored = contour.isMirrored;
         if (m_drawn && *m_drawn) {
             const Section &drawn = *(*m_drawn)->document.find((*m_drawn)->section.drawn);
             stroke.size = drawn.shape->bounds();
@@ -200,12 +233,14 @@ void StrokeGesture::updateOverlay(GestureContext &context) const
 /// commits the very section that was shown.
 void StrokeGesture::updateDrawn(const GestureContext &context)
 {
-    if (m_stroke.samples().size() == m_drawnSamples)
+    const StrokeContour &contour = m_stroke.contour();
+    if (m_stroke.samples().size() == m_drawnSamples && contour.isMirrored == m_drawnMirrored)
         return;
     m_drawnSamples = m_stroke.samples().size();
+    m_drawnMirrored = contour.isMirrored;
     m_drawn.reset();
-    if (const std::optional<Contour> &contour = m_stroke.contour().contour)
-        m_drawn = drawContour(context.model.document, m_target, *contour,
+    if (contour.contour)
+        m_drawn = drawContour(context.model.document, m_target, *contour.contour,
                               {context.settings.cutsAtGround, context.settings.naming});
 }
 
@@ -238,7 +273,10 @@ GestureReply StrokeGesture::over() const
         reply.note = Hint{Hint::Kind::NeverLeft, m_ground->section->name, true};
         break;
     case Stroke::Refusal::TooShort:
-        reply.note = Hint{Hint::Kind::TooShort, {}, true};
+        reply.note =
+            Hint{m_stroke.samples().empty() ? Hint::Kind::TooShort : refusalOf(m_stroke.contour()),
+                 {},
+                 true};
         break;
     case Stroke::Refusal::None:
         break;
@@ -262,8 +300,13 @@ Hint StrokeGesture::hint() const
     case Stroke::State::DeadZone:
         return {Hint::Kind::LeaveDeadZone, {}, false};
     default:
-        return {
-            m_drawn && *m_drawn ? Hint::Kind::ReleaseToMake : Hint::Kind::DrawContour, {}, false};
+        if (!m_drawn || !*m_drawn)
+            return {Hint::Kind::DrawContour, {}, false};
+        if (!m_drawnMirrored)
+            return {Hint::Kind::ReleaseToMake, {}, false};
+        return {m_isAxisSlit ? Hint::Kind::ReleaseToMirror : Hint::Kind::ReleaseToMirrorFirst,
+                {},
+                false};
     }
 }
 

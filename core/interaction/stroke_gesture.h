@@ -16,6 +16,7 @@ class StrokeGesture : public Gesture
 {
 public:
     // The camera's target lies at the depth of what was pressed, so that pixels count there.
+    // Shift, while it is held, switches local symmetry over.
     /// On a canvas that the view looks at: the contour begins where it was pressed.
     StrokeGesture(const PointerEvent &press, ContourTarget target, const GestureContext &context);
     /// On a section, from the point that was hit: the slit comes first.
@@ -46,6 +47,8 @@ private:
     GestureReply done();
 
     Stroke m_stroke;
+    bool m_mirrors = true; // as it is set
+    bool m_isAxisSlit = true;
     std::optional<Ground> m_ground;
     ContourTarget m_target;
     std::optional<CanvasTurn> m_turn;
@@ -55,6 +58,7 @@ private:
     double m_now = 0.0; // ms
     bool m_isMovingToRoom = false;
     std::size_t m_drawnSamples = 0;                          // that m_drawn belongs to
+    bool m_drawnMirrored = false;                            // and whether it was mirrored
     std::optional<tl::expected<DrawnContour, Hint>> m_drawn; // none: nothing is enclosed yet
 };
 

@@ -70,23 +70,25 @@ void registerDrawing(CommandRegistry &registry, Session &session, Interaction &i
 
 void registerPlanes(CommandRegistry &registry, Session &session, Interaction &interaction)
 {
-    const auto add = [&](const char *id, std::function<ContourTarget()> target) {
-        registry.add(
-            id,
-            {[&interaction, id, target](const CommandParameters &, double time) -> Result<void> {
-                 interaction.pickUp(std::make_unique<DrawTool>(target(), id, std::string()), time);
-                 return {};
-             },
-             {}});
+    const auto add = [&](const char *id, const char *name, std::function<ContourTarget()> target) {
+        registry.add(id, {[&interaction, id, name, target](const CommandParameters &,
+                                                           double time) -> Result<void> {
+                              interaction.pickUp(std::make_unique<DrawTool>(target(), id, name),
+                                                 time);
+                              return {};
+                          },
+                          {}});
     };
     // What is drawn on the ground lies on it with its lower face.
-    add("section.planeGround", [&session] {
+    add("section.planeGround", "ground", [&session] {
         const Document &document = session.committed().document;
         const double half = 0.5 * document.find(document.currentStock)->thickness;
         return onPlane({0.0, half, 0.0}, Vec3::UnitX(), -Vec3::UnitZ());
     });
-    add("section.planeFront", [] { return onPlane(Vec3::Zero(), Vec3::UnitX(), Vec3::UnitY()); });
-    add("section.planeSide", [] { return onPlane(Vec3::Zero(), -Vec3::UnitZ(), Vec3::UnitY()); });
+    add("section.planeFront", "front",
+        [] { return onPlane(Vec3::Zero(), Vec3::UnitX(), Vec3::UnitY()); });
+    add("section.planeSide", "side",
+        [] { return onPlane(Vec3::Zero(), -Vec3::UnitZ(), Vec3::UnitY()); });
     registry.add(
         "section.planeParallel",
         {[&](const CommandParameters &parameters, double time) -> Result<void> {

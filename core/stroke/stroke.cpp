@@ -58,6 +58,14 @@ void Stroke::viewMoved(const Vec2 &point)
         m_last = point;
 }
 
+void Stroke::setSymmetryOn(bool on)
+{
+    if (on == m_options.contour.isSymmetryOn)
+        return;
+    m_options.contour.isSymmetryOn = on;
+    m_contour.reset();
+}
+
 void Stroke::release()
 {
     switch (m_state) {

@@ -50,6 +50,8 @@ public:
     void move(const Sample &sample);
     /// The view has moved while the cursor rested in the dead zone, and is over this point now.
     void viewMoved(const Vec2 &point);
+    /// Whether what is one-sided is mirrored; may change while it is drawn.
+    void setSymmetryOn(bool on);
     /// Where the last move was.
     void release();
     void cancel();

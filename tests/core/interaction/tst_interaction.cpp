@@ -360,7 +360,7 @@ void TestInteraction::refusalsSayWhy_data()
     QTest::newRow("in the slit") << 0 << int(Hint::Kind::NeverLeft);
     QTest::newRow("in the turn") << 1 << int(Hint::Kind::TooShort);
     QTest::newRow("in the dead zone") << 2 << int(Hint::Kind::TooShort);
-    QTest::newRow("a contour without an area") << 3 << int(Hint::Kind::TooShort);
+    QTest::newRow("a contour without an area") << 3 << int(Hint::Kind::NoArea);
 }
 
 /// Takes a stroke to a phase and leaves the button down.

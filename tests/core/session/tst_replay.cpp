@@ -91,7 +91,7 @@ void TestReplay::makesTheDocument_data()
     row("release_in_turn", 1, 1, int(Hint::Kind::TooShort));
     row("release_in_dead_zone", 1, 1, int(Hint::Kind::TooShort));
     row("tiny_first_stroke", 0, 0, int(Hint::Kind::TooShort));
-    row("straight_first_stroke", 0, 0, int(Hint::Kind::TooShort));
+    row("straight_first_stroke", 0, 0, int(Hint::Kind::NoArea));
     row("escape_in_slit", 1, 1);
     row("escape_in_turn", 1, 1);
     row("escape_in_dead_zone", 1, 1);
