@@ -681,6 +681,20 @@
             <numerusform>Material von %n Scheiben wechseln</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Redraw %1</source>
+        <extracomment>%1 is the name of a section</extracomment>
+        <translation>%1 neu zeichnen</translation>
+    </message>
+    <message>
+        <source>Draw a hole in %1</source>
+        <extracomment>%1 is the name of a section</extracomment>
+        <translation>Loch in %1 zeichnen</translation>
+    </message>
+    <message>
+        <source>Drop to the ground</source>
+        <translation>Auf den Boden setzen</translation>
+    </message>
 </context>
 <context>
     <name>fff::cli</name>
@@ -1526,6 +1540,122 @@
         <source>Previous part of the win&amp;dow</source>
         <translation>Voriger Teil des Fensters</translation>
     </message>
+    <message>
+        <source>Select one section first</source>
+        <translation>Zuerst eine Scheibe auswählen</translation>
+    </message>
+    <message>
+        <source>The model stands on the ground</source>
+        <translation>Das Modell steht auf dem Boden</translation>
+    </message>
+    <message>
+        <source>Local &amp;symmetry</source>
+        <translation>Lokale &amp;Symmetrie</translation>
+    </message>
+    <message>
+        <source>Symmetry</source>
+        <translation>Symmetrie</translation>
+    </message>
+    <message>
+        <source>Mirror a contour across its slit when it is drawn on one side of it</source>
+        <translation>Eine Kontur an ihrem Schlitz spiegeln, wenn sie auf einer Seite davon gezeichnet wird</translation>
+    </message>
+    <message>
+        <source>Cut flat at the &amp;ground</source>
+        <translation>Am &amp;Boden eben abschneiden</translation>
+    </message>
+    <message>
+        <source>Cut off what is drawn below the ground</source>
+        <translation>Abschneiden, was unter dem Boden gezeichnet wird</translation>
+    </message>
+    <message>
+        <source>On the &amp;ground</source>
+        <translation>Auf dem &amp;Boden</translation>
+    </message>
+    <message>
+        <source>On the ground</source>
+        <translation>Am Boden</translation>
+    </message>
+    <message>
+        <source>Draw a section that lies on the ground</source>
+        <translation>Eine Scheibe zeichnen, die auf dem Boden liegt</translation>
+    </message>
+    <message>
+        <source>On the &amp;front plane</source>
+        <translation>Auf der &amp;Vorderebene</translation>
+    </message>
+    <message>
+        <source>On the front</source>
+        <translation>Vorn</translation>
+    </message>
+    <message>
+        <source>Draw a section upright in the middle, seen from the front</source>
+        <translation>Eine Scheibe aufrecht in der Mitte zeichnen, von vorn gesehen</translation>
+    </message>
+    <message>
+        <source>On the s&amp;ide plane</source>
+        <translation>Auf der S&amp;eitenebene</translation>
+    </message>
+    <message>
+        <source>On the side</source>
+        <translation>Seitlich</translation>
+    </message>
+    <message>
+        <source>Draw a section upright in the middle, seen from the side</source>
+        <translation>Eine Scheibe aufrecht in der Mitte zeichnen, von der Seite gesehen</translation>
+    </message>
+    <message>
+        <source>&amp;Parallel to the section</source>
+        <translation>&amp;Parallel zur Scheibe</translation>
+    </message>
+    <message>
+        <source>Parallel</source>
+        <translation>Parallel</translation>
+    </message>
+    <message>
+        <source>Draw a section parallel to the selected one</source>
+        <translation>Eine Scheibe parallel zur ausgewählten zeichnen</translation>
+    </message>
+    <message>
+        <source>&amp;Redraw contour</source>
+        <translation>Kontur &amp;neu zeichnen</translation>
+    </message>
+    <message>
+        <source>Redraw</source>
+        <translation>Neu zeichnen</translation>
+    </message>
+    <message>
+        <source>Draw a new contour for the selected section</source>
+        <translation>Für die ausgewählte Scheibe eine neue Kontur zeichnen</translation>
+    </message>
+    <message>
+        <source>Draw a &amp;hole</source>
+        <translation>&amp;Loch zeichnen</translation>
+    </message>
+    <message>
+        <source>Hole</source>
+        <translation>Loch</translation>
+    </message>
+    <message>
+        <source>Draw a hole in the selected section</source>
+        <translation>In die ausgewählte Scheibe ein Loch zeichnen</translation>
+    </message>
+    <message>
+        <source>&amp;Drop to ground</source>
+        <translation>Auf den Boden se&amp;tzen</translation>
+    </message>
+    <message>
+        <source>Drop</source>
+        <translation>Absetzen</translation>
+    </message>
+    <message>
+        <source>Set the model down on the ground</source>
+        <translation>Das Modell auf den Boden setzen</translation>
+    </message>
+    <message>
+        <source>&amp;Section</source>
+        <translation>&amp;Scheibe</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::AgoText</name>
@@ -1784,6 +1914,140 @@
     </message>
 </context>
 <context>
+    <name>fff::ui::DrawingGroup</name>
+    <message>
+        <source>Drawing</source>
+        <translation>Zeichnen</translation>
+    </message>
+    <message>
+        <source>Local symmetry</source>
+        <translation>Lokale Symmetrie</translation>
+    </message>
+    <message>
+        <source>Mirror a contour across its slit when it is drawn on one side of it. Shift switches that over while you draw.</source>
+        <translation>Eine Kontur an ihrem Schlitz spiegeln, wenn sie auf einer Seite davon gezeichnet wird. Umschalt kehrt das beim Zeichnen um.</translation>
+    </message>
+    <message>
+        <source>First section too</source>
+        <translation>Auch die erste</translation>
+    </message>
+    <message>
+        <source>Mirror the first section across the vertical through its start</source>
+        <translation>Die erste Scheibe an der Senkrechten durch ihren Anfang spiegeln</translation>
+    </message>
+    <message>
+        <source>Flat at ground</source>
+        <translation>Am Boden eben</translation>
+    </message>
+    <message>
+        <source>Cut off what is drawn below the ground</source>
+        <translation>Abschneiden, was unter dem Boden gezeichnet wird</translation>
+    </message>
+    <message>
+        <source>Turn to</source>
+        <translation>Drehen auf</translation>
+    </message>
+    <message>
+        <source>At 90° you look straight at the new plane; with less, the section that you started on stays to be seen</source>
+        <translation>Bei 90° blickt man gerade auf die neue Ebene; mit weniger bleibt die Scheibe zu sehen, auf der man begonnen hat</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>Turn time</source>
+        <translation>Drehzeit</translation>
+    </message>
+    <message>
+        <source>How long the view takes to turn to the plane of a new section</source>
+        <translation>Wie lange die Ansicht braucht, um sich zur Ebene einer neuen Scheibe zu drehen</translation>
+    </message>
+    <message>
+        <source>ms</source>
+        <translation>ms</translation>
+    </message>
+</context>
+<context>
+    <name>fff::ui::DrawingPage</name>
+    <message>
+        <source>New section, while you draw it</source>
+        <translation>Neue Scheibe, während sie gezeichnet wird</translation>
+    </message>
+    <message>
+        <source>Stock</source>
+        <translation>Material</translation>
+    </message>
+    <message>
+        <source>Thickness</source>
+        <translation>Dicke</translation>
+    </message>
+    <message>
+        <source>Slit</source>
+        <translation>Schlitz</translation>
+    </message>
+    <message>
+        <source>On</source>
+        <translation>Auf</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Länge</translation>
+    </message>
+    <message>
+        <source>Its own slit</source>
+        <translation>Eigener Schlitz</translation>
+    </message>
+    <message>
+        <source>Contour</source>
+        <translation>Kontur</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>Curve pieces</source>
+        <translation>Kurvenstücke</translation>
+    </message>
+    <message>
+        <source>Mass</source>
+        <translation>Masse</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keiner</translation>
+    </message>
+    <message>
+        <source>closed</source>
+        <translation>geschlossen</translation>
+    </message>
+    <message>
+        <source>opens up, %1 deep</source>
+        <translation>nach oben offen, %1 tief</translation>
+    </message>
+    <message>
+        <source>opens down, %1 deep</source>
+        <translation>nach unten offen, %1 tief</translation>
+    </message>
+    <message>
+        <source>opens sideways, %1 deep</source>
+        <translation>zur Seite offen, %1 tief</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Not mirrored.&lt;/b&gt; You drew on one side of the axis: %1 on one, %2 on the other. Symmetry is off, or Shift is held.</source>
+        <translation>&lt;b&gt;Nicht gespiegelt.&lt;/b&gt; Gezeichnet ist auf einer Seite der Achse: %1 auf der einen, %2 auf der anderen. Symmetrie ist aus oder Umschalt gedrückt.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Mirrored.&lt;/b&gt; You drew on one side of the axis: %1 on one, %2 on the other. Cross it by %3 or more to draw both sides yourself.</source>
+        <translation>&lt;b&gt;Gespiegelt.&lt;/b&gt; Gezeichnet ist auf einer Seite der Achse: %1 auf der einen, %2 auf der anderen. Wer sie um %3 oder mehr überschreitet, zeichnet beide Seiten selbst.</translation>
+    </message>
+    <message>
+        <source>New section</source>
+        <translation>Neue Scheibe</translation>
+    </message>
+</context>
+<context>
     <name>fff::ui::Exporting</name>
     <message>
         <source>Drawings for cutters (*.svg)</source>
@@ -1961,10 +2225,6 @@
         <translation>Die erste Scheibe zeichnen: drücken, ihre Form in einem Zug zeichnen, loslassen.</translation>
     </message>
     <message>
-        <source>Drag to turn the view; middle drag moves it, the wheel zooms.</source>
-        <translation>Ziehen dreht die Ansicht; Ziehen mit der mittleren Taste verschiebt sie, das Rad vergrößert.</translation>
-    </message>
-    <message>
         <source>Drag out of %1 to draw a section across it; click to select it.</source>
         <translation>Aus %1 hinausziehen zeichnet eine Scheibe quer dazu; ein Klick wählt sie.</translation>
     </message>
@@ -2063,6 +2323,90 @@
     <message>
         <source>Click to select %1. Drag to turn the view: on its edge nothing is drawn.</source>
         <translation>Ein Klick wählt %1. Ziehen dreht die Ansicht: Auf der Kante wird nicht gezeichnet.</translation>
+    </message>
+    <message>
+        <source>Draw a section on the ground in one go. &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
+        <translation>Eine Scheibe in einem Zug auf den Boden zeichnen. &lt;kbd&gt;Esc&lt;/kbd&gt; bricht ab.</translation>
+    </message>
+    <message>
+        <source>Draw a section on the front plane in one go. &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
+        <translation>Eine Scheibe in einem Zug auf die Vorderebene zeichnen. &lt;kbd&gt;Esc&lt;/kbd&gt; bricht ab.</translation>
+    </message>
+    <message>
+        <source>Draw a section on the side plane in one go. &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
+        <translation>Eine Scheibe in einem Zug auf die Seitenebene zeichnen. &lt;kbd&gt;Esc&lt;/kbd&gt; bricht ab.</translation>
+    </message>
+    <message>
+        <source>Drag to turn the view; &lt;kbd&gt;Shift&lt;/kbd&gt; drag selects a group.</source>
+        <translation>Ziehen dreht die Ansicht; mit &lt;kbd&gt;Umschalt&lt;/kbd&gt; wird eine Gruppe ausgewählt.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Release&lt;/b&gt; to make the section, mirrored across the slit. Hold &lt;kbd&gt;Shift&lt;/kbd&gt; to keep only this side. &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
+        <translation>&lt;b&gt;Loslassen&lt;/b&gt; erzeugt die Scheibe, am Schlitz gespiegelt. &lt;kbd&gt;Umschalt&lt;/kbd&gt; behält nur diese Seite. &lt;kbd&gt;Esc&lt;/kbd&gt; bricht ab.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Release&lt;/b&gt; to make the section, mirrored across the vertical. Hold &lt;kbd&gt;Shift&lt;/kbd&gt; to keep only this side.</source>
+        <translation>&lt;b&gt;Loslassen&lt;/b&gt; erzeugt die Scheibe, an der Senkrechten gespiegelt. &lt;kbd&gt;Umschalt&lt;/kbd&gt; behält nur diese Seite.</translation>
+    </message>
+    <message>
+        <source>Draw a section parallel to %1 in one go. &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
+        <translation>Eine Scheibe parallel zu %1 in einem Zug zeichnen. &lt;kbd&gt;Esc&lt;/kbd&gt; bricht ab.</translation>
+    </message>
+    <message>
+        <source>Draw the new contour of %1 in one go. &lt;kbd&gt;Esc&lt;/kbd&gt; keeps the old one.</source>
+        <translation>Die neue Kontur von %1 in einem Zug zeichnen. &lt;kbd&gt;Esc&lt;/kbd&gt; behält die alte.</translation>
+    </message>
+    <message>
+        <source>Draw a hole in %1 in one go. &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
+        <translation>Ein Loch in %1 in einem Zug zeichnen. &lt;kbd&gt;Esc&lt;/kbd&gt; bricht ab.</translation>
+    </message>
+    <message>
+        <source>Move up to come nearer, down to go away; release to stop.</source>
+        <translation>Nach oben geht es näher heran, nach unten weiter weg; Loslassen beendet es.</translation>
+    </message>
+    <message>
+        <source>Release to select all that is wholly inside. &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
+        <translation>Loslassen wählt alles aus, was ganz darin liegt. &lt;kbd&gt;Esc&lt;/kbd&gt; bricht ab.</translation>
+    </message>
+    <message>
+        <source>Nothing drawn: the line goes there and back and encloses nothing.</source>
+        <translation>Nichts gezeichnet: Die Linie geht hin und zurück und umschließt nichts.</translation>
+    </message>
+    <message>
+        <source>Nothing drawn: the line crosses itself, and no loop of it is large enough.</source>
+        <translation>Nichts gezeichnet: Die Linie kreuzt sich selbst, und keine Schleife davon ist groß genug.</translation>
+    </message>
+    <message>
+        <source>Nothing drawn: mirrored, it would be two pieces. Hold &lt;kbd&gt;Shift&lt;/kbd&gt; to draw one side.</source>
+        <translation>Nichts gezeichnet: Gespiegelt wären es zwei Stücke. &lt;kbd&gt;Umschalt&lt;/kbd&gt; zeichnet nur eine Seite.</translation>
+    </message>
+    <message>
+        <source>%1 was cut flat at the ground.</source>
+        <translation>%1 wurde am Boden eben abgeschnitten.</translation>
+    </message>
+    <message>
+        <source>Cut flat at the ground, %1 fell apart; the largest piece was kept.</source>
+        <translation>Am Boden eben abgeschnitten zerfiel %1; das größte Stück blieb.</translation>
+    </message>
+    <message>
+        <source>Nothing drawn: all of it lies below the ground, where it is cut off.</source>
+        <translation>Nichts gezeichnet: Alles liegt unter dem Boden, wo es abgeschnitten wird.</translation>
+    </message>
+    <message>
+        <source>No hole made: it must lie in %1 and leave it in one piece.</source>
+        <translation>Kein Loch gemacht: Es muss in %1 liegen und sie in einem Stück lassen.</translation>
+    </message>
+    <message>
+        <source>The hole reaches over the edge of %1 and was cut out of it.</source>
+        <translation>Das Loch reicht über den Rand von %1 und wurde aus ihm ausgeschnitten.</translation>
+    </message>
+    <message>
+        <source>The hole met others in %1; they are one hole now.</source>
+        <translation>Das Loch traf andere in %1; sie sind jetzt ein Loch.</translation>
+    </message>
+    <message>
+        <source>Holes of %1 that lie outside of its new contour were left out.</source>
+        <translation>Löcher von %1, die außerhalb der neuen Kontur liegen, wurden weggelassen.</translation>
     </message>
 </context>
 <context>
@@ -2332,6 +2676,18 @@
         <extracomment>%1 is its length, with a unit</extracomment>
         <translation>Schlitz %1</translation>
     </message>
+    <message>
+        <source>Mirrored across the slit</source>
+        <translation>Am Schlitz gespiegelt</translation>
+    </message>
+    <message>
+        <source>Mirrored across the vertical</source>
+        <translation>An der Senkrechten gespiegelt</translation>
+    </message>
+    <message>
+        <source>Cut flat at the ground</source>
+        <translation>Am Boden eben abgeschnitten</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::PropertiesDock</name>
@@ -2404,10 +2760,6 @@
         <translation>noch nichts gezeichnet</translation>
     </message>
     <message>
-        <source>Drawing</source>
-        <translation>Zeichnen</translation>
-    </message>
-    <message>
         <source>Units</source>
         <translation>Einheiten</translation>
     </message>
@@ -2418,18 +2770,6 @@
     <message>
         <source>Edit the stock</source>
         <translation>Material bearbeiten</translation>
-    </message>
-    <message>
-        <source>ms</source>
-        <translation>ms</translation>
-    </message>
-    <message>
-        <source>Turn time</source>
-        <translation>Drehzeit</translation>
-    </message>
-    <message>
-        <source>How long the view takes to turn to the plane of a new section</source>
-        <translation>Wie lange sich die Ansicht zur Ebene einer neuen Scheibe dreht</translation>
     </message>
     <message>
         <source>Joints</source>
@@ -2695,6 +3035,26 @@
     <message>
         <source>High contrast</source>
         <translation>Hoher Kontrast</translation>
+    </message>
+    <message>
+        <source>Turn to</source>
+        <translation>Drehen auf</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>At 90° you look straight at the new plane. With less, the section that you started on stays to be seen.</source>
+        <translation>Bei 90° blickt man gerade auf die neue Ebene. Mit weniger bleibt die Scheibe zu sehen, auf der man begonnen hat.</translation>
+    </message>
+    <message>
+        <source>Mouse as in</source>
+        <translation>Maus wie in</translation>
+    </message>
+    <message>
+        <source>Which buttons turn, move and zoom the view. Ctrl with the left button always turns it, Space with the left button moves it.</source>
+        <translation>Welche Tasten die Ansicht drehen, verschieben und zoomen. Strg mit der linken Taste dreht immer, Leertaste mit der linken verschiebt.</translation>
     </message>
 </context>
 <context>

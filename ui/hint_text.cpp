@@ -76,8 +76,9 @@ QString hintSentence(const Hint &hint, const QString &undoKeys)
         return HintText::tr("<b>Release</b> to make the section, mirrored across the slit. Hold "
                             "<kbd>Shift</kbd> to keep only this side. <kbd>Esc</kbd> cancels.");
     case Hint::Kind::ReleaseToMirrorFirst:
-        return HintText::tr("<b>Release</b> to make the section, mirrored across the vertical. Hold "
-                            "<kbd>Shift</kbd> to keep only this side.");
+        return HintText::tr(
+            "<b>Release</b> to make the section, mirrored across the vertical. Hold "
+            "<kbd>Shift</kbd> to keep only this side.");
     case Hint::Kind::DrawOnPlane:
         return drawOn(QString::fromStdString(hint.section));
     case Hint::Kind::DrawParallel:

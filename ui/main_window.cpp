@@ -214,6 +214,11 @@ void MainWindow::addCommands()
     add("view.previousPane", [this] { goToPane(*this, m_toolBar, m_view, -1); });
     add("check.nextProblem", [this] { m_checks->goToProblem(1); });
     add("check.previousProblem", [this] { m_checks->goToProblem(-1); });
+    const auto addSwitch = [&add](const char *id, DrawingSwitch what) {
+        add(id, [what] { settings().setOn(what, !settings().isOn(what)); });
+    };
+    addSwitch("section.symmetry", DrawingSwitch::Symmetry);
+    addSwitch("section.ground", DrawingSwitch::Ground);
     add("fabricate.stocks", [this] { showStocks({}); });
 }
 

@@ -19,6 +19,7 @@ target_sources(fff_ui PRIVATE
     docks/check_row.cpp
     docks/checks_dock.cpp
     docks/dock_title.cpp
+    docks/drawing_page.cpp
     docks/history_dock.cpp
     docks/outline_dock.cpp
     docks/properties_dock.cpp
@@ -44,6 +45,7 @@ target_sources(fff_ui PRIVATE
     naming.cpp
     panes.cpp
     properties/choice_box.cpp
+    properties/drawing_group.cpp
     properties/joint_rows.cpp
     properties/length_edit.cpp
     properties/number_edit.cpp

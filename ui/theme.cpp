@@ -224,6 +224,8 @@ ViewStyle Theme::viewStyle() const
         style.gridStrong = QColor(0x5a, 0x64, 0x70);
         style.shadow = QColor(0, 0, 0, 158);
         style.slit = QColor(0xff, 0x9a, 0x5c);
+        style.symmetry = QColor(0xf0, 0x7b, 0xe3);
+        style.guide = QColor(0x3f, 0xd0, 0xc0);
         style.casing = QColor(0x15, 0x11, 0x0c);
         style.faceBrightness = 0.94;
     }
@@ -232,6 +234,8 @@ ViewStyle Theme::viewStyle() const
         style.gridFine = isDark ? QColor(0x5a, 0x5a, 0x5a) : QColor(0xa6, 0xa6, 0xa6);
         style.gridStrong = isDark ? QColor(0xa6, 0xa6, 0xa6) : QColor(0x5a, 0x5a, 0x5a);
         style.slit = isDark ? QColor(0xff, 0xb0, 0x80) : QColor(0x7a, 0x26, 0x00);
+        style.symmetry = isDark ? QColor(0xff, 0x9c, 0xf2) : QColor(0x7a, 0x00, 0x6c);
+        style.guide = isDark ? QColor(0x6f, 0xf0, 0xe0) : QColor(0x00, 0x4f, 0x48);
         style.edge = QColor(0x00, 0x00, 0x00);
         style.edgeWidth = 1.5;
         style.silhouetteWidth = 2.2;

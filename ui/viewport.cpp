@@ -53,6 +53,19 @@ Button toButton(Qt::MouseButton button)
     }
 }
 
+std::optional<ToolKey> toolKey(const QKeyEvent *event)
+{
+    switch (event->key()) {
+    case Qt::Key_Return:
+    case Qt::Key_Enter:
+        return ToolKey::Enter;
+    case Qt::Key_Backspace:
+        return ToolKey::Backspace;
+    default:
+        return std::nullopt;
+    }
+}
+
 } // namespace
 
 bool Viewport::Seen::isSamePicture(const Seen &other) const
@@ -64,8 +77,8 @@ bool Viewport::Seen::operator==(const Seen &other) const
 {
     return isSamePicture(other) && selection == other.selection && outlined == other.outlined &&
            hovered == other.hovered && namePlace == other.namePlace && cubePart == other.cubePart &&
-           isHandleHovered == other.isHandleHovered && hasGesture == other.hasGesture &&
-           marks == other.marks && litMark == other.litMark;
+           isHandleHovered == other.isHandleHovered && hasBand == other.hasBand &&
+           hasGesture == other.hasGesture && marks == other.marks && litMark == other.litMark;
 }
 
 Viewport::Viewport(Workbench &bench, QWidget *parent) : QOpenGLWidget(parent), m_bench(bench)
@@ -284,6 +297,7 @@ PointerEvent Viewport::pointer(PointerEvent::Type type, const QPointF &place,
 
 PointerEvent Viewport::pointer(PointerEvent::Type type, QSinglePointEvent *event)
 {
+    m_cursor = toVec(event->position());
     PointerEvent pointer =
         this->pointer(type, event->position(), event->modifiers(), event->timestamp());
     pointer.button = toButton(event->button());
@@ -338,9 +352,26 @@ void Viewport::keyPressEvent(QKeyEvent *event)
     } else if (event->key() == Qt::Key_Escape) {
         m_bench.clock().observe(event->timestamp());
         m_bench.escape();
-    } else {
+    } else if (const auto key = toolKey(event); key && m_bench.wants(*key)) {
+        m_bench.clock().observe(event->timestamp());
+        m_bench.key(*key);
+    } else if (!tellOfModifiers(event)) {
         QOpenGLWidget::keyPressEvent(event);
     }
+}
+
+/// A gesture may do something else while Shift or Ctrl is held, also when the mouse rests.
+bool Viewport::tellOfModifiers(QKeyEvent *event)
+{
+    if ((event->key() != Qt::Key_Shift && event->key() != Qt::Key_Control) || event->isAutoRepeat())
+        return false;
+    PointerEvent told = pointer(PointerEvent::Type::Modifiers, QPointF(m_cursor.x(), m_cursor.y()),
+                                event->modifiers(), event->timestamp());
+    // Qt's modifiers of the key itself are those from before it on some platforms.
+    (event->key() == Qt::Key_Shift ? told.modifiers.shift : told.modifiers.control) =
+        event->type() == QEvent::KeyPress;
+    m_bench.handle(told);
+    return true;
 }
 
 void Viewport::keyReleaseEvent(QKeyEvent *event)
@@ -348,12 +379,20 @@ void Viewport::keyReleaseEvent(QKeyEvent *event)
     flushMoves();
     if (event->key() == Qt::Key_Space && !event->isAutoRepeat())
         m_isSpaceHeld = false;
-    else
+    else if (!tellOfModifiers(event))
         QOpenGLWidget::keyReleaseEvent(event);
 }
 
 bool Viewport::event(QEvent *event)
 {
+    // Keys of the tool in the hand before shortcuts of the same keys.
+    if (event->type() == QEvent::ShortcutOverride) {
+        const auto key = toolKey(static_cast<QKeyEvent *>(event));
+        if (key && m_bench.wants(*key)) {
+            event->accept();
+            return true;
+        }
+    }
     if (event->type() == QEvent::NativeGesture && pinch(static_cast<QNativeGestureEvent *>(event)))
         return true;
     if (event->type() == QEvent::Leave)
@@ -412,10 +451,19 @@ Viewport::Seen Viewport::seen() const
 {
     const Interaction &interaction = m_bench.interaction();
     const Overlay &overlay = interaction.overlay();
-    return {interaction.camera(),       interaction.view(),      interaction.selection(),
-            presentlyOutlined(),        overlay.hovered,         overlay.namePlace,
-            overlay.cubePart,           overlay.isHandleHovered, interaction.hasGesture(),
-            overlay.stroke.has_value(), interaction.marks(),     litMark()};
+    return {interaction.camera(),
+            interaction.view(),
+            interaction.selection(),
+            presentlyOutlined(),
+            overlay.hovered,
+            overlay.namePlace,
+            overlay.cubePart,
+            overlay.isHandleHovered,
+            interaction.hasGesture(),
+            overlay.stroke.has_value(),
+            overlay.band.has_value(),
+            interaction.marks(),
+            litMark()};
 }
 
 /// Something that is seen may have changed: paints only if it has.
@@ -434,7 +482,7 @@ void Viewport::refresh()
 
     const Overlay &overlay = interaction.overlay();
     Seen now = seen();
-    const bool drawsMarks = overlay.slit || overlay.deadZone || overlay.stroke;
+    const bool drawsMarks = overlay.slit || overlay.deadZone || overlay.stroke || overlay.band;
     if (now == m_seen && !drawsMarks)
         return;
     if (!now.isSamePicture(m_seen))

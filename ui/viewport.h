@@ -61,7 +61,7 @@ private:
         int hovered = -1;
         std::optional<Vec2> namePlace;
         std::optional<CubePart> cubePart;
-        bool isHandleHovered = false, hasGesture = false, isGhosted = false;
+        bool isHandleHovered = false, hasGesture = false, isGhosted = false, hasBand = false;
         std::vector<ProblemMark> marks;
         int litMark = 0;
 
@@ -73,6 +73,7 @@ private:
     PointerEvent pointer(PointerEvent::Type type, const QPointF &place, Qt::KeyboardModifiers keys,
                          quint64 time);
     bool pinch(QNativeGestureEvent *event);
+    bool tellOfModifiers(QKeyEvent *event);
     void showFocus(bool shows);
     void flushMoves();
     void leave();
@@ -92,6 +93,7 @@ private:
     Scene m_scene;
     bool m_isUsable = false;
     bool m_isSpaceHeld = false;
+    Vec2 m_cursor = Vec2::Zero();      // px, of the last event that had a place
     bool m_showsFocus = false;         // a frame says that keys go here
     std::vector<PointerEvent> m_moves; // of the burst that is coming in
     QTimer m_burst;                    // ends when nothing more is at hand

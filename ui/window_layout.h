@@ -26,8 +26,8 @@ public:
 
     /// Every dock where it is at first, for the window's present width.
     void reset();
-    /// The window's size as save() has kept it, unless this screen cannot follow. Call when all docks
-    /// were added, before the window is shown.
+    /// The window's size as save() has kept it, unless this screen cannot follow. Call when all
+    /// docks were added, before the window is shown.
     void restore();
     /// For the next start. Docks that are hidden all together are kept as they were before.
     void save() const;

@@ -1,5 +1,7 @@
 #include "ui/workbench.h"
 
+#include "core/base/units.h"
+#include "core/interaction/tool.h"
 #include "core/session/session_commands.h"
 #include "ui/naming.h"
 #include "ui/settings/settings.h"
@@ -18,6 +20,7 @@ Workbench::Workbench(QObject *parent)
     connect(&m_session, &Session::modelChanged, this, &Workbench::announceChanges);
     registerSessionCommands(m_commands, m_session, *m_interaction);
     connect(&settings(), &Settings::viewChanged, this, &Workbench::followSettings);
+    connect(&settings(), &Settings::drawingChanged, this, &Workbench::followSettings);
     followSettings();
     m_interaction->settings().naming = naming();
 }
@@ -25,7 +28,13 @@ Workbench::Workbench(QObject *parent)
 void Workbench::followSettings()
 {
     const Settings &set = settings();
-    m_interaction->settings().turnTime = set.animationTime(set.turnTime());
+    InteractionSettings &with = m_interaction->settings();
+    with.turnTime = set.animationTime(set.turnTime());
+    with.turnAngle = radians(set.turnAngle());
+    with.navigation = set.navigation();
+    with.mirrors = set.isOn(DrawingSwitch::Symmetry);
+    with.mirrorsFirst = set.isOn(DrawingSwitch::FirstSymmetry);
+    with.cutsAtGround = set.isOn(DrawingSwitch::Ground);
 }
 
 Workbench::~Workbench()
@@ -53,6 +62,18 @@ bool Workbench::escape()
     const bool went = m_interaction->escape(m_clock.now());
     announceChanges();
     return went;
+}
+
+bool Workbench::wants(ToolKey key) const
+{
+    return m_interaction->wants(key);
+}
+
+bool Workbench::key(ToolKey key)
+{
+    const bool wasUsed = m_interaction->key(key, m_clock.now());
+    announceChanges();
+    return wasUsed;
 }
 
 bool Workbench::advance()
@@ -149,8 +170,11 @@ void Workbench::announceChanges()
     }
     const Projection projection = m_interaction->targetCamera().projection;
     const bool canGoBack = m_interaction->canGoBack();
+    const Tool *tool = m_interaction->tool();
+    const std::string toolCommand = tool ? std::string(tool->command()) : std::string();
     if (!(m_view == m_interaction->view()) || m_projection != projection ||
-        m_couldGoBack != canGoBack) {
+        m_couldGoBack != canGoBack || m_toolCommand != toolCommand) {
+        m_toolCommand = toolCommand;
         m_view = m_interaction->view();
         m_projection = projection;
         m_couldGoBack = canGoBack;

@@ -30,6 +30,9 @@ public:
     void setViewport(const Vec2 &size);
     void handle(const PointerEvent &event);
     bool escape();
+    /// Of the tool in the hand.
+    bool wants(ToolKey key) const;
+    bool key(ToolKey key);
     /// Moves animations on; true while one runs.
     bool advance();
     EventClock &clock() { return m_clock; }
@@ -71,7 +74,7 @@ Q_SIGNALS:
     void hintChanged();
     /// Camera, hover marks, gesture: what is seen but not in the model.
     void viewChanged();
-    /// What is hidden, isolated, seen through or cut open, or the projection.
+    /// What is hidden, isolated, seen through or cut open, the projection, or the tool in the hand.
     void viewStateChanged();
     void editFailed(const fff::Error &error);
     /// The mark of this problem was clicked, or is under the cursor (0: none is).
@@ -92,6 +95,7 @@ private:
     int m_litProblem = 0, m_hoveredProblem = 0;
     Projection m_projection = Projection::Orthographic;
     bool m_couldGoBack = false;
+    std::string m_toolCommand; // of the tool in the hand
     EventClock m_clock;
     CommandRegistry m_commands;
     std::string m_viewToShow; // asked for before there was a size

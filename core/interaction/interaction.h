@@ -40,6 +40,7 @@ struct Overlay
     {
         Vec3 from, to;        // pressed point, cursor or leaving point
         bool hasLeft = false; // `to` is where the stroke left the section
+        std::string section;  // its name
     };
     struct DeadZone
     {

@@ -199,7 +199,7 @@ void StrokeGesture::updateOverlay(GestureContext &context) const
         const Frame &frame = m_ground->section->frame;
         overlay.slit =
             Overlay::SlitLine{frame.toWorld(m_stroke.slitFrom()), frame.toWorld(m_stroke.slitTo()),
-                              state != Stroke::State::Slit};
+                              state != Stroke::State::Slit, m_ground->section->name};
         if (state == Stroke::State::DeadZone)
             overlay.deadZone =
                 Overlay::DeadZone{overlay.slit->from, overlay.slit->to,

@@ -9,8 +9,10 @@ set(icon_names
     clock
     close
     close_window
+    cut_at_ground
     cut_open
     docks
+    drop_to_ground
     duplicate
     err
     export
@@ -23,6 +25,7 @@ set(icon_names
     full_screen
     ground_shadow
     hide
+    hole
     isolate
     keyboard
     mouse
@@ -31,11 +34,16 @@ set(icon_names
     next_problem
     open
     perspective
+    plane_front
+    plane_ground
+    plane_parallel
+    plane_side
     plus
     previous_pane
     previous_problem
     quit
     redo
+    redraw
     reset_window
     revert
     save
@@ -47,6 +55,7 @@ set(icon_names
     show_all
     start
     stocks
+    symmetry
     trash
     undo
     unknown

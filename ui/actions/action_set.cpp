@@ -1,5 +1,6 @@
 #include "ui/actions/action_set.h"
 
+#include "core/interaction/tool.h"
 #include "ui/actions/action_table.h"
 #include "ui/icon.h"
 #include "ui/settings/settings.h"
@@ -14,6 +15,11 @@ namespace fff::ui {
 namespace {
 
 constexpr char kSentence[] = "sentence"; // of the tooltip, without the shortcut
+
+/// Checked while their tool is in the hand.
+constexpr const char *kTools[] = {"section.planeGround", "section.planeFront",
+                                  "section.planeSide",   "section.planeParallel",
+                                  "section.redraw",      "section.addHole"};
 
 const ActionRow &rowOf(const QString &id)
 {
@@ -51,6 +57,7 @@ ActionSet::ActionSet(Workbench &bench, QObject *parent) : QObject(parent), m_ben
     action("help.about")->setMenuRole(QAction::AboutRole);
 
     connect(&settings(), &Settings::shortcutsChanged, this, &ActionSet::applyShortcuts);
+    connect(&settings(), &Settings::drawingChanged, this, &ActionSet::refresh);
     connect(&bench, &Workbench::selectionChanged, this, &ActionSet::refresh);
     connect(&bench, &Workbench::viewStateChanged, this, &ActionSet::refresh);
     connect(&bench.session(), &Session::modelChanged, this, &ActionSet::refresh);
@@ -191,6 +198,19 @@ void ActionSet::refresh()
     action("view.isolate")->setChecked(isIsolated);
     action("view.clip")->setChecked(view.clip.has_value());
     action("view.shadow")->setChecked(view.hasGround);
+
+    const bool hasOne = m_bench.interaction().selection().size() == 1;
+    const QString selectOne = tr("Select one section first");
+    for (const char *id : {"section.redraw", "section.addHole", "section.planeParallel"})
+        setAble(id, hasOne, selectOne);
+    setAble("section.dropToGround", m_bench.commands().isEnabled("section.dropToGround"),
+            hasSections ? tr("The model stands on the ground") : nothingThere);
+    const Tool *tool = interaction.tool();
+    const std::string_view held = tool ? tool->command() : std::string_view();
+    for (const char *id : kTools)
+        action(id)->setChecked(held == id);
+    action("section.symmetry")->setChecked(settings().isOn(DrawingSwitch::Symmetry));
+    action("section.ground")->setChecked(settings().isOn(DrawingSwitch::Ground));
 }
 
 } // namespace fff::ui

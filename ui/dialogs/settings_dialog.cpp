@@ -215,6 +215,20 @@ QWidget *SettingsDialog::makeView()
                  [](double value) { settings().setTurnTime(static_cast<int>(value)); });
     form->note(tr("How long the view takes, while you draw, to turn to the new plane. With 0 it "
                   "jumps."));
+    range.least = Settings::kMinTurnAngle;
+    range.most = Settings::kMaxTurnAngle;
+    range.step = 1;
+    form->number("settingsTurnAngle", tr("Turn to"), range, tr("°"), settings().turnAngle(),
+                 [](double value) { settings().setTurnAngle(static_cast<int>(value)); });
+    form->note(tr("At 90° you look straight at the new plane. With less, the section that you "
+                  "started on stays to be seen."));
+    form->choice("settingsNavigation", tr("Mouse as in"),
+                 {QStringLiteral("FlatFitFab"), QStringLiteral("Blender"),
+                  QStringLiteral("FreeCAD"), QStringLiteral("Onshape")},
+                 static_cast<int>(settings().navigation()),
+                 [](int index) { settings().setNavigation(static_cast<NavigationPreset>(index)); });
+    form->note(tr("Which buttons turn, move and zoom the view. Ctrl with the left button always "
+                  "turns it, Space with the left button moves it."));
     form->choice("settingsMotion", tr("Motion"),
                  {tr("As the system"), tr("Always"), tr("As little as possible")},
                  static_cast<int>(settings().motion()),

@@ -15,7 +15,7 @@ public:
     {
         QString glyph; // name of an icon
         QColor colour;
-        QString kind; // "Problem", for those who hear it
+        QString kind;   // "Problem", for those who hear it
         int number = 0; // of a problem, before its title; 0: none
         QString title, text;
         QString link; // what can be done at once; may be empty

@@ -4,8 +4,10 @@
 #include "core/base/units.h"
 #include "core/model/edits.h"
 #include "ui/docks/dock_title.h"
+#include "ui/docks/drawing_page.h"
 #include "ui/docks/properties_header.h"
 #include "ui/measures.h"
+#include "ui/properties/drawing_group.h"
 #include "ui/properties/joint_rows.h"
 #include "ui/properties/property_rows.h"
 #include "ui/properties/stock_choice.h"
@@ -97,6 +99,8 @@ PropertiesDock::PropertiesDock(Workbench &bench, QWidget *parent)
     column->addSpacing(12);
     column->addWidget(m_modelPage);
     column->addWidget(m_sectionPage);
+    m_drawingPage = new DrawingPage(bench, content);
+    column->addWidget(m_drawingPage);
     column->addStretch(1);
     area->setWidget(content);
     setWidget(area);
@@ -105,7 +109,10 @@ PropertiesDock::PropertiesDock(Workbench &bench, QWidget *parent)
     connect(&bench.session(), &Session::modelChanged, this, &PropertiesDock::refresh);
     connect(&bench.session(), &Session::analysisChanged, this, &PropertiesDock::refresh);
     connect(&settings(), &Settings::unitChanged, this, &PropertiesDock::refresh);
-    connect(&settings(), &Settings::viewChanged, this, &PropertiesDock::refresh);
+    connect(&bench, &Workbench::viewChanged, this, [this] {
+        if (m_drawingPage->isWanted() || !m_drawingPage->isHidden())
+            refresh();
+    });
     connect(this, &QDockWidget::visibilityChanged, this, &PropertiesDock::refresh);
 }
 
@@ -113,7 +120,7 @@ QWidget *PropertiesDock::makeModelPage(QWidget *parent)
 {
     auto *page = new QWidget(parent);
     auto *model = new PropertyGroup(tr("Model"), page);
-    auto *drawing = new PropertyGroup(tr("Drawing"), page);
+    auto *drawing = new DrawingGroup(page);
     const auto add = [this](PropertyGroup *group, PropertyRow *row) {
         group->add(row);
         m_modelRows.push_back(row);
@@ -162,15 +169,6 @@ QWidget *PropertiesDock::makeModelPage(QWidget *parent)
         Q_EMIT stockWanted(m_bench.session().committed().document.currentStock);
     });
     add(model, stock);
-
-    auto *turn = new NumberEdit({0.0, Settings::kMaxTurnTime, 50.0, 0, 0}, tr("ms"), drawing);
-    connect(turn, &NumberEdit::numberEdited, this,
-            [](double time) { settings().setTurnTime(static_cast<int>(time)); });
-    auto *turnRow = new EditorRow(
-        tr("Turn time"), "turnTime", turn, [turn] { turn->setNumber(settings().turnTime()); },
-        drawing);
-    turnRow->setToolTip(tr("How long the view takes to turn to the plane of a new section"));
-    add(drawing, turnRow);
 
     auto *column = new QVBoxLayout(page);
     column->setContentsMargins(0, 0, 0, 0);
@@ -405,11 +403,18 @@ void PropertiesDock::refresh()
 {
     if (!isVisible())
         return; // once it is seen again
+    const bool isDrawing = m_drawingPage->isWanted();
+    m_drawingPage->setVisible(isDrawing);
+    m_header->setVisible(!isDrawing);
     m_selected = selectedSections(m_bench);
     const bool hasSection = !m_selected.empty();
+    m_modelPage->setVisible(!hasSection && !isDrawing);
+    m_sectionPage->setVisible(hasSection && !isDrawing);
+    if (isDrawing) {
+        m_drawingPage->refresh();
+        return;
+    }
     m_header->refresh();
-    m_modelPage->setVisible(!hasSection);
-    m_sectionPage->setVisible(hasSection);
     for (PropertyRow *row : hasSection ? m_sectionRows : m_modelRows)
         row->refresh();
     if (hasSection)

@@ -11,6 +11,7 @@
 
 namespace fff::ui {
 
+class DrawingPage;
 class JointRows;
 class PropertiesHeader;
 class PropertyGroup;
@@ -44,6 +45,7 @@ private:
     Workbench &m_bench;
     PropertiesHeader *m_header = nullptr;
     QWidget *m_modelPage = nullptr, *m_sectionPage = nullptr;
+    DrawingPage *m_drawingPage = nullptr; // while a stroke is drawn
     PropertyGroup *m_jointGroup = nullptr;
     JointRows *m_joints = nullptr;
     std::vector<int> m_selected; // indices in the model that is shown, as of refresh()

@@ -7,6 +7,7 @@
 #include <QStandardPaths>
 
 #include <algorithm>
+#include <iterator>
 #include <memory>
 #include <utility>
 
@@ -21,6 +22,8 @@ const QString kLanguage = QStringLiteral("display/language");
 const QString kStartPage = QStringLiteral("start/page");
 const QString kTurnTime = QStringLiteral("view/turnTime");
 const QString kMotion = QStringLiteral("view/motion");
+const QString kTurnAngle = QStringLiteral("drawing/turnAngle");
+const QString kNavigation = QStringLiteral("view/navigation");
 const QString kAutosave = QStringLiteral("files/autosaveInterval");
 const QString kBackup = QStringLiteral("files/backup");
 const QString kRecent = QStringLiteral("files/recent");
@@ -29,6 +32,7 @@ const QString kGeometry = QStringLiteral("window/geometry");
 const QString kState = QStringLiteral("window/state");
 
 constexpr int kTurnTimeDefault = 800; // ms
+constexpr int kTurnAngleDefault = 90; // degrees
 constexpr int kAutosaveDefault = 10;  // s
 
 template <class Value>
@@ -42,6 +46,27 @@ const Words<ColourScheme> kSchemes = {{ColourScheme::System, "system"},
                                       {ColourScheme::HighContrast, "contrast"}};
 const Words<Motion> kMotions = {
     {Motion::System, "system"}, {Motion::Full, "full"}, {Motion::Reduced, "reduced"}};
+
+const Words<NavigationPreset> kNavigations = {{NavigationPreset::FlatFitFab, "flatfitfab"},
+                                              {NavigationPreset::Blender, "blender"},
+                                              {NavigationPreset::FreeCad, "freecad"},
+                                              {NavigationPreset::Onshape, "onshape"}};
+
+struct SwitchRow
+{
+    DrawingSwitch what;
+    const char *key;
+    bool byDefault;
+};
+constexpr SwitchRow kSwitches[] = {{DrawingSwitch::Symmetry, "drawing/symmetry", true},
+                                   {DrawingSwitch::FirstSymmetry, "drawing/firstSymmetry", false},
+                                   {DrawingSwitch::Ground, "drawing/ground", true}};
+
+const SwitchRow &rowOf(DrawingSwitch what)
+{
+    return *std::find_if(std::begin(kSwitches), std::end(kSwitches),
+                         [what](const SwitchRow &row) { return row.what == what; });
+}
 
 /// The first of `words` is the default.
 template <class Value>
@@ -213,6 +238,46 @@ bool Settings::reducesMotion() const
 {
     const Motion chosen = motion();
     return chosen == Motion::Reduced || (chosen == Motion::System && systemReducesMotion());
+}
+
+bool Settings::isOn(DrawingSwitch what) const
+{
+    const SwitchRow &row = rowOf(what);
+    return truthOf(m_store.value(QLatin1String(row.key)), row.byDefault);
+}
+
+void Settings::setOn(DrawingSwitch what, bool on)
+{
+    if (on == isOn(what))
+        return;
+    store(QLatin1String(rowOf(what).key), on);
+    Q_EMIT drawingChanged();
+}
+
+int Settings::turnAngle() const
+{
+    return numberOf(m_store.value(kTurnAngle), kMinTurnAngle, kMaxTurnAngle, kTurnAngleDefault);
+}
+
+void Settings::setTurnAngle(int degrees)
+{
+    if (degrees == turnAngle())
+        return;
+    store(kTurnAngle, std::clamp(degrees, kMinTurnAngle, kMaxTurnAngle));
+    Q_EMIT drawingChanged();
+}
+
+NavigationPreset Settings::navigation() const
+{
+    return valueOf(m_store.value(kNavigation), kNavigations);
+}
+
+void Settings::setNavigation(NavigationPreset preset)
+{
+    if (preset == navigation())
+        return;
+    store(kNavigation, wordOf(preset, kNavigations));
+    Q_EMIT drawingChanged();
 }
 
 int Settings::autosaveInterval() const

@@ -10,6 +10,7 @@
 // Every setter writes at once and announces only what differs.
 #pragma once
 
+#include "core/interaction/navigation.h"
 #include "ui/view/length_unit.h"
 
 #include <QByteArray>
@@ -25,6 +26,8 @@ namespace fff::ui {
 
 enum class ColourScheme { System, Light, Dark, HighContrast };
 enum class Motion { System, Full, Reduced };
+/// How strokes are drawn: local symmetry, also for the first section, and cut flat at the ground.
+enum class DrawingSwitch { Symmetry, FirstSymmetry, Ground };
 
 class Settings : public QObject
 {
@@ -61,6 +64,16 @@ public:
     /// ms that an animation of `milliseconds` takes: none with reduced motion.
     int animationTime(int milliseconds) const { return reducesMotion() ? 0 : milliseconds; }
 
+    // Drawing
+    bool isOn(DrawingSwitch what) const;
+    void setOn(DrawingSwitch what, bool on);
+    static constexpr int kMinTurnAngle = 60, kMaxTurnAngle = 90; // degrees
+    /// To which the view turns in a stroke; below 90° the slit's section stays to be seen.
+    int turnAngle() const;
+    void setTurnAngle(int degrees);
+    NavigationPreset navigation() const;
+    void setNavigation(NavigationPreset preset);
+
     // Files
     static constexpr int kMinAutosaveInterval = 5, kMaxAutosaveInterval = 30; // s
     int autosaveInterval() const;                                             // s
@@ -96,6 +109,7 @@ Q_SIGNALS:
     void languageChanged();
     void startPageChanged();
     void viewChanged();     // turn time, motion
+    void drawingChanged();  // all of Drawing
     void autosaveChanged(); // interval, backup
     void recentFilesChanged();
     void shortcutsChanged();

@@ -2,6 +2,7 @@
 
 #include "core/interaction/clip_gesture.h"
 #include "ui/view/scale_bar.h"
+#include "ui/view/stroke_marks.h"
 #include "ui/view/view_cube_painter.h"
 
 #include <QCoreApplication>
@@ -18,16 +19,16 @@ class Drawing
 public:
     Drawing(QPainter &painter, const OverlayScene &scene, const ViewStyle &style,
             const QLocale &locale)
-        : m_painter(painter), m_scene(scene), m_style(style), m_locale(locale)
+        : m_pen(painter, scene.camera, scene.viewport, style), m_painter(painter), m_scene(scene),
+          m_style(style), m_locale(locale)
     {
     }
 
     void ground();
     void scaleBar();
     void invitation();
-    void deadZone();
-    void stroke();
-    void slit();
+    void stroke() { paintStroke(m_pen, m_scene.overlay, isGroundALine(), m_scene.unit, m_locale); }
+    void band();
     void cutHandle();
     void hoveredName();
     void progress();
@@ -40,42 +41,32 @@ public:
     }
 
 private:
-    QPointF screen(const Vec3 &world) const
-    {
-        const Vec2 p = m_scene.camera.toScreen(world, m_scene.viewport);
-        return {p.x(), p.y()};
-    }
-    QPainterPath path(const std::vector<CubicBezier> &curve, const Frame &frame) const;
-    void cased(const QPainterPath &path, const QPen &pen);
-    void ring(const QPointF &centre, double radius, const QColor &colour);
-    void chip(const QPointF &rightMiddle, const QString &text, const QColor &colour);
+    QPointF screen(const Vec3 &world) const { return m_pen.screen(world); }
+    void cased(const QPainterPath &path, const QPen &pen) { m_pen.cased(path, pen); }
+    bool isGroundALine() const;
 
+    MarkPen m_pen;
     QPainter &m_painter;
     const OverlayScene &m_scene;
     const ViewStyle &m_style;
     const QLocale &m_locale;
 };
 
-QPen roundPen(const QColor &colour, double width)
-{
-    return QPen(colour, width, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin);
-}
-
-QColor faded(QColor colour, double alpha)
-{
-    colour.setAlphaF(static_cast<float>(alpha));
-    return colour;
-}
-
-/// Seen from the side the ground is a line; what is under it is hatched.
-void Drawing::ground()
+/// Seen from the side the ground is a line.
+bool Drawing::isGroundALine() const
 {
     // In perspective it is one only from the height of the ground itself.
     const double rise = m_scene.camera.isPerspective()
                             ? m_scene.camera.eye(m_scene.viewport).y() /
                                   m_scene.camera.eyeDistance(m_scene.viewport)
                             : m_scene.camera.forward().y();
-    if (!m_scene.view.hasGround || std::abs(rise) > 0.01 || m_scene.camera.up().y() < 0.5)
+    return m_scene.view.hasGround && std::abs(rise) <= 0.01 && m_scene.camera.up().y() >= 0.5;
+}
+
+/// What is under the line of the ground is hatched.
+void Drawing::ground()
+{
+    if (!isGroundALine())
         return;
     const Vec3 &target = m_scene.camera.target;
     const double y = std::round(screen({target.x(), 0.0, target.z()}).y());
@@ -130,118 +121,16 @@ void Drawing::invitation()
                                     "Draw a shape here with the left button held down."));
 }
 
-void Drawing::deadZone()
+void Drawing::band()
 {
-    const auto &zone = m_scene.overlay.deadZone;
-    if (!zone)
+    if (!m_scene.overlay.band)
         return;
-    QPainterPath line(screen(zone->from));
-    line.lineTo(screen(zone->to) + QPointF(1e-3, 0.0)); // a slit seen end-on still has its circle
-    QPainterPathStroker stroker;
-    stroker.setWidth(2.0 * zone->radius);
-    stroker.setCapStyle(Qt::RoundCap);
-    const QPainterPath capsule = stroker.createStroke(line).simplified();
-    m_painter.fillPath(capsule, faded(m_style.deadZone, 0.13));
-    QPen pen(m_style.deadZone, 1.4);
-    pen.setDashPattern({4.0, 3.0});
-    m_painter.strokePath(capsule, pen);
-}
-
-QPainterPath Drawing::path(const std::vector<CubicBezier> &curve, const Frame &frame) const
-{
-    QPainterPath path;
-    for (const CubicBezier &piece : curve) {
-        const QPointF from = screen(frame.toWorld(piece.p0));
-        if (path.elementCount() == 0)
-            path.moveTo(from);
-        if (m_scene.camera.isPerspective()) {
-            // A cubic is none any more in perspective: chords of it.
-            constexpr int kChords = 12;
-            for (int i = 1; i <= kChords; ++i)
-                path.lineTo(screen(frame.toWorld(piece.at(double(i) / kChords))));
-            continue;
-        }
-        path.cubicTo(screen(frame.toWorld(piece.p1)), screen(frame.toWorld(piece.p2)),
-                     screen(frame.toWorld(piece.p3)));
-    }
-    return path;
-}
-
-void Drawing::cased(const QPainterPath &line, const QPen &pen)
-{
-    m_painter.strokePath(line, roundPen(m_style.panel, pen.widthF() + 2.4));
-    m_painter.strokePath(line, pen);
-}
-
-void Drawing::stroke()
-{
-    const auto &stroke = m_scene.overlay.stroke;
-    if (!stroke)
-        return;
-    if (stroke->closing) {
-        QPen pen = roundPen(m_style.accent, 2.0);
-        pen.setDashPattern({0.1, 2.6});
-        cased(path({*stroke->closing}, stroke->canvas), pen);
-    }
-    cased(path(stroke->fitted, stroke->canvas), roundPen(m_style.accent, 2.8));
-    m_painter.setPen(Qt::NoPen);
-    m_painter.setBrush(faded(m_style.text, 0.35));
-    for (const Vec2 &sample : stroke->samples)
-        m_painter.drawEllipse(screen(stroke->canvas.toWorld(sample)), 1.0, 1.0);
-    if (!stroke->samples.empty()) {
-        m_painter.setBrush(m_style.accent);
-        m_painter.setPen(QPen(m_style.panel, 1.0));
-        m_painter.drawEllipse(screen(stroke->canvas.toWorld(stroke->samples.back())), 4.0, 4.0);
-    }
-}
-
-void Drawing::ring(const QPointF &centre, double radius, const QColor &colour)
-{
-    m_painter.setBrush(m_style.panel);
-    m_painter.setPen(QPen(colour, 2.0));
-    m_painter.drawEllipse(centre, radius, radius);
-}
-
-void Drawing::chip(const QPointF &rightMiddle, const QString &text, const QColor &colour)
-{
-    m_painter.save();
-    QFont font = m_painter.font();
-    font.setPixelSize(12);
-    font.setWeight(QFont::DemiBold);
-    m_painter.setFont(font);
-    const double width = QFontMetricsF(font).horizontalAdvance(text) + 16.0, height = 22.0;
-    QRectF box(rightMiddle.x() - width, rightMiddle.y() - 0.5 * height, width, height);
-    // Always whole, also when the slit is at the view's edge.
-    box.moveLeft(std::clamp(box.left(), 4.0, std::max(4.0, m_scene.viewport.x() - width - 4.0)));
-    box.moveTop(std::clamp(box.top(), 4.0, std::max(4.0, m_scene.viewport.y() - height - 4.0)));
-    m_painter.setPen(QPen(colour, 1.0));
-    m_painter.setBrush(faded(m_style.panel, 0.94));
-    m_painter.drawRoundedRect(QRectF(box.toAlignedRect()).adjusted(0.5, 0.5, -0.5, -0.5), 3.0, 3.0);
-    m_painter.drawText(box, Qt::AlignCenter, text);
-    m_painter.restore();
-}
-
-void Drawing::slit()
-{
-    const auto &slit = m_scene.overlay.slit;
-    if (!slit)
-        return;
-    const QPointF from = screen(slit->from), to = screen(slit->to);
-    QPainterPath line(from);
-    line.lineTo(to);
-    m_painter.strokePath(line, roundPen(m_style.panel, 7.0));
-    m_painter.strokePath(line, roundPen(m_style.slit, 4.0));
-    ring(from, 4.5, m_style.slit);
-    if (slit->hasLeft)
-        ring(to, 4.5, m_style.slit);
-
-    const double length = (slit->to - slit->from).norm();
-    const double reach = m_scene.overlay.deadZone ? m_scene.overlay.deadZone->radius + 14.0 : 22.0;
-    chip({0.5 * (from.x() + to.x()) - reach, 0.5 * (from.y() + to.y())},
-         //: %1 is its length, with a unit
-         QCoreApplication::translate("fff::ui::OverlayPainter", "Slit %1")
-             .arg(lengthText(length, m_scene.unit, 1, 1, m_locale)),
-         m_style.slit);
+    const Box2 &band = *m_scene.overlay.band;
+    const QRectF box(QPointF(band.min.x(), band.min.y()), QPointF(band.max.x(), band.max.y()));
+    m_painter.fillRect(box, faded(m_style.accent, 0.10));
+    m_painter.setBrush(Qt::NoBrush);
+    m_painter.setPen(QPen(m_style.accent, 1.0));
+    m_painter.drawRect(QRectF(box.toAlignedRect()).adjusted(0.5, 0.5, -0.5, -0.5));
 }
 
 /// Where the plane that cuts the view open is taken hold of, with arrows the way it goes.
@@ -390,9 +279,8 @@ void paintOverlay(QPainter &painter, const OverlayScene &scene, const ViewStyle 
     painter.setRenderHint(QPainter::Antialiasing);
     Drawing drawing(painter, scene, style, locale);
     drawing.ground();
-    drawing.deadZone();
     drawing.stroke();
-    drawing.slit();
+    drawing.band();
     drawing.cutHandle();
     drawing.marks();
     drawing.invitation();

@@ -7,6 +7,7 @@ target_sources(fff_view PRIVATE
     view/layers.cpp
     view/occlusion.cpp
     view/length_unit.cpp
+    view/mark_pen.cpp
     view/offscreen_image.cpp
     view/overlay_painter.cpp
     view/render_target.cpp
@@ -18,6 +19,7 @@ target_sources(fff_view PRIVATE
     view/slab_painter.cpp
     view/slit_covers.cpp
     view/stock_look.cpp
+    view/stroke_marks.cpp
     view/view_cube_painter.cpp
 )
 include(${CMAKE_SOURCE_DIR}/resources/shaders/shaders.cmake)

@@ -18,6 +18,8 @@ struct ViewStyle
     QColor panel = QColor(0xff, 0xff, 0xff);  // their ground, and the casing of lines
     QColor accent = QColor(0x1b, 0x62, 0xc9);
     QColor slit = QColor(0xc2, 0x41, 0x0c);
+    QColor symmetry = QColor(0xa3, 0x1f, 0x93); // the axis, and what says that it is used
+    QColor guide = QColor(0x00, 0x75, 0x6b);    // what something snaps to
     QColor deadZone = QColor(0x54, 0x5f, 0x6b);
     QColor edge = QColor(0x2b, 0x21, 0x18);
     QColor problem = QColor(0xb3, 0x26, 0x1e); // its outline and hatch

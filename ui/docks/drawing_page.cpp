@@ -1,0 +1,208 @@
+#include "ui/docks/drawing_page.h"
+
+#include "core/base/units.h"
+#include "ui/icon.h"
+#include "ui/measures.h"
+#include "ui/properties/property_rows.h"
+#include "ui/theme.h"
+#include "ui/workbench.h"
+
+#include <QGridLayout>
+#include <QLabel>
+#include <QVBoxLayout>
+
+#include <cmath>
+
+namespace fff::ui {
+
+namespace {
+
+/// Upright enough to be called up or down (cosine of 45°).
+constexpr double kUpright = 0.7071;
+
+/// The section of the preview that is being drawn, its index, or -1.
+int drawnIndex(const Workbench &bench)
+{
+    const Session &session = bench.session();
+    const auto count = static_cast<int>(session.model().document.sections.size());
+    return session.hasPreview() &&
+                   count > static_cast<int>(session.committed().document.sections.size())
+               ? count - 1
+               : -1;
+}
+
+} // namespace
+
+DrawingPage::DrawingPage(Workbench &bench, QWidget *parent) : QWidget(parent), m_bench(bench)
+{
+    constexpr int kIconSize = 34;
+    m_icon = new QLabel(this);
+    m_icon->setFixedSize(kIconSize, kIconSize);
+    m_icon->setAlignment(Qt::AlignCenter);
+    m_name = new QLabel(this);
+    m_name->setObjectName(QStringLiteral("drawnName"));
+    QFont bold = m_name->font();
+    bold.setWeight(QFont::DemiBold);
+    m_name->setFont(bold);
+    auto *kind = new QLabel(tr("New section, while you draw it"), this);
+    kind->setForegroundRole(QPalette::PlaceholderText);
+    auto *head = new QGridLayout;
+    head->setHorizontalSpacing(10);
+    head->setVerticalSpacing(6);
+    head->addWidget(m_icon, 0, 0);
+    head->addWidget(m_name, 0, 1);
+    head->addWidget(kind, 1, 1);
+    head->setColumnStretch(1, 1);
+
+    const Session &session = bench.session();
+    auto *stock = new PropertyGroup(tr("Stock"), this);
+    const auto current = [&session]() -> const Stock & {
+        const Document &document = session.committed().document;
+        return *document.find(document.currentStock);
+    };
+    addRow(stock, tr("Stock"), "drawnStock",
+           [current] { return QString::fromStdString(current().name); });
+    addRow(stock, tr("Thickness"), "drawnThickness",
+           [this, current] { return lengthText(current().thickness, 2, 2, locale()); });
+
+    m_slit = new PropertyGroup(tr("Slit"), this);
+    addRow(m_slit, tr("On"), "drawnParent", [this] {
+        const auto &slit = m_bench.interaction().overlay().slit;
+        return slit ? QString::fromStdString(slit->section) : QString(u'–');
+    });
+    addRow(m_slit, tr("Length"), "drawnSlitLength", [this] {
+        const auto &slit = m_bench.interaction().overlay().slit;
+        return slit ? lengthText((slit->to - slit->from).norm(), 1, 1, locale()) : QString(u'–');
+    });
+    addRow(m_slit, tr("Its own slit"), "drawnOwnSlit", [this] { return ownSlit(); });
+
+    m_contour = new PropertyGroup(tr("Contour"), this);
+    addRow(m_contour, tr("Size"), "drawnSize", [this] {
+        const auto &stroke = m_bench.interaction().overlay().stroke;
+        if (!stroke || !stroke->size)
+            return QString(u'–');
+        const Vec2 size = stroke->size->size();
+        return sizeText({size.x(), size.y()}, 1, locale());
+    });
+    addRow(m_contour, tr("Curve pieces"), "drawnPieces", [this] {
+        const int drawn = drawnIndex(m_bench);
+        if (drawn < 0)
+            return QString(u'–');
+        const Section &section =
+            *m_bench.session().model().section(static_cast<std::size_t>(drawn));
+        return locale().toString(section.shape->contour().segmentCount());
+    });
+    addRow(m_contour, tr("Mass"), "drawnMass", [this] {
+        const int drawn = drawnIndex(m_bench);
+        return drawn < 0 ? QString(u'–')
+                         : massText(Measures(m_bench.session()).mass(drawn), locale());
+    });
+
+    m_why = new QLabel(this);
+    m_why->setObjectName(QStringLiteral("drawnSymmetry"));
+    m_why->setWordWrap(true);
+    m_why->setMargin(10);
+    m_why->setTextFormat(Qt::RichText);
+    m_why->setAutoFillBackground(true);
+    m_why->setFrameShape(QFrame::StyledPanel);
+
+    auto *column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    column->addLayout(head);
+    column->addSpacing(12);
+    column->addWidget(stock);
+    column->addWidget(m_slit);
+    column->addWidget(m_contour);
+    column->addWidget(m_why);
+}
+
+void DrawingPage::addRow(PropertyGroup *group, const QString &name, const char *objectName,
+                         std::function<QString()> read)
+{
+    auto *row = new TextRow(name, objectName, std::move(read), group);
+    group->add(row);
+    m_rows.push_back(row);
+}
+
+bool DrawingPage::isWanted() const
+{
+    const Overlay &overlay = m_bench.interaction().overlay();
+    return overlay.slit || overlay.stroke;
+}
+
+/// Which way it opens and how deep it is, as far as that is known by now.
+QString DrawingPage::ownSlit() const
+{
+    const int drawn = drawnIndex(m_bench);
+    const Analysis &analysis = m_bench.session().analysis();
+    if (drawn < 0)
+        return QString(u'–');
+    const int there =
+        analysis.model.indexOf(m_bench.session().model().ref(static_cast<std::size_t>(drawn)));
+    if (there < 0)
+        return QString(u'…');
+    const auto &slits = analysis.assembly.slits[static_cast<std::size_t>(there)];
+    if (slits.empty())
+        return tr("none");
+    const Slit &slit = slits[0];
+    if (!slit.isOpen)
+        return tr("closed");
+    const Joint &joint = analysis.assembly.joints[static_cast<std::size_t>(slit.joint - 1)];
+    const auto overlap = static_cast<std::size_t>(slit.overlap);
+    const Overlap &shared = joint.crossing->overlaps[overlap];
+    const Interval &own = joint.a == there ? shared.a : shared.b;
+    const Frame &frame = analysis.model.section(static_cast<std::size_t>(there))->frame;
+    const Vec3 way = frame.directionToWorld((slit.mouth - slit.inner).normalized());
+    const bool isForward = way.dot(joint.crossing->axis.direction) > 0.0;
+    const double meets = joint.meets[overlap];
+    const QString depth =
+        lengthText(isForward ? own.to.at - meets : meets - own.from.at, 1, 1, locale());
+    if (way.y() > kUpright)
+        return tr("opens up, %1 deep").arg(depth);
+    if (way.y() < -kUpright)
+        return tr("opens down, %1 deep").arg(depth);
+    return tr("opens sideways, %1 deep").arg(depth);
+}
+
+/// Why it is mirrored, or what it would take; empty where there is nothing to say.
+QString DrawingPage::symmetryText() const
+{
+    const auto &stroke = m_bench.interaction().overlay().stroke;
+    if (!stroke || !stroke->symmetry || !stroke->symmetry->isOneSided)
+        return {};
+    const SymmetryVerdict &sides = *stroke->symmetry;
+    const QString far = lengthText(std::max(sides.left, sides.right), 1, 1, locale());
+    const QString near = lengthText(std::min(sides.left, sides.right), 1, 1, locale());
+    if (!stroke->isMirrored)
+        return tr("<b>Not mirrored.</b> You drew on one side of the axis: %1 on one, %2 on the "
+                  "other. Symmetry is off, or Shift is held.")
+            .arg(far, near);
+    return tr("<b>Mirrored.</b> You drew on one side of the axis: %1 on one, %2 on the other. "
+              "Cross it by %3 or more to draw both sides yourself.")
+        .arg(far, near, lengthText(sides.limit, 1, 1, locale()));
+}
+
+void DrawingPage::refresh()
+{
+    const Session &session = m_bench.session();
+    m_icon->setPixmap(
+        tintedPixmap(QStringLiteral("redraw"), 22, theme().accent, devicePixelRatioF()));
+    const int drawn = drawnIndex(m_bench);
+    m_name->setText(drawn < 0
+                        ? tr("New section")
+                        : QString::fromStdString(
+                              session.model().section(static_cast<std::size_t>(drawn))->name));
+    m_slit->setVisible(m_bench.interaction().overlay().slit.has_value());
+    for (PropertyRow *row : m_rows)
+        row->refresh();
+    const QString why = symmetryText();
+    m_why->setVisible(!why.isEmpty());
+    m_why->setText(why);
+    QPalette soft = m_why->palette();
+    soft.setColor(QPalette::Window, theme().soft);
+    soft.setColor(QPalette::WindowText, theme().text);
+    m_why->setPalette(soft);
+}
+
+} // namespace fff::ui

@@ -1,0 +1,209 @@
+#include "ui/view/stroke_marks.h"
+
+#include <QCoreApplication>
+
+#include <cmath>
+
+namespace fff::ui {
+
+namespace {
+
+struct Words
+{
+    Q_DECLARE_TR_FUNCTIONS(fff::ui::OverlayPainter)
+};
+
+/// As long as any view, from a point both ways.
+QPainterPath endless(const MarkPen &pen, const Vec3 &point, const Vec3 &direction)
+{
+    const double scale = pen.camera().scaleAt(point, pen.viewport());
+    const QPointF at = pen.screen(point);
+    QPointF way = pen.screen(point + scale * direction) - at;
+    const double length = std::hypot(way.x(), way.y());
+    if (length < 1e-3)
+        return {};
+    way *= 2.0 * pen.viewport().norm() / length;
+    QPainterPath line(at - way);
+    line.lineTo(at + way);
+    return line;
+}
+
+void paintDeadZone(MarkPen &pen, const Overlay::DeadZone &zone)
+{
+    QPainterPath line(pen.screen(zone.from));
+    // A slit seen end-on still has its circle.
+    line.lineTo(pen.screen(zone.to) + QPointF(1e-3, 0.0));
+    QPainterPathStroker stroker;
+    stroker.setWidth(2.0 * zone.radius);
+    stroker.setCapStyle(Qt::RoundCap);
+    const QPainterPath capsule = stroker.createStroke(line).simplified();
+    pen.painter().fillPath(capsule, faded(pen.style().deadZone, 0.13));
+    QPen dashed(pen.style().deadZone, 1.4);
+    dashed.setDashPattern({4.0, 3.0});
+    pen.painter().strokePath(capsule, dashed);
+}
+
+/// Where the canvas meets the ground. What lies below is hatched, where that is one side of a line.
+void paintGround(MarkPen &pen, const Overlay::GroundLine &ground, bool isHatched)
+{
+    const QPainterPath line = endless(pen, ground.point, ground.direction);
+    if (line.isEmpty())
+        return;
+    if (!isHatched) {
+        const QPointF from = line.elementAt(0), to = line.elementAt(1);
+        // Down on the screen from the line: the halfplane below the ground.
+        const Vec3 below = ground.point - Vec3::UnitY();
+        const QPointF down = pen.screen(below) - pen.screen(ground.point);
+        const double length = std::hypot(down.x(), down.y());
+        if (length > 1e-6) {
+            const QPointF far = down * (2.0 * pen.viewport().norm() / length);
+            QPainterPath half(from);
+            half.lineTo(to);
+            half.lineTo(to + far);
+            half.lineTo(from + far);
+            half.closeSubpath();
+            QPainter &painter = pen.painter();
+            painter.fillPath(half, faded(pen.style().muted, 0.05));
+            painter.fillPath(half, QBrush(faded(pen.style().muted, 0.18), Qt::BDiagPattern));
+        }
+    }
+    pen.painter().strokePath(line, QPen(pen.style().text, 2.0));
+}
+
+/// The axis with what it means; dash-dot, as drawings have it.
+void paintAxis(MarkPen &pen, const Overlay::Stroke &stroke, bool isSlit)
+{
+    const Vec3 point = stroke.canvas.toWorld(stroke.axis->point);
+    const Vec3 direction = stroke.canvas.directionToWorld(stroke.axis->direction);
+    const QPainterPath line = endless(pen, point, direction);
+    if (line.isEmpty())
+        return;
+    QPen dashDot(pen.style().symmetry, 1.6);
+    dashDot.setDashPattern({14.0 / 1.6, 4.0 / 1.6, 2.0 / 1.6, 4.0 / 1.6});
+    pen.painter().strokePath(line, dashDot);
+    // Above what is drawn, as far as that leaves room.
+    double top = pen.viewport().y();
+    for (const Vec2 &p : stroke.samples)
+        top = std::min(top, pen.screen(stroke.canvas.toWorld(p)).y());
+    const QPointF from = line.elementAt(0), to = line.elementAt(1);
+    const double y = std::clamp(top - 30.0, 70.0, std::max(70.0, pen.viewport().y() - 70.0));
+    const double along =
+        std::abs(to.y() - from.y()) > 1.0 ? (y - from.y()) / (to.y() - from.y()) : 0.5;
+    const QPointF place = from + along * (to - from);
+    pen.chip(place + QPointF(8.0, 0.0), MarkPen::Anchor::Left,
+             isSlit ? Words::tr("Mirrored across the slit")
+                    : Words::tr("Mirrored across the vertical"),
+             pen.style().symmetry);
+}
+
+void paintMirroredHalf(MarkPen &pen, const Overlay::Stroke &stroke)
+{
+    QPen dashed = roundPen(faded(pen.style().accent, 0.55), 2.0);
+    dashed.setCapStyle(Qt::FlatCap);
+    dashed.setDashPattern({4.0, 2.5});
+    pen.painter().strokePath(pen.path(stroke.mirrored, stroke.canvas), dashed);
+}
+
+/// What the ground cuts off of what is drawn.
+void paintCutOff(MarkPen &pen, const Overlay::Stroke &stroke)
+{
+    QPen dashed = roundPen(pen.style().muted, 1.6);
+    dashed.setDashPattern({0.5, 2.5});
+    pen.painter().strokePath(pen.path(*stroke.cut, stroke.canvas), dashed);
+    double lowest = 0.0;
+    QPointF place;
+    for (const Vec2 &p : stroke.cut->points()) {
+        const Vec3 world = stroke.canvas.toWorld(p);
+        if (world.y() < lowest) {
+            lowest = world.y();
+            place = pen.screen(world);
+        }
+    }
+    pen.chip(place + QPointF(0.0, 20.0), MarkPen::Anchor::Middle,
+             Words::tr("Cut flat at the ground"), pen.style().muted);
+}
+
+void paintSamples(MarkPen &pen, const Overlay::Stroke &stroke)
+{
+    QPainter &painter = pen.painter();
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(faded(pen.style().text, 0.35));
+    for (const Vec2 &sample : stroke.samples)
+        painter.drawEllipse(pen.screen(stroke.canvas.toWorld(sample)), 1.0, 1.0);
+}
+
+void paintCursor(MarkPen &pen, const Overlay::Stroke &stroke, LengthUnit unit,
+                 const QLocale &locale)
+{
+    if (stroke.samples.empty())
+        return;
+    const QPointF at = pen.screen(stroke.canvas.toWorld(stroke.samples.back()));
+    QPainter &painter = pen.painter();
+    painter.setBrush(pen.style().accent);
+    painter.setPen(QPen(pen.style().panel, 1.0));
+    painter.drawEllipse(at, 4.0, 4.0);
+    if (!stroke.size)
+        return;
+    const Vec2 size = stroke.size->size();
+    pen.chip(at + QPointF(26.0, 14.0), MarkPen::Anchor::Left,
+             QStringLiteral("%1 × %2").arg(lengthNumber(size.x(), unit, 1, 1, locale),
+                                           lengthText(size.y(), unit, 1, 1, locale)),
+             pen.style().muted);
+}
+
+void paintContour(MarkPen &pen, const Overlay::Stroke &stroke, bool isSlitAxis)
+{
+    if (stroke.cut)
+        paintCutOff(pen, stroke);
+    if (stroke.isMirrored)
+        paintMirroredHalf(pen, stroke);
+    for (const std::optional<CubicBezier> &join : {stroke.opening, stroke.closing}) {
+        if (!join)
+            continue;
+        QPen dotted = roundPen(pen.style().accent, 2.0);
+        dotted.setDashPattern({0.1, 2.6});
+        pen.cased(pen.path({*join}, stroke.canvas), dotted);
+    }
+    pen.cased(pen.path(stroke.fitted, stroke.canvas), roundPen(pen.style().accent, 2.8));
+    if (stroke.isMirrored && stroke.axis)
+        paintAxis(pen, stroke, isSlitAxis);
+    paintSamples(pen, stroke);
+}
+
+void paintSlit(MarkPen &pen, const Overlay &overlay, LengthUnit unit, const QLocale &locale)
+{
+    const Overlay::SlitLine &slit = *overlay.slit;
+    const QPointF from = pen.screen(slit.from), to = pen.screen(slit.to);
+    QPainterPath line(from);
+    line.lineTo(to);
+    pen.painter().strokePath(line, roundPen(pen.style().panel, 7.0));
+    pen.painter().strokePath(line, roundPen(pen.style().slit, 4.0));
+    pen.ring(from, 4.5, pen.style().slit);
+    if (slit.hasLeft)
+        pen.ring(to, 4.5, pen.style().slit);
+
+    const double length = (slit.to - slit.from).norm();
+    const double reach = overlay.deadZone ? overlay.deadZone->radius + 14.0 : 22.0;
+    pen.chip({0.5 * (from.x() + to.x()) - reach, 0.5 * (from.y() + to.y())}, MarkPen::Anchor::Right,
+             //: %1 is its length, with a unit
+             Words::tr("Slit %1").arg(lengthText(length, unit, 1, 1, locale)), pen.style().slit);
+}
+
+} // namespace
+
+void paintStroke(MarkPen &pen, const Overlay &overlay, bool isGroundHatched, LengthUnit unit,
+                 const QLocale &locale)
+{
+    if (overlay.ground)
+        paintGround(pen, *overlay.ground, isGroundHatched);
+    if (overlay.deadZone)
+        paintDeadZone(pen, *overlay.deadZone);
+    if (overlay.stroke)
+        paintContour(pen, *overlay.stroke, overlay.slit.has_value());
+    if (overlay.slit)
+        paintSlit(pen, overlay, unit, locale);
+    if (overlay.stroke)
+        paintCursor(pen, *overlay.stroke, unit, locale);
+}
+
+} // namespace fff::ui

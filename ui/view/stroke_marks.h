@@ -1,0 +1,17 @@
+// The marks of a single stroke while it is drawn (ui/UI.md, section 3): slit, dead zone, contour,
+// its mirrored half, and where its plane meets the ground.
+#pragma once
+
+#include "core/interaction/interaction.h"
+#include "ui/view/length_unit.h"
+#include "ui/view/mark_pen.h"
+
+#include <QLocale>
+
+namespace fff::ui {
+
+/// isGroundHatched: what is below the ground is hatched already.
+void paintStroke(MarkPen &pen, const Overlay &overlay, bool isGroundHatched, LengthUnit unit,
+                 const QLocale &locale);
+
+} // namespace fff::ui
