@@ -1569,8 +1569,8 @@
         <translation>Abschneiden, was unter dem Boden gezeichnet wird</translation>
     </message>
     <message>
-        <source>On the &amp;ground</source>
-        <translation>Auf dem &amp;Boden</translation>
+        <source>On the gr&amp;ound</source>
+        <translation>Auf dem B&amp;oden</translation>
     </message>
     <message>
         <source>On the ground</source>

@@ -97,7 +97,7 @@ std::span<const ActionRow> Texts::actions()
          true},
         {"section.ground", QT_TR_NOOP("Cut flat at the &ground"), QT_TR_NOOP("Ground"), "G",
          "cut_at_ground", QT_TR_NOOP("Cut off what is drawn below the ground"), true, true},
-        {"section.planeGround", QT_TR_NOOP("On the &ground"), QT_TR_NOOP("On the ground"), "L",
+        {"section.planeGround", QT_TR_NOOP("On the gr&ound"), QT_TR_NOOP("On the ground"), "L",
          "plane_ground", QT_TR_NOOP("Draw a section that lies on the ground"), true, true},
         {"section.planeFront", QT_TR_NOOP("On the &front plane"), QT_TR_NOOP("On the front"), "",
          "plane_front", QT_TR_NOOP("Draw a section upright in the middle, seen from the front"),
