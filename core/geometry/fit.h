@@ -12,7 +12,7 @@ struct FitOptions
 {
     double tolerance = 0.5; // mm that the curve may be off the samples
     /// The line turns by more than this within `reach` of a sample: a corner. Radians.
-    double cornerAngle = 0.9;
+    double cornerAngle = 0.5;
     /// Corners and tangents are judged over this many tolerances along the line; also the longest
     /// gap between samples that is left without further ones on the straight way.
     double reach = 4.0;
@@ -35,6 +35,11 @@ struct FitOptions
 ///          that a curve cannot swing out between them; tangents are taken over a stretch of the
 ///          line, not from the nearest sample, because pixels are coarse.
 std::vector<CubicBezier> fitCurve(const std::vector<Vec2> &samples, const FitOptions &options = {});
+
+/// The same for a closed line: the first sample follows the last. The chain ends where it starts,
+/// G1 there as well, or at a corner when there is one.
+std::vector<CubicBezier> fitClosedCurve(const std::vector<Vec2> &samples,
+                                        const FitOptions &options = {});
 
 /// The piece that closes an open chain (not empty), tangent to both of its ends. Its handles are a
 /// third of its chord, less where that would make it loop.

@@ -1,18 +1,21 @@
 target_sources(fff_core PRIVATE
     geometry/bezier.cpp
     geometry/boolean.cpp
+    geometry/chain_fitter.cpp
     geometry/clip_grid.cpp
     geometry/contour.cpp
     geometry/convex_hull.cpp
     geometry/curve_crossing.cpp
     geometry/curve_recovery.cpp
     geometry/fit.cpp
+    geometry/fit_span.cpp
     geometry/frame.cpp
     geometry/halfplane_clip.cpp
     geometry/moments.cpp
     geometry/notch.cpp
     geometry/offset.cpp
     geometry/polygon.cpp
+    geometry/sampled_line.cpp
     geometry/simple_ring.cpp
     geometry/source_edges.cpp
     geometry/triangulation.cpp

@@ -1,0 +1,171 @@
+#include "core/geometry/chain_fitter.h"
+
+#include <algorithm>
+
+namespace fff {
+
+namespace {
+
+/// A joint is looked for until it is known to this part of its segment's length.
+constexpr double kJointPrecision = 0.04;
+/// Nor nearer than to this part of a tolerance.
+constexpr double kLeastPrecision = 0.1;
+/// The first segment of a stretch is tried over so many reaches first.
+constexpr double kFirstTry = 4.0;
+
+} // namespace
+
+ChainFitter::ChainFitter(const SampledLine &line, double tolerance, double reach)
+    : m_line(line), m_tolerance(tolerance), m_reach(reach), m_spans(line, tolerance),
+      m_joints(line.size())
+{
+}
+
+const Joint &ChainFitter::joint(std::size_t at)
+{
+    if (at == m_stretch.from)
+        return m_stretch.start;
+    if (at == m_stretch.to)
+        return m_stretch.end;
+    if (!m_joints[at])
+        m_joints[at] = m_line.smoothJoint(at, m_stretch.lowest, m_stretch.highest);
+    return *m_joints[at];
+}
+
+std::optional<CubicBezier> ChainFitter::piece(std::size_t from, std::size_t to)
+{
+    return m_spans.fit(from, to, joint(from), joint(to));
+}
+
+ChainFitter::Piece ChainFitter::shortest(std::size_t from)
+{
+    return {from + 1, m_spans.shortPiece(from, from + 1, joint(from), joint(from + 1))};
+}
+
+/// The longest piece that starts at a sample: tried in growing lengths from `tried` mm on, then by
+/// halves.
+ChainFitter::Piece ChainFitter::furthest(std::size_t from, double tried)
+{
+    const std::size_t last = m_stretch.to;
+    std::size_t good = from, bad = last + 1;
+    std::optional<CubicBezier> best;
+    const auto attempt = [&](std::size_t to) {
+        const auto curve = piece(from, to);
+        (curve ? good : bad) = to;
+        if (curve)
+            best = curve;
+    };
+    for (double length = tried; good < last && bad > last; length *= 2.0)
+        attempt(std::clamp(m_line.indexAt(m_line.along(from) + length), from + 1, last));
+    while (bad - good > 1 && good < last) {
+        const double gap = m_line.lengthBetween(good, bad);
+        const double precision = std::max(kJointPrecision * m_line.lengthBetween(from, good),
+                                          kLeastPrecision * m_tolerance);
+        if (good > from && gap <= precision)
+            break;
+        const std::size_t middle = m_line.indexAt(m_line.along(good) + 0.5 * gap);
+        attempt(std::clamp(middle, good + 1, bad - 1));
+    }
+    return best ? Piece{good, *best} : shortest(from);
+}
+
+/// The longest piece that ends at a sample, and where it starts.
+std::pair<std::size_t, CubicBezier> ChainFitter::earliest(std::size_t to, double tried)
+{
+    const std::size_t first = m_stretch.from;
+    std::size_t good = to;
+    std::optional<std::size_t> bad;
+    std::optional<CubicBezier> best;
+    const auto attempt = [&](std::size_t from) {
+        const auto curve = piece(from, to);
+        if (!curve) {
+            bad = from;
+            return;
+        }
+        good = from;
+        best = curve;
+    };
+    for (double length = tried; good > first && !bad; length *= 2.0)
+        attempt(std::clamp(m_line.indexAt(m_line.along(to) - length), first, to - 1));
+    while (bad && good - *bad > 1) {
+        const double gap = m_line.lengthBetween(*bad, good);
+        const double precision = std::max(kJointPrecision * m_line.lengthBetween(good, to),
+                                          kLeastPrecision * m_tolerance);
+        if (good < to && gap <= precision)
+            break;
+        const std::size_t middle = m_line.indexAt(m_line.along(*bad) + 0.5 * gap);
+        attempt(std::clamp(middle, *bad + 1, good - 1));
+    }
+    if (!best)
+        return {to - 1, shortest(to - 1).curve};
+    return {good, *best};
+}
+
+std::vector<ChainFitter::Piece> ChainFitter::forwards()
+{
+    std::vector<Piece> pieces;
+    double tried = kFirstTry * m_reach;
+    for (std::size_t at = m_stretch.from; at < m_stretch.to; at = pieces.back().to) {
+        pieces.push_back(furthest(at, tried));
+        tried = std::max(m_reach, m_line.lengthBetween(at, pieces.back().to));
+    }
+    return pieces;
+}
+
+/// From the end back; in the order of the line.
+std::vector<ChainFitter::Piece> ChainFitter::backwards()
+{
+    std::vector<Piece> pieces;
+    double tried = kFirstTry * m_reach;
+    for (std::size_t at = m_stretch.to; at > m_stretch.from;) {
+        const auto [from, curve] = earliest(at, tried);
+        pieces.push_back({at, curve});
+        tried = std::max(m_reach, m_line.lengthBetween(from, at));
+        at = from;
+    }
+    std::reverse(pieces.begin(), pieces.end());
+    return pieces;
+}
+
+/// Nothing when one of the even segments does not fit.
+std::vector<ChainFitter::Piece> ChainFitter::balanced(const std::vector<Piece> &late,
+                                                      const std::vector<Piece> &early)
+{
+    std::vector<Piece> pieces;
+    std::size_t from = m_stretch.from;
+    for (std::size_t k = 0; k < late.size(); ++k) {
+        const double middle = 0.5 * (m_line.along(late[k].to) + m_line.along(early[k].to));
+        const std::size_t to = k + 1 < late.size() ? m_line.indexAt(middle) : m_stretch.to;
+        const auto curve = to > from ? piece(from, to) : std::nullopt;
+        if (!curve)
+            return {};
+        pieces.push_back({to, *curve});
+        from = to;
+    }
+    return pieces;
+}
+
+void ChainFitter::fit(const Stretch &stretch)
+{
+    m_stretch = stretch;
+    if (!stretch.isStartGiven && !stretch.isEndGiven &&
+        m_line.isStraight(stretch.from, stretch.to, m_tolerance)) {
+        m_chain.push_back(CubicBezier::line(stretch.start.position, stretch.end.position));
+        return;
+    }
+    std::vector<Piece> pieces = forwards();
+    if (pieces.size() > 1) {
+        std::vector<Piece> early = backwards();
+        if (early.size() < pieces.size()) {
+            pieces = std::move(early);
+        } else if (early.size() == pieces.size()) {
+            std::vector<Piece> even = balanced(pieces, early);
+            if (!even.empty())
+                pieces = std::move(even);
+        }
+    }
+    for (const Piece &piece : pieces)
+        m_chain.push_back(piece.curve);
+}
+
+} // namespace fff

@@ -1,0 +1,62 @@
+// Few cubics along a sampled line. Internal to geometry.
+#pragma once
+
+#include "core/geometry/fit_span.h"
+#include "core/geometry/sampled_line.h"
+
+#include <optional>
+#include <vector>
+
+namespace fff {
+
+/// Fits one stretch of a line after the other, each between two corners.
+///
+/// Every sample has one joint: where a smooth chain passes it and which way, whatever the segments
+/// are. So the longest segments one after the other are the fewest: what a stretch can do, a part
+/// of it can do. They are looked for from both ends; the joints then lie half-way between the
+/// latest and the earliest place that each can have, which makes them even.
+/// Source  M. Plass, M. Stone 1983, Curve-fitting with piecewise parametric cubics, SIGGRAPH,
+///         pp. 229-239, for directions that are settled before joints are chosen. They choose by
+///         dynamic programming over all pairs; with one joint a sample, walking does the same in
+///         O(segments · log samples) fits.
+class ChainFitter
+{
+public:
+    struct Stretch
+    {
+        std::size_t from = 0, to = 0;
+        Joint start, end;
+        std::size_t lowest = 0, highest = 0;           // samples that directions are judged by
+        bool isStartGiven = false, isEndGiven = false; // its direction has to be kept
+    };
+
+    ChainFitter(const SampledLine &line, double tolerance, double reach);
+
+    void fit(const Stretch &stretch);
+    std::vector<CubicBezier> takeChain() { return std::move(m_chain); }
+
+private:
+    struct Piece
+    {
+        std::size_t to = 0; // sample where it ends
+        CubicBezier curve;
+    };
+
+    const Joint &joint(std::size_t at);
+    std::optional<CubicBezier> piece(std::size_t from, std::size_t to);
+    Piece shortest(std::size_t from);
+    Piece furthest(std::size_t from, double tried);
+    std::pair<std::size_t, CubicBezier> earliest(std::size_t to, double tried);
+    std::vector<Piece> forwards();
+    std::vector<Piece> backwards();
+    std::vector<Piece> balanced(const std::vector<Piece> &late, const std::vector<Piece> &early);
+
+    const SampledLine &m_line;
+    const double m_tolerance, m_reach;
+    SpanFitter m_spans;
+    std::vector<std::optional<Joint>> m_joints; // that were asked for
+    Stretch m_stretch;
+    std::vector<CubicBezier> m_chain;
+};
+
+} // namespace fff
