@@ -3,6 +3,7 @@ target_sources(fff_core PRIVATE
     geometry/boolean.cpp
     geometry/chain_fitter.cpp
     geometry/clip_grid.cpp
+    geometry/closed_line.cpp
     geometry/contour.cpp
     geometry/convex_hull.cpp
     geometry/curve_crossing.cpp

@@ -2,6 +2,7 @@
 
 #include "core/base/tolerances.h"
 #include "core/geometry/boolean.h"
+#include "core/geometry/closed_line.h"
 #include "core/geometry/fit.h"
 
 #include <algorithm>
@@ -53,7 +54,13 @@ void close(std::vector<CubicBezier> chain, double tolerance, StrokeContour &stro
 
 void closePlain(const std::vector<Vec2> &samples, double tolerance, StrokeContour &stroke)
 {
-    stroke.fitted = fitCurve(samples, {.tolerance = tolerance});
+    const FitOptions options{.tolerance = tolerance};
+    if (const auto loop = closedLine(samples, tolerance, options.reach * tolerance)) {
+        stroke.fitted = fitClosedCurve(*loop, options);
+        close(stroke.fitted, tolerance, stroke);
+        return;
+    }
+    stroke.fitted = fitCurve(samples, options);
     if (stroke.fitted.empty())
         return;
     CubicBezier &last = stroke.fitted.back();
