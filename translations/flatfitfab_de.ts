@@ -2046,6 +2046,14 @@
         <source>New section</source>
         <translation>Neue Scheibe</translation>
     </message>
+    <message>
+        <source>A hole, while you draw it</source>
+        <translation>Ein Loch, während es gezeichnet wird</translation>
+    </message>
+    <message>
+        <source>A new contour, while you draw it</source>
+        <translation>Eine neue Kontur, während sie gezeichnet wird</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::Exporting</name>
@@ -2407,6 +2415,14 @@
     <message>
         <source>Holes of %1 that lie outside of its new contour were left out.</source>
         <translation>Löcher von %1, die außerhalb der neuen Kontur liegen, wurden weggelassen.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Release&lt;/b&gt; to cut the hole into %1. &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
+        <translation>&lt;b&gt;Loslassen&lt;/b&gt; schneidet das Loch in %1. &lt;kbd&gt;Esc&lt;/kbd&gt; bricht ab.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Release&lt;/b&gt; to give %1 this contour. &lt;kbd&gt;Esc&lt;/kbd&gt; keeps the old one.</source>
+        <translation>&lt;b&gt;Loslassen&lt;/b&gt; gibt %1 diese Kontur. &lt;kbd&gt;Esc&lt;/kbd&gt; behält die alte.</translation>
     </message>
 </context>
 <context>

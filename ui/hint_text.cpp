@@ -72,6 +72,13 @@ QString hintSentence(const Hint &hint, const QString &undoKeys)
         return HintText::tr("Draw the contour, release to close it. <kbd>Esc</kbd> cancels.");
     case Hint::Kind::ReleaseToMake:
         return HintText::tr("<b>Release</b> to make the section. <kbd>Esc</kbd> cancels.");
+    case Hint::Kind::ReleaseToCutHole:
+        return HintText::tr("<b>Release</b> to cut the hole into %1. <kbd>Esc</kbd> cancels.")
+            .arg(name);
+    case Hint::Kind::ReleaseToRedraw:
+        return HintText::tr("<b>Release</b> to give %1 this contour. <kbd>Esc</kbd> keeps the old "
+                            "one.")
+            .arg(name);
     case Hint::Kind::ReleaseToMirror:
         return HintText::tr("<b>Release</b> to make the section, mirrored across the slit. Hold "
                             "<kbd>Shift</kbd> to keep only this side. <kbd>Esc</kbd> cancels.");

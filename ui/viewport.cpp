@@ -512,14 +512,17 @@ void Viewport::markScene()
     const auto &outlined = m_bench.outlined();
     applyView(m_scene, model, interaction.view());
     const bool isDrawing = interaction.overlay().stroke.has_value();
-    // The section being drawn is the preview's last; all that is committed stands back for it.
-    const std::size_t committed = m_bench.session().committed().sectionCount();
+    // All stand back for the section that is being drawn: the one that is not as it was.
+    const Model &committed = m_bench.session().committed();
+    const auto isAsItWas = [&](std::size_t i) {
+        return i < committed.sectionCount() && committed.section(i) == model.section(i);
+    };
     for (std::size_t i = 0; i < m_scene.sections.size(); ++i) {
         SceneSection &section = m_scene.sections[i];
         section.isSelected = !selected.empty() && selected.contains(model.ref(i));
         section.isHovered = interaction.overlay().hovered == static_cast<int>(i) ||
                             std::binary_search(outlined.begin(), outlined.end(), model.ref(i));
-        section.isGhost = section.isGhost || (isDrawing && i < committed);
+        section.isGhost = section.isGhost || (isDrawing && isAsItWas(i));
     }
 }
 

@@ -18,6 +18,8 @@ struct Hint
         LeaveDeadZone,
         DrawContour,
         ReleaseToMake,
+        ReleaseToCutHole,
+        ReleaseToRedraw,
         ReleaseToMirror,      // to make it, mirrored across the slit
         ReleaseToMirrorFirst, // across the vertical through its start
         DrawOnPlane,          // section: ground, front or side

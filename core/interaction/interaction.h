@@ -4,6 +4,7 @@
 #pragma once
 
 #include "core/interaction/camera.h"
+#include "core/interaction/contour_target.h"
 #include "core/interaction/hint.h"
 #include "core/interaction/navigation.h"
 #include "core/interaction/pick.h"
@@ -49,6 +50,8 @@ struct Overlay
     };
     struct Stroke
     {
+        ContourTarget::Purpose purpose = ContourTarget::Purpose::NewSection;
+        std::string section; // the name of the one that it makes or changes; empty: none yet
         Frame canvas;
         std::vector<Vec2> samples;       // frame coordinates of canvas
         std::vector<CubicBezier> fitted; // open chain as drawn so far
@@ -58,9 +61,10 @@ struct Overlay
         std::vector<CubicBezier> mirrored;
         std::optional<MirrorAxis> axis;          // there is one, whether it is used or not
         std::optional<SymmetryVerdict> symmetry; // where there is an axis
-        bool isMirrored = false;
+        bool isMirrored = false, isAxisSlit = true;
         std::optional<Contour> cut; // what it encloses, where the ground cuts that
-        std::optional<Box2> size;   // of what a release makes
+        std::optional<Vec2>
+            size; // of what a release makes (a hole: its own), as seen, width and height, mm
     };
     /// Where the canvas meets the ground: a line without ends.
     struct GroundLine

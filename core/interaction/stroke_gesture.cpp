@@ -1,8 +1,10 @@
 #include "core/interaction/stroke_gesture.h"
 
+#include "core/base/tolerances.h"
 #include "core/base/units.h"
 #include "core/model/ground.h"
 
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -45,6 +47,19 @@ std::optional<Overlay::GroundLine> groundLineOf(const Frame &canvas)
         return {};
     return Overlay::GroundLine{canvas.toWorld(above->point),
                                canvas.directionToWorld(above->along())};
+}
+
+/// Of what is drawn, as it lies on the screen: width and height.
+Vec2 seenSize(const Camera &camera, const ContourTarget &target, const Section &section,
+              const Contour &contour)
+{
+    const bool isHole = target.purpose == ContourTarget::Purpose::Hole;
+    const Vec2 size =
+        (isHole ? bounds(contour.polygon(kDrawChord)) : section.shape->bounds()).size();
+    const Vec3 right = camera.right();
+    const bool isUpright =
+        std::abs(target.canvas.x.dot(right)) >= std::abs(target.canvas.y.dot(right));
+    return isUpright ? size : Vec2(size.y(), size.x());
 }
 
 Hint::Kind refusalOf(const StrokeContour &contour)
@@ -217,9 +232,12 @@ void StrokeGesture::updateOverlay(GestureContext &context) const
         stroke.axis = contour.axis;
         stroke.symmetry = contour.symmetry;
         stroke.isMirrored = contour.isMirrored;
+        stroke.isAxisSlit = m_isAxisSlit;
+        stroke.purpose = m_target.purpose;
         if (m_drawn && *m_drawn) {
             const Section &drawn = *(*m_drawn)->document.find((*m_drawn)->section.drawn);
-            stroke.size = drawn.shape->bounds();
+            stroke.section = drawn.name;
+            stroke.size = seenSize(context.camera, m_target, drawn, *contour.contour);
             if ((*m_drawn)->isCutAtGround)
                 stroke.cut = contour.contour;
         }
@@ -302,6 +320,10 @@ Hint StrokeGesture::hint() const
     default:
         if (!m_drawn || !*m_drawn)
             return {Hint::Kind::DrawContour, {}, false};
+        if (m_target.purpose == ContourTarget::Purpose::Hole)
+            return {Hint::Kind::ReleaseToCutHole, (*m_drawn)->step.names.front(), false};
+        if (!m_drawnMirrored && m_target.purpose == ContourTarget::Purpose::Redraw)
+            return {Hint::Kind::ReleaseToRedraw, (*m_drawn)->step.names.front(), false};
         if (!m_drawnMirrored)
             return {Hint::Kind::ReleaseToMake, {}, false};
         return {m_isAxisSlit ? Hint::Kind::ReleaseToMirror : Hint::Kind::ReleaseToMirrorFirst,

@@ -20,15 +20,28 @@ namespace {
 /// Upright enough to be called up or down (cosine of 45°).
 constexpr double kUpright = 0.7071;
 
-/// The section of the preview that is being drawn, its index, or -1.
+/// Index of the section of the preview that is being drawn or changed, or -1.
 int drawnIndex(const Workbench &bench)
 {
-    const Session &session = bench.session();
-    const auto count = static_cast<int>(session.model().document.sections.size());
-    return session.hasPreview() &&
-                   count > static_cast<int>(session.committed().document.sections.size())
-               ? count - 1
-               : -1;
+    const Model &model = bench.session().model(), &committed = bench.session().committed();
+    if (!bench.session().hasPreview())
+        return -1;
+    for (std::size_t i = model.sectionCount(); i-- > 0;) {
+        if (i >= committed.sectionCount() || model.section(i) != committed.section(i))
+            return static_cast<int>(i);
+    }
+    return -1;
+}
+
+QString kindText(const Overlay &overlay)
+{
+    using Purpose = ContourTarget::Purpose;
+    const Purpose purpose = overlay.stroke ? overlay.stroke->purpose : Purpose::NewSection;
+    if (purpose == Purpose::Hole)
+        return DrawingPage::tr("A hole, while you draw it");
+    if (purpose == Purpose::Redraw)
+        return DrawingPage::tr("A new contour, while you draw it");
+    return DrawingPage::tr("New section, while you draw it");
 }
 
 } // namespace
@@ -44,14 +57,14 @@ DrawingPage::DrawingPage(Workbench &bench, QWidget *parent) : QWidget(parent), m
     QFont bold = m_name->font();
     bold.setWeight(QFont::DemiBold);
     m_name->setFont(bold);
-    auto *kind = new QLabel(tr("New section, while you draw it"), this);
-    kind->setForegroundRole(QPalette::PlaceholderText);
+    m_kind = new QLabel(this);
+    m_kind->setForegroundRole(QPalette::PlaceholderText);
     auto *head = new QGridLayout;
     head->setHorizontalSpacing(10);
     head->setVerticalSpacing(6);
     head->addWidget(m_icon, 0, 0);
     head->addWidget(m_name, 0, 1);
-    head->addWidget(kind, 1, 1);
+    head->addWidget(m_kind, 1, 1);
     head->setColumnStretch(1, 1);
 
     const Session &session = bench.session();
@@ -81,8 +94,7 @@ DrawingPage::DrawingPage(Workbench &bench, QWidget *parent) : QWidget(parent), m
         const auto &stroke = m_bench.interaction().overlay().stroke;
         if (!stroke || !stroke->size)
             return QString(u'–');
-        const Vec2 size = stroke->size->size();
-        return sizeText({size.x(), size.y()}, 1, locale());
+        return sizeText({stroke->size->x(), stroke->size->y()}, 1, locale());
     });
     addRow(m_contour, tr("Curve pieces"), "drawnPieces", [this] {
         const int drawn = drawnIndex(m_bench);
@@ -174,6 +186,8 @@ QString DrawingPage::symmetryText() const
     const SymmetryVerdict &sides = *stroke->symmetry;
     const QString far = lengthText(std::max(sides.left, sides.right), 1, 1, locale());
     const QString near = lengthText(std::min(sides.left, sides.right), 1, 1, locale());
+    if (!stroke->isMirrored && !stroke->isAxisSlit)
+        return {}; // nobody expects the first section to be
     if (!stroke->isMirrored)
         return tr("<b>Not mirrored.</b> You drew on one side of the axis: %1 on one, %2 on the "
                   "other. Symmetry is off, or Shift is held.")
@@ -193,6 +207,7 @@ void DrawingPage::refresh()
                         ? tr("New section")
                         : QString::fromStdString(
                               session.model().section(static_cast<std::size_t>(drawn))->name));
+    m_kind->setText(kindText(m_bench.interaction().overlay()));
     m_slit->setVisible(m_bench.interaction().overlay().slit.has_value());
     for (PropertyRow *row : m_rows)
         row->refresh();

@@ -32,7 +32,7 @@ private:
     QString symmetryText() const;
 
     Workbench &m_bench;
-    QLabel *m_icon = nullptr, *m_name = nullptr, *m_why = nullptr;
+    QLabel *m_icon = nullptr, *m_name = nullptr, *m_kind = nullptr, *m_why = nullptr;
     PropertyGroup *m_slit = nullptr, *m_contour = nullptr;
     std::vector<PropertyRow *> m_rows;
 };

@@ -98,10 +98,13 @@ void paintAxis(MarkPen &pen, const Overlay::Stroke &stroke, bool isSlit)
 
 void paintMirroredHalf(MarkPen &pen, const Overlay::Stroke &stroke)
 {
-    QPen dashed = roundPen(faded(pen.style().accent, 0.55), 2.0);
+    const QPainterPath half = pen.path(stroke.mirrored, stroke.canvas);
+    QPen dashed = roundPen(pen.style().accent, 2.0);
     dashed.setCapStyle(Qt::FlatCap);
-    dashed.setDashPattern({4.0, 2.5});
-    pen.painter().strokePath(pen.path(stroke.mirrored, stroke.canvas), dashed);
+    dashed.setDashPattern({4.0, 3.0});
+    // A wide casing, so that the solid edge under it does not show through the gaps.
+    pen.painter().strokePath(half, roundPen(faded(pen.style().panel, 0.85), 4.0));
+    pen.painter().strokePath(half, dashed);
 }
 
 /// What the ground cuts off of what is drawn.
@@ -110,16 +113,20 @@ void paintCutOff(MarkPen &pen, const Overlay::Stroke &stroke)
     QPen dashed = roundPen(pen.style().muted, 1.6);
     dashed.setDashPattern({0.5, 2.5});
     pen.painter().strokePath(pen.path(*stroke.cut, stroke.canvas), dashed);
-    double lowest = 0.0;
-    QPointF place;
-    for (const Vec2 &p : stroke.cut->points()) {
+}
+
+/// Beside it, below the ground.
+void paintCutChip(MarkPen &pen, const Overlay::Stroke &stroke)
+{
+    const std::vector<Vec2> &points = stroke.cut->points();
+    QPointF place(0.0, 0.0);
+    for (const Vec2 &p : points) {
         const Vec3 world = stroke.canvas.toWorld(p);
-        if (world.y() < lowest) {
-            lowest = world.y();
-            place = pen.screen(world);
-        }
+        const QPointF at = pen.screen(world);
+        if (world.y() < 0.0 && at.x() > place.x())
+            place = at;
     }
-    pen.chip(place + QPointF(0.0, 20.0), MarkPen::Anchor::Middle,
+    pen.chip(place + QPointF(24.0, 16.0), MarkPen::Anchor::Left,
              Words::tr("Cut flat at the ground"), pen.style().muted);
 }
 
@@ -144,7 +151,7 @@ void paintCursor(MarkPen &pen, const Overlay::Stroke &stroke, LengthUnit unit,
     painter.drawEllipse(at, 4.0, 4.0);
     if (!stroke.size)
         return;
-    const Vec2 size = stroke.size->size();
+    const Vec2 &size = *stroke.size;
     pen.chip(at + QPointF(26.0, 14.0), MarkPen::Anchor::Left,
              QStringLiteral("%1 × %2").arg(lengthNumber(size.x(), unit, 1, 1, locale),
                                            lengthText(size.y(), unit, 1, 1, locale)),
@@ -202,8 +209,11 @@ void paintStroke(MarkPen &pen, const Overlay &overlay, bool isGroundHatched, Len
         paintContour(pen, *overlay.stroke, overlay.slit.has_value());
     if (overlay.slit)
         paintSlit(pen, overlay, unit, locale);
-    if (overlay.stroke)
-        paintCursor(pen, *overlay.stroke, unit, locale);
+    if (!overlay.stroke)
+        return;
+    if (overlay.stroke->cut)
+        paintCutChip(pen, *overlay.stroke);
+    paintCursor(pen, *overlay.stroke, unit, locale);
 }
 
 } // namespace fff::ui
