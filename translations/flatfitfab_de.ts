@@ -2385,8 +2385,8 @@
         <translation>Nichts gezeichnet: Die Linie kreuzt sich selbst, und keine Schleife davon ist groß genug.</translation>
     </message>
     <message>
-        <source>Nothing drawn: mirrored, it would be two pieces. Hold &lt;kbd&gt;Shift&lt;/kbd&gt; to draw one side.</source>
-        <translation>Nichts gezeichnet: Gespiegelt wären es zwei Stücke. &lt;kbd&gt;Umschalt&lt;/kbd&gt; zeichnet nur eine Seite.</translation>
+        <source>%1 was not mirrored: the two halves would not meet.</source>
+        <translation>%1 wurde nicht gespiegelt: Die beiden Hälften träfen sich nicht.</translation>
     </message>
     <message>
         <source>%1 was cut flat at the ground.</source>

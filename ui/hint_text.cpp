@@ -125,8 +125,7 @@ QString hintSentence(const Hint &hint, const QString &undoKeys)
         return HintText::tr(
             "Nothing drawn: the line crosses itself, and no loop of it is large enough.");
     case Hint::Kind::HalvesDoNotMeet:
-        return HintText::tr("Nothing drawn: mirrored, it would be two pieces. Hold "
-                            "<kbd>Shift</kbd> to draw one side.");
+        return HintText::tr("%1 was not mirrored: the two halves would not meet.").arg(name);
     case Hint::Kind::CrossesItself:
         return undoKeys.isEmpty()
                    ? HintText::tr("The contour crosses itself; the largest loop was kept.")

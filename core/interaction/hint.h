@@ -39,7 +39,7 @@ struct Hint
         TooShort,
         NoArea,             // the line goes there and back
         CrossesWithoutLoop, // it crosses itself, but no loop of it is large enough
-        HalvesDoNotMeet,    // mirrored, it would be two pieces
+        HalvesDoNotMeet,    // it was not mirrored: it would be two pieces
         CrossesItself,
         CutAtGround,  // what was drawn below the ground was left out
         LargestPiece, // cutting there took it apart: the largest piece was kept

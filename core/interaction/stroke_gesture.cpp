@@ -69,8 +69,6 @@ Hint::Kind refusalOf(const StrokeContour &contour)
         return Hint::Kind::NoArea;
     case StrokeContour::Refusal::CrossesWithoutLoop:
         return Hint::Kind::CrossesWithoutLoop;
-    case StrokeContour::Refusal::HalvesDoNotMeet:
-        return Hint::Kind::HalvesDoNotMeet;
     case StrokeContour::Refusal::None:
     case StrokeContour::Refusal::TooShort:
         break;
@@ -273,6 +271,8 @@ GestureReply StrokeGesture::done()
     GestureReply reply;
     reply.state = GestureReply::State::Over;
     reply.note = std::move(drawn.note);
+    if (!m_stroke.contour().doHalvesMeet)
+        reply.note = Hint{Hint::Kind::HalvesDoNotMeet, drawn.step.names.front(), false};
     if (m_stroke.contour().wasCrossing)
         reply.note = Hint{Hint::Kind::CrossesItself, drawn.step.names.front(), false};
     reply.commit = {std::move(drawn.step), std::move(drawn.document)};

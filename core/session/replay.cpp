@@ -173,7 +173,8 @@ Result<void> replay(const QByteArray &script, Session &session, Interaction &int
 }
 
 Result<void> replay(const QByteArray &text, Session &session, Interaction &interaction,
-                    const CommandRegistry &commands)
+                    const CommandRegistry &commands,
+                    const std::function<void(const ReplayEvent &)> &afterEach)
 {
     const Result<ReplayScript> script = ReplayScript::read(text);
     if (!script)
@@ -192,6 +193,8 @@ Result<void> replay(const QByteArray &text, Session &session, Interaction &inter
             return tl::unexpected(event.error());
         if (const Result<void> played = player.play(*event, index); !played)
             return played;
+        if (afterEach)
+            afterEach(*event);
     }
     return {};
 }

@@ -20,9 +20,12 @@
 
 #include "core/interaction/commands.h"
 #include "core/interaction/interaction.h"
+#include "core/session/replay_script.h"
 #include "core/session/session.h"
 
 #include <QByteArray>
+
+#include <functional>
 
 namespace fff {
 
@@ -32,8 +35,9 @@ namespace fff {
 ///         event that makes no sense there BadEvent, place "events[7]", args: what, what was
 ///         expected. Events before a wrong one have happened by then.
 Result<void> replay(const QByteArray &script, Session &session, Interaction &interaction);
-/// The same with these commands.
+/// The same with these commands; `afterEach` is called after each event that went well.
 Result<void> replay(const QByteArray &text, Session &session, Interaction &interaction,
-                    const CommandRegistry &commands);
+                    const CommandRegistry &commands,
+                    const std::function<void(const ReplayEvent &)> &afterEach = {});
 
 } // namespace fff

@@ -75,17 +75,13 @@ void closePlain(const std::vector<Vec2> &samples, double tolerance, StrokeContou
     close(std::move(chain), tolerance, stroke);
 }
 
-void closeMirrored(const std::vector<Vec2> &samples, double tolerance, StrokeContour &stroke)
+/// False when the halves would not meet; then nothing is changed.
+bool closeMirrored(const std::vector<Vec2> &samples, double tolerance, StrokeContour &stroke)
 {
     std::optional<MirroredHalf> half =
         mirroredHalf(samples, *stroke.axis, *stroke.symmetry, tolerance);
-    if (!half) {
-        // What is drawn is shown all the same.
-        stroke.fitted = fitCurve(samples, {.tolerance = tolerance});
-        if (extentOf(stroke.fitted) >= kSmallestExtent * tolerance)
-            stroke.refusal = Refusal::HalvesDoNotMeet;
-        return;
-    }
+    if (!half)
+        return false;
     std::vector<CubicBezier> chain = std::move(half->outline);
     chain.insert(chain.end(), half->mirrored.begin(), half->mirrored.end());
     stroke.fitted = std::move(half->fitted);
@@ -95,6 +91,7 @@ void closeMirrored(const std::vector<Vec2> &samples, double tolerance, StrokeCon
     stroke.wasCrossing = half->wasCrossing;
     stroke.wasCutAtAxis = half->wasCut;
     close(std::move(chain), tolerance, stroke);
+    return true;
 }
 
 } // namespace
@@ -104,13 +101,22 @@ StrokeContour strokeContour(const std::vector<Vec2> &samples, const StrokeContou
     StrokeContour stroke;
     stroke.refusal = Refusal::TooShort;
     stroke.axis = options.axis;
+    Box2 drawn;
+    for (const Vec2 &p : samples)
+        drawn.extend(p);
+    // Joins to the axis would make something even of a slip of the hand.
+    if (drawn.isEmpty() || drawn.size().maxCoeff() < kSmallestExtent * options.tolerance) {
+        stroke.fitted = fitCurve(samples, {.tolerance = options.tolerance});
+        return stroke;
+    }
     if (options.axis)
         stroke.symmetry = judgeSymmetry(samples, *options.axis, options.mirrorRatio);
     stroke.isMirrored = stroke.symmetry && stroke.symmetry->isOneSided && options.isSymmetryOn;
-    if (stroke.isMirrored)
-        closeMirrored(samples, options.tolerance, stroke);
-    else
-        closePlain(samples, options.tolerance, stroke);
+    if (stroke.isMirrored && closeMirrored(samples, options.tolerance, stroke))
+        return stroke;
+    stroke.doHalvesMeet = !stroke.isMirrored;
+    stroke.isMirrored = false;
+    closePlain(samples, options.tolerance, stroke);
     return stroke;
 }
 

@@ -30,7 +30,6 @@ struct StrokeContour
         TooShort,           // no line yet, or a dot
         NoArea,             // it goes there and back, along a line
         CrossesWithoutLoop, // it crosses itself, but no loop of it is large enough
-        HalvesDoNotMeet,    // the two halves would have nothing in common
     };
 
     std::vector<CubicBezier> fitted;    // open chain along the samples (of the half that is kept)
@@ -46,7 +45,8 @@ struct StrokeContour
 
     std::optional<MirrorAxis> axis;          // as in the options
     std::optional<SymmetryVerdict> symmetry; // of the samples, where there is an axis
-    bool isMirrored = false;                 // one-sided, and symmetry is on
+    bool isMirrored = false;                 // one-sided, symmetry is on, and the halves meet
+    bool doHalvesMeet = true;                // false: not mirrored for this, it would be two pieces
 };
 
 /// samples: canvas coordinates, mm. A function of all samples, so that nothing jumps at the

@@ -1,5 +1,6 @@
 fff_test(core/session/tst_session fff::session)
 fff_test(core/session/tst_replay fff::session)
+fff_test(core/session/tst_strokes fff::session)
 fff_test(core/session/tst_autosave fff::session)
 fff_test(core/session/tst_layout_models fff::session Polyclipping::Polyclipping)
 fff_test(core/session/tst_check_list fff::session)
