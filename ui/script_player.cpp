@@ -98,10 +98,14 @@ Result<void> ScriptPlayer::play(const ReplayEvent &event)
     case ReplayEvent::Type::Wait:
         return {};
     case ReplayEvent::Type::Command:
-        return run(event.name.toStdString(), event.name);
+        return run(event.name.toStdString(), event.name, event.parameters);
     case ReplayEvent::Type::Key:
         if (event.name == QLatin1String("Escape")) {
             m_bench.escape();
+            return {};
+        }
+        if (const std::optional<ToolKey> key = toolKeyOf(event.name, event.modifiers)) {
+            m_bench.key(*key);
             return {};
         }
         return run(commandOfKey(event.name, event.modifiers), event.name);
@@ -138,11 +142,12 @@ void ScriptPlayer::sendWheel(const ReplayEvent &event)
 }
 
 /// As a menu runs it: a command that fails says so in the window.
-Result<void> ScriptPlayer::run(const std::string &command, const QString &what)
+Result<void> ScriptPlayer::run(const std::string &command, const QString &what,
+                               const CommandParameters &parameters)
 {
     if (!m_bench.commands().contains(command))
         return ReplayScript::wrong(m_next, what, QStringLiteral("a command"));
-    m_bench.run(QString::fromStdString(command));
+    m_bench.run(QString::fromStdString(command), parameters);
     return {};
 }
 

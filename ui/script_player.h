@@ -36,7 +36,8 @@ private:
     Result<void> play(const ReplayEvent &event);
     void sendMouse(const ReplayEvent &event);
     void sendWheel(const ReplayEvent &event);
-    Result<void> run(const std::string &command, const QString &what);
+    Result<void> run(const std::string &command, const QString &what,
+                     const CommandParameters &parameters = {});
     QPointF inView(const Vec2 &position) const;
 
     Workbench &m_bench;

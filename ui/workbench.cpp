@@ -76,6 +76,18 @@ bool Workbench::key(ToolKey key)
     return wasUsed;
 }
 
+void Workbench::setNumbers(const std::vector<ToolNumber> &numbers)
+{
+    m_interaction->setNumbers(numbers, m_clock.now());
+    announceChanges();
+}
+
+void Workbench::dropNumbers()
+{
+    m_interaction->dropNumbers(m_clock.now());
+    announceChanges();
+}
+
 bool Workbench::advance()
 {
     const bool runs = m_interaction->advance(m_clock.now());
@@ -187,9 +199,9 @@ void Workbench::announceChanges()
     Q_EMIT viewChanged();
 }
 
-void Workbench::run(const QString &id)
+void Workbench::run(const QString &id, const CommandParameters &parameters)
 {
-    const Result<void> done = m_commands.run(id.toStdString(), {}, m_clock.now());
+    const Result<void> done = m_commands.run(id.toStdString(), parameters, m_clock.now());
     announceChanges();
     if (!done)
         Q_EMIT editFailed(done.error());

@@ -33,6 +33,8 @@ public:
     /// Of the tool in the hand.
     bool wants(ToolKey key) const;
     bool key(ToolKey key);
+    void setNumbers(const std::vector<ToolNumber> &numbers);
+    void dropNumbers();
     /// Moves animations on; true while one runs.
     bool advance();
     EventClock &clock() { return m_clock; }
@@ -41,7 +43,7 @@ public:
     CommandRegistry &commands() { return m_commands; }
     const CommandRegistry &commands() const { return m_commands; }
     /// A failure is announced by editFailed.
-    void run(const QString &id);
+    void run(const QString &id, const CommandParameters &parameters = {});
 
     void setCamera(const Camera &camera);
     /// The whole model from one of the standard views, at once; as soon as the view has a size.

@@ -138,6 +138,13 @@ std::optional<MirrorAxis> slitAxis(const ContourTarget &target, const Document &
     return MirrorAxis{from, way.normalized()};
 }
 
+void moveToDistance(CanvasChoice &canvas, double distance)
+{
+    Frame &frame = canvas.target.canvas;
+    frame.origin += (distance - *canvas.distance) * frame.normal();
+    canvas.distance = distance;
+}
+
 tl::expected<DrawnContour, Hint> drawContour(const Document &document, const ContourTarget &target,
                                              const Contour &contour, const DrawingRules &rules)
 {

@@ -30,6 +30,18 @@ struct ContourTarget
 /// is known.
 std::optional<MirrorAxis> slitAxis(const ContourTarget &target, const Document &document);
 
+/// A canvas that was picked to draw on.
+struct CanvasChoice
+{
+    ContourTarget target;
+    std::string command;            // that picked it
+    std::string name;               // of the section that it is about, or of the plane
+    std::optional<double> distance; // of a plane parallel to a section, mm; it can be changed
+};
+
+/// The canvas moved to another distance. Only of one that has a distance.
+void moveToDistance(CanvasChoice &canvas, double distance);
+
 /// A document with the contour in it.
 struct DrawnContour
 {

@@ -22,10 +22,24 @@ Camera cameraAtCanvas(const ContourTarget &target, const GestureContext &context
     return pinned(camera, middle, 0.5 * context.viewport, context.viewport);
 }
 
-DrawTool::DrawTool(ContourTarget target, std::string command, std::string name)
-    : m_target(std::move(target)), m_command(std::move(command)), m_name(std::move(name))
+Overlay::Plane planeMark(const Frame &canvas, const GestureContext &context)
 {
+    constexpr double kMargin = 12.0; // px
+    Overlay::Plane plane{canvas, {}};
+    const Box3 bounds = context.model.bounds();
+    for (int corner = 0; corner < 8; ++corner) {
+        const Vec3 at((corner & 1) != 0 ? bounds.max.x() : bounds.min.x(),
+                      (corner & 2) != 0 ? bounds.max.y() : bounds.min.y(),
+                      (corner & 4) != 0 ? bounds.max.z() : bounds.min.z());
+        plane.box.extend(canvas.toLocal(at));
+    }
+    const double margin = kMargin * context.camera.millimetresPerPixel;
+    plane.box.min -= Vec2(margin, margin);
+    plane.box.max += Vec2(margin, margin);
+    return plane;
 }
+
+DrawTool::DrawTool(CanvasChoice canvas) : m_canvas(std::move(canvas)) {}
 
 DrawTool::~DrawTool() = default;
 
@@ -33,7 +47,7 @@ GestureReply DrawTool::begin(GestureContext &context, double)
 {
     m_before = context.camera;
     GestureReply reply;
-    reply.turnTo = cameraAtCanvas(m_target, context);
+    reply.turnTo = cameraAtCanvas(m_canvas.target, context);
     return reply;
 }
 
@@ -42,8 +56,9 @@ GestureReply DrawTool::handle(const PointerEvent &event, GestureContext &context
     const bool presses =
         event.type == PointerEvent::Type::Press || event.type == PointerEvent::Type::DoubleClick;
     if (presses) {
-        context.camera = retargeted(context.camera, m_target.canvas.origin, context.viewport);
-        m_stroke = std::make_unique<StrokeGesture>(event, m_target, context);
+        context.camera =
+            retargeted(context.camera, m_canvas.target.canvas.origin, context.viewport);
+        m_stroke = std::make_unique<StrokeGesture>(event, m_canvas.target, context);
         return {};
     }
     if (!m_stroke)
@@ -76,21 +91,44 @@ GestureReply DrawTool::cancel(GestureContext &context)
     return reply;
 }
 
+void DrawTool::mark(GestureContext &context, bool)
+{
+    context.overlay.plane.reset();
+    if (m_canvas.distance && !m_stroke)
+        context.overlay.plane = planeMark(m_canvas.target.canvas, context);
+}
+
+std::vector<ToolNumber> DrawTool::numbers() const
+{
+    if (!m_canvas.distance || m_stroke)
+        return {};
+    return {{ToolNumber::Kind::Distance, *m_canvas.distance}};
+}
+
+GestureReply DrawTool::setNumbers(const std::vector<ToolNumber> &numbers, GestureContext &)
+{
+    for (const ToolNumber &number : numbers) {
+        if (number.kind == ToolNumber::Kind::Distance && m_canvas.distance && !m_stroke)
+            moveToDistance(m_canvas, number.value);
+    }
+    return {};
+}
+
 Hint DrawTool::hint() const
 {
     if (m_stroke)
         return m_stroke->hint();
-    switch (m_target.purpose) {
+    switch (m_canvas.target.purpose) {
     case ContourTarget::Purpose::Redraw:
-        return {Hint::Kind::DrawNewContour, m_name, false};
+        return {Hint::Kind::DrawNewContour, m_canvas.name, false};
     case ContourTarget::Purpose::Hole:
-        return {Hint::Kind::DrawHole, m_name, false};
+        return {Hint::Kind::DrawHole, m_canvas.name, false};
     case ContourTarget::Purpose::NewSection:
         break;
     }
-    return {m_command == "section.planeParallel" ? Hint::Kind::DrawParallel
-                                                 : Hint::Kind::DrawOnPlane,
-            m_name, false};
+    return {m_canvas.command == "section.planeParallel" ? Hint::Kind::DrawParallel
+                                                        : Hint::Kind::DrawOnPlane,
+            m_canvas.name, false};
 }
 
 } // namespace fff

@@ -14,22 +14,25 @@ namespace fff {
 class DrawTool : public Tool
 {
 public:
-    /// command: its id. name: of the section that the target is about, or of the plane.
-    DrawTool(ContourTarget target, std::string command, std::string name);
+    explicit DrawTool(CanvasChoice canvas);
     ~DrawTool() override;
 
-    std::string_view command() const override { return m_command; }
+    std::string_view command() const override { return m_canvas.command; }
     GestureReply begin(GestureContext &context, double time) override;
     GestureReply handle(const PointerEvent &event, GestureContext &context) override;
     void advance(double time, GestureContext &context) override;
     /// A stroke first, then the tool, with the view from before.
     GestureReply cancel(GestureContext &context) override;
+    void mark(GestureContext &context, bool hasCursor) override;
+    /// The distance of a parallel plane, until a stroke is begun.
+    std::vector<ToolNumber> numbers() const override;
+    GestureReply setNumbers(const std::vector<ToolNumber> &numbers,
+                            GestureContext &context) override;
     Hint hint() const override;
     Cursor cursor() const override { return Cursor::Pencil; }
 
 private:
-    ContourTarget m_target;
-    std::string m_command, m_name;
+    CanvasChoice m_canvas;
     std::optional<Camera> m_before; // the turn
     std::unique_ptr<StrokeGesture> m_stroke;
 };
@@ -37,5 +40,8 @@ private:
 /// The view straight at a canvas after the least turn, what is to be seen of it in the middle: the
 /// target's section, or what the model has there.
 Camera cameraAtCanvas(const ContourTarget &target, const GestureContext &context);
+
+/// A plane as a frame round what the model has there, for one that is moved to and fro.
+Overlay::Plane planeMark(const Frame &canvas, const GestureContext &context);
 
 } // namespace fff

@@ -35,6 +35,10 @@ struct GestureReply
     std::optional<Camera> returnTo;  // turn the view back to where it was
     std::optional<Camera> turnTo;    // turn the view there, as a view of its own
     std::optional<std::vector<SectionRef>> select;
+    /// Of a tool: the press was a click that it has no use for.
+    bool isClick = false;
+    /// Of a tool that turns the view by itself: where it was before.
+    std::optional<Camera> left;
 };
 
 class Gesture

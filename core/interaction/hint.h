@@ -26,6 +26,18 @@ struct Hint
         DrawParallel,         // to the section
         DrawNewContour,       // of the section
         DrawHole,             // in the section
+        PenWithoutCanvas,     // beside all sections
+        PenOnSection,
+        CanvasOnEdge,  // it cannot be drawn on as it is seen now
+        PenFirstPoint, // section: what it is about; may be empty
+        PenPoint,
+        PenSnapped, // the same, held by something
+        PenCrosses, // the same, the path crosses itself
+        PenBending,
+        PenOnPoint,
+        PenOnHandle,
+        PenClosing, // over the first point
+        PenNumbers, // the next point is typed
         Orbiting,
         Panning,
         Zooming,
@@ -41,13 +53,16 @@ struct Hint
         CrossesWithoutLoop, // it crosses itself, but no loop of it is large enough
         HalvesDoNotMeet,    // it was not mirrored: it would be two pieces
         CrossesItself,
-        CutAtGround,  // what was drawn below the ground was left out
-        LargestPiece, // cutting there took it apart: the largest piece was kept
-        BelowGround,  // nothing of it is above
-        HoleOutside,  // the hole lies beside the section
-        HoleIsNotch,  // it was cut out of the section's edge
-        HolesMerged,  // it became one with others
-        HolesLeftOut, // of a redrawn section: those outside of it
+        NothingToClose, // the pen's points enclose nothing
+        PathIsOpen,     // another canvas was picked
+        CanvasGone,     // what the pen drew on is not there any more
+        CutAtGround,    // what was drawn below the ground was left out
+        LargestPiece,   // cutting there took it apart: the largest piece was kept
+        BelowGround,    // nothing of it is above
+        HoleOutside,    // the hole lies beside the section
+        HoleIsNotch,    // it was cut out of the section's edge
+        HolesMerged,    // it became one with others
+        HolesLeftOut,   // of a redrawn section: those outside of it
         Failed
     };
     Kind kind = Kind::TurnView;

@@ -72,7 +72,8 @@ public:
     void leave();
 
     void beginWithSecondButton(std::unique_ptr<Gesture> next);
-    bool toolTakes(const PointerEvent &event) const;
+    bool toolTakes(const PointerEvent &event);
+    bool toolHasUse(const PointerEvent &press);
     void feedTool(const PointerEvent &event);
     void click(const PointerEvent &press);
     void feed(const PointerEvent &event);
@@ -87,6 +88,8 @@ public:
     void hover();
     void update();
     void turn(const Camera &to, double start, double duration);
+    void stopMotion();
+    void feedClick(const PointerEvent &press);
 
     InteractionHost &host;
     InteractionSettings settings;
@@ -104,6 +107,7 @@ public:
     bool hasSecondButton = false; // turns the view as long as it is pressed
     std::unique_ptr<Tool> tool;
     bool isToolPressed = false;    // the left button, for the tool
+    PointerEvent toolPress;        // of it
     bool isToolCommitting = false; // what changes then is its own doing
     bool hasPreview = false;       // of the gesture
     Camera cameraBefore;           // the gesture
@@ -130,7 +134,7 @@ void Interaction::Private::press(const PointerEvent &event)
     }
     if (gesture || !pending.empty())
         return; // a second button during a gesture
-    motion.finish();
+    stopMotion();
     motion.history.interrupt();
     note.reset();
     motion.isTouched = true;
@@ -201,7 +205,7 @@ void Interaction::Private::zoom(const PointerEvent &event, double factor)
 {
     if (gesture || !pending.empty())
         return;
-    motion.finish();
+    stopMotion();
     motion.history.leave(motion.camera, ViewHistory::Change::Wheel);
     clicks.forget();
     motion.isTouched = true;
@@ -214,7 +218,7 @@ void Interaction::Private::scroll(const PointerEvent &event)
 {
     if (gesture || !pending.empty())
         return;
-    motion.finish();
+    stopMotion();
     motion.history.leave(motion.camera, ViewHistory::Change::Wheel);
     clicks.forget();
     motion.isTouched = true;
@@ -246,6 +250,10 @@ void Interaction::Private::click(const PointerEvent &begin)
     }
     if (sight().isOnHandle(begin.position))
         return;
+    if (tool && tool->takesClicks()) {
+        feedClick(begin);
+        return;
+    }
     selection.select(clicks.click(host.model(), sight().hitsAt(begin.position), begin.position,
                                   settings.dragThreshold, begin.modifiers.control,
                                   selection.sections()));
@@ -262,7 +270,8 @@ void Interaction::Private::feed(const PointerEvent &event)
 void Interaction::Private::take(GestureReply reply)
 {
     if (reply.state == GestureReply::State::Running) {
-        showPreview(std::move(reply.preview));
+        if (!tool || reply.preview) // else the tool's own stays
+            showPreview(std::move(reply.preview));
         if (reply.select)
             selection.select(*std::move(reply.select));
         return;
@@ -275,7 +284,7 @@ void Interaction::Private::take(GestureReply reply)
     pending.clear();
     overlay = {};
     carryOut(reply);
-    if (!reply.commit)
+    if (!reply.commit && !tool)
         showPreview({});
     clicks.forget();
     hover();
@@ -301,8 +310,14 @@ void Interaction::Private::carryOut(GestureReply &reply)
 
 // Tools.
 
+bool Interaction::Private::toolHasUse(const PointerEvent &press)
+{
+    GestureContext with = context();
+    return tool->takes(press, with);
+}
+
 /// What lies over the view comes first, and drags that move it are as without a tool.
-bool Interaction::Private::toolTakes(const PointerEvent &event) const
+bool Interaction::Private::toolTakes(const PointerEvent &event)
 {
     if (!tool || gesture || !pending.empty())
         return false;
@@ -310,7 +325,8 @@ bool Interaction::Private::toolTakes(const PointerEvent &event) const
     case PointerEvent::Type::Press:
     case PointerEvent::Type::DoubleClick:
         return event.button == Button::Left && !isOnViewMark(sight(), event.position) &&
-               dragKind(settings.navigation, event.button, event.modifiers) == DragKind::Edit;
+               dragKind(settings.navigation, event.button, event.modifiers) == DragKind::Edit &&
+               toolHasUse(event);
     case PointerEvent::Type::Release:
         return isToolPressed && event.button == Button::Left;
     case PointerEvent::Type::Move:
@@ -331,6 +347,7 @@ void Interaction::Private::feedTool(const PointerEvent &event)
         note.reset();
         motion.isTouched = true;
         isToolPressed = true;
+        toolPress = event;
     } else if (event.type == PointerEvent::Type::Release) {
         isToolPressed = false;
     }
@@ -339,6 +356,22 @@ void Interaction::Private::feedTool(const PointerEvent &event)
     hovering.unmark(overlay);
     GestureContext with = context();
     takeFromTool(tool->handle(event, with));
+    if (tool && tool->marksSections())
+        hover();
+}
+
+/// A click that became none of the view's drags.
+void Interaction::Private::feedClick(const PointerEvent &press)
+{
+    PointerEvent release = press;
+    release.type = PointerEvent::Type::Release;
+    release.time = now;
+    GestureContext with = context();
+    takeFromTool(tool->handle(press, with));
+    if (!tool)
+        return;
+    GestureContext after = context();
+    takeFromTool(tool->handle(release, after));
 }
 
 void Interaction::Private::takeFromTool(GestureReply reply)
@@ -348,8 +381,12 @@ void Interaction::Private::takeFromTool(GestureReply reply)
         layToolDown();
     if (!reply.commit)
         showPreview(std::move(reply.preview));
+    if (reply.left)
+        motion.history.leave(*reply.left, ViewHistory::Change::Turn);
     const QuietTool quiet(isToolCommitting);
     carryOut(reply);
+    if (reply.isClick)
+        click(toolPress);
     if (isOver)
         hover();
 }
@@ -398,7 +435,7 @@ bool Interaction::Private::cancelTool()
 
 void Interaction::Private::hover()
 {
-    if (motion.animation)
+    if (motion.animation || (tool && tool->isAnimating()))
         hovering.unmark(overlay);
     else
         hovering.mark(sight(), now, settings.nameDelay, overlay);
@@ -406,9 +443,16 @@ void Interaction::Private::hover()
 
 void Interaction::Private::update()
 {
+    const bool isOnMark = overlay.cubePart || overlay.mark > 0 || overlay.isHandleHovered;
+    if (tool) {
+        if (!tool->marksSections() && !isOnMark)
+            hovering.unmark(overlay);
+        GestureContext with = context();
+        tool->mark(with, !gesture && pending.empty() && !isOnMark && !motion.animation);
+    }
     if (gesture)
         std::tie(hint, cursor) = std::pair(gesture->hint(), gesture->cursor());
-    else if (tool && !overlay.cubePart && overlay.mark == 0 && !overlay.isHandleHovered)
+    else if (tool && !isOnMark)
         std::tie(hint, cursor) = std::pair(tool->hint(), tool->cursor());
     else
         std::tie(hint, cursor) = hoverHint(overlay, host.model());
@@ -422,6 +466,16 @@ void Interaction::Private::update()
 }
 
 // The camera.
+
+/// The view is about to be moved, or something is done in it as it is.
+void Interaction::Private::stopMotion()
+{
+    motion.finish();
+    if (tool && tool->isAnimating()) {
+        GestureContext with = context();
+        tool->finish(with);
+    }
+}
 
 /// Somewhere on purpose: the view before it is kept.
 void Interaction::Private::turn(const Camera &to, double start, double duration)
@@ -479,7 +533,7 @@ void Interaction::turnTo(const Camera &camera, double time, double duration)
 {
     d->now = std::max(d->now, time);
     d->cancelGesture();
-    d->motion.finish();
+    d->stopMotion();
     d->turn(camera, time, duration);
     d->hover();
     d->update();
@@ -488,7 +542,7 @@ void Interaction::turnTo(const Camera &camera, double time, double duration)
 void Interaction::setProjection(Projection projection)
 {
     d->cancelGesture();
-    d->motion.finish();
+    d->stopMotion();
     Camera &camera = d->motion.camera;
     camera = retargeted(camera, d->sight().middleOf(d->selection.sections()), d->motion.viewport);
     camera.projection = projection;
@@ -501,7 +555,7 @@ void Interaction::goBack(double time, double duration)
 {
     d->now = std::max(d->now, time);
     d->cancelGesture();
-    d->motion.finish();
+    d->stopMotion();
     const std::optional<Camera> before = d->motion.history.takeBack(d->motion.camera);
     if (!before)
         return;
@@ -667,7 +721,7 @@ void Interaction::pickUp(std::unique_ptr<Tool> tool, double time)
     if (isSame)
         return;
     d->cancelGesture();
-    d->motion.finish();
+    d->stopMotion();
     d->note.reset();
     d->tool = std::move(tool);
     d->hovering.unmark(d->overlay);
@@ -703,6 +757,79 @@ bool Interaction::key(ToolKey key, double time)
     d->takeFromTool(d->tool->key(key, with));
     d->update();
     return true;
+}
+
+bool Interaction::useCanvas(const CanvasChoice &canvas, double time)
+{
+    if (!d->tool)
+        return false;
+    advance(time);
+    d->cancelGesture();
+    d->stopMotion();
+    GestureContext with = d->context();
+    std::optional<GestureReply> reply = d->tool->useCanvas(canvas, with);
+    if (!reply)
+        return false;
+    d->takeFromTool(*std::move(reply));
+    d->update();
+    return true;
+}
+
+bool Interaction::canUndoInTool() const
+{
+    return d->tool && d->tool->canUndo();
+}
+
+bool Interaction::canRedoInTool() const
+{
+    return d->tool && d->tool->canRedo();
+}
+
+bool Interaction::undoInTool(double time)
+{
+    if (!canUndoInTool())
+        return false;
+    advance(time);
+    GestureContext with = d->context();
+    d->takeFromTool(d->tool->undo(with));
+    d->update();
+    return true;
+}
+
+bool Interaction::redoInTool(double time)
+{
+    if (!canRedoInTool())
+        return false;
+    advance(time);
+    GestureContext with = d->context();
+    d->takeFromTool(d->tool->redo(with));
+    d->update();
+    return true;
+}
+
+std::vector<ToolNumber> Interaction::numbers() const
+{
+    return d->tool ? d->tool->numbers() : std::vector<ToolNumber>();
+}
+
+void Interaction::setNumbers(const std::vector<ToolNumber> &numbers, double time)
+{
+    advance(time);
+    if (!d->tool)
+        return;
+    GestureContext with = d->context();
+    d->takeFromTool(d->tool->setNumbers(numbers, with));
+    d->update();
+}
+
+void Interaction::dropNumbers(double time)
+{
+    advance(time);
+    if (!d->tool)
+        return;
+    GestureContext with = d->context();
+    d->takeFromTool(d->tool->dropNumbers(with));
+    d->update();
 }
 
 const std::vector<SectionRef> &Interaction::selection() const

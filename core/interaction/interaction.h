@@ -7,6 +7,7 @@
 #include "core/interaction/contour_target.h"
 #include "core/interaction/hint.h"
 #include "core/interaction/navigation.h"
+#include "core/interaction/pen_marks.h"
 #include "core/interaction/pick.h"
 #include "core/interaction/pointer_event.h"
 #include "core/interaction/problem_marks.h"
@@ -31,7 +32,9 @@ enum class Cursor {
     PencilWithClock,
     TurningArrows,
     Hand,
-    MoveCross
+    MoveCross,
+    Pen,
+    PenCloses // the path
 };
 
 /// What is drawn over the model during a gesture. World points are mm, screen points px.
@@ -71,10 +74,18 @@ struct Overlay
     {
         Vec3 point, direction; // unit
     };
+    /// A plane that waits to be drawn on and can still be moved.
+    struct Plane
+    {
+        Frame canvas;
+        Box2 box; // frame coordinates of canvas
+    };
     std::optional<SlitLine> slit;
     std::optional<DeadZone> deadZone;
     std::optional<Stroke> stroke;
+    std::optional<PenMarks> pen;
     std::optional<GroundLine> ground;
+    std::optional<Plane> plane;
     std::optional<Box2> band;      // of a rubber band, px
     std::optional<Vec3> slitStart; // hovering: where a slit would begin
     int hovered = -1;              // index of the section under the cursor
@@ -108,6 +119,7 @@ struct InteractionSettings
     bool mirrors = true;       // local symmetry: a stroke on one side of its slit is mirrored
     bool mirrorsFirst = false; // also the first section's, across the vertical through its start
     bool cutsAtGround = true;  // contours end at Y = 0
+    bool snaps = true;         // points that are set or moved
     double deadZoneFraction = 0.025; // of the viewport's width
     double dragThreshold = 4.0;      // px
     double nameDelay = 400.0;        // ms that the cursor rests before a name is shown
@@ -116,6 +128,8 @@ struct InteractionSettings
 };
 
 class Tool;
+struct CanvasChoice;
+struct ToolNumber;
 
 class Interaction
 {
@@ -172,6 +186,19 @@ public:
     bool wants(ToolKey key) const;
     /// True when the tool had a use for it.
     bool key(ToolKey key, double time);
+    /// A canvas was picked: true when the tool in hand draws there.
+    bool useCanvas(const CanvasChoice &canvas, double time);
+    /// Steps of the tool in hand, which Undo and Redo go through first. Each: false when there is
+    /// none.
+    bool canUndoInTool() const;
+    bool canRedoInTool() const;
+    bool undoInTool(double time);
+    bool redoInTool(double time);
+    /// What can be typed for the tool in hand; none while there is no use for numbers.
+    std::vector<ToolNumber> numbers() const;
+    /// Shown until Enter (key) does it, or they are dropped.
+    void setNumbers(const std::vector<ToolNumber> &numbers, double time);
+    void dropNumbers(double time);
 
     const std::vector<SectionRef> &selection() const;
     void select(std::vector<SectionRef> selection);

@@ -1,5 +1,7 @@
 #include "core/interaction/pick.h"
 
+#include "core/base/tolerances.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -128,6 +130,21 @@ std::vector<Hit> pick(const Model &model, const Ray &ray, const ViewState &view)
     std::stable_sort(hits.begin(), hits.end(),
                      [](const Hit &a, const Hit &b) { return a.distance < b.distance; });
     return hits;
+}
+
+std::optional<Vec2> pointOnPlane(const Camera &camera, const Vec2 &viewport, const Frame &plane,
+                                 const Vec2 &screen)
+{
+    // From the target's depth rather than from the eye: fewer digits are lost.
+    const Vec3 start = camera.pointAt(screen, viewport);
+    const Vec3 direction = -camera.towardsEye(start, viewport);
+    const double slope = plane.normal().dot(direction);
+    if (std::abs(slope) < std::sin(kMinDrawAngle))
+        return {};
+    const Vec3 point = start - (plane.height(start) / slope) * direction;
+    if (camera.isPerspective() && camera.forward().dot(point - camera.eye(viewport)) <= 0.0)
+        return {};
+    return plane.toLocal(point);
 }
 
 } // namespace fff

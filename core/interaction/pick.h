@@ -5,6 +5,7 @@
 #include "core/interaction/view_state.h"
 #include "core/model/model.h"
 
+#include <optional>
 #include <vector>
 
 namespace fff {
@@ -21,5 +22,10 @@ struct Hit
 /// grazing views the slab's side walls count too, and where the view cuts a slab open, its cut.
 /// Hidden sections and ghosts are looked through. O(sections in the ray's way).
 std::vector<Hit> pick(const Model &model, const Ray &ray, const ViewState &view = {});
+
+/// Where the ray through a screen point meets a plane, in its frame. None where the plane is seen
+/// on edge (below kMinDrawAngle) or the place is behind the eye.
+std::optional<Vec2> pointOnPlane(const Camera &camera, const Vec2 &viewport, const Frame &plane,
+                                 const Vec2 &screen);
 
 } // namespace fff

@@ -10,12 +10,15 @@ target_sources(fff_core PRIVATE
     interaction/hovering.cpp
     interaction/interaction.cpp
     interaction/navigation.cpp
+    interaction/pen_tool.cpp
+    interaction/pen_tool_marks.cpp
     interaction/pick.cpp
     interaction/problem_marks.cpp
     interaction/routing.cpp
     interaction/rubber_band.cpp
     interaction/selection.cpp
     interaction/sight.cpp
+    interaction/slit_turn.cpp
     interaction/snapping.cpp
     interaction/stroke_gesture.cpp
     interaction/view_cube.cpp

@@ -3,11 +3,24 @@
 // the view is still turned, moved and zoomed as ever. Esc, or asking for it again, lays it down.
 #pragma once
 
+#include "core/interaction/contour_target.h"
 #include "core/interaction/gesture.h"
 
 #include <string_view>
+#include <vector>
 
 namespace fff {
+
+/// A number that can be typed while a tool is held, in place of pointing. Lengths are mm, angles
+/// radians. Points are counted in the canvas' grid (snapping.h), or from the last one.
+struct ToolNumber
+{
+    enum class Kind { X, Y, DeltaX, DeltaY, Length, Angle, Distance };
+    Kind kind = Kind::X;
+    double value = 0.0;
+
+    bool operator==(const ToolNumber &) const = default;
+};
 
 /// handle() gets every left press, the moves (also without a button), the releases and double
 /// clicks as they come, none while the view is moved. A reply that is Over lays it down; one that
@@ -19,6 +32,46 @@ public:
     virtual std::string_view command() const = 0;
     /// Once, when it is picked up: may turn the view (GestureReply::turnTo).
     virtual GestureReply begin(GestureContext & /*context*/, double /*time*/) { return {}; }
+    /// Whether it has a use for a left press; one that it has none for does what it does without a
+    /// tool.
+    virtual bool takes(const PointerEvent & /*press*/, GestureContext & /*context*/) const
+    {
+        return true;
+    }
+    /// It works with clicks: also with those while Ctrl is held, whose drags turn the view.
+    virtual bool takesClicks() const { return false; }
+    /// The section under the cursor is marked as without a tool.
+    virtual bool marksSections() const { return false; }
+    /// Puts what it has in hand into the overlay, when all else is there: also while the view is
+    /// moved. hasCursor: the cursor is its own, and not over something else.
+    virtual void mark(GestureContext & /*context*/, bool /*hasCursor*/) {}
+    /// The view is about to be moved by other means: an animation of its own ends at once.
+    virtual void finish(GestureContext & /*context*/) {}
+
+    /// Steps of its own; Undo and Redo go through them first.
+    virtual bool canUndo() const { return false; }
+    virtual bool canRedo() const { return false; }
+    virtual GestureReply undo(GestureContext & /*context*/) { return {}; }
+    virtual GestureReply redo(GestureContext & /*context*/) { return {}; }
+
+    /// A canvas was picked while it is held. None: it does not draw on canvases.
+    virtual std::optional<GestureReply> useCanvas(CanvasChoice /*canvas*/,
+                                                  GestureContext & /*context*/)
+    {
+        return {};
+    }
+
+    /// The numbers that can be typed now, and what they are; a bar over the view has a field for
+    /// each.
+    virtual std::vector<ToolNumber> numbers() const { return {}; }
+    /// These are to be so: shown as if the cursor were there, done by Enter, or dropped.
+    virtual GestureReply setNumbers(const std::vector<ToolNumber> & /*numbers*/,
+                                    GestureContext & /*context*/)
+    {
+        return {};
+    }
+    virtual GestureReply dropNumbers(GestureContext & /*context*/) { return {}; }
+
     /// A key that it has a use for; what it has none for does what it does elsewhere.
     virtual bool wants(ToolKey /*key*/) const { return false; }
     virtual GestureReply key(ToolKey /*key*/, GestureContext & /*context*/) { return {}; }

@@ -141,6 +141,10 @@ Result<void> Player::key(const ReplayEvent &event)
         m_interaction.escape(m_time);
         return {};
     }
+    if (const std::optional<ToolKey> key = toolKeyOf(event.name, event.modifiers)) {
+        m_interaction.key(*key, m_time);
+        return {};
+    }
     const std::string command = commandOfKey(event.name, event.modifiers);
     if (command.empty())
         return wrong(QStringLiteral("key: ") + shown(event.name),

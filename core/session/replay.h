@@ -14,8 +14,9 @@
 //
 // Pixels have their origin at the top left. "t" is ms since the script's start and never goes back;
 // without it an event comes 8 ms after the one before, the first at 0 (and after "wait" when that
-// is over). "button" is left, middle or right, of a press left by default, of a release the one
-// that is pressed. Modifiers are shift, control and space.
+// is over). Keys are those that run commands, Escape, and Enter and Backspace for the tool in hand.
+// "button" is left, middle or right, of a press left by default, of a release the one that is
+// pressed. Modifiers are shift, control and space.
 #pragma once
 
 #include "core/interaction/commands.h"

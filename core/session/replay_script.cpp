@@ -23,7 +23,7 @@ struct KeyBinding
     bool control, shift;
     const char *command;
 };
-constexpr std::array<KeyBinding, 22> kKeys{{{"Delete", false, false, "edit.delete"},
+constexpr std::array<KeyBinding, 24> kKeys{{{"Delete", false, false, "edit.delete"},
                                             {"Z", true, false, "edit.undo"},
                                             {"Z", true, true, "edit.redo"},
                                             {"Y", true, false, "edit.redo"},
@@ -44,7 +44,9 @@ constexpr std::array<KeyBinding, 22> kKeys{{{"Delete", false, false, "edit.delet
                                             {"I", false, false, "view.isolate"},
                                             {"H", false, false, "view.hide"},
                                             {"H", false, true, "view.showAll"},
-                                            {"C", false, false, "view.clip"}}};
+                                            {"C", false, false, "view.clip"},
+                                            {"P", false, false, "section.pen"},
+                                            {"Q", false, false, "section.snap"}}};
 
 /// What stands in the script, short and on one line.
 QString found(const QJsonValue &value)
@@ -308,6 +310,17 @@ Result<ReplayEvent> ReplayScript::event(int index) const
     if (!value.isObject())
         return wrong(index, found(value), QStringLiteral("an object"));
     return EventReader(value.toObject(), index).read();
+}
+
+std::optional<ToolKey> toolKeyOf(const QString &key, const Modifiers &modifiers)
+{
+    if (modifiers.control || modifiers.shift)
+        return {};
+    if (key == QLatin1String("Enter"))
+        return ToolKey::Enter;
+    if (key == QLatin1String("Backspace"))
+        return ToolKey::Backspace;
+    return {};
 }
 
 std::string commandOfKey(const QString &key, const Modifiers &modifiers)

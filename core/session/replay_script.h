@@ -48,6 +48,8 @@ private:
     QJsonArray m_events;
 };
 
+/// What a key of a script is to a tool; none for other keys.
+std::optional<ToolKey> toolKeyOf(const QString &key, const Modifiers &modifiers);
 /// The command that a key of a script runs; empty for one that does nothing, and for Escape.
 std::string commandOfKey(const QString &key, const Modifiers &modifiers);
 

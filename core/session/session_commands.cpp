@@ -94,16 +94,21 @@ void registerEdits(CommandRegistry &registry, Session &session, Interaction &int
                       return {};
                   },
                   {}});
-    registry.add("edit.undo", {[&](const CommandParameters &, double) -> Result<void> {
-                                   session.history()->undo();
-                                   return {};
-                               },
-                               [&] { return session.history()->canUndo(); }});
-    registry.add("edit.redo", {[&](const CommandParameters &, double) -> Result<void> {
-                                   session.history()->redo();
-                                   return {};
-                               },
-                               [&] { return session.history()->canRedo(); }});
+    // Points of an open path first: what a person set last goes first.
+    registry.add("edit.undo",
+                 {[&](const CommandParameters &, double time) -> Result<void> {
+                      if (!interaction.undoInTool(time))
+                          session.history()->undo();
+                      return {};
+                  },
+                  [&] { return interaction.canUndoInTool() || session.history()->canUndo(); }});
+    registry.add("edit.redo",
+                 {[&](const CommandParameters &, double time) -> Result<void> {
+                      if (!interaction.redoInTool(time))
+                          session.history()->redo();
+                      return {};
+                  },
+                  [&] { return interaction.canRedoInTool() || session.history()->canRedo(); }});
     registry.add("edit.delete", {[&](const CommandParameters &, double) {
                                      return deleteSelected(session, interaction);
                                  },

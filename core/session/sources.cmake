@@ -6,6 +6,7 @@ target_sources(fff_session PRIVATE
     checks.cpp
     cutting_file.cpp
     journal.cpp
+    pen_commands.cpp
     recovery.cpp
     replay.cpp
     replay_script.cpp

@@ -3,6 +3,7 @@
 #include "core/base/tolerances.h"
 #include "core/interaction/draw_tool.h"
 #include "core/model/edits.h"
+#include "core/session/pen_commands.h"
 #include "core/session/session_host.h"
 
 #include <cmath>
@@ -50,6 +51,13 @@ std::optional<double> lowestPoint(const Model &model)
     return lowest;
 }
 
+/// With the tool in hand, if it draws on canvases, else with one stroke.
+void drawOn(Interaction &interaction, CanvasChoice canvas, double time)
+{
+    if (!interaction.useCanvas(canvas, time))
+        interaction.pickUp(std::make_unique<DrawTool>(std::move(canvas)), time);
+}
+
 void registerDrawing(CommandRegistry &registry, Session &session, Interaction &interaction)
 {
     const auto hasSection = [&] { return selectedSection(session, interaction) != nullptr; };
@@ -57,9 +65,7 @@ void registerDrawing(CommandRegistry &registry, Session &session, Interaction &i
         registry.add(id, {[&session, &interaction, id, target](const CommandParameters &,
                                                                double time) -> Result<void> {
                               const Section &section = *selectedSection(session, interaction);
-                              interaction.pickUp(
-                                  std::make_unique<DrawTool>(target(section), id, section.name),
-                                  time);
+                              drawOn(interaction, {target(section), id, section.name, {}}, time);
                               return {};
                           },
                           hasSection});
@@ -73,8 +79,7 @@ void registerPlanes(CommandRegistry &registry, Session &session, Interaction &in
     const auto add = [&](const char *id, const char *name, std::function<ContourTarget()> target) {
         registry.add(id, {[&interaction, id, name, target](const CommandParameters &,
                                                            double time) -> Result<void> {
-                              interaction.pickUp(std::make_unique<DrawTool>(target(), id, name),
-                                                 time);
+                              drawOn(interaction, {target(), id, name, {}}, time);
                               return {};
                           },
                           {}});
@@ -89,21 +94,22 @@ void registerPlanes(CommandRegistry &registry, Session &session, Interaction &in
         [] { return onPlane(Vec3::Zero(), Vec3::UnitX(), Vec3::UnitY()); });
     add("section.planeSide", "side",
         [] { return onPlane(Vec3::Zero(), -Vec3::UnitZ(), Vec3::UnitY()); });
-    registry.add(
-        "section.planeParallel",
-        {[&](const CommandParameters &parameters, double time) -> Result<void> {
-             const Result<double> distance = numberOf(parameters, "distance", kParallelDistance);
-             if (!distance)
-                 return tl::unexpected(distance.error());
-             const Section &section = *selectedSection(session, interaction);
-             Frame canvas = section.frame;
-             canvas.origin += *distance * canvas.normal();
-             interaction.pickUp(std::make_unique<DrawTool>(ContourTarget::newSection(canvas),
-                                                           "section.planeParallel", section.name),
-                                time);
-             return {};
-         },
-         [&] { return selectedSection(session, interaction) != nullptr; }});
+    registry.add("section.planeParallel",
+                 {[&](const CommandParameters &parameters, double time) -> Result<void> {
+                      const Result<double> distance =
+                          numberOf(parameters, "distance", kParallelDistance);
+                      if (!distance)
+                          return tl::unexpected(distance.error());
+                      const Section &section = *selectedSection(session, interaction);
+                      Frame canvas = section.frame;
+                      canvas.origin += *distance * canvas.normal();
+                      drawOn(interaction,
+                             {ContourTarget::newSection(canvas), "section.planeParallel",
+                              section.name, *distance},
+                             time);
+                      return {};
+                  },
+                  [&] { return selectedSection(session, interaction) != nullptr; }});
 }
 
 void registerGround(CommandRegistry &registry, Session &session)
@@ -145,6 +151,7 @@ void registerToolCommands(CommandRegistry &registry, Session &session, Interacti
     registerPlanes(registry, session, interaction);
     registerGround(registry, session);
     registerSwitches(registry, interaction);
+    registerPenCommands(registry, interaction);
 }
 
 } // namespace fff

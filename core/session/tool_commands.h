@@ -10,8 +10,8 @@ namespace fff {
 /// section.redraw and section.addHole (of the selected section), section.planeGround,
 /// section.planeFront, section.planeSide, section.planeParallel (to the selected section; parameter
 /// "distance", mm along its normal), section.dropToGround, and the switches section.symmetry and
-/// section.ground, which take the parameter "on" as those of the view do. Session and interaction
-/// outlive the registry.
+/// section.ground, which take the parameter "on" as those of the view do; and those of
+/// pen_commands.h. Session and interaction outlive the registry.
 void registerToolCommands(CommandRegistry &registry, Session &session, Interaction &interaction);
 
 } // namespace fff

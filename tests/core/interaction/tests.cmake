@@ -1,4 +1,5 @@
 fff_test(core/interaction/tst_camera fff::core)
+fff_test(core/interaction/tst_pen fff::session)
 fff_test(core/interaction/tst_pick fff::core)
 fff_test(core/interaction/tst_interaction fff::session)
 fff_test(core/interaction/tst_problem_marks fff::session)

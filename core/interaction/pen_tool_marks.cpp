@@ -1,0 +1,134 @@
+// What the pen shows and says of itself.
+#include "core/interaction/draw_tool.h"
+#include "core/interaction/pen_tool.h"
+
+namespace fff {
+
+void PenTool::mark(GestureContext &context, bool hasCursor)
+{
+    faceFirstCanvas(context);
+    Overlay &overlay = context.overlay;
+    overlay.pen.reset();
+    overlay.slit.reset();
+    overlay.ground.reset();
+    overlay.plane.reset();
+    m_over.reset();
+    if (m_slit) {
+        if (m_press && m_press->isDrag)
+            overlay.slit = m_slit->line();
+        return;
+    }
+    if (!m_canvas) {
+        if (overlay.hovered >= 0 && overlay.slitStart)
+            m_over = context.model.section(static_cast<std::size_t>(overlay.hovered))->name;
+        return;
+    }
+    if (hasCursor && !m_press && !(m_hoverCamera == context.camera))
+        hover(context); // the view moved under it
+    const Canvas &canvas = *m_canvas;
+    const ContourTarget &target = canvas.choice.target;
+    if (target.parent) {
+        const double length = (target.parent->slitTo - target.parent->slitFrom).norm();
+        const int index = context.model.indexOf(target.parent->section);
+        overlay.slit = Overlay::SlitLine{
+            target.canvas.origin, target.canvas.toWorld({length, 0.0}), true,
+            index >= 0 ? context.model.section(static_cast<std::size_t>(index))->name
+                       : std::string()};
+    }
+    if (canvas.targets.meetsGround() && !canvas.isFirst)
+        overlay.ground = Overlay::GroundLine{canvas.targets.grid().origin, canvas.targets.grid().x};
+
+    if (canvas.choice.distance && m_path.isEmpty())
+        overlay.plane = planeMark(target.canvas, context);
+
+    PenMarks &marks = overlay.pen.emplace();
+    marks.canvas = target.canvas;
+    marks.points = m_path.points();
+    marks.hasArea = isClosable();
+    if (m_drawn && *m_drawn && (*m_drawn)->isCutAtGround)
+        marks.cut = m_closed.contour;
+    const bool isPressed = m_press && !m_press->isOver;
+    const Place &place = isPressed ? m_press->place : m_place;
+    if ((hasCursor || isPressed) && place.kind != Place::Kind::Free) {
+        marks.litPoint = static_cast<int>(place.index);
+        if (place.kind == Place::Kind::Handle)
+            marks.litEnd = place.end;
+        marks.isClosing = isClosing();
+    }
+    const bool isMoving = isPressed && m_press->isDrag && place.kind == Place::Kind::Point;
+    if (m_typed)
+        marks.snap = Snap{Snap::Kind::None, *m_typed, {}, false};
+    else if (m_snap && (isMoving || (hasCursor && !isPressed)))
+        marks.snap = m_snap;
+    if (!marks.snap)
+        return;
+    if (!isMoving)
+        marks.next = marks.snap->point;
+    marks.place = canvas.targets.toGrid(marks.snap->point);
+    if (marks.snap->isOnGround)
+        marks.ground = canvas.targets.fromGrid({marks.place->x(), 0.0});
+    const std::optional<Vec2> before =
+        isMoving ? pointBefore(place.index) : pointBefore(std::nullopt);
+    if (before)
+        marks.way = *marks.place - canvas.targets.toGrid(*before);
+}
+
+bool PenTool::isClosing() const
+{
+    const bool isPressed = m_press && !m_press->isOver;
+    const Place &place = isPressed ? m_press->place : m_place;
+    return place.kind == Place::Kind::Point && place.index == 0 && isClosable() &&
+           !(isPressed && m_press->isDrag);
+}
+
+Hint PenTool::hint() const
+{
+    using Kind = Hint::Kind;
+    if (m_slit)
+        return m_slit->isTurned() ? Hint{Kind::Turning, {}, false}
+                                  : Hint{Kind::LeaveSection, m_slit->sectionName(), false};
+    if (!m_canvas)
+        return m_over ? Hint{Kind::PenOnSection, *m_over, false}
+                      : Hint{Kind::PenWithoutCanvas, {}, false};
+    if (m_typed)
+        return {Kind::PenNumbers, {}, false};
+    if (m_canvas->isOnEdge)
+        return {Kind::CanvasOnEdge, {}, false};
+    const bool isPressed = m_press && !m_press->isOver;
+    const Place &place = isPressed ? m_press->place : m_place;
+    if (isPressed && (place.kind == Place::Kind::Free || place.kind == Place::Kind::Handle))
+        return {Kind::PenBending, {}, false};
+    if (isClosing())
+        return {Kind::PenClosing, {}, false};
+    if (place.kind == Place::Kind::Point)
+        return {Kind::PenOnPoint, {}, false};
+    if (place.kind == Place::Kind::Handle)
+        return {Kind::PenOnHandle, {}, false};
+    if (m_path.isEmpty())
+        return {Kind::PenFirstPoint, m_canvas->choice.name, false};
+    if (m_drawn && !*m_drawn)
+        return m_drawn->error();
+    if (m_closed.wasCrossing)
+        return {Kind::PenCrosses, {}, false};
+    return {
+        m_snap && m_snap->kind != Snap::Kind::None ? Kind::PenSnapped : Kind::PenPoint, {}, false};
+}
+
+Cursor PenTool::cursor() const
+{
+    if (m_slit)
+        return m_slit->state() == SlitTurn::State::Slit ? Cursor::PencilWithSlit
+                                                        : Cursor::PencilWithClock;
+    if (!m_canvas)
+        return m_over ? Cursor::PencilWithSlit : Cursor::Arrow;
+    if (m_canvas->isOnEdge)
+        return Cursor::Arrow;
+    if (isClosing())
+        return Cursor::PenCloses;
+    const bool isPressed = m_press && !m_press->isOver;
+    const Place &place = isPressed ? m_press->place : m_place;
+    return place.kind == Place::Kind::Free || (isPressed && !m_press->isDrag) ? Cursor::Pen
+                                                                              : Cursor::MoveCross;
+}
+
+} // namespace fff

@@ -1,0 +1,77 @@
+#include "core/session/pen_commands.h"
+
+#include "core/base/units.h"
+#include "core/interaction/pen_tool.h"
+
+#include <array>
+#include <memory>
+
+namespace fff {
+
+namespace {
+
+bool holdsPen(const Interaction &interaction)
+{
+    return interaction.tool() && interaction.tool()->command() == PenTool::kCommand;
+}
+
+/// In the order in which they build on each other: a direction needs a length.
+struct Parameter
+{
+    const char *name;
+    ToolNumber::Kind kind;
+};
+constexpr std::array<Parameter, 6> kParameters{{{"x", ToolNumber::Kind::X},
+                                                {"y", ToolNumber::Kind::Y},
+                                                {"dx", ToolNumber::Kind::DeltaX},
+                                                {"dy", ToolNumber::Kind::DeltaY},
+                                                {"length", ToolNumber::Kind::Length},
+                                                {"angle", ToolNumber::Kind::Angle}}};
+
+Result<void> setPoint(Interaction &interaction, const CommandParameters &parameters, double time)
+{
+    std::vector<ToolNumber> numbers;
+    for (const Parameter &parameter : kParameters) {
+        if (parameters.count(parameter.name) == 0)
+            continue;
+        const Result<double> value = numberOf(parameters, parameter.name, 0.0);
+        if (!value)
+            return tl::unexpected(value.error());
+        const bool isAngle = parameter.kind == ToolNumber::Kind::Angle;
+        numbers.push_back({parameter.kind, isAngle ? radians(*value) : *value});
+    }
+    if (numbers.empty())
+        return failure(ErrorCode::BadValue, "section.penPoint",
+                       {"no number", "x and y, dx and dy, or length and angle"});
+    interaction.setNumbers(numbers, time);
+    interaction.key(ToolKey::Enter, time);
+    return {};
+}
+
+} // namespace
+
+void registerPenCommands(CommandRegistry &registry, Interaction &interaction)
+{
+    registry.add("section.pen",
+                 {[&](const CommandParameters &parameters, double time) -> Result<void> {
+                      const bool isHeld = holdsPen(interaction);
+                      // The same tool again is laid down.
+                      if (switched(parameters, isHeld) != isHeld)
+                          interaction.pickUp(std::make_unique<PenTool>(), time);
+                      return {};
+                  },
+                  {}});
+    registry.add("section.penPoint",
+                 {[&](const CommandParameters &parameters, double time) {
+                      return setPoint(interaction, parameters, time);
+                  },
+                  [&] { return holdsPen(interaction) && !interaction.numbers().empty(); }});
+    registry.add("section.snap", {[&](const CommandParameters &parameters, double) -> Result<void> {
+                                      bool &snaps = interaction.settings().snaps;
+                                      snaps = switched(parameters, snaps);
+                                      return {};
+                                  },
+                                  {}});
+}
+
+} // namespace fff

@@ -1,0 +1,707 @@
+#include <QTest> // first: moc cannot read some of the standard library before it
+
+#include "core/base/units.h"
+#include "core/geometry/fit.h"
+#include "core/interaction/interaction.h"
+#include "core/interaction/pen_tool.h"
+#include "core/model/edits.h"
+#include "core/session/session_commands.h"
+#include "core/session/session_host.h"
+
+#include <cmath>
+
+using namespace fff;
+using Type = PointerEvent::Type;
+
+namespace {
+
+constexpr double kTurnTime = 800.0;
+const Vec2 kViewport(1280.0, 800.0);
+constexpr Modifiers kShift{true, false, false}, kControl{false, true, false};
+
+/// A person with the pen in hand, before the front view.
+class Desk
+{
+public:
+    Desk() : host(session), interaction(host)
+    {
+        host.attach(interaction);
+        interaction.setViewport(kViewport);
+        registerSessionCommands(commands, session, interaction);
+    }
+    void run(const std::string &id, const CommandParameters &parameters = {})
+    {
+        QVERIFY(commands.run(id, parameters, time += 8.0));
+    }
+    void send(Type type, const Vec2 &position, Button button = Button::None,
+              Modifiers modifiers = {})
+    {
+        PointerEvent event;
+        event.type = type;
+        event.position = cursor = position;
+        event.button = button;
+        event.modifiers = modifiers;
+        event.time = time += 8.0;
+        interaction.handle(event);
+    }
+    void press(const Vec2 &p, Modifiers modifiers = {})
+    {
+        send(Type::Press, p, Button::Left, modifiers);
+    }
+    void release(const Vec2 &p, Modifiers modifiers = {})
+    {
+        send(Type::Release, p, Button::Left, modifiers);
+    }
+    void moveTo(const Vec2 &to, Modifiers modifiers = {})
+    {
+        const Vec2 from = cursor;
+        for (int i = 1; i <= 10; ++i)
+            send(Type::Move, from + (to - from) * (0.1 * i), Button::None, modifiers);
+    }
+    void click(const Vec2 &p, Modifiers modifiers = {})
+    {
+        moveTo(p, modifiers);
+        press(p, modifiers);
+        release(p, modifiers);
+        wait(500.0); // nobody takes two of them for a double click
+    }
+    void drag(const std::vector<Vec2> &way, Button button = Button::Left, Modifiers modifiers = {})
+    {
+        moveTo(way.front());
+        send(Type::Press, way.front(), button);
+        for (const Vec2 &p : way)
+            moveTo(p, modifiers);
+        send(Type::Release, way.back(), button, modifiers);
+    }
+    void wait(double ms) { interaction.advance(time += ms); }
+    bool key(ToolKey key) { return interaction.key(key, time += 8.0); }
+
+    void addPlate()
+    {
+        NewSection section;
+        section.shape =
+            *Shape::make(*Contour::fromPolygon({{-100, -60}, {100, -60}, {100, 60}, {-100, 60}}));
+        section.frame.origin = Vec3(0, kFirstPlaneHeight, 0);
+        session.commit(QStringLiteral("Draw"),
+                       *addSection(session.committed().document, std::move(section)));
+    }
+    Vec2 screen(const Vec3 &p) const { return interaction.camera().toScreen(p, kViewport); }
+    Vec2 front(double x, double y) const { return screen({x, y, 0.0}); }
+    /// Where the canvas has this place.
+    Vec2 onCanvas(double x, double y) const
+    {
+        return screen(interaction.overlay().pen->canvas.toWorld({x, y}));
+    }
+    const std::vector<SectionPointer> &sections() const
+    {
+        return session.committed().document.sections;
+    }
+    const PenMarks &marks() const { return *interaction.overlay().pen; }
+    std::size_t pointCount() const { return interaction.overlay().pen ? marks().points.size() : 0; }
+    Vec3 point(std::size_t i) const { return marks().canvas.toWorld(marks().points[i].at); }
+    Hint::Kind hint() const { return interaction.hint().kind; }
+    int steps() const { return session.history()->count(); }
+
+    Session session;
+    SessionHost host;
+    Interaction interaction;
+    CommandRegistry commands;
+    Vec2 cursor = Vec2::Zero();
+    double time = 0.0;
+};
+
+/// 60 × 40 mm in the front view.
+void setRectangle(Desk &desk)
+{
+    for (const Vec2 &corner : {Vec2(-30, 60), Vec2(30, 60), Vec2(30, 100), Vec2(-30, 100)})
+        desk.click(desk.front(corner.x(), corner.y()));
+}
+
+/// Out of the plate's right edge at its middle height, to where clicks set points.
+void turnToCanvas(Desk &desk)
+{
+    const Vec2 from = desk.front(20, kFirstPlaneHeight), to = desk.front(110, kFirstPlaneHeight);
+    desk.moveTo(from);
+    desk.press(from);
+    desk.moveTo(to);
+    desk.wait(kTurnTime);
+    desk.wait(kTurnTime);
+}
+
+bool isSameCamera(const Camera &a, const Camera &b)
+{
+    return (a.target - b.target).norm() < 1e-9 &&
+           a.orientation.angularDistance(b.orientation) < 1e-9 &&
+           a.millimetresPerPixel == b.millimetresPerPixel;
+}
+
+} // namespace
+
+class TestPen : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void clicksMakeTheFirstSection();
+    void closing_data();
+    void closing();
+    void whatEnclosesNothingIsRefused();
+    void dragsBendSmoothly();
+    void controlBreaksHandles();
+    void shiftHoldsDirections();
+    void setPointsCanBeMoved();
+    void snappedPointsLieOnTheGrid();
+    void controlLeavesTheGrid();
+    void slitsBeginACanvas();
+    void releasingInTheTurnGoesOn();
+    void aClickOnASectionSelects();
+    void besideSectionsTheViewTurns();
+    void theViewMovesUnderThePath();
+    void backspaceTakesOneBack();
+    void escapeGoesBackStepByStep();
+    void undoGoesThroughThePathFirst();
+    void previewIsWhatIsCommitted();
+    void crossingPathsAreSaid();
+    void numbersSetPoints();
+    void canvasesAreShared_data();
+    void canvasesAreShared();
+    void anotherCanvasWaitsForThePath();
+    void aParallelPlaneMoves();
+    void editsElsewhereKeepThePath();
+    void aLostCanvasIsSaid();
+    void strokesAreAsEverWithoutThePen();
+};
+
+void TestPen::clicksMakeTheFirstSection()
+{
+    Desk desk;
+    desk.run("section.pen");
+    setRectangle(desk);
+    QCOMPARE(desk.pointCount(), std::size_t(4));
+    QVERIFY(desk.session.hasPreview());
+    QVERIFY(desk.sections().empty());
+    QVERIFY(desk.key(ToolKey::Enter));
+    QCOMPARE(desk.sections().size(), std::size_t(1));
+    QCOMPARE(desk.steps(), 1);
+    QCOMPARE(desk.session.history()->undoText(), QStringLiteral("Draw Section 1"));
+    const Section &section = *desk.sections().front();
+    QCOMPARE(section.shape->contour().segmentCount(), 4);
+    QVERIFY(std::abs(section.shape->area() - 2400.0) < 1e-9);
+    QVERIFY(std::abs(section.frame.normal().z()) > 1.0 - 1e-12);
+    QVERIFY(!desk.session.hasPreview());
+    // The pen stays in the hand.
+    QVERIFY(desk.interaction.tool());
+    QVERIFY(!desk.interaction.overlay().pen);
+}
+
+void TestPen::closing_data()
+{
+    QTest::addColumn<int>("way");
+    QTest::newRow("Enter") << 0;
+    QTest::newRow("a click on the first point") << 1;
+    QTest::newRow("a double click at the last point") << 2;
+    QTest::newRow("a double click that Qt has found") << 3;
+}
+
+/// All ways to close make the same section, in one step.
+void TestPen::closing()
+{
+    QFETCH(int, way);
+    Desk desk;
+    desk.run("section.pen");
+    for (const Vec2 &corner : {Vec2(-30, 60), Vec2(30, 60), Vec2(30, 100)})
+        desk.click(desk.front(corner.x(), corner.y()));
+    const Vec2 last = desk.front(-30, 100);
+    desk.moveTo(last);
+    desk.press(last);
+    desk.release(last);
+    if (way == 0) {
+        desk.key(ToolKey::Enter);
+    } else if (way == 1) {
+        desk.moveTo(desk.front(-29, 61));
+        QCOMPARE(int(desk.hint()), int(Hint::Kind::PenClosing));
+        QVERIFY(desk.marks().isClosing);
+        QCOMPARE(int(desk.interaction.cursor()), int(Cursor::PenCloses));
+        desk.press(desk.front(-29, 61));
+        desk.release(desk.front(-29, 61));
+    } else {
+        desk.send(way == 2 ? Type::Press : Type::DoubleClick, last, Button::Left);
+        desk.release(last);
+    }
+    QCOMPARE(desk.sections().size(), std::size_t(1));
+    QCOMPARE(desk.steps(), 1);
+    QCOMPARE(desk.sections().front()->shape->contour().segmentCount(), 4);
+    QVERIFY(std::abs(desk.sections().front()->shape->area() - 2400.0) < 1e-9);
+}
+
+void TestPen::whatEnclosesNothingIsRefused()
+{
+    Desk desk;
+    desk.run("section.pen");
+    QVERIFY(!desk.key(ToolKey::Enter)); // nothing to close yet, nothing said
+    desk.click(desk.front(0, 60));
+    desk.click(desk.front(50, 60));
+    QVERIFY(desk.key(ToolKey::Enter));
+    QCOMPARE(int(desk.hint()), int(Hint::Kind::NothingToClose));
+    QVERIFY(desk.interaction.hint().isRefusal);
+    QCOMPARE(desk.pointCount(), std::size_t(2));
+    QCOMPARE(desk.steps(), 0);
+    // Two clicks at one place are no point twice.
+    desk.click(desk.front(50, 100));
+    desk.click(desk.front(50, 100));
+    QCOMPARE(desk.pointCount(), std::size_t(3));
+}
+
+void TestPen::dragsBendSmoothly()
+{
+    Desk desk;
+    desk.run("section.pen");
+    desk.drag({desk.front(-50, 80), desk.front(-50, 120)});
+    desk.drag({desk.front(50, 80), desk.front(50, 40)});
+    QCOMPARE(desk.pointCount(), std::size_t(2));
+    const PathPoint &bent = desk.marks().points[1];
+    QVERIFY(bent.in && bent.out && (*bent.in + *bent.out).norm() < 1e-12);
+    QVERIFY((*bent.out - Vec2(0, -40)).norm() < 1e-6);
+    QVERIFY(desk.key(ToolKey::Enter));
+    const Contour &contour = desk.sections().front()->shape->contour();
+    QCOMPARE(contour.segmentCount(), 2);
+    for (int i = 0; i < 2; ++i) {
+        const Vec2 before = endDirection(contour.segment(i)),
+                   after = startDirection(contour.segment(1 - i));
+        QVERIFY((before - after).norm() < 1e-9);
+    }
+}
+
+void TestPen::controlBreaksHandles()
+{
+    Desk desk;
+    desk.run("section.pen");
+    desk.click(desk.front(-50, 80));
+    desk.moveTo(desk.front(50, 80));
+    desk.press(desk.front(50, 80));
+    desk.moveTo(desk.front(80, 80));
+    desk.moveTo(desk.front(50, 120), kControl);
+    desk.release(desk.front(50, 120), kControl);
+    const PathPoint &point = desk.marks().points[1];
+    QVERIFY((*point.out - Vec2(0, 40)).norm() < 1e-6);
+    QVERIFY((*point.in - Vec2(-30, 0)).norm() < 1e-6);
+    // And its handle can be taken hold of again.
+    desk.drag({desk.front(50, 120), desk.front(90, 120)});
+    QVERIFY((*desk.marks().points[1].out - Vec2(40, 40)).norm() < 1e-6);
+    QCOMPARE(desk.pointCount(), std::size_t(2));
+}
+
+void TestPen::shiftHoldsDirections()
+{
+    Desk desk;
+    desk.run("section.pen");
+    desk.run("section.snap", {{"on", "false"}});
+    desk.click(desk.front(3.3, 57.7));
+    desk.click(desk.front(60, 63), kShift);
+    desk.click(desk.front(81, 96), kShift);
+    QVERIFY(std::abs(desk.point(1).y() - desk.point(0).y()) < 1e-9);
+    const Vec3 way = desk.point(2) - desk.point(1);
+    QVERIFY(std::abs(way.x() - way.y()) < 1e-9 && way.x() > 10.0);
+}
+
+void TestPen::setPointsCanBeMoved()
+{
+    Desk desk;
+    desk.run("section.pen");
+    setRectangle(desk);
+    desk.drag({desk.front(30, 100), desk.front(60, 130)});
+    QCOMPARE(desk.pointCount(), std::size_t(4));
+    QVERIFY((desk.point(2) - Vec3(60, 130, 0)).norm() < 1e-9);
+    // Also the first one, which a click closes.
+    desk.drag({desk.front(-30, 60), desk.front(-40, 50)});
+    QVERIFY((desk.point(0) - Vec3(-40, 50, 0)).norm() < 1e-9);
+    QVERIFY(desk.sections().empty());
+}
+
+void TestPen::snappedPointsLieOnTheGrid()
+{
+    Desk desk;
+    desk.run("section.pen");
+    const double step = gridStep(desk.interaction.camera().millimetresPerPixel);
+    for (const Vec2 &at : {Vec2(-31.3, 58.9), Vec2(31.1, 62.4), Vec2(12.2, 131.7)}) {
+        desk.click(desk.front(at.x(), at.y()));
+        const Vec3 set = desk.point(desk.pointCount() - 1);
+        for (const double value : {set.x(), set.y()})
+            QVERIFY(std::abs(value / step - std::round(value / step)) * step < 1e-9);
+        QVERIFY((set.head<2>() - at).norm() < step);
+    }
+    desk.moveTo(desk.front(200, desk.point(0).y() + 1.0));
+    QCOMPARE(int(desk.marks().snap->kind), int(Snap::Kind::Line)); // level with the first point
+    QCOMPARE(int(desk.hint()), int(Hint::Kind::PenSnapped));
+}
+
+/// With Ctrl the left button turns the view, but a click is still the pen's.
+void TestPen::controlLeavesTheGrid()
+{
+    Desk desk;
+    desk.run("section.pen");
+    desk.click(desk.front(-31.3, 58.9), kControl);
+    QCOMPARE(desk.pointCount(), std::size_t(1));
+    QVERIFY((desk.point(0).head<2>() - Vec2(-31.3, 58.9)).norm() < 1e-6);
+    desk.send(Type::Modifiers, desk.front(31.1, 62.4), Button::None, kControl);
+    QCOMPARE(int(desk.marks().snap->kind), int(Snap::Kind::None));
+    desk.send(Type::Modifiers, desk.front(31.1, 62.4));
+    QVERIFY(desk.marks().snap->kind != Snap::Kind::None);
+    const Camera before = desk.interaction.camera();
+    desk.moveTo(desk.front(60, 60));
+    desk.press(desk.cursor, kControl);
+    desk.moveTo(desk.front(90, 90), kControl);
+    desk.release(desk.cursor, kControl);
+    QVERIFY(!isSameCamera(before, desk.interaction.camera()));
+    QCOMPARE(desk.pointCount(), std::size_t(1));
+}
+
+void TestPen::slitsBeginACanvas()
+{
+    Desk desk;
+    desk.addPlate();
+    desk.run("section.pen");
+    desk.moveTo(desk.front(20, kFirstPlaneHeight));
+    QCOMPARE(int(desk.hint()), int(Hint::Kind::PenOnSection));
+    turnToCanvas(desk);
+    desk.release(desk.cursor);
+    QVERIFY(desk.interaction.overlay().pen);
+    const Frame canvas = desk.marks().canvas;
+    // Seen straight, and its slit is there.
+    QVERIFY((desk.interaction.camera().backward().cross(canvas.normal())).norm() < 1e-6);
+    QVERIFY(desk.interaction.overlay().slit);
+    for (const Vec2 &corner : {Vec2(-20, -40), Vec2(100, -40), Vec2(100, 40), Vec2(-20, 40)})
+        desk.click(desk.onCanvas(corner.x(), corner.y()));
+    QVERIFY(desk.key(ToolKey::Enter));
+    QCOMPARE(desk.sections().size(), std::size_t(2));
+    const Section &parent = *desk.sections()[0], &section = *desk.sections()[1];
+    QVERIFY(section.parent && section.parent->section == SectionRef(parent.id));
+    QVERIFY(std::abs(section.frame.normal().dot(parent.frame.normal())) < 1e-9);
+    for (const Vec2 &end : {section.parent->slitFrom, section.parent->slitTo})
+        QVERIFY(std::abs(section.frame.height(parent.frame.toWorld(end))) < 1e-9);
+    QVERIFY(std::abs(section.parent->slitTo.x() - 100.0) < 1e-9);
+    // The way back is there.
+    QVERIFY(desk.interaction.canGoBack());
+}
+
+/// A stroke would be over; the pen is not, and what is released is no point.
+void TestPen::releasingInTheTurnGoesOn()
+{
+    Desk desk;
+    desk.addPlate();
+    desk.run("section.pen");
+    const Vec2 from = desk.front(20, kFirstPlaneHeight), to = desk.front(110, kFirstPlaneHeight);
+    desk.moveTo(from);
+    desk.press(from);
+    desk.moveTo(to);
+    QVERIFY(desk.interaction.isAnimating());
+    QCOMPARE(int(desk.hint()), int(Hint::Kind::Turning));
+    const Vec3 end = desk.interaction.overlay().slit->to;
+    desk.release(to);
+    for (int i = 0; i < 8; ++i) { // 640 ms: the turn is not over
+        desk.moveTo(to + Vec2(i, 2 * i));
+        QVERIFY((desk.screen(end) - desk.cursor).norm() < 1.0);
+    }
+    desk.wait(kTurnTime);
+    desk.wait(kTurnTime);
+    QVERIFY(!desk.interaction.isAnimating());
+    QCOMPARE(desk.pointCount(), std::size_t(0));
+    desk.click(desk.onCanvas(50, 50));
+    QCOMPARE(desk.pointCount(), std::size_t(1));
+    QVERIFY(!desk.interaction.hint().isRefusal);
+}
+
+void TestPen::aClickOnASectionSelects()
+{
+    Desk desk;
+    desk.addPlate();
+    desk.run("section.pen");
+    desk.click(desk.front(20, kFirstPlaneHeight));
+    QCOMPARE(desk.interaction.selection().size(), std::size_t(1));
+    QVERIFY(!desk.interaction.overlay().pen);
+    // A slit that never leaves is said.
+    desk.drag({desk.front(20, kFirstPlaneHeight), desk.front(50, kFirstPlaneHeight)});
+    QCOMPARE(int(desk.hint()), int(Hint::Kind::NeverLeft));
+    QVERIFY(desk.interaction.tool());
+}
+
+void TestPen::besideSectionsTheViewTurns()
+{
+    Desk desk;
+    desk.addPlate();
+    desk.run("section.pen");
+    const Camera before = desk.interaction.camera();
+    desk.drag({desk.front(150, 200), desk.front(180, 220)});
+    QVERIFY(!isSameCamera(before, desk.interaction.camera()));
+    QCOMPARE(int(desk.hint()), int(Hint::Kind::PenWithoutCanvas));
+    QVERIFY(desk.interaction.tool());
+}
+
+/// The path belongs to the canvas, not to the screen.
+void TestPen::theViewMovesUnderThePath()
+{
+    Desk desk;
+    desk.run("section.pen");
+    setRectangle(desk);
+    const std::vector<PathPoint> before = desk.marks().points;
+    desk.drag({desk.front(100, 160), desk.front(120, 150)}, Button::Right);
+    QVERIFY(desk.marks().points == before);
+    QVERIFY(desk.session.hasPreview());
+    PointerEvent wheel;
+    wheel.type = Type::Wheel;
+    wheel.position = desk.cursor;
+    wheel.wheelSteps = 3.0;
+    wheel.time = desk.time;
+    desk.interaction.handle(wheel);
+    desk.drag({desk.cursor, desk.cursor + Vec2(30, 10)}, Button::Middle);
+    QVERIFY(desk.marks().points == before);
+    // On a canvas that is seen on edge nothing is set.
+    desk.run("view.right");
+    desk.wait(1000.0);
+    desk.moveTo(Vec2(640, 300));
+    QCOMPARE(int(desk.hint()), int(Hint::Kind::CanvasOnEdge));
+    desk.click({640, 300});
+    QVERIFY(desk.marks().points == before);
+    desk.run("view.front");
+    desk.wait(1000.0);
+    QVERIFY(desk.key(ToolKey::Enter));
+    QVERIFY(std::abs(desk.sections().front()->shape->area() - 2400.0) < 1e-9);
+}
+
+void TestPen::backspaceTakesOneBack()
+{
+    Desk desk;
+    desk.run("section.pen");
+    QVERIFY(!desk.interaction.wants(ToolKey::Backspace));
+    setRectangle(desk);
+    for (std::size_t left = 4; left-- > 0;) {
+        QVERIFY(desk.key(ToolKey::Backspace));
+        QCOMPARE(desk.pointCount(), left);
+        QCOMPARE(desk.session.hasPreview(), left > 2);
+    }
+    QVERIFY(!desk.key(ToolKey::Backspace));
+}
+
+void TestPen::escapeGoesBackStepByStep()
+{
+    Desk desk;
+    desk.addPlate();
+    desk.run("section.pen");
+    const Camera before = desk.interaction.camera();
+    turnToCanvas(desk);
+    desk.release(desk.cursor);
+    desk.click(desk.onCanvas(50, 50));
+    desk.click(desk.onCanvas(80, 50));
+    QVERIFY(desk.interaction.escape(desk.time));
+    QVERIFY(desk.interaction.tool());
+    QCOMPARE(desk.pointCount(), std::size_t(0));
+    QVERIFY(desk.interaction.overlay().pen); // the canvas is still there
+    QVERIFY(desk.interaction.escape(desk.time));
+    QVERIFY(!desk.interaction.tool());
+    desk.wait(kTurnTime);
+    QVERIFY(isSameCamera(before, desk.interaction.camera()));
+    QVERIFY(!desk.interaction.overlay().pen && !desk.interaction.overlay().slit);
+    QCOMPARE(desk.steps(), 1);
+    // In the turn: back to where the slit began, the pen in the hand.
+    desk.run("section.pen");
+    const Vec2 from = desk.front(20, kFirstPlaneHeight);
+    desk.moveTo(from);
+    desk.press(from);
+    desk.moveTo(desk.front(110, kFirstPlaneHeight));
+    desk.wait(300.0);
+    QVERIFY(desk.interaction.escape(desk.time));
+    desk.release(desk.cursor);
+    desk.wait(kTurnTime);
+    QVERIFY(isSameCamera(before, desk.interaction.camera()));
+    QVERIFY(desk.interaction.tool());
+}
+
+void TestPen::undoGoesThroughThePathFirst()
+{
+    Desk desk;
+    desk.addPlate();
+    desk.run("section.planeFront");
+    desk.run("section.pen"); // in place of the stroke
+    desk.run("section.planeFront");
+    desk.wait(1000.0);
+    setRectangle(desk);
+    desk.drag({desk.front(30, 100), desk.front(60, 130)});
+    desk.run("edit.undo");
+    QVERIFY((desk.point(2) - Vec3(30, 100, 0)).norm() < 1e-9);
+    desk.run("edit.undo");
+    QCOMPARE(desk.pointCount(), std::size_t(3));
+    desk.run("edit.redo");
+    desk.run("edit.redo");
+    QVERIFY((desk.point(2) - Vec3(60, 130, 0)).norm() < 1e-9);
+    for (int i = 0; i < 5; ++i)
+        desk.run("edit.undo");
+    QCOMPARE(desk.pointCount(), std::size_t(0));
+    QCOMPARE(desk.sections().size(), std::size_t(1));
+    desk.run("edit.undo"); // none is left: the document's own step
+    QVERIFY(desk.sections().empty());
+}
+
+void TestPen::previewIsWhatIsCommitted()
+{
+    Desk desk;
+    desk.run("section.pen");
+    setRectangle(desk);
+    desk.drag({desk.front(0, 130), desk.front(-40, 150)});
+    desk.key(ToolKey::Backspace);
+    const Document shown = desk.session.model().document;
+    desk.key(ToolKey::Enter);
+    QVERIFY(desk.session.committed().document.isSame(shown));
+}
+
+void TestPen::crossingPathsAreSaid()
+{
+    Desk desk;
+    desk.run("section.pen");
+    for (const Vec2 &corner : {Vec2(-40, 60), Vec2(40, 60), Vec2(-40, 120), Vec2(0, 120)})
+        desk.click(desk.front(corner.x(), corner.y()));
+    desk.moveTo(desk.front(60, 150));
+    QCOMPARE(int(desk.hint()), int(Hint::Kind::PenCrosses));
+    desk.key(ToolKey::Enter);
+    QCOMPARE(int(desk.hint()), int(Hint::Kind::CrossesItself));
+    QCOMPARE(desk.sections().size(), std::size_t(1));
+    QVERIFY(desk.sections().front()->shape->area() < 0.5 * 80 * 60);
+}
+
+void TestPen::numbersSetPoints()
+{
+    Desk desk;
+    desk.run("section.pen");
+    desk.run("section.penPoint", {{"x", "-20"}, {"y", "12.5"}});
+    desk.run("section.penPoint", {{"dx", "43.21"}, {"dy", "0"}});
+    desk.run("section.penPoint", {{"length", "30"}, {"angle", "90"}});
+    QCOMPARE(desk.pointCount(), std::size_t(3));
+    QVERIFY((desk.point(0) - Vec3(-20, 12.5, 0)).norm() < 1e-9);
+    QVERIFY((desk.point(1) - Vec3(23.21, 12.5, 0)).norm() < 1e-9);
+    QVERIFY((desk.point(2) - Vec3(23.21, 42.5, 0)).norm() < 1e-9);
+    // What is typed is shown before it is set.
+    desk.interaction.setNumbers({{ToolNumber::Kind::X, 7.0}, {ToolNumber::Kind::Y, 50.0}},
+                                desk.time);
+    QCOMPARE(int(desk.hint()), int(Hint::Kind::PenNumbers));
+    QVERIFY((desk.marks().canvas.toWorld(*desk.marks().next) - Vec3(7, 50, 0)).norm() < 1e-9);
+    desk.interaction.dropNumbers(desk.time);
+    QCOMPARE(desk.pointCount(), std::size_t(3));
+    const Result<void> wrong = desk.commands.run("section.penPoint", {{"x", "wide"}}, desk.time);
+    QVERIFY(!wrong && wrong.error().code == ErrorCode::BadValue);
+    QVERIFY(!desk.commands.run("section.penPoint", {}, desk.time));
+    // Back to the start: closed.
+    desk.run("section.penPoint", {{"x", "-20"}, {"y", "12.5"}});
+    QCOMPARE(desk.sections().size(), std::size_t(1));
+    QVERIFY(!desk.commands.isEnabled("section.penPoint"));
+}
+
+void TestPen::canvasesAreShared_data()
+{
+    QTest::addColumn<QString>("command");
+    QTest::addColumn<int>("sections");
+    QTest::newRow("a hole") << "section.addHole" << 1;
+    QTest::newRow("another contour") << "section.redraw" << 1;
+    QTest::newRow("the front plane") << "section.planeFront" << 2;
+    QTest::newRow("a parallel plane") << "section.planeParallel" << 2;
+}
+
+/// What was picked is drawn on with the pen, not with one stroke.
+void TestPen::canvasesAreShared()
+{
+    QFETCH(QString, command);
+    Desk desk;
+    desk.addPlate();
+    desk.run("edit.selectAll");
+    desk.run("section.pen");
+    desk.run(command.toStdString());
+    desk.wait(1000.0);
+    QCOMPARE(desk.interaction.tool()->command(), PenTool::kCommand);
+    const Vec2 middle = desk.screen({0, kFirstPlaneHeight, 0});
+    for (const Vec2 &corner : {Vec2(-60, -40), Vec2(60, -40), Vec2(0, 50)})
+        desk.click(middle + corner);
+    QCOMPARE(desk.pointCount(), std::size_t(3));
+    QVERIFY(desk.key(ToolKey::Enter));
+    QTEST(int(desk.sections().size()), "sections");
+    QCOMPARE(desk.steps(), 2);
+    const Shape &shape = *desk.sections().front()->shape;
+    QCOMPARE(shape.holes().size(), std::size_t(command == QLatin1String("section.addHole")));
+    if (command == QLatin1String("section.redraw"))
+        QCOMPARE(shape.contour().segmentCount(), 3);
+    QCOMPARE(desk.interaction.tool()->command(), PenTool::kCommand);
+}
+
+/// Ten points must not be lost to a wrong key.
+void TestPen::anotherCanvasWaitsForThePath()
+{
+    Desk desk;
+    desk.run("section.pen");
+    setRectangle(desk);
+    desk.run("section.planeGround");
+    QCOMPARE(int(desk.hint()), int(Hint::Kind::PathIsOpen));
+    QCOMPARE(desk.pointCount(), std::size_t(4));
+    QVERIFY(desk.session.hasPreview());
+}
+
+void TestPen::aParallelPlaneMoves()
+{
+    Desk desk;
+    desk.addPlate();
+    desk.run("edit.selectAll");
+    for (const bool withPen : {false, true}) {
+        if (withPen)
+            desk.run("section.pen");
+        desk.run("section.planeParallel", {{"distance", "12"}});
+        desk.wait(1000.0);
+        QCOMPARE(int(desk.interaction.numbers().front().kind), int(ToolNumber::Kind::Distance));
+        QCOMPARE(desk.interaction.numbers().front().value, 12.0);
+        QVERIFY(desk.interaction.overlay().plane);
+        desk.interaction.setNumbers({{ToolNumber::Kind::Distance, 37.5}}, desk.time);
+        QCOMPARE(desk.interaction.numbers().front().value, 37.5);
+        const Vec3 normal = desk.sections().front()->frame.normal();
+        const Vec3 origin = desk.interaction.overlay().plane->canvas.origin;
+        QVERIFY(std::abs(normal.dot(origin - desk.sections().front()->frame.origin) - 37.5) < 1e-9);
+        desk.interaction.layDown(desk.time);
+        desk.wait(1000.0);
+    }
+}
+
+void TestPen::editsElsewhereKeepThePath()
+{
+    Desk desk;
+    desk.run("section.pen");
+    setRectangle(desk);
+    desk.addPlate(); // somebody else's doing
+    QCOMPARE(desk.pointCount(), std::size_t(4));
+    QVERIFY(desk.interaction.tool());
+    QVERIFY(desk.key(ToolKey::Enter));
+    QCOMPARE(desk.sections().size(), std::size_t(2));
+    QVERIFY(desk.sections()[0]->id != desk.sections()[1]->id);
+    QCOMPARE(desk.sections()[1]->name, std::string("Section 2"));
+}
+
+void TestPen::aLostCanvasIsSaid()
+{
+    Desk desk;
+    desk.addPlate();
+    desk.run("section.pen");
+    turnToCanvas(desk);
+    desk.release(desk.cursor);
+    desk.click(desk.onCanvas(50, 50));
+    desk.session.history()->undo(); // the plate that the slit is in
+    QVERIFY(desk.sections().empty());
+    QCOMPARE(int(desk.hint()), int(Hint::Kind::CanvasGone));
+    QCOMPARE(desk.pointCount(), std::size_t(0));
+    QVERIFY(desk.interaction.tool());
+}
+
+void TestPen::strokesAreAsEverWithoutThePen()
+{
+    Desk desk;
+    desk.run("section.pen");
+    desk.run("section.pen");
+    QVERIFY(!desk.interaction.tool());
+    desk.drag({desk.front(-40, 60), desk.front(40, 60), desk.front(40, 120), desk.front(-40, 120)});
+    QCOMPARE(desk.sections().size(), std::size_t(1));
+}
+
+QTEST_APPLESS_MAIN(TestPen)
+#include "tst_pen.moc"
