@@ -1005,14 +1005,6 @@
         <translation>Wieder</translation>
     </message>
     <message>
-        <source>Undo “%1”</source>
-        <translation>„%1“ zurücknehmen</translation>
-    </message>
-    <message>
-        <source>Redo “%1”</source>
-        <translation>„%1“ wiederholen</translation>
-    </message>
-    <message>
         <source>There is no section yet</source>
         <translation>Es gibt noch keine Scheibe</translation>
     </message>
@@ -1656,6 +1648,34 @@
         <source>&amp;Section</source>
         <translation>&amp;Scheibe</translation>
     </message>
+    <message>
+        <source>Set a point</source>
+        <translation>Punkt setzen</translation>
+    </message>
+    <message>
+        <source>S&amp;nap</source>
+        <translation>Einr&amp;asten</translation>
+    </message>
+    <message>
+        <source>Snap</source>
+        <translation>Einrasten</translation>
+    </message>
+    <message>
+        <source>Draw points to others, to lines level and upright with them, and to the grid</source>
+        <translation>Zieht Punkte zu anderen, zu Linien waagerecht und senkrecht mit ihnen und zum Raster</translation>
+    </message>
+    <message>
+        <source>P&amp;en</source>
+        <translation>Fe&amp;der</translation>
+    </message>
+    <message>
+        <source>Pen</source>
+        <translation>Feder</translation>
+    </message>
+    <message>
+        <source>Draw with clicks in place of one stroke: set points, drag to bend</source>
+        <translation>Mit Klicks statt in einem Zug zeichnen: Punkte setzen, zum Biegen ziehen</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::AgoText</name>
@@ -1705,6 +1725,37 @@
     <message>
         <source>Verdicts</source>
         <translation>Urteile</translation>
+    </message>
+</context>
+<context>
+    <name>fff::ui::CanvasBar</name>
+    <message>
+        <source>Numbers of the drawing tool</source>
+        <translation>Zahlen des Zeichenwerkzeugs</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation>Abstand</translation>
+    </message>
+    <message>
+        <source>X</source>
+        <translation>X</translation>
+    </message>
+    <message>
+        <source>Y</source>
+        <translation>Y</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Länge</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>Winkel</translation>
     </message>
 </context>
 <context>
@@ -1966,6 +2017,14 @@
     <message>
         <source>ms</source>
         <translation>ms</translation>
+    </message>
+    <message>
+        <source>Snap</source>
+        <translation>Einrasten</translation>
+    </message>
+    <message>
+        <source>Draw points to others, to lines level and upright with them, to the ground and to the grid</source>
+        <translation>Zieht Punkte zu anderen, zu Linien waagerecht und senkrecht mit ihnen, zum Boden und zum Raster</translation>
     </message>
 </context>
 <context>
@@ -2424,6 +2483,66 @@
         <source>&lt;b&gt;Release&lt;/b&gt; to give %1 this contour. &lt;kbd&gt;Esc&lt;/kbd&gt; keeps the old one.</source>
         <translation>&lt;b&gt;Loslassen&lt;/b&gt; gibt %1 diese Kontur. &lt;kbd&gt;Esc&lt;/kbd&gt; behält die alte.</translation>
     </message>
+    <message>
+        <source>Drag out of a section to draw across it with the pen; drag here to turn the view. &lt;kbd&gt;Esc&lt;/kbd&gt; lays the pen down.</source>
+        <translation>Aus einer Scheibe ziehen, um quer zu ihr zu zeichnen; hier ziehen dreht die Ansicht. &lt;kbd&gt;Esc&lt;/kbd&gt; legt die Feder weg.</translation>
+    </message>
+    <message>
+        <source>Drag out of %1 to draw across it with the pen; click to select it.</source>
+        <translation>Aus %1 hinausziehen, um mit der Feder quer dazu zu zeichnen; Klick wählt sie aus.</translation>
+    </message>
+    <message>
+        <source>The plane is seen on its edge: turn the view to go on drawing.</source>
+        <translation>Die Ebene ist von der Kante zu sehen: Ansicht drehen, um weiterzuzeichnen.</translation>
+    </message>
+    <message>
+        <source>Click to set the first point, drag to bend. &lt;kbd&gt;Esc&lt;/kbd&gt; lays the pen down.</source>
+        <translation>Klick setzt den ersten Punkt, Ziehen biegt. &lt;kbd&gt;Esc&lt;/kbd&gt; legt die Feder weg.</translation>
+    </message>
+    <message>
+        <source>Click to set a point, drag to bend; &lt;kbd&gt;Enter&lt;/kbd&gt; closes, &lt;kbd&gt;Backspace&lt;/kbd&gt; takes one back.</source>
+        <translation>Klick setzt einen Punkt, Ziehen biegt; &lt;kbd&gt;Eingabe&lt;/kbd&gt; schließt, &lt;kbd&gt;Rücktaste&lt;/kbd&gt; nimmt einen zurück.</translation>
+    </message>
+    <message>
+        <source>Click to set a point, drag to bend; &lt;kbd&gt;Enter&lt;/kbd&gt; closes, &lt;kbd&gt;Backspace&lt;/kbd&gt; takes one back. &lt;kbd&gt;Ctrl&lt;/kbd&gt; click does not snap.</source>
+        <translation>Klick setzt einen Punkt, Ziehen biegt; &lt;kbd&gt;Eingabe&lt;/kbd&gt; schließt, &lt;kbd&gt;Rücktaste&lt;/kbd&gt; nimmt einen zurück. Mit &lt;kbd&gt;Strg&lt;/kbd&gt; rastet nichts ein.</translation>
+    </message>
+    <message>
+        <source>The contour crosses itself: &lt;kbd&gt;Enter&lt;/kbd&gt; keeps the largest loop, &lt;kbd&gt;Backspace&lt;/kbd&gt; takes a point back.</source>
+        <translation>Die Kontur kreuzt sich: &lt;kbd&gt;Eingabe&lt;/kbd&gt; behält die größte Schleife, &lt;kbd&gt;Rücktaste&lt;/kbd&gt; nimmt einen Punkt zurück.</translation>
+    </message>
+    <message>
+        <source>Drag to bend; &lt;kbd&gt;Ctrl&lt;/kbd&gt; makes a corner, &lt;kbd&gt;Shift&lt;/kbd&gt; holds the direction.</source>
+        <translation>Ziehen biegt; &lt;kbd&gt;Strg&lt;/kbd&gt; macht eine Ecke, &lt;kbd&gt;Umschalt&lt;/kbd&gt; hält die Richtung.</translation>
+    </message>
+    <message>
+        <source>Drag to move the point; &lt;kbd&gt;Ctrl&lt;/kbd&gt; does not snap, &lt;kbd&gt;Shift&lt;/kbd&gt; holds the direction.</source>
+        <translation>Ziehen verschiebt den Punkt; mit &lt;kbd&gt;Strg&lt;/kbd&gt; rastet nichts ein, &lt;kbd&gt;Umschalt&lt;/kbd&gt; hält die Richtung.</translation>
+    </message>
+    <message>
+        <source>Drag the handle to bend; &lt;kbd&gt;Ctrl&lt;/kbd&gt; makes a corner.</source>
+        <translation>Am Griff ziehen biegt; &lt;kbd&gt;Strg&lt;/kbd&gt; macht eine Ecke.</translation>
+    </message>
+    <message>
+        <source>Click to close the contour; drag to move the point.</source>
+        <translation>Klick schließt die Kontur; Ziehen verschiebt den Punkt.</translation>
+    </message>
+    <message>
+        <source>&lt;kbd&gt;Enter&lt;/kbd&gt; sets the point, &lt;kbd&gt;Tab&lt;/kbd&gt; goes to the next number. &lt;kbd&gt;Esc&lt;/kbd&gt; closes the bar.</source>
+        <translation>&lt;kbd&gt;Eingabe&lt;/kbd&gt; setzt den Punkt, &lt;kbd&gt;Tab&lt;/kbd&gt; geht zur nächsten Zahl. &lt;kbd&gt;Esc&lt;/kbd&gt; schließt die Leiste.</translation>
+    </message>
+    <message>
+        <source>Not closed: the points enclose nothing yet.</source>
+        <translation>Nicht geschlossen: Die Punkte umschließen noch nichts.</translation>
+    </message>
+    <message>
+        <source>A contour is still open: &lt;kbd&gt;Enter&lt;/kbd&gt; closes it, &lt;kbd&gt;Esc&lt;/kbd&gt; takes it back.</source>
+        <translation>Eine Kontur ist noch offen: &lt;kbd&gt;Eingabe&lt;/kbd&gt; schließt sie, &lt;kbd&gt;Esc&lt;/kbd&gt; nimmt sie zurück.</translation>
+    </message>
+    <message>
+        <source>The points are gone, for the section that they stood on is.</source>
+        <translation>Die Punkte sind weg, denn die Scheibe, auf der sie standen, ist es auch.</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::HistoryDock</name>
@@ -2703,6 +2822,16 @@
     <message>
         <source>Cut flat at the ground</source>
         <translation>Am Boden eben abgeschnitten</translation>
+    </message>
+    <message>
+        <source>X %1   Y %2</source>
+        <extracomment>place of a point: %1 and %2 are numbers, the second has a unit</extracomment>
+        <translation>X %1   Y %2</translation>
+    </message>
+    <message>
+        <source>%1 × %2 from the last point</source>
+        <extracomment>how far it is to the side (%1) and up or down (%2, with a unit)</extracomment>
+        <translation>%1 × %2 vom letzten Punkt</translation>
     </message>
 </context>
 <context>

@@ -21,6 +21,13 @@ constexpr int kGlyphsOnly = 640;      // px; a narrower view has no words on the
 constexpr CheckSubject kSubjects[] = {CheckSubject::Stability, CheckSubject::Connection,
                                       CheckSubject::Joints, CheckSubject::Size};
 
+/// They judge what is not made yet.
+bool isDrawing(const Workbench &bench)
+{
+    const Overlay &overlay = bench.interaction().overlay();
+    return overlay.stroke || (overlay.pen && overlay.pen->hasArea);
+}
+
 } // namespace
 
 Badges::Badges(Workbench &bench, const CheckList &list, QWidget *view)
@@ -44,7 +51,7 @@ Badges::Badges(Workbench &bench, const CheckList &list, QWidget *view)
     connect(&list, &CheckList::changed, this, &Badges::refresh);
     connect(&settings(), &Settings::unitChanged, this, &Badges::refresh);
     connect(&bench, &Workbench::viewChanged, this, [this] {
-        if (m_isDrawing != m_bench.interaction().overlay().stroke.has_value())
+        if (m_isDrawing != isDrawing(m_bench))
             refresh();
     });
     refresh();
@@ -66,7 +73,7 @@ bool Badges::eventFilter(QObject *object, QEvent *event)
 
 void Badges::refresh()
 {
-    m_isDrawing = m_bench.interaction().overlay().stroke.has_value();
+    m_isDrawing = isDrawing(m_bench);
     for (std::size_t i = 0; i < m_badges.size(); ++i) {
         const Check *shown = nullptr; // the worst
         for (const Check &check : m_list.all()) {

@@ -65,6 +65,43 @@ void clockMark(QPainter &painter)
     painter.drawPolyline(hands, 3);
 }
 
+/// A nib with its tip at (3, 25).
+void nib(QPainter &painter)
+{
+    QPainterPath body;
+    body.moveTo(3, 25);
+    body.lineTo(7, 12);
+    body.lineTo(14, 8);
+    body.lineTo(20, 14);
+    body.lineTo(16, 21);
+    body.closeSubpath();
+    painter.strokePath(body, QPen(kPaper, 3.6, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    painter.fillPath(body, kPaper);
+    painter.strokePath(body, QPen(kInk, 1.6, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    QPainterPath holder;
+    holder.moveTo(14, 8);
+    holder.lineTo(17, 5);
+    holder.lineTo(23, 11);
+    holder.lineTo(20, 14);
+    holder.closeSubpath();
+    painter.strokePath(holder, QPen(kPaper, 3.6, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    painter.fillPath(holder, kInk);
+    painter.setPen(QPen(kInk, 1.3));
+    painter.drawLine(QPointF(4.5, 23.5), QPointF(10.5, 17.5));
+    painter.setBrush(kInk);
+    painter.drawEllipse(QPointF(11.0, 17.0), 1.3, 1.3);
+}
+
+/// The path comes back to its start.
+void ringMark(QPainter &painter)
+{
+    for (const QPen &pen : {QPen(kPaper, 4.0), QPen(kInk, 1.8)}) {
+        painter.setPen(pen);
+        painter.setBrush(Qt::NoBrush);
+        painter.drawEllipse(QPointF(21.5, 22.0), 4.0, 4.0);
+    }
+}
+
 /// Two arrows that run round the middle.
 void turningArrows(QPainter &painter)
 {
@@ -97,7 +134,13 @@ QCursor drawn(Cursor cursor, double ratio)
         painter.end();
         return QCursor(pixmap, 14, 14);
     }
-    pencil(painter);
+    const bool isPen = cursor == Cursor::Pen || cursor == Cursor::PenCloses;
+    if (isPen)
+        nib(painter);
+    else
+        pencil(painter);
+    if (cursor == Cursor::PenCloses)
+        ringMark(painter);
     if (cursor == Cursor::PencilWithSlit)
         slitMark(painter);
     if (cursor == Cursor::PencilWithClock)

@@ -97,6 +97,40 @@ QString hintSentence(const Hint &hint, const QString &undoKeys)
             .arg(name);
     case Hint::Kind::DrawHole:
         return HintText::tr("Draw a hole in %1 in one go. <kbd>Esc</kbd> cancels.").arg(name);
+    case Hint::Kind::PenWithoutCanvas:
+        return HintText::tr("Drag out of a section to draw across it with the pen; drag here to "
+                            "turn the view. <kbd>Esc</kbd> lays the pen down.");
+    case Hint::Kind::PenOnSection:
+        return HintText::tr("Drag out of %1 to draw across it with the pen; click to select it.")
+            .arg(name);
+    case Hint::Kind::CanvasOnEdge:
+        return HintText::tr("The plane is seen on its edge: turn the view to go on drawing.");
+    case Hint::Kind::PenFirstPoint:
+        return HintText::tr(
+            "Click to set the first point, drag to bend. <kbd>Esc</kbd> lays the pen down.");
+    case Hint::Kind::PenPoint:
+        return HintText::tr("Click to set a point, drag to bend; <kbd>Enter</kbd> closes, "
+                            "<kbd>Backspace</kbd> takes one back.");
+    case Hint::Kind::PenSnapped:
+        return HintText::tr("Click to set a point, drag to bend; <kbd>Enter</kbd> closes, "
+                            "<kbd>Backspace</kbd> takes one back. <kbd>Ctrl</kbd> click does not "
+                            "snap.");
+    case Hint::Kind::PenCrosses:
+        return HintText::tr("The contour crosses itself: <kbd>Enter</kbd> keeps the largest loop, "
+                            "<kbd>Backspace</kbd> takes a point back.");
+    case Hint::Kind::PenBending:
+        return HintText::tr("Drag to bend; <kbd>Ctrl</kbd> makes a corner, <kbd>Shift</kbd> holds "
+                            "the direction.");
+    case Hint::Kind::PenOnPoint:
+        return HintText::tr("Drag to move the point; <kbd>Ctrl</kbd> does not snap, "
+                            "<kbd>Shift</kbd> holds the direction.");
+    case Hint::Kind::PenOnHandle:
+        return HintText::tr("Drag the handle to bend; <kbd>Ctrl</kbd> makes a corner.");
+    case Hint::Kind::PenClosing:
+        return HintText::tr("Click to close the contour; drag to move the point.");
+    case Hint::Kind::PenNumbers:
+        return HintText::tr("<kbd>Enter</kbd> sets the point, <kbd>Tab</kbd> goes to the next "
+                            "number. <kbd>Esc</kbd> closes the bar.");
     case Hint::Kind::Orbiting:
         return HintText::tr("Move to turn the view, release to stop.");
     case Hint::Kind::Panning:
@@ -132,6 +166,13 @@ QString hintSentence(const Hint &hint, const QString &undoKeys)
                    : HintText::tr("The contour crosses itself; the largest loop was kept. "
                                   "<kbd>%1</kbd> undoes it.")
                          .arg(undoKeys.toHtmlEscaped());
+    case Hint::Kind::NothingToClose:
+        return HintText::tr("Not closed: the points enclose nothing yet.");
+    case Hint::Kind::PathIsOpen:
+        return HintText::tr("A contour is still open: <kbd>Enter</kbd> closes it, <kbd>Esc</kbd> "
+                            "takes it back.");
+    case Hint::Kind::CanvasGone:
+        return HintText::tr("The points are gone, for the section that they stood on is.");
     case Hint::Kind::CutAtGround:
         return HintText::tr("%1 was cut flat at the ground.").arg(name);
     case Hint::Kind::LargestPiece:

@@ -4,6 +4,7 @@
 #include "core/session/check_list.h"
 #include "ui/actions/action_set.h"
 #include "ui/badges.h"
+#include "ui/canvas_bar.h"
 #include "ui/dialogs/about_dialog.h"
 #include "ui/dialogs/command_search.h"
 #include "ui/dialogs/settings_dialog.h"
@@ -138,6 +139,9 @@ void MainWindow::makeDocks()
     m_checks = new ChecksDock(*m_bench, *m_checkList, this);
     m_properties = new PropertiesDock(*m_bench, this);
     m_badges = new Badges(*m_bench, *m_checkList, m_view);
+    m_bar = new CanvasBar(*m_bench, m_view);
+    if (auto *viewport = qobject_cast<Viewport *>(m_view))
+        connect(viewport, &Viewport::numberBegun, m_bar, &CanvasBar::begin);
     m_layout = new WindowLayout(*this);
     // The order is that of the tabs in a narrow window.
     m_layout->add(m_properties, WindowLayout::Place::Right);
@@ -219,6 +223,7 @@ void MainWindow::addCommands()
     };
     addSwitch("section.symmetry", DrawingSwitch::Symmetry);
     addSwitch("section.ground", DrawingSwitch::Ground);
+    addSwitch("section.snap", DrawingSwitch::Snap);
     add("fabricate.stocks", [this] { showStocks({}); });
 }
 
@@ -322,6 +327,7 @@ void MainWindow::refreshTheme()
     m_history->refreshColours();
     m_checks->refreshColours();
     m_badges->refreshColours();
+    m_bar->update();
     if (m_stocks)
         m_stocks->refresh();
     m_properties->refresh();

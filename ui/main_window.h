@@ -15,6 +15,7 @@ namespace fff::ui {
 
 class ActionSet;
 class Badges;
+class CanvasBar;
 class ChecksDock;
 class DocumentFiles;
 class HistoryDock;
@@ -83,6 +84,7 @@ private:
     ChecksDock *m_checks = nullptr;
     PropertiesDock *m_properties = nullptr;
     Badges *m_badges = nullptr;
+    CanvasBar *m_bar = nullptr;      // numbers for the tool in the hand
     StockEditor *m_stocks = nullptr; // once it was asked for
     StatusLine *m_status = nullptr;
     DocumentFiles *m_files = nullptr;

@@ -4,6 +4,7 @@ target_sources(fff_ui PRIVATE
     actions/action_table.cpp
     badge.cpp
     badges.cpp
+    canvas_bar.cpp
     check_words.cpp
     cursors.cpp
     dialogs/about_dialog.cpp

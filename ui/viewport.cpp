@@ -1,5 +1,6 @@
 #include "ui/viewport.h"
 
+#include "core/interaction/tool.h"
 #include "ui/cursors.h"
 #include "ui/focus_frame.h"
 #include "ui/settings/settings.h"
@@ -66,6 +67,22 @@ std::optional<ToolKey> toolKey(const QKeyEvent *event)
     }
 }
 
+/// What a number can begin with, where the tool in the hand takes some.
+bool beginsNumber(const QKeyEvent *event)
+{
+    const auto others = event->modifiers() & ~(Qt::ShiftModifier | Qt::KeypadModifier);
+    if (others != Qt::NoModifier || event->text().size() != 1)
+        return false;
+    const QChar c = event->text().front();
+    return c.isDigit() || QStringLiteral("-\u2212.,@").contains(c);
+}
+
+/// A path is begun: as with a stroke, the rest stands back.
+bool hasPath(const Overlay &overlay)
+{
+    return overlay.pen && !overlay.pen->points.empty();
+}
+
 } // namespace
 
 bool Viewport::Seen::isSamePicture(const Seen &other) const
@@ -78,7 +95,8 @@ bool Viewport::Seen::operator==(const Seen &other) const
     return isSamePicture(other) && selection == other.selection && outlined == other.outlined &&
            hovered == other.hovered && namePlace == other.namePlace && cubePart == other.cubePart &&
            isHandleHovered == other.isHandleHovered && hasBand == other.hasBand &&
-           hasGesture == other.hasGesture && marks == other.marks && litMark == other.litMark;
+           hasGesture == other.hasGesture && marks == other.marks && litMark == other.litMark &&
+           pen == other.pen && plane == other.plane;
 }
 
 Viewport::Viewport(Workbench &bench, QWidget *parent) : QOpenGLWidget(parent), m_bench(bench)
@@ -196,10 +214,10 @@ void Viewport::paintMarks()
     const Overlay &overlay = interaction.overlay();
     const Model &model = m_bench.session().model();
     OverlayScene scene{overlay, interaction.camera(), Vec2(width(), height()),
-                       m_scene.sections.empty(), !interaction.hasGesture()};
+                       m_scene.sections.empty(), !interaction.hasGesture() && !overlay.pen};
     scene.view = interaction.view();
     scene.unit = settings().unit();
-    const bool isDrawing = overlay.slit || overlay.stroke;
+    const bool isDrawing = overlay.slit || overlay.stroke || hasPath(overlay);
     if (!isDrawing)
         scene.marks =
             placeMarks(interaction.marks(), interaction.camera(), scene.viewport, scene.view);
@@ -355,6 +373,8 @@ void Viewport::keyPressEvent(QKeyEvent *event)
     } else if (const auto key = toolKey(event); key && m_bench.wants(*key)) {
         m_bench.clock().observe(event->timestamp());
         m_bench.key(*key);
+    } else if (beginsNumber(event) && !m_bench.interaction().numbers().empty()) {
+        Q_EMIT numberBegun(event->text());
     } else if (!tellOfModifiers(event)) {
         QOpenGLWidget::keyPressEvent(event);
     }
@@ -387,8 +407,10 @@ bool Viewport::event(QEvent *event)
 {
     // Keys of the tool in the hand before shortcuts of the same keys.
     if (event->type() == QEvent::ShortcutOverride) {
-        const auto key = toolKey(static_cast<QKeyEvent *>(event));
-        if (key && m_bench.wants(*key)) {
+        const auto *pressed = static_cast<QKeyEvent *>(event);
+        const auto key = toolKey(pressed);
+        if ((key && m_bench.wants(*key)) ||
+            (beginsNumber(pressed) && !m_bench.interaction().numbers().empty())) {
             event->accept();
             return true;
         }
@@ -460,10 +482,12 @@ Viewport::Seen Viewport::seen() const
             overlay.cubePart,
             overlay.isHandleHovered,
             interaction.hasGesture(),
-            overlay.stroke.has_value(),
+            overlay.stroke.has_value() || hasPath(overlay),
             overlay.band.has_value(),
             interaction.marks(),
-            litMark()};
+            litMark(),
+            overlay.pen,
+            overlay.plane ? std::optional(overlay.plane->canvas) : std::nullopt};
 }
 
 /// Something that is seen may have changed: paints only if it has.
@@ -482,7 +506,9 @@ void Viewport::refresh()
 
     const Overlay &overlay = interaction.overlay();
     Seen now = seen();
-    const bool drawsMarks = overlay.slit || overlay.deadZone || overlay.stroke || overlay.band;
+    // What the pen shows is compared.
+    const bool drawsMarks =
+        (overlay.slit && !overlay.pen) || overlay.deadZone || overlay.stroke || overlay.band;
     if (now == m_seen && !drawsMarks)
         return;
     if (!now.isSamePicture(m_seen))
@@ -511,7 +537,8 @@ void Viewport::markScene()
                                         interaction.selection().end());
     const auto &outlined = m_bench.outlined();
     applyView(m_scene, model, interaction.view());
-    const bool isDrawing = interaction.overlay().stroke.has_value();
+    const bool isDrawing =
+        interaction.overlay().stroke.has_value() || hasPath(interaction.overlay());
     // All stand back for the section that is being drawn: the one that is not as it was.
     const Model &committed = m_bench.session().committed();
     const auto isAsItWas = [&](std::size_t i) {

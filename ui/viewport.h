@@ -35,6 +35,8 @@ public:
     void setFrameClock(std::function<double()> clock) { m_frameClock = std::move(clock); }
 
 Q_SIGNALS:
+    /// The first key of a number, while the tool in the hand takes some.
+    void numberBegun(const QString &text);
     /// The driver offers no OpenGL 3.3: nothing can be drawn.
     void unusable();
 
@@ -64,6 +66,8 @@ private:
         bool isHandleHovered = false, hasGesture = false, isGhosted = false, hasBand = false;
         std::vector<ProblemMark> marks;
         int litMark = 0;
+        std::optional<PenMarks> pen;
+        std::optional<Frame> plane;
 
         bool isSamePicture(const Seen &other) const;
         bool operator==(const Seen &other) const;

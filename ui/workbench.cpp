@@ -35,6 +35,7 @@ void Workbench::followSettings()
     with.mirrors = set.isOn(DrawingSwitch::Symmetry);
     with.mirrorsFirst = set.isOn(DrawingSwitch::FirstSymmetry);
     with.cutsAtGround = set.isOn(DrawingSwitch::Ground);
+    with.snaps = set.isOn(DrawingSwitch::Snap);
 }
 
 Workbench::~Workbench()
@@ -185,7 +186,11 @@ void Workbench::announceChanges()
     const Tool *tool = m_interaction->tool();
     const std::string toolCommand = tool ? std::string(tool->command()) : std::string();
     if (!(m_view == m_interaction->view()) || m_projection != projection ||
-        m_couldGoBack != canGoBack || m_toolCommand != toolCommand) {
+        m_couldGoBack != canGoBack || m_toolCommand != toolCommand ||
+        m_couldUndoInTool != m_interaction->canUndoInTool() ||
+        m_couldRedoInTool != m_interaction->canRedoInTool()) {
+        m_couldUndoInTool = m_interaction->canUndoInTool();
+        m_couldRedoInTool = m_interaction->canRedoInTool();
         m_toolCommand = toolCommand;
         m_view = m_interaction->view();
         m_projection = projection;

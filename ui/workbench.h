@@ -98,6 +98,7 @@ private:
     Projection m_projection = Projection::Orthographic;
     bool m_couldGoBack = false;
     std::string m_toolCommand; // of the tool in the hand
+    bool m_couldUndoInTool = false, m_couldRedoInTool = false;
     EventClock m_clock;
     CommandRegistry m_commands;
     std::string m_viewToShow; // asked for before there was a size

@@ -65,8 +65,9 @@ void PenTool::mark(GestureContext &context, bool hasCursor)
     if (!isMoving)
         marks.next = marks.snap->point;
     marks.place = canvas.targets.toGrid(marks.snap->point);
-    if (marks.snap->isOnGround)
-        marks.ground = canvas.targets.fromGrid({marks.place->x(), 0.0});
+    marks.grid = canvas.targets.grid();
+    if (marks.snap->kind != Snap::Kind::None)
+        marks.gridStep = gridStep(scaleAt(marks.snap->point, context));
     const std::optional<Vec2> before =
         isMoving ? pointBefore(place.index) : pointBefore(std::nullopt);
     if (before)

@@ -33,6 +33,7 @@ set(icon_names
     next_pane
     next_problem
     open
+    pen
     perspective
     plane_front
     plane_ground
@@ -53,6 +54,7 @@ set(icon_names
     select_all
     settings
     show_all
+    snap
     start
     stocks
     symmetry

@@ -17,9 +17,9 @@ namespace {
 constexpr char kSentence[] = "sentence"; // of the tooltip, without the shortcut
 
 /// Checked while their tool is in the hand.
-constexpr const char *kTools[] = {"section.planeGround", "section.planeFront",
-                                  "section.planeSide",   "section.planeParallel",
-                                  "section.redraw",      "section.addHole"};
+constexpr const char *kTools[] = {
+    "section.planeGround", "section.planeFront", "section.planeSide", "section.planeParallel",
+    "section.redraw",      "section.addHole",    "section.pen"};
 
 const ActionRow &rowOf(const QString &id)
 {
@@ -163,19 +163,24 @@ void ActionSet::refresh()
     const bool hasSections = m_bench.session().model().sectionCount() > 0;
     const bool hasSelection = !m_bench.interaction().selection().empty();
 
-    setAble("edit.undo", history.canUndo(), tr("There is no step to take back"));
-    setAble("edit.redo", history.canRedo(), tr("No step was taken back"));
-    QAction *undo = action("edit.undo"), *redo = action("edit.redo");
-    undo->setText(history.canUndo() ? tr("&Undo \u201c%1\u201d").arg(history.undoText())
-                                    : tr("&Undo"));
-    redo->setText(history.canRedo() ? tr("&Redo \u201c%1\u201d").arg(history.redoText())
-                                    : tr("&Redo"));
-    undo->setIconText(tr("Undo"));
-    redo->setIconText(tr("Redo"));
-    if (history.canUndo())
-        setTip(undo, tr("Undo \u201c%1\u201d").arg(history.undoText()));
-    if (history.canRedo())
-        setTip(redo, tr("Redo \u201c%1\u201d").arg(history.redoText()));
+    // Points of an open path go first.
+    const Interaction &interaction = m_bench.interaction();
+    const auto setStep = [this](const char *id, bool isInTool, bool isInHistory,
+                                const QString &step, const QString &what, const QString &named,
+                                const QString &whyNot) {
+        const QString name = isInTool ? tr("Set a point") : step;
+        const bool can = isInTool || isInHistory;
+        QAction *a = action(id);
+        setAble(id, can, whyNot);
+        a->setText(can ? named.arg(name) : what);
+        a->setIconText(QString(what).remove(u'&'));
+        if (can)
+            setTip(a, QString(named.arg(name)).remove(u'&'));
+    };
+    setStep("edit.undo", interaction.canUndoInTool(), history.canUndo(), history.undoText(),
+            tr("&Undo"), tr("&Undo \u201c%1\u201d"), tr("There is no step to take back"));
+    setStep("edit.redo", interaction.canRedoInTool(), history.canRedo(), history.redoText(),
+            tr("&Redo"), tr("&Redo \u201c%1\u201d"), tr("No step was taken back"));
 
     const QString nothingThere = tr("There is no section yet");
     const QString nothingSelected = tr("No section is selected");
@@ -185,7 +190,6 @@ void ActionSet::refresh()
     setAble("view.faceSelection", hasSelection, nothingSelected);
     setAble("view.fitSelection", hasSelection, nothingSelected);
 
-    const Interaction &interaction = m_bench.interaction();
     const ViewState &view = interaction.view();
     const bool isIsolated = !view.isolated.empty();
     setAble("view.previous", interaction.canGoBack(), tr("There is no view before this one"));
@@ -211,6 +215,7 @@ void ActionSet::refresh()
         action(id)->setChecked(held == id);
     action("section.symmetry")->setChecked(settings().isOn(DrawingSwitch::Symmetry));
     action("section.ground")->setChecked(settings().isOn(DrawingSwitch::Ground));
+    action("section.snap")->setChecked(settings().isOn(DrawingSwitch::Snap));
 }
 
 } // namespace fff::ui

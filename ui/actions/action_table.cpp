@@ -97,6 +97,12 @@ std::span<const ActionRow> Texts::actions()
          true},
         {"section.ground", QT_TR_NOOP("Cut flat at the &ground"), QT_TR_NOOP("Ground"), "G",
          "cut_at_ground", QT_TR_NOOP("Cut off what is drawn below the ground"), true, true},
+        {"section.snap", QT_TR_NOOP("S&nap"), QT_TR_NOOP("Snap"), "Q", "snap",
+         QT_TR_NOOP("Draw points to others, to lines level and upright with them, and to the grid"),
+         true, true},
+        {"section.pen", QT_TR_NOOP("P&en"), QT_TR_NOOP("Pen"), "P", "pen",
+         QT_TR_NOOP("Draw with clicks in place of one stroke: set points, drag to bend"), true,
+         true},
         {"section.planeGround", QT_TR_NOOP("On the gr&ound"), QT_TR_NOOP("On the ground"), "L",
          "plane_ground", QT_TR_NOOP("Draw a section that lies on the ground"), true, true},
         {"section.planeFront", QT_TR_NOOP("On the &front plane"), QT_TR_NOOP("On the front"), "",
@@ -146,7 +152,8 @@ std::span<const MenuRow> Texts::menus()
          "@docks view.docks view.resetWindow | view.nextPane view.previousPane | "
          "view.fullScreen"},
         {QT_TR_NOOP("&Section"),
-         "section.symmetry section.ground | section.planeGround section.planeFront "
+         "section.symmetry section.ground section.snap | section.pen section.planeGround "
+         "section.planeFront "
          "section.planeSide section.planeParallel | section.redraw section.addHole | "
          "section.dropToGround"},
         {QT_TR_NOOP("&Checks"), "check.nextProblem check.previousProblem"},

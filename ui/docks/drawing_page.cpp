@@ -92,6 +92,14 @@ DrawingPage::DrawingPage(Workbench &bench, QWidget *parent) : QWidget(parent), m
     m_contour = new PropertyGroup(tr("Contour"), this);
     addRow(m_contour, tr("Size"), "drawnSize", [this] {
         const auto &stroke = m_bench.interaction().overlay().stroke;
+        if (const int drawn = drawnIndex(m_bench); !stroke && drawn >= 0) {
+            const Vec2 size = m_bench.session()
+                                  .model()
+                                  .section(static_cast<std::size_t>(drawn))
+                                  ->shape->bounds()
+                                  .size();
+            return sizeText({size.x(), size.y()}, 1, locale());
+        }
         if (!stroke || !stroke->size)
             return QString(u'–');
         return sizeText({stroke->size->x(), stroke->size->y()}, 1, locale());
@@ -140,7 +148,7 @@ void DrawingPage::addRow(PropertyGroup *group, const QString &name, const char *
 bool DrawingPage::isWanted() const
 {
     const Overlay &overlay = m_bench.interaction().overlay();
-    return overlay.slit || overlay.stroke;
+    return overlay.slit || overlay.stroke || (overlay.pen && !overlay.pen->points.empty());
 }
 
 /// Which way it opens and how deep it is, as far as that is known by now.

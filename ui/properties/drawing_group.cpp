@@ -47,6 +47,10 @@ DrawingGroup::DrawingGroup(QWidget *parent) : PropertyGroup(tr("Drawing"), paren
                      DrawingSwitch::FirstSymmetry, this));
     addRow(switchRow(tr("Flat at ground"), "cutAtGround",
                      tr("Cut off what is drawn below the ground"), DrawingSwitch::Ground, this));
+    addRow(switchRow(tr("Snap"), "snap",
+                     tr("Draw points to others, to lines level and upright with them, to the "
+                        "ground and to the grid"),
+                     DrawingSwitch::Snap, this));
     addRow(numberRow(
         tr("Turn to"), "turnAngle",
         tr("At 90° you look straight at the new plane; with less, the section that you started "

@@ -142,6 +142,12 @@ QValidator::State NumberEdit::validate(QString &text, int &) const
                                                                : QValidator::Intermediate;
 }
 
+std::optional<double> NumberEdit::typed() const
+{
+    const std::optional<double> value = readWithUnit(text()).value;
+    return value && *value >= minimum() && *value <= maximum() ? value : std::nullopt;
+}
+
 QString NumberEdit::refusal() const
 {
     const Expression typed = readWithUnit(text());

@@ -31,6 +31,8 @@ public:
     /// alone while a person is typing in it.
     void setNumber(std::optional<double> number);
 
+    /// What stands in the field while it is typed, if it is a value of it.
+    std::optional<double> typed() const;
     /// Why what stands in the field is no value of it; empty when it is one.
     QString refusal() const;
 

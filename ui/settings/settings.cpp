@@ -60,7 +60,8 @@ struct SwitchRow
 };
 constexpr SwitchRow kSwitches[] = {{DrawingSwitch::Symmetry, "drawing/symmetry", true},
                                    {DrawingSwitch::FirstSymmetry, "drawing/firstSymmetry", false},
-                                   {DrawingSwitch::Ground, "drawing/ground", true}};
+                                   {DrawingSwitch::Ground, "drawing/ground", true},
+                                   {DrawingSwitch::Snap, "drawing/snap", true}};
 
 const SwitchRow &rowOf(DrawingSwitch what)
 {

@@ -26,8 +26,9 @@ namespace fff::ui {
 
 enum class ColourScheme { System, Light, Dark, HighContrast };
 enum class Motion { System, Full, Reduced };
-/// How strokes are drawn: local symmetry, also for the first section, and cut flat at the ground.
-enum class DrawingSwitch { Symmetry, FirstSymmetry, Ground };
+/// How sections are drawn: local symmetry, also for the first section, cut flat at the ground, and
+/// snapping of points.
+enum class DrawingSwitch { Symmetry, FirstSymmetry, Ground, Snap };
 
 class Settings : public QObject
 {

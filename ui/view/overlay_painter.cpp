@@ -1,6 +1,7 @@
 #include "ui/view/overlay_painter.h"
 
 #include "core/interaction/clip_gesture.h"
+#include "ui/view/pen_marks.h"
 #include "ui/view/scale_bar.h"
 #include "ui/view/stroke_marks.h"
 #include "ui/view/view_cube_painter.h"
@@ -28,6 +29,7 @@ public:
     void scaleBar();
     void invitation();
     void stroke() { paintStroke(m_pen, m_scene.overlay, isGroundALine(), m_scene.unit, m_locale); }
+    void path();
     void band();
     void cutHandle();
     void hoveredName();
@@ -51,6 +53,14 @@ private:
     const ViewStyle &m_style;
     const QLocale &m_locale;
 };
+
+void Drawing::path()
+{
+    if (m_scene.overlay.plane)
+        paintPlane(m_pen, *m_scene.overlay.plane);
+    if (m_scene.overlay.pen)
+        paintPath(m_pen, *m_scene.overlay.pen, m_scene.unit, m_locale);
+}
 
 /// Seen from the side the ground is a line.
 bool Drawing::isGroundALine() const
@@ -280,6 +290,7 @@ void paintOverlay(QPainter &painter, const OverlayScene &scene, const ViewStyle 
     Drawing drawing(painter, scene, style, locale);
     drawing.ground();
     drawing.stroke();
+    drawing.path();
     drawing.band();
     drawing.cutHandle();
     drawing.marks();

@@ -10,6 +10,7 @@ target_sources(fff_view PRIVATE
     view/mark_pen.cpp
     view/offscreen_image.cpp
     view/overlay_painter.cpp
+    view/pen_marks.cpp
     view/render_target.cpp
     view/renderer.cpp
     view/scale_bar.cpp

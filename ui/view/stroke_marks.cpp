@@ -107,29 +107,6 @@ void paintMirroredHalf(MarkPen &pen, const Overlay::Stroke &stroke)
     pen.painter().strokePath(half, dashed);
 }
 
-/// What the ground cuts off of what is drawn.
-void paintCutOff(MarkPen &pen, const Overlay::Stroke &stroke)
-{
-    QPen dashed = roundPen(pen.style().muted, 1.6);
-    dashed.setDashPattern({0.5, 2.5});
-    pen.painter().strokePath(pen.path(*stroke.cut, stroke.canvas), dashed);
-}
-
-/// Beside it, below the ground.
-void paintCutChip(MarkPen &pen, const Overlay::Stroke &stroke)
-{
-    const std::vector<Vec2> &points = stroke.cut->points();
-    QPointF place(0.0, 0.0);
-    for (const Vec2 &p : points) {
-        const Vec3 world = stroke.canvas.toWorld(p);
-        const QPointF at = pen.screen(world);
-        if (world.y() < 0.0 && at.x() > place.x())
-            place = at;
-    }
-    pen.chip(place + QPointF(24.0, 16.0), MarkPen::Anchor::Left,
-             Words::tr("Cut flat at the ground"), pen.style().muted);
-}
-
 void paintSamples(MarkPen &pen, const Overlay::Stroke &stroke)
 {
     QPainter &painter = pen.painter();
@@ -161,7 +138,7 @@ void paintCursor(MarkPen &pen, const Overlay::Stroke &stroke, LengthUnit unit,
 void paintContour(MarkPen &pen, const Overlay::Stroke &stroke, bool isSlitAxis)
 {
     if (stroke.cut)
-        paintCutOff(pen, stroke);
+        paintCutOff(pen, *stroke.cut, stroke.canvas);
     if (stroke.isMirrored)
         paintMirroredHalf(pen, stroke);
     for (const std::optional<CubicBezier> &join : {stroke.opening, stroke.closing}) {
@@ -198,6 +175,26 @@ void paintSlit(MarkPen &pen, const Overlay &overlay, LengthUnit unit, const QLoc
 
 } // namespace
 
+void paintCutOff(MarkPen &pen, const Contour &contour, const Frame &canvas)
+{
+    QPen dashed = roundPen(pen.style().muted, 1.6);
+    dashed.setDashPattern({0.5, 2.5});
+    pen.painter().strokePath(pen.path(contour, canvas), dashed);
+}
+
+void paintCutChip(MarkPen &pen, const Contour &contour, const Frame &canvas)
+{
+    QPointF place(0.0, 0.0);
+    for (const Vec2 &p : contour.points()) {
+        const Vec3 world = canvas.toWorld(p);
+        const QPointF at = pen.screen(world);
+        if (world.y() < 0.0 && at.x() > place.x())
+            place = at;
+    }
+    pen.chip(place + QPointF(24.0, 16.0), MarkPen::Anchor::Left,
+             Words::tr("Cut flat at the ground"), pen.style().muted);
+}
+
 void paintStroke(MarkPen &pen, const Overlay &overlay, bool isGroundHatched, LengthUnit unit,
                  const QLocale &locale)
 {
@@ -212,7 +209,7 @@ void paintStroke(MarkPen &pen, const Overlay &overlay, bool isGroundHatched, Len
     if (!overlay.stroke)
         return;
     if (overlay.stroke->cut)
-        paintCutChip(pen, *overlay.stroke);
+        paintCutChip(pen, *overlay.stroke->cut, overlay.stroke->canvas);
     paintCursor(pen, *overlay.stroke, unit, locale);
 }
 

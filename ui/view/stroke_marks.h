@@ -14,4 +14,9 @@ namespace fff::ui {
 void paintStroke(MarkPen &pen, const Overlay &overlay, bool isGroundHatched, LengthUnit unit,
                  const QLocale &locale);
 
+/// What the ground cuts off of what is drawn: the whole contour, dotted.
+void paintCutOff(MarkPen &pen, const Contour &contour, const Frame &canvas);
+/// Beside it, below the ground, what became of it.
+void paintCutChip(MarkPen &pen, const Contour &contour, const Frame &canvas);
+
 } // namespace fff::ui

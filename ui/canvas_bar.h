@@ -1,0 +1,61 @@
+// A bar over the view for the numbers of the tool in the hand: where the next point goes, or how
+// far away a plane is. It opens with the first key of a number; for a plane's distance it is there
+// as long as the tool waits.
+#pragma once
+
+#include <QFrame> // first: moc stumbles over some standard headers
+
+#include "core/interaction/tool.h"
+
+#include <vector>
+
+class QLabel;
+
+namespace fff::ui {
+
+class NumberEdit;
+class Workbench;
+
+/// What is typed is shown in the view at once. Enter does it, Tab goes to the next field, Esc
+/// closes the bar and leaves all as it was.
+class CanvasBar : public QFrame
+{
+    Q_OBJECT
+public:
+    /// At the lower edge of the view.
+    CanvasBar(Workbench &bench, QWidget *view);
+
+    /// Opens it and puts the first key there: "@" goes to the distance from the last point.
+    void begin(const QString &text);
+
+protected:
+    bool eventFilter(QObject *object, QEvent *event) override;
+    void keyPressEvent(QKeyEvent *event) override;
+    bool focusNextPrevChild(bool next) override;
+    void paintEvent(QPaintEvent *event) override;
+
+private:
+    struct Field
+    {
+        ToolNumber::Kind kind;
+        QLabel *label;
+        NumberEdit *edit;
+        bool isWanted = false; // the tool has this number now
+    };
+
+    void addField(ToolNumber::Kind kind, NumberEdit *edit, const QString &name,
+                  const char *objectName);
+    Field *field(ToolNumber::Kind kind);
+    void refresh();
+    void take(ToolNumber::Kind kind, double shown);
+    void accept();
+    void close();
+    void follow(QWidget *focus);
+    void place();
+
+    Workbench &m_bench;
+    std::vector<Field> m_fields;
+    bool m_isOpen = false; // for a point
+};
+
+} // namespace fff::ui
