@@ -1841,6 +1841,10 @@
         <source>Choose a sheet</source>
         <translation>Andere Platte wählen</translation>
     </message>
+    <message>
+        <source>Drop it to the ground</source>
+        <translation>Auf den Boden setzen</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::CommandSearch</name>

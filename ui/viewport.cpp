@@ -90,15 +90,6 @@ bool Viewport::Seen::isSamePicture(const Seen &other) const
     return camera == other.camera && view == other.view && isGhosted == other.isGhosted;
 }
 
-bool Viewport::Seen::operator==(const Seen &other) const
-{
-    return isSamePicture(other) && selection == other.selection && outlined == other.outlined &&
-           hovered == other.hovered && namePlace == other.namePlace && cubePart == other.cubePart &&
-           isHandleHovered == other.isHandleHovered && hasBand == other.hasBand &&
-           hasGesture == other.hasGesture && marks == other.marks && litMark == other.litMark &&
-           pen == other.pen && plane == other.plane;
-}
-
 Viewport::Viewport(Workbench &bench, QWidget *parent) : QOpenGLWidget(parent), m_bench(bench)
 {
     // The renderer smooths edges by itself, and marks are painted smoothly.
@@ -222,6 +213,8 @@ void Viewport::paintMarks()
         scene.marks =
             placeMarks(interaction.marks(), interaction.camera(), scene.viewport, scene.view);
     scene.litMark = litMark();
+    if (!isDrawing)
+        scene.ghosts = m_bench.ghosts();
     scene.bounds = m_bench.session().committed().bounds();
     const auto hovered = static_cast<std::size_t>(std::max(overlay.hovered, 0));
     if (overlay.hovered >= 0 && hovered < model.sectionCount())
@@ -477,6 +470,7 @@ Viewport::Seen Viewport::seen() const
             interaction.view(),
             interaction.selection(),
             presentlyOutlined(),
+            m_bench.ghosts(),
             overlay.hovered,
             overlay.namePlace,
             overlay.cubePart,

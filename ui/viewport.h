@@ -60,6 +60,7 @@ private:
         Camera camera;
         ViewState view;
         std::vector<SectionRef> selection, outlined;
+        std::vector<SectionPointer> ghosts;
         int hovered = -1;
         std::optional<Vec2> namePlace;
         std::optional<CubePart> cubePart;
@@ -70,7 +71,7 @@ private:
         std::optional<Frame> plane;
 
         bool isSamePicture(const Seen &other) const;
-        bool operator==(const Seen &other) const;
+        bool operator==(const Seen &other) const = default;
     };
 
     PointerEvent pointer(PointerEvent::Type type, QSinglePointEvent *event);

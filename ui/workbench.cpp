@@ -163,11 +163,12 @@ void Workbench::setLitProblem(int number)
         Q_EMIT viewChanged();
 }
 
-void Workbench::setOutlined(std::vector<SectionRef> sections)
+void Workbench::setOutlined(std::vector<SectionRef> sections, std::vector<SectionPointer> ghosts)
 {
-    if (sections == m_outlined)
+    if (sections == m_outlined && ghosts == m_ghosts)
         return;
     m_outlined = std::move(sections);
+    m_ghosts = std::move(ghosts);
     Q_EMIT viewChanged();
 }
 

@@ -63,8 +63,9 @@ public:
     int litProblem() const { return m_litProblem; }
 
     /// Outlined as if the cursor were on them, sorted; those that are not there now are passed
-    /// over.
-    void setOutlined(std::vector<SectionRef> sections);
+    /// over. With them ghosts of sections that are not there now, or not as they are.
+    void setOutlined(std::vector<SectionRef> sections, std::vector<SectionPointer> ghosts = {});
+    const std::vector<SectionPointer> &ghosts() const { return m_ghosts; }
     const std::vector<SectionRef> &outlined() const { return m_outlined; }
 
     /// Commits an edit; a failed one is announced by editFailed and changes nothing.
@@ -94,6 +95,7 @@ private:
     Hint m_hint;
     ViewState m_view;
     std::vector<SectionRef> m_outlined;
+    std::vector<SectionPointer> m_ghosts;
     int m_litProblem = 0, m_hoveredProblem = 0;
     Projection m_projection = Projection::Orthographic;
     bool m_couldGoBack = false;

@@ -1,6 +1,7 @@
 #include "core/model/changes.h"
 
 #include <algorithm>
+#include <iterator>
 #include <unordered_set>
 
 namespace fff {
@@ -57,6 +58,26 @@ std::vector<SectionRef> changedSections(const Model &before, const Model &after)
     std::sort(changed.begin(), changed.end());
     changed.erase(std::unique(changed.begin(), changed.end()), changed.end());
     return changed;
+}
+
+std::vector<SectionPointer> missingSections(const Model &before, const Model &after,
+                                            const Model &now)
+{
+    const auto sorted = [](const Model &model) {
+        std::vector<SectionPointer> sections;
+        for (std::size_t i = 0; i < model.sectionCount(); ++i)
+            sections.push_back(model.section(i));
+        std::sort(sections.begin(), sections.end());
+        return sections;
+    };
+    const std::vector<SectionPointer> old = sorted(before), next = sorted(after);
+    std::vector<SectionPointer> touched, missing;
+    std::set_symmetric_difference(old.begin(), old.end(), next.begin(), next.end(),
+                                  std::back_inserter(touched));
+    const std::vector<SectionPointer> present = sorted(now);
+    std::set_difference(touched.begin(), touched.end(), present.begin(), present.end(),
+                        std::back_inserter(missing));
+    return missing;
 }
 
 } // namespace fff

@@ -12,4 +12,9 @@ namespace fff {
 /// alone costs one comparison.
 std::vector<SectionRef> changedSections(const Model &before, const Model &after);
 
+/// The sections, as they stand in either of the models, that `now` does not have: what a step
+/// between them takes away or would bring back. Compares pointers.
+std::vector<SectionPointer> missingSections(const Model &before, const Model &after,
+                                            const Model &now);
+
 } // namespace fff

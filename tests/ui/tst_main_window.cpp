@@ -5,6 +5,7 @@
 #include "core/base/units.h"
 #include "core/io/document_file.h"
 #include "core/model/edits.h"
+#include "tests/ui/view_hand.h"
 #include "ui/docks/outline_dock.h"
 #include "ui/docks/properties_dock.h"
 #include "ui/field_style.h"
@@ -36,7 +37,7 @@
 using namespace fff;
 using namespace fff::ui;
 
-class TestMainWindow : public QObject
+class TestMainWindow : public QObject, private ViewHand
 {
     Q_OBJECT
 
@@ -72,131 +73,19 @@ private Q_SLOTS:
     void narrowWindowsHaveOneColumn();
 
 private:
-    QPoint onScreen(const Vec3 &world) const;
-    // Through the window system's interface, so that buttons and focus are as in life.
-    void press(const QPoint &inView);
-    void move(const QPoint &inView);
-    void release(const QPoint &inView);
-    void click(const QPoint &inView);
-    void drag(const std::vector<QPoint> &points);
-    void drawFirst();
     bool comesToRest();
-    void drawSecond();
-    Session &session() { return m_window->bench().session(); }
-    const Section &first() { return *session().committed().section(0); }
-    std::size_t count() { return session().committed().sectionCount(); }
     /// Presses the button of this text in the next question.
     void answer(const QString &button, int *asked);
-
-    std::unique_ptr<QTemporaryDir> m_folder;
-    std::unique_ptr<MainWindow> m_window;
-    Viewport *m_view = nullptr;
 };
 
 void TestMainWindow::init()
 {
-    m_folder = std::make_unique<QTemporaryDir>();
-    Settings::setFile(m_folder->filePath(QStringLiteral("settings.ini")));
-    m_window = std::make_unique<MainWindow>();
-    m_window->resize(1440, 900);
-    m_window->show();
-    QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
-    QApplication::setActiveWindow(
-        m_window.get()); // the display may have no window manager to do it
-    m_view = m_window->findChild<Viewport *>(QStringLiteral("viewport"));
-    QVERIFY(m_view);
-    QTRY_VERIFY(m_view->isValid());
-    QTRY_COMPARE(m_view->hasFocus(), true);
+    openWindow();
 }
 
 void TestMainWindow::cleanup()
 {
-    m_window.reset();
-}
-
-QPoint TestMainWindow::onScreen(const Vec3 &world) const
-{
-    const Vec2 p = m_window->bench().interaction().camera().toScreen(
-        world, Vec2(m_view->width(), m_view->height()));
-    return {static_cast<int>(std::lround(p.x())), static_cast<int>(std::lround(p.y()))};
-}
-
-void TestMainWindow::press(const QPoint &inView)
-{
-    QTest::mousePress(m_window->windowHandle(), Qt::LeftButton, {},
-                      m_view->mapTo(m_window.get(), inView), 5);
-}
-
-void TestMainWindow::move(const QPoint &inView)
-{
-    QTest::mouseMove(m_window->windowHandle(), m_view->mapTo(m_window.get(), inView), 5);
-}
-
-void TestMainWindow::release(const QPoint &inView)
-{
-    QTest::mouseRelease(m_window->windowHandle(), Qt::LeftButton, {},
-                        m_view->mapTo(m_window.get(), inView), 5);
-}
-
-void TestMainWindow::click(const QPoint &inView)
-{
-    move(inView);
-    press(inView);
-    release(inView);
-}
-
-void TestMainWindow::drag(const std::vector<QPoint> &points)
-{
-    move(points.front());
-    press(points.front());
-    for (const QPoint &point : points)
-        move(point);
-    release(points.back());
-}
-
-/// An oval in the middle of the front view.
-void TestMainWindow::drawFirst()
-{
-    const QPoint middle(m_view->width() / 2, m_view->height() / 2);
-    std::vector<QPoint> points;
-    for (int i = 0; i < 48; ++i) {
-        const double angle = radians(360.0 * i / 50.0);
-        points.push_back(middle + QPoint(static_cast<int>(220 * std::cos(angle)),
-                                         static_cast<int>(-130 * std::sin(angle))));
-    }
-    drag(points);
-    QTRY_COMPARE(count(), std::size_t(1));
-}
-
-/// Out of the top of the first one: press inside, leave it upwards, wait for the turn, draw an oval
-/// round the slit.
-void TestMainWindow::drawSecond()
-{
-    const std::size_t before = count();
-    const Section &first = *session().committed().section(0);
-    const Box3 box = worldBounds(*first.shape, first.frame);
-    const Vec3 middle = box.center();
-    const QPoint start = onScreen(middle),
-                 leave = onScreen({middle.x(), box.max.y() + 4.0, middle.z()});
-    move(start);
-    press(start);
-    QPoint at;
-    for (int i = 1; i <= 24; ++i) {
-        at = start + (leave - start) * i / 24;
-        move(at);
-    }
-    QTRY_VERIFY(m_window->bench().interaction().overlay().deadZone.has_value());
-    QTRY_VERIFY_WITH_TIMEOUT(!m_window->bench().interaction().isAnimating(), 5000);
-    const QPoint centre = (start + at) / 2;
-    for (int i = 0; i <= 40; ++i) {
-        const double angle = radians(90.0 + 345.0 * i / 40.0);
-        const QPoint to = centre + QPoint(static_cast<int>(90 * std::cos(angle)),
-                                          static_cast<int>(-130 * std::sin(angle)));
-        move(to);
-        if (i == 40)
-            release(to);
-    }
-    QTRY_COMPARE(count(), before + 1);
+    closeWindow();
 }
 
 void TestMainWindow::answer(const QString &button, int *asked)

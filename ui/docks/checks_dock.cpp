@@ -339,6 +339,9 @@ QString ChecksDock::linkOf(const Check &check) const
         return check.sections.size() == 1 ? tr("Delete it") : tr("Delete them");
     case CheckCode::TooLarge:
         return tr("Choose a sheet");
+    case CheckCode::NoContact:
+    case CheckCode::BelowGround:
+        return tr("Drop it to the ground");
     default:
         return {};
     }
@@ -349,6 +352,10 @@ void ChecksDock::act(int row)
     const Check check = m_rows[static_cast<std::size_t>(row)].check;
     if (check.code == CheckCode::TooLarge) {
         Q_EMIT stocksWanted();
+        return;
+    }
+    if (check.code != CheckCode::NotConnected) {
+        m_bench.run(QStringLiteral("section.dropToGround"));
         return;
     }
     const Document &document = m_bench.session().committed().document;

@@ -135,16 +135,21 @@ void HistoryDock::refresh()
         leaveSteps();
 }
 
-/// Outlines what the step changed, of what is there now. It is done when the cursor comes to it,
-/// not with every move.
+/// Outlines what the step changed, of what is there now, and shows what is not as ghosts: what it
+/// took away, what was of another shape, what a step that is undone would bring back. It is done
+/// when the cursor comes to it, not with every move.
 void HistoryDock::hoverStep(int row)
 {
     const Session &session = m_bench.session();
     m_view->setToolTip(row == session.history()->cleanIndex() ? tr("Saved here") : QString());
     const Model *before = row > 0 ? session.modelAfter(row - 1) : nullptr;
     const Model *after = session.modelAfter(row);
-    m_bench.setOutlined(before && after ? changedSections(*before, *after)
-                                        : std::vector<SectionRef>());
+    if (!before || !after) {
+        m_bench.setOutlined({});
+        return;
+    }
+    m_bench.setOutlined(changedSections(*before, *after),
+                        missingSections(*before, *after, session.committed()));
 }
 
 void HistoryDock::leaveSteps()

@@ -31,6 +31,7 @@ public:
     void stroke() { paintStroke(m_pen, m_scene.overlay, isGroundALine(), m_scene.unit, m_locale); }
     void path();
     void band();
+    void ghosts();
     void cutHandle();
     void hoveredName();
     void progress();
@@ -129,6 +130,22 @@ void Drawing::invitation()
         QRectF(0.0, 0.0, m_scene.viewport.x(), m_scene.viewport.y()), Qt::AlignCenter,
         QCoreApplication::translate("fff::ui::OverlayPainter",
                                     "Draw a shape here with the left button held down."));
+}
+
+/// What a step of the history took away or would bring back.
+void Drawing::ghosts()
+{
+    QPen dashed = roundPen(m_style.accent, 1.6);
+    dashed.setCapStyle(Qt::FlatCap);
+    dashed.setDashPattern({5.0, 3.0});
+    for (const SectionPointer &section : m_scene.ghosts) {
+        QPainterPath shape = m_pen.path(section->shape->contour(), section->frame);
+        for (const Contour &hole : section->shape->holes())
+            shape.addPath(m_pen.path(hole, section->frame));
+        m_painter.fillPath(shape, faded(m_style.accent, 0.10));
+        m_painter.strokePath(shape, roundPen(faded(m_style.panel, 0.8), 3.6));
+        m_painter.strokePath(shape, dashed);
+    }
 }
 
 void Drawing::band()
@@ -289,6 +306,7 @@ void paintOverlay(QPainter &painter, const OverlayScene &scene, const ViewStyle 
     painter.setRenderHint(QPainter::Antialiasing);
     Drawing drawing(painter, scene, style, locale);
     drawing.ground();
+    drawing.ghosts();
     drawing.stroke();
     drawing.path();
     drawing.band();

@@ -29,8 +29,9 @@ struct OverlayScene
     QString hovered = {};            // name of the section under the cursor
     std::optional<double> busy = {}; // the model is being worked on: how often its mark went round
     LengthUnit unit = LengthUnit::Millimetre;
-    std::vector<PlacedMark> marks = {}; // numbers of problems
-    int litMark = 0;                    // the one that is drawn larger
+    std::vector<PlacedMark> marks = {};      // numbers of problems
+    int litMark = 0;                         // the one that is drawn larger
+    std::vector<SectionPointer> ghosts = {}; // that are not in the model
 };
 
 /// Leaves the painter's state changed. Lengths are written as the locale has them.

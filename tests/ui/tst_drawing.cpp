@@ -1,0 +1,255 @@
+// Drawing in the window with real mouse and key events: what a stroke shows while it is drawn,
+// holes, redrawing, the keys that change a stroke, undo by key and by the history.
+// First: Qt 6.4's moc fails on standard headers that it meets before one of Qt's.
+#include <QTest>
+
+#include "core/interaction/tool.h"
+#include "tests/ui/view_hand.h"
+#include "ui/docks/drawing_page.h"
+
+#include <QAction>
+#include <QLabel>
+#include <QUndoView>
+
+#include <algorithm>
+
+using namespace fff;
+using namespace fff::ui;
+
+class TestDrawing : public QObject, private ViewHand
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { openWindow(); }
+    void cleanup() { closeWindow(); }
+
+    void aSecondAcrossTheFirst();
+    void shiftKeepsOneSide();
+    void propertiesTellWhatIsDrawn();
+    void aHole();
+    void aHoleBesideIsRefused();
+    void aNewContour();
+    void theGroundCutsFlat();
+    void undoByKeyAndByHistory();
+    void aGroupByRubberBand();
+    void escapeLaysTheToolDown();
+    void aStepShowsWhatItTookAway();
+
+private:
+    QString text(const char *name)
+    {
+        const auto *label = m_window->findChild<QLabel *>(QLatin1String(name));
+        return label ? label->text() : QString();
+    }
+    void drawOneSide();
+    void box(const QPoint &from, const QPoint &to);
+};
+
+/// Out of the dead zone to the right, round and back to it.
+void TestDrawing::drawOneSide()
+{
+    const QPoint start = m_cursor;
+    for (const QPoint &way :
+         {QPoint(60, -40), QPoint(130, 20), QPoint(130, 120), QPoint(60, 190)}) {
+        const QPoint from = m_cursor;
+        for (int i = 1; i <= 8; ++i)
+            move(from + (start + way - from) * i / 8);
+    }
+}
+
+/// Four strokes in one go, from corner to corner.
+void TestDrawing::box(const QPoint &from, const QPoint &to)
+{
+    const QPoint corners[] = {
+        from, {to.x(), from.y()}, to, {from.x(), to.y()}, from + QPoint(0, 6)};
+    move(from);
+    press(from);
+    QPoint at = from;
+    for (const QPoint &corner : corners) {
+        for (int i = 1; i <= 10; ++i)
+            move(at + (corner - at) * i / 10);
+        at = corner;
+    }
+    release(at);
+}
+
+void TestDrawing::aSecondAcrossTheFirst()
+{
+    drawFirst();
+    drawSecond();
+    QCOMPARE(count(), std::size_t(2));
+    const Section &section = *session().committed().section(1);
+    QVERIFY(section.parent);
+    QVERIFY(std::abs(section.frame.normal().dot(first().frame.normal())) < 1e-9);
+    QTRY_COMPARE(session().analysis().assembly.joints.size(), std::size_t(1));
+}
+
+/// What would be wrong: the copied half stays although Shift is held, or comes only with the next
+/// move of the mouse.
+void TestDrawing::shiftKeepsOneSide()
+{
+    drawFirst();
+    pullSlit();
+    drawOneSide();
+    QTRY_VERIFY(bench().interaction().overlay().stroke);
+    QTRY_VERIFY(bench().interaction().overlay().stroke->isMirrored);
+    QCOMPARE(bench().interaction().hint().kind, Hint::Kind::ReleaseToMirror);
+    const double both = session().model().document.sections.back()->shape->area();
+    QTest::keyPress(m_window->windowHandle(), Qt::Key_Shift, Qt::NoModifier, 5);
+    QTRY_VERIFY(!bench().interaction().overlay().stroke->isMirrored);
+    QVERIFY(session().model().document.sections.back()->shape->area() < 0.7 * both);
+    QTest::keyRelease(m_window->windowHandle(), Qt::Key_Shift, Qt::ShiftModifier, 5);
+    QTRY_VERIFY(bench().interaction().overlay().stroke->isMirrored);
+    release(m_cursor);
+    QTRY_COMPARE(count(), std::size_t(2));
+    QVERIFY(std::abs(session().committed().section(1)->shape->area() - both) < 1e-9);
+}
+
+void TestDrawing::propertiesTellWhatIsDrawn()
+{
+    drawFirst();
+    const auto *page = m_window->findChild<DrawingPage *>();
+    QVERIFY(page && !page->isVisible());
+    pullSlit();
+    QTRY_VERIFY(page->isVisible());
+    QCOMPARE(text("drawnParent"), QStringLiteral("Section 1"));
+    QCOMPARE(text("drawnSize"), QStringLiteral("–"));
+    drawOneSide();
+    QTRY_VERIFY(text("drawnSize").contains(u'×'));
+    QTRY_VERIFY(text("drawnSymmetry").contains(QStringLiteral("Mirrored.")));
+    QTRY_VERIFY(text("drawnOwnSlit").contains(QStringLiteral("opens")));
+    key(Qt::Key_Escape);
+    QTRY_VERIFY(!page->isVisible());
+    release(m_cursor);
+    QCOMPARE(count(), std::size_t(1));
+}
+
+void TestDrawing::aHole()
+{
+    drawFirst();
+    click(middle());
+    QTRY_COMPARE(bench().interaction().selection().size(), std::size_t(1));
+    const double whole = first().shape->area();
+    key(Qt::Key_O);
+    QTRY_VERIFY(bench().interaction().tool());
+    const auto *action = m_window->findChild<QAction *>(QStringLiteral("section.addHole"));
+    QTRY_VERIFY(action->isChecked());
+    QTRY_VERIFY_WITH_TIMEOUT(!bench().interaction().isAnimating(), 5000);
+    box(middle() + QPoint(-40, -30), middle() + QPoint(40, 30));
+    QTRY_COMPARE(first().shape->holes().size(), std::size_t(1));
+    QVERIFY(first().shape->area() < whole);
+    QVERIFY(!bench().interaction().tool());
+    QTRY_VERIFY(!action->isChecked());
+    QCOMPARE(session().history()->undoText(), QStringLiteral("Draw a hole in Section 1"));
+}
+
+void TestDrawing::aHoleBesideIsRefused()
+{
+    drawFirst();
+    click(middle());
+    key(Qt::Key_O);
+    QTRY_VERIFY_WITH_TIMEOUT(!bench().interaction().isAnimating(), 5000);
+    box(middle() + QPoint(-60, 180), middle() + QPoint(60, 240));
+    QTRY_COMPARE(bench().interaction().hint().kind, Hint::Kind::HoleOutside);
+    QVERIFY(bench().interaction().hint().isRefusal);
+    QVERIFY(first().shape->holes().empty());
+    QVERIFY(bench().interaction().tool()); // once more
+}
+
+void TestDrawing::aNewContour()
+{
+    drawFirst();
+    click(middle());
+    const SectionId id = first().id;
+    key(Qt::Key_R);
+    QTRY_VERIFY_WITH_TIMEOUT(!bench().interaction().isAnimating(), 5000);
+    box(middle() + QPoint(-100, -80), middle() + QPoint(100, 80));
+    QTRY_COMPARE(session().history()->undoText(), QStringLiteral("Redraw Section 1"));
+    QCOMPARE(count(), std::size_t(1));
+    QVERIFY(first().id == id);
+    QVERIFY(first().shape->contour().segmentCount() <= 5);
+}
+
+void TestDrawing::theGroundCutsFlat()
+{
+    const QPoint ground = onScreen(Vec3::Zero());
+    box(ground + QPoint(-80, -150), ground + QPoint(80, 30));
+    QTRY_COMPARE(count(), std::size_t(1));
+    QCOMPARE(bench().interaction().hint().kind, Hint::Kind::CutAtGround);
+    const Box3 bounds = worldBounds(*first().shape, first().frame);
+    QVERIFY(std::abs(bounds.min.y()) < 1e-9);
+    key(Qt::Key_G); // off
+    QTRY_VERIFY(!settings().isOn(DrawingSwitch::Ground));
+    key(Qt::Key_Z, Qt::ControlModifier);
+    QTRY_COMPARE(count(), std::size_t(0));
+    box(ground + QPoint(-80, -150), ground + QPoint(80, 30));
+    QTRY_COMPARE(count(), std::size_t(1));
+    QVERIFY(worldBounds(*first().shape, first().frame).min.y() < -1.0);
+}
+
+void TestDrawing::undoByKeyAndByHistory()
+{
+    drawFirst();
+    drawSecond();
+    const SectionPointer second = session().committed().section(1);
+    key(Qt::Key_Z, Qt::ControlModifier);
+    QTRY_COMPARE(count(), std::size_t(1));
+    key(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+    QTRY_COMPARE(count(), std::size_t(2));
+    QVERIFY(session().committed().section(1) == second); // the very object
+    auto *list = m_window->findChild<QUndoView *>(QStringLiteral("historyList"));
+    QVERIFY(list);
+    list->setCurrentIndex(list->model()->index(0, 0)); // back to the beginning
+    QTRY_COMPARE(count(), std::size_t(0));
+    list->setCurrentIndex(list->model()->index(2, 0));
+    QTRY_COMPARE(count(), std::size_t(2));
+    QVERIFY(session().committed().section(1) == second);
+}
+
+void TestDrawing::aGroupByRubberBand()
+{
+    drawFirst();
+    drawSecond();
+    key(Qt::Key_1);
+    QTRY_VERIFY_WITH_TIMEOUT(!bench().interaction().isAnimating(), 5000);
+    const QPoint from(20, 80), to(m_view->width() - 130, m_view->height() - 20);
+    move(from);
+    press(from, Qt::ShiftModifier);
+    for (int i = 1; i <= 10; ++i)
+        QTest::mouseEvent(QTest::MouseMove, m_window->windowHandle(), Qt::NoButton,
+                          Qt::ShiftModifier,
+                          m_view->mapTo(m_window.get(), from + (to - from) * i / 10), 5);
+    release(to, Qt::ShiftModifier);
+    QTRY_COMPARE(bench().interaction().selection().size(), std::size_t(2));
+    QVERIFY(!bench().interaction().overlay().band);
+}
+
+void TestDrawing::escapeLaysTheToolDown()
+{
+    drawFirst();
+    click(middle());
+    key(Qt::Key_R);
+    QTRY_VERIFY(bench().interaction().tool());
+    key(Qt::Key_Escape);
+    QTRY_VERIFY(!bench().interaction().tool());
+    QCOMPARE(bench().interaction().selection().size(), std::size_t(1)); // one step back only
+    QCOMPARE(session().history()->count(), 1);
+}
+
+void TestDrawing::aStepShowsWhatItTookAway()
+{
+    drawFirst();
+    const SectionPointer gone = session().committed().section(0);
+    click(middle());
+    key(Qt::Key_Delete);
+    QTRY_COMPARE(count(), std::size_t(0));
+    auto *list = m_window->findChild<QUndoView *>(QStringLiteral("historyList"));
+    Q_EMIT list->entered(list->model()->index(2, 0)); // as the cursor does
+    QCOMPARE(bench().ghosts(), std::vector{gone});
+    Q_EMIT list->viewportEntered();
+    QVERIFY(bench().ghosts().empty());
+}
+
+QTEST_MAIN(TestDrawing)
+#include "tst_drawing.moc"
