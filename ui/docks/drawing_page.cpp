@@ -4,6 +4,7 @@
 #include "ui/icon.h"
 #include "ui/measures.h"
 #include "ui/properties/property_rows.h"
+#include "ui/properties/stock_choice.h"
 #include "ui/theme.h"
 #include "ui/workbench.h"
 
@@ -74,7 +75,7 @@ DrawingPage::DrawingPage(Workbench &bench, QWidget *parent) : QWidget(parent), m
         return *document.find(document.currentStock);
     };
     addRow(stock, tr("Stock"), "drawnStock",
-           [current] { return QString::fromStdString(current().name); });
+           [current] { return stockName(current()); });
     addRow(stock, tr("Thickness"), "drawnThickness",
            [this, current] { return lengthText(current().thickness, 2, 2, locale()); });
 
