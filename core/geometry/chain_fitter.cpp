@@ -1,6 +1,7 @@
 #include "core/geometry/chain_fitter.h"
 
 #include <algorithm>
+#include <array>
 
 namespace fff {
 
@@ -12,6 +13,8 @@ constexpr double kJointPrecision = 0.04;
 constexpr double kLeastPrecision = 0.1;
 /// The first segment of a stretch is tried over so many reaches first.
 constexpr double kFirstTry = 4.0;
+/// Where between its earliest and its latest place a joint is tried.
+constexpr std::array kShares{0.5, 0.3, 0.7, 0.15, 0.85};
 
 } // namespace
 
@@ -127,15 +130,17 @@ std::vector<ChainFitter::Piece> ChainFitter::backwards()
     return pieces;
 }
 
-/// Nothing when one of the even segments does not fit.
+/// Each joint so far from its earliest towards its latest place. Nothing when one of the segments
+/// does not fit then.
 std::vector<ChainFitter::Piece> ChainFitter::balanced(const std::vector<Piece> &late,
-                                                      const std::vector<Piece> &early)
+                                                      const std::vector<Piece> &early, double share)
 {
     std::vector<Piece> pieces;
     std::size_t from = m_stretch.from;
     for (std::size_t k = 0; k < late.size(); ++k) {
-        const double middle = 0.5 * (m_line.along(late[k].to) + m_line.along(early[k].to));
-        const std::size_t to = k + 1 < late.size() ? m_line.indexAt(middle) : m_stretch.to;
+        const double along =
+            share * m_line.along(late[k].to) + (1.0 - share) * m_line.along(early[k].to);
+        const std::size_t to = k + 1 < late.size() ? m_line.indexAt(along) : m_stretch.to;
         const auto curve = to > from ? piece(from, to) : std::nullopt;
         if (!curve)
             return {};
@@ -145,27 +150,73 @@ std::vector<ChainFitter::Piece> ChainFitter::balanced(const std::vector<Piece> &
     return pieces;
 }
 
-void ChainFitter::fit(const Stretch &stretch)
+void ChainFitter::fitSmooth(const Stretch &stretch)
 {
     m_stretch = stretch;
+    std::vector<Piece> pieces = forwards();
+    if (pieces.size() > 1) {
+        std::vector<Piece> early = backwards();
+        std::vector<Piece> even;
+        if (early.size() == pieces.size()) {
+            for (std::size_t i = 0; i < kShares.size() && even.empty(); ++i)
+                even = balanced(pieces, early, kShares[i]);
+        }
+        if (!even.empty())
+            pieces = std::move(even);
+        else if (early.size() < pieces.size())
+            pieces = std::move(early);
+    }
+    for (const Piece &piece : pieces)
+        m_chain.push_back(piece.curve);
+}
+
+void ChainFitter::fit(const Stretch &stretch)
+{
     if (!stretch.isStartGiven && !stretch.isEndGiven &&
         m_line.isStraight(stretch.from, stretch.to, m_tolerance)) {
         m_chain.push_back(CubicBezier::line(stretch.start.position, stretch.end.position));
         return;
     }
-    std::vector<Piece> pieces = forwards();
-    if (pieces.size() > 1) {
-        std::vector<Piece> early = backwards();
-        if (early.size() < pieces.size()) {
-            pieces = std::move(early);
-        } else if (early.size() == pieces.size()) {
-            std::vector<Piece> even = balanced(pieces, early);
-            if (!even.empty())
-                pieces = std::move(even);
+    Stretch rest = stretch;
+    for (StraightRun run : m_line.straightRuns(stretch.from, stretch.to)) {
+        // A line that all but reaches a corner comes from it.
+        if (m_line.lengthBetween(rest.from, run.from) < m_reach) {
+            if (!rest.isStartGiven)
+                run.start = {rest.start.position,
+                             (run.end.position - rest.start.position).normalized()};
+            else if (rest.from != run.from || rest.start.position != run.start.position)
+                continue;
+            run.from = rest.from;
+            run.end.direction = run.start.direction;
         }
+        if (m_line.lengthBetween(run.to, stretch.to) < m_reach) {
+            if (!stretch.isEndGiven)
+                run.end = {stretch.end.position,
+                           (stretch.end.position - run.start.position).normalized()};
+            else if (stretch.to != run.to || stretch.end.position != run.end.position)
+                continue;
+            run.to = stretch.to;
+            if (run.from != rest.from)
+                run.start.direction = run.end.direction;
+            else if (rest.isStartGiven)
+                continue;
+        }
+        if (!m_line.isStraight(run.from, run.to, m_tolerance))
+            continue;
+        if (run.from > rest.from) {
+            Stretch before = rest;
+            before.to = run.from;
+            before.end = run.start;
+            before.isEndGiven = true;
+            fitSmooth(before);
+        }
+        m_chain.push_back(CubicBezier::line(run.start.position, run.end.position));
+        rest.from = run.to;
+        rest.start = run.end;
+        rest.isStartGiven = true;
     }
-    for (const Piece &piece : pieces)
-        m_chain.push_back(piece.curve);
+    if (rest.from < rest.to)
+        fitSmooth(rest);
 }
 
 } // namespace fff

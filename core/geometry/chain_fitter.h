@@ -11,11 +11,12 @@ namespace fff {
 
 /// Fits one stretch of a line after the other, each between two corners.
 ///
-/// Every sample has one joint: where a smooth chain passes it and which way, whatever the segments
-/// are. So the longest segments one after the other are the fewest: what a stretch can do, a part
-/// of it can do. They are looked for from both ends; the joints then lie half-way between the
-/// latest and the earliest place that each can have, which makes them even.
-/// Source  M. Plass, M. Stone 1983, Curve-fitting with piecewise parametric cubics, SIGGRAPH,
+/// Straight runs become true lines; between them, every sample has one joint: where a smooth chain
+/// passes it and which way, whatever the segments are. So the longest segments one after the other
+/// are the fewest: what a stretch can do, a part of it can do. They are looked for from both ends;
+/// the joints then lie half-way between the latest and the earliest place that each can have, which
+/// makes them even. Source  M. Plass, M. Stone 1983, Curve-fitting with piecewise parametric
+/// cubics, SIGGRAPH,
 ///         pp. 229-239, for directions that are settled before joints are chosen. They choose by
 ///         dynamic programming over all pairs; with one joint a sample, walking does the same in
 ///         O(segments · log samples) fits.
@@ -42,6 +43,7 @@ private:
         CubicBezier curve;
     };
 
+    void fitSmooth(const Stretch &stretch);
     const Joint &joint(std::size_t at);
     std::optional<CubicBezier> piece(std::size_t from, std::size_t to);
     Piece shortest(std::size_t from);
@@ -49,7 +51,8 @@ private:
     std::pair<std::size_t, CubicBezier> earliest(std::size_t to, double tried);
     std::vector<Piece> forwards();
     std::vector<Piece> backwards();
-    std::vector<Piece> balanced(const std::vector<Piece> &late, const std::vector<Piece> &early);
+    std::vector<Piece> balanced(const std::vector<Piece> &late, const std::vector<Piece> &early,
+                                double share);
 
     const SampledLine &m_line;
     const double m_tolerance, m_reach;

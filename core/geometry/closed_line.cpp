@@ -35,10 +35,10 @@ struct Place
     double distance = 0.0; // mm of the point looked for
 };
 
-Place nearestPlace(const std::vector<Vec2> &line, const Vec2 &p, std::size_t from, std::size_t to)
+Place nearestPlace(const std::vector<Vec2> &line, const Vec2 &p, std::size_t from)
 {
     Place best{from, 0.0, (p - line[from]).norm()};
-    for (std::size_t i = from; i < to; ++i) {
+    for (std::size_t i = from; i + 1 < line.size(); ++i) {
         const Vec2 way = line[i + 1] - line[i];
         const double u = std::clamp(way.dot(p - line[i]) / way.squaredNorm(), 0.0, 1.0);
         const double distance = (line[i] + u * way - p).norm();
@@ -87,15 +87,13 @@ std::optional<std::vector<Vec2>> closedLine(const std::vector<Vec2> &samples, do
     if (sampled.size() < 4 || sampled.length() < kLeastLength * reach)
         return {};
     const double length = sampled.length();
-    std::vector<Vec2> line;
-    for (std::size_t i = 0; i < sampled.size(); ++i)
-        line.push_back(sampled.point(i));
+    std::vector<Vec2> line = SampledLine::usable(samples);
 
     // Beyond the start, the end runs beside what is there already.
     const double overlap = std::min(kLargestOverlap * length, kCornerGap * reach);
-    const std::size_t last = sampled.size() - 1;
-    const Place passing = nearestPlace(line, line.front(), sampled.indexAt(length - overlap), last);
-    const bool isBeyond = passing.index + 1 < last || passing.share < 1.0;
+    const std::size_t first = sampled.drawnBefore(sampled.indexAt(length - overlap));
+    const Place passing = nearestPlace(line, line.front(), first);
+    const bool isBeyond = passing.index + 2 < line.size() || passing.share < 1.0;
     if (isBeyond && passing.distance <= kSmoothOffset * tolerance)
         cutAfter(line, passing);
     const SampledLine cut(line, tolerance, reach);

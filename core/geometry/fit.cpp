@@ -68,6 +68,81 @@ std::vector<Vec2> overlap(const std::vector<Vec2> &loop, double length, bool isA
     return result;
 }
 
+/// A closed line with no beginning: once round, and as much before and after it as is looked at
+/// anywhere.
+class Round
+{
+public:
+    Round(const std::vector<Vec2> &loop, const FitOptions &options)
+        : Round(overlap(loop, kOverlap * options.reach * options.tolerance, true), loop,
+                overlap(loop, kOverlap * options.reach * options.tolerance, false), options)
+    {
+    }
+
+    /// The samples are still those that were given.
+    bool isPlain() const { return m_isPlain; }
+    /// Samples of the loop.
+    std::optional<std::size_t> firstCorner(double angle) const
+    {
+        for (const std::size_t corner : m_line.corners(angle)) {
+            if (corner >= m_from && corner < m_to)
+                return m_line.drawnBefore(corner) - m_line.drawnBefore(m_from);
+        }
+        return {};
+    }
+    std::optional<std::size_t> firstStraight() const
+    {
+        for (const StraightRun &run : m_line.straightRuns(0, m_line.size() - 1)) {
+            if (run.from >= m_from && run.from < m_to)
+                return m_line.drawnBefore(run.from) - m_line.drawnBefore(m_from);
+        }
+        return {};
+    }
+    /// Smooth all round.
+    std::vector<CubicBezier> fit(const FitOptions &options) const
+    {
+        std::size_t from = m_from, to = m_to;
+        Joint joint = m_line.smoothJoint(m_from, 0, m_line.size() - 1);
+        // Up to the next sample there are those that fill the gap.
+        for (const StraightRun &run : m_line.straightRuns(0, m_line.size() - 1)) {
+            if (run.from < m_from || m_line.drawnBefore(run.from) != m_line.drawnBefore(m_from))
+                continue;
+            to += run.from - from;
+            from = run.from;
+            joint = run.start;
+        }
+        ChainFitter fitter(m_line, options.tolerance, options.reach * options.tolerance);
+        ChainFitter::Stretch stretch{from, to, joint, joint, 0, m_line.size() - 1};
+        stretch.isStartGiven = stretch.isEndGiven = true;
+        fitter.fit(stretch);
+        return fitter.takeChain();
+    }
+
+private:
+    Round(const std::vector<Vec2> &before, const std::vector<Vec2> &loop,
+          const std::vector<Vec2> &after, const FitOptions &options)
+        : m_line(joined(before, loop, after), options.tolerance, options.reach * options.tolerance),
+          m_isPlain(m_line.drawnCount() == before.size() + loop.size() + after.size())
+    {
+        if (!m_isPlain)
+            return;
+        m_from = m_line.indexOfDrawn(before.size());
+        m_to = m_line.indexOfDrawn(before.size() + loop.size());
+    }
+
+    static std::vector<Vec2> joined(std::vector<Vec2> before, const std::vector<Vec2> &loop,
+                                    const std::vector<Vec2> &after)
+    {
+        before.insert(before.end(), loop.begin(), loop.end());
+        before.insert(before.end(), after.begin(), after.end());
+        return before;
+    }
+
+    SampledLine m_line;
+    bool m_isPlain;
+    std::size_t m_from = 0, m_to = 0; // once round
+};
+
 } // namespace
 
 std::vector<CubicBezier> fitCurve(const std::vector<Vec2> &samples, const FitOptions &options)
@@ -98,41 +173,25 @@ std::vector<CubicBezier> fitCurve(const std::vector<Vec2> &samples, const FitOpt
 
 std::vector<CubicBezier> fitClosedCurve(const std::vector<Vec2> &samples, const FitOptions &options)
 {
-    const double reach = options.reach * options.tolerance;
-    std::vector<Vec2> loop = SampledLine::usable(samples, reach);
+    std::vector<Vec2> loop = SampledLine::usable(samples);
     while (loop.size() > 1 && (loop.back() - loop.front()).norm() <= kClipGrid)
         loop.pop_back();
     if (loop.size() < 3)
         return fitCurve(samples, options);
-    loop.push_back(loop.front());
-    loop = SampledLine::usable(loop, reach); // fills the gap
-    loop.pop_back();
-
-    // Once round, and as much before and after it as is looked at anywhere.
-    const std::vector<Vec2> before = overlap(loop, kOverlap * reach, true);
-    const std::vector<Vec2> after = overlap(loop, kOverlap * reach, false);
-    std::vector<Vec2> round = before;
-    round.insert(round.end(), loop.begin(), loop.end());
-    round.insert(round.end(), after.begin(), after.end());
-    const SampledLine line(round, options.tolerance, reach);
-    const std::size_t from = before.size(), to = before.size() + loop.size();
-    if (line.size() != round.size())
+    Round round(loop, options);
+    if (!round.isPlain())
         return fitCurve(samples, options); // it runs over itself: there is no one way round
-    for (const std::size_t corner : line.corners(options.cornerAngle)) {
-        if (corner < from || corner >= to)
-            continue;
-        std::vector<Vec2> opened = rotated(loop, corner - from);
+    if (const auto corner = round.firstCorner(options.cornerAngle)) {
+        std::vector<Vec2> opened = rotated(loop, *corner);
         opened.push_back(opened.front());
         FitOptions plain = options;
         plain.startDirection = plain.endDirection = {};
         return fitCurve(opened, plain);
     }
-    const Joint joint = line.smoothJoint(from, 0, line.size() - 1);
-    ChainFitter fitter(line, options.tolerance, reach);
-    ChainFitter::Stretch stretch{from, to, joint, joint, 0, line.size() - 1};
-    stretch.isStartGiven = stretch.isEndGiven = true;
-    fitter.fit(stretch);
-    return fitter.takeChain();
+    // A line is not to be cut in two where the pen happened to begin.
+    if (const auto start = round.firstStraight())
+        round = Round(rotated(loop, *start), options);
+    return round.fit(options);
 }
 
 CubicBezier closingSegment(const std::vector<CubicBezier> &chain)

@@ -21,6 +21,16 @@ constexpr double kCornerReach = 1.5;
 constexpr double kConcentration = 0.65;
 /// Of the angle that makes a corner, what the curves that meet there have to turn by themselves.
 constexpr double kSharpness = 0.6;
+/// Of an edge of the simplified line, the middle part that says whether it stands for a straight
+/// run: its ends reach into the bends beside it.
+constexpr double kCore = 0.7;
+/// Tolerances that a straight run may bend over that part. An arc whose chord is an edge of the
+/// simplified line bends twice as much.
+constexpr double kLargestBend = 0.2;
+/// Tolerances that the line may leave a straight run's, on the mean over half a reach.
+constexpr double kLeaving = 0.3;
+/// Part that a run keeps at least when it is let go on to twice that.
+constexpr double kAbruptness = 0.85;
 /// Of a tolerance, that samples may be off the parabola that says where the line passes.
 constexpr double kParabolaError = 0.7;
 /// Reaches over which the parabola is laid, from the least to the most.
@@ -87,44 +97,58 @@ std::vector<std::size_t> simplified(const std::vector<Vec2> &points, double erro
 
 } // namespace
 
-std::vector<Vec2> SampledLine::usable(const std::vector<Vec2> &samples, double reach)
+std::vector<Vec2> SampledLine::usable(const std::vector<Vec2> &samples)
 {
-    const double longestGap = kLongestGap * reach;
     std::vector<Vec2> points;
     points.reserve(samples.size());
     for (const Vec2 &p : samples) {
         if (!p.allFinite() || p.cwiseAbs().maxCoeff() > kMaxCoordinate)
             continue;
-        if (!points.empty()) {
-            const Vec2 from = points.back();
-            const double gap = (p - from).norm();
-            if (gap <= kClipGrid)
-                continue;
-            const double pieces =
-                std::min(std::ceil(gap / longestGap), double(CubicBezier::kMaxChords));
-            for (double i = 1.0; i < pieces; ++i)
-                points.push_back(from + (p - from) * (i / pieces));
-        }
-        points.push_back(p);
+        if (points.empty() || (p - points.back()).norm() > kClipGrid)
+            points.push_back(p);
     }
     return points;
 }
 
 SampledLine::SampledLine(const std::vector<Vec2> &samples, double tolerance, double reach)
-    : m_tolerance(tolerance), m_reach(reach), m_points(usable(samples, reach))
+    : m_tolerance(tolerance), m_reach(reach)
 {
+    fillGaps(usable(samples));
     if (m_points.size() < 2)
         return;
     measure();
     sum();
 }
 
+void SampledLine::fillGaps(const std::vector<Vec2> &drawn)
+{
+    m_points.reserve(drawn.size());
+    m_drawn.reserve(drawn.size());
+    for (const Vec2 &p : drawn) {
+        if (!m_points.empty()) {
+            const Vec2 from = m_points.back();
+            const double pieces = std::min(std::ceil((p - from).norm() / (kLongestGap * m_reach)),
+                                           double(CubicBezier::kMaxChords));
+            for (double i = 1.0; i < pieces; ++i)
+                m_points.push_back(from + (p - from) * (i / pieces));
+        }
+        m_drawn.push_back(m_points.size());
+        m_points.push_back(p);
+    }
+}
+
+std::size_t SampledLine::drawnBefore(std::size_t i) const
+{
+    const auto after = std::upper_bound(m_drawn.begin(), m_drawn.end(), i);
+    return static_cast<std::size_t>(after - m_drawn.begin()) - 1;
+}
+
 void SampledLine::measure()
 {
-    const std::vector<std::size_t> vertices = simplified(m_points, kMeasuringError * m_tolerance);
+    m_vertices = simplified(m_points, kMeasuringError * m_tolerance);
     m_along.assign(m_points.size(), 0.0);
-    for (std::size_t k = 0; k + 1 < vertices.size(); ++k) {
-        const std::size_t from = vertices[k], to = vertices[k + 1];
+    for (std::size_t k = 0; k + 1 < m_vertices.size(); ++k) {
+        const std::size_t from = m_vertices[k], to = m_vertices[k + 1];
         const Vec2 chord = m_points[to] - m_points[from];
         const double length = chord.norm();
         m_along[to] = m_along[from] + length;
@@ -291,6 +315,7 @@ SampledLine::Parabola SampledLine::parabola(std::size_t at, std::size_t from, st
     }
     result.position = base + offset;
     result.slope = slope;
+    result.bend = bend;
     for (std::size_t i = from; i <= to; i += step) {
         const double s = (m_along[i] - m_along[at]) * scale;
         const Vec2 off = offset + s * slope + s * s * bend - (m_points[i] - base);
@@ -359,6 +384,89 @@ bool SampledLine::isStraight(std::size_t from, std::size_t to, double tolerance)
             return false;
     }
     return true;
+}
+
+Vec2 SampledLine::meanBetween(std::size_t from, std::size_t to) const
+{
+    const Sums &a = m_sums[from], &b = m_sums[to + 1];
+    return m_points.front() + (b.p - a.p) / (b.w - a.w);
+}
+
+/// Both ends as far out as the line stays within `leaving` mm of the run's.
+StraightRun SampledLine::extended(StraightRun run, const Vec2 &base, double leaving,
+                                  std::size_t lowest, std::size_t highest) const
+{
+    const Vec2 &way = run.start.direction;
+    const auto off = [&](const Vec2 &p) { return std::abs(cross(way, p - base)); };
+    const auto isOnLine = [&](std::size_t next, std::size_t a, std::size_t b) {
+        return off(m_points[next]) <= m_tolerance && off(meanBetween(a, b)) <= leaving;
+    };
+    const double ahead = 0.5 * m_reach;
+    while (run.to < highest) {
+        const std::size_t next = run.to + 1;
+        if (!isOnLine(next, next, std::max(indexAt(m_along[run.to] + ahead), next)))
+            break;
+        run.to = next;
+    }
+    while (run.from > lowest) {
+        const std::size_t next = run.from - 1;
+        if (!isOnLine(next, std::min(indexAt(m_along[run.from] - ahead), next), next))
+            break;
+        run.from = next;
+    }
+    return run;
+}
+
+/// The one that an edge of the simplified line stands for, if it does, within [lowest, highest].
+std::optional<StraightRun> SampledLine::straightRun(std::size_t from, std::size_t to,
+                                                    std::size_t lowest, std::size_t highest) const
+{
+    const double cut = 0.5 * (1.0 - kCore) * lengthBetween(from, to);
+    const std::size_t first = indexAt(m_along[from] + cut), last = indexAt(m_along[to] - cut);
+    const std::size_t middle = indexAt(0.5 * (m_along[first] + m_along[last]));
+    if (last < first + 2 || middle <= first || middle >= last)
+        return {};
+    const Vec2 way = directionBetween(first, last), base = meanBetween(first, last);
+    const Parabola fit = parabola(middle, first, last, false);
+    const double half = 0.5 * lengthBetween(first, last) / m_reach;
+    if (std::abs(cross(way, fit.bend)) * half * half > kLargestBend * m_tolerance)
+        return {};
+    const auto off = [&](const Vec2 &p) { return std::abs(cross(way, p - base)); };
+    for (std::size_t i = first; i <= last; ++i) {
+        if (off(m_points[i]) > m_tolerance)
+            return {};
+    }
+    const StraightRun core{first, last, {base, way}, {base, way}};
+    StraightRun run = extended(core, base, kLeaving * m_tolerance, lowest, highest);
+    const StraightRun more = extended(run, base, 2.0 * kLeaving * m_tolerance, lowest, highest);
+    if (lengthBetween(run.from, run.to) < kAbruptness * lengthBetween(more.from, more.to) ||
+        drawnBefore(run.to) < drawnBefore(run.from) + static_cast<std::size_t>(kLeastStraight))
+        return {};
+    const auto joint = [&](std::size_t i) {
+        return Joint{base + way.dot(m_points[i] - base) * way, way};
+    };
+    run.start = joint(run.from);
+    run.end = joint(run.to);
+    if ((run.end.position - run.start.position).dot(way) < kLeastStraight * m_reach)
+        return {};
+    return run;
+}
+
+std::vector<StraightRun> SampledLine::straightRuns(std::size_t from, std::size_t to) const
+{
+    std::vector<StraightRun> runs;
+    const auto firstVertex = std::upper_bound(m_vertices.begin(), m_vertices.end(), from);
+    auto k = static_cast<std::size_t>(firstVertex - m_vertices.begin());
+    k = k > 0 ? k - 1 : 0;
+    for (; k + 1 < m_vertices.size() && m_vertices[k] < to; ++k) {
+        const std::size_t lowest = runs.empty() ? from : runs.back().to;
+        const std::size_t a = std::max(m_vertices[k], lowest), b = std::min(m_vertices[k + 1], to);
+        if (b <= a || lengthBetween(a, b) < kLeastStraight * m_reach)
+            continue;
+        if (const auto run = straightRun(a, b, lowest, to))
+            runs.push_back(*run);
+    }
+    return runs;
 }
 
 } // namespace fff

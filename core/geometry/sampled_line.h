@@ -5,6 +5,7 @@
 #include "core/geometry/vector.h"
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace fff {
@@ -14,6 +15,13 @@ struct Joint
 {
     Vec2 position = Vec2::Zero();
     Vec2 direction = Vec2::UnitX(); // unit
+};
+
+/// Samples that lie in a straight line: true lines of what was drawn, not arcs that pass for one.
+struct StraightRun
+{
+    std::size_t from = 0, to = 0;
+    Joint start, end; // on the line, both in its direction
 };
 
 /// Samples in the order of drawing, repeated ones and those out of range left out, gaps of more
@@ -29,8 +37,13 @@ public:
     /// directions are judged.
     SampledLine(const std::vector<Vec2> &samples, double tolerance, double reach);
 
-    /// What of the samples is looked at, gaps of more than two reaches filled.
-    static std::vector<Vec2> usable(const std::vector<Vec2> &samples, double reach);
+    /// What of the samples is looked at.
+    static std::vector<Vec2> usable(const std::vector<Vec2> &samples);
+    /// How many of these there are, and where the k-th of them is among those that were filled in.
+    std::size_t drawnCount() const { return m_drawn.size(); }
+    std::size_t indexOfDrawn(std::size_t k) const { return m_drawn[k]; }
+    /// The last one that is not after a sample.
+    std::size_t drawnBefore(std::size_t i) const;
 
     std::size_t size() const { return m_points.size(); }
     const Vec2 &point(std::size_t i) const { return m_points[i]; }
@@ -57,6 +70,12 @@ public:
     /// more than that.
     bool isStraight(std::size_t from, std::size_t to, double tolerance) const;
 
+    /// Straight runs of at least kLeastStraight reaches and samples between two samples, in order,
+    /// apart from each other. Where they end the line begins to leave them, all at once: arcs and
+    /// inflections leave their chords bit by bit.
+    std::vector<StraightRun> straightRuns(std::size_t from, std::size_t to) const;
+    static constexpr double kLeastStraight = 6.0;
+
 private:
     /// Sums over the samples before index i, for straight regressions over any of them.
     struct Sums
@@ -64,12 +83,13 @@ private:
         double w = 0.0, s = 0.0, ss = 0.0;
         Vec2 p = Vec2::Zero(), sp = Vec2::Zero();
     };
-    struct Parabola // position + s * slope + s² * bend
+    struct Parabola // position + s * slope + s² * bend, s in reaches
     {
-        Vec2 position = Vec2::Zero(), slope = Vec2::Zero();
+        Vec2 position = Vec2::Zero(), slope = Vec2::Zero(), bend = Vec2::Zero();
         double largestError = 0.0;
     };
 
+    void fillGaps(const std::vector<Vec2> &drawn);
     void measure();
     void sum();
     Vec2 directionBetween(std::size_t from, std::size_t to) const;
@@ -77,12 +97,19 @@ private:
     std::size_t sharpest(std::size_t at, double reach) const;
     Parabola parabola(std::size_t at, std::size_t from, std::size_t to, bool isThroughPoint) const;
     Joint joint(std::size_t at, std::size_t from, std::size_t to, bool isEnd) const;
+    Vec2 meanBetween(std::size_t from, std::size_t to) const;
+    StraightRun extended(StraightRun run, const Vec2 &base, double leaving, std::size_t lowest,
+                         std::size_t highest) const;
+    std::optional<StraightRun> straightRun(std::size_t from, std::size_t to, std::size_t lowest,
+                                           std::size_t highest) const;
 
     double m_tolerance = 0.0, m_reach = 0.0;
     std::vector<Vec2> m_points;
-    std::vector<double> m_along;  // mm
-    std::vector<double> m_weight; // mm of the line that the sample stands for
-    std::vector<Sums> m_sums;     // size() + 1
+    std::vector<std::size_t> m_drawn;    // indices of those that were not filled in
+    std::vector<double> m_along;         // mm
+    std::vector<double> m_weight;        // mm of the line that the sample stands for
+    std::vector<Sums> m_sums;            // size() + 1
+    std::vector<std::size_t> m_vertices; // samples that the simplified line goes through
 };
 
 } // namespace fff
