@@ -15,12 +15,14 @@ namespace {
 constexpr double kLongestGap = 2.0;
 /// Of a tolerance, that the line on which distances are measured may be off the samples.
 constexpr double kMeasuringError = 1.0;
+/// Tolerances of the line that a sample stands for in any case, also where the hand halts.
+constexpr double kLeastWeight = 1e-3;
 /// Reaches over which a corner is judged.
 constexpr double kCornerReach = 1.5;
 /// Of a corner's turn, what has to be seen over half the reach as well: of a bend it is half.
-constexpr double kConcentration = 0.65;
+constexpr double kConcentration = 0.45;
 /// Of the angle that makes a corner, what the curves that meet there have to turn by themselves.
-constexpr double kSharpness = 0.6;
+constexpr double kSharpness = 0.7;
 /// Of an edge of the simplified line, the middle part that says whether it stands for a straight
 /// run: its ends reach into the bends beside it.
 constexpr double kCore = 0.7;
@@ -31,6 +33,8 @@ constexpr double kLargestBend = 0.2;
 constexpr double kLeaving = 0.3;
 /// Part that a run keeps at least when it is let go on to twice that.
 constexpr double kAbruptness = 0.85;
+/// Samples that tell a straight run from a quick hand's leaps.
+constexpr std::size_t kStraightSamples = 8;
 /// Of a tolerance, that samples may be off the parabola that says where the line passes.
 constexpr double kParabolaError = 0.7;
 /// Reaches over which the parabola is laid, from the least to the most.
@@ -160,6 +164,7 @@ void SampledLine::measure()
     m_weight.resize(m_points.size());
     for (std::size_t i = 0; i < m_points.size(); ++i)
         m_weight[i] =
+            kLeastWeight * m_tolerance +
             0.5 * (m_along[std::min(i + 1, m_points.size() - 1)] - m_along[i > 0 ? i - 1 : 0]);
 }
 
@@ -204,20 +209,20 @@ double SampledLine::turnAt(std::size_t at, double reach) const
     return turn(directionBetween(from, at), directionBetween(at, to));
 }
 
-/// The sample near `at` that stands out most from the chord over the reach.
+/// The sample near `at` that is furthest out: in the direction in which a corner points whose sides
+/// go as the line does before and after.
 std::size_t SampledLine::sharpest(std::size_t at, double reach) const
 {
-    const std::size_t from = indexAt(m_along[at] - reach), to = indexAt(m_along[at] + reach);
-    const Vec2 chord = unit(m_points[to] - m_points[from]);
-    const std::size_t first = indexAt(m_along[at] - 0.5 * reach);
-    const std::size_t last = indexAt(m_along[at] + 0.5 * reach);
-    const auto distance = [&](std::size_t i) {
-        const Vec2 off = m_points[i] - m_points[from];
-        return chord.isZero() ? off.norm() : std::abs(cross(chord, off));
-    };
+    const auto around = [&](double from) { return indexAt(m_along[at] + from * reach); };
+    const std::size_t from = around(-1.5), before = std::max(around(-0.25), from + 1);
+    const std::size_t to = around(1.5), after = std::min(around(0.25), std::max(to, at + 1) - 1);
+    if (before > at || after < at)
+        return at;
+    const Vec2 outwards = directionBetween(from, before) - directionBetween(after, to);
     std::size_t best = at;
-    for (std::size_t i = std::max<std::size_t>(first, 1); i <= std::min(last, size() - 2); ++i) {
-        if (distance(i) > distance(best))
+    for (std::size_t i = std::max<std::size_t>(around(-0.75), 1);
+         i <= std::min(around(0.75), size() - 2); ++i) {
+        if (outwards.dot(m_points[i] - m_points[best]) > 0.0)
             best = i;
     }
     return best;
@@ -277,7 +282,7 @@ SampledLine::Parabola SampledLine::parabola(std::size_t at, std::size_t from, st
     const double scale = 1.0 / m_reach;
     for (std::size_t i = from; i <= to; i += step) {
         const double s = (m_along[i] - m_along[at]) * scale;
-        const double w = m_weight[i] + 1e-3 * m_tolerance;
+        const double w = m_weight[i];
         const Vec2 p = m_points[i] - base;
         double power = w;
         for (std::size_t k = 0; k < 5; ++k, power *= s) {
@@ -440,7 +445,7 @@ std::optional<StraightRun> SampledLine::straightRun(std::size_t from, std::size_
     StraightRun run = extended(core, base, kLeaving * m_tolerance, lowest, highest);
     const StraightRun more = extended(run, base, 2.0 * kLeaving * m_tolerance, lowest, highest);
     if (lengthBetween(run.from, run.to) < kAbruptness * lengthBetween(more.from, more.to) ||
-        drawnBefore(run.to) < drawnBefore(run.from) + static_cast<std::size_t>(kLeastStraight))
+        drawnBefore(run.to) < drawnBefore(run.from) + kStraightSamples)
         return {};
     const auto joint = [&](std::size_t i) {
         return Joint{base + way.dot(m_points[i] - base) * way, way};

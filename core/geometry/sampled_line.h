@@ -70,11 +70,11 @@ public:
     /// more than that.
     bool isStraight(std::size_t from, std::size_t to, double tolerance) const;
 
-    /// Straight runs of at least kLeastStraight reaches and samples between two samples, in order,
+    /// Straight runs of at least kLeastStraight reaches between two samples, in order,
     /// apart from each other. Where they end the line begins to leave them, all at once: arcs and
     /// inflections leave their chords bit by bit.
     std::vector<StraightRun> straightRuns(std::size_t from, std::size_t to) const;
-    static constexpr double kLeastStraight = 6.0;
+    static constexpr double kLeastStraight = 8.0;
 
 private:
     /// Sums over the samples before index i, for straight regressions over any of them.
