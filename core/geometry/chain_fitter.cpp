@@ -13,6 +13,8 @@ constexpr double kJointPrecision = 0.04;
 constexpr double kLeastPrecision = 0.1;
 /// The first segment of a stretch is tried over so many reaches first.
 constexpr double kFirstTry = 4.0;
+/// A segment shorter than this part of its neighbour is a stub.
+constexpr double kStub = 0.3;
 /// Where between its earliest and its latest place a joint is tried.
 constexpr std::array kShares{0.5, 0.3, 0.7, 0.15, 0.85};
 
@@ -150,6 +152,40 @@ std::vector<ChainFitter::Piece> ChainFitter::balanced(const std::vector<Piece> &
     return pieces;
 }
 
+/// Neighbours that are one after all are joined; of two of which one is a mere stub the joint is
+/// moved.
+void ChainFitter::mend(std::vector<Piece> &pieces)
+{
+    std::size_t from = m_stretch.from;
+    for (std::size_t k = 0; k + 1 < pieces.size();) {
+        const std::size_t middle = pieces[k].to, to = pieces[k + 1].to;
+        const double first = m_line.lengthBetween(from, middle);
+        const double second = m_line.lengthBetween(middle, to);
+        if (std::min(first, second) >= kStub * std::max(first, second)) {
+            from = pieces[k++].to;
+            continue;
+        }
+        if (const auto whole = piece(from, to)) {
+            pieces[k] = {to, *whole};
+            pieces.erase(pieces.begin() + static_cast<std::ptrdiff_t>(k) + 1);
+            continue;
+        }
+        for (const double share : kShares) {
+            const std::size_t at = m_line.indexAt(m_line.along(from) + share * (first + second));
+            if (at <= from || at >= to)
+                continue;
+            const auto one = piece(from, at);
+            const auto two = one ? piece(at, to) : std::nullopt;
+            if (!two)
+                continue;
+            pieces[k] = {at, *one};
+            pieces[k + 1] = {to, *two};
+            break;
+        }
+        from = pieces[k++].to;
+    }
+}
+
 void ChainFitter::fitSmooth(const Stretch &stretch)
 {
     m_stretch = stretch;
@@ -166,8 +202,13 @@ void ChainFitter::fitSmooth(const Stretch &stretch)
         else if (early.size() < pieces.size())
             pieces = std::move(early);
     }
-    for (const Piece &piece : pieces)
-        m_chain.push_back(piece.curve);
+    mend(pieces);
+    std::size_t from = stretch.from;
+    for (const Piece &p : pieces) {
+        const auto best = m_spans.best(from, p.to, joint(from), joint(p.to));
+        m_chain.push_back(best.value_or(p.curve));
+        from = p.to;
+    }
 }
 
 void ChainFitter::fit(const Stretch &stretch)

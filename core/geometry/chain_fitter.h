@@ -51,6 +51,7 @@ private:
     std::pair<std::size_t, CubicBezier> earliest(std::size_t to, double tried);
     std::vector<Piece> forwards();
     std::vector<Piece> backwards();
+    void mend(std::vector<Piece> &pieces);
     std::vector<Piece> balanced(const std::vector<Piece> &late, const std::vector<Piece> &early,
                                 double share);
 

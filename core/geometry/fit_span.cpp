@@ -144,6 +144,18 @@ bool SpanFitter::isWithin(const CubicBezier &curve, std::size_t from, std::size_
 std::optional<CubicBezier> SpanFitter::fit(std::size_t from, std::size_t to, const Joint &start,
                                            const Joint &end)
 {
+    return fit(from, to, start, end, true);
+}
+
+std::optional<CubicBezier> SpanFitter::best(std::size_t from, std::size_t to, const Joint &start,
+                                            const Joint &end)
+{
+    return fit(from, to, start, end, false);
+}
+
+std::optional<CubicBezier> SpanFitter::fit(std::size_t from, std::size_t to, const Joint &start,
+                                           const Joint &end, bool isFirstEnough)
+{
     const double length = m_line.lengthBetween(from, to);
     if (!(length > 0.0))
         return {};
@@ -153,6 +165,7 @@ std::optional<CubicBezier> SpanFitter::fit(std::size_t from, std::size_t to, con
     const Vec2 in = -end.direction;
     double first = length / 3.0, second = length / 3.0;
     double errorBefore = std::numeric_limits<double>::infinity();
+    std::optional<CubicBezier> found;
     for (int step = 0;; ++step) {
         const CubicBezier curve = withHandles(start, end, first, second);
         const Polynomial p(curve);
@@ -179,11 +192,16 @@ std::optional<CubicBezier> SpanFitter::fit(std::size_t from, std::size_t to, con
             r1 += weight * b * across;
         }
         error = std::sqrt(error);
-        if (error <= m_limit && turnOf(curve) <= kLargestTurn && isWithin(curve, from, to))
-            return curve;
+        if (found && error > kProgress * errorBefore)
+            return found;
+        if (error <= m_limit && turnOf(curve) <= kLargestTurn && isWithin(curve, from, to)) {
+            if (isFirstEnough)
+                return curve;
+            found = curve;
+        }
         if (step == kSteps || (step > 0 && error > kHopeless * m_limit) ||
             (step > 1 && error > kProgress * errorBefore))
-            return {};
+            return found;
         errorBefore = error;
         const double damping = kDamping * (j00 + j11) + 1e-12;
         j00 += damping;

@@ -27,6 +27,10 @@ public:
     ///         (their TDM), which takes 3 or 4 steps where Schneider's takes tens.
     std::optional<CubicBezier> fit(std::size_t from, std::size_t to, const Joint &start,
                                    const Joint &end);
+    /// The same, going on to the least error instead of stopping at the first cubic that is near
+    /// enough.
+    std::optional<CubicBezier> best(std::size_t from, std::size_t to, const Joint &start,
+                                    const Joint &end);
     /// For the shortest of stretches: handles as long as the tolerance allows, and some in any
     /// case, so that directions at the joints hold.
     CubicBezier shortPiece(std::size_t from, std::size_t to, const Joint &start, const Joint &end);
@@ -41,6 +45,8 @@ private:
         double u = 0.0; // parameter
     };
 
+    std::optional<CubicBezier> fit(std::size_t from, std::size_t to, const Joint &start,
+                                   const Joint &end, bool isFirstEnough);
     void chooseSamples(std::size_t from, std::size_t to);
     bool isWithin(const CubicBezier &curve, std::size_t from, std::size_t to) const;
 
