@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace fff {
 
@@ -13,6 +14,8 @@ constexpr double kJointPrecision = 0.04;
 constexpr double kLeastPrecision = 0.1;
 /// The first segment of a stretch is tried over so many reaches first.
 constexpr double kFirstTry = 4.0;
+/// Lengths of pieces where nothing longer fits, in tolerances.
+constexpr std::array kShortLengths{2.0, 1.0, 0.5};
 /// A segment shorter than this part of its neighbour is a stub.
 constexpr double kStub = 0.3;
 /// Where between its earliest and its latest place a joint is tried.
@@ -24,6 +27,12 @@ ChainFitter::ChainFitter(const SampledLine &line, double tolerance, double reach
     : m_line(line), m_tolerance(tolerance), m_reach(reach), m_spans(line, tolerance),
       m_joints(line.size())
 {
+}
+
+std::vector<CubicBezier> ChainFitter::takeChain()
+{
+    std::erase_if(m_chain, [](const CubicBezier &s) { return s.p0 == s.p3 && s.isStraight(0.0); });
+    return std::move(m_chain);
 }
 
 const Joint &ChainFitter::joint(std::size_t at)
@@ -42,9 +51,32 @@ std::optional<CubicBezier> ChainFitter::piece(std::size_t from, std::size_t to)
     return m_spans.fit(from, to, joint(from), joint(to));
 }
 
+/// Where samples lie about so wildly that no fit holds: a piece as short as it takes, but not from
+/// one sample of a trembling hand to the next if that can be helped.
 ChainFitter::Piece ChainFitter::shortest(std::size_t from)
 {
-    return {from + 1, m_spans.shortPiece(from, from + 1, joint(from), joint(from + 1))};
+    for (const double length : kShortLengths) {
+        const std::size_t to = m_line.indexAt(m_line.along(from) + length * m_tolerance);
+        if (to <= from + 1 || to > m_stretch.to)
+            continue;
+        if (const auto curve = m_spans.shortPiece(from, to, joint(from), joint(to)))
+            return {to, *curve};
+    }
+    return {from + 1, m_spans.shortestPiece(from, from + 1, joint(from), joint(from + 1)),
+            !m_spans.shortPiece(from, from + 1, joint(from), joint(from + 1))};
+}
+
+ChainFitter::Piece ChainFitter::shortestBefore(std::size_t to)
+{
+    for (const double length : kShortLengths) {
+        const std::size_t from = m_line.indexAt(m_line.along(to) - length * m_tolerance);
+        if (from + 1 >= to || from < m_stretch.from)
+            continue;
+        if (const auto curve = m_spans.shortPiece(from, to, joint(from), joint(to)))
+            return {from, *curve};
+    }
+    return {to - 1, m_spans.shortestPiece(to - 1, to, joint(to - 1), joint(to)),
+            !m_spans.shortPiece(to - 1, to, joint(to - 1), joint(to))};
 }
 
 /// The longest piece that starts at a sample: tried in growing lengths from `tried` mm on, then by
@@ -60,8 +92,11 @@ ChainFitter::Piece ChainFitter::furthest(std::size_t from, double tried)
         if (curve)
             best = curve;
     };
-    for (double length = tried; good < last && bad > last; length *= 2.0)
-        attempt(std::clamp(m_line.indexAt(m_line.along(from) + length), from + 1, last));
+    for (double length = tried; good < last && bad > last; length *= 2.0) {
+        // Of the samples where a hand halts at the end, indexAt() knows the first.
+        const double end = m_line.along(from) + length;
+        attempt(end >= m_line.along(last) ? last : std::clamp(m_line.indexAt(end), from + 1, last));
+    }
     while (bad - good > 1 && good < last) {
         const double gap = m_line.lengthBetween(good, bad);
         const double precision = std::max(kJointPrecision * m_line.lengthBetween(from, good),
@@ -75,7 +110,7 @@ ChainFitter::Piece ChainFitter::furthest(std::size_t from, double tried)
 }
 
 /// The longest piece that ends at a sample, and where it starts.
-std::pair<std::size_t, CubicBezier> ChainFitter::earliest(std::size_t to, double tried)
+ChainFitter::Piece ChainFitter::earliest(std::size_t to, double tried)
 {
     const std::size_t first = m_stretch.from;
     std::size_t good = to;
@@ -102,7 +137,7 @@ std::pair<std::size_t, CubicBezier> ChainFitter::earliest(std::size_t to, double
         attempt(std::clamp(middle, *bad + 1, good - 1));
     }
     if (!best)
-        return {to - 1, shortest(to - 1).curve};
+        return shortestBefore(to);
     return {good, *best};
 }
 
@@ -123,8 +158,9 @@ std::vector<ChainFitter::Piece> ChainFitter::backwards()
     std::vector<Piece> pieces;
     double tried = kFirstTry * m_reach;
     for (std::size_t at = m_stretch.to; at > m_stretch.from;) {
-        const auto [from, curve] = earliest(at, tried);
-        pieces.push_back({at, curve});
+        const Piece piece = earliest(at, tried);
+        const std::size_t from = piece.to;
+        pieces.push_back({at, piece.curve, piece.isForced});
         tried = std::max(m_reach, m_line.lengthBetween(from, at));
         at = from;
     }
@@ -186,20 +222,59 @@ void ChainFitter::mend(std::vector<Piece> &pieces)
     }
 }
 
+std::optional<std::size_t> ChainFitter::firstForced(const std::vector<Piece> &pieces) const
+{
+    std::size_t from = m_stretch.from;
+    for (const Piece &piece : pieces) {
+        if (piece.isForced)
+            return from;
+        from = piece.to;
+    }
+    return {};
+}
+
+void ChainFitter::smoothen(Stretch &before, Stretch &after)
+{
+    const Vec2 &in = before.end.direction, &out = after.start.direction;
+    if (std::abs(std::atan2(cross(in, out), in.dot(out))) >= kLeastCorner)
+        return;
+    before.end.direction = after.start.direction = (in + out).normalized();
+    before.isEndGiven = after.isStartGiven = true;
+}
+
 void ChainFitter::fitSmooth(const Stretch &stretch)
 {
     m_stretch = stretch;
     std::vector<Piece> pieces = forwards();
+    const std::optional<std::size_t> forced = firstForced(pieces);
+    if (forced && stretch.to - stretch.from == 1) {
+        m_chain.push_back(CubicBezier::line(stretch.start.position, stretch.end.position));
+        return;
+    }
+    if (forced) {
+        const std::size_t corner = *forced > stretch.from ? *forced : *forced + 1;
+        Stretch before = stretch, after = stretch;
+        before.to = before.highest = after.from = after.lowest = corner;
+        before.end = m_line.endJoint(stretch.from, corner);
+        after.start = m_line.startJoint(corner, stretch.to);
+        before.isEndGiven = after.isStartGiven = false;
+        smoothen(before, after);
+        fit(before);
+        fit(after);
+        return;
+    }
     if (pieces.size() > 1) {
         std::vector<Piece> early = backwards();
         std::vector<Piece> even;
+        if (firstForced(early))
+            early.clear();
         if (early.size() == pieces.size()) {
             for (std::size_t i = 0; i < kShares.size() && even.empty(); ++i)
                 even = balanced(pieces, early, kShares[i]);
         }
         if (!even.empty())
             pieces = std::move(even);
-        else if (early.size() < pieces.size())
+        else if (!early.empty() && early.size() < pieces.size())
             pieces = std::move(early);
     }
     mend(pieces);

@@ -34,23 +34,32 @@ public:
     ChainFitter(const SampledLine &line, double tolerance, double reach);
 
     void fit(const Stretch &stretch);
-    std::vector<CubicBezier> takeChain() { return std::move(m_chain); }
+
+    /// Makes one direction of the two that meet in a corner that turns by less than kLeastCorner.
+    static void smoothen(Stretch &before, Stretch &after);
+    static constexpr double kLeastCorner = 0.35; // radians
+
+    /// Without segments of no length.
+    std::vector<CubicBezier> takeChain();
 
 private:
     struct Piece
     {
-        std::size_t to = 0; // sample where it ends
+        std::size_t to = 0; // sample where it ends; of those looked for backwards, where it starts
         CubicBezier curve;
+        bool isForced = false; // some curve where none fits
     };
 
     void fitSmooth(const Stretch &stretch);
     const Joint &joint(std::size_t at);
     std::optional<CubicBezier> piece(std::size_t from, std::size_t to);
     Piece shortest(std::size_t from);
+    Piece shortestBefore(std::size_t to);
     Piece furthest(std::size_t from, double tried);
-    std::pair<std::size_t, CubicBezier> earliest(std::size_t to, double tried);
+    Piece earliest(std::size_t to, double tried);
     std::vector<Piece> forwards();
     std::vector<Piece> backwards();
+    std::optional<std::size_t> firstForced(const std::vector<Piece> &pieces) const;
     void mend(std::vector<Piece> &pieces);
     std::vector<Piece> balanced(const std::vector<Piece> &late, const std::vector<Piece> &early,
                                 double share);

@@ -13,7 +13,7 @@ namespace {
 /// A line shorter than this many reaches is too short to tell what it closes.
 constexpr double kLeastLength = 5.0;
 /// The gap is at most this part of the line's length.
-constexpr double kLargestGap = 0.125;
+constexpr double kLargestGap = 0.05;
 /// What of the line at its ends may lie beside each other.
 constexpr double kLargestOverlap = 0.25;
 /// Tolerances by which ends that go on in one direction may pass beside each other.
@@ -25,7 +25,7 @@ constexpr double kCornerTurn = 0.7;
 /// Tolerances between ends that meet in a corner: along the last one, and beside it.
 constexpr double kCornerGap = 8.0, kCornerOffset = 3.0;
 /// The offset is shared out over so many times its size.
-constexpr double kSharing = 8.0;
+constexpr double kSharing = 16.0;
 
 /// A place on a polyline: on the edge that starts at `index`.
 struct Place

@@ -154,20 +154,24 @@ std::vector<CubicBezier> fitCurve(const std::vector<Vec2> &samples, const FitOpt
     stops.insert(stops.begin(), 0);
     stops.push_back(line.size() - 1);
     ChainFitter fitter(line, options.tolerance, options.reach * options.tolerance);
+    std::vector<ChainFitter::Stretch> stretches;
     for (std::size_t i = 0; i + 1 < stops.size(); ++i) {
         const std::size_t from = stops[i], to = stops[i + 1];
-        ChainFitter::Stretch stretch{from, to, line.startJoint(from, to), line.endJoint(from, to),
-                                     from, to};
-        if (i == 0 && options.startDirection) {
-            stretch.start.direction = *options.startDirection;
-            stretch.isStartGiven = true;
-        }
-        if (i + 2 == stops.size() && options.endDirection) {
-            stretch.end.direction = *options.endDirection;
-            stretch.isEndGiven = true;
-        }
-        fitter.fit(stretch);
+        stretches.push_back(
+            {from, to, line.startJoint(from, to), line.endJoint(from, to), from, to});
+        if (i > 0)
+            ChainFitter::smoothen(stretches[i - 1], stretches[i]);
     }
+    if (options.startDirection) {
+        stretches.front().start.direction = *options.startDirection;
+        stretches.front().isStartGiven = true;
+    }
+    if (options.endDirection) {
+        stretches.back().end.direction = *options.endDirection;
+        stretches.back().isEndGiven = true;
+    }
+    for (const ChainFitter::Stretch &stretch : stretches)
+        fitter.fit(stretch);
     return fitter.takeChain();
 }
 

@@ -11,10 +11,10 @@ namespace fff {
 struct FitOptions
 {
     double tolerance = 0.5; // mm that the curve may be off the samples
-    /// The line turns by more than this within `reach` of a sample: a corner. Radians.
+    /// The line turns by more than this all at once: a corner. Radians.
     double cornerAngle = 0.5;
-    /// Corners and tangents are judged over this many tolerances along the line; also the longest
-    /// gap between samples that is left without further ones on the straight way.
+    /// Corners and directions are judged over this many tolerances along the line, or a few times
+    /// that where the line allows.
     double reach = 4.0;
     /// The way at the first (at the last) sample, unit; none: that of the line there.
     std::optional<Vec2> startDirection = {}, endDirection = {};
@@ -24,16 +24,19 @@ struct FitOptions
 /// last; each segment starts where the one before ended.
 ///
 /// samples  in the order of drawing, mm. Repeated and non-finite ones are left out.
-/// Result   every sample lies within `tolerance` of the chain and the chain within about twice that
-///          of the polyline. At corners the tangent breaks and the sample itself is kept; elsewhere
-///          the chain is G1. Empty for fewer than two different samples.
-/// A function of all samples: what is fitted while drawing is what is fitted at the end. Cost
-/// O(n log n) for usual strokes.
-/// Source   P. Schneider 1990, "An Algorithm for Automatically Fitting Digitized Curves", Graphics
-///          Gems, pp. 612-626. Different here: corners are found first; gaps are filled with
-///          samples on the straight way, and the error is also taken half-way between samples, so
-///          that a curve cannot swing out between them; tangents are taken over a stretch of the
-///          line, not from the nearest sample, because pixels are coarse.
+/// Result   every sample lies within `tolerance` of the chain, and the chain within that of the
+///          polyline through the samples: it does not swing out between them, nor beyond the ends.
+///          At corners the direction breaks (by 0.2 at least) and the sample itself is kept;
+///          elsewhere the chain is G1. Straight runs are true lines (CubicBezier::line). No segment
+///          crosses itself. Empty for fewer than two different samples.
+/// A function of all samples, made anew each time: what is fitted while drawing is what is fitted
+/// at the end. Cost O(n + segments log n) for usual strokes: 300 samples take less than half a
+/// millisecond, 2,000 three.
+///
+/// How it is done and from which papers: sampled_line.h (what is a corner, which way the line
+/// goes), fit_span.h (one cubic), chain_fitter.h (the fewest of them). The frame is that of P.
+/// Schneider 1990, "An Algorithm for Automatically Fitting Digitized Curves", Graphics Gems, pp.
+/// 612-626: corners first, then directions, then handles by least squares.
 std::vector<CubicBezier> fitCurve(const std::vector<Vec2> &samples, const FitOptions &options = {});
 
 /// The same for a closed line: the first sample follows the last. The chain ends where it starts,

@@ -21,6 +21,8 @@ constexpr double kShortestHandle = 0.02, kLongestHandle = 0.8;
 constexpr double kDamping = 1e-4;
 /// Rounding that the tolerance is to hold in spite of, as a part of it.
 constexpr double kMargin = 1e-6;
+/// Places looked at between the feet of two neighbours; as many as make half a tolerance each.
+constexpr int kMostChecks = 14;
 /// Halvings of the handles of a short piece.
 constexpr int kHalvings = 8;
 
@@ -101,6 +103,7 @@ bool SpanFitter::isWithin(const CubicBezier &curve, std::size_t from, std::size_
 {
     const Polynomial p(curve);
     const double limit = m_limit * m_limit;
+    const double perLimit = 2.0 * m_line.lengthBetween(from, to) / m_limit;
     std::size_t knot = 0; // of the feet, the next one
     double s0 = m_line.along(from), u0 = 0.0;
     double s1 = m_feet.empty() ? m_line.along(to) : m_line.along(m_feet.front().sample);
@@ -128,8 +131,10 @@ bool SpanFitter::isWithin(const CubicBezier &curve, std::size_t from, std::size_
         // The curve between the two feet, from the straight way between the samples.
         const double wx = b.x() - a.x(), wy = b.y() - a.y();
         const double inverse = 1.0 / (wx * wx + wy * wy);
-        for (const double share : {1.0 / 3.0, 2.0 / 3.0}) {
-            const double middle = before + share * (u - before);
+        const int checks =
+            2 + std::min(static_cast<int>(std::abs(u - before) * perLimit), kMostChecks);
+        for (int k = 1; k <= checks; ++k) {
+            const double middle = before + k * (u - before) / (checks + 1);
             const double mx = p.x(middle) - a.x(), my = p.y(middle) - a.y();
             const double along = std::clamp((mx * wx + my * wy) * inverse, 0.0, 1.0);
             const double dx = mx - along * wx, dy = my - along * wy;
@@ -212,17 +217,28 @@ std::optional<CubicBezier> SpanFitter::fit(std::size_t from, std::size_t to, con
     }
 }
 
-CubicBezier SpanFitter::shortPiece(std::size_t from, std::size_t to, const Joint &start,
-                                   const Joint &end)
+std::optional<CubicBezier> SpanFitter::shortPiece(std::size_t from, std::size_t to,
+                                                  const Joint &start, const Joint &end)
 {
     double handle = (end.position - start.position).norm() / 3.0;
     chooseSamples(from, to);
-    CubicBezier curve = withHandles(start, end, handle, handle);
-    for (int i = 0; i < kHalvings && !isWithin(curve, from, to); ++i) {
-        handle *= 0.5;
-        curve = withHandles(start, end, handle, handle);
+    for (int i = 0; i < kHalvings; ++i, handle *= 0.5) {
+        const CubicBezier curve = withHandles(start, end, handle, handle);
+        if (turnOf(curve) > kLargestTurn)
+            return {};
+        if (isWithin(curve, from, to))
+            return curve;
     }
-    return curve;
+    return {};
+}
+
+CubicBezier SpanFitter::shortestPiece(std::size_t from, std::size_t to, const Joint &start,
+                                      const Joint &end)
+{
+    if (const auto curve = shortPiece(from, to, start, end))
+        return *curve;
+    const double handle = std::ldexp((end.position - start.position).norm() / 3.0, -kHalvings);
+    return withHandles(start, end, handle, handle);
 }
 
 } // namespace fff

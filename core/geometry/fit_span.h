@@ -31,11 +31,15 @@ public:
     /// enough.
     std::optional<CubicBezier> best(std::size_t from, std::size_t to, const Joint &start,
                                     const Joint &end);
-    /// For the shortest of stretches: handles as long as the tolerance allows, and some in any
-    /// case, so that directions at the joints hold.
-    CubicBezier shortPiece(std::size_t from, std::size_t to, const Joint &start, const Joint &end);
+    /// For short stretches: handles of a third of the chord or less, as the tolerance allows.
+    std::optional<CubicBezier> shortPiece(std::size_t from, std::size_t to, const Joint &start,
+                                          const Joint &end);
+    /// For the shortest of stretches: the same, and some curve in any case, so that directions at
+    /// the joints hold.
+    CubicBezier shortestPiece(std::size_t from, std::size_t to, const Joint &start,
+                              const Joint &end);
 
-    /// Radians. Four cubics go round a circle, as a hand would draw them.
+    /// Radians. Three cubics go round a circle: with fewer, one sees that they are none.
     static constexpr double kLargestTurn = 2.6;
 
 private:

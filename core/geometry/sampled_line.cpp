@@ -37,6 +37,8 @@ constexpr double kAbruptness = 0.85;
 constexpr std::size_t kStraightSamples = 8;
 /// Of a tolerance, that samples may be off the parabola that says where the line passes.
 constexpr double kParabolaError = 0.7;
+/// Tolerances that a joint may be off its sample.
+constexpr double kJointOffset = 0.9;
 /// Reaches over which the parabola is laid, from the least to the most.
 constexpr std::array kParabolaReaches{1.0, 2.0, 3.0};
 /// Samples that a parabola is laid through at most.
@@ -91,8 +93,10 @@ std::vector<std::size_t> simplified(const std::vector<Vec2> &points, double erro
                 right = r;
             hasCone = true;
         }
-        if (i == points.size())
-            best = points.size() - 1;
+        if (i == points.size()) {
+            const bool isBack = (points.back() - points[anchor]).norm() < furthest - error;
+            best = isBack ? furthestAt : points.size() - 1;
+        }
         anchor = best;
         vertices.push_back(anchor);
     }
@@ -157,7 +161,9 @@ void SampledLine::measure()
         const double length = chord.norm();
         m_along[to] = m_along[from] + length;
         for (std::size_t i = from + 1; i < to; ++i) {
-            const double foot = chord.dot(m_points[i] - m_points[from]) / length;
+            // A hand that comes back to the very point has not got anywhere.
+            const double foot =
+                length > 0.0 ? chord.dot(m_points[i] - m_points[from]) / length : 0.0;
             m_along[i] = std::clamp(m_along[from] + foot, m_along[i - 1], m_along[to]);
         }
     }
@@ -347,10 +353,11 @@ Joint SampledLine::joint(std::size_t at, std::size_t from, std::size_t to, bool 
         if (direction.isZero())
             continue;
         result.direction = direction;
-        if (!isEnd && (fit.position - m_points[at]).norm() <= kParabolaError * m_tolerance)
-            result.position = fit.position;
-        else
-            result.position = m_points[at];
+        const Vec2 off = fit.position - m_points[at];
+        const double limit = kJointOffset * m_tolerance;
+        if (!isEnd)
+            result.position =
+                m_points[at] + off * std::min(1.0, limit / std::max(off.norm(), limit));
     }
     if (result.direction.isZero())
         result.direction = Vec2::UnitX();

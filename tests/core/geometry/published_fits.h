@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <complex>
 #include <limits>
 #include <optional>
 #include <vector>
@@ -29,8 +28,8 @@ struct Stretches
     std::vector<Samples> lines;
 };
 
-/// Corners where the line turns by more than 0.6 over 8 mm on both sides, the sharpest of a run.
-/// The longest gap that stays is `step`.
+/// Corners where the line turns by more than 0.6 over a reach on both sides, the sharpest of a run.
+/// Samples are at least half a step apart and at most one.
 inline Stretches cutAtCorners(const Samples &samples, double reach, double step)
 {
     Samples line;
@@ -41,7 +40,7 @@ inline Stretches cutAtCorners(const Samples &samples, double reach, double step)
         }
         const Vec2 from = line.back();
         const double gap = (p - from).norm();
-        if (gap < 0.25 * step)
+        if (gap < 0.5 * step)
             continue;
         const int pieces = static_cast<int>(std::ceil(gap / step));
         for (int i = 1; i <= pieces; ++i)
@@ -180,8 +179,8 @@ private:
     {
         if (to - from == 1) {
             const double handle = (line[to] - line[from]).norm() / 3.0;
-            m_chain.push_back({line[from], line[from] + handle * out, line[to] + handle * in,
-                               line[to]});
+            m_chain.push_back(
+                {line[from], line[from] + handle * out, line[to] + handle * in, line[to]});
             return;
         }
         std::vector<double> u = chordParameters(line, from, to);
@@ -223,8 +222,7 @@ public:
     }
 
 private:
-    static constexpr std::size_t kKnots = 40;   // of a stretch
-    static constexpr std::size_t kFurthest = 14; // knots that a segment may pass
+    static constexpr std::size_t kKnots = 40; // of a stretch
 
     void fit(const Samples &line, std::vector<CubicBezier> &chain) const
     {
@@ -314,8 +312,7 @@ private:
         const Vec2 chord = p3 - p0;
         const double length = chord.norm();
         if (to - from == 1) {
-            m_chain.push_back(
-                {p0, p0 + length / 3.0 * out, p3 - length / 3.0 * in, p3});
+            m_chain.push_back({p0, p0 + length / 3.0 * out, p3 - length / 3.0 * in, p3});
             return;
         }
         if (const auto curve = length > 0.0 ? best(line, from, to, out, in) : std::nullopt) {

@@ -1,13 +1,15 @@
+#include <QTest> // first: moc cannot read some of the standard library before it
+
 #include "core/geometry/contour.h"
 #include "core/geometry/fit.h"
-
-#include <QTest>
+#include "tests/core/geometry/polyline_distance.h"
 
 #include <cmath>
 #include <numbers>
 #include <random>
 
 using namespace fff;
+using namespace fff::test;
 
 namespace {
 
@@ -60,22 +62,6 @@ Samples rounded(Samples samples)
     return samples;
 }
 
-/// In plain numbers: called millions of times, and Eigen is slow without optimisation.
-double distanceToPolyline(const Vec2 &point, const Samples &line)
-{
-    const double px = point.x(), py = point.y();
-    double best = (point - line.front()).squaredNorm();
-    for (std::size_t i = 0; i + 1 < line.size(); ++i) {
-        const double *a = line[i].data(), *b = line[i + 1].data();
-        const double x = px - a[0], y = py - a[1], wx = b[0] - a[0], wy = b[1] - a[1];
-        const double squared = wx * wx + wy * wy;
-        const double u = squared > 0.0 ? std::clamp((wx * x + wy * y) / squared, 0.0, 1.0) : 0.0;
-        const double dx = u * wx - x, dy = u * wy - y;
-        best = std::min(best, dx * dx + dy * dy);
-    }
-    return std::sqrt(best);
-}
-
 Samples flattened(const std::vector<CubicBezier> &chain)
 {
     Samples line;
@@ -101,6 +87,10 @@ private Q_SLOTS:
     void rectangleKeepsItsCorners();
     void sparseRectangleKeepsItsEdges();
     void isSmoothBetweenCorners();
+    void keepsGivenDirections();
+    void straightRunsAreLines();
+    void closedCurveIsSmoothAllRound();
+    void closedCurveStartsAtACorner();
     void repeatedPointsChangeNothing();
     void degenerateInput_data();
     void degenerateInput();
@@ -123,6 +113,23 @@ void TestFit::staysWithinTolerance_data()
             samples.emplace_back(80.0 * std::sin(i * 0.02), 40.0 * std::sin(i * 0.04));
         return samples;
     }() << 1.0;
+    QTest::newRow("halts at the end") << [] {
+        // A hand that trembles on the spot makes many samples that are nowhere further on.
+        Samples samples = along({{0, 0}, {20, 0}}, 1.0);
+        for (int i = 0; i < 200; ++i)
+            samples.emplace_back(20.0 + 0.3 * std::sin(1.7 * i), 0.3 * std::cos(2.3 * i));
+        return samples;
+    }() << 1.0;
+    QTest::newRow("back and forth on the spot")
+        << along({{0, 0}, {3, 0}, {0, 0}, {3, 0}, {0, 0}}, 1.0) << 2.0;
+    QTest::newRow("there and back, pixels")
+        << rounded(along({{0, 0}, {0.1, 9}, {0, 0}, {9, 0}}, 1.0)) << 2.0;
+    QTest::newRow("leaps across the whole drawing") << [] {
+        Samples samples;
+        for (int i = 0; i < 60; ++i)
+            samples.emplace_back(1e4 * std::sin(7.0 * i), 1e4 * std::cos(11.0 * i));
+        return samples;
+    }() << 2.0;
     QTest::newRow("zigzag") << along({{0, 0}, {10, 20}, {20, 0}, {30, 20}, {40, 0}}, 1.0) << 0.5;
     for (unsigned seed = 1; seed <= 40; ++seed)
         QTest::addRow("scribble, seed %u", seed) << scribble(seed) << (seed % 2 ? 0.5 : 2.0);
@@ -143,12 +150,11 @@ void TestFit::staysWithinTolerance()
     for (std::size_t i = 0; i + 1 < chain.size(); ++i)
         QCOMPARE(chain[i].p3, chain[i + 1].p0);
     const Samples line = flattened(chain);
+    const PolylineDistance toCurve(line), toSamples(samples);
     for (const Vec2 &p : samples)
-        QVERIFY(distanceToPolyline(p, line) <= tolerance + kChord);
-    for (const Vec2 &p : line) {
-        const double off = distanceToPolyline(p, samples);
-        QVERIFY2(off <= 2.0 * tolerance, qPrintable(QString::number(off)));
-    }
+        QVERIFY2(toCurve(p) <= tolerance + kChord, qPrintable(QString::number(toCurve(p))));
+    for (const Vec2 &p : line)
+        QVERIFY2(toSamples(p) <= 1.001 * tolerance, qPrintable(QString::number(toSamples(p))));
 }
 
 void TestFit::circleNeedsFewSegments()
@@ -160,7 +166,7 @@ void TestFit::circleNeedsFewSegments()
         for (Vec2 &p : samples)
             p += Vec2(jitter(random), jitter(random));
         const auto chain = fitCurve(samples, {.tolerance = 1.0});
-        QVERIFY2(chain.size() <= 8, qPrintable(QString::number(chain.size())));
+        QVERIFY2(chain.size() <= 4, qPrintable(QString::number(chain.size())));
     }
 }
 
@@ -213,6 +219,73 @@ void TestFit::isSmoothBetweenCorners()
     QVERIFY(chain.size() > 2);
     for (std::size_t i = 0; i + 1 < chain.size(); ++i)
         QVERIFY((endDirection(chain[i]) - startDirection(chain[i + 1])).norm() < 1e-9);
+}
+
+/// Where a chain has to go on in a certain direction, as at an axis of symmetry.
+void TestFit::keepsGivenDirections()
+{
+    const Samples samples = circle(50.0, 100);
+    for (const double slant : {0.0, 0.3, 0.7}) {
+        const Vec2 start(std::sin(slant), std::cos(slant)), end(-std::sin(slant), std::cos(slant));
+        const auto chain =
+            fitCurve(samples, {.tolerance = 1.0, .startDirection = start, .endDirection = end});
+        QVERIFY((startDirection(chain.front()) - start).norm() < 1e-12);
+        QVERIFY((endDirection(chain.back()) - end).norm() < 1e-12);
+        const PolylineDistance toSamples(samples);
+        for (const Vec2 &p : flattened(chain))
+            QVERIFY(toSamples(p) <= 1.001);
+    }
+}
+
+/// A side that wavers by a pixel looks like a mistake.
+void TestFit::straightRunsAreLines()
+{
+    Samples samples = along({{-80, 0}, {80, 0}}, 2.0); // then half a circle, then back
+    for (int i = 1; i < 60; ++i) {
+        const double angle = -0.5 * std::numbers::pi + std::numbers::pi * i / 60;
+        samples.emplace_back(80 + 40 * std::cos(angle), 40 + 40 * std::sin(angle));
+    }
+    for (const Vec2 &p : along({{80, 80}, {-80, 80}}, 2.0))
+        samples.push_back(p);
+    std::mt19937 random(3);
+    std::uniform_real_distribution<double> jitter(-0.4, 0.4);
+    for (Vec2 &p : samples)
+        p += Vec2(jitter(random), jitter(random));
+    const auto chain = fitCurve(samples, {.tolerance = 2.0});
+    QVERIFY(chain.size() <= 4);
+    for (const CubicBezier &s : {chain.front(), chain.back()}) {
+        const CubicBezier line = CubicBezier::line(s.p0, s.p3);
+        QVERIFY((s.p1 - line.p1).norm() < 1e-9 && (s.p2 - line.p2).norm() < 1e-9);
+        QVERIFY((s.p3 - s.p0).norm() > 120.0);
+    }
+    for (std::size_t i = 0; i + 1 < chain.size(); ++i)
+        QVERIFY((endDirection(chain[i]) - startDirection(chain[i + 1])).norm() < 1e-9);
+}
+
+void TestFit::closedCurveIsSmoothAllRound()
+{
+    Samples samples = circle(60.0, 150);
+    samples.pop_back();
+    const auto chain = fitClosedCurve(samples, {.tolerance = 1.0});
+    QVERIFY(chain.size() >= 2 && chain.size() <= 4);
+    for (std::size_t i = 0; i < chain.size(); ++i) {
+        const CubicBezier &next = chain[(i + 1) % chain.size()];
+        QCOMPARE(chain[i].p3, next.p0);
+        QVERIFY((endDirection(chain[i]) - startDirection(next)).norm() < 1e-9);
+    }
+    for (const Vec2 &p : flattened(chain))
+        QVERIFY(std::abs(p.norm() - 60.0) <= 1.0);
+}
+
+void TestFit::closedCurveStartsAtACorner()
+{
+    const auto chain = fitClosedCurve(
+        along({{50, 0}, {100, 0}, {100, 60}, {0, 60}, {0, 0}, {49, 0}}, 1.0), {.tolerance = 1.0});
+    QCOMPARE(chain.size(), std::size_t(4));
+    for (std::size_t i = 0; i < 4; ++i) {
+        QCOMPARE(chain[i].p3, chain[(i + 1) % 4].p0);
+        QVERIFY(chain[i].isStraight(1e-9));
+    }
 }
 
 void TestFit::repeatedPointsChangeNothing()

@@ -123,15 +123,16 @@ private:
                 break;
             double step = hand.speed * (1.0 + hand.waver * std::sin(phase + 4.0 * t)) / hand.rate;
             if (hand.isCareful)
-                step = std::min(step, std::max(1.0, 0.5 * std::min(s - along[i], along[i + 1] - s)));
+                step =
+                    std::min(step, std::max(1.0, 0.5 * std::min(s - along[i], along[i + 1] - s)));
             s += step;
         }
         return samples;
     }
     void add(const std::string &family, Line samples, int handCount = 0)
     {
-        m_strokes.push_back({family, family + " " + std::to_string(++m_number),
-                             std::move(samples), handCount});
+        m_strokes.push_back(
+            {family, family + " " + std::to_string(++m_number), std::move(samples), handCount});
     }
 
     /// Closed exactly, or with a small gap, or a bit further than once round.
@@ -151,7 +152,8 @@ private:
         for (int i = 0; i < 20; ++i) {
             const double radius = 15.0 + 12.0 * i;
             add("circle",
-                drawn(turned(arc(radius, radius, onceRound()), 0.0, {400, 300}), anyHand(0.1 * (i % 4))),
+                drawn(turned(arc(radius, radius, onceRound()), 0.0, {400, 300}),
+                      anyHand(0.1 * (i % 4))),
                 4);
         }
     }
@@ -183,10 +185,11 @@ private:
         m_number = 0;
         for (int i = 0; i < 16; ++i) {
             const double w = any(60.0, 500.0), h = any(50.0, 300.0);
-            const Line corners = turned({{0, 0}, {w, 0}, {w, h}, {0, h}}, i % 2 ? any(0.0, kPi) : 0.0,
-                                        {300, 200});
+            const Line corners =
+                turned({{0, 0}, {w, 0}, {w, h}, {0, h}}, i % 2 ? any(0.0, kPi) : 0.0, {300, 200});
             add("rectangle",
-                drawn(polygonLine(corners, i % 4 == 0 ? 0.0 : any(0.2, 0.8)), careful(anyHand(0.1 * (i % 4)))),
+                drawn(polygonLine(corners, i % 4 == 0 ? 0.0 : any(0.2, 0.8)),
+                      careful(anyHand(0.1 * (i % 4)))),
                 4);
         }
     }
@@ -202,7 +205,8 @@ private:
                 corners.push_back(Vec2(400, 300) + radius * Vec2(std::cos(angle), std::sin(angle)));
             }
             add("polygon",
-                drawn(polygonLine(corners, i % 4 == 0 ? 0.0 : any(0.2, 0.8)), careful(anyHand(0.1 * (i % 4)))),
+                drawn(polygonLine(corners, i % 4 == 0 ? 0.0 : any(0.2, 0.8)),
+                      careful(anyHand(0.1 * (i % 4)))),
                 n);
         }
     }
@@ -260,9 +264,8 @@ private:
             const double turns = any(1.5, 5.0), inner = any(0.0, 20.0), outer = any(120.0, 280.0);
             const bool isLogarithmic = i % 3 == 0;
             const Line line = dense([=](double t) {
-                const double r = isLogarithmic
-                                     ? 4.0 * std::pow(outer / 4.0, t)
-                                     : inner + (outer - inner) * t;
+                const double r =
+                    isLogarithmic ? 4.0 * std::pow(outer / 4.0, t) : inner + (outer - inner) * t;
                 const double angle = 2.0 * kPi * turns * t;
                 return Vec2(400 + r * std::cos(angle), 300 + r * std::sin(angle));
             });
@@ -390,11 +393,12 @@ private:
         add("broken", back);
         add("broken", drawn({{0, 0}, {300, 0}, {0, 0}, {300, 1}, {0, 80}}, anyHand(0.3)));
         add("broken", {{0, 0}, {900, 10}, {850, 700}, {20, 600}, {5, 20}}); // five samples
-        add("broken", drawn(dense([](double t) { // cusps
-                          const double u = 6.0 * kPi * t;
-                          return Vec2(100 + 30 * (u - std::sin(u)), 300 - 60 * (1 - std::cos(u)));
-                      }),
-                      anyHand(0.2)));
+        add("broken", drawn(dense([](double t) {                            // cusps
+                                const double u = 6.0 * kPi * t;
+                                return Vec2(100 + 30 * (u - std::sin(u)),
+                                            300 - 60 * (1 - std::cos(u)));
+                            }),
+                            anyHand(0.2)));
         Line halts; // stops for a second at four places
         for (const Vec2 &p : drawn(arc(140, 110, 1.0), anyHand(0.3))) {
             halts.push_back(p);
