@@ -96,12 +96,8 @@ void CanvasBar::begin(const QString &text)
     first->edit->selectAll();
     if (isFromLast)
         return;
-    // As if it had been typed there.
-    auto *line = first->edit->findChild<QLineEdit *>();
-    line->selectAll();
-    line->insert(text);
-    line->setModified(true);
-    Q_EMIT line->textEdited(line->text());
+    QKeyEvent typed(QEvent::KeyPress, 0, Qt::NoModifier, text);
+    QCoreApplication::sendEvent(first->edit, &typed);
 }
 
 void CanvasBar::take(ToolNumber::Kind kind, double shown)

@@ -175,13 +175,17 @@ void PathDrawing::numbers(LengthUnit unit, const QLocale &locale)
 {
     if (!m_marks.snap || !m_marks.place)
         return;
-    constexpr double kRight = 20.0, kBelow = 26.0, kRow = 26.0; // px
+    constexpr double kBeside = 20.0, kBelow = 26.0, kRow = 26.0; // px
+    constexpr double kRoom = 260.0;                              // px that the chips need
     const bool snaps = m_marks.snap->kind != Snap::Kind::None;
     const QColor &colour = snaps ? m_pen.style().guide : m_pen.style().muted;
     const QPointF at = screen(m_marks.snap->point);
+    const bool isRight = at.x() + kRoom < m_pen.viewport().x();
+    const MarkPen::Anchor anchor = isRight ? MarkPen::Anchor::Left : MarkPen::Anchor::Right;
+    const QPointF place = at + QPointF(isRight ? kBeside : -kBeside, kBelow);
     const auto number = [&](double value) { return lengthNumber(value, unit, 1, 3, locale); };
     m_pen.chip(
-        at + QPointF(kRight, kBelow), MarkPen::Anchor::Left,
+        place, anchor,
         //: place of a point: %1 and %2 are numbers, the second has a unit
         Words::tr("X %1   Y %2")
             .arg(number(m_marks.place->x()), lengthText(m_marks.place->y(), unit, 1, 3, locale)),
@@ -189,7 +193,7 @@ void PathDrawing::numbers(LengthUnit unit, const QLocale &locale)
     if (!m_marks.way)
         return;
     const Vec2 way = m_marks.way->cwiseAbs();
-    m_pen.chip(at + QPointF(kRight, kBelow + kRow), MarkPen::Anchor::Left,
+    m_pen.chip(place + QPointF(0.0, kRow), anchor,
                //: how far it is to the side (%1) and up or down (%2, with a unit)
                Words::tr("%1 × %2 from the last point")
                    .arg(number(way.x()), lengthText(way.y(), unit, 1, 3, locale)),

@@ -1,6 +1,7 @@
 fff_test(core/session/tst_session fff::session)
 fff_test(core/session/tst_replay fff::session)
 fff_test(core/session/tst_strokes fff::session)
+fff_test(core/session/tst_pen_scripts fff::session)
 fff_test(core/session/tst_autosave fff::session)
 fff_test(core/session/tst_layout_models fff::session Polyclipping::Polyclipping)
 fff_test(core/session/tst_check_list fff::session)
