@@ -206,8 +206,8 @@ void paintPath(MarkPen &pen, const PenMarks &marks, LengthUnit unit, const QLoca
 {
     PathDrawing drawing(pen, marks);
     drawing.grid();
-    drawing.pieces();
     drawing.guides();
+    drawing.pieces();
     drawing.handles();
     drawing.points();
     drawing.next();
