@@ -24,27 +24,10 @@ MainToolBar::MainToolBar(Workbench &bench, const ActionSet &actions, QWidget *pa
     setMovable(false);
     toggleViewAction()->setVisible(false);
     setIconSize({20, 20});
-    actions.fill(this, {"file.new",
-                        "file.open",
-                        "file.save",
-                        "",
-                        "edit.undo",
-                        "edit.redo",
-                        "",
-                        "section.symmetry",
-                        "section.ground",
-                        "section.snap",
-                        "section.pen",
-                        "",
-                        "section.redraw",
-                        "section.addHole",
-                        "section.planeGround",
-                        "",
-                        "view.fitAll",
-                        "view.front",
-                        "view.right",
-                        "view.top",
-                        "view.iso"});
+    actions.fill(this,
+                 {"file.new", "file.open", "file.save", "", "edit.undo", "edit.redo", "",
+                  "section.symmetry", "section.ground", "section.snap", "section.pen", "",
+                  "section.redraw", "section.addHole", "section.planeGround", "", "view.fitAll"});
 
     for (QAction *action : this->actions()) {
         if (QWidget *button = widgetForAction(action); button && !action->isSeparator())
