@@ -17,6 +17,7 @@ public:
     void moveTo(const Vec2 &position);
     /// It is over the view no more.
     void leave();
+    bool isOverView() const { return m_position.has_value(); }
     /// The view moves under it, so it does not rest.
     void disturb() { m_rests = false; }
 

@@ -448,7 +448,8 @@ void Interaction::Private::update()
         if (!tool->marksSections() && !isOnMark)
             hovering.unmark(overlay);
         GestureContext with = context();
-        tool->mark(with, !gesture && pending.empty() && !isOnMark && !motion.animation);
+        tool->mark(with, !gesture && pending.empty() && !isOnMark && !motion.animation &&
+                             hovering.isOverView());
     }
     if (gesture)
         std::tie(hint, cursor) = std::pair(gesture->hint(), gesture->cursor());

@@ -26,10 +26,6 @@ class PenTool : public Tool
 public:
     static constexpr std::string_view kCommand = "section.pen";
 
-    PenTool() = default;
-    /// Begins on a canvas that was picked.
-    explicit PenTool(CanvasChoice canvas) : m_wanted(std::move(canvas)) {}
-
     std::string_view command() const override { return kCommand; }
     GestureReply begin(GestureContext &context, double time) override;
     bool takes(const PointerEvent &press, GestureContext &context) const override;
@@ -105,7 +101,6 @@ private:
     Vec2 nextPoint() const;
     bool isClosing() const;
 
-    std::optional<CanvasChoice> m_wanted; // until it is picked up
     std::optional<SlitTurn> m_slit;
     std::optional<Canvas> m_canvas;
     std::optional<Camera> m_viewBefore; // the canvas

@@ -12,6 +12,7 @@ target_sources(fff_core PRIVATE
     interaction/navigation.cpp
     interaction/pen_tool.cpp
     interaction/pen_tool_marks.cpp
+    interaction/pen_tool_points.cpp
     interaction/pick.cpp
     interaction/problem_marks.cpp
     interaction/routing.cpp

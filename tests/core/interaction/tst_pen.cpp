@@ -157,6 +157,7 @@ private Q_SLOTS:
     void aClickOnASectionSelects();
     void besideSectionsTheViewTurns();
     void theViewMovesUnderThePath();
+    void nothingFollowsACursorThatIsElsewhere();
     void backspaceTakesOneBack();
     void escapeGoesBackStepByStep();
     void undoGoesThroughThePathFirst();
@@ -466,6 +467,20 @@ void TestPen::theViewMovesUnderThePath()
     desk.wait(1000.0);
     QVERIFY(desk.key(ToolKey::Enter));
     QVERIFY(std::abs(desk.sections().front()->shape->area() - 2400.0) < 1e-9);
+}
+
+void TestPen::nothingFollowsACursorThatIsElsewhere()
+{
+    Desk desk;
+    desk.run("section.pen");
+    desk.click(desk.front(0, 60));
+    desk.moveTo(desk.front(50, 60));
+    QVERIFY(desk.marks().next);
+    desk.send(Type::Leave, desk.cursor);
+    QVERIFY(!desk.marks().next && !desk.marks().snap);
+    QCOMPARE(desk.pointCount(), std::size_t(1));
+    desk.moveTo(desk.front(50, 80));
+    QVERIFY(desk.marks().next);
 }
 
 void TestPen::backspaceTakesOneBack()
