@@ -26,6 +26,8 @@ constexpr double kClosingGap = 0.15;
 /// A join lands no further along the axis than so many times its height: an end that heads away
 /// from the axis would make it endless.
 constexpr double kLongestJoin = 2.0;
+/// Reaches along the axis by which a half that runs beside it is longer than where it crosses.
+constexpr double kAlongAxis = 4.0;
 /// A closed stroke is opened where it is within so many times its least distance from the axis.
 constexpr double kNeckHeight = 2.0;
 
@@ -143,6 +145,20 @@ Line openedAtAxis(const Line &line, double band)
     return areaOverAxis(one) >= areaOverAxis(two) ? one : two;
 }
 
+/// Distance of its ends along the axis.
+double extentAlong(const Line &line)
+{
+    return std::abs(line.front().x() - line.back().x());
+}
+
+/// One of the ends of a lies further out along the axis than both of b's, by more than `by`.
+bool isWider(const Line &a, const Line &b, double by)
+{
+    const auto [lowA, highA] = std::minmax(a.front().x(), a.back().x());
+    const auto [lowB, highB] = std::minmax(b.front().x(), b.back().x());
+    return lowA < lowB - by || highA > highB + by;
+}
+
 /// The part of the stroke that is the half, in local coordinates.
 struct HalfLine
 {
@@ -174,10 +190,12 @@ HalfLine halfLine(Line line, double tolerance, double largest)
     for (const Line &run : runs)
         dropped += areaOverAxis(run);
     HalfLine half{*best, dropped > tolerance * largest};
-    // A closed stroke that comes over the axis somewhere else than it lies next to it.
-    if (isClosed && runs.size() == 1 &&
-        std::abs(half.line.front().x() - half.line.back().x()) < 2.0 * tolerance)
-        half.line = openedAtAxis(half.line, reach);
+    if (std::max(half.line.front().y(), half.line.back().y()) <= reach) {
+        Line opened = openedAtAxis(half.line, reach);
+        if (isWider(opened, half.line, kAlongAxis * reach) ||
+            extentAlong(half.line) < 2.0 * tolerance)
+            half.line = std::move(opened);
+    }
     return half;
 }
 

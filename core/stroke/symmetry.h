@@ -64,6 +64,8 @@ struct MirroredHalf
 ///     by no more than the fit's reach; it is drawn out to it in a straight line;
 ///   - stops short of the axis otherwise gets a join: as near to the arc of a circle as a cubic
 ///     comes, on in its direction, onto the axis at a right angle.
+/// A stroke that runs along the axis, within the fit's reach of it, as one does who draws the whole
+/// half, is cut off where it comes to it: the run along the axis is left out.
 /// A stroke that closes beside the axis (a wing, a wheel) is opened where it comes next to it: what
 /// is within twice its least distance is left out, and joins make a neck.
 /// None when nothing of the halves is in touch: on the axis they have less than two tolerances in

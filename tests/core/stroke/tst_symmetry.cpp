@@ -126,6 +126,7 @@ private Q_SLOTS:
     void strayEndsAreCutOff();
     void severalCrossingsKeepTheLargestHalf();
     void closedBesideTheAxisGetsANeck();
+    void sideAlongTheAxisIsLeftOut();
     void nothingToMirror_data();
     void nothingToMirror();
     void randomStrokes_data();
@@ -309,6 +310,25 @@ void TestSymmetry::closedBesideTheAxisGetsANeck()
         QVERIFY(std::abs(stroke.contour->signedArea()) > 2 * kPi * 900.0);
         const Box2 box = bounds(stroke.contour->polygon(0.01));
         QVERIFY(std::abs(box.min.y() + 66.0) < 1.0 && std::abs(box.max.y() - 66.0) < 1.0);
+    }
+}
+
+/// Who draws the whole half comes back along the slit, more or less on it: no wedge stays open
+/// there.
+void TestSymmetry::sideAlongTheAxisIsLeftOut()
+{
+    for (const bool isClosed : {true, false}) {
+        const double last = isClosed ? 2.0 : 40.0;
+        const StrokeContour stroke = mirroredAt(
+            lines({{0, 1}, {0, 50}, {30, 70}, {70, 70}, {100, 50}, {100, 1}, {50, -1}, {last, 1}}));
+        QVERIFY(stroke.isMirrored && stroke.contour && !stroke.wasCrossing);
+        QVERIFY(largestDifference(stroke) < 1e-9);
+        QVERIFY2(std::abs(std::abs(stroke.contour->signedArea()) - 12800.0) < 150.0,
+                 qPrintable(QString::number(stroke.contour->signedArea())));
+        const Box2 box = bounds(stroke.contour->polygon(0.01));
+        QVERIFY(box.min.x() > -1.0 && box.max.x() < 101.0);
+        for (const Vec2 &p : stroke.contour->polygon(0.01))
+            QVERIFY(std::abs(p.y()) > 0.8 || p.x() < 0.8 || p.x() > 99.2);
     }
 }
 
