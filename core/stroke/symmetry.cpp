@@ -344,9 +344,23 @@ std::optional<MirroredHalf> mirroredHalf(const std::vector<Vec2> &samples, const
         options.endDirection = -Vec2::UnitY();
     std::reverse(half.line.begin(), half.line.end());
 
-    const std::vector<CubicBezier> fitted = fitCurve(half.line, options);
+    std::vector<CubicBezier> fitted = fitCurve(half.line, options);
     if (fitted.empty())
         return {};
+    // What looked like a tip over the reach may turn towards the axis at the very end.
+    const auto isBlunt = [](const Vec2 &p, const Vec2 &direction) {
+        return p.y() == 0.0 && std::abs(direction.y()) >= std::sin(kTipAngle);
+    };
+    const bool isStartBlunt =
+        !options.startDirection && isBlunt(fitted.front().p0, startDirection(fitted.front()));
+    const bool isEndBlunt =
+        !options.endDirection && isBlunt(fitted.back().p3, endDirection(fitted.back()));
+    if (isStartBlunt)
+        options.startDirection = Vec2::UnitY();
+    if (isEndBlunt)
+        options.endDirection = -Vec2::UnitY();
+    if (isStartBlunt || isEndBlunt)
+        fitted = fitCurve(half.line, options);
     MirroredHalf result;
     std::vector<CubicBezier> chain;
     if (fitted.front().p0.y() > 0.0) {

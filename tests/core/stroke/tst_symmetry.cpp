@@ -382,8 +382,12 @@ void TestSymmetry::randomStrokes()
     if (!stroke.contour)
         return;
     QVERIFY(!crossesItself(*stroke.contour));
-    if (stroke.isMirrored)
-        QVERIFY(largestDifference(stroke) < 1e-9);
+    if (!stroke.isMirrored)
+        return;
+    QVERIFY(largestDifference(stroke) < 1e-9);
+    // Smooth, or a tip of a right angle at most.
+    for (const double turn : turnsAtAxis(stroke))
+        QVERIFY2(turn < 1e-6 || turn > 0.499 * kPi, qPrintable(QString::number(turn)));
 }
 
 QTEST_APPLESS_MAIN(TestSymmetry)
