@@ -27,6 +27,8 @@ enum class ErrorCode {
     DuplicateId,      // args: the id
     NearlyParallel,   // two planes meet at less than kMinJointAngle
     SelfCrossing,     // a contour crosses itself where that is not allowed
+    BoundariesMeet,   // a hole meets the contour or another hole, or leaves the contour
+    TooFewPoints,     // a contour would keep too few control points to enclose anything
     TooLarge,         // a part that fits no sheet; args: part, its size, the sheet's size
     NothingToExport,  // no section, so no part
     UnknownCommand,   // args: the command's id

@@ -5,6 +5,7 @@ target_sources(fff_core PRIVATE
     geometry/clip_grid.cpp
     geometry/closed_line.cpp
     geometry/contour.cpp
+    geometry/contour_points.cpp
     geometry/convex_hull.cpp
     geometry/curve_crossing.cpp
     geometry/curve_recovery.cpp
@@ -15,6 +16,7 @@ target_sources(fff_core PRIVATE
     geometry/moments.cpp
     geometry/notch.cpp
     geometry/offset.cpp
+    geometry/point_removal.cpp
     geometry/polygon.cpp
     geometry/sampled_line.cpp
     geometry/simple_ring.cpp

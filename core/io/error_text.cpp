@@ -134,6 +134,10 @@ QString errorSentence(const Error &error)
         return Words::tr("these two sections are nearly parallel and cannot be joined");
     case ErrorCode::SelfCrossing:
         return Words::tr("this contour crosses itself");
+    case ErrorCode::BoundariesMeet:
+        return Words::tr("a hole would not lie inside the contour by itself");
+    case ErrorCode::TooFewPoints:
+        return Words::tr("too few points would be left to enclose anything");
     case ErrorCode::TooLarge:
         return tooLarge(args);
     case ErrorCode::NothingToExport:

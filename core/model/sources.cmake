@@ -7,6 +7,7 @@ target_sources(fff_core PRIVATE
     model/mended_shape.cpp
     model/model.cpp
     model/naming.cpp
+    model/point_edits.cpp
     model/section.cpp
     model/shape.cpp
     model/stock.cpp
