@@ -21,6 +21,7 @@ target_sources(fff_core PRIVATE
     geometry/sampled_line.cpp
     geometry/simple_ring.cpp
     geometry/source_edges.cpp
+    geometry/sweep_triangulation.cpp
     geometry/triangulation.cpp
     geometry/turning.cpp
 )

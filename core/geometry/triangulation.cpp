@@ -1,5 +1,7 @@
 #include "core/geometry/triangulation.h"
 
+#include "core/geometry/sweep_triangulation.h"
+
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Spatial_sort_traits_adapter_2.h>
@@ -149,6 +151,8 @@ Triangulation constrainedDelaunay(const Region &region)
 
 Triangulation triangulate(const Region &region)
 {
+    if (std::optional<Triangulation> plain = sweepTriangles(region))
+        return *std::move(plain);
     try {
         return constrainedDelaunay(region);
     } catch (const CGAL::Failure_exception &) {

@@ -1,0 +1,416 @@
+#include "core/geometry/sweep_triangulation.h"
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <unordered_map>
+
+namespace fff {
+
+namespace {
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+
+/// Triangles lower than this are slivers, mm: what is drawn is in floats, which are this fine over
+/// a metre.
+constexpr double kSliver = 1e-4;
+
+/// Positive when c lies to the left of the way from a to b, exactly.
+double side(const Vec2 &a, const Vec2 &b, const Vec2 &c)
+{
+    // J. R. Shewchuk, Adaptive precision floating-point arithmetic, 1997: the first filter.
+    constexpr double kError = 3.4e-16;
+    const double left = (b.x() - a.x()) * (c.y() - a.y());
+    const double right = (b.y() - a.y()) * (c.x() - a.x());
+    const double difference = left - right;
+    if (std::abs(difference) > kError * (std::abs(left) + std::abs(right)))
+        return difference;
+    return CGAL::orientation(Kernel::Point_2(a.x(), a.y()), Kernel::Point_2(b.x(), b.y()),
+                             Kernel::Point_2(c.x(), c.y()));
+}
+
+/// "Forward" is where the sweep goes. The inside lies to the left of every edge, so one that goes
+/// forward is the right border of a stretch of the sweep line inside the region, one that goes back
+/// its left border. An edge is named by the vertex that it starts at.
+class Sweep
+{
+public:
+    explicit Sweep(const Region &region);
+    bool run();
+    Triangulation take() { return std::move(m_result); }
+
+private:
+    /// Of a chain: what is cut off behind the sweep is bordered by it.
+    struct Link
+    {
+        int vertex = 0;
+        int toRight = -1, toLeft = -1; // links
+    };
+    /// A stretch of the sweep line inside the region, and the chain behind it from its right border
+    /// to its left one.
+    struct Stretch
+    {
+        int rightEdge = 0, leftEdge = 0;
+        int rightEnd = 0, leftEnd = 0; // links
+        int last = 0;                  // link of the vertex that the sweep came to last
+    };
+
+    const Vec2 &at(int vertex) const { return m_result.points[static_cast<std::size_t>(vertex)]; }
+    bool isBefore(int a, int b) const
+    {
+        const Vec2 &p = at(a), &q = at(b);
+        const int first = m_alongY ? 1 : 0;
+        return p[first] != q[first] ? p[first] < q[first] : p[1 - first] < q[1 - first];
+    }
+    int addLink(int vertex)
+    {
+        m_links.push_back({vertex, -1, -1});
+        return static_cast<int>(m_links.size()) - 1;
+    }
+    Link &link(int index) { return m_links[static_cast<std::size_t>(index)]; }
+    void addTriangle(int a, int b, int c) { m_result.triangles.push_back({a, b, c}); }
+    void addRing(const Polygon &ring);
+
+    bool visit(int vertex);
+    void begin(int vertex, int rightEdge, int leftEdge);
+    bool split(int vertex, int rightEdge, int leftEdge);
+    void bendRight(Stretch &stretch, int vertex);
+    void bendLeft(Stretch &stretch, int vertex);
+    bool end(std::size_t stretch, int vertex);
+    void join(std::size_t right, std::size_t left, int vertex);
+    void eatFromRight(int &from, int vertex);
+    void eatFromLeft(int &from, int vertex);
+    std::size_t stretchOf(int Stretch::*edge, int value) const;
+    void remove(std::size_t stretch)
+    {
+        m_stretches[stretch] = m_stretches.back();
+        m_stretches.pop_back();
+    }
+
+    Triangulation m_result;
+    std::vector<int> m_before, m_after; // neighbours of each vertex in its ring
+    std::vector<Link> m_links;
+    std::vector<Stretch> m_stretches;
+    bool m_alongY = false;
+    bool m_isPlain = true;
+};
+
+Sweep::Sweep(const Region &region)
+{
+    std::size_t count = region.outer.size();
+    for (const Polygon &hole : region.holes)
+        count += hole.size();
+    m_result.points.reserve(count);
+    m_before.reserve(count);
+    m_after.reserve(count);
+    addRing(region.outer);
+    for (const Polygon &hole : region.holes)
+        addRing(hole);
+    m_result.triangles.reserve(count + 2 * region.holes.size());
+    m_links.reserve(2 * count);
+    const Vec2 size = bounds(region.outer).size();
+    m_alongY = size.y() > size.x(); // the longer way: fewer stretches at once
+}
+
+void Sweep::addRing(const Polygon &ring)
+{
+    if (ring.size() < 3)
+        m_isPlain = false;
+    const int first = static_cast<int>(m_result.points.size());
+    const int count = static_cast<int>(ring.size());
+    for (int i = 0; i < count; ++i) {
+        m_before.push_back(first + (i > 0 ? i - 1 : count - 1));
+        m_after.push_back(first + (i + 1 < count ? i + 1 : 0));
+    }
+    m_result.points.insert(m_result.points.end(), ring.begin(), ring.end());
+}
+
+std::size_t Sweep::stretchOf(int Stretch::*edge, int value) const
+{
+    // The newest ones are at the end, and mostly there is one or two.
+    std::size_t i = m_stretches.size();
+    while (i > 0 && m_stretches[i - 1].*edge != value)
+        --i;
+    return i - 1;
+}
+
+/// Cuts triangles off the right end of a chain, as far as the vertex sees it; `from` is then what
+/// the vertex is joined to.
+void Sweep::eatFromRight(int &from, int vertex)
+{
+    for (int next = link(from).toLeft; next >= 0; next = link(from).toLeft) {
+        const int a = link(from).vertex, b = link(next).vertex;
+        if (!(side(at(a), at(vertex), at(b)) > 0.0))
+            return;
+        addTriangle(a, vertex, b);
+        from = next;
+    }
+}
+
+void Sweep::eatFromLeft(int &from, int vertex)
+{
+    for (int next = link(from).toRight; next >= 0; next = link(from).toRight) {
+        const int a = link(from).vertex, b = link(next).vertex;
+        if (!(side(at(b), at(vertex), at(a)) > 0.0))
+            return;
+        addTriangle(b, vertex, a);
+        from = next;
+    }
+}
+
+void Sweep::begin(int vertex, int rightEdge, int leftEdge)
+{
+    const int only = addLink(vertex);
+    m_stretches.push_back({rightEdge, leftEdge, only, only, only});
+}
+
+void Sweep::bendRight(Stretch &stretch, int vertex)
+{
+    int from = stretch.rightEnd;
+    eatFromRight(from, vertex);
+    const int added = addLink(vertex);
+    link(added).toLeft = from;
+    link(from).toRight = added;
+    stretch.rightEnd = stretch.last = added;
+}
+
+void Sweep::bendLeft(Stretch &stretch, int vertex)
+{
+    int from = stretch.leftEnd;
+    eatFromLeft(from, vertex);
+    const int added = addLink(vertex);
+    link(added).toRight = from;
+    link(from).toLeft = added;
+    stretch.leftEnd = stretch.last = added;
+}
+
+/// The vertex sees the whole chain of the stretch that it closes.
+bool Sweep::end(std::size_t index, int vertex)
+{
+    int from = m_stretches[index].rightEnd;
+    eatFromRight(from, vertex);
+    const bool isDone = from == m_stretches[index].leftEnd;
+    remove(index);
+    return isDone;
+}
+
+/// The vertex lies inside a stretch and cuts it in two. It sees the vertex that came last there.
+bool Sweep::split(int vertex, int rightEdge, int leftEdge)
+{
+    const auto isInside = [&](const Stretch &s) {
+        const auto left = [&](int edge) {
+            return side(at(edge), at(m_after[static_cast<std::size_t>(edge)]), at(vertex)) > 0.0;
+        };
+        return left(s.rightEdge) && left(s.leftEdge);
+    };
+    const auto found = std::find_if(m_stretches.begin(), m_stretches.end(), isInside);
+    if (found == m_stretches.end())
+        return false;
+    Stretch right = *found, left = *found;
+    right.leftEdge = leftEdge;
+    left.rightEdge = rightEdge;
+    // The last vertex ends both chains.
+    int fromRight = found->last;
+    int fromLeft = addLink(link(fromRight).vertex);
+    if (const int next = link(fromRight).toLeft; next >= 0) {
+        link(fromLeft).toLeft = next;
+        link(next).toRight = fromLeft;
+    } else {
+        left.leftEnd = fromLeft;
+    }
+    link(fromRight).toLeft = -1;
+    eatFromLeft(fromRight, vertex);
+    eatFromRight(fromLeft, vertex);
+    const int ofRight = addLink(vertex), ofLeft = addLink(vertex);
+    link(ofRight).toRight = fromRight;
+    link(fromRight).toLeft = ofRight;
+    link(ofLeft).toLeft = fromLeft;
+    link(fromLeft).toRight = ofLeft;
+    right.leftEnd = right.last = ofRight;
+    left.rightEnd = left.last = ofLeft;
+    *found = right;
+    m_stretches.push_back(left);
+    return true;
+}
+
+/// Two stretches become one behind the vertex at which the boundary between them ends.
+void Sweep::join(std::size_t right, std::size_t left, int vertex)
+{
+    int fromRight = m_stretches[right].leftEnd, fromLeft = m_stretches[left].rightEnd;
+    eatFromLeft(fromRight, vertex);
+    eatFromRight(fromLeft, vertex);
+    const int added = addLink(vertex);
+    link(added).toRight = fromRight;
+    link(fromRight).toLeft = added;
+    link(added).toLeft = fromLeft;
+    link(fromLeft).toRight = added;
+    m_stretches[right].leftEdge = m_stretches[left].leftEdge;
+    m_stretches[right].leftEnd = m_stretches[left].leftEnd;
+    m_stretches[right].last = added;
+    remove(left);
+}
+
+bool Sweep::visit(int v)
+{
+    const int before = m_before[static_cast<std::size_t>(v)];
+    const int after = m_after[static_cast<std::size_t>(v)];
+    const bool comesForward = isBefore(before, v), goesForward = isBefore(v, after);
+    const std::size_t none = static_cast<std::size_t>(-1);
+    if (comesForward && goesForward) {
+        const std::size_t stretch = stretchOf(&Stretch::rightEdge, before);
+        if (stretch == none)
+            return false;
+        bendRight(m_stretches[stretch], v);
+        m_stretches[stretch].rightEdge = v;
+        return true;
+    }
+    if (!comesForward && !goesForward) {
+        const std::size_t stretch = stretchOf(&Stretch::leftEdge, v);
+        if (stretch == none)
+            return false;
+        bendLeft(m_stretches[stretch], v);
+        m_stretches[stretch].leftEdge = before;
+        return true;
+    }
+    const double turn = side(at(before), at(v), at(after));
+    if (turn == 0.0)
+        return false;
+    if (goesForward) {
+        if (turn < 0.0)
+            return split(v, v, before);
+        begin(v, v, before);
+        return true;
+    }
+    const std::size_t ofRight = stretchOf(&Stretch::rightEdge, before);
+    const std::size_t ofLeft = stretchOf(&Stretch::leftEdge, v);
+    if (ofRight == none || ofLeft == none || (ofRight == ofLeft) != (turn > 0.0))
+        return false;
+    if (ofRight == ofLeft)
+        return end(ofRight, v);
+    join(ofLeft, ofRight, v);
+    return true;
+}
+
+bool Sweep::run()
+{
+    if (!m_isPlain)
+        return false;
+    std::vector<int> order(m_result.points.size());
+    for (std::size_t i = 0; i < order.size(); ++i)
+        order[i] = static_cast<int>(i);
+    std::sort(order.begin(), order.end(), [this](int a, int b) { return isBefore(a, b); });
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        if (i > 0 && at(order[i]) == at(order[i - 1]))
+            return false;
+        if (!visit(order[i]))
+            return false;
+    }
+    return m_stretches.empty();
+}
+
+/// Turns the longest edges of slivers over, until none is left but at the boundary. What is drawn
+/// and printed is rounded, and a sliver would become a line or turn inside out.
+class SliverMender
+{
+public:
+    explicit SliverMender(Triangulation &triangulation) : m_all(triangulation) {}
+    /// False when it comes to no end.
+    bool run();
+
+private:
+    using Triangle = std::array<int, 3>;
+
+    /// Where it stands in `triangles`.
+    struct Sliver
+    {
+        std::size_t at = 0, edge = 0; // its longest: from the corner of that number to the next
+    };
+    const Vec2 &point(int vertex) const { return m_all.points[static_cast<std::size_t>(vertex)]; }
+    std::optional<Sliver> sliverAt(std::size_t at) const;
+    static std::uint64_t key(int from, int to)
+    {
+        return static_cast<std::uint64_t>(from) << 32 | static_cast<std::uint32_t>(to);
+    }
+    void put(std::size_t at, const Triangle &triangle)
+    {
+        m_all.triangles[at] = triangle;
+        for (std::size_t i = 0; i < 3; ++i)
+            m_leftOf[key(triangle[i], triangle[(i + 1) % 3])] = at;
+    }
+    void turnOver(const Sliver &sliver);
+
+    Triangulation &m_all;
+    std::unordered_map<std::uint64_t, std::size_t> m_leftOf; // the triangle to the left of an edge
+    std::vector<std::size_t> m_waiting;
+};
+
+std::optional<SliverMender::Sliver> SliverMender::sliverAt(std::size_t at) const
+{
+    const Triangle &t = m_all.triangles[at];
+    const Vec2 &a = point(t[0]), &b = point(t[1]), &c = point(t[2]);
+    const std::array<double, 3> squared{(b - a).squaredNorm(), (c - b).squaredNorm(),
+                                        (a - c).squaredNorm()};
+    const auto longest = std::max_element(squared.begin(), squared.end());
+    const double twice = cross(b - a, c - a);
+    if (twice * twice > kSliver * kSliver * *longest)
+        return std::nullopt;
+    return Sliver{at, static_cast<std::size_t>(longest - squared.begin())};
+}
+
+void SliverMender::turnOver(const Sliver &sliver)
+{
+    const Triangle &t = m_all.triangles[sliver.at];
+    const int i = t[sliver.edge], j = t[(sliver.edge + 1) % 3], b = t[(sliver.edge + 2) % 3];
+    const auto found = m_leftOf.find(key(j, i));
+    if (found == m_leftOf.end())
+        return; // the boundary
+    const std::size_t other = found->second;
+    const Triangle &u = m_all.triangles[other];
+    const int d = u[0] != i && u[0] != j ? u[0] : u[1] != i && u[1] != j ? u[1] : u[2];
+    if (!(side(point(i), point(d), point(b)) > 0.0) || !(side(point(d), point(j), point(b)) > 0.0))
+        return;
+    m_leftOf.erase(found);
+    m_leftOf.erase(key(i, j));
+    put(sliver.at, {i, d, b});
+    put(other, {d, j, b});
+    m_waiting.insert(m_waiting.end(), {sliver.at, other});
+}
+
+bool SliverMender::run()
+{
+    for (std::size_t i = 0; i < m_all.triangles.size(); ++i)
+        if (sliverAt(i))
+            m_waiting.push_back(i);
+    if (m_waiting.empty())
+        return true;
+    for (std::size_t i = 0; i < m_all.triangles.size(); ++i)
+        put(i, m_all.triangles[i]);
+    // Every turn makes the longest edges shorter; many more than edges are rounding.
+    std::size_t left = 8 * m_all.triangles.size();
+    while (!m_waiting.empty() && left-- > 0) {
+        const std::size_t at = m_waiting.back();
+        m_waiting.pop_back();
+        if (const auto sliver = sliverAt(at))
+            turnOver(*sliver);
+    }
+    return m_waiting.empty();
+}
+
+} // namespace
+
+std::optional<Triangulation> sweepTriangles(const Region &region)
+{
+    Sweep sweep(region);
+    if (!sweep.run())
+        return std::nullopt;
+    Triangulation result = sweep.take();
+    if (result.triangles.size() + 2 != result.points.size() + 2 * region.holes.size() ||
+        !SliverMender(result).run())
+        return std::nullopt;
+    return result;
+}
+
+} // namespace fff
