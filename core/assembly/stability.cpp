@@ -4,6 +4,7 @@
 #include "core/geometry/convex_hull.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace fff {
@@ -18,83 +19,119 @@ Vec2 onGround(const Vec3 &p)
     return {p.x(), p.z()};
 }
 
-/// A closed chain of points in the world.
-using Ring = std::vector<Vec3>;
-
-Ring faceRing(const Slab &slab, double offset)
-{
-    const Vec3 shift = offset * slab.frame.normal();
-    Ring ring;
-    ring.reserve(slab.region.outer.size());
-    for (const Vec2 &p : slab.region.outer)
-        ring.push_back(slab.frame.toWorld(p) + shift);
-    return ring;
-}
-
-bool isLow(const Vec3 &p)
-{
-    return p.y() <= kGroundContact;
-}
-
 /// Where the edge from a to b, one of them low, passes the height below which things touch.
 Vec3 passing(const Vec3 &a, const Vec3 &b)
 {
     return a + std::clamp((kGroundContact - a.y()) / (b.y() - a.y()), 0.0, 1.0) * (b - a);
 }
 
-/// The corners of what of the edge is low.
-void addLow(const Vec3 &a, const Vec3 &b, std::vector<Vec2> &corners)
+/// Points whose convex hull is that of all of them, to kClipGrid; few of them.
+std::vector<Vec2> outermost(const std::vector<Vec2> &points)
 {
-    if (isLow(a))
-        corners.push_back(onGround(a));
-    if (isLow(a) != isLow(b))
-        corners.push_back(onGround(passing(a, b)));
+    constexpr std::size_t kFew = 8;
+    if (points.size() <= kFew)
+        return points;
+    // The farthest ones in eight directions; most others lie within these (S. Akl, G. Toussaint
+    // 1978, A fast convex hull algorithm), those of a plate that stands on its edge all do.
+    std::array<Vec2, kFew> far;
+    far.fill(points.front());
+    for (const Vec2 &p : points) {
+        const auto keep = [&p, &far](std::size_t i, double here, double there) {
+            if (here > there)
+                far[i] = p;
+        };
+        keep(0, p.x(), far[0].x());
+        keep(1, p.x() + p.y(), far[1].x() + far[1].y());
+        keep(2, p.y(), far[2].y());
+        keep(3, p.y() - p.x(), far[3].y() - far[3].x());
+        keep(4, -p.x(), -far[4].x());
+        keep(5, -p.x() - p.y(), -far[5].x() - far[5].y());
+        keep(6, -p.y(), -far[6].y());
+        keep(7, p.x() - p.y(), far[7].x() - far[7].y());
+    }
+    std::vector<Vec2> kept(far.begin(), far.end());
+    for (const Vec2 &p : points) {
+        for (std::size_t i = 0; i < kFew; ++i) {
+            const Vec2 edge = far[(i + 1) % kFew] - far[i];
+            if (cross(edge, p - far[i]) < -kClipGrid * edge.norm()) {
+                kept.push_back(p);
+                break;
+            }
+        }
+    }
+    return convexHull(kept);
 }
 
-/// Stretches of the ring that are low; the whole ring is one.
-int lowStretches(const Ring &ring)
+/// One face of a slab, of which mostly heights are asked.
+class Face
 {
-    int begins = 0;
-    for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++)
-        begins += isLow(ring[i]) && !isLow(ring[j]) ? 1 : 0;
-    return begins == 0 && !ring.empty() && isLow(ring.front()) ? 1 : begins;
-}
+public:
+    Face(const Slab &slab, double offset)
+        : m_ring(slab.region.outer), m_frame(slab.frame), m_shift(offset * slab.frame.normal())
+    {
+        m_isLow.reserve(m_ring.size());
+        const double base = m_frame.origin.y() + m_shift.y();
+        for (const Vec2 &p : m_ring)
+            m_isLow.push_back(base + p.x() * m_frame.x.y() + p.y() * m_frame.y.y() <=
+                              kGroundContact);
+    }
+    std::size_t count() const { return m_ring.size(); }
+    bool isLow(std::size_t i) const { return m_isLow[i]; }
+    Vec3 at(std::size_t i) const { return m_frame.toWorld(m_ring[i]) + m_shift; }
+    /// The corners of what of the edge is low.
+    void addLow(std::size_t a, std::size_t b, std::vector<Vec2> &corners) const
+    {
+        if (isLow(a))
+            corners.push_back(onGround(at(a)));
+        if (isLow(a) != isLow(b))
+            corners.push_back(onGround(passing(at(a), at(b))));
+    }
+    /// Stretches that are low; the whole ring is one.
+    int lowStretches() const
+    {
+        int begins = 0;
+        for (std::size_t i = 0, j = count() - 1; i < count(); j = i++)
+            begins += isLow(i) && !isLow(j) ? 1 : 0;
+        return begins == 0 && count() > 0 && isLow(0) ? 1 : begins;
+    }
+
+private:
+    const Polygon &m_ring;
+    const Frame &m_frame;
+    Vec3 m_shift;
+    std::vector<char> m_isLow;
+};
 
 void addContact(const Slab &slab, GroundContact &contact)
 {
     const double half = 0.5 * slab.thickness;
     // The face that is lower; of an upright slab both are alike.
     const bool isUpper = slab.frame.normal().y() > 0.0;
-    const Ring low = faceRing(slab, isUpper ? -half : half);
-    const Ring high = faceRing(slab, isUpper ? half : -half);
-    contact.stretches += lowStretches(low);
-    for (std::size_t i = 0, j = low.size() - 1; i < low.size(); j = i++) {
-        addLow(low[j], low[i], contact.corners);
-        addLow(high[j], high[i], contact.corners);
-        if (isLow(low[i]) && !isLow(high[i]))
-            contact.corners.push_back(onGround(passing(low[i], high[i])));
+    const Face low(slab, isUpper ? -half : half), high(slab, isUpper ? half : -half);
+    contact.stretches += low.lowStretches();
+    for (std::size_t i = 0, j = low.count() - 1; i < low.count(); j = i++) {
+        low.addLow(j, i, contact.corners);
+        high.addLow(j, i, contact.corners);
+        if (low.isLow(i) && !high.isLow(i))
+            contact.corners.push_back(onGround(passing(low.at(i), high.at(i))));
     }
 }
 
-void measureHeights(const std::vector<Slab> &slabs, GroundContact &contact)
+void measureHeights(const Slab &slab, GroundContact &contact)
 {
-    bool isFirst = true;
-    for (const Slab &slab : slabs) {
-        const Vec3 down =
-            -std::abs(0.5 * slab.thickness) *
-            (slab.frame.normal().y() < 0.0 ? Vec3(-slab.frame.normal()) : slab.frame.normal());
-        for (const Vec2 &p : slab.region.outer) {
-            const Vec3 middle = slab.frame.toWorld(p);
-            const Vec3 corner = middle + down;
-            if (isFirst || corner.y() < contact.lowest) {
-                contact.lowest = corner.y();
-                contact.lowestPoint = corner;
-            }
-            contact.lowestMiddle =
-                isFirst ? middle.y() : std::min(contact.lowestMiddle, middle.y());
-            isFirst = false;
-        }
-    }
+    const Vec3 down =
+        -std::abs(0.5 * slab.thickness) *
+        (slab.frame.normal().y() < 0.0 ? Vec3(-slab.frame.normal()) : slab.frame.normal());
+    const Vec2 up(slab.frame.x.y(), slab.frame.y.y());
+    const auto lowest =
+        std::min_element(slab.region.outer.begin(), slab.region.outer.end(),
+                         [&](const Vec2 &a, const Vec2 &b) { return up.dot(a) < up.dot(b); });
+    if (lowest == slab.region.outer.end())
+        return;
+    const Vec3 middle = slab.frame.toWorld(*lowest);
+    contact.lowestMiddle = middle.y();
+    contact.lowestPoint = middle + down;
+    contact.lowest = contact.lowestPoint.y();
 }
 
 /// Into which direction it falls over the nearest point of the polygon's boundary.
@@ -114,15 +151,48 @@ Vec2 fallDirection(const Polygon &support, const Vec2 &centre, const Vec2 &neare
 
 } // namespace
 
-GroundContact groundContact(const std::vector<Slab> &slabs)
+GroundContact contactOf(const Slab &slab)
 {
     GroundContact contact;
-    measureHeights(slabs, contact);
-    if (contact.lowest > kGroundContact || contact.lowestMiddle < -kGroundSunk)
-        return contact;
-    for (const Slab &slab : slabs)
+    measureHeights(slab, contact);
+    if (contact.lowest <= kGroundContact) {
         addContact(slab, contact);
+        contact.corners = outermost(contact.corners);
+    }
     return contact;
+}
+
+GroundContact together(std::span<const GroundContact *const> contacts)
+{
+    GroundContact all;
+    for (const GroundContact *contact : contacts) {
+        const bool isFirst = contact == contacts.front();
+        if (isFirst || contact->lowest < all.lowest) {
+            all.lowest = contact->lowest;
+            all.lowestPoint = contact->lowestPoint;
+        }
+        all.lowestMiddle =
+            isFirst ? contact->lowestMiddle : std::min(all.lowestMiddle, contact->lowestMiddle);
+    }
+    if (all.lowest > kGroundContact || all.lowestMiddle < -kGroundSunk)
+        return all;
+    for (const GroundContact *contact : contacts) {
+        all.stretches += contact->stretches;
+        all.corners.insert(all.corners.end(), contact->corners.begin(), contact->corners.end());
+    }
+    return all;
+}
+
+GroundContact groundContact(const std::vector<Slab> &slabs)
+{
+    std::vector<GroundContact> contacts;
+    std::vector<const GroundContact *> pointers;
+    contacts.reserve(slabs.size());
+    for (const Slab &slab : slabs) {
+        contacts.push_back(contactOf(slab));
+        pointers.push_back(&contacts.back());
+    }
+    return together(pointers);
 }
 
 Stability stability(const GroundContact &contact, const Vec3 &centreOfMass, double thickness,

@@ -4,6 +4,7 @@
 
 #include "core/assembly/slab.h"
 
+#include <span>
 #include <vector>
 
 namespace fff {
@@ -17,6 +18,12 @@ struct GroundContact
     Vec3 lowestPoint = Vec3::Zero();
     double lowestMiddle = 0.0; // Y of the lowest point of the mid-planes
 };
+
+/// Of one slab: what is low of it, whether or not something else hangs lower. Of its corners those
+/// of their hull.
+GroundContact contactOf(const Slab &slab);
+/// What of several slabs counts when they are one body.
+GroundContact together(std::span<const GroundContact *const> contacts);
 
 /// The slabs' contacts with the ground.
 ///

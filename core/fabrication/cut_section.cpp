@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
+#include <cstdint>
 #include <list>
 #include <unordered_map>
 
@@ -32,12 +34,13 @@ struct CutKeyHash
 {
     std::size_t operator()(const CutKey &key) const
     {
+        constexpr std::size_t kMixer = 0x9e3779b97f4a7c15u; // 2^64 over the golden ratio
         std::size_t hash = std::hash<const void *>()(key.shape);
         for (const SlitKey &slit : key.slits) {
             for (double value : slit)
-                hash = hash * 31 + std::hash<double>()(value);
+                hash = (hash ^ std::bit_cast<std::uint64_t>(value)) * kMixer;
         }
-        return hash;
+        return hash ^ (hash >> 32);
     }
 };
 
@@ -81,6 +84,18 @@ double CutSection::area() const
             sum += hole.signedArea();
     }
     return sum;
+}
+
+const Moments &CutSection::moments() const
+{
+    std::call_once(m_momentsOnce, [this] {
+        for (const CurvedRegion &part : m_parts) {
+            m_moments += fff::moments(part.outer);
+            for (const Contour &hole : part.holes)
+                m_moments += fff::moments(hole);
+        }
+    });
+    return m_moments;
 }
 
 std::shared_ptr<const std::vector<CurvedRegion>> CutSection::compensated(double kerf) const

@@ -24,6 +24,8 @@ public:
     /// Of each part's region, computed at first use, once, from any thread.
     const std::vector<Triangulation> &triangulations() const;
     double area() const;
+    /// Of all parts together, exact for the curves. Computed at first use, as the triangles.
+    const Moments &moments() const;
     /// The parts as compensateKerf makes them, in the same order. Kept for the kerf that was asked
     /// for last, for checks, export and every edit elsewhere; from any thread.
     /// kerf   above 0, mm
@@ -34,7 +36,8 @@ private:
     mutable std::mutex m_compensatedMutex;
     mutable double m_compensatedKerf = 0.0;
     mutable std::shared_ptr<const std::vector<CurvedRegion>> m_compensated;
-    mutable std::once_flag m_once;
+    mutable std::once_flag m_once, m_momentsOnce;
+    mutable Moments m_moments;
     mutable std::vector<Triangulation> m_triangulations;
 };
 

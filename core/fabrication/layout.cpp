@@ -2,7 +2,6 @@
 
 #include "core/base/tolerances.h"
 #include "core/fabrication/skyline.h"
-#include "core/geometry/convex_hull.h"
 
 #include <algorithm>
 #include <array>
@@ -14,65 +13,15 @@ namespace {
 /// Less used height than this is no reason to turn parts away from how they are drawn, mm.
 constexpr double kWorthTurning = 1.0;
 
-/// Chords on which it is told how a part is best turned, as a share of its size, and mm at most;
-/// its box is that of its curves.
-constexpr double kTurnShare = 0.01, kMaxTurnChord = 1.0;
-
 enum class Turning { AsDrawn, Smallest, Lowest };
 enum class Order { Tallest, Largest, Longest };
 
-/// A part's box after a turn.
-struct Pose
-{
-    Vec2 turn = Vec2::UnitX();
-    Box2 box;
-
-    Vec2 size() const { return box.size(); }
-};
-
+/// A part that is to be put on a sheet.
 struct Item
 {
     int part = 0;
-    const Contour *outline = nullptr;
-    Pose drawn;
-    Turns turns;                 // where they are tried
-    std::optional<Vec2> fitting; // the turn, where it fits neither as drawn nor by a quarter turn
+    const OutlineSize *size = nullptr;
 };
-
-Pose poseOf(const Item &item, const Vec2 &turn)
-{
-    return {turn, turnedBounds(*item.outline, turn)};
-}
-
-/// The same a quarter turn further.
-Pose quarterMore(const Pose &pose)
-{
-    Pose next{perpendicular(pose.turn), {}};
-    next.box.extend(perpendicular(pose.box.min));
-    next.box.extend(perpendicular(pose.box.max));
-    return next;
-}
-
-bool fits(const Vec2 &size, const Vec2 &room)
-{
-    return (size.array() <= room.array() + kClipGrid).all();
-}
-
-double areaOf(const CurvedRegion &outline)
-{
-    double sum = outline.outer.signedArea();
-    for (const Contour &hole : outline.holes)
-        sum += hole.signedArea();
-    return sum;
-}
-
-bool hasCurves(const CurvedRegion &outline)
-{
-    for (int i = 0; i < outline.outer.segmentCount(); ++i)
-        if (!outline.outer.segment(i).isStraight(kClipGrid))
-            return true;
-    return false;
-}
 
 /// The ways in which a part may lie.
 class Poses
@@ -100,11 +49,11 @@ private:
 };
 
 /// That of its turning and a quarter turn more, lying first.
-Poses posesOf(const Item &item, Turning turning, const Vec2 &room)
+Poses posesOf(const OutlineSize &size, Turning turning, const Vec2 &room)
 {
     Poses poses;
-    if (item.fitting) {
-        poses.add(poseOf(item, *item.fitting));
+    if (size.fitting) {
+        poses.add(*size.fitting);
         return poses;
     }
     const auto add = [&](const Pose &pose) {
@@ -113,9 +62,9 @@ Poses posesOf(const Item &item, Turning turning, const Vec2 &room)
                 poses.add(candidate);
     };
     if (turning != Turning::AsDrawn)
-        add(poseOf(item, turning == Turning::Smallest ? item.turns.smallest : item.turns.lowest));
+        add(turning == Turning::Smallest ? size.smallest : size.lowest);
     if (poses.isEmpty())
-        add(item.drawn);
+        add(size.drawn);
     poses.putLyingFirst();
     return poses;
 }
@@ -225,7 +174,7 @@ std::vector<Plan> plansFor(const std::vector<Item> &items, Turning turning, cons
     std::vector<Poses> poses;
     poses.reserve(items.size());
     for (const Item &item : items)
-        poses.push_back(posesOf(item, turning, room));
+        poses.push_back(posesOf(*item.size, turning, room));
     std::vector<Plan> plans;
     for (const Order by : {Order::Tallest, Order::Largest, Order::Longest}) {
         Plan plan{poses, sorted(poses, by)};
@@ -243,18 +192,13 @@ std::vector<Sheet> sheetsOf(const Packing &packing, const Sheet &empty)
     return sheets;
 }
 
-std::vector<Sheet> pack(std::vector<Item> &items, const Sheet &empty, const LayoutOptions &options)
+std::vector<Sheet> pack(const std::vector<Item> &items, const Sheet &empty,
+                        const LayoutOptions &options)
 {
-    const Vec2 room = empty.size - Vec2::Constant(2.0 * options.margin);
+    const Vec2 room = roomOf(empty.size, options);
     std::vector<Turning> turnings{Turning::AsDrawn};
-    if (options.turnsFreely) {
+    if (options.turnsFreely)
         turnings.insert(turnings.end(), {Turning::Smallest, Turning::Lowest});
-        for (Item &item : items) {
-            const double size = item.drawn.size().maxCoeff();
-            item.turns =
-                findTurns(item.outline->polygon(std::min(kTurnShare * size, kMaxTurnChord)));
-        }
-    }
     std::optional<Packing> best;
     std::vector<Plan> tried;
     for (const Turning turning : turnings) {
@@ -270,47 +214,33 @@ std::vector<Sheet> pack(std::vector<Item> &items, const Sheet &empty, const Layo
     return sheetsOf(*best, empty);
 }
 
-/// Whether it fits the room, and how it must be turned for that.
-bool prepare(Item &item, const Part &part, const Vec2 &room, bool turnsFreely)
-{
-    item.outline = &part.outline.outer;
-    item.drawn = poseOf(item, Vec2::UnitX());
-    if (!posesOf(item, Turning::AsDrawn, room).isEmpty())
-        return true;
-    const Polygon hull =
-        turnsFreely ? convexHull(part.outline.outer.flatten(kCutChord).points) : Polygon();
-    if (hull.size() < 3)
-        return false;
-    const double bulge = hasCurves(part.outline) ? 2.0 * kCutChord : 0.0; // beyond the chords
-    item.fitting = findFittingTurn(hull, room - Vec2::Constant(bulge));
-    return item.fitting.has_value();
-}
-
 } // namespace
 
-Layout layOut(const std::vector<Part> &parts, const Model &model, const LayoutOptions &options)
+Vec2 roomOf(const Vec2 &sheet, const LayoutOptions &options)
+{
+    return sheet - Vec2::Constant(2.0 * options.margin);
+}
+
+Layout layOutBySize(const std::vector<SizedPart> &parts, const Model &model, const LayoutOptions &options)
 {
     Layout layout;
     for (const auto &stock : model.document.stocks) {
         const Sheet empty{stock->id, options.sheet.value_or(stock->sheet), {}};
-        const Vec2 room = empty.size - Vec2::Constant(2.0 * options.margin);
         std::vector<Item> items;
         std::vector<Sheet> oversized;
         for (std::size_t i = 0; i < parts.size(); ++i) {
             if (parts[i].stock != stock->id)
                 continue;
-            Item item;
-            item.part = static_cast<int>(i);
-            if (prepare(item, parts[i], room, options.turnsFreely)) {
-                items.push_back(std::move(item));
+            const OutlineSize &size = *parts[i].size;
+            if (!size.isTooLarge) {
+                items.push_back({static_cast<int>(i), &size});
                 continue;
             }
-            const Pose &pose = item.drawn;
-            Sheet own{stock->id, pose.size() + Vec2::Constant(2.0 * options.margin), {}};
-            own.placements.push_back(
-                {item.part, pose.turn, Vec2::Constant(options.margin) - pose.box.min});
+            Sheet own{stock->id, size.drawn.size() + Vec2::Constant(2.0 * options.margin), {}};
+            own.placements.push_back({static_cast<int>(i), size.drawn.turn,
+                                      Vec2::Constant(options.margin) - size.drawn.box.min});
             oversized.push_back(std::move(own));
-            layout.oversized.push_back(item.part);
+            layout.oversized.push_back(static_cast<int>(i));
         }
         if (!items.empty()) {
             std::vector<Sheet> sheets = pack(items, empty, options);
@@ -321,15 +251,55 @@ Layout layOut(const std::vector<Part> &parts, const Model &model, const LayoutOp
     return layout;
 }
 
-double usedShare(const Layout &layout, const std::vector<Part> &parts)
+namespace {
+
+std::vector<SizedPart> sized(const std::vector<Part> &parts, const Model &model,
+                             const LayoutOptions &options)
+{
+    std::vector<SizedPart> result;
+    result.reserve(parts.size());
+    for (const Part &part : parts) {
+        const Stock *stock = model.document.find(part.stock);
+        if (!stock) {
+            result.push_back({part.stock, std::make_shared<const OutlineSize>()});
+            continue;
+        }
+        const Vec2 room = roomOf(options.sheet.value_or(stock->sheet), options);
+        result.push_back({part.stock, std::make_shared<const OutlineSize>(
+                                          sizeOf(part.outline, room, options.turnsFreely))});
+    }
+    return result;
+}
+
+} // namespace
+
+Layout layOut(const std::vector<Part> &parts, const Model &model, const LayoutOptions &options)
+{
+    return layOutBySize(sized(parts, model, options), model, options);
+}
+
+double usedShare(const Layout &layout, const std::vector<SizedPart> &parts)
 {
     double used = 0.0, whole = 0.0;
     for (const Sheet &sheet : layout.sheets) {
         whole += sheet.size.x() * sheet.size.y();
         for (const Placement &placement : sheet.placements)
-            used += areaOf(parts[static_cast<std::size_t>(placement.part)].outline);
+            used += parts[static_cast<std::size_t>(placement.part)].size->area;
     }
     return whole > 0.0 ? used / whole : 0.0;
+}
+
+double usedShare(const Layout &layout, const std::vector<Part> &parts)
+{
+    std::vector<SizedPart> areas;
+    for (const Part &part : parts) {
+        OutlineSize size;
+        size.area = part.outline.outer.signedArea();
+        for (const Contour &hole : part.outline.holes)
+            size.area += hole.signedArea();
+        areas.push_back({part.stock, std::make_shared<const OutlineSize>(size)});
+    }
+    return usedShare(layout, areas);
 }
 
 } // namespace fff

@@ -1,8 +1,8 @@
 // Parts on sheets, per stock: by the boxes of their hulls, turned as it suits them.
 #pragma once
 
+#include "core/fabrication/outline_size.h"
 #include "core/fabrication/part.h"
-#include "core/geometry/turning.h"
 
 namespace fff {
 
@@ -50,6 +50,21 @@ struct Layout
 /// Deterministic. O(parts · sheets · parts of a sheet) for each try, O(v log v) for the hull of a
 /// part with v vertices.
 Layout layOut(const std::vector<Part> &parts, const Model &model, const LayoutOptions &options);
+
+/// A part by its size alone, in the room of its stock's sheet.
+struct SizedPart
+{
+    StockId stock;
+    std::shared_ptr<const OutlineSize> size;
+};
+
+/// What margins leave of a sheet, mm.
+Vec2 roomOf(const Vec2 &sheet, const LayoutOptions &options);
+
+/// The same where the sizes are at hand: each worked out for roomOf() its sheet.
+Layout layOutBySize(const std::vector<SizedPart> &parts, const Model &model,
+              const LayoutOptions &options);
+double usedShare(const Layout &layout, const std::vector<SizedPart> &parts);
 
 /// How much of the sheets' area the parts cover, 0 … 1; 0 without sheets.
 double usedShare(const Layout &layout, const std::vector<Part> &parts);

@@ -4,6 +4,7 @@ target_sources(fff_core PRIVATE
     fabrication/kerf.cpp
     fabrication/layout.cpp
     fabrication/marks.cpp
+    fabrication/outline_size.cpp
     fabrication/parts.cpp
     fabrication/room.cpp
     fabrication/skyline.cpp

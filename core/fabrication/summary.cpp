@@ -1,7 +1,5 @@
 #include "core/fabrication/summary.h"
 
-#include "core/geometry/moments.h"
-
 namespace fff {
 
 namespace {
@@ -19,12 +17,7 @@ MassProperties &MassProperties::operator+=(const MassProperties &other)
 
 MassProperties massOf(const Section &section, const Stock &stock, const CutSection &cut)
 {
-    Moments total;
-    for (const CurvedRegion &part : cut.parts()) {
-        total += moments(part.outer);
-        for (const Contour &hole : part.holes)
-            total += moments(hole);
-    }
+    const Moments &total = cut.moments();
     if (!(total.area > 0.0))
         return {};
     return {total.area * stock.thickness * kCubicMillimetres * stock.density,

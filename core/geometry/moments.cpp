@@ -12,6 +12,30 @@ constexpr std::array<double, 6> kNodes = {0.033765242898423975, 0.16939530676686
 constexpr std::array<double, 6> kWeights = {0.085662246189585178, 0.18038078652406930,
                                             0.23395696728634552,  0.23395696728634552,
                                             0.18038078652406930,  0.085662246189585178};
+
+constexpr std::array<double, 2> kLineNodes = {0.21132486540518713, 0.78867513459481287};
+/// Handles that are off the thirds of the chord by no more than this share of it are rounding.
+constexpr double kLineRounding = 1e-14;
+
+/// Evenly along its chord: then two points of Gauss's rule are exact.
+bool isEvenLine(const CubicBezier &curve)
+{
+    const Vec2 chord = curve.p3 - curve.p0;
+    const double slack = kLineRounding * (chord.cwiseAbs().sum() + curve.p0.cwiseAbs().sum());
+    return (3.0 * (curve.p1 - curve.p0) - chord).cwiseAbs().maxCoeff() <= slack &&
+           (3.0 * (curve.p3 - curve.p2) - chord).cwiseAbs().maxCoeff() <= slack;
+}
+
+/// What one point of the rule adds: at `p`, where the curve moves by `d`.
+void add(const Vec2 &p, const Vec2 &d, double w, Moments &m)
+{
+    m.area += w * 0.5 * (p.x() * d.y() - p.y() * d.x());
+    m.first.x() += w * 0.5 * p.x() * p.x() * d.y();
+    m.first.y() -= w * 0.5 * p.y() * p.y() * d.x();
+    m.xx += w * p.x() * p.x() * p.x() * d.y() / 3.0;
+    m.yy -= w * p.y() * p.y() * p.y() * d.x() / 3.0;
+    m.xy += w * 0.5 * p.x() * p.x() * p.y() * d.y();
+}
 } // namespace
 
 Moments &Moments::operator+=(const Moments &other)
@@ -33,17 +57,14 @@ Moments moments(const Contour &contour)
     const Vec2 base = contour.points().front();
     for (int i = 0; i < contour.segmentCount(); ++i) {
         const CubicBezier curve = contour.segment(i);
-        for (std::size_t k = 0; k < kNodes.size(); ++k) {
-            const Vec2 p = curve.at(kNodes[k]) - base;
-            const Vec2 d = curve.derivative(kNodes[k]);
-            const double w = kWeights[k];
-            m.area += w * 0.5 * (p.x() * d.y() - p.y() * d.x());
-            m.first.x() += w * 0.5 * p.x() * p.x() * d.y();
-            m.first.y() -= w * 0.5 * p.y() * p.y() * d.x();
-            m.xx += w * p.x() * p.x() * p.x() * d.y() / 3.0;
-            m.yy -= w * p.y() * p.y() * p.y() * d.x() / 3.0;
-            m.xy += w * 0.5 * p.x() * p.x() * p.y() * d.y();
+        if (isEvenLine(curve)) {
+            const Vec2 chord = curve.p3 - curve.p0;
+            for (const double t : kLineNodes)
+                add(curve.p0 + t * chord - base, chord, 0.5, m);
+            continue;
         }
+        for (std::size_t k = 0; k < kNodes.size(); ++k)
+            add(curve.at(kNodes[k]) - base, curve.derivative(kNodes[k]), kWeights[k], m);
     }
     Moments shifted = m;
     shifted.first = m.first + m.area * base;

@@ -15,8 +15,9 @@ constexpr int kSeen = 100, kLate = 500;
 CheckList::CheckList(const Session &session, QObject *parent)
     : QObject(parent), m_session(session),
       m_job(
-          [](const AnalysisPointer &analysis) -> VerdictsPointer {
-              return std::make_shared<const Verdicts>(Verdicts{analysis->model, checks(*analysis)});
+          [this](const AnalysisPointer &analysis) -> VerdictsPointer {
+              return std::make_shared<const Verdicts>(
+                  Verdicts{analysis->model, checks(*analysis, m_caches)});
           },
           [this](std::uint64_t revision, VerdictsPointer verdicts) {
               if (revision != m_session.revision() && m_session.model().sectionCount() == 0)

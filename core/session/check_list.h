@@ -53,6 +53,7 @@ private:
     void grow(Age age);
 
     const Session &m_session;
+    CheckCaches m_caches; // touched by the job alone
     VerdictsPointer m_verdicts = std::make_shared<const Verdicts>();
     std::uint64_t m_revision = 0; // that they belong to
     Age m_age = Age::Current;

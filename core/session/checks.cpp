@@ -1,7 +1,6 @@
 #include "core/session/checks.h"
 
 #include "core/base/tolerances.h"
-#include "core/fabrication/kerf.h"
 
 #include <algorithm>
 #include <array>
@@ -47,6 +46,51 @@ Towards towards(const Vec2 &direction)
     if (std::abs(direction.x()) > std::abs(direction.y()))
         return direction.x() > 0.0 ? Towards::Right : Towards::Left;
     return direction.y() >= 0.0 ? Towards::Front : Towards::Back;
+}
+
+/// The keys of the rest of an entry.
+bool isOf(const CheckCaches::OfSection &known, const CheckCaches::OfSection &now)
+{
+    return known.cut == now.cut && known.frame == now.frame && known.thickness == now.thickness &&
+           known.kerf == now.kerf && known.room == now.room && known.turnsFreely == now.turnsFreely;
+}
+
+/// Works out what is not known of this section.
+void refresh(const Analysis &analysis, int section, const LayoutOptions &options,
+             CheckCaches::OfSection &known)
+{
+    const auto index = static_cast<std::size_t>(section);
+    const Stock &stock = analysis.model.stockOf(index);
+    CheckCaches::OfSection now;
+    now.cut = analysis.cuts[index];
+    now.frame = analysis.model.section(index)->frame;
+    now.thickness = stock.thickness;
+    now.kerf = stock.kerf;
+    now.room = roomOf(options.sheet.value_or(stock.sheet), options);
+    now.turnsFreely = options.turnsFreely;
+    if (isOf(known, now))
+        return;
+    for (const Slab &slab : slabsOf(analysis, section)) {
+        now.contacts.push_back(contactOf(slab));
+        now.box.extend(boundsOf(slab));
+    }
+    const auto addSizes = [&](const std::vector<CurvedRegion> &outlines) {
+        for (const CurvedRegion &outline : outlines)
+            now.sizes.push_back(
+                std::make_shared<const OutlineSize>(sizeOf(outline, now.room, now.turnsFreely)));
+    };
+    if (now.kerf > 0.0)
+        addSizes(*now.cut->compensated(now.kerf));
+    else
+        addSizes(now.cut->parts());
+    known = std::move(now);
+}
+
+void refresh(const Analysis &analysis, const LayoutOptions &options, CheckCaches &caches)
+{
+    caches.sections.resize(analysis.model.sectionCount());
+    for (std::size_t i = 0; i < caches.sections.size(); ++i)
+        refresh(analysis, static_cast<int>(i), options, caches.sections[i]);
 }
 
 /// Mass of the sections with the weights that hang on them.
@@ -141,20 +185,47 @@ CheckCode codeOf(const Stability &stability)
 }
 
 /// The sections of a group that reach below the ground.
-std::vector<SectionRef> sunkSections(const Analysis &analysis, const Group &group)
+std::vector<SectionRef> sunkSections(const Analysis &analysis, const Group &group,
+                                     const CheckCaches &caches)
 {
     Group sunk;
-    for (const int section : group)
-        if (groundContact(slabsOf(analysis, section)).lowestMiddle < -kGroundSunk)
+    for (const int section : group) {
+        const auto &contacts = caches.sections[static_cast<std::size_t>(section)].contacts;
+        if (std::any_of(contacts.begin(), contacts.end(), [](const GroundContact &contact) {
+                return contact.lowestMiddle < -kGroundSunk;
+            }))
             sunk.push_back(section);
+    }
     return refsOf(analysis.model, sunk);
 }
 
-Check stabilityCheck(const Analysis &analysis, const Group &group)
+Stability stabilityOf(const Analysis &analysis, const Group &group, const MassProperties &mass,
+                      const CheckCaches &caches)
 {
-    const Stability stability = stabilityOf(analysis, group);
+    std::vector<const GroundContact *> contacts;
+    Box3 box;
+    double thinnest = std::numeric_limits<double>::infinity();
+    for (const int section : group) {
+        const auto index = static_cast<std::size_t>(section);
+        const CheckCaches::OfSection &known = caches.sections[index];
+        if (known.contacts.empty())
+            continue;
+        for (const GroundContact &contact : known.contacts)
+            contacts.push_back(&contact);
+        box.extend(known.box);
+        thinnest = std::min(thinnest, analysis.model.stockOf(index).thickness);
+    }
+    if (contacts.empty())
+        return {};
+    return stability(together(contacts), mass.centre, thinnest, box.size().maxCoeff());
+}
+
+Check stabilityCheck(const Analysis &analysis, const Group &group, const CheckCaches &caches)
+{
+    const MassProperties mass = loadedMass(analysis, group);
+    const Stability stability = stabilityOf(analysis, group, mass, caches);
     Check check = makeCheck(codeOf(stability), CheckSeverity::Error);
-    check.mass = loadedMass(analysis, group);
+    check.mass = mass;
     check.margin = stability.margin;
     check.tipAngle = stability.tipAngle;
     check.side = towards(stability.fall);
@@ -178,15 +249,15 @@ Check stabilityCheck(const Analysis &analysis, const Group &group)
 }
 
 void addStability(const Analysis &analysis, const std::vector<Group> &groups,
-                  std::vector<Check> &all)
+                  const CheckCaches &caches, std::vector<Check> &all)
 {
     std::optional<Check> standing; // of all groups that stand, the one that falls first
     std::vector<Check> bad;
     int standingSections = 0;
     for (std::size_t g = 0; g < groups.size(); ++g) {
-        Check check = stabilityCheck(analysis, groups[g]);
+        Check check = stabilityCheck(analysis, groups[g], caches);
         if (check.code == CheckCode::BelowGround)
-            check.sections = sunkSections(analysis, groups[g]);
+            check.sections = sunkSections(analysis, groups[g], caches);
         else if (groups.size() > 1)
             check.sections = refsOf(analysis.model, groups[g]);
         if (check.code == CheckCode::Stands || check.code == CheckCode::Unsteady) {
@@ -207,29 +278,43 @@ void addStability(const Analysis &analysis, const std::vector<Group> &groups,
 
 // --- size
 
-void addSize(const Analysis &analysis, const LayoutOptions &options, std::vector<Check> &all)
+/// A part of a model, by where it comes from.
+struct PartPlace
+{
+    std::size_t section = 0, part = 0;
+};
+
+void addSize(const Analysis &analysis, const LayoutOptions &options, const CheckCaches &caches,
+             std::vector<Check> &all)
 {
     const Model &model = analysis.model;
-    const std::vector<Part> designed = makeParts(model, analysis.assembly, analysis.cuts);
-    const std::vector<Part> parts = compensateKerf(designed, model, analysis.cuts);
-    const Layout layout = layOut(parts, model, options);
+    std::vector<SizedPart> parts;
+    std::vector<PartPlace> places;
+    for (std::size_t i = 0; i < caches.sections.size(); ++i) {
+        const auto &sizes = caches.sections[i].sizes;
+        for (std::size_t k = 0; k < sizes.size(); ++k) {
+            parts.push_back({model.section(i)->stock, sizes[k]});
+            places.push_back({i, k});
+        }
+    }
+    const Layout layout = layOutBySize(parts, model, options);
     std::vector<int> oversized = layout.oversized;
     std::sort(oversized.begin(), oversized.end());
-    int lastSection = -1;
+    std::optional<std::size_t> last;
     for (const int index : oversized) {
-        const Part &part = designed[static_cast<std::size_t>(index)];
-        if (part.section == lastSection) {
+        const PartPlace &place = places[static_cast<std::size_t>(index)];
+        if (place.section == last) {
             ++all.back().count;
             continue;
         }
-        lastSection = part.section;
+        last = place.section;
         Check check = makeCheck(CheckCode::TooLarge, CheckSeverity::Error);
-        const auto section = static_cast<std::size_t>(part.section);
-        check.sections = {model.ref(section)};
-        const Box2 box = bounds(part.outline.region.outer);
+        check.sections = {model.ref(place.section)};
+        const Region &region = analysis.cuts[place.section]->parts()[place.part].region;
+        const Box2 box = bounds(region.outer);
         check.size = {box.size().maxCoeff(), box.size().minCoeff()};
-        check.sheet = options.sheet.value_or(model.stockOf(section).sheet);
-        check.at = model.section(section)->frame.toWorld(box.center());
+        check.sheet = options.sheet.value_or(model.stockOf(place.section).sheet);
+        check.at = model.section(place.section)->frame.toWorld(box.center());
         check.margin = options.margin;
         check.count = 1;
         all.push_back(std::move(check));
@@ -253,20 +338,19 @@ void addJoints(const Analysis &analysis, std::vector<Check> &all)
     const Model &model = analysis.model;
     for (const Joint &joint : analysis.assembly.joints) {
         const Crossing &crossing = *joint.crossing;
+        const bool interferes = joint.kind == JointKind::None;
+        if (!interferes && !(crossing.angle < kShallowAngle))
+            continue;
         const auto longest = std::max_element(
             crossing.overlaps.begin(), crossing.overlaps.end(),
             [](const Overlap &a, const Overlap &b) { return a.to - a.from < b.to - b.from; });
-        Check check = makeCheck(CheckCode::Interference, CheckSeverity::Warning);
+        Check check = makeCheck(interferes ? CheckCode::Interference : CheckCode::ShallowAngle,
+                                CheckSeverity::Warning);
         check.sections = refsOf(model, {joint.a, joint.b});
         check.at = crossing.axis.at(0.5 * (longest->from + longest->to));
         check.distance = longest->to - longest->from;
         check.angle = crossing.angle;
-        if (joint.kind == JointKind::None) {
-            all.push_back(std::move(check));
-        } else if (crossing.angle < kShallowAngle) {
-            check.code = CheckCode::ShallowAngle;
-            all.push_back(std::move(check));
-        }
+        all.push_back(std::move(check));
     }
     for (std::size_t i = 0; i < model.sectionCount(); ++i) {
         const std::size_t parts = analysis.cuts[i]->parts().size();
@@ -313,32 +397,36 @@ CheckSubject subjectOf(CheckCode code)
 
 Stability stabilityOf(const Analysis &analysis, const std::vector<int> &sections)
 {
-    std::vector<Slab> slabs;
-    Box3 box;
-    double thinnest = std::numeric_limits<double>::infinity();
+    CheckCaches caches;
+    caches.sections.resize(analysis.model.sectionCount());
     for (const int section : sections) {
+        CheckCaches::OfSection &known = caches.sections[static_cast<std::size_t>(section)];
         for (const Slab &slab : slabsOf(analysis, section)) {
-            slabs.push_back(slab);
-            box.extend(boundsOf(slab));
-            thinnest = std::min(thinnest, slab.thickness);
+            known.contacts.push_back(contactOf(slab));
+            known.box.extend(boundsOf(slab));
         }
     }
-    if (slabs.empty())
-        return {};
-    return stability(groundContact(slabs), loadedMass(analysis, sections).centre, thinnest,
-                     box.size().maxCoeff());
+    return stabilityOf(analysis, sections, loadedMass(analysis, sections), caches);
 }
 
 std::vector<Check> checks(const Analysis &analysis, const LayoutOptions &layout)
 {
+    CheckCaches caches;
+    return checks(analysis, caches, layout);
+}
+
+std::vector<Check> checks(const Analysis &analysis, CheckCaches &caches,
+                          const LayoutOptions &layout)
+{
     std::vector<Check> all;
     const std::size_t count = analysis.model.sectionCount();
+    refresh(analysis, layout, caches);
     if (count == 0)
         return all;
     const std::vector<Group> groups = connectedGroups(count, analysis.assembly.joints);
     addConnection(analysis, groups, all);
-    addStability(analysis, groups, all);
-    addSize(analysis, layout, all);
+    addStability(analysis, groups, caches, all);
+    addSize(analysis, layout, caches, all);
     Check mass = makeCheck(CheckCode::Mass, CheckSeverity::Good);
     mass.mass = massOf(analysis.model, analysis.cuts);
     mass.at = mass.mass.centre;

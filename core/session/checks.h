@@ -87,6 +87,30 @@ CheckSubject subjectOf(CheckCode code);
 /// Deterministic. Costs what a layout does; for a worker, not for the window's thread.
 std::vector<Check> checks(const Analysis &analysis, const LayoutOptions &layout = {});
 
+/// What checks() keeps of each section for the next time, so that an edit costs the work on the
+/// sections that it touches. Not for several threads at once.
+struct CheckCaches
+{
+    struct OfSection
+    {
+        // What the rest was worked out of.
+        CutSectionPointer cut;
+        Frame frame;
+        double thickness = 0.0, kerf = 0.0; // mm
+        Vec2 room = Vec2::Zero();
+        bool turnsFreely = true;
+
+        std::vector<GroundContact> contacts;                   // of each slab
+        Box3 box;                                              // of all of them
+        std::vector<std::shared_ptr<const OutlineSize>> sizes; // of each part, with the kerf
+    };
+    std::vector<OfSection> sections; // by index in the model
+};
+
+/// As from scratch, with any caches.
+std::vector<Check> checks(const Analysis &analysis, CheckCaches &caches,
+                          const LayoutOptions &layout = {});
+
 /// The worst of a subject, nothing when it has none.
 std::optional<CheckSeverity> worst(const std::vector<Check> &checks, CheckSubject subject);
 

@@ -1,11 +1,8 @@
 #include <QTest> // first: moc cannot read some of the standard library before it
 
-#include "core/session/analysis.h"
-#include "core/session/session.h"
+#include "core/session/check_text.h"
 #include "tests/bench/counted_memory.h"
-#include "tests/core/assembly/plates.h"
-
-#include <random>
+#include "tests/core/session/random_edits.h"
 
 using namespace fff;
 using namespace fff::test;
@@ -61,94 +58,19 @@ QString difference(const Analysis &a, const Analysis &b)
     return a.cuts.size() == b.cuts.size() ? QString() : QStringLiteral("the number of cuts");
 }
 
-/// Edits one after another, each at random.
-class RandomEdits
+/// What verdicts say, as text that differs when they do.
+QString said(const std::vector<Check> &checks, const Model &model)
 {
-public:
-    explicit RandomEdits(unsigned seed) : m_random(seed) {}
-
-    Document next(const Document &document)
-    {
-        const int count = static_cast<int>(document.sections.size());
-        const int kind = below(count > 14 ? 12 : 9);
-        if (count < 3 || kind < 2)
-            return withSection(document, shape(), frame());
-        const SectionId id = document.sections[static_cast<std::size_t>(below(count))]->id;
-        switch (kind) {
-        case 2:
-        case 3:
-            return *moveSection(document, id, frame());
-        case 4: {
-            Frame a_little = document.find(id)->frame;
-            a_little.origin += 2.0 * (number() - 0.5) * a_little.normal() + 1e-9 * a_little.x;
-            return *moveSection(document, id, a_little);
-        }
-        case 5:
-            return *setShape(document, id, shape());
-        case 6:
-            return *renameSection(document, id, "renamed " + std::to_string(below(100)));
-        case 7: {
-            Stock stock = *document.stocks[static_cast<std::size_t>(
-                below(static_cast<int>(document.stocks.size())))];
-            if (below(2) == 0)
-                stock.thickness = 1.0 + 4.0 * number();
-            else
-                stock.kerf = 0.3 * number(); // slits do not follow from it
-            return *setStock(document, stock);
-        }
-        case 8: {
-            if (document.stocks.size() < 3) {
-                Stock stock = birchPlywood();
-                stock.thickness = 1.0 + 4.0 * number();
-                return *addStock(document, stock);
-            }
-            return *setSectionStock(document, id,
-                                    document.stocks[static_cast<std::size_t>(below(3))]->id);
-        }
-        default: {
-            // Mostly one, also the last, also several.
-            std::vector<SectionId> ids{below(3) == 0 ? document.sections.back()->id : id};
-            if (below(3) == 0 && document.sections.front()->id != ids.front())
-                ids.push_back(document.sections.front()->id);
-            return *removeSections(document, ids);
-        }
-        }
-    }
-
-    int below(int limit) { return std::uniform_int_distribution<int>(0, limit - 1)(m_random); }
-
-private:
-    double number() { return std::uniform_real_distribution<double>(0.0, 1.0)(m_random); }
-
-    ShapePointer shape()
-    {
-        const double w = 40.0 + 120.0 * number(), h = 30.0 + 40.0 * number();
-        const Polygon outer = rectangle(-0.5 * w, 0, 0.5 * w, h);
-        if (below(4) != 0)
-            return polygonShape(outer);
-        return polygonShape(outer, {rectangle(-5, 8, 5, 0.5 * h)});
-    }
-
-    Frame frame()
-    {
-        const double at = 120.0 * (number() - 0.5);
-        switch (below(4)) {
-        case 0:
-            return front(at);
-        case 1:
-            return side(at);
-        case 2:
-            return {{0, 10.0 + 20.0 * number(), 0}, Vec3::UnitX(), -Vec3::UnitZ()};
-        default: {
-            Frame turnedFrame = turned(3.0 * number());
-            turnedFrame.origin = Vec3(at, 0, -at);
-            return turnedFrame;
-        }
-        }
-    }
-
-    std::mt19937 m_random;
-};
+    QString text;
+    for (const Check &check : checks)
+        text += QString::number(static_cast<int>(check.severity)) + checkText(check, model) +
+                QStringLiteral("%1 %2 %3 %4\n")
+                    .arg(check.margin)
+                    .arg(check.share)
+                    .arg(check.at.value_or(Vec3::Zero()).sum())
+                    .arg(check.mass.centre.sum());
+    return text;
+}
 
 } // namespace
 
@@ -178,6 +100,7 @@ void TestAnalysis::incrementalEqualsFromScratch()
     QFETCH(unsigned, seed);
     RandomEdits edits(seed);
     AnalysisCaches caches;
+    CheckCaches verdicts;
     std::vector<Document> history{newDocument()};
     std::size_t joints = 0;
     for (int step = 0; step < 120; ++step) {
@@ -193,6 +116,7 @@ void TestAnalysis::incrementalEqualsFromScratch()
         const AnalysisPointer fresh = analyseNext(model, none);
         const QString wrong = difference(*kept, *fresh);
         QVERIFY2(wrong.isEmpty(), qPrintable(QStringLiteral("step %1: %2").arg(step).arg(wrong)));
+        QCOMPARE(said(checks(*kept, verdicts), model), said(checks(*fresh), model));
         joints += kept->assembly.joints.size();
     }
     QVERIFY(joints > 120); // or nothing was tested
