@@ -1,7 +1,10 @@
 #include "ui/view/scene.h"
 
+#include "ui/view/slab_mesh.h"
+
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <unordered_map>
 
 namespace fff::ui {
@@ -15,13 +18,25 @@ bool SceneSection::looksTheSame(const SceneSection &other) const
            isHidden == other.isHidden && isProblem == other.isProblem;
 }
 
+SlabMesh meshOf(const SceneSection &section)
+{
+    if (!section.cut)
+        return buildSlab({&section.shape->region(), 1}, {&section.shape->triangulation(), 1});
+    std::vector<Region> regions;
+    for (const CurvedRegion &part : section.cut->parts())
+        regions.push_back(part.region);
+    return buildSlab(regions, section.cut->triangulations(),
+                     section.covers ? std::span<const SlitCover>(*section.covers)
+                                    : std::span<const SlitCover>());
+}
+
 /// What is known of a section of another model, or null. Mostly it stands where it stood.
 const SceneBuilder::Known *SceneBuilder::knownOf(const Model &model, std::size_t index) const
 {
     const bool isThere =
-        index < m_known.size() &&
-        (m_model.section(index) == model.section(index) || m_model.ref(index) == model.ref(index));
-    const int at = isThere ? static_cast<int>(index) : m_model.indexOf(model.ref(index));
+        index < m_known.size() && (m_analysis.model.section(index) == model.section(index) ||
+                                   m_analysis.model.ref(index) == model.ref(index));
+    const int at = isThere ? static_cast<int>(index) : m_analysis.model.indexOf(model.ref(index));
     return at >= 0 && at < static_cast<int>(m_known.size()) ? &m_known[static_cast<std::size_t>(at)]
                                                             : nullptr;
 }
@@ -42,6 +57,31 @@ bool SceneBuilder::isAsBefore(const Analysis &analysis, std::size_t index) const
     });
 }
 
+/// Whether all sections are where they were in the list, however they may look.
+bool SceneBuilder::hasSameSections(const Analysis &analysis) const
+{
+    const Model &now = analysis.model, &before = m_analysis.model;
+    if (now.sectionCount() != before.sectionCount() || m_known.size() != now.sectionCount() ||
+        analysis.cuts.size() != m_known.size())
+        return false;
+    for (std::size_t i = 0; i < now.sectionCount(); ++i)
+        if (now.section(i) != before.section(i) && !(now.ref(i) == before.ref(i)))
+            return false;
+    return true;
+}
+
+/// Only while its guests have the same indices.
+SectionCovers SceneBuilder::coversKnown(std::size_t index) const
+{
+    SectionCovers covers;
+    const Known &known = m_known[index];
+    if (!known.covers)
+        return covers;
+    covers.covers = *known.covers;
+    covers.guests = known.guestsAt;
+    return covers;
+}
+
 void SceneBuilder::setAnalysis(const Analysis &analysis)
 {
     std::vector<Known> next;
@@ -60,25 +100,35 @@ void SceneBuilder::setAnalysis(const Analysis &analysis)
     };
     const std::size_t count = std::min(analysis.model.sectionCount(), analysis.cuts.size());
     next.reserve(count);
+    std::optional<CoverUpdate> update;
+    if (hasSameSections(analysis))
+        update.emplace(analysis, m_analysis);
     for (std::size_t i = 0; i < count; ++i) {
         Known known{analysis.model.section(i)->shape,
                     analysis.model.section(i)->frame,
                     analysis.cuts[i],
                     nullptr,
+                    {},
                     {}};
         if (isAsBefore(analysis, i)) {
             const Known &before = *knownOf(analysis.model, i);
             known.covers = before.covers;
             known.guests = before.guests;
+            known.guestsAt = before.guestsAt;
+            if (!update) {
+                for (std::size_t k = 0; k < known.guests.size(); ++k)
+                    known.guestsAt[k] = analysis.model.indexOf(known.guests[k]);
+            }
         } else {
-            SectionCovers covers = slitCovers(analysis, i);
+            SectionCovers covers = update ? update->of(i, coversKnown(i)) : slitCovers(analysis, i);
             known.covers = sharedCovers(known.cut.get(), std::move(covers.covers));
             for (const int guest : covers.guests)
                 known.guests.push_back(analysis.model.ref(static_cast<std::size_t>(guest)));
+            known.guestsAt = std::move(covers.guests);
         }
         next.push_back(std::move(known));
     }
-    m_model = analysis.model;
+    m_analysis = analysis;
     m_known = std::move(next);
 }
 
@@ -104,8 +154,12 @@ Scene SceneBuilder::build(const Model &model) const
         if (known && (known->shape == section.shape || known->frame == section.frame)) {
             item.cut = known->cut;
             item.covers = known->covers;
-            for (const SectionRef &guest : known->guests)
-                item.guests.push_back(model.indexOf(guest));
+            item.guests = known->guestsAt;
+            for (std::size_t k = 0; k < item.guests.size(); ++k) {
+                const auto at = static_cast<std::size_t>(item.guests[k]);
+                if (at >= model.sectionCount() || !(model.ref(at) == known->guests[k]))
+                    item.guests[k] = model.indexOf(known->guests[k]);
+            }
         }
         item.bounds = worldBounds(*section.shape, section.frame);
         const Vec3 reach = 0.5 * stock.thickness * section.frame.normal().cwiseAbs();

@@ -34,6 +34,10 @@ struct SceneSection
     bool looksTheSame(const SceneSection &other) const;
 };
 
+struct SlabMesh;
+/// The arrays that are uploaded for it: of its cut with its covers, else of its shape.
+SlabMesh meshOf(const SceneSection &section);
+
 struct Scene
 {
     std::vector<SceneSection> sections;
@@ -57,11 +61,14 @@ private:
         CutSectionPointer cut;
         CoversPointer covers;
         std::vector<SectionRef> guests;
+        std::vector<int> guestsAt; // in the model of the analysis
     };
     const Known *knownOf(const Model &model, std::size_t index) const;
     bool isAsBefore(const Analysis &analysis, std::size_t index) const;
+    bool hasSameSections(const Analysis &analysis) const;
+    SectionCovers coversKnown(std::size_t index) const;
 
-    Model m_model;              // of the newest analysis
+    Analysis m_analysis;        // the newest
     std::vector<Known> m_known; // in the order of its sections
 };
 

@@ -8,18 +8,6 @@ namespace fff::ui {
 
 namespace {
 
-SlabMesh meshOf(const SceneSection &section)
-{
-    if (!section.cut)
-        return buildSlab({&section.shape->region(), 1}, {&section.shape->triangulation(), 1});
-    std::vector<Region> regions;
-    for (const CurvedRegion &part : section.cut->parts())
-        regions.push_back(part.region);
-    return buildSlab(regions, section.cut->triangulations(),
-                     section.covers ? std::span<const SlitCover>(*section.covers)
-                                    : std::span<const SlitCover>());
-}
-
 const void *offset(std::size_t bytes)
 {
     return reinterpret_cast<const void *>(bytes);

@@ -10,7 +10,8 @@ namespace {
 
 std::int8_t packed(double v)
 {
-    return static_cast<std::int8_t>(std::lround(127.0 * v));
+    // Rounded; of a unit vector, so that it needs no care, and there are very many.
+    return static_cast<std::int8_t>(127.0 * v + (v < 0.0 ? -0.5 : 0.5));
 }
 
 PackedNormal packedNormal(const Vec2 &n, bool flag)
@@ -28,15 +29,27 @@ std::array<float, 3> at(const Vec2 &p, int side)
     return {static_cast<float>(p.x()), static_cast<float>(p.y()), static_cast<float>(side)};
 }
 
+/// Twice the area of a triangle of which nothing is seen, mm².
+constexpr double kThinnest = 1e-8;
+
+/// As it is uploaded.
+Vec2 rounded(const Vec2 &p)
+{
+    return p.cast<float>().cast<double>();
+}
+
 void addFace(SlabMesh &mesh, const Triangulation &triangulation, int side)
 {
     const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+    mesh.vertices.reserve(mesh.vertices.size() + triangulation.points.size());
+    mesh.triangles.reserve(mesh.triangles.size() + 3 * triangulation.triangles.size());
     for (const Vec2 &p : triangulation.points)
         mesh.vertices.push_back({at(p, side), faceNormal(side, false)});
     for (const auto &t : triangulation.triangles) {
-        const Vec2 &a = triangulation.points[t[0]];
         // After rounding to float a sliver may be a line; nothing of it would be seen.
-        if (!(cross(triangulation.points[t[1]] - a, triangulation.points[t[2]] - a) > 0.0))
+        const Vec2 a = rounded(triangulation.points[t[0]]);
+        if (!(cross(rounded(triangulation.points[t[1]]) - a,
+                    rounded(triangulation.points[t[2]]) - a) > kThinnest))
             continue;
         const std::array<int, 3> order =
             side > 0 ? std::array{t[0], t[1], t[2]} : std::array{t[0], t[2], t[1]};
@@ -70,29 +83,76 @@ constexpr double kOnSlit = 2e-3;
 
 /// The part of the wall from a to b that a cover hides. Walls along a slit may be hidden in part,
 /// the one at its inner end wholly.
-std::optional<Hidden> hiddenPart(const Vec2 &a, const Vec2 &b, std::span<const SlitCover> covers)
+std::optional<Hidden> partHidden(const Vec2 &a, const Vec2 &b, const SlitCover &cover,
+                                 std::size_t index)
 {
-    for (std::size_t i = 0; i < covers.size(); ++i) {
-        const SlitCover &cover = covers[i];
-        const Vec2 side = perpendicular(cover.direction);
-        const double fromAcross = side.dot(a - cover.inner);
-        if (std::abs(fromAcross) > cover.halfWidth + kOnSlit)
-            continue;
-        const double toAcross = side.dot(b - cover.inner);
-        const double from = cover.direction.dot(a - cover.inner);
-        const double to = cover.direction.dot(b - cover.inner);
-        if (std::abs(from) < kOnSlit && std::abs(to) < kOnSlit &&
-            std::abs(toAcross) <= cover.halfWidth + kOnSlit)
-            return Hidden{0.0, 1.0, i};
-        const bool isAlong = std::abs(std::abs(fromAcross) - cover.halfWidth) < kOnSlit &&
-                             std::abs(toAcross - fromAcross) < kOnSlit && from != to;
-        if (!isAlong || std::min(from, to) < -kOnSlit || std::min(from, to) >= cover.length)
-            continue;
-        const double end = (cover.length - from) / (to - from); // of the cover, along the wall
-        return to > from ? Hidden{0.0, std::min(end, 1.0), i} : Hidden{std::max(end, 0.0), 1.0, i};
-    }
-    return {};
+    const Vec2 side = perpendicular(cover.direction);
+    const double fromAcross = side.dot(a - cover.inner);
+    if (std::abs(fromAcross) > cover.halfWidth + kOnSlit)
+        return {};
+    const double toAcross = side.dot(b - cover.inner);
+    const double from = cover.direction.dot(a - cover.inner);
+    const double to = cover.direction.dot(b - cover.inner);
+    if (std::abs(from) < kOnSlit && std::abs(to) < kOnSlit &&
+        std::abs(toAcross) <= cover.halfWidth + kOnSlit)
+        return Hidden{0.0, 1.0, index};
+    const bool isAlong = std::abs(std::abs(fromAcross) - cover.halfWidth) < kOnSlit &&
+                         std::abs(toAcross - fromAcross) < kOnSlit && from != to;
+    if (!isAlong || std::min(from, to) < -kOnSlit || std::min(from, to) >= cover.length)
+        return {};
+    const double end = (cover.length - from) / (to - from); // of the cover, along the wall
+    return to > from ? Hidden{0.0, std::min(end, 1.0), index}
+                     : Hidden{std::max(end, 0.0), 1.0, index};
 }
+
+/// Finds covers by where they are: a wall that one hides has an end in its box.
+class CoverFinder
+{
+public:
+    explicit CoverFinder(std::span<const SlitCover> covers) : m_covers(covers)
+    {
+        for (std::size_t i = 0; i < covers.size(); ++i) {
+            const SlitCover &cover = covers[i];
+            const Vec2 end = cover.inner + cover.length * cover.direction;
+            const double reach =
+                kOnSlit + cover.halfWidth * std::abs(cover.direction.y()); // across, along x
+            const double from = std::min(cover.inner.x(), end.x()) - reach - kOnSlit;
+            const double to = std::max(cover.inner.x(), end.x()) + reach + kOnSlit;
+            m_entries.push_back({from, to, i});
+            m_widest = std::max(m_widest, to - from);
+        }
+        std::sort(m_entries.begin(), m_entries.end(),
+                  [](const Entry &a, const Entry &b) { return a.from < b.from; });
+    }
+
+    std::optional<Hidden> hiddenPart(const Vec2 &a, const Vec2 &b) const
+    {
+        for (const Vec2 &end : {a, b}) {
+            const double x = end.x();
+            auto it = std::lower_bound(
+                m_entries.begin(), m_entries.end(), x - m_widest,
+                [](const Entry &entry, double value) { return entry.from < value; });
+            for (; it != m_entries.end() && it->from <= x; ++it) {
+                if (it->to < x)
+                    continue;
+                if (const auto hidden = partHidden(a, b, m_covers[it->cover], it->cover))
+                    return hidden;
+            }
+        }
+        return {};
+    }
+
+private:
+    struct Entry
+    {
+        double from = 0.0, to = 0.0; // x
+        std::size_t cover = 0;
+    };
+
+    std::span<const SlitCover> m_covers;
+    std::vector<Entry> m_entries; // from left to right
+    double m_widest = 0.0;
+};
 
 /// mm that lines may leave the boundary; so many of its points at most in one line.
 constexpr double kLineError = 0.03;
@@ -102,38 +162,57 @@ class Walls
 {
 public:
     Walls(SlabMesh &mesh, std::span<const SlitCover> covers)
-        : m_mesh(mesh), m_covers(covers), m_hidden(covers.size())
+        : m_mesh(mesh), m_covers(covers), m_coverCount(covers.size())
     {
     }
     void add(const Polygon &ring);
     /// After all that is seen.
     void appendHidden()
     {
-        for (const auto &triangles : m_hidden) {
+        std::stable_sort(m_hidden.begin(), m_hidden.end(),
+                         [](const Quad &a, const Quad &b) { return a.cover < b.cover; });
+        auto next = m_hidden.begin();
+        for (std::size_t cover = 0; cover < m_coverCount; ++cover) {
             m_mesh.coverStarts.push_back(m_mesh.triangles.size());
-            m_mesh.triangles.insert(m_mesh.triangles.end(), triangles.begin(), triangles.end());
+            for (; next != m_hidden.end() && next->cover == cover; ++next)
+                addTriangles(next->first);
         }
         m_mesh.coverStarts.push_back(m_mesh.triangles.size());
     }
 
 private:
     void addEdges(const Polygon &points, const std::vector<Vec2> &normals,
-                  const std::vector<bool> &corner);
-    void addQuad(const Vec2 &from, const Vec2 &to, const Vec2 &fromNormal, const Vec2 &toNormal,
-                 std::vector<std::uint32_t> &triangles)
+                  const std::vector<char> &corner);
+    /// The first of its vertices.
+    std::uint32_t addQuad(const Vec2 &from, const Vec2 &to, const Vec2 &fromNormal,
+                          const Vec2 &toNormal)
     {
         const auto first = static_cast<std::uint32_t>(m_mesh.vertices.size());
-        m_mesh.vertices.push_back({at(from, -1), packedNormal(fromNormal, true)});
-        m_mesh.vertices.push_back({at(to, -1), packedNormal(toNormal, true)});
-        m_mesh.vertices.push_back({at(to, 1), packedNormal(toNormal, true)});
-        m_mesh.vertices.push_back({at(from, 1), packedNormal(fromNormal, true)});
-        for (std::uint32_t k : {0u, 1u, 2u, 0u, 2u, 3u})
-            triangles.push_back(first + k);
+        const PackedNormal normalFrom = packedNormal(fromNormal, true);
+        const PackedNormal normalTo = packedNormal(toNormal, true);
+        m_mesh.vertices.push_back({at(from, -1), normalFrom});
+        m_mesh.vertices.push_back({at(to, -1), normalTo});
+        m_mesh.vertices.push_back({at(to, 1), normalTo});
+        m_mesh.vertices.push_back({at(from, 1), normalFrom});
+        return first;
+    }
+    void addTriangles(std::uint32_t quad)
+    {
+        m_mesh.triangles.insert(m_mesh.triangles.end(),
+                                {quad, quad + 1, quad + 2, quad, quad + 2, quad + 3});
     }
 
+    /// A wall that a cover hides.
+    struct Quad
+    {
+        std::size_t cover = 0;
+        std::uint32_t first = 0; // vertex
+    };
+
     SlabMesh &m_mesh;
-    std::span<const SlitCover> m_covers;
-    std::vector<std::vector<std::uint32_t>> m_hidden; // of each cover
+    CoverFinder m_covers;
+    std::size_t m_coverCount;
+    std::vector<Quad> m_hidden;
 };
 
 /// The walls along one ring. The material lies to its left (outer rings run counter-clockwise,
@@ -145,34 +224,41 @@ void Walls::add(const Polygon &ring)
     if (n < 3)
         return;
 
+    m_mesh.vertices.reserve(m_mesh.vertices.size() + 4 * n + 8 * m_coverCount);
+    m_mesh.triangles.reserve(m_mesh.triangles.size() + 6 * n + 12 * m_coverCount);
+    m_mesh.edges.reserve(m_mesh.edges.size() + 3 * n);
+
     std::vector<Vec2> normals(n); // of the edge from point i to the next
     for (std::size_t i = 0; i < n; ++i)
-        normals[i] = -perpendicular(points[(i + 1) % n] - points[i]).normalized();
+        normals[i] = -perpendicular(points[i + 1 < n ? i + 1 : 0] - points[i]).normalized();
 
-    std::vector<bool> corner(n);
+    std::vector<char> corner(n);
     for (std::size_t i = 0; i < n; ++i)
-        corner[i] = normals[(i + n - 1) % n].dot(normals[i]) < std::cos(kCornerAngle);
+        corner[i] = normals[i > 0 ? i - 1 : n - 1].dot(normals[i]) < std::cos(kCornerAngle);
 
     for (std::size_t i = 0; i < n; ++i) {
-        const std::size_t next = (i + 1) % n;
+        const std::size_t next = i + 1 < n ? i + 1 : 0;
         const Vec2 &from = points[i], &to = points[next];
-        const Vec2 &own = normals[i], &before = normals[(i + n - 1) % n], &after = normals[next];
+        const Vec2 &own = normals[i], &before = normals[i > 0 ? i - 1 : n - 1];
+        const Vec2 &after = normals[next];
         const Vec2 fromNormal = corner[i] ? own : Vec2((own + before).normalized());
         const Vec2 toNormal = corner[next] ? own : Vec2((own + after).normalized());
 
         // The very ends where it can be: neighbouring walls share them to the last digit.
-        const auto part = [&](double begin, double end, std::vector<std::uint32_t> &triangles) {
-            if (end > begin)
-                addQuad(begin > 0.0 ? Vec2(from + begin * (to - from)) : from,
-                        end < 1.0 ? Vec2(from + end * (to - from)) : to,
-                        begin > 0.0 ? own : fromNormal, end < 1.0 ? own : toNormal, triangles);
+        const auto quad = [&](double begin, double end) {
+            return addQuad(begin > 0.0 ? Vec2(from + begin * (to - from)) : from,
+                           end < 1.0 ? Vec2(from + end * (to - from)) : to,
+                           begin > 0.0 ? own : fromNormal, end < 1.0 ? own : toNormal);
         };
-        if (const std::optional<Hidden> hidden = hiddenPart(from, to, m_covers)) {
-            part(0.0, hidden->from, m_mesh.triangles);
-            part(hidden->from, hidden->to, m_hidden[hidden->cover]);
-            part(hidden->to, 1.0, m_mesh.triangles);
+        if (const std::optional<Hidden> hidden = m_covers.hiddenPart(from, to)) {
+            if (hidden->from > 0.0)
+                addTriangles(quad(0.0, hidden->from));
+            if (hidden->to > hidden->from)
+                m_hidden.push_back({hidden->cover, quad(hidden->from, hidden->to)});
+            if (hidden->to < 1.0)
+                addTriangles(quad(hidden->to, 1.0));
         } else {
-            part(0.0, 1.0, m_mesh.triangles);
+            addTriangles(quad(0.0, 1.0));
         }
     }
     addEdges(points, normals, corner);
@@ -181,11 +267,12 @@ void Walls::add(const Polygon &ring)
 /// The lines of a ring, with fewer points than its walls: lines are looked at, and each costs four
 /// points of work. They leave the ring by no more than kLineError and keep its corners.
 void Walls::addEdges(const Polygon &points, const std::vector<Vec2> &normals,
-                     const std::vector<bool> &corner)
+                     const std::vector<char> &corner)
 {
     const std::size_t n = points.size();
     const std::size_t first =
-        static_cast<std::size_t>(std::find(corner.begin(), corner.end(), true) - corner.begin()) %
+        static_cast<std::size_t>(std::find(corner.begin(), corner.end(), char(true)) -
+                                 corner.begin()) %
         n;
     const auto isNear = [&](std::size_t from, std::size_t to) {
         const Vec2 &a = points[from % n], chord = points[to % n] - a;
@@ -204,7 +291,8 @@ void Walls::addEdges(const Polygon &points, const std::vector<Vec2> &normals,
                isNear(begin, next + 1))
             ++next;
         const Vec2 &from = points[begin % n], &to = points[next % n];
-        const Vec2 own = -perpendicular(to - from).normalized();
+        const Vec2 own =
+            next == begin + 1 ? normals[begin % n] : Vec2(-perpendicular(to - from).normalized());
         m_mesh.edges.push_back(
             {at(from, 1), at(to, 1), faceNormal(1, true), packedNormal(own, false)});
         m_mesh.edges.push_back(

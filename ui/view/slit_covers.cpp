@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace fff::ui {
 
@@ -61,34 +62,156 @@ double filledLength(const std::vector<CurvedRegion> &parts, const Stretch &stret
     return length;
 }
 
+/// The stretch of a slit beside its guest, in the guest's frame; nothing where they do not touch.
+struct CoveredSlit
+{
+    SlitCover cover; // without its length
+    Stretch stretch;
+    double half = 0.0, length = 0.0; // mm, of the stretch
+};
+
+std::optional<CoveredSlit> coveredSlit(const Analysis &analysis, std::size_t section,
+                                       const Slit &slit)
+{
+    const Model &model = analysis.model;
+    const Frame &host = model.section(section)->frame;
+    const double half = 0.5 * model.stockOf(section).thickness - kOnBorder;
+    const auto index = static_cast<std::size_t>(slit.guest);
+    const Frame &guest = model.section(index)->frame;
+    const bool touches = std::abs(host.normal().dot(guest.normal())) < kSquare &&
+                         std::abs(slit.width - model.stockOf(index).thickness) < kNoPlay;
+    const double length = (slit.mouth - slit.inner).norm();
+    if (!touches || !(length > 4.0 * kOnBorder) || !(half > 0.0))
+        return std::nullopt;
+    CoveredSlit covered;
+    covered.cover.inner = slit.inner;
+    covered.cover.direction = (slit.mouth - slit.inner) / length;
+    covered.cover.halfWidth = 0.5 * slit.width;
+    covered.stretch = {guest.toLocal(host.toWorld(slit.inner)),
+                       guest.directionToLocal(host.directionToWorld(covered.cover.direction)),
+                       guest.directionToLocal(host.normal())};
+    covered.half = half;
+    covered.length = length;
+    return covered;
+}
+
+void addCover(const Analysis &analysis, const Slit &slit, CoveredSlit covered,
+              SectionCovers &covers)
+{
+    const auto &parts = analysis.cuts[static_cast<std::size_t>(slit.guest)]->parts();
+    const double filled = filledLength(parts, covered.stretch, covered.half, covered.length);
+    covered.cover.length = kCoverStep * std::floor(filled / kCoverStep);
+    if (covered.cover.length > kNoPlay) {
+        covers.covers.push_back(covered.cover);
+        covers.guests.push_back(slit.guest);
+    }
+}
+
+bool cutsTheSame(const Slit &a, const Slit &b)
+{
+    return a.guest == b.guest && a.inner == b.inner && a.mouth == b.mouth && a.width == b.width;
+}
+
+/// Slits of one list that the other does not have; both are in the order of their guests.
+void addOthers(const std::vector<Slit> &list, const std::vector<Slit> &other,
+               std::vector<const Slit *> &result)
+{
+    auto at = other.begin();
+    for (const Slit &slit : list) {
+        while (at != other.end() && at->guest < slit.guest)
+            ++at;
+        bool isThere = false;
+        for (auto it = at; it != other.end() && it->guest == slit.guest; ++it)
+            isThere = isThere || cutsTheSame(*it, slit);
+        if (!isThere)
+            result.push_back(&slit);
+    }
+}
+
 } // namespace
 
 SectionCovers slitCovers(const Analysis &analysis, std::size_t section)
 {
     SectionCovers covers;
-    const Model &model = analysis.model;
-    const Frame &host = model.section(section)->frame;
-    const double half = 0.5 * model.stockOf(section).thickness - kOnBorder;
-    for (const Slit &slit : analysis.assembly.slits[section]) {
-        const auto index = static_cast<std::size_t>(slit.guest);
-        const Frame &guest = model.section(index)->frame;
-        const bool touches = std::abs(host.normal().dot(guest.normal())) < kSquare &&
-                             std::abs(slit.width - model.stockOf(index).thickness) < kNoPlay;
-        const double length = (slit.mouth - slit.inner).norm();
-        if (!touches || !(length > 4.0 * kOnBorder) || !(half > 0.0))
+    for (const Slit &slit : analysis.assembly.slits[section])
+        if (const auto covered = coveredSlit(analysis, section, slit))
+            addCover(analysis, slit, *covered, covers);
+    return covers;
+}
+
+/// What of a section is not as it was before.
+struct CoverUpdate::Change
+{
+    bool isPlaced = true;            // frame and thickness are
+    bool isWhole = false;            // its shape is another one
+    std::vector<const Slit *> slits; // new ones, and those that went
+    std::vector<const Slit *> added; // new ones
+
+    /// Whether something of its parts may differ near the stretch.
+    bool reaches(const CoveredSlit &covered) const
+    {
+        if (isWhole || !isPlaced)
+            return true;
+        return std::any_of(slits.begin(), slits.end(), [&](const Slit *slit) {
+            Box2 box;
+            for (const Vec2 &corner : slit->outline())
+                box.extend(covered.stretch.at(corner));
+            return box.max.x() >= -kOnBorder && box.min.x() <= covered.length + kOnBorder &&
+                   box.max.y() >= -covered.half - kOnBorder &&
+                   box.min.y() <= covered.half + kOnBorder;
+        });
+    }
+};
+
+CoverUpdate::CoverUpdate(const Analysis &now, const Analysis &before)
+    : m_now(now), m_before(before), m_changes(now.model.sectionCount())
+{
+    for (std::size_t i = 0; i < m_changes.size(); ++i) {
+        const Section &a = *now.model.section(i), &b = *before.model.section(i);
+        Change &change = m_changes[i];
+        change.isPlaced = a.frame == b.frame &&
+                          now.model.stockOf(i).thickness == before.model.stockOf(i).thickness;
+        change.isWhole = a.shape != b.shape;
+        if (now.assembly.slits.pointer(i) == before.assembly.slits.pointer(i))
             continue;
-        SlitCover cover;
-        cover.inner = slit.inner;
-        cover.direction = (slit.mouth - slit.inner) / length;
-        cover.halfWidth = 0.5 * slit.width;
-        const Stretch stretch{guest.toLocal(host.toWorld(slit.inner)),
-                              guest.directionToLocal(host.directionToWorld(cover.direction)),
-                              guest.directionToLocal(host.normal())};
-        const double filled = filledLength(analysis.cuts[index]->parts(), stretch, half, length);
-        cover.length = kCoverStep * std::floor(filled / kCoverStep);
-        if (cover.length > kNoPlay) {
-            covers.covers.push_back(cover);
-            covers.guests.push_back(slit.guest);
+        addOthers(now.assembly.slits[i], before.assembly.slits[i], change.added);
+        change.slits = change.added;
+        addOthers(before.assembly.slits[i], now.assembly.slits[i], change.slits);
+    }
+}
+
+CoverUpdate::~CoverUpdate() = default;
+
+SectionCovers CoverUpdate::of(std::size_t section, const SectionCovers &known) const
+{
+    const Change &own = m_changes[section];
+    if (!own.isPlaced)
+        return slitCovers(m_now, section);
+    SectionCovers covers;
+    covers.covers.reserve(m_now.assembly.slits[section].size());
+    covers.guests.reserve(m_now.assembly.slits[section].size());
+    auto added = own.added.begin();
+    std::size_t next = 0; // of those known, which are in the order of the guests
+    for (const Slit &slit : m_now.assembly.slits[section]) {
+        const Change &guest = m_changes[static_cast<std::size_t>(slit.guest)];
+        const bool isNew = added != own.added.end() && *added == &slit;
+        added += isNew ? 1 : 0;
+        if (isNew || guest.isWhole || !guest.isPlaced || !guest.slits.empty()) {
+            const auto covered = coveredSlit(m_now, section, slit);
+            if (!covered)
+                continue;
+            if (isNew || guest.reaches(*covered)) {
+                addCover(m_now, slit, *covered, covers);
+                continue;
+            }
+        }
+        while (next < known.guests.size() && known.guests[next] < slit.guest)
+            ++next;
+        for (std::size_t k = next; k < known.guests.size() && known.guests[k] == slit.guest; ++k) {
+            if (known.covers[k].inner == slit.inner) {
+                covers.covers.push_back(known.covers[k]);
+                covers.guests.push_back(slit.guest);
+            }
         }
     }
     return covers;

@@ -38,4 +38,24 @@ struct SectionCovers
 /// not touch (at an angle, with play) has none.
 SectionCovers slitCovers(const Analysis &analysis, std::size_t section);
 
+/// The same, made from those of an earlier analysis: only covers of slits that differ are looked
+/// for, and where the guest differs near them.
+class CoverUpdate
+{
+public:
+    /// Both models have the same sections at the same indices; both analyses outlive it.
+    CoverUpdate(const Analysis &now, const Analysis &before);
+    ~CoverUpdate();
+
+    /// known: the covers of the section before.
+    SectionCovers of(std::size_t section, const SectionCovers &known) const;
+
+private:
+    struct Change;
+    bool isPlaced(std::size_t section) const;
+
+    const Analysis &m_now, &m_before;
+    std::vector<Change> m_changes; // of each section
+};
+
 } // namespace fff::ui
