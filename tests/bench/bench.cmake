@@ -6,5 +6,10 @@ add_executable(flatfitfab-bench
     ${CMAKE_CURRENT_LIST_DIR}/kernel.cpp
     ${CMAKE_CURRENT_LIST_DIR}/measure.cpp
     ${CMAKE_CURRENT_LIST_DIR}/peer.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/point_event.cpp
     ${CMAKE_CURRENT_LIST_DIR}/report.cpp)
 target_link_libraries(flatfitfab-bench PRIVATE fff::session)
+if(TARGET fff::view) # its arrays need no display
+    target_link_libraries(flatfitfab-bench PRIVATE fff::view)
+    target_compile_definitions(flatfitfab-bench PRIVATE FFF_BENCH_VIEW)
+endif()

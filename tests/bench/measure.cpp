@@ -126,6 +126,7 @@ Result<Measurement> measure(const std::string &name, const QString &path, int ru
     result.name = name;
     std::vector<Timings> all;
     Edits edits;
+    std::vector<PointEvent> points;
     double offset = 0.0;
     for (int run = 0; run < runs; ++run) {
         Timings t;
@@ -160,6 +161,7 @@ Result<Measurement> measure(const std::string &name, const QString &path, int ru
         const SectionId id = model->section(static_cast<std::size_t>(index))->id;
         result.step = memoryOfStep(model, id);
         measureEdits(model, id, caches, offset, edits);
+        points.push_back(worstPointEvent(model));
     }
     const auto middle = [&](double Timings::*field) {
         std::vector<double> values;
@@ -173,6 +175,12 @@ Result<Measurement> measure(const std::string &name, const QString &path, int ru
     result.milliseconds.drag = median(edits.drag);
     result.milliseconds.edit = median(edits.edit);
     result.milliseconds.undo = median(edits.undo);
+    // Of the runs the one in the middle, with the shares of its steps.
+    const auto run = points.begin() + (std::ssize(points) - 1) / 2;
+    std::nth_element(points.begin(), run, points.end(),
+                     [](const auto &a, const auto &b) { return a.sum() < b.sum(); });
+    result.point = *run;
+    result.milliseconds.point = run->sum();
     return result;
 }
 

@@ -4,6 +4,8 @@
 #include "core/base/result.h"
 #include "core/model/document.h"
 
+#include "tests/bench/point_event.h"
+
 #include <QString>
 
 #include <cstdint>
@@ -24,6 +26,7 @@ struct Timings
     double drag = 0.0;     // a section moved, and the model of that; no slits
     double edit = 0.0;     // the same with all joints, slits, cuts and triangles that follow
     double undo = 0.0;     // back, with all of that
+    double point = 0.0;    // the worst move of a control point, with all that follows
 };
 
 /// Bytes that one more undo step keeps, by counting, and what they should be: 16 a section and a
@@ -41,6 +44,7 @@ struct Measurement
     int joints = 0;
     int neighbours = 0; // of the section that is edited
     Timings milliseconds;
+    PointEvent point;
     StepMemory step;
     double kernel = 0.0; // ms, of the kernel in the same minutes; 0 when it was not run
 };

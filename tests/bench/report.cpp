@@ -18,15 +18,16 @@ struct Column
     double Timings::*field;
 };
 
-constexpr std::array<Column, 9> kColumns{{{"load", &Timings::load},
-                                          {"evaluate", &Timings::evaluate},
-                                          {"slits", &Timings::slits},
-                                          {"parts", &Timings::parts},
-                                          {"SVG", &Timings::svg},
-                                          {"drawing", &Timings::drawing},
-                                          {"drag", &Timings::drag},
-                                          {"edit", &Timings::edit},
-                                          {"undo", &Timings::undo}}};
+constexpr std::array<Column, 10> kColumns{{{"load", &Timings::load},
+                                           {"evaluate", &Timings::evaluate},
+                                           {"slits", &Timings::slits},
+                                           {"parts", &Timings::parts},
+                                           {"SVG", &Timings::svg},
+                                           {"drawing", &Timings::drawing},
+                                           {"drag", &Timings::drag},
+                                           {"edit", &Timings::edit},
+                                           {"undo", &Timings::undo},
+                                           {"point", &Timings::point}}};
 
 /// Ours over the peer's, both in kernels.
 struct Ratio
@@ -129,6 +130,20 @@ std::string peerTable(const std::vector<Measurement> &rows, const Peer &peer)
     return aligned("Ours over the old program's, in kernels (below 1: faster)", table);
 }
 
+std::string pointTable(const std::vector<Measurement> &rows)
+{
+    std::vector<Row> table{{"model", "section", "cut anew", "shape", "slits", "parts", "checks",
+                            "arrays", "sum", "kernels"}};
+    for (const Measurement &row : rows) {
+        const PointEvent &e = row.point;
+        table.push_back({row.name, std::to_string(e.section), std::to_string(e.touched),
+                         fixed(e.shape, 3), fixed(e.slits, 3), fixed(e.parts, 3),
+                         fixed(e.checks, 3), fixed(e.arrays, 3), fixed(e.sum(), 3),
+                         row.kernel > 0.0 ? fixed(e.sum() / row.kernel, 4) : std::string("-")});
+    }
+    return aligned("The worst move of a control point, milliseconds", table);
+}
+
 std::string memoryTable(const std::vector<Measurement> &rows)
 {
     std::vector<Row> table{{"model", "sections", "counted", "expected"}};
@@ -149,7 +164,7 @@ std::string tables(const std::vector<Measurement> &rows, const std::optional<Pee
         out += timeTable(rows, true);
     if (hasKernels && peer)
         out += peerTable(rows, *peer);
-    return out + memoryTable(rows);
+    return out + pointTable(rows) + memoryTable(rows);
 }
 
 std::string json(const std::vector<Measurement> &rows, const std::optional<Peer> &peer)
