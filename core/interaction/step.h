@@ -17,11 +17,21 @@ struct Step
         RenameSection,
         MoveSection,
         DropToGround,
+        MovePoints, // count: of points, of the first section
+        MoveHandle,
+        BendContour,
+        AddPoint,
+        DeletePoints,
+        ChangePoints, // their kind, or their handles
+        RemoveHoles,
         SetStock,
         EditStock
     };
     Kind kind = Kind::DrawSection;
     std::vector<std::string> names; // of the sections or stocks it was done to
+    int count = 1;                  // of points
+    /// Not empty: with a step before it of the same it makes one (an arrow key pressed again).
+    std::string merges = {};
 };
 
 } // namespace fff

@@ -44,10 +44,20 @@ namespace {
 class ModelStep : public QUndoCommand
 {
 public:
-    ModelStep(const QString &text, ModelPointer *committed, ModelPointer before, ModelPointer after)
+    ModelStep(const QString &text, ModelPointer *committed, ModelPointer before, ModelPointer after,
+              std::string merges)
         : QUndoCommand(text), m_committed(committed), m_before(std::move(before)),
-          m_after(std::move(after))
+          m_after(std::move(after)), m_merges(std::move(merges))
     {
+    }
+    int id() const override { return m_merges.empty() ? -1 : 1; }
+    bool mergeWith(const QUndoCommand *next) override
+    {
+        const auto *step = static_cast<const ModelStep *>(next);
+        if (step->m_merges != m_merges)
+            return false;
+        m_after = step->m_after;
+        return true;
     }
     void undo() override { *m_committed = m_before; }
     void redo() override { *m_committed = m_after; }
@@ -57,6 +67,7 @@ public:
 private:
     ModelPointer *m_committed;
     ModelPointer m_before, m_after;
+    std::string m_merges;
 };
 
 } // namespace
@@ -155,7 +166,7 @@ void Session::cancelPreview()
     d->show(d->committed);
 }
 
-void Session::commit(const QString &text, Document document)
+void Session::commit(const QString &text, Document document, const std::string &merges)
 {
     if (document.isSame(d->committed->document)) {
         cancelPreview();
@@ -166,7 +177,7 @@ void Session::commit(const QString &text, Document document)
         document.isSame(d->shown->document)
             ? d->shown
             : std::make_shared<const Model>(evaluate(std::move(document), *d->committed));
-    d->stack->push(new ModelStep(text, &d->committed, d->committed, after));
+    d->stack->push(new ModelStep(text, &d->committed, d->committed, after, merges));
 }
 
 QUndoStack *Session::history() const

@@ -33,7 +33,9 @@ public:
     void cancelPreview();
     /// One undo step named `text`, from the committed document to this one. No step when it is the
     /// same document (Document::isSame). Ends a preview.
-    void commit(const QString &text, Document document);
+    /// merges: not empty: one step with the one before, when that was committed with the same (and
+    /// is not what is saved).
+    void commit(const QString &text, Document document, const std::string &merges = {});
 
     /// Undo, redo, jump: every change of index is announced once, from where it was to where it is.
     QUndoStack *history() const;

@@ -30,7 +30,7 @@ void SessionHost::cancelPreview()
 
 void SessionHost::commit(const Step &step, Document document)
 {
-    m_session.commit(undoText(step), std::move(document));
+    m_session.commit(undoText(step), std::move(document), step.merges);
 }
 
 void SessionHost::chooseProblem(int number)
@@ -54,6 +54,31 @@ QString SessionHost::undoText(const Step &step)
         return tr("Draw a hole in %1").arg(name);
     case Step::Kind::DropToGround:
         return tr("Drop to the ground");
+    case Step::Kind::MovePoints:
+        //: %1 is the name of a section
+        return step.count == 1 ? tr("Move point of %1").arg(name)
+                               : tr("Move %n points of %1", nullptr, step.count).arg(name);
+    case Step::Kind::MoveHandle:
+        //: %1 is the name of a section
+        return tr("Move handle of %1").arg(name);
+    case Step::Kind::BendContour:
+        //: %1 is the name of a section
+        return tr("Bend contour of %1").arg(name);
+    case Step::Kind::AddPoint:
+        //: %1 is the name of a section
+        return tr("Add point to %1").arg(name);
+    case Step::Kind::DeletePoints:
+        //: %1 is the name of a section
+        return step.count == 1 ? tr("Delete point of %1").arg(name)
+                               : tr("Delete %n points of %1", nullptr, step.count).arg(name);
+    case Step::Kind::ChangePoints:
+        //: %1 is the name of a section
+        return step.count == 1 ? tr("Change point of %1").arg(name)
+                               : tr("Change %n points of %1", nullptr, step.count).arg(name);
+    case Step::Kind::RemoveHoles:
+        //: %1 is the name of a section
+        return count == 1 ? tr("Remove holes of %1").arg(name)
+                          : tr("Remove holes of %n sections", nullptr, count);
     // One section is named, so that the texts with a number need no singular.
     case Step::Kind::DeleteSections:
         //: %1 is the name of a section
