@@ -114,7 +114,8 @@ PointKind kindOf(const Contour &contour, int index)
 
 namespace {
 
-Points pointsMoved(const Contour &contour, std::span<const int> indices, const Vec2 &by)
+Points pointsMoved(const Contour &contour, std::span<const int> indices, const Vec2 &by,
+                   bool breaks)
 {
     Points points = contour.points();
     std::vector<char> isMoved(static_cast<std::size_t>(contour.segmentCount()), char(false));
@@ -122,6 +123,8 @@ Points pointsMoved(const Contour &contour, std::span<const int> indices, const V
         if (std::exchange(isMoved[static_cast<std::size_t>(index)], char(true)))
             continue;
         points[anchorAt(index)] += by;
+        if (breaks)
+            continue;
         points[handleAt(points, index, HandleSide::In)] += by;
         points[handleAt(points, index, HandleSide::Out)] += by;
     }
@@ -134,6 +137,8 @@ Points pointsMoved(const Contour &contour, std::span<const int> indices, const V
             continue;
         if (hasThirds(segment))
             straighten(points, i);
+        if (breaks)
+            continue;
         const Vec2 chord = points[anchorAt(next)] - points[anchorAt(i)];
         turnWithLine(contour, i, HandleSide::Out, segment.p3 - segment.p0, chord, points);
         turnWithLine(contour, next, HandleSide::In, segment.p3 - segment.p0, chord, points);
@@ -163,14 +168,15 @@ void moveHandle(const Contour &contour, int index, HandleSide side, const Vec2 &
 
 } // namespace
 
-Result<Contour> movedAnchors(const Contour &contour, std::span<const int> indices, const Vec2 &by)
+Result<Contour> movedAnchors(const Contour &contour, std::span<const int> indices, const Vec2 &by,
+                             bool breaks)
 {
-    return Contour::fromPoints(pointsMoved(contour, indices, by));
+    return Contour::fromPoints(pointsMoved(contour, indices, by, breaks));
 }
 
 Result<Contour> movedAnchor(const Contour &contour, int index, const Vec2 &to)
 {
-    Points points = pointsMoved(contour, {&index, 1}, to - anchor(contour, index));
+    Points points = pointsMoved(contour, {&index, 1}, to - anchor(contour, index), false);
     points[anchorAt(index)] = to; // from + (to − from) need not be `to`
     return Contour::fromPoints(std::move(points));
 }

@@ -47,8 +47,10 @@ Vec2 handle(const Contour &contour, int index, HandleSide side);
 PointKind kindOf(const Contour &contour, int index);
 
 /// Moves anchors, each by `by`; handles travel along. Lines stay lines, and a handle that lay in
-/// the direction of a line turns with it.
-Result<Contour> movedAnchors(const Contour &contour, std::span<const int> indices, const Vec2 &by);
+/// the direction of a line turns with it. `breaks`: handles stay where they are, but those of
+/// lines.
+Result<Contour> movedAnchors(const Contour &contour, std::span<const int> indices, const Vec2 &by,
+                             bool breaks = false);
 /// Moves one anchor to this place, to the bit.
 Result<Contour> movedAnchor(const Contour &contour, int index, const Vec2 &to);
 

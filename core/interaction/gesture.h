@@ -17,6 +17,7 @@ struct GestureContext
     Overlay &overlay;
     ViewState &view;
     const Selection &selection;
+    const PointSelection &points;
 };
 
 struct GestureReply
@@ -39,6 +40,8 @@ struct GestureReply
     bool isClick = false;
     /// Of a tool that turns the view by itself: where it was before.
     std::optional<Camera> left;
+    std::optional<std::vector<PointAddress>>
+        selectPoints; // of the preview, or of what is committed
 };
 
 class Gesture

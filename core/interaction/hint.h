@@ -42,9 +42,16 @@ struct Hint
         Panning,
         Zooming,
         RubberBand,
-        LookFrom,      // section: nameOfPart() of the cube's part
-        MoveCut,       // over the handle
-        MovingCut,     // dragging it
+        LookFrom,    // section: nameOfPart() of the cube's part
+        MoveCut,     // over the handle
+        MovingCut,   // dragging it
+        MovePoint,   // over a control point
+        MoveHandle,  // over a handle of one
+        AddPoint,    // over the contour of the selected section
+        MovingPoint, // dragging it
+        MovingHandle,
+        BendingContour, // dragging a piece of it
+        PointBand,
         ChooseProblem, // section: the number of its mark
         // Notes and refusals
         NeverLeft,
@@ -53,16 +60,22 @@ struct Hint
         CrossesWithoutLoop, // it crosses itself, but no loop of it is large enough
         HalvesDoNotMeet,    // it was not mirrored: it would be two pieces
         CrossesItself,
-        NothingToClose, // the pen's points enclose nothing
-        PathIsOpen,     // another canvas was picked
-        CanvasGone,     // what the pen drew on is not there any more
-        CutAtGround,    // what was drawn below the ground was left out
-        LargestPiece,   // cutting there took it apart: the largest piece was kept
-        BelowGround,    // nothing of it is above
-        HoleOutside,    // the hole lies beside the section
-        HoleIsNotch,    // it was cut out of the section's edge
-        HolesMerged,    // it became one with others
-        HolesLeftOut,   // of a redrawn section: those outside of it
+        NothingToClose,   // the pen's points enclose nothing
+        PathIsOpen,       // another canvas was picked
+        CanvasGone,       // what the pen drew on is not there any more
+        CutAtGround,      // what was drawn below the ground was left out
+        LargestPiece,     // cutting there took it apart: the largest piece was kept
+        BelowGround,      // nothing of it is above
+        HoleOutside,      // the hole lies beside the section
+        HoleIsNotch,      // it was cut out of the section's edge
+        HolesMerged,      // it became one with others
+        HolesLeftOut,     // of a redrawn section: those outside of it
+        WouldCrossItself, // an edited contour: it stays at the last place where it does not
+        WouldMeetHole,    // or leave a hole beside it
+        WouldBeEmpty,
+        WouldBeBelowGround,
+        TooFewPoints, // would be left of a contour
+        EditFailed,
         Failed
     };
     Kind kind = Kind::TurnView;

@@ -93,4 +93,17 @@ std::pair<Hint, Cursor> hoverHint(const Overlay &overlay, const Model &model)
     return {{Hint::Kind::TurnView, {}, false}, Cursor::Arrow};
 }
 
+std::pair<Hint, Cursor> hoverHint(const PointTarget &target)
+{
+    switch (target.kind) {
+    case PointTarget::Kind::Anchor:
+        return {{Hint::Kind::MovePoint, {}, false}, Cursor::MoveCross};
+    case PointTarget::Kind::Handle:
+        return {{Hint::Kind::MoveHandle, {}, false}, Cursor::MoveCross};
+    case PointTarget::Kind::Line:
+        return {{Hint::Kind::AddPoint, {}, false}, Cursor::ArrowWithPlus};
+    }
+    return {}; // not reached: every kind is above
+}
+
 } // namespace fff

@@ -24,6 +24,8 @@ public:
     /// Marks what is under the cursor, and nothing else, in the overlay. `now`: ms;
     /// `nameDelay`: ms that the cursor rests before a name is shown.
     void mark(const Sight &sight, double now, double nameDelay, Overlay &overlay);
+    /// px; none: not over the view.
+    const std::optional<Vec2> &position() const { return m_position; }
     /// Marks nothing: the view turns.
     void unmark(Overlay &overlay);
     /// Shows the name whose time has come.
@@ -39,5 +41,7 @@ private:
 
 /// What the next click or drag does at what is marked, and the cursor that says so.
 std::pair<Hint, Cursor> hoverHint(const Overlay &overlay, const Model &model);
+/// The same over what of a contour can be dragged.
+std::pair<Hint, Cursor> hoverHint(const PointTarget &target);
 
 } // namespace fff

@@ -24,6 +24,8 @@ constexpr double kReturnTime = 400.0;
 constexpr double kNoteTime = 6000.0;
 /// A click on the view cube turns in this time, ms; never longer than a turn.
 constexpr double kCubeTime = 400.0;
+/// Between the two presses of a double click, ms.
+constexpr double kDoubleClickTime = 400.0;
 
 /// Says, as long as it lives, that what changes is a tool's own doing.
 class QuietTool
@@ -60,7 +62,8 @@ public:
 
     GestureContext context()
     {
-        return {host.model(), settings, motion.viewport, motion.camera, overlay, view, selection};
+        return {host.model(), settings, motion.viewport, motion.camera,
+                overlay,      view,     selection,       points};
     }
     Sight sight() const { return {host.model(), motion.camera, motion.viewport, view, marks}; }
 
@@ -85,7 +88,15 @@ public:
     bool cancelGesture();
     bool cancelTool();
 
+    bool isSecondClick(const PointerEvent &press);
+    bool addPointAt(const PointerEvent &press);
+    bool clickPoint(const PointerEvent &press);
+    void selectPoints(std::vector<PointAddress> addresses, const Document &of);
+    void carryOut(PointEdit edit);
+
     void hover();
+    void hoverPoint();
+    void markPoints();
     void update();
     void turn(const Camera &to, double start, double duration);
     void stopMotion();
@@ -100,7 +111,10 @@ public:
 
     Document document; // committed, as known here
     Selection selection;
+    PointSelection points;
+    std::optional<PointTarget> hoveredPoint;
     ClickSelection clicks;
+    std::optional<PointerEvent> lastClick; // the first of two, maybe
 
     std::vector<PointerEvent> pending; // a press and its moves, not yet a click or a drag
     std::unique_ptr<Gesture> gesture;
@@ -139,6 +153,8 @@ void Interaction::Private::press(const PointerEvent &event)
     note.reset();
     motion.isTouched = true;
     pressed = event.button;
+    if (isSecondClick(event) && addPointAt(event))
+        return;
     pending = {event};
 }
 
@@ -254,6 +270,10 @@ void Interaction::Private::click(const PointerEvent &begin)
         feedClick(begin);
         return;
     }
+    lastClick = begin;
+    if (clickPoint(begin))
+        return;
+    points.clear();
     selection.select(clicks.click(host.model(), sight().hitsAt(begin.position), begin.position,
                                   settings.dragThreshold, begin.modifiers.control,
                                   selection.sections()));
@@ -270,10 +290,13 @@ void Interaction::Private::feed(const PointerEvent &event)
 void Interaction::Private::take(GestureReply reply)
 {
     if (reply.state == GestureReply::State::Running) {
+        const std::optional<Document> shown = reply.preview;
         if (!tool || reply.preview) // else the tool's own stays
             showPreview(std::move(reply.preview));
         if (reply.select)
             selection.select(*std::move(reply.select));
+        if (reply.selectPoints)
+            selectPoints(*std::move(reply.selectPoints), shown ? *shown : host.model().document);
         return;
     }
     // The gesture goes first: the host's answer to what follows may come back here.
@@ -306,6 +329,79 @@ void Interaction::Private::carryOut(GestureReply &reply)
         document = reply.commit->document;
         host.commit(reply.commit->step, std::move(reply.commit->document));
     }
+    if (reply.selectPoints)
+        selectPoints(*std::move(reply.selectPoints), host.model().document);
+}
+
+// Control points.
+
+/// Soon after a click at the same place. The window may know before us, scripts do not say it.
+bool Interaction::Private::isSecondClick(const PointerEvent &press)
+{
+    const std::optional<PointerEvent> first = std::exchange(lastClick, std::nullopt);
+    return press.button == Button::Left && first &&
+           (press.type == PointerEvent::Type::DoubleClick ||
+            press.time - first->time <= kDoubleClickTime) &&
+           (press.position - first->position).norm() <= settings.dragThreshold;
+}
+
+bool Interaction::Private::addPointAt(const PointerEvent &press)
+{
+    if (!overlay.points || isOnViewMark(sight(), press.position))
+        return false;
+    const auto target = pointTargetAt(sight(), overlay.points->section, points, press.position);
+    if (!target || target->kind != PointTarget::Kind::Line)
+        return false;
+    const SectionId id = selection.sections().front().drawn;
+    carryOut(withInsertedPoint(host.model().document, id, target->point.boundary,
+                               {target->point.index, target->t}, {settings.cutsAtGround}));
+    return true;
+}
+
+/// True when there is something of the contour's there: the click is none on a section.
+bool Interaction::Private::clickPoint(const PointerEvent &press)
+{
+    if (!overlay.points)
+        return false;
+    const int index = overlay.points->section;
+    const auto target = pointTargetAt(sight(), index, points, press.position);
+    if (!target)
+        return false;
+    const Section &section = *host.model().section(static_cast<std::size_t>(index));
+    if (target->kind == PointTarget::Kind::Anchor) {
+        if (press.modifiers.control)
+            points.toggle(section, target->point);
+        else
+            points.select(section, {target->point});
+    }
+    return true;
+}
+
+void Interaction::Private::selectPoints(std::vector<PointAddress> addresses, const Document &of)
+{
+    const std::vector<SectionRef> &sections = selection.sections();
+    const Section *section = sections.size() == 1 ? of.find(sections.front().drawn) : nullptr;
+    if (section && !addresses.empty())
+        points.select(*section, std::move(addresses));
+    else
+        points.clear();
+}
+
+void Interaction::Private::carryOut(PointEdit edit)
+{
+    cancelGesture();
+    if (!edit) {
+        note = Note{edit.error(), now + kNoteTime};
+        return;
+    }
+    note.reset();
+    if (edit->note)
+        note = Note{*edit->note, now + kNoteTime};
+    document = edit->document;
+    host.commit(edit->step, std::move(edit->document));
+    clicks.forget();
+    selectPoints(std::move(edit->points), host.model().document);
+    hover();
 }
 
 // Tools.
@@ -439,6 +535,33 @@ void Interaction::Private::hover()
         hovering.unmark(overlay);
     else
         hovering.mark(sight(), now, settings.nameDelay, overlay);
+    hoverPoint();
+}
+
+/// Points are drawn over the sections, and lie before them for the cursor as well.
+void Interaction::Private::hoverPoint()
+{
+    hoveredPoint.reset();
+    const std::optional<Vec2> &at = hovering.position();
+    if (!at || motion.animation || tool || overlay.cubePart || overlay.mark > 0 ||
+        overlay.isHandleHovered)
+        return;
+    hoveredPoint = pointTargetAt(sight(), sectionWithPoints(sight(), selection), points, *at);
+    if (hoveredPoint)
+        hovering.unmark(overlay);
+}
+
+/// Not while something is drawn: then they would only be in the way.
+void Interaction::Private::markPoints()
+{
+    overlay.points.reset();
+    if (points.section() !=
+        (selection.sections().size() == 1 ? selection.sections().front().drawn : SectionId()))
+        points.clear();
+    const bool isDrawing = tool || overlay.stroke || overlay.slit || overlay.deadZone;
+    const int index = isDrawing ? -1 : sectionWithPoints(sight(), selection);
+    if (index >= 0)
+        overlay.points = Overlay::Points{index, points.points(), hoveredPoint};
 }
 
 void Interaction::Private::update()
@@ -456,7 +579,9 @@ void Interaction::Private::update()
     else if (tool && !isOnMark)
         std::tie(hint, cursor) = std::pair(tool->hint(), tool->cursor());
     else
-        std::tie(hint, cursor) = hoverHint(overlay, host.model());
+        std::tie(hint, cursor) =
+            hoveredPoint ? hoverHint(*hoveredPoint) : hoverHint(overlay, host.model());
+    markPoints();
     if (modifiers.space && !gesture)
         cursor = Cursor::Hand;
 
@@ -661,11 +786,16 @@ bool Interaction::escape(double time)
     const bool hadNote = d->note.has_value();
     d->note.reset();
     const bool hadGesture = d->cancelGesture() || d->cancelTool();
-    const bool hadSelection = !hadGesture && !d->selection.isEmpty();
+    const bool hadPoints = !hadGesture && !d->points.isEmpty();
+    const bool hadSelection = !hadGesture && !hadPoints && !d->selection.isEmpty();
     const bool hadView =
-        !hadGesture && !hadSelection && (d->view.clip || !d->view.isolated.empty());
+        !hadGesture && !hadPoints && !hadSelection && (d->view.clip || !d->view.isolated.empty());
+    if (hadPoints)
+        d->points.clear();
     if (hadSelection)
         d->selection.select({});
+    if (hadPoints || hadSelection)
+        d->hover();
     if (hadView) {
         if (d->view.clip)
             d->view.clip.reset();
@@ -674,7 +804,7 @@ bool Interaction::escape(double time)
         d->hover();
     }
     d->update();
-    return hadGesture || hadSelection || hadView || hadNote;
+    return hadGesture || hadPoints || hadSelection || hadView || hadNote;
 }
 
 bool Interaction::advance(double time)
@@ -841,6 +971,60 @@ const std::vector<SectionRef> &Interaction::selection() const
 void Interaction::select(std::vector<SectionRef> selection)
 {
     d->selection.select(std::move(selection));
+    d->hoverPoint();
+    d->update();
+}
+
+const PointSelection &Interaction::points() const
+{
+    return d->points;
+}
+
+void Interaction::selectPoints(std::vector<PointAddress> points)
+{
+    d->selectPoints(std::move(points), d->host.model().document);
+    d->hoverPoint();
+    d->update();
+}
+
+const Section *Interaction::sectionOfPoints() const
+{
+    const std::vector<SectionRef> &sections = d->selection.sections();
+    return sections.size() == 1 ? d->host.model().document.find(sections.front().drawn) : nullptr;
+}
+
+std::optional<PointTarget> Interaction::hoveredPoint() const
+{
+    return d->hoveredPoint;
+}
+
+PointRules Interaction::pointRules() const
+{
+    return {d->settings.cutsAtGround};
+}
+
+void Interaction::carryOut(PointEdit edit, double time)
+{
+    advance(time);
+    d->carryOut(std::move(edit));
+    d->update();
+}
+
+bool Interaction::nudge(const Vec2 &arrow, double distance, double time)
+{
+    advance(time);
+    const Camera &camera = d->motion.camera;
+    const Document &document = d->host.model().document;
+    if (const Section *section = sectionOfPoints(); section && !d->points.isEmpty()) {
+        const Vec2 by = distance * arrowAxis(section->frame, camera, arrow);
+        carryOut(movedSelection(document, d->points, by, pointRules()), time);
+        return true;
+    }
+    const PointEdit moved =
+        movedSections(document, d->selection.sections(), distance * arrowAxis(camera, arrow));
+    if (moved)
+        carryOut(moved, time);
+    return moved.has_value();
 }
 
 void Interaction::modelChanged()
@@ -856,6 +1040,7 @@ void Interaction::modelChanged()
     }
     d->clicks.forget();
     d->selection.follow(model);
+    d->points.follow(model.document);
     if (!d->motion.isTouched)
         d->motion.fitFirst(model.bounds());
     d->hover();

@@ -9,6 +9,8 @@
 #include "core/interaction/navigation.h"
 #include "core/interaction/pen_marks.h"
 #include "core/interaction/pick.h"
+#include "core/interaction/point_editing.h"
+#include "core/interaction/point_sight.h"
 #include "core/interaction/pointer_event.h"
 #include "core/interaction/problem_marks.h"
 #include "core/interaction/step.h"
@@ -34,7 +36,8 @@ enum class Cursor {
     Hand,
     MoveCross,
     Pen,
-    PenCloses // the path
+    PenCloses, // the path
+    ArrowWithPlus
 };
 
 /// What is drawn over the model during a gesture. World points are mm, screen points px.
@@ -80,6 +83,15 @@ struct Overlay
         Frame canvas;
         Box2 box; // frame coordinates of canvas
     };
+    /// The control points of the selected section, while they can be edited.
+    struct Points
+    {
+        int section = -1; // index in the model
+        std::vector<PointAddress> selected;
+        std::optional<PointTarget> hovered;
+        bool operator==(const Points &) const = default;
+    };
+    std::optional<Points> points;
     std::optional<SlitLine> slit;
     std::optional<DeadZone> deadZone;
     std::optional<Stroke> stroke;
@@ -202,6 +214,23 @@ public:
 
     const std::vector<SectionRef> &selection() const;
     void select(std::vector<SectionRef> selection);
+    /// The selected control points of the selected section.
+    const PointSelection &points() const;
+    void selectPoints(std::vector<PointAddress> points);
+    /// The one drawn section that is selected, as committed: whose points can be edited. Null when
+    /// there is none.
+    const Section *sectionOfPoints() const;
+    /// The place of its contour that is under the cursor.
+    std::optional<PointTarget> hoveredPoint() const;
+    /// Commits an edit of points and selects those that it names, or says why it was refused.
+    void carryOut(PointEdit edit, double time);
+    /// An arrow key: the selected points, else the selected sections, go along the axis that is
+    /// nearest to the arrow on the screen. arrow: unit, right and up; distance: mm. False when
+    /// nothing is selected.
+    bool nudge(const Vec2 &arrow, double distance, double time);
+    /// What edits of points go by.
+    PointRules pointRules() const;
+
     /// The model changed (commit, undo, another document): what is no longer there is not selected,
     /// until it comes back.
     void modelChanged();

@@ -1,6 +1,7 @@
 #include "core/interaction/routing.h"
 
 #include "core/interaction/clip_gesture.h"
+#include "core/interaction/point_gesture.h"
 #include "core/interaction/rubber_band.h"
 #include "core/interaction/stroke_gesture.h"
 #include "core/interaction/view_gestures.h"
@@ -20,6 +21,22 @@ std::unique_ptr<Gesture> onViewMark(const PointerEvent &press, const Sight &sigh
     return std::make_unique<ClipGesture>(press, context);
 }
 
+/// Ctrl, which turns the view elsewhere, does something of its own to points and handles.
+std::unique_ptr<Gesture> onPoint(const PointerEvent &press, const Sight &sight,
+                                 const GestureContext &context)
+{
+    if (press.button != Button::Left || press.modifiers.space || !context.overlay.points)
+        return nullptr;
+    const int section = context.overlay.points->section;
+    const auto target = pointTargetAt(sight, section, context.points, press.position);
+    const bool edits =
+        dragKind(context.settings.navigation, press.button, press.modifiers) == DragKind::Edit;
+    if (!target || (target->kind == PointTarget::Kind::Line && !edits))
+        return nullptr;
+    return std::make_unique<PointGesture>(
+        *target, press, *context.model.section(static_cast<std::size_t>(section)), context);
+}
+
 /// The left button alone: what lies under the cursor decides.
 std::unique_ptr<Gesture> editing(const PointerEvent &press, const Sight &sight,
                                  GestureContext &context)
@@ -28,8 +45,14 @@ std::unique_ptr<Gesture> editing(const PointerEvent &press, const Sight &sight,
         return std::make_unique<StrokeGesture>(
             press, ContourTarget::newSection(firstCanvas(context.camera)), context);
     const std::vector<Hit> hits = sight.hitsAt(press.position);
-    if (hits.empty() && press.modifiers.shift)
+    if (hits.empty() && press.modifiers.shift) {
+        if (context.overlay.points)
+            return std::make_unique<PointBandGesture>(
+                press,
+                *context.model.section(static_cast<std::size_t>(context.overlay.points->section)),
+                context);
         return std::make_unique<RubberBandGesture>(press);
+    }
     if (!hits.empty() && !sight.isOnEdge(hits.front()))
         return std::make_unique<StrokeGesture>(press, hits.front(), context);
     return std::make_unique<OrbitGesture>(press, sight.pivotAt(press.position));
@@ -47,6 +70,8 @@ std::unique_ptr<Gesture> gestureFor(const PointerEvent &press, const Sight &sigh
 {
     if (press.button == Button::Left && isOnViewMark(sight, press.position))
         return onViewMark(press, sight, context);
+    if (auto gesture = onPoint(press, sight, context))
+        return gesture;
     context.camera = sight.cameraAt(press.position);
     switch (dragKind(context.settings.navigation, press.button, press.modifiers)) {
     case DragKind::Edit:

@@ -14,6 +14,10 @@ target_sources(fff_core PRIVATE
     interaction/pen_tool_marks.cpp
     interaction/pen_tool_points.cpp
     interaction/pick.cpp
+    interaction/point_editing.cpp
+    interaction/point_gesture.cpp
+    interaction/point_selection.cpp
+    interaction/point_sight.cpp
     interaction/problem_marks.cpp
     interaction/routing.cpp
     interaction/rubber_band.cpp

@@ -4,7 +4,6 @@
 #include "core/geometry/boolean.h"
 
 #include <algorithm>
-#include <functional>
 
 namespace fff {
 
@@ -158,12 +157,27 @@ std::vector<PointAddress> pointsAt(const Shape &shape, std::span<const Vec2> pla
 }
 
 Result<ShapePointer> movedPoints(const Shape &shape, std::span<const PointAddress> points,
-                                 const Vec2 &by)
+                                 const Vec2 &by, bool breaks)
 {
     if (const PointAddress *unknown = firstUnknown(shape, points))
         return unknownPoint(*unknown);
     return edited(shape, points, [&](const Contour &contour, std::span<const int> indices) {
-        return movedAnchors(contour, indices, by);
+        return movedAnchors(contour, indices, by, breaks);
+    });
+}
+
+Result<ShapePointer>
+withEach(const Shape &shape, std::span<const PointAddress> points,
+         const std::function<Result<Contour>(const Contour &, int index)> &edit)
+{
+    if (const PointAddress *unknown = firstUnknown(shape, points))
+        return unknownPoint(*unknown);
+    return edited(shape, points, [&](const Contour &contour, std::span<const int> indices) {
+        Result<Contour> next = contour;
+        for (const int index : indices)
+            if (next)
+                next = edit(*next, index);
+        return next;
     });
 }
 
@@ -249,14 +263,8 @@ Result<ShapePointer> withoutPoints(const Shape &shape, std::span<const PointAddr
 Result<ShapePointer> withKind(const Shape &shape, std::span<const PointAddress> points,
                               PointKind kind)
 {
-    if (const PointAddress *unknown = firstUnknown(shape, points))
-        return unknownPoint(*unknown);
-    return edited(shape, points, [&](Contour contour, std::span<const int> indices) {
-        Result<Contour> next = std::move(contour);
-        for (const int index : indices)
-            if (next)
-                next = withKind(*next, index, kind);
-        return next;
+    return withEach(shape, points, [kind](const Contour &contour, int index) {
+        return withKind(contour, index, kind);
     });
 }
 

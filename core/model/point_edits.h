@@ -17,6 +17,7 @@
 #include "core/model/shape.h"
 
 #include <compare>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -41,7 +42,11 @@ Vec2 position(const Shape &shape, const PointAddress &point);
 std::vector<PointAddress> pointsAt(const Shape &shape, std::span<const Vec2> places);
 
 Result<ShapePointer> movedPoints(const Shape &shape, std::span<const PointAddress> points,
-                                 const Vec2 &by);
+                                 const Vec2 &by, bool breaks = false);
+/// Edits anchors one after the other, each by itself.
+Result<ShapePointer>
+withEach(const Shape &shape, std::span<const PointAddress> points,
+         const std::function<Result<Contour>(const Contour &, int index)> &edit);
 /// To the bit.
 Result<ShapePointer> movedPoint(const Shape &shape, const PointAddress &point, const Vec2 &to);
 Result<ShapePointer> movedHandle(const Shape &shape, const PointAddress &point, HandleSide side,

@@ -23,30 +23,24 @@ struct KeyBinding
     bool control, shift;
     const char *command;
 };
-constexpr std::array<KeyBinding, 24> kKeys{{{"Delete", false, false, "edit.delete"},
-                                            {"Z", true, false, "edit.undo"},
-                                            {"Z", true, true, "edit.redo"},
-                                            {"Y", true, false, "edit.redo"},
-                                            {"A", true, false, "edit.selectAll"},
-                                            {"N", true, false, "file.new"},
-                                            {"N", false, false, "view.faceSelection"},
-                                            {"F", false, false, "view.fitSelection"},
-                                            {"Home", false, false, "view.fitAll"},
-                                            {"0", false, false, "view.iso"},
-                                            {"1", false, false, "view.front"},
-                                            {"2", false, false, "view.top"},
-                                            {"3", false, false, "view.right"},
-                                            {"4", false, false, "view.back"},
-                                            {"5", false, false, "view.bottom"},
-                                            {"6", false, false, "view.left"},
-                                            {"V", false, false, "view.perspective"},
-                                            {"X", false, false, "view.xray"},
-                                            {"I", false, false, "view.isolate"},
-                                            {"H", false, false, "view.hide"},
-                                            {"H", false, true, "view.showAll"},
-                                            {"C", false, false, "view.clip"},
-                                            {"P", false, false, "section.pen"},
-                                            {"Q", false, false, "section.snap"}}};
+constexpr std::array<KeyBinding, 33> kKeys{
+    {{"Delete", false, false, "edit.delete"},  {"+", false, false, "point.insert"},
+     {"-", false, false, "point.delete"},      {"1", true, false, "point.smooth"},
+     {"2", true, false, "point.corner"},       {"3", true, false, "point.symmetric"},
+     {"Left", false, false, "nudge.left"},     {"Right", false, false, "nudge.right"},
+     {"Up", false, false, "nudge.up"},         {"Down", false, false, "nudge.down"},
+     {"Z", true, false, "edit.undo"},          {"Z", true, true, "edit.redo"},
+     {"Y", true, false, "edit.redo"},          {"A", true, false, "edit.selectAll"},
+     {"N", true, false, "file.new"},           {"N", false, false, "view.faceSelection"},
+     {"F", false, false, "view.fitSelection"}, {"Home", false, false, "view.fitAll"},
+     {"0", false, false, "view.iso"},          {"1", false, false, "view.front"},
+     {"2", false, false, "view.top"},          {"3", false, false, "view.right"},
+     {"4", false, false, "view.back"},         {"5", false, false, "view.bottom"},
+     {"6", false, false, "view.left"},         {"V", false, false, "view.perspective"},
+     {"X", false, false, "view.xray"},         {"I", false, false, "view.isolate"},
+     {"H", false, false, "view.hide"},         {"H", false, true, "view.showAll"},
+     {"C", false, false, "view.clip"},         {"P", false, false, "section.pen"},
+     {"Q", false, false, "section.snap"}}};
 
 /// What stands in the script, short and on one line.
 QString found(const QJsonValue &value)

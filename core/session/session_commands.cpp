@@ -5,6 +5,7 @@
 #include "core/fabrication/summary.h"
 #include "core/interaction/facing.h"
 #include "core/model/edits.h"
+#include "core/session/point_commands.h"
 #include "core/session/session_host.h"
 #include "core/session/tool_commands.h"
 
@@ -109,8 +110,10 @@ void registerEdits(CommandRegistry &registry, Session &session, Interaction &int
                       return {};
                   },
                   [&] { return interaction.canRedoInTool() || session.history()->canRedo(); }});
-    registry.add("edit.delete", {[&](const CommandParameters &, double) {
-                                     return deleteSelected(session, interaction);
+    registry.add("edit.delete", {[&](const CommandParameters &, double time) -> Result<void> {
+                                     if (interaction.points().isEmpty())
+                                         return deleteSelected(session, interaction);
+                                     return registry.run("point.delete", {}, time);
                                  },
                                  [&] { return !selectedDrawn(interaction).empty(); }});
     registry.add("edit.selectAll", {[&](const CommandParameters &, double) -> Result<void> {
@@ -290,6 +293,7 @@ void registerSessionCommands(CommandRegistry &registry, Session &session, Intera
     registerCamera(registry, interaction);
     registerLooks(registry, session, interaction);
     registerToolCommands(registry, session, interaction);
+    registerPointCommands(registry, session, interaction);
 }
 
 Camera turnedTo(const Eigen::Quaterniond &orientation, const Session &session,

@@ -7,6 +7,7 @@ target_sources(fff_session PRIVATE
     cutting_file.cpp
     journal.cpp
     pen_commands.cpp
+    point_commands.cpp
     recovery.cpp
     replay.cpp
     replay_script.cpp

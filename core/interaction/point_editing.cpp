@@ -1,0 +1,215 @@
+#include "core/interaction/point_editing.h"
+
+#include "core/model/edits.h"
+#include "core/model/ground.h"
+
+#include <array>
+
+namespace fff {
+
+namespace {
+
+tl::unexpected<Hint> refused(Hint::Kind kind, const std::string &section = {})
+{
+    return tl::unexpected<Hint>(Hint{kind, section, true});
+}
+
+Hint::Kind reasonOf(const Error &error)
+{
+    switch (error.code) {
+    case ErrorCode::SelfCrossing:
+        return Hint::Kind::WouldCrossItself;
+    case ErrorCode::BoundariesMeet:
+        return Hint::Kind::WouldMeetHole;
+    case ErrorCode::EmptyContour:
+        return Hint::Kind::WouldBeEmpty;
+    case ErrorCode::TooFewPoints:
+        return Hint::Kind::TooFewPoints;
+    default:
+        return Hint::Kind::EditFailed;
+    }
+}
+
+std::vector<Vec2> placesOf(const Shape &shape, const PointSelection &points,
+                           const Vec2 &by = Vec2::Zero())
+{
+    std::vector<Vec2> places;
+    for (const PointAddress &point : points.points())
+        places.push_back(position(shape, point) + by);
+    return places;
+}
+
+Step stepOf(Step::Kind kind, const Section &section, std::size_t count = 1)
+{
+    Step step{kind, {section.name}};
+    step.count = static_cast<int>(count);
+    return step;
+}
+
+} // namespace
+
+PointEdit withEditedShape(const Document &document, SectionId id, const Result<ShapePointer> &shape,
+                          std::span<const Vec2> places, Step step, const PointRules &rules)
+{
+    const Section *section = document.find(id);
+    if (!section)
+        return refused(Hint::Kind::EditFailed);
+    if (!shape)
+        return refused(reasonOf(shape.error()), section->name);
+    EditedPoints edited;
+    ShapePointer kept = *shape;
+    if (rules.cutsAtGround) {
+        const std::vector<ShapePointer> pieces = clippedAtGround(kept, section->frame);
+        if (pieces.empty())
+            return refused(Hint::Kind::WouldBeBelowGround, section->name);
+        if (pieces.front() != kept)
+            edited.note =
+                Hint{pieces.size() > 1 ? Hint::Kind::LargestPiece : Hint::Kind::CutAtGround,
+                     section->name, false};
+        kept = pieces.front();
+    }
+    edited.points = pointsAt(*kept, places);
+    // A shape that is the same as before is the same object: no step.
+    Result<Document> next =
+        *kept == *section->shape ? document : setShape(document, id, std::move(kept));
+    if (!next)
+        return refused(Hint::Kind::EditFailed);
+    edited.document = *std::move(next);
+    edited.step = std::move(step);
+    edited.section = id;
+    return edited;
+}
+
+PointEdit movedSelection(const Document &document, const PointSelection &points, const Vec2 &by,
+                         const PointRules &rules)
+{
+    const Section *section = document.find(points.section());
+    if (!section || points.isEmpty())
+        return refused(Hint::Kind::EditFailed);
+    Step step = stepOf(Step::Kind::MovePoints, *section, points.points().size());
+    step.merges = "points";
+    for (const PointAddress &p : points.points())
+        step.merges.append(" ")
+            .append(std::to_string(p.boundary))
+            .append("/")
+            .append(std::to_string(p.index));
+    return withEditedShape(document, section->id, movedPoints(*section->shape, points.points(), by),
+                           placesOf(*section->shape, points, by), std::move(step), rules);
+}
+
+PointEdit withoutSelection(const Document &document, const PointSelection &points,
+                           const PointRules &rules)
+{
+    const Section *section = document.find(points.section());
+    if (!section || points.isEmpty())
+        return refused(Hint::Kind::EditFailed);
+    return withEditedShape(document, section->id, withoutPoints(*section->shape, points.points()),
+                           {}, stepOf(Step::Kind::DeletePoints, *section, points.points().size()),
+                           rules);
+}
+
+PointEdit withSelectionOfKind(const Document &document, const PointSelection &points,
+                              PointKind kind, const PointRules &rules)
+{
+    const Section *section = document.find(points.section());
+    if (!section || points.isEmpty())
+        return refused(Hint::Kind::EditFailed);
+    return withEditedShape(document, section->id, withKind(*section->shape, points.points(), kind),
+                           placesOf(*section->shape, points),
+                           stepOf(Step::Kind::ChangePoints, *section, points.points().size()),
+                           rules);
+}
+
+PointEdit withInsertedPoint(const Document &document, SectionId id, int ring, const CurvePoint &at,
+                            const PointRules &rules)
+{
+    const Section *section = document.find(id);
+    if (!section || !isPoint(*section->shape, {ring, at.segment}))
+        return refused(Hint::Kind::EditFailed);
+    const Vec2 place = boundary(*section->shape, ring).segment(at.segment).at(at.t);
+    PointEdit edit = withEditedShape(document, id, insertedPoint(*section->shape, ring, at), {},
+                                     stepOf(Step::Kind::AddPoint, *section), rules);
+    if (edit) {
+        // On a line there and back, two are at one place: the new one is where it went in.
+        const PointAddress added{ring, at.segment + 1};
+        const Shape &now = *edit->document.find(id)->shape;
+        if (isPoint(now, added) && (position(now, added) - place).norm() < kNoHandle)
+            edit->points = {added};
+    }
+    return edit;
+}
+
+std::optional<std::pair<int, CurvePoint>> placeBetween(const Shape &shape,
+                                                       const PointSelection &points)
+{
+    if (points.isEmpty() || points.points().size() > 2)
+        return std::nullopt;
+    const PointAddress &first = points.points().front(), &last = points.points().back();
+    if (!isPoint(shape, first) || !isPoint(shape, last) || first.boundary != last.boundary)
+        return std::nullopt;
+    const int count = boundary(shape, first.boundary).segmentCount();
+    int segment = first.index;
+    if (first.index != last.index && last.index != first.index + 1) {
+        if (first.index != 0 || last.index != count - 1)
+            return std::nullopt; // not neighbours
+        segment = last.index;
+    }
+    return std::pair(first.boundary, CurvePoint{segment, 0.5});
+}
+
+PointEdit movedSections(const Document &document, const std::vector<SectionRef> &sections,
+                        const Vec3 &by)
+{
+    EditedPoints edited;
+    edited.document = document;
+    edited.step = {Step::Kind::MoveSection, {}};
+    edited.step.merges = "sections";
+    for (const SectionRef &ref : sections) {
+        const Section *section = document.find(ref.drawn);
+        if (!section)
+            continue;
+        Frame frame = section->frame;
+        frame.origin += by;
+        Result<Document> next = moveSection(std::move(edited.document), section->id, frame);
+        if (!next)
+            return refused(Hint::Kind::EditFailed);
+        edited.document = *std::move(next);
+        edited.step.names.push_back(section->name);
+        edited.step.merges.append(" ").append(std::to_string(section->id.value));
+    }
+    if (edited.step.names.empty())
+        return refused(Hint::Kind::EditFailed);
+    return edited;
+}
+
+Vec2 arrowAxis(const Frame &frame, const Camera &camera, const Vec2 &arrow)
+{
+    const Vec3 wanted = arrow.x() * camera.right() + arrow.y() * camera.up();
+    const std::array<Vec2, 4> axes{Vec2(1, 0), Vec2(-1, 0), Vec2(0, 1), Vec2(0, -1)};
+    Vec2 best = axes[0];
+    double most = -2.0;
+    for (const Vec2 &axis : axes) {
+        // As it is seen: what runs away from the eye is short on the screen and yet has a
+        // direction.
+        const Vec3 world = frame.directionToWorld(axis);
+        const Vec2 seen(camera.right().dot(world), camera.up().dot(world));
+        const double along = seen.norm() > 0.0 ? seen.dot(arrow) / seen.norm() : wanted.dot(world);
+        if (along > most) {
+            most = along;
+            best = axis;
+        }
+    }
+    return best;
+}
+
+Vec3 arrowAxis(const Camera &camera, const Vec2 &arrow)
+{
+    const Vec3 wanted = arrow.x() * camera.right() + arrow.y() * camera.up();
+    Eigen::Index axis = 0;
+    wanted.cwiseAbs().maxCoeff(&axis);
+    Vec3 best = Vec3::Zero();
+    best[axis] = wanted[axis] < 0.0 ? -1.0 : 1.0;
+    return best;
+}
+
+} // namespace fff

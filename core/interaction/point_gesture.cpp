@@ -1,0 +1,158 @@
+#include "core/interaction/point_gesture.h"
+
+#include <algorithm>
+
+namespace fff {
+
+PointGesture::PointGesture(const PointTarget &target, const PointerEvent &press,
+                           const Section &section, const GestureContext &context)
+    : m_target(target), m_section(section.id), m_name(section.name), m_shape(section.shape),
+      m_frame(section.frame)
+{
+    if (context.points.section() == section.id)
+        m_before = context.points.points();
+    m_moved = m_before;
+    const bool isSelected =
+        std::find(m_before.begin(), m_before.end(), target.point) != m_before.end();
+    if (target.kind == PointTarget::Kind::Anchor && !isSelected)
+        m_moved = {target.point};
+    m_pressed = placeOnPlane(m_frame, context.camera, context.viewport, press.position)
+                    .value_or(target.place);
+}
+
+/// Along what Shift keeps to.
+Vec2 PointGesture::straightened(const Vec2 &by) const
+{
+    if (m_target.kind == PointTarget::Kind::Anchor)
+        return std::abs(by.x()) >= std::abs(by.y()) ? Vec2(by.x(), 0.0) : Vec2(0.0, by.y());
+    const Contour &contour = boundary(*m_shape, m_target.point.boundary);
+    Vec2 direction = m_target.place - anchor(contour, m_target.point.index);
+    if (m_target.kind == PointTarget::Kind::Line)
+        direction = perpendicular(contour.segment(m_target.point.index).derivative(m_target.t));
+    if (!(direction.norm() > kNoHandle))
+        return by;
+    direction.normalize();
+    return direction.dot(by) * direction;
+}
+
+PointEdit PointGesture::edited(const Vec2 &by, bool breaks, const Document &document,
+                               const PointRules &rules) const
+{
+    Step step{Step::Kind::MovePoints, {m_name}};
+    std::vector<Vec2> places;
+    const bool isAnchor = m_target.kind == PointTarget::Kind::Anchor;
+    for (const PointAddress &point : m_moved)
+        places.push_back(isAnchor ? Vec2(position(*m_shape, point) + by)
+                                  : position(*m_shape, point));
+    Result<ShapePointer> shape = failure(ErrorCode::BadValue);
+    switch (m_target.kind) {
+    case PointTarget::Kind::Anchor:
+        step.count = static_cast<int>(m_moved.size());
+        shape = movedPoints(*m_shape, m_moved, by, breaks);
+        break;
+    case PointTarget::Kind::Handle:
+        step.kind = Step::Kind::MoveHandle;
+        shape = movedHandle(*m_shape, m_target.point, m_target.side, m_target.place + by, breaks);
+        break;
+    case PointTarget::Kind::Line:
+        step.kind = Step::Kind::BendContour;
+        shape = movedSegment(*m_shape, m_target.point.boundary, {m_target.point.index, m_target.t},
+                             by, breaks);
+        break;
+    }
+    return withEditedShape(document, m_section, shape, places, std::move(step), rules);
+}
+
+GestureReply PointGesture::handle(const PointerEvent &event, GestureContext &context)
+{
+    GestureReply reply;
+    const auto place = placeOnPlane(m_frame, context.camera, context.viewport, event.position);
+    if (place && !event.isFollowed) {
+        Vec2 by = *place - m_pressed;
+        if (event.modifiers.shift)
+            by = straightened(by);
+        PointEdit edit = edited(by, event.modifiers.control, context.model.document,
+                                {context.settings.cutsAtGround});
+        m_refusal = edit ? std::nullopt : std::optional(edit.error());
+        if (edit)
+            m_last = *std::move(edit);
+    }
+    reply.selectPoints = m_last ? m_last->points : m_moved;
+    if (m_last)
+        reply.preview = m_last->document;
+    if (event.type != PointerEvent::Type::Release)
+        return reply;
+    reply.state = GestureReply::State::Over;
+    reply.preview.reset();
+    reply.note = m_refusal;
+    if (m_last) {
+        if (!m_refusal)
+            reply.note = m_last->note;
+        reply.commit = GestureReply::Commit{m_last->step, std::move(m_last->document)};
+    }
+    return reply;
+}
+
+GestureReply PointGesture::cancel(GestureContext &)
+{
+    GestureReply reply;
+    reply.state = GestureReply::State::Over;
+    reply.selectPoints = m_before;
+    return reply;
+}
+
+Hint PointGesture::hint() const
+{
+    if (m_refusal)
+        return *m_refusal;
+    switch (m_target.kind) {
+    case PointTarget::Kind::Anchor:
+        return {Hint::Kind::MovingPoint, m_name, false};
+    case PointTarget::Kind::Handle:
+        return {Hint::Kind::MovingHandle, m_name, false};
+    case PointTarget::Kind::Line:
+        return {Hint::Kind::BendingContour, m_name, false};
+    }
+    return {}; // not reached: every kind is above
+}
+
+PointBandGesture::PointBandGesture(const PointerEvent &press, const Section &section,
+                                   const GestureContext &context)
+    : m_press(press.position), m_shape(section.shape), m_frame(section.frame)
+{
+    if (context.points.section() == section.id)
+        m_before = context.points.points();
+}
+
+GestureReply PointBandGesture::handle(const PointerEvent &event, GestureContext &context)
+{
+    Box2 band;
+    band.extend(m_press);
+    band.extend(event.position);
+    context.overlay.band = band;
+    GestureReply reply;
+    std::vector<PointAddress> inside;
+    for (int b = 0; b < boundaryCount(*m_shape); ++b) {
+        const Contour &contour = boundary(*m_shape, b);
+        for (int i = 0; i < contour.segmentCount(); ++i) {
+            const Vec2 at =
+                context.camera.toScreen(m_frame.toWorld(anchor(contour, i)), context.viewport);
+            if ((at.array() >= band.min.array()).all() && (at.array() <= band.max.array()).all())
+                inside.push_back({b, i});
+        }
+    }
+    reply.selectPoints = std::move(inside);
+    if (event.type == PointerEvent::Type::Release)
+        reply.state = GestureReply::State::Over;
+    return reply;
+}
+
+GestureReply PointBandGesture::cancel(GestureContext &)
+{
+    GestureReply reply;
+    reply.state = GestureReply::State::Over;
+    reply.selectPoints = m_before;
+    return reply;
+}
+
+} // namespace fff

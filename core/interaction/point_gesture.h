@@ -1,0 +1,60 @@
+// Drags control points, a handle or a piece of the contour of one section.
+#pragma once
+
+#include "core/interaction/gesture.h"
+#include "core/interaction/point_editing.h"
+#include "core/interaction/point_sight.h"
+
+namespace fff {
+
+/// Every move starts from the committed shape. What would cross itself is not shown: the drag stays
+/// at the last place where the shape was whole, and says so. Ctrl: anchors leave their handles
+/// where they are, and a handle its opposite one. Shift: anchors move along one axis of the frame,
+/// a handle along its direction, a piece of the contour square to it.
+class PointGesture : public Gesture
+{
+public:
+    /// A point that is not selected is taken alone, else all that are selected move with it.
+    PointGesture(const PointTarget &target, const PointerEvent &press, const Section &section,
+                 const GestureContext &context);
+
+    GestureReply handle(const PointerEvent &event, GestureContext &context) override;
+    GestureReply cancel(GestureContext &context) override;
+    Hint hint() const override;
+    Cursor cursor() const override { return Cursor::MoveCross; }
+
+private:
+    PointEdit edited(const Vec2 &by, bool breaks, const Document &document,
+                     const PointRules &rules) const;
+    Vec2 straightened(const Vec2 &by) const;
+
+    PointTarget m_target;
+    SectionId m_section;
+    std::string m_name; // of the section
+    ShapePointer m_shape;
+    Frame m_frame;
+    std::vector<PointAddress> m_before, m_moved; // selected
+    Vec2 m_pressed = Vec2::Zero();               // frame coordinates
+    std::optional<EditedPoints> m_last;          // the newest that is whole
+    std::optional<Hint> m_refusal;               // of the newest move
+};
+
+/// A frame pulled over the points of one section to select them.
+class PointBandGesture : public Gesture
+{
+public:
+    PointBandGesture(const PointerEvent &press, const Section &section,
+                     const GestureContext &context);
+    GestureReply handle(const PointerEvent &event, GestureContext &context) override;
+    GestureReply cancel(GestureContext &context) override;
+    Hint hint() const override { return {Hint::Kind::PointBand, {}, false}; }
+    Cursor cursor() const override { return Cursor::Arrow; }
+
+private:
+    Vec2 m_press; // px
+    ShapePointer m_shape;
+    Frame m_frame;
+    std::vector<PointAddress> m_before;
+};
+
+} // namespace fff

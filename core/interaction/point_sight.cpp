@@ -1,0 +1,119 @@
+#include "core/interaction/point_sight.h"
+
+#include "core/base/tolerances.h"
+
+#include <cmath>
+
+namespace fff {
+
+namespace {
+
+/// px. The line's is less, or strokes could hardly begin on a small section.
+constexpr double kReach = 10.0, kLineReach = 6.0;
+/// A handle this near to its anchor cannot be told from it, px.
+constexpr double kSeparate = 6.0;
+
+bool isSeenOnEdge(const Frame &frame, const Vec2 &middle, const Sight &sight)
+{
+    const Vec3 towards = sight.camera.towardsEye(frame.toWorld(middle), sight.viewport);
+    return std::abs(towards.dot(frame.normal())) < std::sin(kMinDrawAngle);
+}
+
+/// The contour's or a hole's place nearest to the cursor.
+std::optional<PointTarget> lineAt(const Sight &sight, int index, const Section &section,
+                                  const Vec2 &position)
+{
+    const auto local = placeOnPlane(section.frame, sight.camera, sight.viewport, position);
+    if (!local)
+        return std::nullopt;
+    PointTarget target;
+    target.kind = PointTarget::Kind::Line;
+    double nearest = std::numeric_limits<double>::infinity();
+    for (int b = 0; b < boundaryCount(*section.shape); ++b) {
+        const NearestPlace place = nearestPlace(boundary(*section.shape, b), *local);
+        if (place.distance < nearest) {
+            nearest = place.distance;
+            target.point = {b, place.at.segment};
+            target.t = place.at.t;
+            target.place = place.position;
+        }
+    }
+    const Vec3 world = section.frame.toWorld(target.place);
+    if ((sight.camera.toScreen(world, sight.viewport) - position).norm() > kLineReach)
+        return std::nullopt;
+    const std::vector<Hit> hits = sight.hitsAt(position);
+    if (hits.empty() || hits.front().section == index)
+        return target;
+    const Ray ray = sight.camera.rayThrough(position, sight.viewport);
+    const double distance = (world - ray.origin).dot(ray.direction);
+    return hits.front().distance < distance ? std::nullopt : std::optional(target);
+}
+
+} // namespace
+
+int sectionWithPoints(const Sight &sight, const Selection &selection)
+{
+    if (selection.sections().size() != 1 || !selection.sections().front().drawn.isValid())
+        return -1;
+    const SectionRef &ref = selection.sections().front();
+    const int index = sight.model.indexOf(ref);
+    if (index < 0 || !sight.view.isPicked(ref))
+        return -1;
+    const Section &section = *sight.model.section(static_cast<std::size_t>(index));
+    return isSeenOnEdge(section.frame, section.shape->bounds().center(), sight) ? -1 : index;
+}
+
+std::optional<PointTarget> pointTargetAt(const Sight &sight, int index,
+                                         const PointSelection &selected, const Vec2 &position)
+{
+    if (index < 0)
+        return std::nullopt;
+    const Section &section = *sight.model.section(static_cast<std::size_t>(index));
+    const Shape &shape = *section.shape;
+    const auto screen = [&](const Vec2 &p) {
+        return sight.camera.toScreen(section.frame.toWorld(p), sight.viewport);
+    };
+    std::optional<PointTarget> best;
+    double nearest = kReach;
+    for (int b = 0; b < boundaryCount(shape); ++b) {
+        const Contour &contour = boundary(shape, b);
+        for (int i = 0; i < contour.segmentCount(); ++i) {
+            const Vec2 place = anchor(contour, i);
+            if (const double d = (screen(place) - position).norm(); d <= nearest) {
+                nearest = d;
+                best = PointTarget{PointTarget::Kind::Anchor, {b, i}, HandleSide::In, 0.0, place};
+            }
+        }
+    }
+    if (selected.section() == section.id) {
+        for (const PointAddress &point : selected.points()) {
+            if (!isPoint(shape, point))
+                continue;
+            const Contour &contour = boundary(shape, point.boundary);
+            for (const HandleSide side : {HandleSide::In, HandleSide::Out}) {
+                const Vec2 place = handle(contour, point.index, side);
+                const Vec2 at = screen(place);
+                const double d = (at - position).norm();
+                if (d <= nearest &&
+                    (at - screen(anchor(contour, point.index))).norm() > kSeparate) {
+                    nearest = d;
+                    best = PointTarget{PointTarget::Kind::Handle, point, side, 0.0, place};
+                }
+            }
+        }
+    }
+    return best ? best : lineAt(sight, index, section, position);
+}
+
+std::optional<Vec2> placeOnPlane(const Frame &frame, const Camera &camera, const Vec2 &viewport,
+                                 const Vec2 &position)
+{
+    const Ray ray = camera.rayThrough(position, viewport);
+    const double slope = frame.normal().dot(ray.direction);
+    if (std::abs(slope) < std::sin(kMinDrawAngle) * ray.direction.norm())
+        return std::nullopt;
+    const double along = -frame.height(ray.origin) / slope;
+    return frame.toLocal(ray.origin + along * ray.direction);
+}
+
+} // namespace fff

@@ -1,0 +1,173 @@
+#include "core/session/point_commands.h"
+
+#include "core/model/edits.h"
+#include "core/session/session_host.h"
+
+#include <cmath>
+
+namespace fff {
+
+namespace {
+
+constexpr double kNudge = 1.0; // mm
+
+/// A place of a contour that a script names. None: it names none.
+Result<std::optional<std::pair<int, CurvePoint>>> placeIn(const CommandParameters &parameters,
+                                                          const Shape &shape)
+{
+    if (!parameters.contains("segment"))
+        return std::nullopt;
+    const auto ring = numberOf(parameters, "boundary", 0.0);
+    const auto segment = numberOf(parameters, "segment", 0.0);
+    const auto t = numberOf(parameters, "t", 0.5);
+    for (const auto *number : {&ring, &segment, &t})
+        if (!*number)
+            return tl::unexpected(number->error());
+    const PointAddress start{static_cast<int>(*ring), static_cast<int>(*segment)};
+    if (!isPoint(shape, start) || !(*t > 0.0 && *t < 1.0))
+        return failure(ErrorCode::BadValue, "segment", {std::to_string(*segment), "a place"});
+    return std::pair(start.boundary, CurvePoint{start.index, *t});
+}
+
+std::optional<std::pair<int, CurvePoint>> placeToInsert(const Interaction &interaction)
+{
+    const Section *section = interaction.sectionOfPoints();
+    if (!section)
+        return std::nullopt;
+    const auto hovered = interaction.hoveredPoint();
+    if (hovered && hovered->kind == PointTarget::Kind::Line)
+        return std::pair(hovered->point.boundary, CurvePoint{hovered->point.index, hovered->t});
+    return placeBetween(*section->shape, interaction.points());
+}
+
+Result<void> insertPoint(Session &session, Interaction &interaction,
+                         const CommandParameters &parameters, double time)
+{
+    const Section *section = interaction.sectionOfPoints();
+    if (!section)
+        return {};
+    auto place = placeIn(parameters, *section->shape);
+    if (!place)
+        return tl::unexpected(place.error());
+    if (!*place)
+        *place = placeToInsert(interaction);
+    if (*place)
+        interaction.carryOut(withInsertedPoint(session.committed().document, section->id,
+                                               (*place)->first, (*place)->second,
+                                               interaction.pointRules()),
+                             time);
+    return {};
+}
+
+Result<void> selectPoint(Interaction &interaction, const CommandParameters &parameters)
+{
+    const auto ring = numberOf(parameters, "boundary", 0.0);
+    const auto index = numberOf(parameters, "index", 0.0);
+    for (const auto *number : {&ring, &index})
+        if (!*number)
+            return tl::unexpected(number->error());
+    std::vector<PointAddress> points;
+    const auto add = parameters.find("add");
+    if (add != parameters.end() && add->second == "true")
+        points = interaction.points().points();
+    points.push_back({static_cast<int>(*ring), static_cast<int>(*index)});
+    interaction.selectPoints(std::move(points));
+    return {};
+}
+
+std::vector<const Section *> selectedWithHoles(const Session &session,
+                                               const Interaction &interaction)
+{
+    std::vector<const Section *> sections;
+    for (const SectionRef &ref : interaction.selection())
+        if (const Section *section = session.committed().document.find(ref.drawn))
+            if (!section->shape->holes().empty())
+                sections.push_back(section);
+    return sections;
+}
+
+Result<void> removeHoles(Session &session, const Interaction &interaction)
+{
+    Step step{Step::Kind::RemoveHoles, {}};
+    Result<Document> next = session.committed().document;
+    for (const Section *section : selectedWithHoles(session, interaction)) {
+        const Result<ShapePointer> shape = withoutHoles(*section->shape);
+        if (!shape)
+            return tl::unexpected(shape.error());
+        step.names.push_back(section->name);
+        if (next)
+            next = setShape(*std::move(next), section->id, *shape);
+    }
+    if (!next)
+        return tl::unexpected(next.error());
+    session.commit(SessionHost::undoText(step), *std::move(next));
+    return {};
+}
+
+void registerKinds(CommandRegistry &registry, Session &session, Interaction &interaction)
+{
+    const auto add = [&](const char *id, PointKind kind) {
+        registry.add(id, {[&, kind](const CommandParameters &, double time) -> Result<void> {
+                              interaction.carryOut(withSelectionOfKind(session.committed().document,
+                                                                       interaction.points(), kind,
+                                                                       interaction.pointRules()),
+                                                   time);
+                              return {};
+                          },
+                          [&] { return !interaction.points().isEmpty(); }});
+    };
+    add("point.smooth", PointKind::Smooth);
+    add("point.symmetric", PointKind::Symmetric);
+    add("point.corner", PointKind::Corner);
+}
+
+void registerNudges(CommandRegistry &registry, Interaction &interaction)
+{
+    const auto add = [&](const char *id, const Vec2 &arrow) {
+        registry.add(id, {[&interaction, arrow](const CommandParameters &parameters,
+                                                double time) -> Result<void> {
+                              const Result<double> distance =
+                                  numberOf(parameters, "distance", kNudge);
+                              if (!distance)
+                                  return tl::unexpected(distance.error());
+                              interaction.nudge(arrow, *distance, time);
+                              return {};
+                          },
+                          [&interaction] { return !interaction.selection().empty(); }});
+    };
+    add("nudge.left", -Vec2::UnitX());
+    add("nudge.right", Vec2::UnitX());
+    add("nudge.up", Vec2::UnitY());
+    add("nudge.down", -Vec2::UnitY());
+}
+
+} // namespace
+
+void registerPointCommands(CommandRegistry &registry, Session &session, Interaction &interaction)
+{
+    registry.add("point.insert", {[&](const CommandParameters &parameters, double time) {
+                                      return insertPoint(session, interaction, parameters, time);
+                                  },
+                                  [&] { return interaction.sectionOfPoints() != nullptr; }});
+    registry.add("point.delete",
+                 {[&](const CommandParameters &, double time) -> Result<void> {
+                      interaction.carryOut(withoutSelection(session.committed().document,
+                                                            interaction.points(),
+                                                            interaction.pointRules()),
+                                           time);
+                      return {};
+                  },
+                  [&] { return !interaction.points().isEmpty(); }});
+    registry.add("point.select", {[&](const CommandParameters &parameters, double) {
+                                      return selectPoint(interaction, parameters);
+                                  },
+                                  [&] { return interaction.sectionOfPoints() != nullptr; }});
+    registry.add(
+        "section.removeHoles",
+        {[&](const CommandParameters &, double) { return removeHoles(session, interaction); },
+         [&] { return !selectedWithHoles(session, interaction).empty(); }});
+    registerKinds(registry, session, interaction);
+    registerNudges(registry, interaction);
+}
+
+} // namespace fff
