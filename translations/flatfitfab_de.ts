@@ -609,6 +609,14 @@
         <source>it is open in another window</source>
         <translation>es ist in einem anderen Fenster offen</translation>
     </message>
+    <message>
+        <source>a hole would not lie inside the contour by itself</source>
+        <translation>ein Loch läge nicht für sich in der Kontur</translation>
+    </message>
+    <message>
+        <source>too few points would be left to enclose anything</source>
+        <translation>es blieben zu wenige Punkte, um etwas zu umschließen</translation>
+    </message>
 </context>
 <context>
     <name>QDockWidget</name>
@@ -694,6 +702,69 @@
     <message>
         <source>Drop to the ground</source>
         <translation>Auf den Boden setzen</translation>
+    </message>
+    <message>
+        <source>Move point of %1</source>
+        <extracomment>%1 is the name of a section</extracomment>
+        <translation>Punkt von %1 verschieben</translation>
+    </message>
+    <message numerus="yes">
+        <source>Move %n points of %1</source>
+        <translation>
+            <numerusform>%n Punkt von %1 verschieben</numerusform>
+            <numerusform>%n Punkte von %1 verschieben</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Move handle of %1</source>
+        <extracomment>%1 is the name of a section</extracomment>
+        <translation>Griff von %1 verschieben</translation>
+    </message>
+    <message>
+        <source>Bend contour of %1</source>
+        <extracomment>%1 is the name of a section</extracomment>
+        <translation>Kontur von %1 biegen</translation>
+    </message>
+    <message>
+        <source>Add point to %1</source>
+        <extracomment>%1 is the name of a section</extracomment>
+        <translation>Punkt zu %1 hinzufügen</translation>
+    </message>
+    <message>
+        <source>Delete point of %1</source>
+        <extracomment>%1 is the name of a section</extracomment>
+        <translation>Punkt von %1 löschen</translation>
+    </message>
+    <message numerus="yes">
+        <source>Delete %n points of %1</source>
+        <translation>
+            <numerusform>%n Punkt von %1 löschen</numerusform>
+            <numerusform>%n Punkte von %1 löschen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Change point of %1</source>
+        <extracomment>%1 is the name of a section</extracomment>
+        <translation>Punkt von %1 ändern</translation>
+    </message>
+    <message numerus="yes">
+        <source>Change %n points of %1</source>
+        <translation>
+            <numerusform>%n Punkt von %1 ändern</numerusform>
+            <numerusform>%n Punkte von %1 ändern</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Remove holes of %1</source>
+        <extracomment>%1 is the name of a section</extracomment>
+        <translation>Löcher von %1 entfernen</translation>
+    </message>
+    <message numerus="yes">
+        <source>Remove holes of %n sections</source>
+        <translation>
+            <numerusform>Löcher von %n Scheibe entfernen</numerusform>
+            <numerusform>Löcher von %n Scheiben entfernen</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -1676,6 +1747,74 @@
         <source>Draw with clicks in place of one stroke: set points, drag to bend</source>
         <translation>Mit Klicks statt in einem Zug zeichnen: Punkte setzen, zum Biegen ziehen</translation>
     </message>
+    <message>
+        <source>Re&amp;move holes</source>
+        <translation>Löche&amp;r entfernen</translation>
+    </message>
+    <message>
+        <source>No holes</source>
+        <translation>Keine Löcher</translation>
+    </message>
+    <message>
+        <source>Close all holes of the selected sections</source>
+        <translation>Alle Löcher der gewählten Scheiben schließen</translation>
+    </message>
+    <message>
+        <source>&amp;Add point</source>
+        <translation>Punkt &amp;hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add point</source>
+        <translation>Punkt dazu</translation>
+    </message>
+    <message>
+        <source>Add a control point under the cursor, or beside the selected one</source>
+        <translation>Einen Kontrollpunkt unter dem Zeiger oder neben dem gewählten hinzufügen</translation>
+    </message>
+    <message>
+        <source>De&amp;lete point</source>
+        <translation>Punkt lös&amp;chen</translation>
+    </message>
+    <message>
+        <source>Delete point</source>
+        <translation>Punkt löschen</translation>
+    </message>
+    <message>
+        <source>Delete the selected control points</source>
+        <translation>Die gewählten Kontrollpunkte löschen</translation>
+    </message>
+    <message>
+        <source>Smoo&amp;th point</source>
+        <translation>Punkt &amp;glätten</translation>
+    </message>
+    <message>
+        <source>Smooth</source>
+        <translation>Glatt</translation>
+    </message>
+    <message>
+        <source>Let the contour run smoothly through the selected points</source>
+        <translation>Die Kontur glatt durch die gewählten Punkte führen</translation>
+    </message>
+    <message>
+        <source>S&amp;ymmetric point</source>
+        <translation>S&amp;ymmetrischer Punkt</translation>
+    </message>
+    <message>
+        <source>Symmetric</source>
+        <translation>Symmetrisch</translation>
+    </message>
+    <message>
+        <source>The same with handles of equal length to both sides</source>
+        <translation>Ebenso, mit gleich langen Griffen nach beiden Seiten</translation>
+    </message>
+    <message>
+        <source>&amp;Corner point</source>
+        <translation>Eckp&amp;unkt</translation>
+    </message>
+    <message>
+        <source>Make the selected points corners</source>
+        <translation>Die gewählten Punkte zu Ecken machen</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::AgoText</name>
@@ -2547,6 +2686,58 @@
         <source>The points are gone, for the section that they stood on is.</source>
         <translation>Die Punkte sind weg, denn die Scheibe, auf der sie standen, ist es auch.</translation>
     </message>
+    <message>
+        <source>Drag to move the point; &lt;kbd&gt;Ctrl&lt;/kbd&gt; makes a corner, arrow keys move 1&#x202f;mm.</source>
+        <translation>Ziehen verschiebt den Punkt; &lt;kbd&gt;Strg&lt;/kbd&gt; macht eine Ecke, Pfeiltasten verschieben um 1&#x202f;mm.</translation>
+    </message>
+    <message>
+        <source>Drag to bend the curve; &lt;kbd&gt;Ctrl&lt;/kbd&gt; makes a corner, &lt;kbd&gt;Shift&lt;/kbd&gt; keeps the direction.</source>
+        <translation>Ziehen biegt die Kurve; &lt;kbd&gt;Strg&lt;/kbd&gt; macht eine Ecke, &lt;kbd&gt;Umschalt&lt;/kbd&gt; hält die Richtung.</translation>
+    </message>
+    <message>
+        <source>Double-click to add a point here; drag to bend the contour.</source>
+        <translation>Doppelklick fügt hier einen Punkt ein; Ziehen biegt die Kontur.</translation>
+    </message>
+    <message>
+        <source>Release to leave it here. &lt;kbd&gt;Ctrl&lt;/kbd&gt; makes a corner, &lt;kbd&gt;Shift&lt;/kbd&gt; keeps the direction.</source>
+        <translation>Loslassen lässt ihn hier. &lt;kbd&gt;Strg&lt;/kbd&gt; macht eine Ecke, &lt;kbd&gt;Umschalt&lt;/kbd&gt; hält die Richtung.</translation>
+    </message>
+    <message>
+        <source>Release to leave it so. &lt;kbd&gt;Ctrl&lt;/kbd&gt; makes a corner, &lt;kbd&gt;Shift&lt;/kbd&gt; keeps the direction.</source>
+        <translation>Loslassen lässt es so. &lt;kbd&gt;Strg&lt;/kbd&gt; macht eine Ecke, &lt;kbd&gt;Umschalt&lt;/kbd&gt; hält die Richtung.</translation>
+    </message>
+    <message>
+        <source>Release to leave it so. &lt;kbd&gt;Ctrl&lt;/kbd&gt; makes corners at its ends. &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
+        <translation>Loslassen lässt es so. &lt;kbd&gt;Strg&lt;/kbd&gt; macht Ecken an den Enden. &lt;kbd&gt;Esc&lt;/kbd&gt; bricht ab.</translation>
+    </message>
+    <message>
+        <source>Release to select the points inside. &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
+        <translation>Loslassen wählt die Punkte darin. &lt;kbd&gt;Esc&lt;/kbd&gt; bricht ab.</translation>
+    </message>
+    <message>
+        <source>Here the contour would cross itself; it stays at the last place where it does not.</source>
+        <translation>Hier würde die Kontur sich selbst kreuzen; sie bleibt, wo sie es zuletzt nicht tat.</translation>
+    </message>
+    <message>
+        <source>Here a hole would not lie inside by itself; it stays at the last place where it does.</source>
+        <translation>Hier läge ein Loch nicht für sich innen; alles bleibt, wo es zuletzt passte.</translation>
+    </message>
+    <message>
+        <source>Here nothing would be left of %1; it stays as it was.</source>
+        <translation>Hier bliebe nichts von %1 übrig; alles bleibt, wie es war.</translation>
+    </message>
+    <message>
+        <source>Here all of %1 would be cut off at the ground; it stays as it was.</source>
+        <translation>Hier würde %1 am Boden ganz abgeschnitten; alles bleibt, wie es war.</translation>
+    </message>
+    <message>
+        <source>Nothing deleted: a contour needs two points at least.</source>
+        <translation>Nichts gelöscht: Eine Kontur braucht mindestens zwei Punkte.</translation>
+    </message>
+    <message>
+        <source>Nothing changed: this cannot be done here.</source>
+        <translation>Nichts geändert: Das geht hier nicht.</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::HistoryDock</name>
@@ -2836,6 +3027,53 @@
         <source>%1 × %2 from the last point</source>
         <extracomment>how far it is to the side (%1) and up or down (%2, with a unit)</extracomment>
         <translation>%1 × %2 vom letzten Punkt</translation>
+    </message>
+</context>
+<context>
+    <name>fff::ui::PointGroup</name>
+    <message>
+        <source>Point</source>
+        <translation>Punkt</translation>
+    </message>
+    <message>
+        <source>Handle in</source>
+        <translation>Griff davor</translation>
+    </message>
+    <message>
+        <source>Angle in</source>
+        <translation>Winkel davor</translation>
+    </message>
+    <message>
+        <source>Handle out</source>
+        <translation>Griff danach</translation>
+    </message>
+    <message>
+        <source>Angle out</source>
+        <translation>Winkel danach</translation>
+    </message>
+    <message>
+        <source>X</source>
+        <translation>X</translation>
+    </message>
+    <message>
+        <source>Y</source>
+        <translation>Y</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Art</translation>
+    </message>
+    <message>
+        <source>Corner</source>
+        <translation>Ecke</translation>
+    </message>
+    <message>
+        <source>Smooth</source>
+        <translation>Glatt</translation>
+    </message>
+    <message>
+        <source>Symmetric</source>
+        <translation>Symmetrisch</translation>
     </message>
 </context>
 <context>

@@ -55,6 +55,34 @@
             <numerusform>Change stock of %n sections</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>Move %n points of %1</source>
+        <translation>
+            <numerusform>Move %n point of %1</numerusform>
+            <numerusform>Move %n points of %1</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Delete %n points of %1</source>
+        <translation>
+            <numerusform>Delete %n point of %1</numerusform>
+            <numerusform>Delete %n points of %1</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Change %n points of %1</source>
+        <translation>
+            <numerusform>Change %n point of %1</numerusform>
+            <numerusform>Change %n points of %1</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Remove holes of %n sections</source>
+        <translation>
+            <numerusform>Remove holes of %n section</numerusform>
+            <numerusform>Remove holes of %n sections</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::AgoText</name>

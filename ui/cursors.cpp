@@ -121,6 +121,25 @@ void turningArrows(QPainter &painter)
     }
 }
 
+/// Its tip is at (3, 3).
+void arrowWithPlus(QPainter &painter)
+{
+    QPainterPath arrow;
+    arrow.moveTo(3, 3);
+    for (const QPointF &p : {QPointF(3, 18), QPointF(7, 14.5), QPointF(9.5, 20), QPointF(12, 19),
+                             QPointF(9.5, 13.5), QPointF(14, 13.5)})
+        arrow.lineTo(p);
+    arrow.closeSubpath();
+    painter.strokePath(arrow, QPen(kPaper, 2.6, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    painter.fillPath(arrow, kInk);
+    QPainterPath plus;
+    plus.moveTo(20, 16);
+    plus.lineTo(20, 24);
+    plus.moveTo(16, 20);
+    plus.lineTo(24, 20);
+    cased(painter, plus, kInk, 2.0);
+}
+
 QCursor drawn(Cursor cursor, double ratio)
 {
     QPixmap pixmap(static_cast<int>(std::lround(kSize * ratio)),
@@ -133,6 +152,11 @@ QCursor drawn(Cursor cursor, double ratio)
         turningArrows(painter);
         painter.end();
         return QCursor(pixmap, 14, 14);
+    }
+    if (cursor == Cursor::ArrowWithPlus) {
+        arrowWithPlus(painter);
+        painter.end();
+        return QCursor(pixmap, 3, 3);
     }
     const bool isPen = cursor == Cursor::Pen || cursor == Cursor::PenCloses;
     if (isPen)

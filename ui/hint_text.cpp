@@ -147,6 +147,40 @@ QString hintSentence(const Hint &hint, const QString &undoKeys)
         return HintText::tr("Move to shift the cut, release to leave it there. Esc puts it back.");
     case Hint::Kind::ChooseProblem:
         return HintText::tr("Click to select problem %1; drag to turn the view.").arg(name);
+    case Hint::Kind::MovePoint:
+        return HintText::tr(
+            "Drag to move the point; <kbd>Ctrl</kbd> makes a corner, arrow keys move 1\u202fmm.");
+    case Hint::Kind::MoveHandle:
+        return HintText::tr("Drag to bend the curve; <kbd>Ctrl</kbd> makes a corner, "
+                            "<kbd>Shift</kbd> keeps the direction.");
+    case Hint::Kind::AddPoint:
+        return HintText::tr("Double-click to add a point here; drag to bend the contour.");
+    case Hint::Kind::MovingPoint:
+        return HintText::tr("Release to leave it here. <kbd>Ctrl</kbd> makes a corner, "
+                            "<kbd>Shift</kbd> keeps the direction.");
+    case Hint::Kind::MovingHandle:
+        return HintText::tr("Release to leave it so. <kbd>Ctrl</kbd> makes a corner, "
+                            "<kbd>Shift</kbd> keeps the direction.");
+    case Hint::Kind::BendingContour:
+        return HintText::tr("Release to leave it so. <kbd>Ctrl</kbd> makes corners at its ends. "
+                            "<kbd>Esc</kbd> cancels.");
+    case Hint::Kind::PointBand:
+        return HintText::tr("Release to select the points inside. <kbd>Esc</kbd> cancels.");
+    case Hint::Kind::WouldCrossItself:
+        return HintText::tr("Here the contour would cross itself; it stays at the last place where "
+                            "it does not.");
+    case Hint::Kind::WouldMeetHole:
+        return HintText::tr("Here a hole would not lie inside by itself; it stays at the last "
+                            "place where it does.");
+    case Hint::Kind::WouldBeEmpty:
+        return HintText::tr("Here nothing would be left of %1; it stays as it was.").arg(name);
+    case Hint::Kind::WouldBeBelowGround:
+        return HintText::tr("Here all of %1 would be cut off at the ground; it stays as it was.")
+            .arg(name);
+    case Hint::Kind::TooFewPoints:
+        return HintText::tr("Nothing deleted: a contour needs two points at least.");
+    case Hint::Kind::EditFailed:
+        return HintText::tr("Nothing changed: this cannot be done here.");
     case Hint::Kind::NeverLeft:
         return HintText::tr(
                    "Nothing drawn: the slit never left %1. Start inside and drag across its edge.")

@@ -51,6 +51,7 @@ target_sources(fff_ui PRIVATE
     properties/length_edit.cpp
     properties/number_edit.cpp
     properties/open_editor.cpp
+    properties/point_rows.cpp
     properties/property_rows.cpp
     properties/stock_box.cpp
     properties/stock_choice.cpp

@@ -219,6 +219,8 @@ void Viewport::paintMarks()
     const auto hovered = static_cast<std::size_t>(std::max(overlay.hovered, 0));
     if (overlay.hovered >= 0 && hovered < model.sectionCount())
         scene.hovered = QString::fromStdString(model.section(hovered)->name);
+    if (overlay.points && static_cast<std::size_t>(overlay.points->section) < model.sectionCount())
+        scene.edited = model.section(static_cast<std::size_t>(overlay.points->section)).get();
     if (m_busyTurn.isActive())
         scene.busy = m_busyTurns;
     QPainter painter(&m_marks);
@@ -368,9 +370,39 @@ void Viewport::keyPressEvent(QKeyEvent *event)
         m_bench.key(*key);
     } else if (beginsNumber(event) && !m_bench.interaction().numbers().empty()) {
         Q_EMIT numberBegun(event->text());
-    } else if (!tellOfModifiers(event)) {
+    } else if (!nudge(event) && !tellOfModifiers(event)) {
         QOpenGLWidget::keyPressEvent(event);
     }
+}
+
+/// Arrow keys move what is selected by 1 mm, finely with Ctrl, coarsely with Shift.
+bool Viewport::nudge(QKeyEvent *event)
+{
+    Vec2 arrow = Vec2::Zero();
+    switch (event->key()) {
+    case Qt::Key_Left:
+        arrow = -Vec2::UnitX();
+        break;
+    case Qt::Key_Right:
+        arrow = Vec2::UnitX();
+        break;
+    case Qt::Key_Up:
+        arrow = Vec2::UnitY();
+        break;
+    case Qt::Key_Down:
+        arrow = -Vec2::UnitY();
+        break;
+    default:
+        return false;
+    }
+    const Qt::KeyboardModifiers keys = event->modifiers() & ~Qt::KeypadModifier;
+    const double distance = keys == Qt::ControlModifier ? 0.1
+                            : keys == Qt::ShiftModifier ? 10.0
+                                                        : 1.0;
+    if (keys != Qt::NoModifier && distance == 1.0)
+        return false; // Alt and the like are someone else's
+    m_bench.clock().observe(event->timestamp());
+    return m_bench.nudge(arrow, distance);
 }
 
 /// A gesture may do something else while Shift or Ctrl is held, also when the mouse rests.
@@ -474,6 +506,7 @@ Viewport::Seen Viewport::seen() const
             overlay.hovered,
             overlay.namePlace,
             overlay.cubePart,
+            overlay.points,
             overlay.isHandleHovered,
             interaction.hasGesture(),
             overlay.stroke.has_value() || hasPath(overlay),

@@ -64,6 +64,7 @@ private:
         int hovered = -1;
         std::optional<Vec2> namePlace;
         std::optional<CubePart> cubePart;
+        std::optional<Overlay::Points> points;
         bool isHandleHovered = false, hasGesture = false, isGhosted = false, hasBand = false;
         std::vector<ProblemMark> marks;
         int litMark = 0;
@@ -79,6 +80,7 @@ private:
                          quint64 time);
     bool pinch(QNativeGestureEvent *event);
     bool tellOfModifiers(QKeyEvent *event);
+    bool nudge(QKeyEvent *event);
     void showFocus(bool shows);
     void flushMoves();
     void leave();

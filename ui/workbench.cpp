@@ -130,6 +130,19 @@ void Workbench::select(std::vector<SectionRef> selection)
     announceChanges();
 }
 
+void Workbench::editPoints(PointEdit edit)
+{
+    m_interaction->carryOut(std::move(edit), m_clock.now());
+    announceChanges();
+}
+
+bool Workbench::nudge(const Vec2 &arrow, double distance)
+{
+    const bool moved = m_interaction->nudge(arrow, distance, m_clock.now());
+    announceChanges();
+    return moved;
+}
+
 void Workbench::setHidden(const SectionRef &ref, bool hidden)
 {
     ViewState view = m_interaction->view();
@@ -177,6 +190,10 @@ void Workbench::announceChanges()
     if (m_selection != m_interaction->selection()) {
         m_selection = m_interaction->selection();
         Q_EMIT selectionChanged();
+    }
+    if (m_points != m_interaction->points().points()) {
+        m_points = m_interaction->points().points();
+        Q_EMIT pointsChanged();
     }
     if (!(m_hint == m_interaction->hint())) {
         m_hint = m_interaction->hint();

@@ -68,12 +68,18 @@ public:
     const std::vector<SectionPointer> &ghosts() const { return m_ghosts; }
     const std::vector<SectionRef> &outlined() const { return m_outlined; }
 
+    /// Commits an edit of control points, or says in the status line why it was refused.
+    void editPoints(PointEdit edit);
+    /// An arrow key (Interaction::nudge). False when nothing is selected.
+    bool nudge(const Vec2 &arrow, double distance);
+
     /// Commits an edit; a failed one is announced by editFailed and changes nothing.
     void commit(const Step &step, Result<Document> document);
     void commit(const QString &text, Result<Document> document);
 
 Q_SIGNALS:
     void selectionChanged();
+    void pointsChanged(); // the selected control points
     void hintChanged();
     /// Camera, hover marks, gesture: what is seen but not in the model.
     void viewChanged();
@@ -92,6 +98,7 @@ private:
     SessionHost m_host;
     std::unique_ptr<Interaction> m_interaction;
     std::vector<SectionRef> m_selection; // as last announced
+    std::vector<PointAddress> m_points;
     Hint m_hint;
     ViewState m_view;
     std::vector<SectionRef> m_outlined;

@@ -855,6 +855,7 @@ void Interaction::pickUp(std::unique_ptr<Tool> tool, double time)
     d->stopMotion();
     d->note.reset();
     d->tool = std::move(tool);
+    d->points.clear(); // they are not seen meanwhile
     d->hovering.unmark(d->overlay);
     GestureContext with = d->context();
     d->takeFromTool(d->tool->begin(with, d->now));
@@ -1013,6 +1014,8 @@ void Interaction::carryOut(PointEdit edit, double time)
 bool Interaction::nudge(const Vec2 &arrow, double distance, double time)
 {
     advance(time);
+    if (d->tool)
+        return false; // it has the keys
     const Camera &camera = d->motion.camera;
     const Document &document = d->host.model().document;
     if (const Section *section = sectionOfPoints(); section && !d->points.isEmpty()) {

@@ -26,6 +26,7 @@ set(icon_names
     ground_shadow
     hide
     hole
+    holes_remove
     isolate
     keyboard
     mouse
@@ -40,6 +41,11 @@ set(icon_names
     plane_parallel
     plane_side
     plus
+    point_add
+    point_corner
+    point_remove
+    point_smooth
+    point_symmetric
     previous_pane
     previous_problem
     quit

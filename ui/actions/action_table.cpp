@@ -118,6 +118,18 @@ std::span<const ActionRow> Texts::actions()
          QT_TR_NOOP("Draw a new contour for the selected section"), true, true},
         {"section.addHole", QT_TR_NOOP("Draw a &hole"), QT_TR_NOOP("Hole"), "O", "hole",
          QT_TR_NOOP("Draw a hole in the selected section"), true, true},
+        {"section.removeHoles", QT_TR_NOOP("Re&move holes"), QT_TR_NOOP("No holes"), "",
+         "holes_remove", QT_TR_NOOP("Close all holes of the selected sections"), true},
+        {"point.insert", QT_TR_NOOP("&Add point"), QT_TR_NOOP("Add point"), "+", "point_add",
+         QT_TR_NOOP("Add a control point under the cursor, or beside the selected one"), true},
+        {"point.delete", QT_TR_NOOP("De&lete point"), QT_TR_NOOP("Delete point"), "-",
+         "point_remove", QT_TR_NOOP("Delete the selected control points"), true},
+        {"point.smooth", QT_TR_NOOP("Smoo&th point"), QT_TR_NOOP("Smooth"), "Ctrl+1",
+         "point_smooth", QT_TR_NOOP("Let the contour run smoothly through the selected points")},
+        {"point.symmetric", QT_TR_NOOP("S&ymmetric point"), QT_TR_NOOP("Symmetric"), "Ctrl+3",
+         "point_symmetric", QT_TR_NOOP("The same with handles of equal length to both sides")},
+        {"point.corner", QT_TR_NOOP("&Corner point"), QT_TR_NOOP("Corner"), "Ctrl+2",
+         "point_corner", QT_TR_NOOP("Make the selected points corners")},
         {"section.dropToGround", QT_TR_NOOP("&Drop to ground"), QT_TR_NOOP("Drop"), "End",
          "drop_to_ground", QT_TR_NOOP("Set the model down on the ground"), true},
         {"check.nextProblem", QT_TR_NOOP("&Next problem"), QT_TR_NOOP("Next problem"), "F8",
@@ -154,8 +166,9 @@ std::span<const MenuRow> Texts::menus()
         {QT_TR_NOOP("&Section"),
          "section.symmetry section.ground section.snap | section.pen section.planeGround "
          "section.planeFront "
-         "section.planeSide section.planeParallel | section.redraw section.addHole | "
-         "section.dropToGround"},
+         "section.planeSide section.planeParallel | section.redraw section.addHole "
+         "section.removeHoles | point.insert point.delete | "
+         "point.smooth point.symmetric point.corner | section.dropToGround"},
         {QT_TR_NOOP("&Checks"), "check.nextProblem check.previousProblem"},
         {QT_TR_NOOP("F&abricate"), "fabricate.stocks | file.export"},
         {QT_TR_NOOP("&Help"), "edit.find help.start | help.about"},

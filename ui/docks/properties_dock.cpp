@@ -9,6 +9,7 @@
 #include "ui/measures.h"
 #include "ui/properties/drawing_group.h"
 #include "ui/properties/joint_rows.h"
+#include "ui/properties/point_rows.h"
 #include "ui/properties/property_rows.h"
 #include "ui/properties/stock_choice.h"
 #include "ui/workbench.h"
@@ -106,6 +107,7 @@ PropertiesDock::PropertiesDock(Workbench &bench, QWidget *parent)
     setWidget(area);
 
     connect(&bench, &Workbench::selectionChanged, this, &PropertiesDock::refresh);
+    connect(&bench, &Workbench::pointsChanged, this, &PropertiesDock::refresh);
     connect(&bench.session(), &Session::modelChanged, this, &PropertiesDock::refresh);
     connect(&bench.session(), &Session::analysisChanged, this, &PropertiesDock::refresh);
     connect(&settings(), &Settings::unitChanged, this, &PropertiesDock::refresh);
@@ -181,6 +183,7 @@ QWidget *PropertiesDock::makeModelPage(QWidget *parent)
 QWidget *PropertiesDock::makeSectionPage(QWidget *parent)
 {
     auto *page = new QWidget(parent);
+    m_pointGroup = new PointGroup(m_bench, page);
     auto *stock = new PropertyGroup(tr("Stock"), page);
     auto *place = new PropertyGroup(tr("Place"), page);
     auto *contour = new PropertyGroup(tr("Contour"), page);
@@ -197,6 +200,7 @@ QWidget *PropertiesDock::makeSectionPage(QWidget *parent)
     auto *column = new QVBoxLayout(page);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
+    column->addWidget(m_pointGroup);
     for (QWidget *group : {stock, place, contour, m_jointGroup})
         column->addWidget(group);
     return page;
@@ -417,8 +421,10 @@ void PropertiesDock::refresh()
     m_header->refresh();
     for (PropertyRow *row : hasSection ? m_sectionRows : m_modelRows)
         row->refresh();
-    if (hasSection)
+    if (hasSection) {
+        m_pointGroup->refresh();
         refreshJoints();
+    }
 }
 
 /// Of one section; of several there is no list that says anything.

@@ -13,6 +13,7 @@ namespace fff::ui {
 
 class DrawingPage;
 class JointRows;
+class PointGroup;
 class PropertiesHeader;
 class PropertyGroup;
 class PropertyRow;
@@ -46,6 +47,7 @@ private:
     PropertiesHeader *m_header = nullptr;
     QWidget *m_modelPage = nullptr, *m_sectionPage = nullptr;
     DrawingPage *m_drawingPage = nullptr; // while a stroke is drawn
+    PointGroup *m_pointGroup = nullptr;
     PropertyGroup *m_jointGroup = nullptr;
     JointRows *m_joints = nullptr;
     std::vector<int> m_selected; // indices in the model that is shown, as of refresh()

@@ -2,6 +2,7 @@
 
 #include "core/interaction/clip_gesture.h"
 #include "ui/view/pen_marks.h"
+#include "ui/view/point_marks.h"
 #include "ui/view/scale_bar.h"
 #include "ui/view/stroke_marks.h"
 #include "ui/view/view_cube_painter.h"
@@ -30,6 +31,11 @@ public:
     void invitation();
     void stroke() { paintStroke(m_pen, m_scene.overlay, isGroundALine(), m_scene.unit, m_locale); }
     void path();
+    void points()
+    {
+        if (m_scene.overlay.points && m_scene.edited)
+            paintPoints(m_pen, *m_scene.edited, *m_scene.overlay.points);
+    }
     void band();
     void ghosts();
     void cutHandle();
@@ -307,6 +313,7 @@ void paintOverlay(QPainter &painter, const OverlayScene &scene, const ViewStyle 
     Drawing drawing(painter, scene, style, locale);
     drawing.ground();
     drawing.ghosts();
+    drawing.points();
     drawing.stroke();
     drawing.path();
     drawing.band();

@@ -32,6 +32,7 @@ struct OverlayScene
     std::vector<PlacedMark> marks = {};      // numbers of problems
     int litMark = 0;                         // the one that is drawn larger
     std::vector<SectionPointer> ghosts = {}; // that are not in the model
+    const Section *edited = nullptr;         // whose points are shown, as it is shown
 };
 
 /// Leaves the painter's state changed. Lengths are written as the locale has them.

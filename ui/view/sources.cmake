@@ -11,6 +11,7 @@ target_sources(fff_view PRIVATE
     view/offscreen_image.cpp
     view/overlay_painter.cpp
     view/pen_marks.cpp
+    view/point_marks.cpp
     view/render_target.cpp
     view/renderer.cpp
     view/scale_bar.cpp
