@@ -17,9 +17,9 @@ struct Texts
     Q_DECLARE_TR_FUNCTIONS(fff::ui::PointGroup)
 };
 
-constexpr LengthEdit::Range kPlaces{-kMaxCoordinate, kMaxCoordinate, 0.1, 2, 3};
-constexpr LengthEdit::Range kLengths{0.0, kMaxCoordinate, 0.1, 2, 3};
-constexpr NumberEdit::Range kAngles{-360.0, 360.0, 1.0, 1, 3};
+constexpr LengthEdit::Range kPlaces{-kMaxCoordinate, kMaxCoordinate, 0.1, 2, 2};
+constexpr LengthEdit::Range kLengths{0.0, kMaxCoordinate, 0.1, 2, 2};
+constexpr NumberEdit::Range kAngles{-360.0, 360.0, 1.0, 1, 1};
 /// Values that differ by less are one to whoever reads them.
 constexpr double kSameValue = 1e-9;
 
