@@ -6,7 +6,7 @@
 #include "ui/workbench.h"
 
 #include <QApplication>
-#include <QHBoxLayout>
+#include <QGridLayout>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
@@ -35,9 +35,9 @@ CanvasBar::CanvasBar(Workbench &bench, QWidget *view) : QFrame(view), m_bench(be
     setObjectName(QStringLiteral("canvasBar"));
     setAccessibleName(tr("Numbers of the drawing tool"));
     setCursor(Qt::ArrowCursor);
-    auto *row = new QHBoxLayout(this);
-    row->setContentsMargins(12, 8, 12, 8);
-    row->setSpacing(6);
+    m_grid = new QGridLayout(this);
+    m_grid->setContentsMargins(12, 8, 12, 8);
+    m_grid->setSpacing(6);
     using Kind = ToolNumber::Kind;
     addField(Kind::Distance, new LengthEdit(kPlace, this), tr("Distance"), "canvasDistance");
     addField(Kind::X, new LengthEdit(kPlace, this), tr("X"), "canvasX");
@@ -60,8 +60,6 @@ void CanvasBar::addField(ToolNumber::Kind kind, NumberEdit *edit, const QString 
     edit->setObjectName(QLatin1String(objectName));
     edit->setAccessibleName(name);
     edit->setFixedWidth(104);
-    layout()->addWidget(label);
-    layout()->addWidget(edit);
     m_fields.push_back({kind, label, edit});
     auto *line = edit->findChild<QLineEdit *>();
     connect(line, &QLineEdit::textEdited, this, [this, kind, edit] {
@@ -208,9 +206,24 @@ bool CanvasBar::eventFilter(QObject *object, QEvent *event)
     return QFrame::eventFilter(object, event);
 }
 
+/// Two fields a row where all of them would be wider than the view.
+void CanvasBar::arrange(int fieldsInRow)
+{
+    int shown = 0;
+    for (Field &field : m_fields) {
+        const int row = shown / fieldsInRow, column = 2 * (shown % fieldsInRow);
+        m_grid->addWidget(field.label, row, column);
+        m_grid->addWidget(field.edit, row, column + 1);
+        shown += field.edit->isVisibleTo(this) ? 1 : 0;
+    }
+    m_grid->activate();
+}
+
 void CanvasBar::place()
 {
-    layout()->activate();
+    arrange(static_cast<int>(m_fields.size()));
+    if (sizeHint().width() > parentWidget()->width() - 2 * kBelow)
+        arrange(2);
     const QSize size = sizeHint();
     resize(size);
     move((parentWidget()->width() - size.width()) / 2,

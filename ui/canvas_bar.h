@@ -9,6 +9,7 @@
 
 #include <vector>
 
+class QGridLayout;
 class QLabel;
 
 namespace fff::ui {
@@ -52,8 +53,10 @@ private:
     void close();
     void follow(QWidget *focus);
     void place();
+    void arrange(int fieldsInRow);
 
     Workbench &m_bench;
+    QGridLayout *m_grid = nullptr;
     std::vector<Field> m_fields;
     bool m_isOpen = false; // for a point
 };

@@ -32,6 +32,7 @@ private Q_SLOTS:
     void numbersAreTyped();
     void escapeClosesTheBarFirst();
     void tabGoesRoundTheBar();
+    void theBarFitsANarrowView();
     void backspaceAndUndo();
     void digitsTurnTheViewWithoutThePen();
     void aParallelPlaneHasItsDistance();
@@ -217,6 +218,19 @@ void TestPenWindow::tabGoesRoundTheBar()
     QVERIFY(!bar()->isVisible());
     QCOMPARE(pointCount(), std::size_t(2));
     QVERIFY(std::abs(point(1).x() - 40.0) < 5.0);
+}
+
+void TestPenWindow::theBarFitsANarrowView()
+{
+    m_window->resize(1024, 640);
+    QTRY_COMPARE(m_window->width(), 1024);
+    takePen();
+    click(onScreen(0, 60));
+    type(QStringLiteral("7"));
+    QVERIFY(field("canvasAngle")->isVisible());
+    QTRY_VERIFY(m_view->rect().contains(bar()->geometry()));
+    for (const char *name : {"canvasX", "canvasY", "canvasLength", "canvasAngle"})
+        QVERIFY(bar()->rect().contains(field(name)->geometry()));
 }
 
 void TestPenWindow::backspaceAndUndo()
