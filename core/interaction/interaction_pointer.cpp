@@ -1,0 +1,213 @@
+#include "core/interaction/interaction_private.h"
+
+namespace fff {
+
+// What the person does.
+
+void Interaction::Private::press(const PointerEvent &event)
+{
+    if (pressed == Button::Middle && event.button == Button::Left &&
+        turnsWithSecondButton(settings.navigation)) {
+        beginWithSecondButton(
+            std::make_unique<OrbitGesture>(event, sight().pivotAt(event.position)));
+        hasSecondButton = true;
+        return;
+    }
+    if (gesture || !pending.empty())
+        return; // a second button during a gesture
+    stopMotion();
+    motion.history.interrupt();
+    note.reset();
+    motion.isTouched = true;
+    pressed = event.button;
+    if (isSecondClick(event) && addPointAt(event))
+        return;
+    pending = {event};
+}
+
+void Interaction::Private::move(const PointerEvent &event)
+{
+    if (pending.empty()) {
+        if (gesture)
+            feed(event);
+        else
+            hover();
+        return;
+    }
+    pending.push_back(event);
+    const PointerEvent begin = pending.front();
+    if ((event.position - begin.position).norm() <= settings.dragThreshold)
+        return;
+    GestureContext with = context();
+    gesture = gestureFor(begin, sight(), with);
+    cameraBefore = motion.camera;
+    hovering.unmark(overlay);
+    overlay = {};
+    const std::vector<PointerEvent> moves(pending.begin() + 1, pending.end());
+    pending.clear();
+    for (const PointerEvent &moved : moves) {
+        if (gesture)
+            feed(moved);
+    }
+}
+
+/// Another way to move the view, in the middle of a drag.
+void Interaction::Private::beginWithSecondButton(std::unique_ptr<Gesture> next)
+{
+    if (!gesture)
+        cameraBefore = motion.camera;
+    pending.clear();
+    gesture = std::move(next);
+}
+
+void Interaction::Private::release(const PointerEvent &event)
+{
+    if (event.button == Button::Left && std::exchange(hasSecondButton, false)) {
+        // On with moving the view, from where it is now.
+        beginWithSecondButton(std::make_unique<PanGesture>(event));
+        return;
+    }
+    if (event.button != pressed)
+        return;
+    hasSecondButton = false;
+    if (!pending.empty())
+        move(event); // may find that it was a drag after all
+    if (!pending.empty()) {
+        const PointerEvent begin = pending.front();
+        pending.clear();
+        click(begin);
+    } else if (gesture) {
+        feed(event);
+    }
+    pressed = Button::None;
+    if (!gesture)
+        hover();
+}
+
+void Interaction::Private::zoom(const PointerEvent &event, double factor)
+{
+    if (gesture || !pending.empty())
+        return;
+    stopMotion();
+    motion.history.leave(motion.camera, ViewHistory::Change::Wheel);
+    clicks.forget();
+    motion.isTouched = true;
+    motion.camera =
+        zoomed(sight().cameraAt(event.position), factor, event.position, motion.viewport);
+    hover();
+}
+
+void Interaction::Private::scroll(const PointerEvent &event)
+{
+    if (gesture || !pending.empty())
+        return;
+    stopMotion();
+    motion.history.leave(motion.camera, ViewHistory::Change::Wheel);
+    clicks.forget();
+    motion.isTouched = true;
+    motion.camera = panned(sight().cameraAt(event.position), event.position,
+                           event.position + event.scroll, motion.viewport);
+    hover();
+}
+
+void Interaction::Private::leave()
+{
+    hovering.leave();
+    if (!gesture && pending.empty())
+        hover();
+}
+
+void Interaction::Private::click(const PointerEvent &begin)
+{
+    if (begin.button != Button::Left || begin.modifiers.space)
+        return;
+    if (const auto part = sight().cubePartAt(begin.position)) {
+        turn(turned(motion.camera, orientationOfPart(*part), sight().middleOf(selection.sections()),
+                    motion.viewport),
+             now, std::min(kCubeTime, settings.turnTime));
+        return;
+    }
+    if (const int number = sight().markAt(begin.position); number > 0) {
+        host.chooseProblem(number);
+        return;
+    }
+    if (sight().isOnHandle(begin.position))
+        return;
+    if (tool && tool->takesClicks()) {
+        feedClick(begin);
+        return;
+    }
+    lastClick = begin;
+    if (clickPoint(begin))
+        return;
+    points.clear();
+    selection.select(clicks.click(host.model(), sight().hitsAt(begin.position), begin.position,
+                                  settings.dragThreshold, begin.modifiers.control,
+                                  selection.sections()));
+}
+
+// What is under the cursor, and what is said about it.
+
+void Interaction::Private::hover()
+{
+    if (motion.animation || (tool && tool->isAnimating()))
+        hovering.unmark(overlay);
+    else
+        hovering.mark(sight(), now, settings.nameDelay, overlay);
+    hoverPoint();
+}
+
+/// Points are drawn over the sections, and lie before them for the cursor as well.
+void Interaction::Private::hoverPoint()
+{
+    hoveredPoint.reset();
+    const std::optional<Vec2> &at = hovering.position();
+    if (!at || motion.animation || tool || overlay.cubePart || overlay.mark > 0 ||
+        overlay.isHandleHovered)
+        return;
+    hoveredPoint = pointTargetAt(sight(), sectionWithPoints(sight(), selection), points, *at);
+    if (hoveredPoint)
+        hovering.unmark(overlay);
+}
+
+/// Not while something is drawn: then they would only be in the way.
+void Interaction::Private::markPoints()
+{
+    overlay.points.reset();
+    if (points.section() !=
+        (selection.sections().size() == 1 ? selection.sections().front().drawn : SectionId()))
+        points.clear();
+    const bool isDrawing = tool || overlay.stroke || overlay.slit || overlay.deadZone;
+    const int index = isDrawing ? -1 : sectionWithPoints(sight(), selection);
+    if (index >= 0)
+        overlay.points = Overlay::Points{index, points.points(), hoveredPoint};
+}
+
+void Interaction::Private::update()
+{
+    const bool isOnMark = overlay.cubePart || overlay.mark > 0 || overlay.isHandleHovered;
+    if (tool) {
+        if (!tool->marksSections() && !isOnMark)
+            hovering.unmark(overlay);
+        GestureContext with = context();
+        tool->mark(with, !gesture && pending.empty() && !isOnMark && !motion.animation &&
+                             hovering.isOverView());
+    }
+    if (gesture)
+        std::tie(hint, cursor) = std::pair(gesture->hint(), gesture->cursor());
+    else if (tool && !isOnMark)
+        std::tie(hint, cursor) = std::pair(tool->hint(), tool->cursor());
+    else
+        std::tie(hint, cursor) =
+            hoveredPoint ? hoverHint(*hoveredPoint) : hoverHint(overlay, host.model());
+    markPoints();
+    if (modifiers.space && !gesture)
+        cursor = Cursor::Hand;
+
+    if (note && now >= note->until)
+        note.reset();
+    if (note && !gesture && !isToolPressed)
+        hint = note->hint;
+}
+
+} // namespace fff

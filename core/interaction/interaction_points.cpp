@@ -1,0 +1,76 @@
+#include "core/interaction/interaction_private.h"
+
+namespace fff {
+
+// Control points.
+
+/// Soon after a click at the same place. The window may know before us, scripts do not say it.
+bool Interaction::Private::isSecondClick(const PointerEvent &press)
+{
+    const std::optional<PointerEvent> first = std::exchange(lastClick, std::nullopt);
+    return press.button == Button::Left && first &&
+           (press.type == PointerEvent::Type::DoubleClick ||
+            press.time - first->time <= kDoubleClickTime) &&
+           (press.position - first->position).norm() <= settings.dragThreshold;
+}
+
+bool Interaction::Private::addPointAt(const PointerEvent &press)
+{
+    if (!overlay.points || isOnViewMark(sight(), press.position))
+        return false;
+    const auto target = pointTargetAt(sight(), overlay.points->section, points, press.position);
+    if (!target || target->kind != PointTarget::Kind::Line)
+        return false;
+    const SectionId id = selection.sections().front().drawn;
+    carryOut(withInsertedPoint(host.model().document, id, target->point.boundary,
+                               {target->point.index, target->t}, {settings.cutsAtGround}));
+    return true;
+}
+
+/// True when there is something of the contour's there: the click is none on a section.
+bool Interaction::Private::clickPoint(const PointerEvent &press)
+{
+    if (!overlay.points)
+        return false;
+    const int index = overlay.points->section;
+    const auto target = pointTargetAt(sight(), index, points, press.position);
+    if (!target)
+        return false;
+    const Section &section = *host.model().section(static_cast<std::size_t>(index));
+    if (target->kind == PointTarget::Kind::Anchor) {
+        if (press.modifiers.control)
+            points.toggle(section, target->point);
+        else
+            points.select(section, {target->point});
+    }
+    return true;
+}
+
+void Interaction::Private::selectPoints(std::vector<PointAddress> addresses, const Document &of)
+{
+    const std::vector<SectionRef> &sections = selection.sections();
+    const Section *section = sections.size() == 1 ? of.find(sections.front().drawn) : nullptr;
+    if (section && !addresses.empty())
+        points.select(*section, std::move(addresses));
+    else
+        points.clear();
+}
+
+void Interaction::Private::carryOut(PointEdit edit)
+{
+    cancelGesture();
+    if (!edit) {
+        note = Note{edit.error(), now + kNoteTime};
+        return;
+    }
+    note.reset();
+    if (edit->note)
+        note = Note{*edit->note, now + kNoteTime};
+    document = edit->document;
+    host.commit(edit->step, std::move(edit->document));
+    clicks.forget();
+    selectPoints(std::move(edit->points), host.model().document);
+    hover();
+}
+
+} // namespace fff
