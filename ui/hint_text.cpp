@@ -82,6 +82,14 @@ QString hintSentence(const Hint &hint, const QString &undoKeys)
     case Hint::Kind::ReleaseToMirror:
         return HintText::tr("<b>Release</b> to make the section, mirrored across the slit. Hold "
                             "<kbd>Shift</kbd> to keep only this side. <kbd>Esc</kbd> cancels.");
+    case Hint::Kind::ReleaseToMirrorByShift:
+        return HintText::tr(
+            "<b>Release</b> to make the section, mirrored. Let <kbd>Shift</kbd> go to "
+            "keep only this side. <kbd>Esc</kbd> cancels.");
+    case Hint::Kind::ReleaseToRedrawMirrored:
+        return HintText::tr("<b>Release</b> to give %1 this contour, mirrored across its slit. "
+                            "<kbd>Shift</kbd> switches mirroring over.")
+            .arg(name);
     case Hint::Kind::ReleaseToMirrorFirst:
         return HintText::tr(
             "<b>Release</b> to make the section, mirrored across the vertical. Hold "
@@ -207,6 +215,9 @@ QString hintSentence(const Hint &hint, const QString &undoKeys)
                             "takes it back.");
     case Hint::Kind::CanvasGone:
         return HintText::tr("The points are gone, for the section that they stood on is.");
+    case Hint::Kind::CutAtAxis:
+        return HintText::tr("%1 was mirrored; what came over its axis and back was left out.")
+            .arg(name);
     case Hint::Kind::CutAtGround:
         return HintText::tr("%1 was cut flat at the ground.").arg(name);
     case Hint::Kind::LargestPiece:

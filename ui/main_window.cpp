@@ -218,8 +218,13 @@ void MainWindow::addCommands()
     add("view.previousPane", [this] { goToPane(*this, m_toolBar, m_view, -1); });
     add("check.nextProblem", [this] { m_checks->goToProblem(1); });
     add("check.previousProblem", [this] { m_checks->goToProblem(-1); });
-    const auto addSwitch = [&add](const char *id, DrawingSwitch what) {
-        add(id, [what] { settings().setOn(what, !settings().isOn(what)); });
+    const auto addSwitch = [this](const char *id, DrawingSwitch what) {
+        m_bench->commands().add(
+            id, {[what](const CommandParameters &parameters, double) -> Result<void> {
+                     settings().setOn(what, switched(parameters, settings().isOn(what)));
+                     return {};
+                 },
+                 {}});
     };
     addSwitch("section.symmetry", DrawingSwitch::Symmetry);
     addSwitch("section.ground", DrawingSwitch::Ground);
@@ -234,6 +239,9 @@ void MainWindow::run(const QString &id)
     const QString undone = history.undoText(), redone = history.redoText();
     const int before = history.index();
     m_bench->run(id);
+    m_actions->refresh(); // what is checked says what is so, not what was clicked
+    if (m_bench->interaction().tool() && id.startsWith(QStringLiteral("section.")))
+        m_view->setFocus(); // keys are the tool's
     if (id == QStringLiteral("edit.undo") && history.index() < before)
         m_status->sayUndone(undone);
     else if (id == QStringLiteral("edit.redo") && history.index() > before)

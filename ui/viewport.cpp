@@ -576,7 +576,7 @@ void Viewport::markScene()
         section.isSelected = !selected.empty() && selected.contains(model.ref(i));
         section.isHovered = interaction.overlay().hovered == static_cast<int>(i) ||
                             std::binary_search(outlined.begin(), outlined.end(), model.ref(i));
-        section.isGhost = section.isGhost || (isDrawing && isAsItWas(i));
+        section.isGhost = isDrawing ? isAsItWas(i) : section.isGhost;
     }
 }
 

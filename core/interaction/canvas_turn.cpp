@@ -46,9 +46,14 @@ CanvasTurn::CanvasTurn(const Camera &now, const Frame &ground, const Vec2 &from,
         // About the slit, towards the side of the section that is looked at now.
         const auto tilted = [&](double by) { return Eigen::AngleAxisd(by, x) * orientation; };
         const Eigen::Quaterniond one(tilted(tilt)), other(tilted(-tilt));
-        orientation = now.orientation.angularDistance(one) <= now.orientation.angularDistance(other)
-                          ? one
-                          : other;
+        const bool isOneNearer =
+            now.orientation.angularDistance(one) <= now.orientation.angularDistance(other);
+        const Eigen::Quaterniond &nearer = isOneNearer ? one : other;
+        const auto looksUp = [](const Eigen::Quaterniond &view) {
+            return (view * Vec3::UnitZ()).y() < -kSameDirection;
+        };
+        // Never up from below.
+        orientation = looksUp(nearer) ? (isOneNearer ? other : one) : nearer;
     }
     m_to = now;
     m_to.orientation = orientation;

@@ -1,11 +1,13 @@
 #include "core/interaction/contour_target.h"
 
 #include "core/base/tolerances.h"
+#include "core/geometry/boolean.h"
 #include "core/model/edits.h"
 #include "core/model/ground.h"
 #include "core/model/mended_shape.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace fff {
 
@@ -41,7 +43,7 @@ tl::expected<DrawnContour, Hint> withShape(const Document &document, const Secti
     drawn.document = *std::move(next);
     drawn.step = {kind, {section.name}};
     drawn.section = section.id;
-    if (kind == Step::Kind::AddHole && has(WarningCode::NotchedContour))
+    if (has(WarningCode::NotchedContour))
         drawn.note = Hint{Hint::Kind::HoleIsNotch, section.name, false};
     else if (kind == Step::Kind::AddHole && has(WarningCode::MergedHoles))
         drawn.note = Hint{Hint::Kind::HolesMerged, section.name, false};
@@ -82,15 +84,51 @@ tl::expected<DrawnContour, Hint> redrawn(const Document &document, SectionId id,
                      Step::Kind::RedrawSection);
 }
 
+/// In the contour and away from all other holes: nothing has to be mended.
+bool isWellInside(const Contour &hole, const Shape &shape)
+{
+    const Box2 box = hole.bounds();
+    const auto isApart = [&](const Contour &other) {
+        const Box2 there = other.bounds();
+        return (box.min.array() > there.max.array()).any() ||
+               (there.min.array() > box.max.array()).any();
+    };
+    return std::abs(hole.signedArea()) > kMinArea &&
+           std::all_of(shape.holes().begin(), shape.holes().end(), isApart) &&
+           nesting(hole, shape.contour(), kCutChord) == Nesting::FirstInside;
+}
+
+tl::expected<DrawnContour, Hint> withHoles(const Document &document, const Section &section,
+                                           Result<ShapePointer> shape)
+{
+    if (!shape)
+        return refused(Hint::Kind::Failed);
+    Result<Document> next = setShape(document, section.id, *std::move(shape));
+    if (!next)
+        return refused(Hint::Kind::Failed);
+    DrawnContour drawn;
+    drawn.document = *std::move(next);
+    drawn.step = {Step::Kind::AddHole, {section.name}};
+    drawn.section = section.id;
+    return drawn;
+}
+
 tl::expected<DrawnContour, Hint> withHole(const Document &document, SectionId id,
                                           const Contour &hole)
 {
     const Section *section = document.find(id);
     if (!section)
         return refused(Hint::Kind::Failed);
-    std::vector<Contour> holes = section->shape->holes();
+    const Shape &shape = *section->shape;
+    std::vector<Contour> holes = shape.holes();
     holes.push_back(hole);
-    return withShape(document, *section, section->shape->contour(), holes, Step::Kind::AddHole);
+    if (isWellInside(hole, shape))
+        return withHoles(document, *section, Shape::make(shape.contour(), std::move(holes)));
+    tl::expected<DrawnContour, Hint> drawn =
+        withShape(document, *section, shape.contour(), holes, Step::Kind::AddHole);
+    if (drawn && std::abs(drawn->document.find(id)->shape->area() - shape.area()) < kMinArea)
+        return refused(Hint::Kind::HoleOutside, section->name); // there is a hole already
+    return drawn;
 }
 
 } // namespace

@@ -1,8 +1,10 @@
 #include "core/interaction/draw_tool.h"
 
+#include "core/base/tolerances.h"
 #include "core/base/units.h"
 #include "core/interaction/facing.h"
 
+#include <cmath>
 #include <utility>
 
 namespace fff {
@@ -55,6 +57,12 @@ GestureReply DrawTool::handle(const PointerEvent &event, GestureContext &context
 {
     const bool presses =
         event.type == PointerEvent::Type::Press || event.type == PointerEvent::Type::DoubleClick;
+    if (presses &&
+        !pointOnPlane(context.camera, context.viewport, m_canvas.target.canvas, event.position)) {
+        GestureReply refused;
+        refused.note = Hint{Hint::Kind::CanvasOnEdge, {}, true};
+        return refused;
+    }
     if (presses) {
         context.camera =
             retargeted(context.camera, m_canvas.target.canvas.origin, context.viewport);
@@ -91,8 +99,42 @@ GestureReply DrawTool::cancel(GestureContext &context)
     return reply;
 }
 
+GestureReply DrawTool::interrupt(GestureContext &context)
+{
+    if (std::exchange(m_stroke, nullptr))
+        context.overlay = {};
+    return {};
+}
+
+bool DrawTool::isSame(const Tool &other) const
+{
+    const auto *tool = dynamic_cast<const DrawTool *>(&other);
+    return tool && command() == tool->command() &&
+           m_canvas.target.section == tool->m_canvas.target.section;
+}
+
+GestureReply DrawTool::modelChanged(GestureContext &context)
+{
+    GestureReply reply = interrupt(context);
+    ContourTarget &target = m_canvas.target;
+    if (!target.section.isValid())
+        return reply;
+    const Section *section = context.model.document.find(target.section);
+    if (section) {
+        target.canvas = section->frame;
+        m_canvas.name = section->name;
+        return reply;
+    }
+    reply.state = GestureReply::State::Over;
+    reply.note = Hint{Hint::Kind::CanvasGone, {}, true};
+    return reply;
+}
+
 void DrawTool::mark(GestureContext &context, bool)
 {
+    const Vec3 &origin = m_canvas.target.canvas.origin;
+    m_isOnEdge = std::abs(m_canvas.target.canvas.normal().dot(context.camera.towardsEye(
+                     origin, context.viewport))) < std::sin(kMinDrawAngle);
     context.overlay.plane.reset();
     if (m_canvas.distance && !m_stroke)
         context.overlay.plane = planeMark(m_canvas.target.canvas, context);
@@ -118,6 +160,8 @@ Hint DrawTool::hint() const
 {
     if (m_stroke)
         return m_stroke->hint();
+    if (m_isOnEdge)
+        return {Hint::Kind::CanvasOnEdge, {}, false};
     switch (m_canvas.target.purpose) {
     case ContourTarget::Purpose::Redraw:
         return {Hint::Kind::DrawNewContour, m_canvas.name, false};

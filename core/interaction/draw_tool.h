@@ -1,5 +1,5 @@
 // Draws one contour on a canvas that was asked for: on a plane, or instead of a section's contour,
-// or as a hole in it. The view looks straight at the canvas meanwhile.
+// or as a hole in it. The view turns to look straight at the canvas.
 #pragma once
 
 #include "core/interaction/contour_target.h"
@@ -21,6 +21,10 @@ public:
     GestureReply begin(GestureContext &context, double time) override;
     GestureReply handle(const PointerEvent &event, GestureContext &context) override;
     void advance(double time, GestureContext &context) override;
+    GestureReply interrupt(GestureContext &context) override;
+    bool isSame(const Tool &other) const override;
+    /// It stays in the hand as long as what it is for is there.
+    GestureReply modelChanged(GestureContext &context) override;
     /// A stroke first, then the tool, with the view from before.
     GestureReply cancel(GestureContext &context) override;
     void mark(GestureContext &context, bool hasCursor) override;
@@ -35,6 +39,7 @@ private:
     CanvasChoice m_canvas;
     std::optional<Camera> m_before; // the turn
     std::unique_ptr<StrokeGesture> m_stroke;
+    bool m_isOnEdge = false; // as the view looks at the canvas now
 };
 
 /// The view straight at a canvas after the least turn, what is to be seen of it in the middle: the

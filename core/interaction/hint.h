@@ -20,13 +20,15 @@ struct Hint
         ReleaseToMake,
         ReleaseToCutHole,
         ReleaseToRedraw,
-        ReleaseToMirror,      // to make it, mirrored across the slit
-        ReleaseToMirrorFirst, // across the vertical through its start
-        DrawOnPlane,          // section: ground, front or side
-        DrawParallel,         // to the section
-        DrawNewContour,       // of the section
-        DrawHole,             // in the section
-        PenWithoutCanvas,     // beside all sections
+        ReleaseToMirror,         // to make it, mirrored across the slit
+        ReleaseToMirrorByShift,  // Shift is held
+        ReleaseToRedrawMirrored, // the section
+        ReleaseToMirrorFirst,    // across the vertical through its start
+        DrawOnPlane,             // section: ground, front or side
+        DrawParallel,            // to the section
+        DrawNewContour,          // of the section
+        DrawHole,                // in the section
+        PenWithoutCanvas,        // beside all sections
         PenOnSection,
         CanvasOnEdge,  // it cannot be drawn on as it is seen now
         PenFirstPoint, // section: what it is about; may be empty
@@ -60,6 +62,7 @@ struct Hint
         CrossesWithoutLoop, // it crosses itself, but no loop of it is large enough
         HalvesDoNotMeet,    // it was not mirrored: it would be two pieces
         CrossesItself,
+        CutAtAxis,        // mirrored, it came over the axis and back; that is left out
         NothingToClose,   // the pen's points enclose nothing
         PathIsOpen,       // another canvas was picked
         CanvasGone,       // what the pen drew on is not there any more

@@ -111,6 +111,11 @@ void Interaction::forgetViews()
 {
     d->motion.history.clear();
     d->selection.forget();
+    if (d->tool) { // what it has begun belongs to the document before
+        d->layToolDown();
+        d->showPreview({});
+        d->update();
+    }
 }
 
 const ViewState &Interaction::view() const
@@ -128,7 +133,8 @@ void Interaction::setView(ViewState view)
         d->cancelGesture(); // what it began on may be gone; red alone disturbs nobody
     d->view = std::move(view);
     d->clicks.forget();
-    d->hover();
+    if (!d->gesture && d->pending.empty())
+        d->hover();
     d->update();
 }
 
@@ -152,7 +158,7 @@ void Interaction::handle(const PointerEvent &event)
     if (!event.position.allFinite())
         return;
     advance(event.time);
-    if (event.type != PointerEvent::Type::Leave)
+    if (event.type != PointerEvent::Type::Leave && event.type != PointerEvent::Type::Modifiers)
         d->hovering.moveTo(event.position);
     d->modifiers = event.modifiers;
     if (d->toolTakes(event)) {

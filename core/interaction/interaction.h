@@ -67,7 +67,8 @@ struct Overlay
         std::vector<CubicBezier> mirrored;
         std::optional<MirrorAxis> axis;          // there is one, whether it is used or not
         std::optional<SymmetryVerdict> symmetry; // where there is an axis
-        bool isMirrored = false, isAxisSlit = true;
+        bool isMirrored = false, isAxisSlit = true, doHalvesMeet = true;
+        int pieces = 0;             // curves of what it encloses
         std::optional<Contour> cut; // what it encloses, where the ground cuts that
         std::optional<Vec2>
             size; // of what a release makes (a hole: its own), as seen, width and height, mm

@@ -13,7 +13,7 @@ void Interaction::Private::press(const PointerEvent &event)
         hasSecondButton = true;
         return;
     }
-    if (gesture || !pending.empty())
+    if (gesture || !pending.empty() || isToolPressed)
         return; // a second button during a gesture
     stopMotion();
     motion.history.interrupt();
@@ -57,6 +57,8 @@ void Interaction::Private::beginWithSecondButton(std::unique_ptr<Gesture> next)
     if (!gesture)
         cameraBefore = motion.camera;
     pending.clear();
+    hovering.unmark(overlay);
+    overlay = {};
     gesture = std::move(next);
 }
 
@@ -86,7 +88,7 @@ void Interaction::Private::release(const PointerEvent &event)
 
 void Interaction::Private::zoom(const PointerEvent &event, double factor)
 {
-    if (gesture || !pending.empty())
+    if (gesture || !pending.empty() || isToolPressed)
         return;
     stopMotion();
     motion.history.leave(motion.camera, ViewHistory::Change::Wheel);
@@ -99,7 +101,7 @@ void Interaction::Private::zoom(const PointerEvent &event, double factor)
 
 void Interaction::Private::scroll(const PointerEvent &event)
 {
-    if (gesture || !pending.empty())
+    if (gesture || !pending.empty() || isToolPressed)
         return;
     stopMotion();
     motion.history.leave(motion.camera, ViewHistory::Change::Wheel);

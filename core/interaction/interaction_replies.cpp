@@ -50,6 +50,8 @@ void Interaction::Private::carryOut(GestureReply &reply)
     if (reply.commit) {
         hasPreview = false; // the commit ends it
         document = reply.commit->document;
+        if (reply.commit->step.kind == Step::Kind::DrawSection && !view.isolated.empty())
+            view.isolated.insert(document.sections.back()->id); // or it would be a ghost at once
         host.commit(reply.commit->step, std::move(reply.commit->document));
     }
     if (reply.selectPoints)
@@ -68,6 +70,12 @@ void Interaction::Private::showPreview(std::optional<Document> shown)
 
 bool Interaction::Private::cancelGesture()
 {
+    if (isToolPressed && !isToolCommitting) {
+        isToolPressed = false;
+        GestureContext with = context();
+        takeFromTool(tool->interrupt(with));
+        return true;
+    }
     if (!gesture && pending.empty())
         return false;
     pending.clear();

@@ -95,7 +95,7 @@ void Interaction::Private::layToolDown()
 
 void Interaction::pickUp(std::unique_ptr<Tool> tool, double time)
 {
-    const bool isSame = d->tool && d->tool->command() == tool->command();
+    const bool isSame = d->tool && d->tool->isSame(*tool);
     layDown(time);
     if (isSame)
         return;

@@ -88,6 +88,14 @@ void PenTool::faceFirstCanvas(const GestureContext &context)
         setCanvas({ContourTarget::newSection(frame), std::string(kCommand), {}, {}}, true, context);
 }
 
+GestureReply PenTool::interrupt(GestureContext &)
+{
+    m_press.reset();
+    if (m_slit && m_slit->state() == SlitTurn::State::Slit)
+        m_slit.reset();
+    return shown();
+}
+
 GestureReply PenTool::modelChanged(GestureContext &context)
 {
     GestureReply reply;

@@ -33,6 +33,7 @@ public:
     bool marksSections() const override { return !m_canvas && !m_slit; }
     GestureReply handle(const PointerEvent &event, GestureContext &context) override;
     void advance(double time, GestureContext &context) override;
+    GestureReply interrupt(GestureContext &context) override;
     void finish(GestureContext &context) override;
     bool isAnimating() const override;
     void mark(GestureContext &context, bool hasCursor) override;

@@ -12,7 +12,12 @@ class Selection
 public:
     const std::vector<SectionRef> &sections() const { return m_sections; }
     bool isEmpty() const { return m_sections.empty(); }
-    void select(std::vector<SectionRef> sections) { m_sections = std::move(sections); }
+    void select(std::vector<SectionRef> sections)
+    {
+        if (sections != m_sections)
+            m_before.clear();
+        m_sections = std::move(sections);
+    }
 
     /// Sections went or came. Those that went are not selected, but are again when they come back,
     /// if nobody has chosen something else meanwhile.

@@ -2,6 +2,7 @@
 
 #include "core/base/tolerances.h"
 #include "core/base/units.h"
+#include "core/interaction/pick.h"
 #include "core/model/ground.h"
 
 #include <cmath>
@@ -29,15 +30,12 @@ Stroke::Options strokeOptions(const GestureContext &context, std::optional<Mirro
     return options;
 }
 
-/// Where the ray through a screen point meets the plane, in its frame. The caller sees to it that
-/// the plane is not seen on edge.
-Vec2 pointOnPlane(const Frame &plane, const Vec2 &screen, const GestureContext &context)
+/// The direction on a canvas that is most upwards; on a level one, upwards as it is seen.
+Vec2 upOn(const Frame &canvas, const Camera &camera)
 {
-    // From the target's depth rather than from the eye: fewer digits are lost.
-    const Vec3 start = context.camera.pointAt(screen, context.viewport);
-    const Vec3 direction = -context.camera.towardsEye(start, context.viewport);
-    const double distance = -plane.height(start) / plane.normal().dot(direction);
-    return plane.toLocal(start + distance * direction);
+    if (const std::optional<Halfplane> above = groundLine(canvas))
+        return above->inward;
+    return canvas.directionToLocal(camera.up()).normalized();
 }
 
 std::optional<Overlay::GroundLine> groundLineOf(const Frame &canvas)
@@ -88,12 +86,13 @@ StrokeGesture::StrokeGesture(const PointerEvent &press, ContourTarget target,
     : m_stroke({}), m_target(std::move(target)), m_before(context.camera), m_cursor(press.position),
       m_now(press.time)
 {
-    const Vec2 start = pointOnPlane(m_target.canvas, press.position, context);
+    const Vec2 start = pointAt(press.position, context)
+                           .value_or(Vec2::Constant(std::numeric_limits<double>::quiet_NaN()));
     std::optional<MirrorAxis> axis = slitAxis(m_target, context.model.document);
     m_isAxisSlit = axis.has_value();
     m_mirrors = axis ? context.settings.mirrors : context.settings.mirrorsFirst;
     if (!axis && m_target.purpose == ContourTarget::Purpose::NewSection)
-        axis = MirrorAxis{start, Vec2::UnitY()};
+        axis = MirrorAxis{start, upOn(m_target.canvas, context.camera)};
     m_stroke = Stroke(strokeOptions(context, axis, m_mirrors != press.modifiers.shift));
     m_stroke.beginOnCanvas({press.time, start});
 }
@@ -109,6 +108,11 @@ StrokeGesture::StrokeGesture(const PointerEvent &press, const Hit &hit,
     m_stroke.beginInSection(m_ground->section->shape, {press.time, hit.local});
 }
 
+std::optional<Vec2> StrokeGesture::pointAt(const Vec2 &screen, const GestureContext &context) const
+{
+    return pointOnPlane(context.camera, context.viewport, plane(), screen);
+}
+
 const Frame &StrokeGesture::plane() const
 {
     return m_stroke.state() == Stroke::State::Slit ? m_ground->section->frame : m_target.canvas;
@@ -122,7 +126,8 @@ GestureReply StrokeGesture::handle(const PointerEvent &event, GestureContext &co
     m_stroke.setSymmetryOn(m_mirrors != event.modifiers.shift);
     if (event.type != PointerEvent::Type::Modifiers) {
         const bool wasInSection = m_stroke.state() == Stroke::State::Slit;
-        m_stroke.move({event.time, pointOnPlane(plane(), event.position, context)});
+        if (const std::optional<Vec2> at = pointAt(event.position, context))
+            m_stroke.move({event.time, *at});
         if (wasInSection && m_stroke.state() == Stroke::State::Turn)
             beginTurn(context);
         advance(event.time, context);
@@ -168,11 +173,13 @@ void StrokeGesture::beginTurn(GestureContext &context)
 /// While the cursor rests in the dead zone, or moves in it, the slit comes away from the edge.
 void StrokeGesture::makeRoom(double time, GestureContext &context)
 {
-    const Camera before = context.camera;
-    context.camera = m_room->after(time - m_now, before, m_cursor, context.viewport);
-    m_isMovingToRoom = !(context.camera.target - before.target).isZero() &&
-                       !m_room->way(context.camera, context.viewport).isZero(1e-3);
-    m_stroke.viewMoved(pointOnPlane(m_target.canvas, m_cursor, context));
+    context.camera = m_room->after(time - m_now, context.camera, m_cursor, context.viewport);
+    // Whether the next frame would move it: this one may have come in the same millisecond.
+    constexpr double kNextFrame = 1.0; // ms
+    const Camera next = m_room->after(kNextFrame, context.camera, m_cursor, context.viewport);
+    m_isMovingToRoom = (next.target - context.camera.target).norm() > kClipGrid;
+    if (const std::optional<Vec2> at = pointAt(m_cursor, context))
+        m_stroke.viewMoved(*at);
     updateOverlay(context);
 }
 
@@ -232,6 +239,11 @@ void StrokeGesture::updateOverlay(GestureContext &context) const
         stroke.isMirrored = contour.isMirrored;
         stroke.isAxisSlit = m_isAxisSlit;
         stroke.purpose = m_target.purpose;
+        stroke.doHalvesMeet = contour.doHalvesMeet;
+        if (const Section *changed = context.model.document.find(m_target.section))
+            stroke.section = changed->name;
+        if (contour.contour)
+            stroke.pieces = contour.contour->segmentCount();
         if (m_drawn && *m_drawn) {
             const Section &drawn = *(*m_drawn)->document.find((*m_drawn)->section.drawn);
             stroke.section = drawn.name;
@@ -271,10 +283,14 @@ GestureReply StrokeGesture::done()
     GestureReply reply;
     reply.state = GestureReply::State::Over;
     reply.note = std::move(drawn.note);
-    if (!m_stroke.contour().doHalvesMeet)
-        reply.note = Hint{Hint::Kind::HalvesDoNotMeet, drawn.step.names.front(), false};
-    if (m_stroke.contour().wasCrossing)
-        reply.note = Hint{Hint::Kind::CrossesItself, drawn.step.names.front(), false};
+    const StrokeContour &contour = m_stroke.contour();
+    const auto tell = [&](bool applies, Hint::Kind kind) {
+        if (applies && !reply.note)
+            reply.note = Hint{kind, drawn.step.names.front(), false};
+    };
+    tell(contour.wasCrossing, Hint::Kind::CrossesItself);
+    tell(contour.wasCutAtAxis, Hint::Kind::CutAtAxis);
+    tell(!contour.doHalvesMeet, Hint::Kind::HalvesDoNotMeet);
     reply.commit = {std::move(drawn.step), std::move(drawn.document)};
     return reply;
 }
@@ -320,16 +336,24 @@ Hint StrokeGesture::hint() const
     default:
         if (!m_drawn || !*m_drawn)
             return {Hint::Kind::DrawContour, {}, false};
-        if (m_target.purpose == ContourTarget::Purpose::Hole)
-            return {Hint::Kind::ReleaseToCutHole, (*m_drawn)->step.names.front(), false};
-        if (!m_drawnMirrored && m_target.purpose == ContourTarget::Purpose::Redraw)
-            return {Hint::Kind::ReleaseToRedraw, (*m_drawn)->step.names.front(), false};
-        if (!m_drawnMirrored)
-            return {Hint::Kind::ReleaseToMake, {}, false};
-        return {m_isAxisSlit ? Hint::Kind::ReleaseToMirror : Hint::Kind::ReleaseToMirrorFirst,
-                {},
-                false};
+        return releaseHint((*m_drawn)->step.names.front());
     }
+}
+
+Hint StrokeGesture::releaseHint(const std::string &section) const
+{
+    const bool isRedraw = m_target.purpose == ContourTarget::Purpose::Redraw;
+    if (m_target.purpose == ContourTarget::Purpose::Hole)
+        return {Hint::Kind::ReleaseToCutHole, section, false};
+    if (!m_drawnMirrored)
+        return isRedraw ? Hint{Hint::Kind::ReleaseToRedraw, section, false}
+                        : Hint{Hint::Kind::ReleaseToMake, {}, false};
+    if (isRedraw)
+        return {Hint::Kind::ReleaseToRedrawMirrored, section, false};
+    if (!m_mirrors) // Shift is held
+        return {Hint::Kind::ReleaseToMirrorByShift, {}, false};
+    return {
+        m_isAxisSlit ? Hint::Kind::ReleaseToMirror : Hint::Kind::ReleaseToMirrorFirst, {}, false};
 }
 
 Cursor StrokeGesture::cursor() const

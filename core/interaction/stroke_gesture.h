@@ -37,6 +37,9 @@ private:
     };
 
     const Frame &plane() const; // that the cursor is on
+    /// None where that plane is seen on edge.
+    std::optional<Vec2> pointAt(const Vec2 &screen, const GestureContext &context) const;
+    Hint releaseHint(const std::string &section) const;
     void beginTurn(GestureContext &context);
     void makeRoom(double time, GestureContext &context);
     void updateOverlay(GestureContext &context) const;

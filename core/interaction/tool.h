@@ -30,6 +30,8 @@ class Tool : public Gesture
 public:
     /// The id of the command that picks it up; its action is checked while it is held.
     virtual std::string_view command() const = 0;
+    /// Asked for again with the same command: whether that is to lay it down.
+    virtual bool isSame(const Tool &other) const { return command() == other.command(); }
     /// Once, when it is picked up: may turn the view (GestureReply::turnTo).
     virtual GestureReply begin(GestureContext & /*context*/, double /*time*/) { return {}; }
     /// Whether it has a use for a left press; one that it has none for does what it does without a
@@ -45,6 +47,9 @@ public:
     /// Puts what it has in hand into the overlay, when all else is there: also while the view is
     /// moved. hasCursor: the cursor is its own, and not over something else.
     virtual void mark(GestureContext & /*context*/, bool /*hasCursor*/) {}
+    /// What the pressed button does ends here, since the view or the document becomes another one;
+    /// its release does not come any more.
+    virtual GestureReply interrupt(GestureContext & /*context*/) { return {}; }
     /// The view is about to be moved by other means: an animation of its own ends at once.
     virtual void finish(GestureContext & /*context*/) {}
 

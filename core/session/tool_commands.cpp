@@ -51,6 +51,11 @@ std::optional<double> lowestPoint(const Model &model)
     return lowest;
 }
 
+bool isHeld(const Interaction &interaction, std::string_view command)
+{
+    return interaction.tool() && interaction.tool()->command() == command;
+}
+
 /// With the tool in hand, if it draws on canvases, else with one stroke.
 void drawOn(Interaction &interaction, CanvasChoice canvas, double time)
 {
@@ -60,15 +65,21 @@ void drawOn(Interaction &interaction, CanvasChoice canvas, double time)
 
 void registerDrawing(CommandRegistry &registry, Session &session, Interaction &interaction)
 {
-    const auto hasSection = [&] { return selectedSection(session, interaction) != nullptr; };
     const auto add = [&](const char *id, ContourTarget (*target)(const Section &)) {
-        registry.add(id, {[&session, &interaction, id, target](const CommandParameters &,
-                                                               double time) -> Result<void> {
-                              const Section &section = *selectedSection(session, interaction);
-                              drawOn(interaction, {target(section), id, section.name, {}}, time);
-                              return {};
-                          },
-                          hasSection});
+        registry.add(id,
+                     {[&session, &interaction, id, target](const CommandParameters &,
+                                                           double time) -> Result<void> {
+                          const Section *section = selectedSection(session, interaction);
+                          if (section)
+                              drawOn(interaction, {target(*section), id, section->name, {}}, time);
+                          else
+                              interaction.layDown(time);
+                          return {};
+                      },
+                      [&session, &interaction, id] {
+                          return selectedSection(session, interaction) != nullptr ||
+                                 isHeld(interaction, id);
+                      }});
     };
     add("section.redraw", &ContourTarget::redraw);
     add("section.addHole", &ContourTarget::hole);
@@ -100,6 +111,10 @@ void registerPlanes(CommandRegistry &registry, Session &session, Interaction &in
                           numberOf(parameters, "distance", kParallelDistance);
                       if (!distance)
                           return tl::unexpected(distance.error());
+                      if (!selectedSection(session, interaction)) {
+                          interaction.layDown(time);
+                          return {};
+                      }
                       const Section &section = *selectedSection(session, interaction);
                       Frame canvas = section.frame;
                       canvas.origin += *distance * canvas.normal();
@@ -109,7 +124,10 @@ void registerPlanes(CommandRegistry &registry, Session &session, Interaction &in
                              time);
                       return {};
                   },
-                  [&] { return selectedSection(session, interaction) != nullptr; }});
+                  [&] {
+                      return selectedSection(session, interaction) != nullptr ||
+                             isHeld(interaction, "section.planeParallel");
+                  }});
 }
 
 void registerGround(CommandRegistry &registry, Session &session)

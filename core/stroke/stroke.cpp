@@ -19,7 +19,8 @@ void Stroke::beginOnCanvas(const Sample &sample)
 {
     assert(m_state == State::Idle && "a stroke begins once");
     m_state = State::Contour;
-    addSample(sample.point);
+    if (sample.point.allFinite())
+        addSample(sample.point);
 }
 
 void Stroke::beginInSection(ShapePointer shape, const Sample &sample)

@@ -203,14 +203,14 @@ void ActionSet::refresh()
     action("view.clip")->setChecked(view.clip.has_value());
     action("view.shadow")->setChecked(view.hasGround);
 
+    const Tool *tool = interaction.tool();
+    const std::string_view held = tool ? tool->command() : std::string_view();
     const bool hasOne = m_bench.interaction().selection().size() == 1;
     const QString selectOne = tr("Select one section first");
     for (const char *id : {"section.redraw", "section.addHole", "section.planeParallel"})
-        setAble(id, hasOne, selectOne);
+        setAble(id, hasOne || held == id, selectOne);
     setAble("section.dropToGround", m_bench.commands().isEnabled("section.dropToGround"),
             hasSections ? tr("The model stands on the ground") : nothingThere);
-    const Tool *tool = interaction.tool();
-    const std::string_view held = tool ? tool->command() : std::string_view();
     for (const char *id : kTools)
         action(id)->setChecked(held == id);
     action("section.symmetry")->setChecked(settings().isOn(DrawingSwitch::Symmetry));

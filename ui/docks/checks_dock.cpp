@@ -341,7 +341,8 @@ QString ChecksDock::linkOf(const Check &check) const
         return tr("Choose a sheet");
     case CheckCode::NoContact:
     case CheckCode::BelowGround:
-        return tr("Drop it to the ground");
+        return m_bench.commands().isEnabled("section.dropToGround") ? tr("Drop it to the ground")
+                                                                    : QString();
     default:
         return {};
     }

@@ -12,6 +12,7 @@
 #include <QLabel>
 #include <QVBoxLayout>
 
+#include <algorithm>
 #include <cmath>
 
 namespace fff::ui {
@@ -70,12 +71,13 @@ DrawingPage::DrawingPage(Workbench &bench, QWidget *parent) : QWidget(parent), m
 
     const Session &session = bench.session();
     auto *stock = new PropertyGroup(tr("Stock"), this);
-    const auto current = [&session]() -> const Stock & {
-        const Document &document = session.committed().document;
-        return *document.find(document.currentStock);
+    const auto current = [this, &session]() -> const Stock & {
+        const Model &model = session.model();
+        const int drawn = drawnIndex(m_bench);
+        return drawn < 0 ? *model.document.find(model.document.currentStock)
+                         : model.stockOf(static_cast<std::size_t>(drawn));
     };
-    addRow(stock, tr("Stock"), "drawnStock",
-           [current] { return stockName(current()); });
+    addRow(stock, tr("Stock"), "drawnStock", [current] { return stockName(current()); });
     addRow(stock, tr("Thickness"), "drawnThickness",
            [this, current] { return lengthText(current().thickness, 2, 2, locale()); });
 
@@ -106,12 +108,8 @@ DrawingPage::DrawingPage(Workbench &bench, QWidget *parent) : QWidget(parent), m
         return sizeText({stroke->size->x(), stroke->size->y()}, 1, locale());
     });
     addRow(m_contour, tr("Curve pieces"), "drawnPieces", [this] {
-        const int drawn = drawnIndex(m_bench);
-        if (drawn < 0)
-            return QString(u'–');
-        const Section &section =
-            *m_bench.session().model().section(static_cast<std::size_t>(drawn));
-        return locale().toString(section.shape->contour().segmentCount());
+        const auto &stroke = m_bench.interaction().overlay().stroke;
+        return stroke && stroke->pieces > 0 ? locale().toString(stroke->pieces) : QString(u'–');
     });
     addRow(m_contour, tr("Mass"), "drawnMass", [this] {
         const int drawn = drawnIndex(m_bench);
@@ -163,22 +161,30 @@ QString DrawingPage::ownSlit() const
         analysis.model.indexOf(m_bench.session().model().ref(static_cast<std::size_t>(drawn)));
     if (there < 0)
         return QString(u'…');
+    // An older analysis may be of another section that had this id.
+    const std::optional<Parent> &on =
+        m_bench.session().model().section(static_cast<std::size_t>(drawn))->parent;
+    if (!(analysis.model.section(static_cast<std::size_t>(there))->parent == on))
+        return QString(u'…');
     const auto &slits = analysis.assembly.slits[static_cast<std::size_t>(there)];
-    if (slits.empty())
+    const int guest = on ? analysis.model.indexOf(on->section) : -1;
+    const auto own = std::find_if(slits.begin(), slits.end(),
+                                  [guest](const Slit &s) { return s.guest == guest; });
+    if (own == slits.end())
         return tr("none");
-    const Slit &slit = slits[0];
+    const Slit &slit = *own;
     if (!slit.isOpen)
         return tr("closed");
     const Joint &joint = analysis.assembly.joints[static_cast<std::size_t>(slit.joint - 1)];
     const auto overlap = static_cast<std::size_t>(slit.overlap);
     const Overlap &shared = joint.crossing->overlaps[overlap];
-    const Interval &own = joint.a == there ? shared.a : shared.b;
+    const Interval &interval = joint.a == there ? shared.a : shared.b;
     const Frame &frame = analysis.model.section(static_cast<std::size_t>(there))->frame;
     const Vec3 way = frame.directionToWorld((slit.mouth - slit.inner).normalized());
     const bool isForward = way.dot(joint.crossing->axis.direction) > 0.0;
     const double meets = joint.meets[overlap];
     const QString depth =
-        lengthText(isForward ? own.to.at - meets : meets - own.from.at, 1, 1, locale());
+        lengthText(isForward ? interval.to.at - meets : meets - interval.from.at, 1, 1, locale());
     if (way.y() > kUpright)
         return tr("opens up, %1 deep").arg(depth);
     if (way.y() < -kUpright)
@@ -197,6 +203,8 @@ QString DrawingPage::symmetryText() const
     const QString near = lengthText(std::min(sides.left, sides.right), 1, 1, locale());
     if (!stroke->isMirrored && !stroke->isAxisSlit)
         return {}; // nobody expects the first section to be
+    if (!stroke->doHalvesMeet)
+        return tr("<b>Not mirrored.</b> The two halves would not meet at the slit.");
     if (!stroke->isMirrored)
         return tr("<b>Not mirrored.</b> You drew on one side of the axis: %1 on one, %2 on the "
                   "other. Symmetry is off, or Shift is held.")

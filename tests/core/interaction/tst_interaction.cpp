@@ -149,6 +149,14 @@ private Q_SLOTS:
     void strokesInPerspectiveLieOnTheirPlane();
     void namesAppearWhenTheCursorRests();
     void markingProblemsDisturbsNoStroke();
+    void aSecondButtonDoesNotEndAToolsStroke();
+    void viewCommandsEndAToolsStroke();
+    void nothingIsDrawnOnACanvasOnEdge();
+    void aToolGoesWithItsSection();
+    void roomIsMadeAlsoAfterAMove();
+    void aNewSectionIsNoGhost();
+    void whatIsAskedForTwiceIsLaidDown();
+    void buttonsOfOtherPrograms();
 };
 
 void TestInteraction::firstSectionLiesOnTheFirstPlane()
@@ -254,13 +262,14 @@ void TestInteraction::slitEndStaysUnderTheCursor()
     QVERIFY(desk.interaction.isAnimating());
     const Vec3 end = desk.interaction.overlay().slit->to;
     QVERIFY(desk.interaction.overlay().slit->hasLeft);
-    while (desk.interaction.isAnimating()) {
+    while (desk.hint() == Hint::Kind::Turning) {
         desk.send(Type::Move, desk.cursor + Vec2(3.0, -2.0));
-        if (!desk.interaction.isAnimating())
+        if (desk.hint() != Hint::Kind::Turning)
             break; // it ended before this move, which is free to leave
         QVERIFY((desk.screen(end) - desk.cursor).norm() < 1.0);
         desk.wait(16.0); // a frame without an event
-        QVERIFY((desk.screen(end) - desk.cursor).norm() < 1.0);
+        if (desk.hint() == Hint::Kind::Turning)
+            QVERIFY((desk.screen(end) - desk.cursor).norm() < 1.0);
     }
     // A right angle to the front.
     QVERIFY(std::abs(desk.interaction.camera().backward().z()) < 1e-6);
@@ -875,6 +884,202 @@ void TestInteraction::markingProblemsDisturbsNoStroke()
     view.hidden.insert(desk.session.committed().ref(0)); // but this takes its ground away
     desk.interaction.setView(view);
     QVERIFY(!desk.interaction.hasGesture());
+}
+
+// Wrong: the release of the left button is lost, and the stroke goes on without any.
+void TestInteraction::aSecondButtonDoesNotEndAToolsStroke()
+{
+    Desk desk;
+    desk.addPlate();
+    desk.click(desk.plate(0, 0));
+    QVERIFY(desk.commands.run("section.redraw", {}, desk.time));
+    desk.wait(kTurnTime);
+    desk.press(desk.plate(-50, -30));
+    desk.moveTo(desk.plate(50, -30));
+    desk.press(desk.plate(50, -30), Button::Right);
+    desk.moveTo(desk.plate(50, 30));
+    desk.send(Type::Wheel, desk.cursor);
+    desk.release(desk.plate(50, 30), Button::Right);
+    desk.moveTo(desk.plate(-50, 30));
+    desk.release(desk.cursor);
+    QVERIFY(!desk.interaction.hasGesture());
+    QVERIFY(!desk.interaction.tool());
+    QCOMPARE(desk.session.history()->undoText(), QStringLiteral("Redraw Section 1"));
+    QVERIFY(std::abs(desk.sections()[0]->shape->area() - 100.0 * 60.0) < 2000.0);
+}
+
+// Wrong: the canvas turns on edge under a stroke, and its samples fly off to the horizon.
+void TestInteraction::viewCommandsEndAToolsStroke()
+{
+    Desk desk;
+    desk.addPlate();
+    desk.click(desk.plate(0, 0));
+    QVERIFY(desk.commands.run("section.redraw", {}, desk.time));
+    desk.wait(kTurnTime);
+    desk.press(desk.plate(-50, -30));
+    desk.moveTo(desk.plate(50, -30));
+    QVERIFY(desk.commands.run("view.right", {}, desk.time));
+    QVERIFY(!desk.interaction.hasGesture());
+    desk.moveTo({700, 500});
+    desk.release(desk.cursor);
+    desk.wait(kTurnTime);
+    QVERIFY(!desk.interaction.overlay().stroke);
+    QVERIFY(!desk.session.hasPreview());
+    QCOMPARE(desk.session.history()->count(), 1);
+    QVERIFY(desk.interaction.tool()); // to be drawn with once the view is right
+}
+
+void TestInteraction::nothingIsDrawnOnACanvasOnEdge()
+{
+    Desk desk;
+    desk.addPlate();
+    QVERIFY(desk.commands.run("section.planeFront", {}, desk.time));
+    desk.wait(kTurnTime);
+    QVERIFY(desk.commands.run("view.right", {}, desk.time));
+    desk.wait(kTurnTime);
+    desk.send(Type::Move, {640, 400});
+    QCOMPARE(desk.hint(), Hint::Kind::CanvasOnEdge);
+    desk.drag({{600, 300}, {700, 300}, {700, 400}, {600, 400}});
+    QCOMPARE(desk.sections().size(), std::size_t(1));
+    QVERIFY(desk.interaction.hint().isRefusal);
+}
+
+// Wrong: another section gets the contour, or the view swings because a stock was edited.
+void TestInteraction::aToolGoesWithItsSection()
+{
+    Desk desk;
+    desk.addPlate();
+    desk.addPlate(40.0);
+    desk.interaction.select({desk.sections()[1]->id});
+    QVERIFY(desk.commands.run("section.redraw", {}, desk.time));
+    desk.wait(kTurnTime);
+    const Camera camera = desk.interaction.camera();
+    const Document &now = desk.session.committed().document;
+    desk.session.commit(QStringLiteral("Rename"),
+                        *renameSection(now, desk.sections()[0]->id, "Body"));
+    QVERIFY(desk.interaction.tool());
+    desk.wait(kTurnTime);
+    QVERIFY(isSameCamera(desk.interaction.camera(), camera));
+    desk.session.history()->undo();
+    desk.session.history()->undo(); // of the section itself
+    QCOMPARE(desk.sections().size(), std::size_t(1));
+    QVERIFY(!desk.interaction.tool());
+    QCOMPARE(desk.hint(), Hint::Kind::CanvasGone);
+}
+
+// Wrong: the slit stays at the edge until the mouse is moved again.
+void TestInteraction::roomIsMadeAlsoAfterAMove()
+{
+    for (const double turnTime : {kTurnTime, 0.0}) {
+        Desk desk;
+        desk.addPlate();
+        desk.interaction.settings().turnTime = turnTime;
+        desk.drag({{640, 700}, {640, 400}}, Button::Middle); // the plate near the upper edge
+        desk.press(desk.plate(0, 40));
+        desk.moveTo(desk.plate(0, 65), 1);
+        desk.wait(turnTime);
+        desk.send(Type::Move, desk.cursor + Vec2(4, 4));
+        QVERIFY(desk.interaction.overlay().deadZone);
+        QVERIFY(desk.interaction.isAnimating());
+        const Camera before = desk.interaction.camera();
+        for (int i = 0; i < 400 && desk.interaction.isAnimating(); ++i)
+            desk.wait(8.0);
+        QVERIFY(!desk.interaction.isAnimating());
+        QVERIFY(!isSameCamera(desk.interaction.camera(), before));
+        QVERIFY(desk.interaction.overlay().deadZone); // it did not push the cursor out
+    }
+}
+
+void TestInteraction::aNewSectionIsNoGhost()
+{
+    Desk desk;
+    desk.addPlate();
+    desk.click(desk.plate(0, 0));
+    QVERIFY(desk.commands.run("view.isolate", {}, desk.time));
+    strokeToDeadZone(desk);
+    const Vec2 start = desk.cursor;
+    for (const Vec2 &p : {Vec2(90, 60), Vec2(90, -80), Vec2(-80, -80)})
+        desk.moveTo(start + p);
+    desk.release(desk.cursor);
+    QCOMPARE(desk.sections().size(), std::size_t(2));
+    QVERIFY(desk.interaction.view().isPicked(desk.sections()[1]->id));
+}
+
+void TestInteraction::whatIsAskedForTwiceIsLaidDown()
+{
+    Desk desk;
+    desk.addPlate();
+    desk.addPlate(40.0);
+    desk.interaction.select({desk.sections()[0]->id});
+    QVERIFY(desk.commands.run("section.redraw", {}, desk.time));
+    QVERIFY(desk.interaction.tool());
+    desk.interaction.select({desk.sections()[1]->id}); // another one: that is meant
+    QVERIFY(desk.commands.run("section.redraw", {}, desk.time));
+    QVERIFY(desk.interaction.tool());
+    QCOMPARE(desk.interaction.hint().section, desk.sections()[1]->name);
+    desk.interaction.select({});
+    QVERIFY(desk.commands.isEnabled("section.redraw"));
+    QVERIFY(desk.commands.run("section.redraw", {}, desk.time));
+    QVERIFY(!desk.interaction.tool());
+}
+
+/// What people know from elsewhere: each drag turns, moves or zooms as it does there.
+void TestInteraction::buttonsOfOtherPrograms()
+{
+    const Modifiers none, shift{true, false, false}, control{false, true, false};
+    struct Row
+    {
+        NavigationPreset preset;
+        Button button;
+        Modifiers modifiers;
+        DragKind kind;
+    };
+    const Row rows[] = {
+        {NavigationPreset::FlatFitFab, Button::Right, none, DragKind::Orbit},
+        {NavigationPreset::FlatFitFab, Button::Middle, none, DragKind::Pan},
+        {NavigationPreset::Blender, Button::Middle, none, DragKind::Orbit},
+        {NavigationPreset::Blender, Button::Middle, shift, DragKind::Pan},
+        {NavigationPreset::Blender, Button::Middle, control, DragKind::Zoom},
+        {NavigationPreset::FreeCad, Button::Middle, none, DragKind::Pan},
+        {NavigationPreset::FreeCad, Button::Right, shift, DragKind::Orbit},
+        {NavigationPreset::FreeCad, Button::Right, control, DragKind::Pan},
+        {NavigationPreset::Onshape, Button::Right, none, DragKind::Orbit},
+        {NavigationPreset::Onshape, Button::Right, control, DragKind::Pan},
+    };
+    for (const Row &row : rows) {
+        Desk desk;
+        desk.addPlate();
+        desk.interaction.settings().navigation = row.preset;
+        const Camera before = desk.interaction.camera();
+        desk.press({200, 200}, row.button, row.modifiers);
+        desk.moveTo({260, 150});
+        desk.release(desk.cursor, row.button);
+        const Camera &after = desk.interaction.camera();
+        const bool turned = after.orientation.angularDistance(before.orientation) > 1e-3;
+        const bool zoomed = after.millimetresPerPixel != before.millimetresPerPixel;
+        QCOMPARE(turned, row.kind == DragKind::Orbit);
+        QCOMPARE(zoomed, row.kind == DragKind::Zoom);
+        QVERIFY(!(after.target - before.target).isZero() || turned);
+        // The left button stays that of drawing, and turns the view with Ctrl, in all of them.
+        QCOMPARE(dragKind(row.preset, Button::Left, none), DragKind::Edit);
+        QCOMPARE(dragKind(row.preset, Button::Left, control), DragKind::Orbit);
+    }
+    // FreeCAD's: the left button, while the middle one moves the view, turns it.
+    Desk desk;
+    desk.addPlate();
+    desk.interaction.settings().navigation = NavigationPreset::FreeCad;
+    const Camera before = desk.interaction.camera();
+    desk.press({200, 200}, Button::Middle);
+    desk.moveTo({240, 200});
+    QCOMPARE(desk.hint(), Hint::Kind::Panning);
+    desk.press({240, 200}, Button::Left);
+    desk.moveTo({300, 220});
+    QCOMPARE(desk.hint(), Hint::Kind::Orbiting);
+    desk.release(desk.cursor, Button::Left);
+    QCOMPARE(desk.hint(), Hint::Kind::Panning);
+    desk.release(desk.cursor, Button::Middle);
+    QVERIFY(!desk.interaction.hasGesture());
+    QVERIFY(desk.interaction.camera().orientation.angularDistance(before.orientation) > 1e-3);
 }
 
 QTEST_GUILESS_MAIN(TestInteraction)
