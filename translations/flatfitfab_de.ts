@@ -2256,6 +2256,10 @@
         <source>A new contour, while you draw it</source>
         <translation>Eine neue Kontur, während sie gezeichnet wird</translation>
     </message>
+    <message>
+        <source>&lt;b&gt;Not mirrored.&lt;/b&gt; The two halves would not meet at the slit.</source>
+        <translation>&lt;b&gt;Nicht gespiegelt.&lt;/b&gt; Die beiden Hälften träfen sich am Schlitz nicht.</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::Exporting</name>
@@ -2737,6 +2741,18 @@
     <message>
         <source>Nothing changed: this cannot be done here.</source>
         <translation>Nichts geändert: Das geht hier nicht.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Release&lt;/b&gt; to make the section, mirrored. Let &lt;kbd&gt;Shift&lt;/kbd&gt; go to keep only this side. &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
+        <translation>&lt;b&gt;Loslassen&lt;/b&gt; erzeugt die Scheibe, gespiegelt. Ohne &lt;kbd&gt;Umschalt&lt;/kbd&gt; bleibt nur diese Seite. &lt;kbd&gt;Esc&lt;/kbd&gt; bricht ab.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Release&lt;/b&gt; to give %1 this contour, mirrored across its slit. &lt;kbd&gt;Shift&lt;/kbd&gt; switches mirroring over.</source>
+        <translation>&lt;b&gt;Loslassen&lt;/b&gt; gibt %1 diese Kontur, am Schlitz gespiegelt. &lt;kbd&gt;Umschalt&lt;/kbd&gt; kehrt das Spiegeln um.</translation>
+    </message>
+    <message>
+        <source>%1 was mirrored; what came over its axis and back was left out.</source>
+        <translation>%1 wurde gespiegelt; was über die Achse und zurück lief, wurde weggelassen.</translation>
     </message>
 </context>
 <context>
