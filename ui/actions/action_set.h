@@ -41,12 +41,13 @@ public:
     static QString sentence(const QAction *action);
 
     void setAble(const char *id, bool able, const QString &whyNot);
+    /// What can be done now, and what is checked.
+    void refresh();
 
 Q_SIGNALS:
     void triggered(const QString &id);
 
 private:
-    void refresh();
     void applyShortcuts();
     static void setTip(QAction *action, const QString &sentence);
 
