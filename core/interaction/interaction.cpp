@@ -202,7 +202,9 @@ bool Interaction::escape(double time)
     advance(time);
     const bool hadNote = d->note.has_value();
     d->note.reset();
-    const bool hadGesture = d->cancelGesture() || d->cancelTool();
+    // A tool knows best how to go back from what its button does.
+    const bool isInTool = d->tool && !d->gesture && d->pending.empty();
+    const bool hadGesture = isInTool ? d->cancelTool() : d->cancelGesture();
     const bool hadPoints = !hadGesture && !d->points.isEmpty();
     const bool hadSelection = !hadGesture && !hadPoints && !d->selection.isEmpty();
     const bool hadView =

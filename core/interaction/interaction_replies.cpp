@@ -91,6 +91,7 @@ bool Interaction::Private::cancelTool()
 {
     if (!tool)
         return false;
+    isToolPressed = false;
     GestureContext with = context();
     takeFromTool(tool->cancel(with));
     return true;
