@@ -227,7 +227,8 @@ void StrokeGesture::updateOverlay(GestureContext &context) const
     }
     if (state == Stroke::State::Contour) {
         const StrokeContour &contour = m_stroke.contour();
-        Overlay::Stroke &stroke = overlay.stroke.emplace();
+        overlay.stroke = Overlay::Stroke(); // clang finds no default constructor for emplace()
+        Overlay::Stroke &stroke = *overlay.stroke;
         stroke.canvas = m_target.canvas;
         stroke.samples = m_stroke.samples();
         stroke.fitted = contour.fitted;
