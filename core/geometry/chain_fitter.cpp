@@ -35,7 +35,7 @@ std::vector<CubicBezier> ChainFitter::takeChain()
     return std::move(m_chain);
 }
 
-const Joint &ChainFitter::joint(std::size_t at)
+const CurveEnd &ChainFitter::joint(std::size_t at)
 {
     if (at == m_stretch.from)
         return m_stretch.start;

@@ -26,7 +26,7 @@ public:
     struct Stretch
     {
         std::size_t from = 0, to = 0;
-        Joint start, end;
+        CurveEnd start, end;
         std::size_t lowest = 0, highest = 0;           // samples that directions are judged by
         bool isStartGiven = false, isEndGiven = false; // its direction has to be kept
     };
@@ -51,7 +51,7 @@ private:
     };
 
     void fitSmooth(const Stretch &stretch);
-    const Joint &joint(std::size_t at);
+    const CurveEnd &joint(std::size_t at);
     std::optional<CubicBezier> piece(std::size_t from, std::size_t to);
     Piece shortest(std::size_t from);
     Piece shortestBefore(std::size_t to);
@@ -67,7 +67,7 @@ private:
     const SampledLine &m_line;
     const double m_tolerance, m_reach;
     SpanFitter m_spans;
-    std::vector<std::optional<Joint>> m_joints; // that were asked for
+    std::vector<std::optional<CurveEnd>> m_joints; // that were asked for
     Stretch m_stretch;
     std::vector<CubicBezier> m_chain;
 };

@@ -102,7 +102,7 @@ public:
     std::vector<CubicBezier> fit(const FitOptions &options) const
     {
         std::size_t from = m_from, to = m_to;
-        Joint joint = m_line.smoothJoint(m_from, 0, m_line.size() - 1);
+        CurveEnd joint = m_line.smoothJoint(m_from, 0, m_line.size() - 1);
         // Up to the next sample there are those that fill the gap.
         for (const StraightRun &run : m_line.straightRuns(0, m_line.size() - 1)) {
             if (run.from < m_from || m_line.drawnBefore(run.from) != m_line.drawnBefore(m_from))

@@ -66,7 +66,7 @@ double turnOf(const CubicBezier &s)
     return turn(s.p1 - s.p0, s.p2 - s.p1) + turn(s.p2 - s.p1, s.p3 - s.p2);
 }
 
-CubicBezier withHandles(const Joint &start, const Joint &end, double first, double second)
+CubicBezier withHandles(const CurveEnd &start, const CurveEnd &end, double first, double second)
 {
     return {start.position, start.position + first * start.direction,
             end.position - second * end.direction, end.position};
@@ -146,20 +146,20 @@ bool SpanFitter::isWithin(const CubicBezier &curve, std::size_t from, std::size_
     return true;
 }
 
-std::optional<CubicBezier> SpanFitter::fit(std::size_t from, std::size_t to, const Joint &start,
-                                           const Joint &end)
+std::optional<CubicBezier> SpanFitter::fit(std::size_t from, std::size_t to, const CurveEnd &start,
+                                           const CurveEnd &end)
 {
     return fit(from, to, start, end, true);
 }
 
-std::optional<CubicBezier> SpanFitter::best(std::size_t from, std::size_t to, const Joint &start,
-                                            const Joint &end)
+std::optional<CubicBezier> SpanFitter::best(std::size_t from, std::size_t to, const CurveEnd &start,
+                                            const CurveEnd &end)
 {
     return fit(from, to, start, end, false);
 }
 
-std::optional<CubicBezier> SpanFitter::fit(std::size_t from, std::size_t to, const Joint &start,
-                                           const Joint &end, bool isFirstEnough)
+std::optional<CubicBezier> SpanFitter::fit(std::size_t from, std::size_t to, const CurveEnd &start,
+                                           const CurveEnd &end, bool isFirstEnough)
 {
     const double length = m_line.lengthBetween(from, to);
     if (!(length > 0.0))
@@ -218,7 +218,7 @@ std::optional<CubicBezier> SpanFitter::fit(std::size_t from, std::size_t to, con
 }
 
 std::optional<CubicBezier> SpanFitter::shortPiece(std::size_t from, std::size_t to,
-                                                  const Joint &start, const Joint &end)
+                                                  const CurveEnd &start, const CurveEnd &end)
 {
     double handle = (end.position - start.position).norm() / 3.0;
     chooseSamples(from, to);
@@ -232,8 +232,8 @@ std::optional<CubicBezier> SpanFitter::shortPiece(std::size_t from, std::size_t 
     return {};
 }
 
-CubicBezier SpanFitter::shortestPiece(std::size_t from, std::size_t to, const Joint &start,
-                                      const Joint &end)
+CubicBezier SpanFitter::shortestPiece(std::size_t from, std::size_t to, const CurveEnd &start,
+                                      const CurveEnd &end)
 {
     if (const auto curve = shortPiece(from, to, start, end))
         return *curve;

@@ -25,19 +25,19 @@ public:
     ///         H. Pottmann, Y. Liu 2006, Fitting B-spline curves to point clouds by curvature-based
     ///         squared distance minimization, ACM TOG 25(2), for measuring across the curve
     ///         (their TDM), which takes 3 or 4 steps where Schneider's takes tens.
-    std::optional<CubicBezier> fit(std::size_t from, std::size_t to, const Joint &start,
-                                   const Joint &end);
+    std::optional<CubicBezier> fit(std::size_t from, std::size_t to, const CurveEnd &start,
+                                   const CurveEnd &end);
     /// The same, going on to the least error instead of stopping at the first cubic that is near
     /// enough.
-    std::optional<CubicBezier> best(std::size_t from, std::size_t to, const Joint &start,
-                                    const Joint &end);
+    std::optional<CubicBezier> best(std::size_t from, std::size_t to, const CurveEnd &start,
+                                    const CurveEnd &end);
     /// For short stretches: handles of a third of the chord or less, as the tolerance allows.
-    std::optional<CubicBezier> shortPiece(std::size_t from, std::size_t to, const Joint &start,
-                                          const Joint &end);
+    std::optional<CubicBezier> shortPiece(std::size_t from, std::size_t to, const CurveEnd &start,
+                                          const CurveEnd &end);
     /// For the shortest of stretches: the same, and some curve in any case, so that directions at
     /// the joints hold.
-    CubicBezier shortestPiece(std::size_t from, std::size_t to, const Joint &start,
-                              const Joint &end);
+    CubicBezier shortestPiece(std::size_t from, std::size_t to, const CurveEnd &start,
+                              const CurveEnd &end);
 
     /// Radians. Three cubics go round a circle: with fewer, one sees that they are none.
     static constexpr double kLargestTurn = 2.6;
@@ -49,8 +49,8 @@ private:
         double u = 0.0; // parameter
     };
 
-    std::optional<CubicBezier> fit(std::size_t from, std::size_t to, const Joint &start,
-                                   const Joint &end, bool isFirstEnough);
+    std::optional<CubicBezier> fit(std::size_t from, std::size_t to, const CurveEnd &start,
+                                   const CurveEnd &end, bool isFirstEnough);
     void chooseSamples(std::size_t from, std::size_t to);
     bool isWithin(const CubicBezier &curve, std::size_t from, std::size_t to) const;
 

@@ -269,7 +269,7 @@ std::vector<std::size_t> SampledLine::corners(double angle) const
     for (std::size_t k = 0; k < found.size(); ++k) {
         const std::size_t from = kept > 0 ? result[kept - 1] : 0;
         const std::size_t to = k + 1 < found.size() ? found[k + 1] : size() - 1;
-        const Joint before = endJoint(from, found[k]), after = startJoint(found[k], to);
+        const CurveEnd before = endJoint(from, found[k]), after = startJoint(found[k], to);
         if (turn(before.direction, after.direction) >= kSharpness * angle)
             result[kept++] = found[k];
     }
@@ -336,9 +336,9 @@ SampledLine::Parabola SampledLine::parabola(std::size_t at, std::size_t from, st
     return result;
 }
 
-Joint SampledLine::joint(std::size_t at, std::size_t from, std::size_t to, bool isEnd) const
+CurveEnd SampledLine::joint(std::size_t at, std::size_t from, std::size_t to, bool isEnd) const
 {
-    Joint result{m_points[at], unit(m_points[to] - m_points[from])};
+    CurveEnd result{m_points[at], unit(m_points[to] - m_points[from])};
     for (std::size_t k = 0; k < kParabolaReaches.size(); ++k) {
         const double reach = kParabolaReaches[k] * m_reach;
         const std::size_t first = std::max(indexAt(m_along[at] - reach), from);
@@ -364,17 +364,17 @@ Joint SampledLine::joint(std::size_t at, std::size_t from, std::size_t to, bool 
     return result;
 }
 
-Joint SampledLine::smoothJoint(std::size_t at, std::size_t from, std::size_t to) const
+CurveEnd SampledLine::smoothJoint(std::size_t at, std::size_t from, std::size_t to) const
 {
     return joint(at, from, to, false);
 }
 
-Joint SampledLine::startJoint(std::size_t from, std::size_t to) const
+CurveEnd SampledLine::startJoint(std::size_t from, std::size_t to) const
 {
     return joint(from, from, to, true);
 }
 
-Joint SampledLine::endJoint(std::size_t from, std::size_t to) const
+CurveEnd SampledLine::endJoint(std::size_t from, std::size_t to) const
 {
     return joint(to, from, to, true);
 }
@@ -455,7 +455,7 @@ std::optional<StraightRun> SampledLine::straightRun(std::size_t from, std::size_
         drawnBefore(run.to) < drawnBefore(run.from) + kStraightSamples)
         return {};
     const auto joint = [&](std::size_t i) {
-        return Joint{base + way.dot(m_points[i] - base) * way, way};
+        return CurveEnd{base + way.dot(m_points[i] - base) * way, way};
     };
     run.start = joint(run.from);
     run.end = joint(run.to);

@@ -11,7 +11,7 @@
 namespace fff {
 
 /// A point that a fitted chain passes and the way it passes it.
-struct Joint
+struct CurveEnd
 {
     Vec2 position = Vec2::Zero();
     Vec2 direction = Vec2::UnitX(); // unit
@@ -21,7 +21,7 @@ struct Joint
 struct StraightRun
 {
     std::size_t from = 0, to = 0;
-    Joint start, end; // on the line, both in its direction
+    CurveEnd start, end; // on the line, both in its direction
 };
 
 /// Samples in the order of drawing, repeated ones and those out of range left out, gaps of more
@@ -60,11 +60,11 @@ public:
 
     /// At a sample between `from` and `to`, with no corner between them: where a parabola through
     /// the samples around it passes and which way. As many samples as a parabola can follow.
-    Joint smoothJoint(std::size_t at, std::size_t from, std::size_t to) const;
+    CurveEnd smoothJoint(std::size_t at, std::size_t from, std::size_t to) const;
     /// At the first (the last) sample of a stretch: itself, and which way the line goes on from
     /// (comes to) it.
-    Joint startJoint(std::size_t from, std::size_t to) const;
-    Joint endJoint(std::size_t from, std::size_t to) const;
+    CurveEnd startJoint(std::size_t from, std::size_t to) const;
+    CurveEnd endJoint(std::size_t from, std::size_t to) const;
 
     /// The samples between lie within `tolerance` of the chord and the line does not go back by
     /// more than that.
@@ -96,7 +96,7 @@ private:
     double turnAt(std::size_t at, double reach) const;
     std::size_t sharpest(std::size_t at, double reach) const;
     Parabola parabola(std::size_t at, std::size_t from, std::size_t to, bool isThroughPoint) const;
-    Joint joint(std::size_t at, std::size_t from, std::size_t to, bool isEnd) const;
+    CurveEnd joint(std::size_t at, std::size_t from, std::size_t to, bool isEnd) const;
     Vec2 meanBetween(std::size_t from, std::size_t to) const;
     StraightRun extended(StraightRun run, const Vec2 &base, double leaving, std::size_t lowest,
                          std::size_t highest) const;
