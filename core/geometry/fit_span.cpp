@@ -19,6 +19,8 @@ constexpr double kShortestHandle = 0.02, kLongestHandle = 0.8;
 /// Of the normal matrix, what is added to its diagonal: where both directions lie along the
 /// samples, the lengths are free and stay.
 constexpr double kDamping = 1e-4;
+/// And so much more, in mm², so that nothing is divided by zero where all slopes are zero.
+constexpr double kLeastDamping = 1e-12;
 /// Rounding that the tolerance is to hold in spite of, as a part of it.
 constexpr double kMargin = 1e-6;
 /// Places looked at between the feet of two neighbours; as many as make half a tolerance each.
@@ -208,7 +210,7 @@ std::optional<CubicBezier> SpanFitter::fit(std::size_t from, std::size_t to, con
             (step > 1 && error > kProgress * errorBefore))
             return found;
         errorBefore = error;
-        const double damping = kDamping * (j00 + j11) + 1e-12;
+        const double damping = kDamping * (j00 + j11) + kLeastDamping;
         j00 += damping;
         j11 += damping;
         const double determinant = j00 * j11 - j01 * j01;

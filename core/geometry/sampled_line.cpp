@@ -11,6 +11,9 @@ namespace fff {
 
 namespace {
 
+/// A determinant below this part of its diagonal's product is rounding (no unit): the samples are
+/// too few, or lie too near to each other, to tell a parabola from a line.
+constexpr double kSingular = 1e-9;
 /// Reaches between samples that are left without further ones.
 constexpr double kLongestGap = 2.0;
 /// Of a tolerance, that the line on which distances are measured may be off the samples.
@@ -303,7 +306,7 @@ SampledLine::Parabola SampledLine::parabola(std::size_t at, std::size_t from, st
     const auto straight = [&] { slope = m[2] > 0.0 ? Vec2(r[1] / m[2]) : Vec2::Zero(); };
     if (isThroughPoint) {
         const double determinant = m[2] * m[4] - m[3] * m[3];
-        if (determinant > 1e-9 * m[2] * m[4]) {
+        if (determinant > kSingular * m[2] * m[4]) {
             slope = (m[4] * r[1] - m[3] * r[2]) / determinant;
             bend = (m[2] * r[2] - m[3] * r[1]) / determinant;
         } else {
@@ -313,7 +316,7 @@ SampledLine::Parabola SampledLine::parabola(std::size_t at, std::size_t from, st
         Eigen::Matrix3d matrix;
         matrix << m[0], m[1], m[2], m[1], m[2], m[3], m[2], m[3], m[4];
         const double determinant = matrix.determinant();
-        if (determinant > 1e-9 * m[0] * m[2] * m[4]) {
+        if (determinant > kSingular * m[0] * m[2] * m[4]) {
             Eigen::Matrix<double, 3, 2> right;
             right << r[0].transpose(), r[1].transpose(), r[2].transpose();
             const Eigen::Matrix<double, 3, 2> x = matrix.inverse() * right;
