@@ -37,6 +37,11 @@ struct Box2
         max = max.cwiseMax(b.max);
     }
     bool isEmpty() const { return !(min.x() <= max.x()); }
+    /// On its edge is inside.
+    bool contains(const Vec2 &p) const
+    {
+        return (p.array() >= min.array()).all() && (p.array() <= max.array()).all();
+    }
     Vec2 size() const { return max - min; }
     Vec2 center() const { return 0.5 * (min + max); }
 };

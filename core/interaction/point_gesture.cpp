@@ -116,43 +116,4 @@ Hint PointGesture::hint() const
     return {}; // not reached: every kind is above
 }
 
-PointBandGesture::PointBandGesture(const PointerEvent &press, const Section &section,
-                                   const GestureContext &context)
-    : m_press(press.position), m_shape(section.shape), m_frame(section.frame)
-{
-    if (context.points.section() == section.id)
-        m_before = context.points.points();
-}
-
-GestureReply PointBandGesture::handle(const PointerEvent &event, GestureContext &context)
-{
-    Box2 band;
-    band.extend(m_press);
-    band.extend(event.position);
-    context.overlay.band = band;
-    GestureReply reply;
-    std::vector<PointAddress> inside;
-    for (int b = 0; b < boundaryCount(*m_shape); ++b) {
-        const Contour &contour = boundary(*m_shape, b);
-        for (int i = 0; i < contour.segmentCount(); ++i) {
-            const Vec2 at =
-                context.camera.toScreen(m_frame.toWorld(anchor(contour, i)), context.viewport);
-            if ((at.array() >= band.min.array()).all() && (at.array() <= band.max.array()).all())
-                inside.push_back({b, i});
-        }
-    }
-    reply.selectPoints = std::move(inside);
-    if (event.type == PointerEvent::Type::Release)
-        reply.state = GestureReply::State::Over;
-    return reply;
-}
-
-GestureReply PointBandGesture::cancel(GestureContext &)
-{
-    GestureReply reply;
-    reply.state = GestureReply::State::Over;
-    reply.selectPoints = m_before;
-    return reply;
-}
-
 } // namespace fff

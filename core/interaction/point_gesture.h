@@ -39,22 +39,4 @@ private:
     std::optional<Hint> m_refusal;               // of the newest move
 };
 
-/// A frame pulled over the points of one section to select them.
-class PointBandGesture : public Gesture
-{
-public:
-    PointBandGesture(const PointerEvent &press, const Section &section,
-                     const GestureContext &context);
-    GestureReply handle(const PointerEvent &event, GestureContext &context) override;
-    GestureReply cancel(GestureContext &context) override;
-    Hint hint() const override { return {Hint::Kind::PointBand, {}, false}; }
-    Cursor cursor() const override { return Cursor::Arrow; }
-
-private:
-    Vec2 m_press; // px
-    ShapePointer m_shape;
-    Frame m_frame;
-    std::vector<PointAddress> m_before;
-};
-
 } // namespace fff

@@ -51,7 +51,7 @@ std::unique_ptr<Gesture> editing(const PointerEvent &press, const Sight &sight,
                 press,
                 *context.model.section(static_cast<std::size_t>(context.overlay.points->section)),
                 context);
-        return std::make_unique<RubberBandGesture>(press);
+        return std::make_unique<RubberBandGesture>(press, context);
     }
     if (!hits.empty() && !sight.isOnEdge(hits.front()))
         return std::make_unique<StrokeGesture>(press, hits.front(), context);
