@@ -67,10 +67,14 @@ GestureReply PointGesture::handle(const PointerEvent &event, GestureContext &con
 {
     GestureReply reply;
     const auto place = placeOnPlane(m_frame, context.camera, context.viewport, event.position);
-    if (place && !event.isFollowed) {
-        Vec2 by = *place - m_pressed;
-        if (event.modifiers.shift)
-            by = straightened(by);
+    Vec2 by = place ? Vec2(*place - m_pressed) : Vec2::Zero();
+    if (event.modifiers.shift)
+        by = straightened(by);
+    // A release where the last move was commits the very document that is shown, slits and all.
+    const bool isAsShown =
+        m_shown && m_shown->by == by && m_shown->breaks == event.modifiers.control;
+    if (place && !event.isFollowed && !isAsShown) {
+        m_shown = Shown{by, event.modifiers.control};
         PointEdit edit = edited(by, event.modifiers.control, context.model.document,
                                 {context.settings.cutsAtGround});
         m_refusal = edit ? std::nullopt : std::optional(edit.error());

@@ -28,6 +28,13 @@ private:
                      const PointRules &rules) const;
     Vec2 straightened(const Vec2 &by) const;
 
+    /// What the newest move asked for.
+    struct Shown
+    {
+        Vec2 by;
+        bool breaks = false;
+    };
+
     PointTarget m_target;
     SectionId m_section;
     std::string m_name; // of the section
@@ -36,7 +43,8 @@ private:
     std::vector<PointAddress> m_before, m_moved; // selected
     Vec2 m_pressed = Vec2::Zero();               // frame coordinates
     std::optional<EditedPoints> m_last;          // the newest that is whole
-    std::optional<Hint> m_refusal;               // of the newest move
+    std::optional<Shown> m_shown;
+    std::optional<Hint> m_refusal; // of the newest move
 };
 
 } // namespace fff
