@@ -5,6 +5,7 @@
 #include <QPixmap>
 
 #include <cmath>
+#include <initializer_list>
 #include <map>
 #include <utility>
 
@@ -17,31 +18,46 @@ const QColor kInk(0x1b, 0x21, 0x27),
     kPaper(0xff, 0xff, 0xff); // seen on every ground, in both themes
 const QColor kSlit(0xc2, 0x41, 0x0c);
 
+void stroked(QPainter &painter, const QPainterPath &path, const QColor &colour, double width)
+{
+    painter.strokePath(path, QPen(colour, width, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+}
+
+/// With a border of paper, 1 px wide.
 void cased(QPainter &painter, const QPainterPath &path, const QColor &colour, double width)
 {
-    painter.strokePath(path, QPen(kPaper, width + 2.0, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
-    painter.strokePath(path, QPen(colour, width, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    stroked(painter, path, kPaper, width + 2.0);
+    stroked(painter, path, colour, width);
+}
+
+QPainterPath area(std::initializer_list<QPointF> corners)
+{
+    QPainterPath path;
+    path.addPolygon(QPolygonF(corners));
+    path.closeSubpath();
+    return path;
+}
+
+/// Paper with an outline of ink, and a border of paper around that.
+void body(QPainter &painter, const QPainterPath &path)
+{
+    stroked(painter, path, kPaper, 3.6);
+    painter.fillPath(path, kPaper);
+    stroked(painter, path, kInk, 1.6);
+}
+
+/// Ink with a border of paper.
+void inked(QPainter &painter, const QPainterPath &path, double border)
+{
+    stroked(painter, path, kPaper, border);
+    painter.fillPath(path, kInk);
 }
 
 /// Its tip is at (3, 25).
 void pencil(QPainter &painter)
 {
-    QPainterPath body;
-    body.moveTo(3, 25);
-    body.lineTo(5, 19);
-    body.lineTo(18, 6);
-    body.lineTo(22, 10);
-    body.lineTo(9, 23);
-    body.closeSubpath();
-    painter.strokePath(body, QPen(kPaper, 3.6, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
-    painter.fillPath(body, kPaper);
-    painter.strokePath(body, QPen(kInk, 1.6, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
-    QPainterPath tip;
-    tip.moveTo(3, 25);
-    tip.lineTo(4, 22);
-    tip.lineTo(6, 24);
-    tip.closeSubpath();
-    painter.fillPath(tip, kInk);
+    body(painter, area({{3, 25}, {5, 19}, {18, 6}, {22, 10}, {9, 23}}));
+    painter.fillPath(area({{3, 25}, {4, 22}, {6, 24}}), kInk);
 }
 
 void slitMark(QPainter &painter)
@@ -68,24 +84,8 @@ void clockMark(QPainter &painter)
 /// A nib with its tip at (3, 25).
 void nib(QPainter &painter)
 {
-    QPainterPath body;
-    body.moveTo(3, 25);
-    body.lineTo(7, 12);
-    body.lineTo(14, 8);
-    body.lineTo(20, 14);
-    body.lineTo(16, 21);
-    body.closeSubpath();
-    painter.strokePath(body, QPen(kPaper, 3.6, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
-    painter.fillPath(body, kPaper);
-    painter.strokePath(body, QPen(kInk, 1.6, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
-    QPainterPath holder;
-    holder.moveTo(14, 8);
-    holder.lineTo(17, 5);
-    holder.lineTo(23, 11);
-    holder.lineTo(20, 14);
-    holder.closeSubpath();
-    painter.strokePath(holder, QPen(kPaper, 3.6, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
-    painter.fillPath(holder, kInk);
+    body(painter, area({{3, 25}, {7, 12}, {14, 8}, {20, 14}, {16, 21}}));
+    inked(painter, area({{14, 8}, {17, 5}, {23, 11}, {20, 14}}), 3.6);
     painter.setPen(QPen(kInk, 1.3));
     painter.drawLine(QPointF(4.5, 23.5), QPointF(10.5, 17.5));
     painter.setBrush(kInk);
@@ -124,14 +124,8 @@ void turningArrows(QPainter &painter)
 /// Its tip is at (3, 3).
 void arrowWithPlus(QPainter &painter)
 {
-    QPainterPath arrow;
-    arrow.moveTo(3, 3);
-    for (const QPointF &p : {QPointF(3, 18), QPointF(7, 14.5), QPointF(9.5, 20), QPointF(12, 19),
-                             QPointF(9.5, 13.5), QPointF(14, 13.5)})
-        arrow.lineTo(p);
-    arrow.closeSubpath();
-    painter.strokePath(arrow, QPen(kPaper, 2.6, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
-    painter.fillPath(arrow, kInk);
+    inked(painter, area({{3, 3}, {3, 18}, {7, 14.5}, {9.5, 20}, {12, 19}, {9.5, 13.5}, {14, 13.5}}),
+          2.6);
     QPainterPath plus;
     plus.moveTo(20, 16);
     plus.lineTo(20, 24);
@@ -140,37 +134,48 @@ void arrowWithPlus(QPainter &painter)
     cased(painter, plus, kInk, 2.0);
 }
 
+struct Drawing
+{
+    QPoint tip;
+    void (*shape)(QPainter &) = nullptr;
+    void (*mark)(QPainter &) = nullptr;
+};
+
+Drawing drawingOf(Cursor cursor)
+{
+    const QPoint penTip(3, 25);
+    switch (cursor) {
+    case Cursor::PencilWithSlit:
+        return {penTip, pencil, slitMark};
+    case Cursor::PencilWithClock:
+        return {penTip, pencil, clockMark};
+    case Cursor::Pen:
+        return {penTip, nib};
+    case Cursor::PenCloses:
+        return {penTip, nib, ringMark};
+    case Cursor::TurningArrows:
+        return {{14, 14}, turningArrows};
+    case Cursor::ArrowWithPlus:
+        return {{3, 3}, arrowWithPlus};
+    default:
+        return {penTip, pencil};
+    }
+}
+
 QCursor drawn(Cursor cursor, double ratio)
 {
-    QPixmap pixmap(static_cast<int>(std::lround(kSize * ratio)),
-                   static_cast<int>(std::lround(kSize * ratio)));
+    const int side = static_cast<int>(std::lround(kSize * ratio));
+    QPixmap pixmap(side, side);
     pixmap.setDevicePixelRatio(ratio);
     pixmap.fill(Qt::transparent);
     QPainter painter(&pixmap);
     painter.setRenderHint(QPainter::Antialiasing);
-    if (cursor == Cursor::TurningArrows) {
-        turningArrows(painter);
-        painter.end();
-        return QCursor(pixmap, 14, 14);
-    }
-    if (cursor == Cursor::ArrowWithPlus) {
-        arrowWithPlus(painter);
-        painter.end();
-        return QCursor(pixmap, 3, 3);
-    }
-    const bool isPen = cursor == Cursor::Pen || cursor == Cursor::PenCloses;
-    if (isPen)
-        nib(painter);
-    else
-        pencil(painter);
-    if (cursor == Cursor::PenCloses)
-        ringMark(painter);
-    if (cursor == Cursor::PencilWithSlit)
-        slitMark(painter);
-    if (cursor == Cursor::PencilWithClock)
-        clockMark(painter);
+    const Drawing drawing = drawingOf(cursor);
+    drawing.shape(painter);
+    if (drawing.mark)
+        drawing.mark(painter);
     painter.end();
-    return QCursor(pixmap, 3, 25);
+    return QCursor(pixmap, drawing.tip.x(), drawing.tip.y());
 }
 
 } // namespace
