@@ -1,97 +1,16 @@
 #include <QTest> // first: moc cannot read some of the standard library before it
 
 #include "core/base/units.h"
-#include "core/interaction/interaction.h"
 #include "core/model/edits.h"
-#include "core/session/session_commands.h"
-#include "core/session/session_host.h"
+#include "tests/core/interaction/desk.h"
 
 #include <cmath>
 
 using namespace fff;
+using namespace fff::test;
 using Type = PointerEvent::Type;
 
 namespace {
-
-constexpr double kTurnTime = 800.0;
-const Vec2 kViewport(1280.0, 800.0);
-
-/// A person with a mouse at a model: a plate of 200 × 120 mm around the middle of the front view.
-class Desk
-{
-public:
-    Desk() : host(session), interaction(host)
-    {
-        host.attach(interaction);
-        interaction.setViewport(kViewport);
-        registerSessionCommands(commands, session, interaction);
-    }
-
-    void send(Type type, const Vec2 &position, Button button = Button::None,
-              Modifiers modifiers = {})
-    {
-        PointerEvent event;
-        event.type = type;
-        event.position = cursor = position;
-        event.button = button;
-        event.modifiers = modifiers;
-        event.time = time += 8.0;
-        event.isFollowed = isBursting && type == Type::Move;
-        interaction.handle(event);
-    }
-    void press(const Vec2 &p, Button button = Button::Left, Modifiers modifiers = {})
-    {
-        send(Type::Press, p, button, modifiers);
-    }
-    void release(const Vec2 &p, Button button = Button::Left) { send(Type::Release, p, button); }
-    void moveTo(const Vec2 &to, int steps = 10)
-    {
-        const Vec2 from = cursor;
-        for (int i = 1; i <= steps; ++i)
-            send(Type::Move, from + (to - from) * (double(i) / steps));
-    }
-    void drag(const std::vector<Vec2> &way, Button button = Button::Left, Modifiers modifiers = {})
-    {
-        press(way.front(), button, modifiers);
-        for (const Vec2 &p : way)
-            moveTo(p);
-        release(way.back(), button);
-    }
-    void click(const Vec2 &p, Modifiers modifiers = {})
-    {
-        press(p, Button::Left, modifiers);
-        release(p);
-    }
-    void wait(double ms) { interaction.advance(time += ms); }
-
-    /// A section in the z = `z` plane, as if it had been there.
-    void addPlate(double z = 0.0, const Vec2 &half = {100, 60})
-    {
-        NewSection section;
-        section.shape = *Shape::make(*Contour::fromPolygon({{-half.x(), -half.y()},
-                                                            {half.x(), -half.y()},
-                                                            {half.x(), half.y()},
-                                                            {-half.x(), half.y()}}));
-        section.frame.origin = Vec3(0, kFirstPlaneHeight, z);
-        session.commit(QStringLiteral("Draw"),
-                       *addSection(session.committed().document, std::move(section)));
-    }
-    Vec2 screen(const Vec3 &p) const { return interaction.camera().toScreen(p, kViewport); }
-    Vec2 plate(double x, double y) const { return screen({x, kFirstPlaneHeight + y, 0.0}); }
-    const std::vector<SectionPointer> &sections() const
-    {
-        return session.committed().document.sections;
-    }
-    Hint::Kind hint() const { return interaction.hint().kind; }
-
-    Session session;
-    SessionHost host;
-    Interaction interaction;
-    CommandRegistry commands;
-    Vec2 cursor = Vec2::Zero();
-    double time = 0.0;
-    bool isBursting = false; // moves are said to be followed by others
-};
 
 /// To the end of the turn, out of the plate's right edge at its middle.
 void strokeToDeadZone(Desk &desk)
@@ -101,11 +20,15 @@ void strokeToDeadZone(Desk &desk)
     desk.wait(kTurnTime);
 }
 
-bool isSameCamera(const Camera &a, const Camera &b)
+/// The plate's contour anew, as far as the first edge of a box of 100 × 60 mm.
+void beginRedrawing(Desk &desk)
 {
-    return (a.target - b.target).norm() < 1e-9 &&
-           a.orientation.angularDistance(b.orientation) < 1e-9 &&
-           a.millimetresPerPixel == b.millimetresPerPixel;
+    desk.addPlate();
+    desk.click(desk.plate(0, 0));
+    desk.run("section.redraw");
+    desk.wait(kTurnTime);
+    desk.press(desk.plate(-50, -30));
+    desk.moveTo(desk.plate(50, -30));
 }
 
 } // namespace
@@ -220,7 +143,7 @@ void TestInteraction::secondSectionStandsOnItsSlit()
     desk.interaction.setCamera(camera);
 
     desk.press(desk.plate(from.x(), from.y()));
-    desk.moveTo(desk.plate(to.x(), to.y()), 3);
+    desk.moveTo(desk.plate(to.x(), to.y()), {}, 3);
     QCOMPARE(desk.hint(), Hint::Kind::Turning);
     desk.wait(kTurnTime);
     QCOMPARE(desk.hint(), Hint::Kind::LeaveDeadZone);
@@ -258,7 +181,7 @@ void TestInteraction::slitEndStaysUnderTheCursor()
     Desk desk;
     desk.addPlate();
     desk.press(desk.plate(20, 0));
-    desk.moveTo(desk.plate(110, 10), 2);
+    desk.moveTo(desk.plate(110, 10), {}, 2);
     QVERIFY(desk.interaction.isAnimating());
     const Vec3 end = desk.interaction.overlay().slit->to;
     QVERIFY(desk.interaction.overlay().slit->hasLeft);
@@ -284,7 +207,7 @@ void TestInteraction::framesBetweenEventsChangeNothing()
         Desk desk;
         desk.addPlate();
         desk.press(desk.plate(20, 0));
-        desk.moveTo(desk.plate(110, 10), 2);
+        desk.moveTo(desk.plate(110, 10), {}, 2);
         for (int i = 0; i < 60; ++i) {
             if (hasFrames)
                 desk.interaction.advance(desk.time + 5.0);
@@ -355,7 +278,7 @@ void TestInteraction::burstsLoseNoSample()
         strokeToDeadZone(*desk);
         const Vec2 start = desk->cursor;
         for (const Vec2 &way : {Vec2(0, -150), Vec2(120, -150), Vec2(150, 60), Vec2(-20, 90)})
-            desk->moveTo(start + way, 25);
+            desk->moveTo(start + way, {}, 25);
         desk->release(desk->cursor);
         QCOMPARE(desk->sections().size(), std::size_t(2));
     }
@@ -475,7 +398,7 @@ void TestInteraction::holesAreOutside()
     desk.session.commit(QStringLiteral("Hole"), *setShape(desk.session.committed().document,
                                                           desk.sections()[0]->id, holed));
     desk.press(desk.plate(0, 0));
-    desk.moveTo(desk.plate(50, 0), 2);
+    desk.moveTo(desk.plate(50, 0), {}, 2);
     QCOMPARE(desk.hint(), Hint::Kind::Turning);
     QVERIFY((desk.interaction.overlay().slit->to - Vec3(40, 83.82, 0)).norm() < 1e-6);
 }
@@ -554,12 +477,8 @@ void TestInteraction::dragsMoveTheView()
     QCOMPARE(turns({{700, 450}, {600, 400}}, Button::Left, {.space = true}), 0.0);
     QVERIFY((desk.screen(under) - Vec2(600, 400)).norm() < 1e-9);
 
-    PointerEvent wheel;
-    wheel.type = Type::Wheel;
-    wheel.position = {600, 400};
-    wheel.wheelSteps = 2.0;
     const double scale = desk.interaction.camera().millimetresPerPixel;
-    desk.interaction.handle(wheel);
+    desk.wheel({600, 400}, 2.0);
     QVERIFY(desk.interaction.camera().millimetresPerPixel < scale);
     QVERIFY((desk.screen(under) - Vec2(600, 400)).norm() < 1e-9);
     QCOMPARE(desk.session.history()->count(), 1);
@@ -778,14 +697,8 @@ void TestInteraction::previousViewGoesBack()
     QVERIFY(!desk.commands.isEnabled("view.previous"));
     desk.drag({{100, 600}, {180, 640}}, Button::Right);
     const Camera second = desk.interaction.camera();
-    for (int i = 0; i < 4; ++i) {
-        PointerEvent wheel;
-        wheel.type = Type::Wheel;
-        wheel.position = {400, 300};
-        wheel.wheelSteps = 1.0;
-        wheel.time = desk.time += 8.0;
-        desk.interaction.handle(wheel);
-    }
+    for (int i = 0; i < 4; ++i)
+        desk.wheel({400, 300}, 1.0);
     const auto back = [&] {
         QVERIFY(desk.commands.run("view.previous", {}, desk.time));
         desk.wait(1000.0);
@@ -805,12 +718,7 @@ void TestInteraction::perspectiveKeepsWhatIsUnderTheCursor()
     QVERIFY(desk.interaction.camera().isPerspective());
     const Vec3 corner(60, kFirstPlaneHeight + 30, 120.0);
     const Vec2 at = desk.screen(corner);
-    PointerEvent wheel;
-    wheel.type = Type::Wheel;
-    wheel.position = at;
-    wheel.wheelSteps = 2.0;
-    wheel.time = desk.time += 8.0;
-    desk.interaction.handle(wheel);
+    desk.wheel(at, 2.0);
     QVERIFY((desk.screen(corner) - at).norm() < 1e-6);
     desk.drag({at, at + Vec2(70, -40)}, Button::Middle);
     QVERIFY((desk.screen(corner) - at - Vec2(70, -40)).norm() < 1.5); // on its mid-plane
@@ -827,7 +735,7 @@ void TestInteraction::strokesInPerspectiveLieOnTheirPlane()
     desk.addPlate();
     QVERIFY(desk.commands.run("view.perspective"));
     desk.press(desk.plate(20, 0));
-    desk.moveTo(desk.plate(110, 0), 3);
+    desk.moveTo(desk.plate(110, 0), {}, 3);
     QCOMPARE(desk.hint(), Hint::Kind::Turning);
     const Vec3 end = desk.interaction.overlay().slit->to;
     desk.wait(kTurnTime);
@@ -838,7 +746,7 @@ void TestInteraction::strokesInPerspectiveLieOnTheirPlane()
     const std::vector<Vec2> way{start + Vec2(100, 60), start + Vec2(100, -80),
                                 start + Vec2(-80, -80)};
     for (const Vec2 &p : way)
-        desk.moveTo(p, 20);
+        desk.moveTo(p, {}, 20);
     desk.release(desk.cursor);
     QCOMPARE(desk.sections().size(), std::size_t(2));
     const Section &section = *desk.sections()[1];
@@ -862,7 +770,7 @@ void TestInteraction::namesAppearWhenTheCursorRests()
     QVERIFY(!desk.interaction.overlay().namePlace);
     desk.wait(20.0);
     QVERIFY(desk.interaction.overlay().namePlace);
-    desk.moveTo(desk.cursor + Vec2(5, 0), 1); // a twitch
+    desk.moveTo(desk.cursor + Vec2(5, 0), {}, 1); // a twitch
     QVERIFY(desk.interaction.overlay().namePlace);
     desk.moveTo(desk.cursor + Vec2(80, 0));
     QVERIFY(!desk.interaction.overlay().namePlace);
@@ -890,12 +798,7 @@ void TestInteraction::markingProblemsDisturbsNoStroke()
 void TestInteraction::aSecondButtonDoesNotEndAToolsStroke()
 {
     Desk desk;
-    desk.addPlate();
-    desk.click(desk.plate(0, 0));
-    QVERIFY(desk.commands.run("section.redraw", {}, desk.time));
-    desk.wait(kTurnTime);
-    desk.press(desk.plate(-50, -30));
-    desk.moveTo(desk.plate(50, -30));
+    beginRedrawing(desk);
     desk.press(desk.plate(50, -30), Button::Right);
     desk.moveTo(desk.plate(50, 30));
     desk.send(Type::Wheel, desk.cursor);
@@ -912,12 +815,7 @@ void TestInteraction::aSecondButtonDoesNotEndAToolsStroke()
 void TestInteraction::viewCommandsEndAToolsStroke()
 {
     Desk desk;
-    desk.addPlate();
-    desk.click(desk.plate(0, 0));
-    QVERIFY(desk.commands.run("section.redraw", {}, desk.time));
-    desk.wait(kTurnTime);
-    desk.press(desk.plate(-50, -30));
-    desk.moveTo(desk.plate(50, -30));
+    beginRedrawing(desk);
     QVERIFY(desk.commands.run("view.right", {}, desk.time));
     QVERIFY(!desk.interaction.hasGesture());
     desk.moveTo({700, 500});
@@ -976,7 +874,7 @@ void TestInteraction::roomIsMadeAlsoAfterAMove()
         desk.interaction.settings().turnTime = turnTime;
         desk.drag({{640, 700}, {640, 400}}, Button::Middle); // the plate near the upper edge
         desk.press(desk.plate(0, 40));
-        desk.moveTo(desk.plate(0, 65), 1);
+        desk.moveTo(desk.plate(0, 65), {}, 1);
         desk.wait(turnTime);
         desk.send(Type::Move, desk.cursor + Vec2(4, 4));
         QVERIFY(desk.interaction.overlay().deadZone);

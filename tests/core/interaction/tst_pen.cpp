@@ -1,124 +1,38 @@
 #include <QTest> // first: moc cannot read some of the standard library before it
 
-#include "core/base/units.h"
 #include "core/geometry/fit.h"
-#include "core/interaction/interaction.h"
 #include "core/interaction/pen_tool.h"
-#include "core/model/edits.h"
-#include "core/session/session_commands.h"
-#include "core/session/session_host.h"
+#include "tests/core/interaction/desk.h"
 
 #include <cmath>
 
 using namespace fff;
+using namespace fff::test;
 using Type = PointerEvent::Type;
 
 namespace {
 
-constexpr double kTurnTime = 800.0;
-const Vec2 kViewport(1280.0, 800.0);
-constexpr Modifiers kShift{true, false, false}, kControl{false, true, false};
-
 /// A person with the pen in hand, before the front view.
-class Desk
+class PenDesk : public Desk
 {
 public:
-    Desk() : host(session), interaction(host)
-    {
-        host.attach(interaction);
-        interaction.setViewport(kViewport);
-        registerSessionCommands(commands, session, interaction);
-    }
-    void run(const std::string &id, const CommandParameters &parameters = {})
-    {
-        QVERIFY(commands.run(id, parameters, time += 8.0));
-    }
-    void send(Type type, const Vec2 &position, Button button = Button::None,
-              Modifiers modifiers = {})
-    {
-        PointerEvent event;
-        event.type = type;
-        event.position = cursor = position;
-        event.button = button;
-        event.modifiers = modifiers;
-        event.time = time += 8.0;
-        interaction.handle(event);
-    }
-    void press(const Vec2 &p, Modifiers modifiers = {})
-    {
-        send(Type::Press, p, Button::Left, modifiers);
-    }
-    void release(const Vec2 &p, Modifiers modifiers = {})
-    {
-        send(Type::Release, p, Button::Left, modifiers);
-    }
-    void moveTo(const Vec2 &to, Modifiers modifiers = {})
-    {
-        const Vec2 from = cursor;
-        for (int i = 1; i <= 10; ++i)
-            send(Type::Move, from + (to - from) * (0.1 * i), Button::None, modifiers);
-    }
-    void click(const Vec2 &p, Modifiers modifiers = {})
-    {
-        moveTo(p, modifiers);
-        press(p, modifiers);
-        release(p, modifiers);
-        wait(500.0); // nobody takes two of them for a double click
-    }
-    void drag(const std::vector<Vec2> &way, Button button = Button::Left, Modifiers modifiers = {})
-    {
-        moveTo(way.front());
-        send(Type::Press, way.front(), button);
-        for (const Vec2 &p : way)
-            moveTo(p, modifiers);
-        send(Type::Release, way.back(), button, modifiers);
-    }
-    void wait(double ms) { interaction.advance(time += ms); }
-    bool key(ToolKey key) { return interaction.key(key, time += 8.0); }
-
-    void addPlate()
-    {
-        NewSection section;
-        section.shape =
-            *Shape::make(*Contour::fromPolygon({{-100, -60}, {100, -60}, {100, 60}, {-100, 60}}));
-        section.frame.origin = Vec3(0, kFirstPlaneHeight, 0);
-        session.commit(QStringLiteral("Draw"),
-                       *addSection(session.committed().document, std::move(section)));
-    }
-    Vec2 screen(const Vec3 &p) const { return interaction.camera().toScreen(p, kViewport); }
-    Vec2 front(double x, double y) const { return screen({x, y, 0.0}); }
     /// Where the canvas has this place.
-    Vec2 onCanvas(double x, double y) const
-    {
-        return screen(interaction.overlay().pen->canvas.toWorld({x, y}));
-    }
-    const std::vector<SectionPointer> &sections() const
-    {
-        return session.committed().document.sections;
-    }
+    Vec2 onCanvas(double x, double y) const { return screen(marks().canvas.toWorld({x, y})); }
     const PenMarks &marks() const { return *interaction.overlay().pen; }
     std::size_t pointCount() const { return interaction.overlay().pen ? marks().points.size() : 0; }
     Vec3 point(std::size_t i) const { return marks().canvas.toWorld(marks().points[i].at); }
-    Hint::Kind hint() const { return interaction.hint().kind; }
-    int steps() const { return session.history()->count(); }
-
-    Session session;
-    SessionHost host;
-    Interaction interaction;
-    CommandRegistry commands;
-    Vec2 cursor = Vec2::Zero();
-    double time = 0.0;
+    bool key(ToolKey key) { return interaction.key(key, time += 8.0); }
 };
 
 /// 60 × 40 mm in the front view.
-void setRectangle(Desk &desk)
+void setRectangle(PenDesk &desk)
 {
     for (const Vec2 &corner : {Vec2(-30, 60), Vec2(30, 60), Vec2(30, 100), Vec2(-30, 100)})
         desk.click(desk.front(corner.x(), corner.y()));
 }
 
 /// Out of the plate's right edge at its middle height, to where clicks set points.
-void turnToCanvas(Desk &desk)
+void turnToCanvas(PenDesk &desk)
 {
     const Vec2 from = desk.front(20, kFirstPlaneHeight), to = desk.front(110, kFirstPlaneHeight);
     desk.moveTo(from);
@@ -126,13 +40,6 @@ void turnToCanvas(Desk &desk)
     desk.moveTo(to);
     desk.wait(kTurnTime);
     desk.wait(kTurnTime);
-}
-
-bool isSameCamera(const Camera &a, const Camera &b)
-{
-    return (a.target - b.target).norm() < 1e-9 &&
-           a.orientation.angularDistance(b.orientation) < 1e-9 &&
-           a.millimetresPerPixel == b.millimetresPerPixel;
 }
 
 } // namespace
@@ -175,7 +82,7 @@ private Q_SLOTS:
 
 void TestPen::clicksMakeTheFirstSection()
 {
-    Desk desk;
+    PenDesk desk;
     desk.run("section.pen");
     setRectangle(desk);
     QCOMPARE(desk.pointCount(), std::size_t(4));
@@ -208,7 +115,7 @@ void TestPen::closing_data()
 void TestPen::closing()
 {
     QFETCH(int, way);
-    Desk desk;
+    PenDesk desk;
     desk.run("section.pen");
     for (const Vec2 &corner : {Vec2(-30, 60), Vec2(30, 60), Vec2(30, 100)})
         desk.click(desk.front(corner.x(), corner.y()));
@@ -237,7 +144,7 @@ void TestPen::closing()
 
 void TestPen::whatEnclosesNothingIsRefused()
 {
-    Desk desk;
+    PenDesk desk;
     desk.run("section.pen");
     QVERIFY(!desk.key(ToolKey::Enter)); // nothing to close yet, nothing said
     desk.click(desk.front(0, 60));
@@ -255,7 +162,7 @@ void TestPen::whatEnclosesNothingIsRefused()
 
 void TestPen::dragsBendSmoothly()
 {
-    Desk desk;
+    PenDesk desk;
     desk.run("section.pen");
     desk.drag({desk.front(-50, 80), desk.front(-50, 120)});
     desk.drag({desk.front(50, 80), desk.front(50, 40)});
@@ -275,14 +182,14 @@ void TestPen::dragsBendSmoothly()
 
 void TestPen::controlBreaksHandles()
 {
-    Desk desk;
+    PenDesk desk;
     desk.run("section.pen");
     desk.click(desk.front(-50, 80));
     desk.moveTo(desk.front(50, 80));
     desk.press(desk.front(50, 80));
     desk.moveTo(desk.front(80, 80));
     desk.moveTo(desk.front(50, 120), kControl);
-    desk.release(desk.front(50, 120), kControl);
+    desk.release(desk.front(50, 120), Button::Left, kControl);
     const PathPoint &point = desk.marks().points[1];
     QVERIFY((*point.out - Vec2(0, 40)).norm() < 1e-6);
     QVERIFY((*point.in - Vec2(-30, 0)).norm() < 1e-6);
@@ -294,7 +201,7 @@ void TestPen::controlBreaksHandles()
 
 void TestPen::shiftHoldsDirections()
 {
-    Desk desk;
+    PenDesk desk;
     desk.run("section.pen");
     desk.run("section.snap", {{"on", "false"}});
     desk.click(desk.front(3.3, 57.7));
@@ -307,7 +214,7 @@ void TestPen::shiftHoldsDirections()
 
 void TestPen::setPointsCanBeMoved()
 {
-    Desk desk;
+    PenDesk desk;
     desk.run("section.pen");
     setRectangle(desk);
     desk.drag({desk.front(30, 100), desk.front(60, 130)});
@@ -321,7 +228,7 @@ void TestPen::setPointsCanBeMoved()
 
 void TestPen::snappedPointsLieOnTheGrid()
 {
-    Desk desk;
+    PenDesk desk;
     desk.run("section.pen");
     const double step = gridStep(desk.interaction.camera().millimetresPerPixel);
     for (const Vec2 &at : {Vec2(-31.3, 58.9), Vec2(31.1, 62.4), Vec2(12.2, 131.7)}) {
@@ -339,7 +246,7 @@ void TestPen::snappedPointsLieOnTheGrid()
 /// With Ctrl the left button turns the view, but a click is still the pen's.
 void TestPen::controlLeavesTheGrid()
 {
-    Desk desk;
+    PenDesk desk;
     desk.run("section.pen");
     desk.click(desk.front(-31.3, 58.9), kControl);
     QCOMPARE(desk.pointCount(), std::size_t(1));
@@ -350,16 +257,16 @@ void TestPen::controlLeavesTheGrid()
     QVERIFY(desk.marks().snap->kind != Snap::Kind::None);
     const Camera before = desk.interaction.camera();
     desk.moveTo(desk.front(60, 60));
-    desk.press(desk.cursor, kControl);
+    desk.press(desk.cursor, Button::Left, kControl);
     desk.moveTo(desk.front(90, 90), kControl);
-    desk.release(desk.cursor, kControl);
+    desk.release(desk.cursor, Button::Left, kControl);
     QVERIFY(!isSameCamera(before, desk.interaction.camera()));
     QCOMPARE(desk.pointCount(), std::size_t(1));
 }
 
 void TestPen::slitsBeginACanvas()
 {
-    Desk desk;
+    PenDesk desk;
     desk.addPlate();
     desk.run("section.pen");
     desk.moveTo(desk.front(20, kFirstPlaneHeight));
@@ -388,7 +295,7 @@ void TestPen::slitsBeginACanvas()
 /// A stroke would be over; the pen is not, and what is released is no point.
 void TestPen::releasingInTheTurnGoesOn()
 {
-    Desk desk;
+    PenDesk desk;
     desk.addPlate();
     desk.run("section.pen");
     const Vec2 from = desk.front(20, kFirstPlaneHeight), to = desk.front(110, kFirstPlaneHeight);
@@ -414,7 +321,7 @@ void TestPen::releasingInTheTurnGoesOn()
 
 void TestPen::aClickOnASectionSelects()
 {
-    Desk desk;
+    PenDesk desk;
     desk.addPlate();
     desk.run("section.pen");
     desk.click(desk.front(20, kFirstPlaneHeight));
@@ -428,7 +335,7 @@ void TestPen::aClickOnASectionSelects()
 
 void TestPen::besideSectionsTheViewTurns()
 {
-    Desk desk;
+    PenDesk desk;
     desk.addPlate();
     desk.run("section.pen");
     const Camera before = desk.interaction.camera();
@@ -441,19 +348,14 @@ void TestPen::besideSectionsTheViewTurns()
 /// The path belongs to the canvas, not to the screen.
 void TestPen::theViewMovesUnderThePath()
 {
-    Desk desk;
+    PenDesk desk;
     desk.run("section.pen");
     setRectangle(desk);
     const std::vector<PathPoint> before = desk.marks().points;
     desk.drag({desk.front(100, 160), desk.front(120, 150)}, Button::Right);
     QVERIFY(desk.marks().points == before);
     QVERIFY(desk.session.hasPreview());
-    PointerEvent wheel;
-    wheel.type = Type::Wheel;
-    wheel.position = desk.cursor;
-    wheel.wheelSteps = 3.0;
-    wheel.time = desk.time;
-    desk.interaction.handle(wheel);
+    desk.wheel(desk.cursor, 3.0);
     desk.drag({desk.cursor, desk.cursor + Vec2(30, 10)}, Button::Middle);
     QVERIFY(desk.marks().points == before);
     // On a canvas that is seen on edge nothing is set.
@@ -471,7 +373,7 @@ void TestPen::theViewMovesUnderThePath()
 
 void TestPen::nothingFollowsACursorThatIsElsewhere()
 {
-    Desk desk;
+    PenDesk desk;
     desk.run("section.pen");
     desk.click(desk.front(0, 60));
     desk.moveTo(desk.front(50, 60));
@@ -485,7 +387,7 @@ void TestPen::nothingFollowsACursorThatIsElsewhere()
 
 void TestPen::backspaceTakesOneBack()
 {
-    Desk desk;
+    PenDesk desk;
     desk.run("section.pen");
     QVERIFY(!desk.interaction.wants(ToolKey::Backspace));
     setRectangle(desk);
@@ -499,7 +401,7 @@ void TestPen::backspaceTakesOneBack()
 
 void TestPen::escapeGoesBackStepByStep()
 {
-    Desk desk;
+    PenDesk desk;
     desk.addPlate();
     desk.run("section.pen");
     const Camera before = desk.interaction.camera();
@@ -533,7 +435,7 @@ void TestPen::escapeGoesBackStepByStep()
 
 void TestPen::undoGoesThroughThePathFirst()
 {
-    Desk desk;
+    PenDesk desk;
     desk.addPlate();
     desk.run("section.planeFront");
     desk.run("section.pen"); // in place of the stroke
@@ -558,7 +460,7 @@ void TestPen::undoGoesThroughThePathFirst()
 
 void TestPen::previewIsWhatIsCommitted()
 {
-    Desk desk;
+    PenDesk desk;
     desk.run("section.pen");
     setRectangle(desk);
     desk.drag({desk.front(0, 130), desk.front(-40, 150)});
@@ -570,7 +472,7 @@ void TestPen::previewIsWhatIsCommitted()
 
 void TestPen::crossingPathsAreSaid()
 {
-    Desk desk;
+    PenDesk desk;
     desk.run("section.pen");
     for (const Vec2 &corner : {Vec2(-40, 60), Vec2(40, 60), Vec2(-40, 120), Vec2(0, 120)})
         desk.click(desk.front(corner.x(), corner.y()));
@@ -584,7 +486,7 @@ void TestPen::crossingPathsAreSaid()
 
 void TestPen::numbersSetPoints()
 {
-    Desk desk;
+    PenDesk desk;
     desk.run("section.pen");
     desk.run("section.penPoint", {{"x", "-20"}, {"y", "12.5"}});
     desk.run("section.penPoint", {{"dx", "43.21"}, {"dy", "0"}});
@@ -623,7 +525,7 @@ void TestPen::canvasesAreShared_data()
 void TestPen::canvasesAreShared()
 {
     QFETCH(QString, command);
-    Desk desk;
+    PenDesk desk;
     desk.addPlate();
     desk.run("edit.selectAll");
     desk.run("section.pen");
@@ -647,7 +549,7 @@ void TestPen::canvasesAreShared()
 /// Ten points must not be lost to a wrong key.
 void TestPen::anotherCanvasWaitsForThePath()
 {
-    Desk desk;
+    PenDesk desk;
     desk.run("section.pen");
     setRectangle(desk);
     desk.run("section.planeGround");
@@ -658,7 +560,7 @@ void TestPen::anotherCanvasWaitsForThePath()
 
 void TestPen::aParallelPlaneMoves()
 {
-    Desk desk;
+    PenDesk desk;
     desk.addPlate();
     desk.run("edit.selectAll");
     for (const bool withPen : {false, true}) {
@@ -681,7 +583,7 @@ void TestPen::aParallelPlaneMoves()
 
 void TestPen::editsElsewhereKeepThePath()
 {
-    Desk desk;
+    PenDesk desk;
     desk.run("section.pen");
     setRectangle(desk);
     desk.addPlate(); // somebody else's doing
@@ -695,7 +597,7 @@ void TestPen::editsElsewhereKeepThePath()
 
 void TestPen::aLostCanvasIsSaid()
 {
-    Desk desk;
+    PenDesk desk;
     desk.addPlate();
     desk.run("section.pen");
     turnToCanvas(desk);
@@ -710,7 +612,7 @@ void TestPen::aLostCanvasIsSaid()
 
 void TestPen::strokesAreAsEverWithoutThePen()
 {
-    Desk desk;
+    PenDesk desk;
     desk.run("section.pen");
     desk.run("section.pen");
     QVERIFY(!desk.interaction.tool());

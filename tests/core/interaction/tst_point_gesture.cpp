@@ -1,10 +1,6 @@
 #include <QTest> // first: moc cannot read some of the standard library before it
 
-#include "core/base/units.h"
-#include "core/interaction/interaction.h"
-#include "core/session/session_commands.h"
-#include "core/session/session_host.h"
-#include "tests/core/assembly/plates.h"
+#include "tests/core/interaction/desk.h"
 
 using namespace fff;
 using namespace fff::test;
@@ -12,20 +8,14 @@ using Type = PointerEvent::Type;
 
 namespace {
 
-const Vec2 kViewport(1280.0, 800.0);
-constexpr Modifiers kShift{true, false, false}, kControl{false, true, false};
-
 /// A person with a mouse at a plate of 200 × 120 mm with a hole, seen from the front and selected,
-/// that stands 20 mm above the ground. Frame coordinates are those of the plate's lower left.
-class Desk
+/// that stands 20 mm above the ground. Places are those of its frame, from its lower left.
+class PlateDesk : public Desk
 {
 public:
-    Desk() : host(session), interaction(host)
+    PlateDesk()
     {
-        host.attach(interaction);
-        interaction.setViewport(kViewport);
-        registerSessionCommands(commands, session, interaction);
-        Frame frame = front();
+        Frame frame = test::front();
         frame.origin = Vec3(-100, 20, 0);
         session.reset(withSection(
             newDocument(), polygonShape(rectangle(0, 0, 200, 120), {rectangle(90, 50, 110, 70)}),
@@ -37,63 +27,19 @@ public:
         interaction.select({session.committed().ref(0)});
     }
 
-    void send(Type type, const Vec2 &at, Button button = Button::None, Modifiers modifiers = {})
-    {
-        PointerEvent event;
-        event.type = type;
-        event.position = cursor = at;
-        event.button = button;
-        event.modifiers = modifiers;
-        event.time = time += 8.0;
-        interaction.handle(event);
-    }
-    void moveTo(const Vec2 &to, Modifiers modifiers = {}, int steps = 8)
-    {
-        const Vec2 from = cursor;
-        for (int i = 1; i <= steps; ++i)
-            send(Type::Move, from + (to - from) * (double(i) / steps), Button::None, modifiers);
-    }
     void drag(const Vec2 &from, const Vec2 &to, Modifiers modifiers = {})
     {
-        send(Type::Press, at(from), Button::Left, modifiers);
-        moveTo(at(to), modifiers);
-        send(Type::Release, at(to), Button::Left, modifiers);
+        Desk::drag({at(from), at(to)}, Button::Left, modifiers);
     }
-    void click(const Vec2 &place, Modifiers modifiers = {})
-    {
-        time += 1000.0; // no double click with the one before
-        send(Type::Press, at(place), Button::Left, modifiers);
-        send(Type::Release, at(place), Button::Left, modifiers);
-    }
-    void doubleClick(const Vec2 &place)
-    {
-        click(place);
-        send(Type::Press, at(place), Button::Left);
-        send(Type::Release, at(place), Button::Left);
-    }
-    void run(const char *id, CommandParameters parameters = {})
-    {
-        QVERIFY(commands.run(id, parameters, time += 8.0).has_value());
-    }
+    void click(const Vec2 &place, Modifiers modifiers = {}) { Desk::click(at(place), modifiers); }
+    void doubleClick(const Vec2 &place) { Desk::doubleClick(at(place)); }
 
     /// On the screen.
-    Vec2 at(const Vec2 &place) const
-    {
-        return interaction.camera().toScreen(section().frame.toWorld(place), kViewport);
-    }
-    const Section &section() const { return *session.committed().document.sections.front(); }
+    Vec2 at(const Vec2 &place) const { return screen(section().frame.toWorld(place)); }
+    const Section &section() const { return *sections().front(); }
     const Shape &shape() const { return *section().shape; }
     Vec2 corner(int index) const { return position(shape(), {0, index}); }
     const std::vector<PointAddress> &selected() const { return interaction.points().points(); }
-    int steps() const { return session.history()->count(); }
-    QString lastStep() const { return session.history()->undoText(); }
-
-    Session session;
-    SessionHost host;
-    Interaction interaction;
-    CommandRegistry commands;
-    Vec2 cursor = Vec2::Zero();
-    double time = 0.0;
 };
 
 } // namespace
@@ -129,7 +75,7 @@ private Q_SLOTS:
 // Wrong: one finds out by trying.
 void TestPointGesture::hoverSaysWhatADragWouldDo()
 {
-    Desk desk;
+    PlateDesk desk;
     desk.send(Type::Move, desk.at({0, 0}));
     QCOMPARE(desk.interaction.hint().kind, Hint::Kind::MovePoint);
     QCOMPARE(desk.interaction.cursor(), Cursor::MoveCross);
@@ -149,7 +95,7 @@ void TestPointGesture::hoverSaysWhatADragWouldDo()
 
 void TestPointGesture::aPointIsDraggedInOneStep()
 {
-    Desk desk;
+    PlateDesk desk;
     desk.send(Type::Press, desk.at({200, 120}), Button::Left);
     desk.moveTo(desk.at({230, 130}));
     QVERIFY(desk.session.hasPreview());
@@ -169,7 +115,7 @@ void TestPointGesture::aPointIsDraggedInOneStep()
 
 void TestPointGesture::selectedPointsMoveTogether()
 {
-    Desk desk;
+    PlateDesk desk;
     desk.click({200, 0});
     desk.click({200, 120}, kControl);
     desk.drag({200, 0}, {220, 5});
@@ -186,7 +132,7 @@ void TestPointGesture::selectedPointsMoveTogether()
 
 void TestPointGesture::controlLeavesTheHandles()
 {
-    Desk desk;
+    PlateDesk desk;
     desk.click({200, 120});
     desk.run("point.symmetric");
     const Vec2 out = handle(desk.shape().contour(), 2, HandleSide::Out);
@@ -198,7 +144,7 @@ void TestPointGesture::controlLeavesTheHandles()
 
 void TestPointGesture::shiftKeepsToAnAxis()
 {
-    Desk desk;
+    PlateDesk desk;
     // Pressed without Shift, or it would be a band beside the section.
     desk.send(Type::Press, desk.at({200, 120}), Button::Left);
     desk.moveTo(desk.at({230, 128}), kShift);
@@ -208,7 +154,7 @@ void TestPointGesture::shiftKeepsToAnAxis()
 
 void TestPointGesture::handlesOfSelectedPointsAreDragged()
 {
-    Desk desk;
+    PlateDesk desk;
     desk.click({200, 120});
     desk.run("point.symmetric");
     const Vec2 out = handle(desk.shape().contour(), 2, HandleSide::Out);
@@ -225,7 +171,7 @@ void TestPointGesture::handlesOfSelectedPointsAreDragged()
 
 void TestPointGesture::theContourBends()
 {
-    Desk desk;
+    PlateDesk desk;
     desk.drag({100, 120}, {100, 140});
     QVERIFY((desk.shape().contour().segment(2).at(0.5) - Vec2(100, 140)).norm() < 0.5);
     QVERIFY(desk.corner(2) == Vec2(200, 120) && desk.corner(3) == Vec2(0, 120));
@@ -235,7 +181,7 @@ void TestPointGesture::theContourBends()
 // Wrong: a contour that crosses itself is shown, committed, or mended behind one's back.
 void TestPointGesture::theLastWholePlaceIsKept()
 {
-    Desk desk;
+    PlateDesk desk;
     desk.send(Type::Press, desk.at({0, 0}), Button::Left);
     desk.moveTo(desk.at({150, 80}), {}, 60); // over the hole
     QCOMPARE(desk.interaction.hint().kind, Hint::Kind::WouldMeetHole);
@@ -254,7 +200,7 @@ void TestPointGesture::theLastWholePlaceIsKept()
 // Wrong: feet that are pulled into the ground are no longer flat and co-planar.
 void TestPointGesture::pointsBelowTheGroundAreCutOff()
 {
-    Desk desk;
+    PlateDesk desk;
     desk.drag({0, 0}, {0, -60});
     for (const Vec2 &p : desk.shape().region().outer)
         QVERIFY(desk.section().frame.toWorld(p).y() >= -1e-9);
@@ -268,7 +214,7 @@ void TestPointGesture::pointsBelowTheGroundAreCutOff()
 
 void TestPointGesture::escapeGoesBackOneStepAtATime()
 {
-    Desk desk;
+    PlateDesk desk;
     desk.click({200, 120});
     desk.send(Type::Press, desk.at({0, 0}), Button::Left);
     desk.moveTo(desk.at({20, 20}));
@@ -286,7 +232,7 @@ void TestPointGesture::escapeGoesBackOneStepAtATime()
 
 void TestPointGesture::clicksSelectPoints()
 {
-    Desk desk;
+    PlateDesk desk;
     desk.click({0, 0});
     QCOMPARE(desk.selected(), (std::vector<PointAddress>{{0, 0}}));
     desk.click({110, 70}, kControl); // of the hole
@@ -307,7 +253,7 @@ void TestPointGesture::clicksSelectPoints()
 
 void TestPointGesture::aBandSelectsPoints()
 {
-    Desk desk;
+    PlateDesk desk;
     desk.drag({150, -20}, {230, 140}, kShift);
     QCOMPARE(desk.selected(), (std::vector<PointAddress>{{0, 1}, {0, 2}}));
     QVERIFY(!desk.interaction.overlay().band);
@@ -316,7 +262,7 @@ void TestPointGesture::aBandSelectsPoints()
 
 void TestPointGesture::aDoubleClickAddsAPoint()
 {
-    Desk desk;
+    PlateDesk desk;
     const double area = desk.shape().area();
     desk.doubleClick({60, 0});
     QCOMPARE(desk.shape().contour().segmentCount(), 5);
@@ -330,7 +276,7 @@ void TestPointGesture::aDoubleClickAddsAPoint()
 
 void TestPointGesture::deleteTakesPointsBeforeSections()
 {
-    Desk desk;
+    PlateDesk desk;
     desk.click({200, 120});
     desk.run("edit.delete"); // the hole would be cut in two
     QCOMPARE(desk.interaction.hint().kind, Hint::Kind::WouldMeetHole);
@@ -352,7 +298,7 @@ void TestPointGesture::deleteTakesPointsBeforeSections()
 // Wrong: twenty presses of an arrow key take twenty undos.
 void TestPointGesture::arrowKeysMerge()
 {
-    Desk desk;
+    PlateDesk desk;
     desk.click({200, 120});
     for (int i = 0; i < 5; ++i)
         desk.run("nudge.right");
@@ -376,7 +322,7 @@ void TestPointGesture::arrowKeysMerge()
 // Wrong: seen from behind, the right arrow moves to the left.
 void TestPointGesture::arrowsFollowTheScreen()
 {
-    Desk desk;
+    PlateDesk desk;
     desk.click({200, 120});
     Camera camera = desk.interaction.camera();
     orientationOfView("back", camera.orientation);
@@ -391,7 +337,7 @@ void TestPointGesture::arrowsFollowTheScreen()
 
 void TestPointGesture::kindsByCommand()
 {
-    Desk desk;
+    PlateDesk desk;
     desk.click({200, 120});
     desk.click({110, 70}, kControl);
     const auto kinds = [&] {
@@ -411,7 +357,7 @@ void TestPointGesture::kindsByCommand()
 
 void TestPointGesture::holesGoByCommand()
 {
-    Desk desk;
+    PlateDesk desk;
     desk.run("section.removeHoles");
     QVERIFY(desk.shape().holes().empty());
     QVERIFY(!desk.commands.isEnabled("section.removeHoles"));
@@ -420,7 +366,7 @@ void TestPointGesture::holesGoByCommand()
 
 void TestPointGesture::undoKeepsThePointsSelected()
 {
-    Desk desk;
+    PlateDesk desk;
     desk.drag({200, 120}, {210, 120});
     desk.session.history()->undo();
     QCOMPARE(desk.selected(), (std::vector<PointAddress>{{0, 2}}));
@@ -434,7 +380,7 @@ void TestPointGesture::undoKeepsThePointsSelected()
 
 void TestPointGesture::pointsAreHiddenOnEdge()
 {
-    Desk desk;
+    PlateDesk desk;
     Camera camera = desk.interaction.camera();
     orientationOfView("right", camera.orientation);
     desk.interaction.setCamera(camera);
@@ -447,7 +393,7 @@ void TestPointGesture::pointsAreHiddenOnEdge()
 // Wrong: slits lag behind the contour that they belong to.
 void TestPointGesture::partnersFollowTheDrag()
 {
-    Desk desk;
+    PlateDesk desk;
     Frame across = side();
     across.origin = Vec3(-50, 20, 50);
     desk.session.commit(QStringLiteral("Draw"),
