@@ -3,6 +3,7 @@
 #include "core/geometry/contour.h"
 #include "core/geometry/fit.h"
 #include "tests/core/geometry/polyline_distance.h"
+#include "tests/core/geometry/samples.h"
 
 #include <cmath>
 #include <numbers>
@@ -13,8 +14,6 @@ using namespace fff::test;
 
 namespace {
 
-using Samples = std::vector<Vec2>;
-
 constexpr double kChord = 0.02; // mm, of the curves in the comparisons below
 
 Samples circle(double radius, int count)
@@ -24,19 +23,6 @@ Samples circle(double radius, int count)
         const double angle = 2.0 * std::numbers::pi * i / count;
         samples.emplace_back(radius * std::cos(angle), radius * std::sin(angle));
     }
-    return samples;
-}
-
-Samples along(const Samples &corners, double step)
-{
-    Samples samples;
-    for (std::size_t i = 0; i + 1 < corners.size(); ++i) {
-        const Vec2 way = corners[i + 1] - corners[i];
-        const int pieces = std::max(1, static_cast<int>(std::lround(way.norm() / step)));
-        for (int k = 0; k < pieces; ++k)
-            samples.push_back(corners[i] + way * (double(k) / pieces));
-    }
-    samples.push_back(corners.back());
     return samples;
 }
 
@@ -106,7 +92,7 @@ void TestFit::staysWithinTolerance_data()
     QTest::newRow("tiny circle") << circle(2.0, 40) << 1.0;
     QTest::newRow("sparse circle") << circle(50.0, 9) << 0.5;
     QTest::newRow("line") << Samples{{0, 0}, {100, 30}} << 0.5;
-    QTest::newRow("there and back") << along({{0, 0}, {50, 0}, {0, 0}}, 2.0) << 0.5;
+    QTest::newRow("there and back") << lines({{0, 0}, {50, 0}, {0, 0}}, 2.0) << 0.5;
     QTest::newRow("figure of eight") << [] {
         Samples samples;
         for (int i = 0; i <= 300; ++i)
@@ -115,22 +101,22 @@ void TestFit::staysWithinTolerance_data()
     }() << 1.0;
     QTest::newRow("halts at the end") << [] {
         // A hand that trembles on the spot makes many samples that are nowhere further on.
-        Samples samples = along({{0, 0}, {20, 0}}, 1.0);
+        Samples samples = lines({{0, 0}, {20, 0}}, 1.0);
         for (int i = 0; i < 200; ++i)
             samples.emplace_back(20.0 + 0.3 * std::sin(1.7 * i), 0.3 * std::cos(2.3 * i));
         return samples;
     }() << 1.0;
     QTest::newRow("back and forth on the spot")
-        << along({{0, 0}, {3, 0}, {0, 0}, {3, 0}, {0, 0}}, 1.0) << 2.0;
+        << lines({{0, 0}, {3, 0}, {0, 0}, {3, 0}, {0, 0}}, 1.0) << 2.0;
     QTest::newRow("there and back, pixels")
-        << rounded(along({{0, 0}, {0.1, 9}, {0, 0}, {9, 0}}, 1.0)) << 2.0;
+        << rounded(lines({{0, 0}, {0.1, 9}, {0, 0}, {9, 0}}, 1.0)) << 2.0;
     QTest::newRow("leaps across the whole drawing") << [] {
         Samples samples;
         for (int i = 0; i < 60; ++i)
             samples.emplace_back(1e4 * std::sin(7.0 * i), 1e4 * std::cos(11.0 * i));
         return samples;
     }() << 2.0;
-    QTest::newRow("zigzag") << along({{0, 0}, {10, 20}, {20, 0}, {30, 20}, {40, 0}}, 1.0) << 0.5;
+    QTest::newRow("zigzag") << lines({{0, 0}, {10, 20}, {20, 0}, {30, 20}, {40, 0}}, 1.0) << 0.5;
     for (unsigned seed = 1; seed <= 40; ++seed)
         QTest::addRow("scribble, seed %u", seed) << scribble(seed) << (seed % 2 ? 0.5 : 2.0);
     for (unsigned seed = 41; seed <= 50; ++seed)
@@ -187,7 +173,7 @@ void TestFit::rectangleKeepsItsCorners()
     Samples way{start};
     way.insert(way.end(), corners.begin(), corners.end());
     way.push_back(start);
-    const auto chain = fitCurve(along(way, step), {.tolerance = 1.0});
+    const auto chain = fitCurve(lines(way, step), {.tolerance = 1.0});
     int kept = 0;
     for (std::size_t i = 0; i + 1 < chain.size(); ++i) {
         const Vec2 in = endDirection(chain[i]), out = startDirection(chain[i + 1]);
@@ -240,12 +226,12 @@ void TestFit::keepsGivenDirections()
 /// A side that wavers by a pixel looks like a mistake.
 void TestFit::straightRunsAreLines()
 {
-    Samples samples = along({{-80, 0}, {80, 0}}, 2.0); // then half a circle, then back
+    Samples samples = lines({{-80, 0}, {80, 0}}, 2.0); // then half a circle, then back
     for (int i = 1; i < 60; ++i) {
         const double angle = -0.5 * std::numbers::pi + std::numbers::pi * i / 60;
         samples.emplace_back(80 + 40 * std::cos(angle), 40 + 40 * std::sin(angle));
     }
-    for (const Vec2 &p : along({{80, 80}, {-80, 80}}, 2.0))
+    for (const Vec2 &p : lines({{80, 80}, {-80, 80}}, 2.0))
         samples.push_back(p);
     std::mt19937 random(3);
     std::uniform_real_distribution<double> jitter(-0.4, 0.4);
@@ -280,7 +266,7 @@ void TestFit::closedCurveIsSmoothAllRound()
 void TestFit::closedCurveStartsAtACorner()
 {
     const auto chain = fitClosedCurve(
-        along({{50, 0}, {100, 0}, {100, 60}, {0, 60}, {0, 0}, {49, 0}}, 1.0), {.tolerance = 1.0});
+        lines({{50, 0}, {100, 0}, {100, 60}, {0, 60}, {0, 0}, {49, 0}}, 1.0), {.tolerance = 1.0});
     QCOMPARE(chain.size(), std::size_t(4));
     for (std::size_t i = 0; i < 4; ++i) {
         QCOMPARE(chain[i].p3, chain[(i + 1) % 4].p0);

@@ -5,9 +5,9 @@
 #include "core/geometry/fit.h"
 #include "core/stroke/stroke_contour.h"
 #include "tests/core/geometry/polyline_distance.h"
+#include "tests/core/geometry/samples.h"
 
 #include <cmath>
-#include <functional>
 #include <numbers>
 #include <random>
 
@@ -16,32 +16,10 @@ using namespace fff::test;
 
 namespace {
 
-using Samples = std::vector<Vec2>;
 using Refusal = StrokeContour::Refusal;
 
 constexpr double kPi = std::numbers::pi;
 constexpr double kTolerance = 2.0;
-
-Samples curve(const std::function<Vec2(double)> &at, int count = 200)
-{
-    Samples samples;
-    for (int i = 0; i <= count; ++i)
-        samples.push_back(at(double(i) / count));
-    return samples;
-}
-
-Samples lines(const Samples &corners, double step = 2.0)
-{
-    Samples samples;
-    for (std::size_t i = 0; i + 1 < corners.size(); ++i) {
-        const Vec2 way = corners[i + 1] - corners[i];
-        const int pieces = std::max(1, static_cast<int>(std::lround(way.norm() / step)));
-        for (int k = 0; k < pieces; ++k)
-            samples.push_back(corners[i] + way * (double(k) / pieces));
-    }
-    samples.push_back(corners.back());
-    return samples;
-}
 
 /// Once round at radius 100; `round` is how far, `widening` by how much further out at the end.
 Samples circle(double round, double widening)
@@ -159,7 +137,7 @@ void TestStrokeContour::straightEdgeWhereThePenBeganIsOne_data()
 void TestStrokeContour::straightEdgeWhereThePenBeganIsOne()
 {
     QFETCH(Samples, way);
-    const StrokeContour stroke = contourOf(lines(way));
+    const StrokeContour stroke = contourOf(lines(way, 2.0));
     QVERIFY(stroke.contour && !stroke.wasCrossing);
     QCOMPARE(stroke.contour->segmentCount(), 4);
     for (int i = 0; i < 4; ++i) {
@@ -211,7 +189,7 @@ void TestStrokeContour::refusals_data()
     row("no numbers", {{nan, 0}, {0, nan}, {nan, nan}}, Refusal::TooShort);
     row("a dot", {{0, 0}, {4, 0}, {4, 4}, {0, 4}}, Refusal::TooShort);
     row("a line", {{0, 0}, {100, 0}}, Refusal::NoArea);
-    row("there and back", lines({{0, 0}, {100, 30}, {0, 0}}), Refusal::NoArea);
+    row("there and back", lines({{0, 0}, {100, 30}, {0, 0}}, 2.0), Refusal::NoArea);
     row("a shaky line", {{0, 0}, {60, 1}, {120, -1}, {180, 0.5}}, Refusal::NoArea);
     row("crosses itself, encloses dots",
         curve([](double t) { return Vec2(100 * t, 1.8 * std::sin(2 * kPi * t)); }),

@@ -4,29 +4,22 @@
 #include "core/geometry/boolean.h"
 #include "core/geometry/fit.h"
 #include "core/stroke/stroke_contour.h"
+#include "tests/core/geometry/polyline_distance.h"
+#include "tests/core/geometry/samples.h"
 
 #include <cmath>
-#include <functional>
 #include <numbers>
 #include <random>
 
 using namespace fff;
+using namespace fff::test;
 
 namespace {
 
-using Samples = std::vector<Vec2>;
 using Refusal = StrokeContour::Refusal;
 
 constexpr double kPi = std::numbers::pi;
 constexpr double kTolerance = 0.5;
-
-Samples curve(const std::function<Vec2(double)> &at, int count = 150)
-{
-    Samples samples;
-    for (int i = 0; i <= count; ++i)
-        samples.push_back(at(double(i) / count));
-    return samples;
-}
 
 /// Of an ellipse about the origin, from one angle to another.
 Samples arc(double from, double to, double rx = 50.0, double ry = 30.0, const Vec2 &middle = {0, 0})
@@ -37,23 +30,10 @@ Samples arc(double from, double to, double rx = 50.0, double ry = 30.0, const Ve
     });
 }
 
-Samples lines(const Samples &corners, double step = 1.0)
-{
-    Samples samples;
-    for (std::size_t i = 0; i + 1 < corners.size(); ++i) {
-        const Vec2 way = corners[i + 1] - corners[i];
-        const int pieces = std::max(1, static_cast<int>(std::lround(way.norm() / step)));
-        for (int k = 0; k < pieces; ++k)
-            samples.push_back(corners[i] + way * (double(k) / pieces));
-    }
-    samples.push_back(corners.back());
-    return samples;
-}
-
 /// The stroke of one bump of `high` mm on the left and one of `low` mm on the right of the x axis.
 Samples bumps(double high, double low)
 {
-    return lines({{0, 0}, {10, high}, {40, high}, {60, -low}, {70, -low}, {80, 0}});
+    return lines({{0, 0}, {10, high}, {40, high}, {60, -low}, {70, -low}, {80, 0}}, 1.0);
 }
 
 StrokeContour mirroredAt(const Samples &samples, const MirrorAxis &axis = {})
@@ -93,19 +73,6 @@ bool crossesItself(const Contour &contour)
 {
     const Result<ResolvedContour> resolved = resolveCrossings(contour);
     return !resolved || resolved->wasCrossing;
-}
-
-double distanceToPolyline(const Vec2 &point, const Samples &line)
-{
-    double best = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i + 1 < line.size(); ++i) {
-        const Vec2 way = line[i + 1] - line[i];
-        const double squared = way.squaredNorm();
-        const double u =
-            squared > 0.0 ? std::clamp(way.dot(point - line[i]) / squared, 0.0, 1.0) : 0.0;
-        best = std::min(best, (line[i] + u * way - point).norm());
-    }
-    return best;
 }
 
 } // namespace
@@ -198,14 +165,14 @@ void TestSymmetry::halvesAreMirrorImages_data()
     QTest::newRow("stops short at both ends") << arc(0.2, kPi - 0.25);
     QTest::newRow("strays over at both ends") << arc(-0.1, kPi + 0.1);
     QTest::newRow("one end short, one astray") << arc(-0.1, kPi - 0.3);
-    QTest::newRow("legs of a chair")
-        << lines({{0, 5}, {-5, 20}, {-40, 20}, {-40, 30}, {30, 30}, {30, 20}, {10, 20}, {8, 6}});
+    QTest::newRow("legs of a chair") << lines(
+        {{0, 5}, {-5, 20}, {-40, 20}, {-40, 30}, {30, 30}, {30, 20}, {10, 20}, {8, 6}}, 1.0);
     QTest::newRow("arch that ends far from the axis")
         << curve([](double t) { return Vec2(60 * t, 12 + 40 * std::sin(kPi * t)); });
     QTest::newRow("ends head away from the axis")
-        << lines({{0, 10}, {0, 30}, {40, 40}, {80, 30}, {80, 10}, {79, 14}});
+        << lines({{0, 10}, {0, 30}, {40, 40}, {80, 30}, {80, 10}, {79, 14}}, 1.0);
     QTest::newRow("runs along the axis at its ends")
-        << lines({{30, 3}, {0, 3}, {0, 40}, {90, 40}, {90, 3}, {60, 3}});
+        << lines({{30, 3}, {0, 3}, {0, 40}, {90, 40}, {90, 3}, {60, 3}}, 1.0);
 }
 
 /// A half that is not the other's image is not cut from the same outline.
@@ -256,14 +223,15 @@ void TestSymmetry::tipsStaySharp()
 void TestSymmetry::staysOnTheStroke()
 {
     for (const double lean : {0.0, 10.0, 25.0}) { // the ends meet the axis obliquely
-        const Samples samples = lines({{-40 - lean, 0}, {-40, 30}, {40, 30}, {40 + lean, 0}});
+        const Samples samples = lines({{-40 - lean, 0}, {-40, 30}, {40, 30}, {40 + lean, 0}}, 1.0);
         const StrokeContour stroke = mirroredAt(samples);
         QVERIFY(stroke.contour);
         for (const double turn : turnsAtAxis(stroke))
             QVERIFY(turn < 1e-6);
+        const PolylineDistance toSamples(samples);
         for (const CubicBezier &s : stroke.fitted)
             for (int k = 0; k <= 50; ++k)
-                QVERIFY(distanceToPolyline(s.at(k / 50.0), samples) <= kTolerance * 1.001);
+                QVERIFY(toSamples(s.at(k / 50.0)) <= kTolerance * 1.001);
     }
 }
 
@@ -289,7 +257,8 @@ void TestSymmetry::severalCrossingsKeepTheLargestHalf()
                                    {70, -2},
                                    {74, -2},
                                    {80, 10},
-                                   {90, 0}});
+                                   {90, 0}},
+                                  1.0);
     const StrokeContour stroke = mirroredAt(samples);
     QVERIFY(stroke.contour);
     QVERIFY(stroke.wasCutAtAxis);
@@ -319,8 +288,8 @@ void TestSymmetry::sideAlongTheAxisIsLeftOut()
 {
     for (const bool isClosed : {true, false}) {
         const double last = isClosed ? 2.0 : 40.0;
-        const StrokeContour stroke = mirroredAt(
-            lines({{0, 1}, {0, 50}, {30, 70}, {70, 70}, {100, 50}, {100, 1}, {50, -1}, {last, 1}}));
+        const StrokeContour stroke = mirroredAt(lines(
+            {{0, 1}, {0, 50}, {30, 70}, {70, 70}, {100, 50}, {100, 1}, {50, -1}, {last, 1}}, 1.0));
         QVERIFY(stroke.isMirrored && stroke.contour && !stroke.wasCrossing);
         QVERIFY(largestDifference(stroke) < 1e-9);
         QVERIFY2(std::abs(std::abs(stroke.contour->signedArea()) - 12800.0) < 150.0,
@@ -343,8 +312,8 @@ void TestSymmetry::nothingToMirror_data()
     row("a point", {{0, 3}}, Refusal::TooShort);
     row("all on the axis", {{0, 0}, {20, 0}, {50, 0}}, Refusal::NoArea);
     row("there and back on the axis", {{0, 0}, {50, 0}, {0, 0}}, Refusal::NoArea);
-    row("straight away from the axis", lines({{0, 0}, {0, 30}}), Refusal::NoArea);
-    row("away and back", lines({{0, 0}, {0, 30}, {0.1, 0}}), Refusal::NoArea);
+    row("straight away from the axis", lines({{0, 0}, {0, 30}}, 1.0), Refusal::NoArea);
+    row("away and back", lines({{0, 0}, {0, 30}, {0.1, 0}}, 1.0), Refusal::NoArea);
 }
 
 void TestSymmetry::nothingToMirror()
