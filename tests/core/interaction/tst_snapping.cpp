@@ -3,12 +3,15 @@
 #include "core/interaction/camera.h"
 #include "core/interaction/snapping.h"
 #include "core/model/edits.h"
+#include "tests/core/assembly/plates.h"
+#include "tests/core/shapes.h"
 
 #include <cmath>
 #include <numbers>
 #include <random>
 
 using namespace fff;
+using namespace fff::test;
 using Kind = Snap::Kind;
 
 namespace {
@@ -63,9 +66,7 @@ Model modelWith(const std::vector<NewSection> &sections)
 NewSection plate(const Frame &frame)
 {
     NewSection section;
-    section.shape =
-        *Shape::make(*Contour::fromPolygon({{-100, -60}, {100, -60}, {100, 60}, {-100, 60}}),
-                     {*Contour::fromPolygon({{-15, -15}, {-15, 15}, {15, 15}, {15, -15}})});
+    section.shape = polygonShape(rectangle(-100, -60, 100, 60), {rectangle(-15, -15, 15, 15)});
     section.frame = frame;
     return section;
 }
@@ -281,20 +282,8 @@ void TestSnapping::whereTheModelMeetsTheCanvas()
 void TestSnapping::curvesAreMetOnTheCurve()
 {
     // A disc of radius 50 in X = 0, met 17 mm beside its middle.
-    const double r = 50.0, k = r * 4.0 / 3.0 * (std::numbers::sqrt2 - 1.0);
     NewSection disc;
-    disc.shape = *Shape::make(*Contour::fromPoints({{r, 0},
-                                                    {r, k},
-                                                    {k, r},
-                                                    {0, r},
-                                                    {-k, r},
-                                                    {-r, k},
-                                                    {-r, 0},
-                                                    {-r, -k},
-                                                    {-k, -r},
-                                                    {0, -r},
-                                                    {k, -r},
-                                                    {r, -k}}));
+    disc.shape = *Shape::make(circle({0, 0}, 50));
     disc.frame = {Vec3(0, 100, 17), -Vec3::UnitZ(), Vec3::UnitY()};
     SnapTargets targets = upright();
     targets.addModel(modelWith({disc}), {}, {});

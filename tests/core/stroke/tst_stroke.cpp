@@ -2,6 +2,7 @@
 
 #include "core/base/units.h"
 #include "core/stroke/stroke.h"
+#include "tests/core/shapes.h"
 
 #include <cmath>
 #include <numbers>
@@ -23,22 +24,9 @@ ShapePointer plate()
                         {*Contour::fromPolygon({{10, -5}, {10, 5}, {20, 5}, {20, -5}})});
 }
 
-/// A circle of radius 50 as four cubics.
 Contour disc()
 {
-    const double k = 50.0 * 4.0 / 3.0 * (std::numbers::sqrt2 - 1.0), r = 50.0;
-    return *Contour::fromPoints({{r, 0},
-                                 {r, k},
-                                 {k, r},
-                                 {0, r},
-                                 {-k, r},
-                                 {-r, k},
-                                 {-r, 0},
-                                 {-r, -k},
-                                 {-k, -r},
-                                 {0, -r},
-                                 {k, -r},
-                                 {r, -k}});
+    return test::circle({0, 0}, 50);
 }
 
 const Stroke::Options kOptions{800.0, 5.0, {.tolerance = 0.5}};
