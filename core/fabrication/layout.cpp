@@ -221,7 +221,8 @@ Vec2 roomOf(const Vec2 &sheet, const LayoutOptions &options)
     return sheet - Vec2::Constant(2.0 * options.margin);
 }
 
-Layout layOutBySize(const std::vector<SizedPart> &parts, const Model &model, const LayoutOptions &options)
+Layout layOutBySize(const std::vector<SizedPart> &parts, const Model &model,
+                    const LayoutOptions &options)
 {
     Layout layout;
     for (const auto &stock : model.document.stocks) {

@@ -63,7 +63,7 @@ Vec2 roomOf(const Vec2 &sheet, const LayoutOptions &options);
 
 /// The same where the sizes are at hand: each worked out for roomOf() its sheet.
 Layout layOutBySize(const std::vector<SizedPart> &parts, const Model &model,
-              const LayoutOptions &options);
+                    const LayoutOptions &options);
 double usedShare(const Layout &layout, const std::vector<SizedPart> &parts);
 
 /// How much of the sheets' area the parts cover, 0 … 1; 0 without sheets.

@@ -277,7 +277,8 @@ void TestContourPoints::deletingKeepsTheTangentsOfTheNeighbours()
         const Contour less = *withoutPoints(contour, one);
         for (int k = 0; k < less.segmentCount(); ++k)
             QVERIFY(kindOf(less, k) != PointKind::Corner);
-        // As near as a cubic comes: the points of this blob lie up to 16 mm further out than others.
+        // As near as a cubic comes: the points of this blob lie up to 16 mm further out than
+        // others.
         double worst = 0.0;
         for (const Vec2 &p : contour.flatten(0.1).points)
             worst = std::max(worst, nearestPlace(less, p).distance);
