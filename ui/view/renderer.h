@@ -4,25 +4,13 @@
 #pragma once
 
 #include "core/interaction/camera.h"
-#include "core/interaction/view_state.h"
-#include "ui/view/frame_quality.h"
+#include "ui/view/render_options.h"
 #include "ui/view/scene.h"
 #include "ui/view/view_style.h"
 
 #include <memory>
-#include <optional>
 
 namespace fff::ui {
-
-struct RenderOptions
-{
-    FrameQuality quality = FrameQuality::Full;
-    bool isXray = false;           // everything lets light through
-    bool hasGround = true;         // grid and shadow
-    std::optional<ClipPlane> clip; // cut open, with filled cuts
-
-    bool operator==(const RenderOptions &other) const = default;
-};
 
 class Renderer
 {

@@ -3,6 +3,7 @@ target_sources(fff_view PRIVATE
     view/cut_caps.cpp
     view/frame_pace.cpp
     view/gl.cpp
+    view/ground_painter.cpp
     view/ground_shadow.cpp
     view/layers.cpp
     view/occlusion.cpp
@@ -16,6 +17,7 @@ target_sources(fff_view PRIVATE
     view/renderer.cpp
     view/scale_bar.cpp
     view/scene.cpp
+    view/section_passes.cpp
     view/slab_buffers.cpp
     view/slab_mesh.cpp
     view/slab_painter.cpp

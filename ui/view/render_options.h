@@ -1,0 +1,21 @@
+// How a scene is to be shown, whatever is in it.
+#pragma once
+
+#include "core/interaction/view_state.h"
+#include "ui/view/frame_quality.h"
+
+#include <optional>
+
+namespace fff::ui {
+
+struct RenderOptions
+{
+    FrameQuality quality = FrameQuality::Full;
+    bool isXray = false;           // everything lets light through
+    bool hasGround = true;         // grid and shadow
+    std::optional<ClipPlane> clip; // cut open, with filled cuts
+
+    bool operator==(const RenderOptions &other) const = default;
+};
+
+} // namespace fff::ui

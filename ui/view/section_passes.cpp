@@ -1,0 +1,272 @@
+#include "ui/view/section_passes.h"
+
+#include "ui/view/render_options.h"
+#include "ui/view/view_style.h"
+
+#include <algorithm>
+
+namespace fff::ui {
+
+namespace {
+
+constexpr double kGhostFace = 0.26, kGhostEdge = 0.40; // opacity
+constexpr double kXrayFace = 0.20, kXrayEdge = 0.60;
+constexpr double kHiddenOutline = 0.4; // opacity
+/// Layers of what lets light through: behind so many, next to nothing is seen.
+constexpr int kAcrylicLayers = 4, kXrayLayers = 6;
+
+QColor scaled(const QColor &c, double factor)
+{
+    const auto f = static_cast<float>(factor);
+    return QColor::fromRgbF(f * c.redF(), f * c.greenF(), f * c.blueF());
+}
+
+} // namespace
+
+SectionPasses::SectionPasses(Gl &gl, ScreenPass &pass, const SlabBuffers &slabs)
+    : m_gl(gl), m_painter(gl, slabs), m_layers(gl, pass), m_caps(gl)
+{
+}
+
+bool SectionPasses::isReady() const
+{
+    return m_painter.isReady() && m_layers.isReady() && m_caps.isReady();
+}
+
+void SectionPasses::begin(const Scene &scene, const FrameView &view, const ViewStyle &style,
+                          const RenderOptions &options)
+{
+    m_scene = &scene;
+    m_style = &style;
+    m_options = &options;
+    m_view = view;
+    m_painter.begin(view, scene);
+}
+
+SectionPasses::Kind SectionPasses::kindOf(std::size_t index) const
+{
+    const SceneSection &section = m_scene->sections[index];
+    if (!m_painter.isSeen(index))
+        return Kind::None;
+    if (section.isGhost)
+        return Kind::Ghost;
+    return m_options->isXray || section.look.alpha < 1.0 ? Kind::Translucent : Kind::Opaque;
+}
+
+std::vector<std::size_t> SectionPasses::sectionsOf(Kind kind) const
+{
+    std::vector<std::size_t> sections;
+    for (std::size_t i = 0; i < m_scene->sections.size(); ++i) {
+        if (kindOf(i) == kind)
+            sections.push_back(i);
+    }
+    return sections;
+}
+
+SlabLook SectionPasses::lookOf(std::size_t index, double alpha) const
+{
+    const SceneSection &section = m_scene->sections[index];
+    if (section.isProblem)
+        return {m_style->problemFace, m_style->problemSide, alpha, m_style->problemHatch};
+    return {scaled(section.look.face, m_style->faceBrightness), section.look.side, alpha, QColor()};
+}
+
+EdgeLook SectionPasses::edgesOf(std::size_t index, double alpha) const
+{
+    const QColor &colour = m_scene->sections[index].isProblem ? m_style->problem : m_style->edge;
+    return {premultiplied(colour, alpha), m_style->edgeWidth, m_style->silhouetteWidth, 0.02};
+}
+
+/// Pixels that a line reaches over its surface: so many slopes the surface is set back.
+float SectionPasses::setBack() const
+{
+    return static_cast<float>(0.5 * m_style->silhouetteWidth * m_view.ratio() + 0.5);
+}
+
+/// Around what knows of the cut: a program that does not may lose anything.
+void SectionPasses::setClipped(bool on)
+{
+    if (on && m_options->clip)
+        m_gl.glEnable(GL_CLIP_DISTANCE0);
+    else
+        m_gl.glDisable(GL_CLIP_DISTANCE0);
+}
+
+void SectionPasses::drawOpaque()
+{
+    m_gl.glEnable(GL_DEPTH_TEST);
+    m_gl.glEnable(GL_CULL_FACE);
+    m_gl.glEnable(GL_POLYGON_OFFSET_FILL);
+    setClipped(true);
+    for (const std::size_t i : sectionsOf(Kind::Opaque)) {
+        // Faces give way to the lines on them; and where two sections lie in one plane, one of them
+        // does to the other, always the same.
+        m_gl.glPolygonOffset(setBack(), 1.0f + 4.0f * static_cast<float>(i % 8));
+        m_painter.fill(i, lookOf(i, 1.0));
+    }
+    setClipped(false);
+    if (m_options->clip) {
+        m_gl.glPolygonOffset(setBack(), 1.0f);
+        m_caps.update(*m_scene, *m_options->clip, *m_style);
+        m_caps.fill(m_view);
+    }
+    m_gl.glDisable(GL_POLYGON_OFFSET_FILL);
+    m_gl.glDisable(GL_CULL_FACE);
+}
+
+void SectionPasses::drawOpaqueEdges()
+{
+    m_gl.glEnable(GL_DEPTH_TEST);
+    m_gl.glEnable(GL_BLEND);
+    m_gl.glDepthMask(GL_FALSE);
+    setClipped(true);
+    for (const std::size_t i : sectionsOf(Kind::Opaque))
+        m_painter.edges(i, edgesOf(i, 1.0));
+    if (m_options->clip && m_caps.edgeCount() > 0)
+        m_painter.edges(m_caps.edgeArray(), m_caps.edgeCount(),
+                        {premultiplied(m_style->edge), m_style->silhouetteWidth,
+                         m_style->silhouetteWidth, 0.05});
+    setClipped(false);
+    m_gl.glDepthMask(GL_TRUE);
+    m_gl.glDisable(GL_BLEND);
+}
+
+bool SectionPasses::hasLayers() const
+{
+    return !sectionsOf(Kind::Translucent).empty() || !sectionsOf(Kind::Ghost).empty();
+}
+
+void SectionPasses::drawLayers(RenderTarget &image, const RenderTarget &opaque)
+{
+    drawTranslucent(image);
+    if (sectionsOf(Kind::Ghost).empty())
+        return;
+    drawGhosts(image);
+    image.copyDepthFrom(opaque); // a ghost covers no outline
+}
+
+void SectionPasses::drawTranslucent(RenderTarget &image)
+{
+    const std::vector<std::size_t> sections = sectionsOf(Kind::Translucent);
+    if (sections.empty())
+        return;
+    const bool isXray = m_options->isXray;
+    const auto drawAll = [&] {
+        setClipped(true);
+        m_gl.glEnable(GL_CULL_FACE);
+        for (const std::size_t i : sections)
+            m_painter.fill(i, lookOf(i, isXray ? kXrayFace : m_scene->sections[i].look.alpha));
+        m_gl.glDisable(GL_CULL_FACE);
+        for (const std::size_t i : sections)
+            m_painter.edges(i, edgesOf(i, isXray ? kXrayEdge : 1.0));
+        setClipped(false);
+    };
+    if (m_options->quality == FrameQuality::Full) {
+        m_layers.draw(image, m_painter, isXray ? kXrayLayers : kAcrylicLayers, drawAll);
+    } else if (isXray) {
+        // All of them in any order: most are of one colour, which comes to the same.
+        m_gl.glEnable(GL_DEPTH_TEST);
+        m_gl.glDepthMask(GL_FALSE);
+        m_gl.glEnable(GL_BLEND);
+        drawAll();
+        m_gl.glDisable(GL_BLEND);
+        m_gl.glDepthMask(GL_TRUE);
+    }
+    if (isXray)
+        return;
+    // Their depths, so that outlines and ghosts behind them are told from those before them.
+    image.bind();
+    m_gl.glEnable(GL_POLYGON_OFFSET_FILL);
+    m_gl.glPolygonOffset(setBack(), 1.0f);
+    drawDepths(sections);
+    if (m_options->quality != FrameQuality::Full) {
+        // The nearest ones alone.
+        m_gl.glEnable(GL_BLEND);
+        m_gl.glDepthMask(GL_FALSE);
+        drawAll();
+        m_gl.glDepthMask(GL_TRUE);
+        m_gl.glDisable(GL_BLEND);
+    }
+    m_gl.glDisable(GL_POLYGON_OFFSET_FILL);
+    // Half of a line at a silhouette lies beyond its slab; what shines through was drawn over it.
+    drawOpaqueEdges();
+}
+
+/// Only the nearest of them, once, so that many ghosts are no thicker than one.
+void SectionPasses::drawGhosts(RenderTarget &image)
+{
+    const std::vector<std::size_t> ghosts = sectionsOf(Kind::Ghost);
+    image.bind();
+    m_gl.glEnable(GL_POLYGON_OFFSET_FILL);
+    m_gl.glPolygonOffset(setBack(), 1.0f);
+    drawDepths(ghosts);
+    m_gl.glEnable(GL_BLEND);
+    m_gl.glEnable(GL_CULL_FACE);
+    m_gl.glDepthMask(GL_FALSE);
+    setClipped(true);
+    for (const std::size_t i : ghosts)
+        m_painter.fill(i, lookOf(i, kGhostFace));
+    m_gl.glDisable(GL_POLYGON_OFFSET_FILL);
+    m_gl.glDisable(GL_CULL_FACE);
+    for (const std::size_t i : ghosts)
+        m_painter.edges(i, edgesOf(i, kGhostEdge));
+    setClipped(false);
+    m_gl.glDepthMask(GL_TRUE);
+    m_gl.glDisable(GL_BLEND);
+}
+
+/// Nothing that is seen.
+void SectionPasses::drawDepths(const std::vector<std::size_t> &sections)
+{
+    m_gl.glEnable(GL_DEPTH_TEST);
+    m_gl.glEnable(GL_CULL_FACE);
+    m_gl.glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+    setClipped(true);
+    for (const std::size_t i : sections)
+        m_painter.fill(i, {});
+    setClipped(false);
+    m_gl.glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    m_gl.glDisable(GL_CULL_FACE);
+}
+
+void SectionPasses::drawOutlines()
+{
+    m_gl.glEnable(GL_DEPTH_TEST);
+    m_gl.glEnable(GL_BLEND);
+    m_gl.glDepthMask(GL_FALSE);
+    setClipped(true);
+    // Wide lines reach far over slanted surfaces: nearer by as many pixels.
+    const double pixel = m_view.camera.millimetresPerPixel;
+    const auto outline = [&](std::size_t i, const QColor &colour, double alpha, double width,
+                             double nearer) {
+        m_painter.edges(i, {premultiplied(colour, alpha), width, width, nearer + width * pixel});
+    };
+    const std::vector<SceneSection> &sections = m_scene->sections;
+    for (std::size_t i = 0; i < sections.size(); ++i) {
+        if (!sections[i].isHovered || sections[i].isSelected)
+            continue;
+        if (m_style->casesHover && m_style->casing.isValid())
+            outline(i, m_style->casing, 1.0, m_style->hoverWidth + 2.0, 0.2);
+        outline(i, m_style->accent, m_style->hoverAlpha, m_style->hoverWidth, 0.3);
+    }
+    // Selected ones are seen through what is before them, but faintly.
+    m_gl.glDepthFunc(GL_GREATER);
+    for (std::size_t i = 0; i < sections.size(); ++i) {
+        if (sections[i].isSelected)
+            outline(i, m_style->accent, kHiddenOutline, 1.4, 0.4);
+    }
+    m_gl.glDepthFunc(GL_LEQUAL);
+    for (std::size_t i = 0; i < sections.size(); ++i) {
+        if (!sections[i].isSelected)
+            continue;
+        if (m_style->casing.isValid())
+            outline(i, m_style->casing, 1.0, m_style->selectionWidth + 2.0, 0.3);
+        outline(i, m_style->accent, 1.0, m_style->selectionWidth, 0.4);
+    }
+    setClipped(false);
+    m_gl.glDepthMask(GL_TRUE);
+    m_gl.glDisable(GL_DEPTH_TEST);
+    m_gl.glDisable(GL_BLEND);
+}
+
+} // namespace fff::ui
