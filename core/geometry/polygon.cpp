@@ -1,22 +1,11 @@
 #include "core/geometry/polygon.h"
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include "core/geometry/side_of_line.h"
+
+#include <algorithm>
+#include <cmath>
 
 namespace fff {
-
-namespace {
-
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-
-/// Exact: on which side of the line from a to b lies p. Positive is left.
-int orientation(const Vec2 &a, const Vec2 &b, const Vec2 &p)
-{
-    return static_cast<int>(CGAL::orientation(Kernel::Point_2(a.x(), a.y()),
-                                              Kernel::Point_2(b.x(), b.y()),
-                                              Kernel::Point_2(p.x(), p.y())));
-}
-
-} // namespace
 
 double signedArea(const Polygon &polygon)
 {
@@ -68,7 +57,7 @@ Side locate(const Vec2 &point, const Polygon &polygon)
                 return Side::Boundary;
             continue;
         }
-        const int side = orientation(a, b, point);
+        const double side = sideOfLine(a, b, point);
         if (side == 0)
             return Side::Boundary;
         if ((b.y() > a.y()) == (side > 0))

@@ -19,7 +19,9 @@ target_sources(fff_core PRIVATE
     geometry/point_removal.cpp
     geometry/polygon.cpp
     geometry/sampled_line.cpp
+    geometry/side_of_line.cpp
     geometry/simple_ring.cpp
+    geometry/sliver_mender.cpp
     geometry/source_edges.cpp
     geometry/sweep_triangulation.cpp
     geometry/triangulation.cpp

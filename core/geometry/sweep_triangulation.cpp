@@ -1,36 +1,13 @@
 #include "core/geometry/sweep_triangulation.h"
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include "core/geometry/side_of_line.h"
+#include "core/geometry/sliver_mender.h"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstdint>
-#include <unordered_map>
 
 namespace fff {
 
 namespace {
-
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-
-/// Triangles lower than this are slivers, mm: what is drawn is in floats, which are this fine over
-/// a metre.
-constexpr double kSliver = 1e-4;
-
-/// Positive when c lies to the left of the way from a to b, exactly.
-double side(const Vec2 &a, const Vec2 &b, const Vec2 &c)
-{
-    // J. R. Shewchuk, Adaptive precision floating-point arithmetic, 1997: the first filter.
-    constexpr double kError = 3.4e-16;
-    const double left = (b.x() - a.x()) * (c.y() - a.y());
-    const double right = (b.y() - a.y()) * (c.x() - a.x());
-    const double difference = left - right;
-    if (std::abs(difference) > kError * (std::abs(left) + std::abs(right)))
-        return difference;
-    return CGAL::orientation(Kernel::Point_2(a.x(), a.y()), Kernel::Point_2(b.x(), b.y()),
-                             Kernel::Point_2(c.x(), c.y()));
-}
 
 /// "Forward" is where the sweep goes. The inside lies to the left of every edge, so one that goes
 /// forward is the right border of a stretch of the sweep line inside the region, one that goes back
@@ -143,7 +120,7 @@ void Sweep::eatFromRight(int &from, int vertex)
 {
     for (int next = link(from).toLeft; next >= 0; next = link(from).toLeft) {
         const int a = link(from).vertex, b = link(next).vertex;
-        if (!(side(at(a), at(vertex), at(b)) > 0.0))
+        if (!(sideOfLine(at(a), at(vertex), at(b)) > 0.0))
             return;
         addTriangle(a, vertex, b);
         from = next;
@@ -154,7 +131,7 @@ void Sweep::eatFromLeft(int &from, int vertex)
 {
     for (int next = link(from).toRight; next >= 0; next = link(from).toRight) {
         const int a = link(from).vertex, b = link(next).vertex;
-        if (!(side(at(b), at(vertex), at(a)) > 0.0))
+        if (!(sideOfLine(at(b), at(vertex), at(a)) > 0.0))
             return;
         addTriangle(b, vertex, a);
         from = next;
@@ -202,7 +179,8 @@ bool Sweep::split(int vertex, int rightEdge, int leftEdge)
 {
     const auto isInside = [&](const Stretch &s) {
         const auto left = [&](int edge) {
-            return side(at(edge), at(m_after[static_cast<std::size_t>(edge)]), at(vertex)) > 0.0;
+            return sideOfLine(at(edge), at(m_after[static_cast<std::size_t>(edge)]), at(vertex)) >
+                   0.0;
         };
         return left(s.rightEdge) && left(s.leftEdge);
     };
@@ -275,7 +253,7 @@ bool Sweep::visit(int v)
         m_stretches[stretch].leftEdge = before;
         return true;
     }
-    const double turn = side(at(before), at(v), at(after));
+    const double turn = sideOfLine(at(before), at(v), at(after));
     if (turn == 0.0)
         return false;
     if (goesForward) {
@@ -311,94 +289,6 @@ bool Sweep::run()
     return m_stretches.empty();
 }
 
-/// Turns the longest edges of slivers over, until none is left but at the boundary. What is drawn
-/// and printed is rounded, and a sliver would become a line or turn inside out.
-class SliverMender
-{
-public:
-    explicit SliverMender(Triangulation &triangulation) : m_all(triangulation) {}
-    /// False when it comes to no end.
-    bool run();
-
-private:
-    using Triangle = std::array<int, 3>;
-
-    /// Where it stands in `triangles`.
-    struct Sliver
-    {
-        std::size_t at = 0, edge = 0; // its longest: from the corner of that number to the next
-    };
-    const Vec2 &point(int vertex) const { return m_all.points[static_cast<std::size_t>(vertex)]; }
-    std::optional<Sliver> sliverAt(std::size_t at) const;
-    static std::uint64_t key(int from, int to)
-    {
-        return static_cast<std::uint64_t>(from) << 32 | static_cast<std::uint32_t>(to);
-    }
-    void put(std::size_t at, const Triangle &triangle)
-    {
-        m_all.triangles[at] = triangle;
-        for (std::size_t i = 0; i < 3; ++i)
-            m_leftOf[key(triangle[i], triangle[(i + 1) % 3])] = at;
-    }
-    void turnOver(const Sliver &sliver);
-
-    Triangulation &m_all;
-    std::unordered_map<std::uint64_t, std::size_t> m_leftOf; // the triangle to the left of an edge
-    std::vector<std::size_t> m_waiting;
-};
-
-std::optional<SliverMender::Sliver> SliverMender::sliverAt(std::size_t at) const
-{
-    const Triangle &t = m_all.triangles[at];
-    const Vec2 &a = point(t[0]), &b = point(t[1]), &c = point(t[2]);
-    const std::array<double, 3> squared{(b - a).squaredNorm(), (c - b).squaredNorm(),
-                                        (a - c).squaredNorm()};
-    const auto longest = std::max_element(squared.begin(), squared.end());
-    const double twice = cross(b - a, c - a);
-    if (twice * twice > kSliver * kSliver * *longest)
-        return std::nullopt;
-    return Sliver{at, static_cast<std::size_t>(longest - squared.begin())};
-}
-
-void SliverMender::turnOver(const Sliver &sliver)
-{
-    const Triangle &t = m_all.triangles[sliver.at];
-    const int i = t[sliver.edge], j = t[(sliver.edge + 1) % 3], b = t[(sliver.edge + 2) % 3];
-    const auto found = m_leftOf.find(key(j, i));
-    if (found == m_leftOf.end())
-        return; // the boundary
-    const std::size_t other = found->second;
-    const Triangle &u = m_all.triangles[other];
-    const int d = u[0] != i && u[0] != j ? u[0] : u[1] != i && u[1] != j ? u[1] : u[2];
-    if (!(side(point(i), point(d), point(b)) > 0.0) || !(side(point(d), point(j), point(b)) > 0.0))
-        return;
-    m_leftOf.erase(found);
-    m_leftOf.erase(key(i, j));
-    put(sliver.at, {i, d, b});
-    put(other, {d, j, b});
-    m_waiting.insert(m_waiting.end(), {sliver.at, other});
-}
-
-bool SliverMender::run()
-{
-    for (std::size_t i = 0; i < m_all.triangles.size(); ++i)
-        if (sliverAt(i))
-            m_waiting.push_back(i);
-    if (m_waiting.empty())
-        return true;
-    for (std::size_t i = 0; i < m_all.triangles.size(); ++i)
-        put(i, m_all.triangles[i]);
-    // Every turn makes the longest edges shorter; many more than edges are rounding.
-    std::size_t left = 8 * m_all.triangles.size();
-    while (!m_waiting.empty() && left-- > 0) {
-        const std::size_t at = m_waiting.back();
-        m_waiting.pop_back();
-        if (const auto sliver = sliverAt(at))
-            turnOver(*sliver);
-    }
-    return m_waiting.empty();
-}
-
 } // namespace
 
 std::optional<Triangulation> sweepTriangles(const Region &region)
@@ -408,7 +298,7 @@ std::optional<Triangulation> sweepTriangles(const Region &region)
         return std::nullopt;
     Triangulation result = sweep.take();
     if (result.triangles.size() + 2 != result.points.size() + 2 * region.holes.size() ||
-        !SliverMender(result).run())
+        !mendSlivers(result))
         return std::nullopt;
     return result;
 }
