@@ -236,7 +236,7 @@ std::optional<std::size_t> ChainFitter::firstForced(const std::vector<Piece> &pi
 void ChainFitter::smoothen(Stretch &before, Stretch &after)
 {
     const Vec2 &in = before.end.direction, &out = after.start.direction;
-    if (std::abs(std::atan2(cross(in, out), in.dot(out))) >= kLeastCorner)
+    if (turnBetween(in, out) >= kLeastCorner)
         return;
     before.end.direction = after.start.direction = (in + out).normalized();
     before.isEndGiven = after.isStartGiven = true;

@@ -73,11 +73,6 @@ void lead(std::vector<Vec2> &line, const Vec2 &offset, double over, bool isAtEnd
     }
 }
 
-double turn(const Vec2 &a, const Vec2 &b)
-{
-    return std::abs(std::atan2(cross(a, b), a.dot(b)));
-}
-
 } // namespace
 
 std::optional<std::vector<Vec2>> closedLine(const std::vector<Vec2> &samples, double tolerance,
@@ -105,7 +100,7 @@ std::optional<std::vector<Vec2>> closedLine(const std::vector<Vec2> &samples, do
     if (gap.norm() > kLargestGap * length)
         return {};
 
-    const double turned = turn(in, out);
+    const double turned = turnBetween(in, out);
     const Vec2 way = turned < kCornerTurn ? Vec2((in + out).normalized()) : in;
     const Vec2 across = perpendicular(way);
     const double along = way.dot(gap);

@@ -62,10 +62,7 @@ struct Polynomial
 
 double turnOf(const CubicBezier &s)
 {
-    const auto turn = [](const Vec2 &a, const Vec2 &b) {
-        return std::abs(std::atan2(cross(a, b), a.dot(b)));
-    };
-    return turn(s.p1 - s.p0, s.p2 - s.p1) + turn(s.p2 - s.p1, s.p3 - s.p2);
+    return turnBetween(s.p1 - s.p0, s.p2 - s.p1) + turnBetween(s.p2 - s.p1, s.p3 - s.p2);
 }
 
 CubicBezier withHandles(const CurveEnd &start, const CurveEnd &end, double first, double second)

@@ -2,6 +2,7 @@
 
 #include "core/base/tolerances.h"
 #include "core/geometry/bezier.h"
+#include "core/geometry/simplified_line.h"
 
 #include <algorithm>
 #include <array>
@@ -47,63 +48,10 @@ constexpr std::array kParabolaReaches{1.0, 2.0, 3.0};
 /// Samples that a parabola is laid through at most.
 constexpr std::size_t kParabolaSamples = 48;
 
-double turn(const Vec2 &a, const Vec2 &b)
-{
-    return std::abs(std::atan2(cross(a, b), a.dot(b)));
-}
-
 Vec2 unit(const Vec2 &way)
 {
     const double length = way.norm();
     return length > 0.0 ? Vec2(way / length) : Vec2::Zero();
-}
-
-/// Indices of the samples that a simplified line goes through: every sample in between is within
-/// `error` of the chord, as long as the line does not go back by more than twice that.
-/// Source  J. Sklansky, V. Gonzalez 1980, Fast polygonal approximation of digitized curves: the
-///         chord's direction has to lie in the cone that each sample's disc leaves. O(n).
-std::vector<std::size_t> simplified(const std::vector<Vec2> &points, double error)
-{
-    std::vector<std::size_t> vertices{0};
-    std::size_t anchor = 0;
-    while (anchor + 1 < points.size()) {
-        Vec2 left = Vec2::Zero(), right = Vec2::Zero(); // borders of the cone, once there is one
-        bool hasCone = false;
-        double furthest = 0.0;
-        std::size_t best = anchor + 1, furthestAt = anchor + 1;
-        std::size_t i = anchor + 1;
-        for (; i < points.size(); ++i) {
-            const Vec2 way = points[i] - points[anchor];
-            const double distance = way.norm();
-            if (distance > furthest) {
-                furthest = distance;
-                furthestAt = i;
-            } else if (distance < furthest - 2.0 * error) {
-                best = furthestAt; // it goes back
-                break;
-            }
-            if (hasCone && (cross(right, way) < 0.0 || cross(way, left) < 0.0))
-                break;
-            best = i;
-            if (distance <= error)
-                continue;
-            const double sine = error / distance, cosine = std::sqrt(1.0 - sine * sine);
-            const Vec2 across = perpendicular(way);
-            const Vec2 l = cosine * way + sine * across, r = cosine * way - sine * across;
-            if (!hasCone || cross(l, left) > 0.0)
-                left = l;
-            if (!hasCone || cross(right, r) > 0.0)
-                right = r;
-            hasCone = true;
-        }
-        if (i == points.size()) {
-            const bool isBack = (points.back() - points[anchor]).norm() < furthest - error;
-            best = isBack ? furthestAt : points.size() - 1;
-        }
-        anchor = best;
-        vertices.push_back(anchor);
-    }
-    return vertices;
 }
 
 } // namespace
@@ -215,7 +163,7 @@ double SampledLine::turnAt(std::size_t at, double reach) const
 {
     const std::size_t from = std::min(indexAt(m_along[at] - reach), at > 0 ? at - 1 : 0);
     const std::size_t to = std::max(indexAt(m_along[at] + reach), std::min(at + 1, size() - 1));
-    return turn(directionBetween(from, at), directionBetween(at, to));
+    return turnBetween(directionBetween(from, at), directionBetween(at, to));
 }
 
 /// The sample near `at` that is furthest out: in the direction in which a corner points whose sides
@@ -273,7 +221,7 @@ std::vector<std::size_t> SampledLine::corners(double angle) const
         const std::size_t from = kept > 0 ? result[kept - 1] : 0;
         const std::size_t to = k + 1 < found.size() ? found[k + 1] : size() - 1;
         const CurveEnd before = endJoint(from, found[k]), after = startJoint(found[k], to);
-        if (turn(before.direction, after.direction) >= kSharpness * angle)
+        if (turnBetween(before.direction, after.direction) >= kSharpness * angle)
             result[kept++] = found[k];
     }
     result.resize(kept);

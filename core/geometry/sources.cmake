@@ -21,6 +21,7 @@ target_sources(fff_core PRIVATE
     geometry/sampled_line.cpp
     geometry/side_of_line.cpp
     geometry/simple_ring.cpp
+    geometry/simplified_line.cpp
     geometry/sliver_mender.cpp
     geometry/source_edges.cpp
     geometry/sweep_triangulation.cpp
