@@ -92,6 +92,16 @@ Result<ShapePointer> withBoundaries(const Shape &before, std::vector<Changed> ch
     return whole(before, *std::move(shape), changed);
 }
 
+/// Of those of the points that are of this boundary.
+std::vector<int> indicesOf(std::span<const PointAddress> points, int boundary)
+{
+    std::vector<int> indices;
+    for (const PointAddress &point : points)
+        if (point.boundary == boundary)
+            indices.push_back(point.index);
+    return indices;
+}
+
 using EditContour = std::function<Result<Contour>(const Contour &, std::span<const int> indices)>;
 
 /// Edits each boundary that has some of the points.
@@ -100,10 +110,7 @@ Result<ShapePointer> edited(const Shape &shape, std::span<const PointAddress> po
 {
     std::vector<Changed> changed;
     for (int b = 0; b < boundaryCount(shape); ++b) {
-        std::vector<int> indices;
-        for (const PointAddress &point : points)
-            if (point.boundary == b)
-                indices.push_back(point.index);
+        const std::vector<int> indices = indicesOf(points, b);
         if (indices.empty())
             continue;
         Result<Contour> contour = edit(boundary(shape, b), indices);
@@ -228,10 +235,7 @@ Result<ShapePointer> withoutPoints(const Shape &shape, std::span<const PointAddr
     std::vector<Changed> changed;
     std::vector<int> gone; // holes
     for (int b = 0; b < boundaryCount(shape); ++b) {
-        std::vector<int> indices;
-        for (const PointAddress &point : points)
-            if (point.boundary == b)
-                indices.push_back(point.index);
+        const std::vector<int> indices = indicesOf(points, b);
         if (indices.empty())
             continue;
         Result<Contour> contour = withoutPoints(boundary(shape, b), indices);
