@@ -2,10 +2,8 @@
 // does it stand, does it fit the sheet. Pure data; the sentences are made in check_text.h.
 #pragma once
 
-#include "core/assembly/stability.h"
-#include "core/fabrication/layout.h"
 #include "core/fabrication/summary.h"
-#include "core/session/analysis.h"
+#include "core/session/check_caches.h"
 
 #include <optional>
 #include <vector>
@@ -86,26 +84,6 @@ CheckSubject subjectOf(CheckCode code);
 ///
 /// Deterministic. Costs what a layout does; for a worker, not for the window's thread.
 std::vector<Check> checks(const Analysis &analysis, const LayoutOptions &layout = {});
-
-/// What checks() keeps of each section for the next time, so that an edit costs the work on the
-/// sections that it touches. Not for several threads at once.
-struct CheckCaches
-{
-    struct OfSection
-    {
-        // What the rest was worked out of.
-        CutSectionPointer cut;
-        Frame frame;
-        double thickness = 0.0, kerf = 0.0; // mm
-        Vec2 room = Vec2::Zero();
-        bool turnsFreely = true;
-
-        std::vector<GroundContact> contacts;                   // of each slab
-        Box3 box;                                              // of all of them
-        std::vector<std::shared_ptr<const OutlineSize>> sizes; // of each part, with the kerf
-    };
-    std::vector<OfSection> sections; // by index in the model
-};
 
 /// As from scratch, with any caches.
 std::vector<Check> checks(const Analysis &analysis, CheckCaches &caches,

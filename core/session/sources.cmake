@@ -1,6 +1,7 @@
 target_sources(fff_session PRIVATE
     analysis.cpp
     autosave.cpp
+    check_caches.cpp
     check_list.cpp
     check_text.cpp
     checks.cpp

@@ -1,0 +1,64 @@
+#include "core/session/check_caches.h"
+
+namespace fff {
+
+namespace {
+
+/// The keys of the rest of an entry.
+bool isOf(const CheckCaches::OfSection &known, const CheckCaches::OfSection &now)
+{
+    return known.cut == now.cut && known.frame == now.frame && known.thickness == now.thickness &&
+           known.kerf == now.kerf && known.room == now.room && known.turnsFreely == now.turnsFreely;
+}
+
+/// Works out what is not known of this section.
+void refresh(const Analysis &analysis, int section, const LayoutOptions &options,
+             CheckCaches::OfSection &known)
+{
+    const auto index = static_cast<std::size_t>(section);
+    const Stock &stock = analysis.model.stockOf(index);
+    CheckCaches::OfSection now;
+    now.cut = analysis.cuts[index];
+    now.frame = analysis.model.section(index)->frame;
+    now.thickness = stock.thickness;
+    now.kerf = stock.kerf;
+    now.room = roomOf(options.sheet.value_or(stock.sheet), options);
+    now.turnsFreely = options.turnsFreely;
+    if (isOf(known, now))
+        return;
+    for (const Slab &slab : slabsOf(analysis, section)) {
+        now.contacts.push_back(contactOf(slab));
+        now.box.extend(boundsOf(slab));
+    }
+    const auto addSizes = [&](const std::vector<CurvedRegion> &outlines) {
+        for (const CurvedRegion &outline : outlines)
+            now.sizes.push_back(
+                std::make_shared<const OutlineSize>(sizeOf(outline, now.room, now.turnsFreely)));
+    };
+    if (now.kerf > 0.0)
+        addSizes(*now.cut->compensated(now.kerf));
+    else
+        addSizes(now.cut->parts());
+    known = std::move(now);
+}
+
+} // namespace
+
+void refreshCaches(const Analysis &analysis, const LayoutOptions &options, CheckCaches &caches)
+{
+    caches.sections.resize(analysis.model.sectionCount());
+    for (std::size_t i = 0; i < caches.sections.size(); ++i)
+        refresh(analysis, static_cast<int>(i), options, caches.sections[i]);
+}
+
+std::vector<Slab> slabsOf(const Analysis &analysis, int section)
+{
+    const auto index = static_cast<std::size_t>(section);
+    std::vector<Slab> slabs;
+    for (const CurvedRegion &part : analysis.cuts[index]->parts())
+        slabs.push_back({part.region, analysis.model.section(index)->frame,
+                         analysis.model.stockOf(index).thickness});
+    return slabs;
+}
+
+} // namespace fff

@@ -1,0 +1,39 @@
+// What the checks of a model keep of each section for the next time, so that an edit costs the work
+// on the sections that it touches.
+#pragma once
+
+#include "core/assembly/stability.h"
+#include "core/fabrication/layout.h"
+#include "core/session/analysis.h"
+
+#include <memory>
+#include <vector>
+
+namespace fff {
+
+/// Not for several threads at once.
+struct CheckCaches
+{
+    struct OfSection
+    {
+        // What the rest was worked out of.
+        CutSectionPointer cut;
+        Frame frame;
+        double thickness = 0.0, kerf = 0.0; // mm
+        Vec2 room = Vec2::Zero();
+        bool turnsFreely = true;
+
+        std::vector<GroundContact> contacts;                   // of each slab
+        Box3 box;                                              // of all of them
+        std::vector<std::shared_ptr<const OutlineSize>> sizes; // of each part, with the kerf
+    };
+    std::vector<OfSection> sections; // by index in the model
+};
+
+/// Works out what is not known of the sections of this model.
+void refreshCaches(const Analysis &analysis, const LayoutOptions &options, CheckCaches &caches);
+
+/// Of each part that the slits leave of a section (index into the model).
+std::vector<Slab> slabsOf(const Analysis &analysis, int section);
+
+} // namespace fff
