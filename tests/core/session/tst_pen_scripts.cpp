@@ -3,35 +3,22 @@
 #include "core/geometry/fit.h"
 #include "core/interaction/snapping.h"
 #include "core/interaction/tool.h"
-#include "core/session/replay.h"
-#include "core/session/session_host.h"
-
-#include <QFile>
+#include "tests/core/session/script_run.h"
 
 #include <cmath>
 
 using namespace fff;
+using namespace fff::test;
 
 // Every script of tests/data/strokes/pen_*.json is a person with the pen: what is in the document
 // at its end, and what is said.
 
 namespace {
 
-struct Run
+class PenRun : public ScriptRun
 {
-    Run() : host(session), interaction(host) {}
-
-    Result<void> play(const QString &name)
-    {
-        QFile file(QStringLiteral(FFF_TEST_DATA "/strokes/pen_") + name + QStringLiteral(".json"));
-        if (!file.open(QIODevice::ReadOnly))
-            return failure(ErrorCode::CannotOpen, name.toStdString(), {"no such script"});
-        return replay(file.readAll(), session, interaction);
-    }
-    const std::vector<SectionPointer> &sections() const
-    {
-        return session.committed().document.sections;
-    }
+public:
+    Result<void> play(const QString &name) { return playFile(QStringLiteral("pen_") + name); }
     const Section &last() const { return *sections().back(); }
     /// The corners of the last section, in the world.
     std::vector<Vec3> corners() const
@@ -43,10 +30,6 @@ struct Run
         return corners;
     }
     double step() const { return gridStep(interaction.camera().millimetresPerPixel); }
-
-    Session session;
-    SessionHost host;
-    Interaction interaction;
 };
 
 bool has(const std::vector<Vec3> &points, const Vec3 &point)
@@ -136,7 +119,7 @@ void TestPenScripts::makesTheDocument()
     QFETCH(int, open);
     QFETCH(int, hint);
     QFETCH(bool, held);
-    Run run;
+    PenRun run;
     const Result<void> done = run.play(QString::fromUtf8(QTest::currentDataTag()));
     QVERIFY2(done, done ? "" : done.error().args.front().c_str());
     QTEST(int(run.sections().size()), "sections");
@@ -155,7 +138,7 @@ void TestPenScripts::makesTheDocument()
 void TestPenScripts::replaysExactly()
 {
     for (const char *name : {"second_section", "smooth_points", "undo_in_the_path"}) {
-        Run once, twice;
+        PenRun once, twice;
         QVERIFY(once.play(QLatin1String(name)));
         QVERIFY(twice.play(QLatin1String(name)));
         QVERIFY(once.session.committed().document == twice.session.committed().document);
@@ -164,13 +147,13 @@ void TestPenScripts::replaysExactly()
 
 void TestPenScripts::allWaysToCloseMakeTheSame()
 {
-    Run enter, start, twice, back;
+    PenRun enter, start, twice, back;
     QVERIFY(enter.play(QStringLiteral("first_section")));
     QVERIFY(start.play(QStringLiteral("closed_at_its_start")));
     QVERIFY(twice.play(QStringLiteral("closed_by_a_double_click")));
     QVERIFY(back.play(QStringLiteral("backspace")));
     QCOMPARE(enter.last().shape->contour().segmentCount(), 4);
-    for (const Run *other : {&start, &twice, &back})
+    for (const PenRun *other : {&start, &twice, &back})
         QVERIFY(other->last() == enter.last());
 }
 
@@ -184,22 +167,17 @@ void TestPenScripts::secondSectionsStandOnTheirSlit_data()
 void TestPenScripts::secondSectionsStandOnTheirSlit()
 {
     QFETCH(QString, script);
-    Run run;
+    PenRun run;
     QVERIFY(run.play(script));
-    const Section &parent = *run.sections()[0], &section = run.last();
-    QVERIFY(section.parent && section.parent->section == SectionRef(parent.id));
-    QVERIFY(std::abs(section.frame.normal().dot(parent.frame.normal())) < 1e-9);
-    for (const Vec2 &end : {section.parent->slitFrom, section.parent->slitTo})
-        QVERIFY(std::abs(section.frame.height(parent.frame.toWorld(end))) < 1e-9);
-    QVERIFY((section.parent->slitTo - section.parent->slitFrom).norm() > 1.0);
+    QVERIFY(standsOnItsSlit(*run.sections()[0], run.last()));
     // Seen straight at the end, and cut into each other.
-    QVERIFY(run.interaction.camera().backward().cross(section.frame.normal()).norm() < 1e-6);
+    QVERIFY(run.interaction.camera().backward().cross(run.last().frame.normal()).norm() < 1e-6);
     QCOMPARE(run.session.currentAnalysis().assembly.joints.size(), std::size_t(1));
 }
 
 void TestPenScripts::smoothPointsAreSmooth()
 {
-    Run run;
+    PenRun run;
     QVERIFY(run.play(QStringLiteral("smooth_points")));
     const Contour &contour = run.last().shape->contour();
     QCOMPARE(contour.segmentCount(), 4);
@@ -208,7 +186,7 @@ void TestPenScripts::smoothPointsAreSmooth()
                    after = startDirection(contour.segment((i + 1) % 4));
         QVERIFY((before - after).norm() < 1e-9);
     }
-    Run broken;
+    PenRun broken;
     QVERIFY(broken.play(QStringLiteral("broken_handle")));
     const Contour &cornered = broken.last().shape->contour();
     const Vec2 in = endDirection(cornered.segment(0)), out = startDirection(cornered.segment(1));
@@ -217,7 +195,7 @@ void TestPenScripts::smoothPointsAreSmooth()
 
 void TestPenScripts::snappedPointsAreRound()
 {
-    Run run;
+    PenRun run;
     QVERIFY(run.play(QStringLiteral("on_the_grid")));
     QCOMPARE(run.corners().size(), std::size_t(4));
     for (const Vec3 &corner : run.corners())
@@ -226,7 +204,7 @@ void TestPenScripts::snappedPointsAreRound()
 
 void TestPenScripts::unsnappedPointsAreWhereTheyWereSet()
 {
-    Run run;
+    PenRun run;
     QVERIFY(run.play(QStringLiteral("off_the_grid")));
     QVERIFY(!run.interaction.settings().snaps);
     const std::vector<Vec3> corners = run.corners();
@@ -241,7 +219,7 @@ void TestPenScripts::unsnappedPointsAreWhereTheyWereSet()
 
 void TestPenScripts::shiftMakesRightAngles()
 {
-    Run run;
+    PenRun run;
     QVERIFY(run.play(QStringLiteral("level_and_upright")));
     const std::vector<Vec3> corners = run.corners();
     QCOMPARE(corners.size(), std::size_t(4));
@@ -253,7 +231,7 @@ void TestPenScripts::shiftMakesRightAngles()
 
 void TestPenScripts::numbersAreExact()
 {
-    Run run;
+    PenRun run;
     QVERIFY(run.play(QStringLiteral("by_numbers")));
     const std::vector<Vec3> corners = run.corners();
     QCOMPARE(corners.size(), std::size_t(4));
@@ -264,21 +242,21 @@ void TestPenScripts::numbersAreExact()
 
 void TestPenScripts::stepsInThePathComeBack()
 {
-    Run run, plain;
+    PenRun run, plain;
     QVERIFY(run.play(QStringLiteral("undo_in_the_path")));
     QVERIFY(plain.play(QStringLiteral("first_section")));
     QVERIFY(run.last() == plain.last());
-    Run redone;
+    PenRun redone;
     QVERIFY(redone.play(QStringLiteral("undo_and_redo")));
     QVERIFY(redone.last() == plain.last());
 }
 
 void TestPenScripts::aHoleAndAnotherContour()
 {
-    Run hole;
+    PenRun hole;
     QVERIFY(hole.play(QStringLiteral("hole")));
     QCOMPARE(hole.last().shape->holes().size(), std::size_t(1));
-    Run redrawn;
+    PenRun redrawn;
     QVERIFY(redrawn.play(QStringLiteral("redrawn")));
     QCOMPARE(redrawn.last().shape->contour().segmentCount(), 3);
     QCOMPARE(redrawn.session.history()->undoText(), QStringLiteral("Redraw Section 1"));
@@ -286,7 +264,7 @@ void TestPenScripts::aHoleAndAnotherContour()
 
 void TestPenScripts::parallelPlanesLieAtTheirDistance()
 {
-    Run run;
+    PenRun run;
     QVERIFY(run.play(QStringLiteral("parallel_plane")));
     const Frame &first = run.sections()[0]->frame, &second = run.last().frame;
     QVERIFY(first.normal().cross(second.normal()).norm() < 1e-12);
@@ -295,7 +273,7 @@ void TestPenScripts::parallelPlanesLieAtTheirDistance()
 
 void TestPenScripts::theGroundCutsFlat()
 {
-    Run run;
+    PenRun run;
     QVERIFY(run.play(QStringLiteral("cut_at_the_ground")));
     const std::vector<Vec3> corners = run.corners();
     QVERIFY(has(corners, {-40, 0, 0}) && has(corners, {40, 0, 0}));
@@ -305,7 +283,7 @@ void TestPenScripts::theGroundCutsFlat()
 void TestPenScripts::theViewComesBack()
 {
     for (const char *name : {"escape_in_the_turn", "escape_brings_the_view_back"}) {
-        Run run, plain;
+        PenRun run, plain;
         QVERIFY(run.play(QLatin1String(name)));
         QVERIFY(plain.play(QStringLiteral("first_section")));
         const Camera &now = run.interaction.camera(), &before = plain.interaction.camera();

@@ -1,52 +1,15 @@
 #include <QTest> // first: moc cannot read some of the standard library before it
 
 #include "core/model/edits.h"
-#include "core/session/replay.h"
-#include "core/session/session_host.h"
 #include "tests/core/io/io_samples.h"
-
-#include <QFile>
+#include "tests/core/session/script_run.h"
 
 #include <cmath>
 
 using namespace fff;
+using namespace fff::test;
 
 namespace {
-
-struct Run
-{
-    Run() : host(session), interaction(host) {}
-
-    Result<void> play(const QByteArray &script) { return replay(script, session, interaction); }
-    Result<void> playFile(const QString &name)
-    {
-        QFile file(QStringLiteral(FFF_TEST_DATA "/strokes/") + name + QStringLiteral(".json"));
-        if (!file.open(QIODevice::ReadOnly))
-            return failure(ErrorCode::CannotOpen, name.toStdString());
-        return play(file.readAll());
-    }
-    const std::vector<SectionPointer> &sections() const
-    {
-        return session.committed().document.sections;
-    }
-
-    Session session;
-    SessionHost host;
-    Interaction interaction;
-};
-
-/// The second section's plane holds its slit and stands at a right angle to its parent.
-bool standsOnItsSlit(const Section &parent, const Section &section)
-{
-    if (!section.parent || !(section.parent->section == SectionRef(parent.id)))
-        return false;
-    const Vec3 from = parent.frame.toWorld(section.parent->slitFrom);
-    const Vec3 to = parent.frame.toWorld(section.parent->slitTo);
-    return std::abs(section.frame.height(from)) < 1e-9 &&
-           std::abs(section.frame.height(to)) < 1e-9 &&
-           std::abs(section.frame.normal().dot(parent.frame.normal())) < 1e-9 &&
-           (to - from).norm() > 1.0;
-}
 
 QByteArray script(const QByteArray &events)
 {
@@ -108,7 +71,7 @@ void TestReplay::makesTheDocument()
     QFETCH(int, sections);
     QFETCH(int, steps);
     QFETCH(int, hint);
-    Run run;
+    ScriptRun run;
     const Result<void> done = run.playFile(QString::fromUtf8(QTest::currentDataTag()));
     QVERIFY2(done, done ? "" : done.error().args.front().c_str());
     QCOMPARE(static_cast<int>(run.sections().size()), sections);
@@ -127,7 +90,7 @@ void TestReplay::makesTheDocument()
 /// Drawing across a section is what a joint needs: both get a slit.
 void TestReplay::slitsAreCut()
 {
-    Run run;
+    ScriptRun run;
     QVERIFY(run.playFile(QStringLiteral("second_section")));
     const Analysis &analysis = run.session.currentAnalysis();
     QCOMPARE(analysis.assembly.joints.size(), std::size_t(1));
@@ -139,7 +102,7 @@ void TestReplay::slitsAreCut()
 
 void TestReplay::replaysExactly()
 {
-    Run once, twice;
+    ScriptRun once, twice;
     QVERIFY(once.playFile(QStringLiteral("second_section")));
     QVERIFY(twice.playFile(QStringLiteral("second_section")));
     QVERIFY(once.session.committed().document == twice.session.committed().document);
@@ -147,7 +110,7 @@ void TestReplay::replaysExactly()
 
 void TestReplay::throughAHole()
 {
-    Run run;
+    ScriptRun run;
     Document document = newDocument();
     NewSection plate;
     plate.shape =
@@ -163,9 +126,9 @@ void TestReplay::throughAHole()
 
 void TestReplay::startsFromWhatIsThere()
 {
-    Run first;
+    ScriptRun first;
     QVERIFY(first.playFile(QStringLiteral("first_section")));
-    Run second;
+    ScriptRun second;
     second.session.reset(first.session.committed().document);
     QVERIFY(second.play(script(R"({"type": "press", "x": 640, "y": 400},
                                   {"type": "release", "x": 640, "y": 400})")));
@@ -176,7 +139,7 @@ void TestReplay::startsFromWhatIsThere()
 void TestReplay::timeDefaults()
 {
     const auto turnIsOver = [](int moves, const QByteArray &last) {
-        Run run;
+        ScriptRun run;
         QByteArray events = R"({"type": "press", "x": 500, "y": 300},
             {"type": "move", "x": 800, "y": 300}, {"type": "move", "x": 800, "y": 500},
             {"type": "release", "x": 500, "y": 500},
@@ -195,7 +158,7 @@ void TestReplay::timeDefaults()
 
 void TestReplay::keysAndCommands()
 {
-    Run run;
+    ScriptRun run;
     QVERIFY(run.playFile(QStringLiteral("second_section")));
     QVERIFY(run.play(script(R"({"type": "command", "name": "edit.selectAll", "parameters": {}},
                                {"type": "key", "key": "Escape"})")));
@@ -300,7 +263,7 @@ void TestReplay::badScripts()
     QFETCH(QByteArray, text);
     QFETCH(int, code);
     QFETCH(QString, place);
-    Run run;
+    ScriptRun run;
     const Result<void> done = run.play(text);
     QVERIFY(!done);
     QCOMPARE(int(done.error().code), code);
@@ -311,7 +274,7 @@ void TestReplay::badScripts()
 
 void TestReplay::eventsBeforeABadOneHaveHappened()
 {
-    Run run;
+    ScriptRun run;
     QVERIFY(!run.play(script(R"({"type": "press", "x": 500, "y": 300},
         {"type": "move", "x": 800, "y": 300}, {"type": "move", "x": 800, "y": 500},
         {"type": "release", "x": 500, "y": 500}, {"type": "nonsense"})")));

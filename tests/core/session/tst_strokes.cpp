@@ -3,17 +3,17 @@
 #include "core/base/units.h"
 #include "core/geometry/fit.h"
 #include "core/io/document_file.h"
-#include "core/session/replay.h"
 #include "core/session/session_commands.h"
-#include "core/session/session_host.h"
+#include "tests/core/interaction/desk.h"
+#include "tests/core/session/script_run.h"
 
 #include <QDir>
-#include <QFile>
 
 #include <cmath>
 #include <numbers>
 
 using namespace fff;
+using namespace fff::test;
 
 // Every script of tests/data/strokes/stroke_*.json is a person's hand (tests/tools/make_strokes.py
 // writes them). What would be wrong: a section that does not stand on its slit, a view that is not
@@ -34,9 +34,10 @@ struct Watched
     Camera cameraBefore; // the last press
 };
 
-struct Player
+class Player : public ScriptRun
 {
-    Player() : host(session), interaction(host)
+public:
+    Player()
     {
         host.attach(interaction);
         registerSessionCommands(commands, session, interaction);
@@ -44,18 +45,13 @@ struct Player
 
     Result<void> play(const QString &name)
     {
-        QFile file(QStringLiteral(FFF_TEST_DATA "/strokes/stroke_") + name +
-                   QStringLiteral(".json"));
-        if (!file.open(QIODevice::ReadOnly))
-            return failure(ErrorCode::CannotOpen, name.toStdString());
-        return replay(file.readAll(), session, interaction, commands,
+        const Result<QByteArray> script = scriptNamed(QStringLiteral("stroke_") + name);
+        if (!script)
+            return tl::unexpected(script.error());
+        return replay(*script, session, interaction, commands,
                       [this](const ReplayEvent &event) { watch(event); });
     }
 
-    const std::vector<SectionPointer> &sections() const
-    {
-        return session.committed().document.sections;
-    }
     Vec2 screen(const Vec3 &p) const
     {
         return interaction.camera().toScreen(p, interaction.viewport());
@@ -103,9 +99,6 @@ struct Player
         qFatal("no section of the name that the slit speaks of");
     }
 
-    Session session;
-    SessionHost host;
-    Interaction interaction;
     CommandRegistry commands;
     Watched watched;
     Vec2 cursor = Vec2::Zero();
@@ -141,14 +134,7 @@ std::vector<double> turnsOf(const Contour &contour)
 bool standsOnItsSlit(const Document &document, const Section &section)
 {
     const Section *parent = document.find(section.parent->section.drawn);
-    if (!parent)
-        return false;
-    const Vec3 from = parent->frame.toWorld(section.parent->slitFrom);
-    const Vec3 to = parent->frame.toWorld(section.parent->slitTo);
-    return std::abs(section.frame.height(from)) < 1e-9 &&
-           std::abs(section.frame.height(to)) < 1e-9 &&
-           std::abs(section.frame.normal().dot(parent->frame.normal())) < 1e-9 &&
-           std::abs(section.frame.x.dot(section.frame.y)) < 1e-9;
+    return parent && test::standsOnItsSlit(*parent, section);
 }
 
 /// Each control point has its mirror image among the others, across the canvas' x axis.
@@ -454,10 +440,10 @@ void TestStrokes::roomIsMade()
 {
     Player player;
     double before = 0.0, after = 0.0;
-    QFile file(QStringLiteral(FFF_TEST_DATA "/strokes/stroke_room_is_made.json"));
-    QVERIFY(file.open(QIODevice::ReadOnly));
+    const Result<QByteArray> script = scriptNamed(QStringLiteral("stroke_room_is_made"));
+    QVERIFY(script);
     int waits = 0;
-    QVERIFY(replay(file.readAll(), player.session, player.interaction, player.commands,
+    QVERIFY(replay(*script, player.session, player.interaction, player.commands,
                    [&](const ReplayEvent &event) {
                        if (event.type != ReplayEvent::Type::Wait)
                            return;
@@ -503,52 +489,39 @@ void TestStrokes::onTheBridge()
         QSKIP("the shared models are not here");
     const Result<io::LoadedDocument> loaded = io::readDocument(path);
     QVERIFY(loaded);
-    Player player;
-    player.session.reset(loaded->document);
-    player.interaction.setViewport({1280, 800});
-    player.interaction.setCamera(
-        fitted(player.interaction.camera(), player.session.committed().bounds(), {1280, 800}));
-    const std::size_t count = player.sections().size();
+    Desk desk;
+    desk.session.reset(loaded->document);
+    desk.interaction.setCamera(
+        fitted(desk.interaction.camera(), desk.session.committed().bounds(), kViewport));
+    const std::size_t count = desk.sections().size();
     // The first place from the middle downwards, 20 px deep, where something can be drawn on.
-    double time = 0.0;
-    const auto send = [&](PointerEvent::Type type, const Vec2 &at) {
-        PointerEvent event;
-        event.type = type;
-        event.position = player.cursor = at;
-        event.button = type == PointerEvent::Type::Move ? Button::None : Button::Left;
-        event.time = time += 8.0;
-        player.interaction.handle(event);
-    };
     Vec2 start(640, 400);
     for (int inside = 0; start.y() < 780 && inside < 5; start.y() += 4) {
-        send(PointerEvent::Type::Move, start);
-        inside = player.interaction.hint().kind == Hint::Kind::DragOutOfSection ? inside + 1 : 0;
+        desk.send(PointerEvent::Type::Move, start);
+        inside = desk.hint() == Hint::Kind::DragOutOfSection ? inside + 1 : 0;
     }
     start.y() -= 4;
-    QCOMPARE(player.interaction.hint().kind, Hint::Kind::DragOutOfSection);
-    send(PointerEvent::Type::Press, start);
-    while (player.interaction.hint().kind != Hint::Kind::Turning && player.cursor.y() > -2000)
-        send(PointerEvent::Type::Move, player.cursor - Vec2(0, 10));
-    QCOMPARE(player.interaction.hint().kind, Hint::Kind::Turning);
-    player.interaction.advance(time += 800.0);
-    const Overlay overlay = player.interaction.overlay();
+    QCOMPARE(desk.hint(), Hint::Kind::DragOutOfSection);
+    desk.press(start);
+    while (desk.hint() != Hint::Kind::Turning && desk.cursor.y() > -2000)
+        desk.send(PointerEvent::Type::Move, desk.cursor - Vec2(0, 10));
+    QCOMPARE(desk.hint(), Hint::Kind::Turning);
+    desk.wait(kTurnTime);
+    const Overlay overlay = desk.interaction.overlay();
     QVERIFY(overlay.deadZone);
-    QVERIFY((player.screen(overlay.slit->to) - player.cursor).norm() < 1.0);
-    for (const Vec2 &way : {Vec2(120, 60), Vec2(120, -80), Vec2(-60, -120), Vec2(-140, 20)}) {
-        const Vec2 from = player.cursor;
-        for (int i = 1; i <= 10; ++i)
-            send(PointerEvent::Type::Move, from + way * (i / 10.0));
-    }
-    send(PointerEvent::Type::Release, player.cursor);
-    QCOMPARE(player.sections().size(), count + 1);
-    QVERIFY(standsOnItsSlit(player.session.committed().document, *player.sections().back()));
+    QVERIFY((desk.screen(overlay.slit->to) - desk.cursor).norm() < 1.0);
+    for (const Vec2 &way : {Vec2(120, 60), Vec2(120, -80), Vec2(-60, -120), Vec2(-140, 20)})
+        desk.moveTo(desk.cursor + way);
+    desk.release(desk.cursor);
+    QCOMPARE(desk.sections().size(), count + 1);
+    QVERIFY(standsOnItsSlit(desk.session.committed().document, *desk.sections().back()));
     // No other section was touched, and undo brings back the very objects.
     for (std::size_t i = 0; i < count; ++i)
-        QVERIFY(player.sections()[i] == loaded->document.sections[i]);
-    const Analysis &analysis = player.session.currentAnalysis();
+        QVERIFY(desk.sections()[i] == loaded->document.sections[i]);
+    const Analysis &analysis = desk.session.currentAnalysis();
     QVERIFY(!analysis.assembly.slits[count].empty());
-    player.session.history()->undo();
-    QVERIFY(player.session.committed().document.isSame(loaded->document));
+    desk.session.history()->undo();
+    QVERIFY(desk.session.committed().document.isSame(loaded->document));
 }
 
 QTEST_GUILESS_MAIN(TestStrokes)
