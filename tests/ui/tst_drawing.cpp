@@ -92,15 +92,15 @@ void TestDrawing::shiftKeepsOneSide()
     drawFirst();
     pullSlit();
     drawOneSide();
-    QTRY_VERIFY(bench().interaction().overlay().stroke);
-    QTRY_VERIFY(bench().interaction().overlay().stroke->isMirrored);
-    QCOMPARE(bench().interaction().hint().kind, Hint::Kind::ReleaseToMirror);
+    QTRY_VERIFY(interaction().overlay().stroke);
+    QTRY_VERIFY(interaction().overlay().stroke->isMirrored);
+    QCOMPARE(interaction().hint().kind, Hint::Kind::ReleaseToMirror);
     const double both = session().model().document.sections.back()->shape->area();
     QTest::keyPress(m_window->windowHandle(), Qt::Key_Shift, Qt::NoModifier, 5);
-    QTRY_VERIFY(!bench().interaction().overlay().stroke->isMirrored);
+    QTRY_VERIFY(!interaction().overlay().stroke->isMirrored);
     QVERIFY(session().model().document.sections.back()->shape->area() < 0.7 * both);
     QTest::keyRelease(m_window->windowHandle(), Qt::Key_Shift, Qt::ShiftModifier, 5);
-    QTRY_VERIFY(bench().interaction().overlay().stroke->isMirrored);
+    QTRY_VERIFY(interaction().overlay().stroke->isMirrored);
     release(m_cursor);
     QTRY_COMPARE(count(), std::size_t(2));
     QVERIFY(std::abs(session().committed().section(1)->shape->area() - both) < 1e-9);
@@ -129,17 +129,17 @@ void TestDrawing::aHole()
 {
     drawFirst();
     click(middle());
-    QTRY_COMPARE(bench().interaction().selection().size(), std::size_t(1));
+    QTRY_COMPARE(interaction().selection().size(), std::size_t(1));
     const double whole = first().shape->area();
     key(Qt::Key_O);
-    QTRY_VERIFY(bench().interaction().tool());
+    QTRY_VERIFY(interaction().tool());
     const auto *action = m_window->findChild<QAction *>(QStringLiteral("section.addHole"));
     QTRY_VERIFY(action->isChecked());
-    QTRY_VERIFY_WITH_TIMEOUT(!bench().interaction().isAnimating(), 5000);
+    QTRY_VERIFY_WITH_TIMEOUT(!interaction().isAnimating(), 5000);
     box(middle() + QPoint(-40, -30), middle() + QPoint(40, 30));
     QTRY_COMPARE(first().shape->holes().size(), std::size_t(1));
     QVERIFY(first().shape->area() < whole);
-    QVERIFY(!bench().interaction().tool());
+    QVERIFY(!interaction().tool());
     QTRY_VERIFY(!action->isChecked());
     QCOMPARE(session().history()->undoText(), QStringLiteral("Draw a hole in Section 1"));
 }
@@ -149,12 +149,12 @@ void TestDrawing::aHoleBesideIsRefused()
     drawFirst();
     click(middle());
     key(Qt::Key_O);
-    QTRY_VERIFY_WITH_TIMEOUT(!bench().interaction().isAnimating(), 5000);
+    QTRY_VERIFY_WITH_TIMEOUT(!interaction().isAnimating(), 5000);
     box(middle() + QPoint(-60, 180), middle() + QPoint(60, 240));
-    QTRY_COMPARE(bench().interaction().hint().kind, Hint::Kind::HoleOutside);
-    QVERIFY(bench().interaction().hint().isRefusal);
+    QTRY_COMPARE(interaction().hint().kind, Hint::Kind::HoleOutside);
+    QVERIFY(interaction().hint().isRefusal);
     QVERIFY(first().shape->holes().empty());
-    QVERIFY(bench().interaction().tool()); // once more
+    QVERIFY(interaction().tool()); // once more
 }
 
 void TestDrawing::aNewContour()
@@ -163,7 +163,7 @@ void TestDrawing::aNewContour()
     click(middle());
     const SectionId id = first().id;
     key(Qt::Key_R);
-    QTRY_VERIFY_WITH_TIMEOUT(!bench().interaction().isAnimating(), 5000);
+    QTRY_VERIFY_WITH_TIMEOUT(!interaction().isAnimating(), 5000);
     box(middle() + QPoint(-100, -80), middle() + QPoint(100, 80));
     QTRY_COMPARE(session().history()->undoText(), QStringLiteral("Redraw Section 1"));
     QCOMPARE(count(), std::size_t(1));
@@ -176,7 +176,7 @@ void TestDrawing::theGroundCutsFlat()
     const QPoint ground = onScreen(Vec3::Zero());
     box(ground + QPoint(-80, -150), ground + QPoint(80, 30));
     QTRY_COMPARE(count(), std::size_t(1));
-    QCOMPARE(bench().interaction().hint().kind, Hint::Kind::CutAtGround);
+    QCOMPARE(interaction().hint().kind, Hint::Kind::CutAtGround);
     const Box3 bounds = worldBounds(*first().shape, first().frame);
     QVERIFY(std::abs(bounds.min.y()) < 1e-9);
     key(Qt::Key_G); // off
@@ -212,7 +212,7 @@ void TestDrawing::aGroupByRubberBand()
     drawFirst();
     drawSecond();
     key(Qt::Key_1);
-    QTRY_VERIFY_WITH_TIMEOUT(!bench().interaction().isAnimating(), 5000);
+    QTRY_VERIFY_WITH_TIMEOUT(!interaction().isAnimating(), 5000);
     const QPoint from(20, 80), to(m_view->width() - 130, m_view->height() - 20);
     move(from);
     press(from, Qt::ShiftModifier);
@@ -221,8 +221,8 @@ void TestDrawing::aGroupByRubberBand()
                           Qt::ShiftModifier,
                           m_view->mapTo(m_window.get(), from + (to - from) * i / 10), 5);
     release(to, Qt::ShiftModifier);
-    QTRY_COMPARE(bench().interaction().selection().size(), std::size_t(2));
-    QVERIFY(!bench().interaction().overlay().band);
+    QTRY_COMPARE(interaction().selection().size(), std::size_t(2));
+    QVERIFY(!interaction().overlay().band);
 }
 
 void TestDrawing::escapeLaysTheToolDown()
@@ -230,11 +230,11 @@ void TestDrawing::escapeLaysTheToolDown()
     drawFirst();
     click(middle());
     key(Qt::Key_R);
-    QTRY_VERIFY(bench().interaction().tool());
+    QTRY_VERIFY(interaction().tool());
     key(Qt::Key_Escape);
-    QTRY_VERIFY(!bench().interaction().tool());
-    QCOMPARE(bench().interaction().selection().size(), std::size_t(1)); // one step back only
-    QCOMPARE(session().history()->count(), 1);
+    QTRY_VERIFY(!interaction().tool());
+    QCOMPARE(interaction().selection().size(), std::size_t(1)); // one step back only
+    QCOMPARE(steps(), 1);
 }
 
 void TestDrawing::aStepShowsWhatItTookAway()

@@ -6,15 +6,15 @@
 #include "core/io/document_file.h"
 #include "core/model/edits.h"
 #include "tests/ui/view_hand.h"
+#include "tests/ui/window_fixture.h"
+#include "tests/ui/window_program.h"
 #include "ui/docks/outline_dock.h"
 #include "ui/docks/properties_dock.h"
-#include "ui/field_style.h"
 #include "ui/files/document_files.h"
 #include "ui/main_window.h"
 #include "ui/message_bar.h"
 #include "ui/settings/settings.h"
 #include "ui/theme.h"
-#include "ui/translations.h"
 #include "ui/viewport.h"
 #include "ui/workbench.h"
 
@@ -25,9 +25,6 @@
 #include <QDockWidget>
 #include <QDoubleSpinBox>
 #include <QLineEdit>
-#include <QMessageBox>
-#include <QPushButton>
-#include <QSurfaceFormat>
 #include <QTemporaryDir>
 #include <QTimer>
 #include <QTreeWidget>
@@ -42,8 +39,8 @@ class TestMainWindow : public QObject, private ViewHand
     Q_OBJECT
 
 private Q_SLOTS:
-    void init();
-    void cleanup();
+    void init() { openWindow(); }
+    void cleanup() { closeWindow(); }
 
     void theFirstFiveMinutes();
     void aClickSelectsInViewOutlineAndProperties();
@@ -74,33 +71,7 @@ private Q_SLOTS:
 
 private:
     bool comesToRest();
-    /// Presses the button of this text in the next question.
-    void answer(const QString &button, int *asked);
 };
-
-void TestMainWindow::init()
-{
-    openWindow();
-}
-
-void TestMainWindow::cleanup()
-{
-    closeWindow();
-}
-
-void TestMainWindow::answer(const QString &button, int *asked)
-{
-    QTimer::singleShot(150, this, [button, asked] {
-        auto *question = qobject_cast<QMessageBox *>(QApplication::activeModalWidget());
-        if (!question)
-            return;
-        ++*asked;
-        for (QAbstractButton *b : question->buttons()) {
-            if (b->text().remove(u'&') == button)
-                QTest::mouseClick(b, Qt::LeftButton);
-        }
-    });
-}
 
 void TestMainWindow::theFirstFiveMinutes()
 {
@@ -160,11 +131,11 @@ void TestMainWindow::aClickSelectsInViewOutlineAndProperties()
     QCOMPARE(name->text(), QString::fromStdString(section.name));
 
     click(QPoint(8, 8));
-    QVERIFY(m_window->bench().interaction().selection().empty());
+    QVERIFY(interaction().selection().empty());
     QVERIFY(tree->selectedItems().isEmpty());
 
     tree->setCurrentItem(tree->topLevelItem(0));
-    QCOMPARE(m_window->bench().interaction().selection().size(), std::size_t(1));
+    QCOMPARE(interaction().selection().size(), std::size_t(1));
 }
 
 void TestMainWindow::theOutlineRenames()
@@ -369,8 +340,8 @@ void TestMainWindow::exportLeavesOutWhatIsBeingDrawn()
         at = start + (leave - start) * i / 24;
         move(at);
     }
-    QTRY_VERIFY(m_window->bench().interaction().overlay().deadZone.has_value());
-    QTRY_VERIFY_WITH_TIMEOUT(!m_window->bench().interaction().isAnimating(), 5000);
+    QTRY_VERIFY(interaction().overlay().deadZone.has_value());
+    QTRY_VERIFY_WITH_TIMEOUT(!interaction().isAnimating(), 5000);
     const QPoint centre = (start + at) / 2;
     for (int i = 0; i <= 30; ++i) {
         const double angle = radians(90.0 + 345.0 * i / 40.0);
@@ -558,22 +529,21 @@ void TestMainWindow::aStepUnderTheCursorIsOutlined()
 void TestMainWindow::aProblemIsChosenByItsNumber()
 {
     drawFirst();
-    const Interaction &interaction = m_window->bench().interaction();
-    QTRY_VERIFY(!interaction.marks().empty());
+    QTRY_VERIFY(!interaction().marks().empty());
     const auto place = [&] {
         const std::vector<PlacedMark> placed =
-            placeMarks(interaction.marks(), interaction.camera(), interaction.viewport(), {});
+            placeMarks(interaction().marks(), interaction().camera(), interaction().viewport(), {});
         return placed.empty() ? Vec2(0, 0) : placed.front().centre;
     };
     const QPoint at(static_cast<int>(place().x()), static_cast<int>(place().y()));
     auto *row = m_window->findChild<QAbstractButton *>(QStringLiteral("checkRow0"));
     move(at);
-    QTRY_COMPARE(interaction.overlay().mark, 1);
-    const Camera camera = interaction.camera();
+    QTRY_COMPARE(interaction().overlay().mark, 1);
+    const Camera camera = interaction().camera();
     press(at);
     release(at);
     QTRY_VERIFY(row->isChecked());
-    QVERIFY(interaction.camera().target == camera.target); // it was in sight
+    QVERIFY(interaction().camera().target == camera.target); // it was in sight
     QCOMPARE(count(), std::size_t(1));
 }
 
@@ -586,7 +556,7 @@ void TestMainWindow::viewActionsShowTheirState()
     QVERIFY(!action("view.xray")->isChecked());
     QTest::keyClick(m_view, Qt::Key_X);
     QVERIFY(action("view.xray")->isChecked());
-    QVERIFY(m_window->bench().interaction().view().isXray);
+    QVERIFY(interaction().view().isXray);
     QTest::keyClick(m_view, Qt::Key_V);
     QVERIFY(action("view.perspective")->isChecked());
     QTest::keyClick(m_view, Qt::Key_C);
@@ -621,9 +591,7 @@ void TestMainWindow::badgesCostTheViewNoFrame()
 void TestMainWindow::lettersWorkOnlyInTheView()
 {
     drawFirst();
-    const auto orientation = [this] {
-        return m_window->bench().interaction().camera().orientation;
-    };
+    const auto orientation = [this] { return interaction().camera().orientation; };
     const Eigen::Quaterniond front = orientation();
     auto *filter = m_window->findChild<QLineEdit *>(QStringLiteral("outlineFilter"));
     filter->setFocus();
@@ -655,18 +623,6 @@ void TestMainWindow::narrowWindowsHaveOneColumn()
 
 int main(int argc, char *argv[])
 {
-    QSurfaceFormat format;
-    format.setVersion(3, 3);
-    format.setProfile(QSurfaceFormat::CoreProfile);
-    format.setDepthBufferSize(24);
-    format.setStencilBufferSize(8);
-    QSurfaceFormat::setDefaultFormat(format);
-    QLocale::setDefault(QLocale(QLocale::English, QLocale::UnitedKingdom));
-    QApplication application(argc, argv);
-    QApplication::setStyle(new FieldStyle);
-    QApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
-    installTranslations(application);
-    TestMainWindow test;
-    return QTest::qExec(&test, argc, argv);
+    return runInWindowProgram<TestMainWindow>(argc, argv);
 }
 #include "tst_main_window.moc"

@@ -2,31 +2,25 @@
 #include <QTest> // first: moc cannot read some of the standard library before it
 
 #include "core/interaction/tool.h"
+#include "tests/ui/view_hand.h"
+#include "tests/ui/window_program.h"
 #include "ui/canvas_bar.h"
-#include "ui/field_style.h"
-#include "ui/main_window.h"
-#include "ui/settings/settings.h"
-#include "ui/viewport.h"
-#include "ui/workbench.h"
 
 #include <QAction>
-#include <QApplication>
 #include <QDoubleSpinBox>
-#include <QSurfaceFormat>
-#include <QTemporaryDir>
 
 #include <cmath>
 
 using namespace fff;
 using namespace fff::ui;
 
-class TestPenWindow : public QObject
+class TestPenWindow : public QObject, private ViewHand
 {
     Q_OBJECT
 
 private Q_SLOTS:
-    void init();
-    void cleanup();
+    void init() { openWindow({1280, 800}); }
+    void cleanup() { closeWindow(); }
 
     void aRectangleByClicks();
     void numbersAreTyped();
@@ -40,10 +34,9 @@ private Q_SLOTS:
     void restingPaintsNothing();
 
 private:
-    QPoint onScreen(double x, double y) const;
-    void move(const QPoint &inView);
-    void click(const QPoint &inView);
-    void keyClick(Qt::Key key, Qt::KeyboardModifiers modifiers = {});
+    /// Of a place in the front plane, mm.
+    QPoint inFront(double x, double y) const { return onScreen({x, y, 0.0}); }
+    void setPoint(double x, double y);
     void type(const QString &text);
     void takePen();
     QDoubleSpinBox *field(const char *name) const
@@ -51,7 +44,6 @@ private:
         return m_window->findChild<QDoubleSpinBox *>(QLatin1String(name));
     }
     CanvasBar *bar() const { return m_window->findChild<CanvasBar *>(); }
-    const Interaction &interaction() const { return m_window->bench().interaction(); }
     std::size_t pointCount() const
     {
         const auto &pen = interaction().overlay().pen;
@@ -62,57 +54,15 @@ private:
         const PenMarks &pen = *interaction().overlay().pen;
         return pen.canvas.toWorld(pen.points[i].at);
     }
-    Session &session() { return m_window->bench().session(); }
-
-    std::unique_ptr<QTemporaryDir> m_folder;
-    std::unique_ptr<MainWindow> m_window;
-    Viewport *m_view = nullptr;
 };
 
-void TestPenWindow::init()
+void TestPenWindow::setPoint(double x, double y)
 {
-    m_folder = std::make_unique<QTemporaryDir>();
-    Settings::setFile(m_folder->filePath(QStringLiteral("settings.ini")));
-    m_window = std::make_unique<MainWindow>();
-    m_window->resize(1280, 800);
-    m_window->show();
-    QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
-    QApplication::setActiveWindow(m_window.get());
-    m_view = m_window->findChild<Viewport *>(QStringLiteral("viewport"));
-    QTRY_VERIFY(m_view->isValid());
-    QTRY_VERIFY(m_view->hasFocus());
-}
-
-void TestPenWindow::cleanup()
-{
-    m_window.reset();
-}
-
-/// Of a place in the front plane, mm.
-QPoint TestPenWindow::onScreen(double x, double y) const
-{
-    const Vec2 p = interaction().camera().toScreen({x, y, 0.0}, interaction().viewport());
-    return {static_cast<int>(std::lround(p.x())), static_cast<int>(std::lround(p.y()))};
-}
-
-void TestPenWindow::move(const QPoint &inView)
-{
-    QTest::mouseMove(m_window->windowHandle(), m_view->mapTo(m_window.get(), inView), 5);
-    QTest::qWait(10); // the moves of a burst are taken in
-}
-
-void TestPenWindow::click(const QPoint &inView)
-{
-    move(inView);
-    const QPoint at = m_view->mapTo(m_window.get(), inView);
+    const QPoint at = inFront(x, y);
+    move(at);
     // Slow enough for two of them to be none: a double click closes.
-    QTest::mousePress(m_window->windowHandle(), Qt::LeftButton, {}, at, 420);
-    QTest::mouseRelease(m_window->windowHandle(), Qt::LeftButton, {}, at, 5);
-}
-
-void TestPenWindow::keyClick(Qt::Key key, Qt::KeyboardModifiers modifiers)
-{
-    QTest::keyClick(m_window->windowHandle(), key, modifiers, 5);
+    press(at, {}, 420);
+    release(at);
 }
 
 void TestPenWindow::type(const QString &text)
@@ -123,7 +73,7 @@ void TestPenWindow::type(const QString &text)
 
 void TestPenWindow::takePen()
 {
-    keyClick(Qt::Key_P);
+    key(Qt::Key_P);
     QVERIFY(interaction().tool());
     QVERIFY(m_window->findChild<QAction *>(QStringLiteral("section.pen"))->isChecked());
 }
@@ -132,16 +82,16 @@ void TestPenWindow::aRectangleByClicks()
 {
     takePen();
     for (const Vec2 &corner : {Vec2(-30, 40), Vec2(30, 40), Vec2(30, 80), Vec2(-30, 80)})
-        click(onScreen(corner.x(), corner.y()));
+        setPoint(corner.x(), corner.y());
     QCOMPARE(pointCount(), std::size_t(4));
     QVERIFY(session().hasPreview());
-    keyClick(Qt::Key_Return);
-    QCOMPARE(session().committed().sectionCount(), std::size_t(1));
-    QCOMPARE(session().history()->count(), 1);
-    const Shape &shape = *session().committed().section(0)->shape;
+    key(Qt::Key_Return);
+    QCOMPARE(count(), std::size_t(1));
+    QCOMPARE(steps(), 1);
+    const Shape &shape = *first().shape;
     QCOMPARE(shape.contour().segmentCount(), 4);
     QVERIFY(std::abs(shape.area() - 2400.0) < 1e-6);
-    keyClick(Qt::Key_P);
+    key(Qt::Key_P);
     QVERIFY(!interaction().tool());
 }
 
@@ -152,7 +102,7 @@ void TestPenWindow::numbersAreTyped()
     type(QStringLiteral("-20.5"));
     QVERIFY(bar()->isVisible());
     QVERIFY(field("canvasX")->hasFocus());
-    keyClick(Qt::Key_Tab);
+    key(Qt::Key_Tab);
     QVERIFY(field("canvasY")->hasFocus());
     type(QStringLiteral("12"));
     // Shown before it is set.
@@ -160,7 +110,7 @@ void TestPenWindow::numbersAreTyped()
     QVERIFY(interaction().overlay().pen->next);
     const PenMarks &pen = *interaction().overlay().pen;
     QVERIFY((pen.canvas.toWorld(*pen.next) - Vec3(-20.5, 12, 0)).norm() < 1e-9);
-    keyClick(Qt::Key_Return);
+    key(Qt::Key_Return);
     QCOMPARE(pointCount(), std::size_t(1));
     QVERIFY((point(0) - Vec3(-20.5, 12, 0)).norm() < 1e-9);
     QVERIFY(!bar()->isVisible());
@@ -169,52 +119,52 @@ void TestPenWindow::numbersAreTyped()
     type(QStringLiteral("@"));
     QVERIFY(field("canvasLength")->hasFocus());
     type(QStringLiteral("40+1"));
-    keyClick(Qt::Key_Tab);
+    key(Qt::Key_Tab);
     QVERIFY(field("canvasAngle")->hasFocus());
     type(QStringLiteral("0"));
-    keyClick(Qt::Key_Return);
+    key(Qt::Key_Return);
     QCOMPARE(pointCount(), std::size_t(2));
     QVERIFY((point(1) - Vec3(20.5, 12, 0)).norm() < 1e-9);
 
     type(QStringLiteral("0"));
-    keyClick(Qt::Key_Tab);
+    key(Qt::Key_Tab);
     type(QStringLiteral("62"));
-    keyClick(Qt::Key_Return);
-    keyClick(Qt::Key_Return);
-    QCOMPARE(session().committed().sectionCount(), std::size_t(1));
-    QVERIFY(std::abs(session().committed().section(0)->shape->area() - 0.5 * 41 * 50) < 1e-6);
+    key(Qt::Key_Return);
+    key(Qt::Key_Return);
+    QCOMPARE(count(), std::size_t(1));
+    QVERIFY(std::abs(first().shape->area() - 0.5 * 41 * 50) < 1e-6);
 }
 
 void TestPenWindow::escapeClosesTheBarFirst()
 {
     takePen();
-    click(onScreen(0, 60));
+    setPoint(0, 60);
     type(QStringLiteral("7"));
     QVERIFY(bar()->isVisible());
-    keyClick(Qt::Key_Escape);
+    key(Qt::Key_Escape);
     QVERIFY(!bar()->isVisible());
     QVERIFY(m_view->hasFocus());
     QCOMPARE(pointCount(), std::size_t(1));
-    keyClick(Qt::Key_Escape);
+    key(Qt::Key_Escape);
     QCOMPARE(pointCount(), std::size_t(0));
     QVERIFY(interaction().tool());
-    keyClick(Qt::Key_Escape);
+    key(Qt::Key_Escape);
     QVERIFY(!interaction().tool());
 }
 
 void TestPenWindow::tabGoesRoundTheBar()
 {
     takePen();
-    click(onScreen(0, 60));
+    setPoint(0, 60);
     type(QStringLiteral("7"));
     for (const char *name : {"canvasY", "canvasLength", "canvasAngle", "canvasX"}) {
-        keyClick(Qt::Key_Tab);
+        key(Qt::Key_Tab);
         QVERIFY(field(name)->hasFocus());
     }
-    keyClick(Qt::Key_Backtab, Qt::ShiftModifier);
+    key(Qt::Key_Backtab, Qt::ShiftModifier);
     QVERIFY(field("canvasAngle")->hasFocus());
     // A click in the view sets its own point and forgets the numbers.
-    click(onScreen(40, 60));
+    setPoint(40, 60);
     QVERIFY(!bar()->isVisible());
     QCOMPARE(pointCount(), std::size_t(2));
     QVERIFY(std::abs(point(1).x() - 40.0) < 5.0);
@@ -225,7 +175,7 @@ void TestPenWindow::theBarFitsANarrowView()
     m_window->resize(1024, 640);
     QTRY_COMPARE(m_window->width(), 1024);
     takePen();
-    click(onScreen(0, 60));
+    setPoint(0, 60);
     type(QStringLiteral("7"));
     QVERIFY(field("canvasAngle")->isVisible());
     QTRY_VERIFY(m_view->rect().contains(bar()->geometry()));
@@ -237,19 +187,19 @@ void TestPenWindow::backspaceAndUndo()
 {
     takePen();
     for (const Vec2 &corner : {Vec2(-30, 40), Vec2(30, 40), Vec2(30, 80)})
-        click(onScreen(corner.x(), corner.y()));
+        setPoint(corner.x(), corner.y());
     QAction *undo = m_window->findChild<QAction *>(QStringLiteral("edit.undo"));
     QVERIFY(undo->isEnabled());
-    keyClick(Qt::Key_Backspace);
+    key(Qt::Key_Backspace);
     QCOMPARE(pointCount(), std::size_t(2));
-    keyClick(Qt::Key_Z, Qt::ControlModifier);
+    key(Qt::Key_Z, Qt::ControlModifier);
     QCOMPARE(pointCount(), std::size_t(3));
-    keyClick(Qt::Key_Z, Qt::ControlModifier);
+    key(Qt::Key_Z, Qt::ControlModifier);
     QCOMPARE(pointCount(), std::size_t(2));
-    keyClick(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+    key(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
     QCOMPARE(pointCount(), std::size_t(3));
-    QCOMPARE(session().history()->count(), 0);
-    keyClick(Qt::Key_Escape);
+    QCOMPARE(steps(), 0);
+    key(Qt::Key_Escape);
     QVERIFY(!undo->isEnabled());
 }
 
@@ -258,12 +208,12 @@ void TestPenWindow::digitsTurnTheViewWithoutThePen()
 {
     const Camera before = interaction().camera();
     takePen();
-    keyClick(Qt::Key_3);
+    key(Qt::Key_3);
     QVERIFY(bar()->isVisible());
     QCOMPARE(interaction().targetCamera().orientation.angularDistance(before.orientation), 0.0);
-    keyClick(Qt::Key_Escape);
-    keyClick(Qt::Key_Escape);
-    keyClick(Qt::Key_3);
+    key(Qt::Key_Escape);
+    key(Qt::Key_Escape);
+    key(Qt::Key_3);
     QVERIFY(!bar()->isVisible());
     QVERIFY(interaction().targetCamera().orientation.angularDistance(before.orientation) > 1.0);
 }
@@ -271,8 +221,8 @@ void TestPenWindow::digitsTurnTheViewWithoutThePen()
 void TestPenWindow::aParallelPlaneHasItsDistance()
 {
     aRectangleByClicks();
-    m_window->bench().run(QStringLiteral("edit.selectAll"));
-    m_window->bench().run(QStringLiteral("section.planeParallel"));
+    bench().run(QStringLiteral("edit.selectAll"));
+    bench().run(QStringLiteral("section.planeParallel"));
     QVERIFY(bar()->isVisible());
     QVERIFY(field("canvasDistance")->isVisible());
     QVERIFY(!field("canvasX")->isVisible());
@@ -280,10 +230,10 @@ void TestPenWindow::aParallelPlaneHasItsDistance()
     type(QStringLiteral("31"));
     QVERIFY(field("canvasDistance")->hasFocus());
     QCOMPARE(interaction().numbers().front().value, 31.0);
-    keyClick(Qt::Key_Return);
+    key(Qt::Key_Return);
     QVERIFY(m_view->hasFocus());
     QVERIFY(bar()->isVisible()); // it can be changed until something is drawn
-    keyClick(Qt::Key_Escape);
+    key(Qt::Key_Escape);
     QVERIFY(!interaction().tool());
     QVERIFY(!bar()->isVisible());
 }
@@ -291,7 +241,7 @@ void TestPenWindow::aParallelPlaneHasItsDistance()
 void TestPenWindow::snapIsKept()
 {
     QVERIFY(interaction().settings().snaps);
-    keyClick(Qt::Key_Q);
+    key(Qt::Key_Q);
     QVERIFY(!interaction().settings().snaps);
     QVERIFY(!m_window->findChild<QAction *>(QStringLiteral("section.snap"))->isChecked());
     const Settings again(m_folder->filePath(QStringLiteral("settings.ini")));
@@ -303,8 +253,8 @@ void TestPenWindow::restingPaintsNothing()
 {
     takePen();
     for (const Vec2 &corner : {Vec2(-30, 40), Vec2(30, 40), Vec2(30, 80)})
-        click(onScreen(corner.x(), corner.y()));
-    move(onScreen(-20, 90));
+        setPoint(corner.x(), corner.y());
+    move(inFront(-20, 90));
     QTest::qWait(1500); // the analysis of the preview, and the picture in full
     const int before = m_view->paintCount();
     QTest::qWait(300);
@@ -313,17 +263,6 @@ void TestPenWindow::restingPaintsNothing()
 
 int main(int argc, char *argv[])
 {
-    QSurfaceFormat format;
-    format.setVersion(3, 3);
-    format.setProfile(QSurfaceFormat::CoreProfile);
-    format.setDepthBufferSize(24);
-    format.setStencilBufferSize(8);
-    QSurfaceFormat::setDefaultFormat(format);
-    QLocale::setDefault(QLocale(QLocale::English, QLocale::UnitedKingdom));
-    QApplication application(argc, argv);
-    QApplication::setStyle(new FieldStyle);
-    TestPenWindow test;
-    return QTest::qExec(&test, argc, argv);
+    return runInWindowProgram<TestPenWindow>(argc, argv);
 }
-
 #include "tst_pen_window.moc"

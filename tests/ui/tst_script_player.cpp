@@ -3,16 +3,14 @@
 #include <QTest>
 
 #include "core/session/replay_script.h"
-#include "ui/field_style.h"
+#include "tests/ui/window_program.h"
 #include "ui/main_window.h"
 #include "ui/script_player.h"
 #include "ui/settings/settings.h"
 #include "ui/workbench.h"
 
-#include <QApplication>
 #include <QFile>
 #include <QSignalSpy>
-#include <QSurfaceFormat>
 #include <QTemporaryDir>
 
 using namespace fff;
@@ -42,6 +40,7 @@ private:
 
 void TestScriptPlayer::initTestCase()
 {
+    QCoreApplication::setAttribute(Qt::AA_CompressHighFrequencyEvents, false);
     Settings::setFile(m_folder.filePath(QStringLiteral("settings.ini")));
 }
 
@@ -110,17 +109,6 @@ void TestScriptPlayer::aWrongEventStopsIt()
 
 int main(int argc, char *argv[])
 {
-    QSurfaceFormat format;
-    format.setVersion(3, 3);
-    format.setProfile(QSurfaceFormat::CoreProfile);
-    format.setDepthBufferSize(24);
-    format.setStencilBufferSize(8);
-    QSurfaceFormat::setDefaultFormat(format);
-    QApplication application(argc, argv);
-    QCoreApplication::setAttribute(Qt::AA_CompressHighFrequencyEvents, false);
-    QApplication::setStyle(new FieldStyle);
-    TestScriptPlayer test;
-    return QTest::qExec(&test, argc, argv);
+    return runInWindowProgram<TestScriptPlayer>(argc, argv);
 }
-
 #include "tst_script_player.moc"

@@ -23,20 +23,23 @@ class ViewHand
 {
 protected:
     /// A new window with settings of its own, shown, its view with the focus.
-    void openWindow();
+    void openWindow(const QSize &size = {1440, 900});
     void closeWindow() { m_window.reset(); }
 
     Workbench &bench() { return m_window->bench(); }
-    Session &session() { return m_window->bench().session(); }
-    const Section &first() { return *session().committed().section(0); }
-    std::size_t count() { return session().committed().sectionCount(); }
+    const Interaction &interaction() const { return m_window->bench().interaction(); }
+    Session &session() const { return m_window->bench().session(); }
+    const Section &first() const { return *session().committed().section(0); }
+    std::size_t count() const { return session().committed().sectionCount(); }
+    int steps() const { return session().history()->count(); }
     QPoint middle() const { return {m_view->width() / 2, m_view->height() / 2}; }
     QPoint onScreen(const Vec3 &world) const;
 
-    void press(const QPoint &inView, Qt::KeyboardModifiers keys = {});
+    /// `pause`  ms, how long the button was left alone before
+    void press(const QPoint &inView, Qt::KeyboardModifiers keys = {}, int pause = 5);
     void move(const QPoint &inView);
     void release(const QPoint &inView, Qt::KeyboardModifiers keys = {});
-    void click(const QPoint &inView);
+    void click(const QPoint &inView, Qt::KeyboardModifiers keys = {});
     void drag(const std::vector<QPoint> &points);
     void key(Qt::Key key, Qt::KeyboardModifiers keys = {})
     {
@@ -56,12 +59,12 @@ protected:
     QPoint m_cursor;
 };
 
-inline void ViewHand::openWindow()
+inline void ViewHand::openWindow(const QSize &size)
 {
     m_folder = std::make_unique<QTemporaryDir>();
     Settings::setFile(m_folder->filePath(QStringLiteral("settings.ini")));
     m_window = std::make_unique<MainWindow>();
-    m_window->resize(1440, 900);
+    m_window->resize(size);
     m_window->show();
     QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
     QApplication::setActiveWindow(
@@ -74,15 +77,14 @@ inline void ViewHand::openWindow()
 
 inline QPoint ViewHand::onScreen(const Vec3 &world) const
 {
-    const Vec2 p = m_window->bench().interaction().camera().toScreen(
-        world, Vec2(m_view->width(), m_view->height()));
+    const Vec2 p = interaction().camera().toScreen(world, Vec2(m_view->width(), m_view->height()));
     return {static_cast<int>(std::lround(p.x())), static_cast<int>(std::lround(p.y()))};
 }
 
-inline void ViewHand::press(const QPoint &inView, Qt::KeyboardModifiers keys)
+inline void ViewHand::press(const QPoint &inView, Qt::KeyboardModifiers keys, int pause)
 {
     QTest::mousePress(m_window->windowHandle(), Qt::LeftButton, keys,
-                      m_view->mapTo(m_window.get(), inView), 5);
+                      m_view->mapTo(m_window.get(), inView), pause);
 }
 
 inline void ViewHand::move(const QPoint &inView)
@@ -97,11 +99,11 @@ inline void ViewHand::release(const QPoint &inView, Qt::KeyboardModifiers keys)
                         m_view->mapTo(m_window.get(), inView), 5);
 }
 
-inline void ViewHand::click(const QPoint &inView)
+inline void ViewHand::click(const QPoint &inView, Qt::KeyboardModifiers keys)
 {
     move(inView);
-    press(inView);
-    release(inView);
+    press(inView, keys);
+    release(inView, keys);
 }
 
 inline void ViewHand::drag(const std::vector<QPoint> &points)
@@ -135,8 +137,8 @@ inline void ViewHand::pullSlit()
     press(start);
     for (int i = 1; i <= 24; ++i)
         move(start + (leave - start) * i / 24);
-    QTRY_VERIFY(m_window->bench().interaction().overlay().deadZone.has_value());
-    QTRY_VERIFY_WITH_TIMEOUT(!m_window->bench().interaction().isAnimating(), 5000);
+    QTRY_VERIFY(interaction().overlay().deadZone.has_value());
+    QTRY_VERIFY_WITH_TIMEOUT(!interaction().isAnimating(), 5000);
 }
 
 inline void ViewHand::drawSecond()
