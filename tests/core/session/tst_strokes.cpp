@@ -1,15 +1,17 @@
 #include <QTest> // first: moc cannot read some of the standard library before it
 
 #include "core/base/units.h"
-#include "core/geometry/fit.h"
 #include "core/io/document_file.h"
 #include "core/session/session_commands.h"
+#include "tests/core/geometry/turns.h"
 #include "tests/core/interaction/desk.h"
 #include "tests/core/session/script_run.h"
 
 #include <QDir>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 using namespace fff;
@@ -119,16 +121,13 @@ double distanceTo(const std::vector<Vec2> &line, const Vec2 &p, bool isClosed)
     return nearest;
 }
 
-/// Of the directions at the joints of a closed contour: radians, 0 for a smooth one.
-std::vector<double> turnsOf(const Contour &contour)
+/// Height above the ground, mm.
+double lowestOf(const Section &section)
 {
-    std::vector<double> turns;
-    for (int i = 0; i < contour.segmentCount(); ++i) {
-        const Vec2 in = endDirection(contour.segment(i));
-        const Vec2 out = startDirection(contour.segment((i + 1) % contour.segmentCount()));
-        turns.push_back(std::abs(std::atan2(cross(in, out), in.dot(out))));
-    }
-    return turns;
+    double lowest = std::numeric_limits<double>::infinity();
+    for (const Vec2 &p : section.shape->region().outer)
+        lowest = std::min(lowest, section.frame.toWorld(p).y());
+    return lowest;
 }
 
 bool standsOnItsSlit(const Document &document, const Section &section)
@@ -391,11 +390,7 @@ void TestStrokes::groundCutsFlat()
 
     Player free;
     QVERIFY(free.play(QStringLiteral("below_the_ground_on_purpose")));
-    const Section &deep = *free.sections()[1];
-    double lowestFree = 1e9;
-    for (const Vec2 &p : deep.shape->region().outer)
-        lowestFree = std::min(lowestFree, deep.frame.toWorld(p).y());
-    QVERIFY(lowestFree < -10.0);
+    QVERIFY(lowestOf(*free.sections()[1]) < -10.0);
 }
 
 void TestStrokes::planesAreWhereTheyAreCalled()
@@ -472,10 +467,7 @@ void TestStrokes::droppedToTheGround()
     Player player;
     QVERIFY(player.play(QStringLiteral("dropped_to_the_ground")));
     const Section &section = *player.sections()[0];
-    double lowest = 1e9;
-    for (const Vec2 &p : section.shape->region().outer)
-        lowest = std::min(lowest, section.frame.toWorld(p).y());
-    QVERIFY(std::abs(lowest) < 1e-9);
+    QVERIFY(std::abs(lowestOf(section)) < 1e-9);
     QVERIFY(!player.commands.isEnabled("section.dropToGround")); // it stands there
     player.session.history()->undo();
     QVERIFY(player.commands.isEnabled("section.dropToGround"));

@@ -6,7 +6,9 @@
 #include "core/stroke/stroke_contour.h"
 #include "tests/core/geometry/polyline_distance.h"
 #include "tests/core/geometry/samples.h"
+#include "tests/core/geometry/turns.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <random>
@@ -54,13 +56,8 @@ double leastRadius(const Contour &contour)
 
 double sharpestJoint(const Contour &contour)
 {
-    double sharpest = 0.0;
-    for (int i = 0; i < contour.segmentCount(); ++i) {
-        const Vec2 in = endDirection(contour.segment(i));
-        const Vec2 out = startDirection(contour.segment((i + 1) % contour.segmentCount()));
-        sharpest = std::max(sharpest, std::abs(std::atan2(cross(in, out), in.dot(out))));
-    }
-    return sharpest;
+    const std::vector<double> turns = turnsOf(contour);
+    return *std::max_element(turns.begin(), turns.end());
 }
 
 } // namespace

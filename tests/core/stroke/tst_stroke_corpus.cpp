@@ -5,6 +5,7 @@
 #include "core/stroke/stroke_contour.h"
 #include "tests/core/geometry/polyline_distance.h"
 #include "tests/core/geometry/published_fits.h"
+#include "tests/core/geometry/turns.h"
 #include "tests/core/stroke/stroke_corpus.h"
 
 #include <map>
@@ -36,12 +37,6 @@ std::vector<Vec2> flattened(const std::vector<CubicBezier> &chain, double chord)
             line.push_back(s.at(double(i) / count));
     }
     return line;
-}
-
-double turnBetween(const CubicBezier &a, const CubicBezier &b)
-{
-    const Vec2 in = endDirection(a), out = startDirection(b);
-    return std::abs(std::atan2(cross(in, out), in.dot(out)));
 }
 
 /// By how much the segment's control polygon turns: below a half turn it has no loop.

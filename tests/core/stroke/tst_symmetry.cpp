@@ -2,10 +2,10 @@
 
 #include "core/base/tolerances.h"
 #include "core/geometry/boolean.h"
-#include "core/geometry/fit.h"
 #include "core/stroke/stroke_contour.h"
 #include "tests/core/geometry/polyline_distance.h"
 #include "tests/core/geometry/samples.h"
+#include "tests/core/geometry/turns.h"
 
 #include <cmath>
 #include <numbers>
@@ -58,15 +58,8 @@ double largestDifference(const StrokeContour &stroke)
 /// By how much the contour turns where it passes the axis, at its start and in the middle.
 std::vector<double> turnsAtAxis(const StrokeContour &stroke)
 {
-    const Contour &contour = *stroke.contour;
-    const int count = contour.segmentCount();
-    std::vector<double> turns;
-    for (const int i : {0, count / 2}) {
-        const Vec2 in = endDirection(contour.segment((i + count - 1) % count));
-        const Vec2 out = startDirection(contour.segment(i));
-        turns.push_back(std::abs(std::atan2(cross(in, out), in.dot(out))));
-    }
-    return turns;
+    const std::vector<double> turns = turnsOf(*stroke.contour);
+    return {turns.front(), turns[turns.size() / 2]};
 }
 
 bool crossesItself(const Contour &contour)
