@@ -5,6 +5,7 @@
 
 #include "core/interaction/tool.h"
 #include "tests/ui/view_hand.h"
+#include "tests/ui/window_program.h"
 #include "ui/docks/drawing_page.h"
 
 #include <QAction>
@@ -251,5 +252,8 @@ void TestDrawing::aStepShowsWhatItTookAway()
     QVERIFY(bench().ghosts().empty());
 }
 
-QTEST_MAIN(TestDrawing)
+int main(int argc, char *argv[])
+{
+    return runInWindowProgram<TestDrawing>(argc, argv);
+}
 #include "tst_drawing.moc"
