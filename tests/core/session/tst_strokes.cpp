@@ -3,6 +3,7 @@
 #include "core/base/units.h"
 #include "core/io/document_file.h"
 #include "core/session/session_commands.h"
+#include "tests/core/geometry/polyline_distance.h"
 #include "tests/core/geometry/turns.h"
 #include "tests/core/interaction/desk.h"
 #include "tests/core/session/script_run.h"
@@ -107,18 +108,11 @@ public:
     bool wasTurning = false;
 };
 
-/// Distance from a point to a chain of straight pieces.
-double distanceTo(const std::vector<Vec2> &line, const Vec2 &p, bool isClosed)
+/// From its last corner back to the first one, too.
+PolylineDistance toRing(std::vector<Vec2> corners)
 {
-    double nearest = std::numeric_limits<double>::infinity();
-    const std::size_t n = line.size();
-    for (std::size_t i = 0; i + (isClosed ? 0 : 1) < n; ++i) {
-        const Vec2 &a = line[i], way = line[(i + 1) % n] - a;
-        const double u =
-            way.isZero() ? 0.0 : std::clamp(way.dot(p - a) / way.squaredNorm(), 0.0, 1.0);
-        nearest = std::min(nearest, (a + u * way - p).norm());
-    }
-    return nearest;
+    corners.push_back(corners.front());
+    return PolylineDistance(corners);
 }
 
 /// Height above the ground, mm.
@@ -299,18 +293,20 @@ void TestStrokes::strokes()
     const Contour &contour = stroke.purpose == ContourTarget::Purpose::Hole
                                  ? section.shape->holes().back()
                                  : section.shape->contour();
-    const std::vector<Vec2> outline = contour.polygon(0.01);
+    const PolylineDistance toOutline = toRing(contour.polygon(0.01));
     for (const Vec2 &sample : stroke.samples)
-        QVERIFY2(distanceTo(outline, sample, true) < bound,
-                 qPrintable(QStringLiteral("a sample is %1 px away")
-                                .arg(distanceTo(outline, sample, true) / watched.scale)));
+        QVERIFY2(
+            toOutline(sample) < bound,
+            qPrintable(
+                QStringLiteral("a sample is %1 px away").arg(toOutline(sample) / watched.scale)));
     std::vector<Vec2> fitted;
     for (const CubicBezier &piece : stroke.fitted) {
         for (int i = 0; i <= 32; ++i)
             fitted.push_back(piece.at(i / 32.0));
     }
+    const PolylineDistance toSamples = toRing(stroke.samples);
     for (const Vec2 &p : fitted)
-        QVERIFY2(distanceTo(stroke.samples, p, true) < bound, "the curve swings out");
+        QVERIFY2(toSamples(p) < bound, "the curve swings out");
 }
 
 /// A script that nobody plays would say nothing.
@@ -349,7 +345,7 @@ void TestStrokes::holesAreOutside()
         QCOMPARE(player.sections()[0]->shape->holes().size(), std::size_t(1));
         const std::vector<Vec2> hole = player.sections()[0]->shape->holes()[0].polygon(0.001);
         const Vec2 end = player.sections()[1]->parent->slitTo;
-        QVERIFY2(distanceTo(hole, end, true) < 0.01, name);
+        QVERIFY2(toRing(hole)(end) < 0.01, name);
         QVERIFY(end.x() < bounds(hole).center().x()); // on the near side
     }
 }
