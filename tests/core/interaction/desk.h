@@ -2,6 +2,8 @@
 // and a clock that goes with the events.
 #pragma once
 
+#include <QTest> // first: moc cannot read some of the standard library before it
+
 #include "core/base/units.h"
 #include "core/interaction/interaction.h"
 #include "core/session/session_commands.h"
