@@ -102,12 +102,11 @@ void writeJoint(JsonWriter &json, const Model &model, const Joint &joint)
     json.member("kind", kindName(joint.kind));
     json.key("overlaps");
     json.beginArray();
-    for (std::size_t i = 0; i < joint.crossing->overlaps.size(); ++i) {
-        const Overlap &overlap = joint.crossing->overlaps[i];
+    for (const Overlap &overlap : joint.crossing->overlaps) {
         json.beginObject(JsonWriter::Layout::Line);
         json.member("from", axis.at(overlap.from));
         json.member("to", axis.at(overlap.to));
-        json.member("meet", axis.at(joint.meets[i]));
+        json.member("meet", axis.at(overlap.meet));
         json.endObject();
     }
     json.endArray();

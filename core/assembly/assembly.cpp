@@ -114,7 +114,6 @@ std::vector<FoundJoint> findJoints(const Model &model,
         item.joint.b = b;
         item.joint.kind = slits.kind;
         item.joint.crossing = std::make_shared<const Crossing>(std::move(crossing));
-        item.joint.meets = std::move(slits.meets);
         item.slitsOfA = std::move(slits.a);
         item.slitsOfB = std::move(slits.b);
         setGuest(item.slitsOfA, b);
@@ -185,86 +184,83 @@ std::vector<int> concernedSections(const Difference &difference, const Assembly 
     return concerned;
 }
 
+/// What stays of a row and what is new, both in the order of their mates; no mate is in both.
+template <class T>
+std::vector<T> renewed(const std::vector<T> &row, const std::vector<T> &added, int T::*mate,
+                       const Difference &difference)
+{
+    std::vector<T> result;
+    result.reserve(row.size() + added.size());
+    auto next = added.begin();
+    for (const T &item : row) {
+        if (difference.isChanged(item.*mate))
+            continue;
+        for (; next != added.end() && (*next).*mate < item.*mate; ++next)
+            result.push_back(*next);
+        result.push_back(item);
+    }
+    result.insert(result.end(), next, added.end());
+    return result;
+}
+
 /// Replaces the joints of the sections that are concerned. Whether another joint got a new id.
 bool renewJoints(const Difference &difference, const std::vector<int> &concerned,
-                 std::vector<FoundJoint> &found, std::size_t count, JointList &joints)
+                 const std::vector<FoundJoint> &found, std::size_t count, JointList &joints)
 {
-    SharedRows<Joint> rows = joints.rows();
-    rows.resize(count);
+    static const std::vector<Joint> none;
+    std::vector<JointList::NewRow> rows;
     auto next = found.begin(); // they are in the order of the rows
     for (const int a : concerned) {
         const auto index = static_cast<std::size_t>(a);
-        std::vector<Joint> row;
-        if (!difference.isChanged(a)) {
-            for (const Joint &joint : rows[index]) {
-                if (!difference.isChanged(joint.b))
-                    row.push_back(joint);
-            }
-        }
-        const std::size_t kept = row.size();
+        const bool isKnown = index < joints.rows().size();
+        const std::vector<Joint> &before = isKnown ? joints.rows()[index] : none;
+        std::vector<Joint> added;
         for (; next != found.end() && next->joint.a == a; ++next)
-            row.push_back(next->joint);
-        if (row.size() == kept && kept == rows[index].size())
-            continue;
-        std::sort(row.begin(), row.end(), [](const Joint &x, const Joint &y) { return x.b < y.b; });
-        rows.set(index, std::move(row));
+            added.push_back(next->joint);
+        std::vector<Joint> row =
+            renewed(difference.isChanged(a) ? none : before, added, &Joint::b, difference);
+        if (!added.empty() || row.size() != before.size())
+            rows.push_back({index, std::move(row)});
     }
-    return joints.replace(std::move(rows));
+    return joints.replace(count, std::move(rows));
 }
 
 /// Replaces the slits of the sections that are concerned; where joints got new ids, all that name
-/// them.
+/// them. Rows that come out as they were stay.
 void renewSlits(const Difference &difference, const std::vector<int> &concerned,
-                std::vector<FoundJoint> &found, const JointList &joints, bool hasNewIds,
+                const std::vector<FoundJoint> &found, const JointList &joints, bool hasNewIds,
                 SharedRows<Slit> &slits)
 {
+    static const std::vector<Slit> none;
     const auto idOf = [&joints](int host, int guest) {
         return joints.find(std::min(host, guest), std::max(host, guest))->id;
     };
     std::vector<std::vector<Slit>> added(slits.size());
-    for (FoundJoint &item : found) {
+    for (const FoundJoint &item : found) {
         const int id = idOf(item.joint.a, item.joint.b);
-        for (auto &[index, list] :
+        for (const auto &[index, list] :
              {std::pair(item.joint.a, &item.slitsOfA), std::pair(item.joint.b, &item.slitsOfB)}) {
-            std::vector<Slit> &row = added[static_cast<std::size_t>(index)];
-            for (Slit &slit : *list) {
+            for (Slit slit : *list) {
                 slit.joint = id;
-                row.push_back(slit);
+                added[static_cast<std::size_t>(index)].push_back(slit);
             }
         }
     }
-    std::vector<char> isDone(slits.size(), char(false));
+    const auto renew = [&](std::size_t index, std::vector<Slit> row) {
+        for (Slit &slit : row)
+            if (hasNewIds)
+                slit.joint = idOf(static_cast<int>(index), slit.guest);
+        if (row != slits[index])
+            slits.set(index, std::move(row));
+    };
     for (const int host : concerned) {
         const auto index = static_cast<std::size_t>(host);
-        isDone[index] = true;
-        std::vector<Slit> row;
-        if (!difference.isChanged(host)) {
-            for (const Slit &slit : slits[index]) {
-                if (difference.isChanged(slit.guest))
-                    continue;
-                row.push_back(slit);
-                if (hasNewIds)
-                    row.back().joint = idOf(host, slit.guest);
-            }
-        }
-        if (row.empty())
-            row = std::move(added[index]);
-        else
-            row.insert(row.end(), added[index].begin(), added[index].end());
-        // In the joints' order, which for one section is that of its guests.
-        const auto isBefore = [](const Slit &x, const Slit &y) { return x.guest < y.guest; };
-        if (!std::is_sorted(row.begin(), row.end(), isBefore))
-            std::stable_sort(row.begin(), row.end(), isBefore);
-        slits.set(index, std::move(row));
+        const std::vector<Slit> &before = difference.isChanged(host) ? none : slits[index];
+        renew(index, renewed(before, added[index], &Slit::guest, difference));
     }
-    for (std::size_t index = 0; hasNewIds && index < slits.size(); ++index) {
-        if (isDone[index] || slits[index].empty())
-            continue;
-        std::vector<Slit> row = slits[index];
-        for (Slit &slit : row)
-            slit.joint = idOf(static_cast<int>(index), slit.guest);
-        slits.set(index, std::move(row));
-    }
+    for (std::size_t index = 0; hasNewIds && index < slits.size(); ++index)
+        if (!std::binary_search(concerned.begin(), concerned.end(), static_cast<int>(index)))
+            renew(index, slits[index]);
 }
 
 } // namespace
@@ -285,7 +281,8 @@ Assembly assemble(const Model &model, const Model &previous, const Assembly &bef
         const Section &section = *model.section(static_cast<std::size_t>(i));
         assembly.boxes[static_cast<std::size_t>(i)] = worldBounds(*section.shape, section.frame);
     }
-    std::vector<FoundJoint> found = findJoints(model, pairsToLookAt(difference, assembly.boxes));
+    const std::vector<FoundJoint> found =
+        findJoints(model, pairsToLookAt(difference, assembly.boxes));
     const std::vector<int> concerned = concernedSections(difference, before, count, found);
     const bool hasNewIds = renewJoints(difference, concerned, found, count, assembly.joints);
     renewSlits(difference, concerned, found, assembly.joints, hasNewIds, assembly.slits);

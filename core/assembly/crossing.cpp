@@ -27,7 +27,7 @@ Crossing findCrossing(const Shape &shapeA, const Frame &frameA, const Shape &sha
         const double from = std::max(inA[i].from.at, inB[j].from.at);
         const double to = std::min(inA[i].to.at, inB[j].to.at);
         if (to - from >= kMinOverlap)
-            crossing.overlaps.push_back({from, to, inA[i], inB[j]});
+            crossing.overlaps.push_back({from, to, 0.5 * (from + to), inA[i], inB[j]});
         (inA[i].to.at < inB[j].to.at) ? ++i : ++j;
     }
     return crossing;

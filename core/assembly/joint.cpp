@@ -26,27 +26,28 @@ const Joint *JointList::find(int a, int b) const
     return it != row.end() && it->b == b ? &*it : nullptr;
 }
 
-bool JointList::replace(SharedRows<Joint> rows)
+bool JointList::replace(std::size_t count, std::vector<NewRow> rows)
 {
     bool moves = false;
-    std::vector<std::size_t> starts(rows.size() + 1);
+    std::vector<std::size_t> starts(count + 1);
     std::size_t start = 0;
-    for (std::size_t i = 0; i < rows.size(); ++i) {
+    m_rows.resize(count);
+    auto next = rows.begin();
+    for (std::size_t i = 0; i < count; ++i) {
         starts[i] = start;
-        const bool isOther = i >= m_rows.size() || rows.pointer(i) != m_rows.pointer(i);
-        if (isOther || start != m_starts[i]) {
-            std::vector<Joint> row = rows[i];
+        const bool isNew = next != rows.end() && next->index == i;
+        if (isNew || (!m_rows[i].empty() && start != m_starts[i])) {
+            std::vector<Joint> row = isNew ? std::move((next++)->joints) : m_rows[i];
             for (std::size_t k = 0; k < row.size(); ++k) {
                 const int id = static_cast<int>(start + k) + 1;
-                moves |= row[k].id != 0 && row[k].id != id; // new ones have none yet
+                moves |= row[k].id != 0 && row[k].id != id;
                 row[k].id = id;
             }
-            rows.set(i, std::move(row));
+            m_rows.set(i, std::move(row));
         }
-        start += rows[i].size();
+        start += m_rows[i].size();
     }
     starts.back() = start;
-    m_rows = std::move(rows);
     m_starts = std::move(starts);
     return moves;
 }

@@ -44,10 +44,12 @@ struct Interval
 struct Overlap
 {
     double from = 0.0, to = 0.0;
+    double meet = 0.0; // where its two slits meet: in the middle, unless an end lies on a hole
     Interval a, b;
 };
 
-/// What two placed shapes share: depends on both (Shape, Frame) and on nothing else.
+/// What two placed shapes share. Where slits meet is their joint's; all else depends on both
+/// (Shape, Frame) and on nothing else.
 struct Crossing
 {
     Axis axis;
@@ -87,7 +89,6 @@ struct Joint
     int a = 0, b = 0; // indices of the sections in the Model, a < b
     JointKind kind = JointKind::CrossLap;
     std::shared_ptr<const Crossing> crossing;
-    std::vector<double> meets; // of each overlap: where its two slits meet, mm along the axis
 };
 
 /// The joints of a model in the order of their ids, which is that of (a, b). Kept by their first
@@ -109,9 +110,16 @@ public:
     std::size_t start(std::size_t row) const { return m_starts[row]; }
     /// The joint of two sections, a < b, or null.
     const Joint *find(int a, int b) const;
-    /// Takes other rows and gives all their joints ids; new ones come with 0. Whether one that had
-    /// an id has another one now.
-    bool replace(SharedRows<Joint> rows);
+
+    /// Of the section at the index, in place of its row.
+    struct NewRow
+    {
+        std::size_t index = 0;
+        std::vector<Joint> joints; // those without an id come with 0
+    };
+    /// Takes other rows, in the order of their indices, and gives all joints ids; there are then
+    /// `count` rows. Whether a joint that had an id has another one now.
+    bool replace(std::size_t count, std::vector<NewRow> rows);
 
     class Iterator
     {

@@ -42,7 +42,7 @@ Cut cutOf(const Overlap &o, int sign)
 {
     const AxisEnd &endA = sign > 0 ? o.a.to : o.a.from;
     const AxisEnd &endB = sign > 0 ? o.b.from : o.b.to;
-    Cut cut{!endA.isOnHole(), !endB.isOnHole(), 0.5 * (o.from + o.to), 0.0};
+    Cut cut{!endA.isOnHole(), !endB.isOnHole(), o.meet, 0.0};
     if (!cut.cutsA)
         cut.meet = sign > 0 ? o.to : o.from;
     else if (!cut.cutsB)
@@ -160,11 +160,9 @@ Result<double> slitWidth(double hostThickness, double guestThickness, double ang
     return width;
 }
 
-JointSlits cutSlits(const Crossing &crossing, const JointSide &a, const JointSide &b, bool aIsLower)
+JointSlits cutSlits(Crossing &crossing, const JointSide &a, const JointSide &b, bool aIsLower)
 {
     JointSlits result;
-    for (const Overlap &o : crossing.overlaps)
-        result.meets.push_back(0.5 * (o.from + o.to));
     // As slitWidth(), with one sine and cosine for both.
     const double sine = std::sin(crossing.angle), cosine = std::cos(crossing.angle);
     const double widthA = widthAt(a.thickness, b.thickness, sine, cosine) + a.clearance;
@@ -193,10 +191,10 @@ JointSlits cutSlits(const Crossing &crossing, const JointSide &a, const JointSid
                       ? JointKind::ExtendedCrossLap
                       : JointKind::CrossLap;
     for (std::size_t i = 0; i < crossing.overlaps.size(); ++i) {
-        const Overlap &o = crossing.overlaps[i];
+        Overlap &o = crossing.overlaps[i];
         const Cut cut = cutOf(o, way.sign);
         const int index = static_cast<int>(i);
-        result.meets[i] = cut.meet;
+        o.meet = cut.meet;
         if (cut.cutsA)
             result.a.push_back(openSlit(hostA, o.a, cut.meet, way.sign, index));
         if (cut.cutsB)

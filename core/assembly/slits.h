@@ -30,11 +30,10 @@ struct JointSide
 struct JointSlits
 {
     JointKind kind = JointKind::None;
-    std::vector<double> meets; // of each overlap, mm along the axis
-    std::vector<Slit> a, b;    // joint, guest are left for the caller to set
+    std::vector<Slit> a, b; // joint, guest are left for the caller to set
 };
 
-/// The default slits of a crossing with at least one overlap.
+/// The default slits of a crossing with at least one overlap, to which it says where they meet.
 ///
 /// Slid together along the axis, one section keeps its material below the meeting point, the other
 /// above it. With a open upwards (along the axis' direction), a's slit runs from the meeting point
@@ -48,7 +47,6 @@ struct JointSlits
 /// in the world. No way open: the section that passes through goes uncut through a mortise, where
 /// its end fits; else None, as for slits that a negative clearance leaves no width. Local: it
 /// depends on these two sections only, so an edit elsewhere never flips a slit.
-JointSlits cutSlits(const Crossing &crossing, const JointSide &a, const JointSide &b,
-                    bool aIsLower);
+JointSlits cutSlits(Crossing &crossing, const JointSide &a, const JointSide &b, bool aIsLower);
 
 } // namespace fff

@@ -176,13 +176,12 @@ QString DrawingPage::ownSlit() const
     if (!slit.isOpen)
         return tr("closed");
     const Joint &joint = analysis.assembly.joints[static_cast<std::size_t>(slit.joint - 1)];
-    const auto overlap = static_cast<std::size_t>(slit.overlap);
-    const Overlap &shared = joint.crossing->overlaps[overlap];
+    const Overlap &shared = joint.crossing->overlaps[static_cast<std::size_t>(slit.overlap)];
     const Interval &interval = joint.a == there ? shared.a : shared.b;
     const Frame &frame = analysis.model.section(static_cast<std::size_t>(there))->frame;
     const Vec3 way = frame.directionToWorld((slit.mouth - slit.inner).normalized());
     const bool isForward = way.dot(joint.crossing->axis.direction) > 0.0;
-    const double meets = joint.meets[overlap];
+    const double meets = shared.meet;
     const QString depth =
         lengthText(isForward ? interval.to.at - meets : meets - interval.from.at, 1, 1, locale());
     if (way.y() > kUpright)

@@ -122,8 +122,8 @@ void TestSharedModels::laws()
     for (const Joint &joint : assembly.joints) {
         if (joint.kind == JointKind::None || joint.kind == JointKind::Mortise)
             continue;
-        for (std::size_t k = 0; k < joint.meets.size(); ++k) {
-            const Vec3 meet = joint.crossing->axis.at(joint.meets[k]);
+        for (std::size_t k = 0; k < joint.crossing->overlaps.size(); ++k) {
+            const Vec3 meet = joint.crossing->axis.at(joint.crossing->overlaps[k].meet);
             for (const int index : {joint.a, joint.b}) {
                 const auto &slits = assembly.slits[static_cast<std::size_t>(index)];
                 const auto slit = std::find_if(slits.begin(), slits.end(), [&](const Slit &s) {
