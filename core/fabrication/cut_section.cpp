@@ -2,13 +2,12 @@
 
 #include "core/base/tolerances.h"
 #include "core/fabrication/kerf.h"
-#include "core/geometry/notch.h"
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <cstdint>
 #include <list>
+#include <optional>
 #include <unordered_map>
 
 namespace fff {
@@ -19,52 +18,102 @@ namespace {
 // fit.
 constexpr std::size_t kMaxCutSections = 1024;
 
-/// What a slit cuts: the rectangle, whatever joint it belongs to.
-using SlitKey = std::array<double, 5>;
-
 struct CutKey
 {
     const Shape *shape = nullptr; // only as good as Entry::shape says
     std::vector<SlitKey> slits;
+    std::size_t hash = 0; // of the rest
 
     bool operator==(const CutKey &) const = default;
 };
 
+/// Of keys where they lie.
 struct CutKeyHash
 {
-    std::size_t operator()(const CutKey &key) const
-    {
-        constexpr std::size_t kMixer = 0x9e3779b97f4a7c15u; // 2^64 over the golden ratio
-        std::size_t hash = std::hash<const void *>()(key.shape);
-        for (const SlitKey &slit : key.slits) {
-            for (double value : slit)
-                hash = (hash ^ std::bit_cast<std::uint64_t>(value)) * kMixer;
-        }
-        return hash ^ (hash >> 32);
-    }
+    std::size_t operator()(const CutKey *key) const { return key->hash; }
 };
+struct CutKeyEqual
+{
+    bool operator()(const CutKey *a, const CutKey *b) const { return *a == *b; }
+};
+
+SlitKey keyOf(const Slit &slit)
+{
+    return {slit.inner.x(), slit.inner.y(), slit.mouth.x(), slit.mouth.y(), slit.width};
+}
 
 CutKey makeKey(const Shape *shape, const std::vector<Slit> &slits)
 {
-    CutKey key{shape, {}};
+    constexpr std::size_t kMixer = 0x9e3779b97f4a7c15u; // 2^64 over the golden ratio
+    CutKey key{shape, {}, std::hash<const void *>()(shape)};
     key.slits.reserve(slits.size());
-    for (const Slit &s : slits)
-        key.slits.push_back({s.inner.x(), s.inner.y(), s.mouth.x(), s.mouth.y(), s.width});
+    for (const Slit &slit : slits) {
+        key.slits.push_back(keyOf(slit));
+        for (const double value : key.slits.back())
+            key.hash = (key.hash ^ std::bit_cast<std::uint64_t>(value)) * kMixer;
+    }
+    key.hash ^= key.hash >> 32;
     return key;
 }
 
-std::vector<CurvedRegion> cutParts(const Shape &shape, const std::vector<Polygon> &cuts)
+/// The notch of a slit that was cut before, at the same place counted from either end: most edits
+/// move some slits, put one in or take one out. Null for one that is new.
+NotchPointer knownNotch(const std::vector<SlitNotch> &known, const SlitKey &slit, std::size_t index,
+                        std::size_t count)
 {
-    if (shape.isPlain()) {
-        if (auto part = cutNotches(shape.contour(), shape.chords(), shape.holes(), cuts, kCutChord))
-            return {*std::move(part)};
+    for (const std::size_t at : {index, index + known.size() - count})
+        if (at < known.size() && known[at].slit == slit)
+            return known[at].notch;
+    return nullptr;
+}
+
+/// Empty where one of the slits is none.
+std::vector<SlitNotch> findNotches(const Shape &shape, const std::vector<Slit> &slits,
+                                   const std::vector<SlitNotch> &known)
+{
+    std::vector<SlitNotch> notches;
+    notches.reserve(slits.size());
+    std::optional<NotchFinder> finder;
+    for (const Slit &slit : slits) {
+        const SlitKey key = keyOf(slit);
+        NotchPointer notch = knownNotch(known, key, notches.size(), slits.size());
+        if (!notch) {
+            if (!finder)
+                finder.emplace(shape.contour(), shape.chords());
+            notch = finder->find(slit.outline());
+        }
+        if (!notch)
+            return {};
+        notches.push_back({key, std::move(notch)});
     }
-    return subtract(shape.contour(), shape.holes(), cuts, kCutChord);
+    return notches;
 }
 
 } // namespace
 
-CutSection::CutSection(std::vector<CurvedRegion> parts) : m_parts(std::move(parts)) {}
+CutSection::CutSection(const Shape &shape, const std::vector<Slit> &slits, const CutSection *before)
+{
+    static const std::vector<SlitNotch> none;
+    if (shape.isPlain()) {
+        m_notches = findNotches(shape, slits, before ? before->m_notches : none);
+        std::vector<NotchPointer> notches;
+        notches.reserve(m_notches.size());
+        for (const SlitNotch &known : m_notches)
+            notches.push_back(known.notch);
+        if (m_notches.size() == slits.size()) {
+            if (auto part = cutNotches(shape.contour(), shape.chords(), shape.holes(), notches,
+                                       kCutChord)) {
+                m_parts.push_back(*std::move(part));
+                return;
+            }
+        }
+    }
+    std::vector<Polygon> cuts;
+    cuts.reserve(slits.size());
+    for (const Slit &slit : slits)
+        cuts.push_back(slit.outline());
+    m_parts = subtract(shape.contour(), shape.holes(), cuts, kCutChord);
+}
 
 const std::vector<Triangulation> &CutSection::triangulations() const
 {
@@ -122,17 +171,18 @@ struct CutCache::Data
     };
 
     std::list<Entry> entries; // most recently used first
-    std::unordered_map<CutKey, std::list<Entry>::iterator, CutKeyHash> byKey;
+    std::unordered_map<const CutKey *, std::list<Entry>::iterator, CutKeyHash, CutKeyEqual> byKey;
 
     /// Null when it is not there.
     CutSectionPointer find(const CutKey &key)
     {
-        const auto found = byKey.find(key);
+        const auto found = byKey.find(&key);
         if (found == byKey.end())
             return nullptr;
         if (found->second->shape.expired()) {
-            entries.erase(found->second);
+            const auto entry = found->second;
             byKey.erase(found);
+            entries.erase(entry);
             return nullptr;
         }
         entries.splice(entries.begin(), entries, found->second);
@@ -142,11 +192,11 @@ struct CutCache::Data
     void insert(Entry entry)
     {
         while (entries.size() >= kMaxCutSections) {
-            byKey.erase(entries.back().key);
+            byKey.erase(&entries.back().key);
             entries.pop_back();
         }
         entries.push_front(std::move(entry));
-        byKey.emplace(entries.front().key, entries.begin());
+        byKey.emplace(&entries.front().key, entries.begin());
     }
 };
 
@@ -156,16 +206,12 @@ CutCache::CutCache(CutCache &&) noexcept = default;
 CutCache &CutCache::operator=(CutCache &&) noexcept = default;
 
 CutSectionPointer cutSection(const ShapePointer &shape, const std::vector<Slit> &slits,
-                             CutCache &cache)
+                             CutCache &cache, const CutSection *before)
 {
     CutKey key = makeKey(shape.get(), slits);
     if (CutSectionPointer known = cache.data().find(key))
         return known;
-    std::vector<Polygon> cuts;
-    cuts.reserve(slits.size());
-    for (const Slit &slit : slits)
-        cuts.push_back(slit.outline());
-    auto cut = std::make_shared<const CutSection>(cutParts(*shape, cuts));
+    auto cut = std::make_shared<const CutSection>(*shape, slits, before);
     cache.data().insert({std::move(key), shape, cut});
     return cut;
 }

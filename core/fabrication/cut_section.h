@@ -3,20 +3,33 @@
 
 #include "core/assembly/joint.h"
 #include "core/geometry/boolean.h"
+#include "core/geometry/notch.h"
 #include "core/model/shape.h"
 
+#include <array>
 #include <memory>
 #include <mutex>
 #include <vector>
 
 namespace fff {
 
+/// What a slit cuts: the rectangle, whatever joint it belongs to.
+using SlitKey = std::array<double, 5>;
+
+struct SlitNotch
+{
+    SlitKey slit;
+    NotchPointer notch;
+};
+
 /// Immutable; shared for as long as shape and slits stay the same, so its address tells what to
 /// redraw.
 class CutSection
 {
 public:
-    explicit CutSection(std::vector<CurvedRegion> parts);
+    /// before   null, or of the same shape: what was found for slits that are still the same is
+    ///          not looked for again
+    CutSection(const Shape &shape, const std::vector<Slit> &slits, const CutSection *before);
 
     /// Connected pieces of contour − holes − slits, largest first; usually one. Frame coordinates,
     /// mm.
@@ -33,6 +46,7 @@ public:
 
 private:
     std::vector<CurvedRegion> m_parts;
+    std::vector<SlitNotch> m_notches; // of all slits, or empty
     mutable std::mutex m_compensatedMutex;
     mutable double m_compensatedKerf = 0.0;
     mutable std::shared_ptr<const std::vector<CurvedRegion>> m_compensated;
@@ -61,8 +75,8 @@ private:
 };
 
 /// The shape minus the slits, on chords of kCutChord. From the cache when it has been asked for
-/// before.
+/// before, else from `before` as far as it goes: null, or a cut of the same shape.
 CutSectionPointer cutSection(const ShapePointer &shape, const std::vector<Slit> &slits,
-                             CutCache &cache);
+                             CutCache &cache, const CutSection *before = nullptr);
 
 } // namespace fff

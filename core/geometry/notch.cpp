@@ -21,28 +21,11 @@ bool meet(const Box2 &a, const Box2 &b)
     return (a.min.array() <= b.max.array()).all() && (b.min.array() <= a.max.array()).all();
 }
 
-/// A polygon that takes a bite.
-struct Bite
-{
-    const Polygon *corners = nullptr;
-    GridRing snapped;
-    Box2 box; // and what snapping moves
-
-    std::size_t after(std::size_t corner) const
-    {
-        return corner + 1 < snapped.size() ? corner + 1 : 0;
-    }
-    std::size_t before(std::size_t corner) const
-    {
-        return corner > 0 ? corner - 1 : snapped.size() - 1;
-    }
-};
-
 /// Where the boundary goes into a bite or comes out of it.
 struct Passage
 {
-    std::size_t bite = 0, side = 0; // the side starts at the corner of that number
-    std::size_t edge = 0;           // of the ring
+    std::size_t side = 0; // of the bite; it starts at the corner of that number
+    std::size_t edge = 0; // of the ring
     bool entersBite = false;
     double along = 0.0;           // share of the edge
     int segment = 0;              // of the contour
@@ -51,17 +34,27 @@ struct Passage
     Vec2 position = Vec2::Zero(); // on the curve
 };
 
-class NotchCutter
+std::size_t next(std::size_t index, std::size_t count)
 {
-public:
-    NotchCutter(const Contour &contour, const Polyline &chords, const std::vector<Polygon> &cuts);
+    return index + 1 < count ? index + 1 : 0;
+}
 
-    /// False where the general way is needed.
-    bool findPassages();
-    bool meetsAny(const Polygon &hole) const;
-    CurvedRegion region() const;
+std::size_t previous(std::size_t index, std::size_t count)
+{
+    return index > 0 ? index - 1 : count - 1;
+}
 
-private:
+} // namespace
+
+struct Notch
+{
+    Polygon corners;
+    Box2 box; // and what snapping moves
+    Passage in, out;
+};
+
+struct NotchFinder::Data
+{
     /// Edges that follow each other, looked at together.
     struct Run
     {
@@ -69,78 +62,46 @@ private:
         Box2 box;
     };
 
-    std::size_t count() const { return m_chords.points.size(); }
-    std::size_t after(std::size_t vertex) const { return vertex + 1 < count() ? vertex + 1 : 0; }
-    const Vec2 &vertex(std::size_t i) const { return m_chords.points[i]; }
-    void findRuns();
-    bool findPassages(std::size_t bite);
-    bool findPassages(std::size_t bite, std::size_t edge, std::size_t firstPassage);
-    bool place(Passage &passage) const;
-    bool areBitesApart() const;
-    bool isInOrder() const;
-    void addRun(const Passage *from, const Passage *to, std::vector<Vec2> &points,
-                Polygon &chords) const;
-    void addBite(const Passage &in, const Passage &out, std::vector<Vec2> &points,
-                 Polygon &chords) const;
-    void addLine(const Vec2 &from, const Vec2 &to, std::vector<Vec2> &points) const;
+    const Contour &contour;
+    const Polyline &chords;
+    ClipGrid grid;
+    std::vector<Run> runs;
 
-    const Contour &m_contour;
-    const Polyline &m_chords;
-    ClipGrid m_grid;
-    std::vector<Run> m_runs;
-    std::vector<Bite> m_bites;
-    std::vector<Passage> m_passages; // in the order of the boundary
+    Data(const Contour &c, const Polyline &p) : contour(c), chords(p), grid(c.bounds()) {}
+    std::size_t count() const { return chords.points.size(); }
+    const Vec2 &vertex(std::size_t i) const { return chords.points[i]; }
+    void findRuns();
+    bool place(const Polygon &corners, Passage &passage) const;
+    bool find(const Notch &notch, const GridRing &snapped, std::size_t edge,
+              std::vector<Passage> &passages) const;
 };
 
-NotchCutter::NotchCutter(const Contour &contour, const Polyline &chords,
-                         const std::vector<Polygon> &cuts)
-    : m_contour(contour), m_chords(chords), m_grid(contour.bounds())
+void NotchFinder::Data::findRuns()
 {
-    findRuns();
-    m_bites.reserve(cuts.size());
-    for (const Polygon &cut : cuts) {
-        Bite bite;
-        bite.corners = &cut;
-        bite.snapped.reserve(cut.size());
-        for (const Vec2 &corner : cut)
-            bite.snapped.push_back(m_grid.snap(corner));
-        for (const Vec2 &corner : cut)
-            bite.box.extend(corner);
-        bite.box.min -= Vec2::Constant(kClipSlack);
-        bite.box.max += Vec2::Constant(kClipSlack);
-        m_bites.push_back(std::move(bite));
-    }
-}
-
-void NotchCutter::findRuns()
-{
-    m_runs.reserve(count() / kRun + 1);
+    runs.reserve(count() / kRun + 1);
     for (std::size_t first = 0; first < count(); first += kRun) {
         Run run{first, std::min(first + kRun, count()), {}};
         for (std::size_t i = first; i < run.end; ++i)
             run.box.extend(vertex(i));
-        run.box.extend(vertex(after(run.end - 1)));
-        m_runs.push_back(run);
+        run.box.extend(vertex(next(run.end - 1, count())));
+        runs.push_back(run);
     }
 }
 
 /// Where the curve itself crosses the bite's side, given that its chord does.
-bool NotchCutter::place(Passage &passage) const
+bool NotchFinder::Data::place(const Polygon &corners, Passage &passage) const
 {
-    const Bite &bite = m_bites[passage.bite];
-    const std::size_t next = after(passage.edge);
-    const Vec2 a = vertex(passage.edge), b = vertex(next);
-    const Vec2 from = (*bite.corners)[passage.side];
-    const Vec2 to = (*bite.corners)[bite.after(passage.side)];
+    const std::size_t end = next(passage.edge, count());
+    const Vec2 a = vertex(passage.edge), b = vertex(end);
+    const Vec2 from = corners[passage.side], to = corners[next(passage.side, corners.size())];
     const double whole = cross(to - from, b - a);
     if (std::abs(whole) <= kParallelSine * (to - from).norm() * (b - a).norm())
         return false;
     passage.along = cross(to - from, from - a) / whole;
     passage.onChord = a + passage.along * (b - a);
-    const EdgeSpan span =
-        spanBetween(m_contour, m_chords.origins[passage.edge], m_chords.origins[next]);
+    const EdgeSpan span = spanBetween(contour, chords.origins[passage.edge], chords.origins[end]);
     passage.segment = span.segment;
-    const CubicBezier curve = m_contour.segment(span.segment);
+    const CubicBezier curve = contour.segment(span.segment);
     const Vec2 normal = perpendicular((to - from).normalized());
     const auto t = crossLine({curve, span.from, span.to}, from, normal, kClipSlack);
     if (!t)
@@ -159,58 +120,129 @@ bool NotchCutter::place(Passage &passage) const
 }
 
 /// Where the edge goes through the sides of the bite.
-bool NotchCutter::findPassages(std::size_t index, std::size_t edge, std::size_t first)
+bool NotchFinder::Data::find(const Notch &notch, const GridRing &snapped, std::size_t edge,
+                             std::vector<Passage> &passages) const
 {
-    const Bite &bite = m_bites[index];
-    const Vec2 &start = vertex(edge), &end = vertex(after(edge));
-    if (!meet({start.cwiseMin(end), start.cwiseMax(end)}, bite.box))
+    const Vec2 &start = vertex(edge), &end = vertex(next(edge, count()));
+    if (!meet({start.cwiseMin(end), start.cwiseMax(end)}, notch.box))
         return true;
-    const GridPoint a = m_grid.snap(start), b = m_grid.snap(end);
-    for (std::size_t s = 0; s < bite.snapped.size(); ++s) {
-        const GridPoint &from = bite.snapped[s], &to = bite.snapped[bite.after(s)];
+    const GridPoint a = grid.snap(start), b = grid.snap(end);
+    for (std::size_t s = 0; s < snapped.size(); ++s) {
+        const GridPoint &from = snapped[s], &to = snapped[next(s, snapped.size())];
         const int sideOfA = sideOf(from, to, a), sideOfB = sideOf(from, to, b);
         if (sideOfA * sideOfB > 0)
             continue;
         const int sidesOfEnds = sideOf(a, b, from) * sideOf(a, b, to);
         if (sidesOfEnds > 0)
             continue;
-        if (sideOfA * sideOfB == 0 || sidesOfEnds == 0 || m_passages.size() == first + 2)
+        if (sideOfA * sideOfB == 0 || sidesOfEnds == 0 || passages.size() == 2)
             return false; // they touch, or there are too many
         Passage passage;
-        passage.bite = index;
         passage.side = s;
         passage.edge = edge;
         passage.entersBite = sideOfB > 0;
-        if (!place(passage))
+        if (!place(notch.corners, passage))
             return false;
-        m_passages.push_back(passage);
+        passages.push_back(passage);
     }
     return true;
 }
 
-bool NotchCutter::findPassages(std::size_t index)
+NotchFinder::NotchFinder(const Contour &contour, const Polyline &chords)
+    : m_data(std::make_unique<Data>(contour, chords))
 {
-    const std::size_t first = m_passages.size();
-    for (const Run &run : m_runs) {
-        if (!meet(run.box, m_bites[index].box))
+    m_data->findRuns();
+}
+
+NotchFinder::~NotchFinder() = default;
+
+NotchPointer NotchFinder::find(Polygon cut) const
+{
+    if (cut.size() < 3)
+        return nullptr;
+    auto notch = std::make_shared<Notch>();
+    GridRing snapped;
+    snapped.reserve(cut.size());
+    for (const Vec2 &corner : cut) {
+        snapped.push_back(m_data->grid.snap(corner));
+        notch->box.extend(corner);
+    }
+    notch->box.min -= Vec2::Constant(kClipSlack);
+    notch->box.max += Vec2::Constant(kClipSlack);
+    notch->corners = std::move(cut);
+    if (signedArea(snapped) <= 0.0)
+        return nullptr;
+    std::vector<Passage> passages;
+    passages.reserve(2);
+    for (const Data::Run &run : m_data->runs) {
+        if (!meet(run.box, notch->box))
             continue;
         for (std::size_t edge = run.first; edge < run.end; ++edge) {
-            if (!findPassages(index, edge, first))
-                return false;
+            if (!m_data->find(*notch, snapped, edge, passages))
+                return nullptr;
         }
     }
-    if (m_passages.size() != first + 2)
-        return false;
-    const Passage &one = m_passages[first], &two = m_passages[first + 1];
-    return one.side != two.side && one.entersBite != two.entersBite;
+    if (passages.size() != 2 || passages[0].side == passages[1].side ||
+        passages[0].entersBite == passages[1].entersBite)
+        return nullptr;
+    notch->in = passages[passages[0].entersBite ? 0 : 1];
+    notch->out = passages[passages[0].entersBite ? 1 : 0];
+    return notch;
+}
+
+namespace {
+
+/// Takes the bites out of the boundary.
+class NotchCutter
+{
+public:
+    NotchCutter(const Contour &contour, const Polyline &chords,
+                const std::vector<NotchPointer> &notches);
+
+    /// False where the general way is needed.
+    bool arePlain() const;
+    bool meetsAny(const Polygon &hole) const;
+    CurvedRegion region() const;
+
+private:
+    std::size_t count() const { return m_chords.points.size(); }
+    bool areApart() const;
+    bool areInOrder() const;
+    bool isBefore(const Passage &here, const Passage &there) const;
+    /// The contour starts inside the last of them.
+    bool wraps() const
+    {
+        const Passage &in = m_notches.back()->in, &out = m_notches.back()->out;
+        return out.edge != in.edge ? out.edge < in.edge : out.along < in.along;
+    }
+    void addRun(const Passage *from, const Passage *to, std::vector<Vec2> &points,
+                Polygon &chords) const;
+    void addBite(const Notch &notch, std::vector<Vec2> &points, Polygon &chords) const;
+    void addLine(const Vec2 &from, const Vec2 &to, std::vector<Vec2> &points) const;
+
+    const Contour &m_contour;
+    const Polyline &m_chords;
+    std::vector<const Notch *> m_notches; // in the order in which the boundary goes into them
+};
+
+NotchCutter::NotchCutter(const Contour &contour, const Polyline &chords,
+                         const std::vector<NotchPointer> &notches)
+    : m_contour(contour), m_chords(chords)
+{
+    m_notches.reserve(notches.size());
+    for (const NotchPointer &notch : notches)
+        m_notches.push_back(notch.get());
+    std::sort(m_notches.begin(), m_notches.end(), [](const Notch *a, const Notch *b) {
+        return a->in.edge != b->in.edge ? a->in.edge < b->in.edge : a->in.along < b->in.along;
+    });
 }
 
 /// No two of them have a point in common, with a margin beyond the grid's rounding.
-bool NotchCutter::areBitesApart() const
+bool NotchCutter::areApart() const
 {
     const auto isBeside = [](const Polygon &a, const Polygon &b) {
         for (std::size_t i = 0; i < a.size(); ++i) {
-            const Vec2 &from = a[i], &to = a[i + 1 < a.size() ? i + 1 : 0];
+            const Vec2 &from = a[i], &to = a[next(i, a.size())];
             const double margin = kNearCorner * (to - from).norm();
             if (std::all_of(b.begin(), b.end(),
                             [&](const Vec2 &p) { return cross(to - from, p - from) < -margin; }))
@@ -218,16 +250,13 @@ bool NotchCutter::areBitesApart() const
         }
         return false;
     };
-    std::vector<const Bite *> order;
-    order.reserve(m_bites.size());
-    for (const Bite &bite : m_bites)
-        order.push_back(&bite);
+    std::vector<const Notch *> order = m_notches;
     std::sort(order.begin(), order.end(),
-              [](const Bite *a, const Bite *b) { return a->box.min.x() < b->box.min.x(); });
+              [](const Notch *a, const Notch *b) { return a->box.min.x() < b->box.min.x(); });
     for (std::size_t i = 0; i < order.size(); ++i) {
         for (std::size_t j = i + 1;
              j < order.size() && order[j]->box.min.x() <= order[i]->box.max.x(); ++j) {
-            const Polygon &a = *order[i]->corners, &b = *order[j]->corners;
+            const Polygon &a = order[i]->corners, &b = order[j]->corners;
             if (meet(order[i]->box, order[j]->box) && !isBeside(a, b) && !isBeside(b, a))
                 return false;
         }
@@ -235,45 +264,44 @@ bool NotchCutter::areBitesApart() const
     return true;
 }
 
-/// Every way into a bite is followed by the way out of it.
-bool NotchCutter::isInOrder() const
+/// Along the boundary, on the chords and on the curve.
+bool NotchCutter::isBefore(const Passage &here, const Passage &there) const
 {
-    const std::size_t count = m_passages.size();
-    for (std::size_t i = 0; i < count; ++i) {
-        const Passage &here = m_passages[i], &next = m_passages[i + 1 < count ? i + 1 : 0];
-        if (here.entersBite == next.entersBite || (here.entersBite && here.bite != next.bite) ||
-            (here.edge == next.edge && i + 1 < count &&
-             (next.along - here.along) * (vertex(after(here.edge)) - vertex(here.edge)).norm() <=
-                 kNearCorner))
+    if (here.segment == there.segment && here.t >= there.t)
+        return false;
+    if (here.edge != there.edge)
+        return here.edge < there.edge;
+    const Vec2 edge = m_chords.points[next(here.edge, count())] - m_chords.points[here.edge];
+    return (there.along - here.along) * edge.norm() > kNearCorner;
+}
+
+/// Every way into a bite is followed by the way out of it.
+bool NotchCutter::areInOrder() const
+{
+    const bool startsInside = !m_notches.empty() && wraps();
+    const Passage *here = startsInside ? &m_notches.back()->out : nullptr;
+    for (const Notch *notch : m_notches) {
+        if (here && !isBefore(*here, notch->in))
             return false;
-        // On one segment the curve's crossings are in the order of its chords'.
-        if (i + 1 < count && here.segment == next.segment && here.t >= next.t)
+        if (startsInside && notch == m_notches.back())
+            return true;
+        if (!isBefore(notch->in, notch->out))
             return false;
+        here = &notch->out;
     }
     return true;
 }
 
-bool NotchCutter::findPassages()
+bool NotchCutter::arePlain() const
 {
-    if (count() < 3 || m_contour.signedArea() <= 0.0)
-        return false;
-    m_passages.reserve(2 * m_bites.size());
-    for (std::size_t i = 0; i < m_bites.size(); ++i) {
-        if (m_bites[i].snapped.size() < 3 || signedArea(m_bites[i].snapped) <= 0.0 ||
-            !findPassages(i))
-            return false;
-    }
-    std::sort(m_passages.begin(), m_passages.end(), [](const Passage &a, const Passage &b) {
-        return a.edge != b.edge ? a.edge < b.edge : a.along < b.along;
-    });
-    return isInOrder() && areBitesApart();
+    return count() >= 3 && m_contour.signedArea() > 0.0 && areInOrder() && areApart();
 }
 
 bool NotchCutter::meetsAny(const Polygon &hole) const
 {
     const Box2 box = bounds(hole);
-    return std::any_of(m_bites.begin(), m_bites.end(),
-                       [&](const Bite &bite) { return meet(bite.box, box); });
+    return std::any_of(m_notches.begin(), m_notches.end(),
+                       [&](const Notch *notch) { return meet(notch->box, box); });
 }
 
 void NotchCutter::addLine(const Vec2 &from, const Vec2 &to, std::vector<Vec2> &points) const
@@ -307,46 +335,37 @@ void NotchCutter::addRun(const Passage *from, const Passage *to, std::vector<Vec
 }
 
 /// Round the bite, clockwise: what is left of the boundary has its inside to the left.
-void NotchCutter::addBite(const Passage &in, const Passage &out, std::vector<Vec2> &points,
-                          Polygon &chords) const
+void NotchCutter::addBite(const Notch &notch, std::vector<Vec2> &points, Polygon &chords) const
 {
-    const Bite &bite = m_bites[in.bite];
-    Vec2 from = in.position;
-    for (std::size_t corner = in.side;; corner = bite.before(corner)) {
-        const Vec2 &to = (*bite.corners)[corner];
+    const std::size_t last = next(notch.out.side, notch.corners.size());
+    Vec2 from = notch.in.position;
+    for (std::size_t corner = notch.in.side;; corner = previous(corner, notch.corners.size())) {
+        const Vec2 &to = notch.corners[corner];
         addLine(from, to, points);
         chords.push_back(to);
         from = to;
-        if (corner == bite.after(out.side))
+        if (corner == last)
             break;
     }
-    addLine(from, out.position, points);
+    addLine(from, notch.out.position, points);
 }
 
 CurvedRegion NotchCutter::region() const
 {
     std::vector<Vec2> points;
-    points.reserve(m_contour.points().size() + 15 * m_bites.size());
+    points.reserve(m_contour.points().size() + 15 * m_notches.size());
     CurvedRegion result;
     Polygon &chords = result.region.outer;
-    chords.reserve(count() + 4 * m_bites.size());
-    const std::size_t count = m_passages.size();
-    if (count == 0) {
-        addRun(nullptr, nullptr, points, chords);
-    } else if (m_passages.front().entersBite) {
-        addRun(nullptr, &m_passages.front(), points, chords);
-        for (std::size_t i = 0; i < count; i += 2) {
-            addBite(m_passages[i], m_passages[i + 1], points, chords);
-            addRun(&m_passages[i + 1], i + 2 < count ? &m_passages[i + 2] : nullptr, points,
-                   chords);
-        }
-    } else {
-        // The contour starts inside a bite.
-        for (std::size_t i = 0; i < count; i += 2) {
-            addRun(&m_passages[i], &m_passages[i + 1], points, chords);
-            addBite(m_passages[i + 1], m_passages[i + 2 < count ? i + 2 : 0], points, chords);
-        }
+    chords.reserve(count() + 4 * m_notches.size());
+    const bool startsInside = !m_notches.empty() && wraps();
+    const Passage *here = startsInside ? &m_notches.back()->out : nullptr;
+    for (const Notch *notch : m_notches) {
+        addRun(here, &notch->in, points, chords);
+        addBite(*notch, points, chords);
+        here = &notch->out;
     }
+    if (!startsInside)
+        addRun(here, nullptr, points, chords);
     if (auto outer = Contour::fromPoints(std::move(points)))
         result.outer = *std::move(outer);
     return result;
@@ -357,17 +376,23 @@ CurvedRegion NotchCutter::region() const
 std::optional<CurvedRegion> cutNotches(const Contour &contour, const std::vector<Contour> &holes,
                                        const std::vector<Polygon> &cuts, double chord)
 {
-    return cutNotches(contour, contour.flatten(chord), holes, cuts, chord);
+    const Polyline chords = contour.flatten(chord);
+    const NotchFinder finder(contour, chords);
+    std::vector<NotchPointer> notches;
+    for (const Polygon &cut : cuts) {
+        notches.push_back(finder.find(cut));
+        if (!notches.back())
+            return std::nullopt;
+    }
+    return cutNotches(contour, chords, holes, notches, chord);
 }
 
 std::optional<CurvedRegion> cutNotches(const Contour &contour, const Polyline &polyline,
                                        const std::vector<Contour> &holes,
-                                       const std::vector<Polygon> &cuts, double chord)
+                                       const std::vector<NotchPointer> &notches, double chord)
 {
-    if (std::any_of(cuts.begin(), cuts.end(), [](const Polygon &cut) { return cut.size() < 3; }))
-        return std::nullopt;
-    NotchCutter cutter(contour, polyline, cuts);
-    if (!cutter.findPassages())
+    const NotchCutter cutter(contour, polyline, notches);
+    if (!cutter.arePlain())
         return std::nullopt;
     CurvedRegion region = cutter.region();
     for (const Contour &hole : holes) {

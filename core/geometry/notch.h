@@ -4,6 +4,7 @@
 
 #include "core/geometry/boolean.h"
 
+#include <memory>
 #include <optional>
 
 namespace fff {
@@ -20,9 +21,30 @@ namespace fff {
 /// cuts' lines, as there. The chords of the result are those given, not moved to the grid.
 std::optional<CurvedRegion> cutNotches(const Contour &contour, const std::vector<Contour> &holes,
                                        const std::vector<Polygon> &cuts, double chord);
-/// The same where the contour's chords are at hand.
+
+/// Where one cut goes through a contour's side. Follows from contour, chords and cut alone.
+struct Notch;
+using NotchPointer = std::shared_ptr<const Notch>;
+
+/// For those who cut one contour again and again: notches that are known need no finding.
+class NotchFinder
+{
+public:
+    /// Both outlive it.
+    NotchFinder(const Contour &contour, const Polyline &chords);
+    ~NotchFinder();
+
+    /// Null where it is not that plain.
+    NotchPointer find(Polygon cut) const;
+
+private:
+    struct Data;
+    std::unique_ptr<Data> m_data;
+};
+
+/// The same of notches that were found in this contour with these chords.
 std::optional<CurvedRegion> cutNotches(const Contour &contour, const Polyline &chords,
                                        const std::vector<Contour> &holes,
-                                       const std::vector<Polygon> &cuts, double chord);
+                                       const std::vector<NotchPointer> &notches, double chord);
 
 } // namespace fff

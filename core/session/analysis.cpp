@@ -14,11 +14,12 @@ AnalysisPointer analyseNext(const Model &model, AnalysisCaches &caches)
     const SharedRows<Slit> &slits = analysis.assembly.slits, &before = last.assembly.slits;
     for (std::size_t i = 0; i < analysis.cuts.size(); ++i) {
         const ShapePointer &shape = model.section(i)->shape;
-        const bool isSame =
-            i < last.cuts.size() && slits.pointer(i) == before.pointer(i) &&
+        const bool hasSameShape =
+            i < last.cuts.size() &&
             (model.section(i) == last.model.section(i) || shape == last.model.section(i)->shape);
-        if (!isSame)
-            analysis.cuts[i] = cutSection(shape, slits[i], caches.cuts);
+        if (!hasSameShape || slits.pointer(i) != before.pointer(i))
+            analysis.cuts[i] = cutSection(shape, slits[i], caches.cuts,
+                                          hasSameShape ? last.cuts[i].get() : nullptr);
     }
     caches.last = std::make_shared<const Analysis>(std::move(analysis));
     return caches.last;

@@ -37,6 +37,8 @@ private Q_SLOTS:
     void jointsNumbersDoNotMatter();
     void reusedAddressIsNotTheOldShape();
     void cacheIsBounded();
+    void whatWasCutBeforeDoesNotMatter_data();
+    void whatWasCutBeforeDoesNotMatter();
 };
 
 // Wrong: mass and drawing would not be those of what is cut.
@@ -135,6 +137,55 @@ void TestCutSection::cacheIsBounded()
         last = cutSection(shape, {slitAt(11.0 + 0.01 * i)}, cache);
     QVERIFY(first.expired());
     QVERIFY(!last.expired());
+}
+
+void TestCutSection::whatWasCutBeforeDoesNotMatter_data()
+{
+    QTest::addColumn<std::vector<double>>("before");
+    QTest::addColumn<std::vector<double>>("now");
+    using Places = std::vector<double>;
+    const Places four{20, 40, 60, 80};
+    QTest::newRow("one slit moved") << four << Places{20, 40, 65, 80};
+    QTest::newRow("the first went") << four << Places{40, 60, 80};
+    QTest::newRow("one within went") << four << Places{20, 60, 80};
+    QTest::newRow("two came at the end") << four << Places{20, 40, 60, 80, 90, 95};
+    QTest::newRow("one came at the start") << four << Places{10, 20, 40, 60, 80};
+    QTest::newRow("another order") << four << Places{80, 20, 60, 40};
+    QTest::newRow("all went") << four << Places{};
+    QTest::newRow("from none") << Places{} << four;
+    QTest::newRow("one moved over a corner") << four << Places{20, 40, 60, 100};
+    QTest::newRow("one moved back from a corner") << Places{20, 40, 60, 100} << four;
+    QTest::newRow("two run into each other") << four << Places{20, 40, 42, 80};
+    QTest::newRow("two moved apart") << Places{20, 40, 42, 80} << four;
+}
+
+// Wrong: what is cut would hang on how a person came to it, and differ in the file made tomorrow.
+void TestCutSection::whatWasCutBeforeDoesNotMatter()
+{
+    QFETCH(std::vector<double>, before);
+    QFETCH(std::vector<double>, now);
+    const auto slits = [](const std::vector<double> &places) {
+        std::vector<Slit> all;
+        for (const double x : places)
+            all.push_back(slitAt(x));
+        return all;
+    };
+    const std::vector<ShapePointer> shapes{
+        plate(100.0), Shape::make(circle({50, 10}, 60), {circle({50, 0}, 10)}).value()};
+    for (const ShapePointer &shape : shapes) {
+        CutCache cache, none;
+        const auto known = cutSection(shape, slits(before), cache);
+        const auto next = cutSection(shape, slits(now), cache, known.get());
+        const auto fresh = cutSection(shape, slits(now), none);
+        QCOMPARE(next->parts().size(), fresh->parts().size());
+        for (std::size_t i = 0; i < fresh->parts().size(); ++i) {
+            QVERIFY(next->parts()[i].outer == fresh->parts()[i].outer);
+            QVERIFY(next->parts()[i].holes == fresh->parts()[i].holes);
+            QCOMPARE(next->parts()[i].region.outer, fresh->parts()[i].region.outer);
+        }
+        // And back, as undo goes.
+        QCOMPARE(cutSection(shape, slits(before), cache, next.get()), known);
+    }
 }
 
 QTEST_GUILESS_MAIN(TestCutSection)
