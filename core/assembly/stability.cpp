@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace fff {
 
@@ -49,11 +50,16 @@ std::vector<Vec2> outermost(const std::vector<Vec2> &points)
         keep(6, -p.y(), -far[6].y());
         keep(7, p.x() - p.y(), far[7].x() - far[7].y());
     }
+    std::array<Vec2, kFew> edges;
+    std::array<double, kFew> slacks{};
+    for (std::size_t i = 0; i < kFew; ++i) {
+        edges[i] = far[(i + 1) % kFew] - far[i];
+        slacks[i] = kClipGrid * edges[i].norm();
+    }
     std::vector<Vec2> kept(far.begin(), far.end());
     for (const Vec2 &p : points) {
         for (std::size_t i = 0; i < kFew; ++i) {
-            const Vec2 edge = far[(i + 1) % kFew] - far[i];
-            if (cross(edge, p - far[i]) < -kClipGrid * edge.norm()) {
+            if (cross(edges[i], p - far[i]) < -slacks[i]) {
                 kept.push_back(p);
                 break;
             }
@@ -123,10 +129,15 @@ void measureHeights(const Slab &slab, GroundContact &contact)
         -std::abs(0.5 * slab.thickness) *
         (slab.frame.normal().y() < 0.0 ? Vec3(-slab.frame.normal()) : slab.frame.normal());
     const Vec2 up(slab.frame.x.y(), slab.frame.y.y());
-    const auto lowest =
-        std::min_element(slab.region.outer.begin(), slab.region.outer.end(),
-                         [&](const Vec2 &a, const Vec2 &b) { return up.dot(a) < up.dot(b); });
-    if (lowest == slab.region.outer.end())
+    const Vec2 *lowest = nullptr;
+    double least = std::numeric_limits<double>::infinity();
+    for (const Vec2 &p : slab.region.outer) {
+        if (const double height = up.dot(p); height < least) {
+            least = height;
+            lowest = &p;
+        }
+    }
+    if (!lowest)
         return;
     const Vec3 middle = slab.frame.toWorld(*lowest);
     contact.lowestMiddle = middle.y();

@@ -38,10 +38,9 @@ private:
     const Vec2 &at(int vertex) const { return m_result.points[static_cast<std::size_t>(vertex)]; }
     bool isBefore(int a, int b) const
     {
-        const Vec2 &p = at(a), &q = at(b);
-        const int first = m_alongY ? 1 : 0;
-        return p[first] != q[first] ? p[first] < q[first] : p[1 - first] < q[1 - first];
+        return m_rank[static_cast<std::size_t>(a)] < m_rank[static_cast<std::size_t>(b)];
     }
+    bool findOrder();
     int addLink(int vertex)
     {
         m_links.push_back({vertex, -1, -1});
@@ -69,6 +68,7 @@ private:
 
     Triangulation m_result;
     std::vector<int> m_before, m_after; // neighbours of each vertex in its ring
+    std::vector<int> m_order, m_rank;   // as the sweep comes to them; of each where in that order
     std::vector<Link> m_links;
     std::vector<Stretch> m_stretches;
     bool m_alongY = false;
@@ -272,21 +272,39 @@ bool Sweep::visit(int v)
     return true;
 }
 
+/// False where two vertices are at one place.
+bool Sweep::findOrder()
+{
+    struct Place
+    {
+        double along, across;
+        int vertex;
+    };
+    const int first = m_alongY ? 1 : 0;
+    const auto count = static_cast<int>(m_result.points.size());
+    std::vector<Place> places;
+    places.reserve(m_result.points.size());
+    for (int i = 0; i < count; ++i)
+        places.push_back({at(i)[first], at(i)[1 - first], i});
+    std::sort(places.begin(), places.end(), [](const Place &a, const Place &b) {
+        return a.along != b.along ? a.along < b.along : a.across < b.across;
+    });
+    m_order.reserve(places.size());
+    m_rank.resize(places.size());
+    for (const Place &place : places) {
+        if (!m_order.empty() && at(m_order.back()) == at(place.vertex))
+            return false;
+        m_rank[static_cast<std::size_t>(place.vertex)] = static_cast<int>(m_order.size());
+        m_order.push_back(place.vertex);
+    }
+    return true;
+}
+
 bool Sweep::run()
 {
-    if (!m_isPlain)
-        return false;
-    std::vector<int> order(m_result.points.size());
-    for (std::size_t i = 0; i < order.size(); ++i)
-        order[i] = static_cast<int>(i);
-    std::sort(order.begin(), order.end(), [this](int a, int b) { return isBefore(a, b); });
-    for (std::size_t i = 0; i < order.size(); ++i) {
-        if (i > 0 && at(order[i]) == at(order[i - 1]))
-            return false;
-        if (!visit(order[i]))
-            return false;
-    }
-    return m_stretches.empty();
+    return m_isPlain && findOrder() &&
+           std::all_of(m_order.begin(), m_order.end(), [this](int v) { return visit(v); }) &&
+           m_stretches.empty();
 }
 
 } // namespace
