@@ -37,8 +37,9 @@ const SceneBuilder::Known *SceneBuilder::knownOf(const Model &model, std::size_t
         index < m_known.size() && (m_analysis.model.section(index) == model.section(index) ||
                                    m_analysis.model.ref(index) == model.ref(index));
     const int at = isThere ? static_cast<int>(index) : m_analysis.model.indexOf(model.ref(index));
-    return at >= 0 && at < static_cast<int>(m_known.size()) ? &m_known[static_cast<std::size_t>(at)]
-                                                            : nullptr;
+    return at >= 0 && at < static_cast<int>(m_known.size())
+               ? m_known[static_cast<std::size_t>(at)].get()
+               : nullptr;
 }
 
 /// Whether neither the section nor what fills its slits has changed, so that its covers stay.
@@ -70,24 +71,12 @@ bool SceneBuilder::hasSameSections(const Analysis &analysis) const
     return true;
 }
 
-/// Only while its guests have the same indices.
-SectionCovers SceneBuilder::coversKnown(std::size_t index) const
-{
-    SectionCovers covers;
-    const Known &known = m_known[index];
-    if (!known.covers)
-        return covers;
-    covers.covers = *known.covers;
-    covers.guests = known.guestsAt;
-    return covers;
-}
-
 void SceneBuilder::setAnalysis(const Analysis &analysis)
 {
-    std::vector<Known> next;
+    std::vector<KnownPointer> next;
     std::unordered_multimap<const CutSection *, CoversPointer> shared;
-    for (const Known &known : m_known)
-        shared.emplace(known.cut.get(), known.covers);
+    for (const KnownPointer &known : m_known)
+        shared.emplace(known->cut.get(), known->covers);
     const auto sharedCovers = [&](const CutSection *cut, std::vector<SlitCover> covers) {
         const auto [begin, end] = shared.equal_range(cut);
         for (auto it = begin; it != end; ++it) {
@@ -104,27 +93,29 @@ void SceneBuilder::setAnalysis(const Analysis &analysis)
     if (hasSameSections(analysis))
         update.emplace(analysis, m_analysis);
     for (std::size_t i = 0; i < count; ++i) {
-        Known known{analysis.model.section(i)->shape,
-                    analysis.model.section(i)->frame,
-                    analysis.cuts[i],
-                    nullptr,
-                    {},
-                    {}};
-        if (isAsBefore(analysis, i)) {
+        const bool isSame = isAsBefore(analysis, i);
+        if (isSame && update) {
+            next.push_back(m_known[i]);
+            continue;
+        }
+        auto known = std::make_shared<Known>();
+        known->shape = analysis.model.section(i)->shape;
+        known->frame = analysis.model.section(i)->frame;
+        known->cut = analysis.cuts[i];
+        if (isSame) {
             const Known &before = *knownOf(analysis.model, i);
-            known.covers = before.covers;
-            known.guests = before.guests;
-            known.guestsAt = before.guestsAt;
-            if (!update) {
-                for (std::size_t k = 0; k < known.guests.size(); ++k)
-                    known.guestsAt[k] = analysis.model.indexOf(known.guests[k]);
-            }
+            known->covers = before.covers;
+            known->guests = before.guests;
+            for (const SectionRef &guest : known->guests)
+                known->guestsAt.push_back(analysis.model.indexOf(guest));
         } else {
-            SectionCovers covers = update ? update->of(i, coversKnown(i)) : slitCovers(analysis, i);
-            known.covers = sharedCovers(known.cut.get(), std::move(covers.covers));
+            SectionCovers covers = update ? update->of(i, *m_known[i]->covers, m_known[i]->guestsAt)
+                                          : slitCovers(analysis, i);
+            known->covers = sharedCovers(known->cut.get(), std::move(covers.covers));
+            known->guests.reserve(covers.guests.size());
             for (const int guest : covers.guests)
-                known.guests.push_back(analysis.model.ref(static_cast<std::size_t>(guest)));
-            known.guestsAt = std::move(covers.guests);
+                known->guests.push_back(analysis.model.ref(static_cast<std::size_t>(guest)));
+            known->guestsAt = std::move(covers.guests);
         }
         next.push_back(std::move(known));
     }

@@ -66,10 +66,10 @@ private:
     const Known *knownOf(const Model &model, std::size_t index) const;
     bool isAsBefore(const Analysis &analysis, std::size_t index) const;
     bool hasSameSections(const Analysis &analysis) const;
-    SectionCovers coversKnown(std::size_t index) const;
+    using KnownPointer = std::shared_ptr<const Known>;
 
-    Analysis m_analysis;        // the newest
-    std::vector<Known> m_known; // in the order of its sections
+    Analysis m_analysis;               // the newest
+    std::vector<KnownPointer> m_known; // in the order of its sections
 };
 
 /// Hides, ghosts and reddens the sections as the view's state says. The scene is of this model.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <optional>
 
 namespace fff::ui {
@@ -38,24 +39,29 @@ Vec2 rounded(const Vec2 &p)
     return p.cast<float>().cast<double>();
 }
 
-void addFace(SlabMesh &mesh, const Triangulation &triangulation, int side)
+/// The upper face, then the lower one.
+void addFaces(SlabMesh &mesh, const Triangulation &triangulation)
 {
-    const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
-    mesh.vertices.reserve(mesh.vertices.size() + triangulation.points.size());
-    mesh.triangles.reserve(mesh.triangles.size() + 3 * triangulation.triangles.size());
-    for (const Vec2 &p : triangulation.points)
-        mesh.vertices.push_back({at(p, side), faceNormal(side, false)});
+    const auto upper = static_cast<std::uint32_t>(mesh.vertices.size());
+    const auto count = static_cast<std::uint32_t>(triangulation.points.size());
+    mesh.vertices.reserve(upper + 2 * triangulation.points.size());
+    mesh.triangles.reserve(mesh.triangles.size() + 6 * triangulation.triangles.size());
+    for (const int side : {1, -1})
+        for (const Vec2 &p : triangulation.points)
+            mesh.vertices.push_back({at(p, side), faceNormal(side, false)});
+    const std::size_t first = mesh.triangles.size();
     for (const auto &t : triangulation.triangles) {
         // After rounding to float a sliver may be a line; nothing of it would be seen.
         const Vec2 a = rounded(triangulation.points[t[0]]);
         if (!(cross(rounded(triangulation.points[t[1]]) - a,
                     rounded(triangulation.points[t[2]]) - a) > kThinnest))
             continue;
-        const std::array<int, 3> order =
-            side > 0 ? std::array{t[0], t[1], t[2]} : std::array{t[0], t[2], t[1]};
-        for (int i : order)
-            mesh.triangles.push_back(first + static_cast<std::uint32_t>(i));
+        for (const int i : t)
+            mesh.triangles.push_back(upper + static_cast<std::uint32_t>(i));
     }
+    for (std::size_t i = first, end = mesh.triangles.size(); i < end; i += 3)
+        for (const std::size_t k : {i, i + 2, i + 1})
+            mesh.triangles.push_back(count + mesh.triangles[k]);
 }
 
 Polygon withoutRepeats(const Polygon &ring)
@@ -125,17 +131,16 @@ public:
                   [](const Entry &a, const Entry &b) { return a.from < b.from; });
     }
 
-    std::optional<Hidden> hiddenPart(const Vec2 &a, const Vec2 &b) const
+    std::optional<Hidden> hiddenPart(const Vec2 &a, const Vec2 &b)
     {
         for (const Vec2 &end : {a, b}) {
             const double x = end.x();
-            auto it = std::lower_bound(
-                m_entries.begin(), m_entries.end(), x - m_widest,
-                [](const Entry &entry, double value) { return entry.from < value; });
-            for (; it != m_entries.end() && it->from <= x; ++it) {
-                if (it->to < x)
+            goTo(x - m_widest);
+            for (std::size_t i = m_near; i < m_entries.size() && m_entries[i].from <= x; ++i) {
+                const Entry &entry = m_entries[i];
+                if (entry.to < x)
                     continue;
-                if (const auto hidden = partHidden(a, b, m_covers[it->cover], it->cover))
+                if (const auto hidden = partHidden(a, b, m_covers[entry.cover], entry.cover))
                     return hidden;
             }
         }
@@ -149,14 +154,27 @@ private:
         std::size_t cover = 0;
     };
 
+    /// To the first entry that starts there or behind: walls come one beside the other, so that it
+    /// is mostly where the last one was.
+    void goTo(double from)
+    {
+        while (m_near > 0 && m_entries[m_near - 1].from >= from)
+            --m_near;
+        while (m_near < m_entries.size() && m_entries[m_near].from < from)
+            ++m_near;
+    }
+
     std::span<const SlitCover> m_covers;
     std::vector<Entry> m_entries; // from left to right
+    std::size_t m_near = 0;
     double m_widest = 0.0;
 };
 
 /// mm that lines may leave the boundary; so many of its points at most in one line.
 constexpr double kLineError = 0.03;
 constexpr std::size_t kLongestLine = 16;
+
+constexpr std::size_t kQuadIndices = 6; // of its two triangles
 
 class Walls
 {
@@ -169,15 +187,19 @@ public:
     /// After all that is seen.
     void appendHidden()
     {
-        std::stable_sort(m_hidden.begin(), m_hidden.end(),
-                         [](const Quad &a, const Quad &b) { return a.cover < b.cover; });
-        auto next = m_hidden.begin();
-        for (std::size_t cover = 0; cover < m_coverCount; ++cover) {
-            m_mesh.coverStarts.push_back(m_mesh.triangles.size());
-            for (; next != m_hidden.end() && next->cover == cover; ++next)
-                addTriangles(next->first);
+        std::vector<std::size_t> next(m_coverCount + 1, 0); // index of each cover
+        for (const Quad &quad : m_hidden)
+            next[quad.cover + 1] += kQuadIndices;
+        next[0] = m_mesh.triangles.size();
+        std::partial_sum(next.begin(), next.end(), next.begin());
+        m_mesh.coverStarts = next;
+        m_mesh.triangles.resize(next.back());
+        for (const Quad &quad : m_hidden) {
+            const auto corners = trianglesOf(quad.first);
+            std::copy(corners.begin(), corners.end(),
+                      m_mesh.triangles.begin() + static_cast<std::ptrdiff_t>(next[quad.cover]));
+            next[quad.cover] += kQuadIndices;
         }
-        m_mesh.coverStarts.push_back(m_mesh.triangles.size());
     }
 
 private:
@@ -196,10 +218,14 @@ private:
         m_mesh.vertices.push_back({at(from, 1), normalFrom});
         return first;
     }
+    static std::array<std::uint32_t, kQuadIndices> trianglesOf(std::uint32_t quad)
+    {
+        return {quad, quad + 1, quad + 2, quad, quad + 2, quad + 3};
+    }
     void addTriangles(std::uint32_t quad)
     {
-        m_mesh.triangles.insert(m_mesh.triangles.end(),
-                                {quad, quad + 1, quad + 2, quad, quad + 2, quad + 3});
+        const auto corners = trianglesOf(quad);
+        m_mesh.triangles.insert(m_mesh.triangles.end(), corners.begin(), corners.end());
     }
 
     /// A wall that a cover hides.
@@ -311,8 +337,7 @@ SlabMesh buildSlab(std::span<const Region> regions, std::span<const Triangulatio
 {
     SlabMesh mesh;
     for (const Triangulation &triangulation : triangulations) {
-        addFace(mesh, triangulation, 1);
-        addFace(mesh, triangulation, -1);
+        addFaces(mesh, triangulation);
     }
     Walls walls(mesh, covers);
     for (const Region &region : regions) {

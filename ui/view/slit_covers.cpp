@@ -26,10 +26,12 @@ struct Stretch
 /// The smallest `along` at which the ring's edges come into the strip, at most `length`.
 double firstIntrusion(const Polygon &ring, const Stretch &stretch, double half, double length)
 {
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-        Vec2 a = stretch.at(ring[i]), b = stretch.at(ring[(i + 1) % ring.size()]);
-        if (a.y() > b.y())
-            std::swap(a, b);
+    Vec2 here = ring.empty() ? Vec2(Vec2::Zero()) : stretch.at(ring.back());
+    for (const Vec2 &point : ring) {
+        const Vec2 before = here;
+        here = stretch.at(point);
+        const bool rises = before.y() <= here.y();
+        const Vec2 &a = rises ? before : here, &b = rises ? here : before;
         if (b.y() <= -half || a.y() >= half || std::min(a.x(), b.x()) >= length ||
             std::max(a.x(), b.x()) <= kOnBorder)
             continue;
@@ -144,17 +146,17 @@ struct CoverUpdate::Change
 {
     bool isPlaced = true;            // frame and thickness are
     bool isWhole = false;            // its shape is another one
-    std::vector<const Slit *> slits; // new ones, and those that went
-    std::vector<const Slit *> added; // new ones
+    std::vector<const Slit *> added; // new slits
+    std::vector<Polygon> outlines;   // of these and of those that went
 
     /// Whether something of its parts may differ near the stretch.
     bool reaches(const CoveredSlit &covered) const
     {
         if (isWhole || !isPlaced)
             return true;
-        return std::any_of(slits.begin(), slits.end(), [&](const Slit *slit) {
+        return std::any_of(outlines.begin(), outlines.end(), [&](const Polygon &outline) {
             Box2 box;
-            for (const Vec2 &corner : slit->outline())
+            for (const Vec2 &corner : outline)
                 box.extend(covered.stretch.at(corner));
             return box.max.x() >= -kOnBorder && box.min.x() <= covered.length + kOnBorder &&
                    box.max.y() >= -covered.half - kOnBorder &&
@@ -175,14 +177,17 @@ CoverUpdate::CoverUpdate(const Analysis &now, const Analysis &before)
         if (now.assembly.slits.pointer(i) == before.assembly.slits.pointer(i))
             continue;
         addOthers(now.assembly.slits[i], before.assembly.slits[i], change.added);
-        change.slits = change.added;
-        addOthers(before.assembly.slits[i], now.assembly.slits[i], change.slits);
+        std::vector<const Slit *> others = change.added;
+        addOthers(before.assembly.slits[i], now.assembly.slits[i], others);
+        for (const Slit *slit : others)
+            change.outlines.push_back(slit->outline());
     }
 }
 
 CoverUpdate::~CoverUpdate() = default;
 
-SectionCovers CoverUpdate::of(std::size_t section, const SectionCovers &known) const
+SectionCovers CoverUpdate::of(std::size_t section, const std::vector<SlitCover> &known,
+                              const std::vector<int> &guests) const
 {
     const Change &own = m_changes[section];
     if (!own.isPlaced)
@@ -196,7 +201,7 @@ SectionCovers CoverUpdate::of(std::size_t section, const SectionCovers &known) c
         const Change &guest = m_changes[static_cast<std::size_t>(slit.guest)];
         const bool isNew = added != own.added.end() && *added == &slit;
         added += isNew ? 1 : 0;
-        if (isNew || guest.isWhole || !guest.isPlaced || !guest.slits.empty()) {
+        if (isNew || guest.isWhole || !guest.isPlaced || !guest.outlines.empty()) {
             const auto covered = coveredSlit(m_now, section, slit);
             if (!covered)
                 continue;
@@ -205,11 +210,11 @@ SectionCovers CoverUpdate::of(std::size_t section, const SectionCovers &known) c
                 continue;
             }
         }
-        while (next < known.guests.size() && known.guests[next] < slit.guest)
+        while (next < guests.size() && guests[next] < slit.guest)
             ++next;
-        for (std::size_t k = next; k < known.guests.size() && known.guests[k] == slit.guest; ++k) {
-            if (known.covers[k].inner == slit.inner) {
-                covers.covers.push_back(known.covers[k]);
+        for (std::size_t k = next; k < guests.size() && guests[k] == slit.guest; ++k) {
+            if (known[k].inner == slit.inner) {
+                covers.covers.push_back(known[k]);
                 covers.guests.push_back(slit.guest);
             }
         }

@@ -47,8 +47,9 @@ public:
     CoverUpdate(const Analysis &now, const Analysis &before);
     ~CoverUpdate();
 
-    /// known: the covers of the section before.
-    SectionCovers of(std::size_t section, const SectionCovers &known) const;
+    /// known, guests: the covers of the section before and whom they are for.
+    SectionCovers of(std::size_t section, const std::vector<SlitCover> &known,
+                     const std::vector<int> &guests) const;
 
 private:
     struct Change;
