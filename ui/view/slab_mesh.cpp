@@ -12,7 +12,7 @@ namespace {
 std::int8_t packed(double v)
 {
     // Rounded; of a unit vector, so that it needs no care, and there are very many.
-    return static_cast<std::int8_t>(127.0 * v + (v < 0.0 ? -0.5 : 0.5));
+    return static_cast<std::int8_t>(127.0 * v + std::copysign(0.5, v));
 }
 
 PackedNormal packedNormal(const Vec2 &n, bool flag)
