@@ -69,6 +69,7 @@ target_sources(fff_ui PRIVATE
     status_line.cpp
     theme.cpp
     translations.cpp
+    view_input.cpp
     viewport.cpp
     window_layout.cpp
     windows.cpp

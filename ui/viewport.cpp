@@ -1,6 +1,5 @@
 #include "ui/viewport.h"
 
-#include "core/interaction/tool.h"
 #include "ui/cursors.h"
 #include "ui/focus_frame.h"
 #include "ui/settings/settings.h"
@@ -23,58 +22,15 @@ namespace fff::ui {
 
 namespace {
 
-constexpr int kFrameTime = 12;        // ms between frames of an animation
-constexpr double kNotchAngle = 120.0; // of QWheelEvent, one notch
-constexpr int kBusyDelay = 500;       // ms before work is said to be going on
-constexpr int kBusyFrame = 80;        // ms between steps of its mark
-constexpr double kBusyStep = 0.08;    // of a turn
-
-Vec2 toVec(const QPointF &p)
-{
-    return {p.x(), p.y()};
-}
+constexpr int kFrameTime = 12;     // ms between frames of an animation
+constexpr int kBusyDelay = 500;    // ms before work is said to be going on
+constexpr int kBusyFrame = 80;     // ms between steps of its mark
+constexpr double kBusyStep = 0.08; // of a turn
 
 bool isOfKeys(Qt::FocusReason reason)
 {
     return reason == Qt::TabFocusReason || reason == Qt::BacktabFocusReason ||
            reason == Qt::ShortcutFocusReason;
-}
-
-Button toButton(Qt::MouseButton button)
-{
-    switch (button) {
-    case Qt::LeftButton:
-        return Button::Left;
-    case Qt::MiddleButton:
-        return Button::Middle;
-    case Qt::RightButton:
-        return Button::Right;
-    default:
-        return Button::None;
-    }
-}
-
-std::optional<ToolKey> toolKey(const QKeyEvent *event)
-{
-    switch (event->key()) {
-    case Qt::Key_Return:
-    case Qt::Key_Enter:
-        return ToolKey::Enter;
-    case Qt::Key_Backspace:
-        return ToolKey::Backspace;
-    default:
-        return std::nullopt;
-    }
-}
-
-/// What a number can begin with, where the tool in the hand takes some.
-bool beginsNumber(const QKeyEvent *event)
-{
-    const auto others = event->modifiers() & ~(Qt::ShiftModifier | Qt::KeypadModifier);
-    if (others != Qt::NoModifier || event->text().size() != 1)
-        return false;
-    const QChar c = event->text().front();
-    return c.isDigit() || QStringLiteral("-\u2212.,@").contains(c);
 }
 
 /// A path is begun: as with a stroke, the rest stands back.
@@ -90,7 +46,8 @@ bool Viewport::Seen::isSamePicture(const Seen &other) const
     return camera == other.camera && view == other.view && isGhosted == other.isGhosted;
 }
 
-Viewport::Viewport(Workbench &bench, QWidget *parent) : QOpenGLWidget(parent), m_bench(bench)
+Viewport::Viewport(Workbench &bench, QWidget *parent)
+    : QOpenGLWidget(parent), m_bench(bench), m_input(bench, nullptr)
 {
     // The renderer smooths edges by itself, and marks are painted smoothly.
     QSurfaceFormat plain = QSurfaceFormat::defaultFormat();
@@ -107,9 +64,7 @@ Viewport::Viewport(Workbench &bench, QWidget *parent) : QOpenGLWidget(parent), m
     setFocusPolicy(Qt::StrongFocus);
     FocusFrame::leaveTo(this);
 
-    m_burst.setSingleShot(true);
-    m_burst.setInterval(0);
-    connect(&m_burst, &QTimer::timeout, this, &Viewport::flushMoves);
+    connect(&m_input, &ViewInput::numberBegun, this, &Viewport::numberBegun);
     m_frames.setInterval(kFrameTime);
     connect(&m_frames, &QTimer::timeout, this, &Viewport::advance);
     const auto once = [this](QTimer &timer, auto act) {
@@ -261,33 +216,17 @@ void Viewport::showFocus(bool shows)
 void Viewport::mousePressEvent(QMouseEvent *event)
 {
     showFocus(false);
-    flushMoves();
-    m_bench.handle(pointer(PointerEvent::Type::Press, event));
+    m_input.press(event);
 }
 
-/// A hand's line needs every sample, but what they make needs showing once a frame only: moves are
-/// gathered for as long as more of them are at hand.
 void Viewport::mouseMoveEvent(QMouseEvent *event)
 {
-    m_moves.push_back(pointer(PointerEvent::Type::Move, event));
-    if (!m_burst.isActive())
-        m_burst.start();
-}
-
-void Viewport::flushMoves()
-{
-    m_burst.stop();
-    std::vector<PointerEvent> moves = std::exchange(m_moves, {});
-    for (std::size_t i = 0; i < moves.size(); ++i) {
-        moves[i].isFollowed = i + 1 < moves.size();
-        m_bench.handle(moves[i]);
-    }
+    m_input.move(event);
 }
 
 void Viewport::mouseReleaseEvent(QMouseEvent *event)
 {
-    flushMoves();
-    m_bench.handle(pointer(PointerEvent::Type::Release, event));
+    m_input.release(event);
 }
 
 void Viewport::mouseDoubleClickEvent(QMouseEvent *event)
@@ -296,158 +235,39 @@ void Viewport::mouseDoubleClickEvent(QMouseEvent *event)
     mousePressEvent(event);
 }
 
-PointerEvent Viewport::pointer(PointerEvent::Type type, const QPointF &place,
-                               Qt::KeyboardModifiers keys, quint64 time)
-{
-    PointerEvent pointer;
-    pointer.type = type;
-    pointer.position = toVec(place);
-    pointer.modifiers = {keys.testFlag(Qt::ShiftModifier), keys.testFlag(Qt::ControlModifier),
-                         m_isSpaceHeld};
-    pointer.time = m_bench.clock().observe(time);
-    return pointer;
-}
-
-PointerEvent Viewport::pointer(PointerEvent::Type type, QSinglePointEvent *event)
-{
-    m_cursor = toVec(event->position());
-    PointerEvent pointer =
-        this->pointer(type, event->position(), event->modifiers(), event->timestamp());
-    pointer.button = toButton(event->button());
-    event->accept();
-    return pointer;
-}
-
 void Viewport::wheelEvent(QWheelEvent *event)
 {
-    flushMoves();
-    event->accept();
-    // Two fingers on a trackpad push the picture; a wheel, and fingers with Ctrl, zoom.
-    const bool isTrackpad = event->device()->type() == QInputDevice::DeviceType::TouchPad ||
-                            event->phase() != Qt::NoScrollPhase;
-    const bool pushes = isTrackpad && !event->modifiers().testFlag(Qt::ControlModifier);
-    PointerEvent moved = pointer(pushes ? PointerEvent::Type::Scroll : PointerEvent::Type::Wheel,
-                                 event->position(), event->modifiers(), event->timestamp());
-    if (pushes) {
-        const QPoint way =
-            event->pixelDelta().isNull() ? event->angleDelta() / 2 : event->pixelDelta();
-        moved.scroll = Vec2(way.x(), way.y());
-        if (!way.isNull())
-            m_bench.handle(moved);
-        return;
-    }
-    moved.wheelSteps = event->angleDelta().y() / kNotchAngle;
-    if (moved.wheelSteps != 0.0)
-        m_bench.handle(moved);
-}
-
-/// Two fingers apart or together zoom, two fingers sideways push the picture.
-bool Viewport::pinch(QNativeGestureEvent *event)
-{
-    const bool zooms = event->gestureType() == Qt::ZoomNativeGesture;
-    if (!zooms && event->gestureType() != Qt::PanNativeGesture)
-        return false;
-    flushMoves();
-    PointerEvent moved = pointer(zooms ? PointerEvent::Type::Zoom : PointerEvent::Type::Scroll,
-                                 event->position(), event->modifiers(), event->timestamp());
-    moved.zoomFactor = std::max(0.1, 1.0 + event->value());
-    moved.scroll = toVec(event->delta());
-    m_bench.handle(moved);
-    event->accept();
-    return true;
+    m_input.wheel(event);
 }
 
 void Viewport::keyPressEvent(QKeyEvent *event)
 {
-    flushMoves();
-    if (event->key() == Qt::Key_Space) {
-        m_isSpaceHeld = true;
-    } else if (event->key() == Qt::Key_Escape) {
-        m_bench.clock().observe(event->timestamp());
-        m_bench.escape();
-    } else if (const auto key = toolKey(event); key && m_bench.wants(*key)) {
-        m_bench.clock().observe(event->timestamp());
-        m_bench.key(*key);
-    } else if (beginsNumber(event) && !m_bench.interaction().numbers().empty()) {
-        Q_EMIT numberBegun(event->text());
-    } else if (!nudge(event) && !tellOfModifiers(event)) {
+    if (!m_input.keyPress(event))
         QOpenGLWidget::keyPressEvent(event);
-    }
-}
-
-/// Arrow keys move what is selected by 1 mm, finely with Ctrl, coarsely with Shift.
-bool Viewport::nudge(QKeyEvent *event)
-{
-    Vec2 arrow = Vec2::Zero();
-    switch (event->key()) {
-    case Qt::Key_Left:
-        arrow = -Vec2::UnitX();
-        break;
-    case Qt::Key_Right:
-        arrow = Vec2::UnitX();
-        break;
-    case Qt::Key_Up:
-        arrow = Vec2::UnitY();
-        break;
-    case Qt::Key_Down:
-        arrow = -Vec2::UnitY();
-        break;
-    default:
-        return false;
-    }
-    const Qt::KeyboardModifiers keys = event->modifiers() & ~Qt::KeypadModifier;
-    const double distance = keys == Qt::ControlModifier ? 0.1
-                            : keys == Qt::ShiftModifier ? 10.0
-                                                        : 1.0;
-    if (keys != Qt::NoModifier && distance == 1.0)
-        return false; // Alt and the like are someone else's
-    m_bench.clock().observe(event->timestamp());
-    return m_bench.nudge(arrow, distance);
-}
-
-/// A gesture may do something else while Shift or Ctrl is held, also when the mouse rests.
-bool Viewport::tellOfModifiers(QKeyEvent *event)
-{
-    if ((event->key() != Qt::Key_Shift && event->key() != Qt::Key_Control) || event->isAutoRepeat())
-        return false;
-    PointerEvent told = pointer(PointerEvent::Type::Modifiers, QPointF(m_cursor.x(), m_cursor.y()),
-                                event->modifiers(), event->timestamp());
-    // Qt's modifiers of the key itself are those from before it on some platforms.
-    (event->key() == Qt::Key_Shift ? told.modifiers.shift : told.modifiers.control) =
-        event->type() == QEvent::KeyPress;
-    m_bench.handle(told);
-    return true;
 }
 
 void Viewport::keyReleaseEvent(QKeyEvent *event)
 {
-    flushMoves();
-    if (event->key() == Qt::Key_Space && !event->isAutoRepeat())
-        m_isSpaceHeld = false;
-    else if (!tellOfModifiers(event))
+    if (!m_input.keyRelease(event))
         QOpenGLWidget::keyReleaseEvent(event);
 }
 
 bool Viewport::event(QEvent *event)
 {
-    // Keys of the tool in the hand before shortcuts of the same keys.
-    if (event->type() == QEvent::ShortcutOverride) {
-        const auto *pressed = static_cast<QKeyEvent *>(event);
-        const auto key = toolKey(pressed);
-        if ((key && m_bench.wants(*key)) ||
-            (beginsNumber(pressed) && !m_bench.interaction().numbers().empty())) {
-            event->accept();
-            return true;
-        }
+    if (event->type() == QEvent::ShortcutOverride &&
+        m_input.isBeforeShortcuts(static_cast<QKeyEvent *>(event))) {
+        event->accept();
+        return true;
     }
-    if (event->type() == QEvent::NativeGesture && pinch(static_cast<QNativeGestureEvent *>(event)))
+    if (event->type() == QEvent::NativeGesture &&
+        m_input.pinch(static_cast<QNativeGestureEvent *>(event)))
         return true;
     if (event->type() == QEvent::Leave)
-        leave();
+        m_input.leave();
     else if (event->type() == QEvent::FocusIn)
         showFocus(m_showsFocus || isOfKeys(static_cast<QFocusEvent *>(event)->reason()));
     else if (event->type() == QEvent::FocusOut) {
-        m_isSpaceHeld = false;
+        m_input.forgetKeys();
         // Back in this window, or behind a menu, it is where it was.
         const Qt::FocusReason reason = static_cast<QFocusEvent *>(event)->reason();
         if (reason != Qt::ActiveWindowFocusReason && reason != Qt::PopupFocusReason)
@@ -456,18 +276,9 @@ bool Viewport::event(QEvent *event)
     return QOpenGLWidget::event(event);
 }
 
-void Viewport::leave()
-{
-    flushMoves();
-    PointerEvent pointer;
-    pointer.type = PointerEvent::Type::Leave;
-    pointer.time = m_bench.clock().now();
-    m_bench.handle(pointer);
-}
-
 void Viewport::advance()
 {
-    flushMoves();
+    m_input.flush();
     if (!m_bench.advance())
         m_frames.stop();
 }

@@ -6,12 +6,11 @@
 #include "ui/view/frame_pace.h"
 #include "ui/view/renderer.h"
 #include "ui/view/scene.h"
+#include "ui/view_input.h"
 
 #include <QElapsedTimer>
 #include <QImage>
-#include <QNativeGestureEvent>
 #include <QOpenGLWidget>
-#include <QSinglePointEvent>
 #include <QTimer>
 
 #include <functional>
@@ -75,15 +74,7 @@ private:
         bool operator==(const Seen &other) const = default;
     };
 
-    PointerEvent pointer(PointerEvent::Type type, QSinglePointEvent *event);
-    PointerEvent pointer(PointerEvent::Type type, const QPointF &place, Qt::KeyboardModifiers keys,
-                         quint64 time);
-    bool pinch(QNativeGestureEvent *event);
-    bool tellOfModifiers(QKeyEvent *event);
-    bool nudge(QKeyEvent *event);
     void showFocus(bool shows);
-    void flushMoves();
-    void leave();
     void advance();
     void refresh();
     void rebuildScene();
@@ -95,15 +86,12 @@ private:
     void paintMarks();
 
     Workbench &m_bench;
+    ViewInput m_input;
     Renderer m_renderer;
     SceneBuilder m_builder;
     Scene m_scene;
     bool m_isUsable = false;
-    bool m_isSpaceHeld = false;
-    Vec2 m_cursor = Vec2::Zero();      // px, of the last event that had a place
-    bool m_showsFocus = false;         // a frame says that keys go here
-    std::vector<PointerEvent> m_moves; // of the burst that is coming in
-    QTimer m_burst;                    // ends when nothing more is at hand
+    bool m_showsFocus = false; // a frame says that keys go here
     QTimer m_frames;
     QTimer m_wake;     // something changes that no event brings
     QTimer m_rest;     // the picture has rested: draw it in full

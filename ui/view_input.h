@@ -1,0 +1,70 @@
+// What mouse, trackpad and keyboard do over the view, as events of the interaction: gathers bursts
+// of moves, knows which keys are held, and whose a key is (the tool's, a number's, an arrow).
+#pragma once
+
+#include <QObject> // first: moc stumbles over some standard headers
+
+#include "core/interaction/pointer_event.h"
+
+#include <QNativeGestureEvent>
+#include <QSinglePointEvent>
+#include <QTimer>
+
+#include <vector>
+
+class QKeyEvent;
+class QMouseEvent;
+class QWheelEvent;
+
+namespace fff::ui {
+
+class Workbench;
+
+class ViewInput : public QObject
+{
+    Q_OBJECT
+public:
+    /// The workbench outlives it.
+    ViewInput(Workbench &bench, QObject *parent);
+
+    void press(QMouseEvent *event);
+    void move(QMouseEvent *event);
+    void release(QMouseEvent *event);
+    void wheel(QWheelEvent *event);
+    /// Two fingers apart or together zoom, two fingers sideways push the picture. False for other
+    /// gestures.
+    bool pinch(QNativeGestureEvent *event);
+    /// The cursor is over the view no more.
+    void leave();
+    /// The keys go elsewhere: none is held any more.
+    void forgetKeys() { m_isSpaceHeld = false; }
+
+    /// False for a key that nobody here has a use for.
+    bool keyPress(QKeyEvent *event);
+    bool keyRelease(QKeyEvent *event);
+    /// The key is the tool's before it is that of a shortcut.
+    bool isBeforeShortcuts(const QKeyEvent *event) const;
+
+    /// Hands over the moves that have been gathered: before anything else happens.
+    void flush();
+
+Q_SIGNALS:
+    /// This was typed, and begins a number for the tool in the hand.
+    void numberBegun(const QString &text);
+
+private:
+    PointerEvent pointer(PointerEvent::Type type, QSinglePointEvent *event);
+    PointerEvent pointer(PointerEvent::Type type, const QPointF &place, Qt::KeyboardModifiers keys,
+                         quint64 time) const;
+    bool takesNumber(const QKeyEvent *event) const;
+    bool tellOfModifiers(QKeyEvent *event);
+    bool nudge(QKeyEvent *event);
+
+    Workbench &m_bench;
+    bool m_isSpaceHeld = false;
+    Vec2 m_cursor = Vec2::Zero();      // px, of the last event that had a place
+    std::vector<PointerEvent> m_moves; // of the burst that is coming in
+    QTimer m_burst;                    // ends when nothing more is at hand
+};
+
+} // namespace fff::ui
