@@ -70,6 +70,7 @@ ViewInput::ViewInput(Workbench &bench, QObject *parent) : QObject(parent), m_ben
 void ViewInput::press(QMouseEvent *event)
 {
     flush();
+    m_held |= event->button();
     m_bench.handle(pointer(PointerEvent::Type::Press, event));
 }
 
@@ -77,6 +78,7 @@ void ViewInput::press(QMouseEvent *event)
 /// gathered for as long as more of them are at hand.
 void ViewInput::move(QMouseEvent *event)
 {
+    letGo(event->buttons());
     m_moves.push_back(pointer(PointerEvent::Type::Move, event));
     if (!m_burst.isActive())
         m_burst.start();
@@ -94,8 +96,26 @@ void ViewInput::flush()
 
 void ViewInput::release(QMouseEvent *event)
 {
+    m_held &= ~Qt::MouseButtons(event->button());
     flush();
     m_bench.handle(pointer(PointerEvent::Type::Release, event));
+}
+
+void ViewInput::letGo(Qt::MouseButtons stillHeld)
+{
+    const Qt::MouseButtons lost = std::exchange(m_held, m_held & stillHeld) & ~stillHeld;
+    if (lost == Qt::NoButton)
+        return;
+    flush();
+    for (const Qt::MouseButton button : {Qt::LeftButton, Qt::MiddleButton, Qt::RightButton}) {
+        if (!lost.testFlag(button))
+            continue;
+        PointerEvent release =
+            pointer(PointerEvent::Type::Release, QPointF(m_cursor.x(), m_cursor.y()), m_keys,
+                    static_cast<quint64>(m_bench.clock().now()));
+        release.button = toButton(button);
+        m_bench.handle(release);
+    }
 }
 
 PointerEvent ViewInput::pointer(PointerEvent::Type type, const QPointF &place,
@@ -113,6 +133,7 @@ PointerEvent ViewInput::pointer(PointerEvent::Type type, const QPointF &place,
 PointerEvent ViewInput::pointer(PointerEvent::Type type, QSinglePointEvent *event)
 {
     m_cursor = toVec(event->position());
+    m_keys = event->modifiers();
     PointerEvent pointer =
         this->pointer(type, event->position(), event->modifiers(), event->timestamp());
     pointer.button = toButton(event->button());

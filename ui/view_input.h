@@ -36,6 +36,9 @@ public:
     bool pinch(QNativeGestureEvent *event);
     /// The cursor is over the view no more.
     void leave();
+    /// Other buttons than these are let go where they were seen last: the system took them away
+    /// without a release, for a dialog that blocks the window or another program's sake.
+    void letGo(Qt::MouseButtons stillHeld = Qt::NoButton);
     /// The keys go elsewhere: none is held any more.
     void forgetKeys() { m_isSpaceHeld = false; }
 
@@ -62,7 +65,9 @@ private:
 
     Workbench &m_bench;
     bool m_isSpaceHeld = false;
-    Vec2 m_cursor = Vec2::Zero();      // px, of the last event that had a place
+    Qt::MouseButtons m_held = Qt::NoButton;
+    Qt::KeyboardModifiers m_keys;      // of the last event that had a place
+    Vec2 m_cursor = Vec2::Zero();      // px, of that event
     std::vector<PointerEvent> m_moves; // of the burst that is coming in
     QTimer m_burst;                    // ends when nothing more is at hand
 };

@@ -264,6 +264,8 @@ bool Viewport::event(QEvent *event)
         return true;
     if (event->type() == QEvent::Leave)
         m_input.leave();
+    else if (event->type() == QEvent::WindowBlocked)
+        m_input.letGo();
     else if (event->type() == QEvent::FocusIn)
         showFocus(m_showsFocus || isOfKeys(static_cast<QFocusEvent *>(event)->reason()));
     else if (event->type() == QEvent::FocusOut) {

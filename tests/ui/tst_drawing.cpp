@@ -9,7 +9,9 @@
 #include "ui/docks/drawing_page.h"
 
 #include <QAction>
+#include <QDialog>
 #include <QLabel>
+#include <QMouseEvent>
 #include <QUndoView>
 
 #include <algorithm>
@@ -36,6 +38,10 @@ private Q_SLOTS:
     void aGroupByRubberBand();
     void escapeLaysTheToolDown();
     void aStepShowsWhatItTookAway();
+    void aLostButtonEndsTheStroke();
+    void aDialogEndsTheStroke();
+    void theViewChangesItsSize();
+    void thePenTellsWhatItChanges();
 
 private:
     QString text(const char *name)
@@ -44,6 +50,7 @@ private:
         return label ? label->text() : QString();
     }
     void drawOneSide();
+    void drawOpenOval();
     void box(const QPoint &from, const QPoint &to);
 };
 
@@ -57,6 +64,21 @@ void TestDrawing::drawOneSide()
         for (int i = 1; i <= 8; ++i)
             move(from + (start + way - from) * i / 8);
     }
+}
+
+/// In the front view, with the button still held.
+void TestDrawing::drawOpenOval()
+{
+    const auto at = [&](int i) {
+        const double angle = radians(9.0 * i);
+        return middle() + QPoint(static_cast<int>(150 * std::cos(angle)),
+                                 static_cast<int>(-110 * std::sin(angle)));
+    };
+    move(at(0));
+    press(at(0));
+    for (int i = 1; i < 38; ++i)
+        move(at(i));
+    QTRY_VERIFY(bench().interaction().overlay().stroke);
 }
 
 /// Four strokes in one go, from corner to corner.
@@ -252,8 +274,76 @@ void TestDrawing::aStepShowsWhatItTookAway()
     QVERIFY(bench().ghosts().empty());
 }
 
+/// What would be wrong: a window that never heard of the release goes on drawing with a mouse whose
+/// buttons are up, and what was drawn is lost with the next press.
+void TestDrawing::aLostButtonEndsTheStroke()
+{
+    drawOpenOval();
+    const QPoint far = middle() + QPoint(-300, 200);
+    QMouseEvent hover(QEvent::MouseMove, far, m_view->mapToGlobal(far), Qt::NoButton, Qt::NoButton,
+                      Qt::NoModifier);
+    QApplication::sendEvent(m_view, &hover);
+    QTRY_COMPARE(count(), std::size_t(1));
+    QVERIFY(!bench().interaction().hasGesture());
+    // As it was, without the way to where the mouse is now.
+    QVERIFY(first().shape->bounds().size().x() <
+            310.0 * bench().interaction().camera().millimetresPerPixel);
+    release(m_cursor);
+    QCOMPARE(count(), std::size_t(1));
+}
+
+/// What would be wrong: behind a dialog the stroke waits for a release that the dialog gets.
+void TestDrawing::aDialogEndsTheStroke()
+{
+    drawOpenOval();
+    QDialog dialog(m_window.get());
+    dialog.open();
+    QTRY_COMPARE(count(), std::size_t(1));
+    QVERIFY(!bench().interaction().hasGesture());
+    dialog.close();
+    release(m_cursor);
+    QCOMPARE(count(), std::size_t(1));
+}
+
+/// What would be wrong: the view keeps its middle while one draws, so that the line jumps by half
+/// of what the view grew.
+void TestDrawing::theViewChangesItsSize()
+{
+    drawOpenOval();
+    const auto last = [&] {
+        const Overlay::Stroke &stroke = *bench().interaction().overlay().stroke;
+        return stroke.canvas.toWorld(stroke.samples.back());
+    };
+    const QSize before = m_view->size();
+    const Vec3 there = last();
+    m_window->resize(m_window->size() - QSize(160, 120));
+    QTRY_COMPARE(m_view->size(), before - QSize(160, 120));
+    QVERIFY(bench().interaction().overlay().stroke);
+    QVERIFY((onScreen(there) - m_cursor).manhattanLength() <= 1);
+    move(m_cursor + QPoint(1, 0));
+    const double pixel = bench().interaction().camera().millimetresPerPixel;
+    QTRY_VERIFY((last() - there).norm() > 0.5 * pixel);
+    QVERIFY((last() - there).norm() < 1.5 * pixel);
+    release(m_cursor);
+    QTRY_COMPARE(count(), std::size_t(1));
+}
+
+/// What would be wrong: it speaks of a new section while a hole is set point by point.
+void TestDrawing::thePenTellsWhatItChanges()
+{
+    drawFirst();
+    bench().select({session().committed().ref(0)});
+    bench().run(QStringLiteral("section.pen"));
+    bench().run(QStringLiteral("section.addHole"));
+    QTRY_VERIFY(!bench().interaction().isAnimating());
+    click(middle() + QPoint(-30, 20));
+    click(middle() + QPoint(30, 20));
+    const auto *page = m_window->findChild<DrawingPage *>();
+    QTRY_VERIFY(page->isVisible());
+    QTRY_COMPARE(text("drawnKind"), QStringLiteral("A hole, while you draw it"));
+}
+
 int main(int argc, char *argv[])
 {
     return runInWindowProgram<TestDrawing>(argc, argv);
 }
-#include "tst_drawing.moc"
