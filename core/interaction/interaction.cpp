@@ -31,7 +31,11 @@ Interaction::~Interaction() = default;
 
 void Interaction::setViewport(const Vec2 &size)
 {
-    d->motion.viewport = size.cwiseMax(1.0);
+    const Vec2 before = std::exchange(d->motion.viewport, size.cwiseMax(1.0));
+    // What is drawn stays under the cursor, though the view's middle moved.
+    if (d->gesture || d->isToolPressed)
+        d->motion.camera =
+            panned(d->motion.camera, 0.5 * d->motion.viewport, 0.5 * before, d->motion.viewport);
     if (!d->motion.isTouched)
         d->motion.fitFirst(d->host.model().bounds());
 }
