@@ -1,7 +1,7 @@
 // What the overlay shows of a path that is set point by point.
 #pragma once
 
-#include "core/geometry/frame.h"
+#include "core/interaction/contour_target.h"
 #include "core/interaction/snapping.h"
 #include "core/stroke/pen_path.h"
 
@@ -13,6 +13,7 @@ namespace fff {
 /// Points are in the canvas' coordinates, mm. Equal ones look the same.
 struct PenMarks
 {
+    ContourTarget::Purpose purpose = ContourTarget::Purpose::NewSection;
     Frame canvas;
     std::vector<PathPoint> points;
     bool hasArea = false;               // what closes makes something

@@ -42,6 +42,7 @@ void PenTool::mark(GestureContext &context, bool hasCursor)
         overlay.plane = planeMark(target.canvas, context);
 
     PenMarks &marks = overlay.pen.emplace();
+    marks.purpose = target.purpose;
     marks.canvas = target.canvas;
     marks.points = m_path.points();
     marks.hasArea = isClosable();

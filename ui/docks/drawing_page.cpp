@@ -38,12 +38,15 @@ int drawnIndex(const Workbench &bench)
 QString kindText(const Overlay &overlay)
 {
     using Purpose = ContourTarget::Purpose;
-    const Purpose purpose = overlay.stroke ? overlay.stroke->purpose : Purpose::NewSection;
+    const Purpose purpose = overlay.stroke ? overlay.stroke->purpose
+                            : overlay.pen  ? overlay.pen->purpose
+                                           : Purpose::NewSection;
     if (purpose == Purpose::Hole)
         return DrawingPage::tr("A hole, while you draw it");
     if (purpose == Purpose::Redraw)
         return DrawingPage::tr("A new contour, while you draw it");
-    return DrawingPage::tr("New section, while you draw it");
+    return overlay.stroke || overlay.pen ? DrawingPage::tr("New section, while you draw it")
+                                         : DrawingPage::tr("Its contour comes next");
 }
 
 } // namespace
@@ -60,6 +63,7 @@ DrawingPage::DrawingPage(Workbench &bench, QWidget *parent) : QWidget(parent), m
     bold.setWeight(QFont::DemiBold);
     m_name->setFont(bold);
     m_kind = new QLabel(this);
+    m_kind->setObjectName(QStringLiteral("drawnKind"));
     m_kind->setForegroundRole(QPalette::PlaceholderText);
     auto *head = new QGridLayout;
     head->setHorizontalSpacing(10);
