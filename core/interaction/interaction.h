@@ -49,10 +49,12 @@ struct Overlay
         bool hasLeft = false; // `to` is where the stroke left the section
         std::string section;  // its name
     };
+    /// A capsule round the slit, on the canvas: the contour begins where the cursor leaves it.
     struct DeadZone
     {
-        Vec3 from, to;       // the slit
-        double radius = 0.0; // px
+        Frame canvas;        // origin at the slit's start, x along it
+        double length = 0.0; // of the slit, mm
+        double radius = 0.0; // mm
     };
     struct Stroke
     {
@@ -132,7 +134,7 @@ struct InteractionSettings
     bool mirrors = true;       // local symmetry: a stroke on one side of its slit is mirrored
     bool mirrorsFirst = false; // also the first section's, across the vertical through its start
     bool cutsAtGround = true;  // contours end at Y = 0
-    bool snaps = true;         // points that are set or moved
+    bool snaps = true;         // points that the pen sets or moves
     double deadZoneFraction = 0.025; // of the viewport's width
     double dragThreshold = 4.0;      // px
     double nameDelay = 400.0;        // ms that the cursor rests before a name is shown

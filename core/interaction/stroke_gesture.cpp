@@ -221,9 +221,8 @@ void StrokeGesture::updateOverlay(GestureContext &context) const
             Overlay::SlitLine{frame.toWorld(m_stroke.slitFrom()), frame.toWorld(m_stroke.slitTo()),
                               state != Stroke::State::Slit, m_ground->section->name};
         if (state == Stroke::State::DeadZone)
-            overlay.deadZone =
-                Overlay::DeadZone{overlay.slit->from, overlay.slit->to,
-                                  m_stroke.deadZoneRadius() / context.camera.millimetresPerPixel};
+            overlay.deadZone = Overlay::DeadZone{m_target.canvas, m_stroke.slitLength(),
+                                                 m_stroke.deadZoneRadius()};
     }
     if (state == Stroke::State::Contour) {
         const StrokeContour &contour = m_stroke.contour();

@@ -212,7 +212,7 @@ void paintPath(MarkPen &pen, const PenMarks &marks, LengthUnit unit, const QLoca
     drawing.points();
     drawing.next();
     if (marks.cut)
-        paintCutChip(pen, *marks.cut, marks.canvas);
+        paintCutChip(pen, *marks.cut, marks.canvas, marks.next.value_or(marks.points.back().at));
     drawing.numbers(unit, locale);
 }
 

@@ -2,7 +2,9 @@
 
 #include <QCoreApplication>
 
+#include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace fff::ui {
 
@@ -30,13 +32,19 @@ QPainterPath endless(const MarkPen &pen, const Vec3 &point, const Vec3 &directio
 
 void paintDeadZone(MarkPen &pen, const Overlay::DeadZone &zone)
 {
-    QPainterPath line(pen.screen(zone.from));
-    // A slit seen end-on still has its circle.
-    line.lineTo(pen.screen(zone.to) + QPointF(1e-3, 0.0));
-    QPainterPathStroker stroker;
-    stroker.setWidth(2.0 * zone.radius);
-    stroker.setCapStyle(Qt::RoundCap);
-    const QPainterPath capsule = stroker.createStroke(line).simplified();
+    constexpr int kChords = 32; // of each of its two half circles
+    QPolygonF outline;
+    for (const double end : {zone.length, 0.0}) {
+        for (int i = 0; i <= kChords; ++i) {
+            const double angle = std::numbers::pi * (static_cast<double>(i) / kChords - 0.5) +
+                                 (end > 0.0 ? 0.0 : std::numbers::pi);
+            outline += pen.screen(zone.canvas.toWorld(
+                Vec2(end, 0.0) + zone.radius * Vec2(std::cos(angle), std::sin(angle))));
+        }
+    }
+    QPainterPath capsule;
+    capsule.addPolygon(outline);
+    capsule.closeSubpath();
     pen.painter().fillPath(capsule, faded(pen.style().deadZone, 0.13));
     QPen dashed(pen.style().deadZone, 1.4);
     dashed.setDashPattern({4.0, 3.0});
@@ -167,7 +175,9 @@ void paintSlit(MarkPen &pen, const Overlay &overlay, LengthUnit unit, const QLoc
         pen.ring(to, 4.5, pen.style().slit);
 
     const double length = (slit.to - slit.from).norm();
-    const double reach = overlay.deadZone ? overlay.deadZone->radius + 14.0 : 22.0;
+    double reach = 22.0; // px, from the slit to its chip
+    if (const auto &zone = overlay.deadZone)
+        reach = zone->radius / pen.camera().scaleAt(slit.to, pen.viewport()) + 14.0;
     pen.chip({0.5 * (from.x() + to.x()) - reach, 0.5 * (from.y() + to.y())}, MarkPen::Anchor::Right,
              //: %1 is its length, with a unit
              Words::tr("Slit %1").arg(lengthText(length, unit, 1, 1, locale)), pen.style().slit);
@@ -182,16 +192,22 @@ void paintCutOff(MarkPen &pen, const Contour &contour, const Frame &canvas)
     pen.painter().strokePath(pen.path(contour, canvas), dashed);
 }
 
-void paintCutChip(MarkPen &pen, const Contour &contour, const Frame &canvas)
+void paintCutChip(MarkPen &pen, const Contour &contour, const Frame &canvas, const Vec2 &cursor)
 {
-    QPointF place(0.0, 0.0);
+    std::vector<QPointF> below;
     for (const Vec2 &p : contour.points()) {
-        const Vec3 world = canvas.toWorld(p);
-        const QPointF at = pen.screen(world);
-        if (world.y() < 0.0 && at.x() > place.x())
-            place = at;
+        if (canvas.toWorld(p).y() < 0.0)
+            below.push_back(pen.screen(canvas.toWorld(p)));
     }
-    pen.chip(place + QPointF(24.0, 16.0), MarkPen::Anchor::Left,
+    if (below.empty())
+        return;
+    const auto isLeft = [](const QPointF &a, const QPointF &b) { return a.x() < b.x(); };
+    const auto [left, right] = std::minmax_element(below.begin(), below.end(), isLeft);
+    // Where the cursor is there are words already.
+    const double x = pen.screen(canvas.toWorld(cursor)).x();
+    const bool isRight = x - left->x() < right->x() - x;
+    pen.chip(isRight ? *right + QPointF(24.0, 16.0) : *left + QPointF(-24.0, 16.0),
+             isRight ? MarkPen::Anchor::Left : MarkPen::Anchor::Right,
              Words::tr("Cut flat at the ground"), pen.style().muted);
 }
 
@@ -209,7 +225,8 @@ void paintStroke(MarkPen &pen, const Overlay &overlay, bool isGroundHatched, Len
     if (!overlay.stroke)
         return;
     if (overlay.stroke->cut)
-        paintCutChip(pen, *overlay.stroke->cut, overlay.stroke->canvas);
+        paintCutChip(pen, *overlay.stroke->cut, overlay.stroke->canvas,
+                     overlay.stroke->samples.back());
     paintCursor(pen, *overlay.stroke, unit, locale);
 }
 

@@ -16,7 +16,7 @@ void paintStroke(MarkPen &pen, const Overlay &overlay, bool isGroundHatched, Len
 
 /// What the ground cuts off of what is drawn: the whole contour, dotted.
 void paintCutOff(MarkPen &pen, const Contour &contour, const Frame &canvas);
-/// Beside it, below the ground, what became of it.
-void paintCutChip(MarkPen &pen, const Contour &contour, const Frame &canvas);
+/// Beside it, below the ground, what became of it: away from the cursor (canvas coordinates).
+void paintCutChip(MarkPen &pen, const Contour &contour, const Frame &canvas, const Vec2 &cursor);
 
 } // namespace fff::ui

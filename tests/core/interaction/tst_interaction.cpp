@@ -148,7 +148,9 @@ void TestInteraction::secondSectionStandsOnItsSlit()
     desk.wait(kTurnTime);
     QCOMPARE(desk.hint(), Hint::Kind::LeaveDeadZone);
     QVERIFY(desk.interaction.overlay().deadZone);
-    QVERIFY(std::abs(desk.interaction.overlay().deadZone->radius - 32.0) < 1e-9);
+    QVERIFY(std::abs(desk.interaction.overlay().deadZone->radius /
+                         desk.interaction.camera().millimetresPerPixel -
+                     32.0) < 1e-9);
     const Vec3 backward = desk.interaction.camera().backward();
     QVERIFY(backward.y() > -1e-9);
     const Vec2 start = desk.cursor;
@@ -741,7 +743,9 @@ void TestInteraction::strokesInPerspectiveLieOnTheirPlane()
     desk.wait(kTurnTime);
     QVERIFY((desk.screen(end) - desk.cursor).norm() < 1.0);
     QCOMPARE(desk.hint(), Hint::Kind::LeaveDeadZone);
-    QVERIFY(std::abs(desk.interaction.overlay().deadZone->radius - 32.0) < 1e-6);
+    QVERIFY(std::abs(desk.interaction.overlay().deadZone->radius /
+                         desk.interaction.camera().millimetresPerPixel -
+                     32.0) < 1e-6);
     const Vec2 start = desk.cursor;
     const std::vector<Vec2> way{start + Vec2(100, 60), start + Vec2(100, -80),
                                 start + Vec2(-80, -80)};
