@@ -171,11 +171,10 @@ void ActionSet::refresh()
         const QString name = isInTool ? tr("Set a point") : step;
         const bool can = isInTool || isInHistory;
         QAction *a = action(id);
-        setAble(id, can, whyNot);
+        a->setEnabled(can);
         a->setText(can ? named.arg(name) : what);
         a->setIconText(QString(what).remove(u'&'));
-        if (can)
-            setTip(a, QString(named.arg(name)).remove(u'&'));
+        setTip(a, can ? QString(named.arg(name)).remove(u'&') : whyNot);
     };
     setStep("edit.undo", interaction.canUndoInTool(), history.canUndo(), history.undoText(),
             tr("&Undo"), tr("&Undo \u201c%1\u201d"), tr("There is no step to take back"));

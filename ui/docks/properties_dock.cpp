@@ -108,13 +108,16 @@ PropertiesDock::PropertiesDock(Workbench &bench, QWidget *parent)
 
     connect(&bench, &Workbench::selectionChanged, this, &PropertiesDock::refresh);
     connect(&bench, &Workbench::pointsChanged, this, &PropertiesDock::refresh);
-    connect(&bench.session(), &Session::modelChanged, this, &PropertiesDock::refresh);
-    connect(&bench.session(), &Session::analysisChanged, this, &PropertiesDock::refresh);
+    connect(&bench.session(), &Session::modelChanged, this, &PropertiesDock::follow);
+    connect(&bench.session(), &Session::analysisChanged, this, &PropertiesDock::follow);
     connect(&settings(), &Settings::unitChanged, this, &PropertiesDock::refresh);
     connect(&bench, &Workbench::viewChanged, this, [this] {
         if (m_drawingPage->isWanted() || !m_drawingPage->isHidden())
-            refresh();
+            follow();
     });
+    m_soon.setSingleShot(true);
+    m_soon.setInterval(0);
+    connect(&m_soon, &QTimer::timeout, this, &PropertiesDock::refresh);
     connect(this, &QDockWidget::visibilityChanged, this, &PropertiesDock::refresh);
 }
 
@@ -403,8 +406,18 @@ PropertyRow *PropertiesDock::positionRow(int axis, const QString &name, const ch
     return row;
 }
 
+/// While something is drawn, each move changes overlay, model and analysis: all at once is enough.
+void PropertiesDock::follow()
+{
+    if (m_drawingPage->isWanted() && !m_drawingPage->isHidden())
+        m_soon.start();
+    else
+        refresh();
+}
+
 void PropertiesDock::refresh()
 {
+    m_soon.stop();
     if (!isVisible())
         return; // once it is seen again
     const bool isDrawing = m_drawingPage->isWanted();

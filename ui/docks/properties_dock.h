@@ -6,6 +6,7 @@
 
 #include "core/base/ids.h"
 
+#include <QTimer>
 #include <optional>
 #include <vector>
 
@@ -33,6 +34,7 @@ Q_SIGNALS:
     void stockWanted(fff::StockId stock);
 
 private:
+    void follow();
     QWidget *makeModelPage(QWidget *parent);
     QWidget *makeSectionPage(QWidget *parent);
     void addStockRows(PropertyGroup *group);
@@ -52,6 +54,7 @@ private:
     JointRows *m_joints = nullptr;
     std::vector<int> m_selected; // indices in the model that is shown, as of refresh()
     std::vector<PropertyRow *> m_modelRows, m_sectionRows;
+    QTimer m_soon; // refreshes once all that came at once is in
 };
 
 } // namespace fff::ui
