@@ -237,6 +237,7 @@ void Drawing::progress()
     m_painter.drawText(QRectF(right.x() - width, right.y() - 10.0, width + 2.0, 20.0),
                        Qt::AlignVCenter | Qt::AlignLeft, text);
     const QRectF ring(right.x() - width - 24.0, right.y() - 7.0, 14.0, 14.0);
+    m_painter.setBrush(Qt::NoBrush);
     m_painter.setPen(QPen(faded(m_style.muted, 0.3), 2.0));
     m_painter.drawEllipse(ring);
     m_painter.setPen(roundPen(m_style.accent, 2.0));
