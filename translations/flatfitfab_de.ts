@@ -2260,6 +2260,10 @@
         <source>&lt;b&gt;Not mirrored.&lt;/b&gt; The two halves would not meet at the slit.</source>
         <translation>&lt;b&gt;Nicht gespiegelt.&lt;/b&gt; Die beiden Hälften träfen sich am Schlitz nicht.</translation>
     </message>
+    <message>
+        <source>Its contour comes next</source>
+        <translation>Als Nächstes kommt die Kontur</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::Exporting</name>
