@@ -18,6 +18,19 @@ tl::unexpected<Hint> refused(Hint::Kind kind, const std::string &section = {})
     return tl::unexpected<Hint>(Hint{kind, section, true});
 }
 
+/// The document after a step that changed one section; nothing when that could not be done.
+tl::expected<DrawnContour, Hint> changed(Result<Document> next, Step::Kind kind,
+                                         const Section &section)
+{
+    if (!next)
+        return refused(Hint::Kind::Failed);
+    DrawnContour drawn;
+    drawn.document = *std::move(next);
+    drawn.step = {kind, {section.name}};
+    drawn.section = section.id;
+    return drawn;
+}
+
 /// The section's shape with these holes, mended; its hint says what had to be.
 tl::expected<DrawnContour, Hint> withShape(const Document &document, const Section &section,
                                            const Contour &contour,
@@ -36,19 +49,16 @@ tl::expected<DrawnContour, Hint> withShape(const Document &document, const Secti
     };
     if (kind == Step::Kind::AddHole && has(WarningCode::HoleOutside))
         return refused(Hint::Kind::HoleOutside, section.name);
-    Result<Document> next = setShape(document, section.id, *std::move(shape));
-    if (!next)
-        return refused(Hint::Kind::Failed);
-    DrawnContour drawn;
-    drawn.document = *std::move(next);
-    drawn.step = {kind, {section.name}};
-    drawn.section = section.id;
+    tl::expected<DrawnContour, Hint> drawn =
+        changed(setShape(document, section.id, *std::move(shape)), kind, section);
+    if (!drawn)
+        return drawn;
     if (has(WarningCode::NotchedContour))
-        drawn.note = Hint{Hint::Kind::HoleIsNotch, section.name, false};
+        drawn->note = Hint{Hint::Kind::HoleIsNotch, section.name, false};
     else if (kind == Step::Kind::AddHole && has(WarningCode::MergedHoles))
-        drawn.note = Hint{Hint::Kind::HolesMerged, section.name, false};
+        drawn->note = Hint{Hint::Kind::HolesMerged, section.name, false};
     else if (has(WarningCode::HoleOutside))
-        drawn.note = Hint{Hint::Kind::HolesLeftOut, section.name, false};
+        drawn->note = Hint{Hint::Kind::HolesLeftOut, section.name, false};
     return drawn;
 }
 
@@ -98,21 +108,6 @@ bool isWellInside(const Contour &hole, const Shape &shape)
            nesting(hole, shape.contour(), kCutChord) == Nesting::FirstInside;
 }
 
-tl::expected<DrawnContour, Hint> withHoles(const Document &document, const Section &section,
-                                           Result<ShapePointer> shape)
-{
-    if (!shape)
-        return refused(Hint::Kind::Failed);
-    Result<Document> next = setShape(document, section.id, *std::move(shape));
-    if (!next)
-        return refused(Hint::Kind::Failed);
-    DrawnContour drawn;
-    drawn.document = *std::move(next);
-    drawn.step = {Step::Kind::AddHole, {section.name}};
-    drawn.section = section.id;
-    return drawn;
-}
-
 tl::expected<DrawnContour, Hint> withHole(const Document &document, SectionId id,
                                           const Contour &hole)
 {
@@ -122,8 +117,12 @@ tl::expected<DrawnContour, Hint> withHole(const Document &document, SectionId id
     const Shape &shape = *section->shape;
     std::vector<Contour> holes = shape.holes();
     holes.push_back(hole);
-    if (isWellInside(hole, shape))
-        return withHoles(document, *section, Shape::make(shape.contour(), std::move(holes)));
+    if (isWellInside(hole, shape)) {
+        Result<ShapePointer> whole = Shape::make(shape.contour(), std::move(holes));
+        if (!whole)
+            return refused(Hint::Kind::Failed);
+        return changed(setShape(document, id, *std::move(whole)), Step::Kind::AddHole, *section);
+    }
     tl::expected<DrawnContour, Hint> drawn =
         withShape(document, *section, shape.contour(), holes, Step::Kind::AddHole);
     if (drawn && std::abs(drawn->document.find(id)->shape->area() - shape.area()) < kMinArea)
