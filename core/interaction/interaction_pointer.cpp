@@ -86,7 +86,10 @@ void Interaction::Private::release(const PointerEvent &event)
         hover();
 }
 
-void Interaction::Private::zoom(const PointerEvent &event, double factor)
+/// Moves the view at once, without a gesture. What `moved` gets has its target at the depth
+/// of what is under the cursor.
+void Interaction::Private::roll(const PointerEvent &event,
+                                const std::function<Camera(const Camera &)> &moved)
 {
     if (gesture || !pending.empty() || isToolPressed)
         return;
@@ -94,22 +97,22 @@ void Interaction::Private::zoom(const PointerEvent &event, double factor)
     motion.history.leave(motion.camera, ViewHistory::Change::Wheel);
     clicks.forget();
     motion.isTouched = true;
-    motion.camera =
-        zoomed(sight().cameraAt(event.position), factor, event.position, motion.viewport);
+    motion.camera = moved(sight().cameraAt(event.position));
     hover();
+}
+
+void Interaction::Private::zoom(const PointerEvent &event, double factor)
+{
+    roll(event, [&](const Camera &camera) {
+        return zoomed(camera, factor, event.position, motion.viewport);
+    });
 }
 
 void Interaction::Private::scroll(const PointerEvent &event)
 {
-    if (gesture || !pending.empty() || isToolPressed)
-        return;
-    stopMotion();
-    motion.history.leave(motion.camera, ViewHistory::Change::Wheel);
-    clicks.forget();
-    motion.isTouched = true;
-    motion.camera = panned(sight().cameraAt(event.position), event.position,
-                           event.position + event.scroll, motion.viewport);
-    hover();
+    roll(event, [&](const Camera &camera) {
+        return panned(camera, event.position, event.position + event.scroll, motion.viewport);
+    });
 }
 
 void Interaction::Private::leave()

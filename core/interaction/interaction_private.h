@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <tuple>
 #include <utility>
 
@@ -70,6 +71,7 @@ public:
     void press(const PointerEvent &event);
     void move(const PointerEvent &event);
     void release(const PointerEvent &event);
+    void roll(const PointerEvent &event, const std::function<Camera(const Camera &)> &moved);
     void zoom(const PointerEvent &event, double factor);
     void scroll(const PointerEvent &event);
     void leave();
