@@ -46,22 +46,10 @@ Side locate(const Vec2 &point, const Polygon &polygon)
 {
     bool inside = false;
     for (std::size_t i = 0, j = polygon.size() - 1; i < polygon.size(); j = i++) {
-        const Vec2 &a = polygon[j];
-        const Vec2 &b = polygon[i];
-        if (point == a)
+        const RayMeeting meeting = rayMeeting(point, polygon[j], polygon[i]);
+        if (meeting == RayMeeting::Begins)
             return Side::Boundary;
-        if ((a.y() <= point.y()) == (b.y() <= point.y())) {
-            // Only an edge at the very height of the point can still contain it.
-            if (a.y() == point.y() && b.y() == point.y() && std::min(a.x(), b.x()) <= point.x() &&
-                point.x() <= std::max(a.x(), b.x()))
-                return Side::Boundary;
-            continue;
-        }
-        const double side = sideOfLine(a, b, point);
-        if (side == 0)
-            return Side::Boundary;
-        if ((b.y() > a.y()) == (side > 0))
-            inside = !inside;
+        inside ^= meeting == RayMeeting::Crosses;
     }
     return inside ? Side::Inside : Side::Outside;
 }

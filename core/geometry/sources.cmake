@@ -18,6 +18,7 @@ target_sources(fff_core PRIVATE
     geometry/offset.cpp
     geometry/point_removal.cpp
     geometry/polygon.cpp
+    geometry/region_tree.cpp
     geometry/sampled_line.cpp
     geometry/side_of_line.cpp
     geometry/simple_ring.cpp
