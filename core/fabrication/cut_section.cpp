@@ -124,6 +124,15 @@ const std::vector<Triangulation> &CutSection::triangulations() const
     return m_triangulations;
 }
 
+const std::vector<RegionTree> &CutSection::trees() const
+{
+    std::call_once(m_treesOnce, [this] {
+        for (const CurvedRegion &part : m_parts)
+            m_trees.emplace_back(part.region);
+    });
+    return m_trees;
+}
+
 double CutSection::area() const
 {
     double sum = 0.0;

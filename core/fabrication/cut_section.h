@@ -4,6 +4,7 @@
 #include "core/assembly/joint.h"
 #include "core/geometry/boolean.h"
 #include "core/geometry/notch.h"
+#include "core/geometry/region_tree.h"
 #include "core/model/shape.h"
 
 #include <array>
@@ -36,6 +37,8 @@ public:
     const std::vector<CurvedRegion> &parts() const { return m_parts; }
     /// Of each part's region, computed at first use, once, from any thread.
     const std::vector<Triangulation> &triangulations() const;
+    /// Of each part's region, the same way.
+    const std::vector<RegionTree> &trees() const;
     double area() const;
     /// Of all parts together, exact for the curves. Computed at first use, as the triangles.
     const Moments &moments() const;
@@ -50,9 +53,10 @@ private:
     mutable std::mutex m_compensatedMutex;
     mutable double m_compensatedKerf = 0.0;
     mutable std::shared_ptr<const std::vector<CurvedRegion>> m_compensated;
-    mutable std::once_flag m_once, m_momentsOnce;
+    mutable std::once_flag m_once, m_treesOnce, m_momentsOnce;
     mutable Moments m_moments;
     mutable std::vector<Triangulation> m_triangulations;
+    mutable std::vector<RegionTree> m_trees;
 };
 
 using CutSectionPointer = std::shared_ptr<const CutSection>;

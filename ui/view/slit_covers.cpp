@@ -23,18 +23,22 @@ struct Stretch
     Vec2 at(const Vec2 &p) const { return {along.dot(p - origin), across.dot(p - origin)}; }
 };
 
-/// The smallest `along` at which the ring's edges come into the strip, at most `length`.
-double firstIntrusion(const Polygon &ring, const Stretch &stretch, double half, double length)
+/// Where the edges near the strip first come into it, at most `length` along it.
+double firstIntrusion(const RegionTree &part, const Stretch &stretch, double half, double length)
 {
-    Vec2 here = ring.empty() ? Vec2(Vec2::Zero()) : stretch.at(ring.back());
-    for (const Vec2 &point : ring) {
-        const Vec2 before = here;
-        here = stretch.at(point);
-        const bool rises = before.y() <= here.y();
-        const Vec2 &a = rises ? before : here, &b = rises ? here : before;
+    Box2 strip;
+    for (const double along : {0.0, length})
+        for (const double across : {-half, half})
+            strip.extend(Vec2(stretch.origin + along * stretch.along + across * stretch.across));
+    strip.min.array() -= kOnBorder;
+    strip.max.array() += kOnBorder;
+    part.visitNear(strip, [&](const Vec2 &from, const Vec2 &to) {
+        const Vec2 begin = stretch.at(from), end = stretch.at(to);
+        const bool rises = begin.y() <= end.y();
+        const Vec2 &a = rises ? begin : end, &b = rises ? end : begin;
         if (b.y() <= -half || a.y() >= half || std::min(a.x(), b.x()) >= length ||
             std::max(a.x(), b.x()) <= kOnBorder)
-            continue;
+            return;
         // The part of the edge between the strip's two borders.
         const auto atHeight = [&](double y) { return a + (y - a.y()) / (b.y() - a.y()) * (b - a); };
         const Vec2 low = a.y() < -half ? atHeight(-half) : a;
@@ -42,25 +46,22 @@ double firstIntrusion(const Polygon &ring, const Stretch &stretch, double half, 
         const double least = std::min(low.x(), high.x());
         if (std::max(low.x(), high.x()) > kOnBorder)
             length = std::min(length, std::max(least, 0.0));
-    }
+    });
     return length;
 }
 
 /// How far the parts fill the strip from its beginning on.
-double filledLength(const std::vector<CurvedRegion> &parts, const Stretch &stretch, double half,
+double filledLength(const std::vector<RegionTree> &parts, const Stretch &stretch, double half,
                     double length)
 {
     const Vec2 start = stretch.origin + 2.0 * kOnBorder * stretch.along;
-    const bool isInside = std::any_of(parts.begin(), parts.end(), [&](const CurvedRegion &part) {
-        return locate(start, part.region) != Side::Outside;
+    const bool isInside = std::any_of(parts.begin(), parts.end(), [&](const RegionTree &part) {
+        return part.locate(start) != Side::Outside;
     });
     if (!isInside)
         return 0.0;
-    for (const CurvedRegion &part : parts) {
-        length = firstIntrusion(part.region.outer, stretch, half, length);
-        for (const Polygon &hole : part.region.holes)
-            length = firstIntrusion(hole, stretch, half, length);
-    }
+    for (const RegionTree &part : parts)
+        length = firstIntrusion(part, stretch, half, length);
     return length;
 }
 
@@ -100,7 +101,7 @@ std::optional<CoveredSlit> coveredSlit(const Analysis &analysis, std::size_t sec
 void addCover(const Analysis &analysis, const Slit &slit, CoveredSlit covered,
               SectionCovers &covers)
 {
-    const auto &parts = analysis.cuts[static_cast<std::size_t>(slit.guest)]->parts();
+    const auto &parts = analysis.cuts[static_cast<std::size_t>(slit.guest)]->trees();
     const double filled = filledLength(parts, covered.stretch, covered.half, covered.length);
     covered.cover.length = kCoverStep * std::floor(filled / kCoverStep);
     if (covered.cover.length > kNoPlay) {

@@ -53,7 +53,6 @@ public:
 
 private:
     struct Change;
-    bool isPlaced(std::size_t section) const;
 
     const Analysis &m_now, &m_before;
     std::vector<Change> m_changes; // of each section
