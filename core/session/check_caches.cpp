@@ -1,5 +1,7 @@
 #include "core/session/check_caches.h"
 
+#include "core/session/gap.h"
+
 namespace fff {
 
 namespace {
@@ -11,8 +13,8 @@ bool isOf(const CheckCaches::OfSection &known, const CheckCaches::OfSection &now
            known.kerf == now.kerf && known.room == now.room && known.turnsFreely == now.turnsFreely;
 }
 
-/// Works out what is not known of this section.
-void refresh(const Analysis &analysis, int section, const LayoutOptions &options,
+/// Works out what is not known of this section. Whether there was something.
+bool refresh(const Analysis &analysis, int section, const LayoutOptions &options,
              CheckCaches::OfSection &known)
 {
     const auto index = static_cast<std::size_t>(section);
@@ -25,7 +27,7 @@ void refresh(const Analysis &analysis, int section, const LayoutOptions &options
     now.room = roomOf(options.sheet.value_or(stock.sheet), options);
     now.turnsFreely = options.turnsFreely;
     if (isOf(known, now))
-        return;
+        return false;
     for (const Slab &slab : slabsOf(analysis, section)) {
         now.contacts.push_back(contactOf(slab));
         now.box.extend(boundsOf(slab));
@@ -40,15 +42,26 @@ void refresh(const Analysis &analysis, int section, const LayoutOptions &options
     else
         addSizes(now.cut->parts());
     known = std::move(now);
+    return true;
 }
 
 } // namespace
 
 void refreshCaches(const Analysis &analysis, const LayoutOptions &options, CheckCaches &caches)
 {
-    caches.sections.resize(analysis.model.sectionCount());
-    for (std::size_t i = 0; i < caches.sections.size(); ++i)
-        refresh(analysis, static_cast<int>(i), options, caches.sections[i]);
+    const std::size_t count = analysis.model.sectionCount();
+    if (caches.sections.size() != count)
+        caches.gaps.clear(); // indices mean other sections, and there are others to be near
+    caches.sections.resize(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        const Box3 before = caches.sections[i].box;
+        if (!refresh(analysis, static_cast<int>(i), options, caches.sections[i]))
+            continue;
+        const Box3 &now = caches.sections[i].box;
+        std::erase_if(caches.gaps, [&](const CheckCaches::OfGroup &gap) {
+            return isReached(gap, before) || isReached(gap, now);
+        });
+    }
 }
 
 std::vector<Slab> slabsOf(const Analysis &analysis, int section)

@@ -27,10 +27,23 @@ struct CheckCaches
         Box3 box;                                              // of all of them
         std::vector<std::shared_ptr<const OutlineSize>> sizes; // of each part, with the kerf
     };
+    /// How far it is to the sections that are not in the group.
+    struct OfGroup
+    {
+        std::vector<int> group; // indices into the model
+        Box3 box;               // of all of them
+
+        double distance = std::numeric_limits<double>::infinity(); // mm; infinite: nothing there
+        int other = -1;                                            // the nearest
+        Vec3 at = Vec3::Zero();                                    // of the group, nearest to it
+    };
+
     std::vector<OfSection> sections; // by index in the model
+    std::vector<OfGroup> gaps;       // of loose groups
 };
 
-/// Works out what is not known of the sections of this model.
+/// Works out what is not known of the sections of this model, and forgets of groups what they may
+/// have changed.
 void refreshCaches(const Analysis &analysis, const LayoutOptions &options, CheckCaches &caches);
 
 /// Of each part that the slits leave of a section (index into the model).

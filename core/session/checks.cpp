@@ -1,6 +1,7 @@
 #include "core/session/checks.h"
 
 #include "core/base/tolerances.h"
+#include "core/session/gap.h"
 
 #include <algorithm>
 #include <array>
@@ -56,41 +57,23 @@ MassProperties loadedMass(const Analysis &analysis, const Group &sections)
 
 // --- connection
 
-/// How far a group is from all other sections, and where.
-void measureGap(const Analysis &analysis, const Group &group, Check &check)
+/// How far the groups after the first are from all other sections. What is known stays so.
+void refreshGaps(const Analysis &analysis, const std::vector<Group> &groups, CheckCaches &caches)
 {
-    const std::size_t count = analysis.model.sectionCount();
-    std::vector<char> isInside(count, 0);
-    for (const int section : group)
-        isInside[static_cast<std::size_t>(section)] = 1;
-    Nearest best;
-    for (const int section : group) {
-        for (const Slab &slab : slabsOf(analysis, section)) {
-            const Box3 box = boundsOf(slab);
-            for (std::size_t i = 0; i < count; ++i) {
-                if (isInside[i])
-                    continue;
-                for (const Slab &otherSlab : slabsOf(analysis, static_cast<int>(i))) {
-                    if (distanceBetween(box, boundsOf(otherSlab)) >= best.distance)
-                        continue;
-                    const Nearest found = nearestPoints(slab, otherSlab, best.distance);
-                    if (found.distance < best.distance) {
-                        best = found;
-                        check.other = analysis.model.ref(i);
-                    }
-                }
-            }
-        }
+    std::vector<CheckCaches::OfGroup> gaps;
+    for (std::size_t g = 1; g < std::min(groups.size(), kMaxMeasuredGroups + 1); ++g) {
+        const auto known = std::find_if(caches.gaps.begin(), caches.gaps.end(),
+                                        [&](const auto &gap) { return gap.group == groups[g]; });
+        gaps.push_back(known != caches.gaps.end() ? std::move(*known)
+                                                  : measuredGap(analysis, groups[g], caches));
     }
-    if (!check.other)
-        return;
-    check.distance = best.distance;
-    check.at = best.onA;
+    caches.gaps = std::move(gaps);
 }
 
-void addConnection(const Analysis &analysis, const std::vector<Group> &groups,
+void addConnection(const Analysis &analysis, const std::vector<Group> &groups, CheckCaches &caches,
                    std::vector<Check> &all)
 {
+    refreshGaps(analysis, groups, caches);
     if (groups.size() == 1) {
         Check check = makeCheck(CheckCode::Connected, CheckSeverity::Good);
         check.sectionCount = static_cast<int>(groups.front().size());
@@ -104,8 +87,12 @@ void addConnection(const Analysis &analysis, const std::vector<Group> &groups,
         Check check = makeCheck(CheckCode::NotConnected, CheckSeverity::Error);
         check.sections = refsOf(analysis.model, groups[g]);
         check.distance = -1.0;
-        if (g <= kMaxMeasuredGroups)
-            measureGap(analysis, groups[g], check);
+        if (g <= caches.gaps.size() && caches.gaps[g - 1].other >= 0) {
+            const CheckCaches::OfGroup &gap = caches.gaps[g - 1];
+            check.distance = gap.distance;
+            check.at = gap.at;
+            check.other = analysis.model.ref(static_cast<std::size_t>(gap.other));
+        }
         all.push_back(std::move(check));
     }
 }
@@ -369,7 +356,7 @@ std::vector<Check> checks(const Analysis &analysis, CheckCaches &caches,
     if (count == 0)
         return all;
     const std::vector<Group> groups = connectedGroups(count, analysis.assembly.joints);
-    addConnection(analysis, groups, all);
+    addConnection(analysis, groups, caches, all);
     addStability(analysis, groups, caches, all);
     addSize(analysis, layout, caches, all);
     Check mass = makeCheck(CheckCode::Mass, CheckSeverity::Good);

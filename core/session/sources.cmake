@@ -6,6 +6,7 @@ target_sources(fff_session PRIVATE
     check_text.cpp
     checks.cpp
     cutting_file.cpp
+    gap.cpp
     journal.cpp
     pen_commands.cpp
     point_commands.cpp
