@@ -78,11 +78,10 @@ void SceneBuilder::setAnalysis(const Analysis &analysis)
     for (const KnownPointer &known : m_known)
         shared.emplace(known->cut.get(), known->covers);
     const auto sharedCovers = [&](const CutSection *cut, std::vector<SlitCover> covers) {
-        const auto [begin, end] = shared.equal_range(cut);
-        for (auto it = begin; it != end; ++it) {
+        // Not to the end of the range: thousands of ribs may share a cut, and the first will do.
+        for (auto it = shared.find(cut); it != shared.end() && it->first == cut; ++it)
             if (*it->second == covers)
                 return it->second;
-        }
         return shared
             .emplace(cut, std::make_shared<const std::vector<SlitCover>>(std::move(covers)))
             ->second;
