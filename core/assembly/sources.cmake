@@ -3,7 +3,9 @@ target_sources(fff_core PRIVATE
     assembly/crossing.cpp
     assembly/intervals.cpp
     assembly/joint.cpp
+    assembly/planning.cpp
     assembly/slab.cpp
     assembly/slits.cpp
+    assembly/solid.cpp
     assembly/stability.cpp
 )

@@ -1,0 +1,74 @@
+// In which order, from where and how far the parts of a model are put together.
+#pragma once
+
+#include "core/assembly/solid.h"
+
+#include <functional>
+#include <utility>
+#include <vector>
+
+namespace fff {
+
+/// Two parts that hold each other: b comes off a along `direction` (unit), and a off b against it;
+/// of a mortise both ways.
+struct Slide
+{
+    int a = 0, b = 0; // indices of the solids, a < b
+    Vec3 direction = Vec3::UnitY();
+    bool goesBothWays = false;
+};
+
+struct AssemblyStep
+{
+    std::vector<int> parts;          // that are moved as one, ascending
+    std::vector<int> onto;           // what they are brought to, ascending; empty: put down first
+    Vec3 direction = -Vec3::UnitY(); // unit: into which they move
+    double distance = 0.0;           // mm, from clear of the others to their place
+};
+
+struct AssemblyPlan
+{
+    enum class Verdict {
+        Possible,
+        Impossible, // with these slits, by moves along straight lines
+        NotFound,   // within the time
+    };
+
+    Verdict verdict = Verdict::NotFound;
+    /// In their order. What is moved as one has been put together by earlier steps. Of an
+    /// impossible model none.
+    std::vector<AssemblyStep> steps;
+    /// Impossible: parts of which no group comes off the others in any direction, as few of them as
+    /// were found, ascending.
+    std::vector<int> locked;
+};
+
+struct PlanOptions
+{
+    double depth = 1e-3; // mm that parts may be in each other on their way: rounding
+    /// Pairs (lower first) that are in each other where they end up, and would be in each other's
+    /// way whatever is done: passed over. Ascending.
+    std::vector<std::pair<int, int>> ignored;
+    std::function<bool()> isOutOfTime; // asked again and again; empty: never
+};
+
+/// Takes the model apart and turns that round: single parts first, groups of them where no single
+/// one comes off. Every move is along a straight line, with the true solids against all others that
+/// are there.
+///
+/// A group that comes off cuts at least one joint in two, so that it moves the way in which that
+/// one slides: looking at the slides' directions is enough, and what comes off at some time comes
+/// off at any later one. So the verdict is right for moves of this kind, whatever the order in
+/// which parts are tried. Parts and groups that nothing holds may also come off along the axes of
+/// the world.
+///
+/// slides   those of all joints; parts that no slide connects are brought together last
+/// Result   deterministic: parts that come later in the list are taken off first, so that the
+///          first one is mostly what is begun with. At each step O(parts · joints) collisions in
+///          the worst case; each is looked at once for each direction.
+/// Source   R. Wilson, J. Latombe 1994, Geometric reasoning about mechanical assembly (blocking
+///          graphs; a group comes off where they are not strongly connected).
+AssemblyPlan planAssembly(const std::vector<Solid> &solids, const std::vector<Slide> &slides,
+                          const PlanOptions &options = {});
+
+} // namespace fff

@@ -1,0 +1,59 @@
+// A part as a solid that moves: whether it runs into another one, and when.
+#pragma once
+
+#include "core/geometry/frame.h"
+#include "core/geometry/triangulation.h"
+
+#include <array>
+#include <limits>
+#include <optional>
+#include <vector>
+
+namespace fff {
+
+/// A part of a section as cut, half of its thickness to both sides of the frame's plane: a prism
+/// for each of its triangles. Overlaps and the union of the prisms are all that counts, so that how
+/// it was cut into triangles does not matter.
+struct Solid
+{
+    Frame frame;
+    Vec3 normal = Vec3::UnitZ();
+    double half = 0.0;                          // of the thickness, mm
+    std::vector<std::array<Vec3, 3>> triangles; // in the frame's plane, world
+    Box3 box;                                   // world
+};
+
+/// thickness: mm.
+Solid makeSolid(const Triangulation &triangulation, const Frame &frame, double thickness);
+
+/// A way along a straight line, mm from where it begins.
+struct Way
+{
+    double from = 0.0, to = 0.0;
+};
+
+/// Where `a`, moved along `direction` (unit), is deeper than `depth` (mm) in `b`: the first stretch
+/// of the way from 0 on, as far as the prism that it was found in tells. Nothing when it comes free
+/// of b. With depth < 0 it is enough to come as near as that.
+///
+/// Depth is measured between prisms: the least that one of them would have to move to come free of
+/// the other. A contact, and two faces that slide on each other, are none.
+/// Source  separating axes of convex polytopes, each with the stretch of the way in which it does
+///         not separate (C. Ericson 2005, Real-Time Collision Detection, 5.5.8).
+std::optional<Way> collisionAlong(const Solid &a, const Solid &b, const Vec3 &direction,
+                                  double depth);
+
+/// How far `a` has to be moved along `direction` until it is nowhere nearer to b than `gap` (mm,
+/// from then on); 0 when it is not to begin with.
+double wayToClear(const Solid &a, const Solid &b, const Vec3 &direction, double gap);
+
+/// How deep two solids are in each other as they are (mm, see above), and where; nothing when they
+/// only touch, to `depth`.
+struct Interpenetration
+{
+    double depth = 0.0;
+    Vec3 at = Vec3::Zero();
+};
+std::optional<Interpenetration> interpenetration(const Solid &a, const Solid &b, double depth);
+
+} // namespace fff
