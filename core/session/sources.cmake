@@ -1,5 +1,6 @@
 target_sources(fff_session PRIVATE
     analysis.cpp
+    assembly_plan.cpp
     autosave.cpp
     check_caches.cpp
     check_list.cpp
