@@ -10,6 +10,7 @@
 #include <array>
 #include <memory>
 #include <mutex>
+#include <utility>
 #include <vector>
 
 namespace fff {
@@ -28,6 +29,8 @@ struct SlitNotch
 class CutSection
 {
 public:
+    /// Of parts that were cut elsewhere.
+    explicit CutSection(std::vector<CurvedRegion> parts) : m_parts(std::move(parts)) {}
     /// before   null, or of the same shape: what was found for slits that are still the same is
     ///          not looked for again
     CutSection(const Shape &shape, const std::vector<Slit> &slits, const CutSection *before);
