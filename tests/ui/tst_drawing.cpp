@@ -347,3 +347,4 @@ int main(int argc, char *argv[])
 {
     return runInWindowProgram<TestDrawing>(argc, argv);
 }
+#include "tst_drawing.moc"
