@@ -88,7 +88,9 @@ std::optional<std::vector<Vec2>> closedLine(const std::vector<Vec2> &samples, do
     const double overlap = std::min(kLargestOverlap * length, kCornerGap * reach);
     const std::size_t first = sampled.drawnBefore(sampled.indexAt(length - overlap));
     const Place passing = nearestPlace(line, line.front(), first);
-    const bool isBeyond = passing.index + 2 < line.size() || passing.share < 1.0;
+    const std::size_t last = line.size() - 1;
+    const bool isBeyond =
+        passing.index + 1 < last || (passing.index + 1 == last && passing.share < 1.0);
     if (isBeyond && passing.distance <= kSmoothOffset * tolerance)
         cutAfter(line, passing);
     const SampledLine cut(line, tolerance, reach);

@@ -69,6 +69,7 @@ class TestStrokeContour : public QObject
 private Q_SLOTS:
     void closesWithoutADent_data();
     void closesWithoutADent();
+    void oneLongMoveEndsIt();
     void straightEdgeWhereThePenBeganIsOne_data();
     void straightEdgeWhereThePenBeganIsOne();
     void wideGapIsClosedTangentially();
@@ -105,6 +106,19 @@ void TestStrokeContour::closesWithoutADent()
              qPrintable(QString::number(leastRadius(*stroke.contour))));
     const double area = std::abs(stroke.contour->signedArea());
     QVERIFY(std::abs(area - kPi * 100.0 * 100.0) < 2.0 * kPi * 100.0 * (1.5 + std::abs(widening)));
+}
+
+// Wrong: what follows the last sample is read where nothing is, when the last move is so long that
+// no sample before it lies beside the start.
+void TestStrokeContour::oneLongMoveEndsIt()
+{
+    Samples samples = circle(0.75, 0.0);
+    samples.push_back(samples.front() + Vec2(0.2, 0.1));
+    const StrokeContour drawn = contourOf(samples);
+    QVERIFY(drawn.contour);
+    const double area =
+        100.0 * 100.0 * (0.75 * kPi + 0.5); // three quarters and the chord's triangle
+    QVERIFY(std::abs(std::abs(drawn.contour->signedArea()) / area - 1.0) < 0.01);
 }
 
 void TestStrokeContour::straightEdgeWhereThePenBeganIsOne_data()
