@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/assembly/solid.h"
+#include "core/base/tolerances.h"
 
 #include <functional>
 #include <utility>
@@ -45,7 +46,7 @@ struct AssemblyPlan
 
 struct PlanOptions
 {
-    double depth = 1e-3; // mm that parts may be in each other on their way: rounding
+    double depth = kTouchingDepth; // mm that parts may be in each other on their way
     /// Pairs (lower first) that are in each other where they end up, and would be in each other's
     /// way whatever is done: passed over. Ascending.
     std::vector<std::pair<int, int>> ignored;

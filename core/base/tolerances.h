@@ -35,6 +35,10 @@ inline constexpr double kMinOverlap = 0.05;
 /// Planes that meet at less than this make no joint: the slit would be wider than the part (10°).
 inline constexpr double kMinJointAngle = 0.17453292519943295;
 
+/// Parts that are in each other by less than this only touch: 1 µm, which rounding of frames and of
+/// the booleans' grid stays well below.
+inline constexpr double kTouchingDepth = 1e-3;
+
 /// Smallest area of a contour, a hole or a part, in mm²; below it is dust.
 inline constexpr double kMinArea = 1e-3;
 

@@ -8,9 +8,6 @@ namespace fff {
 
 namespace {
 
-/// What rounding puts parts into each other, mm: contours lie on a grid of a nanometre.
-constexpr double kRounding = 1e-3;
-
 /// The unit direction in which b comes off a.
 Vec3 slideOf(const Analysis &analysis, const Joint &joint)
 {
@@ -92,9 +89,8 @@ ModelPlan planOf(const Analysis &analysis, const std::function<bool()> &isOutOfT
     ModelPlan result;
     const std::vector<Solid> solids = solidsOf(analysis, result.parts);
     PlanOptions options;
-    options.depth = kRounding;
     for (const auto &stock : analysis.model.document.stocks)
-        options.depth = std::max(options.depth, kRounding - stock->clearance);
+        options.depth = std::max(options.depth, kTouchingDepth - stock->clearance);
     options.isOutOfTime = isOutOfTime;
     result.overlaps = overlapsOf(solids, options.depth);
     for (const PartOverlap &overlap : result.overlaps)
