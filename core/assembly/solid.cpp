@@ -32,7 +32,7 @@ Extent extentOf(const std::array<Vec3, 3> &triangle, const Vec3 &axis)
 
 /// Leaves of `way` where the extent of a, moved on by `speed` each mm, and that of b share more
 /// than `depth`. False when nothing is left.
-bool keepShared(const Extent &a, const Extent &b, double speed, double depth, Way &way)
+bool keepShared(const Extent &a, const Extent &b, double speed, double depth, Travel &way)
 {
     // a.max + t speed > b.min + depth  and  a.min + t speed < b.max − depth
     const double low = b.min + depth - a.max, high = b.max - depth - a.min;
@@ -102,7 +102,7 @@ struct Candidate
 /// Of `solid`, what comes as deep as `depth` into the slab of the other's plane on the way.
 /// speed: of `solid` against the other, along the other's normal.
 std::vector<Candidate> candidates(const Solid &solid, const Solid &other, double speed,
-                                  double depth, const std::array<Vec3, 2> &screen, Way &way)
+                                  double depth, const std::array<Vec3, 2> &screen, Travel &way)
 {
     std::vector<Candidate> found;
     const double middle = other.normal.dot(other.frame.origin);
@@ -111,12 +111,12 @@ std::vector<Candidate> candidates(const Solid &solid, const Solid &other, double
     std::array<double, 2> wider{};
     for (std::size_t i = 0; i < 2; ++i)
         wider[i] = solid.half * std::abs(screen[i].dot(solid.normal));
-    Way all{kEndless, -kEndless};
+    Travel all{kEndless, -kEndless};
     for (const std::array<Vec3, 3> &corners : solid.triangles) {
         Extent extent = extentOf(corners, other.normal);
         extent.min -= more;
         extent.max += more;
-        Way own = way;
+        Travel own = way;
         if (!keepShared(extent, slab, speed, depth, own))
             continue;
         all.from = std::min(all.from, own.from);
@@ -134,7 +134,7 @@ std::vector<Candidate> candidates(const Solid &solid, const Solid &other, double
 /// Calls `meet` with two prisms and the stretch in which they share more than `depth`, for each
 /// pair that has one in `way`, until it answers false.
 template <typename Meet>
-void forEachMeeting(const Solid &a, const Solid &b, const Vec3 &direction, double depth, Way way,
+void forEachMeeting(const Solid &a, const Solid &b, const Vec3 &direction, double depth, Travel way,
                     const Meet &meet)
 {
     const std::array<Vec3, 2> screen = across(direction);
@@ -157,7 +157,7 @@ void forEachMeeting(const Solid &a, const Solid &b, const Vec3 &direction, doubl
                   other->v.min + depth < mover.v.max))
                 continue;
             const Prism p{*mover.corners, a.normal, a.half}, q{*other->corners, b.normal, b.half};
-            Way shared = way;
+            Travel shared = way;
             const bool meets = forEachAxis(p, q, [&](const Vec3 &axis) {
                 return keepShared(p.along(axis), q.along(axis), axis.dot(direction), depth, shared);
             });
@@ -179,7 +179,7 @@ Vec3 middleOf(const Prism &a, const Prism &b)
 }
 
 /// Whether the boxes come as near as that on the way.
-bool keepBoxes(const Box3 &a, const Box3 &b, const Vec3 &direction, double depth, Way &way)
+bool keepBoxes(const Box3 &a, const Box3 &b, const Vec3 &direction, double depth, Travel &way)
 {
     for (int i = 0; i < 3; ++i) {
         if (!keepShared({a.min[i], a.max[i]}, {b.min[i], b.max[i]}, direction[i], depth, way))
@@ -211,14 +211,14 @@ Solid makeSolid(const Triangulation &triangulation, const Frame &frame, double t
     return solid;
 }
 
-std::optional<Way> collisionAlong(const Solid &a, const Solid &b, const Vec3 &direction,
-                                  double depth)
+std::optional<Travel> collisionAlong(const Solid &a, const Solid &b, const Vec3 &direction,
+                                     double depth)
 {
-    Way way{0.0, kEndless};
+    Travel way{0.0, kEndless};
     if (!keepBoxes(a.box, b.box, direction, depth, way))
         return {};
-    std::optional<Way> found;
-    forEachMeeting(a, b, direction, depth, way, [&](auto &, auto &, const Way &meeting) {
+    std::optional<Travel> found;
+    forEachMeeting(a, b, direction, depth, way, [&](auto &, auto &, const Travel &meeting) {
         if (!found || meeting.from < found->from)
             found = meeting;
         return meeting.from > 0.0; // nothing is earlier than that
@@ -228,11 +228,11 @@ std::optional<Way> collisionAlong(const Solid &a, const Solid &b, const Vec3 &di
 
 double wayToClear(const Solid &a, const Solid &b, const Vec3 &direction, double gap)
 {
-    Way way{0.0, kEndless};
+    Travel way{0.0, kEndless};
     if (!keepBoxes(a.box, b.box, direction, -gap, way))
         return 0.0;
     double last = 0.0;
-    forEachMeeting(a, b, direction, -gap, way, [&](auto &, auto &, const Way &meeting) {
+    forEachMeeting(a, b, direction, -gap, way, [&](auto &, auto &, const Travel &meeting) {
         last = std::max(last, meeting.to);
         return true;
     });
@@ -242,20 +242,21 @@ double wayToClear(const Solid &a, const Solid &b, const Vec3 &direction, double 
 std::optional<Interpenetration> interpenetration(const Solid &a, const Solid &b, double depth)
 {
     std::optional<Interpenetration> deepest;
-    Way still{-kStill, kStill};
+    Travel still{-kStill, kStill};
     if (!a.box.intersects(b.box))
         return deepest;
-    forEachMeeting(a, b, a.normal, depth, still, [&](const Prism &p, const Prism &q, const Way &) {
-        double least = kEndless;
-        forEachAxis(p, q, [&](const Vec3 &axis) {
-            const Extent ofP = p.along(axis), ofQ = q.along(axis);
-            least = std::min({least, ofP.max - ofQ.min, ofQ.max - ofP.min});
-            return true;
-        });
-        if (least > depth && (!deepest || least > deepest->depth))
-            deepest = Interpenetration{least, middleOf(p, q)};
-        return true;
-    });
+    forEachMeeting(a, b, a.normal, depth, still,
+                   [&](const Prism &p, const Prism &q, const Travel &) {
+                       double least = kEndless;
+                       forEachAxis(p, q, [&](const Vec3 &axis) {
+                           const Extent ofP = p.along(axis), ofQ = q.along(axis);
+                           least = std::min({least, ofP.max - ofQ.min, ofQ.max - ofP.min});
+                           return true;
+                       });
+                       if (least > depth && (!deepest || least > deepest->depth))
+                           deepest = Interpenetration{least, middleOf(p, q)};
+                       return true;
+                   });
     return deepest;
 }
 

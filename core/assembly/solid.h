@@ -26,8 +26,8 @@ struct Solid
 /// thickness: mm.
 Solid makeSolid(const Triangulation &triangulation, const Frame &frame, double thickness);
 
-/// A way along a straight line, mm from where it begins.
-struct Way
+/// A stretch of a way along a straight line, mm from where it begins.
+struct Travel
 {
     double from = 0.0, to = 0.0;
 };
@@ -40,8 +40,8 @@ struct Way
 /// the other. A contact, and two faces that slide on each other, are none.
 /// Source  separating axes of convex polytopes, each with the stretch of the way in which it does
 ///         not separate (C. Ericson 2005, Real-Time Collision Detection, 5.5.8).
-std::optional<Way> collisionAlong(const Solid &a, const Solid &b, const Vec3 &direction,
-                                  double depth);
+std::optional<Travel> collisionAlong(const Solid &a, const Solid &b, const Vec3 &direction,
+                                     double depth);
 
 /// How far `a` has to be moved along `direction` until it is nowhere nearer to b than `gap` (mm,
 /// from then on); 0 when it is not to begin with.
