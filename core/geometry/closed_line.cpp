@@ -35,9 +35,12 @@ struct Place
     double distance = 0.0; // mm of the point looked for
 };
 
+/// Of the line from the vertex `from` on.
 Place nearestPlace(const std::vector<Vec2> &line, const Vec2 &p, std::size_t from)
 {
-    Place best{from, 0.0, (p - line[from]).norm()};
+    const double distance = (p - line[from]).norm();
+    Place best =
+        from + 1 < line.size() ? Place{from, 0.0, distance} : Place{from - 1, 1.0, distance};
     for (std::size_t i = from; i + 1 < line.size(); ++i) {
         const Vec2 way = line[i + 1] - line[i];
         const double u = std::clamp(way.dot(p - line[i]) / way.squaredNorm(), 0.0, 1.0);
@@ -88,9 +91,7 @@ std::optional<std::vector<Vec2>> closedLine(const std::vector<Vec2> &samples, do
     const double overlap = std::min(kLargestOverlap * length, kCornerGap * reach);
     const std::size_t first = sampled.drawnBefore(sampled.indexAt(length - overlap));
     const Place passing = nearestPlace(line, line.front(), first);
-    const std::size_t last = line.size() - 1;
-    const bool isBeyond =
-        passing.index + 1 < last || (passing.index + 1 == last && passing.share < 1.0);
+    const bool isBeyond = passing.index + 2 < line.size() || passing.share < 1.0;
     if (isBeyond && passing.distance <= kSmoothOffset * tolerance)
         cutAfter(line, passing);
     const SampledLine cut(line, tolerance, reach);
