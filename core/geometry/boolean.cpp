@@ -168,7 +168,7 @@ Nesting nesting(const Contour &first, const Contour &second, double chord)
     const Box2 boxA = bounds(a), boxB = bounds(b);
     if (a.empty() || b.empty())
         return Nesting::Meeting;
-    if ((boxA.min.array() > boxB.max.array()).any() || (boxB.min.array() > boxA.max.array()).any())
+    if (!boxA.intersects(boxB))
         return Nesting::Apart;
     Box2 both = boxA;
     both.extend(boxB);

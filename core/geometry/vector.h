@@ -42,6 +42,10 @@ struct Box2
     {
         return (p.array() >= min.array()).all() && (p.array() <= max.array()).all();
     }
+    bool intersects(const Box2 &b) const
+    {
+        return (min.array() <= b.max.array()).all() && (b.min.array() <= max.array()).all();
+    }
     Vec2 size() const { return max - min; }
     Vec2 center() const { return 0.5 * (min + max); }
 };

@@ -98,11 +98,7 @@ tl::expected<DrawnContour, Hint> redrawn(const Document &document, SectionId id,
 bool isWellInside(const Contour &hole, const Shape &shape)
 {
     const Box2 box = hole.bounds();
-    const auto isApart = [&](const Contour &other) {
-        const Box2 there = other.bounds();
-        return (box.min.array() > there.max.array()).any() ||
-               (there.min.array() > box.max.array()).any();
-    };
+    const auto isApart = [&](const Contour &other) { return !box.intersects(other.bounds()); };
     return std::abs(hole.signedArea()) > kMinArea &&
            std::all_of(shape.holes().begin(), shape.holes().end(), isApart) &&
            nesting(hole, shape.contour(), kCutChord) == Nesting::FirstInside;

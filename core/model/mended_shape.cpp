@@ -27,11 +27,6 @@ double areaOf(const std::vector<CurvedRegion> &regions)
     return sum;
 }
 
-bool areApart(const Box2 &a, const Box2 &b)
-{
-    return (a.min.array() > b.max.array()).any() || (b.min.array() > a.max.array()).any();
-}
-
 /// What reaches beyond the contour is no more than a rim of the width of kCutChord.
 bool liesInside(const Contour &hole, const Contour &contour)
 {
@@ -146,7 +141,7 @@ void Mender::uniteOverlapping()
 {
     for (std::size_t i = 0; i < m_holes.size(); ++i) {
         for (std::size_t j = i + 1; j < m_holes.size(); ++j) {
-            if (j == i || areApart(m_holes[i].bounds, m_holes[j].bounds) ||
+            if (j == i || !m_holes[i].bounds.intersects(m_holes[j].bounds) ||
                 !overlap(m_holes[i].contour, m_holes[j].contour) || !unite(i, j))
                 continue;
             i -= j < i ? 1 : 0;
