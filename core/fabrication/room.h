@@ -1,7 +1,7 @@
 // Where a box fits inside a part. Internal to fabrication.
 #pragma once
 
-#include "core/fabrication/box_runs.h"
+#include "core/geometry/box_runs.h"
 #include "core/geometry/polygon.h"
 
 #include <limits>

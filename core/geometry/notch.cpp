@@ -1,6 +1,7 @@
 #include "core/geometry/notch.h"
 
 #include "core/base/tolerances.h"
+#include "core/geometry/box_runs.h"
 #include "core/geometry/curve_crossing.h"
 #include "core/geometry/curve_recovery.h"
 #include "core/geometry/grid_predicates.h"
@@ -13,13 +14,6 @@ namespace {
 
 /// Nearer than this to a corner a crossing is left to the general way, which joins them.
 constexpr double kNearCorner = 10.0 * kClipSlack; // mm
-/// Edges that are looked at together.
-constexpr std::size_t kRun = 16;
-
-bool meet(const Box2 &a, const Box2 &b)
-{
-    return (a.min.array() <= b.max.array()).all() && (b.min.array() <= a.max.array()).all();
-}
 
 /// Where the boundary goes into a bite or comes out of it.
 struct Passage
@@ -55,38 +49,26 @@ struct Notch
 
 struct NotchFinder::Data
 {
-    /// Edges that follow each other, looked at together.
-    struct Run
-    {
-        std::size_t first = 0, end = 0;
-        Box2 box;
-    };
-
     const Contour &contour;
     const Polyline &chords;
     ClipGrid grid;
-    std::vector<Run> runs;
+    BoxRuns edges;
 
-    Data(const Contour &c, const Polyline &p) : contour(c), chords(p), grid(c.bounds()) {}
+    Data(const Contour &c, const Polyline &p) : contour(c), chords(p), grid(c.bounds())
+    {
+        edges.fill(count(), [&](std::size_t i) {
+            Box2 box;
+            box.extend(vertex(i));
+            box.extend(vertex(next(i, count())));
+            return box;
+        });
+    }
     std::size_t count() const { return chords.points.size(); }
     const Vec2 &vertex(std::size_t i) const { return chords.points[i]; }
-    void findRuns();
     bool place(const Polygon &corners, Passage &passage) const;
     bool find(const Notch &notch, const GridRing &snapped, std::size_t edge,
               std::vector<Passage> &passages) const;
 };
-
-void NotchFinder::Data::findRuns()
-{
-    runs.reserve(count() / kRun + 1);
-    for (std::size_t first = 0; first < count(); first += kRun) {
-        Run run{first, std::min(first + kRun, count()), {}};
-        for (std::size_t i = first; i < run.end; ++i)
-            run.box.extend(vertex(i));
-        run.box.extend(vertex(next(run.end - 1, count())));
-        runs.push_back(run);
-    }
-}
 
 /// Where the curve itself crosses the bite's side, given that its chord does.
 bool NotchFinder::Data::place(const Polygon &corners, Passage &passage) const
@@ -124,7 +106,7 @@ bool NotchFinder::Data::find(const Notch &notch, const GridRing &snapped, std::s
                              std::vector<Passage> &passages) const
 {
     const Vec2 &start = vertex(edge), &end = vertex(next(edge, count()));
-    if (!meet({start.cwiseMin(end), start.cwiseMax(end)}, notch.box))
+    if (!notch.box.intersects({start.cwiseMin(end), start.cwiseMax(end)}))
         return true;
     const GridPoint a = grid.snap(start), b = grid.snap(end);
     for (std::size_t s = 0; s < snapped.size(); ++s) {
@@ -151,7 +133,6 @@ bool NotchFinder::Data::find(const Notch &notch, const GridRing &snapped, std::s
 NotchFinder::NotchFinder(const Contour &contour, const Polyline &chords)
     : m_data(std::make_unique<Data>(contour, chords))
 {
-    m_data->findRuns();
 }
 
 NotchFinder::~NotchFinder() = default;
@@ -174,15 +155,10 @@ NotchPointer NotchFinder::find(Polygon cut) const
         return nullptr;
     std::vector<Passage> passages;
     passages.reserve(2);
-    for (const Data::Run &run : m_data->runs) {
-        if (!meet(run.box, notch->box))
-            continue;
-        for (std::size_t edge = run.first; edge < run.end; ++edge) {
-            if (!m_data->find(*notch, snapped, edge, passages))
-                return nullptr;
-        }
-    }
-    if (passages.size() != 2 || passages[0].side == passages[1].side ||
+    const bool isOdd = m_data->edges.any(
+        [&](const Box2 &box) { return box.intersects(notch->box); },
+        [&](std::size_t edge) { return !m_data->find(*notch, snapped, edge, passages); });
+    if (isOdd || passages.size() != 2 || passages[0].side == passages[1].side ||
         passages[0].entersBite == passages[1].entersBite)
         return nullptr;
     notch->in = passages[passages[0].entersBite ? 0 : 1];
@@ -257,7 +233,7 @@ bool NotchCutter::areApart() const
         for (std::size_t j = i + 1;
              j < order.size() && order[j]->box.min.x() <= order[i]->box.max.x(); ++j) {
             const Polygon &a = order[i]->corners, &b = order[j]->corners;
-            if (meet(order[i]->box, order[j]->box) && !isBeside(a, b) && !isBeside(b, a))
+            if (order[i]->box.intersects(order[j]->box) && !isBeside(a, b) && !isBeside(b, a))
                 return false;
         }
     }
@@ -301,7 +277,7 @@ bool NotchCutter::meetsAny(const Polygon &hole) const
 {
     const Box2 box = bounds(hole);
     return std::any_of(m_notches.begin(), m_notches.end(),
-                       [&](const Notch *notch) { return meet(notch->box, box); });
+                       [&](const Notch *notch) { return notch->box.intersects(box); });
 }
 
 void NotchCutter::addLine(const Vec2 &from, const Vec2 &to, std::vector<Vec2> &points) const

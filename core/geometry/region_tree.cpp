@@ -6,41 +6,31 @@ namespace fff {
 
 PolygonTree::PolygonTree(const Polygon &polygon) : m_polygon(&polygon)
 {
-    if (polygon.empty())
-        return;
-    const auto runs = [](std::size_t count) { return (count + kRun - 1) / kRun; };
-    std::vector<Box2> boxes(runs(polygon.size()));
-    for (std::size_t i = 0; i < polygon.size(); ++i) {
-        boxes[i / kRun].extend(polygon[i]);
-        if (i % kRun == 0)
-            boxes[i / kRun].extend(beginOf(i));
-    }
-    m_levels.push_back(std::move(boxes));
-    while (m_levels.back().size() > 1) {
-        const std::vector<Box2> &below = m_levels.back();
-        std::vector<Box2> level(runs(below.size()));
-        for (std::size_t i = 0; i < below.size(); ++i)
-            level[i / kRun].extend(below[i]);
-        m_levels.push_back(std::move(level));
-    }
+    m_edges.fill(polygon.size(), [&](std::size_t edge) {
+        Box2 box;
+        box.extend(beginOf(edge));
+        box.extend(polygon[edge]);
+        return box;
+    });
 }
 
 Side PolygonTree::locate(const Vec2 &point) const
 {
     // Of the edges that a ray from the point to the right meets, as there.
-    bool isInside = false, isOn = false;
-    const auto isWanted = [&](const Run &run) {
-        if (run.box.contains(point))
+    bool isInside = false;
+    const auto isWanted = [&](const Box2 &box, std::size_t first, std::size_t end) {
+        if (box.contains(point))
             return true;
         // All to the right: it is met an odd number of times where its ends are on different sides.
-        if (point.x() < run.box.min.x())
-            isInside ^= (run.begin.y() <= point.y()) != (run.end.y() <= point.y());
+        if (point.x() < box.min.x())
+            isInside ^=
+                (beginOf(first).y() <= point.y()) != ((*m_polygon)[end - 1].y() <= point.y());
         return false;
     };
-    walk(isWanted, [&](const Vec2 &a, const Vec2 &b) {
-        const RayMeeting meeting = rayMeeting(point, a, b);
-        isOn = isOn || meeting == RayMeeting::Begins;
+    const bool isOn = m_edges.walk(isWanted, [&](std::size_t edge) {
+        const RayMeeting meeting = rayMeeting(point, beginOf(edge), (*m_polygon)[edge]);
         isInside ^= meeting == RayMeeting::Crosses;
+        return meeting == RayMeeting::Begins;
     });
     if (isOn)
         return Side::Boundary;
