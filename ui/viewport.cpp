@@ -170,7 +170,8 @@ void Viewport::paintMarks()
     scene.litMark = litMark();
     if (!isDrawing)
         scene.ghosts = m_bench.ghosts();
-    scene.bounds = m_bench.session().committed().bounds();
+    if (scene.view.clip) // of the handle's place; every vertex is looked at for it
+        scene.bounds = m_bench.session().committed().bounds();
     const auto hovered = static_cast<std::size_t>(std::max(overlay.hovered, 0));
     if (overlay.hovered >= 0 && hovered < model.sectionCount())
         scene.hovered = QString::fromStdString(model.section(hovered)->name);
