@@ -102,6 +102,8 @@ public:
         return m_home.filePath(QStringLiteral("data/flatfitfab/recovery"));
     }
     QByteArray opened() const { return m_opened; }
+    /// How it ended and what it said, for when that is what went wrong.
+    QByteArray lastWords() const;
 
 private:
     bool waitFor(const char *what, int patience);
@@ -165,6 +167,13 @@ bool Program::kill(Moment moment, QRandomGenerator &random)
     m_process.waitForFinished();
     m_output += m_process.readAll();
     return wasRunning;
+}
+
+QByteArray Program::lastWords() const
+{
+    return (m_process.exitStatus() == QProcess::CrashExit ? "crashed, " : "left, code ") +
+           QByteArray::number(m_process.exitCode()) + ", " + m_process.errorString().toUtf8() +
+           '\n' + m_output.right(4000);
 }
 
 std::vector<Line> Program::journal() const
@@ -258,9 +267,10 @@ void TestKilled::nothingIsBrokenAndLittleIsLost()
             constexpr std::array<Moment, 4> moments = {Moment::Any, Moment::Saving, Moment::Keeping,
                                                        Moment::Saving};
             const Moment moment = moments[static_cast<std::size_t>(round / kAtOnce + i) % 4];
-            QVERIFY2(programs[static_cast<std::size_t>(i)]->kill(moment, m_random),
-                     name + ": it went by itself");
-            look(*programs[static_cast<std::size_t>(i)], name);
+            Program &program = *programs[static_cast<std::size_t>(i)];
+            QVERIFY2(program.kill(moment, m_random),
+                     name + ": it went by itself, " + program.lastWords());
+            look(program, name);
             if (QTest::currentTestFailed())
                 return;
         }
