@@ -5,6 +5,8 @@
 #include "core/base/tolerances.h"
 
 #include <functional>
+#include <limits>
+#include <numbers>
 #include <utility>
 #include <vector>
 
@@ -17,21 +19,34 @@ struct Slide
     int a = 0, b = 0; // indices of the solids, a < b
     Vec3 direction = Vec3::UnitY();
     bool goesBothWays = false;
+    /// Radians: along directions that turn from both ways of this one by more, they cannot but move
+    /// together. From a right angle on, none of them is known to hold.
+    double play = std::numbers::pi;
+    /// mm of its way after which nothing holds them any more; endless: not known.
+    double length = std::numeric_limits<double>::infinity();
+};
+
+/// Along a straight line.
+struct Move
+{
+    Vec3 direction = -Vec3::UnitY(); // unit
+    double distance = 0.0;           // mm
 };
 
 struct AssemblyStep
 {
-    std::vector<int> parts;          // that are moved as one, ascending
-    std::vector<int> onto;           // what they are brought to, ascending; empty: put down first
-    Vec3 direction = -Vec3::UnitY(); // unit: into which they move
-    double distance = 0.0;           // mm, from clear of the others to their place
+    std::vector<int> parts; // that are moved as one, ascending
+    std::vector<int> onto;  // what they are brought to, ascending; empty: put down first
+    /// From clear of the others to their place, the last one into the slits; of what is put down
+    /// first none.
+    std::vector<Move> moves;
 };
 
 struct AssemblyPlan
 {
     enum class Verdict {
         Possible,
-        Impossible, // with these slits, by moves along straight lines
+        Impossible, // with these slits, by such moves
         NotFound,   // within the time
     };
 
@@ -54,19 +69,20 @@ struct PlanOptions
 };
 
 /// Takes the model apart and turns that round: single parts first, groups of them where no single
-/// one comes off. Every move is along a straight line, with the true solids against all others that
-/// are there.
+/// one comes off. Moves are along straight lines, with the true solids against all others that are
+/// there: one line, or, where that ends in another part, a short one out of the slits and then
+/// another one, along the world's axes or a part's own.
 ///
-/// A group that comes off cuts at least one joint in two, so that it moves the way in which that
-/// one slides: looking at the slides' directions is enough, and what comes off at some time comes
-/// off at any later one. So the verdict is right for moves of this kind, whatever the order in
-/// which parts are tried. Parts and groups that nothing holds may also come off along the axes of
-/// the world.
+/// A group that comes off cuts at least one joint in two, so that it begins to move the way in
+/// which that one slides: looking at the slides' directions is enough, and what comes off at some
+/// time comes off at any later one. So the verdict is right for moves of this kind, whatever the
+/// order in which parts are tried. Parts and groups that nothing holds may also come off along the
+/// axes of the world.
 ///
 /// slides   those of all joints; parts that no slide connects are brought together last
 /// Result   deterministic: parts that come later in the list are taken off first, so that the
-///          first one is mostly what is begun with. At each step O(parts · joints) collisions in
-///          the worst case; each is looked at once for each direction.
+///          first one is mostly what is begun with. Each pair is looked at once for each direction
+///          at most, and pairs that slits hold not at all.
 /// Source   R. Wilson, J. Latombe 1994, Geometric reasoning about mechanical assembly (blocking
 ///          graphs; a group comes off where they are not strongly connected).
 AssemblyPlan planAssembly(const std::vector<Solid> &solids, const std::vector<Slide> &slides,

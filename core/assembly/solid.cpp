@@ -1,5 +1,7 @@
 #include "core/assembly/solid.h"
 
+#include "core/geometry/convex_hull.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -12,17 +14,6 @@ constexpr double kEndless = std::numeric_limits<double>::infinity();
 constexpr double kParallel = 1e-18;
 /// A way so short that nothing moves, mm.
 constexpr double kStill = 1e-9;
-
-struct Extent
-{
-    double min = kEndless, max = -kEndless;
-
-    void add(double x)
-    {
-        min = std::min(min, x);
-        max = std::max(max, x);
-    }
-};
 
 Extent extentOf(const std::array<Vec3, 3> &triangle, const Vec3 &axis)
 {
@@ -190,6 +181,17 @@ bool keepBoxes(const Box3 &a, const Box3 &b, const Vec3 &direction, double depth
 
 } // namespace
 
+Extent Solid::along(const Vec3 &axis) const
+{
+    Extent extent;
+    for (const Vec3 &p : hull) {
+        const double x = axis.dot(p);
+        extent = {std::min(extent.min, x), std::max(extent.max, x)};
+    }
+    const double more = half * std::abs(axis.dot(normal));
+    return {extent.min - more, extent.max + more};
+}
+
 Solid makeSolid(const Triangulation &triangulation, const Frame &frame, double thickness)
 {
     Solid solid;
@@ -201,13 +203,26 @@ Solid makeSolid(const Triangulation &triangulation, const Frame &frame, double t
     const auto corner = [&](int i) {
         return frame.toWorld(triangulation.points[static_cast<std::size_t>(i)]);
     };
-    for (const auto &t : triangulation.triangles) {
+    for (const auto &t : triangulation.triangles)
         solid.triangles.push_back({corner(t[0]), corner(t[1]), corner(t[2])});
-        for (const Vec3 &p : solid.triangles.back()) {
-            solid.box.extend(Vec3(p + reach));
-            solid.box.extend(Vec3(p - reach));
-        }
+    for (const Vec2 &p : convexHull(triangulation.points)) {
+        solid.hull.push_back(frame.toWorld(p));
+        solid.box.extend(Vec3(solid.hull.back() + reach));
+        solid.box.extend(Vec3(solid.hull.back() - reach));
     }
+    return solid;
+}
+
+Solid movedBy(Solid solid, const Vec3 &by)
+{
+    solid.frame.origin += by;
+    for (std::array<Vec3, 3> &triangle : solid.triangles)
+        for (Vec3 &corner : triangle)
+            corner += by;
+    for (Vec3 &p : solid.hull)
+        p += by;
+    solid.box.min += by;
+    solid.box.max += by;
     return solid;
 }
 
@@ -224,6 +239,17 @@ std::optional<Travel> collisionAlong(const Solid &a, const Solid &b, const Vec3 
         return meeting.from > 0.0; // nothing is earlier than that
     });
     return found;
+}
+
+bool comesFree(const Solid &a, const Solid &b, const Vec3 &direction, double depth)
+{
+    Travel way{0.0, kEndless};
+    if (!keepBoxes(a.box, b.box, direction, depth, way))
+        return true;
+    bool isFree = true;
+    forEachMeeting(a, b, direction, depth, way,
+                   [&](auto &, auto &, const Travel &) { return isFree = false; });
+    return isFree;
 }
 
 double wayToClear(const Solid &a, const Solid &b, const Vec3 &direction, double gap)

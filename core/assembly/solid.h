@@ -11,6 +11,13 @@
 
 namespace fff {
 
+/// Where something lies along an axis, mm.
+struct Extent
+{
+    double min = std::numeric_limits<double>::infinity();
+    double max = -std::numeric_limits<double>::infinity();
+};
+
 /// A part of a section as cut, half of its thickness to both sides of the frame's plane: a prism
 /// for each of its triangles. Overlaps and the union of the prisms are all that counts, so that how
 /// it was cut into triangles does not matter.
@@ -20,11 +27,17 @@ struct Solid
     Vec3 normal = Vec3::UnitZ();
     double half = 0.0;                          // of the thickness, mm
     std::vector<std::array<Vec3, 3>> triangles; // in the frame's plane, world
+    std::vector<Vec3> hull;                     // of these, world
     Box3 box;                                   // world
+
+    /// axis: unit, through the world's origin. O(hull).
+    Extent along(const Vec3 &axis) const;
 };
 
 /// thickness: mm.
 Solid makeSolid(const Triangulation &triangulation, const Frame &frame, double thickness);
+
+Solid movedBy(Solid solid, const Vec3 &by);
 
 /// A stretch of a way along a straight line, mm from where it begins.
 struct Travel
@@ -42,6 +55,9 @@ struct Travel
 ///         not separate (C. Ericson 2005, Real-Time Collision Detection, 5.5.8).
 std::optional<Travel> collisionAlong(const Solid &a, const Solid &b, const Vec3 &direction,
                                      double depth);
+
+/// Whether there is no such stretch. Faster than finding the first one.
+bool comesFree(const Solid &a, const Solid &b, const Vec3 &direction, double depth);
 
 /// How far `a` has to be moved along `direction` until it is nowhere nearer to b than `gap` (mm,
 /// from then on); 0 when it is not to begin with.

@@ -1,5 +1,6 @@
 target_sources(fff_core PRIVATE
     assembly/assembly.cpp
+    assembly/blocking.cpp
     assembly/crossing.cpp
     assembly/intervals.cpp
     assembly/joint.cpp

@@ -3,6 +3,8 @@
 #include "core/assembly/crossing.h"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 namespace fff {
 
@@ -28,6 +30,34 @@ Vec3 slideOf(const Analysis &analysis, const Joint &joint)
     if (inA)
         return frameOf(joint.a).directionToWorld((inA->mouth - inA->inner).normalized());
     return frameOf(joint.b).directionToWorld((inB->inner - inB->mouth).normalized());
+}
+
+/// How the slits of a cross lap hold.
+struct Hold
+{
+    double play = std::numbers::pi, length = 0.0; // see Slide
+};
+
+Hold holdOf(const Analysis &analysis, const Joint &joint)
+{
+    Hold hold;
+    double surest = 0.0; // mm: of what both slits hold longest
+    for (const Overlap &overlap : joint.crossing->overlaps)
+        surest = std::max(surest, std::min(overlap.to - overlap.meet, overlap.meet - overlap.from));
+    double clearance = 0.0;
+    for (const int section : {joint.a, joint.b}) {
+        const Stock &stock = analysis.model.stockOf(static_cast<std::size_t>(section));
+        clearance = std::max(clearance, stock.clearance);
+        for (const Slit &slit : analysis.assembly.slits[static_cast<std::size_t>(section)])
+            if (slit.joint == joint.id)
+                hold.length = std::max(hold.length, (slit.mouth - slit.inner).norm());
+    }
+    // One of the two slits holds the other section by its faces, and least where the way turns to
+    // the middle between both planes' normals.
+    constexpr double kCertain = 2.0;
+    hold.play = std::atan2(kCertain * (clearance + kTouchingDepth),
+                           surest * std::sin(0.5 * joint.crossing->angle));
+    return hold;
 }
 
 } // namespace
@@ -59,13 +89,23 @@ std::vector<Slide> slidesOf(const Analysis &analysis, const std::vector<PartRef>
     for (const Joint &joint : analysis.assembly.joints) {
         if (joint.kind == JointKind::None)
             continue;
-        const Vec3 direction = slideOf(analysis, joint);
         const auto a = static_cast<std::size_t>(joint.a), b = static_cast<std::size_t>(joint.b);
-        // Which of the pieces of a divided section it holds matters little: a direction more to
-        // try.
+        // Of a divided section it is not known which piece it holds: one direction more to try.
+        const bool isWhole = first[a + 1] == first[a] + 1 && first[b + 1] == first[b] + 1;
+        Slide slide;
+        slide.direction = slideOf(analysis, joint);
+        slide.goesBothWays = joint.kind == JointKind::Mortise;
+        if (!slide.goesBothWays) {
+            const Hold hold = holdOf(analysis, joint);
+            slide.length = hold.length;
+            slide.play = isWhole ? hold.play : slide.play;
+        }
         for (int i = first[a]; i < first[a + 1]; ++i)
-            for (int k = first[b]; k < first[b + 1]; ++k)
-                slides.push_back({i, k, direction, joint.kind == JointKind::Mortise});
+            for (int k = first[b]; k < first[b + 1]; ++k) {
+                slide.a = i;
+                slide.b = k;
+                slides.push_back(slide);
+            }
     }
     return slides;
 }

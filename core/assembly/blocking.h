@@ -1,0 +1,102 @@
+// Which parts are in whose way. Internal to assembly.
+#pragma once
+
+#include "core/assembly/planning.h"
+
+#include <optional>
+#include <unordered_map>
+#include <vector>
+
+namespace fff {
+
+using Group = std::vector<int>; // of parts, ascending
+
+/// Of the first group what is not in the second one.
+Group without(const Group &group, const Group &parts);
+
+/// Which part is in whose way, in each direction that something may move in. A pair is looked at
+/// when somebody asks, and once for a direction; pairs that their slits hold are told without a
+/// look.
+///
+/// Source  R. Wilson, J. Latombe 1994 (directional blocking graphs).
+class Blocking
+{
+public:
+    Blocking(const std::vector<Solid> &solids, const std::vector<Slide> &slides,
+             const PlanOptions &options);
+
+    /// Parts that come off others.
+    struct Removal
+    {
+        Group parts;
+        std::vector<Move> moves; // out of their place
+    };
+    enum class Path { Straight, Bent };
+
+    /// A part off all the others.
+    std::optional<Removal> partOff(int part, const Group &others, Path path);
+    /// The smallest group that comes off the rest of these, straight.
+    std::optional<Removal> smallestOff(const Group &parts);
+
+    /// Once the time is over everything is in everything's way.
+    bool isOutOfTime() const { return m_isOutOfTime; }
+
+private:
+    /// A solid as seen along a direction: across it and along it, mm.
+    struct Shadow
+    {
+        double uMin, uMax, vMin, vMax, first, last;
+
+        /// Whether it may share more than `depth` with the other when it is moved on.
+        bool meetsOnItsWay(const Shadow &other, double depth) const
+        {
+            return uMax > other.uMin + depth && other.uMax > uMin + depth &&
+                   vMax > other.vMin + depth && other.vMax > vMin + depth &&
+                   other.last > first + depth;
+        }
+    };
+    struct Way
+    {
+        Vec3 along;
+        std::vector<Shadow> shadows;        // of each solid; empty until somebody asks
+        std::vector<std::vector<int>> held; // of each part those that cannot but move with it
+    };
+    struct Mate
+    {
+        int part;
+        double length;               // mm that they are held
+        std::vector<int> directions; // in which one comes off it
+    };
+
+    const Solid &solid(int part) const { return m_solids[static_cast<std::size_t>(part)]; }
+    int indexOf(const Vec3 &direction);
+    /// Makes the direction ready to be asked about.
+    Way &opened(int direction);
+    std::vector<int> waysOff(int part, const Group &others) const;
+    std::vector<int> waysApart(const Group &parts) const;
+    bool isIgnored(int a, int b) const;
+    /// mm that a part can be moved until it runs into another one.
+    double wayUntil(int part, int by, int direction);
+    /// Which of these the slits hold together: of each its heap's number, at its index in `parts`;
+    /// and how many heaps there are.
+    std::pair<std::vector<int>, int> heaps(const Group &parts, int direction);
+    /// The part and all that is in its way, and in the way of these; nothing once they are not
+    /// fewer than `fewerThan`.
+    std::optional<Group> movedWith(int part, const Group &parts, int direction,
+                                   std::size_t fewerThan);
+    Removal straight(Group moved, const Group &parts, int direction);
+    /// Out of the slits that hold it in these, and on from there; nothing when it does not come
+    /// off.
+    std::optional<Removal> bent(int part, const Group &others, int direction);
+
+    const std::vector<Solid> &m_solids;
+    const std::vector<Slide> &m_slides;
+    const PlanOptions &m_options;
+    std::vector<Way> m_ways;
+    int m_freeWays = 0;                     // so many of them, the first ones, are the world's
+    std::vector<std::vector<Mate>> m_mates; // of each part
+    std::unordered_map<long long, double> m_known;
+    bool m_isOutOfTime = false;
+};
+
+} // namespace fff
