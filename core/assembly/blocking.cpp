@@ -120,7 +120,7 @@ std::optional<Blocking::Removal> Blocking::partOff(int part, const Group &others
             continue;
         }
         if (std::none_of(others.begin(), others.end(), [&](int other) {
-                return other != part && !std::isinf(wayUntil(part, other, direction));
+                return other != part && isBlocked(part, other, direction);
             }))
             return straight({part}, others, direction);
     }
@@ -154,26 +154,26 @@ bool Blocking::isIgnored(int a, int b) const
                               std::pair(std::min(a, b), std::max(a, b)));
 }
 
-double Blocking::wayUntil(int part, int by, int direction)
+bool Blocking::isBlocked(int part, int by, int direction)
 {
     const Way &way = opened(direction);
-    const Shadow &mover = way.shadows[static_cast<std::size_t>(part)];
-    const Shadow &other = way.shadows[static_cast<std::size_t>(by)];
-    const double depth = m_options.depth;
-    if (!mover.meetsOnItsWay(other, depth))
-        return kEndless;
+    if (!way.shadows[static_cast<std::size_t>(part)].meetsOnItsWay(
+            way.shadows[static_cast<std::size_t>(by)], m_options.depth))
+        return false;
     const auto count = static_cast<long long>(m_solids.size());
     const long long key = (direction * count + part) * count + by;
     if (const auto known = m_known.find(key); known != m_known.end())
         return known->second;
+    if (isOutOfTime())
+        return true;
+    return m_known[key] = !isIgnored(part, by) &&
+                          !comesFree(solid(part), solid(by), way.along, m_options.depth);
+}
+
+bool Blocking::isOutOfTime()
+{
     m_isOutOfTime = m_isOutOfTime || (m_options.isOutOfTime && m_options.isOutOfTime());
-    if (m_isOutOfTime)
-        return 0.0;
-    double &until = m_known[key] = kEndless;
-    if (!isIgnored(part, by))
-        if (const auto met = collisionAlong(solid(part), solid(by), way.along, depth))
-            until = met->from;
-    return until;
+    return m_isOutOfTime;
 }
 
 std::pair<std::vector<int>, int> Blocking::heaps(const Group &parts, int direction)
@@ -231,7 +231,7 @@ std::optional<Group> Blocking::movedWith(int part, const Group &parts, int direc
                     move(mate);
         for (std::size_t i = 0; i < parts.size() && moved.size() < fewerThan; ++i)
             if (isResting[static_cast<std::size_t>(parts[i])] &&
-                !std::isinf(wayUntil(moved[next], parts[i], direction)))
+                isBlocked(moved[next], parts[i], direction))
                 move(parts[i]);
     }
     if (moved.size() >= fewerThan)
@@ -289,13 +289,17 @@ std::optional<Blocking::Removal> Blocking::bent(int part, const Group &others, i
             held = std::max(held, mate.length);
     if (held == 0.0 || std::isinf(held))
         return {};
+    const Vec3 along = m_ways[static_cast<std::size_t>(direction)].along;
     for (const int other : others) {
-        if (other != part)
-            until = std::min(until, wayUntil(part, other, direction));
+        if (other == part || !isBlocked(part, other, direction))
+            continue;
+        if (isOutOfTime())
+            return {};
+        if (const auto met = collisionAlong(solid(part), solid(other), along, m_options.depth))
+            until = std::min(until, met->from);
         if (until < held)
             return {};
     }
-    const Vec3 along = m_ways[static_cast<std::size_t>(direction)].along;
     const Vec3 &across = solid(part).normal;
     std::vector<Vec3> turns{across, -across};
     for (int i = 0; i < m_freeWays; ++i)

@@ -39,7 +39,7 @@ public:
     std::optional<Removal> smallestOff(const Group &parts);
 
     /// Once the time is over everything is in everything's way.
-    bool isOutOfTime() const { return m_isOutOfTime; }
+    bool isOutOfTime();
 
 private:
     /// A solid as seen along a direction: across it and along it, mm.
@@ -75,8 +75,7 @@ private:
     std::vector<int> waysOff(int part, const Group &others) const;
     std::vector<int> waysApart(const Group &parts) const;
     bool isIgnored(int a, int b) const;
-    /// mm that a part can be moved until it runs into another one.
-    double wayUntil(int part, int by, int direction);
+    bool isBlocked(int part, int by, int direction);
     /// Which of these the slits hold together: of each its heap's number, at its index in `parts`;
     /// and how many heaps there are.
     std::pair<std::vector<int>, int> heaps(const Group &parts, int direction);
@@ -95,7 +94,7 @@ private:
     std::vector<Way> m_ways;
     int m_freeWays = 0;                     // so many of them, the first ones, are the world's
     std::vector<std::vector<Mate>> m_mates; // of each part
-    std::unordered_map<long long, double> m_known;
+    std::unordered_map<long long, bool> m_known;
     bool m_isOutOfTime = false;
 };
 

@@ -24,7 +24,7 @@ public:
     bool putTogether(Group parts, std::vector<AssemblyStep> &steps);
     /// Of the parts that were found to be locked last, as few as stay locked.
     Group fewestLocked();
-    bool isOutOfTime() const { return m_blocking.isOutOfTime(); }
+    bool isOutOfTime() { return m_blocking.isOutOfTime(); }
 
 private:
     using Removal = Blocking::Removal;
