@@ -209,6 +209,57 @@
         <source>Mass %1. The centre of mass lies %2 above the ground.</source>
         <translation>Masse %1. Der Schwerpunkt liegt %2 über dem Boden.</translation>
     </message>
+    <message>
+        <source>less than %1</source>
+        <translation>weniger als %1</translation>
+    </message>
+    <message>
+        <source>%1 and %2 cut into each other, %3, but are not joined.</source>
+        <translation>%1 und %2 durchdringen sich um %3, sind aber nicht verbunden.</translation>
+    </message>
+    <message>
+        <source>%1 and %2 cut into each other, %3, outside of their slits.</source>
+        <translation>%1 und %2 durchdringen sich um %3, außerhalb ihrer Schlitze.</translation>
+    </message>
+    <message>
+        <source>Can be assembled. There is only one part.</source>
+        <translation>Lässt sich zusammenbauen. Es ist nur ein Teil.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Can be assembled. %n steps.</source>
+        <translation>
+            <numerusform>Lässt sich zusammenbauen. %n Schritt.</numerusform>
+            <numerusform>Lässt sich zusammenbauen. %n Schritte.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Order not found. The search took too long; that says nothing about the model.</source>
+        <translation>Keine Reihenfolge gefunden. Die Suche dauerte zu lange; über das Modell sagt das nichts.</translation>
+    </message>
+    <message>
+        <source>Sections block each other. %1 meet in %2 that slide in %3 different directions.</source>
+        <translation>Scheiben sperren einander. %1 treffen sich in %2, die in %3 verschiedene Richtungen gleiten.</translation>
+    </message>
+    <message>
+        <source>Sections block each other. %1 comes only %2 out of its slit in %3, then it runs into it.</source>
+        <translation>Scheiben sperren einander. %1 kommt nur %2 weit aus dem Schlitz in %3 heraus, dann stößt es daran an.</translation>
+    </message>
+    <message>
+        <source>Sections block each other. Of %1 none comes off the others on a straight way.</source>
+        <translation>Scheiben sperren einander. Von %1 kommt nichts auf geradem Weg von den anderen los.</translation>
+    </message>
+    <message>
+        <source>Can be assembled</source>
+        <translation>Baubar</translation>
+    </message>
+    <message>
+        <source>Cannot be assembled</source>
+        <translation>Nicht baubar</translation>
+    </message>
+    <message>
+        <source>Order not found</source>
+        <translation>Reihenfolge offen</translation>
+    </message>
 </context>
 <context>
     <name>CommandLine</name>
@@ -233,10 +284,6 @@
         <translation>„%1“ gibt es nicht.</translation>
     </message>
     <message>
-        <source>Whether it holds together, stands and fits the sheet</source>
-        <translation>Ob es zusammenhält, steht und auf die Platte passt</translation>
-    </message>
-    <message>
         <source>Cutting files, true to size; the solids in place; or the model itself</source>
         <translation>Schneiddateien in wahrer Größe, die Körper an ihrem Ort oder das Modell selbst</translation>
     </message>
@@ -247,6 +294,10 @@
     <message>
         <source>Nothing to check: the model has no section.</source>
         <translation>Nichts zu prüfen: Das Modell hat keine Scheibe.</translation>
+    </message>
+    <message>
+        <source>Whether it holds together, stands, can be assembled and fits the sheet</source>
+        <translation>Ob es zusammenhält, steht, sich zusammenbauen lässt und auf die Platte passt</translation>
     </message>
 </context>
 <context>
@@ -4119,6 +4170,18 @@
     <message>
         <source>Nothing to cut: the model has no section.</source>
         <translation>Nichts zu schneiden: Das Modell hat keine Scheibe.</translation>
+    </message>
+    <message>
+        <source>Step %1: begin with part %2</source>
+        <translation>Schritt %1: mit Teil %2 beginnen</translation>
+    </message>
+    <message>
+        <source>Step %1: part %2</source>
+        <translation>Schritt %1: Teil %2</translation>
+    </message>
+    <message>
+        <source>Step %1: parts %2, put together before</source>
+        <translation>Schritt %1: die Teile %2, vorher zusammengesetzt</translation>
     </message>
 </context>
 </TS>

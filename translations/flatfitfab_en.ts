@@ -31,6 +31,13 @@
             <numerusform>%n parts</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>Can be assembled. %n steps.</source>
+        <translation>
+            <numerusform>Can be assembled. %n step.</numerusform>
+            <numerusform>Can be assembled. %n steps.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>fff::SessionHost</name>

@@ -19,7 +19,8 @@ namespace {
 constexpr int kMargin = 10, kGap = 6; // px
 constexpr int kGlyphsOnly = 640;      // px; a narrower view has no words on the badges
 constexpr CheckSubject kSubjects[] = {CheckSubject::Stability, CheckSubject::Connection,
-                                      CheckSubject::Joints, CheckSubject::Size};
+                                      CheckSubject::Assembly, CheckSubject::Joints,
+                                      CheckSubject::Size};
 
 /// They judge what is not made yet.
 bool isDrawing(const Workbench &bench)

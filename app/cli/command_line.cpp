@@ -19,9 +19,11 @@ namespace {
 constexpr std::array kVerbs = {
     Verb{"info", "FILE [--json] [options]",
          QT_TRANSLATE_NOOP("CommandLine", "Sections, joints, size and mass of a model"), runInfo},
-    Verb{"check", "FILE [--json] [options]",
-         QT_TRANSLATE_NOOP("CommandLine", "Whether it holds together, stands and fits the sheet"),
-         runCheck},
+    Verb{
+        "check", "FILE [--json] [options]",
+        QT_TRANSLATE_NOOP("CommandLine",
+                          "Whether it holds together, stands, can be assembled and fits the sheet"),
+        runCheck},
     Verb{"parts", "FILE [--json] [--tolerance MM] [options]",
          QT_TRANSLATE_NOOP("CommandLine", "What is to be cut, in each section's own coordinates"),
          runParts},

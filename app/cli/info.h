@@ -2,8 +2,9 @@
 #pragma once
 
 #include "core/fabrication/part.h"
-#include "core/session/analysis.h"
+#include "core/session/assembly_plan.h"
 
+#include <chrono>
 #include <string>
 
 namespace fff::cli {
@@ -15,11 +16,14 @@ struct InfoContext
 };
 
 /// Lengths mm, angles degrees, masses kg. All texts end with a line end.
-std::string infoJson(const Analysis &analysis, const InfoContext &context);
-std::string infoText(const Analysis &analysis, const InfoContext &context);
+std::string infoJson(const Analysis &analysis, const ModelPlan &plan, const InfoContext &context);
+std::string infoText(const Analysis &analysis, const ModelPlan &plan, const InfoContext &context);
 
-/// Outlines as designed: slits cut, clearance included, kerf not.
-std::string partsJson(const std::vector<Part> &parts, const Model &model);
-std::string partsText(const std::vector<Part> &parts, const Model &model);
+/// Outlines as designed: slits cut, clearance included, kerf not; and the order of assembly.
+std::string partsJson(const std::vector<Part> &parts, const Model &model, const AssemblyPlan &plan);
+std::string partsText(const std::vector<Part> &parts, const Model &model, const AssemblyPlan &plan);
+
+/// So long an order of assembly is looked for; nobody waits for a frame here.
+inline constexpr std::chrono::seconds kPlanningTime(10);
 
 } // namespace fff::cli

@@ -158,9 +158,67 @@ void writeRing(JsonWriter &json, const Polygon &ring)
     json.endArray();
 }
 
+/// Whether there is an order, and the sections in it, or those that block each other.
+void writeAssemblability(JsonWriter &json, const Model &model, const ModelPlan &plan)
+{
+    json.key("assemblable");
+    if (plan.plan.verdict == AssemblyPlan::Verdict::NotFound)
+        json.value("unknown");
+    else
+        json.value(plan.plan.verdict == AssemblyPlan::Verdict::Possible);
+    const auto writeName = [&](int part) {
+        const int section = plan.parts[static_cast<std::size_t>(part)].section;
+        json.value(model.section(static_cast<std::size_t>(section))->name);
+    };
+    json.key("assemblyOrder");
+    json.beginArray(JsonWriter::Layout::Line);
+    for (const AssemblyStep &step : plan.plan.steps)
+        if (step.parts.size() == 1) // each part has one such step
+            writeName(step.parts.front());
+    json.endArray();
+    json.key("blocked");
+    json.beginArray(JsonWriter::Layout::Line);
+    for (const int part : plan.plan.locked)
+        writeName(part);
+    json.endArray();
+}
+
+/// Parts by their numbers. Nothing where there is no order.
+void writeAssembly(JsonWriter &json, const AssemblyPlan &plan)
+{
+    if (plan.verdict != AssemblyPlan::Verdict::Possible)
+        return;
+    json.key("assembly");
+    json.beginArray();
+    for (const AssemblyStep &step : plan.steps) {
+        const Move last = step.moves.empty() ? Move() : step.moves.back();
+        json.beginObject();
+        json.key("parts");
+        json.beginArray(JsonWriter::Layout::Line);
+        for (const int part : step.parts)
+            json.value(part + 1);
+        json.endArray();
+        json.member("direction", last.direction);
+        json.member("distance", last.distance);
+        if (step.moves.size() > 1) {
+            json.key("before"); // what brings them to where that begins
+            json.beginArray();
+            for (std::size_t i = 0; i + 1 < step.moves.size(); ++i) {
+                json.beginObject();
+                json.member("direction", step.moves[i].direction);
+                json.member("distance", step.moves[i].distance);
+                json.endObject();
+            }
+            json.endArray();
+        }
+        json.endObject();
+    }
+    json.endArray();
+}
+
 } // namespace
 
-std::string infoJson(const Analysis &analysis, const InfoContext &context)
+std::string infoJson(const Analysis &analysis, const ModelPlan &plan, const InfoContext &context)
 {
     const Model &model = analysis.model;
     const Assembly &assembly = analysis.assembly;
@@ -196,6 +254,7 @@ std::string infoJson(const Analysis &analysis, const InfoContext &context)
         for (const int section : groups[g])
             json.value(model.section(static_cast<std::size_t>(section))->name);
     json.endArray();
+    writeAssemblability(json, model, plan);
     const MassProperties mass = massOf(model, analysis.cuts);
     json.member("mass", mass.mass);
     json.member("centreOfMass", mass.centre);
@@ -224,7 +283,7 @@ std::string infoJson(const Analysis &analysis, const InfoContext &context)
     return json.take();
 }
 
-std::string partsJson(const std::vector<Part> &parts, const Model &model)
+std::string partsJson(const std::vector<Part> &parts, const Model &model, const AssemblyPlan &plan)
 {
     JsonWriter json;
     json.beginObject();
@@ -247,6 +306,7 @@ std::string partsJson(const std::vector<Part> &parts, const Model &model)
         json.endObject();
     }
     json.endArray();
+    writeAssembly(json, plan);
     json.endObject();
     return json.take();
 }

@@ -2,6 +2,7 @@
 
 #include "core/fabrication/summary.h"
 #include "core/session/check_text.h"
+#include "core/session/plan_checks.h"
 
 #include <QCoreApplication>
 #include <QString>
@@ -33,7 +34,7 @@ QString nameOf(const Model &model, int section)
 
 } // namespace
 
-std::string infoText(const Analysis &analysis, const InfoContext &context)
+std::string infoText(const Analysis &analysis, const ModelPlan &plan, const InfoContext &context)
 {
     const Model &model = analysis.model;
     const auto groups = connectedGroups(model.sectionCount(), analysis.assembly.joints);
@@ -67,6 +68,9 @@ std::string infoText(const Analysis &analysis, const InfoContext &context)
     for (const Check &check : checks(analysis))
         if (subjectOf(check.code) == CheckSubject::Stability)
             lines += checkText(check, model);
+    for (const Check &check : planChecks(analysis, plan))
+        if (subjectOf(check.code) == CheckSubject::Assembly)
+            lines += checkText(check, model);
     for (const auto &stock : model.document.stocks) {
         lines += tr("Stock %1, %2 mm, sheets of %3")
                      .arg(QString::fromStdString(stock->name), QString::number(stock->thickness),
@@ -75,7 +79,7 @@ std::string infoText(const Analysis &analysis, const InfoContext &context)
     return lines.join(u'\n').toStdString() + '\n';
 }
 
-std::string partsText(const std::vector<Part> &parts, const Model &model)
+std::string partsText(const std::vector<Part> &parts, const Model &model, const AssemblyPlan &plan)
 {
     QStringList lines;
     for (const Part &part : parts) {
@@ -92,6 +96,16 @@ std::string partsText(const std::vector<Part> &parts, const Model &model)
     }
     if (lines.isEmpty())
         lines += tr("Nothing to cut: the model has no section.");
+    for (std::size_t i = 0; i < plan.steps.size() && plan.steps.size() > 1; ++i) {
+        QStringList numbers;
+        for (const int part : plan.steps[i].parts)
+            numbers += QString::number(part + 1);
+        const QString step = QString::number(i + 1), which = numbers.join(QStringLiteral(", "));
+        lines += i == 0 ? tr("Step %1: begin with part %2").arg(step, which)
+                 : numbers.size() == 1
+                     ? tr("Step %1: part %2").arg(step, which)
+                     : tr("Step %1: parts %2, put together before").arg(step, which);
+    }
     return lines.join(u'\n').toStdString() + '\n';
 }
 

@@ -1,7 +1,9 @@
 #include "app/cli/analysed_file.h"
+#include "app/cli/info.h"
 #include "core/io/error_text.h"
 #include "core/io/json_writer.h"
 #include "core/session/check_text.h"
+#include "core/session/plan_checks.h"
 
 #include <algorithm>
 
@@ -111,7 +113,10 @@ int runCheck(const QStringList &arguments)
     const AnalysedFile model = analysedFile("check", arguments);
     if (model.status)
         return *model.status;
-    const std::vector<Check> found = checks(model.analysis);
+    std::vector<Check> found = checks(model.analysis);
+    for (Check &check :
+         planChecks(model.analysis, planOf(model.analysis, timeLimit(kPlanningTime))))
+        found.push_back(std::move(check));
     std::vector<Problem> problems = problemsOf(found, model.analysis.model);
     for (Problem &problem : problemsOf(model.warnings))
         problems.push_back(std::move(problem));

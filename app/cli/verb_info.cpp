@@ -1,5 +1,6 @@
 #include "app/cli/analysed_file.h"
 #include "app/cli/info.h"
+#include "core/session/plan_checks.h"
 
 namespace fff::cli {
 
@@ -9,8 +10,9 @@ int runInfo(const QStringList &arguments)
     if (model.status)
         return *model.status;
     const InfoContext context{model.file.toStdString(), model.format};
-    return print(model.asJson ? infoJson(model.analysis, context)
-                              : infoText(model.analysis, context));
+    const ModelPlan plan = planOf(model.analysis, timeLimit(kPlanningTime));
+    return print(model.asJson ? infoJson(model.analysis, plan, context)
+                              : infoText(model.analysis, plan, context));
 }
 
 } // namespace fff::cli

@@ -2,6 +2,7 @@
 #include "app/cli/info.h"
 #include "core/base/tolerances.h"
 #include "core/operations/evaluate.h"
+#include "core/session/plan_checks.h"
 
 namespace fff::cli {
 
@@ -53,11 +54,12 @@ int runParts(const QStringList &arguments)
         return *loaded.status;
     AnalysisCaches caches;
     Analysis analysis = analyse(evaluate(std::move(loaded.document)), caches);
+    const AssemblyPlan plan = planOf(analysis, timeLimit(kPlanningTime)).plan;
     if (chord != kCutChord)
         analysis.cuts = cutsOnChords(analysis, chord);
     const std::vector<Part> parts = makeParts(analysis.model, analysis.assembly, analysis.cuts);
-    return print(parser.isSet(QStringLiteral("json")) ? partsJson(parts, analysis.model)
-                                                      : partsText(parts, analysis.model));
+    return print(parser.isSet(QStringLiteral("json")) ? partsJson(parts, analysis.model, plan)
+                                                      : partsText(parts, analysis.model, plan));
 }
 
 } // namespace fff::cli

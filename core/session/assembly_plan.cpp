@@ -60,6 +60,28 @@ Hold holdOf(const Analysis &analysis, const Joint &joint)
     return hold;
 }
 
+/// What stops the one of a locked pair that comes out of its slit.
+std::optional<Stop> stopOf(const std::vector<Solid> &solids, const std::vector<Slide> &slides,
+                           const std::vector<int> &pair)
+{
+    const auto slide = std::find_if(slides.begin(), slides.end(), [&](const Slide &s) {
+        return s.a == pair[0] && s.b == pair[1];
+    });
+    if (slide == slides.end())
+        return {};
+    const std::optional<Travel> met = collisionAlong(solids[static_cast<std::size_t>(slide->b)],
+                                                     solids[static_cast<std::size_t>(slide->a)],
+                                                     slide->direction, kTouchingDepth);
+    if (!met || !(met->from > 0.0))
+        return {};
+    // Of two it is the smaller one that a person would move.
+    const auto extent = [&](int part) {
+        return solids[static_cast<std::size_t>(part)].box.size().norm();
+    };
+    return extent(slide->b) > extent(slide->a) ? Stop{slide->a, slide->b, met->from}
+                                               : Stop{slide->b, slide->a, met->from};
+}
+
 } // namespace
 
 std::vector<Solid> solidsOf(const Analysis &analysis, std::vector<PartRef> &parts)
@@ -135,7 +157,10 @@ ModelPlan planOf(const Analysis &analysis, const std::function<bool()> &isOutOfT
     result.overlaps = overlapsOf(solids, options.depth);
     for (const PartOverlap &overlap : result.overlaps)
         options.ignored.emplace_back(overlap.a, overlap.b);
-    result.plan = planAssembly(solids, slidesOf(analysis, result.parts), options);
+    const std::vector<Slide> slides = slidesOf(analysis, result.parts);
+    result.plan = planAssembly(solids, slides, options);
+    if (result.plan.locked.size() == 2)
+        result.stop = stopOf(solids, slides, result.plan.locked);
     return result;
 }
 

@@ -20,11 +20,19 @@ struct PartOverlap
     Interpenetration how;
 };
 
+/// A part that comes out of its slit, but then runs into the one that it came out of.
+struct Stop
+{
+    int part = 0, by = 0;  // indices of parts
+    double distance = 0.0; // mm
+};
+
 struct ModelPlan
 {
     std::vector<PartRef> parts;        // the plan's indices
     std::vector<PartOverlap> overlaps; // in the order of (a, b); the plan passes them over
     AssemblyPlan plan;
+    std::optional<Stop> stop; // of two that are locked
 };
 
 /// The parts as solids, in the sections' order.

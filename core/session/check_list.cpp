@@ -1,6 +1,10 @@
 #include "core/session/check_list.h"
 
+#include "core/session/plan_checks.h"
 #include "core/session/session.h"
+
+#include <algorithm>
+#include <chrono>
 
 namespace fff {
 
@@ -9,6 +13,7 @@ namespace {
 // ms. Most answers come sooner than the eye sees a change; saying in between that they are older
 // would only flicker.
 constexpr int kSeen = 100, kLate = 500;
+constexpr std::chrono::milliseconds kPlanningTime(1000);
 
 } // namespace
 
@@ -24,12 +29,19 @@ CheckList::CheckList(const Session &session, QObject *parent)
                   return; // late, on what is gone
               m_verdicts = std::move(verdicts);
               m_revision = revision;
-              if (revision == m_session.revision()) {
-                  m_becomesOlder.stop();
-                  m_becomesLate.stop();
-                  m_age = Age::Current;
-              }
-              Q_EMIT changed();
+              refresh();
+          }),
+      m_planning(
+          [](const AnalysisPointer &analysis) {
+              PlannedAnalysis planned{analysis, planOf(*analysis, timeLimit(kPlanningTime)), {}};
+              planned.checks = planChecks(*analysis, planned.plan);
+              return std::make_shared<const PlannedAnalysis>(std::move(planned));
+          },
+          [this](std::uint64_t, std::shared_ptr<const PlannedAnalysis> plan) {
+              if (m_session.model().sectionCount() == 0)
+                  return;
+              m_plan = std::move(plan);
+              refresh();
           })
 {
     m_becomesOlder.setSingleShot(true);
@@ -39,9 +51,13 @@ CheckList::CheckList(const Session &session, QObject *parent)
     connect(&m_becomesOlder, &QTimer::timeout, this, [this] { grow(Age::Older); });
     connect(&m_becomesLate, &QTimer::timeout, this, [this] { grow(Age::Late); });
     connect(&session, &Session::modelChanged, this, &CheckList::modelChanged);
-    connect(&session, &Session::analysisChanged, this,
-            [this] { m_job.request(m_session.analysedRevision(), m_session.analysisPointer()); });
+    connect(&session, &Session::analysisChanged, this, [this] {
+        m_job.request(m_session.analysedRevision(), m_session.analysisPointer());
+        requestPlan();
+    });
+    connect(&session, &Session::committedChanged, this, &CheckList::requestPlan);
     m_job.request(session.analysedRevision(), session.analysisPointer());
+    requestPlan();
     if (session.analysedRevision() != session.revision())
         modelChanged();
 }
@@ -54,6 +70,8 @@ void CheckList::modelChanged()
     if (m_session.model().sectionCount() == 0) {
         // Nothing follows from nothing.
         m_verdicts = std::make_shared<const Verdicts>();
+        m_plan.reset();
+        m_all.clear();
         m_becomesOlder.stop();
         m_becomesLate.stop();
         m_age = Age::Current;
@@ -72,9 +90,41 @@ void CheckList::grow(Age age)
     Q_EMIT changed();
 }
 
+/// A plan is for what is there, not for each place on the way of a drag.
+void CheckList::requestPlan()
+{
+    if (m_session.hasPreview() || m_session.analysedRevision() != m_session.revision() ||
+        m_toPlan == m_session.analysisPointer())
+        return;
+    m_toPlan = m_session.analysisPointer();
+    m_planning.request(m_session.analysedRevision(), m_toPlan);
+}
+
+void CheckList::refresh()
+{
+    m_all = m_verdicts->checks;
+    const auto isThere = [&](const SectionRef &ref) { return m_verdicts->model.indexOf(ref) >= 0; };
+    if (m_plan)
+        for (const Check &check : m_plan->checks)
+            if (std::all_of(check.sections.begin(), check.sections.end(), isThere))
+                m_all.push_back(check);
+    std::stable_sort(m_all.begin(), m_all.end(), [](const Check &a, const Check &b) {
+        return subjectOf(a.code) < subjectOf(b.code);
+    });
+    const bool isPlanned =
+        m_session.hasPreview() || (m_plan && m_plan->analysis == m_session.analysisPointer());
+    if (m_revision == m_session.revision() && isPlanned) {
+        m_becomesOlder.stop();
+        m_becomesLate.stop();
+        m_age = Age::Current;
+    }
+    Q_EMIT changed();
+}
+
 void CheckList::finish()
 {
     m_job.finish();
+    m_planning.finish();
 }
 
 } // namespace fff

@@ -5,6 +5,7 @@
 #include <QObject> // first: moc stumbles over some standard headers
 #include <QTimer>
 
+#include "core/session/assembly_plan.h"
 #include "core/session/checks.h"
 #include "core/session/latest_job.h"
 
@@ -14,6 +15,13 @@
 namespace fff {
 
 class Session;
+
+struct PlannedAnalysis
+{
+    AnalysisPointer analysis;
+    ModelPlan plan;
+    std::vector<Check> checks;
+};
 
 class CheckList : public QObject
 {
@@ -29,11 +37,14 @@ public:
     explicit CheckList(const Session &session, QObject *parent = nullptr);
     ~CheckList() override;
 
-    /// The newest ones, of model(); in the order of checks().
-    const std::vector<Check> &all() const { return m_verdicts->checks; }
+    /// The newest ones, of sections of model(), those of planChecks() with them; in the order of
+    /// their subjects.
+    const std::vector<Check> &all() const { return m_all; }
     /// The one that they are about; older than the session's unless age() is Current.
     const Model &model() const { return m_verdicts->model; }
     Age age() const { return m_age; }
+    /// The newest plan of the assembly, null at first, and the analysis that it is about.
+    const std::shared_ptr<const PlannedAnalysis> &plan() const { return m_plan; }
     /// Waits for what is worked out: for tests.
     void finish();
 
@@ -51,14 +62,22 @@ private:
 
     void modelChanged();
     void grow(Age age);
+    void requestPlan();
+    /// After a result: whether all are of the model that is shown by now.
+    void refresh();
 
     const Session &m_session;
     CheckCaches m_caches; // touched by the job alone
     VerdictsPointer m_verdicts = std::make_shared<const Verdicts>();
     std::uint64_t m_revision = 0; // that they belong to
+    std::shared_ptr<const PlannedAnalysis> m_plan;
+    AnalysisPointer m_toPlan; // of what is or was being planned last
+    std::vector<Check> m_all;
     Age m_age = Age::Current;
     QTimer m_becomesOlder, m_becomesLate;
-    LatestJob<AnalysisPointer, VerdictsPointer> m_job; // last: waits for its worker
+    // Last: they wait for their workers.
+    LatestJob<AnalysisPointer, VerdictsPointer> m_job;
+    LatestJob<AnalysisPointer, std::shared_ptr<const PlannedAnalysis>> m_planning;
 };
 
 } // namespace fff

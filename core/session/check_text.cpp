@@ -188,10 +188,21 @@ QString jointText(const Check &check, const Model &model, const CheckUnits &unit
 {
     const QString first = nameAt(check, model, 0), second = nameAt(check, model, 1);
     switch (check.code) {
-    case CheckCode::Interference:
+    case CheckCode::NoSlit:
         return Words::tr("%1 and %2 cut into each other, %3 long, but no slit lets them slide "
                          "together.")
             .arg(first, second, units.length(check.distance));
+    case CheckCode::Interference: {
+        constexpr double kSmall = 0.1; // mm
+        const QString deep = check.distance < kSmall
+                                 ? Words::tr("less than %1").arg(units.length(kSmall))
+                                 : units.length(check.distance);
+        return check.count == 0
+                   ? Words::tr("%1 and %2 cut into each other, %3, but are not joined.")
+                         .arg(first, second, deep)
+                   : Words::tr("%1 and %2 cut into each other, %3, outside of their slits.")
+                         .arg(first, second, deep);
+    }
     case CheckCode::ShallowAngle:
         return Words::tr("%1 meets %2 at %3; slits get wide below %4.")
             .arg(first, second, wholeDegrees(check.angle), wholeDegrees(kShallowAngle));
@@ -201,6 +212,33 @@ QString jointText(const Check &check, const Model &model, const CheckUnits &unit
     default:
         return Words::tr("The slits of %1 leave nothing of it.").arg(first);
     }
+}
+
+QString assemblyText(const Check &check, const Model &model, const CheckUnits &units)
+{
+    switch (check.code) {
+    case CheckCode::CanAssemble:
+        return check.count == 1 ? Words::tr("Can be assembled. There is only one part.")
+                                : Words::tr("Can be assembled. %n steps.", nullptr, check.count);
+    case CheckCode::CannotAssemble:
+        break;
+    default:
+        return Words::tr("Order not found. The search took too long; that says nothing about the "
+                         "model.");
+    }
+    const QString names = namesOf(model, check.sections);
+    if (check.directions > 1)
+        return Words::tr("Sections block each other. %1 meet in %2 that slide in %3 different "
+                         "directions.")
+            .arg(names, Words::tr("%n joints", nullptr, check.count),
+                 QString::number(check.directions));
+    if (check.distance > 0.0)
+        return Words::tr("Sections block each other. %1 comes only %2 out of its slit in %3, then "
+                         "it runs into it.")
+            .arg(nameAt(check, model, 0), units.length(check.distance), nameAt(check, model, 1));
+    return Words::tr("Sections block each other. Of %1 none comes off the others on a straight "
+                     "way.")
+        .arg(names);
 }
 
 } // namespace
@@ -230,6 +268,13 @@ QString checkName(CheckCode code)
         return QStringLiteral("tooLarge");
     case CheckCode::Mass:
         return QStringLiteral("mass");
+    case CheckCode::CanAssemble:
+        return QStringLiteral("canAssemble");
+    case CheckCode::CannotAssemble:
+        return QStringLiteral("cannotAssemble");
+    case CheckCode::OrderUnknown:
+        return QStringLiteral("orderUnknown");
+    case CheckCode::NoSlit:
     case CheckCode::Interference:
         return QStringLiteral("interference");
     case CheckCode::ShallowAngle:
@@ -298,6 +343,13 @@ QString checkTitle(const Check &check)
         return Words::tr("Too large for the sheet");
     case CheckCode::Mass:
         return Words::tr("Mass");
+    case CheckCode::CanAssemble:
+        return Words::tr("Can be assembled");
+    case CheckCode::CannotAssemble:
+        return Words::tr("Cannot be assembled");
+    case CheckCode::OrderUnknown:
+        return Words::tr("Order not found");
+    case CheckCode::NoSlit:
     case CheckCode::Interference:
         return Words::tr("Cut into each other");
     case CheckCode::ShallowAngle:
@@ -323,6 +375,8 @@ QString checkText(const Check &check, const Model &model, const CheckUnits &unit
     case CheckSubject::Mass:
         return Words::tr("Mass %1. The centre of mass lies %2 above the ground.")
             .arg(units.mass(check.mass.mass), units.length(check.mass.centre.y()));
+    case CheckSubject::Assembly:
+        return assemblyText(check, model, units);
     case CheckSubject::Joints:
         return jointText(check, model, units);
     }

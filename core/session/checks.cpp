@@ -270,13 +270,13 @@ void addJoints(const Analysis &analysis, std::vector<Check> &all)
     const Model &model = analysis.model;
     for (const Joint &joint : analysis.assembly.joints) {
         const Crossing &crossing = *joint.crossing;
-        const bool interferes = joint.kind == JointKind::None;
-        if (!interferes && !(crossing.angle < kShallowAngle))
+        const bool collides = joint.kind == JointKind::None;
+        if (!collides && !(crossing.angle < kShallowAngle))
             continue;
         const auto longest = std::max_element(
             crossing.overlaps.begin(), crossing.overlaps.end(),
             [](const Overlap &a, const Overlap &b) { return a.to - a.from < b.to - b.from; });
-        Check check = makeCheck(interferes ? CheckCode::Interference : CheckCode::ShallowAngle,
+        Check check = makeCheck(collides ? CheckCode::NoSlit : CheckCode::ShallowAngle,
                                 CheckSeverity::Warning);
         check.sections = refsOf(model, {joint.a, joint.b});
         check.at = crossing.axis.at(0.5 * (longest->from + longest->to));
@@ -318,6 +318,11 @@ CheckSubject subjectOf(CheckCode code)
         return CheckSubject::Size;
     case CheckCode::Mass:
         return CheckSubject::Mass;
+    case CheckCode::CanAssemble:
+    case CheckCode::CannotAssemble:
+    case CheckCode::OrderUnknown:
+        return CheckSubject::Assembly;
+    case CheckCode::NoSlit:
     case CheckCode::Interference:
     case CheckCode::ShallowAngle:
     case CheckCode::Divided:

@@ -1,5 +1,6 @@
 // What a person wants to know about a model before cutting it, as verdicts: does it hold together,
-// does it stand, does it fit the sheet. Pure data; the sentences are made in check_text.h.
+// does it stand, does it fit the sheet, can it be put together. Pure data; the sentences are made
+// in check_text.h.
 #pragma once
 
 #include "core/fabrication/summary.h"
@@ -27,15 +28,20 @@ enum class CheckCode {
     TooLarge, // one check a section with such a part
     // subject Mass
     Mass,
+    // subject Assembly (plan_checks.h)
+    CanAssemble,
+    CannotAssemble, // parts that block each other
+    OrderUnknown,   // not found within the time
     // subject Joints; only when there is something to say
-    Interference, // two sections cut into each other, but no slit lets them slide together
+    NoSlit,       // two sections cut into each other, but no slit lets them slide together
+    Interference, // two sections cut into each other where no joint is (plan_checks.h)
     ShallowAngle, // two sections meet at less than kShallowAngle
     Divided,      // its slits divide a section into several parts
     NothingLeft,  // its slits leave nothing of a section
 };
 
 /// A badge speaks about a subject; its severity is the worst of that subject's checks.
-enum class CheckSubject { Connection, Stability, Size, Mass, Joints };
+enum class CheckSubject { Connection, Stability, Assembly, Size, Mass, Joints };
 
 enum class CheckSeverity { Good, Unknown, Note, Warning, Error }; // ordered
 
@@ -58,13 +64,17 @@ struct Check
     Towards side = Towards::Front; // Stability: where to it falls, or would first
     double distance = 0.0;    // mm. NotConnected: to the nearest other section (negative: unknown);
                               // NoContact: above the ground; BelowGround: below it (both positive);
-                              // Interference: the longest overlap
+                              // NoSlit: the longest overlap; Interference: how deep;
+                              // CannotAssemble: how far the first section comes out of the second
+                              // one, 0: it is not that
     double angle = 0.0;       // ShallowAngle: radians
     Vec2 size = Vec2::Zero(); // TooLarge: the part as designed, its longer side first, mm
     Vec2 sheet = Vec2::Zero(); // FitsSheet (one stock only), TooLarge: the sheet's size, mm
     int sectionCount = 0;      // Connected: all; Stands: those that stand
     int count = 0;       // Connected: joints; FitsSheet: sheets; Divided: parts; TooLarge: parts
-                         // of that section that do not fit
+                         // of that section that do not fit; CanAssemble: steps; CannotAssemble:
+                         // joints of those that block each other; Interference: joints of the two
+    int directions = 0;  // CannotAssemble: in which those joints slide
     double share = 0.0;  // FitsSheet: of the sheets' area that parts cover, 0 … 1
     MassProperties mass; // Mass: kg, and its centre; Stability: of what stands or falls
 };
@@ -77,10 +87,11 @@ inline constexpr double kShallowAngle = 0.52359877559829887;
 
 CheckSubject subjectOf(CheckCode code);
 
-/// The checks of a model, of each subject at least one (Joints: only what is wrong), in the order
-/// of the subjects and, within one, of the sections. A model that is not connected says so first;
-/// each of its groups then stands or falls by itself, and those that hang in the air because
-/// nothing holds them are not named a second time. Nothing for a model without sections.
+/// The checks of a model, but those that take planning: of each subject at least one (Joints: only
+/// what is wrong), in the order of the subjects and, within one, of the sections. A model that is
+/// not connected says so first; each of its groups then stands or falls by itself, and those that
+/// hang in the air because nothing holds them are not named a second time. Nothing for a model
+/// without sections.
 ///
 /// Deterministic. Costs what a layout does; for a worker, not for the window's thread.
 std::vector<Check> checks(const Analysis &analysis, const LayoutOptions &layout = {});

@@ -10,6 +10,7 @@ target_sources(fff_session PRIVATE
     gap.cpp
     journal.cpp
     pen_commands.cpp
+    plan_checks.cpp
     point_commands.cpp
     recovery.cpp
     replay.cpp

@@ -93,6 +93,7 @@ private Q_SLOTS:
     void helpAndVersion();
     void infoTellsTheModel();
     void partsAreCutAndClosed();
+    void partsComeInTheirOrder();
     void exportIsTrueToSize();
     void kerfThatClosesSlitsIsSaid();
     void exportKeepsTheOldFileWhenItCannotWrite();
@@ -250,6 +251,24 @@ void TestCli::partsAreCutAndClosed()
             1e-6);
     QVERIFY(std::abs(areaOf(parts[1].toObject()[QLatin1String("outer")].toArray()) -
                      (7000.0 - 45.0)) < 1e-6);
+}
+
+// An order that leaves a part out, or moves one into place from nowhere, is no order.
+void TestCli::partsComeInTheirOrder()
+{
+    const Run result = run({QStringLiteral("parts"), path("pair.fff"), QStringLiteral("--json")});
+    QCOMPARE(result.status, 0);
+    const QJsonArray steps = object(result.out)[QLatin1String("assembly")].toArray();
+    QCOMPARE(steps.size(), 2);
+    QCOMPARE(steps[0][QLatin1String("parts")].toArray(), QJsonArray{1});
+    QCOMPARE(steps[0][QLatin1String("distance")].toDouble(), 0.0);
+    QCOMPARE(steps[1][QLatin1String("parts")].toArray(), QJsonArray{2});
+    QVERIFY(steps[1][QLatin1String("distance")].toDouble() > 0.0);
+    const QJsonObject info =
+        object(run({QStringLiteral("info"), path("pair.fff"), QStringLiteral("--json")}).out);
+    QCOMPARE(info[QLatin1String("assemblable")], QJsonValue(true));
+    QCOMPARE(info[QLatin1String("assemblyOrder")].toArray().size(), 2);
+    QVERIFY(info[QLatin1String("blocked")].toArray().isEmpty());
 }
 
 // A file that comes out at another scale is a sheet wasted.

@@ -271,9 +271,9 @@ void TestChecks::jointsThatCannotSlide()
     QCOMPARE(held.assembly.joints.size(), 1U);
     QCOMPARE(held.assembly.joints[0].kind, JointKind::None);
     const std::vector<Check> found = checks(held);
-    QVERIFY(find(found, CheckCode::Interference));
-    QCOMPARE(find(found, CheckCode::Interference)->severity, CheckSeverity::Warning);
-    QCOMPARE(find(found, CheckCode::Interference)->distance, 16.0);
+    QVERIFY(find(found, CheckCode::NoSlit));
+    QCOMPARE(find(found, CheckCode::NoSlit)->severity, CheckSeverity::Warning);
+    QCOMPARE(find(found, CheckCode::NoSlit)->distance, 16.0);
     // They touch, and yet nothing holds them together.
     QVERIFY(textOf(held, CheckCode::NotConnected)
                 .endsWith(QStringLiteral("but no joint holds them together.")));

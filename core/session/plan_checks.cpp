@@ -1,0 +1,138 @@
+#include "core/session/plan_checks.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+namespace fff {
+
+namespace {
+
+/// Ways to slide that differ by less are one, 0.1°: a person would call them so.
+constexpr double kSameSlide = 1.7e-3; // of unit vectors
+
+bool isSameLine(const Vec3 &a, const Vec3 &b)
+{
+    return a.cross(b).norm() < kSameSlide;
+}
+
+/// The sections of parts, each once.
+std::vector<int> sectionsOf(const std::vector<int> &parts, const ModelPlan &plan)
+{
+    std::set<int> sections;
+    for (const int part : parts)
+        sections.insert(plan.parts[static_cast<std::size_t>(part)].section);
+    return {sections.begin(), sections.end()};
+}
+
+std::vector<SectionRef> refsOf(const Model &model, const std::vector<int> &sections)
+{
+    std::vector<SectionRef> refs;
+    for (const int section : sections)
+        refs.push_back(model.ref(static_cast<std::size_t>(section)));
+    return refs;
+}
+
+Vec3 placeOf(const Joint &joint)
+{
+    const Overlap &overlap = joint.crossing->overlaps.front();
+    return joint.crossing->axis.at(overlap.meet);
+}
+
+/// Why parts are locked: the ways in which the joints among them slide, and what stops the one that
+/// could move.
+void explain(const Analysis &analysis, const ModelPlan &plan, const std::vector<int> &sections,
+             Check &check)
+{
+    std::vector<Vec3> ways;
+    for (std::size_t i = 0; i < sections.size(); ++i) {
+        for (std::size_t k = i + 1; k < sections.size(); ++k) {
+            const Joint *joint = analysis.assembly.joints.find(sections[i], sections[k]);
+            if (!joint || joint->kind == JointKind::None)
+                continue;
+            ++check.count;
+            if (!check.at)
+                check.at = placeOf(*joint);
+            const Vec3 &way = joint->crossing->axis.direction;
+            if (joint->kind != JointKind::Mortise &&
+                std::none_of(ways.begin(), ways.end(),
+                             [&](const Vec3 &other) { return isSameLine(way, other); }))
+                ways.push_back(way);
+        }
+    }
+    check.directions = static_cast<int>(ways.size());
+    if (!plan.stop)
+        return;
+    const auto sectionOf = [&](int part) {
+        return plan.parts[static_cast<std::size_t>(part)].section;
+    };
+    // Who moves is named first.
+    check.sections = refsOf(analysis.model, {sectionOf(plan.stop->part), sectionOf(plan.stop->by)});
+    check.distance = plan.stop->distance;
+}
+
+Check verdict(const Analysis &analysis, const ModelPlan &plan)
+{
+    Check check;
+    switch (plan.plan.verdict) {
+    case AssemblyPlan::Verdict::Possible:
+        check.code = CheckCode::CanAssemble;
+        check.severity = CheckSeverity::Good;
+        check.count = static_cast<int>(plan.plan.steps.size());
+        break;
+    case AssemblyPlan::Verdict::Impossible: {
+        check.code = CheckCode::CannotAssemble;
+        check.severity = CheckSeverity::Error;
+        const std::vector<int> sections = sectionsOf(plan.plan.locked, plan);
+        check.sections = refsOf(analysis.model, sections);
+        explain(analysis, plan, sections, check);
+        break;
+    }
+    case AssemblyPlan::Verdict::NotFound:
+        check.code = CheckCode::OrderUnknown;
+        check.severity = CheckSeverity::Unknown;
+        break;
+    }
+    return check;
+}
+
+} // namespace
+
+std::vector<Check> planChecks(const Analysis &analysis, const ModelPlan &plan)
+{
+    std::vector<Check> all;
+    if (plan.parts.empty())
+        return all;
+    all.push_back(verdict(analysis, plan));
+    // Of all pieces of two sections the deepest.
+    std::map<std::pair<int, int>, const Interpenetration *> deepest;
+    for (const PartOverlap &overlap : plan.overlaps) {
+        const int a = plan.parts[static_cast<std::size_t>(overlap.a)].section;
+        const int b = plan.parts[static_cast<std::size_t>(overlap.b)].section;
+        const Interpenetration *&known = deepest[{a, b}];
+        if (!known || overlap.how.depth > known->depth)
+            known = &overlap.how;
+    }
+    for (const auto &[pair, how] : deepest) {
+        const Joint *joint = analysis.assembly.joints.find(pair.first, pair.second);
+        if (joint && joint->kind == JointKind::None)
+            continue; // it is said of the joint
+        Check check;
+        check.code = CheckCode::Interference;
+        check.severity = CheckSeverity::Warning;
+        check.sections = refsOf(analysis.model, {pair.first, pair.second});
+        check.at = how->at;
+        check.distance = how->depth;
+        check.count = joint ? 1 : 0;
+        all.push_back(std::move(check));
+    }
+    return all;
+}
+
+std::function<bool()> timeLimit(std::chrono::milliseconds time)
+{
+    const auto end = std::chrono::steady_clock::now() + time;
+    return [end] { return std::chrono::steady_clock::now() >= end; };
+}
+
+} // namespace fff

@@ -1,0 +1,99 @@
+// Models of which a person knows whether they can be put together.
+#pragma once
+
+#include "core/base/units.h"
+#include "tests/core/assembly/plates.h"
+
+#include <cmath>
+
+namespace fff::test {
+
+/// Standing strips with a spacing of 20, so many each way.
+inline Document eggCrate(int across, int along)
+{
+    Document document = newDocument();
+    const ShapePointer wide = polygonShape(rectangle(0, 0, 20.0 * (along + 1), 40));
+    const ShapePointer deep = polygonShape(rectangle(0, 0, 20.0 * (across + 1), 40));
+    for (int i = 0; i < across; ++i)
+        document = withSection(std::move(document), wide, front(-20.0 * (i + 1)));
+    for (int i = 0; i < along; ++i)
+        document = withSection(std::move(document), deep, side(20.0 * (i + 1)));
+    return document;
+}
+
+/// A spine with ribs that hang on its upper edge.
+inline Document comb(int ribs)
+{
+    Document document = newDocument();
+    document = withSection(std::move(document),
+                           polygonShape(rectangle(0, 0, 20.0 * (ribs + 1), 30)), front());
+    for (int i = 0; i < ribs; ++i)
+        document = withSection(std::move(document), polygonShape(rectangle(-20, 10, 20, 50)),
+                               side(20.0 * (i + 1)));
+    return document;
+}
+
+/// Each on the one before, crosswise, like beads.
+inline Document chain(int links)
+{
+    Document document = newDocument();
+    const ShapePointer link = polygonShape(rectangle(0, 0, 50, 30));
+    for (int i = 0; i < links; ++i) {
+        const double at = 40.0 * static_cast<double>(i / 2);
+        document =
+            withSection(std::move(document), link,
+                        i % 2 == 0 ? Frame{{at, 0, -at}, Vec3::UnitX(), Vec3::UnitY()}
+                                   : Frame{{at + 45, 0, -at + 5}, -Vec3::UnitZ(), Vec3::UnitY()});
+    }
+    return document;
+}
+
+/// Three plates, each through both others: their axes are those of the world. Slits stay apart.
+inline Document triangle()
+{
+    const ShapePointer plate = polygonShape(rectangle(-30, -30, 30, 30));
+    Document document = withSection(newDocument(), plate, front(10));
+    document = withSection(std::move(document), plate, side(-20));
+    return withSection(std::move(document), plate, {{0, 20, 0}, Vec3::UnitX(), -Vec3::UnitZ()});
+}
+
+inline Frame level(double height)
+{
+    return {{0, height, 0}, Vec3::UnitX(), -Vec3::UnitZ()};
+}
+
+/// A rib of this height on the lower arm of a C, whose upper arm hangs over it.
+inline Document underAnArm(double height)
+{
+    const ShapePointer arms = polygonShape(
+        {{0, 0}, {100, 0}, {100, 30}, {20, 30}, {20, 80}, {100, 80}, {100, 100}, {0, 100}});
+    return withSection(withSection(newDocument(), arms, front()),
+                       polygonShape(rectangle(-20, 15, 20, 15 + height)), side(60));
+}
+
+/// Two U that cross at their feet, each with a shelf that goes into its arm from within and then
+/// reaches so near to the other U that it does not come out any more.
+inline Document furnished()
+{
+    const ShapePointer arms = polygonShape(
+        {{-60, 0}, {60, 0}, {60, 100}, {35, 100}, {35, 20}, {-35, 20}, {-35, 100}, {-60, 100}});
+    Document document = withSection(newDocument(), arms, front());
+    document = withSection(std::move(document), arms, side());
+    document = withSection(std::move(document), polygonShape(rectangle(-45, -4, -5, 4)), level(60));
+    return withSection(std::move(document), polygonShape(rectangle(-4, 5, 4, 45)), level(60));
+}
+
+/// A disc with ribs about it, each across its rim.
+inline Document star(int ribs)
+{
+    Polygon disc;
+    for (int i = 0; i < 60; ++i)
+        disc.push_back(Vec2(50 * std::cos(i * radians(6.0)), 50 * std::sin(i * radians(6.0))));
+    Document document = withSection(newDocument(), polygonShape(disc), level(20));
+    for (int i = 0; i < ribs; ++i)
+        document = withSection(std::move(document), polygonShape(rectangle(35, 0, 70, 40)),
+                               turned(radians(360.0 * i / ribs)));
+    return document;
+}
+
+} // namespace fff::test

@@ -1,0 +1,104 @@
+#include <QTest> // first: moc cannot read some of the standard library before it
+
+#include "core/session/check_text.h"
+#include "core/session/plan_checks.h"
+#include "tests/core/assembly/known_models.h"
+
+#include <QLocale>
+
+using namespace fff;
+using namespace fff::test;
+
+namespace {
+
+struct Said
+{
+    std::vector<Check> checks;
+    QStringList sentences;
+};
+
+Said saidOf(const Document &document, const std::function<bool()> &isOutOfTime = {})
+{
+    AnalysisCaches caches;
+    const Analysis analysis = analyse(evaluate(document), caches);
+    Said said{planChecks(analysis, planOf(analysis, isOutOfTime)), {}};
+    for (const Check &check : said.checks)
+        said.sentences += checkText(check, analysis.model).replace(QChar(0x202f), u' ');
+    return said;
+}
+
+} // namespace
+
+class TestPlanChecks : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void initTestCase() { QLocale::setDefault(QLocale::c()); }
+    void sentences_data();
+    void sentences();
+    void anUnknownOrderIsNoProblem();
+    void whatIsInEachOtherSaysHowDeep();
+    void aModelWithoutPartsHasNoVerdict();
+};
+
+void TestPlanChecks::sentences_data()
+{
+    QTest::addColumn<Document>("document");
+    QTest::addColumn<QString>("sentence");
+    QTest::newRow("one part") << withSection(newDocument(), polygonShape(rectangle(0, 0, 40, 40)),
+                                             front())
+                              << QStringLiteral("Can be assembled. There is only one part.");
+    QTest::newRow("a crate") << eggCrate(2, 2) << QStringLiteral("Can be assembled. 4 steps.");
+    QTest::newRow("locked by directions")
+        << triangle()
+        << QStringLiteral("Sections block each other. Section 1, Section 2 and Section 3 meet in 3 "
+                          "joints that slide in 3 different directions.");
+    QTest::newRow("locked by an arm")
+        << underAnArm(60)
+        << QStringLiteral("Sections block each other. Section 2 comes only 5 mm out of its slit in "
+                          "Section 1, then it runs into it.");
+}
+
+/// What would be wrong: a person who is told "no" and not why.
+void TestPlanChecks::sentences()
+{
+    QFETCH(Document, document);
+    QFETCH(QString, sentence);
+    QCOMPARE(saidOf(document).sentences, QStringList(sentence));
+}
+
+/// What would be wrong: a search that was cut short says that the model is good, or that it is bad.
+void TestPlanChecks::anUnknownOrderIsNoProblem()
+{
+    const Said said = saidOf(eggCrate(2, 2), [] { return true; });
+    QCOMPARE(said.checks.size(), std::size_t(1));
+    QCOMPARE(said.checks.front().code, CheckCode::OrderUnknown);
+    QCOMPARE(said.checks.front().severity, CheckSeverity::Unknown);
+}
+
+/// What would be wrong: plates that are in each other where no axis runs go to the cutter.
+void TestPlanChecks::whatIsInEachOtherSaysHowDeep()
+{
+    const ShapePointer plate = polygonShape(rectangle(0, 0, 40, 40));
+    const Said said =
+        saidOf(withSection(withSection(newDocument(), plate, front()), plate, front(2.0)));
+    QCOMPARE(said.checks.size(), std::size_t(2));
+    const Check &check = said.checks.back();
+    QCOMPARE(check.code, CheckCode::Interference);
+    QCOMPARE(check.severity, CheckSeverity::Warning);
+    QCOMPARE(check.sections.size(), std::size_t(2));
+    QVERIFY(check.at);
+    QCOMPARE(said.sentences.back(),
+             QStringLiteral("Section 1 and Section 2 cut into each other, 1 mm, but are not "
+                            "joined."));
+}
+
+/// What would be wrong: "Can be assembled" over an empty view.
+void TestPlanChecks::aModelWithoutPartsHasNoVerdict()
+{
+    QVERIFY(saidOf(newDocument()).checks.empty());
+}
+
+QTEST_GUILESS_MAIN(TestPlanChecks)
+#include "tst_plan_checks.moc"
