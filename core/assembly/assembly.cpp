@@ -1,6 +1,7 @@
 #include "core/assembly/assembly.h"
 
 #include "core/assembly/crossing.h"
+#include "core/assembly/joint_wish.h"
 #include "core/assembly/slits.h"
 #include "core/base/tolerances.h"
 
@@ -23,6 +24,25 @@ bool isLower(const Model &model, int a, int b)
 bool isSameGeometry(const Section &a, const Section &b)
 {
     return a.id == b.id && a.shape == b.shape && a.stock == b.stock && a.frame == b.frame;
+}
+
+/// Of which sections other joints are wanted now than before.
+std::vector<char> otherwiseWanted(const Model &model, const Model &previous)
+{
+    std::vector<char> is(model.sectionCount(), char(false));
+    const auto &now = model.document.jointOverrides, &before = previous.document.jointOverrides;
+    if (now == before)
+        return is;
+    const auto mark = [&](const JointOverridePointer &joint) {
+        for (const SectionRef &ref : {joint->a, joint->b})
+            if (const int index = model.indexOf(ref); index >= 0)
+                is[static_cast<std::size_t>(index)] = true;
+    };
+    for (const auto &[these, those] : {std::pair(&now, &before), {&before, &now}})
+        for (const JointOverridePointer &joint : *these)
+            if (std::find(those->begin(), those->end(), joint) == those->end())
+                mark(joint);
+    return is;
 }
 
 /// What one model has of another: which of its sections differ.
@@ -60,12 +80,13 @@ Difference::Difference(const Model &model, const Model &previous)
         return before && (before == &now || (before->thickness == now.thickness &&
                                              before->clearance == now.clearance));
     };
+    const std::vector<char> isWantedOtherwise = otherwiseWanted(model, previous);
     const std::size_t drawn = model.document.sections.size();
     const bool hasSameOrder =
         drawn == previous.document.sections.size() ||
         (model.evaluation.sections.empty() && previous.evaluation.sections.empty());
     for (std::size_t i = 0; i < model.sectionCount(); ++i) {
-        bool isSame = hasSameOrder && i < previous.sectionCount();
+        bool isSame = hasSameOrder && i < previous.sectionCount() && !isWantedOtherwise[i];
         if (isSame) {
             const SectionPointer &now = model.section(i), &before = previous.section(i);
             isSame = (now == before || isSameGeometry(*now, *before)) &&
@@ -106,9 +127,9 @@ std::vector<FoundJoint> findJoints(const Model &model,
             continue;
         const Stock &stockA = model.document.stockOf(sectionA);
         const Stock &stockB = model.document.stockOf(sectionB);
-        JointSlits slits =
-            cutSlits(crossing, {sectionA, stockA.thickness, stockA.clearance},
-                     {sectionB, stockB.thickness, stockB.clearance}, isLower(model, a, b));
+        JointSlits slits = cutSlits(crossing, {sectionA, stockA.thickness, stockA.clearance},
+                                    {sectionB, stockB.thickness, stockB.clearance},
+                                    isLower(model, a, b), wishFor(model, a, b, crossing));
         FoundJoint item;
         item.joint.a = a;
         item.joint.b = b;

@@ -57,14 +57,6 @@ struct Crossing
     std::vector<Overlap> overlaps; // along the axis
 };
 
-enum class JointKind {
-    CrossLap,         // two half slits, each open where its section ends
-    ExtendedCrossLap, // one section reaches beyond the other: its slit runs from its contour to the
-                      // meeting point
-    Mortise,          // one closed slit, the other section passes through uncut
-    None,             // they meet but no slit lets them slide together: they collide
-};
-
 /// The cut that one section (host) makes for one overlap: a rectangle along the axis with square
 /// ends, in the host's frame coordinates.
 struct Slit

@@ -160,9 +160,12 @@ Result<double> slitWidth(double hostThickness, double guestThickness, double ang
     return width;
 }
 
-JointSlits cutSlits(Crossing &crossing, const JointSide &a, const JointSide &b, bool aIsLower)
+JointSlits cutSlits(Crossing &crossing, const JointSide &a, const JointSide &b, bool aIsLower,
+                    const JointWish &wish)
 {
     JointSlits result;
+    if (wish.kind == JointKind::None)
+        return result;
     // As slitWidth(), with one sine and cosine for both.
     const double sine = std::sin(crossing.angle), cosine = std::cos(crossing.angle);
     const double widthA = widthAt(a.thickness, b.thickness, sine, cosine) + a.clearance;
@@ -174,14 +177,18 @@ JointSlits cutSlits(Crossing &crossing, const JointSide &a, const JointSide &b, 
     const Host hostB{b.section, lineInFrame(crossing.axis, b.section.frame), widthB};
 
     const Way plus = wayOf(crossing, 1), minus = wayOf(crossing, -1);
-    if (!plus.isOpen && !minus.isOpen) {
+    const bool hasWay = plus.isOpen || minus.isOpen;
+    if (!hasWay || wish.kind == JointKind::Mortise) {
         if (cutMortise(crossing, hostB, hostA, false, result.b) ||
             cutMortise(crossing, hostA, hostB, true, result.a))
             result.kind = JointKind::Mortise;
-        return result;
+        if (!hasWay || result.kind == JointKind::Mortise)
+            return result;
     }
     bool takesPlus = plus.isOpen;
-    if (plus.isOpen && minus.isOpen)
+    if (plus.isOpen && minus.isOpen && wish.sign != 0)
+        takesPlus = wish.sign > 0;
+    else if (plus.isOpen && minus.isOpen)
         takesPlus = std::abs(plus.excess - minus.excess) > kEqualEnds
                         ? plus.excess < minus.excess
                         : pointsUp(crossing.axis.direction) == aIsLower;
@@ -192,7 +199,10 @@ JointSlits cutSlits(Crossing &crossing, const JointSide &a, const JointSide &b, 
                       : JointKind::CrossLap;
     for (std::size_t i = 0; i < crossing.overlaps.size(); ++i) {
         Overlap &o = crossing.overlaps[i];
-        const Cut cut = cutOf(o, way.sign);
+        Cut cut = cutOf(o, way.sign);
+        if (cut.isGrip() && i < wish.shares.size())
+            cut.meet = way.sign > 0 ? o.to - wish.shares[i] * (o.to - o.from)
+                                    : o.from + wish.shares[i] * (o.to - o.from);
         const int index = static_cast<int>(i);
         o.meet = cut.meet;
         if (cut.cutsA)

@@ -4,6 +4,8 @@
 #include "core/assembly/joint.h"
 #include "core/base/result.h"
 
+#include <optional>
+
 namespace fff {
 
 /// Width of the slit in `host` through which `guest` can slide.
@@ -27,6 +29,14 @@ struct JointSide
     double clearance = 0.0; // mm, of its stock
 };
 
+/// What is wanted of a joint in place of its defaults; what cannot be had is passed over.
+struct JointWish
+{
+    std::optional<JointKind> kind;
+    int sign = 0;               // +1: a opens along the axis' direction, −1: against it, 0: any
+    std::vector<double> shares; // of a's slit, one an overlap; empty: halves
+};
+
 struct JointSlits
 {
     JointKind kind = JointKind::None;
@@ -46,7 +56,9 @@ struct JointSlits
 /// holds. Both ways equal to kEqualEnds: the section with the lower id (`aIsLower`) opens upwards
 /// in the world. No way open: the section that passes through goes uncut through a mortise, where
 /// its end fits; else None, as for slits that a negative clearance leaves no width. Local: it
-/// depends on these two sections only, so an edit elsewhere never flips a slit.
-JointSlits cutSlits(Crossing &crossing, const JointSide &a, const JointSide &b, bool aIsLower);
+/// depends on these two sections and what is wanted of them only, so an edit elsewhere never flips
+/// a slit.
+JointSlits cutSlits(Crossing &crossing, const JointSide &a, const JointSide &b, bool aIsLower,
+                    const JointWish &wish = {});
 
 } // namespace fff

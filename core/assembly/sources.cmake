@@ -4,6 +4,7 @@ target_sources(fff_core PRIVATE
     assembly/crossing.cpp
     assembly/intervals.cpp
     assembly/joint.cpp
+    assembly/joint_wish.cpp
     assembly/planning.cpp
     assembly/slab.cpp
     assembly/slits.cpp

@@ -1,6 +1,6 @@
-// The native format `.fff`: JSON, lengths in mm, angles in radians, version 1.
+// The native format `.fff`: JSON, lengths in mm, angles in radians, version 2.
 //
-//     { "format": "FlatFitFab", "version": 1, "nextId": 5, "currentStock": 1,
+//     { "format": "FlatFitFab", "version": 2, "nextId": 5, "currentStock": 1,
 //       "stocks":     [ { "id", "name", "thickness", "density", "tensileStrength",
 //                         "flexuralStrength", "modulus", "kerf", "clearance", "sheet": [w, h] } ],
 //       "shapes":     [ { "contour": [[x, y], ...], "holes": [ [[x, y], ...], ... ] } ],
@@ -8,9 +8,13 @@
 //                         "parent": { "section": ref, "slitFrom": [x, y], "slitTo": [x, y] },
 //                         "frame": { "origin": [x, y, z], "x": [...], "y": [...] } } ],
 //       "operations": [],
-//       "weights":    [ { "id", "section": ref, "position": [x, y], "mass" } ] }
+//       "weights":    [ { "id", "section": ref, "position": [x, y], "mass" } ],
+//       "joints":     [ { "a": ref, "b": ref, "kind": "crossLap|mortise|none", "opens": [x, y],
+//                         "shares": [ { "at": [x, y], "ofA" } ] } ] }
 //
-// Strengths and modulus are null when not rated; "parent" and "holes" may be missing. A contour has
+// Strengths and modulus are null when not rated; "parent", "holes", "weights", "joints", and of a
+// joint all but its two sections, may be missing. `joints` are those of which something is wanted
+// (core/model/joint_override.h). A contour has
 // three control points a segment, p0 h h, a segment on each line; the last closes onto the first.
 // A ref is the id of a drawn section, or { "operation": id, "instance": "key" } for one that an
 // operation makes; the latter may name nothing now (dormant). `shapes` stand in the order of their
@@ -22,7 +26,7 @@
 
 namespace fff::io {
 
-inline constexpr int kFffVersion = 1;
+inline constexpr int kFffVersion = 2;
 
 /// The file's bytes. Errors  Unsupported for an operation of a kind that this version cannot write
 /// (it would be lost), place = its name; NonFinite when a number of the document is not finite.

@@ -19,7 +19,7 @@ struct Migration
     QJsonObject (*migrate)(QJsonObject) = nullptr; // what it does not know stays as it is
 };
 
-/// In their order; none yet: version 1 is the first.
+/// In their order.
 std::span<const Migration> fffMigrations();
 
 /// The document in the newest version that the steps lead to, "version" with it. What was wrong in

@@ -7,6 +7,8 @@
 
 #include <QtCore/QCoreApplication>
 #include <algorithm>
+#include <cmath>
+#include <tuple>
 #include <unordered_map>
 #include <unordered_set>
 
@@ -39,6 +41,8 @@ private:
     std::optional<Parent> readParent(const JsonCursor &cursor);
     SectionPointer readSection(const JsonCursor &cursor, const std::vector<ShapePointer> &shapes);
     Weight readWeight(const JsonCursor &cursor);
+    JointOverride readJoint(const JsonCursor &cursor);
+    void readJoints(const JsonCursor &cursor, std::vector<JointOverridePointer> &joints);
     void readOperations(const JsonCursor &cursor);
     void checkAncestry(const std::vector<JsonCursor> &items,
                        const std::vector<SectionPointer> &sections);
@@ -205,6 +209,58 @@ Weight FffReader::readWeight(const JsonCursor &cursor)
     return weight;
 }
 
+JointOverride FffReader::readJoint(const JsonCursor &cursor)
+{
+    JointOverride joint;
+    joint.a = readRef(cursor.member("a"));
+    joint.b = readRef(cursor.member("b"));
+    if (const JsonCursor kind = cursor.member("kind"); kind.exists()) {
+        const std::string name = kind.text();
+        if (name == "crossLap")
+            joint.kind = JointKind::CrossLap;
+        else if (name == "mortise")
+            joint.kind = JointKind::Mortise;
+        else if (name == "none")
+            joint.kind = JointKind::None;
+        else
+            kind.failExpected(QT_TRANSLATE_NOOP("Error", "crossLap, mortise or none"));
+    }
+    if (const JsonCursor opens = cursor.member("opens"); opens.exists()) {
+        joint.opens = opens.point2();
+        if (std::abs(joint.opens->norm() - 1.0) > kExactFrame)
+            opens.failExpected(QT_TRANSLATE_NOOP("Error", "a direction of length 1"));
+    }
+    if (const JsonCursor shares = cursor.member("shares"); shares.exists()) {
+        for (const JsonCursor &item : shares.items()) {
+            const JsonCursor ofA = item.member("ofA");
+            joint.shares.push_back({item.member("at").point2(), ofA.number()});
+            const double share = joint.shares.back().ofA;
+            if (!(share >= kLeastShare && share <= 1.0 - kLeastShare))
+                ofA.failExpected(QT_TRANSLATE_NOOP("Error", "a share from 0.05 to 0.95"));
+        }
+    }
+    return joint;
+}
+
+/// In their order, each pair once.
+void FffReader::readJoints(const JsonCursor &cursor, std::vector<JointOverridePointer> &joints)
+{
+    if (!cursor.exists())
+        return;
+    for (const JsonCursor &item : cursor.items()) {
+        JointOverride joint = readJoint(item);
+        if (m_problems.failed())
+            return;
+        const bool isInOrder =
+            joint.a < joint.b && (joints.empty() || std::tie(joints.back()->a, joints.back()->b) <
+                                                        std::tie(joint.a, joint.b));
+        if (!isInOrder || joint.isEmpty())
+            item.failExpected(
+                QT_TRANSLATE_NOOP("Error", "something wanted of two sections, pairs ascending"));
+        joints.push_back(std::make_shared<const JointOverride>(std::move(joint)));
+    }
+}
+
 void FffReader::readOperations(const JsonCursor &cursor)
 {
     if (!cursor.exists())
@@ -275,6 +331,7 @@ Document FffReader::read(const JsonCursor &root)
         for (const JsonCursor &item : weights.items())
             document.weights.push_back(readWeight(item));
     }
+    readJoints(root.member("joints"), document.jointOverrides);
     return document;
 }
 

@@ -112,6 +112,37 @@ void writeWeight(JsonWriter &json, const Weight &weight)
     json.endObject();
 }
 
+/// As the format names it; an extended cross lap is one that geometry extends.
+const char *jointKindName(JointKind kind)
+{
+    return kind == JointKind::Mortise ? "mortise" : kind == JointKind::None ? "none" : "crossLap";
+}
+
+void writeJoint(JsonWriter &json, const JointOverride &joint)
+{
+    json.beginObject();
+    json.key("a");
+    writeRef(json, joint.a);
+    json.key("b");
+    writeRef(json, joint.b);
+    if (joint.kind)
+        json.member("kind", jointKindName(*joint.kind));
+    if (joint.opens)
+        json.member("opens", *joint.opens);
+    if (!joint.shares.empty()) {
+        json.key("shares");
+        json.beginArray();
+        for (const JointOverride::Share &share : joint.shares) {
+            json.beginObject(Layout::Line);
+            json.member("at", share.at);
+            json.member("ofA", share.ofA);
+            json.endObject();
+        }
+        json.endArray();
+    }
+    json.endObject();
+}
+
 /// Shapes by order of first use, and where each stands.
 struct ShapeTable
 {
@@ -165,6 +196,11 @@ Result<std::string> writeFff(const Document &document)
     json.beginArray();
     for (const Weight &weight : document.weights)
         writeWeight(json, weight);
+    json.endArray();
+    json.key("joints");
+    json.beginArray();
+    for (const JointOverridePointer &joint : document.jointOverrides)
+        writeJoint(json, *joint);
     json.endArray();
     json.endObject();
     // A file with a null for a number could not be read again.

@@ -55,6 +55,16 @@ std::vector<SectionRef> changedSections(const Model &before, const Model &after)
                 changed.push_back(after.ref(i));
         }
     }
+    const auto isOfJoint = [&](const JointOverridePointer &joint) {
+        for (const SectionRef &ref : {joint->a, joint->b})
+            if (after.indexOf(ref) >= 0)
+                changed.push_back(ref);
+    };
+    const auto pointer = [](const JointOverridePointer &joint) { return joint.get(); };
+    const auto &wantedBefore = before.document.jointOverrides,
+               &wantedAfter = after.document.jointOverrides;
+    eachNew(wantedBefore, wantedAfter, pointer, isOfJoint);
+    eachNew(wantedAfter, wantedBefore, pointer, isOfJoint); // by itself again
     std::sort(changed.begin(), changed.end());
     changed.erase(std::unique(changed.begin(), changed.end()), changed.end());
     return changed;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <tuple>
 
 namespace fff {
 
@@ -55,16 +56,32 @@ const Stock &Document::stockOf(const Section &section) const
     return *stock;
 }
 
+const JointOverride *Document::jointOverride(const SectionRef &first,
+                                             const SectionRef &second) const
+{
+    const auto pair = std::minmax(first, second);
+    const auto found = std::lower_bound(jointOverrides.begin(), jointOverrides.end(), pair,
+                                        [](const JointOverridePointer &joint, const auto &wanted) {
+                                            return std::tie(joint->a, joint->b) <
+                                                   std::tie(wanted.first, wanted.second);
+                                        });
+    return found != jointOverrides.end() && (*found)->a == pair.first && (*found)->b == pair.second
+               ? found->get()
+               : nullptr;
+}
+
 bool Document::isSame(const Document &other) const
 {
     return sections == other.sections && stocks == other.stocks && operations == other.operations &&
-           weights == other.weights && currentStock == other.currentStock;
+           weights == other.weights && jointOverrides == other.jointOverrides &&
+           currentStock == other.currentStock;
 }
 
 bool Document::operator==(const Document &other) const
 {
     return equalValues(sections, other.sections) && equalValues(stocks, other.stocks) &&
            operations == other.operations && weights == other.weights &&
+           equalValues(jointOverrides, other.jointOverrides) &&
            currentStock == other.currentStock && nextId == other.nextId;
 }
 

@@ -1,6 +1,7 @@
 // The document: a value, cheap to copy, never changed in place (edits.h makes the next one).
 #pragma once
 
+#include "core/model/joint_override.h"
 #include "core/model/section.h"
 #include "core/model/stock.h"
 
@@ -44,6 +45,7 @@ struct Document
     std::vector<std::shared_ptr<const Stock>> stocks;
     std::vector<std::shared_ptr<const Operation>> operations;
     std::vector<Weight> weights;
+    std::vector<JointOverridePointer> jointOverrides; // ascending in (a, b), none of them empty
     StockId currentStock;
     std::int64_t nextId = 1;
 
@@ -53,6 +55,8 @@ struct Document
     /// Null when there is none.
     const Section *find(SectionId id) const;
     const Stock *find(StockId id) const;
+    /// Of two sections in any order, or null. O(log overrides).
+    const JointOverride *jointOverride(const SectionRef &first, const SectionRef &second) const;
     /// Of a section of this document.
     const Stock &stockOf(const Section &section) const;
 

@@ -89,6 +89,9 @@ Result<Document> removeSections(Document document, std::span<const SectionId> id
     }
     std::erase_if(document.sections, [&](const SectionPointer &s) { return isRemoved(s->id); });
     std::erase_if(document.weights, [&](const Weight &w) { return isRemoved(w.section.drawn); });
+    std::erase_if(document.jointOverrides, [&](const JointOverridePointer &joint) {
+        return isRemoved(joint->a.drawn) || isRemoved(joint->b.drawn);
+    });
     for (SectionPointer &pointer : document.sections) {
         if (pointer->parent && isRemoved(pointer->parent->section.drawn)) {
             Section orphan = *pointer;
@@ -203,6 +206,39 @@ Result<Document> removeWeight(Document document, WeightId id)
 {
     if (std::erase_if(document.weights, [id](const Weight &w) { return w.id == id; }) == 0)
         return unknown(id);
+    return document;
+}
+
+Result<Document> setJointOverride(Document document, JointOverride wanted)
+{
+    for (const SectionRef &ref : {wanted.a, wanted.b})
+        if (ref.drawn.isValid() && !document.find(ref.drawn))
+            return unknown(ref.drawn);
+    if (!(wanted.a < wanted.b))
+        return failure(ErrorCode::BadValue, "sections");
+    for (const JointOverride::Share &share : wanted.shares)
+        if (!(share.ofA >= kLeastShare && share.ofA <= 1.0 - kLeastShare))
+            return failure(ErrorCode::BadValue, "share");
+    if (wanted.opens) {
+        const double length = wanted.opens->norm();
+        if (!(length > 0.0 && std::isfinite(length)))
+            return failure(ErrorCode::BadValue, "opens");
+        *wanted.opens /= length;
+    }
+    auto &all = document.jointOverrides;
+    const auto place = std::lower_bound(
+        all.begin(), all.end(), wanted, [](const JointOverridePointer &joint, const auto &other) {
+            return std::tie(joint->a, joint->b) < std::tie(other.a, other.b);
+        });
+    const bool isKnown = place != all.end() && (*place)->a == wanted.a && (*place)->b == wanted.b;
+    if (isKnown && **place == wanted)
+        return document;
+    if (isKnown && wanted.isEmpty())
+        all.erase(place);
+    else if (isKnown)
+        *place = std::make_shared<const JointOverride>(std::move(wanted));
+    else if (!wanted.isEmpty())
+        all.insert(place, std::make_shared<const JointOverride>(std::move(wanted)));
     return document;
 }
 

@@ -22,7 +22,7 @@ struct NewSection
 /// EmptyContour without a shape.
 Result<Document> addSection(Document document, NewSection section);
 /// Removes sections; children of a removed one stay, as sections without a parent; weights on it
-/// go.
+/// and what was wanted of its joints go.
 Result<Document> removeSections(Document document, std::span<const SectionId> ids);
 Result<Document> moveSection(Document document, SectionId id, const Frame &frame);
 /// All sections by the same way in the world, mm.
@@ -43,5 +43,10 @@ Result<Document> removeStock(Document document, StockId id, StockId replacement)
 /// Appends a weight (its id is given). BadValue when the mass is not positive.
 Result<Document> addWeight(Document document, Weight weight);
 Result<Document> removeWeight(Document document, WeightId id);
+
+/// Replaces what was wanted of the joint of these two sections; an empty one takes it away.
+/// BadValue, place "sections" unless a < b, "share" or "opens" for a share that is none and a
+/// direction without a length.
+Result<Document> setJointOverride(Document document, JointOverride wanted);
 
 } // namespace fff

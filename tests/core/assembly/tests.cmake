@@ -1,4 +1,5 @@
 fff_test(core/assembly/tst_slab fff::core)
+fff_test(core/assembly/tst_joint_override fff::core)
 fff_test(core/assembly/tst_stability fff::core)
 fff_test(core/assembly/tst_intervals fff::core)
 fff_test(core/assembly/tst_slits fff::core)

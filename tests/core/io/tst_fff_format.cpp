@@ -125,6 +125,22 @@ void TestFffFormat::writeThenReadIsEqual_data()
     odd = renameSection(odd, odd.sections[0]->id, std::string("\"\\\n\t\x01\0 🐟", 11)).value();
     odd = renameSection(odd, odd.sections[1]->id, "").value();
     QTest::newRow("odd names") << odd;
+    Document wanted = twoSections();
+    JointOverride joint;
+    joint.a = wanted.sections[0]->id;
+    joint.b = wanted.sections[1]->id;
+    joint.kind = JointKind::Mortise;
+    wanted = setJointOverride(wanted, joint).value();
+    QTest::newRow("a joint of a kind") << wanted;
+    joint.kind.reset();
+    joint.opens = Vec2(0.6, -0.8);
+    joint.shares = {{{0.1 + 0.2, -5e-7}, 0.05}, {{7.0, 8.0}, 1.0 / 3.0}};
+    wanted = setJointOverride(wanted, joint).value();
+    joint = {};
+    joint.a = SectionRef(OperationId{3}, "rib/7");
+    joint.b = wanted.sections[0]->id;
+    joint.kind = JointKind::None;
+    QTest::newRow("joints, one dormant") << setJointOverride(wanted, joint).value();
 }
 
 void TestFffFormat::writeThenReadIsEqual()
@@ -213,17 +229,17 @@ void TestFffFormat::malformed_data()
     row("nan", edited("83.82", "nan"), NonFinite, "a.fff:64");
     row("minus infinity", edited("83.82", "-Infinity"), NonFinite, "a.fff:64");
     row("a number no double holds", edited("83.82", "1e999"), NonFinite, "a.fff:64");
-    row("a missing comma", edited("\"version\": 1,", "\"version\": 1"), BadSyntax, "a.fff:4");
+    row("a missing comma", edited("\"version\": 2,", "\"version\": 2"), BadSyntax, "a.fff:4");
     row("a comma too many", edited("0.35\n", "0.35,\n"), BadSyntax, "a.fff:89");
-    row("a second document", golden() + "{}", BadSyntax, "a.fff:92");
+    row("a second document", golden() + "{}", BadSyntax, "a.fff:93");
     row("broken UTF-8",
         edited("Rückwand", "R\xFC"
                            "ckwand"),
         BadSyntax, "a.fff:60");
-    row("a version from the future", edited("\"version\": 1", "\"version\": 7"), NewerVersion,
+    row("a version from the future", edited("\"version\": 2", "\"version\": 7"), NewerVersion,
         "a.fff:$.version");
-    row("version zero", edited("\"version\": 1", "\"version\": 0"), BadValue, "a.fff:$.version");
-    row("version in words", edited("\"version\": 1", "\"version\": \"1\""), BadValue,
+    row("version zero", edited("\"version\": 2", "\"version\": 0"), BadValue, "a.fff:$.version");
+    row("version in words", edited("\"version\": 2", "\"version\": \"1\""), BadValue,
         "a.fff:$.version");
     row("no nextId", edited("\"nextId\"", "\"next\""), BadValue, "a.fff:$.nextId");
     row("nextId that was used", edited("\"nextId\": 6", "\"nextId\": 5"), BadValue,
@@ -309,6 +325,25 @@ void TestFffFormat::malformed_data()
     row("a weight on no section", edited("\"section\": 4", "\"section\": 44"), UnknownReference,
         "a.fff:$.weights[0].section");
     row("a weight of 0", edited("0.35", "0"), BadValue, "a.fff:$.weights[0].mass");
+    const auto joint = [](const std::string &text) {
+        return edited("\"joints\": []", "\"joints\": [" + text + "]");
+    };
+    row("a joint of a kind that is none", joint(R"({ "a": 2, "b": 4, "kind": "glue" })"), BadValue,
+        "a.fff:$.joints[0].kind");
+    row("a joint of no section", joint(R"({ "a": 2, "b": 77, "kind": "none" })"), UnknownReference,
+        "a.fff:$.joints[0].b");
+    row("a joint of a section with itself", joint(R"({ "a": 2, "b": 2, "kind": "none" })"),
+        BadValue, "a.fff:$.joints[0]");
+    row("a joint of which nothing is wanted", joint(R"({ "a": 2, "b": 4 })"), BadValue,
+        "a.fff:$.joints[0]");
+    row("a joint that stands there twice",
+        joint(R"({ "a": 2, "b": 4, "kind": "none" }, { "a": 2, "b": 4, "kind": "mortise" })"),
+        BadValue, "a.fff:$.joints[1]");
+    row("a joint that opens to nowhere", joint(R"({ "a": 2, "b": 4, "opens": [0, 0] })"), BadValue,
+        "a.fff:$.joints[0].opens");
+    row("a slit that takes all",
+        joint(R"({ "a": 2, "b": 4, "shares": [ { "at": [1, 2], "ofA": 1 } ] })"), BadValue,
+        "a.fff:$.joints[0].shares[0].ofA");
     row("a weight below 0", edited("0.35", "-0.35"), BadValue, "a.fff:$.weights[0].mass");
     row("a thickness below 0", edited("\"thickness\": 3", "\"thickness\": -3"), BadValue,
         "a.fff:$.stocks[0].thickness");
@@ -319,9 +354,9 @@ void TestFffFormat::malformed_data()
     row("a clearance beyond all measure", edited("-0.05", "-1e7"), BadValue,
         "a.fff:$.stocks[1].clearance");
     row("a format in a list", edited("\"FlatFitFab\"", "[\"FlatFitFab\"]"), NotAModel, "a.fff");
-    row("half a version", edited("\"version\": 1", "\"version\": 1.5"), BadValue,
+    row("half a version", edited("\"version\": 2", "\"version\": 1.5"), BadValue,
         "a.fff:$.version");
-    row("a version beyond whole numbers", edited("\"version\": 1", "\"version\": 1e300"), BadValue,
+    row("a version beyond whole numbers", edited("\"version\": 2", "\"version\": 1e300"), BadValue,
         "a.fff:$.version");
     row("two stocks with one id", edited("\"id\": 3", "\"id\": 1"), DuplicateId,
         "a.fff:$.stocks[1].id");
@@ -361,10 +396,10 @@ void TestFffFormat::malformed_data()
     row("an error behind a byte-order mark", "\xEF\xBB\xBF" + edited("83.82", "nan"), NonFinite,
         "a.fff:64");
     row("a byte-order mark alone", "\xEF\xBB\xBF", Truncated, "a.fff:1");
-    row("half a surrogate pair", edited("\"version\": 1", "\"version\": \"\\ud83d\""), BadValue,
+    row("half a surrogate pair", edited("\"version\": 2", "\"version\": \"\\ud83d\""), BadValue,
         "a.fff:$.version");
     row("steering characters in a value",
-        edited("\"version\": 1", "\"version\": \"\\u001b[31m\\n\\u0085\\u2028\""), BadValue,
+        edited("\"version\": 2", "\"version\": \"\\u001b[31m\\n\\u0085\\u2028\""), BadValue,
         "a.fff:$.version");
 }
 

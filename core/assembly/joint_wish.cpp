@@ -1,0 +1,59 @@
+#include "core/assembly/joint_wish.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace fff {
+
+namespace {
+
+/// The overlap at a place of the axis, or null.
+const Overlap *overlapAt(const Crossing &crossing, double at)
+{
+    const Overlap *nearest = nullptr;
+    double least = 0.0;
+    for (const Overlap &overlap : crossing.overlaps) {
+        const double length = overlap.to - overlap.from;
+        const double away = std::abs(at - 0.5 * (overlap.from + overlap.to));
+        if (away <= length && (!nearest || away < least)) {
+            nearest = &overlap;
+            least = away;
+        }
+    }
+    return nearest;
+}
+
+} // namespace
+
+JointWish wishFor(const Model &model, int a, int b, const Crossing &crossing)
+{
+    JointWish wish;
+    const std::vector<JointOverridePointer> &all = model.document.jointOverrides;
+    if (all.empty())
+        return wish;
+    const SectionRef refA = model.ref(static_cast<std::size_t>(a));
+    const SectionRef refB = model.ref(static_cast<std::size_t>(b));
+    const JointOverride *wanted = model.document.jointOverride(refA, refB);
+    if (!wanted)
+        return wish;
+    // What is said of the override's a, which is the joint's b when the model has it first.
+    const bool isTurned = wanted->a == refB;
+    const Frame &frame = model.section(static_cast<std::size_t>(isTurned ? b : a))->frame;
+    wish.kind = wanted->kind;
+    if (wanted->opens) {
+        const double along = frame.directionToWorld(*wanted->opens).dot(crossing.axis.direction);
+        wish.sign = (along > 0.0) == isTurned ? -1 : 1;
+    }
+    for (const JointOverride::Share &share : wanted->shares) {
+        const Vec3 from = frame.toWorld(share.at) - crossing.axis.point;
+        const Overlap *overlap = overlapAt(crossing, from.dot(crossing.axis.direction));
+        if (!overlap)
+            continue;
+        wish.shares.resize(crossing.overlaps.size(), 0.5);
+        const auto index = static_cast<std::size_t>(overlap - crossing.overlaps.data());
+        wish.shares[index] = isTurned ? 1.0 - share.ofA : share.ofA;
+    }
+    return wish;
+}
+
+} // namespace fff

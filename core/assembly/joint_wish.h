@@ -1,0 +1,14 @@
+// From what a person wants of a joint to what its slits are cut by. Internal to assembly.
+#pragma once
+
+#include "core/assembly/slits.h"
+
+namespace fff {
+
+/// What is wanted of the joint of two sections (indices into the model, a < b), as their crossing
+/// has it now: a direction is taken by the end of the axis that it points to, a share by the
+/// overlap that it lies in, or nearest to as far as half of that one's length. What matches nothing
+/// is passed over.
+JointWish wishFor(const Model &model, int a, int b, const Crossing &crossing);
+
+} // namespace fff
