@@ -7,6 +7,7 @@ target_sources(fff_session PRIVATE
     check_text.cpp
     checks.cpp
     cutting_file.cpp
+    flips.cpp
     gap.cpp
     journal.cpp
     pen_commands.cpp
