@@ -668,6 +668,22 @@
         <source>too few points would be left to enclose anything</source>
         <translation>es blieben zu wenige Punkte, um etwas zu umschließen</translation>
     </message>
+    <message>
+        <source>crossLap, mortise or none</source>
+        <translation>crossLap, mortise oder none</translation>
+    </message>
+    <message>
+        <source>a direction of length 1</source>
+        <translation>eine Richtung der Länge 1</translation>
+    </message>
+    <message>
+        <source>a share from 0.05 to 0.95</source>
+        <translation>ein Anteil von 0.05 bis 0.95</translation>
+    </message>
+    <message>
+        <source>something wanted of two sections, pairs ascending</source>
+        <translation>ein Wunsch an zwei Scheiben, die Paare aufsteigend</translation>
+    </message>
 </context>
 <context>
     <name>QDockWidget</name>
@@ -816,6 +832,10 @@
             <numerusform>Löcher von %n Scheibe entfernen</numerusform>
             <numerusform>Löcher von %n Scheiben entfernen</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Make assemblable</source>
+        <translation>Baubar machen</translation>
     </message>
 </context>
 <context>
@@ -2034,6 +2054,21 @@
     <message>
         <source>Drop it to the ground</source>
         <translation>Auf den Boden setzen</translation>
+    </message>
+    <message>
+        <source>Make assemblable</source>
+        <translation>Baubar machen</translation>
+    </message>
+    <message>
+        <source>The slits of one joint were turned round.</source>
+        <translation>Die Schlitze einer Verbindung wurden umgedreht.</translation>
+    </message>
+    <message numerus="yes">
+        <source>The slits of %n joints were turned round.</source>
+        <translation>
+            <numerusform>Die Schlitze von %n Verbindung wurden umgedreht.</numerusform>
+            <numerusform>Die Schlitze von %n Verbindungen wurden umgedreht.</numerusform>
+        </translation>
     </message>
 </context>
 <context>

@@ -124,6 +124,13 @@
             <numerusform>%n more like this</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>The slits of %n joints were turned round.</source>
+        <translation>
+            <numerusform>The slits of %n joint were turned round.</numerusform>
+            <numerusform>The slits of %n joints were turned round.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::Exporting</name>

@@ -25,7 +25,8 @@ struct Step
         ChangePoints, // their kind, or their handles
         RemoveHoles,
         SetStock,
-        EditStock
+        EditStock,
+        MakeAssemblable // slits of joints turned round
     };
     Kind kind = Kind::DrawSection;
     std::vector<std::string> names; // of the sections or stocks it was done to

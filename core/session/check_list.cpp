@@ -33,8 +33,10 @@ CheckList::CheckList(const Session &session, QObject *parent)
           }),
       m_planning(
           [](const AnalysisPointer &analysis) {
-              PlannedAnalysis planned{analysis, planOf(*analysis, timeLimit(kPlanningTime)), {}};
+              PlannedAnalysis planned{
+                  analysis, planOf(*analysis, timeLimit(kPlanningTime)), {}, {}};
               planned.checks = planChecks(*analysis, planned.plan);
+              planned.flips = flipsThatHelp(*analysis, planned.plan, timeLimit(kPlanningTime));
               return std::make_shared<const PlannedAnalysis>(std::move(planned));
           },
           [this](std::uint64_t, std::shared_ptr<const PlannedAnalysis> plan) {
@@ -119,6 +121,13 @@ void CheckList::refresh()
         m_age = Age::Current;
     }
     Q_EMIT changed();
+}
+
+const Flips *CheckList::flips() const
+{
+    const bool isCurrent =
+        m_plan && m_plan->analysis->model.document.isSame(m_session.committed().document);
+    return isCurrent && m_plan->flips ? &*m_plan->flips : nullptr;
 }
 
 void CheckList::finish()

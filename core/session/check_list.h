@@ -5,8 +5,8 @@
 #include <QObject> // first: moc stumbles over some standard headers
 #include <QTimer>
 
-#include "core/session/assembly_plan.h"
 #include "core/session/checks.h"
+#include "core/session/flips.h"
 #include "core/session/latest_job.h"
 
 #include <cstdint>
@@ -21,6 +21,7 @@ struct PlannedAnalysis
     AnalysisPointer analysis;
     ModelPlan plan;
     std::vector<Check> checks;
+    std::optional<Flips> flips; // where parts are locked
 };
 
 class CheckList : public QObject
@@ -45,6 +46,8 @@ public:
     Age age() const { return m_age; }
     /// The newest plan of the assembly, null at first, and the analysis that it is about.
     const std::shared_ptr<const PlannedAnalysis> &plan() const { return m_plan; }
+    /// What frees the locked parts of what is there now, null when nothing does.
+    const Flips *flips() const;
     /// Waits for what is worked out: for tests.
     void finish();
 

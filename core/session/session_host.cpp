@@ -96,6 +96,8 @@ QString SessionHost::undoText(const Step &step)
     case Step::Kind::EditStock:
         //: %1 is the name of a stock
         return tr("Edit %1").arg(name);
+    case Step::Kind::MakeAssemblable:
+        return tr("Make assemblable");
     }
     return {};
 }

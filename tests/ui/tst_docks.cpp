@@ -3,7 +3,7 @@
 
 #include "core/model/edits.h"
 #include "core/session/check_list.h"
-#include "tests/core/assembly/plates.h"
+#include "tests/core/assembly/known_models.h"
 #include "ui/docks/check_row.h"
 #include "ui/docks/outline_dock.h"
 #include "ui/field_style.h"
@@ -45,7 +45,7 @@ Document cross()
 }
 
 /// So many plates on a bar.
-Document comb(int count)
+Document plateComb(int count)
 {
     Document document =
         withSection(newDocument(), polygonShape(rectangle(0, 0, 10.0 * count + 10.0, 40)), front());
@@ -81,6 +81,7 @@ private Q_SLOTS:
     void aRowUnderTheCursorLightsItsMark();
     void aStepUnderTheCursorIsOutlined();
     void aCheckSelectsWhomItIsAbout();
+    void slitsAreTurnedInOneStep();
     void draggingTheThicknessIsOneStep();
     void escapeEndsADragWithoutAStep();
     void escapeEndsADragOfTheMouse();
@@ -350,6 +351,25 @@ void TestDocks::aCheckSelectsWhomItIsAbout()
     QVERIFY(!m_window->bench().interaction().selection().empty());
 }
 
+// Wrong: a person is told that it cannot be assembled and left to find out what helps, or cannot
+// take back what did.
+void TestDocks::slitsAreTurnedInOneStep()
+{
+    const Document locked = roundabout(eggCrate(2, 2), 0);
+    session().reset(locked);
+    QTRY_VERIFY(find<CheckRow>("checkRow0") &&
+                firstCheck().contains(QStringLiteral("Sections block each other")));
+    Q_EMIT find<CheckRow>("checkRow0")->linkClicked();
+    QCOMPARE(session().history()->count(), 1);
+    QCOMPARE(session().history()->text(0), QStringLiteral("Make assemblable"));
+    QCOMPARE(session().committed().document.jointOverrides.size(),
+             locked.jointOverrides.size()); // one of those is turned back
+    QTRY_VERIFY(!firstCheck().contains(QStringLiteral("Sections block each other")));
+    session().history()->undo();
+    QVERIFY(session().committed().document == locked);
+    QTRY_VERIFY(firstCheck().contains(QStringLiteral("Sections block each other")));
+}
+
 // Wrong: a hundred steps of the history for one drag, or slits that follow only at its end.
 void TestDocks::draggingTheThicknessIsOneStep()
 {
@@ -605,7 +625,7 @@ void TestDocks::longSentencesAreCutShort()
 // Wrong: a tree of a thousand rows made anew for one name.
 void TestDocks::anEditTouchesOneRowOfTheOutline()
 {
-    session().reset(comb(1000));
+    session().reset(plateComb(1000));
     auto *outline = m_window->findChild<OutlineDock *>();
     auto *tree = find<QTreeWidget>("outlineTree");
     QCOMPARE(tree->topLevelItem(0)->childCount(), 1000);
@@ -625,7 +645,7 @@ void TestDocks::anEditTouchesOneRowOfTheOutline()
 
 void TestDocks::theFilterKeepsParents()
 {
-    Document document = comb(5);
+    Document document = plateComb(5);
     document = *renameSection(document, document.sections[3]->id, "Fin");
     session().reset(document);
     auto *tree = find<QTreeWidget>("outlineTree");

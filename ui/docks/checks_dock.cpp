@@ -339,6 +339,8 @@ QString ChecksDock::linkOf(const Check &check) const
         return check.sections.size() == 1 ? tr("Delete it") : tr("Delete them");
     case CheckCode::TooLarge:
         return tr("Choose a sheet");
+    case CheckCode::CannotAssemble:
+        return m_list.flips() ? tr("Make assemblable") : QString();
     case CheckCode::NoContact:
     case CheckCode::BelowGround:
         return m_bench.commands().isEnabled("section.dropToGround") ? tr("Drop it to the ground")
@@ -355,6 +357,10 @@ void ChecksDock::act(int row)
         Q_EMIT stocksWanted();
         return;
     }
+    if (check.code == CheckCode::CannotAssemble) {
+        makeAssemblable();
+        return;
+    }
     if (check.code != CheckCode::NotConnected) {
         m_bench.run(QStringLiteral("section.dropToGround"));
         return;
@@ -369,6 +375,17 @@ void ChecksDock::act(int row)
         }
     }
     m_bench.commit(step, removeSections(document, ids));
+}
+
+void ChecksDock::makeAssemblable()
+{
+    const Flips *flips = m_list.flips();
+    if (!flips)
+        return; // the model has changed since the row was shown
+    const int count = flips->count;
+    m_bench.commit({Step::Kind::MakeAssemblable, {}}, flips->document);
+    Q_EMIT said(count == 1 ? tr("The slits of one joint were turned round.")
+                           : tr("The slits of %n joints were turned round.", nullptr, count));
 }
 
 } // namespace fff::ui

@@ -57,6 +57,7 @@ private:
     void markProblems();
     int rowOf(int number) const; // of a problem; -1: there is none any more
     void act(int row);
+    void makeAssemblable();
     QString linkOf(const Check &check) const;
     std::vector<int> problems() const; // rows
 

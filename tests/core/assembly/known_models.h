@@ -96,4 +96,22 @@ inline Document star(int ribs)
     return document;
 }
 
+/// The joint of two sections with the slit of the first one opening downwards.
+inline Document downwards(Document document, std::size_t first, std::size_t second)
+{
+    JointOverride wanted;
+    wanted.a = document.sections[first]->id;
+    wanted.b = document.sections[second]->id;
+    wanted.opens = -Vec2::UnitY();
+    return *setJointOverride(std::move(document), wanted);
+}
+
+/// Of a crate of 2 by 2 that begins with the section `first`: each above the next, and the last
+/// above the first one again.
+inline Document roundabout(Document crate, std::size_t first)
+{
+    crate = downwards(std::move(crate), first, first + 2);
+    return downwards(std::move(crate), first + 1, first + 3);
+}
+
 } // namespace fff::test

@@ -22,23 +22,6 @@ std::optional<Flips> flipsOf(const Document &document)
     return flipsThatHelp(analysis, planOf(analysis));
 }
 
-/// The joint of two sections with the slit of the first one opening downwards.
-Document downwards(Document document, std::size_t first, std::size_t second)
-{
-    JointOverride wanted;
-    wanted.a = document.sections[first]->id;
-    wanted.b = document.sections[second]->id;
-    wanted.opens = -Vec2::UnitY();
-    return *setJointOverride(std::move(document), wanted);
-}
-
-/// Each of four above the next, and the last above the first.
-Document roundabout(Document crate, std::size_t first)
-{
-    crate = downwards(std::move(crate), first, first + 2);
-    return downwards(std::move(crate), first + 1, first + 3);
-}
-
 } // namespace
 
 class TestFlips : public QObject
