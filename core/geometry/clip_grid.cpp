@@ -137,28 +137,26 @@ bool liesInside(const GridRing &loop, const GridRing &ring)
     return false;
 }
 
-/// Regions whose rings meet themselves at corners, as such whose rings do not. Every loop that runs
-/// counter-clockwise is a piece, every other one a hole of the smallest piece around it.
-std::vector<GridRegion> separated(const std::vector<GridRegion> &regions)
+/// Rings that do not cross: each that runs counter-clockwise is a piece, every other one a hole of
+/// the smallest piece around it.
+std::vector<GridRegion> nested(std::vector<GridRing> rings)
 {
     std::vector<GridRegion> pieces;
+    std::vector<double> sizes;
     std::vector<GridRing> holes;
-    for (const GridRegion &region : regions) {
-        std::vector<GridRing> loops;
-        splitAtCorners(region.outer, loops);
-        for (const GridRing &hole : region.holes)
-            splitAtCorners(hole, loops);
-        for (GridRing &loop : loops) {
-            const double size = signedArea(loop);
-            if (size > 0.0)
-                pieces.push_back({std::move(loop), {}});
-            else if (size < 0.0)
-                holes.push_back(std::move(loop));
+    for (GridRing &ring : rings) {
+        const double size = signedArea(ring);
+        if (size > 0.0) {
+            pieces.push_back({std::move(ring), {}});
+            sizes.push_back(size);
+        } else if (size < 0.0) {
+            holes.push_back(std::move(ring));
         }
     }
-    std::vector<double> sizes;
-    for (const GridRegion &piece : pieces)
-        sizes.push_back(signedArea(piece.outer));
+    if (pieces.size() == 1) {
+        pieces.front().holes = std::move(holes);
+        return pieces;
+    }
     for (GridRing &hole : holes) {
         std::size_t best = pieces.size();
         for (std::size_t i = 0; i < pieces.size(); ++i) {
@@ -172,6 +170,18 @@ std::vector<GridRegion> separated(const std::vector<GridRegion> &regions)
     return pieces;
 }
 
+/// Regions whose rings meet themselves at corners, as such whose rings do not.
+std::vector<GridRegion> separated(const std::vector<GridRegion> &regions)
+{
+    std::vector<GridRing> loops;
+    for (const GridRegion &region : regions) {
+        splitAtCorners(region.outer, loops);
+        for (const GridRing &hole : region.holes)
+            splitAtCorners(hole, loops);
+    }
+    return nested(std::move(loops));
+}
+
 /// Throws what Clipper throws.
 std::vector<GridRegion> execute(const std::vector<GridRing> &subjects, Winding rule,
                                 const std::vector<GridRing> &clips)
@@ -183,20 +193,16 @@ std::vector<GridRegion> execute(const std::vector<GridRing> &subjects, Winding r
         clipper.AddPath(toPath(ring), ClipperLib::ptSubject, true);
     for (const GridRing &ring : clips)
         clipper.AddPath(toPath(ring), ClipperLib::ptClip, true);
-    ClipperLib::PolyTree tree;
-    if (!clipper.Execute(ClipperLib::ctDifference, tree, fillType(rule), ClipperLib::pftNonZero))
+    // Not as a tree: Clipper's own nesting takes seconds where edges lie on each other a
+    // thousand times, as those of a contour that goes to and fro on one curve.
+    ClipperLib::Paths paths;
+    if (!clipper.Execute(ClipperLib::ctDifference, paths, fillType(rule), ClipperLib::pftNonZero))
         return {};
-
-    std::vector<GridRegion> regions;
-    for (const ClipperLib::PolyNode *node = tree.GetFirst(); node; node = node->GetNext()) {
-        if (node->IsHole())
-            continue;
-        GridRegion region{toRing(node->Contour), {}};
-        for (const ClipperLib::PolyNode *hole : node->Childs)
-            region.holes.push_back(toRing(hole->Contour));
-        regions.push_back(std::move(region));
-    }
-    return regions;
+    std::vector<GridRing> rings;
+    rings.reserve(paths.size());
+    for (const ClipperLib::Path &path : paths)
+        rings.push_back(toRing(path));
+    return nested(std::move(rings));
 }
 
 } // namespace
