@@ -260,6 +260,34 @@
         <source>Order not found</source>
         <translation>Reihenfolge offen</translation>
     </message>
+    <message>
+        <source>%1 meets %2 at %3; below %4 no slit can hold it.</source>
+        <translation>%1 trifft %2 unter %3; unter %4 hält kein Schlitz.</translation>
+    </message>
+    <message>
+        <source>%1: its slits for %2 run into each other.</source>
+        <translation>%1: die Schlitze für %2 laufen ineinander.</translation>
+    </message>
+    <message>
+        <source>%1: only %2 stay between its slits for %3.</source>
+        <translation>%1: zwischen den Schlitzen für %3 bleiben nur %2.</translation>
+    </message>
+    <message>
+        <source>%1: only %2 stay between its slit for %3 and a hole.</source>
+        <translation>%1: zwischen dem Schlitz für %3 und einem Loch bleiben nur %2.</translation>
+    </message>
+    <message>
+        <source>%1: only %2 stay between its slit for %3 and its edge.</source>
+        <translation>%1: zwischen dem Schlitz für %3 und dem Rand bleiben nur %2.</translation>
+    </message>
+    <message>
+        <source>Slits run into each other</source>
+        <translation>Schlitze laufen ineinander</translation>
+    </message>
+    <message>
+        <source>Thin web</source>
+        <translation>Dünner Steg</translation>
+    </message>
 </context>
 <context>
     <name>CommandLine</name>

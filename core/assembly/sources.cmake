@@ -10,4 +10,5 @@ target_sources(fff_core PRIVATE
     assembly/slits.cpp
     assembly/solid.cpp
     assembly/stability.cpp
+    assembly/webs.cpp
 )

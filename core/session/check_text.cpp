@@ -204,8 +204,24 @@ QString jointText(const Check &check, const Model &model, const CheckUnits &unit
                          .arg(first, second, deep);
     }
     case CheckCode::ShallowAngle:
+        if (check.angle < kMinJointAngle)
+            return Words::tr("%1 meets %2 at %3; below %4 no slit can hold it.")
+                .arg(first, second, wholeDegrees(check.angle), wholeDegrees(kMinJointAngle));
         return Words::tr("%1 meets %2 at %3; slits get wide below %4.")
             .arg(first, second, wholeDegrees(check.angle), wholeDegrees(kShallowAngle));
+    case CheckCode::SlitsMeet:
+        return Words::tr("%1: its slits for %2 run into each other.")
+            .arg(first, namesOf(model, check.guests));
+    case CheckCode::ThinWeb: {
+        const QString stays = units.length(check.distance), guests = namesOf(model, check.guests);
+        if (check.guests.size() > 1)
+            return Words::tr("%1: only %2 stay between its slits for %3.")
+                .arg(first, stays, guests);
+        return check.count > 0 ? Words::tr("%1: only %2 stay between its slit for %3 and a hole.")
+                                     .arg(first, stays, guests)
+                               : Words::tr("%1: only %2 stay between its slit for %3 and its edge.")
+                                     .arg(first, stays, guests);
+    }
     case CheckCode::Divided:
         return Words::tr("The slits of %1 divide it into %2.")
             .arg(first, Words::tr("%n parts", nullptr, check.count));
@@ -279,6 +295,10 @@ QString checkName(CheckCode code)
         return QStringLiteral("interference");
     case CheckCode::ShallowAngle:
         return QStringLiteral("shallowAngle");
+    case CheckCode::SlitsMeet:
+        return QStringLiteral("slitsMeet");
+    case CheckCode::ThinWeb:
+        return QStringLiteral("thinWeb");
     case CheckCode::Divided:
         return QStringLiteral("divided");
     case CheckCode::NothingLeft:
@@ -354,6 +374,10 @@ QString checkTitle(const Check &check)
         return Words::tr("Cut into each other");
     case CheckCode::ShallowAngle:
         return Words::tr("Shallow angle");
+    case CheckCode::SlitsMeet:
+        return Words::tr("Slits run into each other");
+    case CheckCode::ThinWeb:
+        return Words::tr("Thin web");
     case CheckCode::Divided:
         return Words::tr("Divided by slits");
     case CheckCode::NothingLeft:

@@ -35,7 +35,10 @@ enum class CheckCode {
     // subject Joints; only when there is something to say
     NoSlit,       // two sections cut into each other, but no slit lets them slide together
     Interference, // two sections cut into each other where no joint is (plan_checks.h)
-    ShallowAngle, // two sections meet at less than kShallowAngle
+    ShallowAngle, // two sections meet at less than kShallowAngle, or, as an error, at less than
+                  // any joint takes (kMinJointAngle)
+    SlitsMeet,    // two slits of a section run into each other
+    ThinWeb,      // less than the stock's thickness stays beside a slit
     Divided,      // its slits divide a section into several parts
     NothingLeft,  // its slits leave nothing of a section
 };
@@ -55,7 +58,8 @@ struct Check
     std::vector<SectionRef> sections; // whom it is about; empty: the whole model.
                                       // BelowGround: those that reach below
     std::optional<SectionRef> other;  // NotConnected: who is nearest
-    std::optional<Vec3> at;           // where to look, world, mm
+    std::vector<SectionRef> guests; // SlitsMeet, ThinWeb: whom the section's one or two slits hold
+    std::optional<Vec3> at;         // where to look, world, mm
 
     // The numbers of its sentence; 0 where the code has no use for them.
     double margin = 0.0;   // Stability: mm from the centre of mass to the support's nearest edge,
@@ -66,14 +70,15 @@ struct Check
                               // NoContact: above the ground; BelowGround: below it (both positive);
                               // NoSlit: the longest overlap; Interference: how deep;
                               // CannotAssemble: how far the first section comes out of the second
-                              // one, 0: it is not that
+                              // one, 0: it is not that; ThinWeb: what stays
     double angle = 0.0;       // ShallowAngle: radians
     Vec2 size = Vec2::Zero(); // TooLarge: the part as designed, its longer side first, mm
     Vec2 sheet = Vec2::Zero(); // FitsSheet (one stock only), TooLarge: the sheet's size, mm
     int sectionCount = 0;      // Connected: all; Stands: those that stand
     int count = 0;       // Connected: joints; FitsSheet: sheets; Divided: parts; TooLarge: parts
                          // of that section that do not fit; CanAssemble: steps; CannotAssemble:
-                         // joints of those that block each other; Interference: joints of the two
+                         // joints of those that block each other; Interference: joints of the two;
+                         // ThinWeb: holes that it is beside, 0 or 1
     int directions = 0;  // CannotAssemble: in which those joints slide
     double share = 0.0;  // FitsSheet: of the sheets' area that parts cover, 0 … 1
     MassProperties mass; // Mass: kg, and its centre; Stability: of what stands or falls

@@ -1,6 +1,9 @@
 #include "core/session/plan_checks.h"
 
+#include "core/base/tolerances.h"
+
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <set>
 
@@ -96,6 +99,14 @@ Check verdict(const Analysis &analysis, const ModelPlan &plan)
     return check;
 }
 
+/// Between the planes of two sections, 0 … π/2.
+double angleBetween(const Model &model, const std::pair<int, int> &sections)
+{
+    const Vec3 a = model.section(static_cast<std::size_t>(sections.first))->frame.normal();
+    const Vec3 b = model.section(static_cast<std::size_t>(sections.second))->frame.normal();
+    return std::atan2(a.cross(b).norm(), std::abs(a.dot(b)));
+}
+
 } // namespace
 
 std::vector<Check> planChecks(const Analysis &analysis, const ModelPlan &plan)
@@ -120,6 +131,11 @@ std::vector<Check> planChecks(const Analysis &analysis, const ModelPlan &plan)
         Check check;
         check.code = CheckCode::Interference;
         check.severity = CheckSeverity::Warning;
+        check.angle = angleBetween(analysis.model, pair);
+        if (!joint && check.angle > kSameSlide && check.angle < kMinJointAngle) {
+            check.code = CheckCode::ShallowAngle; // that is why there is no slit
+            check.severity = CheckSeverity::Error;
+        }
         check.sections = refsOf(analysis.model, {pair.first, pair.second});
         check.at = how->at;
         check.distance = how->depth;

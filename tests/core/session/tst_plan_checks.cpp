@@ -39,6 +39,7 @@ private Q_SLOTS:
     void sentences();
     void anUnknownOrderIsNoProblem();
     void whatIsInEachOtherSaysHowDeep();
+    void anAngleThatNoSlitTakesIsAnError();
     void aModelWithoutPartsHasNoVerdict();
 };
 
@@ -92,6 +93,19 @@ void TestPlanChecks::whatIsInEachOtherSaysHowDeep()
     QCOMPARE(said.sentences.back(),
              QStringLiteral("Section 1 and Section 2 cut into each other, 1 mm, but are not "
                             "joined."));
+}
+
+/// What would be wrong: sections that meet at 8° are in each other, and nobody says why.
+void TestPlanChecks::anAngleThatNoSlitTakesIsAnError()
+{
+    const ShapePointer plate = polygonShape(rectangle(-30, 0, 30, 40));
+    const Said said = saidOf(
+        withSection(withSection(newDocument(), plate, front()), plate, turned(radians(8.0))));
+    QCOMPARE(said.checks.size(), std::size_t(2));
+    QCOMPARE(said.checks.back().code, CheckCode::ShallowAngle);
+    QCOMPARE(said.checks.back().severity, CheckSeverity::Error);
+    QCOMPARE(said.sentences.back(),
+             QStringLiteral("Section 1 meets Section 2 at 8°; below 10° no slit can hold it."));
 }
 
 /// What would be wrong: "Can be assembled" over an empty view.
