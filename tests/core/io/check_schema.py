@@ -13,8 +13,9 @@ import jsonschema
 
 # What a schema cannot say: the reader may refuse these where the schema does not. Every other
 # refusal of a single value (BadValue) has to be the schema's, too.
-BEYOND_SCHEMA = ("an id below nextId", "a parent that does not descend from its child")
-VARIED = ("data/fff/two_sections.fff", "seeds/fff/generated.fff")
+BEYOND_SCHEMA = ("an id below nextId", "a parent that does not descend from its child",
+                 "a direction of length 1", "something wanted of two sections, pairs ascending")
+VARIED = ("data/fff/two_sections.fff", "seeds/fff/generated.fff", "seeds/fff/joints.fff")
 OTHER_VALUES = [None, True, "text", "", -1, 0, 0.5, 1, 2.0, 7, 1e7, -1e7, 2**53 + 2, [], [1], {}]
 
 
