@@ -288,7 +288,7 @@ std::optional<Blocking::Removal> Blocking::bent(int part, const Group &others, i
         if (has(others, mate.part))
             held = std::max(held, mate.length);
     if (held == 0.0 || std::isinf(held))
-        return {};
+        return {}; // nothing to come out of
     const Vec3 along = m_ways[static_cast<std::size_t>(direction)].along;
     for (const int other : others) {
         if (other == part || !isBlocked(part, other, direction))
@@ -297,18 +297,19 @@ std::optional<Blocking::Removal> Blocking::bent(int part, const Group &others, i
             return {};
         if (const auto met = collisionAlong(solid(part), solid(other), along, m_options.depth))
             until = std::min(until, met->from);
-        if (until < held)
+        if (until < kRoom)
             return {};
     }
     const Vec3 &across = solid(part).normal;
     std::vector<Vec3> turns{across, -across};
     for (int i = 0; i < m_freeWays; ++i)
         turns.push_back(m_ways[static_cast<std::size_t>(i)].along);
-    // A little out of the slits, or as far as it goes.
-    for (const double first :
-         {std::min(held + kRoom, 0.5 * (held + until)), std::max(held, until - kRoom)}) {
-        if (std::isinf(first))
-            continue; // then it is a straight one
+    // A little out of the slits, as far as it goes, or half of that: some come free of a slit long
+    // before its end.
+    std::vector<double> places{until - kRoom, 0.5 * until};
+    if (held + kRoom < until)
+        places.insert(places.begin(), held + kRoom);
+    for (const double first : places) {
         const Solid lifted = movedBy(solid(part), first * along);
         for (const Vec3 &turn : turns) {
             if (std::any_of(others.begin(), others.end(), [&](int other) {

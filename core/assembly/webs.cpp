@@ -226,7 +226,8 @@ void Webs::addToContour(std::size_t index)
         if (const auto part = behind(edge, slit.inner, forwards); part && slit.isOpen)
             keepNearest({slit.inner - half, slit.inner + half}, *part, nearest);
     });
-    add(Web::Between::SlitAndContour, nearest, index, 0);
+    if (nearest.distance > 0.0) // else it runs out there
+        add(Web::Between::SlitAndContour, nearest, index, 0);
 }
 
 } // namespace

@@ -15,10 +15,10 @@ struct Web
     int slit = 0, other = 0; // indices of slits, or of a hole; slit < other of two slits
 };
 
-/// Those narrower than `limit` (mm), each pair once, by `slit`. Slits of one joint may run into each
-/// other: then one slides through the other's. At its mouth a slit parts the
-/// contour: what runs out there is no web, as far as it takes a contour that slants by 30°. A slit
-/// that runs into a hole leaves nothing between them.
+/// Those narrower than `limit` (mm), each pair once, by `slit`. Slits of one joint may run into
+/// each other: then one slides through the other's. At its mouth a slit parts the contour: what
+/// runs out there is no web, as far as it takes a contour that slants by 30°. A slit that runs into
+/// a hole, or out of the contour beside its mouth, leaves nothing between them.
 ///
 /// region   of the section's shape, without slits
 /// O(n log n + pairs that are near each other).

@@ -5,6 +5,7 @@
 #include "core/operations/evaluate.h"
 #include "core/session/checks.h"
 #include "core/session/cutting_file.h"
+#include "core/session/plan_checks.h"
 #include "ui/start/samples.h"
 
 #include <QSet>
@@ -17,8 +18,8 @@ class TestSamples : public QObject
 
 private Q_SLOTS:
     void thereAreSeveral();
-    void eachHoldsAndCanBeCut_data();
-    void eachHoldsAndCanBeCut();
+    void eachHoldsAndCanBeMade_data();
+    void eachHoldsAndCanBeMade();
 };
 
 void TestSamples::thereAreSeveral()
@@ -30,14 +31,14 @@ void TestSamples::thereAreSeveral()
     QCOMPARE(names.size(), ui::samples().size());
 }
 
-void TestSamples::eachHoldsAndCanBeCut_data()
+void TestSamples::eachHoldsAndCanBeMade_data()
 {
     QTest::addColumn<QString>("path");
     for (const ui::Sample &sample : ui::samples())
         QTest::addRow("%s", qPrintable(sample.name)) << sample.path;
 }
 
-void TestSamples::eachHoldsAndCanBeCut()
+void TestSamples::eachHoldsAndCanBeMade()
 {
     QFETCH(QString, path);
     const Result<io::LoadedDocument> loaded = io::readDocument(path);
@@ -45,7 +46,10 @@ void TestSamples::eachHoldsAndCanBeCut()
     QVERIFY(loaded->warnings.empty());
     AnalysisCaches caches;
     const Analysis analysis = analyse(evaluate(loaded->document), caches);
-    for (const Check &check : checks(analysis))
+    std::vector<Check> found = planChecks(analysis, planOf(analysis));
+    for (Check &check : checks(analysis))
+        found.push_back(std::move(check));
+    for (const Check &check : found)
         QVERIFY2(check.severity < CheckSeverity::Warning,
                  check.sections.empty() ? "the model" : "a section");
     const Result<CuttingFile> file = makeCuttingFile(analysis);
