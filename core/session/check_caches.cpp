@@ -41,8 +41,6 @@ bool refresh(const Analysis &analysis, int section, const LayoutOptions &options
         addSizes(*now.cut->compensated(now.kerf));
     else
         addSizes(now.cut->parts());
-    now.webs = thinWebs(analysis.model.section(index)->shape->region(),
-                        analysis.assembly.slits[index], stock.thickness);
     known = std::move(now);
     return true;
 }

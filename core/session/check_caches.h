@@ -3,7 +3,6 @@
 #pragma once
 
 #include "core/assembly/stability.h"
-#include "core/assembly/webs.h"
 #include "core/fabrication/layout.h"
 #include "core/session/analysis.h"
 
@@ -27,7 +26,6 @@ struct CheckCaches
         std::vector<GroundContact> contacts;                   // of each slab
         Box3 box;                                              // of all of them
         std::vector<std::shared_ptr<const OutlineSize>> sizes; // of each part, with the kerf
-        std::vector<Web> webs; // thinner than the stock; of slits by their places in its row
     };
     /// How far it is to the sections that are not in the group.
     struct OfGroup

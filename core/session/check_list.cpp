@@ -1,6 +1,5 @@
 #include "core/session/check_list.h"
 
-#include "core/session/plan_checks.h"
 #include "core/session/session.h"
 
 #include <algorithm>
@@ -32,10 +31,10 @@ CheckList::CheckList(const Session &session, QObject *parent)
               refresh();
           }),
       m_planning(
-          [](const AnalysisPointer &analysis) {
+          [this](const AnalysisPointer &analysis) {
               PlannedAnalysis planned{
                   analysis, planOf(*analysis, timeLimit(kPlanningTime)), {}, {}};
-              planned.checks = planChecks(*analysis, planned.plan);
+              planned.checks = planChecks(*analysis, planned.plan, m_planCaches);
               planned.flips = flipsThatHelp(*analysis, planned.plan, timeLimit(kPlanningTime));
               return std::make_shared<const PlannedAnalysis>(std::move(planned));
           },

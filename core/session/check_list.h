@@ -8,6 +8,7 @@
 #include "core/session/checks.h"
 #include "core/session/flips.h"
 #include "core/session/latest_job.h"
+#include "core/session/plan_checks.h"
 
 #include <cstdint>
 #include <memory>
@@ -70,7 +71,8 @@ private:
     void refresh();
 
     const Session &m_session;
-    CheckCaches m_caches; // touched by the job alone
+    CheckCaches m_caches;    // touched by the job alone
+    PlanCaches m_planCaches; // by the planning alone
     VerdictsPointer m_verdicts = std::make_shared<const Verdicts>();
     std::uint64_t m_revision = 0; // that they belong to
     std::shared_ptr<const PlannedAnalysis> m_plan;

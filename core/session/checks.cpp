@@ -265,34 +265,7 @@ void addSize(const Analysis &analysis, const LayoutOptions &options, const Check
 
 // --- joints
 
-/// What stays between the slits of a section and beside them. Less than half of the thickness
-/// breaks in the hand; below the whole of it it is good to know.
-void addWebs(const Analysis &analysis, std::size_t section, const CheckCaches &caches,
-             std::vector<Check> &all)
-{
-    const Model &model = analysis.model;
-    const std::vector<Slit> &slits = analysis.assembly.slits[section];
-    const auto guestOf = [&](int slit) {
-        const int guest = slits.at(static_cast<std::size_t>(slit)).guest;
-        return model.ref(static_cast<std::size_t>(guest));
-    };
-    for (const Web &web : caches.sections[section].webs) {
-        Check check = web.width > 0.0 ? makeCheck(CheckCode::ThinWeb, CheckSeverity::Warning)
-                                      : makeCheck(CheckCode::SlitsMeet, CheckSeverity::Warning);
-        if (web.width >= 0.5 * model.stockOf(section).thickness)
-            check.severity = CheckSeverity::Note;
-        check.sections = {model.ref(section)};
-        check.guests = {guestOf(web.slit)};
-        if (web.between == Web::Between::Slits)
-            check.guests.push_back(guestOf(web.other));
-        check.at = model.section(section)->frame.toWorld(web.at);
-        check.distance = web.width;
-        check.count = web.between == Web::Between::SlitAndHole ? 1 : 0;
-        all.push_back(std::move(check));
-    }
-}
-
-void addJoints(const Analysis &analysis, const CheckCaches &caches, std::vector<Check> &all)
+void addJoints(const Analysis &analysis, std::vector<Check> &all)
 {
     const Model &model = analysis.model;
     for (const Joint &joint : analysis.assembly.joints) {
@@ -312,7 +285,6 @@ void addJoints(const Analysis &analysis, const CheckCaches &caches, std::vector<
         all.push_back(std::move(check));
     }
     for (std::size_t i = 0; i < model.sectionCount(); ++i) {
-        addWebs(analysis, i, caches, all);
         const std::size_t parts = analysis.cuts[i]->parts().size();
         if (parts == 1)
             continue;
@@ -398,7 +370,7 @@ std::vector<Check> checks(const Analysis &analysis, CheckCaches &caches,
     mass.mass = massOf(analysis.model, analysis.cuts);
     mass.at = mass.mass.centre;
     all.push_back(std::move(mass));
-    addJoints(analysis, caches, all);
+    addJoints(analysis, all);
     return all;
 }
 

@@ -37,8 +37,8 @@ enum class CheckCode {
     Interference, // two sections cut into each other where no joint is (plan_checks.h)
     ShallowAngle, // two sections meet at less than kShallowAngle, or, as an error, at less than
                   // any joint takes (kMinJointAngle)
-    SlitsMeet,    // two slits of a section run into each other
-    ThinWeb,      // less than the stock's thickness stays beside a slit
+    SlitsMeet,    // two slits of a section run into each other (plan_checks.h)
+    ThinWeb,      // less than the stock's thickness stays beside a slit (plan_checks.h)
     Divided,      // its slits divide a section into several parts
     NothingLeft,  // its slits leave nothing of a section
 };

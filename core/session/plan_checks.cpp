@@ -107,11 +107,61 @@ double angleBetween(const Model &model, const std::pair<int, int> &sections)
     return std::atan2(a.cross(b).norm(), std::abs(a.dot(b)));
 }
 
+/// What stays between the slits of a section and beside them. Less than half of the thickness
+/// breaks in the hand; below the whole of it it is good to know.
+void addWebs(const Analysis &analysis, std::size_t section, const std::vector<Web> &webs,
+             std::vector<Check> &all)
+{
+    const Model &model = analysis.model;
+    const std::vector<Slit> &slits = analysis.assembly.slits[section];
+    const auto guestOf = [&](int slit) {
+        const int guest = slits.at(static_cast<std::size_t>(slit)).guest;
+        return model.ref(static_cast<std::size_t>(guest));
+    };
+    for (const Web &web : webs) {
+        Check check;
+        check.code = web.width > 0.0 ? CheckCode::ThinWeb : CheckCode::SlitsMeet;
+        check.severity = CheckSeverity::Warning;
+        if (web.width >= 0.5 * model.stockOf(section).thickness)
+            check.severity = CheckSeverity::Note;
+        check.sections = {model.ref(section)};
+        check.guests = {guestOf(web.slit)};
+        if (web.between == Web::Between::Slits)
+            check.guests.push_back(guestOf(web.other));
+        check.at = model.section(section)->frame.toWorld(web.at);
+        check.distance = web.width;
+        check.count = web.between == Web::Between::SlitAndHole ? 1 : 0;
+        all.push_back(std::move(check));
+    }
+}
+
+/// Those of each section, worked out anew where its slits or its stock are other ones.
+void refresh(const Analysis &analysis, PlanCaches &caches)
+{
+    caches.sections.resize(analysis.model.sectionCount());
+    for (std::size_t i = 0; i < caches.sections.size(); ++i) {
+        PlanCaches::OfSection &known = caches.sections[i];
+        const double thickness = analysis.model.stockOf(i).thickness;
+        if (known.cut == analysis.cuts[i] && known.thickness == thickness)
+            continue;
+        known = {analysis.cuts[i], thickness,
+                 thinWebs(analysis.model.section(i)->shape->region(), analysis.assembly.slits[i],
+                          thickness)};
+    }
+}
+
 } // namespace
 
 std::vector<Check> planChecks(const Analysis &analysis, const ModelPlan &plan)
 {
+    PlanCaches caches;
+    return planChecks(analysis, plan, caches);
+}
+
+std::vector<Check> planChecks(const Analysis &analysis, const ModelPlan &plan, PlanCaches &caches)
+{
     std::vector<Check> all;
+    refresh(analysis, caches);
     if (plan.parts.empty())
         return all;
     all.push_back(verdict(analysis, plan));
@@ -142,6 +192,8 @@ std::vector<Check> planChecks(const Analysis &analysis, const ModelPlan &plan)
         check.count = joint ? 1 : 0;
         all.push_back(std::move(check));
     }
+    for (std::size_t i = 0; i < caches.sections.size(); ++i)
+        addWebs(analysis, i, caches.sections[i].webs, all);
     return all;
 }
 

@@ -82,7 +82,6 @@ private Q_SLOTS:
     void heightsInWords();
     void tooLargeParts();
     void jointsThatCannotSlide();
-    void websAreMeasured();
     void slitsThatDivide();
     void turnedModelsHaveTurnedAnswers();
     void mechanicsCases();
@@ -258,32 +257,6 @@ void TestChecks::tooLargeParts()
         withSection(newDocument(), polygonShape(rectangle(0, 0, 110, 4)), front());
     QVERIFY(find(checks(analysed(onSheets(stick, {100, 90}))), CheckCode::FitsSheet));
     QVERIFY(find(checks(analysed(onSheets(stick, {90, 70}))), CheckCode::TooLarge));
-}
-
-/// What would be wrong: a web that breaks in the hand is cut without a word, or every short slit is
-/// called a problem.
-void TestChecks::websAreMeasured()
-{
-    // A bar with two slits from above, 3 mm wide, whose middles are 4 mm from each other.
-    const ShapePointer bar = polygonShape(rectangle(0, 0, 100, 30));
-    const ShapePointer rib = polygonShape(rectangle(-20, 15, 20, 45));
-    const auto twoRibs = [&](double away) {
-        Document document = named(withSection(newDocument(), bar, front()), "Bar");
-        document = named(withSection(std::move(document), rib, side(40)), "Rib 1");
-        return analysed(named(withSection(std::move(document), rib, side(40 + away)), "Rib 2"));
-    };
-    QCOMPARE(textOf(twoRibs(4), CheckCode::ThinWeb),
-             QStringLiteral("Bar: only 1 mm stay between its slits for Rib 1 and Rib 2."));
-    QCOMPARE(find(checks(twoRibs(4)), CheckCode::ThinWeb)->severity, CheckSeverity::Warning);
-    QCOMPARE(find(checks(twoRibs(5)), CheckCode::ThinWeb)->severity, CheckSeverity::Note);
-    QVERIFY(!find(checks(twoRibs(6.5)), CheckCode::ThinWeb));
-    QCOMPARE(textOf(twoRibs(2), CheckCode::SlitsMeet),
-             QStringLiteral("Bar: its slits for Rib 1 and Rib 2 run into each other."));
-    // The place is in the web.
-    const std::vector<Check> found = checks(twoRibs(4));
-    const Check *web = find(found, CheckCode::ThinWeb);
-    QVERIFY(web->at && std::abs(web->at->x() - 42.0) < 0.01);
-    QCOMPARE(web->sections.size(), std::size_t(1));
 }
 
 void TestChecks::jointsThatCannotSlide()

@@ -40,6 +40,8 @@ private Q_SLOTS:
     void anUnknownOrderIsNoProblem();
     void whatIsInEachOtherSaysHowDeep();
     void anAngleThatNoSlitTakesIsAnError();
+    void websAreMeasured();
+    void whatIsKnownFromBeforeChangesNothing();
     void aModelWithoutPartsHasNoVerdict();
 };
 
@@ -106,6 +108,58 @@ void TestPlanChecks::anAngleThatNoSlitTakesIsAnError()
     QCOMPARE(said.checks.back().severity, CheckSeverity::Error);
     QCOMPARE(said.sentences.back(),
              QStringLiteral("Section 1 meets Section 2 at 8°; below 10° no slit can hold it."));
+}
+
+/// What would be wrong: a web that breaks in the hand is cut without a word, or every short slit is
+/// called a problem.
+void TestPlanChecks::websAreMeasured()
+{
+    // A bar with two slits from above, 3 mm wide.
+    const ShapePointer bar = polygonShape(rectangle(0, 0, 100, 30));
+    const ShapePointer rib = polygonShape(rectangle(-20, 15, 20, 45));
+    const auto twoRibs = [&](double away) {
+        Document document = withSection(newDocument(), bar, front());
+        document = withSection(std::move(document), rib, side(40));
+        return saidOf(withSection(std::move(document), rib, side(40 + away)));
+    };
+    const auto last = [&](double away) { return twoRibs(away).checks.back(); };
+    QCOMPARE(twoRibs(4).sentences.back(),
+             QStringLiteral("Section 1: only 1 mm stay between its slits for Section 2 and "
+                            "Section 3."));
+    QCOMPARE(last(4).severity, CheckSeverity::Warning);
+    QCOMPARE(last(5).code, CheckCode::ThinWeb);
+    QCOMPARE(last(5).severity, CheckSeverity::Note);
+    QCOMPARE(twoRibs(6.5).checks.size(), std::size_t(1)); // the verdict alone
+    QCOMPARE(twoRibs(2).sentences.back(),
+             QStringLiteral("Section 1: its slits for Section 2 and Section 3 run into each "
+                            "other."));
+    // The place is in the web.
+    QVERIFY(last(4).at && std::abs(last(4).at->x() - 42.0) < 0.01);
+    QCOMPARE(last(4).sections.size(), std::size_t(1));
+}
+
+/// What would be wrong: a web that was, or one that nobody sees until the model is opened again.
+void TestPlanChecks::whatIsKnownFromBeforeChangesNothing()
+{
+    const ShapePointer bar = polygonShape(rectangle(0, 0, 100, 30));
+    const ShapePointer rib = polygonShape(rectangle(-20, 15, 20, 45));
+    Document document = withSection(newDocument(), bar, front());
+    document = withSection(std::move(document), rib, side(40));
+    document = withSection(std::move(document), rib, side(60));
+    AnalysisCaches analyses;
+    PlanCaches caches;
+    for (const double at : {60.0, 44.0, 42.0, 80.0, 45.0}) {
+        document = *moveSection(document, document.sections[2]->id, side(at));
+        const AnalysisPointer analysis = analyseNext(evaluate(document), analyses);
+        const ModelPlan plan = planOf(*analysis);
+        const std::vector<Check> kept = planChecks(*analysis, plan, caches);
+        const std::vector<Check> anew = planChecks(*analysis, plan);
+        QCOMPARE(kept.size(), anew.size());
+        for (std::size_t i = 0; i < kept.size(); ++i) {
+            QCOMPARE(kept[i].code, anew[i].code);
+            QCOMPARE(kept[i].distance, anew[i].distance);
+        }
+    }
 }
 
 /// What would be wrong: "Can be assembled" over an empty view.
