@@ -6,6 +6,7 @@ target_sources(fff_core PRIVATE
     assembly/joint.cpp
     assembly/joint_wish.cpp
     assembly/planning.cpp
+    assembly/playback.cpp
     assembly/slab.cpp
     assembly/slits.cpp
     assembly/solid.cpp

@@ -1,6 +1,7 @@
 target_sources(fff_session PRIVATE
     analysis.cpp
     assembly_plan.cpp
+    assembly_steps.cpp
     autosave.cpp
     check_caches.cpp
     check_list.cpp

@@ -1,3 +1,4 @@
+fff_test(core/assembly/tst_playback fff::core)
 fff_test(core/assembly/tst_slab fff::core)
 fff_test(core/assembly/tst_joint_override fff::core)
 fff_test(core/assembly/tst_stability fff::core)

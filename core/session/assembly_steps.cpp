@@ -1,0 +1,203 @@
+#include "core/session/assembly_steps.h"
+
+#include "core/assembly/slab.h"
+
+#include <QCoreApplication>
+#include <QStringList>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <utility>
+
+namespace fff {
+
+namespace {
+
+struct Words
+{
+    Q_DECLARE_TR_FUNCTIONS(AssemblySteps)
+};
+
+/// More names than this say less than a number does.
+constexpr int kMostNames = 3;
+/// A way that is off an axis of the world by more is not called by its name: cos 20°.
+constexpr double kAlongAxis = 0.94;
+
+QString listed(QStringList names)
+{
+    if (names.size() < 2)
+        return names.join(QString());
+    const QString last = names.takeLast();
+    //: the end of a list of names
+    return Words::tr("%1 and %2").arg(names.join(QStringLiteral(", ")), last);
+}
+
+QString nameOf(const AssemblySteps &steps, int section)
+{
+    return QString::fromStdString(
+        steps.analysis->model.section(static_cast<std::size_t>(section))->name);
+}
+
+/// Of a divided section a number says which of its parts is meant.
+QString namesOf(const AssemblySteps &steps, const std::vector<int> &parts)
+{
+    if (parts.size() > kMostNames)
+        return Words::tr("%n parts as one", nullptr, static_cast<int>(parts.size()));
+    QStringList names;
+    for (const int part : parts) {
+        const int section = steps.parts[static_cast<std::size_t>(part)].section;
+        const bool isWhole =
+            steps.analysis->cuts[static_cast<std::size_t>(section)]->parts().size() == 1;
+        const QString name = nameOf(steps, section);
+        //: %1 is a section's name, %2 the number engraved on one of its parts
+        names +=
+            isWhole ? name : Words::tr("%1 (part %2)").arg(name).arg(AssemblySteps::numberOf(part));
+    }
+    return listed(names);
+}
+
+QString matesOf(const AssemblySteps &steps, int step)
+{
+    const std::vector<int> &mates = steps.mates[static_cast<std::size_t>(step)];
+    const int count = static_cast<int>(mates.size());
+    const int named = count > kMostNames ? kMostNames - 1 : count;
+    QStringList names;
+    for (int i = 0; i < named; ++i)
+        names += nameOf(steps, mates[static_cast<std::size_t>(i)]);
+    if (named < count)
+        names += Words::tr("%n others", nullptr, count - named);
+    return listed(names);
+}
+
+/// As seen from the front.
+QString wayWord(const Vec3 &direction)
+{
+    if (direction.y() > kAlongAxis)
+        return Words::tr("up", "direction of a way");
+    if (direction.y() < -kAlongAxis)
+        return Words::tr("down", "direction of a way");
+    if (direction.x() > kAlongAxis)
+        return Words::tr("to the right", "direction of a way");
+    if (direction.x() < -kAlongAxis)
+        return Words::tr("to the left", "direction of a way");
+    if (direction.z() > kAlongAxis)
+        return Words::tr("to the front", "direction of a way");
+    if (direction.z() < -kAlongAxis)
+        return Words::tr("to the back", "direction of a way");
+    return Words::tr("along the arrow", "direction of a way");
+}
+
+std::vector<int> matesOf(const AssemblySteps &steps, const AssemblyStep &step)
+{
+    const auto sectionsOf = [&](const std::vector<int> &parts) {
+        std::set<int> sections;
+        for (const int part : parts)
+            sections.insert(steps.parts[static_cast<std::size_t>(part)].section);
+        return sections;
+    };
+    const std::set<int> moved = sectionsOf(step.parts), there = sectionsOf(step.onto);
+    std::vector<int> mates;
+    for (const int section : there) {
+        const bool isMate = std::any_of(moved.begin(), moved.end(), [&](int other) {
+            const Joint *joint = steps.analysis->assembly.joints.find(std::min(section, other),
+                                                                      std::max(section, other));
+            return section != other && joint && joint->kind != JointKind::None;
+        });
+        if (isMate)
+            mates.push_back(section);
+    }
+    return mates;
+}
+
+} // namespace
+
+AssemblyStepsPointer assemblySteps(AnalysisPointer analysis, const ModelPlan &plan)
+{
+    if (plan.plan.verdict != AssemblyPlan::Verdict::Possible || plan.plan.steps.empty())
+        return nullptr;
+    auto steps = std::make_shared<AssemblySteps>();
+    steps->analysis = std::move(analysis);
+    steps->parts = plan.parts;
+    std::vector<Box3> boxes;
+    for (int part = 0; part < static_cast<int>(plan.parts.size()); ++part)
+        boxes.push_back(boundsOf(Slab{steps->outlineOf(part).region, steps->sectionOf(part).frame,
+                                      steps->thicknessOf(part)}));
+    steps->playback = Playback(plan.plan, std::move(boxes));
+    for (const AssemblyStep &step : plan.plan.steps)
+        steps->mates.push_back(matesOf(*steps, step));
+    return steps;
+}
+
+QString whyNoSteps(const Analysis &analysis, const ModelPlan &plan)
+{
+    if (analysis.model.sectionCount() == 0)
+        return Words::tr("There is no section yet, so there are no steps.");
+    switch (plan.plan.verdict) {
+    case AssemblyPlan::Verdict::Possible:
+        return plan.plan.steps.empty()
+                   ? Words::tr("Nothing is cut from this model, so there are no steps.")
+                   : QString();
+    case AssemblyPlan::Verdict::Impossible:
+        break;
+    case AssemblyPlan::Verdict::NotFound:
+        return Words::tr("No steps to show: the order of assembly was not found in the time.");
+    }
+    std::set<int> locked;
+    for (const int part : plan.plan.locked)
+        locked.insert(plan.parts[static_cast<std::size_t>(part)].section);
+    if (locked.empty() || locked.size() > kMostNames)
+        return Words::tr("No steps to show: the model cannot be assembled, since %n sections block "
+                         "each other.",
+                         nullptr, static_cast<int>(locked.size()));
+    QStringList names;
+    for (const int section : locked)
+        names +=
+            QString::fromStdString(analysis.model.section(static_cast<std::size_t>(section))->name);
+    if (names.size() == 1) // parts of one section
+        return Words::tr("No steps to show: the model cannot be assembled, since parts of %1 block "
+                         "each other.")
+            .arg(names.front());
+    return Words::tr("No steps to show: the model cannot be assembled, since %1 block each other.")
+        .arg(listed(names));
+}
+
+QString stepTitle(const AssemblySteps &steps, int step)
+{
+    return Words::tr("Step %1 of %2").arg(step + 1).arg(steps.playback.stepCount());
+}
+
+QString stepText(const AssemblySteps &steps, int index)
+{
+    const AssemblyStep &step = steps.playback.plan().steps[static_cast<std::size_t>(index)];
+    const QString names = namesOf(steps, step.parts);
+    const std::optional<Vec3> direction = steps.playback.lastDirection(index);
+    if (!direction) {
+        if (index == 0)
+            return Words::tr("begin with %1").arg(names);
+        if (step.onto.empty()) // what is brought to the others as one, later
+            return Words::tr("begin aside with %1").arg(names);
+        return Words::tr("put %1 in its place").arg(names);
+    }
+    const QString word = wayWord(*direction), mates = matesOf(steps, index);
+    if (step.moves.size() > 1)
+        return mates.isEmpty()
+                   //: %1 is what is moved, %2 a direction such as "down"
+                   ? Words::tr("bring %1 in round the corner, at last %2").arg(names, word)
+                   //: %1 is what is moved, %2 a direction such as "down", %3 what it is put into
+                   : Words::tr("bring %1 in round the corner, then slide it %2 into %3")
+                         .arg(names, word, mates);
+    return mates.isEmpty()
+               //: %1 is what is moved, %2 a direction such as "down"
+               ? Words::tr("move %1 %2 to its place").arg(names, word)
+               //: %1 is what is moved, %2 a direction such as "down", %3 what it is put into
+               : Words::tr("slide %1 %2 into %3").arg(names, word, mates);
+}
+
+QString stepSentence(const AssemblySteps &steps, int step)
+{
+    //: %1 is "Step 4 of 38", %2 what is done in it
+    return Words::tr("%1: %2").arg(stepTitle(steps, step), stepText(steps, step));
+}
+
+} // namespace fff

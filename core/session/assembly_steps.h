@@ -1,0 +1,62 @@
+// The steps in which a model is put together, for those who show them: in the view, on paper, as
+// pictures.
+#pragma once
+
+#include "core/assembly/playback.h"
+#include "core/session/assembly_plan.h"
+
+#include <QString>
+
+#include <memory>
+#include <vector>
+
+namespace fff {
+
+/// Refers to all parts by the plan's indices.
+struct AssemblySteps
+{
+    AnalysisPointer analysis;
+    std::vector<PartRef> parts;
+    Playback playback;
+    /// Of each step: the sections, of what its parts are brought to, that joints connect them with;
+    /// ascending.
+    std::vector<std::vector<int>> mates;
+
+    /// As engraved (core/fabrication/part.h): 1 … n.
+    static int numberOf(int part) { return part + 1; }
+    const CurvedRegion &outlineOf(int part) const
+    {
+        const PartRef &ref = parts[static_cast<std::size_t>(part)];
+        return analysis->cuts[static_cast<std::size_t>(ref.section)]
+            ->parts()[static_cast<std::size_t>(ref.piece)];
+    }
+    const Section &sectionOf(int part) const
+    {
+        const PartRef &ref = parts[static_cast<std::size_t>(part)];
+        return *analysis->model.section(static_cast<std::size_t>(ref.section));
+    }
+    /// mm
+    double thicknessOf(int part) const
+    {
+        const PartRef &ref = parts[static_cast<std::size_t>(part)];
+        return analysis->model.stockOf(static_cast<std::size_t>(ref.section)).thickness;
+    }
+};
+
+using AssemblyStepsPointer = std::shared_ptr<const AssemblySteps>;
+
+/// plan  of this analysis. Null when it has no steps: the model is empty, cannot be put together,
+///       or the order was not found.
+AssemblyStepsPointer assemblySteps(AnalysisPointer analysis, const ModelPlan &plan);
+
+/// Why there are no steps, as a sentence for people; empty when there are some.
+QString whyNoSteps(const Analysis &analysis, const ModelPlan &plan);
+
+/// "Step 4 of 38"
+QString stepTitle(const AssemblySteps &steps, int step);
+/// What a person does in it: "slide Rib 3 down into Body".
+QString stepText(const AssemblySteps &steps, int step);
+/// Both: "Step 4 of 38: slide Rib 3 down into Body".
+QString stepSentence(const AssemblySteps &steps, int step);
+
+} // namespace fff
