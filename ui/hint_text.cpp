@@ -155,6 +155,11 @@ QString hintSentence(const Hint &hint, const QString &undoKeys)
         return HintText::tr("Move to shift the cut, release to leave it there. Esc puts it back.");
     case Hint::Kind::ChooseProblem:
         return HintText::tr("Click to select problem %1; drag to turn the view.").arg(name);
+    case Hint::Kind::ShowSteps:
+        return HintText::tr("Drag to turn the view; <kbd>Space</kbd> plays, <kbd>\u2190</kbd> and "
+                            "<kbd>\u2192</kbd> go step by step. <kbd>Esc</kbd> closes the steps.");
+    case Hint::Kind::StepsClosed:
+        return HintText::tr("The model has changed, so the view of its steps was closed.");
     case Hint::Kind::MovePoint:
         return HintText::tr(
             "Drag to move the point; <kbd>Ctrl</kbd> makes a corner, arrow keys move 1\u202fmm.");

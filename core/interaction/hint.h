@@ -55,6 +55,8 @@ struct Hint
         BendingContour, // dragging a piece of it
         PointBand,
         ChooseProblem, // section: the number of its mark
+        ShowSteps,     // of the assembly
+        StepsClosed,   // since the model has changed
         // Notes and refusals
         NeverLeft,
         TooShort,

@@ -29,6 +29,8 @@ target_sources(fff_core PRIVATE
     interaction/sight.cpp
     interaction/slit_turn.cpp
     interaction/snapping.cpp
+    interaction/steps_player.cpp
+    interaction/steps_tool.cpp
     interaction/stroke_gesture.cpp
     interaction/view_cube.cpp
     interaction/view_gestures.cpp
