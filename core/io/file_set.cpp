@@ -4,6 +4,7 @@
 #include <QtCore/QFileInfo>
 #include <QtCore/QSaveFile>
 
+#include <algorithm>
 #include <memory>
 #include <optional>
 
@@ -39,16 +40,23 @@ void restore(const std::vector<Before> &done)
 
 } // namespace
 
-std::vector<NamedBytes> numberedFiles(const QString &path, const std::vector<std::string> &contents)
+int digitsFor(std::size_t count)
+{
+    return std::max(2, static_cast<int>(QString::number(count).size()));
+}
+
+std::vector<NamedBytes> numberedFiles(const QString &path, const std::vector<std::string> &contents,
+                                      int digits)
 {
     const QString suffix = QFileInfo(path).suffix();
     const QString base = suffix.isEmpty() ? path : path.chopped(suffix.size() + 1);
     std::vector<NamedBytes> files;
     for (const std::string &bytes : contents)
-        files.push_back({QStringLiteral("%1-%2.%3")
-                             .arg(base, QString::number(files.size() + 1),
-                                  suffix.isEmpty() ? QStringLiteral("svg") : suffix),
-                         bytes});
+        files.push_back(
+            {QStringLiteral("%1-%2.%3")
+                 .arg(base, QString::number(files.size() + 1).rightJustified(digits, u'0'),
+                      suffix.isEmpty() ? QStringLiteral("svg") : suffix),
+             bytes});
     return files;
 }
 

@@ -94,7 +94,8 @@ bool OffscreenPainter::isUsable() const
 }
 
 QImage OffscreenPainter::paint(const Scene &scene, const Camera &camera, const Vec2 &viewport,
-                               double pixelRatio, const ViewStyle &style)
+                               double pixelRatio, const ViewStyle &style,
+                               const RenderOptions &options)
 {
     const Vec2 pixels = viewport * pixelRatio;
     if (!d->isUsable || !(pixels.minCoeff() >= 1.0) || pixels.maxCoeff() > kMaxPictureSide)
@@ -109,7 +110,7 @@ QImage OffscreenPainter::paint(const Scene &scene, const Camera &camera, const V
                                     static_cast<int>(std::lround(pixels.y())), format);
     if (!target.isValid() || !target.bind())
         return {};
-    d->renderer.render(scene, camera, viewport, pixelRatio, style);
+    d->renderer.render(scene, camera, viewport, pixelRatio, style, options);
     QImage image = target.toImage().convertToFormat(QImage::Format_RGB32); // resolves the samples
     image.setDevicePixelRatio(pixelRatio);
     return image;
@@ -126,6 +127,11 @@ Camera cameraFor(const Scene &scene, const std::string &view, const Vec2 &viewpo
 {
     Camera camera;
     orientationOfView(view, camera.orientation);
+    return cameraFor(scene, camera, viewport);
+}
+
+Camera cameraFor(const Scene &scene, Camera camera, const Vec2 &viewport)
+{
     camera = fitted(camera, scene.bounds, viewport);
     // The box of a turned model is much larger than what is seen of it: go by what is seen. Twice,
     // since how near a thing is may change where it is seen.

@@ -3,6 +3,7 @@
 
 #include "core/interaction/camera.h"
 #include "core/session/analysis.h"
+#include "ui/view/render_options.h"
 #include "ui/view/scene.h"
 
 #include <QImage>
@@ -20,6 +21,8 @@ Scene sceneOf(const Analysis &analysis);
 
 /// Sees the whole scene from a named view (camera.h; "fit" is the front). Unknown names: the front.
 Camera cameraFor(const Scene &scene, const std::string &view, const Vec2 &viewport);
+/// The same looking as this camera does.
+Camera cameraFor(const Scene &scene, Camera camera, const Vec2 &viewport);
 
 /// An OpenGL context of its own and a renderer in it. Needs a QGuiApplication and belongs to its
 /// thread; whatever context was current stays current. Making one takes about a tenth of a second,
@@ -37,7 +40,8 @@ public:
     /// pixelRatio  the image has that many times as many, and says so; at most kMaxPictureSide
     /// Null when the painter is not usable or the picture is too large for the driver.
     QImage paint(const Scene &scene, const Camera &camera, const Vec2 &viewport,
-                 double pixelRatio = 1.0, const ViewStyle &style = {});
+                 double pixelRatio = 1.0, const ViewStyle &style = {},
+                 const RenderOptions &options = {});
 
 private:
     class Private;

@@ -22,6 +22,11 @@ target_sources(fff_view PRIVATE
     view/slab_mesh.cpp
     view/slab_painter.cpp
     view/slit_covers.cpp
+    view/step_marks.cpp
+    view/step_pictures.cpp
+    view/steps_files.cpp
+    view/steps_paper.cpp
+    view/steps_scene.cpp
     view/stock_look.cpp
     view/stroke_marks.cpp
     view/view_cube_painter.cpp
