@@ -36,7 +36,7 @@ constexpr const char *kPlatforms = "xcb;wayland;offscreen"; // the first that ca
 /// missing OpenGL the verb then speaks about, instead of an end without words.
 std::unique_ptr<QCoreApplication> makeApplication(int &argc, char *argv[])
 {
-    if (argc < 2 || qstrcmp(argv[1], "render") != 0)
+    if (argc < 2 || (qstrcmp(argv[1], "render") != 0 && qstrcmp(argv[1], "steps") != 0))
         return std::make_unique<QCoreApplication>(argc, argv);
     if (!qEnvironmentVariableIsSet("QT_QPA_PLATFORM"))
         qputenv("QT_QPA_PLATFORM", kPlatforms);

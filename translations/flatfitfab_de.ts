@@ -2,6 +2,136 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="de" sourcelanguage="en">
 <context>
+    <name>AssemblySteps</name>
+    <message>
+        <source>%1 and %2</source>
+        <extracomment>the end of a list of names</extracomment>
+        <translation>%1 und %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n parts as one</source>
+        <translation>
+            <numerusform>%n Teil als eines</numerusform>
+            <numerusform>%n Teile als eines</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 (part %2)</source>
+        <extracomment>%1 is a section&apos;s name, %2 the number engraved on one of its parts</extracomment>
+        <translation>%1 (Teil %2)</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n others</source>
+        <translation>
+            <numerusform>%n weitere</numerusform>
+            <numerusform>%n weitere</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>up</source>
+        <comment>direction of a way</comment>
+        <translation>nach oben</translation>
+    </message>
+    <message>
+        <source>down</source>
+        <comment>direction of a way</comment>
+        <translation>nach unten</translation>
+    </message>
+    <message>
+        <source>to the right</source>
+        <comment>direction of a way</comment>
+        <translation>nach rechts</translation>
+    </message>
+    <message>
+        <source>to the left</source>
+        <comment>direction of a way</comment>
+        <translation>nach links</translation>
+    </message>
+    <message>
+        <source>to the front</source>
+        <comment>direction of a way</comment>
+        <translation>nach vorn</translation>
+    </message>
+    <message>
+        <source>to the back</source>
+        <comment>direction of a way</comment>
+        <translation>nach hinten</translation>
+    </message>
+    <message>
+        <source>along the arrow</source>
+        <comment>direction of a way</comment>
+        <translation>in Richtung des Pfeils</translation>
+    </message>
+    <message>
+        <source>There is no section yet, so there are no steps.</source>
+        <translation>Es gibt noch keine Scheibe, also auch keine Schritte.</translation>
+    </message>
+    <message>
+        <source>Nothing is cut from this model, so there are no steps.</source>
+        <translation>Aus diesem Modell wird nichts geschnitten, also gibt es keine Schritte.</translation>
+    </message>
+    <message>
+        <source>No steps to show: the order of assembly was not found in the time.</source>
+        <translation>Keine Schritte zu zeigen: die Reihenfolge des Zusammenbaus wurde in der Zeit nicht gefunden.</translation>
+    </message>
+    <message numerus="yes">
+        <source>No steps to show: the model cannot be assembled, since %n sections block each other.</source>
+        <translation>
+            <numerusform>Keine Schritte zu zeigen: das Modell lässt sich nicht zusammenbauen, weil sich %n Scheibe sperrt.</numerusform>
+            <numerusform>Keine Schritte zu zeigen: das Modell lässt sich nicht zusammenbauen, weil sich %n Scheiben gegenseitig sperren.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>No steps to show: the model cannot be assembled, since parts of %1 block each other.</source>
+        <translation>Keine Schritte zu zeigen: das Modell lässt sich nicht zusammenbauen, weil sich Teile von %1 gegenseitig sperren.</translation>
+    </message>
+    <message>
+        <source>No steps to show: the model cannot be assembled, since %1 block each other.</source>
+        <translation>Keine Schritte zu zeigen: das Modell lässt sich nicht zusammenbauen, weil sich %1 gegenseitig sperren.</translation>
+    </message>
+    <message>
+        <source>Step %1 of %2</source>
+        <translation>Schritt %1 von %2</translation>
+    </message>
+    <message>
+        <source>begin with %1</source>
+        <translation>mit %1 beginnen</translation>
+    </message>
+    <message>
+        <source>begin aside with %1</source>
+        <translation>daneben mit %1 beginnen</translation>
+    </message>
+    <message>
+        <source>put %1 in its place</source>
+        <translation>%1 an seinen Platz legen</translation>
+    </message>
+    <message>
+        <source>bring %1 in round the corner, at last %2</source>
+        <extracomment>%1 is what is moved, %2 a direction such as &quot;down&quot;</extracomment>
+        <translation>%1 um die Ecke hineinbringen, zuletzt %2</translation>
+    </message>
+    <message>
+        <source>bring %1 in round the corner, then slide it %2 into %3</source>
+        <extracomment>%1 is what is moved, %2 a direction such as &quot;down&quot;, %3 what it is put into</extracomment>
+        <translation>%1 um die Ecke hineinbringen, dann %2 in %3 schieben</translation>
+    </message>
+    <message>
+        <source>move %1 %2 to its place</source>
+        <extracomment>%1 is what is moved, %2 a direction such as &quot;down&quot;</extracomment>
+        <translation>%1 %2 an seinen Platz bringen</translation>
+    </message>
+    <message>
+        <source>slide %1 %2 into %3</source>
+        <extracomment>%1 is what is moved, %2 a direction such as &quot;down&quot;, %3 what it is put into</extracomment>
+        <translation>%1 %2 in %3 schieben</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <extracomment>%1 is &quot;Step 4 of 38&quot;, %2 what is done in it</extracomment>
+        <translation>%1: %2</translation>
+    </message>
+</context>
+<context>
     <name>Checks</name>
     <message numerus="yes">
         <source>%n sections</source>
@@ -326,6 +456,10 @@
     <message>
         <source>Whether it holds together, stands, can be assembled and fits the sheet</source>
         <translation>Ob es zusammenhält, steht, sich zusammenbauen lässt und auf die Platte passt</translation>
+    </message>
+    <message>
+        <source>How it goes together, step by step; needs a display</source>
+        <translation>Wie es zusammengebaut wird, Schritt für Schritt; braucht eine Anzeige</translation>
     </message>
 </context>
 <context>
@@ -1055,6 +1189,34 @@
     <message>
         <source>The picture could not be made a PNG file.</source>
         <translation>Aus dem Bild ließ sich keine PNG-Datei machen.</translation>
+    </message>
+    <message>
+        <source>%1 is of no kind that can be written; expected .pdf or .png.</source>
+        <translation>%1 ist von keiner Art, die geschrieben werden kann; erwartet war .pdf oder .png.</translation>
+    </message>
+    <message>
+        <source>--size is for .png; a PDF has the size of its paper.</source>
+        <translation>--size gilt für .png; ein PDF hat die Größe seines Papiers.</translation>
+    </message>
+    <message>
+        <source>--paper is for .pdf.</source>
+        <translation>--paper gilt für .pdf.</translation>
+    </message>
+    <message>
+        <source>--paper: found &quot;%1&quot;, expected a4 or letter.</source>
+        <translation>--paper: gefunden „%1“, erwartet a4 oder letter.</translation>
+    </message>
+    <message>
+        <source>Step %1 of %2</source>
+        <translation>Schritt %1 von %2</translation>
+    </message>
+    <message>
+        <source>A PDF file with all steps (- is standard output), or OUT.png for OUT-01.png, OUT-02.png and so on.</source>
+        <translation>Eine PDF-Datei mit allen Schritten (- ist die Standardausgabe), oder OUT.png für OUT-01.png, OUT-02.png und so weiter.</translation>
+    </message>
+    <message>
+        <source>a4 or letter (as is usual where you are).</source>
+        <translation>a4 oder letter (wie es am Ort üblich ist).</translation>
     </message>
 </context>
 <context>
@@ -2872,6 +3034,14 @@
         <source>%1 was mirrored; what came over its axis and back was left out.</source>
         <translation>%1 wurde gespiegelt; was über die Achse und zurück lief, wurde weggelassen.</translation>
     </message>
+    <message>
+        <source>Drag to turn the view; &lt;kbd&gt;Space&lt;/kbd&gt; plays, &lt;kbd&gt;←&lt;/kbd&gt; and &lt;kbd&gt;→&lt;/kbd&gt; go step by step. &lt;kbd&gt;Esc&lt;/kbd&gt; closes the steps.</source>
+        <translation>Ziehen dreht die Ansicht; &lt;kbd&gt;Leertaste&lt;/kbd&gt; spielt ab, &lt;kbd&gt;←&lt;/kbd&gt; und &lt;kbd&gt;→&lt;/kbd&gt; gehen schrittweise. &lt;kbd&gt;Esc&lt;/kbd&gt; schließt die Schritte.</translation>
+    </message>
+    <message>
+        <source>The model has changed, so the view of its steps was closed.</source>
+        <translation>Das Modell hat sich geändert, daher wurde die Ansicht seiner Schritte geschlossen.</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::HistoryDock</name>
@@ -3808,6 +3978,76 @@
     <message>
         <source>Did “%1” again. &lt;kbd&gt;%2&lt;/kbd&gt; takes it back.</source>
         <translation>„%1“ wiederholt. &lt;kbd&gt;%2&lt;/kbd&gt; nimmt es zurück.</translation>
+    </message>
+</context>
+<context>
+    <name>fff::ui::StepsPaper</name>
+    <message>
+        <source>1 part</source>
+        <translation>1 Teil</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n parts</source>
+        <translation>
+            <numerusform>%n Teil</numerusform>
+            <numerusform>%n Teile</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>1 sheet</source>
+        <translation>1 Platte</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n sheets</source>
+        <translation>
+            <numerusform>%n Platte</numerusform>
+            <numerusform>%n Platten</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>1 step</source>
+        <translation>1 Schritt</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n steps</source>
+        <translation>
+            <numerusform>%n Schritt</numerusform>
+            <numerusform>%n Schritte</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Page %1 of %2</source>
+        <translation>Seite %1 von %2</translation>
+    </message>
+    <message>
+        <source>How it goes together</source>
+        <translation>So wird es zusammengebaut</translation>
+    </message>
+    <message>
+        <source>%1, from %2, in %3.</source>
+        <extracomment>%1 is &quot;38 parts&quot;, %2 &quot;2 sheets&quot;, %3 &quot;38 steps&quot;</extracomment>
+        <translation>%1, aus %2, in %3.</translation>
+    </message>
+    <message>
+        <source>%1, %2&#x202f;mm</source>
+        <extracomment>%1 is a material&apos;s name, %2 its thickness in millimetres</extracomment>
+        <translation>%1, %2&#x202f;mm</translation>
+    </message>
+    <message>
+        <source>The numbers are those engraved on the parts. At every slit stands the number of its joint, the same on both of its parts.</source>
+        <translation>Die Nummern sind die, die auf den Teilen eingraviert sind. An jedem Schlitz steht die Nummer seiner Verbindung, auf beiden Teilen dieselbe.</translation>
+    </message>
+    <message numerus="yes">
+        <source>and %n more</source>
+        <translation>
+            <numerusform>und %n weiteres</numerusform>
+            <numerusform>und %n weitere</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 × %2&#x202f;mm</source>
+        <extracomment>the size of a part in millimetres: width, height</extracomment>
+        <translation>%1 × %2&#x202f;mm</translation>
     </message>
 </context>
 <context>

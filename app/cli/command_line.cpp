@@ -34,6 +34,9 @@ constexpr std::array kVerbs = {
 #ifdef FFF_HAS_VIEW
     Verb{"render", "FILE -o OUT.png [--size WxH] [--view VIEW] [--show WHAT] [options]",
          QT_TRANSLATE_NOOP("CommandLine", "A picture of the model; needs a display"), runRender},
+    Verb{"steps", "FILE -o OUT.{pdf,png} [--paper SIZE] [--size WxH] [--view VIEW] [options]",
+         QT_TRANSLATE_NOOP("CommandLine", "How it goes together, step by step; needs a display"),
+         runSteps},
 #endif
     Verb{"replay", "SCRIPT.json [--from FILE] -o OUT.{fff,svg,obj} [options]",
          QT_TRANSLATE_NOOP("CommandLine", "Runs a script of what a person does"), runReplay},

@@ -1,5 +1,6 @@
 #include "app/cli/command_line.h"
 #include "app/cli/output.h"
+#include "app/cli/picture_options.h"
 #include "core/operations/evaluate.h"
 #include "core/session/checks.h"
 #include "ui/view/offscreen_image.h"
@@ -10,16 +11,12 @@
 #include <QPainterPath>
 
 #include <algorithm>
-#include <cmath>
 #include <vector>
 
 namespace fff::cli {
 
 namespace {
 
-const Vec2 kDefaultSize(1280.0, 800.0);
-constexpr const char *kViews[] = {"iso1", "iso2", "iso3", "iso4",   "front", "right",
-                                  "top",  "left", "back", "bottom", "fit"};
 const QColor kProblem(0xb3, 0x26, 0x1e); // UI.md, section 4, light
 
 QString tr(const char *text)
@@ -27,10 +24,8 @@ QString tr(const char *text)
     return QCoreApplication::translate("CommandLine", text);
 }
 
-struct Picture
+struct Picture : PictureOptions
 {
-    Vec2 size = kDefaultSize;
-    QString view = QStringLiteral("iso1");
     bool showsLabels = false, showsChecks = false;
 };
 
@@ -43,25 +38,8 @@ QString readPicture(const QCommandLineParser &parser, Picture &picture)
     if (output != QStringLiteral("-") &&
         QFileInfo(output).suffix().toLower() != QStringLiteral("png"))
         return tr("%1 is of no kind that can be written; expected .png.").arg(output);
-    if (parser.isSet(QStringLiteral("size"))) {
-        const QString text = parser.value(QStringLiteral("size"));
-        const std::optional<Vec2> size = sizeOf(text);
-        if (!size || size->minCoeff() < 1.0 || size->maxCoeff() > ui::kMaxPictureSide)
-            return tr("--size: found \"%1\", expected width x height in pixels up to %2, such as "
-                      "1280x800.")
-                .arg(text)
-                .arg(ui::kMaxPictureSide);
-        picture.size = {std::floor(size->x()), std::floor(size->y())};
-    }
-    if (parser.isSet(QStringLiteral("view"))) {
-        picture.view = parser.value(QStringLiteral("view"));
-        QStringList known;
-        for (const char *name : kViews)
-            known += QLatin1String(name);
-        if (!known.contains(picture.view))
-            return tr("--view: found \"%1\", expected one of %2.")
-                .arg(picture.view, known.join(QStringLiteral(", ")));
-    }
+    if (const QString reason = readPictureOptions(parser, picture); !reason.isEmpty())
+        return reason;
     const QString shows = parser.value(QStringLiteral("show"));
     for (const QString &what : shows.split(u',', Qt::SkipEmptyParts)) {
         if (what == QStringLiteral("labels"))
@@ -133,12 +111,7 @@ int runRender(const QStringList &arguments)
     parser.addOption({{QStringLiteral("o"), QStringLiteral("output")},
                       tr("The PNG file to write; - is standard output."),
                       QStringLiteral("OUT")});
-    parser.addOption(
-        {QStringLiteral("size"), tr("Pixels of the picture (1280x800)."), QStringLiteral("WxH")});
-    parser.addOption({QStringLiteral("view"),
-                      tr("iso1 to iso4, front, right, top, left, back, bottom, or fit: the front "
-                         "again (iso1)."),
-                      QStringLiteral("VIEW")});
+    addPictureOptions(parser);
     parser.addOption({QStringLiteral("show"),
                       tr("labels: the sections' names; checks: outlines what has a problem."),
                       QStringLiteral("WHAT,...")});

@@ -1,3 +1,11 @@
 fff_test(app/tst_cli fff::io)
 target_compile_definitions(tst_cli PRIVATE FFF_CLI="$<TARGET_FILE:flatfitfab-cli>")
 add_dependencies(tst_cli flatfitfab-cli)
+if(FFF_BUILD_WINDOW)
+    # Pictures need a display's OpenGL.
+    fff_test(app/tst_cli_steps fff::io)
+    target_link_libraries(tst_cli_steps PRIVATE Qt6::Gui)
+    target_compile_definitions(tst_cli_steps PRIVATE FFF_CLI="$<TARGET_FILE:flatfitfab-cli>")
+    add_dependencies(tst_cli_steps flatfitfab-cli)
+    set_tests_properties(app/tst_cli_steps PROPERTIES LABELS gl ENVIRONMENT "QT_QPA_PLATFORM=xcb")
+endif()
