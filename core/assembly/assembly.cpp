@@ -1,25 +1,16 @@
 #include "core/assembly/assembly.h"
 
 #include "core/assembly/crossing.h"
-#include "core/assembly/joint_wish.h"
-#include "core/assembly/slits.h"
-#include "core/base/tolerances.h"
+#include "core/assembly/found_joint.h"
 
 #include <algorithm>
 #include <numeric>
+#include <optional>
 #include <unordered_map>
 
 namespace fff {
 
 namespace {
-
-/// Drawn sections by their id, all others by their place behind them.
-bool isLower(const Model &model, int a, int b)
-{
-    const std::vector<SectionPointer> &drawn = model.document.sections;
-    const auto i = static_cast<std::size_t>(a), j = static_cast<std::size_t>(b);
-    return i < drawn.size() && j < drawn.size() ? drawn[i]->id < drawn[j]->id : a < b;
-}
 
 bool isSameGeometry(const Section &a, const Section &b)
 {
@@ -99,48 +90,15 @@ Difference::Difference(const Model &model, const Model &previous)
     }
 }
 
-/// A joint as it is found, before it has a number.
-struct FoundJoint
-{
-    Joint joint;
-    std::vector<Slit> slitsOfA, slitsOfB;
-};
-
-void setGuest(std::vector<Slit> &slits, int guest)
-{
-    for (Slit &slit : slits)
-        slit.guest = guest;
-}
-
 /// The joints of those pairs that have one.
 std::vector<FoundJoint> findJoints(const Model &model,
                                    const std::vector<std::pair<int, int>> &pairs)
 {
     std::vector<FoundJoint> found;
     found.reserve(pairs.size());
-    for (const auto &[a, b] : pairs) {
-        const Section &sectionA = *model.section(static_cast<std::size_t>(a));
-        const Section &sectionB = *model.section(static_cast<std::size_t>(b));
-        Crossing crossing =
-            findCrossing(*sectionA.shape, sectionA.frame, *sectionB.shape, sectionB.frame);
-        if (crossing.overlaps.empty())
-            continue;
-        const Stock &stockA = model.document.stockOf(sectionA);
-        const Stock &stockB = model.document.stockOf(sectionB);
-        JointSlits slits = cutSlits(crossing, {sectionA, stockA.thickness, stockA.clearance},
-                                    {sectionB, stockB.thickness, stockB.clearance},
-                                    isLower(model, a, b), wishFor(model, a, b, crossing));
-        FoundJoint item;
-        item.joint.a = a;
-        item.joint.b = b;
-        item.joint.kind = slits.kind;
-        item.joint.crossing = std::make_shared<const Crossing>(std::move(crossing));
-        item.slitsOfA = std::move(slits.a);
-        item.slitsOfB = std::move(slits.b);
-        setGuest(item.slitsOfA, b);
-        setGuest(item.slitsOfB, a);
-        found.push_back(std::move(item));
-    }
+    for (const auto &[a, b] : pairs)
+        if (std::optional<FoundJoint> joint = findJoint(model, a, b))
+            found.push_back(*std::move(joint));
     return found;
 }
 

@@ -8,7 +8,7 @@ namespace fff {
 namespace {
 
 /// The overlap at a place of the axis, or null.
-const Overlap *overlapAt(const Crossing &crossing, double at)
+const Overlap *nearestOverlap(const Crossing &crossing, double at)
 {
     const Overlap *nearest = nullptr;
     double least = 0.0;
@@ -24,6 +24,13 @@ const Overlap *overlapAt(const Crossing &crossing, double at)
 }
 
 } // namespace
+
+int overlapOf(const JointOverride::Share &share, const Frame &frameOfA, const Crossing &crossing)
+{
+    const Vec3 from = frameOfA.toWorld(share.at) - crossing.axis.point;
+    const Overlap *overlap = nearestOverlap(crossing, from.dot(crossing.axis.direction));
+    return overlap ? static_cast<int>(overlap - crossing.overlaps.data()) : -1;
+}
 
 JointWish wishFor(const Model &model, int a, int b, const Crossing &crossing)
 {
@@ -45,13 +52,11 @@ JointWish wishFor(const Model &model, int a, int b, const Crossing &crossing)
         wish.sign = (along > 0.0) == isTurned ? -1 : 1;
     }
     for (const JointOverride::Share &share : wanted->shares) {
-        const Vec3 from = frame.toWorld(share.at) - crossing.axis.point;
-        const Overlap *overlap = overlapAt(crossing, from.dot(crossing.axis.direction));
-        if (!overlap)
+        const int overlap = overlapOf(share, frame, crossing);
+        if (overlap < 0)
             continue;
         wish.shares.resize(crossing.overlaps.size(), 0.5);
-        const auto index = static_cast<std::size_t>(overlap - crossing.overlaps.data());
-        wish.shares[index] = isTurned ? 1.0 - share.ofA : share.ofA;
+        wish.shares[static_cast<std::size_t>(overlap)] = isTurned ? 1.0 - share.ofA : share.ofA;
     }
     return wish;
 }

@@ -1,6 +1,7 @@
 fff_test(core/assembly/tst_playback fff::core)
 fff_test(core/assembly/tst_slab fff::core)
 fff_test(core/assembly/tst_joint_override fff::core)
+fff_test(core/assembly/tst_joint_state fff::core)
 fff_test(core/assembly/tst_stability fff::core)
 fff_test(core/assembly/tst_intervals fff::core)
 fff_test(core/assembly/tst_webs fff::core)

@@ -1,0 +1,60 @@
+#include "core/assembly/found_joint.h"
+
+#include "core/assembly/crossing.h"
+#include "core/assembly/joint_wish.h"
+
+#include <memory>
+#include <utility>
+
+namespace fff {
+
+namespace {
+
+/// Drawn sections by their id, all others by their place behind them.
+bool isLower(const Model &model, int a, int b)
+{
+    const std::vector<SectionPointer> &drawn = model.document.sections;
+    const auto i = static_cast<std::size_t>(a), j = static_cast<std::size_t>(b);
+    return i < drawn.size() && j < drawn.size() ? drawn[i]->id < drawn[j]->id : a < b;
+}
+
+void setGuest(std::vector<Slit> &slits, int guest)
+{
+    for (Slit &slit : slits)
+        slit.guest = guest;
+}
+
+} // namespace
+
+JointSlits slitsOf(const Model &model, int a, int b, Crossing &crossing, const JointWish &wish)
+{
+    const Section &sectionA = *model.section(static_cast<std::size_t>(a));
+    const Section &sectionB = *model.section(static_cast<std::size_t>(b));
+    const Stock &stockA = model.document.stockOf(sectionA);
+    const Stock &stockB = model.document.stockOf(sectionB);
+    return cutSlits(crossing, {sectionA, stockA.thickness, stockA.clearance},
+                    {sectionB, stockB.thickness, stockB.clearance}, isLower(model, a, b), wish);
+}
+
+std::optional<FoundJoint> findJoint(const Model &model, int a, int b)
+{
+    const Section &sectionA = *model.section(static_cast<std::size_t>(a));
+    const Section &sectionB = *model.section(static_cast<std::size_t>(b));
+    Crossing crossing =
+        findCrossing(*sectionA.shape, sectionA.frame, *sectionB.shape, sectionB.frame);
+    if (crossing.overlaps.empty())
+        return {};
+    JointSlits slits = slitsOf(model, a, b, crossing, wishFor(model, a, b, crossing));
+    FoundJoint found;
+    found.joint.a = a;
+    found.joint.b = b;
+    found.joint.kind = slits.kind;
+    found.joint.crossing = std::make_shared<const Crossing>(std::move(crossing));
+    found.slitsOfA = std::move(slits.a);
+    found.slitsOfB = std::move(slits.b);
+    setGuest(found.slitsOfA, b);
+    setGuest(found.slitsOfB, a);
+    return found;
+}
+
+} // namespace fff

@@ -1,0 +1,26 @@
+// The joint of one pair of sections, by itself.
+#pragma once
+
+#include "core/assembly/slits.h"
+
+#include <optional>
+#include <vector>
+
+namespace fff {
+
+/// A joint before it has a number: its id, and that in its slits, is 0.
+struct FoundJoint
+{
+    Joint joint;
+    std::vector<Slit> slitsOfA, slitsOfB;
+};
+
+/// Of two sections (indices into the model, a < b), as the document wants it; nothing where they do
+/// not meet. The same as assemble() has it.
+std::optional<FoundJoint> findJoint(const Model &model, int a, int b);
+
+/// What the two are cut by when this is wanted of them. The crossing is theirs and has an overlap;
+/// it is told where their slits meet.
+JointSlits slitsOf(const Model &model, int a, int b, Crossing &crossing, const JointWish &wish);
+
+} // namespace fff
