@@ -47,6 +47,8 @@ QString hintSentence(const Hint &hint, const QString &undoKeys)
 {
     const QString name =
         QStringLiteral("<b>%1</b>").arg(QString::fromStdString(hint.section).toHtmlEscaped());
+    const QString other =
+        QStringLiteral("<b>%1</b>").arg(QString::fromStdString(hint.other).toHtmlEscaped());
     switch (hint.kind) {
     case Hint::Kind::DrawFirstSection:
         return HintText::tr("Draw the first section: press, draw its shape in one go, release.");
@@ -160,6 +162,28 @@ QString hintSentence(const Hint &hint, const QString &undoKeys)
                             "<kbd>\u2192</kbd> go step by step. <kbd>Esc</kbd> closes the steps.");
     case Hint::Kind::StepsClosed:
         return HintText::tr("The model has changed, so the view of its steps was closed.");
+    case Hint::Kind::MoveMeetingPoint:
+        return HintText::tr("Drag to make the slit of %1 deeper and that of %2 shallower; click "
+                            "to select the joint.")
+            .arg(other, name);
+    case Hint::Kind::SelectJoint:
+        return HintText::tr("Click to select the joint of %1 and %2.").arg(name, other);
+    case Hint::Kind::MovingMeetingPoint:
+        return HintText::tr("Release to leave it here: the slit of %1 takes %2\u202f%. "
+                            "<kbd>Esc</kbd> cancels.")
+            .arg(other, QString::number(hint.number));
+    case Hint::Kind::NoMeetingPoint:
+        return HintText::tr("Nothing moved: where %1 and %2 meet, two slits do not share the way.")
+            .arg(name, other);
+    case Hint::Kind::JointCannotBe:
+        return HintText::tr("Nothing changed: %1 and %2 cannot be joined like that.")
+            .arg(name, other);
+    case Hint::Kind::JointCannotFlip:
+        return HintText::tr("Nothing turned: the slits of %1 and %2 cannot open to the other side.")
+            .arg(name, other);
+    case Hint::Kind::JointNotDeleted:
+        return HintText::tr("Nothing deleted: a joint is where two sections meet. Delete one of "
+                            "them, or choose the kind \u201cNone\u201d.");
     case Hint::Kind::MovePoint:
         return HintText::tr(
             "Drag to move the point; <kbd>Ctrl</kbd> makes a corner, arrow keys move 1\u202fmm.");

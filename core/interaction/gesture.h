@@ -57,6 +57,9 @@ public:
     /// Leaves no trace but what the reply says.
     virtual GestureReply cancel(GestureContext &context) = 0;
 
+    /// It puts the marks of joints into the overlay by itself.
+    virtual bool marksJoints() const { return false; }
+
     virtual Hint hint() const = 0;
     virtual Cursor cursor() const = 0;
 };

@@ -54,9 +54,12 @@ struct Hint
         MovingHandle,
         BendingContour, // dragging a piece of it
         PointBand,
-        ChooseProblem, // section: the number of its mark
-        ShowSteps,     // of the assembly
-        StepsClosed,   // since the model has changed
+        ChooseProblem,      // section: the number of its mark
+        ShowSteps,          // of the assembly
+        StepsClosed,        // since the model has changed
+        MoveMeetingPoint,   // over the mark of a joint; section, other: whose it is
+        SelectJoint,        // the same, where nothing can be moved
+        MovingMeetingPoint, // dragging it; number: percent that is of the other's slit
         // Notes and refusals
         NeverLeft,
         TooShort,
@@ -79,13 +82,19 @@ struct Hint
         WouldMeetHole,    // or leave a hole beside it
         WouldBeEmpty,
         WouldBeBelowGround,
-        TooFewPoints, // would be left of a contour
+        TooFewPoints,   // would be left of a contour
+        NoMeetingPoint, // of the joint of section and other
+        JointCannotBe,  // of that kind
+        JointCannotFlip,
+        JointNotDeleted,
         EditFailed,
         Failed
     };
     Kind kind = Kind::TurnView;
     std::string section;    // the name that the sentence speaks of
     bool isRefusal = false; // amber, stays for 6 s or until the next press
+    std::string other = {}; // a second name
+    int number = 0;
     bool operator==(const Hint &) const = default;
 };
 

@@ -43,5 +43,7 @@ private:
 std::pair<Hint, Cursor> hoverHint(const Overlay &overlay, const Model &model);
 /// The same over what of a contour can be dragged.
 std::pair<Hint, Cursor> hoverHint(const PointTarget &target);
+/// The same over the mark of a joint.
+std::pair<Hint, Cursor> hoverHint(const JointMark &mark, const Model &model);
 
 } // namespace fff

@@ -165,6 +165,7 @@ void Interaction::handle(const PointerEvent &event)
     if (event.type != PointerEvent::Type::Leave && event.type != PointerEvent::Type::Modifiers)
         d->hovering.moveTo(event.position);
     d->modifiers = event.modifiers;
+    d->pointer = event.pointer;
     if (d->toolTakes(event)) {
         d->feedTool(event);
         d->update();
@@ -215,7 +216,9 @@ bool Interaction::escape(double time)
         !hadGesture && !hadPoints && !hadSelection && (d->view.clip || !d->view.isolated.empty());
     if (hadPoints)
         d->points.clear();
-    if (hadSelection)
+    if (hadSelection && d->selection.joint())
+        d->selection.leaveJoint(d->host.model());
+    else if (hadSelection)
         d->selection.select({});
     if (hadPoints || hadSelection)
         d->hover();
@@ -276,7 +279,29 @@ const std::vector<SectionRef> &Interaction::selection() const
 void Interaction::select(std::vector<SectionRef> selection)
 {
     d->selection.select(std::move(selection));
-    d->hoverPoint();
+    d->hoverMarks();
+    d->update();
+}
+
+const std::optional<JointRef> &Interaction::selectedJoint() const
+{
+    return d->selection.joint();
+}
+
+void Interaction::selectJoint(const JointRef &joint)
+{
+    if (!hasJoint(d->host.model(), joint))
+        return;
+    d->points.clear();
+    d->selection.selectJoint(joint);
+    d->hoverMarks();
+    d->update();
+}
+
+void Interaction::say(const Hint &hint, double time)
+{
+    advance(time);
+    d->note = Note{hint, d->now + kNoteTime};
     d->update();
 }
 
@@ -288,7 +313,7 @@ const PointSelection &Interaction::points() const
 void Interaction::selectPoints(std::vector<PointAddress> points)
 {
     d->selectPoints(std::move(points), d->host.model().document);
-    d->hoverPoint();
+    d->hoverMarks();
     d->update();
 }
 

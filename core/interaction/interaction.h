@@ -6,6 +6,7 @@
 #include "core/interaction/camera.h"
 #include "core/interaction/contour_target.h"
 #include "core/interaction/hint.h"
+#include "core/interaction/joint_marks.h"
 #include "core/interaction/navigation.h"
 #include "core/interaction/pen_marks.h"
 #include "core/interaction/pick.h"
@@ -94,7 +95,16 @@ struct Overlay
         std::optional<PointTarget> hovered;
         bool operator==(const Points &) const = default;
     };
+    /// Of the joints of what is selected.
+    struct Joints
+    {
+        std::vector<JointMark> marks; // those that are not hidden
+        int hovered = -1;             // index of one, or dragged
+        std::vector<JointLook> lit;   // what is hovered and what is selected
+        bool operator==(const Joints &) const = default;
+    };
     std::optional<Points> points;
+    std::optional<Joints> joints;
     std::optional<SlitLine> slit;
     std::optional<DeadZone> deadZone;
     std::optional<Stroke> stroke;
@@ -217,6 +227,9 @@ public:
 
     const std::vector<SectionRef> &selection() const;
     void select(std::vector<SectionRef> selection);
+    /// None unless a joint is selected, in place of sections.
+    const std::optional<JointRef> &selectedJoint() const;
+    void selectJoint(const JointRef &joint);
     /// The selected control points of the selected section.
     const PointSelection &points() const;
     void selectPoints(std::vector<PointAddress> points);
@@ -227,6 +240,8 @@ public:
     std::optional<PointTarget> hoveredPoint() const;
     /// Commits an edit of points and selects those that it names, or says why it was refused.
     void carryOut(PointEdit edit, double time);
+    /// Says it for a while, in place of what the next gesture does.
+    void say(const Hint &hint, double time);
     /// An arrow key: the selected points, else the selected sections, go along the axis that is
     /// nearest to the arrow on the screen. arrow: unit, right and up; distance: mm. False when
     /// nothing is selected.

@@ -142,6 +142,11 @@ void Interaction::Private::click(const PointerEvent &begin)
         feedClick(begin);
         return;
     }
+    if (const JointMark *mark = jointMarkAt(begin.position)) {
+        points.clear();
+        selection.selectJoint(mark->joint);
+        return;
+    }
     lastClick = begin;
     if (clickPoint(begin))
         return;
@@ -159,15 +164,21 @@ void Interaction::Private::hover()
         hovering.unmark(overlay);
     else
         hovering.mark(sight(), now, settings.nameDelay, overlay);
+    hoverMarks();
+}
+
+/// What is drawn over the sections lies before them for the cursor as well, joints first.
+void Interaction::Private::hoverMarks()
+{
+    hoverJoint();
     hoverPoint();
 }
 
-/// Points are drawn over the sections, and lie before them for the cursor as well.
 void Interaction::Private::hoverPoint()
 {
     hoveredPoint.reset();
     const std::optional<Vec2> &at = hovering.position();
-    if (!at || motion.animation || tool || overlay.cubePart || overlay.mark > 0 ||
+    if (!at || hoveredJoint || motion.animation || tool || overlay.cubePart || overlay.mark > 0 ||
         overlay.isHandleHovered)
         return;
     hoveredPoint = pointTargetAt(sight(), sectionWithPoints(sight(), selection), points, *at);
@@ -175,15 +186,19 @@ void Interaction::Private::hoverPoint()
         hovering.unmark(overlay);
 }
 
-/// Not while something is drawn: then they would only be in the way.
+/// Not while something is drawn: then marks would only be in the way.
+bool Interaction::Private::marksSelection() const
+{
+    return !(tool || overlay.stroke || overlay.slit || overlay.deadZone);
+}
+
 void Interaction::Private::markPoints()
 {
     overlay.points.reset();
     if (points.section() !=
         (selection.sections().size() == 1 ? selection.sections().front().drawn : SectionId()))
         points.clear();
-    const bool isDrawing = tool || overlay.stroke || overlay.slit || overlay.deadZone;
-    const int index = isDrawing ? -1 : sectionWithPoints(sight(), selection);
+    const int index = marksSelection() ? sectionWithPoints(sight(), selection) : -1;
     if (index >= 0)
         overlay.points = Overlay::Points{index, points.points(), hoveredPoint};
 }
@@ -202,10 +217,13 @@ void Interaction::Private::update()
         std::tie(hint, cursor) = std::pair(gesture->hint(), gesture->cursor());
     else if (tool && !isOnMark)
         std::tie(hint, cursor) = std::pair(tool->hint(), tool->cursor());
+    else if (hoveredJoint)
+        std::tie(hint, cursor) = hoverHint(*hoveredJoint, host.model());
     else
         std::tie(hint, cursor) =
             hoveredPoint ? hoverHint(*hoveredPoint) : hoverHint(overlay, host.model());
     markPoints();
+    markJoints();
     if (modifiers.space && !gesture)
         cursor = Cursor::Hand;
 

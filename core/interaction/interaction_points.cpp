@@ -16,7 +16,7 @@ bool Interaction::Private::isSecondClick(const PointerEvent &press)
 
 bool Interaction::Private::addPointAt(const PointerEvent &press)
 {
-    if (!overlay.points || isOnViewMark(sight(), press.position))
+    if (!overlay.points || isOnViewMark(sight(), press.position) || jointMarkAt(press.position))
         return false;
     const auto target = pointTargetAt(sight(), overlay.points->section, points, press.position);
     if (!target || target->kind != PointTarget::Kind::Line)

@@ -1,6 +1,7 @@
 // What Interaction keeps between events, for the files that implement it: interaction.cpp (what
 // others ask), interaction_pointer.cpp (events), interaction_replies.cpp (what gestures and tools
-// answer), interaction_tool.cpp (the tool in the hand), interaction_points.cpp (control points).
+// answer), interaction_tool.cpp (the tool in the hand), interaction_points.cpp (control points),
+// interaction_joints.cpp (marks of joints).
 #pragma once
 
 #include "core/interaction/click_selection.h"
@@ -97,8 +98,13 @@ public:
     void carryOut(PointEdit edit);
 
     void hover();
+    void hoverMarks();
+    void hoverJoint();
     void hoverPoint();
     void markPoints();
+    void markJoints();
+    bool marksSelection() const;
+    const JointMark *jointMarkAt(const Vec2 &position);
     void update();
     void turn(const Camera &to, double start, double duration);
     void stopMotion();
@@ -115,6 +121,9 @@ public:
     Selection selection;
     PointSelection points;
     std::optional<PointTarget> hoveredPoint;
+    JointMarks jointMarks;
+    std::optional<JointMark> hoveredJoint;
+    Pointer pointer = Pointer::Mouse; // of the last event
     ClickSelection clicks;
     std::optional<PointerEvent> lastClick; // the first of two, maybe
 

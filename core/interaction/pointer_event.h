@@ -7,6 +7,9 @@ namespace fff {
 
 enum class Button { None, Left, Middle, Right };
 
+/// What the hand points with: the coarser, the farther marks reach.
+enum class Pointer { Mouse, Pen, Finger };
+
 struct Modifiers
 {
     bool shift = false, control = false, space = false;
@@ -21,6 +24,7 @@ struct PointerEvent
     Vec2 position = Vec2::Zero(); // px
     Button button = Button::None; // that was pressed or released
     Modifiers modifiers;
+    Pointer pointer = Pointer::Mouse;
     double wheelSteps = 0.0;    // notches, positive away from the person
     double zoomFactor = 1.0;    // Zoom: two fingers apart; above 1 is nearer
     Vec2 scroll = Vec2::Zero(); // Scroll: px that two fingers push the picture

@@ -1,6 +1,7 @@
 #include "core/interaction/routing.h"
 
 #include "core/interaction/clip_gesture.h"
+#include "core/interaction/joint_gesture.h"
 #include "core/interaction/point_gesture.h"
 #include "core/interaction/rubber_band.h"
 #include "core/interaction/stroke_gesture.h"
@@ -19,6 +20,19 @@ std::unique_ptr<Gesture> onViewMark(const PointerEvent &press, const Sight &sigh
     if (sight.markAt(at) > 0)
         return std::make_unique<OrbitGesture>(press, sight.pivotAt(at));
     return std::make_unique<ClipGesture>(press, context);
+}
+
+std::unique_ptr<Gesture> onJoint(const PointerEvent &press, const Sight &sight,
+                                 GestureContext &context)
+{
+    if (press.button != Button::Left || !context.overlay.joints ||
+        dragKind(context.settings.navigation, press.button, press.modifiers) != DragKind::Edit)
+        return nullptr;
+    const std::vector<JointMark> marks = context.overlay.joints->marks;
+    const int index = jointMarkAt(marks, sight, press.position, reachOf(press.pointer));
+    if (index < 0)
+        return nullptr;
+    return std::make_unique<JointGesture>(marks[static_cast<std::size_t>(index)], press, context);
 }
 
 /// Ctrl, which turns the view elsewhere, does something of its own to points and handles.
@@ -70,6 +84,8 @@ std::unique_ptr<Gesture> gestureFor(const PointerEvent &press, const Sight &sigh
 {
     if (press.button == Button::Left && isOnViewMark(sight, press.position))
         return onViewMark(press, sight, context);
+    if (auto gesture = onJoint(press, sight, context))
+        return gesture;
     if (auto gesture = onPoint(press, sight, context))
         return gesture;
     context.camera = sight.cameraAt(press.position);

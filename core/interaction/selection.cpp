@@ -1,12 +1,67 @@
 #include "core/interaction/selection.h"
 
+#include "core/assembly/joint_state.h"
+
 #include <algorithm>
 #include <utility>
 
 namespace fff {
 
+void Selection::select(std::vector<SectionRef> sections)
+{
+    if (sections != m_sections || m_joint) {
+        m_before.clear();
+        m_lost.reset();
+    }
+    m_joint.reset();
+    m_origin.clear();
+    m_sections = std::move(sections);
+}
+
+void Selection::selectJoint(const JointRef &joint)
+{
+    if (m_joint == joint)
+        return;
+    if (!m_joint)
+        m_origin = m_sections;
+    m_before.clear();
+    m_lost.reset();
+    m_sections.clear();
+    m_joint = joint;
+}
+
+void Selection::leaveJoint(const Model &model)
+{
+    std::vector<SectionRef> origin = m_origin;
+    std::erase_if(origin, [&](const SectionRef &ref) { return model.indexOf(ref) < 0; });
+    select(std::move(origin));
+}
+
+void Selection::followJoint(const Model &model)
+{
+    if (hasJoint(model, *m_joint))
+        return;
+    const JointRef lost = *m_joint;
+    leaveJoint(model);
+    if (m_sections.empty())
+        for (const SectionRef &ref : {lost.a, lost.b})
+            if (model.indexOf(ref) >= 0)
+                m_sections.push_back(ref);
+    m_lost = lost;
+    m_left = m_sections;
+}
+
 void Selection::follow(const Model &model)
 {
+    if (m_joint) {
+        followJoint(model);
+        return;
+    }
+    if (m_lost && m_sections == m_left && hasJoint(model, *m_lost)) {
+        const JointRef back = *m_lost;
+        selectJoint(back);
+        return;
+    }
     const auto isGone = [&](const SectionRef &ref) { return model.indexOf(ref) < 0; };
     if (!m_before.empty() && m_sections == m_left &&
         std::none_of(m_before.begin(), m_before.end(), isGone)) {
@@ -18,6 +73,12 @@ void Selection::follow(const Model &model)
     m_before = m_sections;
     std::erase_if(m_sections, isGone);
     m_left = m_sections;
+}
+
+void Selection::forget()
+{
+    m_before.clear();
+    m_lost.reset();
 }
 
 } // namespace fff

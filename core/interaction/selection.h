@@ -1,8 +1,11 @@
-// What is selected, and how it comes back when Undo brings back what was deleted.
+// What is selected, sections or a joint, and how it comes back when Undo brings back what was
+// deleted.
 #pragma once
 
+#include "core/model/joint_ref.h"
 #include "core/model/model.h"
 
+#include <optional>
 #include <vector>
 
 namespace fff {
@@ -11,23 +14,30 @@ class Selection
 {
 public:
     const std::vector<SectionRef> &sections() const { return m_sections; }
-    bool isEmpty() const { return m_sections.empty(); }
-    void select(std::vector<SectionRef> sections)
-    {
-        if (sections != m_sections)
-            m_before.clear();
-        m_sections = std::move(sections);
-    }
+    /// While one is selected no section is.
+    const std::optional<JointRef> &joint() const { return m_joint; }
+    bool isEmpty() const { return m_sections.empty() && !m_joint; }
+    void select(std::vector<SectionRef> sections);
+    void selectJoint(const JointRef &joint);
+    /// One step back from a joint: to the sections that it was chosen from, as far as they are
+    /// there.
+    void leaveJoint(const Model &model);
 
     /// Sections went or came. Those that went are not selected, but are again when they come back,
-    /// if nobody has chosen something else meanwhile.
+    /// if nobody has chosen something else meanwhile. In place of a joint that is none any more
+    /// those that it was chosen from are selected, or of its two sections those that are left.
     void follow(const Model &model);
     /// Another document: ids of the one before name other sections.
-    void forget() { m_before.clear(); }
+    void forget();
 
 private:
+    void followJoint(const Model &model);
+
     std::vector<SectionRef> m_sections;
     std::vector<SectionRef> m_before, m_left; // before sections of it went, and what stayed
+    std::optional<JointRef> m_joint;
+    std::optional<JointRef> m_lost;   // a joint that went
+    std::vector<SectionRef> m_origin; // sections that were selected before the joint
 };
 
 } // namespace fff

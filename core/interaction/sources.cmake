@@ -9,10 +9,14 @@ target_sources(fff_core PRIVATE
     interaction/facing.cpp
     interaction/hovering.cpp
     interaction/interaction.cpp
+    interaction/interaction_joints.cpp
     interaction/interaction_pointer.cpp
     interaction/interaction_points.cpp
     interaction/interaction_replies.cpp
     interaction/interaction_tool.cpp
+    interaction/joint_editing.cpp
+    interaction/joint_gesture.cpp
+    interaction/joint_marks.cpp
     interaction/navigation.cpp
     interaction/pen_tool.cpp
     interaction/pen_tool_marks.cpp

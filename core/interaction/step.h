@@ -1,6 +1,8 @@
 // What a commit did, for the history.
 #pragma once
 
+#include "core/model/joint_override.h"
+
 #include <string>
 #include <vector>
 
@@ -26,13 +28,18 @@ struct Step
         RemoveHoles,
         SetStock,
         EditStock,
-        MakeAssemblable // slits of joints turned round
+        MakeAssemblable, // slits of joints turned round
+        SetJointKind,    // names: of its two sections, as for the next three
+        FlipSlits,
+        MoveMeetingPoint, // count: percent of the second one's slit
+        ResetJoint
     };
     Kind kind = Kind::DrawSection;
     std::vector<std::string> names; // of the sections or stocks it was done to
-    int count = 1;                  // of points
+    int count = 1;                  // of points, or percent
     /// Not empty: with a step before it of the same it makes one (an arrow key pressed again).
     std::string merges = {};
+    JointKind joint = JointKind::None; // SetJointKind
 };
 
 } // namespace fff

@@ -5,6 +5,7 @@
 #include "core/fabrication/summary.h"
 #include "core/interaction/facing.h"
 #include "core/model/edits.h"
+#include "core/session/joint_commands.h"
 #include "core/session/point_commands.h"
 #include "core/session/session_host.h"
 #include "core/session/tool_commands.h"
@@ -20,12 +21,34 @@ namespace {
 /// ms, as the view cube turns and as views are fitted.
 constexpr double kTurnTime = 400.0;
 constexpr double kFitTime = 250.0;
+/// Beside a joint that is shown as large as possible, mm.
+constexpr double kLeastBeside = 5.0;
+
+/// Round the slits of a joint, with what is beside them.
+Box3 jointBounds(const Model &model, const JointRef &joint)
+{
+    Box3 box;
+    const std::optional<JointState> state = jointState(model, joint);
+    if (!state)
+        return box;
+    const Crossing &crossing = state->crossing;
+    for (const Overlap &overlap : crossing.overlaps)
+        for (const double at : {overlap.from, overlap.to})
+            box.extend(crossing.axis.at(at));
+    const double beside = 0.5 * box.size().norm() + kLeastBeside;
+    for (const Vec3 &corner : {Vec3(box.min), Vec3(box.max)})
+        for (const double way : {-beside, beside})
+            box.extend(Vec3(corner + Vec3::Constant(way)));
+    return box;
+}
 
 /// Of what is selected and there. Empty when nothing is.
 Box3 selectionBounds(const Session &session, const Interaction &interaction)
 {
     Box3 box;
     const Model &model = session.committed();
+    if (interaction.selectedJoint())
+        return jointBounds(model, *interaction.selectedJoint());
     for (const SectionRef &ref : interaction.selection()) {
         if (const int index = model.indexOf(ref); index >= 0) {
             const Section &section = *model.section(static_cast<std::size_t>(index));
@@ -110,12 +133,18 @@ void registerEdits(CommandRegistry &registry, Session &session, Interaction &int
                       return {};
                   },
                   [&] { return interaction.canRedoInTool() || session.history()->canRedo(); }});
-    registry.add("edit.delete", {[&](const CommandParameters &, double time) -> Result<void> {
-                                     if (interaction.points().isEmpty())
-                                         return deleteSelected(session, interaction);
-                                     return registry.run("point.delete", {}, time);
-                                 },
-                                 [&] { return !selectedDrawn(interaction).empty(); }});
+    registry.add(
+        "edit.delete",
+        {[&](const CommandParameters &, double time) -> Result<void> {
+             if (interaction.selectedJoint()) {
+                 interaction.say({Hint::Kind::JointNotDeleted, {}, true}, time);
+                 return {};
+             }
+             if (interaction.points().isEmpty())
+                 return deleteSelected(session, interaction);
+             return registry.run("point.delete", {}, time);
+         },
+         [&] { return !selectedDrawn(interaction).empty() || interaction.selectedJoint(); }});
     registry.add("edit.selectAll", {[&](const CommandParameters &, double) -> Result<void> {
                                         selectAll(session, interaction);
                                         return {};
@@ -294,6 +323,7 @@ void registerSessionCommands(CommandRegistry &registry, Session &session, Intera
     registerLooks(registry, session, interaction);
     registerToolCommands(registry, session, interaction);
     registerPointCommands(registry, session, interaction);
+    registerJointCommands(registry, session, interaction);
 }
 
 Camera turnedTo(const Eigen::Quaterniond &orientation, const Session &session,

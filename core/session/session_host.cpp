@@ -1,6 +1,37 @@
 #include "core/session/session_host.h"
 
+#include <QCoreApplication>
+
 namespace fff {
+
+namespace {
+
+struct Texts
+{
+    Q_DECLARE_TR_FUNCTIONS(fff::SessionHost)
+};
+
+/// With places for the names of its two sections.
+QString kindStep(JointKind kind)
+{
+    switch (kind) {
+    case JointKind::CrossLap:
+        //: %1 and %2 are the names of two sections
+        return Texts::tr("%1 · %2: kind → cross lap");
+    case JointKind::ExtendedCrossLap:
+        //: %1 and %2 are the names of two sections
+        return Texts::tr("%1 · %2: kind → extended cross lap");
+    case JointKind::Mortise:
+        //: %1 and %2 are the names of two sections
+        return Texts::tr("%1 · %2: kind → mortise");
+    case JointKind::None:
+        break;
+    }
+    //: %1 and %2 are the names of two sections
+    return Texts::tr("%1 · %2: kind → none");
+}
+
+} // namespace
 
 SessionHost::SessionHost(Session &session, QObject *parent) : QObject(parent), m_session(session) {}
 
@@ -42,6 +73,7 @@ QString SessionHost::undoText(const Step &step)
 {
     const int count = static_cast<int>(step.names.size());
     const QString name = count > 0 ? QString::fromStdString(step.names.front()) : QString();
+    const QString other = count > 1 ? QString::fromStdString(step.names[1]) : QString();
     switch (step.kind) {
     case Step::Kind::DrawSection:
         //: %1 is the name of a section
@@ -98,6 +130,18 @@ QString SessionHost::undoText(const Step &step)
         return tr("Edit %1").arg(name);
     case Step::Kind::MakeAssemblable:
         return tr("Make assemblable");
+    case Step::Kind::SetJointKind:
+        return kindStep(step.joint).arg(name, other);
+    case Step::Kind::FlipSlits:
+        //: %1 and %2 are the names of two sections
+        return tr("%1 · %2: flip the slits").arg(name, other);
+    case Step::Kind::MoveMeetingPoint:
+        //: %1 and %2 are the names of two sections, %3 a number
+        return tr("%1 · %2: meeting point → %3\u202f%")
+            .arg(name, other, QString::number(step.count));
+    case Step::Kind::ResetJoint:
+        //: %1 and %2 are the names of two sections
+        return tr("%1 · %2: reset to automatic").arg(name, other);
     }
     return {};
 }

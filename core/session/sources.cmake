@@ -10,6 +10,7 @@ target_sources(fff_session PRIVATE
     cutting_file.cpp
     flips.cpp
     gap.cpp
+    joint_commands.cpp
     journal.cpp
     pen_commands.cpp
     plan_checks.cpp

@@ -1,0 +1,27 @@
+// Edits of joints as a person asks for them, with what the history says of them, or why they cannot
+// be had. The commands, the drag in the view and the Properties dock share them.
+#pragma once
+
+#include "core/assembly/joint_state.h"
+#include "core/interaction/hint.h"
+#include "core/interaction/step.h"
+
+#include <tl/expected.hpp>
+
+namespace fff {
+
+struct EditedJoint
+{
+    Document document; // the same when it was so already
+    Step step;
+};
+using JointEdit = tl::expected<EditedJoint, Hint>;
+
+JointEdit setKind(const Model &model, const JointRef &joint, JointKind kind);
+JointEdit flipSlits(const Model &model, const JointRef &joint);
+/// share: of the slit of the joint's a.
+JointEdit moveMeetingPoint(const Model &model, const JointRef &joint, int overlap, double share);
+/// Nothing is wanted of it any more, also of what is dormant now.
+JointEdit resetJoint(const Model &model, const JointRef &joint);
+
+} // namespace fff
