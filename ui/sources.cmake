@@ -53,6 +53,7 @@ target_sources(fff_ui PRIVATE
     properties/open_editor.cpp
     properties/point_rows.cpp
     properties/property_rows.cpp
+    properties/slider_field.cpp
     properties/stock_box.cpp
     properties/stock_choice.cpp
     properties/thickness_field.cpp

@@ -1,0 +1,116 @@
+#include "ui/properties/slider_field.h"
+
+#include <QHBoxLayout>
+#include <QKeyEvent>
+#include <QSlider>
+#include <QWheelEvent>
+
+#include <algorithm>
+#include <cmath>
+
+namespace fff::ui {
+
+namespace {
+
+constexpr int kSettleTime = 350; // ms
+constexpr int kSliderWidth = 64; // px at least
+
+} // namespace
+
+SliderField::SliderField(const Scale &scale, NumberEdit *edit, QWidget *parent)
+    : QWidget(parent), m_scale(scale), m_edit(edit)
+{
+    m_slider = new QSlider(Qt::Horizontal, this);
+    m_slider->setRange(toNotch(scale.least), toNotch(scale.most));
+    m_slider->setPageStep(scale.page);
+    m_slider->setMinimumWidth(kSliderWidth);
+    m_slider->setFocusPolicy(Qt::StrongFocus);
+    m_slider->installEventFilter(this);
+    m_edit->setParent(this);
+    m_edit->setFixedWidth(m_edit->minimumWidth());
+    setFocusProxy(m_edit);
+    auto *row = new QHBoxLayout(this);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(8);
+    row->addWidget(m_slider, 1);
+    row->addWidget(m_edit);
+
+    m_settled.setSingleShot(true);
+    m_settled.setInterval(kSettleTime);
+    connect(&m_settled, &QTimer::timeout, this, &SliderField::settle);
+    connect(m_slider, &QSlider::valueChanged, this, &SliderField::follow);
+    connect(m_slider, &QSlider::sliderReleased, this, &SliderField::settle);
+    connect(m_edit, &NumberEdit::numberEdited, this, &SliderField::settled);
+}
+
+void SliderField::setNames(const char *slider, const char *edit, const QString &accessible)
+{
+    m_slider->setObjectName(QLatin1String(slider));
+    m_edit->setObjectName(QLatin1String(edit));
+    m_slider->setAccessibleName(accessible);
+    m_edit->setAccessibleName(accessible);
+}
+
+int SliderField::toNotch(double number) const
+{
+    return static_cast<int>(
+        std::lround(std::clamp(number, m_scale.least, m_scale.most) / m_scale.notch));
+}
+
+void SliderField::setNumber(std::optional<double> number)
+{
+    m_isSetting = true;
+    if (!m_slider->isSliderDown() && !m_settled.isActive())
+        m_slider->setValue(toNotch(number.value_or(m_scale.least)));
+    m_edit->setNumber(number);
+    m_isSetting = false;
+}
+
+void SliderField::follow(int notch)
+{
+    if (m_isSetting)
+        return;
+    if (!m_before)
+        m_before = m_edit->value();
+    const double number = notch * m_scale.notch;
+    m_edit->setNumber(number);
+    Q_EMIT dragged(number);
+    if (!m_slider->isSliderDown())
+        m_settled.start();
+}
+
+void SliderField::settle()
+{
+    m_settled.stop();
+    if (!m_before)
+        return;
+    m_before.reset();
+    Q_EMIT settled(m_slider->value() * m_scale.notch);
+}
+
+bool SliderField::eventFilter(QObject *object, QEvent *event)
+{
+    if (event->type() == QEvent::Wheel && !m_slider->hasFocus()) {
+        event->ignore(); // scrolling must not change numbers on the way
+        return true;
+    }
+    if (event->type() == QEvent::FocusOut)
+        settle(); // what is selected next may be something else
+    if (m_isGivenUp && event->type() == QEvent::MouseMove)
+        return true; // the button is still down, but drags nothing any more
+    if (event->type() == QEvent::MouseButtonRelease || event->type() == QEvent::MouseButtonPress)
+        m_isGivenUp = false;
+    const bool isEscape = event->type() == QEvent::KeyPress &&
+                          static_cast<QKeyEvent *>(event)->key() == Qt::Key_Escape;
+    if (isEscape && m_before) {
+        m_settled.stop();
+        m_before.reset();
+        m_isGivenUp = m_slider->isSliderDown();
+        m_slider->setSliderDown(false);
+        Q_EMIT cancelled();
+        return true;
+    }
+    return QWidget::eventFilter(object, event);
+}
+
+} // namespace fff::ui
