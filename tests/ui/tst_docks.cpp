@@ -82,6 +82,7 @@ private Q_SLOTS:
     void aStepUnderTheCursorIsOutlined();
     void aCheckSelectsWhomItIsAbout();
     void slitsAreTurnedInOneStep();
+    void theFocusStaysWithItsCheck();
     void draggingTheThicknessIsOneStep();
     void escapeEndsADragWithoutAStep();
     void escapeEndsADragOfTheMouse();
@@ -368,6 +369,30 @@ void TestDocks::slitsAreTurnedInOneStep()
     session().history()->undo();
     QVERIFY(session().committed().document == locked);
     QTRY_VERIFY(firstCheck().contains(QStringLiteral("Sections block each other")));
+}
+
+// Wrong: a person who works with keys is at another check after they have mended one.
+void TestDocks::theFocusStaysWithItsCheck()
+{
+    session().reset(roundabout(eggCrate(2, 2), 0));
+    QTRY_VERIFY(find<CheckRow>("checkRow0") &&
+                firstCheck().contains(QStringLiteral("Sections block each other")));
+    find<CheckRow>("checkRow0")->setFocus();
+    // The link is there once it is known what helps.
+    QTRY_VERIFY((QTest::keyClick(find<CheckRow>("checkRow0"), Qt::Key_Tab),
+                 qobject_cast<QLabel *>(QApplication::focusWidget()) ||
+                     (find<CheckRow>("checkRow0")->setFocus(), false)));
+    QTest::keyClick(QApplication::focusWidget(), Qt::Key_Tab); // to the link in the words
+    QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return);
+    QCOMPARE(session().history()->count(), 1);
+    const auto focused = []() -> QString {
+        for (QWidget *at = QApplication::focusWidget(); at; at = at->parentWidget())
+            if (auto *row = qobject_cast<CheckRow *>(at))
+                return row->accessibleName();
+        return {};
+    };
+    QTRY_VERIFY(!firstCheck().contains(QStringLiteral("Sections block each other")));
+    QTRY_VERIFY2(focused().contains(QStringLiteral("Can be assembled")), qPrintable(focused()));
 }
 
 // Wrong: a hundred steps of the history for one drag, or slits that follow only at its end.

@@ -136,8 +136,39 @@ ChecksDock::ChecksDock(Workbench &bench, const CheckList &list, QWidget *parent)
     refresh();
 }
 
+/// The check whose row the person's keys go to, or its link.
+std::optional<Check> ChecksDock::focusedCheck() const
+{
+    const QWidget *focus = m_area->widget()->focusWidget();
+    for (std::size_t i = 0; focus && focus->hasFocus() && i < m_rows.size(); ++i)
+        if (m_widgets[i] == focus || m_widgets[i]->isAncestorOf(focus))
+            return m_rows[i].check;
+    return {};
+}
+
+/// A row that went, or went elsewhere, left the focus to whatever came after it: to where the check
+/// is now, or what became of it.
+void ChecksDock::returnFocus(const Check &check)
+{
+    const auto rowWith = [this](auto isIt) {
+        return std::find_if(m_rows.begin(), m_rows.end(),
+                            [&](const Row &row) { return isIt(row.check); });
+    };
+    auto row = rowWith([&](const Check &now) { return isSameVerdict(check, now); });
+    if (row == m_rows.end())
+        row =
+            rowWith([&](const Check &now) { return subjectOf(now.code) == subjectOf(check.code); });
+    if (row == m_rows.end())
+        return;
+    CheckRow *widget = m_widgets[static_cast<std::size_t>(row - m_rows.begin())];
+    const QWidget *focus = m_area->widget()->focusWidget();
+    if (widget != focus && !(focus && widget->isAncestorOf(focus)))
+        widget->setFocus();
+}
+
 void ChecksDock::refresh()
 {
+    const std::optional<Check> focused = focusedCheck();
     m_rows.clear();
     const std::vector<Check> &all = m_list.all();
     std::map<CheckCode, int> alike;
@@ -196,6 +227,8 @@ void ChecksDock::refresh()
         isChosenThere = isChosenThere || isChosen;
     }
     m_empty->setVisible(m_rows.empty() && m_bench.session().model().sectionCount() == 0);
+    if (focused)
+        returnFocus(*focused);
     if (m_chosen && !isChosenThere)
         forgetChoice(); // it is mended
     markProblems();

@@ -58,6 +58,8 @@ private:
     int rowOf(int number) const; // of a problem; -1: there is none any more
     void act(int row);
     void makeAssemblable();
+    std::optional<Check> focusedCheck() const;
+    void returnFocus(const Check &check);
     QString linkOf(const Check &check) const;
     std::vector<int> problems() const; // rows
 
