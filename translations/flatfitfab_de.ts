@@ -999,6 +999,41 @@
         <source>Make assemblable</source>
         <translation>Baubar machen</translation>
     </message>
+    <message>
+        <source>%1 · %2: kind → cross lap</source>
+        <extracomment>%1 and %2 are the names of two sections</extracomment>
+        <translation>%1 · %2: Art → Kreuzüberblattung</translation>
+    </message>
+    <message>
+        <source>%1 · %2: kind → extended cross lap</source>
+        <extracomment>%1 and %2 are the names of two sections</extracomment>
+        <translation>%1 · %2: Art → verlängerte Kreuzüberblattung</translation>
+    </message>
+    <message>
+        <source>%1 · %2: kind → mortise</source>
+        <extracomment>%1 and %2 are the names of two sections</extracomment>
+        <translation>%1 · %2: Art → Zapfenloch</translation>
+    </message>
+    <message>
+        <source>%1 · %2: kind → none</source>
+        <extracomment>%1 and %2 are the names of two sections</extracomment>
+        <translation>%1 · %2: Art → keine Verbindung</translation>
+    </message>
+    <message>
+        <source>%1 · %2: flip the slits</source>
+        <extracomment>%1 and %2 are the names of two sections</extracomment>
+        <translation>%1 · %2: Schlitze umdrehen</translation>
+    </message>
+    <message>
+        <source>%1 · %2: meeting point → %3&#x202f;%</source>
+        <extracomment>%1 and %2 are the names of two sections, %3 a number</extracomment>
+        <translation>%1 · %2: Treffpunkt → %3 %</translation>
+    </message>
+    <message>
+        <source>%1 · %2: reset to automatic</source>
+        <extracomment>%1 and %2 are the names of two sections</extracomment>
+        <translation>%1 · %2: wieder automatisch</translation>
+    </message>
 </context>
 <context>
     <name>fff::cli</name>
@@ -2076,6 +2111,38 @@
         <source>Make the selected points corners</source>
         <translation>Die gewählten Punkte zu Ecken machen</translation>
     </message>
+    <message>
+        <source>No joint is selected: select a section, then one of its joints</source>
+        <translation>Keine Verbindung ist gewählt: Wähle eine Scheibe, dann eine ihrer Verbindungen</translation>
+    </message>
+    <message>
+        <source>Nothing of this joint is set by hand</source>
+        <translation>An dieser Verbindung ist nichts von Hand eingestellt</translation>
+    </message>
+    <message>
+        <source>Flip the slits of the &amp;joint</source>
+        <translation>Schl&amp;itze der Verbindung umdrehen</translation>
+    </message>
+    <message>
+        <source>Flip the slits</source>
+        <translation>Schlitze umdrehen</translation>
+    </message>
+    <message>
+        <source>Let the slits of the selected joint open to the other side</source>
+        <translation>Die Schlitze der gewählten Verbindung zur anderen Seite öffnen</translation>
+    </message>
+    <message>
+        <source>Reset the joint to a&amp;utomatic</source>
+        <translation>Verbindung &amp;wieder automatisch</translation>
+    </message>
+    <message>
+        <source>Reset joint</source>
+        <translation>Automatisch</translation>
+    </message>
+    <message>
+        <source>Let the selected joint be as it is by itself: kind, direction and share</source>
+        <translation>Die gewählte Verbindung so lassen, wie sie von selbst ist: Art, Richtung und Treffpunkt</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::AgoText</name>
@@ -3042,6 +3109,34 @@
         <source>The model has changed, so the view of its steps was closed.</source>
         <translation>Das Modell hat sich geändert, daher wurde die Ansicht seiner Schritte geschlossen.</translation>
     </message>
+    <message>
+        <source>Drag to make the slit of %1 deeper and that of %2 shallower; click to select the joint.</source>
+        <translation>Ziehen macht den Schlitz von %1 tiefer und den von %2 flacher; ein Klick wählt die Verbindung.</translation>
+    </message>
+    <message>
+        <source>Click to select the joint of %1 and %2.</source>
+        <translation>Ein Klick wählt die Verbindung von %1 und %2.</translation>
+    </message>
+    <message>
+        <source>Release to leave it here: the slit of %1 takes %2&#x202f;%. &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
+        <translation>Loslassen lässt ihn hier: Der Schlitz von %1 nimmt %2 %. &lt;kbd&gt;Esc&lt;/kbd&gt; bricht ab.</translation>
+    </message>
+    <message>
+        <source>Nothing moved: where %1 and %2 meet, two slits do not share the way.</source>
+        <translation>Nichts verschoben: Wo %1 und %2 sich treffen, teilen sich nicht zwei Schlitze den Weg.</translation>
+    </message>
+    <message>
+        <source>Nothing changed: %1 and %2 cannot be joined like that.</source>
+        <translation>Nichts geändert: %1 und %2 lassen sich so nicht verbinden.</translation>
+    </message>
+    <message>
+        <source>Nothing turned: the slits of %1 and %2 cannot open to the other side.</source>
+        <translation>Nichts gedreht: Die Schlitze von %1 und %2 können nicht zur anderen Seite aufgehen.</translation>
+    </message>
+    <message>
+        <source>Nothing deleted: a joint is where two sections meet. Delete one of them, or choose the kind “None”.</source>
+        <translation>Nichts gelöscht: Eine Verbindung ist, wo zwei Scheiben sich treffen. Lösche eine davon oder wähle die Art „Keine“.</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::HistoryDock</name>
@@ -3079,7 +3174,125 @@
     </message>
 </context>
 <context>
+    <name>fff::ui::JointPage</name>
+    <message>
+        <source>Joint</source>
+        <translation>Verbindung</translation>
+    </message>
+    <message>
+        <source>Slits</source>
+        <translation>Schlitze</translation>
+    </message>
+    <message>
+        <source>Reset to automatic</source>
+        <translation>Wieder automatisch</translation>
+    </message>
+    <message>
+        <source>Sections</source>
+        <translation>Scheiben</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Art</translation>
+    </message>
+    <message>
+        <source>Opens</source>
+        <translation>Öffnet</translation>
+    </message>
+    <message>
+        <source>Flip the slits</source>
+        <translation>Schlitze umdrehen</translation>
+    </message>
+    <message>
+        <source>Slit</source>
+        <translation>Schlitz</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>Winkel</translation>
+    </message>
+    <message>
+        <source>%1°</source>
+        <translation>%1°</translation>
+    </message>
+    <message>
+        <source>%</source>
+        <translation>%</translation>
+    </message>
+    <message>
+        <source>Meeting point</source>
+        <translation>Treffpunkt</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keiner</translation>
+    </message>
+    <message>
+        <source>closed, %1 long, %2 wide</source>
+        <translation>geschlossen, %1 lang, %2 breit</translation>
+    </message>
+    <message>
+        <source>%1 deep, %2 wide</source>
+        <translation>%1 tief, %2 breit</translation>
+    </message>
+    <message>
+        <source>Meeting point %1</source>
+        <translation>Treffpunkt %1</translation>
+    </message>
+    <message>
+        <source>The slit of %1 takes this much of the way, that of %2 the rest</source>
+        <translation>So viel des Weges nimmt der Schlitz von %1, der von %2 den Rest</translation>
+    </message>
+    <message>
+        <source>Set by hand; 50&#x202f;% by itself. %1</source>
+        <translation>Von Hand eingestellt; von selbst 50 %. %1</translation>
+    </message>
+    <message>
+        <source>Sections: %1 and %2</source>
+        <translation>Scheiben: %1 und %2</translation>
+    </message>
+    <message>
+        <source>Set by hand; Reset takes it back</source>
+        <translation>Von Hand eingestellt; „Wieder automatisch“ nimmt es zurück</translation>
+    </message>
+    <message>
+        <source>%1 opens</source>
+        <translation>%1 öffnet</translation>
+    </message>
+    <message>
+        <source>Where the slit of %1 opens to; that of %2 opens to the other side</source>
+        <translation>Wohin der Schlitz von %1 aufgeht; der von %2 geht zur anderen Seite auf</translation>
+    </message>
+    <message>
+        <source>In %1</source>
+        <translation>In %1</translation>
+    </message>
+    <message>
+        <source>%1 and %2 collide. %3.</source>
+        <translation>%1 und %2 stoßen zusammen. %3.</translation>
+    </message>
+    <message>
+        <source>Kind, direction and meeting points as by themselves</source>
+        <translation>Art, Richtung und Treffpunkte wie von selbst</translation>
+    </message>
+    <message>
+        <source>Nothing of this joint is set by hand</source>
+        <translation>An dieser Verbindung ist nichts von Hand eingestellt</translation>
+    </message>
+</context>
+<context>
     <name>fff::ui::JointRows</name>
+    <message>
+        <source>None yet</source>
+        <translation>Noch keine</translation>
+    </message>
+    <message>
+        <source>Select the joint with %1</source>
+        <translation>Die Verbindung mit %1 wählen</translation>
+    </message>
+</context>
+<context>
+    <name>fff::ui::JointWords</name>
     <message>
         <source>cross lap</source>
         <translation>Kreuzüberblattung</translation>
@@ -3097,12 +3310,68 @@
         <translation>keine Verbindung</translation>
     </message>
     <message>
-        <source>Select %1</source>
-        <translation>%1 wählen</translation>
+        <source>Cross lap</source>
+        <translation>Kreuzüberblattung</translation>
     </message>
     <message>
-        <source>None yet</source>
-        <translation>Noch keine</translation>
+        <source>Extended cross lap</source>
+        <translation>Verlängerte Kreuzüberblattung</translation>
+    </message>
+    <message>
+        <source>Mortise</source>
+        <translation>Zapfenloch</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Keine</translation>
+    </message>
+    <message>
+        <source>The clearance of their stock leaves a slit no width</source>
+        <translation>Das Spiel ihres Materials lässt einem Schlitz keine Breite</translation>
+    </message>
+    <message>
+        <source>Slits cannot open to the outside: a hole is in the way</source>
+        <translation>Schlitze können nicht nach außen aufgehen: Ein Loch ist im Weg</translation>
+    </message>
+    <message>
+        <source>One section reaches beyond the other, whichever way they slide</source>
+        <translation>Eine Scheibe reicht über die andere hinaus, in jeder Richtung</translation>
+    </message>
+    <message>
+        <source>Neither section reaches beyond the other</source>
+        <translation>Keine der Scheiben reicht über die andere hinaus</translation>
+    </message>
+    <message>
+        <source>They meet in more than one place</source>
+        <translation>Sie treffen sich an mehr als einer Stelle</translation>
+    </message>
+    <message>
+        <source>Neither section fits through a slot in the other</source>
+        <translation>Keine der Scheiben passt durch ein Loch in der anderen</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Nach rechts</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>Nach links</translation>
+    </message>
+    <message>
+        <source>Up</source>
+        <translation>Nach oben</translation>
+    </message>
+    <message>
+        <source>Down</source>
+        <translation>Nach unten</translation>
+    </message>
+    <message>
+        <source>Front</source>
+        <translation>Nach vorn</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Nach hinten</translation>
     </message>
 </context>
 <context>
@@ -3232,6 +3501,45 @@
     <message>
         <source>Details</source>
         <translation>Einzelheiten</translation>
+    </message>
+</context>
+<context>
+    <name>fff::ui::ModelPage</name>
+    <message>
+        <source>Model</source>
+        <translation>Modell</translation>
+    </message>
+    <message>
+        <source>Units</source>
+        <translation>Einheiten</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>nothing drawn yet</source>
+        <translation>noch nichts gezeichnet</translation>
+    </message>
+    <message>
+        <source>Mass</source>
+        <translation>Masse</translation>
+    </message>
+    <message>
+        <source>Sections</source>
+        <translation>Scheiben</translation>
+    </message>
+    <message>
+        <source>New sections</source>
+        <translation>Neue Scheiben</translation>
+    </message>
+    <message>
+        <source>Stock of the sections that are drawn next</source>
+        <translation>Material der Scheiben, die als nächste gezeichnet werden</translation>
+    </message>
+    <message>
+        <source>Edit the stock</source>
+        <translation>Material bearbeiten</translation>
     </message>
 </context>
 <context>
@@ -3386,118 +3694,6 @@
         <source>Properties</source>
         <translation>Eigenschaften</translation>
     </message>
-    <message>
-        <source>Model</source>
-        <translation>Modell</translation>
-    </message>
-    <message>
-        <source>Size</source>
-        <translation>Größe</translation>
-    </message>
-    <message>
-        <source>Mass</source>
-        <translation>Masse</translation>
-    </message>
-    <message>
-        <source>Sections</source>
-        <translation>Scheiben</translation>
-    </message>
-    <message>
-        <source>Stock</source>
-        <translation>Material</translation>
-    </message>
-    <message>
-        <source>Place</source>
-        <translation>Lage</translation>
-    </message>
-    <message>
-        <source>Contour</source>
-        <translation>Kontur</translation>
-    </message>
-    <message>
-        <source>Thickness</source>
-        <translation>Dicke</translation>
-    </message>
-    <message>
-        <source>On</source>
-        <translation>Auf</translation>
-    </message>
-    <message>
-        <source>nothing</source>
-        <translation>nichts</translation>
-    </message>
-    <message>
-        <source>Position X</source>
-        <translation>Position X</translation>
-    </message>
-    <message>
-        <source>Position Y</source>
-        <translation>Position Y</translation>
-    </message>
-    <message>
-        <source>Position Z</source>
-        <translation>Position Z</translation>
-    </message>
-    <message>
-        <source>Area</source>
-        <translation>Fläche</translation>
-    </message>
-    <message>
-        <source>New sections</source>
-        <translation>Neue Scheiben</translation>
-    </message>
-    <message>
-        <source>nothing drawn yet</source>
-        <translation>noch nichts gezeichnet</translation>
-    </message>
-    <message>
-        <source>Units</source>
-        <translation>Einheiten</translation>
-    </message>
-    <message>
-        <source>Stock of the sections that are drawn next</source>
-        <translation>Material der Scheiben, die als nächste gezeichnet werden</translation>
-    </message>
-    <message>
-        <source>Edit the stock</source>
-        <translation>Material bearbeiten</translation>
-    </message>
-    <message>
-        <source>Joints</source>
-        <translation>Verbindungen</translation>
-    </message>
-    <message>
-        <source>That of the stock: all sections of it follow</source>
-        <translation>Die des Materials: Alle Scheiben daraus folgen</translation>
-    </message>
-    <message>
-        <source>Angle to it</source>
-        <translation>Winkel dazu</translation>
-    </message>
-    <message>
-        <source>%1°</source>
-        <translation>%1°</translation>
-    </message>
-    <message>
-        <source>Normal</source>
-        <translation>Normale</translation>
-    </message>
-    <message>
-        <source>Points</source>
-        <translation>Punkte</translation>
-    </message>
-    <message>
-        <source>Holes</source>
-        <translation>Löcher</translation>
-    </message>
-    <message>
-        <source>none</source>
-        <translation>keine</translation>
-    </message>
-    <message>
-        <source>%1 · %2</source>
-        <translation>%1 · %2</translation>
-    </message>
 </context>
 <context>
     <name>fff::ui::PropertiesHeader</name>
@@ -3538,6 +3734,24 @@
     <message>
         <source>Section · on %1 · %2</source>
         <translation>Scheibe · auf %1 · %2</translation>
+    </message>
+    <message>
+        <source>%1 · %2</source>
+        <comment>joint</comment>
+        <extracomment>the names of two sections that meet</extracomment>
+        <translation>%1 · %2</translation>
+    </message>
+    <message>
+        <source>They collide</source>
+        <translation>Sie stoßen zusammen</translation>
+    </message>
+    <message>
+        <source>%1 · automatic</source>
+        <translation>%1 · automatisch</translation>
+    </message>
+    <message>
+        <source>%1 · set by hand</source>
+        <translation>%1 · von Hand</translation>
     </message>
 </context>
 <context>
@@ -3599,6 +3813,97 @@
     <message>
         <source>m</source>
         <translation>m</translation>
+    </message>
+</context>
+<context>
+    <name>fff::ui::SectionPage</name>
+    <message>
+        <source>Stock</source>
+        <translation>Material</translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation>Lage</translation>
+    </message>
+    <message>
+        <source>Contour</source>
+        <translation>Kontur</translation>
+    </message>
+    <message>
+        <source>Joints</source>
+        <translation>Verbindungen</translation>
+    </message>
+    <message>
+        <source>Edit the stock</source>
+        <translation>Material bearbeiten</translation>
+    </message>
+    <message>
+        <source>Thickness</source>
+        <translation>Dicke</translation>
+    </message>
+    <message>
+        <source>That of the stock: all sections of it follow</source>
+        <translation>Die des Materials: Alle Scheiben daraus folgen</translation>
+    </message>
+    <message>
+        <source>Mass</source>
+        <translation>Masse</translation>
+    </message>
+    <message>
+        <source>On</source>
+        <translation>Auf</translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation>nichts</translation>
+    </message>
+    <message>
+        <source>Angle to it</source>
+        <translation>Winkel dazu</translation>
+    </message>
+    <message>
+        <source>%1°</source>
+        <translation>%1°</translation>
+    </message>
+    <message>
+        <source>Position X</source>
+        <translation>Position X</translation>
+    </message>
+    <message>
+        <source>Position Y</source>
+        <translation>Position Y</translation>
+    </message>
+    <message>
+        <source>Position Z</source>
+        <translation>Position Z</translation>
+    </message>
+    <message>
+        <source>Normal</source>
+        <translation>Normale</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>Area</source>
+        <translation>Fläche</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>Punkte</translation>
+    </message>
+    <message>
+        <source>Holes</source>
+        <translation>Löcher</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keiner</translation>
+    </message>
+    <message>
+        <source>%1 · %2</source>
+        <translation>%1 · %2</translation>
     </message>
 </context>
 <context>

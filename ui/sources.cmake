@@ -22,9 +22,12 @@ target_sources(fff_ui PRIVATE
     docks/dock_title.cpp
     docks/drawing_page.cpp
     docks/history_dock.cpp
+    docks/joint_page.cpp
+    docks/model_page.cpp
     docks/outline_dock.cpp
     docks/properties_dock.cpp
     docks/properties_header.cpp
+    docks/section_page.cpp
     expression.cpp
     field_style.cpp
     files/document_files.cpp
@@ -48,6 +51,7 @@ target_sources(fff_ui PRIVATE
     properties/choice_box.cpp
     properties/drawing_group.cpp
     properties/joint_rows.cpp
+    properties/joint_words.cpp
     properties/length_edit.cpp
     properties/number_edit.cpp
     properties/open_editor.cpp

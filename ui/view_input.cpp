@@ -35,6 +35,17 @@ Button toButton(Qt::MouseButton button)
     }
 }
 
+Pointer toPointer(const QPointerEvent *event)
+{
+    if (event->device()->type() == QInputDevice::DeviceType::TouchScreen)
+        return Pointer::Finger;
+    const QPointingDevice::PointerType type = event->pointingDevice()->pointerType();
+    if (type == QPointingDevice::PointerType::Finger &&
+        event->device()->type() != QInputDevice::DeviceType::TouchPad)
+        return Pointer::Finger;
+    return type == QPointingDevice::PointerType::Pen ? Pointer::Pen : Pointer::Mouse;
+}
+
 std::optional<ToolKey> toolKey(const QKeyEvent *event)
 {
     switch (event->key()) {
@@ -137,6 +148,7 @@ PointerEvent ViewInput::pointer(PointerEvent::Type type, QSinglePointEvent *even
     PointerEvent pointer =
         this->pointer(type, event->position(), event->modifiers(), event->timestamp());
     pointer.button = toButton(event->button());
+    pointer.pointer = toPointer(event);
     event->accept();
     return pointer;
 }

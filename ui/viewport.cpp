@@ -321,6 +321,7 @@ Viewport::Seen Viewport::seen() const
             overlay.namePlace,
             overlay.cubePart,
             overlay.points,
+            overlay.joints,
             overlay.isHandleHovered,
             interaction.hasGesture(),
             overlay.stroke.has_value() || hasPath(overlay),

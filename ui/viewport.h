@@ -64,6 +64,7 @@ private:
         std::optional<Vec2> namePlace;
         std::optional<CubePart> cubePart;
         std::optional<Overlay::Points> points;
+        std::optional<Overlay::Joints> joints;
         bool isHandleHovered = false, hasGesture = false, isGhosted = false, hasBand = false;
         std::vector<ProblemMark> marks;
         int litMark = 0;

@@ -130,6 +130,21 @@ void Workbench::select(std::vector<SectionRef> selection)
     announceChanges();
 }
 
+void Workbench::selectJoint(const JointRef &joint)
+{
+    m_interaction->selectJoint(joint);
+    announceChanges();
+}
+
+void Workbench::editJoint(JointEdit edit)
+{
+    if (edit)
+        m_host.commit(edit->step, std::move(edit->document));
+    else
+        m_interaction->say(edit.error(), m_clock.now());
+    announceChanges();
+}
+
 void Workbench::editPoints(PointEdit edit)
 {
     m_interaction->carryOut(std::move(edit), m_clock.now());
@@ -187,8 +202,9 @@ void Workbench::setOutlined(std::vector<SectionRef> sections, std::vector<Sectio
 
 void Workbench::announceChanges()
 {
-    if (m_selection != m_interaction->selection()) {
+    if (m_selection != m_interaction->selection() || m_joint != m_interaction->selectedJoint()) {
         m_selection = m_interaction->selection();
+        m_joint = m_interaction->selectedJoint();
         Q_EMIT selectionChanged();
     }
     if (m_points != m_interaction->points().points()) {

@@ -4,6 +4,7 @@
 
 #include "core/interaction/commands.h"
 #include "core/interaction/interaction.h"
+#include "core/interaction/joint_editing.h"
 #include "core/session/session.h"
 #include "core/session/session_host.h"
 #include "ui/event_clock.h"
@@ -49,6 +50,7 @@ public:
     /// The whole model from one of the standard views, at once; as soon as the view has a size.
     void showAll(std::string_view view);
     void select(std::vector<SectionRef> selection);
+    void selectJoint(const JointRef &joint);
 
     // The view's state: what is hidden, red, isolated, cut open. No step of the history.
     bool isHidden(const SectionRef &ref) const { return m_interaction->view().isHidden(ref); }
@@ -70,6 +72,8 @@ public:
 
     /// Commits an edit of control points, or says in the status line why it was refused.
     void editPoints(PointEdit edit);
+    /// Commits an edit of a joint, or says in the status line why it cannot be had.
+    void editJoint(JointEdit edit);
     /// An arrow key (Interaction::nudge). False when nothing is selected.
     bool nudge(const Vec2 &arrow, double distance);
 
@@ -98,6 +102,7 @@ private:
     SessionHost m_host;
     std::unique_ptr<Interaction> m_interaction;
     std::vector<SectionRef> m_selection; // as last announced
+    std::optional<JointRef> m_joint;
     std::vector<PointAddress> m_points;
     Hint m_hint;
     ViewState m_view;

@@ -28,6 +28,9 @@ set(icon_names
     hole
     holes_remove
     isolate
+    joint
+    joint_flip
+    joint_reset
     keyboard
     mouse
     new

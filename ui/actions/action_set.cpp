@@ -185,9 +185,14 @@ void ActionSet::refresh()
     const QString nothingSelected = tr("No section is selected");
     setAble("file.export", hasSections, nothingThere);
     setAble("edit.selectAll", hasSections, nothingThere);
-    setAble("edit.delete", hasSelection, nothingSelected);
+    const bool hasJoint = interaction.selectedJoint().has_value();
+    setAble("edit.delete", hasSelection || hasJoint, nothingSelected);
     setAble("view.faceSelection", hasSelection, nothingSelected);
-    setAble("view.fitSelection", hasSelection, nothingSelected);
+    setAble("view.fitSelection", hasSelection || hasJoint, nothingSelected);
+    const QString noJoint = tr("No joint is selected: select a section, then one of its joints");
+    setAble("joint.flip", hasJoint, noJoint);
+    setAble("joint.reset", m_bench.commands().isEnabled("joint.reset"),
+            hasJoint ? tr("Nothing of this joint is set by hand") : noJoint);
 
     const ViewState &view = interaction.view();
     const bool isIsolated = !view.isolated.empty();

@@ -130,6 +130,11 @@ std::span<const ActionRow> Texts::actions()
          "point_symmetric", QT_TR_NOOP("The same with handles of equal length to both sides")},
         {"point.corner", QT_TR_NOOP("&Corner point"), QT_TR_NOOP("Corner"), "Ctrl+2",
          "point_corner", QT_TR_NOOP("Make the selected points corners")},
+        {"joint.flip", QT_TR_NOOP("Flip the slits of the &joint"), QT_TR_NOOP("Flip the slits"), "",
+         "joint_flip", QT_TR_NOOP("Let the slits of the selected joint open to the other side")},
+        {"joint.reset", QT_TR_NOOP("Reset the joint to a&utomatic"), QT_TR_NOOP("Reset joint"), "",
+         "joint_reset",
+         QT_TR_NOOP("Let the selected joint be as it is by itself: kind, direction and share")},
         {"section.dropToGround", QT_TR_NOOP("&Drop to ground"), QT_TR_NOOP("Drop"), "End",
          "drop_to_ground", QT_TR_NOOP("Set the model down on the ground"), true},
         {"check.nextProblem", QT_TR_NOOP("&Next problem"), QT_TR_NOOP("Next problem"), "F8",
@@ -168,7 +173,8 @@ std::span<const MenuRow> Texts::menus()
          "section.planeFront "
          "section.planeSide section.planeParallel | section.redraw section.addHole "
          "section.removeHoles | point.insert point.delete | "
-         "point.smooth point.symmetric point.corner | section.dropToGround"},
+         "point.smooth point.symmetric point.corner | joint.flip joint.reset | "
+         "section.dropToGround"},
         {QT_TR_NOOP("&Checks"), "check.nextProblem check.previousProblem"},
         {QT_TR_NOOP("F&abricate"), "fabricate.stocks | file.export"},
         {QT_TR_NOOP("&Help"), "edit.find help.start | help.about"},

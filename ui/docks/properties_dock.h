@@ -1,5 +1,5 @@
-// The numbers of what is selected, or of the model when nothing is. Rows read from the session and
-// write through edits, one undo step each (ui/properties/property_rows.h).
+// The numbers of what is selected, or of the model when nothing is; one page for each. Rows read
+// from the session and write through edits, one undo step each (ui/properties/property_rows.h).
 #pragma once
 
 #include <QDockWidget> // first: moc stumbles over some standard headers
@@ -7,17 +7,14 @@
 #include "core/base/ids.h"
 
 #include <QTimer>
-#include <optional>
-#include <vector>
 
 namespace fff::ui {
 
 class DrawingPage;
-class JointRows;
-class PointGroup;
+class JointPage;
+class ModelPage;
 class PropertiesHeader;
-class PropertyGroup;
-class PropertyRow;
+class SectionPage;
 class Workbench;
 
 class PropertiesDock : public QDockWidget
@@ -35,26 +32,14 @@ Q_SIGNALS:
 
 private:
     void follow();
-    QWidget *makeModelPage(QWidget *parent);
-    QWidget *makeSectionPage(QWidget *parent);
-    void addStockRows(PropertyGroup *group);
-    void addPlaceRows(PropertyGroup *group);
-    void addContourRows(PropertyGroup *group);
-    void refreshJoints();
-    std::optional<double> commonThickness() const;
-    PropertyRow *positionRow(int axis, const QString &name, const char *objectName,
-                             QWidget *parent);
 
     Workbench &m_bench;
     PropertiesHeader *m_header = nullptr;
-    QWidget *m_modelPage = nullptr, *m_sectionPage = nullptr;
+    ModelPage *m_modelPage = nullptr;
+    SectionPage *m_sectionPage = nullptr;
+    JointPage *m_jointPage = nullptr;
     DrawingPage *m_drawingPage = nullptr; // while a stroke is drawn
-    PointGroup *m_pointGroup = nullptr;
-    PropertyGroup *m_jointGroup = nullptr;
-    JointRows *m_joints = nullptr;
-    std::vector<int> m_selected; // indices in the model that is shown, as of refresh()
-    std::vector<PropertyRow *> m_modelRows, m_sectionRows;
-    QTimer m_soon; // refreshes once all that came at once is in
+    QTimer m_soon;                        // refreshes once all that came at once is in
 };
 
 } // namespace fff::ui

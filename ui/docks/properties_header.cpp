@@ -1,7 +1,9 @@
 #include "ui/docks/properties_header.h"
 
+#include "core/assembly/joint_state.h"
 #include "core/model/edits.h"
 #include "ui/icon.h"
+#include "ui/properties/joint_words.h"
 #include "ui/theme.h"
 #include "ui/workbench.h"
 
@@ -10,6 +12,12 @@
 #include <QLineEdit>
 
 namespace fff::ui {
+
+namespace {
+
+constexpr int kLongestTitle = 224; // px
+
+} // namespace
 
 PropertiesHeader::PropertiesHeader(Workbench &bench, QWidget *parent)
     : QWidget(parent), m_bench(bench)
@@ -48,12 +56,24 @@ void PropertiesHeader::refresh()
 {
     nameWhatIsSelected();
     const std::vector<int> sections = selectedSections(m_bench);
-    m_icon->setPixmap(
-        tintedPixmap(sections.empty() ? QStringLiteral("view_iso") : QStringLiteral("section"), 22,
-                     theme().accent, devicePixelRatioF()));
+    const std::optional<JointRef> &joint = m_bench.interaction().selectedJoint();
+    const QString icon = joint              ? QStringLiteral("joint")
+                         : sections.empty() ? QStringLiteral("view_iso")
+                                            : QStringLiteral("section");
+    m_icon->setPixmap(tintedPixmap(icon, 22, theme().accent, devicePixelRatioF()));
 
     QString name, kind;
-    if (sections.empty()) {
+    if (joint) {
+        const Model &model = m_bench.session().model();
+        if (const std::optional<JointState> state = jointState(model, *joint)) {
+            const auto nameOf = [&model](int index) {
+                return QString::fromStdString(model.section(static_cast<std::size_t>(index))->name);
+            };
+            //: the names of two sections that meet
+            name = tr("%1 · %2", "joint").arg(nameOf(state->a), nameOf(state->b));
+            kind = stateOf(*state);
+        }
+    } else if (sections.empty()) {
         name = tr("Model");
         kind = tr("Nothing is selected");
     } else if (sections.size() == 1) {
@@ -67,7 +87,9 @@ void PropertiesHeader::refresh()
     }
     m_name->setVisible(sections.size() == 1);
     m_title->setVisible(sections.size() != 1);
-    m_title->setText(name);
+    m_title->setText(
+        QFontMetrics(m_title->font()).elidedText(name, Qt::ElideMiddle, kLongestTitle));
+    m_title->setToolTip(joint ? name : QString());
     if (!(m_name->hasFocus() && m_name->isModified()) && m_name->text() != name) {
         m_name->setText(name);
         m_name->setCursorPosition(0);
@@ -87,6 +109,16 @@ void PropertiesHeader::nameWhatIsSelected()
         return;
     rename();
     m_named = single;
+}
+
+/// "Cross lap · automatic"
+QString PropertiesHeader::stateOf(const JointState &joint)
+{
+    const QString kind = jointKindName(joint.kind);
+    if (joint.kind == JointKind::None && !joint.wanted.kind)
+        return tr("They collide");
+    return joint.wanted.isEmpty() ? tr("%1 · automatic").arg(kind)
+                                  : tr("%1 · set by hand").arg(kind);
 }
 
 QString PropertiesHeader::kindOf(int section) const

@@ -11,6 +11,10 @@
 class QLabel;
 class QLineEdit;
 
+namespace fff {
+struct JointState;
+}
+
 namespace fff::ui {
 
 class Workbench;
@@ -26,6 +30,7 @@ public:
 
 private:
     QString kindOf(int section) const;
+    static QString stateOf(const JointState &joint);
     void nameWhatIsSelected();
     void rename();
 

@@ -2,6 +2,7 @@
 
 #include <QCoreApplication>
 #include <QPainter>
+#include <QStandardItemModel>
 #include <QWheelEvent>
 
 namespace fff::ui {
@@ -38,8 +39,15 @@ void ChoiceBox::setChoices(const Choices &choices)
     if (m_shown != choices.all) {
         m_shown = choices.all;
         clear();
-        for (const Choice &choice : choices.all)
+        for (const Choice &choice : choices.all) {
             addItem(choice.colour.isValid() ? colourChip(choice.colour) : QIcon(), choice.text);
+            if (choice.whyNot.isEmpty())
+                continue;
+            setItemData(count() - 1, choice.whyNot, Qt::ToolTipRole);
+            setItemData(count() - 1, choice.whyNot, Qt::AccessibleDescriptionRole);
+            if (auto *items = qobject_cast<QStandardItemModel *>(model()))
+                items->item(count() - 1)->setEnabled(false);
+        }
     }
     if (currentIndex() != choices.current)
         setCurrentIndex(choices.current);

@@ -12,7 +12,8 @@ namespace fff::ui {
 struct Choice
 {
     QString text;
-    QColor colour; // invalid: no chip
+    QColor colour;       // invalid: no chip
+    QString whyNot = {}; // not empty: it cannot be chosen
     bool operator==(const Choice &) const = default;
 };
 

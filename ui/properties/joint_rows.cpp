@@ -4,6 +4,7 @@
 #include "ui/theme.h"
 
 #include <QAbstractButton>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QPainter>
 #include <QVBoxLayout>
@@ -18,25 +19,10 @@ constexpr int kRowHeight = 26, kGlyph = 16, kGap = 8; // px
 
 } // namespace
 
-QString jointKindText(JointKind kind)
-{
-    switch (kind) {
-    case JointKind::CrossLap:
-        return JointRows::tr("cross lap");
-    case JointKind::ExtendedCrossLap:
-        return JointRows::tr("extended cross lap");
-    case JointKind::Mortise:
-        return JointRows::tr("mortise");
-    case JointKind::None:
-        return JointRows::tr("no joint");
-    }
-    return {};
-}
-
 class JointRow : public QAbstractButton
 {
 public:
-    explicit JointRow(QWidget *parent) : QAbstractButton(parent)
+    explicit JointRow(JointRows *rows) : QAbstractButton(rows), m_rows(rows)
     {
         setFocusPolicy(Qt::StrongFocus);
         setAttribute(Qt::WA_Hover);
@@ -47,14 +33,31 @@ public:
     {
         m_entry = entry;
         setAccessibleName(QStringLiteral("%1, %2").arg(entry.name, entry.text));
-        setToolTip(
-            QStringLiteral("%1\n%2").arg(JointRows::tr("Select %1").arg(entry.name), entry.text));
+        setToolTip(QStringLiteral("%1\n%2").arg(
+            JointRows::tr("Select the joint with %1").arg(entry.name), entry.text));
         update();
     }
 
     QSize sizeHint() const override { return {100, kRowHeight}; }
 
 protected:
+    void enterEvent(QEnterEvent *event) override
+    {
+        QAbstractButton::enterEvent(event);
+        Q_EMIT m_rows->hovered(m_entry.other);
+    }
+    void leaveEvent(QEvent *event) override
+    {
+        QAbstractButton::leaveEvent(event);
+        Q_EMIT m_rows->hovered({});
+    }
+    void keyPressEvent(QKeyEvent *event) override
+    {
+        if (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter)
+            click();
+        else
+            QAbstractButton::keyPressEvent(event);
+    }
     void paintEvent(QPaintEvent *) override
     {
         const Theme &t = theme();
@@ -90,6 +93,7 @@ protected:
     }
 
 private:
+    JointRows *m_rows;
     JointRows::Entry m_entry;
 };
 
@@ -121,6 +125,13 @@ void JointRows::setEntries(const std::vector<Entry> &entries)
             m_rows[i]->setEntry(entries[i]);
     }
     m_empty->setVisible(entries.empty());
+}
+
+void JointRows::focusRow(const SectionRef &other)
+{
+    for (std::size_t i = 0; i < m_entries.size(); ++i)
+        if (m_entries[i].other == other)
+            m_rows[i]->setFocus();
 }
 
 } // namespace fff::ui

@@ -1,18 +1,15 @@
-// The joints of a section: with which other one, of what kind, how long. A click selects the other.
+// The joints of a section: with which other one, of what kind, how long. A click selects the joint.
 #pragma once
 
 #include <QWidget> // first: moc stumbles over some standard headers
 
-#include "core/assembly/joint.h"
+#include "core/model/section.h"
 
 #include <vector>
 
 class QLabel;
 
 namespace fff::ui {
-
-/// "cross lap"
-QString jointKindText(JointKind kind);
 
 class JointRow;
 
@@ -33,8 +30,14 @@ public:
     /// Changes only what differs.
     void setEntries(const std::vector<Entry> &entries);
 
+    /// That of the joint with this section, if there is one.
+    void focusRow(const SectionRef &other);
+
 Q_SIGNALS:
-    void chosen(const fff::SectionRef &section);
+    /// The joint with that section.
+    void chosen(const fff::SectionRef &other);
+    /// The cursor is on that row, or on none any more (an empty one).
+    void hovered(const fff::SectionRef &other);
 
 private:
     std::vector<Entry> m_entries;

@@ -12,11 +12,12 @@ namespace fff::ui {
 namespace {
 
 constexpr int kLabelWidth = 104, kRowHeight = 30; // px
+constexpr int kLongestLabel = 128;                // px, of names that a person gave
 
 } // namespace
 
 PropertyRow::PropertyRow(const QString &name, QWidget *parent)
-    : QWidget(parent), m_label(new QLabel(name, this))
+    : QWidget(parent), m_label(new QLabel(name, this)), m_name(name)
 {
     m_label->setMinimumWidth(kLabelWidth);
     auto *row = new QHBoxLayout(this);
@@ -28,6 +29,7 @@ PropertyRow::PropertyRow(const QString &name, QWidget *parent)
 
 void PropertyRow::setEditor(QWidget *editor, const char *objectName, bool fills)
 {
+    m_editor = editor;
     editor->setObjectName(QLatin1String(objectName));
     editor->setAccessibleName(m_label->text());
     m_label->setBuddy(editor);
@@ -35,6 +37,35 @@ void PropertyRow::setEditor(QWidget *editor, const char *objectName, bool fills)
     row->addWidget(editor, fills ? 1 : 0);
     if (!fills)
         row->addStretch(1);
+}
+
+void PropertyRow::setName(const QString &name)
+{
+    if (m_name == name)
+        return;
+    m_name = name;
+    m_editor->setAccessibleName(name);
+    showName();
+}
+
+void PropertyRow::setMarked(bool marked, const QString &tip)
+{
+    m_label->setToolTip(tip);
+    m_editor->setAccessibleDescription(marked ? tip : QString());
+    if (m_isMarked == marked)
+        return;
+    m_isMarked = marked;
+    QFont words = font();
+    words.setBold(marked);
+    m_label->setFont(words);
+    showName();
+}
+
+void PropertyRow::showName()
+{
+    const QString text = m_isMarked ? m_name + QStringLiteral(" \u2022") : m_name;
+    const QFontMetrics metrics(m_label->font());
+    m_label->setText(metrics.elidedText(text, Qt::ElideMiddle, kLongestLabel));
 }
 
 void PropertyRow::addButton(const QString &icon, const char *objectName, const QString &tip,

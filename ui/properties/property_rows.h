@@ -24,13 +24,23 @@ public:
     void addButton(const QString &icon, const char *objectName, const QString &tip,
                    std::function<void()> act);
 
+    /// For what it is of now; cut short where it is long.
+    void setName(const QString &name);
+    /// Marked: a person has set it, in place of what it is by itself. tip: says so.
+    void setMarked(bool marked, const QString &tip);
+
 protected:
     PropertyRow(const QString &name, QWidget *parent);
     /// The editor takes the rest of the row; it is called as the row is.
     void setEditor(QWidget *editor, const char *objectName, bool fills);
 
 private:
+    void showName();
+
     QLabel *m_label = nullptr;
+    QWidget *m_editor = nullptr;
+    QString m_name;
+    bool m_isMarked = false;
 };
 
 /// Read only.

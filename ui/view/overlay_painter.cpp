@@ -1,6 +1,7 @@
 #include "ui/view/overlay_painter.h"
 
 #include "core/interaction/clip_gesture.h"
+#include "ui/view/joint_marks.h"
 #include "ui/view/pen_marks.h"
 #include "ui/view/point_marks.h"
 #include "ui/view/scale_bar.h"
@@ -35,6 +36,11 @@ public:
     {
         if (m_scene.overlay.points && m_scene.edited)
             paintPoints(m_pen, *m_scene.edited, *m_scene.overlay.points);
+    }
+    void joints()
+    {
+        if (m_scene.overlay.joints)
+            paintJoints(m_pen, *m_scene.overlay.joints, m_locale);
     }
     void band();
     void ghosts();
@@ -315,6 +321,7 @@ void paintOverlay(QPainter &painter, const OverlayScene &scene, const ViewStyle 
     drawing.ground();
     drawing.ghosts();
     drawing.points();
+    drawing.joints();
     drawing.stroke();
     drawing.path();
     drawing.band();

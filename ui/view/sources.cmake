@@ -5,6 +5,7 @@ target_sources(fff_view PRIVATE
     view/gl.cpp
     view/ground_painter.cpp
     view/ground_shadow.cpp
+    view/joint_marks.cpp
     view/layers.cpp
     view/occlusion.cpp
     view/length_unit.cpp

@@ -1,0 +1,271 @@
+// Joints in a real window: with mouse, keys and the Properties dock.
+#include <QTest> // first: moc cannot read some of the standard library before it
+
+#include "core/assembly/joint_state.h"
+#include "tests/core/assembly/plates.h"
+#include "tests/ui/view_hand.h"
+#include "tests/ui/window_fixture.h"
+#include "tests/ui/window_program.h"
+
+#include <QAbstractButton>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QLabel>
+#include <QPushButton>
+#include <QSlider>
+
+#include <cmath>
+
+using namespace fff;
+using namespace fff::test;
+using namespace fff::ui;
+
+class TestJoints : public QObject, private ViewHand
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init();
+    void cleanup() { closeWindow(); }
+
+    void aMarkIsClickedAndDragged();
+    void rowsAndLinksGoThereAndBack();
+    void keysAreEnough();
+    void kindsThatCannotBeHadSayWhy();
+    void theSliderIsOneStep();
+    void escapeEndsTheSlidersDrag();
+    void directionsAreWords();
+    void menusFlipAndReset();
+    void delDeletesNothing();
+    void placesHaveARowEach();
+
+private:
+    template <class Widget>
+    Widget *field(const char *name)
+    {
+        return m_window->findChild<Widget *>(QLatin1String(name));
+    }
+    QPoint at(double height) const { return onScreen({0, height, 0}); }
+    JointRef joint() const { return {session().committed().ref(0), session().committed().ref(1)}; }
+    JointState state() const { return *jointState(session().committed(), joint()); }
+    /// Of the slit of Head.
+    double percent() const { return 100.0 * (1.0 - *state().shares[0]); }
+    double shown() { return field<QWidget>("jointShare1")->findChild<QDoubleSpinBox *>()->value(); }
+    QAbstractButton *row() { return field<QWidget>("jointList")->findChild<QAbstractButton *>(); }
+};
+
+/// Two plates, Body and Head, that stand across each other; Body is selected.
+void TestJoints::init()
+{
+    openWindow();
+    const ShapePointer plate = polygonShape(rectangle(-50, 0, 50, 60));
+    Document document = withSection(withSection(newDocument(), plate, front()), plate, side());
+    document = *renameSection(document, document.sections[0]->id, "Body");
+    document = *renameSection(document, document.sections[1]->id, "Head");
+    session().reset(document);
+    bench().showAll("iso1");
+    bench().select({session().committed().ref(0)});
+    m_view->setFocus();
+    QTRY_VERIFY(m_view->hasFocus());
+}
+
+// Wrong: the numbers are those of before the drag, or a drag selects.
+void TestJoints::aMarkIsClickedAndDragged()
+{
+    click(at(30));
+    QTRY_VERIFY(interaction().selectedJoint() == joint());
+    QCOMPARE(field<QLabel>("propertiesTitle")->text(), QStringLiteral("Body · Head"));
+    QCOMPARE(field<QLabel>("propertiesKind")->text(), QStringLiteral("Cross lap · automatic"));
+    QVERIFY(!field<QPushButton>("jointReset")->isEnabled());
+    QVERIFY(std::abs(shown() - 50.0) < 1e-9);
+    move(at(30));
+    press(at(30));
+    for (int i = 1; i <= 10; ++i)
+        move(at(30) + (at(45) - at(30)) * i / 10);
+    QTRY_VERIFY(session().hasPreview());
+    QTRY_VERIFY(shown() > 70.0);
+    QCOMPARE(steps(), 0);
+    const double seen = shown();
+    release(at(45));
+    QTRY_COMPARE(steps(), 1);
+    QVERIFY(std::abs(percent() - seen) < 1e-9);
+    QVERIFY(std::abs(percent() - 75.0) <= 1.0);
+    QCOMPARE(field<QLabel>("propertiesKind")->text(), QStringLiteral("Cross lap · set by hand"));
+    QVERIFY(field<QPushButton>("jointReset")->isEnabled());
+    QTest::mouseClick(field<QPushButton>("jointReset"), Qt::LeftButton);
+    QVERIFY(session().committed().document.jointOverrides.empty());
+    QCOMPARE(session().history()->undoText(), QStringLiteral("Body · Head: reset to automatic"));
+}
+
+void TestJoints::rowsAndLinksGoThereAndBack()
+{
+    QTRY_VERIFY(row() && row()->isVisible());
+    QTest::mouseClick(row(), Qt::LeftButton);
+    QVERIFY(interaction().selectedJoint() == joint());
+    auto *links = field<QLabel>("jointSections");
+    QVERIFY(links->isVisible() && links->text().contains(QStringLiteral("Head")));
+    Q_EMIT links->linkActivated(QStringLiteral("b"));
+    QCOMPARE(interaction().selection(), std::vector{session().committed().ref(1)});
+    QVERIFY(!interaction().selectedJoint());
+    QTRY_COMPARE(row()->accessibleName().left(4), QStringLiteral("Body"));
+}
+
+// Wrong: the focus is lost with the row that was chosen.
+void TestJoints::keysAreEnough()
+{
+    QTRY_VERIFY(row() && row()->isVisible());
+    row()->setFocus();
+    QTest::keyClick(row(), Qt::Key_Return);
+    QVERIFY(interaction().selectedJoint() == joint());
+    QCOMPARE(QApplication::focusWidget(), field<QLabel>("jointSections"));
+    key(Qt::Key_Tab);
+    key(Qt::Key_Return);
+    QTRY_VERIFY(!interaction().selectedJoint());
+    QTRY_COMPARE(QApplication::focusWidget(), row());
+}
+
+void TestJoints::kindsThatCannotBeHadSayWhy()
+{
+    bench().selectJoint(joint());
+    auto *kinds = field<QComboBox>("jointKind");
+    QCOMPARE(kinds->currentText(), QStringLiteral("Cross lap"));
+    QVERIFY(kinds->model()->flags(kinds->model()->index(0, 0)).testFlag(Qt::ItemIsEnabled));
+    QVERIFY(!kinds->model()->flags(kinds->model()->index(1, 0)).testFlag(Qt::ItemIsEnabled));
+    QCOMPARE(kinds->itemData(1, Qt::ToolTipRole).toString(),
+             QStringLiteral("Neither section reaches beyond the other"));
+    kinds->setFocus();
+    QTest::keyClick(kinds, Qt::Key_End);
+    QTRY_COMPARE(state().kind, JointKind::None);
+    QCOMPARE(session().history()->undoText(), QStringLiteral("Body · Head: kind → none"));
+    QVERIFY(!field<QWidget>("jointShare1")->isVisible());
+    QVERIFY(!field<QWidget>("jointOpens")->isVisible());
+    QVERIFY(!field<QWidget>("jointProblem")->isVisible()); // it is wanted so
+    QTest::keyClick(kinds, Qt::Key_Home);
+    QTRY_COMPARE(state().kind, JointKind::CrossLap);
+    QVERIFY(session().committed().document.jointOverrides.empty());
+}
+
+// Wrong: a hundred steps of the history for one drag, or slits that follow only at its end.
+void TestJoints::theSliderIsOneStep()
+{
+    bench().selectJoint(joint());
+    auto *slider = field<QWidget>("jointShare1")->findChild<QSlider *>();
+    QTRY_VERIFY(slider->isVisible());
+    const int y = slider->height() / 2, middle = slider->width() / 2;
+    QTest::mousePress(slider, Qt::LeftButton, {}, {middle, y});
+    for (int x = middle; x <= middle + 20; x += 2)
+        QTest::mouseMove(slider, {x, y});
+    QTRY_VERIFY(session().hasPreview());
+    QCOMPARE(steps(), 0);
+    const auto now = jointState(session().model(), joint());
+    QVERIFY(std::abs(100.0 * (1.0 - *now->shares[0]) - shown()) < 1e-9);
+    QTest::mouseRelease(slider, Qt::LeftButton, {}, {middle + 20, y});
+    QTRY_COMPARE(steps(), 1);
+    QVERIFY(!session().hasPreview());
+    QVERIFY(percent() > 55.0);
+    QVERIFY(std::abs(percent() - shown()) < 1e-9);
+    session().history()->undo();
+    QVERIFY(std::abs(shown() - 50.0) < 1e-9);
+    // A number that is typed is one step, too, and is read back as it was typed.
+    auto *edit = field<QWidget>("jointShare1")->findChild<QDoubleSpinBox *>();
+    edit->setFocus();
+    edit->selectAll();
+    QTest::keyClicks(edit, QStringLiteral("37"));
+    QTest::keyClick(edit, Qt::Key_Return);
+    QCOMPARE(steps(), 1);
+    QVERIFY(std::abs(percent() - 37.0) < 1e-9);
+    QVERIFY(shown() == 37.0);
+}
+
+void TestJoints::escapeEndsTheSlidersDrag()
+{
+    bench().selectJoint(joint());
+    auto *slider = field<QWidget>("jointShare1")->findChild<QSlider *>();
+    QTRY_VERIFY(slider->isVisible());
+    slider->setFocus();
+    QTest::keyClick(slider, Qt::Key_Right);
+    QVERIFY(session().hasPreview());
+    QTest::keyClick(slider, Qt::Key_Escape);
+    QVERIFY(!session().hasPreview());
+    QTest::qWait(500);
+    QCOMPARE(steps(), 0);
+    QVERIFY(std::abs(shown() - 50.0) < 1e-9);
+    // What is not settled when another thing is selected is for the joint that it was set for.
+    QTest::keyClick(slider, Qt::Key_Right);
+    bench().select({session().committed().ref(0)});
+    QCOMPARE(steps(), 1);
+    QVERIFY(std::abs(percent() - 51.0) < 1e-9);
+}
+
+void TestJoints::directionsAreWords()
+{
+    bench().selectJoint(joint());
+    auto *opens = field<QComboBox>("jointOpens");
+    QCOMPARE(opens->currentText(), QStringLiteral("Down"));
+    QCOMPARE(opens->accessibleName(), QStringLiteral("Head opens"));
+    opens->setFocus();
+    QTest::keyClick(opens, Qt::Key_Home);
+    QTRY_COMPARE(opens->currentText(), QStringLiteral("Up"));
+    QVERIFY(state().openingOfB().y() > 0.99);
+    QCOMPARE(steps(), 1);
+    QVERIFY(!opens->accessibleDescription().isEmpty()); // set by hand
+    session().history()->undo();
+    QCOMPARE(opens->currentText(), QStringLiteral("Down"));
+}
+
+void TestJoints::menusFlipAndReset()
+{
+    QVERIFY(!actionOf(*m_window, "joint.flip")->isEnabled());
+    QVERIFY(actionOf(*m_window, "joint.flip")->toolTip().contains(QStringLiteral("No joint")));
+    bench().selectJoint(joint());
+    QVERIFY(actionOf(*m_window, "joint.flip")->isEnabled());
+    QVERIFY(!actionOf(*m_window, "joint.reset")->isEnabled());
+    actionOf(*m_window, "joint.flip")->trigger();
+    QVERIFY(state().openingOfB().y() > 0.99);
+    QTRY_VERIFY(actionOf(*m_window, "joint.reset")->isEnabled());
+    actionOf(*m_window, "joint.reset")->trigger();
+    QVERIFY(session().committed().document.jointOverrides.empty());
+}
+
+void TestJoints::delDeletesNothing()
+{
+    bench().selectJoint(joint());
+    m_view->setFocus();
+    key(Qt::Key_Delete);
+    QTRY_COMPARE(interaction().hint().kind, Hint::Kind::JointNotDeleted);
+    QCOMPARE(count(), std::size_t(2));
+    QCOMPARE(steps(), 0);
+}
+
+// Wrong: of a joint with two places only one can be set.
+void TestJoints::placesHaveARowEach()
+{
+    Document document = newDocument();
+    document = withSection(
+        document,
+        polygonShape(
+            {{-50, 0}, {50, 0}, {50, 80}, {30, 80}, {30, 20}, {-30, 20}, {-30, 80}, {-50, 80}}),
+        front());
+    document = withSection(document, polygonShape(rectangle(-60, -30, 60, 30)),
+                           {{0, 50, 0}, Vec3::UnitX(), -Vec3::UnitZ()});
+    session().reset(document);
+    bench().selectJoint(joint());
+    QTRY_VERIFY(field<QWidget>("jointShare2") && field<QWidget>("jointShare2")->isVisible());
+    auto *edit = field<QWidget>("jointShare2")->findChild<QDoubleSpinBox *>();
+    edit->setFocus();
+    edit->selectAll();
+    QTest::keyClicks(edit, QStringLiteral("80"));
+    QTest::keyClick(edit, Qt::Key_Return);
+    QVERIFY(std::abs(*state().shares[1] - 0.2) < 1e-9);
+    QVERIFY(std::abs(*state().shares[0] - 0.5) < 1e-9);
+    // One with a single place has one row again.
+    session().history()->undo();
+    session().reset(squareDocument());
+    QVERIFY(!interaction().selectedJoint());
+}
+
+int main(int argc, char *argv[])
+{
+    return runInWindowProgram<TestJoints>(argc, argv);
+}
+#include "tst_joints.moc"

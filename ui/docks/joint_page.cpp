@@ -1,0 +1,307 @@
+#include "ui/docks/joint_page.h"
+
+#include "core/base/units.h"
+#include "core/interaction/joint_editing.h"
+#include "ui/icon.h"
+#include "ui/lengths.h"
+#include "ui/properties/joint_words.h"
+#include "ui/properties/property_rows.h"
+#include "ui/properties/slider_field.h"
+#include "ui/theme.h"
+#include "ui/workbench.h"
+
+#include <QLabel>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <cmath>
+
+namespace fff::ui {
+
+namespace {
+
+constexpr double kLeastPercent = 100.0 * kLeastShare, kMostPercent = 100.0 - kLeastPercent;
+constexpr int kFieldWidth = 76; // px
+/// Digits that percents are worth: the rest is rounding of the share.
+constexpr double kPercentDigits = 1e6;
+
+QString linkTo(const QString &name, const char *target)
+{
+    // Links in a text have the application's colour, not that of the palette here.
+    return QStringLiteral("<a href=\"%1\" style=\"color:%2\">%3</a>")
+        .arg(QLatin1String(target), theme().accent.name(), name.toHtmlEscaped());
+}
+
+} // namespace
+
+JointPage::JointPage(Workbench &bench, QWidget *parent) : QWidget(parent), m_bench(bench)
+{
+    m_problem = new QLabel(this);
+    m_problem->setObjectName(QStringLiteral("jointProblem"));
+    m_problem->setWordWrap(true);
+    m_problem->setMargin(10);
+    m_problem->setAutoFillBackground(true);
+    m_problem->setFrameShape(QFrame::StyledPanel);
+    auto *joint = new PropertyGroup(tr("Joint"), this);
+    m_slits = new PropertyGroup(tr("Slits"), this);
+    addChoices(joint);
+    addMeasures(m_slits);
+
+    m_reset = new QPushButton(tr("Reset to automatic"), this);
+    m_reset->setObjectName(QStringLiteral("jointReset"));
+    m_reset->setIcon(themedIcon(QStringLiteral("joint_reset")));
+    m_reset->setAutoDefault(false);
+    connect(m_reset, &QPushButton::clicked, this,
+            [this] { m_bench.run(QStringLiteral("joint.reset")); });
+
+    auto *column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    column->addWidget(m_problem);
+    column->addWidget(joint);
+    column->addWidget(m_slits);
+    column->addWidget(m_reset, 0, Qt::AlignLeft);
+    setFocusProxy(m_links);
+}
+
+void JointPage::addChoices(PropertyGroup *group)
+{
+    m_links = new QLabel;
+    m_links->setTextFormat(Qt::RichText);
+    m_links->setWordWrap(true);
+    m_links->setFocusPolicy(Qt::StrongFocus);
+    m_links->setTextInteractionFlags(Qt::LinksAccessibleByMouse | Qt::LinksAccessibleByKeyboard);
+    connect(m_links, &QLabel::linkActivated, this, [this](const QString &target) {
+        if (!m_joint)
+            return;
+        const bool isA = target == QLatin1String("a");
+        Q_EMIT sectionWanted(SectionRef(isA ? m_joint->a : m_joint->b),
+                             SectionRef(isA ? m_joint->b : m_joint->a));
+    });
+    connect(m_links, &QLabel::linkHovered, this, [this](const QString &target) {
+        std::vector<SectionRef> outlined;
+        if (m_joint && !target.isEmpty())
+            outlined = {target == QLatin1String("a") ? m_joint->a : m_joint->b};
+        m_bench.setOutlined(std::move(outlined));
+    });
+    group->add(new EditorRow(tr("Sections"), "jointSections", m_links, {}, group));
+
+    // Another kind of joint is one more in JointState::kKinds.
+    m_kind = new ChoiceRow(
+        tr("Kind"), "jointKind",
+        [this] {
+            Choices choices;
+            for (const JointKind kind : JointState::kKinds) {
+                if (m_state && kind == m_state->kind)
+                    choices.current = static_cast<int>(choices.all.size());
+                choices.all.push_back(
+                    {jointKindName(kind), QColor(),
+                     m_state ? jointObstacleText(m_state->obstacleTo(kind)) : QString()});
+            }
+            return choices;
+        },
+        [this](int index) {
+            if (m_joint)
+                m_bench.editJoint(setKind(m_bench.session().committed(), *m_joint,
+                                          JointState::kKinds[static_cast<std::size_t>(index)]));
+        },
+        group);
+    m_opens = new ChoiceRow(
+        tr("Opens"), "jointOpens",
+        [this] {
+            Choices choices;
+            if (!m_state || m_state->sign == 0)
+                return choices;
+            const Vec3 now = m_state->openingOfB();
+            const Vec3 first = isPositive(now) ? now : Vec3(-now);
+            const QString whyNot =
+                m_state->canFlip ? QString() : jointObstacleText(JointObstacle::EndsOnHole);
+            choices.current = isPositive(now) ? 0 : 1;
+            for (const Vec3 &way : {first, Vec3(-first)})
+                choices.all.push_back(
+                    {directionName(way), QColor(), way == now ? QString() : whyNot});
+            return choices;
+        },
+        [this](int index) { chooseSide(index); }, group);
+    m_opens->addButton(QStringLiteral("joint_flip"), "jointFlip", tr("Flip the slits"),
+                       [this] { m_bench.run(QStringLiteral("joint.flip")); });
+    for (ChoiceRow *row : {m_kind, m_opens})
+        group->add(row);
+    m_shareRows = new QWidget(group);
+    auto *shares = new QVBoxLayout(m_shareRows);
+    shares->setContentsMargins(0, 0, 0, 0);
+    shares->setSpacing(0);
+    group->add(m_shareRows);
+    addShareRow();
+}
+
+void JointPage::addMeasures(PropertyGroup *group)
+{
+    const auto add = [this, group](const QString &name, const char *objectName,
+                                   std::function<QString()> read) {
+        auto *row = new TextRow(
+            name, objectName, [this, read] { return m_state ? read() : QString(u'–'); }, group);
+        group->add(row);
+        return row;
+    };
+    m_slitsOfA =
+        add(tr("Slit"), "jointSlitsA", [this] { return slitsText(m_state->a, m_state->slitsOfA); });
+    m_slitsOfB =
+        add(tr("Slit"), "jointSlitsB", [this] { return slitsText(m_state->b, m_state->slitsOfB); });
+    m_angle = add(tr("Angle"), "jointAngle", [this] {
+        return tr("%1°").arg(numberText(degrees(m_state->crossing.angle), 0, 1, locale()));
+    });
+}
+
+void JointPage::addShareRow()
+{
+    const int overlap = static_cast<int>(m_shares.size());
+    auto *number = new NumberEdit({kLeastPercent, kMostPercent, 1.0, 0, 1}, tr("%"));
+    number->setMinimumWidth(kFieldWidth);
+    auto *field = new SliderField({kLeastPercent, kMostPercent, 1.0, 5}, number, m_shareRows);
+    const QByteArray name = "jointShare" + QByteArray::number(overlap + 1);
+    auto *row = new EditorRow(tr("Meeting point"), name.constData(), field, {}, m_shareRows);
+    m_shareRows->layout()->addWidget(row);
+    const auto edited = [this, overlap](double percent) {
+        return moveMeetingPoint(m_bench.session().committed(), *m_joint, overlap, shareOf(percent));
+    };
+    connect(field, &SliderField::dragged, this, [this, edited](double percent) {
+        if (!m_joint)
+            return;
+        if (JointEdit edit = edited(percent))
+            m_bench.session().preview(std::move(edit->document));
+    });
+    connect(field, &SliderField::settled, this, [this, edited](double percent) {
+        if (!m_joint)
+            return;
+        JointEdit edit = edited(percent);
+        if (!edit)
+            m_bench.session().cancelPreview();
+        m_bench.editJoint(std::move(edit));
+        refresh(); // a refused value goes back to what it was
+    });
+    connect(field, &SliderField::cancelled, this, [this] { m_bench.session().cancelPreview(); });
+    m_shares.push_back({field, row});
+}
+
+void JointPage::chooseSide(int index)
+{
+    if (!m_joint || !m_state || m_state->sign == 0)
+        return;
+    if (index != (isPositive(m_state->openingOfB()) ? 0 : 1))
+        m_bench.editJoint(flipSlits(m_bench.session().committed(), *m_joint));
+}
+
+QString JointPage::name(int section) const
+{
+    return QString::fromStdString(
+        m_bench.session().model().section(static_cast<std::size_t>(section))->name);
+}
+
+QString JointPage::slitsText(int section, const std::vector<Slit> &slits) const
+{
+    if (slits.empty())
+        return tr("none");
+    const bool isA = section == m_state->a;
+    const int sign = isA ? m_state->sign : -m_state->sign;
+    QStringList lines;
+    for (const Slit &slit : slits) {
+        const QString width = lengthText(slit.width, 2, 2, locale());
+        if (!slit.isOpen) {
+            const double length = (slit.mouth - slit.inner).norm();
+            lines += tr("closed, %1 long, %2 wide").arg(lengthText(length, 1, 1, locale()), width);
+            continue;
+        }
+        const Overlap &o = m_state->crossing.overlaps[static_cast<std::size_t>(slit.overlap)];
+        // The crossing has intervals in the order of the model.
+        const Interval &interval = isA == (m_state->a < m_state->b) ? o.a : o.b;
+        const double depth = sign > 0 ? interval.to.at - o.meet : o.meet - interval.from.at;
+        lines += tr("%1 deep, %2 wide").arg(lengthText(depth, 1, 1, locale()), width);
+    }
+    return lines.join(QLatin1Char('\n'));
+}
+
+void JointPage::follow()
+{
+    const std::optional<JointRef> &selected = m_bench.interaction().selectedJoint();
+    if (m_joint == selected)
+        return;
+    for (const ShareRow &share : m_shares)
+        share.field->settle();
+    m_joint = selected;
+    m_state.reset();
+}
+
+void JointPage::refreshShares()
+{
+    const std::size_t count = m_state->shares.size();
+    while (m_shares.size() < count)
+        addShareRow();
+    for (std::size_t i = 0; i < m_shares.size(); ++i) {
+        const auto &[field, row] = m_shares[i];
+        const bool isShown = i < count && m_state->shares[i].has_value();
+        row->setVisible(isShown);
+        if (!isShown)
+            continue;
+        const double percent =
+            std::round(100.0 * (1.0 - *m_state->shares[i]) * kPercentDigits) / kPercentDigits;
+        field->setNumber(percent);
+        row->setName(count > 1 ? tr("Meeting point %1").arg(i + 1) : tr("Meeting point"));
+        const QString tip = tr("The slit of %1 takes this much of the way, that of %2 the rest")
+                                .arg(name(m_state->b), name(m_state->a));
+        row->setToolTip(tip);
+        const bool isSet = m_state->isShareWanted[i];
+        row->setMarked(isSet, isSet ? tr("Set by hand; 50\u202f% by itself. %1").arg(tip) : tip);
+    }
+}
+
+void JointPage::refresh()
+{
+    follow();
+    if (!m_joint)
+        return;
+    m_state = jointState(m_bench.session().model(), *m_joint);
+    setEnabled(m_state.has_value());
+    if (!m_state)
+        return;
+    const QString a = name(m_state->a), b = name(m_state->b);
+    m_links->setText(linkTo(a, "a") + QStringLiteral(" · ") + linkTo(b, "b"));
+    m_links->setAccessibleName(tr("Sections: %1 and %2").arg(a, b));
+
+    const JointOverride &wanted = m_state->wanted;
+    m_kind->refresh();
+    m_kind->setMarked(wanted.kind.has_value(),
+                      wanted.kind ? tr("Set by hand; Reset takes it back") : QString());
+    m_opens->setVisible(m_state->sign != 0);
+    m_opens->setName(tr("%1 opens").arg(b));
+    m_opens->refresh();
+    m_opens->setMarked(wanted.opens.has_value(),
+                       wanted.opens ? tr("Set by hand; Reset takes it back")
+                                    : tr("Where the slit of %1 opens to; that of %2 opens to the "
+                                         "other side")
+                                          .arg(b, a));
+    refreshShares();
+    m_slitsOfA->setName(tr("In %1").arg(a));
+    m_slitsOfB->setName(tr("In %1").arg(b));
+    for (TextRow *row : {m_slitsOfA, m_slitsOfB, m_angle})
+        row->refresh();
+
+    const bool collides = m_state->kind == JointKind::None && !wanted.kind;
+    m_problem->setVisible(collides);
+    if (collides) {
+        m_problem->setText(
+            tr("%1 and %2 collide. %3.")
+                .arg(a, b, jointObstacleText(m_state->obstacleTo(JointKind::CrossLap))));
+        QPalette soft = m_problem->palette();
+        soft.setColor(QPalette::Window, theme().warningSoft);
+        soft.setColor(QPalette::WindowText, theme().text);
+        m_problem->setPalette(soft);
+    }
+    const bool isSet = !wanted.isEmpty();
+    m_reset->setEnabled(isSet);
+    m_reset->setToolTip(isSet ? tr("Kind, direction and meeting points as by themselves")
+                              : tr("Nothing of this joint is set by hand"));
+}
+
+} // namespace fff::ui

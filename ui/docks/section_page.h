@@ -1,0 +1,53 @@
+// What the Properties dock shows of the sections that are selected: stock, place, contour, the
+// selected points and, of a single one, its joints.
+#pragma once
+
+#include <QWidget> // first: moc stumbles over some standard headers
+
+#include "core/model/joint_ref.h"
+
+#include <optional>
+#include <vector>
+
+namespace fff::ui {
+
+class JointRows;
+class PointGroup;
+class PropertyGroup;
+class PropertyRow;
+class Workbench;
+
+class SectionPage : public QWidget
+{
+    Q_OBJECT
+public:
+    SectionPage(Workbench &bench, QWidget *parent);
+
+    void refresh();
+    /// On the row of the joint with that section.
+    void focusJoint(const SectionRef &other);
+
+Q_SIGNALS:
+    /// The joint of that row in the list.
+    void jointWanted(const fff::JointRef &joint);
+    /// The stock editor shall show this one.
+    void stockWanted(fff::StockId stock);
+
+private:
+    void addStockRows(PropertyGroup *group);
+    void addPlaceRows(PropertyGroup *group);
+    void addContourRows(PropertyGroup *group);
+    void refreshJoints();
+    std::optional<double> commonThickness() const;
+    PropertyRow *positionRow(int axis, const QString &name, const char *objectName,
+                             QWidget *parent);
+
+    Workbench &m_bench;
+    PointGroup *m_pointGroup = nullptr;
+    PropertyGroup *m_jointGroup = nullptr;
+    JointRows *m_joints = nullptr;
+    std::vector<int> m_selected; // indices in the model that is shown, as of refresh()
+    std::vector<PropertyRow *> m_rows;
+};
+
+} // namespace fff::ui

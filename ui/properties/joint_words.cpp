@@ -1,0 +1,96 @@
+#include "ui/properties/joint_words.h"
+
+#include <QCoreApplication>
+
+#include <array>
+#include <cmath>
+
+namespace fff::ui {
+
+namespace {
+
+struct Texts
+{
+    Q_DECLARE_TR_FUNCTIONS(fff::ui::JointWords)
+};
+
+/// What is this much longer decides between two axes, so that rounding does not.
+constexpr double kLonger = 1e-6;
+
+/// Upwards first, then sideways: of equal ones what is easier to see.
+int nearestAxis(const Vec3 &direction)
+{
+    int nearest = 1;
+    for (const int axis : {0, 2})
+        if (std::abs(direction[axis]) > std::abs(direction[nearest]) + kLonger)
+            nearest = axis;
+    return nearest;
+}
+
+} // namespace
+
+QString jointKindText(JointKind kind)
+{
+    switch (kind) {
+    case JointKind::CrossLap:
+        return Texts::tr("cross lap");
+    case JointKind::ExtendedCrossLap:
+        return Texts::tr("extended cross lap");
+    case JointKind::Mortise:
+        return Texts::tr("mortise");
+    case JointKind::None:
+        return Texts::tr("no joint");
+    }
+    return {};
+}
+
+QString jointKindName(JointKind kind)
+{
+    switch (kind) {
+    case JointKind::CrossLap:
+        return Texts::tr("Cross lap");
+    case JointKind::ExtendedCrossLap:
+        return Texts::tr("Extended cross lap");
+    case JointKind::Mortise:
+        return Texts::tr("Mortise");
+    case JointKind::None:
+        return Texts::tr("None");
+    }
+    return {};
+}
+
+QString jointObstacleText(JointObstacle obstacle)
+{
+    switch (obstacle) {
+    case JointObstacle::None:
+        return {};
+    case JointObstacle::NoWidth:
+        return Texts::tr("The clearance of their stock leaves a slit no width");
+    case JointObstacle::EndsOnHole:
+        return Texts::tr("Slits cannot open to the outside: a hole is in the way");
+    case JointObstacle::ReachesBeyond:
+        return Texts::tr("One section reaches beyond the other, whichever way they slide");
+    case JointObstacle::EndsWithin:
+        return Texts::tr("Neither section reaches beyond the other");
+    case JointObstacle::SeveralPlaces:
+        return Texts::tr("They meet in more than one place");
+    case JointObstacle::DoesNotFit:
+        return Texts::tr("Neither section fits through a slot in the other");
+    }
+    return {};
+}
+
+bool isPositive(const Vec3 &direction)
+{
+    return direction[nearestAxis(direction)] > 0.0;
+}
+
+QString directionName(const Vec3 &direction)
+{
+    const std::array names{Texts::tr("Right"), Texts::tr("Left"),  Texts::tr("Up"),
+                           Texts::tr("Down"),  Texts::tr("Front"), Texts::tr("Back")};
+    const int axis = nearestAxis(direction);
+    return names[static_cast<std::size_t>(2 * axis + (isPositive(direction) ? 0 : 1))];
+}
+
+} // namespace fff::ui
