@@ -79,6 +79,8 @@ void Selection::forget()
 {
     m_before.clear();
     m_lost.reset();
+    m_joint.reset();
+    m_origin.clear();
 }
 
 } // namespace fff
