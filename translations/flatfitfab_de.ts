@@ -1027,7 +1027,7 @@
     <message>
         <source>%1 · %2: meeting point → %3&#x202f;%</source>
         <extracomment>%1 and %2 are the names of two sections, %3 a number</extracomment>
-        <translation>%1 · %2: Treffpunkt → %3 %</translation>
+        <translation>%1 · %2: Treffpunkt → %3&#x202f;%</translation>
     </message>
     <message>
         <source>%1 · %2: reset to automatic</source>
@@ -3119,7 +3119,7 @@
     </message>
     <message>
         <source>Release to leave it here: the slit of %1 takes %2&#x202f;%. &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
-        <translation>Loslassen lässt ihn hier: Der Schlitz von %1 nimmt %2 %. &lt;kbd&gt;Esc&lt;/kbd&gt; bricht ab.</translation>
+        <translation>Loslassen lässt ihn hier: Der Schlitz von %1 nimmt %2&#x202f;%. &lt;kbd&gt;Esc&lt;/kbd&gt; bricht ab.</translation>
     </message>
     <message>
         <source>Nothing moved: where %1 and %2 meet, two slits do not share the way.</source>
@@ -3245,7 +3245,7 @@
     </message>
     <message>
         <source>Set by hand; 50&#x202f;% by itself. %1</source>
-        <translation>Von Hand eingestellt; von selbst 50 %. %1</translation>
+        <translation>Von Hand eingestellt; von selbst 50&#x202f;%. %1</translation>
     </message>
     <message>
         <source>Sections: %1 and %2</source>
@@ -3899,7 +3899,7 @@
     </message>
     <message>
         <source>none</source>
-        <translation>keiner</translation>
+        <translation>keine</translation>
     </message>
     <message>
         <source>%1 · %2</source>

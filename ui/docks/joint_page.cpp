@@ -37,12 +37,16 @@ QString linkTo(const QString &name, const char *target)
 
 JointPage::JointPage(Workbench &bench, QWidget *parent) : QWidget(parent), m_bench(bench)
 {
-    m_problem = new QLabel(this);
+    m_problemBox = new QWidget(this); // with the distance to what comes after it
+    m_problem = new QLabel(m_problemBox);
     m_problem->setObjectName(QStringLiteral("jointProblem"));
     m_problem->setWordWrap(true);
     m_problem->setMargin(10);
     m_problem->setAutoFillBackground(true);
     m_problem->setFrameShape(QFrame::StyledPanel);
+    auto *box = new QVBoxLayout(m_problemBox);
+    box->setContentsMargins(0, 0, 0, 12);
+    box->addWidget(m_problem);
     auto *joint = new PropertyGroup(tr("Joint"), this);
     m_slits = new PropertyGroup(tr("Slits"), this);
     addChoices(joint);
@@ -58,7 +62,7 @@ JointPage::JointPage(Workbench &bench, QWidget *parent) : QWidget(parent), m_ben
     auto *column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
-    column->addWidget(m_problem);
+    column->addWidget(m_problemBox);
     column->addWidget(joint);
     column->addWidget(m_slits);
     column->addWidget(m_reset, 0, Qt::AlignLeft);
@@ -182,6 +186,7 @@ void JointPage::addShareRow()
         refresh(); // a refused value goes back to what it was
     });
     connect(field, &SliderField::cancelled, this, [this] { m_bench.session().cancelPreview(); });
+    dress(row); // the window may be dressed by then
     m_shares.push_back({field, row});
 }
 
@@ -247,7 +252,10 @@ void JointPage::refreshShares()
         const double percent =
             std::round(100.0 * (1.0 - *m_state->shares[i]) * kPercentDigits) / kPercentDigits;
         field->setNumber(percent);
-        row->setName(count > 1 ? tr("Meeting point %1").arg(i + 1) : tr("Meeting point"));
+        if (count > 1)
+            row->setName(tr("Meeting point %1"), locale().toString(static_cast<qulonglong>(i + 1)));
+        else
+            row->setName(tr("Meeting point"));
         const QString tip = tr("The slit of %1 takes this much of the way, that of %2 the rest")
                                 .arg(name(m_state->b), name(m_state->a));
         row->setToolTip(tip);
@@ -274,7 +282,7 @@ void JointPage::refresh()
     m_kind->setMarked(wanted.kind.has_value(),
                       wanted.kind ? tr("Set by hand; Reset takes it back") : QString());
     m_opens->setVisible(m_state->sign != 0);
-    m_opens->setName(tr("%1 opens").arg(b));
+    m_opens->setName(tr("%1 opens"), b);
     m_opens->refresh();
     m_opens->setMarked(wanted.opens.has_value(),
                        wanted.opens ? tr("Set by hand; Reset takes it back")
@@ -282,13 +290,13 @@ void JointPage::refresh()
                                          "other side")
                                           .arg(b, a));
     refreshShares();
-    m_slitsOfA->setName(tr("In %1").arg(a));
-    m_slitsOfB->setName(tr("In %1").arg(b));
+    m_slitsOfA->setName(tr("In %1"), a);
+    m_slitsOfB->setName(tr("In %1"), b);
     for (TextRow *row : {m_slitsOfA, m_slitsOfB, m_angle})
         row->refresh();
 
     const bool collides = m_state->kind == JointKind::None && !wanted.kind;
-    m_problem->setVisible(collides);
+    m_problemBox->setVisible(collides);
     if (collides) {
         m_problem->setText(
             tr("%1 and %2 collide. %3.")

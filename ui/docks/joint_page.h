@@ -58,6 +58,7 @@ private:
     std::optional<JointRef> m_joint;
     std::optional<JointState> m_state; // as it is shown
     QLabel *m_links = nullptr;
+    QWidget *m_problemBox = nullptr;
     QLabel *m_problem = nullptr;
     ChoiceRow *m_kind = nullptr, *m_opens = nullptr;
     PropertyGroup *m_slits = nullptr;

@@ -40,6 +40,7 @@ PropertiesHeader::PropertiesHeader(Workbench &bench, QWidget *parent)
     m_kind = new QLabel(this);
     m_kind->setObjectName(QStringLiteral("propertiesKind"));
     m_kind->setForegroundRole(QPalette::PlaceholderText);
+    m_kind->setWordWrap(true);
     auto *grid = new QGridLayout(this);
     grid->setContentsMargins(0, 0, 0, 0);
     grid->setHorizontalSpacing(10);

@@ -1,5 +1,8 @@
 #include "ui/properties/choice_box.h"
 
+#include "ui/theme.h"
+
+#include <QAbstractItemView>
 #include <QCoreApplication>
 #include <QPainter>
 #include <QStandardItemModel>
@@ -56,6 +59,13 @@ void ChoiceBox::setChoices(const Choices &choices)
         words.setItalic(choices.current < 0);
         setFont(words);
     }
+}
+
+void ChoiceBox::showPopup()
+{
+    for (QWidget *list : {static_cast<QWidget *>(view()), view()->parentWidget()})
+        list->setPalette(theme().palette());
+    QComboBox::showPopup();
 }
 
 void ChoiceBox::wheelEvent(QWheelEvent *event)

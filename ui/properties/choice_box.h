@@ -34,6 +34,9 @@ public:
     /// Changes only what differs from what is shown; announces nothing.
     void setChoices(const Choices &choices);
 
+    /// In the colours of the theme, which are the window's, not those of a list that opens over it.
+    void showPopup() override;
+
 protected:
     void wheelEvent(QWheelEvent *event) override;
 

@@ -12,12 +12,11 @@ namespace fff::ui {
 namespace {
 
 constexpr int kLabelWidth = 104, kRowHeight = 30; // px
-constexpr int kLongestLabel = 128;                // px, of names that a person gave
 
 } // namespace
 
 PropertyRow::PropertyRow(const QString &name, QWidget *parent)
-    : QWidget(parent), m_label(new QLabel(name, this)), m_name(name)
+    : QWidget(parent), m_label(new QLabel(name, this)), m_pattern(name)
 {
     m_label->setMinimumWidth(kLabelWidth);
     auto *row = new QHBoxLayout(this);
@@ -39,12 +38,13 @@ void PropertyRow::setEditor(QWidget *editor, const char *objectName, bool fills)
         row->addStretch(1);
 }
 
-void PropertyRow::setName(const QString &name)
+void PropertyRow::setName(const QString &pattern, const QString &of)
 {
-    if (m_name == name)
+    if (m_pattern == pattern && m_of == of)
         return;
-    m_name = name;
-    m_editor->setAccessibleName(name);
+    m_pattern = pattern;
+    m_of = of;
+    m_editor->setAccessibleName(of.isEmpty() ? pattern : pattern.arg(of));
     showName();
 }
 
@@ -63,9 +63,14 @@ void PropertyRow::setMarked(bool marked, const QString &tip)
 
 void PropertyRow::showName()
 {
-    const QString text = m_isMarked ? m_name + QStringLiteral(" \u2022") : m_name;
+    const QString mark = m_isMarked ? QStringLiteral(" \u2022") : QString();
+    if (m_of.isEmpty()) {
+        m_label->setText(m_pattern + mark);
+        return;
+    }
     const QFontMetrics metrics(m_label->font());
-    m_label->setText(metrics.elidedText(text, Qt::ElideMiddle, kLongestLabel));
+    const int room = kLabelWidth - metrics.horizontalAdvance(m_pattern.arg(QString()) + mark);
+    m_label->setText(m_pattern.arg(metrics.elidedText(m_of, Qt::ElideMiddle, room)) + mark);
 }
 
 void PropertyRow::addButton(const QString &icon, const char *objectName, const QString &tip,

@@ -24,8 +24,9 @@ public:
     void addButton(const QString &icon, const char *objectName, const QString &tip,
                    std::function<void()> act);
 
-    /// For what it is of now; cut short where it is long.
-    void setName(const QString &name);
+    /// For what it is of now. pattern: may have a place for `of`, which is cut short where it is
+    /// long.
+    void setName(const QString &pattern, const QString &of = {});
     /// Marked: a person has set it, in place of what it is by itself. tip: says so.
     void setMarked(bool marked, const QString &tip);
 
@@ -39,7 +40,7 @@ private:
 
     QLabel *m_label = nullptr;
     QWidget *m_editor = nullptr;
-    QString m_name;
+    QString m_pattern, m_of; // its name
     bool m_isMarked = false;
 };
 
