@@ -2143,6 +2143,18 @@
         <source>Let the selected joint be as it is by itself: kind, direction and share</source>
         <translation>Die gewählte Verbindung so lassen, wie sie von selbst ist: Art, Richtung und Treffpunkt</translation>
     </message>
+    <message>
+        <source>Show the &amp;steps</source>
+        <translation>Schritte &amp;zeigen</translation>
+    </message>
+    <message>
+        <source>Steps</source>
+        <translation>Schritte</translation>
+    </message>
+    <message>
+        <source>Show step by step how the model is put together</source>
+        <translation>Schritt für Schritt zeigen, wie das Modell zusammengebaut wird</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::AgoText</name>
@@ -2326,6 +2338,10 @@
             <numerusform>Die Schlitze von %n Verbindung wurden umgedreht.</numerusform>
             <numerusform>Die Schlitze von %n Verbindungen wurden umgedreht.</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Show the steps</source>
+        <translation>Schritte zeigen</translation>
     </message>
 </context>
 <context>
@@ -2678,25 +2694,6 @@
     <message>
         <source>%1 to %2</source>
         <translation>%1 bis %2</translation>
-    </message>
-    <message>
-        <source>Replace files</source>
-        <translation>Dateien ersetzen</translation>
-    </message>
-    <message numerus="yes">
-        <source>Replace %n file(s) of an earlier export?</source>
-        <translation>
-            <numerusform>%n Datei einer früheren Ausgabe ersetzen?</numerusform>
-            <numerusform>%n Dateien einer früheren Ausgabe ersetzen?</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Replace</source>
-        <translation>Ersetzen</translation>
-    </message>
-    <message>
-        <source>Cancel</source>
-        <translation>Abbrechen</translation>
     </message>
     <message>
         <source>Exported %1 on %2 to %3; slits are drawn %4 wide.</source>
@@ -3774,6 +3771,28 @@
     </message>
 </context>
 <context>
+    <name>fff::ui::ReplaceQuestion</name>
+    <message>
+        <source>Replace files</source>
+        <translation>Dateien ersetzen</translation>
+    </message>
+    <message numerus="yes">
+        <source>Replace %n file(s) of an earlier export?</source>
+        <translation>
+            <numerusform>%n Datei einer früheren Ausgabe ersetzen?</numerusform>
+            <numerusform>%n Dateien einer früheren Ausgabe ersetzen?</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>Ersetzen</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+</context>
+<context>
     <name>fff::ui::Samples</name>
     <message>
         <source>Fish</source>
@@ -4286,6 +4305,99 @@
     </message>
 </context>
 <context>
+    <name>fff::ui::StepsBar</name>
+    <message>
+        <source>Steps of the assembly</source>
+        <translation>Schritte des Zusammenbaus</translation>
+    </message>
+    <message>
+        <source>Export steps…</source>
+        <translation>Schritte ausgeben …</translation>
+    </message>
+    <message>
+        <source>Write all steps to a PDF to print, or a picture for each</source>
+        <translation>Alle Schritte als PDF zum Drucken schreiben, oder ein Bild für jeden</translation>
+    </message>
+    <message>
+        <source>Close the steps (Esc)</source>
+        <translation>Schritte schließen (Esc)</translation>
+    </message>
+    <message>
+        <source>Step before (Left)</source>
+        <translation>Voriger Schritt (Links)</translation>
+    </message>
+    <message>
+        <source>Play (Space)</source>
+        <translation>Abspielen (Leertaste)</translation>
+    </message>
+    <message>
+        <source>Next step (Right)</source>
+        <translation>Nächster Schritt (Rechts)</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Schritt</translation>
+    </message>
+    <message>
+        <source>Draw the parts apart</source>
+        <translation>Die Teile auseinanderziehen</translation>
+    </message>
+    <message>
+        <source>Apart</source>
+        <translation>Auseinander</translation>
+    </message>
+    <message>
+        <source>Pause (Space)</source>
+        <translation>Anhalten (Leertaste)</translation>
+    </message>
+</context>
+<context>
+    <name>fff::ui::StepsExport</name>
+    <message>
+        <source>All steps, to print (*.pdf)</source>
+        <translation>Alle Schritte, zum Drucken (*.pdf)</translation>
+    </message>
+    <message>
+        <source>Pictures, one for each step (*.png)</source>
+        <translation>Bilder, eines für jeden Schritt (*.png)</translation>
+    </message>
+    <message>
+        <source>Export steps</source>
+        <translation>Schritte ausgeben</translation>
+    </message>
+    <message>
+        <source>Exporting %1…</source>
+        <translation>%1 wird ausgegeben …</translation>
+    </message>
+    <message>
+        <source>Nothing was written: the export was given up.</source>
+        <translation>Nichts geschrieben: die Ausgabe wurde abgebrochen.</translation>
+    </message>
+    <message>
+        <source>The steps could not be exported: no picture can be made on this display.</source>
+        <translation>Die Schritte konnten nicht ausgegeben werden: auf dieser Anzeige entsteht kein Bild.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n step(s)</source>
+        <translation>
+            <numerusform>%n Schritt</numerusform>
+            <numerusform>%n Schritte</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Exported %1 to %2.</source>
+        <translation>%1 nach %2 ausgegeben.</translation>
+    </message>
+    <message>
+        <source>Exported %1 to %2 … %3.</source>
+        <translation>%1 nach %2 … %3 ausgegeben.</translation>
+    </message>
+    <message>
+        <source>Export somewhere else…</source>
+        <translation>Anderswohin ausgeben …</translation>
+    </message>
+</context>
+<context>
     <name>fff::ui::StepsPaper</name>
     <message>
         <source>1 part</source>
@@ -4353,6 +4465,26 @@
         <source>%1 × %2&#x202f;mm</source>
         <extracomment>the size of a part in millimetres: width, height</extracomment>
         <translation>%1 × %2&#x202f;mm</translation>
+    </message>
+</context>
+<context>
+    <name>fff::ui::StepsView</name>
+    <message>
+        <source>The steps cannot be shown on this display.</source>
+        <translation>Die Schritte können auf dieser Anzeige nicht gezeigt werden.</translation>
+    </message>
+    <message>
+        <source>Working out the order of assembly; the steps are shown as soon as it is known.</source>
+        <translation>Die Reihenfolge wird noch bestimmt; die Schritte werden gezeigt, sobald sie bekannt ist.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Nothing is there yet.&lt;/b&gt; Step 1: %1</source>
+        <translation>&lt;b&gt;Noch ist nichts da.&lt;/b&gt; Schritt 1: %1</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;%1:&lt;/b&gt; %2</source>
+        <extracomment>%1 is &quot;Step 4 of 38&quot;, %2 what is done in it</extracomment>
+        <translation>&lt;b&gt;%1:&lt;/b&gt; %2</translation>
     </message>
 </context>
 <context>

@@ -179,13 +179,6 @@
             <numerusform>%n sections</numerusform>
         </translation>
     </message>
-    <message numerus="yes">
-        <source>Replace %n file(s) of an earlier export?</source>
-        <translation>
-            <numerusform>Replace %n file of an earlier export?</numerusform>
-            <numerusform>Replace %n files of an earlier export?</numerusform>
-        </translation>
-    </message>
 </context>
 <context>
     <name>fff::ui::MainWindow</name>
@@ -225,6 +218,16 @@
     </message>
 </context>
 <context>
+    <name>fff::ui::ReplaceQuestion</name>
+    <message numerus="yes">
+        <source>Replace %n file(s) of an earlier export?</source>
+        <translation>
+            <numerusform>Replace %n file of an earlier export?</numerusform>
+            <numerusform>Replace %n files of an earlier export?</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>fff::ui::StartPage</name>
     <message numerus="yes">
         <source>%n section(s)</source>
@@ -241,6 +244,16 @@
         <translation>
             <numerusform>%n section</numerusform>
             <numerusform>%n sections</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>fff::ui::StepsExport</name>
+    <message numerus="yes">
+        <source>%n step(s)</source>
+        <translation>
+            <numerusform>%n step</numerusform>
+            <numerusform>%n steps</numerusform>
         </translation>
     </message>
 </context>

@@ -25,6 +25,8 @@
 #include "ui/settings/settings.h"
 #include "ui/start/start_page.h"
 #include "ui/status_line.h"
+#include "ui/steps/steps_export.h"
+#include "ui/steps/steps_view.h"
 #include "ui/theme.h"
 #include "ui/viewport.h"
 #include "ui/window_layout.h"
@@ -71,6 +73,11 @@ MainWindow::MainWindow(QWidget *parent) : QMainWindow(parent), m_bench(new Workb
     makeDocks();
     m_files = new DocumentFiles(*m_bench, *m_messages, *m_status, *this);
     m_unsaved = new UnsavedWork(*m_bench, *m_files, *m_messages, this);
+    m_stepsExport = new StepsExport(*m_messages, *m_status, *this);
+    connect(m_steps, &StepsView::exportWanted, this, [this] {
+        m_stepsExport->ask(m_steps->steps(), m_bench->interaction().camera(),
+                           m_files->suggestion());
+    });
     addCommands();
     m_toolBar = new MainToolBar(*m_bench, *m_actions, this);
     addToolBar(m_toolBar);
@@ -142,6 +149,7 @@ void MainWindow::makeDocks()
     m_bar = new CanvasBar(*m_bench, m_view);
     if (auto *viewport = qobject_cast<Viewport *>(m_view))
         connect(viewport, &Viewport::numberBegun, m_bar, &CanvasBar::begin);
+    m_steps = new StepsView(*m_bench, *m_checkList, qobject_cast<Viewport *>(m_view), this);
     m_layout = new WindowLayout(*this);
     // The order is that of the tabs in a narrow window.
     m_layout->add(m_properties, WindowLayout::Place::Right);
@@ -154,6 +162,9 @@ void MainWindow::makeDocks()
     connect(m_badges, &Badges::clicked, m_checks, qOverload<CheckSubject>(&ChecksDock::choose));
     connect(m_checks, &ChecksDock::shown, this, [this] { m_layout->show(m_checks); });
     connect(m_checks, &ChecksDock::said, m_status, &StatusLine::sayMarked);
+    connect(m_checks, &ChecksDock::stepsWanted, this,
+            [this] { run(QStringLiteral("check.showAssembly")); });
+    connect(m_steps, &StepsView::said, m_status, &StatusLine::sayMarked);
     connect(m_history, &HistoryDock::said, m_status, &StatusLine::sayMarked);
     connect(m_checks, &ChecksDock::stocksWanted, this, [this] { showStocks({}); });
     connect(m_properties, &PropertiesDock::stockWanted, this, &MainWindow::showStocks);
@@ -218,6 +229,7 @@ void MainWindow::addCommands()
     add("view.previousPane", [this] { goToPane(*this, m_toolBar, m_view, -1); });
     add("check.nextProblem", [this] { m_checks->goToProblem(1); });
     add("check.previousProblem", [this] { m_checks->goToProblem(-1); });
+    add("check.showAssembly", [this] { m_steps->toggle(); });
     const auto addSwitch = [this](const char *id, DrawingSwitch what) {
         m_bench->commands().add(
             id, {[what](const CommandParameters &parameters, double) -> Result<void> {
@@ -238,7 +250,10 @@ void MainWindow::run(const QString &id)
     const QUndoStack &history = *m_bench->session().history();
     const QString undone = history.undoText(), redone = history.redoText();
     const int before = history.index();
-    m_bench->run(id);
+    if (m_steps->isOpen() && id == QStringLiteral("view.fitAll"))
+        m_steps->fit(); // what is shown, not what is drawn
+    else
+        m_bench->run(id);
     m_actions->refresh(); // what is checked says what is so, not what was clicked
     if (m_bench->interaction().tool() && id.startsWith(QStringLiteral("section.")))
         m_view->setFocus(); // keys are the tool's
@@ -336,6 +351,7 @@ void MainWindow::refreshTheme()
     m_checks->refreshColours();
     m_badges->refreshColours();
     m_bar->update();
+    m_steps->refresh();
     if (m_stocks)
         m_stocks->refresh();
     m_properties->refresh();

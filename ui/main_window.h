@@ -24,6 +24,8 @@ class MessageBar;
 class OutlineDock;
 class PropertiesDock;
 class StatusLine;
+class StepsExport;
+class StepsView;
 class StockEditor;
 class UnsavedWork;
 class Viewport;
@@ -84,7 +86,9 @@ private:
     ChecksDock *m_checks = nullptr;
     PropertiesDock *m_properties = nullptr;
     Badges *m_badges = nullptr;
-    CanvasBar *m_bar = nullptr;      // numbers for the tool in the hand
+    CanvasBar *m_bar = nullptr;   // numbers for the tool in the hand
+    StepsView *m_steps = nullptr; // of the assembly
+    StepsExport *m_stepsExport = nullptr;
     StockEditor *m_stocks = nullptr; // once it was asked for
     StatusLine *m_status = nullptr;
     DocumentFiles *m_files = nullptr;

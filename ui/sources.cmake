@@ -37,6 +37,7 @@ target_sources(fff_ui PRIVATE
     files/file_stamp.cpp
     files/progress.cpp
     files/recent_menu.cpp
+    files/replace_question.cpp
     files/unsaved_work.cpp
     focus_frame.cpp
     hint_text.cpp
@@ -72,6 +73,9 @@ target_sources(fff_ui PRIVATE
     start/start_page.cpp
     start/thumbnails.cpp
     status_line.cpp
+    steps/steps_bar.cpp
+    steps/steps_export.cpp
+    steps/steps_view.cpp
     theme.cpp
     translations.cpp
     view_input.cpp

@@ -5,6 +5,7 @@
 #include "ui/settings/settings.h"
 #include "ui/theme.h"
 #include "ui/view/overlay_painter.h"
+#include "ui/view/steps_scene.h"
 #include "ui/workbench.h"
 
 #include <QFocusEvent>
@@ -133,8 +134,9 @@ void Viewport::paintGL()
         options.isXray = interaction.view().isXray;
         options.hasGround = interaction.view().hasGround;
         options.clip = interaction.view().clip;
-        m_renderer.render(m_scene, interaction.camera(), Vec2(width(), height()),
-                          devicePixelRatioF(), theme().viewStyle(), options);
+        m_renderer.render(m_steps ? m_steps->scene : m_scene, interaction.camera(),
+                          Vec2(width(), height()), devicePixelRatioF(), theme().viewStyle(),
+                          options);
         context()->functions()->glFinish(); // the time is that of the picture, not of asking for it
         m_pace.end(m_frameClock());
         if (const std::optional<double> rest = m_pace.restTime())
@@ -168,8 +170,9 @@ void Viewport::paintMarks()
         scene.marks =
             placeMarks(interaction.marks(), interaction.camera(), scene.viewport, scene.view);
     scene.litMark = litMark();
-    if (!isDrawing)
+    if (!isDrawing && !m_steps)
         scene.ghosts = m_bench.ghosts();
+    scene.steps = m_steps ? &m_steps->marks : nullptr;
     if (scene.view.clip) // of the handle's place; every vertex is looked at for it
         scene.bounds = m_bench.session().committed().bounds();
     const auto hovered = static_cast<std::size_t>(std::max(overlay.hovered, 0));
@@ -182,6 +185,8 @@ void Viewport::paintMarks()
     QPainter painter(&m_marks);
     painter.setFont(font());
     paintOverlay(painter, scene, theme().viewStyle(), locale());
+    if (m_steps)
+        paintStepsFrame(painter);
     if (!m_showsFocus)
         return;
     const QRectF inside = QRectF(rect()).adjusted(1.0, 1.0, -1.0, -1.0);
@@ -190,6 +195,25 @@ void Viewport::paintMarks()
         painter.setPen(pen);
         painter.drawRect(inside);
     }
+}
+
+/// The view shows something else than the model as it is edited: nobody may miss that.
+void Viewport::paintStepsFrame(QPainter &painter) const
+{
+    constexpr double kWidth = 3.0;
+    const double half = 0.5 * kWidth;
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(QPen(theme().accent, kWidth, Qt::SolidLine, Qt::FlatCap, Qt::MiterJoin));
+    painter.drawRect(QRectF(rect()).adjusted(half, half, -half, -half));
+}
+
+void Viewport::showSteps(std::shared_ptr<const StepsPicture> picture)
+{
+    if (!picture && !m_steps)
+        return;
+    m_steps = std::move(picture);
+    m_isPictureChanged = true;
+    update();
 }
 
 /// Its mark appears when it takes longer than one waits for.

@@ -14,10 +14,12 @@
 #include <QTimer>
 
 #include <functional>
+#include <memory>
 
 namespace fff::ui {
 
 class Workbench;
+struct StepsPicture;
 
 class Viewport : public QOpenGLWidget
 {
@@ -32,6 +34,10 @@ public:
     /// ms; by it frames are timed, and drawn the simpler the longer they take. Tests have their
     /// own.
     void setFrameClock(std::function<double()> clock) { m_frameClock = std::move(clock); }
+
+    /// Drawn in place of the model, in a frame that says so; null: the model again.
+    void showSteps(std::shared_ptr<const StepsPicture> picture);
+    const StepsPicture *steps() const { return m_steps.get(); }
 
 Q_SIGNALS:
     /// The first key of a number, while the tool in the hand takes some.
@@ -85,12 +91,14 @@ private:
     int litMark() const;
     void watchAnalysis();
     void paintMarks();
+    void paintStepsFrame(QPainter &painter) const;
 
     Workbench &m_bench;
     ViewInput m_input;
     Renderer m_renderer;
     SceneBuilder m_builder;
     Scene m_scene;
+    std::shared_ptr<const StepsPicture> m_steps; // shown instead
     bool m_isUsable = false;
     bool m_showsFocus = false; // a frame says that keys go here
     QTimer m_frames;

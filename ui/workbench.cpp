@@ -179,9 +179,34 @@ void Workbench::setProblemSections(const std::vector<SectionRef> &sections)
 
 void Workbench::setProblemMarks(std::vector<ProblemMark> marks)
 {
-    if (marks == m_interaction->marks())
+    m_marks = std::move(marks);
+    showMarks();
+}
+
+void Workbench::setMarksAside(bool aside)
+{
+    m_areMarksAside = aside;
+    showMarks();
+}
+
+void Workbench::showMarks()
+{
+    const std::vector<ProblemMark> shown = m_areMarksAside ? std::vector<ProblemMark>() : m_marks;
+    if (shown == m_interaction->marks())
         return;
-    m_interaction->setMarks(std::move(marks));
+    m_interaction->setMarks(shown);
+    announceChanges();
+}
+
+void Workbench::pickUp(std::unique_ptr<Tool> tool)
+{
+    m_interaction->pickUp(std::move(tool), m_clock.now());
+    announceChanges();
+}
+
+void Workbench::layDownTool()
+{
+    m_interaction->layDown(m_clock.now());
     announceChanges();
 }
 

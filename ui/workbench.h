@@ -60,6 +60,8 @@ public:
     void setProblemSections(const std::vector<SectionRef> &sections);
     /// Numbers beside problems. A click on one is announced by problemChosen.
     void setProblemMarks(std::vector<ProblemMark> marks);
+    /// Put aside for as long as something else than the model is shown.
+    void setMarksAside(bool aside);
     /// The mark that is shown as if the cursor were on it, because it is on its row; 0: none.
     void setLitProblem(int number);
     int litProblem() const { return m_litProblem; }
@@ -69,6 +71,10 @@ public:
     void setOutlined(std::vector<SectionRef> sections, std::vector<SectionPointer> ghosts = {});
     const std::vector<SectionPointer> &ghosts() const { return m_ghosts; }
     const std::vector<SectionRef> &outlined() const { return m_outlined; }
+
+    /// Holds a tool; the one that is held already is laid down.
+    void pickUp(std::unique_ptr<Tool> tool);
+    void layDownTool();
 
     /// Commits an edit of control points, or says in the status line why it was refused.
     void editPoints(PointEdit edit);
@@ -97,6 +103,7 @@ Q_SIGNALS:
 private:
     void announceChanges();
     void followSettings();
+    void showMarks();
 
     Session m_session;
     SessionHost m_host;
@@ -108,6 +115,8 @@ private:
     ViewState m_view;
     std::vector<SectionRef> m_outlined;
     std::vector<SectionPointer> m_ghosts;
+    std::vector<ProblemMark> m_marks;
+    bool m_areMarksAside = false;
     int m_litProblem = 0, m_hoveredProblem = 0;
     Projection m_projection = Projection::Orthographic;
     bool m_couldGoBack = false;

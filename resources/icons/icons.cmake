@@ -37,12 +37,14 @@ set(icon_names
     next_pane
     next_problem
     open
+    pause
     pen
     perspective
     plane_front
     plane_ground
     plane_parallel
     plane_side
+    play
     plus
     point_add
     point_corner
@@ -65,6 +67,9 @@ set(icon_names
     show_all
     snap
     start
+    step_next
+    step_previous
+    steps
     stocks
     symmetry
     trash

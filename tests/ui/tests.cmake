@@ -29,6 +29,9 @@ set_tests_properties(ui/tst_point_editing PROPERTIES LABELS gl ENVIRONMENT "QT_Q
 fff_test(ui/tst_joints fff::ui)
 set_tests_properties(ui/tst_joints PROPERTIES LABELS gl ENVIRONMENT "QT_QPA_PLATFORM=xcb")
 
+fff_test(ui/steps/tst_steps_view fff::ui)
+set_tests_properties(ui/steps/tst_steps_view PROPERTIES LABELS gl ENVIRONMENT "QT_QPA_PLATFORM=xcb")
+
 # Pictures without a window still need a display's OpenGL.
 fff_test(ui/tst_offscreen_image fff::view)
 set_tests_properties(ui/tst_offscreen_image PROPERTIES LABELS gl ENVIRONMENT "QT_QPA_PLATFORM=xcb")
@@ -49,11 +52,11 @@ add_dependencies(tst_killed flatfitfab)
 set_tests_properties(ui/tst_killed PROPERTIES LABELS gl ENVIRONMENT "QT_QPA_PLATFORM=xcb" TIMEOUT 600)
 
 # Windows of two programs on one display take the focus from each other.
-set_tests_properties(ui/tst_main_window ui/tst_drawing ui/tst_joints ui/tst_pen_window ui/tst_point_editing ui/tst_script_player ui/tst_killed PROPERTIES RESOURCE_LOCK focus)
+set_tests_properties(ui/tst_main_window ui/tst_drawing ui/tst_joints ui/tst_pen_window ui/tst_point_editing ui/tst_script_player ui/steps/tst_steps_view ui/tst_killed PROPERTIES RESOURCE_LOCK focus)
 
 if(FFF_SANITIZE)
     # Graphics drivers keep some memory, and are unloaded before it could be told from ours.
-    foreach(test ui/dialogs/tst_dialogs ui/tst_drawing ui/tst_joints ui/tst_main_window ui/tst_pen_window ui/tst_offscreen_image ui/tst_point_editing ui/tst_script_player ui/view/tst_renderer)
+    foreach(test ui/dialogs/tst_dialogs ui/tst_drawing ui/tst_joints ui/tst_main_window ui/tst_pen_window ui/tst_offscreen_image ui/tst_point_editing ui/tst_script_player ui/steps/tst_steps_view ui/view/tst_renderer)
         set_tests_properties(${test} PROPERTIES ENVIRONMENT_MODIFICATION "ASAN_OPTIONS=set:detect_leaks=0")
     endforeach()
 endif()

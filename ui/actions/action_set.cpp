@@ -19,7 +19,7 @@ constexpr char kSentence[] = "sentence"; // of the tooltip, without the shortcut
 /// Checked while their tool is in the hand.
 constexpr const char *kTools[] = {
     "section.planeGround", "section.planeFront", "section.planeSide", "section.planeParallel",
-    "section.redraw",      "section.addHole",    "section.pen"};
+    "section.redraw",      "section.addHole",    "section.pen",       "check.showAssembly"};
 
 const ActionRow &rowOf(const QString &id)
 {
@@ -201,6 +201,7 @@ void ActionSet::refresh()
     setAble("view.hide", hasSelection, nothingSelected);
     setAble("view.showAll", isIsolated || !view.hidden.empty(), tr("No section is hidden"));
     setAble("view.clip", hasSections, nothingThere);
+    setAble("check.showAssembly", hasSections, nothingThere);
     action("view.perspective")->setChecked(interaction.targetCamera().isPerspective());
     action("view.xray")->setChecked(view.isXray);
     action("view.isolate")->setChecked(isIsolated);

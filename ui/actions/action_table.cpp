@@ -142,6 +142,8 @@ std::span<const ActionRow> Texts::actions()
         {"check.previousProblem", QT_TR_NOOP("&Previous problem"), QT_TR_NOOP("Previous problem"),
          "Shift+F8", "previous_problem",
          QT_TR_NOOP("Select the sections of the problem before this one")},
+        {"check.showAssembly", QT_TR_NOOP("Show the &steps"), QT_TR_NOOP("Steps"), "A", "steps",
+         QT_TR_NOOP("Show step by step how the model is put together"), true, true},
         {"fabricate.stocks", QT_TR_NOOP("&Stocks…"), QT_TR_NOOP("Stocks"), "", "stocks",
          QT_TR_NOOP("Sheet materials: thickness, strength, kerf and sheet size")},
         {"edit.find", QT_TR_NOOP("&Find an action…"), QT_TR_NOOP("Find"), "Ctrl+K", "search",
@@ -175,7 +177,7 @@ std::span<const MenuRow> Texts::menus()
          "section.removeHoles | point.insert point.delete | "
          "point.smooth point.symmetric point.corner | joint.flip joint.reset | "
          "section.dropToGround"},
-        {QT_TR_NOOP("&Checks"), "check.nextProblem check.previousProblem"},
+        {QT_TR_NOOP("&Checks"), "check.nextProblem check.previousProblem | check.showAssembly"},
         {QT_TR_NOOP("F&abricate"), "fabricate.stocks | file.export"},
         {QT_TR_NOOP("&Help"), "edit.find help.start | help.about"},
     };

@@ -372,6 +372,8 @@ QString ChecksDock::linkOf(const Check &check) const
         return check.sections.size() == 1 ? tr("Delete it") : tr("Delete them");
     case CheckCode::TooLarge:
         return tr("Choose a sheet");
+    case CheckCode::CanAssemble:
+        return check.count > 1 ? tr("Show the steps") : QString();
     case CheckCode::CannotAssemble:
         return m_list.flips() ? tr("Make assemblable") : QString();
     case CheckCode::NoContact:
@@ -388,6 +390,10 @@ void ChecksDock::act(int row)
     const Check check = m_rows[static_cast<std::size_t>(row)].check;
     if (check.code == CheckCode::TooLarge) {
         Q_EMIT stocksWanted();
+        return;
+    }
+    if (check.code == CheckCode::CanAssemble) {
+        Q_EMIT stepsWanted();
         return;
     }
     if (check.code == CheckCode::CannotAssemble) {

@@ -39,6 +39,7 @@ Q_SIGNALS:
     /// For the status bar, with marks.
     void said(const QString &sentence);
     void stocksWanted();
+    void stepsWanted();
     /// It wants to be seen.
     void shown();
 

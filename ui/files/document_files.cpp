@@ -76,7 +76,12 @@ bool DocumentFiles::saveAs()
 
 bool DocumentFiles::exportCuttingFile()
 {
-    return m_exporting->ask(folder() + u'/' + baseName());
+    return m_exporting->ask(suggestion());
+}
+
+QString DocumentFiles::suggestion() const
+{
+    return folder() + u'/' + baseName();
 }
 
 bool DocumentFiles::mayClose()

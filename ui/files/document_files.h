@@ -39,6 +39,8 @@ public:
     bool save();
     bool saveAs();
     bool exportCuttingFile();
+    /// Where and under which name it would be exported, without a suffix.
+    QString suggestion() const;
     /// True when the document may go: it is saved, or may be lost.
     bool mayClose();
     /// Back to what the file holds, as a step that can be taken back. So there is no question.

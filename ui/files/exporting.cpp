@@ -7,6 +7,7 @@
 #include "core/session/cutting_file.h"
 #include "ui/files/failures.h"
 #include "ui/files/progress.h"
+#include "ui/files/replace_question.h"
 #include "ui/lengths.h"
 #include "ui/message_bar.h"
 #include "ui/status_line.h"
@@ -15,8 +16,6 @@
 
 #include <QFileDialog>
 #include <QFileInfo>
-#include <QMessageBox>
-#include <QPushButton>
 
 namespace fff::ui {
 
@@ -103,7 +102,7 @@ bool Exporting::writeDrawing(const QString &path, bool isFilePerSheet)
     std::vector<io::NamedBytes> files{{path, file.svg}};
     if (isFilePerSheet) {
         files = io::numberedFiles(path, file.sheets);
-        if (!mayReplace(files))
+        if (!mayReplace(m_window, files))
             return false;
     }
     const auto written = inBackground<Result<void>>(m_window, doing, MayCancel::No, [files] {
@@ -119,31 +118,6 @@ bool Exporting::writeDrawing(const QString &path, bool isFilePerSheet)
                        //: %1 and %2 are the first and the last of several files
                        : tr("%1 to %2").arg(nameOf(files.front()), nameOf(files.back())));
     return true;
-}
-
-/// The dialog could not ask: how many there are is known only now.
-bool Exporting::mayReplace(const std::vector<io::NamedBytes> &files)
-{
-    QStringList there;
-    for (const io::NamedBytes &file : files) {
-        if (QFileInfo::exists(file.path))
-            there += QFileInfo(file.path).fileName();
-    }
-    if (there.isEmpty())
-        return true;
-    QMessageBox question(
-        QMessageBox::NoIcon, tr("Replace files"),
-        tr("Replace %n file(s) of an earlier export?", nullptr, static_cast<int>(there.size())),
-        QMessageBox::NoButton, &m_window);
-    question.setObjectName(QStringLiteral("replaceQuestion"));
-    question.setPalette(theme().palette());
-    question.setInformativeText(there.join(QStringLiteral(", ")));
-    QPushButton *replace = question.addButton(tr("Replace"), QMessageBox::AcceptRole);
-    QPushButton *back = question.addButton(tr("Cancel"), QMessageBox::RejectRole);
-    question.setDefaultButton(replace);
-    question.setEscapeButton(back);
-    question.exec();
-    return question.clickedButton() == replace;
 }
 
 void Exporting::tellDone(const CuttingFile &file, const QString &name)

@@ -5,16 +5,11 @@
 #include <QObject>
 #include <QStringList>
 
-#include <vector>
-
 class QWidget;
 
 namespace fff {
 struct CuttingFile;
 struct Error;
-namespace io {
-struct NamedBytes;
-}
 } // namespace fff
 
 namespace fff::ui {
@@ -41,7 +36,6 @@ public:
 private:
     bool prepare(const QString &path);
     bool writeDrawing(const QString &path, bool isFilePerSheet);
-    bool mayReplace(const std::vector<io::NamedBytes> &files);
     void tellDone(const CuttingFile &file, const QString &name);
     bool writeSolids(const QString &path);
     bool finishAnalysis(const QString &name);

@@ -5,6 +5,7 @@
 #include <QCloseEvent>
 #include <QElapsedTimer>
 #include <QEventLoop>
+#include <QProgressBar>
 #include <QProgressDialog>
 #include <QTimer>
 
@@ -29,7 +30,7 @@ public:
     void reject() override
     {
         if (m_mayCancel == MayCancel::Yes)
-            QProgressDialog::reject();
+            Q_EMIT canceled(); // Esc comes here while the dialog is not the active window yet
     }
 
 protected:
@@ -88,6 +89,59 @@ bool waitWithProgress(QWidget &window, const QString &text, MayCancel mayCancel,
     dialog.show();
     loop.exec();
     return !isGivenUp;
+}
+
+Pieces doInPieces(QWidget &window, const QString &text, int count,
+                  const std::function<bool(int piece)> &doPiece)
+{
+    QElapsedTimer since;
+    since.start();
+    QEventLoop loop;
+    int done = 0;
+    bool isFailed = false, isGivenUp = false;
+    const auto next = [&] {
+        if (done < count && !isFailed && !isGivenUp) {
+            isFailed = !doPiece(done);
+            ++done;
+        }
+        return done < count && !isFailed && !isGivenUp;
+    };
+    QTimer timer; // between two pieces all else that waits gets its turn
+    QObject::connect(&timer, &QTimer::timeout, &loop, [&] {
+        if (!next() || since.elapsed() > kPatience)
+            loop.quit();
+    });
+    timer.start(0);
+    loop.exec(QEventLoop::ExcludeUserInputEvents);
+    if (done < count && !isFailed) {
+        Progress dialog(text, MayCancel::Yes, &window);
+        dialog.setObjectName(QStringLiteral("progress"));
+        dialog.setPalette(theme().palette());
+        dialog.setWindowModality(Qt::ApplicationModal);
+        dialog.setAutoClose(false);
+        dialog.setAutoReset(false);
+        dialog.setMinimumDuration(0);
+        // The dialog's own setValue() lets events in, and the next piece with them.
+        auto *bar = new QProgressBar(&dialog);
+        bar->setRange(0, count);
+        bar->setValue(done);
+        dialog.setBar(bar);
+        dialog.setCancelButtonText(QProgressDialog::tr("Cancel"));
+        QObject::connect(&dialog, &QProgressDialog::canceled, &loop, [&] {
+            isGivenUp = true;
+            loop.quit();
+        });
+        timer.disconnect();
+        QObject::connect(&timer, &QTimer::timeout, &loop, [&] {
+            const bool goesOn = next();
+            bar->setValue(done);
+            if (!goesOn)
+                loop.quit();
+        });
+        dialog.show();
+        loop.exec();
+    }
+    return isGivenUp ? Pieces::GivenUp : isFailed ? Pieces::Failed : Pieces::Done;
 }
 
 } // namespace fff::ui

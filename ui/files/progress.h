@@ -22,6 +22,13 @@ enum class MayCancel { No, Yes };
 bool waitWithProgress(QWidget &window, const QString &text, MayCancel mayCancel,
                       const std::function<bool()> &isDone);
 
+/// Work that only this thread can do, in pieces of some tenths of a second at most.
+enum class Pieces { Done, Failed, GivenUp };
+/// Does `doPiece` for 0 … count − 1, until one says false. No input reaches any window meanwhile
+/// but that of the dialog, which shows how far it is.
+Pieces doInPieces(QWidget &window, const QString &text, int count,
+                  const std::function<bool(int piece)> &doPiece);
+
 /// The result of `work`, which owns all that it reads; nothing when it was given up: it then runs
 /// on to its end and what it made is dropped.
 template <class Output>

@@ -49,6 +49,11 @@ public:
     void progress();
     void marks();
     void mark(const PlacedMark &mark, bool isLit);
+    void steps()
+    {
+        if (m_scene.steps)
+            paintSteps(m_pen, *m_scene.steps, m_locale);
+    }
     void cube()
     {
         paintViewCube(m_painter, m_scene.camera.orientation, m_scene.viewport,
@@ -325,10 +330,12 @@ void paintOverlay(QPainter &painter, const OverlayScene &scene, const ViewStyle 
     drawing.stroke();
     drawing.path();
     drawing.band();
+    drawing.steps();
     drawing.cutHandle();
     drawing.marks();
     drawing.invitation();
-    drawing.scaleBar();
+    if (!scene.steps) // their bar stands there
+        drawing.scaleBar();
     drawing.cube();
     drawing.progress();
     drawing.hoveredName();

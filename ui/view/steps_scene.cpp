@@ -1,6 +1,7 @@
 #include "ui/view/steps_scene.h"
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 
 namespace fff::ui {
@@ -9,6 +10,7 @@ namespace {
 
 constexpr std::size_t kMostPlaces = 12; // that are tried for a number
 constexpr double kNumberReach = 9.0;    // px, from its middle
+constexpr double kBesideWay = 22.0;     // px, a number from the arrow
 constexpr int kAllRound = 5;            // nothing of it lies over anything else
 
 double areaOf(const Triangulation &triangulation, const std::array<int, 3> &triangle)
@@ -155,6 +157,13 @@ void StepsScene::addNumbers(StepsPicture &picture, const std::vector<PartPlace> 
     for (std::size_t i = 0; i < places.size(); ++i) {
         if (!places[i].isThere)
             continue;
+        if (places[i].isMoving) {
+            const Vec2 place = placeBesideWay(i, picture.marks.way, camera, viewport);
+            picture.marks.numbers.push_back({onFace(place, i, places[i].offset, camera, viewport),
+                                             m_items[i].extent,
+                                             AssemblySteps::numberOf(static_cast<int>(i)), true});
+            continue;
+        }
         int best = 0;
         Vec2 bestPlace = Vec2::Zero();
         for (const Vec2 &place : m_items[i].numberPlaces) {
@@ -167,8 +176,34 @@ void StepsScene::addNumbers(StepsPicture &picture, const std::vector<PartPlace> 
         if (best > 0)
             picture.marks.numbers.push_back(
                 {onFace(bestPlace, i, places[i].offset, camera, viewport), m_items[i].extent,
-                 AssemblySteps::numberOf(static_cast<int>(i)), places[i].isMoving});
+                 AssemblySteps::numberOf(static_cast<int>(i)), false});
     }
+}
+
+Vec2 StepsScene::placeBesideWay(std::size_t part, const std::vector<Vec3> &way,
+                                const Camera &camera, const Vec2 &viewport) const
+{
+    const std::vector<Vec2> &places = m_items[part].numberPlaces;
+    if (places.empty())
+        return Vec2::Zero();
+    if (way.size() < 2)
+        return places.front();
+    const Vec2 tip = camera.toScreen(way.back(), viewport);
+    const Vec2 last = tip - camera.toScreen(way[way.size() - 2], viewport);
+    if (last.norm() < 1.0)
+        return places.front();
+    double best = -1.0;
+    Vec2 bestPlace = places.front();
+    for (const Vec2 &place : places) {
+        const Vec2 at =
+            camera.toScreen(onFace(place, part, Vec3::Zero(), camera, viewport), viewport);
+        const double beside = std::min(std::abs(cross(last, at - tip)) / last.norm(), kBesideWay);
+        if (beside > best + 1.0) {
+            best = beside;
+            bestPlace = place;
+        }
+    }
+    return bestPlace;
 }
 
 /// On the face that is seen.

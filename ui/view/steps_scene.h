@@ -24,6 +24,7 @@ public:
     explicit StepsScene(AssemblyStepsPointer steps);
 
     const AssemblySteps &steps() const { return *m_steps; }
+    const AssemblyStepsPointer &pointer() const { return m_steps; }
 
     /// time, drawnApart: as Playback has them. The parts of the step that is under way are
     /// selected, those that come later left out. Numbers are those that are seen from there, not
@@ -53,6 +54,9 @@ private:
     /// How much of the part's face round a place of a number is seen, of 5.
     int roomAt(const Vec2 &place, std::size_t part, const std::vector<PartPlace> &places,
                const Camera &camera, const Vec2 &viewport) const;
+    /// Of what moves: beside its arrow, and the same all the way.
+    Vec2 placeBesideWay(std::size_t part, const std::vector<Vec3> &way, const Camera &camera,
+                        const Vec2 &viewport) const;
     Vec3 onFace(const Vec2 &place, std::size_t part, const Vec3 &offset, const Camera &camera,
                 const Vec2 &viewport) const;
 

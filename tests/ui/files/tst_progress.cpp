@@ -9,6 +9,7 @@
 #include <QWidget>
 
 #include <memory>
+#include <vector>
 
 using namespace fff::ui;
 
@@ -43,6 +44,9 @@ private Q_SLOTS:
     void whatMustEndIsNotClosedAway_data();
     void whatMustEndIsNotClosedAway();
     void whatMayBeGivenUpIs();
+    void piecesAreDoneInTheirOrder();
+    void piecesMayBeGivenUp();
+    void aPieceThatFailsIsTheLast();
 };
 
 void TestProgress::whatMustEndIsNotClosedAway_data()
@@ -98,6 +102,61 @@ void TestProgress::whatMayBeGivenUpIs()
         });
     mayEnd->release();
     QVERIFY(!result);
+}
+
+/// Each once, with time in between for all else that waits: else the window would hang.
+void TestProgress::piecesAreDoneInTheirOrder()
+{
+    QWidget window;
+    std::vector<int> done;
+    int between = 0;
+    QTimer other;
+    connect(&other, &QTimer::timeout, &window, [&] { ++between; });
+    other.start(0);
+    const Pieces how = doInPieces(window, QStringLiteral("Exporting"), 5, [&](int piece) {
+        done.push_back(piece);
+        return true;
+    });
+    QCOMPARE(how, Pieces::Done);
+    QCOMPARE(done, (std::vector<int>{0, 1, 2, 3, 4}));
+    QVERIFY(between >= 4);
+    QVERIFY(!dialogOf(window));
+}
+
+/// Whoever does not want to wait need not.
+void TestProgress::piecesMayBeGivenUp()
+{
+    QWidget window;
+    window.show();
+    int done = 0;
+    QTimer timer;
+    int shown = -1, most = 0;
+    whenShown(window, timer, [&](QProgressDialog &dialog) {
+        shown = dialog.value();
+        most = dialog.maximum();
+        QTest::keyClick(&dialog, Qt::Key_Escape);
+    });
+    const Pieces how = doInPieces(window, QStringLiteral("Exporting"), 400, [&](int) {
+        ++done;
+        QTest::qSleep(5);
+        return true;
+    });
+    QCOMPARE(how, Pieces::GivenUp);
+    QVERIFY(done < 400);
+    QVERIFY(shown > 0); // how far it is
+    QCOMPARE(most, 400);
+}
+
+void TestProgress::aPieceThatFailsIsTheLast()
+{
+    QWidget window;
+    int done = 0;
+    const Pieces how = doInPieces(window, QStringLiteral("Exporting"), 5, [&](int piece) {
+        ++done;
+        return piece < 2;
+    });
+    QCOMPARE(how, Pieces::Failed);
+    QCOMPARE(done, 3);
 }
 
 QTEST_MAIN(TestProgress)

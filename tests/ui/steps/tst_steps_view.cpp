@@ -1,0 +1,314 @@
+// The steps of the assembly in a real window: the action, keys, bar, and the ways out.
+#include <QTest> // first: moc cannot read some of the standard library before it
+
+#include "core/interaction/steps_tool.h"
+#include "core/session/check_list.h"
+#include "tests/core/assembly/known_models.h"
+#include "tests/ui/view_hand.h"
+#include "tests/ui/window_fixture.h"
+#include "tests/ui/window_program.h"
+#include "ui/sentence_label.h"
+#include "ui/steps/steps_export.h"
+#include "ui/steps/steps_view.h"
+#include "ui/view/steps_scene.h"
+
+#include <QFileDialog>
+#include <QSlider>
+#include <QToolButton>
+
+using namespace fff;
+using namespace fff::test;
+using namespace fff::ui;
+
+class TestStepsView : public QObject, private ViewHand
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init();
+    void cleanup() { closeWindow(); }
+
+    void theActionShowsThem();
+    void keysGoThroughTheSteps();
+    void theSliderGoesAnywhere();
+    void theyArePlayed();
+    void apartIsApart();
+    void allOfItIsFitted();
+    void theViewIsTurnedAndNothingElse();
+    void anEditLeavesThem();
+    void anotherToolLeavesThem();
+    void whatCannotBeAssembledSaysWhy();
+    void nothingIsShownOfAnOlderPlan();
+    void theyAreExported();
+
+private:
+    void open(const Document &document);
+    void showSteps();
+    StepsView &steps() { return *m_window->findChild<StepsView *>(); }
+    QFrame *bar() { return m_window->findChild<QFrame *>(QStringLiteral("stepsBar")); }
+    QString sentence()
+    {
+        return m_window->findChild<SentenceLabel *>(QStringLiteral("stepsSentence"))->text();
+    }
+    QString status()
+    {
+        return m_window->findChild<SentenceLabel *>(QStringLiteral("statusSentence"))->text();
+    }
+    QSlider *slider(const char *name)
+    {
+        return m_window->findChild<QSlider *>(QLatin1String(name));
+    }
+    std::size_t shownParts() { return m_view->steps()->scene.sections.size(); }
+};
+
+void TestStepsView::init()
+{
+    openWindow();
+    settings().setMotion(Motion::Reduced); // whole steps, at once
+    open(comb(3));
+}
+
+void TestStepsView::open(const Document &document)
+{
+    session().reset(document);
+    session().currentAnalysis();
+    m_window->findChild<CheckList *>()->finish();
+    bench().showAll("iso1");
+    m_view->setFocus();
+    QTRY_VERIFY(m_view->hasFocus());
+}
+
+void TestStepsView::showSteps()
+{
+    key(Qt::Key_A);
+    QVERIFY(steps().isOpen());
+    QVERIFY(bar()->isVisible());
+}
+
+// Wrong: nobody sees that it is on, or the action does not say so.
+void TestStepsView::theActionShowsThem()
+{
+    QVERIFY(!bar()->isVisible());
+    showSteps();
+    QVERIFY(actionOf(*m_window, "check.showAssembly")->isChecked());
+    QCOMPARE(
+        sentence(),
+        QStringLiteral("Step 1 of 4: begin with %1").arg(QString::fromStdString(first().name)));
+    QCOMPARE(shownParts(), std::size_t(1));
+    QVERIFY(m_view->rect().contains(bar()->geometry()));
+    key(Qt::Key_Escape);
+    QVERIFY(!steps().isOpen() && !bar()->isVisible() && !m_view->steps());
+    QVERIFY(!actionOf(*m_window, "check.showAssembly")->isChecked());
+    showSteps();
+    key(Qt::Key_A);
+    QVERIFY(!steps().isOpen());
+    showSteps();
+    QTest::mouseClick(m_window->findChild<QToolButton *>(QStringLiteral("stepsClose")),
+                      Qt::LeftButton);
+    QVERIFY(!steps().isOpen());
+}
+
+// Wrong: a key does what it does elsewhere (Home fits the view, End drops the model).
+void TestStepsView::keysGoThroughTheSteps()
+{
+    showSteps();
+    const Camera seen = interaction().camera();
+    key(Qt::Key_Right);
+    QCOMPARE(steps().time(), 2.0);
+    QVERIFY(sentence().startsWith(QStringLiteral("Step 2 of 4: slide")));
+    key(Qt::Key_Right);
+    key(Qt::Key_Left);
+    QCOMPARE(steps().time(), 2.0);
+    key(Qt::Key_End);
+    QCOMPARE(steps().time(), 4.0);
+    QCOMPARE(shownParts(), std::size_t(4));
+    key(Qt::Key_Right);
+    QCOMPARE(steps().time(), 4.0);
+    key(Qt::Key_Home);
+    QCOMPARE(steps().time(), 0.0);
+    QCOMPARE(shownParts(), std::size_t(0));
+    QVERIFY(interaction().camera() == seen);
+    QCOMPARE(this->ViewHand::steps(), 0); // of the history
+}
+
+// Wrong: a place on the slider is no place in the steps.
+void TestStepsView::theSliderGoesAnywhere()
+{
+    showSteps();
+    QSlider *time = slider("stepsTime");
+    time->setValue((time->maximum() * 5) / 8);
+    QCOMPARE(steps().time(), 2.5);
+    QVERIFY(sentence().startsWith(QStringLiteral("Step 3 of 4")));
+    const std::vector<SceneSection> &shown = m_view->steps()->scene.sections;
+    QCOMPARE(std::count_if(shown.begin(), shown.end(),
+                           [](const SceneSection &s) { return s.isSelected; }),
+             1);
+    QVERIFY(m_view->steps()->marks.way.size() >= 2);
+    // The same place backwards shows the same.
+    const std::vector<SceneSection> before = shown;
+    time->setValue(time->maximum());
+    time->setValue((time->maximum() * 5) / 8);
+    QVERIFY(std::equal(before.begin(), before.end(), m_view->steps()->scene.sections.begin(),
+                       [](const SceneSection &a, const SceneSection &b) {
+                           return a.frame == b.frame && a.isSelected == b.isSelected;
+                       }));
+    time->setFocus();
+    QTest::keyClick(time, Qt::Key_Escape);
+    QVERIFY(!steps().isOpen());
+}
+
+// Wrong: it does not begin, does not stop, or frames go on for ever.
+void TestStepsView::theyArePlayed()
+{
+    settings().setMotion(Motion::Full);
+    open(chain(9));
+    showSteps();
+    QTRY_VERIFY_WITH_TIMEOUT(steps().time() > 0.1, 10000);
+    key(Qt::Key_Space);
+    const double paused = steps().time();
+    QVERIFY(paused < 9.0);
+    QVERIFY2(!interaction().isAnimating(), qPrintable(QString::number(paused)));
+    key(Qt::Key_Right);
+    QTRY_COMPARE_WITH_TIMEOUT(steps().time(), std::floor(paused) + 1.0, 10000);
+    QTRY_VERIFY(!interaction().isAnimating());
+    QTest::qWait(1200); // the picture at rest is drawn in full
+    const int painted = m_view->paintCount();
+    QTest::qWait(300);
+    QCOMPARE(m_view->paintCount(), painted);
+}
+
+// Wrong: parts still cover each other.
+void TestStepsView::apartIsApart()
+{
+    showSteps();
+    key(Qt::Key_End);
+    const auto framesNow = [this] {
+        std::vector<Frame> frames;
+        for (const SceneSection &section : m_view->steps()->scene.sections)
+            frames.push_back(section.frame);
+        return frames;
+    };
+    const std::vector<Frame> together = framesNow();
+    slider("stepsApart")->setValue(100);
+    QVERIFY(framesNow() != together);
+    slider("stepsApart")->setValue(0);
+    QVERIFY(framesNow() == together);
+    slider("stepsApart")->setValue(60);
+    key(Qt::Key_Escape);
+    showSteps();
+    QCOMPARE(slider("stepsApart")->value(), 0);
+}
+
+// Wrong: "Fit" cuts off what is drawn apart.
+void TestStepsView::allOfItIsFitted()
+{
+    showSteps();
+    key(Qt::Key_End);
+    slider("stepsApart")->setValue(100);
+    actionOf(*m_window, "view.fitAll")->trigger();
+    for (const SceneSection &section : m_view->steps()->scene.sections) {
+        for (const Vec2 &p : section.shape->region().outer) {
+            const QPoint at = onScreen(section.frame.toWorld(p));
+            QVERIFY(m_view->rect().contains(at));
+            QVERIFY(at.y() < bar()->y());
+        }
+    }
+}
+
+void TestStepsView::theViewIsTurnedAndNothingElse()
+{
+    showSteps();
+    key(Qt::Key_End);
+    const Camera seen = interaction().camera();
+    const QPoint on = onScreen(first().frame.toWorld(first().shape->centroid()));
+    click(on);
+    QVERIFY(interaction().selection().empty());
+    drag({on, on + QPoint(40, 10), on + QPoint(90, 30)});
+    QVERIFY(!(interaction().camera() == seen));
+    QVERIFY(steps().isOpen());
+    QCOMPARE(count(), std::size_t(4));
+    QCOMPARE(this->ViewHand::steps(), 0);
+}
+
+// Wrong: steps are shown of a model that is another one by now.
+void TestStepsView::anEditLeavesThem()
+{
+    showSteps();
+    session().commit(QStringLiteral("Add"), comb(4));
+    QVERIFY(!steps().isOpen() && !m_view->steps());
+    QCOMPARE(status(),
+             QStringLiteral("The model has changed, so the view of its steps was closed."));
+    session().currentAnalysis();
+    m_window->findChild<CheckList *>()->finish();
+    showSteps();
+    key(Qt::Key_Z, Qt::ControlModifier);
+    QVERIFY(!steps().isOpen());
+    QCOMPARE(count(), std::size_t(4));
+}
+
+void TestStepsView::anotherToolLeavesThem()
+{
+    showSteps();
+    key(Qt::Key_P);
+    QVERIFY(!steps().isOpen() && !bar()->isVisible());
+    QVERIFY(interaction().tool());
+    showSteps();
+    QVERIFY(interaction().tool()->command() == StepsTool::kCommand);
+}
+
+// Wrong: nothing happens, and nobody knows why.
+void TestStepsView::whatCannotBeAssembledSaysWhy()
+{
+    open(triangle());
+    key(Qt::Key_A);
+    QVERIFY(!steps().isOpen());
+    QVERIFY2(status().contains(QStringLiteral("cannot be assembled")), qPrintable(status()));
+}
+
+// Wrong: the steps are those of a model before.
+void TestStepsView::nothingIsShownOfAnOlderPlan()
+{
+    session().commit(QStringLiteral("Add"), comb(5));
+    key(Qt::Key_A);
+    if (!steps().isOpen()) // as a rule it is still being worked out
+        QVERIFY(status().startsWith(QStringLiteral("Working out the order")));
+    QTRY_VERIFY(steps().isOpen());
+    QCOMPARE(steps().steps()->playback.partCount(), 6);
+}
+
+void TestStepsView::theyAreExported()
+{
+    showSteps();
+    const QString folder = m_folder->path();
+    auto *exporting = m_window->findChild<StepsExport *>();
+    QVERIFY(exporting->write(steps().steps(), interaction().camera(),
+                             folder + QStringLiteral("/comb.pdf")));
+    QFile pdf(folder + QStringLiteral("/comb.pdf"));
+    QVERIFY(pdf.open(QIODevice::ReadOnly) && pdf.read(5) == "%PDF-");
+    QCOMPARE(status(), QStringLiteral("Exported 4 steps to comb.pdf."));
+    const QString pictures = folder + QStringLiteral("/comb.png");
+    QVERIFY(exporting->write(steps().steps(), interaction().camera(), pictures));
+    QVERIFY(QFile::exists(folder + QStringLiteral("/comb-04.png")));
+    int asked = 0;
+    answer(QStringLiteral("Cancel"), &asked);
+    QVERIFY(!exporting->write(steps().steps(), interaction().camera(), pictures));
+    QCOMPARE(asked, 1);
+    QVERIFY(!exporting->write(steps().steps(), interaction().camera(),
+                              folder + QStringLiteral("/none/comb.pdf")));
+    QVERIFY(messagesOf(*m_window)->isVisible());
+    QVERIFY(steps().isOpen());
+    // The button asks for a file, named as the model.
+    QString suggested;
+    whenShown<QFileDialog>("stepsExportDialog", [&suggested](QFileDialog *dialog) {
+        suggested = QFileInfo(dialog->selectedFiles().value(0)).suffix();
+    });
+    QTest::mouseClick(m_window->findChild<QToolButton *>(QStringLiteral("stepsExport")),
+                      Qt::LeftButton);
+    QCOMPARE(suggested, QStringLiteral("pdf"));
+}
+
+int main(int argc, char *argv[])
+{
+    return runInWindowProgram<TestStepsView>(argc, argv);
+}
+#include "tst_steps_view.moc"

@@ -1,0 +1,51 @@
+#include "ui/files/replace_question.h"
+
+#include "ui/theme.h"
+
+#include <QCoreApplication>
+#include <QFileInfo>
+#include <QMessageBox>
+#include <QPushButton>
+
+namespace fff::ui {
+
+namespace {
+
+struct Words
+{
+    Q_DECLARE_TR_FUNCTIONS(fff::ui::ReplaceQuestion)
+};
+
+/// More names than this are no help.
+constexpr qsizetype kMostNames = 8;
+
+} // namespace
+
+bool mayReplace(QWidget &window, const std::vector<io::NamedBytes> &files)
+{
+    QStringList there;
+    for (const io::NamedBytes &file : files) {
+        if (QFileInfo::exists(file.path))
+            there += QFileInfo(file.path).fileName();
+    }
+    if (there.isEmpty())
+        return true;
+    QMessageBox question(QMessageBox::NoIcon, Words::tr("Replace files"),
+                         Words::tr("Replace %n file(s) of an earlier export?", nullptr,
+                                   static_cast<int>(there.size())),
+                         QMessageBox::NoButton, &window);
+    question.setObjectName(QStringLiteral("replaceQuestion"));
+    question.setPalette(theme().palette());
+    QStringList named = there.mid(0, kMostNames);
+    if (named.size() < there.size())
+        named += QStringLiteral("…");
+    question.setInformativeText(named.join(QStringLiteral(", ")));
+    QPushButton *replace = question.addButton(Words::tr("Replace"), QMessageBox::AcceptRole);
+    QPushButton *back = question.addButton(Words::tr("Cancel"), QMessageBox::RejectRole);
+    question.setDefaultButton(replace);
+    question.setEscapeButton(back);
+    question.exec();
+    return question.clickedButton() == replace;
+}
+
+} // namespace fff::ui

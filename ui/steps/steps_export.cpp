@@ -1,0 +1,118 @@
+#include "ui/steps/steps_export.h"
+
+#include "core/io/document_file.h"
+#include "core/io/file_set.h"
+#include "ui/files/failures.h"
+#include "ui/files/progress.h"
+#include "ui/files/replace_question.h"
+#include "ui/message_bar.h"
+#include "ui/status_line.h"
+#include "ui/theme.h"
+#include "ui/view/steps_files.h"
+
+#include <QFileDialog>
+#include <QFileInfo>
+
+namespace fff::ui {
+
+namespace {
+
+const QString kPaper = QStringLiteral("pdf"), kPictures = QStringLiteral("png");
+
+bool isPictures(const QString &path)
+{
+    return QFileInfo(path).suffix().compare(kPictures, Qt::CaseInsensitive) == 0;
+}
+
+} // namespace
+
+StepsExport::StepsExport(MessageBar &messages, StatusLine &status, QWidget &window)
+    : QObject(&window), m_messages(messages), m_status(status), m_window(window)
+{
+}
+
+bool StepsExport::ask(const AssemblyStepsPointer &steps, const Camera &looking,
+                      const QString &suggestion)
+{
+    const QString paper = tr("All steps, to print (*.pdf)"),
+                  pictures = tr("Pictures, one for each step (*.png)");
+    QFileDialog dialog(&m_window, tr("Export steps"), QFileInfo(suggestion).absolutePath(),
+                       QStringList{paper, pictures}.join(QStringLiteral(";;")));
+    dialog.setObjectName(QStringLiteral("stepsExportDialog"));
+    dialog.setPalette(theme().palette());
+    dialog.setAcceptMode(QFileDialog::AcceptSave);
+    dialog.setDefaultSuffix(kPaper);
+    dialog.selectFile(QFileInfo(suggestion).fileName() + u'.' + kPaper);
+    connect(&dialog, &QFileDialog::filterSelected, &dialog, [&](const QString &filter) {
+        const QString suffix = filter == pictures ? kPictures : kPaper;
+        dialog.setDefaultSuffix(suffix);
+        // The name is then none of a file.
+        dialog.setOption(QFileDialog::DontConfirmOverwrite, filter == pictures);
+        const QFileInfo chosen(dialog.selectedFiles().value(0));
+        if (!chosen.isDir())
+            dialog.selectFile(chosen.completeBaseName() + u'.' + suffix);
+    });
+    if (dialog.exec() != QDialog::Accepted)
+        return false;
+    return write(steps, looking, dialog.selectedFiles().value(0));
+}
+
+bool StepsExport::write(const AssemblyStepsPointer &steps, const Camera &looking,
+                        const QString &path)
+{
+    const QString name = QFileInfo(path).fileName();
+    StepsFiles::Options options;
+    options.kind = isPictures(path) ? StepsFiles::Kind::Pictures : StepsFiles::Kind::Paper;
+    options.title = QFileInfo(path).completeBaseName();
+    options.paper = StepsPaper::usualSize(m_window.locale());
+    options.looking = looking;
+    StepsFiles files(steps, options);
+    const auto count = static_cast<std::size_t>(steps->playback.stepCount());
+    if (isPictures(path) &&
+        !mayReplace(m_window,
+                    io::numberedFiles(path, std::vector<std::string>(count), io::digitsFor(count))))
+        return false;
+    const Pieces made = doInPieces(m_window, tr("Exporting %1…").arg(name), files.pieceCount(),
+                                   [&](int piece) { return files.makePiece(piece); });
+    if (made == Pieces::GivenUp) {
+        m_status.say(tr("Nothing was written: the export was given up."));
+        return false;
+    }
+    if (made == Pieces::Failed) {
+        m_messages.show(MessageBar::Severity::Error,
+                        {tr("The steps could not be exported: no picture can be made on this "
+                            "display.")});
+        return false;
+    }
+    const std::vector<io::NamedBytes> named =
+        isPictures(path) ? io::numberedFiles(path, files.take(), io::digitsFor(count))
+                         : std::vector<io::NamedBytes>{{path, files.take().front()}};
+    const auto written =
+        inBackground<Result<void>>(m_window, tr("Exporting %1…").arg(name), MayCancel::No, [named] {
+            return named.size() == 1 ? io::writeFile(named[0].path, named[0].bytes)
+                                     : io::writeFiles(named);
+        });
+    if (!*written)
+        return tellFailure(steps, looking, path, written->error());
+    m_messages.hide();
+    const auto nameOf = [](const io::NamedBytes &one) { return QFileInfo(one.path).fileName(); };
+    const QString said = tr("%n step(s)", nullptr, static_cast<int>(count));
+    m_status.say(
+        named.size() == 1
+            ? tr("Exported %1 to %2.").arg(said, nameOf(named.front()))
+            : tr("Exported %1 to %2 … %3.").arg(said, nameOf(named.front()), nameOf(named.back())));
+    return true;
+}
+
+bool StepsExport::tellFailure(const AssemblyStepsPointer &steps, const Camera &looking,
+                              const QString &path, const Error &error)
+{
+    const QString base = QFileInfo(path).absolutePath() + u'/' + QFileInfo(path).completeBaseName();
+    m_messages.show(MessageBar::Severity::Error, {saveFailure(path, error)},
+                    {{tr("Export somewhere else…"),
+                      [this, steps, looking, base] { ask(steps, looking, base); }}},
+                    failureDetails(path, error));
+    return false;
+}
+
+} // namespace fff::ui

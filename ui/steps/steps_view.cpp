@@ -1,0 +1,252 @@
+#include "ui/steps/steps_view.h"
+
+#include "core/interaction/steps_tool.h"
+#include "core/session/check_list.h"
+#include "ui/settings/settings.h"
+#include "ui/steps/steps_bar.h"
+#include "ui/view/offscreen_image.h"
+#include "ui/view/steps_scene.h"
+#include "ui/viewport.h"
+#include "ui/workbench.h"
+
+#include <QKeyEvent>
+
+#include <utility>
+
+namespace fff::ui {
+
+namespace {
+
+/// Of the keys that the view has another use for.
+bool isOfSteps(int key)
+{
+    return key == Qt::Key_Space || key == Qt::Key_Left || key == Qt::Key_Right ||
+           key == Qt::Key_Home || key == Qt::Key_End;
+}
+
+bool isPlain(const QKeyEvent *event)
+{
+    return (event->modifiers() & ~Qt::KeypadModifier) == Qt::NoModifier;
+}
+
+} // namespace
+
+StepsView::StepsView(Workbench &bench, const CheckList &list, Viewport *viewport, QObject *parent)
+    : QObject(parent), m_bench(bench), m_list(list), m_viewport(viewport)
+{
+    if (!viewport)
+        return;
+    m_bar = new StepsBar(viewport);
+    viewport->installEventFilter(this);
+    connect(m_bar, &StepsBar::playWanted, this, [this] { act(Qt::Key_Space); });
+    connect(m_bar, &StepsBar::previousWanted, this, [this] { act(Qt::Key_Left); });
+    connect(m_bar, &StepsBar::nextWanted, this, [this] { act(Qt::Key_Right); });
+    connect(m_bar, &StepsBar::timeChosen, this, [this](double time) {
+        if (!isOpen())
+            return;
+        m_player->jumpTo(time);
+        follow();
+    });
+    connect(m_bar, &StepsBar::drawnApartChanged, this, &StepsView::follow);
+    connect(m_bar, &StepsBar::closeWanted, this, [this] { m_bench.layDownTool(); });
+    connect(m_bar, &StepsBar::exportWanted, this, &StepsView::exportWanted);
+    connect(&bench, &Workbench::viewStateChanged, this, [this] {
+        const Tool *tool = m_bench.interaction().tool();
+        if (isOpen() && !(tool && tool->command() == StepsTool::kCommand))
+            close();
+    });
+    connect(&bench, &Workbench::viewChanged, this, &StepsView::follow);
+    connect(&list, &CheckList::changed, this, [this] {
+        if (m_isWanted)
+            openWhenPlanned();
+    });
+}
+
+StepsView::~StepsView() = default;
+
+AssemblyStepsPointer StepsView::steps() const
+{
+    return m_scene ? m_scene->pointer() : nullptr;
+}
+
+double StepsView::time() const
+{
+    return m_player ? m_player->time() : 0.0;
+}
+
+void StepsView::refresh()
+{
+    if (m_bar)
+        m_bar->refresh();
+}
+
+void StepsView::fit()
+{
+    if (!isOpen() || !m_viewport->steps() || m_viewport->steps()->scene.sections.empty())
+        return;
+    const Interaction &interaction = m_bench.interaction();
+    const Vec2 size = interaction.viewport();
+    const Vec2 below(0.0, size.y() - m_bar->y());
+    Camera camera =
+        cameraFor(m_viewport->steps()->scene, interaction.targetCamera(), size - below);
+    camera = panned(camera, 0.5 * below, Vec2::Zero(), size);
+    m_bench.setCamera(camera);
+}
+
+void StepsView::toggle()
+{
+    if (isOpen()) {
+        m_bench.layDownTool();
+        return;
+    }
+    if (!m_viewport) {
+        Q_EMIT said(tr("The steps cannot be shown on this display."));
+        return;
+    }
+    if (m_bench.session().hasPreview())
+        m_bench.escape(); // what is still being drawn has no steps
+    m_isWanted = true;
+    openWhenPlanned();
+    if (m_isWanted)
+        Q_EMIT said(tr("Working out the order of assembly; the steps are shown as soon as it is "
+                       "known."));
+}
+
+/// The plan may be older than the drawing: then the next one is waited for.
+void StepsView::openWhenPlanned()
+{
+    const Session &session = m_bench.session();
+    const auto &planned = m_list.plan();
+    const bool isEmpty = session.model().sectionCount() == 0;
+    if (!isEmpty && (session.hasPreview() || session.analysedRevision() != session.revision() ||
+                     !planned || planned->analysis != session.analysisPointer()))
+        return;
+    m_isWanted = false;
+    if (isEmpty) {
+        Q_EMIT said(whyNoSteps(session.analysis(), {}).toHtmlEscaped());
+        return;
+    }
+    AssemblyStepsPointer steps = assemblySteps(planned->analysis, planned->plan);
+    if (steps)
+        open(std::move(steps));
+    else
+        Q_EMIT said(whyNoSteps(*planned->analysis, planned->plan).toHtmlEscaped());
+}
+
+void StepsView::open(AssemblyStepsPointer steps)
+{
+    const bool jumps = settings().reducesMotion();
+    m_player = std::make_shared<StepsPlayer>(steps->playback.stepCount(), jumps);
+    m_shown.reset();
+    m_bench.setMarksAside(true);
+    m_bar->setStepCount(steps->playback.stepCount());
+    m_bar->resetDrawnApart();
+    m_scene = std::make_unique<StepsScene>(std::move(steps));
+    m_bench.pickUp(std::make_unique<StepsTool>(m_player));
+    if (jumps)
+        m_player->jumpTo(1.0);
+    else
+        m_player->play(m_bench.clock().now());
+    show();
+    m_bar->show();
+    m_bar->raise();
+    m_viewport->setFocus();
+    m_bench.advance(); // frames from now on
+}
+
+void StepsView::close()
+{
+    m_scene.reset();
+    m_player->pause();
+    m_bar->hide();
+    m_viewport->showSteps(nullptr);
+    m_bench.setMarksAside(false);
+    m_viewport->setFocus();
+}
+
+void StepsView::follow()
+{
+    if (!isOpen())
+        return;
+    m_player->advance(m_bench.clock().now());
+    const Interaction &interaction = m_bench.interaction();
+    const bool isSame =
+        m_shown && m_shown->time == m_player->time() &&
+        m_shown->drawnApart == m_bar->drawnApart() && m_shown->camera == interaction.camera() &&
+        m_shown->viewport == interaction.viewport() && m_shown->isPlaying == m_player->isPlaying();
+    if (!isSame)
+        show();
+}
+
+void StepsView::show()
+{
+    const Interaction &interaction = m_bench.interaction();
+    const AssemblySteps &steps = m_scene->steps();
+    m_shown = Shown{m_player->time(), m_bar->drawnApart(), interaction.camera(),
+                    interaction.viewport(), m_player->isPlaying()};
+    m_viewport->showSteps(std::make_shared<StepsPicture>(
+        m_scene->at(m_shown->time, m_shown->drawnApart, m_shown->camera, m_shown->viewport)));
+    const int step = steps.playback.stepAt(m_shown->time);
+    const QString sentence =
+        step < 0
+            ? tr("<b>Nothing is there yet.</b> Step 1: %1").arg(stepText(steps, 0).toHtmlEscaped())
+            //: %1 is "Step 4 of 38", %2 what is done in it
+            : tr("<b>%1:</b> %2")
+                  .arg(stepTitle(steps, step).toHtmlEscaped(),
+                       stepText(steps, step).toHtmlEscaped());
+    m_bar->show(m_shown->time, sentence, m_player->isPlaying());
+}
+
+/// What a key does, or the button that stands for it.
+bool StepsView::act(int key)
+{
+    if (!isOpen())
+        return false;
+    const double now = m_bench.clock().now();
+    m_player->advance(now);
+    switch (key) {
+    case Qt::Key_Space:
+        if (m_player->isPlaying())
+            m_player->pause();
+        else
+            m_player->play(now);
+        break;
+    case Qt::Key_Left:
+        m_player->previous(now);
+        break;
+    case Qt::Key_Right:
+        m_player->next(now);
+        break;
+    case Qt::Key_Home:
+        m_player->jumpTo(0.0);
+        break;
+    case Qt::Key_End:
+        m_player->jumpTo(m_player->stepCount());
+        break;
+    default:
+        return false;
+    }
+    m_bench.advance(); // asks for frames, and what is shown follows
+    return true;
+}
+
+bool StepsView::eventFilter(QObject *object, QEvent *event)
+{
+    if (!isOpen() || object != m_viewport)
+        return QObject::eventFilter(object, event);
+    if (event->type() == QEvent::ShortcutOverride || event->type() == QEvent::KeyPress) {
+        auto *key = static_cast<QKeyEvent *>(event);
+        if (isPlain(key) && isOfSteps(key->key())) {
+            key->accept();
+            if (event->type() == QEvent::KeyPress &&
+                !(key->isAutoRepeat() && key->key() == Qt::Key_Space)) {
+                m_bench.clock().observe(key->timestamp());
+                act(key->key());
+            }
+            return true;
+        }
+    }
+    return QObject::eventFilter(object, event);
+}
+
+} // namespace fff::ui
