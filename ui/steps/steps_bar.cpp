@@ -10,6 +10,7 @@
 #include <QPainter>
 #include <QSignalBlocker>
 #include <QSlider>
+#include <QStyle>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -21,6 +22,7 @@ namespace fff::ui {
 namespace {
 
 constexpr int kBelow = 14;    // px to the view's edges
+constexpr int kNarrow = 640;  // px
 constexpr int kWidest = 860;  // px
 constexpr int kOfStep = 100;  // of the slider's values
 constexpr int kOfApart = 100; // of the other one's
@@ -41,6 +43,7 @@ StepsBar::StepsBar(QWidget *view) : QFrame(view)
     m_export->setIcon(themedIcon(QStringLiteral("export")));
     m_export->setIconSize({16, 16});
     m_export->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    m_export->setAccessibleName(tr("Export steps…"));
     m_export->setToolTip(tr("Write all steps to a PDF to print, or a picture for each"));
     m_export->setFocusPolicy(Qt::TabFocus);
     m_close = addButton("stepsClose", "close", tr("Close the steps (Esc)"));
@@ -50,7 +53,6 @@ StepsBar::StepsBar(QWidget *view) : QFrame(view)
     m_time = new QSlider(Qt::Horizontal, this);
     m_time->setObjectName(QStringLiteral("stepsTime"));
     m_time->setAccessibleName(tr("Step"));
-    m_time->setTickPosition(QSlider::TicksBelow);
     m_time->setSingleStep(kOfStep);
     m_time->setPageStep(kOfStep);
     m_time->setMinimumWidth(90);
@@ -124,15 +126,24 @@ void StepsBar::setStepCount(int count)
     const QSignalBlocker quiet(m_time);
     m_stepCount = count;
     m_time->setRange(0, kOfStep * count);
-    setTicks();
     place();
 }
 
-/// One a step, or one for as many as can be told apart.
-void StepsBar::setTicks()
+/// One a step, or one for as many as can be told apart. Fusion's own are not seen in the dark.
+void StepsBar::paintTicks(QPainter &painter) const
 {
-    const int most = std::max(1, m_time->width() / kTickApart);
-    m_time->setTickInterval(kOfStep * std::max(1, (m_stepCount + most - 1) / most));
+    const int handle = style()->pixelMetric(QStyle::PM_SliderLength, nullptr, m_time);
+    const int span = m_time->width() - handle;
+    const int most = std::max(1, span / kTickApart);
+    const int interval = std::max(1, (m_stepCount + most - 1) / most);
+    const QRect place = m_time->geometry();
+    painter.setPen(QPen(theme().strong, 1.0));
+    for (int step = 0; step <= m_stepCount; step += interval) {
+        const double x = place.left() + 0.5 * handle + 0.5 +
+                         QStyle::sliderPositionFromValue(0, m_stepCount, step, span);
+        painter.drawLine(QPointF(x, place.center().y() + 9.5),
+                         QPointF(x, place.center().y() + 13.5));
+    }
 }
 
 void StepsBar::show(double time, const QString &sentence, bool isPlaying)
@@ -200,12 +211,13 @@ void StepsBar::keyPressEvent(QKeyEvent *event)
 void StepsBar::place()
 {
     const QWidget *view = parentWidget();
+    const bool isNarrow = view->width() < kNarrow; // the sentence needs the room
+    m_export->setToolButtonStyle(isNarrow ? Qt::ToolButtonIconOnly : Qt::ToolButtonTextBesideIcon);
     const int width =
         std::max(minimumSizeHint().width(), std::min(kWidest, view->width() - 2 * kBelow));
     resize(width, sizeHint().height());
     move((view->width() - width) / 2, view->height() - height() - kBelow);
     layout()->activate();
-    setTicks();
 }
 
 void StepsBar::paintEvent(QPaintEvent *)
@@ -215,6 +227,8 @@ void StepsBar::paintEvent(QPaintEvent *)
     painter.setPen(QPen(theme().accent, 1.5));
     painter.setBrush(theme().panel);
     painter.drawRoundedRect(QRectF(rect()).adjusted(1.0, 1.0, -1.0, -1.0), 4.0, 4.0);
+    painter.setRenderHint(QPainter::Antialiasing, false);
+    paintTicks(painter);
 }
 
 } // namespace fff::ui

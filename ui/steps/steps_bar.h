@@ -5,6 +5,7 @@
 #include <QFrame> // first: moc stumbles over some standard headers
 
 class QLabel;
+class QPainter;
 class QSlider;
 class QToolButton;
 
@@ -45,7 +46,7 @@ protected:
 private:
     QToolButton *addButton(const char *name, const char *icon, const QString &text);
     void place();
-    void setTicks();
+    void paintTicks(QPainter &painter) const;
 
     SentenceLabel *m_sentence = nullptr;
     QToolButton *m_previous = nullptr, *m_play = nullptr, *m_next = nullptr;

@@ -127,7 +127,14 @@ void paintSteps(MarkPen &pen, const StepMarks &marks, const QLocale &locale)
             if (number.isMoving != isMoving)
                 continue;
             const QString text = locale.toString(number.number);
-            const QRectF box = boxOf(besidePart(pen, marks, number), text, font);
+            QRectF box = boxOf(besidePart(pen, marks, number), text, font);
+            if (isMoving) { // the one that is looked for is whole at the view's edge, too
+                constexpr double kEdge = 6.0;
+                box.moveLeft(std::clamp(box.left(), kEdge,
+                                        std::max(kEdge, pen.viewport().x() - box.width() - kEdge)));
+                box.moveTop(std::clamp(box.top(), kEdge,
+                                       std::max(kEdge, pen.viewport().y() - box.height() - kEdge)));
+            }
             if (std::any_of(taken.begin(), taken.end(), [&](const QRectF &other) {
                     return other.adjusted(-2.0, -2.0, 2.0, 2.0).intersects(box);
                 }))
