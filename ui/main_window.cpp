@@ -34,6 +34,7 @@
 #include "ui/workbench.h"
 
 #include <QCloseEvent>
+#include <QFileInfo>
 #include <QGuiApplication>
 #include <QLabel>
 #include <QMenuBar>
@@ -75,8 +76,10 @@ MainWindow::MainWindow(QWidget *parent) : QMainWindow(parent), m_bench(new Workb
     m_unsaved = new UnsavedWork(*m_bench, *m_files, *m_messages, this);
     m_stepsExport = new StepsExport(*m_messages, *m_status, *this);
     connect(m_steps, &StepsView::exportWanted, this, [this] {
-        m_stepsExport->ask(m_steps->steps(), m_bench->interaction().camera(),
-                           m_files->suggestion());
+        const QString suggestion = m_files->suggestion();
+        m_stepsExport->ask(
+            {m_steps->steps(), m_bench->interaction().camera(), QFileInfo(suggestion).fileName()},
+            suggestion);
     });
     addCommands();
     m_toolBar = new MainToolBar(*m_bench, *m_actions, this);

@@ -31,8 +31,7 @@ StepsExport::StepsExport(MessageBar &messages, StatusLine &status, QWidget &wind
 {
 }
 
-bool StepsExport::ask(const AssemblyStepsPointer &steps, const Camera &looking,
-                      const QString &suggestion)
+bool StepsExport::ask(const Subject &subject, const QString &suggestion)
 {
     const QString paper = tr("All steps, to print (*.pdf)"),
                   pictures = tr("Pictures, one for each step (*.png)");
@@ -54,18 +53,18 @@ bool StepsExport::ask(const AssemblyStepsPointer &steps, const Camera &looking,
     });
     if (dialog.exec() != QDialog::Accepted)
         return false;
-    return write(steps, looking, dialog.selectedFiles().value(0));
+    return write(subject, dialog.selectedFiles().value(0));
 }
 
-bool StepsExport::write(const AssemblyStepsPointer &steps, const Camera &looking,
-                        const QString &path)
+bool StepsExport::write(const Subject &subject, const QString &path)
 {
+    const AssemblyStepsPointer &steps = subject.steps;
     const QString name = QFileInfo(path).fileName();
     StepsFiles::Options options;
     options.kind = isPictures(path) ? StepsFiles::Kind::Pictures : StepsFiles::Kind::Paper;
-    options.title = QFileInfo(path).completeBaseName();
+    options.title = subject.title;
     options.paper = StepsPaper::usualSize(m_window.locale());
-    options.looking = looking;
+    options.looking = subject.looking;
     StepsFiles files(steps, options);
     const auto count = static_cast<std::size_t>(steps->playback.stepCount());
     if (isPictures(path) &&
@@ -93,7 +92,7 @@ bool StepsExport::write(const AssemblyStepsPointer &steps, const Camera &looking
                                      : io::writeFiles(named);
         });
     if (!*written)
-        return tellFailure(steps, looking, path, written->error());
+        return tellFailure(subject, path, written->error());
     m_messages.hide();
     const auto nameOf = [](const io::NamedBytes &one) { return QFileInfo(one.path).fileName(); };
     const QString said = tr("%n step(s)", nullptr, static_cast<int>(count));
@@ -104,13 +103,11 @@ bool StepsExport::write(const AssemblyStepsPointer &steps, const Camera &looking
     return true;
 }
 
-bool StepsExport::tellFailure(const AssemblyStepsPointer &steps, const Camera &looking,
-                              const QString &path, const Error &error)
+bool StepsExport::tellFailure(const Subject &subject, const QString &path, const Error &error)
 {
     const QString base = QFileInfo(path).absolutePath() + u'/' + QFileInfo(path).completeBaseName();
     m_messages.show(MessageBar::Severity::Error, {saveFailure(path, error)},
-                    {{tr("Export somewhere else…"),
-                      [this, steps, looking, base] { ask(steps, looking, base); }}},
+                    {{tr("Export somewhere else…"), [this, subject, base] { ask(subject, base); }}},
                     failureDetails(path, error));
     return false;
 }

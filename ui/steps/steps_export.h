@@ -6,6 +6,7 @@
 #include "core/session/assembly_steps.h"
 
 #include <QObject>
+#include <QString>
 
 class QWidget;
 
@@ -24,16 +25,20 @@ class StepsExport : public QObject
 public:
     StepsExport(MessageBar &messages, StatusLine &status, QWidget &window);
 
+    struct Subject
+    {
+        AssemblyStepsPointer steps;
+        Camera looking; // pictures are seen from the same direction
+        QString title;  // the model's name
+    };
     /// suggestion  path without a suffix
-    /// looking     pictures are seen from the same direction
-    bool ask(const AssemblyStepsPointer &steps, const Camera &looking, const QString &suggestion);
+    bool ask(const Subject &subject, const QString &suggestion);
     /// A PDF, or for .png a picture of each step, OUT-01.png, OUT-02.png, …, where it asks before
     /// it replaces some. False when nothing was written.
-    bool write(const AssemblyStepsPointer &steps, const Camera &looking, const QString &path);
+    bool write(const Subject &subject, const QString &path);
 
 private:
-    bool tellFailure(const AssemblyStepsPointer &steps, const Camera &looking, const QString &path,
-                     const Error &error);
+    bool tellFailure(const Subject &subject, const QString &path, const Error &error);
 
     MessageBar &m_messages;
     StatusLine &m_status;

@@ -87,8 +87,7 @@ void StepsView::fit()
     const Interaction &interaction = m_bench.interaction();
     const Vec2 size = interaction.viewport();
     const Vec2 below(0.0, size.y() - m_bar->y());
-    Camera camera =
-        cameraFor(m_viewport->steps()->scene, interaction.targetCamera(), size - below);
+    Camera camera = cameraFor(m_viewport->steps()->scene, interaction.targetCamera(), size - below);
     camera = panned(camera, 0.5 * below, Vec2::Zero(), size);
     m_bench.setCamera(camera);
 }

@@ -281,20 +281,28 @@ void TestStepsView::theyAreExported()
     showSteps();
     const QString folder = m_folder->path();
     auto *exporting = m_window->findChild<StepsExport *>();
-    QVERIFY(exporting->write(steps().steps(), interaction().camera(),
-                             folder + QStringLiteral("/comb.pdf")));
+    const StepsExport::Subject subject{steps().steps(), interaction().camera(),
+                                       QStringLiteral("Comb of three")};
+    QVERIFY(exporting->write(subject, folder + QStringLiteral("/comb.pdf")));
     QFile pdf(folder + QStringLiteral("/comb.pdf"));
-    QVERIFY(pdf.open(QIODevice::ReadOnly) && pdf.read(5) == "%PDF-");
+    QVERIFY(pdf.open(QIODevice::ReadOnly));
+    const QByteArray bytes = pdf.readAll();
+    QVERIFY(bytes.startsWith("%PDF-"));
+    // Its title is the model's, whatever the file is called; PDF has it in UTF-16.
+    const QString title = QStringLiteral("Comb of three");
+    QByteArray inPdf;
+    for (const QChar c : title)
+        inPdf += QByteArray(1, '\0') + c.toLatin1();
+    QVERIFY(bytes.contains(inPdf));
     QCOMPARE(status(), QStringLiteral("Exported 4 steps to comb.pdf."));
     const QString pictures = folder + QStringLiteral("/comb.png");
-    QVERIFY(exporting->write(steps().steps(), interaction().camera(), pictures));
+    QVERIFY(exporting->write(subject, pictures));
     QVERIFY(QFile::exists(folder + QStringLiteral("/comb-04.png")));
     int asked = 0;
     answer(QStringLiteral("Cancel"), &asked);
-    QVERIFY(!exporting->write(steps().steps(), interaction().camera(), pictures));
+    QVERIFY(!exporting->write(subject, pictures));
     QCOMPARE(asked, 1);
-    QVERIFY(!exporting->write(steps().steps(), interaction().camera(),
-                              folder + QStringLiteral("/none/comb.pdf")));
+    QVERIFY(!exporting->write(subject, folder + QStringLiteral("/none/comb.pdf")));
     QVERIFY(messagesOf(*m_window)->isVisible());
     QVERIFY(steps().isOpen());
     // The button asks for a file, named as the model.
