@@ -101,10 +101,33 @@ bool windsOddly(GridRing ring)
     return std::abs(areaOf(clip({ring}, Winding::Positive, {})) - signedArea(ring)) > sliver;
 }
 
+bool isPolygon(const Contour &contour)
+{
+    for (int i = 0; i < contour.segmentCount(); ++i) {
+        if (!contour.segment(i).isStraight(kClipGrid))
+            return false;
+    }
+    return true;
+}
+
 } // namespace
 
 std::vector<CurvedRegion> subtract(const Contour &contour, const std::vector<Contour> &holes,
                                    const std::vector<Polygon> &cuts, double chord)
+{
+    std::vector<Contour> contours;
+    contours.reserve(cuts.size());
+    for (const Polygon &cut : cuts) {
+        // What is no polygon cuts nothing.
+        if (auto polygon = Contour::fromPolygon(cut))
+            contours.push_back(*std::move(polygon));
+    }
+    return subtractContours(contour, holes, contours, chord);
+}
+
+std::vector<CurvedRegion> subtractContours(const Contour &contour,
+                                           const std::vector<Contour> &holes,
+                                           const std::vector<Contour> &cuts, double chord)
 {
     const ClipGrid grid(contour.bounds());
     std::vector<SourceRing> sources;
@@ -112,11 +135,8 @@ std::vector<CurvedRegion> subtract(const Contour &contour, const std::vector<Con
     sources.push_back(makeSourceRing(contour, chord, grid, false));
     for (const Contour &hole : holes)
         sources.push_back(makeSourceRing(hole, chord, grid, false));
-    for (const Polygon &cut : cuts) {
-        // What is no polygon cuts nothing.
-        if (const auto polygon = Contour::fromPolygon(cut))
-            sources.push_back(makeSourceRing(*polygon, chord, grid, true));
-    }
+    for (const Contour &cut : cuts)
+        sources.push_back(makeSourceRing(cut, chord, grid, isPolygon(cut)));
     std::vector<GridRing> clips;
     clips.reserve(sources.size() - 1);
     for (std::size_t i = 1; i < sources.size(); ++i)

@@ -30,6 +30,11 @@ struct CurvedRegion
 std::vector<CurvedRegion> subtract(const Contour &contour, const std::vector<Contour> &holes,
                                    const std::vector<Polygon> &cuts, double chord);
 
+/// The same with cuts of any curves, which are kept where they bound what stays.
+std::vector<CurvedRegion> subtractContours(const Contour &contour,
+                                           const std::vector<Contour> &holes,
+                                           const std::vector<Contour> &cuts, double chord);
+
 enum class WindingRule { NonZero, Positive };
 
 /// What the contours together wind round, by that rule (counter-clockwise counts up), as connected

@@ -2,6 +2,7 @@
 
 #include "core/base/tolerances.h"
 #include "core/geometry/box_runs.h"
+#include "core/geometry/convex_hull.h"
 #include "core/geometry/curve_crossing.h"
 #include "core/geometry/curve_recovery.h"
 #include "core/geometry/grid_predicates.h"
@@ -45,6 +46,13 @@ struct Notch
     Polygon corners;
     Box2 box; // and what snapping moves
     Passage in, out;
+    // Of a cut with curves: the segments, of each side the one that it is a chord of, and what
+    // stands for the corners where they have to be convex.
+    std::vector<CubicBezier> segments;
+    std::vector<int> segmentOf;
+    Polygon hull;
+
+    const Polygon &convex() const { return hull.empty() ? corners : hull; }
 };
 
 struct NotchFinder::Data
@@ -68,6 +76,7 @@ struct NotchFinder::Data
     bool place(const Polygon &corners, Passage &passage) const;
     bool find(const Notch &notch, const GridRing &snapped, std::size_t edge,
               std::vector<Passage> &passages) const;
+    bool complete(Notch &notch) const;
 };
 
 /// Where the curve itself crosses the bite's side, given that its chord does.
@@ -137,32 +146,58 @@ NotchFinder::NotchFinder(const Contour &contour, const Polyline &chords)
 
 NotchFinder::~NotchFinder() = default;
 
-NotchPointer NotchFinder::find(Polygon cut) const
+/// Given its corners, finds the rest. False where it is not that plain.
+bool NotchFinder::Data::complete(Notch &notch) const
 {
-    if (cut.size() < 3)
-        return nullptr;
-    auto notch = std::make_shared<Notch>();
+    if (notch.corners.size() < 3)
+        return false;
     GridRing snapped;
-    snapped.reserve(cut.size());
-    for (const Vec2 &corner : cut) {
-        snapped.push_back(m_data->grid.snap(corner));
-        notch->box.extend(corner);
+    snapped.reserve(notch.corners.size());
+    for (const Vec2 &corner : notch.corners) {
+        snapped.push_back(grid.snap(corner));
+        notch.box.extend(corner);
     }
-    notch->box.min -= Vec2::Constant(kClipSlack);
-    notch->box.max += Vec2::Constant(kClipSlack);
-    notch->corners = std::move(cut);
+    notch.box.min -= Vec2::Constant(kClipSlack);
+    notch.box.max += Vec2::Constant(kClipSlack);
     if (signedArea(snapped) <= 0.0)
-        return nullptr;
+        return false;
     std::vector<Passage> passages;
     passages.reserve(2);
-    const bool isOdd = m_data->edges.any(
-        [&](const Box2 &box) { return box.intersects(notch->box); },
-        [&](std::size_t edge) { return !m_data->find(*notch, snapped, edge, passages); });
+    const bool isOdd =
+        edges.any([&](const Box2 &box) { return box.intersects(notch.box); },
+                  [&](std::size_t edge) { return !find(notch, snapped, edge, passages); });
     if (isOdd || passages.size() != 2 || passages[0].side == passages[1].side ||
         passages[0].entersBite == passages[1].entersBite)
+        return false;
+    notch.in = passages[passages[0].entersBite ? 0 : 1];
+    notch.out = passages[passages[0].entersBite ? 1 : 0];
+    return true;
+}
+
+NotchPointer NotchFinder::find(Polygon cut) const
+{
+    auto notch = std::make_shared<Notch>();
+    notch->corners = std::move(cut);
+    return m_data->complete(*notch) ? notch : nullptr;
+}
+
+NotchPointer NotchFinder::find(const Contour &cut, double chord) const
+{
+    auto notch = std::make_shared<Notch>();
+    Polyline chords = cut.flatten(chord);
+    notch->corners = std::move(chords.points);
+    if (!m_data->complete(*notch))
         return nullptr;
-    notch->in = passages[passages[0].entersBite ? 0 : 1];
-    notch->out = passages[passages[0].entersBite ? 1 : 0];
+    for (const CurvePoint &origin : chords.origins)
+        notch->segmentOf.push_back(origin.segment);
+    for (int i = 0; i < cut.segmentCount(); ++i)
+        notch->segments.push_back(cut.segment(i));
+    for (const Passage *passage : {&notch->in, &notch->out}) {
+        const int segment = notch->segmentOf[passage->side];
+        if (!notch->segments[static_cast<std::size_t>(segment)].isStraight(kClipGrid))
+            return nullptr;
+    }
+    notch->hull = convexHull(notch->corners);
     return notch;
 }
 
@@ -194,6 +229,7 @@ private:
     void addRun(const Passage *from, const Passage *to, std::vector<Vec2> &points,
                 Polygon &chords) const;
     void addBite(const Notch &notch, std::vector<Vec2> &points, Polygon &chords) const;
+    Vec2 addCurves(const Notch &notch, std::vector<Vec2> &points) const;
     void addLine(const Vec2 &from, const Vec2 &to, std::vector<Vec2> &points) const;
 
     const Contour &m_contour;
@@ -232,7 +268,7 @@ bool NotchCutter::areApart() const
     for (std::size_t i = 0; i < order.size(); ++i) {
         for (std::size_t j = i + 1;
              j < order.size() && order[j]->box.min.x() <= order[i]->box.max.x(); ++j) {
-            const Polygon &a = order[i]->corners, &b = order[j]->corners;
+            const Polygon &a = order[i]->convex(), &b = order[j]->convex();
             if (order[i]->box.intersects(order[j]->box) && !isBeside(a, b) && !isBeside(b, a))
                 return false;
         }
@@ -317,13 +353,33 @@ void NotchCutter::addBite(const Notch &notch, std::vector<Vec2> &points, Polygon
     Vec2 from = notch.in.position;
     for (std::size_t corner = notch.in.side;; corner = previous(corner, notch.corners.size())) {
         const Vec2 &to = notch.corners[corner];
-        addLine(from, to, points);
+        if (notch.segments.empty())
+            addLine(from, to, points);
         chords.push_back(to);
         from = to;
         if (corner == last)
             break;
     }
+    if (!notch.segments.empty())
+        from = addCurves(notch, points);
     addLine(from, notch.out.position, points);
+}
+
+/// The same on the cut's own curves, up to the segment by which the boundary goes on: its end.
+Vec2 NotchCutter::addCurves(const Notch &notch, std::vector<Vec2> &points) const
+{
+    const auto at = [&notch](int segment) -> const CubicBezier & {
+        return notch.segments[static_cast<std::size_t>(segment)];
+    };
+    const int count = static_cast<int>(notch.segments.size());
+    const int first = notch.segmentOf[notch.in.side], last = notch.segmentOf[notch.out.side];
+    addLine(notch.in.position, at(first).p0, points);
+    for (int segment = (first + count - 1) % count; segment != last;
+         segment = (segment + count - 1) % count) {
+        const CubicBezier &curve = at(segment);
+        points.insert(points.end(), {curve.p3, curve.p2, curve.p1});
+    }
+    return at(last).p3;
 }
 
 CurvedRegion NotchCutter::region() const

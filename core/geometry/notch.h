@@ -36,6 +36,9 @@ public:
 
     /// Null where it is not that plain.
     NotchPointer find(Polygon cut) const;
+    /// A cut of any shape, counter-clockwise, that does not cross itself, on chords of `chord` mm;
+    /// its curves are kept. The contour has to go through straight segments of it.
+    NotchPointer find(const Contour &cut, double chord) const;
 
 private:
     struct Data;
