@@ -14,11 +14,8 @@ std::vector<CutSectionPointer> cutsOnChords(const Analysis &analysis, double cho
     std::vector<CutSectionPointer> cuts;
     for (std::size_t i = 0; i < analysis.model.sectionCount(); ++i) {
         const Shape &shape = *analysis.model.section(i)->shape;
-        std::vector<Polygon> slits;
-        for (const Slit &slit : analysis.assembly.slits[i])
-            slits.push_back(slit.outline());
         cuts.push_back(std::make_shared<const CutSection>(
-            subtract(shape.contour(), shape.holes(), slits, chord)));
+            subtractContours(shape.contour(), shape.holes(), cutsOf(analysis.assembly.slits[i]), chord)));
     }
     return cuts;
 }

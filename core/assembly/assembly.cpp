@@ -68,8 +68,7 @@ Difference::Difference(const Model &model, const Model &previous)
     const auto hasSameStock = [&](const Section &section) {
         const Stock *before = previous.document.find(section.stock);
         const Stock &now = model.document.stockOf(section);
-        return before && (before == &now || (before->thickness == now.thickness &&
-                                             before->clearance == now.clearance));
+        return before && (before == &now || cutsTheSameSlits(*before, now));
     };
     const std::vector<char> isWantedOtherwise = otherwiseWanted(model, previous);
     const std::size_t drawn = model.document.sections.size();

@@ -32,8 +32,7 @@ JointSlits slitsOf(const Model &model, int a, int b, Crossing &crossing, const J
     const Section &sectionB = *model.section(static_cast<std::size_t>(b));
     const Stock &stockA = model.document.stockOf(sectionA);
     const Stock &stockB = model.document.stockOf(sectionB);
-    return cutSlits(crossing, {sectionA, stockA.thickness, stockA.clearance},
-                    {sectionB, stockB.thickness, stockB.clearance}, isLower(model, a, b), wish);
+    return cutSlits(crossing, {sectionA, stockA}, {sectionB, stockB}, isLower(model, a, b), wish);
 }
 
 std::optional<FoundJoint> findJoint(const Model &model, int a, int b)

@@ -165,6 +165,71 @@ double reachOfWalk(const PlaneLine &line, const Polygon &ring, int start, int st
     return reach;
 }
 
+/// The least share of the way from p to q at which p + share · (q − p) is `distance` from the
+/// origin or to the left of the line through (−distance, 0) at 45°; above 1 when it is none.
+double chamferShare(const Vec2 &p, const Vec2 &q, double distance)
+{
+    constexpr double kNever = 2.0;
+    const auto beyond = [&](const Vec2 &v) { return v.y() - v.x() - distance; };
+    double share = kNever;
+    if (beyond(q) >= 0.0)
+        share = beyond(p) < 0.0 ? beyond(p) / (beyond(p) - beyond(q)) : 0.0;
+    if (q.norm() < distance)
+        return share;
+    const Vec2 way = q - p;
+    const double a = way.squaredNorm(), b = p.dot(way), c = p.squaredNorm() - distance * distance;
+    const double root = std::sqrt(std::max(0.0, b * b - a * c));
+    return std::min(share, a > 0.0 ? std::clamp((root - b) / a, 0.0, 1.0) : 0.0);
+}
+
+/// Follows the boundary one way round the ring out of the strip and to the chamfer's end. Which
+/// side it leaves on: 0 left, 1 right; −1 when it does not.
+int walkToChamfer(const PlaneLine &line, const Polygon &ring, int start, int step, double halfWidth,
+                  double floor, int sign, double chamfer, WallEnd &wall)
+{
+    const int n = static_cast<int>(ring.size());
+    int previous = step > 0 ? start : (start + 1) % n;
+    int next = step > 0 ? (start + 1) % n : start;
+    int side = 0; // of the line: +1 left
+    // As (outwards along the slit, outwards from the wall).
+    const auto fromWall = [&](const Vec2 &p) {
+        return Vec2(sign * line.along(p) - wall.at, side * line.across(p) - halfWidth);
+    };
+    wall.reach = -std::numeric_limits<double>::infinity();
+    for (int count = 0; count < n; ++count) {
+        const Vec2 &from = ring[static_cast<std::size_t>(previous)];
+        const Vec2 &to = ring[static_cast<std::size_t>(next)];
+        Vec2 begin = from;
+        const double across = line.across(to);
+        if (side == 0 && std::abs(across) > halfWidth) {
+            side = across > 0.0 ? 1 : -1;
+            const double before = line.across(from);
+            const double u = std::clamp((side * halfWidth - before) / (across - before), 0.0, 1.0);
+            begin = from + u * (to - from);
+            wall.at = sign * line.along(begin);
+            wall.reach = std::max(wall.reach, wall.at);
+        }
+        if (side != 0) {
+            const Vec2 p = fromWall(begin), q = fromWall(to);
+            const double share = chamferShare(p, q, chamfer);
+            if (share <= 1.0) {
+                const Vec2 last = p + share * (q - p);
+                wall.chamferEnd = {wall.at + last.x(), std::max(last.y(), 0.0)};
+                wall.reach = std::max(wall.reach, wall.chamferEnd.x());
+                wall.isThere = true;
+                return side > 0 ? 0 : 1;
+            }
+        }
+        const double along = sign * line.along(to);
+        wall.reach = std::max(wall.reach, along);
+        if (side == 0 && along < floor)
+            return -1;
+        previous = next;
+        next = (next + step + n) % n;
+    }
+    return -1;
+}
+
 } // namespace
 
 std::optional<Axis> intersectionAxis(const Frame &a, const Frame &b)
@@ -221,6 +286,20 @@ double mouthReach(const PlaneLine &line, const Region &region, const AxisEnd &en
     for (const int step : {1, -1})
         reach = std::max(reach, reachOfWalk(line, ring, end.edge, step, halfWidth, floor, sign));
     return reach;
+}
+
+std::array<WallEnd, 2> wallEnds(const PlaneLine &line, const Region &region, const AxisEnd &end,
+                                double halfWidth, double floor, int sign, double chamfer)
+{
+    std::array<WallEnd, 2> walls;
+    for (const int step : {1, -1}) {
+        WallEnd wall;
+        const int side = walkToChamfer(line, ringOf(region, end.ring), end.edge, step, halfWidth,
+                                       floor, sign, chamfer, wall);
+        if (side >= 0 && !walls[static_cast<std::size_t>(side)].isThere)
+            walls[static_cast<std::size_t>(side)] = wall;
+    }
+    return walls;
 }
 
 } // namespace fff

@@ -3,6 +3,7 @@
 
 #include "core/assembly/joint.h"
 
+#include <array>
 #include <optional>
 
 namespace fff {
@@ -37,5 +38,21 @@ std::vector<Interval> intervalsOn(const PlaneLine &line, const Region &region);
 /// across.
 double mouthReach(const PlaneLine &line, const Region &region, const AxisEnd &end, double halfWidth,
                   double floor, int sign);
+
+/// Where the walls of such a slit leave the section, and where a chamfer of each ends.
+struct WallEnd
+{
+    bool isThere = false; // the boundary leaves the strip on this side, not behind `floor`
+    double at = 0.0;      // sign · along, where it does
+    /// Where it then is as far from there as `chamfer` (mm), or crosses the line that leaves the
+    /// wall at 45° so much before: sign · along, and from the wall outwards.
+    Vec2 chamferEnd = Vec2::Zero();
+    double reach = 0.0; // the largest sign · along from `end` to there
+};
+
+/// Of the walls to the left and to the right of the line; arguments as above. A wall that the
+/// boundary leaves twice is the first one's.
+std::array<WallEnd, 2> wallEnds(const PlaneLine &line, const Region &region, const AxisEnd &end,
+                                double halfWidth, double floor, int sign, double chamfer);
 
 } // namespace fff

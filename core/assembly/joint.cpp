@@ -58,11 +58,46 @@ Polygon Slit::outline() const
     return {inner - half, mouth - half, mouth + half, inner + half};
 }
 
+std::vector<Contour> Slit::cuts() const
+{
+    if (!form)
+        return {Contour::fromPolygon(outline()).value_or(Contour())};
+    const double length = (mouth - inner).norm();
+    const Vec2 along = (mouth - inner) / length, left = perpendicular(along);
+    std::vector<Contour> cuts;
+    for (const Contour &cut : slitCuts(*form, {length, 0.5 * width, isOpen})) {
+        std::vector<Vec2> points;
+        points.reserve(cut.points().size());
+        for (const Vec2 &p : cut.points())
+            points.push_back(inner + p.x() * along + p.y() * left);
+        cuts.push_back(Contour::fromPoints(std::move(points)).value_or(Contour()));
+    }
+    return cuts;
+}
+
+std::vector<Polygon> Slit::outlines(double chord) const
+{
+    if (!form)
+        return {outline()};
+    std::vector<Polygon> outlines;
+    for (const Contour &cut : cuts())
+        outlines.push_back(cut.flatten(chord).points);
+    return outlines;
+}
+
+Vec2 Slit::bottom() const
+{
+    if (!form)
+        return inner;
+    return inner + reachBeyond(*form, 0.5 * width) * (inner - mouth).normalized();
+}
+
 bool Slit::operator==(const Slit &other) const
 {
     return inner == other.inner && mouth == other.mouth && width == other.width &&
            isOpen == other.isOpen && joint == other.joint && overlap == other.overlap &&
-           guest == other.guest;
+           guest == other.guest &&
+           (form == other.form || (form && other.form && *form == *other.form));
 }
 
 } // namespace fff

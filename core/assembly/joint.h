@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/assembly/shared_rows.h"
+#include "core/assembly/slit_form.h"
 #include "core/geometry/polygon.h"
 #include "core/model/model.h"
 
@@ -57,8 +58,8 @@ struct Crossing
     std::vector<Overlap> overlaps; // along the axis
 };
 
-/// The cut that one section (host) makes for one overlap: a rectangle along the axis with square
-/// ends, in the host's frame coordinates.
+/// The cut that one section (host) makes for one overlap: a rectangle along the axis, in the host's
+/// frame coordinates, and what its form adds.
 struct Slit
 {
     Vec2 inner = Vec2::Zero(); // middle of its bottom: the meeting point
@@ -69,9 +70,16 @@ struct Slit
     int joint = 0;      // Joint::id
     int overlap = 0;    // index into the joint's overlaps
     int guest = 0;      // index of the other section in the Model
+    std::shared_ptr<const SlitForm> form; // null: the plain rectangle
 
-    /// The four corners, counter-clockwise.
+    /// The rectangle's four corners, counter-clockwise: what is cut without a form.
     Polygon outline() const;
+    /// What is cut, as contours that may overlap each other, counter-clockwise: mostly one.
+    std::vector<Contour> cuts() const;
+    /// The same as chords within `chord` mm of the curves.
+    std::vector<Polygon> outlines(double chord) const;
+    /// The middle of its end: the meeting point, or beyond it where the end is round.
+    Vec2 bottom() const;
     bool operator==(const Slit &other) const;
 };
 

@@ -79,12 +79,59 @@ Way wayOf(const Crossing &crossing, int sign)
 struct Host
 {
     const Section &section;
+    const Stock &stock;
     PlaneLine line;
     double width = 0.0;
 };
 
+/// The lead-in of a wall, given where it leaves the section. No longer than half of the wall.
+LeadIn leadInOf(const WallEnd &wall, double chamfer, double meet)
+{
+    const double length = std::min(chamfer, 0.5 * (wall.at - meet));
+    LeadIn leadIn;
+    if (!wall.isThere || !(length > kClipSlack))
+        return leadIn;
+    leadIn.from = wall.at - length - meet;
+    const Vec2 end(wall.chamferEnd.x() - meet, wall.chamferEnd.y());
+    const Vec2 way = (end - Vec2(leadIn.from, 0.0)).normalized();
+    leadIn.to = end + kMouthOvershoot * way;
+    leadIn.top = std::max(wall.reach - meet, leadIn.to.x()) + kMouthOvershoot;
+    return leadIn;
+}
+
+/// What of the slit is no rectangle, or null. held: mm along the line towards `sign`, as far as the
+/// guest reaches.
+std::shared_ptr<const SlitForm> openForm(const Host &host, const AxisEnd &end, double meet,
+                                         double held, int sign)
+{
+    if (!hasForm(host.stock))
+        return nullptr;
+    SlitForm form = formOf(host.stock, host.width);
+    const double start = sign * meet;
+    form.held = sign * held - start;
+    if (host.stock.leadIn > 0.0 || form.bumps > 0.0) {
+        const Region &region = host.section.shape->region();
+        const auto walls = [&](double chamfer) {
+            return wallEnds(host.line, region, end, 0.5 * host.width, start, sign, chamfer);
+        };
+        double chamfer = host.stock.leadIn;
+        for (const WallEnd &wall : walls(chamfer)) {
+            if (!wall.isThere)
+                continue;
+            form.held = std::min(form.held, wall.at - start);
+            chamfer = std::min(chamfer, 0.5 * (wall.at - start));
+        }
+        // Seen out of the slit, left is right where it opens against the line.
+        const std::array<WallEnd, 2> ends = walls(chamfer);
+        for (const std::size_t side : {0, 1})
+            form.leadIns[sign > 0 ? side : 1 - side] = leadInOf(ends[side], chamfer, start);
+    }
+    return std::make_shared<const SlitForm>(form);
+}
+
 /// The open slit of one section for one overlap: from the meeting point to its end towards `sign`.
-Slit openSlit(const Host &host, const Interval &interval, double meet, int sign, int overlap)
+Slit openSlit(const Host &host, const Interval &interval, const Overlap &shared, double meet,
+              int sign, int overlap)
 {
     const AxisEnd &end = sign > 0 ? interval.to : interval.from;
     const double reach = mouthReach(host.line, host.section.shape->region(), end, 0.5 * host.width,
@@ -94,6 +141,7 @@ Slit openSlit(const Host &host, const Interval &interval, double meet, int sign,
     slit.mouth = host.line.at(sign * (reach + kMouthOvershoot));
     slit.width = host.width;
     slit.overlap = overlap;
+    slit.form = openForm(host, end, meet, sign > 0 ? shared.to : shared.from, sign);
     return slit;
 }
 
@@ -136,6 +184,11 @@ bool cutMortise(const Crossing &crossing, const Host &host, const Host &guest, b
     slit.mouth = host.line.at(to);
     slit.width = host.width;
     slit.isOpen = false;
+    if (hasForm(host.stock)) {
+        SlitForm form = formOf(host.stock, host.width);
+        form.held = to - from;
+        slit.form = std::make_shared<const SlitForm>(form);
+    }
     slits.push_back(slit);
     return true;
 }
@@ -168,13 +221,15 @@ JointSlits cutSlits(Crossing &crossing, const JointSide &a, const JointSide &b, 
         return result;
     // As slitWidth(), with one sine and cosine for both.
     const double sine = std::sin(crossing.angle), cosine = std::cos(crossing.angle);
-    const double widthA = widthAt(a.thickness, b.thickness, sine, cosine) + a.clearance;
-    const double widthB = widthAt(b.thickness, a.thickness, sine, cosine) + b.clearance;
+    const double widthA =
+        widthAt(a.stock.thickness, b.stock.thickness, sine, cosine) + a.stock.clearance;
+    const double widthB =
+        widthAt(b.stock.thickness, a.stock.thickness, sine, cosine) + b.stock.clearance;
     if (crossing.angle < kMinJointAngle || !(widthA > 0.0 && widthB > 0.0) ||
         crossing.overlaps.empty())
         return result;
-    const Host hostA{a.section, lineInFrame(crossing.axis, a.section.frame), widthA};
-    const Host hostB{b.section, lineInFrame(crossing.axis, b.section.frame), widthB};
+    const Host hostA{a.section, a.stock, lineInFrame(crossing.axis, a.section.frame), widthA};
+    const Host hostB{b.section, b.stock, lineInFrame(crossing.axis, b.section.frame), widthB};
 
     const Way plus = wayOf(crossing, 1), minus = wayOf(crossing, -1);
     const bool hasWay = plus.isOpen || minus.isOpen;
@@ -206,9 +261,9 @@ JointSlits cutSlits(Crossing &crossing, const JointSide &a, const JointSide &b, 
         const int index = static_cast<int>(i);
         o.meet = cut.meet;
         if (cut.cutsA)
-            result.a.push_back(openSlit(hostA, o.a, cut.meet, way.sign, index));
+            result.a.push_back(openSlit(hostA, o.a, o, cut.meet, way.sign, index));
         if (cut.cutsB)
-            result.b.push_back(openSlit(hostB, o.b, cut.meet, -way.sign, index));
+            result.b.push_back(openSlit(hostB, o.b, o, cut.meet, -way.sign, index));
     }
     return result;
 }

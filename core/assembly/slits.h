@@ -25,8 +25,7 @@ Result<double> slitWidth(double hostThickness, double guestThickness, double ang
 struct JointSide
 {
     const Section &section;
-    double thickness = 0.0; // mm
-    double clearance = 0.0; // mm, of its stock
+    const Stock &stock; // its own
 };
 
 /// What is wanted of a joint in place of its defaults; what cannot be had is passed over.

@@ -10,6 +10,7 @@ target_sources(fff_core PRIVATE
     assembly/planning.cpp
     assembly/playback.cpp
     assembly/slab.cpp
+    assembly/slit_form.cpp
     assembly/slits.cpp
     assembly/solid.cpp
     assembly/stability.cpp

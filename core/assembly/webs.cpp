@@ -1,5 +1,6 @@
 #include "core/assembly/webs.h"
 
+#include "core/base/tolerances.h"
 #include "core/geometry/region_tree.h"
 
 #include <algorithm>
@@ -86,15 +87,61 @@ bool holds(const Polygon &corners, const Vec2 &p)
     return true;
 }
 
-Nearest2 betweenSlits(const Polygon &a, const Polygon &b)
+/// What a slit takes away but for its lead-ins: there it runs out as a slanting contour does.
+class Taken
+{
+public:
+    explicit Taken(const Slit &slit) : m_rectangle(slit.outline())
+    {
+        if (slit.form) {
+            SlitForm form = *slit.form;
+            form.leadIns = {};
+            Slit bare = slit;
+            bare.form = std::make_shared<const SlitForm>(form);
+            m_outlines = bare.outlines(kCutChord);
+        } else {
+            m_outlines = {m_rectangle};
+        }
+        for (const Polygon &outline : m_outlines)
+            m_box.extend(bounds(outline));
+    }
+
+    /// Counter-clockwise.
+    const Polygon &rectangle() const { return m_rectangle; }
+    const Box2 &box() const { return m_box; }
+    template <class Visit>
+    void visitEdges(Visit visit) const
+    {
+        for (const Polygon &outline : m_outlines)
+            for (std::size_t i = 0; i < outline.size(); ++i)
+                visit(edgeOf(outline, i));
+    }
+    bool holdsAnyOf(const Taken &other) const
+    {
+        return holds(m_rectangle, other.m_rectangle.front());
+    }
+
+private:
+    Polygon m_rectangle;
+    std::vector<Polygon> m_outlines;
+    Box2 m_box;
+};
+
+Nearest2 betweenSlits(const Taken &a, const Taken &b)
 {
     Nearest2 nearest;
-    for (std::size_t i = 0; i < a.size(); ++i)
-        for (std::size_t k = 0; k < b.size(); ++k)
-            keepNearest(edgeOf(a, i), edgeOf(b, k), nearest);
-    if (holds(a, b.front()) || holds(b, a.front()))
-        nearest.keep(0.0, a.front(), b.front());
+    a.visitEdges([&](const Segment &edge) {
+        b.visitEdges([&](const Segment &other) { keepNearest(edge, other, nearest); });
+    });
+    if (a.holdsAnyOf(b) || b.holdsAnyOf(a))
+        nearest.keep(0.0, a.rectangle().front(), b.rectangle().front());
     return nearest;
+}
+
+void keepNearestOf(const Polygon &outline, const Segment &other, Nearest2 &nearest)
+{
+    for (std::size_t i = 0; i < outline.size(); ++i)
+        keepNearest(edgeOf(outline, i), other, nearest);
 }
 
 Box2 grown(Box2 box, double by)
@@ -125,8 +172,8 @@ public:
         : m_slits(slits), m_limit(limit), m_contour(region.outer)
     {
         for (const Slit &slit : slits) {
-            m_outlines.push_back(slit.outline());
-            m_boxes.push_back(bounds(m_outlines.back()));
+            m_taken.emplace_back(slit);
+            m_boxes.push_back(m_taken.back().box());
         }
         for (const Polygon &hole : region.holes) {
             m_holes.emplace_back(hole);
@@ -156,10 +203,13 @@ private:
     void addBetweenSlits();
     void addToHoles(std::size_t slit);
     void addToContour(std::size_t slit);
+    struct Sides;
+    static Sides plainSides(const Slit &slit, double wallLength);
+    static Sides formedSides(const Slit &slit, const Taken &taken, double wallLength);
 
     const std::vector<Slit> &m_slits;
     double m_limit;
-    std::vector<Polygon> m_outlines;
+    std::vector<Taken> m_taken;
     std::vector<Box2> m_boxes, m_holeBoxes;
     PolygonTree m_contour;
     std::vector<PolygonTree> m_holes;
@@ -180,7 +230,7 @@ void Webs::addBetweenSlits()
             const auto [first, second] = std::minmax(order[i], order[k]);
             if (!reach.intersects(m_boxes[order[k]]))
                 continue;
-            const Nearest2 nearest = betweenSlits(m_outlines[first], m_outlines[second]);
+            const Nearest2 nearest = betweenSlits(m_taken[first], m_taken[second]);
             if (nearest.distance > 0.0 || m_slits[first].guest != m_slits[second].guest)
                 add(Web::Between::Slits, nearest, first, second);
         }
@@ -190,43 +240,88 @@ void Webs::addBetweenSlits()
 void Webs::addToHoles(std::size_t slit)
 {
     const Box2 reach = grown(m_boxes[slit], m_limit);
-    const Polygon &outline = m_outlines[slit];
     for (std::size_t hole = 0; hole < m_holes.size(); ++hole) {
         if (!reach.intersects(m_holeBoxes[hole]))
             continue;
-        Nearest2 nearest;
+        Nearest2 nearest, plain; // plain: without what its form adds
         m_holes[hole].visitNear(reach, [&](const Vec2 &a, const Vec2 &b) {
-            for (std::size_t i = 0; i < outline.size(); ++i)
-                keepNearest(edgeOf(outline, i), {a, b}, nearest);
+            m_taken[slit].visitEdges([&](const Segment &edge) {
+                keepNearest(edge, {a, b}, nearest);
+            });
+            if (m_slits[slit].form)
+                keepNearestOf(m_taken[slit].rectangle(), {a, b}, plain);
         });
-        if (nearest.distance > 0.0)
+        if (nearest.distance > 0.0 || (m_slits[slit].form && plain.distance > 0.0))
             add(Web::Between::SlitAndHole, nearest, slit, hole);
     }
+}
+
+/// Those edges of a slit that part it from what stays: its bottom, and its walls as far from the
+/// mouth as a contour may slant.
+struct Webs::Sides
+{
+    std::vector<Segment> bottom, walls;
+};
+
+/// Of the plain rectangle; a mortise has none.
+Webs::Sides Webs::plainSides(const Slit &slit, double wallLength)
+{
+    const Vec2 forwards = (slit.mouth - slit.inner).normalized();
+    const Vec2 half = 0.5 * slit.width * perpendicular(forwards);
+    Sides sides;
+    sides.bottom.push_back({slit.inner - half, slit.inner + half});
+    for (const Vec2 &side : {half, Vec2(-half)})
+        if (wallLength > 0.0)
+            sides.walls.push_back({slit.inner + side, slit.inner + side + wallLength * forwards});
+    return sides;
+}
+
+/// With what the form adds.
+Webs::Sides Webs::formedSides(const Slit &slit, const Taken &taken, double wallLength)
+{
+    constexpr double kAtBottom = 1e-6; // mm: rounding of an arc that ends there
+    const Vec2 forwards = (slit.mouth - slit.inner).normalized();
+    Sides sides = plainSides(slit, wallLength);
+    taken.visitEdges([&](const Segment &edge) {
+        const double a = forwards.dot(edge.a - slit.inner), b = forwards.dot(edge.b - slit.inner);
+        if (std::max(a, b) <= kAtBottom)
+            sides.bottom.push_back(edge);
+        else if (std::max(a, b) <= wallLength)
+            sides.walls.push_back(edge);
+    });
+    return sides;
 }
 
 void Webs::addToContour(std::size_t index)
 {
     const Slit &slit = m_slits[index];
-    const Polygon &outline = m_outlines[index];
+    const Taken &taken = m_taken[index];
     const Vec2 along = slit.mouth - slit.inner;
-    const Vec2 forwards = along.normalized(), half = 0.5 * slit.width * perpendicular(forwards);
-    // The walls, as far from the mouth as a contour may slant; a mortise has none.
-    std::vector<Segment> walls;
+    const Vec2 forwards = along.normalized();
     const double length = along.norm() - kMouthTaper * m_limit - slit.width;
-    for (const Vec2 &side : {half, Vec2(-half)})
-        if (slit.isOpen && length > 0.0)
-            walls.push_back({slit.inner + side, slit.inner + side + length * forwards});
-    Nearest2 nearest;
+    const Sides plain = plainSides(slit, length);
+    const Sides sides = slit.form ? formedSides(slit, taken, length) : plain;
+    const auto keep = [&](const Sides &of, const Segment &edge, Nearest2 &nearest) {
+        for (const Segment &wall : of.walls)
+            keepNearest(wall, edge, nearest);
+        if (const auto part = behind(edge, slit.inner, forwards))
+            for (const Segment &bottom : of.bottom)
+                keepNearest(bottom, *part, nearest);
+    };
+    Nearest2 nearest, bare; // bare: without what its form adds
     m_contour.visitNear(grown(m_boxes[index], m_limit), [&](const Vec2 &a, const Vec2 &b) {
         const Segment edge{a, b};
-        for (std::size_t i = 0; !slit.isOpen && i < outline.size(); ++i)
-            keepNearest(edgeOf(outline, i), edge, nearest);
-        for (const Segment &wall : walls)
-            keepNearest(wall, edge, nearest);
-        if (const auto part = behind(edge, slit.inner, forwards); part && slit.isOpen)
-            keepNearest({slit.inner - half, slit.inner + half}, *part, nearest);
+        if (!slit.isOpen) {
+            taken.visitEdges([&](const Segment &own) { keepNearest(own, edge, nearest); });
+            keepNearestOf(taken.rectangle(), edge, bare);
+            return;
+        }
+        keep(sides, edge, nearest);
+        if (slit.form)
+            keep(plain, edge, bare);
     });
-    if (nearest.distance > 0.0) // else it runs out there
+    // At 0 the slit itself runs out there, unless it is only its end that does.
+    if (nearest.distance > 0.0 || (slit.form && bare.distance > 0.0))
         add(Web::Between::SlitAndContour, nearest, index, 0);
 }
 

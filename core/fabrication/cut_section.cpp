@@ -39,7 +39,15 @@ struct CutKeyEqual
 
 SlitKey keyOf(const Slit &slit)
 {
-    return {slit.inner.x(), slit.inner.y(), slit.mouth.x(), slit.mouth.y(), slit.width};
+    return {{slit.inner.x(), slit.inner.y(), slit.mouth.x(), slit.mouth.y(), slit.width},
+            slit.isOpen,
+            slit.form};
+}
+
+/// What of a form tells slits of one rectangle apart, enough for a hash.
+std::array<double, 4> traitsOf(const SlitForm &form)
+{
+    return {static_cast<double>(form.end), form.radius, form.leadIns[0].from, form.bumps};
 }
 
 CutKey makeKey(const Shape *shape, const std::vector<Slit> &slits)
@@ -49,8 +57,13 @@ CutKey makeKey(const Shape *shape, const std::vector<Slit> &slits)
     key.slits.reserve(slits.size());
     for (const Slit &slit : slits) {
         key.slits.push_back(keyOf(slit));
-        for (const double value : key.slits.back())
-            key.hash = (key.hash ^ std::bit_cast<std::uint64_t>(value)) * kMixer;
+        const auto mix = [&key](const auto &values) {
+            for (const double value : values)
+                key.hash = (key.hash ^ std::bit_cast<std::uint64_t>(value)) * kMixer;
+        };
+        mix(key.slits.back().rectangle);
+        if (slit.form)
+            mix(traitsOf(*slit.form));
     }
     key.hash ^= key.hash >> 32;
     return key;
@@ -67,6 +80,14 @@ NotchPointer knownNotch(const std::vector<SlitNotch> &known, const SlitKey &slit
     return nullptr;
 }
 
+NotchPointer findNotch(const NotchFinder &finder, const Slit &slit)
+{
+    if (!slit.form)
+        return finder.find(slit.outline());
+    const std::vector<Contour> cuts = slit.cuts();
+    return cuts.size() == 1 ? finder.find(cuts.front(), kCutChord) : nullptr;
+}
+
 /// Empty where one of the slits is none.
 std::vector<SlitNotch> findNotches(const Shape &shape, const std::vector<Slit> &slits,
                                    const std::vector<SlitNotch> &known)
@@ -80,7 +101,7 @@ std::vector<SlitNotch> findNotches(const Shape &shape, const std::vector<Slit> &
         if (!notch) {
             if (!finder)
                 finder.emplace(shape.contour(), shape.chords());
-            notch = finder->find(slit.outline());
+            notch = findNotch(*finder, slit);
         }
         if (!notch)
             return {};
@@ -90,6 +111,17 @@ std::vector<SlitNotch> findNotches(const Shape &shape, const std::vector<Slit> &
 }
 
 } // namespace
+
+std::vector<Contour> cutsOf(const std::vector<Slit> &slits)
+{
+    std::vector<Contour> all;
+    all.reserve(slits.size());
+    for (const Slit &slit : slits) {
+        std::vector<Contour> cuts = slit.cuts();
+        std::move(cuts.begin(), cuts.end(), std::back_inserter(all));
+    }
+    return all;
+}
 
 CutSection::CutSection(const Shape &shape, const std::vector<Slit> &slits, const CutSection *before)
 {
@@ -108,11 +140,7 @@ CutSection::CutSection(const Shape &shape, const std::vector<Slit> &slits, const
             }
         }
     }
-    std::vector<Polygon> cuts;
-    cuts.reserve(slits.size());
-    for (const Slit &slit : slits)
-        cuts.push_back(slit.outline());
-    m_parts = subtract(shape.contour(), shape.holes(), cuts, kCutChord);
+    m_parts = subtractContours(shape.contour(), shape.holes(), cutsOf(slits), kCutChord);
 }
 
 const std::vector<Triangulation> &CutSection::triangulations() const

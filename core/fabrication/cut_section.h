@@ -15,8 +15,22 @@
 
 namespace fff {
 
-/// What a slit cuts: the rectangle, whatever joint it belongs to.
-using SlitKey = std::array<double, 5>;
+/// What a slit cuts, whatever joint it belongs to.
+struct SlitKey
+{
+    std::array<double, 5> rectangle{};
+    bool isOpen = true; // of no account without a form
+    std::shared_ptr<const SlitForm> form;
+
+    bool operator==(const SlitKey &other) const
+    {
+        return rectangle == other.rectangle && isOpen == other.isOpen &&
+               (form == other.form || (form && other.form && *form == *other.form));
+    }
+};
+
+/// All that the slits cut (Slit::cuts).
+std::vector<Contour> cutsOf(const std::vector<Slit> &slits);
 
 struct SlitNotch
 {

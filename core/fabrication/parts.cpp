@@ -74,8 +74,9 @@ std::vector<Part> makeParts(const Model &model, const Assembly &assembly,
             continue;
         for (const Slit &slit : assembly.slits[section]) {
             const Vec2 direction = (slit.inner - slit.mouth).normalized();
-            const std::size_t part = partAtBottom(outlines, slit.inner, direction);
-            parts[first + part].joints.push_back({slit.joint, slit.inner, direction, slit.width});
+            const Vec2 bottom = slit.bottom();
+            const std::size_t part = partAtBottom(outlines, bottom, direction);
+            parts[first + part].joints.push_back({slit.joint, bottom, direction, slit.width});
         }
     }
     return parts;

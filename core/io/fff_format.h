@@ -2,7 +2,9 @@
 //
 //     { "format": "FlatFitFab", "version": 2, "nextId": 5, "currentStock": 1,
 //       "stocks":     [ { "id", "name", "thickness", "density", "tensileStrength",
-//                         "flexuralStrength", "modulus", "kerf", "clearance", "sheet": [w, h] } ],
+//                         "flexuralStrength", "modulus", "kerf", "clearance",
+//                         "slitEnd": "square|round|dogbone|tBone", "toolDiameter", "leadIn",
+//                         "bumps", "sheet": [w, h] } ],
 //       "shapes":     [ { "contour": [[x, y], ...], "holes": [ [[x, y], ...], ... ] } ],
 //       "sections":   [ { "id", "name", "stock": id, "shape": index in shapes,
 //                         "parent": { "section": ref, "slitFrom": [x, y], "slitTo": [x, y] },
@@ -13,12 +15,13 @@
 //                         "shares": [ { "at": [x, y], "ofA" } ] } ] }
 //
 // Strengths and modulus are null when not rated; "parent", "holes", "weights", "joints", and of a
-// joint all but its two sections, may be missing. `joints` are those of which something is wanted
-// (core/model/joint_override.h). A contour has
-// three control points a segment, p0 h h, a segment on each line; the last closes onto the first.
-// A ref is the id of a drawn section, or { "operation": id, "instance": "key" } for one that an
-// operation makes; the latter may name nothing now (dormant). `shapes` stand in the order of their
-// first use; sections that name the same index share one Shape, as they did when written.
+// joint all but its two sections, may be missing; of a stock "slitEnd" (then square),
+// "toolDiameter" (3.175), "leadIn" and "bumps" (0). `joints` are those of which something is
+// wanted (core/model/joint_override.h). A contour has three control points a segment, p0 h h, a
+// segment on each line; the last closes onto the first. A ref is the id of a drawn section, or
+// { "operation": id, "instance": "key" } for one that an operation makes; the latter may name
+// nothing now (dormant). `shapes` stand in the order of their first use; sections that name the
+// same index share one Shape, as they did when written.
 // Unknown keys are passed over: what changes the meaning of a file raises its version.
 #pragma once
 

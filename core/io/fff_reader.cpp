@@ -35,6 +35,7 @@ private:
     SectionRef readRef(const JsonCursor &cursor);
     std::optional<double> readRated(const JsonCursor &cursor);
     Stock readStock(const JsonCursor &cursor);
+    void readSlitForm(const JsonCursor &cursor, Stock &stock);
     Contour readContour(const JsonCursor &cursor);
     ShapePointer readShape(const JsonCursor &cursor);
     Frame readFrame(const JsonCursor &cursor, const std::string &sectionName);
@@ -103,11 +104,36 @@ Stock FffReader::readStock(const JsonCursor &cursor)
     stock.modulus = readRated(cursor.member("modulus"));
     stock.kerf = cursor.member("kerf").notNegative();
     stock.clearance = cursor.member("clearance").coordinate();
+    readSlitForm(cursor, stock);
     const JsonCursor sheet = cursor.member("sheet");
     stock.sheet = sheet.point2();
     if (!(stock.sheet.minCoeff() > 0.0))
         sheet.failExpected(QT_TRANSLATE_NOOP("Error", "a width and a height above 0"));
     return stock;
+}
+
+/// What is missing is as in a new stock.
+void FffReader::readSlitForm(const JsonCursor &cursor, Stock &stock)
+{
+    if (const JsonCursor end = cursor.member("slitEnd"); end.exists()) {
+        const std::string name = end.text();
+        if (name == "square")
+            stock.slitEnd = SlitEnd::Square;
+        else if (name == "round")
+            stock.slitEnd = SlitEnd::Round;
+        else if (name == "dogbone")
+            stock.slitEnd = SlitEnd::Dogbone;
+        else if (name == "tBone")
+            stock.slitEnd = SlitEnd::TBone;
+        else
+            end.failExpected(QT_TRANSLATE_NOOP("Error", "square, round, dogbone or tBone"));
+    }
+    if (const JsonCursor tool = cursor.member("toolDiameter"); tool.exists())
+        stock.toolDiameter = tool.positive();
+    if (const JsonCursor leadIn = cursor.member("leadIn"); leadIn.exists())
+        stock.leadIn = leadIn.notNegative();
+    if (const JsonCursor bumps = cursor.member("bumps"); bumps.exists())
+        stock.bumps = bumps.notNegative();
 }
 
 Contour FffReader::readContour(const JsonCursor &cursor)

@@ -20,6 +20,35 @@ void writeRated(JsonWriter &json, const char *name, const std::optional<double> 
         json.null();
 }
 
+const char *slitEndName(SlitEnd end)
+{
+    switch (end) {
+    case SlitEnd::Square:
+        break;
+    case SlitEnd::Round:
+        return "round";
+    case SlitEnd::Dogbone:
+        return "dogbone";
+    case SlitEnd::TBone:
+        return "tBone";
+    }
+    return "square";
+}
+
+/// Nothing for what is as in a new stock: plain slits.
+void writeSlitForm(JsonWriter &json, const Stock &stock)
+{
+    const Stock plain;
+    if (stock.slitEnd != plain.slitEnd)
+        json.member("slitEnd", slitEndName(stock.slitEnd));
+    if (stock.toolDiameter != plain.toolDiameter)
+        json.member("toolDiameter", stock.toolDiameter);
+    if (stock.leadIn != plain.leadIn)
+        json.member("leadIn", stock.leadIn);
+    if (stock.bumps != plain.bumps)
+        json.member("bumps", stock.bumps);
+}
+
 void writeStock(JsonWriter &json, const Stock &stock)
 {
     json.beginObject();
@@ -32,6 +61,7 @@ void writeStock(JsonWriter &json, const Stock &stock)
     writeRated(json, "modulus", stock.modulus);
     json.member("kerf", stock.kerf);
     json.member("clearance", stock.clearance);
+    writeSlitForm(json, stock);
     json.member("sheet", stock.sheet);
     json.endObject();
 }

@@ -51,6 +51,13 @@ const char *invalidField(const Stock &s)
     // A slit needs a width, also where it presses: at a right angle, thickness + clearance.
     if (!(s.clearance > -s.thickness && s.clearance <= kMaxCoordinate))
         return "clearance";
+    if (!positive(s.toolDiameter))
+        return "toolDiameter";
+    const auto lengthOrNone = [](double v) { return v >= 0.0 && v <= kMaxCoordinate; };
+    if (!lengthOrNone(s.leadIn))
+        return "leadIn";
+    if (!lengthOrNone(s.bumps))
+        return "bumps";
     if (!positive(s.sheet.x()) || !positive(s.sheet.y()))
         return "sheet";
     return nullptr;

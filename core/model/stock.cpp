@@ -2,6 +2,13 @@
 
 namespace fff {
 
+bool cutsTheSameSlits(const Stock &a, const Stock &b)
+{
+    return a.thickness == b.thickness && a.clearance == b.clearance && a.slitEnd == b.slitEnd &&
+           (a.toolDiameter == b.toolDiameter || a.slitEnd == SlitEnd::Square) &&
+           a.leadIn == b.leadIn && a.bumps == b.bumps;
+}
+
 Stock birchPlywood()
 {
     Stock stock;

@@ -9,6 +9,15 @@
 
 namespace fff {
 
+/// The inner end of a slit. A laser cuts it square; a mill's round tool reaches into no corner, so
+/// that it takes more than the square end away, never less.
+enum class SlitEnd {
+    Square,
+    Round,   // a round bottom beyond the square one
+    Dogbone, // an arc through each corner, to both sides of it
+    TBone    // an arc in each wall, at its corner; the bottom stays
+};
+
 struct Stock
 {
     StockId id;
@@ -20,10 +29,17 @@ struct Stock
     std::optional<double> modulus;          // MPa; none: not rated
     double kerf = 0.15;                     // mm, full width that the machine removes
     double clearance = 0.0;                 // mm, play of a slit; negative presses
-    Vec2 sheet = {600.0, 400.0};            // mm, width and height of one plate
+    SlitEnd slitEnd = SlitEnd::Square;
+    double toolDiameter = 3.175; // mm, of the mill; of no use to a square end
+    double leadIn = 0.0;         // mm that a slit's mouth is chamfered by, at 45°
+    double bumps = 0.0;          // mm, height of the two bumps in a slit that press on its guest
+    Vec2 sheet = {600.0, 400.0}; // mm, width and height of one plate
 
     bool operator==(const Stock &) const = default;
 };
+
+/// Whether the slits of sections of both stocks are the same.
+bool cutsTheSameSlits(const Stock &a, const Stock &b);
 
 /// What a new document starts with: birch plywood, 3 mm.
 Stock birchPlywood();

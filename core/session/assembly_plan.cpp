@@ -60,6 +60,17 @@ Hold holdOf(const Analysis &analysis, const Joint &joint)
     return hold;
 }
 
+/// How deep bumps press into their guests, from both sides together, mm.
+double bumpsOf(const Analysis &analysis)
+{
+    double highest = 0.0;
+    for (const std::vector<Slit> &slits : analysis.assembly.slits)
+        for (const Slit &slit : slits)
+            if (slit.form)
+                highest = std::max(highest, slit.form->bumps);
+    return 2.0 * highest;
+}
+
 /// What stops the one of a locked pair that comes out of its slit.
 std::optional<Stop> stopOf(const std::vector<Solid> &solids, const std::vector<Slide> &slides,
                            const std::vector<int> &pair)
@@ -153,6 +164,7 @@ ModelPlan planOf(const Analysis &analysis, const std::function<bool()> &isOutOfT
     PlanOptions options;
     for (const auto &stock : analysis.model.document.stocks)
         options.depth = std::max(options.depth, kTouchingDepth - stock->clearance);
+    options.depth += bumpsOf(analysis);
     options.isOutOfTime = isOutOfTime;
     result.overlaps = overlapsOf(solids, options.depth);
     for (const PartOverlap &overlap : result.overlaps)

@@ -43,7 +43,7 @@ std::vector<Slide> slidesOf(const Analysis &analysis, const std::vector<PartRef>
 std::vector<PartOverlap> overlapsOf(const std::vector<Solid> &solids, double depth);
 
 /// A pure function of the analysis, but for the time. A part that a press fit holds may be as deep
-/// in its mate as the clearance is negative.
+/// in its mate as the clearance is negative and as bumps press into it from both sides.
 ModelPlan planOf(const Analysis &analysis, const std::function<bool()> &isOutOfTime = {});
 
 } // namespace fff

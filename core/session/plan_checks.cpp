@@ -120,7 +120,8 @@ void addWebs(const Analysis &analysis, std::size_t section, const std::vector<We
     };
     for (const Web &web : webs) {
         Check check;
-        check.code = web.width > 0.0 ? CheckCode::ThinWeb : CheckCode::SlitsMeet;
+        check.code = web.width > 0.0 || web.between != Web::Between::Slits ? CheckCode::ThinWeb
+                                                                           : CheckCode::SlitsMeet;
         check.severity = CheckSeverity::Warning;
         if (web.width >= 0.5 * model.stockOf(section).thickness)
             check.severity = CheckSeverity::Note;

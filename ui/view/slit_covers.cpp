@@ -1,5 +1,7 @@
 #include "ui/view/slit_covers.h"
 
+#include "core/base/tolerances.h"
+
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -112,7 +114,8 @@ void addCover(const Analysis &analysis, const Slit &slit, CoveredSlit covered,
 
 bool cutsTheSame(const Slit &a, const Slit &b)
 {
-    return a.guest == b.guest && a.inner == b.inner && a.mouth == b.mouth && a.width == b.width;
+    return a.guest == b.guest && a.inner == b.inner && a.mouth == b.mouth && a.width == b.width &&
+           (a.form == b.form || (a.form && b.form && *a.form == *b.form));
 }
 
 /// Slits of one list that the other does not have; both are in the order of their guests.
@@ -180,8 +183,10 @@ CoverUpdate::CoverUpdate(const Analysis &now, const Analysis &before)
         addOthers(now.assembly.slits[i], before.assembly.slits[i], change.added);
         std::vector<const Slit *> others = change.added;
         addOthers(before.assembly.slits[i], now.assembly.slits[i], others);
-        for (const Slit *slit : others)
-            change.outlines.push_back(slit->outline());
+        for (const Slit *slit : others) {
+            std::vector<Polygon> outlines = slit->outlines(kDrawChord);
+            std::move(outlines.begin(), outlines.end(), std::back_inserter(change.outlines));
+        }
     }
 }
 

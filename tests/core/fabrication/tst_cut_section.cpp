@@ -4,6 +4,8 @@
 
 #include <QTest>
 
+#include <random>
+
 using namespace fff;
 using namespace fff::test;
 
@@ -23,6 +25,23 @@ ShapePointer plate(double width = 40.0)
     return Shape::make(polygonContour(rectangleAt(0, 0, width, 40))).value();
 }
 
+/// Of slits that leave the section 4 mm before their mouth or less.
+std::vector<SlitForm> forms()
+{
+    std::vector<SlitForm> forms;
+    for (const SlitEnd end : {SlitEnd::Round, SlitEnd::Dogbone, SlitEnd::TBone, SlitEnd::Square}) {
+        SlitForm form;
+        form.end = end;
+        form.radius = end == SlitEnd::Square ? 0.0 : 1.3;
+        form.held = 8.0;
+        if (end != SlitEnd::Square)
+            forms.push_back(form);
+        form.bumps = 0.1;
+        forms.push_back(form);
+    }
+    return forms;
+}
+
 } // namespace
 
 class TestCutSection : public QObject
@@ -37,6 +56,11 @@ private Q_SLOTS:
     void jointsNumbersDoNotMatter();
     void reusedAddressIsNotTheOldShape();
     void cacheIsBounded();
+    void aFormGivesAnother();
+    void formsAreCutAsTheBooleanDoes_data();
+    void formsAreCutAsTheBooleanDoes();
+    void reliefTakesWhatTheSquareTakes_data();
+    void reliefTakesWhatTheSquareTakes();
     void whatWasCutBeforeDoesNotMatter_data();
     void whatWasCutBeforeDoesNotMatter();
 };
@@ -137,6 +161,130 @@ void TestCutSection::cacheIsBounded()
         last = cutSection(shape, {slitAt(11.0 + 0.01 * i)}, cache);
     QVERIFY(first.expired());
     QVERIFY(!last.expired());
+}
+
+// Wrong: another slit end in the stock would not show.
+void TestCutSection::aFormGivesAnother()
+{
+    CutCache cache;
+    const ShapePointer shape = plate();
+    std::vector<CutSectionPointer> cuts{cutSection(shape, {slitAt(10)}, cache)};
+    Slit last;
+    for (const SlitForm &form : forms()) {
+        last = slitAt(10);
+        last.form = std::make_shared<const SlitForm>(form);
+        cuts.push_back(cutSection(shape, {last}, cache));
+        QCOMPARE(std::count(cuts.begin(), cuts.end(), cuts.back()), 1);
+    }
+    last.form = std::make_shared<const SlitForm>(*last.form); // an equal one
+    QCOMPARE(cutSection(shape, {last}, cache), cuts.back());
+    last.isOpen = false;
+    QVERIFY(cutSection(shape, {last}, cache) != cuts.back());
+}
+
+void TestCutSection::formsAreCutAsTheBooleanDoes_data()
+{
+    QTest::addColumn<int>("form");
+    for (std::size_t i = 0; i < forms().size(); ++i)
+        QTest::addRow("form %d", static_cast<int>(i)) << static_cast<int>(i);
+}
+
+// Wrong: a part would hang on which way it was cut, or lose the curves that a machine is to follow.
+void TestCutSection::formsAreCutAsTheBooleanDoes()
+{
+    QFETCH(int, form);
+    const auto shared = std::make_shared<const SlitForm>(forms()[static_cast<std::size_t>(form)]);
+    std::mt19937 random(7);
+    std::uniform_real_distribution<double> place(8.0, 92.0), tilt(-0.6, 0.6), depth(4.0, 30.0);
+    const ShapePointer disc = Shape::make(circle({50, 10}, 50), {circle({50, -20}, 8)}).value();
+    int alike = 0;
+    for (int round = 0; round < 200; ++round) {
+        std::vector<Slit> slits;
+        for (int i = 0; i < 1 + round % 3; ++i) {
+            const double x = place(random);
+            const double top = 10.0 + std::sqrt(2500.0 - (x - 50.0) * (x - 50.0));
+            const Vec2 way(std::sin(tilt(random)), -1.0);
+            Slit slit;
+            slit.mouth = Vec2(x, top) - 4.0 * way.normalized();
+            slit.inner = Vec2(x, top) + depth(random) * way.normalized();
+            slit.width = 3.0;
+            slit.form = shared;
+            slits.push_back(slit);
+        }
+        CutCache cache;
+        const auto cut = cutSection(disc, slits, cache);
+        const auto parts =
+            subtractContours(disc->contour(), disc->holes(), cutsOf(slits), kCutChord);
+        QCOMPARE(cut->parts().size(), parts.size());
+        double difference = cut->area();
+        bool isSame = true;
+        for (std::size_t i = 0; i < parts.size(); ++i) {
+            difference -= parts[i].outer.signedArea();
+            for (const Contour &hole : parts[i].holes)
+                difference -= hole.signedArea();
+            isSame =
+                isSame && cut->parts()[i].outer.segmentCount() == parts[i].outer.segmentCount();
+        }
+        QVERIFY2(std::abs(difference) < 1e-3, qPrintable(QString::number(difference)));
+        alike += isSame ? 1 : 0;
+        // Few pieces: each arc is a curve or two.
+        QVERIFY(parts[0].outer.segmentCount() < 80);
+    }
+    QVERIFY(alike > 150);
+}
+
+void TestCutSection::reliefTakesWhatTheSquareTakes_data()
+{
+    formsAreCutAsTheBooleanDoes_data();
+}
+
+// Wrong: a guest that does not go in, or parts that lose material away from their slits. Nasty: the
+// ends run into each other, into the hole and out of the edge.
+void TestCutSection::reliefTakesWhatTheSquareTakes()
+{
+    QFETCH(int, form);
+    SlitForm bare = forms()[static_cast<std::size_t>(form)];
+    bare.bumps = 0.0;
+    const ShapePointer shape =
+        Shape::make(polygonContour(rectangleAt(0, 0, 100, 40)), {circle({80, 15}, 5)}).value();
+    std::vector<Slit> slits{slitAt(20), slitAt(24.5), slitAt(50), slitAt(80, 4.0), slitAt(2.5)};
+    slits[2].inner.y() = 0.5;
+    slits[3].inner.y() = 20.5;
+    std::vector<Slit> square = slits;
+    Slit mortise;
+    mortise.inner = {60, 10};
+    mortise.mouth = {70, 10};
+    mortise.width = 3.0;
+    mortise.isOpen = false;
+    square.push_back(mortise);
+    slits.push_back(mortise);
+    for (Slit &slit : slits)
+        slit.form = std::make_shared<const SlitForm>(bare);
+    CutCache cache;
+    const auto plain = cutSection(shape, square, cache), cut = cutSection(shape, slits, cache);
+    const auto isIn = [](const CutSection &section, const Vec2 &p) {
+        return std::any_of(section.parts().begin(), section.parts().end(), [&](const auto &part) {
+            return locate(p, part.region) == Side::Inside;
+        });
+    };
+    int less = 0;
+    for (double x = 0.03; x < 100.0; x += 0.11) {
+        for (double y = 0.03; y < 40.0; y += 0.11) {
+            const Vec2 p(x, y);
+            if (isIn(*cut, p))
+                QVERIFY(isIn(*plain, p));
+            else if (isIn(*plain, p)) {
+                ++less;
+                double nearest = 1e9;
+                for (const Slit &slit : square)
+                    for (const Vec2 &corner : slit.outline())
+                        nearest = std::min(nearest, (corner - p).norm());
+                QVERIFY(nearest < std::max(2.0 * bare.radius, 4.0));
+            }
+        }
+    }
+    const bool hasMore = bare.radius > 0.0 || bare.leadIns[0].top > 0.0;
+    QCOMPARE(less > 0, hasMore);
 }
 
 void TestCutSection::whatWasCutBeforeDoesNotMatter_data()
