@@ -222,6 +222,10 @@ QString jointText(const Check &check, const Model &model, const CheckUnits &unit
                                : Words::tr("%1: only %2 stay between its slit for %3 and its edge.")
                                      .arg(first, stays, guests);
     }
+    case CheckCode::NarrowSlit:
+        return Words::tr("Slit %1 is narrower than the %2 tool. Give the stock's slits more "
+                         "clearance, or choose a thinner tool.")
+            .arg(units.width(check.distance), units.width(check.tool));
     case CheckCode::Divided:
         return Words::tr("The slits of %1 divide it into %2.")
             .arg(first, Words::tr("%n parts", nullptr, check.count));
@@ -299,6 +303,8 @@ QString checkName(CheckCode code)
         return QStringLiteral("slitsMeet");
     case CheckCode::ThinWeb:
         return QStringLiteral("thinWeb");
+    case CheckCode::NarrowSlit:
+        return QStringLiteral("narrowSlit");
     case CheckCode::Divided:
         return QStringLiteral("divided");
     case CheckCode::NothingLeft:
@@ -328,6 +334,9 @@ CheckUnits metricUnits()
 {
     CheckUnits units;
     units.length = [](double mm) { return withUnit(decimal(mm), QStringLiteral("mm")); };
+    units.width = [](double mm) {
+        return withUnit(QLocale().toString(mm, 'f', 2), QStringLiteral("mm"));
+    };
     units.size = [](const Vec2 &mm) {
         return withUnit(QStringLiteral("%1 × %2").arg(decimal(mm.x()), decimal(mm.y())),
                         QStringLiteral("mm"));
@@ -378,6 +387,8 @@ QString checkTitle(const Check &check)
         return Words::tr("Slits run into each other");
     case CheckCode::ThinWeb:
         return Words::tr("Thin web");
+    case CheckCode::NarrowSlit:
+        return Words::tr("Slit narrower than the tool");
     case CheckCode::Divided:
         return Words::tr("Divided by slits");
     case CheckCode::NothingLeft:

@@ -18,6 +18,7 @@ QString severityName(CheckSeverity severity);
 struct CheckUnits
 {
     std::function<QString(double millimetres)> length;    // "45.4 mm"
+    std::function<QString(double millimetres)> width;     // "2.70 mm", of slits and tools
     std::function<QString(const Vec2 &millimetres)> size; // "420 × 297 mm"
     std::function<QString(double kilograms)> mass;        // "115.7 g"
 };

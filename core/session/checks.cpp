@@ -2,6 +2,7 @@
 
 #include "core/base/tolerances.h"
 #include "core/session/gap.h"
+#include "core/session/narrow_slits.h"
 
 #include <algorithm>
 #include <array>
@@ -327,6 +328,7 @@ CheckSubject subjectOf(CheckCode code)
     case CheckCode::ShallowAngle:
     case CheckCode::SlitsMeet:
     case CheckCode::ThinWeb:
+    case CheckCode::NarrowSlit:
     case CheckCode::Divided:
     case CheckCode::NothingLeft:
         return CheckSubject::Joints;
@@ -371,6 +373,8 @@ std::vector<Check> checks(const Analysis &analysis, CheckCaches &caches,
     mass.at = mass.mass.centre;
     all.push_back(std::move(mass));
     addJoints(analysis, all);
+    std::vector<Check> narrow = narrowSlits(analysis);
+    std::move(narrow.begin(), narrow.end(), std::back_inserter(all));
     return all;
 }
 

@@ -39,6 +39,7 @@ enum class CheckCode {
                   // any joint takes (kMinJointAngle)
     SlitsMeet,    // two slits of a section run into each other (plan_checks.h)
     ThinWeb,      // less than the stock's thickness stays beside a slit (plan_checks.h)
+    NarrowSlit,   // narrower than the tool that is to cut it (narrow_slits.h)
     Divided,      // its slits divide a section into several parts
     NothingLeft,  // its slits leave nothing of a section
 };
@@ -70,7 +71,9 @@ struct Check
                               // NoContact: above the ground; BelowGround: below it (both positive);
                               // NoSlit: the longest overlap; Interference: how deep;
                               // CannotAssemble: how far the first section comes out of the second
-                              // one, 0: it is not that; ThinWeb: what stays
+                              // one, 0: it is not that; ThinWeb: what stays;
+                              // NarrowSlit: its width
+    double tool = 0.0;        // NarrowSlit: the tool's diameter, mm
     double angle = 0.0;       // ShallowAngle: radians
     Vec2 size = Vec2::Zero(); // TooLarge: the part as designed, its longer side first, mm
     Vec2 sheet = Vec2::Zero(); // FitsSheet (one stock only), TooLarge: the sheet's size, mm

@@ -12,6 +12,7 @@ target_sources(fff_session PRIVATE
     gap.cpp
     joint_commands.cpp
     journal.cpp
+    narrow_slits.cpp
     pen_commands.cpp
     plan_checks.cpp
     point_commands.cpp

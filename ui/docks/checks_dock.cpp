@@ -372,6 +372,8 @@ QString ChecksDock::linkOf(const Check &check) const
         return check.sections.size() == 1 ? tr("Delete it") : tr("Delete them");
     case CheckCode::TooLarge:
         return tr("Choose a sheet");
+    case CheckCode::NarrowSlit:
+        return tr("Set the clearance");
     case CheckCode::CanAssemble:
         return check.count > 1 ? tr("Show the steps") : QString();
     case CheckCode::CannotAssemble:
@@ -388,7 +390,7 @@ QString ChecksDock::linkOf(const Check &check) const
 void ChecksDock::act(int row)
 {
     const Check check = m_rows[static_cast<std::size_t>(row)].check;
-    if (check.code == CheckCode::TooLarge) {
+    if (check.code == CheckCode::TooLarge || check.code == CheckCode::NarrowSlit) {
         Q_EMIT stocksWanted();
         return;
     }

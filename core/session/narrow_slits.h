@@ -1,0 +1,12 @@
+// Slits that the mill's tool does not go into.
+#pragma once
+
+#include "core/session/checks.h"
+
+namespace fff {
+
+/// One check a stock whose slits end round, of those of its slits that are narrower than its tool:
+/// about the sections that have them, at the narrowest. In the order of the stocks.
+std::vector<Check> narrowSlits(const Analysis &analysis);
+
+} // namespace fff

@@ -1,0 +1,272 @@
+// Models whose slits have ends for a tool, lead-ins and bumps: their parts as cut, in place and on
+// their way. If this fails, a stock's options make parts that do not go together, or checks that
+// complain of parts that do.
+#include <QTest> // first: moc cannot read some of the standard library before it
+
+#include "core/base/units.h"
+#include "core/session/check_text.h"
+#include "core/session/narrow_slits.h"
+#include "core/session/plan_checks.h"
+#include "tests/core/assembly/known_models.h"
+
+using namespace fff;
+using namespace fff::test;
+
+namespace {
+
+/// The document with its one stock changed.
+Document like(Document document, const Stock &options)
+{
+    Stock stock = *document.stocks.front();
+    stock.slitEnd = options.slitEnd;
+    stock.toolDiameter = options.toolDiameter;
+    stock.leadIn = options.leadIn;
+    stock.bumps = options.bumps;
+    stock.clearance = options.clearance;
+    return *setStock(std::move(document), stock);
+}
+
+Analysis analysed(Document document)
+{
+    AnalysisCaches caches;
+    return analyse(evaluate(std::move(document)), caches);
+}
+
+std::vector<Document> models()
+{
+    const ShapePointer plate = polygonShape(rectangle(-30, 0, 30, 40));
+    const ShapePointer slope = polygonShape({{-40, 0}, {40, 0}, {40, 60}, {-40, 30}});
+    const ShapePointer slot = polygonShape(rectangle(-60, -60, 60, 60));
+    return {
+        eggCrate(3, 3),
+        comb(4),
+        star(8),
+        chain(5),
+        withSection(withSection(newDocument(), plate, front()), plate, turned(radians(40.0))),
+        withSection(withSection(newDocument(), slope, front()), slope, turned(radians(70.0))),
+        withSection(withSection(newDocument(), slot, {Vec3::Zero(), Vec3::UnitX(), -Vec3::UnitZ()}),
+                    polygonShape(rectangle(-10, -20, 10, 40)), front())};
+}
+
+std::vector<Stock> options()
+{
+    std::vector<Stock> all;
+    for (const SlitEnd end : {SlitEnd::Square, SlitEnd::Round, SlitEnd::Dogbone, SlitEnd::TBone}) {
+        for (const double leadIn : {0.0, 1.5}) {
+            for (const double bumps : {0.0, 0.15}) {
+                for (const double clearance : {0.0, 0.1, -0.05}) {
+                    Stock stock;
+                    stock.slitEnd = end;
+                    stock.toolDiameter = 3.0;
+                    stock.leadIn = leadIn;
+                    stock.bumps = bumps;
+                    stock.clearance = clearance;
+                    all.push_back(stock);
+                }
+            }
+        }
+    }
+    return all;
+}
+
+} // namespace
+
+class TestSlitEnds : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void partsGoTogether_data();
+    void partsGoTogether();
+    void bumpsPressAndNothingElse();
+    void partsSeatAtTheSquareBottom();
+    void slitNarrowerThanItsTool();
+    void reliefThatBreaksThroughIsAThinWeb();
+    void reliefsThatMergeAreSaid();
+    void undoneIsAsBefore();
+};
+
+void TestSlitEnds::partsGoTogether_data()
+{
+    QTest::addColumn<int>("model");
+    const char *const names[] = {"a crate", "a comb",          "a star",   "a chain",
+                                 "oblique", "oblique, slopes", "a mortise"};
+    for (int i = 0; i < 7; ++i)
+        QTest::newRow(names[i]) << i;
+}
+
+void TestSlitEnds::partsGoTogether()
+{
+    QFETCH(int, model);
+    for (const Stock &stock : options()) {
+        const Analysis analysis = analysed(like(models()[static_cast<std::size_t>(model)], stock));
+        const QByteArray what = QStringLiteral("end %1, lead-in %2, bumps %3, clearance %4")
+                                    .arg(static_cast<int>(stock.slitEnd))
+                                    .arg(stock.leadIn)
+                                    .arg(stock.bumps)
+                                    .arg(stock.clearance)
+                                    .toUtf8();
+        const ModelPlan plan = planOf(analysis);
+        QVERIFY2(plan.plan.verdict == AssemblyPlan::Verdict::Possible, what);
+        QVERIFY2(plan.overlaps.empty(), what);
+        for (const CutSectionPointer &cut : analysis.cuts)
+            QCOMPARE(cut->parts().size(), std::size_t(1));
+        for (const Check &check : planChecks(analysis, plan))
+            QVERIFY2(check.severity != CheckSeverity::Error, what);
+    }
+}
+
+// What would be wrong: interference where only a bump was meant to be, or a bump that does nothing.
+void TestSlitEnds::bumpsPressAndNothingElse()
+{
+    for (const Document &document : models()) {
+        for (const Stock &stock : options()) {
+            if (stock.clearance < 0.0)
+                continue;
+            const Analysis analysis = analysed(like(document, stock));
+            std::vector<PartRef> parts;
+            const std::vector<Solid> solids = solidsOf(analysis, parts);
+            const std::vector<PartOverlap> overlaps = overlapsOf(solids, kTouchingDepth);
+            const bool presses = stock.bumps > 0.5 * stock.clearance;
+            QCOMPARE(!overlaps.empty(), presses);
+            for (const PartOverlap &overlap : overlaps)
+                QVERIFY(overlap.how.depth <= 2.0 * stock.bumps + kTouchingDepth);
+        }
+    }
+}
+
+// What would be wrong: a joint that closes farther than it is drawn, so that a model stands askew.
+void TestSlitEnds::partsSeatAtTheSquareBottom()
+{
+    for (const SlitEnd end : {SlitEnd::Square, SlitEnd::Dogbone, SlitEnd::TBone, SlitEnd::Round}) {
+        Stock stock;
+        stock.slitEnd = end;
+        stock.toolDiameter = 2.0;
+        const ShapePointer plate = polygonShape(rectangle(-30, 0, 30, 40));
+        const Analysis analysis = analysed(
+            like(withSection(withSection(newDocument(), plate, front()), plate, side()), stock));
+        std::vector<PartRef> parts;
+        const std::vector<Solid> solids = solidsOf(analysis, parts);
+        const Slide slide = slidesOf(analysis, parts).at(0);
+        constexpr double kDeeper = 0.3; // mm: how far it is pushed on
+        const auto pushed = interpenetration(movedBy(solids[1], -kDeeper * slide.direction),
+                                             solids[0], kTouchingDepth);
+        QVERIFY(pushed);
+        if (end == SlitEnd::Square || end == SlitEnd::TBone) {
+            QVERIFY(pushed->depth > kDeeper - 2.0 * kTouchingDepth);
+        }
+    }
+}
+
+// What would be wrong: a mill that is sent into a slit where it does not fit, without a word.
+void TestSlitEnds::slitNarrowerThanItsTool()
+{
+    Stock stock;
+    stock.clearance = -0.3;
+    stock.toolDiameter = 3.0;
+    QVERIFY(narrowSlits(analysed(like(eggCrate(2, 3), stock))).empty());
+    for (const SlitEnd end : {SlitEnd::Round, SlitEnd::Dogbone, SlitEnd::TBone}) {
+        stock.slitEnd = end;
+        const Analysis analysis = analysed(like(eggCrate(2, 3), stock));
+        const std::vector<Check> found = narrowSlits(analysis);
+        QCOMPARE(found.size(), std::size_t(1));
+        QCOMPARE(found[0].code, CheckCode::NarrowSlit);
+        QCOMPARE(found[0].severity, CheckSeverity::Warning);
+        QCOMPARE(found[0].sections.size(), std::size_t(5));
+        QVERIFY(found[0].at);
+        QCOMPARE(checkName(found[0].code), QStringLiteral("narrowSlit"));
+        const QString text = checkText(found[0], analysis.model);
+        QVERIFY2(text.startsWith(QStringLiteral("Slit 2.70\u202Fmm is narrower than the "
+                                                "3.00\u202Fmm tool. ")),
+                 qPrintable(text));
+        // It is among all checks.
+        const std::vector<Check> all = checks(analysis);
+        QCOMPARE(std::count_if(all.begin(), all.end(),
+                               [](const Check &c) { return c.code == CheckCode::NarrowSlit; }),
+                 1);
+    }
+    stock.clearance = 0.0; // exactly as wide
+    QVERIFY(narrowSlits(analysed(like(eggCrate(2, 3), stock))).empty());
+    // An oblique slit is wider than the stock is thick.
+    stock.clearance = -0.3;
+    const ShapePointer plate = polygonShape(rectangle(-30, 0, 30, 40));
+    QVERIFY(narrowSlits(analysed(like(withSection(withSection(newDocument(), plate, front()), plate,
+                                                  turned(radians(40.0))),
+                                      stock)))
+                .empty());
+}
+
+// What would be wrong: a corner that falls off, since only the square slit was looked at.
+void TestSlitEnds::reliefThatBreaksThroughIsAThinWeb()
+{
+    Stock stock;
+    stock.toolDiameter = 3.0;
+    const auto webs = [&](SlitEnd end, double below) {
+        stock.slitEnd = end;
+        // A rib on a spine, its slit down to `below` above the spine's lower edge.
+        Document document =
+            withSection(newDocument(), polygonShape(rectangle(0, 0, 60, 20 + below)), front());
+        document =
+            withSection(std::move(document),
+                        polygonShape(rectangle(-20, below - 20, 20, 20 + below + 10)), side(30));
+        JointOverride wanted;
+        wanted.a = document.sections[0]->id;
+        wanted.b = document.sections[1]->id;
+        wanted.opens = Vec2::UnitY();
+        wanted.shares = {{{30, 10}, 0.95}};
+        document = *setJointOverride(std::move(document), wanted);
+        const Analysis analysis = analysed(like(std::move(document), stock));
+        return thinWebs(analysis.model.section(0)->shape->region(), analysis.assembly.slits[0],
+                        3.0);
+    };
+    const double square = webs(SlitEnd::Square, 1.0).at(0).width;
+    QVERIFY(square > 0.5 && square < 3.0);
+    const double dogbone = webs(SlitEnd::Dogbone, 1.0).at(0).width;
+    QVERIFY(dogbone < square - 0.3);
+    const Web round = webs(SlitEnd::Round, 0.2).at(0);
+    QCOMPARE(round.between, Web::Between::SlitAndContour);
+    QVERIFY(round.width == 0.0 || round.width < square);
+}
+
+void TestSlitEnds::reliefsThatMergeAreSaid()
+{
+    Stock stock;
+    stock.toolDiameter = 3.0;
+    const auto worst = [&](SlitEnd end) {
+        stock.slitEnd = end;
+        Document document =
+            withSection(newDocument(), polygonShape(rectangle(0, 0, 80, 30)), front());
+        for (const double x : {30.0, 35.5})
+            document =
+                withSection(std::move(document), polygonShape(rectangle(-20, 10, 20, 50)), side(x));
+        const Analysis analysis = analysed(like(std::move(document), stock));
+        double least = 3.0;
+        for (const Check &check : planChecks(analysis, planOf(analysis)))
+            if (check.code == CheckCode::ThinWeb || check.code == CheckCode::SlitsMeet)
+                least = std::min(least, check.distance);
+        return least;
+    };
+    QVERIFY(std::abs(worst(SlitEnd::Square) - 2.5) < 1e-6);
+    QVERIFY(std::abs(worst(SlitEnd::Round) - 2.5) < 1e-3);
+    QVERIFY(worst(SlitEnd::Dogbone) < 2.0);
+    QCOMPARE(worst(SlitEnd::TBone), 0.0);
+}
+
+// What would be wrong: relief that stays in the parts when the stock is plain again.
+void TestSlitEnds::undoneIsAsBefore()
+{
+    AnalysisCaches caches;
+    const Document plain = eggCrate(2, 2);
+    const Analysis before = analyse(evaluate(plain), caches);
+    Stock stock;
+    stock.slitEnd = SlitEnd::Dogbone;
+    const Analysis milled = analyse(evaluate(like(plain, stock)), caches);
+    for (std::size_t i = 0; i < 4; ++i)
+        QVERIFY(milled.cuts[i]->area() < before.cuts[i]->area() - 0.1);
+    const Analysis after = analyse(evaluate(plain), caches);
+    for (std::size_t i = 0; i < 4; ++i)
+        QVERIFY(after.cuts[i] == before.cuts[i]);
+}
+
+QTEST_GUILESS_MAIN(TestSlitEnds)
+#include "tst_slit_ends.moc"
