@@ -15,6 +15,7 @@ target_sources(fff_ui PRIVATE
     dialogs/shortcut_editor.cpp
     dialogs/shortcut_keys.cpp
     dialogs/stock_editor.cpp
+    dialogs/slit_rows.cpp
     dialogs/stock_fields.cpp
     dialogs/stock_list.cpp
     docks/check_row.cpp

@@ -2,6 +2,7 @@
 
 #include "core/model/edits.h"
 #include "core/model/materials.h"
+#include "ui/dialogs/slit_rows.h"
 #include "ui/icon.h"
 #include "ui/measures.h"
 #include "ui/properties/property_rows.h"
@@ -65,6 +66,7 @@ StockFields::StockFields(Workbench &bench, QWidget *parent) : QWidget(parent), m
     makeSheet();
     makeStrength();
     makeCutting();
+    makeSlits();
     column->addStretch(1);
 
     connect(m_name, &QLineEdit::editingFinished, this, &StockFields::rename);
@@ -190,6 +192,14 @@ void StockFields::makeCutting()
                          "square on each other"));
     group->add(drawn);
     m_rows.push_back(drawn);
+}
+
+void StockFields::makeSlits()
+{
+    const StockAccess access{[this] { return stock(); },
+                             [this](const std::function<void(Stock &)> &change) { edit(change); }};
+    for (PropertyRow *row : addSlitRows(addGroup(tr("Slits")), access))
+        m_rows.push_back(row);
 }
 
 void StockFields::addNumber(PropertyGroup *group, const QString &name, const char *objectName,

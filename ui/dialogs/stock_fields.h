@@ -33,6 +33,7 @@ private:
     void makeSheet();
     void makeStrength();
     void makeCutting();
+    void makeSlits();
     PropertyGroup *addGroup(const QString &name);
     void addNumber(PropertyGroup *group, const QString &name, const char *objectName, double least,
                    double most, double step, int digits, const QString &unit,

@@ -1,0 +1,89 @@
+#include "ui/dialogs/slit_rows.h"
+
+#include <QCoreApplication>
+
+namespace fff::ui {
+
+namespace {
+
+struct Words
+{
+    Q_DECLARE_TR_FUNCTIONS(fff::ui::SlitRows)
+};
+
+/// In the order of SlitEnd.
+Choices endChoices(SlitEnd current)
+{
+    return {{{Words::tr("Square"), {}},
+             {Words::tr("Round"), {}},
+             {Words::tr("Dogbone"), {}},
+             {Words::tr("T-bone"), {}}},
+            static_cast<int>(current)};
+}
+
+void explain(PropertyRow *row, const char *editor, const QString &text)
+{
+    row->setToolTip(text);
+    if (auto *widget = row->findChild<QWidget *>(QLatin1String(editor)))
+        widget->setAccessibleDescription(text);
+}
+
+LengthRow *lengthRow(PropertyGroup *group, const StockAccess &stock, const QString &name,
+                     const char *objectName, const LengthEdit::Range &range, double Stock::*value)
+{
+    auto *row = new LengthRow(
+        name, objectName, range, [stock, value] { return std::optional(stock.read()->*value); },
+        [stock, value](double mm) { stock.edit([&](Stock &s) { s.*value = mm; }); }, group);
+    row->setThickness([stock] { return std::optional(stock.read()->thickness); });
+    group->add(row);
+    return row;
+}
+
+} // namespace
+
+std::vector<PropertyRow *> addSlitRows(PropertyGroup *group, const StockAccess &stock)
+{
+    auto *end = new ChoiceRow(
+        Words::tr("Slit end"), "stockSlitEnd",
+        [stock] { return endChoices(stock.read()->slitEnd); },
+        [stock](int choice) {
+            stock.edit([choice](Stock &s) { s.slitEnd = static_cast<SlitEnd>(choice); });
+        },
+        group);
+    explain(end, "stockSlitEnd",
+            Words::tr("The inner end of a slit. A laser cuts it square; a mill's round tool leaves "
+                      "its corners standing. Round: a round bottom beyond the square one. Dogbone: "
+                      "an arc through each corner. T-bone: an arc in each wall; the bottom stays "
+                      "flat."));
+    group->add(end);
+
+    LengthRow *tool = lengthRow(group, stock, Words::tr("Tool"), "stockTool",
+                                {0.1, 25.0, 0.1, 2, 3}, &Stock::toolDiameter);
+    // Shows nothing: whether there is a tool hangs on the end.
+    auto *reason = new EditorRow(
+        QString(), "", nullptr,
+        [stock, tool] {
+            const bool isMilled = stock.read()->slitEnd != SlitEnd::Square;
+            tool->setEnabled(isMilled);
+            explain(tool, "stockTool",
+                    isMilled ? Words::tr("Diameter of the mill's tool. The arcs are drawn a little "
+                                         "larger, so that it goes round them.")
+                             : Words::tr("A square end has no tool. Choose another slit end for a "
+                                         "mill."));
+        },
+        group);
+
+    LengthRow *leadIn = lengthRow(group, stock, Words::tr("Lead-in"), "stockLeadIn",
+                                  {0.0, 20.0, 0.1, 1, 3}, &Stock::leadIn);
+    explain(leadIn, "stockLeadIn",
+            Words::tr("Chamfer of both walls at a slit's mouth, at 45°, so that sections find in. "
+                      "Half to all of the thickness is usual; 0: none."));
+    LengthRow *bumps = lengthRow(group, stock, Words::tr("Friction bumps"), "stockBumps",
+                                 {0.0, 1.0, 0.01, 2, 3}, &Stock::bumps);
+    explain(bumps, "stockBumps",
+            Words::tr("Height of a small bump on each wall of a slit, which presses on the section "
+                      "in it. It has to be more than half of the clearance; 0: none."));
+    return {end, tool, reason, leadIn, bumps};
+}
+
+} // namespace fff::ui
