@@ -418,6 +418,14 @@
         <source>Thin web</source>
         <translation>Dünner Steg</translation>
     </message>
+    <message>
+        <source>Slit %1 is narrower than the %2 tool. Give the stock&apos;s slits more clearance, or choose a thinner tool.</source>
+        <translation>Schlitz %1 ist schmaler als das Werkzeug, %2. Dem Material mehr Spiel der Schlitze geben oder ein dünneres Werkzeug wählen.</translation>
+    </message>
+    <message>
+        <source>Slit narrower than the tool</source>
+        <translation>Schlitz schmaler als das Werkzeug</translation>
+    </message>
 </context>
 <context>
     <name>CommandLine</name>
@@ -845,6 +853,10 @@
     <message>
         <source>something wanted of two sections, pairs ascending</source>
         <translation>ein Wunsch an zwei Scheiben, die Paare aufsteigend</translation>
+    </message>
+    <message>
+        <source>square, round, dogbone or tBone</source>
+        <translation>square, round, dogbone oder tBone</translation>
     </message>
 </context>
 <context>
@@ -2338,6 +2350,10 @@
             <numerusform>Die Schlitze von %n Verbindung wurden umgedreht.</numerusform>
             <numerusform>Die Schlitze von %n Verbindungen wurden umgedreht.</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Set the clearance</source>
+        <translation>Spiel einstellen</translation>
     </message>
     <message>
         <source>Show the steps</source>
@@ -4179,6 +4195,61 @@
     </message>
 </context>
 <context>
+    <name>fff::ui::SlitRows</name>
+    <message>
+        <source>Square</source>
+        <translation>Eckig</translation>
+    </message>
+    <message>
+        <source>Round</source>
+        <translation>Rund</translation>
+    </message>
+    <message>
+        <source>Dogbone</source>
+        <translation>Dogbone</translation>
+    </message>
+    <message>
+        <source>T-bone</source>
+        <translation>T-Bone</translation>
+    </message>
+    <message>
+        <source>Slit end</source>
+        <translation>Schlitzende</translation>
+    </message>
+    <message>
+        <source>The inner end of a slit. A laser cuts it square; a mill&apos;s round tool leaves its corners standing. Round: a round bottom beyond the square one. Dogbone: an arc through each corner. T-bone: an arc in each wall; the bottom stays flat.</source>
+        <translation>Das innere Ende eines Schlitzes. Ein Laser schneidet es eckig; das runde Werkzeug einer Fräse lässt die Ecken stehen. Rund: ein runder Grund jenseits des eckigen. Dogbone: ein Bogen durch jede Ecke. T-Bone: ein Bogen in jeder Wand; der Grund bleibt eben.</translation>
+    </message>
+    <message>
+        <source>Tool</source>
+        <translation>Werkzeug</translation>
+    </message>
+    <message>
+        <source>Diameter of the mill&apos;s tool. The arcs are drawn a little larger, so that it goes round them.</source>
+        <translation>Durchmesser des Fräsers. Die Bögen werden etwas größer gezeichnet, damit er sie abfahren kann.</translation>
+    </message>
+    <message>
+        <source>A square end has no tool. Choose another slit end for a mill.</source>
+        <translation>Ein eckiges Ende hat kein Werkzeug. Für eine Fräse ein anderes Schlitzende wählen.</translation>
+    </message>
+    <message>
+        <source>Lead-in</source>
+        <translation>Einführfase</translation>
+    </message>
+    <message>
+        <source>Chamfer of both walls at a slit&apos;s mouth, at 45°, so that sections find in. Half to all of the thickness is usual; 0: none.</source>
+        <translation>Fase beider Wände an der Mündung eines Schlitzes, unter 45°, damit Scheiben hineinfinden. Üblich ist die halbe bis ganze Dicke; 0: keine.</translation>
+    </message>
+    <message>
+        <source>Friction bumps</source>
+        <translation>Klemmnoppen</translation>
+    </message>
+    <message>
+        <source>Height of a small bump on each wall of a slit, which presses on the section in it. It has to be more than half of the clearance; 0: none.</source>
+        <translation>Höhe einer kleinen Noppe an jeder Wand eines Schlitzes, die auf die Scheibe darin drückt. Sie muss mehr als das halbe Spiel betragen; 0: keine.</translation>
+    </message>
+</context>
+<context>
     <name>fff::ui::StartPage</name>
     <message>
         <source>Start page</source>
@@ -4701,6 +4772,10 @@
             <numerusform>%n Scheibe</numerusform>
             <numerusform>%n Scheiben</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Slits</source>
+        <translation>Schlitze</translation>
     </message>
 </context>
 <context>

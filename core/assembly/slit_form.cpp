@@ -241,6 +241,15 @@ std::vector<Contour> slitCuts(const SlitForm &form, const SlitBox &box)
     return {closed(left, right)};
 }
 
+double looseWall(const SlitForm &form, const SlitBox &box)
+{
+    double mouth = box.length;
+    for (const LeadIn &leadIn : form.leadIns)
+        if (hasLeadIn(leadIn))
+            mouth = std::min(mouth, leadIn.from);
+    return wallTaken(form.end, fittingRadius(form, box.half)) + box.length - mouth;
+}
+
 double reachBeyond(const SlitForm &form, double half)
 {
     const double r = fittingRadius(form, half);

@@ -65,6 +65,10 @@ struct SlitBox
 ///         inside of it touches the corner.
 std::vector<Contour> slitCuts(const SlitForm &form, const SlitBox &box);
 
+/// How much of its walls holds nothing, along the one that has less: at the end and at the mouth,
+/// mm.
+double looseWall(const SlitForm &form, const SlitBox &box);
+
 /// How far the end goes beyond the square bottom in the slit's middle, mm.
 double reachBeyond(const SlitForm &form, double half);
 

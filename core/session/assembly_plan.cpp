@@ -44,19 +44,23 @@ Hold holdOf(const Analysis &analysis, const Joint &joint)
     double surest = 0.0; // mm: of what both slits hold longest
     for (const Overlap &overlap : joint.crossing->overlaps)
         surest = std::max(surest, std::min(overlap.to - overlap.meet, overlap.meet - overlap.from));
-    double clearance = 0.0;
+    double clearance = 0.0, loose = 0.0;
     for (const int section : {joint.a, joint.b}) {
         const Stock &stock = analysis.model.stockOf(static_cast<std::size_t>(section));
         clearance = std::max(clearance, stock.clearance);
         for (const Slit &slit : analysis.assembly.slits[static_cast<std::size_t>(section)])
-            if (slit.joint == joint.id)
-                hold.length = std::max(hold.length, (slit.mouth - slit.inner).norm());
+            if (slit.joint == joint.id) {
+                const double length = (slit.mouth - slit.inner).norm();
+                hold.length = std::max(hold.length, length);
+                if (slit.form)
+                    loose = std::max(loose, looseWall(*slit.form, {length, 0.5 * slit.width}));
+            }
     }
     // One of the two slits holds the other section by its faces, and least where the way turns to
     // the middle between both planes' normals.
     constexpr double kCertain = 2.0;
     hold.play = std::atan2(kCertain * (clearance + kTouchingDepth),
-                           surest * std::sin(0.5 * joint.crossing->angle));
+                           (surest - loose) * std::sin(0.5 * joint.crossing->angle));
     return hold;
 }
 

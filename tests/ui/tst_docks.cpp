@@ -15,6 +15,7 @@
 #include <QAbstractItemView>
 #include <QAction>
 #include <QApplication>
+#include <QComboBox>
 #include <QDockWidget>
 #include <QDoubleSpinBox>
 #include <QLabel>
@@ -90,6 +91,7 @@ private Q_SLOTS:
     void undoAfterAKeyOnTheSliderTakesItBack();
     void aNameIsForTheSectionItWasTypedAt();
     void aUsedStockIsReplaced();
+    void slitEndsFollowAtOnce();
     void lengthsFollowTheUnit();
     void fieldsReckonWithTheThickness();
     void fieldsOfSectionsThatDifferSayMixed();
@@ -469,6 +471,30 @@ void TestDocks::escapeEndsADragOfTheMouse()
     QTest::mouseMove(slider, {middle + 50, y});
     QTest::mouseRelease(slider, Qt::LeftButton, {}, {middle + 50, y});
     QVERIFY(session().history()->index() > 0);
+}
+
+// Wrong: slits that stay square until something else changes, a tool that can be set to no end, or
+// an end that is not one step.
+void TestDocks::slitEndsFollowAtOnce()
+{
+    session().reset(cross());
+    find<QAction>("fabricate.stocks")->trigger();
+    auto *end = find<QComboBox>("stockSlitEnd");
+    auto *tool = find<QWidget>("stockTool");
+    QVERIFY(end && tool && find<QWidget>("stockLeadIn") && find<QWidget>("stockBumps"));
+    QVERIFY(!tool->isEnabled());
+    QVERIFY(tool->parentWidget()->toolTip().contains(QStringLiteral("square end has no tool")));
+    const double before = session().currentAnalysis().cuts[0]->area();
+    end->setCurrentIndex(static_cast<int>(SlitEnd::Dogbone));
+    Q_EMIT end->activated(end->currentIndex());
+    QVERIFY(tool->isEnabled());
+    QCOMPARE(session().history()->count(), 1);
+    QCOMPARE(session().committed().document.stocks.front()->slitEnd, SlitEnd::Dogbone);
+    QVERIFY(session().currentAnalysis().cuts[0]->area() < before - 0.1);
+    session().history()->undo();
+    QVERIFY(!tool->isEnabled());
+    QCOMPARE(end->currentIndex(), 0);
+    QCOMPARE(session().currentAnalysis().cuts[0]->area(), before);
 }
 
 // Wrong: the thickness of one stock given to another that is chosen before the slider has settled.

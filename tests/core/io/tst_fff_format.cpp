@@ -24,6 +24,7 @@ private Q_SLOTS:
     void sharedShapesComeBackShared();
     void goldenFileIsWritten();
     void goldenFileIsRead();
+    void howSlitsAreCutComesBack();
     void malformed_data();
     void malformed();
     void shapesAreMended_data();
@@ -199,6 +200,28 @@ void TestFffFormat::goldenFileIsWritten()
     }
 }
 
+// Wrong: a model that is milled elsewhere than where it was set up has square slits again.
+void TestFffFormat::howSlitsAreCutComesBack()
+{
+    for (const SlitEnd end : {SlitEnd::Square, SlitEnd::Round, SlitEnd::Dogbone, SlitEnd::TBone}) {
+        Document document = twoSections();
+        Stock stock = *document.stocks.front();
+        stock.slitEnd = end;
+        stock.toolDiameter = 0.1 + 0.2;
+        stock.leadIn = 1.5;
+        stock.bumps = 0.15;
+        document = setStock(document, stock).value();
+        const auto bytes = io::writeFff(document);
+        QVERIFY(bytes);
+        const auto loaded = io::readFff(*bytes);
+        QVERIFY(loaded);
+        QVERIFY(*loaded->document.stocks.front() == stock);
+        QVERIFY(loaded->document == document);
+    }
+    // Plain slits are what they always were, and not worth a word.
+    QVERIFY(golden().find("slitEnd") == std::string::npos);
+}
+
 void TestFffFormat::goldenFileIsRead()
 {
     const auto loaded = io::readFff(golden(), "two.fff");
@@ -353,6 +376,14 @@ void TestFffFormat::malformed_data()
         "a.fff:$.stocks[0].modulus");
     row("a clearance beyond all measure", edited("-0.05", "-1e7"), BadValue,
         "a.fff:$.stocks[1].clearance");
+    row("an end that slits do not have", edited("-0.05", "-0.05, \"slitEnd\": \"oval\""), BadValue,
+        "a.fff:$.stocks[1].slitEnd");
+    row("a tool without a diameter", edited("-0.05", "-0.05, \"toolDiameter\": 0"), BadValue,
+        "a.fff:$.stocks[1].toolDiameter");
+    row("a lead-in below 0", edited("-0.05", "-0.05, \"leadIn\": -1"), BadValue,
+        "a.fff:$.stocks[1].leadIn");
+    row("bumps as a word", edited("-0.05", "-0.05, \"bumps\": \"high\""), BadValue,
+        "a.fff:$.stocks[1].bumps");
     row("a format in a list", edited("\"FlatFitFab\"", "[\"FlatFitFab\"]"), NotAModel, "a.fff");
     row("half a version", edited("\"version\": 2", "\"version\": 1.5"), BadValue,
         "a.fff:$.version");

@@ -4,6 +4,8 @@
 #include <QTest> // first: moc cannot read some of the standard library before it
 
 #include "core/base/units.h"
+#include "core/fabrication/kerf.h"
+#include "core/fabrication/marks.h"
 #include "core/session/check_text.h"
 #include "core/session/narrow_slits.h"
 #include "core/session/plan_checks.h"
@@ -84,6 +86,8 @@ private Q_SLOTS:
     void reliefThatBreaksThroughIsAThinWeb();
     void reliefsThatMergeAreSaid();
     void undoneIsAsBefore();
+    void numbersStandOnMaterial();
+    void aToolAsWideAsTheKerfGoesRound();
 };
 
 void TestSlitEnds::partsGoTogether_data()
@@ -266,6 +270,52 @@ void TestSlitEnds::undoneIsAsBefore()
     const Analysis after = analyse(evaluate(plain), caches);
     for (std::size_t i = 0; i < 4; ++i)
         QVERIFY(after.cuts[i] == before.cuts[i]);
+}
+
+// What would be wrong: a joint's number engraved where its slit is milled away.
+void TestSlitEnds::numbersStandOnMaterial()
+{
+    for (const Document &document : models()) {
+        for (const Stock &stock : options()) {
+            const Analysis analysis = analysed(like(document, stock));
+            for (const Part &part : makeParts(analysis.model, analysis.assembly, analysis.cuts)) {
+                const Engraving engraving = engrave(part);
+                QVERIFY(engraving.hasNumber);
+                QVERIFY(engraving.jointsLeftOut.empty());
+                const Region &region = part.outline.region;
+                for (const Box2 &box : engraving.boxes) {
+                    QCOMPARE(locate(box.center(), region), Side::Inside);
+                    for (const Vec2 &p : region.outer)
+                        QVERIFY(!box.contains(p));
+                }
+            }
+        }
+    }
+}
+
+// What would be wrong: a path inside of the arcs that a mill cannot follow, or that leaves a corner
+// standing.
+void TestSlitEnds::aToolAsWideAsTheKerfGoesRound()
+{
+    for (const SlitEnd end : {SlitEnd::Round, SlitEnd::Dogbone, SlitEnd::TBone}) {
+        Stock stock;
+        stock.slitEnd = end;
+        stock.toolDiameter = 2.5;
+        const Analysis analysis = analysed(like(eggCrate(2, 2), stock));
+        const CurvedRegion &part = analysis.cuts[0]->parts()[0];
+        const CurvedRegion path = compensateKerf(part, stock.toolDiameter);
+        // The tool's middle comes to its radius from each corner of the guest.
+        for (const Slit &slit : analysis.assembly.slits[0]) {
+            const Polygon corners = slit.outline();
+            for (const Vec2 &corner : {corners[0], corners[3]}) {
+                double nearest = 1e9;
+                for (const Vec2 &p : path.outer.flatten(0.001).points)
+                    nearest = std::min(nearest, (p - corner).norm());
+                QVERIFY2(nearest < 0.5 * stock.toolDiameter + 0.01,
+                         qPrintable(QString::number(nearest)));
+            }
+        }
+    }
 }
 
 QTEST_GUILESS_MAIN(TestSlitEnds)
