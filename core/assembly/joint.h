@@ -78,7 +78,7 @@ struct Slit
     std::vector<Contour> cuts() const;
     /// The same as chords within `chord` mm of the curves.
     std::vector<Polygon> outlines(double chord) const;
-    /// The middle of its end: the meeting point, or beyond it where the end is round.
+    /// The middle of its end: the meeting point, or as far beyond it as an arc reaches.
     Vec2 bottom() const;
     bool operator==(const Slit &other) const;
 };

@@ -253,12 +253,9 @@ double looseWall(const SlitForm &form, const SlitBox &box)
 double reachBeyond(const SlitForm &form, double half)
 {
     const double r = fittingRadius(form, half);
-    if (form.end == SlitEnd::Round)
-        return r;
-    const double side = r * std::numbers::sqrt2 / 2.0;
-    if (form.end != SlitEnd::Dogbone || half >= 2.0 * side)
-        return 0.0;
-    return std::sqrt(r * r - (half - side) * (half - side)) - side; // where the arcs meet
+    if (form.end == SlitEnd::Dogbone)
+        return r - r * std::numbers::sqrt2 / 2.0;
+    return form.end == SlitEnd::Round ? r : 0.0;
 }
 
 } // namespace fff

@@ -69,7 +69,7 @@ std::vector<Contour> slitCuts(const SlitForm &form, const SlitBox &box);
 /// mm.
 double looseWall(const SlitForm &form, const SlitBox &box);
 
-/// How far the end goes beyond the square bottom in the slit's middle, mm.
+/// How far the end goes beyond the square bottom, mm.
 double reachBeyond(const SlitForm &form, double half);
 
 } // namespace fff
