@@ -1,5 +1,7 @@
 #include "core/interaction/joint_marks.h"
 
+#include "core/base/tolerances.h"
+
 #include <algorithm>
 
 namespace fff {
@@ -11,10 +13,12 @@ void addOutlines(const Model &model, int host, const std::vector<Slit> &slits, J
     const auto index = static_cast<std::size_t>(host);
     const Frame &frame = model.section(index)->frame;
     for (const Slit &slit : slits) {
-        JointLook::Outline outline{model.ref(index), {}};
-        for (const Vec2 &corner : slit.outline())
-            outline.corners.push_back(frame.toWorld(corner));
-        look.slits.push_back(std::move(outline));
+        for (const Polygon &cut : slit.outlines(kDrawChord)) {
+            JointLook::Outline outline{model.ref(index), {}};
+            for (const Vec2 &corner : cut)
+                outline.corners.push_back(frame.toWorld(corner));
+            look.slits.push_back(std::move(outline));
+        }
     }
 }
 
