@@ -420,7 +420,7 @@
     </message>
     <message>
         <source>Slit %1 is narrower than the %2 tool. Give the stock&apos;s slits more clearance, or choose a thinner tool.</source>
-        <translation>Schlitz %1 ist schmaler als das Werkzeug, %2. Dem Material mehr Spiel der Schlitze geben oder ein dünneres Werkzeug wählen.</translation>
+        <translation>Schlitz %1 ist schmaler als das Werkzeug mit %2. Dem Material mehr Spiel der Schlitze geben oder ein dünneres Werkzeug wählen.</translation>
     </message>
     <message>
         <source>Slit narrower than the tool</source>

@@ -169,7 +169,7 @@ void MainWindow::makeDocks()
             [this] { run(QStringLiteral("check.showAssembly")); });
     connect(m_steps, &StepsView::said, m_status, &StatusLine::sayMarked);
     connect(m_history, &HistoryDock::said, m_status, &StatusLine::sayMarked);
-    connect(m_checks, &ChecksDock::stocksWanted, this, [this] { showStocks({}); });
+    connect(m_checks, &ChecksDock::stockWanted, this, &MainWindow::showStocks);
     connect(m_properties, &PropertiesDock::stockWanted, this, &MainWindow::showStocks);
 }
 

@@ -391,7 +391,10 @@ void ChecksDock::act(int row)
 {
     const Check check = m_rows[static_cast<std::size_t>(row)].check;
     if (check.code == CheckCode::TooLarge || check.code == CheckCode::NarrowSlit) {
-        Q_EMIT stocksWanted();
+        const Model &model = m_bench.session().model();
+        const int index = check.sections.empty() ? -1 : model.indexOf(check.sections.front());
+        Q_EMIT stockWanted(index < 0 ? StockId{}
+                                     : model.section(static_cast<std::size_t>(index))->stock);
         return;
     }
     if (check.code == CheckCode::CanAssemble) {

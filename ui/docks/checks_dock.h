@@ -38,7 +38,8 @@ public:
 Q_SIGNALS:
     /// For the status bar, with marks.
     void said(const QString &sentence);
-    void stocksWanted();
+    /// The stock editor, with this one.
+    void stockWanted(fff::StockId stock);
     void stepsWanted();
     /// It wants to be seen.
     void shown();
