@@ -37,7 +37,8 @@ Group without(const Group &group, const Group &parts)
 
 Blocking::Blocking(const std::vector<Solid> &solids, const std::vector<Slide> &slides,
                    const PlanOptions &options)
-    : m_solids(solids), m_slides(slides), m_options(options), m_mates(solids.size())
+    : m_solids(solids), m_slides(slides), m_options(options), m_mates(solids.size()),
+      m_lifted(solids.size())
 {
     for (const Vec3 &free : {Vec3(Vec3::UnitY()), Vec3(Vec3::UnitX()), Vec3(-Vec3::UnitX()),
                              Vec3(Vec3::UnitZ()), Vec3(-Vec3::UnitZ()), Vec3(-Vec3::UnitY())})
@@ -122,7 +123,7 @@ std::optional<Blocking::Removal> Blocking::partOff(int part, const Group &others
         if (std::none_of(others.begin(), others.end(), [&](int other) {
                 return other != part && isBlocked(part, other, direction);
             }))
-            return straight({part}, others, direction);
+            return Removal{{part}, {{m_ways[static_cast<std::size_t>(direction)].along, 0.0}}};
     }
     return {};
 }
@@ -154,20 +155,25 @@ bool Blocking::isIgnored(int a, int b) const
                               std::pair(std::min(a, b), std::max(a, b)));
 }
 
+long long Blocking::key(int part, int by, int direction) const
+{
+    const auto count = static_cast<long long>(m_solids.size());
+    return (direction * count + part) * count + by;
+}
+
 bool Blocking::isBlocked(int part, int by, int direction)
 {
     const Way &way = opened(direction);
     if (!way.shadows[static_cast<std::size_t>(part)].meetsOnItsWay(
             way.shadows[static_cast<std::size_t>(by)], m_options.depth))
         return false;
-    const auto count = static_cast<long long>(m_solids.size());
-    const long long key = (direction * count + part) * count + by;
-    if (const auto known = m_known.find(key); known != m_known.end())
+    const long long question = key(part, by, direction);
+    if (const auto known = m_known.find(question); known != m_known.end())
         return known->second;
     if (isOutOfTime())
         return true;
-    return m_known[key] = !isIgnored(part, by) &&
-                          !comesFree(solid(part), solid(by), way.along, m_options.depth);
+    return m_known[question] = !isIgnored(part, by) &&
+                               !comesFree(solid(part), solid(by), way.along, m_options.depth);
 }
 
 bool Blocking::isOutOfTime()
@@ -262,23 +268,73 @@ std::optional<Blocking::Removal> Blocking::smallestOff(const Group &parts)
     }
     if (!smallest)
         return {};
-    return straight(*std::move(smallest), parts, along);
+    return Removal{*std::move(smallest), {{m_ways[static_cast<std::size_t>(along)].along, 0.0}}};
 }
 
-Blocking::Removal Blocking::straight(Group moved, const Group &parts, int direction)
+std::vector<Move> Blocking::measured(const Removal &removal, const Group &rest) const
 {
-    const Way &way = opened(direction);
-    double length = 0.0;
-    for (const int other : without(parts, moved)) {
-        const Shadow &there = way.shadows[static_cast<std::size_t>(other)];
-        for (const int part : moved) {
-            const Shadow &mover = way.shadows[static_cast<std::size_t>(part)];
+    std::vector<Move> moves = removal.moves;
+    Vec3 lift = Vec3::Zero();
+    for (std::size_t i = 0; i + 1 < moves.size(); ++i)
+        lift += moves[i].distance * moves[i].direction;
+    double &length = moves.back().distance;
+    length = 0.0;
+    const Vec3 &along = moves.back().direction;
+    for (const int part : removal.parts) {
+        const Solid mover = movedBy(solid(part), lift);
+        const double first = mover.along(along).min;
+        for (const int other : rest) {
             // It does not take longer than others.
-            if (mover.meetsOnItsWay(there, -kNear) && there.last + kNear > mover.first + length)
-                length = std::max(length, wayToClear(solid(part), solid(other), way.along, kNear));
+            if (solid(other).along(along).max + kNear > first + length)
+                length = std::max(length, wayToClear(mover, solid(other), along, kNear));
         }
     }
-    return {std::move(moved), {{way.along, length}}};
+    return moves;
+}
+
+double Blocking::wayUntil(int part, int by, int direction)
+{
+    const auto [known, isNew] = m_until.try_emplace(key(part, by, direction), kEndless);
+    if (isNew) {
+        const Vec3 &along = m_ways[static_cast<std::size_t>(direction)].along;
+        if (const auto met = collisionAlong(solid(part), solid(by), along, m_options.depth))
+            known->second = met->from;
+    }
+    return known->second;
+}
+
+/// Across the part to both sides, and along the axes of the world.
+std::vector<Vec3> Blocking::turnsOf(int part) const
+{
+    const Vec3 &across = solid(part).normal;
+    std::vector<Vec3> turns{across, -across};
+    for (int i = 0; i < m_freeWays; ++i)
+        turns.push_back(m_ways[static_cast<std::size_t>(i)].along);
+    return turns;
+}
+
+bool Blocking::isFreeAfter(int part, const Group &others, const Move &lift, std::size_t turn)
+{
+    const Vec3 by = lift.distance * lift.direction, along = turnsOf(part)[turn];
+    std::vector<Lifted> &all = m_lifted[static_cast<std::size_t>(part)];
+    auto lifted = std::find_if(all.begin(), all.end(), [&](const Lifted &l) { return l.by == by; });
+    if (lifted == all.end())
+        lifted = all.insert(all.end(), {by, {}});
+    lifted->isFree.resize(std::max(lifted->isFree.size(), turn + 1));
+    std::vector<std::optional<bool>> &isFree = lifted->isFree[turn];
+    isFree.resize(m_solids.size());
+    std::optional<Solid> moved; // made when somebody asks
+    return std::all_of(others.begin(), others.end(), [&](int other) {
+        if (other == part)
+            return true;
+        std::optional<bool> &known = isFree[static_cast<std::size_t>(other)];
+        if (!known) {
+            if (!moved)
+                moved = movedBy(solid(part), by);
+            known = comesFree(*moved, solid(other), along, m_options.depth);
+        }
+        return *known;
+    });
 }
 
 std::optional<Blocking::Removal> Blocking::bent(int part, const Group &others, int direction)
@@ -289,38 +345,26 @@ std::optional<Blocking::Removal> Blocking::bent(int part, const Group &others, i
             held = std::max(held, mate.length);
     if (held == 0.0 || std::isinf(held))
         return {}; // nothing to come out of
-    const Vec3 along = m_ways[static_cast<std::size_t>(direction)].along;
     for (const int other : others) {
         if (other == part || !isBlocked(part, other, direction))
             continue;
         if (isOutOfTime())
             return {};
-        if (const auto met = collisionAlong(solid(part), solid(other), along, m_options.depth))
-            until = std::min(until, met->from);
+        until = std::min(until, wayUntil(part, other, direction));
         if (until < kRoom)
             return {};
     }
-    const Vec3 &across = solid(part).normal;
-    std::vector<Vec3> turns{across, -across};
-    for (int i = 0; i < m_freeWays; ++i)
-        turns.push_back(m_ways[static_cast<std::size_t>(i)].along);
     // A little out of the slits, as far as it goes, or half of that: some come free of a slit long
     // before its end.
     std::vector<double> places{until - kRoom, 0.5 * until};
     if (held + kRoom < until)
         places.insert(places.begin(), held + kRoom);
-    for (const double first : places) {
-        const Solid lifted = movedBy(solid(part), first * along);
-        for (const Vec3 &turn : turns) {
-            if (std::any_of(others.begin(), others.end(), [&](int other) {
-                    return other != part && !comesFree(lifted, solid(other), turn, m_options.depth);
-                }))
-                continue;
-            double length = 0.0;
-            for (const int other : others)
-                if (other != part)
-                    length = std::max(length, wayToClear(lifted, solid(other), turn, kNear));
-            return Removal{{part}, {{along, first}, {turn, length}}};
+    const std::vector<Vec3> turns = turnsOf(part);
+    for (const double place : places) {
+        const Move lift{m_ways[static_cast<std::size_t>(direction)].along, place};
+        for (std::size_t turn = 0; turn < turns.size(); ++turn) {
+            if (isFreeAfter(part, others, lift, turn))
+                return Removal{{part}, {lift, {turns[turn], 0.0}}};
         }
     }
     return {};

@@ -29,7 +29,7 @@ public:
     struct Removal
     {
         Group parts;
-        std::vector<Move> moves; // out of their place
+        std::vector<Move> moves; // out of their place; of the last one no distance
     };
     enum class Path { Straight, Bent };
 
@@ -37,6 +37,8 @@ public:
     std::optional<Removal> partOff(int part, const Group &others, Path path);
     /// The smallest group that comes off the rest of these, straight.
     std::optional<Removal> smallestOff(const Group &parts);
+    /// The moves until what comes off is clear of the rest.
+    std::vector<Move> measured(const Removal &removal, const Group &rest) const;
 
     /// Once the time is over everything is in everything's way.
     bool isOutOfTime();
@@ -83,10 +85,15 @@ private:
     /// fewer than `fewerThan`.
     std::optional<Group> movedWith(int part, const Group &parts, int direction,
                                    std::size_t fewerThan);
-    Removal straight(Group moved, const Group &parts, int direction);
     /// Out of the slits that hold it in these, and on from there; nothing when it does not come
     /// off.
     std::optional<Removal> bent(int part, const Group &others, int direction);
+    /// How far the part comes along the direction before it is in the other's way, mm.
+    double wayUntil(int part, int by, int direction);
+    /// Whether the part, once it was lifted, is turned into nobody's way.
+    bool isFreeAfter(int part, const Group &others, const Move &lift, std::size_t turn);
+    std::vector<Vec3> turnsOf(int part) const;
+    long long key(int part, int by, int direction) const;
 
     const std::vector<Solid> &m_solids;
     const std::vector<Slide> &m_slides;
@@ -95,6 +102,15 @@ private:
     int m_freeWays = 0;                     // so many of them, the first ones, are the world's
     std::vector<std::vector<Mate>> m_mates; // of each part
     std::unordered_map<long long, bool> m_known;
+    std::unordered_map<long long, double> m_until;
+    /// Of a part that was lifted out of its slits: of each turn, of each other part, what was
+    /// found.
+    struct Lifted
+    {
+        Vec3 by;
+        std::vector<std::vector<std::optional<bool>>> isFree;
+    };
+    std::vector<std::vector<Lifted>> m_lifted; // of each part
     bool m_isOutOfTime = false;
 };
 

@@ -93,9 +93,10 @@ bool Planner::putTogether(Group parts, std::vector<AssemblyStep> &steps)
     for (auto removal = apart->removals.rbegin(); removal != apart->removals.rend(); ++removal) {
         if (removal->parts.size() > 1 && !putTogether(removal->parts, steps))
             return false;
-        std::vector<Move> moves;
-        for (auto move = removal->moves.rbegin(); move != removal->moves.rend(); ++move)
-            moves.push_back({-move->direction, move->distance});
+        std::vector<Move> moves = m_blocking.measured(*removal, there);
+        std::reverse(moves.begin(), moves.end());
+        for (Move &move : moves)
+            move.direction = -move.direction;
         steps.push_back({removal->parts, there, std::move(moves)});
         const auto middle = static_cast<std::ptrdiff_t>(there.size());
         there.insert(there.end(), removal->parts.begin(), removal->parts.end());
