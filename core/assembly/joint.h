@@ -68,7 +68,7 @@ struct Slit
     double width = 0.0; // mm
     bool isOpen = true; // false: a mortise
     int joint = 0;      // Joint::id
-    int overlap = 0;    // index into the joint's overlaps
+    int overlap = 0;    // index into the joint's overlaps; −1: the slabs meet beside the axis
     int guest = 0;      // index of the other section in the Model
     std::shared_ptr<const SlitForm> form; // null: the plain rectangle
 

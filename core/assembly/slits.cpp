@@ -1,6 +1,6 @@
 #include "core/assembly/slits.h"
 
-#include "core/assembly/intervals.h"
+#include "core/assembly/lobes.h"
 #include "core/base/tolerances.h"
 
 #include <algorithm>
@@ -129,6 +129,16 @@ std::shared_ptr<const SlitForm> openForm(const Host &host, const AxisEnd &end, d
     return std::make_shared<const SlitForm>(form);
 }
 
+Slit slitFrom(const Host &host, double inner, double end, int sign, int overlap)
+{
+    Slit slit;
+    slit.inner = host.line.at(inner);
+    slit.mouth = host.line.at(end + sign * kMouthOvershoot);
+    slit.width = host.width;
+    slit.overlap = overlap;
+    return slit;
+}
+
 /// The open slit of one section for one overlap: from the meeting point to its end towards `sign`.
 Slit openSlit(const Host &host, const Interval &interval, const Overlap &shared, double meet,
               int sign, int overlap)
@@ -136,11 +146,7 @@ Slit openSlit(const Host &host, const Interval &interval, const Overlap &shared,
     const AxisEnd &end = sign > 0 ? interval.to : interval.from;
     const double reach = mouthReach(host.line, host.section.shape->region(), end, 0.5 * host.width,
                                     sign * meet, sign);
-    Slit slit;
-    slit.inner = host.line.at(meet);
-    slit.mouth = host.line.at(sign * (reach + kMouthOvershoot));
-    slit.width = host.width;
-    slit.overlap = overlap;
+    Slit slit = slitFrom(host, meet, sign * reach, sign, overlap);
     slit.form = openForm(host, end, meet, sign > 0 ? shared.to : shared.from, sign);
     return slit;
 }
@@ -191,6 +197,95 @@ bool cutMortise(const Crossing &crossing, const Host &host, const Host &guest, b
     }
     slits.push_back(slit);
     return true;
+}
+
+/// For what meets beside the axis: it holds nothing, so it has neither bumps nor a lead-in.
+Slit besideSlit(const Host &host, double inner, double end, int sign)
+{
+    constexpr int kBeside = -1;
+    Slit slit = slitFrom(host, inner, end, sign, kBeside);
+    if (!hasForm(host.stock))
+        return slit;
+    SlitForm form = formOf(host.stock, host.width);
+    form.bumps = 0.0;
+    slit.form = std::make_shared<const SlitForm>(form);
+    return slit;
+}
+
+/// The slits of a joint, slid together one way.
+struct Laps
+{
+    std::vector<double> meets; // of the overlaps
+    std::vector<Slit> a, b;
+    double beside = 0.0; // mm that are cut for what meets beside the axis
+};
+
+/// Slits for what still is in each other though the axis is cut: where contours are oblique, or run
+/// along the axis without reaching it, they meet in the strips of both slabs alone. They take as
+/// little as the way of sliding allows.
+void cutBesides(const Host &a, const Host &b, int sign, Laps &laps)
+{
+    const auto isPlain = [](const Host &host) {
+        return isOneLobe(host.line, host.section.shape->region(), 0.5 * host.width);
+    };
+    if (laps.meets.size() == 1 && isPlain(a) && isPlain(b))
+        return;
+    const auto stretchesOf = [](const std::vector<Slit> &slits, const PlaneLine &line) {
+        std::vector<Stretch> stretches;
+        for (const Slit &slit : slits) {
+            const double inner = line.along(slit.inner), mouth = line.along(slit.mouth);
+            stretches.push_back({std::min(inner, mouth), std::max(inner, mouth)});
+        }
+        return stretches;
+    };
+    const auto leftIn = [&](const Host &host, const std::vector<Slit> &slits) {
+        return leftOf(lobesIn(host.line, host.section.shape->region(), 0.5 * host.width),
+                      stretchesOf(slits, host.line));
+    };
+    const std::vector<Stretch> inA = leftIn(a, laps.a), inB = leftIn(b, laps.b);
+    for (const Stretch &ofA : inA) {
+        for (const Stretch &ofB : inB) {
+            const double from = std::max(ofA.from, ofB.from), to = std::min(ofA.to, ofB.to);
+            if (to - from < kTouchingDepth)
+                continue;
+            // a is cut from where they meet to its end towards the sign, b from its other end on:
+            // wherever that is, or one of them not at all.
+            const double endA = sign > 0 ? ofA.to : ofA.from, endB = sign > 0 ? ofB.from : ofB.to;
+            const double low = sign > 0 ? from : to, high = sign > 0 ? to : from;
+            double meet = 0.5 * (from + to);
+            const bool sparesA = high == endA, sparesB = low == endB;
+            if (sparesA && (!sparesB || std::abs(high - endB) <= std::abs(endA - low)))
+                meet = high;
+            else if (sparesB)
+                meet = low;
+            if (meet != endA)
+                laps.a.push_back(besideSlit(a, meet, endA, sign));
+            if (meet != endB)
+                laps.b.push_back(besideSlit(b, meet, endB, -sign));
+            laps.beside += std::abs(endA - meet) + std::abs(meet - endB);
+        }
+    }
+}
+
+Laps lapsOf(const Crossing &crossing, const Host &a, const Host &b, int sign,
+            const std::vector<double> &shares)
+{
+    Laps laps;
+    for (std::size_t i = 0; i < crossing.overlaps.size(); ++i) {
+        const Overlap &o = crossing.overlaps[i];
+        Cut cut = cutOf(o, sign);
+        if (cut.isGrip() && i < shares.size())
+            cut.meet = sign > 0 ? o.to - shares[i] * (o.to - o.from)
+                                : o.from + shares[i] * (o.to - o.from);
+        const int index = static_cast<int>(i);
+        laps.meets.push_back(cut.meet);
+        if (cut.cutsA)
+            laps.a.push_back(openSlit(a, o.a, o, cut.meet, sign, index));
+        if (cut.cutsB)
+            laps.b.push_back(openSlit(b, o.b, o, cut.meet, -sign, index));
+    }
+    cutBesides(a, b, sign, laps);
+    return laps;
 }
 
 /// Without a clearance.
@@ -248,23 +343,27 @@ JointSlits cutSlits(Crossing &crossing, const JointSide &a, const JointSide &b, 
                         ? plus.excess < minus.excess
                         : pointsUp(crossing.axis.direction) == aIsLower;
 
+    const int sign = takesPlus ? 1 : -1;
+    Laps laps = lapsOf(crossing, hostA, hostB, sign, wish.shares);
+    if (laps.beside > 0.0 && plus.isOpen && minus.isOpen && wish.sign == 0) {
+        // What lies beside the axis may go better the other way.
+        const auto cost = [&](int way, const Laps &of) {
+            return (way > 0 ? plus : minus).excess + of.beside;
+        };
+        if (Laps other = lapsOf(crossing, hostA, hostB, -sign, wish.shares);
+            cost(-sign, other) < cost(sign, laps) - kEqualEnds) {
+            laps = std::move(other);
+            takesPlus = !takesPlus;
+        }
+    }
     const Way &way = takesPlus ? plus : minus;
     result.kind = way.excess > kEqualEnds * static_cast<double>(crossing.overlaps.size())
                       ? JointKind::ExtendedCrossLap
                       : JointKind::CrossLap;
-    for (std::size_t i = 0; i < crossing.overlaps.size(); ++i) {
-        Overlap &o = crossing.overlaps[i];
-        Cut cut = cutOf(o, way.sign);
-        if (cut.isGrip() && i < wish.shares.size())
-            cut.meet = way.sign > 0 ? o.to - wish.shares[i] * (o.to - o.from)
-                                    : o.from + wish.shares[i] * (o.to - o.from);
-        const int index = static_cast<int>(i);
-        o.meet = cut.meet;
-        if (cut.cutsA)
-            result.a.push_back(openSlit(hostA, o.a, o, cut.meet, way.sign, index));
-        if (cut.cutsB)
-            result.b.push_back(openSlit(hostB, o.b, o, cut.meet, -way.sign, index));
-    }
+    for (std::size_t i = 0; i < crossing.overlaps.size(); ++i)
+        crossing.overlaps[i].meet = laps.meets[i];
+    result.a = std::move(laps.a);
+    result.b = std::move(laps.b);
     return result;
 }
 

@@ -7,6 +7,7 @@ target_sources(fff_core PRIVATE
     assembly/joint.cpp
     assembly/joint_state.cpp
     assembly/joint_wish.cpp
+    assembly/lobes.cpp
     assembly/planning.cpp
     assembly/playback.cpp
     assembly/slab.cpp

@@ -172,8 +172,9 @@ QString DrawingPage::ownSlit() const
         return QString(u'…');
     const auto &slits = analysis.assembly.slits[static_cast<std::size_t>(there)];
     const int guest = on ? analysis.model.indexOf(on->section) : -1;
-    const auto own = std::find_if(slits.begin(), slits.end(),
-                                  [guest](const Slit &s) { return s.guest == guest; });
+    const auto own = std::find_if(slits.begin(), slits.end(), [guest](const Slit &s) {
+        return s.guest == guest && s.overlap >= 0;
+    });
     if (own == slits.end())
         return tr("none");
     const Slit &slit = *own;
