@@ -10,8 +10,6 @@ namespace fff {
 
 namespace {
 
-/// So near they still touch; beyond, the way is over. mm
-constexpr double kNear = 0.02;
 /// Directions that differ by less are one (no unit): over a metre, by less than a part may be in
 /// another one.
 constexpr double kSameWay = 1e-6;
@@ -35,14 +33,13 @@ Group without(const Group &group, const Group &parts)
     return rest;
 }
 
-Blocking::Blocking(const std::vector<Solid> &solids, const std::vector<Slide> &slides,
+Blocking::Blocking(Collisions &collisions, const std::vector<Slide> &slides,
                    const PlanOptions &options)
-    : m_solids(solids), m_slides(slides), m_options(options), m_mates(solids.size()),
-      m_lifted(solids.size())
+    : m_collisions(collisions), m_slides(slides), m_options(options), m_mates(collisions.size())
 {
     for (const Vec3 &free : {Vec3(Vec3::UnitY()), Vec3(Vec3::UnitX()), Vec3(-Vec3::UnitX()),
                              Vec3(Vec3::UnitZ()), Vec3(-Vec3::UnitZ()), Vec3(-Vec3::UnitY())})
-        m_ways.push_back({free, {}, {}});
+        m_ways.push_back({free, m_collisions.way(free), {}, {}, {}});
     m_freeWays = static_cast<int>(m_ways.size());
     for (const Slide &slide : slides) {
         const int there = indexOf(slide.direction), back = indexOf(-slide.direction);
@@ -63,7 +60,7 @@ int Blocking::indexOf(const Vec3 &direction)
     });
     if (same != m_ways.end())
         return static_cast<int>(same - m_ways.begin());
-    m_ways.push_back({direction, {}, {}});
+    m_ways.push_back({direction, m_collisions.way(direction), {}, {}, {}});
     return static_cast<int>(m_ways.size()) - 1;
 }
 
@@ -73,11 +70,13 @@ Blocking::Way &Blocking::opened(int direction)
     if (!way.shadows.empty())
         return way;
     const Vec3 u = way.along.unitOrthogonal(), v = way.along.cross(u);
-    for (const Solid &solid : m_solids) {
+    for (std::size_t i = 0; i < partCount(); ++i) {
+        const Solid &solid = m_collisions.solid(static_cast<int>(i));
         const Extent across = solid.along(u), up = solid.along(v), on = solid.along(way.along);
         way.shadows.push_back({across.min, across.max, up.min, up.max, on.min, on.max});
     }
-    way.held.resize(m_solids.size());
+    way.held.resize(partCount());
+    way.obstacles.resize(partCount());
     for (const Slide &slide : m_slides) {
         const bool isHeld = slide.play < 0.5 * std::numbers::pi &&
                             way.along.cross(slide.direction).norm() > std::sin(slide.play);
@@ -120,10 +119,12 @@ std::optional<Blocking::Removal> Blocking::partOff(int part, const Group &others
                 return found;
             continue;
         }
-        if (std::none_of(others.begin(), others.end(), [&](int other) {
-                return other != part && isBlocked(part, other, direction);
+        Way &way = opened(direction);
+        std::vector<Obstacle> &obstacles = obstaclesOf(part, way);
+        if (std::none_of(obstacles.begin(), obstacles.end(), [&](Obstacle &obstacle) {
+                return has(others, obstacle.part) && isInTheWay(obstacle, part, way);
             }))
-            return Removal{{part}, {{m_ways[static_cast<std::size_t>(direction)].along, 0.0}}};
+            return Removal{{part}, {{way.along, 0.0}}};
     }
     return {};
 }
@@ -155,25 +156,30 @@ bool Blocking::isIgnored(int a, int b) const
                               std::pair(std::min(a, b), std::max(a, b)));
 }
 
-long long Blocking::key(int part, int by, int direction) const
+std::vector<Blocking::Obstacle> &Blocking::obstaclesOf(int part, Way &way)
 {
-    const auto count = static_cast<long long>(m_solids.size());
-    return (direction * count + part) * count + by;
+    std::optional<std::vector<Obstacle>> &known = way.obstacles[static_cast<std::size_t>(part)];
+    if (known)
+        return *known;
+    known.emplace();
+    const Shadow &own = way.shadows[static_cast<std::size_t>(part)];
+    for (int other = 0; other < static_cast<int>(partCount()); ++other) {
+        if (other != part &&
+            own.meetsOnItsWay(way.shadows[static_cast<std::size_t>(other)], m_collisions.depth()) &&
+            !isIgnored(part, other))
+            known->push_back({other, {}});
+    }
+    return *known;
 }
 
-bool Blocking::isBlocked(int part, int by, int direction)
+bool Blocking::isInTheWay(Obstacle &obstacle, int part, const Way &way)
 {
-    const Way &way = opened(direction);
-    if (!way.shadows[static_cast<std::size_t>(part)].meetsOnItsWay(
-            way.shadows[static_cast<std::size_t>(by)], m_options.depth))
-        return false;
-    const long long question = key(part, by, direction);
-    if (const auto known = m_known.find(question); known != m_known.end())
-        return known->second;
-    if (isOutOfTime())
-        return true;
-    return m_known[question] = !isIgnored(part, by) &&
-                               !comesFree(solid(part), solid(by), way.along, m_options.depth);
+    if (!obstacle.isInTheWay) {
+        if (isOutOfTime())
+            return true;
+        obstacle.isInTheWay = !m_collisions.comesFree(part, obstacle.part, way.number);
+    }
+    return *obstacle.isInTheWay;
 }
 
 bool Blocking::isOutOfTime()
@@ -186,7 +192,7 @@ std::pair<std::vector<int>, int> Blocking::heaps(const Group &parts, int directi
 {
     const Way &way = opened(direction);
     constexpr int kAway = -2, kNone = -1;
-    std::vector<int> heapOf(m_solids.size(), kAway);
+    std::vector<int> heapOf(partCount(), kAway);
     for (const int part : parts)
         heapOf[static_cast<std::size_t>(part)] = kNone;
     int count = 0;
@@ -219,8 +225,8 @@ std::pair<std::vector<int>, int> Blocking::heaps(const Group &parts, int directi
 std::optional<Group> Blocking::movedWith(int part, const Group &parts, int direction,
                                          std::size_t fewerThan)
 {
-    const Way &way = opened(direction);
-    std::vector<char> isResting(m_solids.size(), char(false));
+    Way &way = opened(direction);
+    std::vector<char> isResting(partCount(), char(false));
     for (const int other : parts)
         isResting[static_cast<std::size_t>(other)] = true;
     Group moved;
@@ -235,10 +241,14 @@ std::optional<Group> Blocking::movedWith(int part, const Group &parts, int direc
             for (const int mate : way.held[static_cast<std::size_t>(moved[held])])
                 if (isResting[static_cast<std::size_t>(mate)])
                     move(mate);
-        for (std::size_t i = 0; i < parts.size() && moved.size() < fewerThan; ++i)
-            if (isResting[static_cast<std::size_t>(parts[i])] &&
-                isBlocked(moved[next], parts[i], direction))
-                move(parts[i]);
+        const int mover = moved[next];
+        for (Obstacle &obstacle : obstaclesOf(mover, way)) {
+            if (moved.size() >= fewerThan)
+                break;
+            if (isResting[static_cast<std::size_t>(obstacle.part)] &&
+                isInTheWay(obstacle, mover, way))
+                move(obstacle.part);
+        }
     }
     if (moved.size() >= fewerThan)
         return {};
@@ -271,70 +281,36 @@ std::optional<Blocking::Removal> Blocking::smallestOff(const Group &parts)
     return Removal{*std::move(smallest), {{m_ways[static_cast<std::size_t>(along)].along, 0.0}}};
 }
 
-std::vector<Move> Blocking::measured(const Removal &removal, const Group &rest) const
+std::vector<Move> Blocking::measured(const Removal &removal, const Group &rest)
 {
     std::vector<Move> moves = removal.moves;
-    Vec3 lift = Vec3::Zero();
+    Move &last = moves.back();
+    Vec3 by = Vec3::Zero();
     for (std::size_t i = 0; i + 1 < moves.size(); ++i)
-        lift += moves[i].distance * moves[i].direction;
-    double &length = moves.back().distance;
-    length = 0.0;
-    const Vec3 &along = moves.back().direction;
+        by += moves[i].distance * moves[i].direction;
+    const int way = m_collisions.way(last.direction);
+    const int lift = moves.size() > 1 ? m_collisions.lift(by) : Collisions::kNotLifted;
+    last.distance = 0.0;
     for (const int part : removal.parts) {
-        const Solid mover = movedBy(solid(part), lift);
-        const double first = mover.along(along).min;
+        const double first = m_collisions.solid(part).along(last.direction).min +
+                             by.dot(last.direction) - Collisions::kNearParts;
         for (const int other : rest) {
             // It does not take longer than others.
-            if (solid(other).along(along).max + kNear > first + length)
-                length = std::max(length, wayToClear(mover, solid(other), along, kNear));
+            if (m_collisions.solid(other).along(last.direction).max > first + last.distance)
+                last.distance =
+                    std::max(last.distance, m_collisions.wayToClear(part, other, way, lift));
         }
     }
     return moves;
 }
 
-double Blocking::wayUntil(int part, int by, int direction)
-{
-    const auto [known, isNew] = m_until.try_emplace(key(part, by, direction), kEndless);
-    if (isNew) {
-        const Vec3 &along = m_ways[static_cast<std::size_t>(direction)].along;
-        if (const auto met = collisionAlong(solid(part), solid(by), along, m_options.depth))
-            known->second = met->from;
-    }
-    return known->second;
-}
-
-/// Across the part to both sides, and along the axes of the world.
 std::vector<Vec3> Blocking::turnsOf(int part) const
 {
-    const Vec3 &across = solid(part).normal;
+    const Vec3 &across = m_collisions.solid(part).normal;
     std::vector<Vec3> turns{across, -across};
     for (int i = 0; i < m_freeWays; ++i)
         turns.push_back(m_ways[static_cast<std::size_t>(i)].along);
     return turns;
-}
-
-bool Blocking::isFreeAfter(int part, const Group &others, const Move &lift, std::size_t turn)
-{
-    const Vec3 by = lift.distance * lift.direction, along = turnsOf(part)[turn];
-    std::vector<Lifted> &all = m_lifted[static_cast<std::size_t>(part)];
-    auto lifted = std::find_if(all.begin(), all.end(), [&](const Lifted &l) { return l.by == by; });
-    if (lifted == all.end())
-        lifted = all.insert(all.end(), {by, {}});
-    lifted->isFree.resize(std::max(lifted->isFree.size(), turn + 1));
-    std::vector<std::optional<bool>> &isFree = lifted->isFree[turn];
-    isFree.resize(m_solids.size());
-    std::optional<Solid> moved; // made when somebody asks
-    return std::all_of(others.begin(), others.end(), [&](int other) {
-        if (other == part)
-            return true;
-        std::optional<bool> &known = isFree[static_cast<std::size_t>(other)];
-        if (!known) {
-            if (!moved)
-                moved = movedBy(solid(part), by);
-            known = comesFree(*moved, solid(other), along, m_options.depth);
-        }
-        return *known;
-    });
 }
 
 std::optional<Blocking::Removal> Blocking::bent(int part, const Group &others, int direction)
@@ -345,12 +321,13 @@ std::optional<Blocking::Removal> Blocking::bent(int part, const Group &others, i
             held = std::max(held, mate.length);
     if (held == 0.0 || std::isinf(held))
         return {}; // nothing to come out of
-    for (const int other : others) {
-        if (other == part || !isBlocked(part, other, direction))
+    Way &way = opened(direction);
+    for (Obstacle &obstacle : obstaclesOf(part, way)) {
+        if (!has(others, obstacle.part) || !isInTheWay(obstacle, part, way))
             continue;
         if (isOutOfTime())
             return {};
-        until = std::min(until, wayUntil(part, other, direction));
+        until = std::min(until, m_collisions.wayUntil(part, obstacle.part, way.number));
         if (until < kRoom)
             return {};
     }
@@ -359,12 +336,15 @@ std::optional<Blocking::Removal> Blocking::bent(int part, const Group &others, i
     std::vector<double> places{until - kRoom, 0.5 * until};
     if (held + kRoom < until)
         places.insert(places.begin(), held + kRoom);
-    const std::vector<Vec3> turns = turnsOf(part);
     for (const double place : places) {
-        const Move lift{m_ways[static_cast<std::size_t>(direction)].along, place};
-        for (std::size_t turn = 0; turn < turns.size(); ++turn) {
-            if (isFreeAfter(part, others, lift, turn))
-                return Removal{{part}, {lift, {turns[turn], 0.0}}};
+        const Move first{way.along, place};
+        const int lift = m_collisions.lift(place * way.along);
+        for (const Vec3 &turn : turnsOf(part)) {
+            const int next = m_collisions.way(turn);
+            if (std::all_of(others.begin(), others.end(), [&](int other) {
+                    return other == part || m_collisions.comesFree(part, other, next, lift);
+                }))
+                return Removal{{part}, {first, {turn, 0.0}}};
         }
     }
     return {};

@@ -4,7 +4,6 @@
 #include "core/assembly/planning.h"
 
 #include <optional>
-#include <unordered_map>
 #include <vector>
 
 namespace fff {
@@ -15,15 +14,13 @@ using Group = std::vector<int>; // of parts, ascending
 Group without(const Group &group, const Group &parts);
 
 /// Which part is in whose way, in each direction that something may move in. A pair is looked at
-/// when somebody asks, and once for a direction; pairs that their slits hold are told without a
-/// look.
+/// when somebody asks; pairs that their slits hold are told without a look.
 ///
 /// Source  R. Wilson, J. Latombe 1994 (directional blocking graphs).
 class Blocking
 {
 public:
-    Blocking(const std::vector<Solid> &solids, const std::vector<Slide> &slides,
-             const PlanOptions &options);
+    Blocking(Collisions &collisions, const std::vector<Slide> &slides, const PlanOptions &options);
 
     /// Parts that come off others.
     struct Removal
@@ -38,7 +35,7 @@ public:
     /// The smallest group that comes off the rest of these, straight.
     std::optional<Removal> smallestOff(const Group &parts);
     /// The moves until what comes off is clear of the rest.
-    std::vector<Move> measured(const Removal &removal, const Group &rest) const;
+    std::vector<Move> measured(const Removal &removal, const Group &rest);
 
     /// Once the time is over everything is in everything's way.
     bool isOutOfTime();
@@ -57,10 +54,18 @@ private:
                    other.last > first + depth;
         }
     };
+    /// Another part that one may run into.
+    struct Obstacle
+    {
+        int part;
+        std::optional<bool> isInTheWay; // once somebody has looked
+    };
     struct Way
     {
         Vec3 along;
-        std::vector<Shadow> shadows;        // of each solid; empty until somebody asks
+        int number;                  // Collisions::way()
+        std::vector<Shadow> shadows; // of each solid; empty until somebody asks
+        std::vector<std::optional<std::vector<Obstacle>>> obstacles; // of each part, ascending
         std::vector<std::vector<int>> held; // of each part those that cannot but move with it
     };
     struct Mate
@@ -70,14 +75,15 @@ private:
         std::vector<int> directions; // in which one comes off it
     };
 
-    const Solid &solid(int part) const { return m_solids[static_cast<std::size_t>(part)]; }
+    std::size_t partCount() const { return m_mates.size(); }
     int indexOf(const Vec3 &direction);
     /// Makes the direction ready to be asked about.
     Way &opened(int direction);
     std::vector<int> waysOff(int part, const Group &others) const;
     std::vector<int> waysApart(const Group &parts) const;
     bool isIgnored(int a, int b) const;
-    bool isBlocked(int part, int by, int direction);
+    std::vector<Obstacle> &obstaclesOf(int part, Way &way);
+    bool isInTheWay(Obstacle &obstacle, int part, const Way &way);
     /// Which of these the slits hold together: of each its heap's number, at its index in `parts`;
     /// and how many heaps there are.
     std::pair<std::vector<int>, int> heaps(const Group &parts, int direction);
@@ -88,29 +94,15 @@ private:
     /// Out of the slits that hold it in these, and on from there; nothing when it does not come
     /// off.
     std::optional<Removal> bent(int part, const Group &others, int direction);
-    /// How far the part comes along the direction before it is in the other's way, mm.
-    double wayUntil(int part, int by, int direction);
-    /// Whether the part, once it was lifted, is turned into nobody's way.
-    bool isFreeAfter(int part, const Group &others, const Move &lift, std::size_t turn);
+    /// Across the part to both sides, and along the axes of the world.
     std::vector<Vec3> turnsOf(int part) const;
-    long long key(int part, int by, int direction) const;
 
-    const std::vector<Solid> &m_solids;
+    Collisions &m_collisions;
     const std::vector<Slide> &m_slides;
     const PlanOptions &m_options;
     std::vector<Way> m_ways;
     int m_freeWays = 0;                     // so many of them, the first ones, are the world's
     std::vector<std::vector<Mate>> m_mates; // of each part
-    std::unordered_map<long long, bool> m_known;
-    std::unordered_map<long long, double> m_until;
-    /// Of a part that was lifted out of its slits: of each turn, of each other part, what was
-    /// found.
-    struct Lifted
-    {
-        Vec3 by;
-        std::vector<std::vector<std::optional<bool>>> isFree;
-    };
-    std::vector<std::vector<Lifted>> m_lifted; // of each part
     bool m_isOutOfTime = false;
 };
 

@@ -14,9 +14,8 @@ namespace {
 class Planner
 {
 public:
-    Planner(const std::vector<Solid> &solids, const std::vector<Slide> &slides,
-            const PlanOptions &options)
-        : m_blocking(solids, slides, options)
+    Planner(Collisions &collisions, const std::vector<Slide> &slides, const PlanOptions &options)
+        : m_blocking(collisions, slides, options)
     {
     }
 
@@ -126,16 +125,16 @@ Group Planner::fewestLocked()
 
 } // namespace
 
-AssemblyPlan planAssembly(const std::vector<Solid> &solids, const std::vector<Slide> &slides,
+AssemblyPlan planAssembly(Collisions &collisions, const std::vector<Slide> &slides,
                           const PlanOptions &options)
 {
-    Group all(solids.size());
+    Group all(collisions.size());
     std::iota(all.begin(), all.end(), 0);
     AssemblyPlan plan;
     plan.verdict = AssemblyPlan::Verdict::Possible;
     if (all.empty())
         return plan;
-    Planner planner(solids, slides, options);
+    Planner planner(collisions, slides, options);
     if (planner.putTogether(all, plan.steps))
         return plan;
     plan.steps.clear();

@@ -1,8 +1,7 @@
 // In which order, from where and how far the parts of a model are put together.
 #pragma once
 
-#include "core/assembly/solid.h"
-#include "core/base/tolerances.h"
+#include "core/assembly/collisions.h"
 
 #include <functional>
 #include <limits>
@@ -31,6 +30,11 @@ struct Move
 {
     Vec3 direction = -Vec3::UnitY(); // unit
     double distance = 0.0;           // mm
+
+    bool operator==(const Move &other) const
+    {
+        return direction == other.direction && distance == other.distance;
+    }
 };
 
 struct AssemblyStep
@@ -40,6 +44,8 @@ struct AssemblyStep
     /// From clear of the others to their place, the last one into the slits; of what is put down
     /// first none.
     std::vector<Move> moves;
+
+    bool operator==(const AssemblyStep &) const = default;
 };
 
 struct AssemblyPlan
@@ -61,7 +67,6 @@ struct AssemblyPlan
 
 struct PlanOptions
 {
-    double depth = kTouchingDepth; // mm that parts may be in each other on their way
     /// Pairs (lower first) that are in each other where they end up, and would be in each other's
     /// way whatever is done: passed over. Ascending.
     std::vector<std::pair<int, int>> ignored;
@@ -79,13 +84,14 @@ struct PlanOptions
 /// order in which parts are tried. Parts and groups that nothing holds may also come off along the
 /// axes of the world.
 ///
+/// collisions  of the parts; how deep they may be in each other on their way is said there
 /// slides   those of all joints; parts that no slide connects are brought together last
 /// Result   deterministic: parts that come later in the list are taken off first, so that the
 ///          first one is mostly what is begun with. Each pair is looked at once for each direction
 ///          at most, and pairs that slits hold not at all.
 /// Source   R. Wilson, J. Latombe 1994, Geometric reasoning about mechanical assembly (blocking
 ///          graphs; a group comes off where they are not strongly connected).
-AssemblyPlan planAssembly(const std::vector<Solid> &solids, const std::vector<Slide> &slides,
+AssemblyPlan planAssembly(Collisions &collisions, const std::vector<Slide> &slides,
                           const PlanOptions &options = {});
 
 } // namespace fff

@@ -1,6 +1,7 @@
 target_sources(fff_core PRIVATE
     assembly/assembly.cpp
     assembly/blocking.cpp
+    assembly/collisions.cpp
     assembly/crossing.cpp
     assembly/found_joint.cpp
     assembly/intervals.cpp

@@ -1,6 +1,7 @@
 #include "core/session/assembly_plan.h"
 
 #include "core/assembly/crossing.h"
+#include "core/base/tolerances.h"
 
 #include <algorithm>
 #include <cmath>
@@ -76,7 +77,7 @@ double bumpsOf(const Analysis &analysis)
 }
 
 /// What stops the one of a locked pair that comes out of its slit.
-std::optional<Stop> stopOf(const std::vector<Solid> &solids, const std::vector<Slide> &slides,
+std::optional<Stop> stopOf(Collisions &collisions, const std::vector<Slide> &slides,
                            const std::vector<int> &pair)
 {
     const auto slide = std::find_if(slides.begin(), slides.end(), [&](const Slide &s) {
@@ -84,31 +85,51 @@ std::optional<Stop> stopOf(const std::vector<Solid> &solids, const std::vector<S
     });
     if (slide == slides.end())
         return {};
-    const std::optional<Travel> met = collisionAlong(solids[static_cast<std::size_t>(slide->b)],
-                                                     solids[static_cast<std::size_t>(slide->a)],
-                                                     slide->direction, kTouchingDepth);
-    if (!met || !(met->from > 0.0))
+    const double met = collisions.wayUntil(slide->b, slide->a, collisions.way(slide->direction));
+    if (!(met > 0.0) || std::isinf(met))
         return {};
     // Of two it is the smaller one that a person would move.
-    const auto extent = [&](int part) {
-        return solids[static_cast<std::size_t>(part)].box.size().norm();
-    };
-    return extent(slide->b) > extent(slide->a) ? Stop{slide->a, slide->b, met->from}
-                                               : Stop{slide->b, slide->a, met->from};
+    const auto extent = [&](int part) { return collisions.solid(part).box.size().norm(); };
+    return extent(slide->b) > extent(slide->a) ? Stop{slide->a, slide->b, met}
+                                               : Stop{slide->b, slide->a, met};
+}
+
+/// Pairs of parts that are in each other, wherever they are.
+std::vector<PartOverlap> overlapsOf(Collisions &collisions)
+{
+    std::vector<Box3> boxes;
+    for (std::size_t i = 0; i < collisions.size(); ++i)
+        boxes.push_back(collisions.solid(static_cast<int>(i)).box);
+    std::vector<PartOverlap> overlaps;
+    for (const auto &[a, b] : meetingPairs(boxes)) {
+        if (const auto &how = collisions.overlap(a, b))
+            overlaps.push_back({a, b, *how});
+    }
+    return overlaps;
 }
 
 } // namespace
 
-std::vector<Solid> solidsOf(const Analysis &analysis, std::vector<PartRef> &parts)
+std::vector<SolidPointer> solidsOf(const Analysis &analysis, std::vector<PartRef> &parts,
+                                   PlanCaches &caches)
 {
-    std::vector<Solid> solids;
+    std::vector<SolidPointer> solids;
     parts.clear();
-    for (std::size_t i = 0; i < analysis.model.sectionCount(); ++i) {
-        const std::vector<Triangulation> &pieces = analysis.cuts[i]->triangulations();
-        for (std::size_t k = 0; k < pieces.size(); ++k) {
-            solids.push_back(makeSolid(pieces[k], analysis.model.section(i)->frame,
-                                       analysis.model.stockOf(i).thickness));
-            parts.push_back({static_cast<int>(i), static_cast<int>(k)});
+    caches.sections.resize(analysis.model.sectionCount());
+    for (std::size_t i = 0; i < caches.sections.size(); ++i) {
+        PlanCaches::OfSection &known = caches.sections[i];
+        const CutSectionPointer &cut = analysis.cuts[i];
+        const Frame &frame = analysis.model.section(i)->frame;
+        const double thickness = analysis.model.stockOf(i).thickness;
+        if (known.cut != cut || known.frame != frame || known.thickness != thickness) {
+            known = {cut, frame, thickness, {}};
+            for (const Triangulation &piece : cut->triangulations())
+                known.solids.push_back(
+                    std::make_shared<const Solid>(makeSolid(piece, frame, thickness)));
+        }
+        for (const SolidPointer &solid : known.solids) {
+            parts.push_back({static_cast<int>(i), static_cast<int>(&solid - known.solids.data())});
+            solids.push_back(solid);
         }
     }
     return solids;
@@ -147,36 +168,31 @@ std::vector<Slide> slidesOf(const Analysis &analysis, const std::vector<PartRef>
     return slides;
 }
 
-std::vector<PartOverlap> overlapsOf(const std::vector<Solid> &solids, double depth)
-{
-    std::vector<Box3> boxes;
-    for (const Solid &solid : solids)
-        boxes.push_back(solid.box);
-    std::vector<PartOverlap> overlaps;
-    for (const auto &[a, b] : meetingPairs(boxes)) {
-        if (const auto how = interpenetration(solids[static_cast<std::size_t>(a)],
-                                              solids[static_cast<std::size_t>(b)], depth))
-            overlaps.push_back({a, b, *how});
-    }
-    return overlaps;
-}
-
 ModelPlan planOf(const Analysis &analysis, const std::function<bool()> &isOutOfTime)
 {
+    PlanCaches caches;
+    return planOf(analysis, caches, isOutOfTime);
+}
+
+ModelPlan planOf(const Analysis &analysis, PlanCaches &caches,
+                 const std::function<bool()> &isOutOfTime)
+{
     ModelPlan result;
-    const std::vector<Solid> solids = solidsOf(analysis, result.parts);
-    PlanOptions options;
+    double depth = kTouchingDepth;
     for (const auto &stock : analysis.model.document.stocks)
-        options.depth = std::max(options.depth, kTouchingDepth - stock->clearance);
-    options.depth += bumpsOf(analysis);
+        depth = std::max(depth, kTouchingDepth - stock->clearance);
+    depth += bumpsOf(analysis);
+    Collisions &collisions = caches.collisions;
+    collisions.use(solidsOf(analysis, result.parts, caches), depth);
+    PlanOptions options;
     options.isOutOfTime = isOutOfTime;
-    result.overlaps = overlapsOf(solids, options.depth);
+    result.overlaps = overlapsOf(collisions);
     for (const PartOverlap &overlap : result.overlaps)
         options.ignored.emplace_back(overlap.a, overlap.b);
     const std::vector<Slide> slides = slidesOf(analysis, result.parts);
-    result.plan = planAssembly(solids, slides, options);
+    result.plan = planAssembly(collisions, slides, options);
     if (result.plan.locked.size() == 2)
-        result.stop = stopOf(solids, slides, result.plan.locked);
+        result.stop = stopOf(collisions, slides, result.plan.locked);
     return result;
 }
 

@@ -35,15 +35,33 @@ struct ModelPlan
     std::optional<Stop> stop; // of two that are locked
 };
 
-/// The parts as solids, in the sections' order.
-std::vector<Solid> solidsOf(const Analysis &analysis, std::vector<PartRef> &parts);
+/// What is known from the time before. Not for several threads at once.
+struct PlanCaches
+{
+    struct OfSection
+    {
+        // What the solids were made of.
+        CutSectionPointer cut;
+        Frame frame;
+        double thickness = 0.0; // mm
+
+        std::vector<SolidPointer> solids; // of each piece
+    };
+    std::vector<OfSection> sections; // by index in the model
+    Collisions collisions;
+};
+
+/// The parts as solids, in the sections' order; those that are as before are the same objects.
+std::vector<SolidPointer> solidsOf(const Analysis &analysis, std::vector<PartRef> &parts,
+                                   PlanCaches &caches);
 /// Which way the parts of a joint's sections come off each other; of all joints that hold.
 std::vector<Slide> slidesOf(const Analysis &analysis, const std::vector<PartRef> &parts);
-/// Pairs of parts that are deeper in each other than `depth` (mm), wherever they are.
-std::vector<PartOverlap> overlapsOf(const std::vector<Solid> &solids, double depth);
 
 /// A pure function of the analysis, but for the time. A part that a press fit holds may be as deep
 /// in its mate as the clearance is negative and as bumps press into it from both sides.
 ModelPlan planOf(const Analysis &analysis, const std::function<bool()> &isOutOfTime = {});
+/// The same, with any caches: an edit costs the look at what it touches, and the search itself.
+ModelPlan planOf(const Analysis &analysis, PlanCaches &caches,
+                 const std::function<bool()> &isOutOfTime = {});
 
 } // namespace fff

@@ -33,8 +33,8 @@ CheckList::CheckList(const Session &session, QObject *parent)
       m_planning(
           [this](const AnalysisPointer &analysis) {
               PlannedAnalysis planned{
-                  analysis, planOf(*analysis, timeLimit(kPlanningTime)), {}, {}};
-              planned.checks = planChecks(*analysis, planned.plan, m_planCaches);
+                  analysis, planOf(*analysis, m_planCaches, timeLimit(kPlanningTime)), {}, {}};
+              planned.checks = planChecks(*analysis, planned.plan, m_webCaches);
               planned.flips = flipsThatHelp(*analysis, planned.plan, timeLimit(kPlanningTime));
               return std::make_shared<const PlannedAnalysis>(std::move(planned));
           },

@@ -73,6 +73,7 @@ private:
     const Session &m_session;
     CheckCaches m_caches;    // touched by the job alone
     PlanCaches m_planCaches; // by the planning alone
+    WebCaches m_webCaches;   // and so is this
     VerdictsPointer m_verdicts = std::make_shared<const Verdicts>();
     std::uint64_t m_revision = 0; // that they belong to
     std::shared_ptr<const PlannedAnalysis> m_plan;

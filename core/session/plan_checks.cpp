@@ -137,11 +137,11 @@ void addWebs(const Analysis &analysis, std::size_t section, const std::vector<We
 }
 
 /// Those of each section, worked out anew where its slits or its stock are other ones.
-void refresh(const Analysis &analysis, PlanCaches &caches)
+void refresh(const Analysis &analysis, WebCaches &caches)
 {
     caches.sections.resize(analysis.model.sectionCount());
     for (std::size_t i = 0; i < caches.sections.size(); ++i) {
-        PlanCaches::OfSection &known = caches.sections[i];
+        WebCaches::OfSection &known = caches.sections[i];
         const double thickness = analysis.model.stockOf(i).thickness;
         if (known.cut == analysis.cuts[i] && known.thickness == thickness)
             continue;
@@ -155,11 +155,11 @@ void refresh(const Analysis &analysis, PlanCaches &caches)
 
 std::vector<Check> planChecks(const Analysis &analysis, const ModelPlan &plan)
 {
-    PlanCaches caches;
+    WebCaches caches;
     return planChecks(analysis, plan, caches);
 }
 
-std::vector<Check> planChecks(const Analysis &analysis, const ModelPlan &plan, PlanCaches &caches)
+std::vector<Check> planChecks(const Analysis &analysis, const ModelPlan &plan, WebCaches &caches)
 {
     std::vector<Check> all;
     refresh(analysis, caches);

@@ -11,7 +11,7 @@
 namespace fff {
 
 /// What is known of each section from the time before. Not for several threads at once.
-struct PlanCaches
+struct WebCaches
 {
     struct OfSection
     {
@@ -27,7 +27,7 @@ struct PlanCaches
 /// Nothing for a model without parts.
 std::vector<Check> planChecks(const Analysis &analysis, const ModelPlan &plan);
 /// The same, with any caches.
-std::vector<Check> planChecks(const Analysis &analysis, const ModelPlan &plan, PlanCaches &caches);
+std::vector<Check> planChecks(const Analysis &analysis, const ModelPlan &plan, WebCaches &caches);
 
 /// True once so much time has gone by from now on: for planOf().
 std::function<bool()> timeLimit(std::chrono::milliseconds time);

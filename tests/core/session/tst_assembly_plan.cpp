@@ -3,8 +3,8 @@
 #include "core/base/units.h"
 #include "core/session/assembly_plan.h"
 #include "tests/core/assembly/known_models.h"
-
-#include <set>
+#include "tests/core/assembly/plan_replay.h"
+#include "tests/core/session/random_edits.h"
 
 using namespace fff;
 using namespace fff::test;
@@ -67,130 +67,6 @@ std::vector<Case> cases()
     return all;
 }
 
-bool isInside(const Region &region, const Vec2 &p)
-{
-    const auto winds = [&](const Polygon &ring) {
-        bool inside = false;
-        for (std::size_t i = 0, k = ring.size() - 1; i < ring.size(); k = i++) {
-            if ((ring[i].y() > p.y()) != (ring[k].y() > p.y()) &&
-                p.x() < ring[i].x() + (ring[k].x() - ring[i].x()) * (p.y() - ring[i].y()) /
-                                          (ring[k].y() - ring[i].y()))
-                inside = !inside;
-        }
-        return inside;
-    };
-    return winds(region.outer) && std::none_of(region.holes.begin(), region.holes.end(), winds);
-}
-
-/// Points all over a part, a little below its surface: on both faces beside each corner and along
-/// each edge.
-struct Probe
-{
-    const Region *region;
-    Frame frame;
-    double half;
-    std::vector<Vec3> points;
-
-    bool holds(const Vec3 &p, double depth) const
-    {
-        return std::abs(frame.height(p)) < half - depth && isInside(*region, frame.toLocal(p));
-    }
-};
-
-Probe probeOf(const Analysis &analysis, const PartRef &part)
-{
-    const auto index = static_cast<std::size_t>(part.section);
-    const CurvedRegion &piece = analysis.cuts[index]->parts()[static_cast<std::size_t>(part.piece)];
-    Probe probe{&piece.region,
-                analysis.model.section(index)->frame,
-                0.5 * analysis.model.stockOf(index).thickness,
-                {}};
-    constexpr double kInset = 0.02, kStep = 1.0; // mm
-    const auto addRing = [&](const Polygon &ring) {
-        for (std::size_t i = 0; i < ring.size(); ++i) {
-            const Vec2 a = ring[i], way = ring[(i + 1) % ring.size()] - a;
-            const int steps = std::max(1, static_cast<int>(way.norm() / kStep));
-            for (int k = 0; k < steps; ++k) {
-                const Vec2 on = a + way * ((k + 0.5) / steps);
-                for (const double side : {kInset, -kInset}) {
-                    const Vec2 in = on + side * perpendicular(way).normalized();
-                    if (!isInside(piece.region, in))
-                        continue;
-                    for (const double height : {probe.half - kInset, 0.0, kInset - probe.half})
-                        probe.points.push_back(probe.frame.toWorld(in) +
-                                               height * probe.frame.normal());
-                }
-            }
-        }
-    };
-    addRing(piece.region.outer);
-    for (const Polygon &hole : piece.region.holes)
-        addRing(hole);
-    return probe;
-}
-
-/// Whether a, moved by `by`, has a point well inside of b, or b one inside of a.
-bool areInEachOther(const Probe &a, const Probe &b, const Vec3 &by)
-{
-    constexpr double kDepth = 0.01; // mm
-    return std::any_of(a.points.begin(), a.points.end(),
-                       [&](const Vec3 &p) { return b.holds(p + by, kDepth); }) ||
-           std::any_of(b.points.begin(), b.points.end(),
-                       [&](const Vec3 &p) { return a.holds(p - by, kDepth); });
-}
-
-/// What is wrong with a plan; empty when it can be carried out. Looks at points in regions, which
-/// planning does not.
-QString fault(const Analysis &analysis, const ModelPlan &plan)
-{
-    std::vector<Probe> probes;
-    for (const PartRef &part : plan.parts)
-        probes.push_back(probeOf(analysis, part));
-    std::vector<std::set<int>> heaps; // of parts that are together
-    const auto heapOf = [&](const std::vector<int> &parts) {
-        return std::find(heaps.begin(), heaps.end(), std::set(parts.begin(), parts.end()));
-    };
-    for (std::size_t s = 0; s < plan.plan.steps.size(); ++s) {
-        const AssemblyStep &step = plan.plan.steps[s];
-        const QString where = QStringLiteral("step %1: ").arg(s + 1);
-        if (step.parts.size() == 1)
-            heaps.push_back({step.parts.front()});
-        const auto moved = heapOf(step.parts);
-        if (moved == heaps.end())
-            return where + QStringLiteral("its group has not been put together");
-        if (step.onto.empty())
-            continue;
-        const auto there = heapOf(step.onto);
-        if (there == heaps.end())
-            return where + QStringLiteral("what it is brought to is not there");
-        // Backwards, out of its place.
-        Vec3 place = Vec3::Zero();
-        for (auto move = step.moves.rbegin(); move != step.moves.rend(); ++move) {
-            if (std::abs(move->direction.norm() - 1.0) > 1e-9)
-                return where + QStringLiteral("no unit direction");
-            for (int i = 0; i <= 50; ++i) {
-                const Vec3 by = place - move->direction * (move->distance * i / 50.0);
-                for (const int part : step.parts)
-                    for (const int other : step.onto)
-                        if (areInEachOther(probes[static_cast<std::size_t>(part)],
-                                           probes[static_cast<std::size_t>(other)], by))
-                            return where + QStringLiteral("%1 runs into %2").arg(part).arg(other);
-            }
-            place -= move->direction * move->distance;
-        }
-        std::set<int> together = *moved;
-        together.insert(there->begin(), there->end());
-        std::erase_if(heaps,
-                      [&](const std::set<int> &heap) { return together.contains(*heap.begin()); });
-        heaps.push_back(std::move(together));
-    }
-    if (heaps.size() > 1 || (heaps.empty() && !plan.parts.empty()))
-        return QStringLiteral("not all parts are together at the end");
-    return heaps.empty() || heaps.front().size() == plan.parts.size()
-               ? QString()
-               : QStringLiteral("parts are missing at the end");
-}
-
 } // namespace
 
 Q_DECLARE_METATYPE(Case)
@@ -204,6 +80,7 @@ private Q_SLOTS:
     void modelsWithAKnownAnswer();
     void whatIsBuiltFirstIsMovedAsOne();
     void theTimeIsKept();
+    void whatIsKnownFromBeforeChangesNothing();
     void platesInEachOtherAreFound();
 };
 
@@ -252,6 +129,33 @@ void TestAssemblyPlan::theTimeIsKept()
     QCOMPARE(static_cast<int>(plan.plan.verdict), static_cast<int>(Verdict::NotFound));
     QVERIFY(plan.plan.steps.empty() && plan.plan.locked.empty());
     QVERIFY(asked < 20);
+}
+
+/// What would be wrong: after an edit a verdict on parts as they were, or another plan than the one
+/// that is found when the file is opened again.
+void TestAssemblyPlan::whatIsKnownFromBeforeChangesNothing()
+{
+    RandomEdits edits(11);
+    Document document = eggCrate(3, 4);
+    AnalysisCaches analyses;
+    PlanCaches caches;
+    for (int i = 0; i < 60; ++i) {
+        // To and fro, so that what was forgotten is asked for again.
+        const Document next = edits.next(document);
+        for (const Document *shown :
+             std::initializer_list<const Document *>{&next, &document, &next}) {
+            const AnalysisPointer analysis = analyseNext(evaluate(*shown), analyses);
+            const ModelPlan kept = planOf(*analysis, caches), anew = planOf(*analysis);
+            QCOMPARE(static_cast<int>(kept.plan.verdict), static_cast<int>(anew.plan.verdict));
+            QCOMPARE(kept.plan.locked, anew.plan.locked);
+            QVERIFY(kept.parts == anew.parts);
+            QVERIFY(kept.plan.steps == anew.plan.steps);
+            QCOMPARE(kept.overlaps.size(), anew.overlaps.size());
+            for (std::size_t k = 0; k < kept.overlaps.size(); ++k)
+                QVERIFY(kept.overlaps[k].how.depth == anew.overlaps[k].how.depth);
+        }
+        document = next;
+    }
 }
 
 /// What would be wrong: plates that touch count as being in each other, or such as lie in one plane

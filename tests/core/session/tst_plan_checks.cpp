@@ -147,7 +147,7 @@ void TestPlanChecks::whatIsKnownFromBeforeChangesNothing()
     document = withSection(std::move(document), rib, side(40));
     document = withSection(std::move(document), rib, side(60));
     AnalysisCaches analyses;
-    PlanCaches caches;
+    WebCaches caches;
     for (const double at : {60.0, 44.0, 42.0, 80.0, 45.0}) {
         document = *moveSection(document, document.sections[2]->id, side(at));
         const AnalysisPointer analysis = analyseNext(evaluate(document), analyses);

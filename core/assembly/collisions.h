@@ -1,0 +1,102 @@
+// What was found out about solids that move past each other, kept for as long as they stay the
+// same: who plans again after an edit asks mostly what has been asked before.
+#pragma once
+
+#include "core/assembly/solid.h"
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <unordered_map>
+#include <vector>
+
+namespace fff {
+
+using SolidPointer = std::shared_ptr<const Solid>;
+
+/// Solids are named by their places in the list, directions by numbers from way(). Every answer is
+/// the one that solid.h gives, whatever was asked before. Not for several threads at once.
+class Collisions
+{
+public:
+    /// From now on about these, of which none may be null; depth: mm that they may be in each
+    /// other. What is known of pairs that were there before stays known, as far as it was of use
+    /// since then. O(what is known).
+    void use(std::vector<SolidPointer> solids, double depth);
+
+    std::size_t size() const { return m_solids.size(); }
+    const Solid &solid(int index) const { return *m_solids[static_cast<std::size_t>(index)]; }
+    double depth() const { return m_depth; }
+
+    /// A unit vector that something moves along.
+    int way(const Vec3 &direction) { return m_ways.number(direction); }
+    /// Where to a solid was moved before it goes that way, mm.
+    int lift(const Vec3 &by) { return m_lifts.number(by); }
+    static constexpr int kNotLifted = -1;
+
+    bool comesFree(int a, int b, int way, int lift = kNotLifted);
+    /// How far a comes along the way before it is in b; endless: it comes free.
+    double wayUntil(int a, int b, int way);
+    /// See fff::wayToClear(), for a gap of kNearParts.
+    double wayToClear(int a, int b, int way, int lift = kNotLifted);
+    /// As they are; a < b.
+    const std::optional<Interpenetration> &overlap(int a, int b);
+
+    /// So near they still touch; beyond, a way is over. mm
+    static constexpr double kNearParts = 0.02;
+
+private:
+    /// Numbers of vectors, by their very bits.
+    class Numbers
+    {
+    public:
+        int number(const Vec3 &vector);
+        const Vec3 &vector(int number) const { return m_vectors.at(number); }
+        bool isInUse(int number) const { return m_vectors.contains(number); }
+        /// Forgets what nobody has asked for since this was called last.
+        void forgetOld();
+
+    private:
+        struct Entry
+        {
+            int number = 0;
+            bool isInUse = true;
+        };
+        std::map<std::array<double, 3>, Entry> m_numbers;
+        std::unordered_map<int, Vec3> m_vectors;
+        int m_next = 0;
+    };
+    /// By numbers that are never given twice.
+    struct Question
+    {
+        int a = 0, b = 0, way = -1, lift = kNotLifted;
+        bool operator==(const Question &) const = default;
+    };
+    struct Hash
+    {
+        std::size_t operator()(const Question &question) const;
+    };
+    template <typename Answer>
+    using Known = std::unordered_map<Question, Answer, Hash>;
+
+    Question question(int a, int b, int way, int lift) const;
+    /// Solid a where it goes from.
+    const Solid &lifted(int a, int lift);
+
+    std::vector<SolidPointer> m_solids;
+    std::vector<int> m_numbers; // of the solids
+    int m_nextNumber = 0;
+    double m_depth = 0.0;
+    Numbers m_ways, m_lifts;
+    Known<bool> m_isFree;
+    Known<double> m_until, m_clear;
+    Known<std::optional<Interpenetration>> m_overlaps;
+    struct
+    {
+        int solid = -1, lift = kNotLifted;
+        Solid moved;
+    } m_lifted; // the last one
+};
+
+} // namespace fff
