@@ -1,5 +1,6 @@
 #include "ui/main_window.h"
 
+#include "core/base/units.h"
 #include "core/io/error_text.h"
 #include "core/session/check_list.h"
 #include "ui/actions/action_set.h"
@@ -144,6 +145,12 @@ void MainWindow::makeView()
 void MainWindow::makeDocks()
 {
     m_checkList = new CheckList(m_bench->session(), this);
+    const auto followRules = [this] {
+        m_checkList->setRules({radians(settings().shallowAngle()),
+                               std::chrono::milliseconds(settings().planningTime())});
+    };
+    connect(&settings(), &Settings::checksChanged, this, followRules);
+    followRules();
     m_outline = new OutlineDock(*m_bench, *m_checkList, this);
     m_history = new HistoryDock(*m_bench, this);
     m_checks = new ChecksDock(*m_bench, *m_checkList, this);

@@ -1,5 +1,6 @@
 #include "app/cli/info.h"
 
+#include "core/assembly/cycles.h"
 #include "core/base/units.h"
 #include "core/fabrication/summary.h"
 #include "core/geometry/convex_hull.h"
@@ -158,6 +159,21 @@ void writeRing(JsonWriter &json, const Polygon &ring)
     json.endArray();
 }
 
+/// Rings whose axes are not parallel.
+void writeCycles(JsonWriter &json, const Analysis &analysis)
+{
+    json.key("cycles");
+    json.beginArray();
+    for (const std::vector<int> &cycle :
+         cyclesOf(analysis.model.sectionCount(), analysis.assembly.joints)) {
+        json.beginArray(JsonWriter::Layout::Line);
+        for (const int section : cycle)
+            json.value(analysis.model.section(static_cast<std::size_t>(section))->name);
+        json.endArray();
+    }
+    json.endArray();
+}
+
 /// Whether there is an order, and the sections in it, or those that block each other.
 void writeAssemblability(JsonWriter &json, const Model &model, const ModelPlan &plan)
 {
@@ -254,6 +270,7 @@ std::string infoJson(const Analysis &analysis, const ModelPlan &plan, const Info
         for (const int section : groups[g])
             json.value(model.section(static_cast<std::size_t>(section))->name);
     json.endArray();
+    writeCycles(json, analysis);
     writeAssemblability(json, model, plan);
     const MassProperties mass = massOf(model, analysis.cuts);
     json.member("mass", mass.mass);

@@ -24,15 +24,17 @@ void setGuest(std::vector<Slit> &slits, int guest)
         slit.guest = guest;
 }
 
+JointSide sideOf(const Model &model, int section)
+{
+    const auto index = static_cast<std::size_t>(section);
+    return {*model.section(index), model.stockOf(index)};
+}
+
 } // namespace
 
 JointSlits slitsOf(const Model &model, int a, int b, Crossing &crossing, const JointWish &wish)
 {
-    const Section &sectionA = *model.section(static_cast<std::size_t>(a));
-    const Section &sectionB = *model.section(static_cast<std::size_t>(b));
-    const Stock &stockA = model.document.stockOf(sectionA);
-    const Stock &stockB = model.document.stockOf(sectionB);
-    return cutSlits(crossing, {sectionA, stockA}, {sectionB, stockB}, isLower(model, a, b), wish);
+    return cutSlits(crossing, sideOf(model, a), sideOf(model, b), isLower(model, a, b), wish);
 }
 
 std::optional<FoundJoint> findJoint(const Model &model, int a, int b)
@@ -54,6 +56,12 @@ std::optional<FoundJoint> findJoint(const Model &model, int a, int b)
     setGuest(found.slitsOfA, b);
     setGuest(found.slitsOfB, a);
     return found;
+}
+
+NoSlit whyNoSlit(const Model &model, const Joint &joint)
+{
+    return whyNoSlit(*joint.crossing, sideOf(model, joint.a), sideOf(model, joint.b),
+                     wishFor(model, joint.a, joint.b, *joint.crossing));
 }
 
 } // namespace fff

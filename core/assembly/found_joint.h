@@ -23,4 +23,7 @@ std::optional<FoundJoint> findJoint(const Model &model, int a, int b);
 /// it is told where their slits meet.
 JointSlits slitsOf(const Model &model, int a, int b, Crossing &crossing, const JointWish &wish);
 
+/// Of a joint of the model that has none.
+NoSlit whyNoSlit(const Model &model, const Joint &joint);
+
 } // namespace fff

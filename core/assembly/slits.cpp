@@ -36,6 +36,7 @@ struct Cut
     double excess = 0.0; // mm cut beyond the overlap
 
     bool isGrip() const { return cutsA && cutsB; }
+    bool isOpen() const { return cutsA || cutsB; }
 };
 
 Cut cutOf(const Overlap &o, int sign)
@@ -68,7 +69,7 @@ Way wayOf(const Crossing &crossing, int sign)
     bool hasGrip = false;
     for (const Overlap &o : crossing.overlaps) {
         const Cut cut = cutOf(o, sign);
-        way.isOpen &= cut.cutsA || cut.cutsB;
+        way.isOpen &= cut.isOpen();
         hasGrip |= cut.isGrip();
         way.excess += cut.excess;
     }
@@ -365,6 +366,23 @@ JointSlits cutSlits(Crossing &crossing, const JointSide &a, const JointSide &b, 
     result.a = std::move(laps.a);
     result.b = std::move(laps.b);
     return result;
+}
+
+NoSlit whyNoSlit(const Crossing &crossing, const JointSide &a, const JointSide &b,
+                 const JointWish &wish)
+{
+    if (wish.kind == JointKind::None)
+        return NoSlit::Wanted;
+    if (!slitWidth(a.stock.thickness, b.stock.thickness, crossing.angle, a.stock.clearance) ||
+        !slitWidth(b.stock.thickness, a.stock.thickness, crossing.angle, b.stock.clearance))
+        return NoSlit::NoWidth;
+    bool someOnlyUp = false, someOnlyDown = false;
+    for (const Overlap &overlap : crossing.overlaps) {
+        const bool up = cutOf(overlap, 1).isOpen(), down = cutOf(overlap, -1).isOpen();
+        someOnlyUp |= up && !down;
+        someOnlyDown |= down && !up;
+    }
+    return someOnlyUp && someOnlyDown ? NoSlit::OppositeWays : NoSlit::Enclosed;
 }
 
 } // namespace fff

@@ -60,4 +60,17 @@ struct JointSlits
 JointSlits cutSlits(Crossing &crossing, const JointSide &a, const JointSide &b, bool aIsLower,
                     const JointWish &wish = {});
 
+/// Why a joint has no slits.
+enum class NoSlit {
+    Wanted,       // its kind is None
+    NoWidth,      // a negative clearance leaves them none
+    OppositeWays, // some of its overlaps could only slide one way, others only the other
+    Enclosed,     // ends lie on holes, or enclose each other: none comes from outside, and neither
+                  // section fits through a mortise
+};
+
+/// Of a crossing with overlaps for which cutSlits() has none, with the same sides and wish.
+NoSlit whyNoSlit(const Crossing &crossing, const JointSide &a, const JointSide &b,
+                 const JointWish &wish);
+
 } // namespace fff

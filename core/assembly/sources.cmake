@@ -3,6 +3,7 @@ target_sources(fff_core PRIVATE
     assembly/blocking.cpp
     assembly/collisions.cpp
     assembly/crossing.cpp
+    assembly/cycles.cpp
     assembly/found_joint.cpp
     assembly/intervals.cpp
     assembly/joint.cpp

@@ -3,7 +3,6 @@
 #include "core/session/session.h"
 
 #include <algorithm>
-#include <chrono>
 
 namespace fff {
 
@@ -12,16 +11,16 @@ namespace {
 // ms. Most answers come sooner than the eye sees a change; saying in between that they are older
 // would only flicker.
 constexpr int kSeen = 100, kLate = 500;
-constexpr std::chrono::milliseconds kPlanningTime(1000);
 
 } // namespace
 
 CheckList::CheckList(const Session &session, QObject *parent)
     : QObject(parent), m_session(session),
       m_job(
-          [this](const AnalysisPointer &analysis) -> VerdictsPointer {
+          [this](const Question &question) -> VerdictsPointer {
+              const Analysis &analysis = *question.analysis;
               return std::make_shared<const Verdicts>(
-                  Verdicts{analysis->model, checks(*analysis, m_caches)});
+                  Verdicts{analysis.model, checks(analysis, m_caches, {}, question.rules)});
           },
           [this](std::uint64_t revision, VerdictsPointer verdicts) {
               if (revision != m_session.revision() && m_session.model().sectionCount() == 0)
@@ -31,11 +30,13 @@ CheckList::CheckList(const Session &session, QObject *parent)
               refresh();
           }),
       m_planning(
-          [this](const AnalysisPointer &analysis) {
+          [this](const Question &question) {
+              const Analysis &analysis = *question.analysis;
+              const auto limit = [&] { return timeLimit(question.rules.planningTime); };
               PlannedAnalysis planned{
-                  analysis, planOf(*analysis, m_planCaches, timeLimit(kPlanningTime)), {}, {}};
-              planned.checks = planChecks(*analysis, planned.plan, m_webCaches);
-              planned.flips = flipsThatHelp(*analysis, planned.plan, timeLimit(kPlanningTime));
+                  question.analysis, planOf(analysis, m_planCaches, limit()), {}, {}};
+              planned.checks = planChecks(analysis, planned.plan, m_webCaches);
+              planned.flips = flipsThatHelp(analysis, planned.plan, limit());
               return std::make_shared<const PlannedAnalysis>(std::move(planned));
           },
           [this](std::uint64_t, std::shared_ptr<const PlannedAnalysis> plan) {
@@ -53,11 +54,11 @@ CheckList::CheckList(const Session &session, QObject *parent)
     connect(&m_becomesLate, &QTimer::timeout, this, [this] { grow(Age::Late); });
     connect(&session, &Session::modelChanged, this, &CheckList::modelChanged);
     connect(&session, &Session::analysisChanged, this, [this] {
-        m_job.request(m_session.analysedRevision(), m_session.analysisPointer());
+        requestChecks();
         requestPlan();
     });
     connect(&session, &Session::committedChanged, this, &CheckList::requestPlan);
-    m_job.request(session.analysedRevision(), session.analysisPointer());
+    requestChecks();
     requestPlan();
     if (session.analysedRevision() != session.revision())
         modelChanged();
@@ -85,6 +86,21 @@ void CheckList::modelChanged()
     m_becomesLate.start();
 }
 
+void CheckList::setRules(const CheckRules &rules)
+{
+    if (rules == m_rules)
+        return;
+    m_rules = rules;
+    m_toPlan.reset();
+    requestChecks();
+    requestPlan();
+}
+
+void CheckList::requestChecks()
+{
+    m_job.request(m_session.analysedRevision(), {m_session.analysisPointer(), m_rules});
+}
+
 void CheckList::grow(Age age)
 {
     m_age = age;
@@ -98,7 +114,7 @@ void CheckList::requestPlan()
         m_toPlan == m_session.analysisPointer())
         return;
     m_toPlan = m_session.analysisPointer();
-    m_planning.request(m_session.analysedRevision(), m_toPlan);
+    m_planning.request(m_session.analysedRevision(), {m_toPlan, m_rules});
 }
 
 void CheckList::refresh()

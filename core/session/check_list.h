@@ -49,6 +49,8 @@ public:
     const std::shared_ptr<const PlannedAnalysis> &plan() const { return m_plan; }
     /// What frees the locked parts of what is there now, null when nothing does.
     const Flips *flips() const;
+    /// What it goes by from now on; looks again where that differs.
+    void setRules(const CheckRules &rules);
     /// Waits for what is worked out: for tests.
     void finish();
 
@@ -64,13 +66,21 @@ private:
     };
     using VerdictsPointer = std::shared_ptr<const Verdicts>;
 
+    struct Question
+    {
+        AnalysisPointer analysis;
+        CheckRules rules;
+    };
+
     void modelChanged();
+    void requestChecks();
     void grow(Age age);
     void requestPlan();
     /// After a result: whether all are of the model that is shown by now.
     void refresh();
 
     const Session &m_session;
+    CheckRules m_rules;
     CheckCaches m_caches;    // touched by the job alone
     PlanCaches m_planCaches; // by the planning alone
     WebCaches m_webCaches;   // and so is this
@@ -82,8 +92,8 @@ private:
     Age m_age = Age::Current;
     QTimer m_becomesOlder, m_becomesLate;
     // Last: they wait for their workers.
-    LatestJob<AnalysisPointer, VerdictsPointer> m_job;
-    LatestJob<AnalysisPointer, std::shared_ptr<const PlannedAnalysis>> m_planning;
+    LatestJob<Question, VerdictsPointer> m_job;
+    LatestJob<Question, std::shared_ptr<const PlannedAnalysis>> m_planning;
 };
 
 } // namespace fff

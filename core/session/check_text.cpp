@@ -184,14 +184,32 @@ QString sizeText(const Check &check, const Model &model, const CheckUnits &units
         .arg(sheets, units.size(check.sheet), used);
 }
 
+/// And what to do about it.
+QString whyText(NoSlit why)
+{
+    switch (why) {
+    case NoSlit::Wanted:
+        return Words::tr("Their joint is set to have none.");
+    case NoSlit::NoWidth:
+        return Words::tr("The negative clearance leaves it no width: make the clearance larger.");
+    case NoSlit::OppositeWays:
+        return Words::tr("Where they meet here they could only slide one way, there only the "
+                         "other way: shorten one of them.");
+    case NoSlit::Enclosed:
+        return Words::tr("None of them reaches the edge: open a hole to the outside, or let one of "
+                         "them pass through.");
+    }
+    return {}; // not reached: every reason is above
+}
+
 QString jointText(const Check &check, const Model &model, const CheckUnits &units)
 {
     const QString first = nameAt(check, model, 0), second = nameAt(check, model, 1);
     switch (check.code) {
     case CheckCode::NoSlit:
         return Words::tr("%1 and %2 cut into each other, %3 long, but no slit lets them slide "
-                         "together.")
-            .arg(first, second, units.length(check.distance));
+                         "together. %4")
+            .arg(first, second, units.length(check.distance), whyText(check.noSlit));
     case CheckCode::Interference: {
         constexpr double kSmall = 0.1; // mm
         const QString deep = check.distance < kSmall
@@ -208,7 +226,13 @@ QString jointText(const Check &check, const Model &model, const CheckUnits &unit
             return Words::tr("%1 meets %2 at %3; below %4 no slit can hold it.")
                 .arg(first, second, wholeDegrees(check.angle), wholeDegrees(kMinJointAngle));
         return Words::tr("%1 meets %2 at %3; slits get wide below %4.")
-            .arg(first, second, wholeDegrees(check.angle), wholeDegrees(kShallowAngle));
+            .arg(first, second, wholeDegrees(check.angle), wholeDegrees(check.leastAngle));
+    case CheckCode::Cycle:
+        if (check.count == 1)
+            return Words::tr("%1 form a ring of joints that slide in different directions.")
+                .arg(namesOf(model, check.sections));
+        return Words::tr("%n rings of sections have joints that slide in different directions.",
+                         nullptr, check.count);
     case CheckCode::SlitsMeet:
         return Words::tr("%1: its slits for %2 run into each other.")
             .arg(first, namesOf(model, check.guests));
@@ -299,6 +323,8 @@ QString checkName(CheckCode code)
         return QStringLiteral("interference");
     case CheckCode::ShallowAngle:
         return QStringLiteral("shallowAngle");
+    case CheckCode::Cycle:
+        return QStringLiteral("cycle");
     case CheckCode::SlitsMeet:
         return QStringLiteral("slitsMeet");
     case CheckCode::ThinWeb:
@@ -383,6 +409,8 @@ QString checkTitle(const Check &check)
         return Words::tr("Cut into each other");
     case CheckCode::ShallowAngle:
         return Words::tr("Shallow angle");
+    case CheckCode::Cycle:
+        return Words::tr("Rings of joints");
     case CheckCode::SlitsMeet:
         return Words::tr("Slits run into each other");
     case CheckCode::ThinWeb:

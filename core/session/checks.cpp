@@ -1,5 +1,6 @@
 #include "core/session/checks.h"
 
+#include "core/assembly/found_joint.h"
 #include "core/base/tolerances.h"
 #include "core/session/gap.h"
 #include "core/session/narrow_slits.h"
@@ -266,13 +267,13 @@ void addSize(const Analysis &analysis, const LayoutOptions &options, const Check
 
 // --- joints
 
-void addJoints(const Analysis &analysis, std::vector<Check> &all)
+void addJoints(const Analysis &analysis, const CheckRules &rules, std::vector<Check> &all)
 {
     const Model &model = analysis.model;
     for (const Joint &joint : analysis.assembly.joints) {
         const Crossing &crossing = *joint.crossing;
         const bool collides = joint.kind == JointKind::None;
-        if (!collides && !(crossing.angle < kShallowAngle))
+        if (!collides && !(crossing.angle < rules.shallowAngle))
             continue;
         const auto longest = std::max_element(
             crossing.overlaps.begin(), crossing.overlaps.end(),
@@ -283,6 +284,9 @@ void addJoints(const Analysis &analysis, std::vector<Check> &all)
         check.at = crossing.axis.at(0.5 * (longest->from + longest->to));
         check.distance = longest->to - longest->from;
         check.angle = crossing.angle;
+        check.leastAngle = rules.shallowAngle;
+        if (collides)
+            check.noSlit = whyNoSlit(model, joint);
         all.push_back(std::move(check));
     }
     for (std::size_t i = 0; i < model.sectionCount(); ++i) {
@@ -326,6 +330,7 @@ CheckSubject subjectOf(CheckCode code)
     case CheckCode::NoSlit:
     case CheckCode::Interference:
     case CheckCode::ShallowAngle:
+    case CheckCode::Cycle:
     case CheckCode::SlitsMeet:
     case CheckCode::ThinWeb:
     case CheckCode::NarrowSlit:
@@ -350,14 +355,15 @@ Stability stabilityOf(const Analysis &analysis, const std::vector<int> &sections
     return stabilityOf(analysis, sections, loadedMass(analysis, sections), caches);
 }
 
-std::vector<Check> checks(const Analysis &analysis, const LayoutOptions &layout)
+std::vector<Check> checks(const Analysis &analysis, const LayoutOptions &layout,
+                          const CheckRules &rules)
 {
     CheckCaches caches;
-    return checks(analysis, caches, layout);
+    return checks(analysis, caches, layout, rules);
 }
 
 std::vector<Check> checks(const Analysis &analysis, CheckCaches &caches,
-                          const LayoutOptions &layout)
+                          const LayoutOptions &layout, const CheckRules &rules)
 {
     std::vector<Check> all;
     const std::size_t count = analysis.model.sectionCount();
@@ -372,7 +378,7 @@ std::vector<Check> checks(const Analysis &analysis, CheckCaches &caches,
     mass.mass = massOf(analysis.model, analysis.cuts);
     mass.at = mass.mass.centre;
     all.push_back(std::move(mass));
-    addJoints(analysis, all);
+    addJoints(analysis, rules, all);
     std::vector<Check> narrow = narrowSlits(analysis);
     std::move(narrow.begin(), narrow.end(), std::back_inserter(all));
     return all;

@@ -3,9 +3,11 @@
 // in check_text.h.
 #pragma once
 
+#include "core/assembly/slits.h"
 #include "core/fabrication/summary.h"
 #include "core/session/check_caches.h"
 
+#include <chrono>
 #include <optional>
 #include <vector>
 
@@ -35,13 +37,14 @@ enum class CheckCode {
     // subject Joints; only when there is something to say
     NoSlit,       // two sections cut into each other, but no slit lets them slide together
     Interference, // two sections cut into each other where no joint is (plan_checks.h)
-    ShallowAngle, // two sections meet at less than kShallowAngle, or, as an error, at less than
+    ShallowAngle, // two sections meet at less than that (CheckRules), or, as an error, at less than
                   // any joint takes (kMinJointAngle)
-    SlitsMeet,    // two slits of a section run into each other (plan_checks.h)
-    ThinWeb,      // less than the stock's thickness stays beside a slit (plan_checks.h)
-    NarrowSlit,   // narrower than the tool that is to cut it (narrow_slits.h)
-    Divided,      // its slits divide a section into several parts
-    NothingLeft,  // its slits leave nothing of a section
+    Cycle,       // sections form rings of joints that slide in different directions (plan_checks.h)
+    SlitsMeet,   // two slits of a section run into each other (plan_checks.h)
+    ThinWeb,     // less than the stock's thickness stays beside a slit (plan_checks.h)
+    NarrowSlit,  // narrower than the tool that is to cut it (narrow_slits.h)
+    Divided,     // its slits divide a section into several parts
+    NothingLeft, // its slits leave nothing of a section
 };
 
 /// A badge speaks about a subject; its severity is the worst of that subject's checks.
@@ -75,23 +78,31 @@ struct Check
                               // NarrowSlit: its width
     double tool = 0.0;        // NarrowSlit: the tool's diameter, mm
     double angle = 0.0;       // ShallowAngle: radians
+    double leastAngle = 0.0;  // ShallowAngle: below which it is said, radians
     Vec2 size = Vec2::Zero(); // TooLarge: the part as designed, its longer side first, mm
     Vec2 sheet = Vec2::Zero(); // FitsSheet (one stock only), TooLarge: the sheet's size, mm
     int sectionCount = 0;      // Connected: all; Stands: those that stand
-    int count = 0;       // Connected: joints; FitsSheet: sheets; Divided: parts; TooLarge: parts
-                         // of that section that do not fit; CanAssemble: steps; CannotAssemble:
-                         // joints of those that block each other; Interference: joints of the two;
-                         // ThinWeb: holes that it is beside, 0 or 1
-    int directions = 0;  // CannotAssemble: in which those joints slide
-    double share = 0.0;  // FitsSheet: of the sheets' area that parts cover, 0 … 1
+    int count = 0; // Connected: joints; FitsSheet: sheets; Divided: parts; TooLarge: parts
+                   // of that section that do not fit; CanAssemble: steps; CannotAssemble:
+                   // joints of those that block each other; Interference: joints of the two;
+                   // ThinWeb: holes that it is beside, 0 or 1
+    NoSlit noSlit = NoSlit::Enclosed; // NoSlit: why
+    int directions = 0;               // CannotAssemble: in which those joints slide
+    double share = 0.0;               // FitsSheet: of the sheets' area that parts cover, 0 … 1
     MassProperties mass; // Mass: kg, and its centre; Stability: of what stands or falls
 };
 
 /// Tilted by less than this, something that stands ought not to fall: 10°, as for household
 /// equipment (IEC 62368-1, stability). Radians.
 inline constexpr double kSteadyTilt = 0.17453292519943295;
-/// Slits get wide below this: 30°, in radians.
-inline constexpr double kShallowAngle = 0.52359877559829887;
+/// What a person wants of the checks.
+struct CheckRules
+{
+    double shallowAngle = 0.52359877559829887; // radians, 30°: slits get wide below this
+    std::chrono::milliseconds planningTime{1000};
+
+    bool operator==(const CheckRules &) const = default;
+};
 
 CheckSubject subjectOf(CheckCode code);
 
@@ -102,11 +113,12 @@ CheckSubject subjectOf(CheckCode code);
 /// without sections.
 ///
 /// Deterministic. Costs what a layout does; for a worker, not for the window's thread.
-std::vector<Check> checks(const Analysis &analysis, const LayoutOptions &layout = {});
+std::vector<Check> checks(const Analysis &analysis, const LayoutOptions &layout = {},
+                          const CheckRules &rules = {});
 
 /// As from scratch, with any caches.
 std::vector<Check> checks(const Analysis &analysis, CheckCaches &caches,
-                          const LayoutOptions &layout = {});
+                          const LayoutOptions &layout = {}, const CheckRules &rules = {});
 
 /// The worst of a subject, nothing when it has none.
 std::optional<CheckSeverity> worst(const std::vector<Check> &checks, CheckSubject subject);

@@ -1,5 +1,6 @@
 #include "core/session/plan_checks.h"
 
+#include "core/assembly/cycles.h"
 #include "core/base/tolerances.h"
 
 #include <algorithm>
@@ -99,6 +100,31 @@ Check verdict(const Analysis &analysis, const ModelPlan &plan)
     return check;
 }
 
+/// A hint, whatever planning finds: the paper's sign of what cannot be put together. Not where the
+/// verdict speaks of the same sections.
+void addCycles(const Analysis &analysis, const ModelPlan &plan, std::vector<Check> &all)
+{
+    const auto cycles = cyclesOf(analysis.model.sectionCount(), analysis.assembly.joints);
+    std::set<int> sections;
+    for (const std::vector<int> &cycle : cycles)
+        sections.insert(cycle.begin(), cycle.end());
+    const std::vector<int> locked = sectionsOf(plan.plan.locked, plan);
+    if (std::includes(locked.begin(), locked.end(), sections.begin(), sections.end()))
+        return;
+    Check check;
+    check.code = CheckCode::Cycle;
+    check.severity = CheckSeverity::Note;
+    check.sections = refsOf(
+        analysis.model,
+        cycles.size() == 1 ? cycles.front() : std::vector<int>(sections.begin(), sections.end()));
+    check.count = static_cast<int>(cycles.size());
+    const std::vector<int> &first = cycles.front();
+    if (const Joint *joint = analysis.assembly.joints.find(std::min(first[0], first[1]),
+                                                           std::max(first[0], first[1])))
+        check.at = placeOf(*joint);
+    all.push_back(std::move(check));
+}
+
 /// Between the planes of two sections, 0 … π/2.
 double angleBetween(const Model &model, const std::pair<int, int> &sections)
 {
@@ -193,6 +219,7 @@ std::vector<Check> planChecks(const Analysis &analysis, const ModelPlan &plan, W
         check.count = joint ? 1 : 0;
         all.push_back(std::move(check));
     }
+    addCycles(analysis, plan, all);
     for (std::size_t i = 0; i < caches.sections.size(); ++i)
         addWebs(analysis, i, caches.sections[i].webs, all);
     return all;

@@ -22,8 +22,8 @@ struct WebCaches
     std::vector<OfSection> sections; // by index in the model
 };
 
-/// Whether it can be assembled, which sections are in each other without a slit between them, and
-/// where slits leave too little; the verdict first, the others in the order of the sections.
+/// Whether it can be assembled, which sections are in each other without a slit between them, which
+/// form rings, and where slits leave too little; the verdict first, the others in the order of the sections.
 /// Nothing for a model without parts.
 std::vector<Check> planChecks(const Analysis &analysis, const ModelPlan &plan);
 /// The same, with any caches.

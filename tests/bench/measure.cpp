@@ -6,7 +6,9 @@
 #include "core/io/svg_writer.h"
 #include "core/model/edits.h"
 #include "core/operations/evaluate.h"
+#include "core/session/checks.h"
 #include "core/session/cutting_file.h"
+#include "core/session/plan_checks.h"
 #include "tests/bench/counted_memory.h"
 #include "tests/bench/stopwatch.h"
 
@@ -105,6 +107,48 @@ void measureEdits(const ModelPointer &committed, SectionId id, AnalysisCaches &c
     }
 }
 
+/// Everything that is said of a model.
+class Verdicts
+{
+public:
+    void check(const Analysis &analysis) { checks(analysis, m_checks); }
+    void plan(const Analysis &analysis)
+    {
+        planChecks(analysis, planOf(analysis, m_plans, timeLimit(kPlanningTime)), m_webs);
+    }
+
+private:
+    CheckCaches m_checks;
+    PlanCaches m_plans;
+    WebCaches m_webs;
+};
+
+void measureVerdicts(const ModelPointer &model, SectionId id, AnalysisCaches &caches, Timings &t)
+{
+    AnalysisPointer analysis = analyseNext(*model, caches);
+    prepareDrawing(*analysis);
+    Verdicts verdicts;
+    timed(t.check, [&] {
+        verdicts.check(*analysis);
+        return 0;
+    });
+    timed(t.plan, [&] {
+        verdicts.plan(*analysis);
+        return 0;
+    });
+    std::vector<double> again;
+    for (int i = 1; i <= 3; ++i) {
+        analysis = analyseNext(*modelOf(moved(model->document, id, i * kDragStep)), caches);
+        prepareDrawing(*analysis);
+        timed(again.emplace_back(), [&] {
+            verdicts.check(*analysis);
+            verdicts.plan(*analysis);
+            return 0;
+        });
+    }
+    t.again = median(std::move(again));
+}
+
 double drawingTime(const Analysis &analysis)
 {
     std::vector<Part> parts = makeParts(analysis.model, analysis.assembly, analysis.cuts);
@@ -151,7 +195,6 @@ Result<Measurement> measure(const std::string &name, const QString &path, int ru
         if (!file)
             return tl::unexpected(file.error());
         t.drawing = drawingTime(analysis);
-        all.push_back(t);
 
         const std::vector<int> counts = jointCounts(analysis);
         const int index = edited >= 0 ? edited : middleSection(counts);
@@ -161,6 +204,8 @@ Result<Measurement> measure(const std::string &name, const QString &path, int ru
         const SectionId id = model->section(static_cast<std::size_t>(index))->id;
         result.step = memoryOfStep(model, id);
         measureEdits(model, id, caches, offset, edits);
+        measureVerdicts(model, id, caches, t);
+        all.push_back(t);
         points.push_back(worstPointEvent(model));
     }
     const auto middle = [&](double Timings::*field) {
@@ -169,8 +214,9 @@ Result<Measurement> measure(const std::string &name, const QString &path, int ru
             values.push_back(t.*field);
         return median(std::move(values));
     };
-    for (double Timings::*field : {&Timings::load, &Timings::evaluate, &Timings::slits,
-                                   &Timings::parts, &Timings::svg, &Timings::drawing})
+    for (double Timings::*field :
+         {&Timings::load, &Timings::evaluate, &Timings::slits, &Timings::parts, &Timings::svg,
+          &Timings::drawing, &Timings::check, &Timings::plan, &Timings::again})
         result.milliseconds.*field = middle(field);
     result.milliseconds.drag = median(edits.drag);
     result.milliseconds.edit = median(edits.edit);

@@ -8,6 +8,7 @@
 
 #include <QString>
 
+#include <chrono>
 #include <cstdint>
 #include <string>
 
@@ -27,7 +28,13 @@ struct Timings
     double edit = 0.0;     // the same with all joints, slits, cuts and triangles that follow
     double undo = 0.0;     // back, with all of that
     double point = 0.0;    // the worst move of a control point, with all that follows
+    double check = 0.0;    // all checks but planning, nothing known from before
+    double plan = 0.0;  // the plan of the assembly, and what is said of it; kPlanningTime at most
+    double again = 0.0; // both after an edit, with what is known from before
 };
+
+/// As the window has it.
+inline constexpr std::chrono::milliseconds kPlanningTime(1000);
 
 /// Bytes that one more undo step keeps, by counting, and what they should be: 16 a section and a
 /// stock (the lists of pointers), the changed section, and the model they are in.

@@ -18,7 +18,7 @@ struct Column
     double Timings::*field;
 };
 
-constexpr std::array<Column, 10> kColumns{{{"load", &Timings::load},
+constexpr std::array<Column, 13> kColumns{{{"load", &Timings::load},
                                            {"evaluate", &Timings::evaluate},
                                            {"slits", &Timings::slits},
                                            {"parts", &Timings::parts},
@@ -27,7 +27,10 @@ constexpr std::array<Column, 10> kColumns{{{"load", &Timings::load},
                                            {"drag", &Timings::drag},
                                            {"edit", &Timings::edit},
                                            {"undo", &Timings::undo},
-                                           {"point", &Timings::point}}};
+                                           {"point", &Timings::point},
+                                           {"check", &Timings::check},
+                                           {"plan", &Timings::plan},
+                                           {"again", &Timings::again}}};
 
 /// Ours over the peer's, both in kernels.
 struct Ratio

@@ -18,6 +18,7 @@
 #include <QStackedWidget>
 #include <QVBoxLayout>
 
+#include <cmath>
 #include <functional>
 
 namespace fff::ui {
@@ -121,6 +122,7 @@ SettingsDialog::SettingsDialog(const QList<ListedAction> &actions, QWidget *pare
     m_pages = new QStackedWidget(this);
     addPage(tr("General"), QStringLiteral("settings"), makeGeneral());
     addPage(tr("View"), QStringLiteral("eye"), makeView());
+    addPage(tr("Checks"), QStringLiteral("check"), makeChecks());
     addPage(tr("Files"), QStringLiteral("save"), makeFiles());
     addPage(tr("Keyboard"), QStringLiteral("keyboard"), new ShortcutEditor(actions));
     m_groups->setFixedWidth(
@@ -234,6 +236,31 @@ QWidget *SettingsDialog::makeView()
                  static_cast<int>(settings().motion()),
                  [](int index) { settings().setMotion(static_cast<Motion>(index)); });
     form->note(tr("With as little as possible, the view jumps instead of turning."));
+    return form;
+}
+
+QWidget *SettingsDialog::makeChecks()
+{
+    auto *form = new Form;
+    NumberEdit::Range range;
+    range.least = Settings::kMinShallowAngle;
+    range.most = Settings::kMaxShallowAngle;
+    range.step = 1;
+    range.digits = range.mostDigits = 0;
+    form->number("settingsShallowAngle", tr("Warn of angles below"), range, tr("°"),
+                 settings().shallowAngle(),
+                 [](double value) { settings().setShallowAngle(static_cast<int>(value)); });
+    form->note(tr("The flatter two sections meet, the wider their slits have to be."));
+    range.least = 0.001 * Settings::kMinPlanningTime;
+    range.most = 0.001 * Settings::kMaxPlanningTime;
+    range.step = 0.5;
+    range.digits = range.mostDigits = 1;
+    form->number("settingsPlanningTime", tr("Look for an order of assembly for"), range, tr("s"),
+                 0.001 * settings().planningTime(), [](double value) {
+                     settings().setPlanningTime(static_cast<int>(std::lround(1000.0 * value)));
+                 });
+    form->note(tr("In the background, after each change. Give it more time where the checks say "
+                  "that they found no order."));
     return form;
 }
 

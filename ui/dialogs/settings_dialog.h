@@ -15,7 +15,7 @@ class SettingsDialog : public QDialog
 {
     Q_OBJECT
 public:
-    enum class Page { General, View, Files, Keyboard };
+    enum class Page { General, View, Checks, Files, Keyboard };
 
     /// actions  those that the page of the shortcuts lists
     SettingsDialog(const QList<ListedAction> &actions, QWidget *parent);
@@ -26,6 +26,7 @@ private:
     void addPage(const QString &name, const QString &icon, QWidget *content);
     QWidget *makeGeneral();
     QWidget *makeView();
+    QWidget *makeChecks();
     QWidget *makeFiles();
 
     QListWidget *m_groups = nullptr;

@@ -218,6 +218,11 @@ QString JointPage::slitsText(int section, const std::vector<Slit> &slits) const
             lines += tr("closed, %1 long, %2 wide").arg(lengthText(length, 1, 1, locale()), width);
             continue;
         }
+        if (slit.overlap < 0) { // beside the axis
+            const double length = (slit.mouth - slit.inner).norm();
+            lines += tr("%1 deep, %2 wide").arg(lengthText(length, 1, 1, locale()), width);
+            continue;
+        }
         const Overlap &o = m_state->crossing.overlaps[static_cast<std::size_t>(slit.overlap)];
         // The crossing has intervals in the order of the model.
         const Interval &interval = isA == (m_state->a < m_state->b) ? o.a : o.b;

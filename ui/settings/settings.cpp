@@ -24,6 +24,8 @@ const QString kTurnTime = QStringLiteral("view/turnTime");
 const QString kMotion = QStringLiteral("view/motion");
 const QString kTurnAngle = QStringLiteral("drawing/turnAngle");
 const QString kNavigation = QStringLiteral("view/navigation");
+const QString kShallow = QStringLiteral("checks/shallowAngle");
+const QString kPlanning = QStringLiteral("checks/planningTime");
 const QString kAutosave = QStringLiteral("files/autosaveInterval");
 const QString kBackup = QStringLiteral("files/backup");
 const QString kRecent = QStringLiteral("files/recent");
@@ -31,9 +33,11 @@ const QString kShortcuts = QStringLiteral("shortcuts");
 const QString kGeometry = QStringLiteral("window/geometry");
 const QString kState = QStringLiteral("window/state");
 
-constexpr int kTurnTimeDefault = 800; // ms
-constexpr int kTurnAngleDefault = 90; // degrees
-constexpr int kAutosaveDefault = 10;  // s
+constexpr int kTurnTimeDefault = 800;  // ms
+constexpr int kTurnAngleDefault = 90;  // degrees
+constexpr int kShallowDefault = 30;    // degrees
+constexpr int kPlanningDefault = 1000; // ms
+constexpr int kAutosaveDefault = 10;   // s
 
 template <class Value>
 using Words = std::initializer_list<std::pair<Value, const char *>>;
@@ -279,6 +283,34 @@ void Settings::setNavigation(NavigationPreset preset)
         return;
     store(kNavigation, wordOf(preset, kNavigations));
     Q_EMIT drawingChanged();
+}
+
+int Settings::shallowAngle() const
+{
+    return numberOf(m_store.value(kShallow), kMinShallowAngle, kMaxShallowAngle, kShallowDefault);
+}
+
+void Settings::setShallowAngle(int degrees)
+{
+    degrees = std::clamp(degrees, kMinShallowAngle, kMaxShallowAngle);
+    if (degrees == shallowAngle())
+        return;
+    store(kShallow, degrees);
+    Q_EMIT checksChanged();
+}
+
+int Settings::planningTime() const
+{
+    return numberOf(m_store.value(kPlanning), kMinPlanningTime, kMaxPlanningTime, kPlanningDefault);
+}
+
+void Settings::setPlanningTime(int milliseconds)
+{
+    milliseconds = std::clamp(milliseconds, kMinPlanningTime, kMaxPlanningTime);
+    if (milliseconds == planningTime())
+        return;
+    store(kPlanning, milliseconds);
+    Q_EMIT checksChanged();
 }
 
 int Settings::autosaveInterval() const

@@ -75,6 +75,14 @@ public:
     NavigationPreset navigation() const;
     void setNavigation(NavigationPreset preset);
 
+    // Checks
+    static constexpr int kMinShallowAngle = 10, kMaxShallowAngle = 60; // degrees
+    int shallowAngle() const; // at which sections meet, below it is said; degrees
+    void setShallowAngle(int degrees);
+    static constexpr int kMinPlanningTime = 100, kMaxPlanningTime = 60000; // ms
+    int planningTime() const; // that an order of assembly is looked for; ms
+    void setPlanningTime(int milliseconds);
+
     // Files
     static constexpr int kMinAutosaveInterval = 5, kMaxAutosaveInterval = 30; // s
     int autosaveInterval() const;                                             // s
@@ -111,6 +119,7 @@ Q_SIGNALS:
     void startPageChanged();
     void viewChanged();     // turn time, motion
     void drawingChanged();  // all of Drawing
+    void checksChanged();   // all of Checks
     void autosaveChanged(); // interval, backup
     void recentFilesChanged();
     void shortcutsChanged();

@@ -1,8 +1,9 @@
 #include <QTest> // first: moc cannot read some of the standard library before it
 
+#include "core/base/units.h"
 #include "core/session/check_list.h"
 #include "core/session/session.h"
-#include "tests/core/assembly/plates.h"
+#include "tests/core/assembly/known_models.h"
 
 using namespace fff;
 using namespace fff::test;
@@ -14,6 +15,7 @@ class TestCheckList : public QObject
 private Q_SLOTS:
     void theyAreOfTheModelThatIsShown();
     void whatIsLateSaysNothingOfAnEmptyModel();
+    void rulesAreFollowedAtOnce();
 };
 
 // Wrong: a person cuts by the verdicts on another model.
@@ -45,6 +47,32 @@ void TestCheckList::whatIsLateSaysNothingOfAnEmptyModel()
     list.finish();
     QVERIFY(list.all().empty());
     QCOMPARE(list.model().sectionCount(), std::size_t(0));
+}
+
+// Wrong: a setting that does nothing until the next edit, or never.
+void TestCheckList::rulesAreFollowedAtOnce()
+{
+    Session session;
+    CheckList list(session);
+    const ShapePointer plate = polygonShape(rectangle(-30, 0, 30, 40));
+    session.commit(QStringLiteral("Draw"), withSection(withSection(newDocument(), plate, front()),
+                                                       plate, turned(radians(40.0))));
+    session.currentAnalysis();
+    const auto severityOf = [&list](CheckCode code) -> std::optional<CheckSeverity> {
+        list.finish();
+        for (const Check &check : list.all())
+            if (check.code == code)
+                return check.severity;
+        return {};
+    };
+    QVERIFY(!severityOf(CheckCode::ShallowAngle));
+    list.setRules({radians(45.0), std::chrono::milliseconds(0)});
+    QCOMPARE(severityOf(CheckCode::ShallowAngle), CheckSeverity::Warning);
+    QCOMPARE(severityOf(CheckCode::OrderUnknown), CheckSeverity::Unknown);
+    QCOMPARE(list.age(), CheckList::Age::Current);
+    list.setRules({});
+    QVERIFY(!severityOf(CheckCode::ShallowAngle));
+    QCOMPARE(severityOf(CheckCode::CanAssemble), CheckSeverity::Good);
 }
 
 QTEST_GUILESS_MAIN(TestCheckList)

@@ -2,6 +2,7 @@
 // right-angled crossings of single stretches. If one of these fails, so does ours.
 #include <QTest> // first: moc cannot read some of the standard library before it
 
+#include "core/assembly/found_joint.h"
 #include "core/base/units.h"
 #include "tests/core/assembly/plan_replay.h"
 #include "tests/core/assembly/plates.h"
@@ -55,6 +56,8 @@ class TestHardCrossings : public QObject
 private Q_SLOTS:
     void fit_data();
     void fit();
+    void whatCannotSlideSaysWhy_data();
+    void whatCannotSlideSaysWhy();
 };
 
 void TestHardCrossings::fit_data()
@@ -146,6 +149,57 @@ void TestHardCrossings::fit()
     const Slide slide = slidesOf(analysis, plan.parts).front();
     if (analysis.assembly.joints.front().crossing->angle > radians(89.0))
         QVERIFY(areInEachOther(plates[0], plates[1], -2e-3 * slide.direction, 0.4e-3));
+}
+
+void TestHardCrossings::whatCannotSlideSaysWhy_data()
+{
+    QTest::addColumn<Document>("document");
+    QTest::addColumn<int>("why");
+    const auto add = [](const char *name, const ShapePointer &a, const ShapePointer &b, NoSlit why,
+                        double clearance = 0.0) {
+        Document document = withSection(withSection(newDocument(), a, front()), b, side());
+        Stock thin = birchPlywood();
+        thin.thickness = 0.5;
+        document = *addStock(std::move(document), thin);
+        document = *setSectionStock(document, document.sections[1]->id, document.stocks[1]->id);
+        Stock stock = *document.stocks.front();
+        stock.clearance = clearance;
+        QTest::newRow(name) << *setStock(std::move(document), stock) << static_cast<int>(why);
+    };
+    const ShapePointer plate = polygonShape(rectangle(-40, -40, 40, 40));
+    add("a clearance that presses by more than the other's thickness", plate, plate,
+        NoSlit::NoWidth, -0.75);
+    add("a bar between windows that would go up here and down there",
+        polygonShape(rectangle(-40, -40, 40, 40), {rectangle(-20, -20, 20, 20)}),
+        polygonShape(rectangle(-40, -60, 40, 60),
+                     {rectangle(-20, -45, 20, -30), rectangle(-20, 30, 20, 45)}),
+        NoSlit::OppositeWays);
+    add("bars between windows of both",
+        polygonShape(rectangle(-40, -40, 40, 60),
+                     {rectangle(-20, -20, 20, 0), rectangle(-20, 10, 20, 30)}),
+        polygonShape(rectangle(-15, -8, 15, 28),
+                     {rectangle(-10, -5, 10, 5), rectangle(-10, 15, 10, 25)}),
+        NoSlit::Enclosed);
+}
+
+/// What would be wrong: "no slit" without a word of what to do about it, or with the wrong one.
+void TestHardCrossings::whatCannotSlideSaysWhy()
+{
+    QFETCH(Document, document);
+    QFETCH(int, why);
+    const Model model = evaluate(document);
+    const Assembly assembly = assemble(model);
+    QCOMPARE(assembly.joints.size(), std::size_t(1));
+    QCOMPARE(static_cast<int>(assembly.joints.front().kind), static_cast<int>(JointKind::None));
+    QCOMPARE(static_cast<int>(whyNoSlit(model, assembly.joints.front())), why);
+    // Unless it is wanted to be so.
+    JointOverride wanted;
+    wanted.a = model.ref(0);
+    wanted.b = model.ref(1);
+    wanted.kind = JointKind::None;
+    const Model apart = evaluate(*setJointOverride(document, wanted));
+    QCOMPARE(static_cast<int>(whyNoSlit(apart, assemble(apart).joints.front())),
+             static_cast<int>(NoSlit::Wanted));
 }
 
 QTEST_APPLESS_MAIN(TestHardCrossings)

@@ -42,6 +42,7 @@ private Q_SLOTS:
     void anAngleThatNoSlitTakesIsAnError();
     void websAreMeasured();
     void whatIsKnownFromBeforeChangesNothing();
+    void ringsAreNamed();
     void aModelWithoutPartsHasNoVerdict();
 };
 
@@ -160,6 +161,36 @@ void TestPlanChecks::whatIsKnownFromBeforeChangesNothing()
             QCOMPARE(kept[i].distance, anew[i].distance);
         }
     }
+}
+
+/// What would be wrong: rings that nobody sees, or a crate, which slides one way, full of them.
+void TestPlanChecks::ringsAreNamed()
+{
+    const auto cyclesSaid = [](const Document &document) {
+        const Said said = saidOf(document);
+        QStringList found;
+        for (std::size_t i = 0; i < said.checks.size(); ++i)
+            if (said.checks[i].code == CheckCode::Cycle)
+                found += said.sentences[static_cast<qsizetype>(i)];
+        return found;
+    };
+    QVERIFY(cyclesSaid(triangle()).isEmpty()); // the verdict is about the same sections
+    QVERIFY(cyclesSaid(eggCrate(3, 3)).isEmpty());
+    QVERIFY(cyclesSaid(chain(5)).isEmpty());
+    // A lid on two pairs of neighbouring strips closes rings with them.
+    Document lid = eggCrate(2, 1);
+    lid = withSection(std::move(lid), polygonShape(rectangle(0, 0, 70, 70)),
+                      {{-10, 20, 10}, Vec3::UnitX(), -Vec3::UnitZ()});
+    QCOMPARE(cyclesSaid(lid).size(), 1);
+    QVERIFY(cyclesSaid(lid).front().contains(QStringLiteral("rings of sections")));
+    Check ring;
+    ring.code = CheckCode::Cycle;
+    ring.count = 1;
+    const Model model = evaluate(triangle());
+    ring.sections = {model.ref(0), model.ref(1), model.ref(2)};
+    QCOMPARE(checkText(ring, model),
+             QStringLiteral("Section 1, Section 2 and Section 3 form a ring of joints that slide "
+                            "in different directions."));
 }
 
 /// What would be wrong: "Can be assembled" over an empty view.

@@ -42,6 +42,8 @@ void TestSettings::defaultsAreThoseOfTheManual()
     QCOMPARE(settings.language(), QString());
     QVERIFY(settings.showsStartPage());
     QCOMPARE(settings.turnTime(), 800);
+    QCOMPARE(settings.shallowAngle(), 30);
+    QCOMPARE(settings.planningTime(), 1000);
     QCOMPARE(settings.autosaveInterval(), 10);
     QVERIFY(settings.keepsBackup());
     QVERIFY(settings.recentFiles().isEmpty());
@@ -58,6 +60,8 @@ void TestSettings::whatIsSetIsThereAtTheNextStart()
         settings.setShowsStartPage(false);
         settings.setTurnTime(250);
         settings.setMotion(Motion::Reduced);
+        settings.setShallowAngle(45);
+        settings.setPlanningTime(5000);
         settings.setAutosaveInterval(20);
         settings.setKeepsBackup(false);
         settings.setWindowGeometry(QByteArray("\0\1\xff,;=", 6));
@@ -68,6 +72,8 @@ void TestSettings::whatIsSetIsThereAtTheNextStart()
     QCOMPARE(next.colourScheme(), ColourScheme::Dark);
     QCOMPARE(next.language(), QStringLiteral("de"));
     QVERIFY(!next.showsStartPage());
+    QCOMPARE(next.shallowAngle(), 45);
+    QCOMPARE(next.planningTime(), 5000);
     QCOMPARE(next.turnTime(), 250);
     QVERIFY(next.reducesMotion());
     QCOMPARE(next.animationTime(400), 0);

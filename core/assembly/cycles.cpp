@@ -1,0 +1,120 @@
+#include "core/assembly/cycles.h"
+
+#include <algorithm>
+#include <set>
+
+namespace fff {
+
+namespace {
+
+/// Axes that differ by less are parallel, 0.1°: a slit has more play. Of unit vectors.
+constexpr double kParallelAxes = 1.7e-3;
+
+bool areParallel(const Joint &a, const Joint &b)
+{
+    return a.crossing->axis.direction.cross(b.crossing->axis.direction).norm() < kParallelAxes;
+}
+
+/// Looks for rings through one joint after the other.
+class Rings
+{
+public:
+    Rings(std::size_t sectionCount, const JointList &joints) : m_edges(sectionCount)
+    {
+        for (const Joint &joint : joints) {
+            if (joint.kind == JointKind::None)
+                continue;
+            m_edges[static_cast<std::size_t>(joint.a)].push_back({joint.b, &joint});
+            m_edges[static_cast<std::size_t>(joint.b)].push_back({joint.a, &joint});
+        }
+        m_from.resize(2 * sectionCount);
+    }
+
+    /// From one of its sections to the other without it, as few joints as possible, with an axis
+    /// that is not parallel to the joint's among them; empty when there is no such way.
+    std::vector<int> through(const Joint &joint)
+    {
+        constexpr int kUnseen = -1;
+        std::fill(m_from.begin(), m_from.end(), kUnseen);
+        // A section is passed once before and once after the first axis of another direction.
+        const auto state = [](int section, bool isOther) {
+            return 2 * section + (isOther ? 1 : 0);
+        };
+        std::vector<int> open{state(joint.a, false)};
+        m_from[static_cast<std::size_t>(open.front())] = open.front();
+        const int goal = state(joint.b, true);
+        for (std::size_t next = 0; next < open.size(); ++next) {
+            const int here = open[next];
+            if (here == goal)
+                return ringTo(goal);
+            for (const Edge &edge : m_edges[static_cast<std::size_t>(here / 2)]) {
+                if (edge.joint == &joint)
+                    continue;
+                const int there = state(edge.to, here % 2 == 1 || !areParallel(*edge.joint, joint));
+                int &from = m_from[static_cast<std::size_t>(there)];
+                if (from == kUnseen) {
+                    from = here;
+                    open.push_back(there);
+                }
+            }
+        }
+        return {};
+    }
+
+private:
+    struct Edge
+    {
+        int to;
+        const Joint *joint;
+    };
+
+    /// Empty when a section is in it twice.
+    std::vector<int> ringTo(int goal) const
+    {
+        std::vector<int> ring{goal / 2};
+        for (int at = goal; m_from[static_cast<std::size_t>(at)] != at;) {
+            at = m_from[static_cast<std::size_t>(at)];
+            ring.push_back(at / 2);
+        }
+        const std::set<int> sections(ring.begin(), ring.end());
+        return sections.size() == ring.size() ? ring : std::vector<int>();
+    }
+
+    std::vector<std::vector<Edge>> m_edges; // of each section
+    std::vector<int> m_from;                // of each state the one before it
+};
+
+/// Beginning with the lowest section, on to the lower one of its neighbours.
+std::vector<int> inOrder(std::vector<int> ring)
+{
+    std::rotate(ring.begin(), std::min_element(ring.begin(), ring.end()), ring.end());
+    if (ring.back() < ring[1])
+        std::reverse(ring.begin() + 1, ring.end());
+    return ring;
+}
+
+} // namespace
+
+std::vector<std::vector<int>> cyclesOf(std::size_t sectionCount, const JointList &joints)
+{
+    const bool areAllParallel =
+        joints.empty() || std::all_of(joints.begin(), joints.end(), [&](const Joint &joint) {
+            return areParallel(joint, joints.front());
+        });
+    if (areAllParallel)
+        return {};
+    Rings rings(sectionCount, joints);
+    std::set<std::vector<int>> found;
+    for (const Joint &joint : joints) {
+        if (joint.kind == JointKind::None)
+            continue;
+        if (std::vector<int> ring = rings.through(joint); !ring.empty())
+            found.insert(inOrder(std::move(ring)));
+    }
+    std::vector<std::vector<int>> all(found.begin(), found.end());
+    std::stable_sort(all.begin(), all.end(),
+                     [](const auto &a, const auto &b) { return a.size() < b.size(); });
+    return all;
+}
+
+} // namespace fff
