@@ -261,10 +261,6 @@
         <translation>Passt auf die Platte. %1 von %2, %3 % genutzt.</translation>
     </message>
     <message>
-        <source>%1 and %2 cut into each other, %3 long, but no slit lets them slide together.</source>
-        <translation>%1 und %2 durchdringen sich auf %3, aber kein Schlitz lässt sie zusammenstecken.</translation>
-    </message>
-    <message>
         <source>%1 meets %2 at %3; slits get wide below %4.</source>
         <translation>%1 trifft %2 mit %3; unter %4 werden Schlitze breit.</translation>
     </message>
@@ -425,6 +421,41 @@
     <message>
         <source>Slit narrower than the tool</source>
         <translation>Schlitz schmaler als das Werkzeug</translation>
+    </message>
+    <message>
+        <source>Their joint is set to have none.</source>
+        <translation>Ihre Verbindung ist so eingestellt, dass sie keinen hat.</translation>
+    </message>
+    <message>
+        <source>The negative clearance leaves it no width: make the clearance larger.</source>
+        <translation>Das negative Spiel lässt ihm keine Breite: Vergrößern Sie das Spiel.</translation>
+    </message>
+    <message>
+        <source>Where they meet here they could only slide one way, there only the other way: shorten one of them.</source>
+        <translation>An der einen Stelle könnten sie nur in eine Richtung gleiten, an der anderen nur in die andere: Kürzen Sie eine von beiden.</translation>
+    </message>
+    <message>
+        <source>None of them reaches the edge: open a hole to the outside, or let one of them pass through.</source>
+        <translation>Keiner erreicht den Rand: Öffnen Sie ein Loch nach außen, oder lassen Sie eine der beiden hindurchgehen.</translation>
+    </message>
+    <message>
+        <source>%1 and %2 cut into each other, %3 long, but no slit lets them slide together. %4</source>
+        <translation>%1 und %2 schneiden sich auf %3 Länge, aber kein Schlitz lässt sie zusammengleiten. %4</translation>
+    </message>
+    <message>
+        <source>%1 form a ring of joints that slide in different directions.</source>
+        <translation>%1 bilden einen Ring aus Verbindungen, die in verschiedene Richtungen gleiten.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n rings of sections have joints that slide in different directions.</source>
+        <translation>
+            <numerusform>%n Ring aus Scheiben hat Verbindungen, die in verschiedene Richtungen gleiten.</numerusform>
+            <numerusform>%n Ringe aus Scheiben haben Verbindungen, die in verschiedene Richtungen gleiten.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Rings of joints</source>
+        <translation>Ringe aus Verbindungen</translation>
     </message>
 </context>
 <context>
@@ -4086,6 +4117,26 @@
     <message>
         <source>Which buttons turn, move and zoom the view. Ctrl with the left button always turns it, Space with the left button moves it.</source>
         <translation>Welche Tasten die Ansicht drehen, verschieben und zoomen. Strg mit der linken Taste dreht immer, Leertaste mit der linken verschiebt.</translation>
+    </message>
+    <message>
+        <source>Checks</source>
+        <translation>Prüfungen</translation>
+    </message>
+    <message>
+        <source>Warn of angles below</source>
+        <translation>Vor Winkeln warnen unter</translation>
+    </message>
+    <message>
+        <source>The flatter two sections meet, the wider their slits have to be.</source>
+        <translation>Je flacher sich zwei Scheiben treffen, desto breiter müssen ihre Schlitze sein.</translation>
+    </message>
+    <message>
+        <source>Look for an order of assembly for</source>
+        <translation>Reihenfolge für den Zusammenbau suchen</translation>
+    </message>
+    <message>
+        <source>In the background, after each change. Give it more time where the checks say that they found no order.</source>
+        <translation>Im Hintergrund, nach jeder Änderung. Geben Sie mehr Zeit, wenn die Prüfungen sagen, dass sie keine Reihenfolge gefunden haben.</translation>
     </message>
 </context>
 <context>

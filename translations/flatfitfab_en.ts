@@ -62,6 +62,13 @@
             <numerusform>Can be assembled. %n steps.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n rings of sections have joints that slide in different directions.</source>
+        <translation>
+            <numerusform>%n ring of sections has joints that slide in different directions.</numerusform>
+            <numerusform>%n rings of sections have joints that slide in different directions.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>fff::SessionHost</name>
