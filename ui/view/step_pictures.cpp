@@ -2,11 +2,14 @@
 
 #include <QPainter>
 
-#include <numeric>
+#include <algorithm>
+#include <utility>
 
 namespace fff::ui {
 
 namespace {
+
+constexpr double kNearest = 2.0; // times as large as in the picture of the whole
 
 ViewStyle onPaper()
 {
@@ -22,36 +25,56 @@ StepPictures::StepPictures(AssemblyStepsPointer steps, const Camera &looking)
 {
 }
 
-Camera StepPictures::cameraFor(const std::vector<int> &steps, const Vec2 &size) const
+/// The whole of these scenes.
+Camera StepPictures::cameraFor(const std::vector<Scene> &scenes, const Vec2 &size) const
 {
-    Scene all = m_scene.finished(m_looking, size).scene;
-    for (const int step : steps) {
-        const Scene begun = m_scene.before(step, m_looking, size).scene;
-        for (const SceneSection &section : begun.sections) {
-            if (section.isSelected)
-                all.sections.push_back(section);
+    Scene all;
+    for (const Scene &scene : scenes) {
+        for (const SceneSection &section : scene.sections) {
+            all.sections.push_back(section);
+            all.bounds.extend(section.bounds);
         }
     }
-    all.bounds = {};
-    for (const SceneSection &section : all.sections)
-        all.bounds.extend(section.bounds);
     return fff::ui::cameraFor(all, m_looking, size);
+}
+
+/// On what is there and the way of what comes, but not so near that a person loses the whole.
+Camera StepPictures::cameraForStep(int step, const Vec2 &size) const
+{
+    const Camera whole = cameraFor({m_scene.finished(m_looking, size).scene}, size);
+    Camera camera = cameraFor({m_scene.before(step, m_looking, size).scene,
+                               m_scene.at(step + 1.0, 0.0, m_looking, size).scene},
+                              size);
+    camera.millimetresPerPixel =
+        std::max(camera.millimetresPerPixel, whole.millimetresPerPixel / kNearest);
+    return camera;
+}
+
+/// The same for all steps: the finished model, and all that ever comes.
+Camera StepPictures::cameraForAll(const Vec2 &size) const
+{
+    std::vector<Scene> scenes{m_scene.finished(m_looking, size).scene};
+    for (int step = 0; step < m_scene.steps().playback.stepCount(); ++step) {
+        Scene begun = m_scene.before(step, m_looking, size).scene;
+        std::erase_if(begun.sections, [](const SceneSection &s) { return !s.isSelected; });
+        scenes.push_back(std::move(begun));
+    }
+    return cameraFor(scenes, size);
 }
 
 QImage StepPictures::step(int index, Fit fit, const Vec2 &size, double pixelRatio)
 {
-    std::vector<int> steps{index};
-    if (fit == Fit::AllSteps) {
-        steps.resize(static_cast<std::size_t>(m_scene.steps().playback.stepCount()));
-        std::iota(steps.begin(), steps.end(), 0);
+    if (fit == Fit::AllSteps && (!m_forAll || m_forAllSize != size)) {
+        m_forAll = cameraForAll(size);
+        m_forAllSize = size;
     }
-    const Camera camera = cameraFor(steps, size);
+    const Camera camera = fit == Fit::AllSteps ? *m_forAll : cameraForStep(index, size);
     return paint(m_scene.before(index, camera, size), camera, size, pixelRatio);
 }
 
 QImage StepPictures::finished(const Vec2 &size, double pixelRatio)
 {
-    const Camera camera = cameraFor({}, size);
+    const Camera camera = cameraFor({m_scene.finished(m_looking, size).scene}, size);
     return paint(m_scene.finished(camera, size), camera, size, pixelRatio);
 }
 
