@@ -10,6 +10,7 @@
 #include <QAbstractButton>
 #include <QComboBox>
 #include <QDoubleSpinBox>
+#include <QEnterEvent>
 #include <QLabel>
 #include <QPushButton>
 #include <QSlider>
@@ -100,7 +101,17 @@ void TestJoints::aMarkIsClickedAndDragged()
 void TestJoints::rowsAndLinksGoThereAndBack()
 {
     QTRY_VERIFY(row() && row()->isVisible());
+    // The other section is outlined while the cursor is on its row.
+    const std::vector head{session().committed().ref(1)};
+    QEnterEvent enter({5, 5}, {5, 5}, {5, 5});
+    QApplication::sendEvent(row(), &enter);
+    QCOMPARE(bench().outlined(), head);
+    QEvent leave(QEvent::Leave);
+    QApplication::sendEvent(row(), &leave);
+    QVERIFY(bench().outlined().empty());
+    QApplication::sendEvent(row(), &enter);
     QTest::mouseClick(row(), Qt::LeftButton);
+    QVERIFY(bench().outlined().empty()); // the row is gone
     QVERIFY(interaction().selectedJoint() == joint());
     auto *links = field<QLabel>("jointSections");
     QVERIFY(links->isVisible() && links->text().contains(QStringLiteral("Head")));
