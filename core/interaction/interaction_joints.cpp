@@ -10,7 +10,8 @@ const JointMark *Interaction::Private::jointMarkAt(const Vec2 &position)
     if (tool || isOnViewMark(sight(), position))
         return nullptr;
     const std::vector<JointMark> &all = jointMarks.of(host.model(), selection);
-    const int index = fff::jointMarkAt(all, sight(), position, reachOf(pointer));
+    const JointLook *selected = selection.joint() ? jointMarks.look(*selection.joint()) : nullptr;
+    const int index = fff::jointMarkAt(all, selected, sight(), position, reachOf(pointer));
     return index < 0 ? nullptr : &all[static_cast<std::size_t>(index)];
 }
 

@@ -8,18 +8,47 @@ namespace fff {
 
 namespace {
 
+/// Beside the slit of a selected joint, px: seen on its edge it is a line.
+constexpr double kSlitReach = 4.0;
+
 void addOutlines(const Model &model, int host, const std::vector<Slit> &slits, JointLook &look)
 {
     const auto index = static_cast<std::size_t>(host);
     const Frame &frame = model.section(index)->frame;
     for (const Slit &slit : slits) {
         for (const Polygon &cut : slit.outlines(kDrawChord)) {
-            JointLook::Outline outline{model.ref(index), {}};
+            JointLook::Outline outline{model.ref(index), slit.overlap, {}};
             for (const Vec2 &corner : cut)
                 outline.corners.push_back(frame.toWorld(corner));
             look.slits.push_back(std::move(outline));
         }
     }
+}
+
+double distanceToSegment(const Vec2 &p, const Vec2 &a, const Vec2 &b)
+{
+    const Vec2 way = b - a;
+    const double square = way.squaredNorm();
+    const double t = square > 0.0 ? std::clamp((p - a).dot(way) / square, 0.0, 1.0) : 0.0;
+    return (p - (a + t * way)).norm();
+}
+
+/// As it is drawn, on one of the slits of that overlap.
+bool isOnSlit(const JointLook &look, int overlap, const Sight &sight, const Vec2 &position)
+{
+    for (const JointLook::Outline &slit : look.slits) {
+        if (slit.overlap != overlap)
+            continue;
+        Polygon drawn;
+        for (const Vec3 &corner : slit.corners)
+            drawn.push_back(sight.camera.toScreen(corner, sight.viewport));
+        if (locate(position, drawn) != Side::Outside)
+            return true;
+        for (std::size_t i = 0, j = drawn.size() - 1; i < drawn.size(); j = i++)
+            if (distanceToSegment(position, drawn[j], drawn[i]) <= kSlitReach)
+                return true;
+    }
+    return false;
 }
 
 } // namespace
@@ -117,8 +146,8 @@ bool isShown(const JointMark &mark, const Sight &sight)
            camera.forward().dot(mark.at - camera.eye(sight.viewport)) > 0.0;
 }
 
-int jointMarkAt(const std::vector<JointMark> &marks, const Sight &sight, const Vec2 &position,
-                double reach)
+int jointMarkAt(const std::vector<JointMark> &marks, const JointLook *selected, const Sight &sight,
+                const Vec2 &position, double reach)
 {
     int best = -1;
     double nearest = reach;
@@ -131,6 +160,10 @@ int jointMarkAt(const std::vector<JointMark> &marks, const Sight &sight, const V
             best = static_cast<int>(i);
         }
     }
+    for (std::size_t i = 0; best < 0 && selected && i < marks.size(); ++i)
+        if (marks[i].joint == selected->joint && isShown(marks[i], sight) &&
+            isOnSlit(*selected, marks[i].overlap, sight, position))
+            best = static_cast<int>(i);
     return best;
 }
 

@@ -29,6 +29,7 @@ struct JointLook
     struct Outline
     {
         SectionRef host;
+        int overlap = 0;           // index into the joint's overlaps
         std::vector<Vec3> corners; // of a slit, closed, on the mid-plane; world, mm
         bool operator==(const Outline &) const = default;
     };
@@ -67,10 +68,11 @@ private:
 /// How far the cursor may be off a mark, px.
 double reachOf(Pointer pointer);
 
-/// Index of the nearest of the marks within reach of the place (px), −1 when there is none. Those
-/// of sections that are hidden or stand back are passed over.
-int jointMarkAt(const std::vector<JointMark> &marks, const Sight &sight, const Vec2 &position,
-                double reach);
+/// Index of the nearest of the marks within reach of the place (px), else of the one whose slit is
+/// there, of the joint that is selected (may be null); −1 when there is none. Those of sections
+/// that are hidden or stand back are passed over.
+int jointMarkAt(const std::vector<JointMark> &marks, const JointLook *selected, const Sight &sight,
+                const Vec2 &position, double reach);
 bool isShown(const JointMark &mark, const Sight &sight);
 
 } // namespace fff

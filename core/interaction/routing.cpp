@@ -28,8 +28,12 @@ std::unique_ptr<Gesture> onJoint(const PointerEvent &press, const Sight &sight,
     if (press.button != Button::Left || !context.overlay.joints ||
         dragKind(context.settings.navigation, press.button, press.modifiers) != DragKind::Edit)
         return nullptr;
-    const std::vector<JointMark> marks = context.overlay.joints->marks;
-    const int index = jointMarkAt(marks, sight, press.position, reachOf(press.pointer));
+    const Overlay::Joints joints = *context.overlay.joints;
+    const std::vector<JointMark> &marks = joints.marks;
+    // What is selected is lit first.
+    const bool hasSelected = context.selection.joint() && !joints.lit.empty();
+    const int index = jointMarkAt(marks, hasSelected ? &joints.lit.front() : nullptr, sight,
+                                  press.position, reachOf(press.pointer));
     if (index < 0)
         return nullptr;
     return std::make_unique<JointGesture>(marks[static_cast<std::size_t>(index)], press, context);

@@ -122,6 +122,14 @@ void TestJointGesture::aClickSelectsTheJoint()
     desk.moveTo(Vec2(5, 5));
     QCOMPARE(desk.marks()->lit.size(), std::size_t(1));
     QCOMPARE(desk.marks()->marks.size(), std::size_t(1));
+    // Its slits are seen by now, and taken hold of as well.
+    desk.send(Type::Move, desk.at(50));
+    QCOMPARE(desk.hint(), Hint::Kind::MoveMeetingPoint);
+    desk.drag({desk.at(50), desk.at(56)});
+    QVERIFY(std::abs(desk.share() - 0.4) < 1e-9);
+    desk.session.history()->undo();
+    desk.send(Type::Move, desk.screen({30, 50, 0}));
+    QVERIFY(desk.hint() != Hint::Kind::MoveMeetingPoint);
     // A step back is the section that it was chosen from, and then nothing.
     QVERIFY(desk.interaction.escape(desk.time));
     QVERIFY(!desk.interaction.selectedJoint());
