@@ -94,20 +94,6 @@ std::optional<Stop> stopOf(Collisions &collisions, const std::vector<Slide> &sli
                                                : Stop{slide->b, slide->a, met};
 }
 
-/// Pairs of parts that are in each other, wherever they are.
-std::vector<PartOverlap> overlapsOf(Collisions &collisions)
-{
-    std::vector<Box3> boxes;
-    for (std::size_t i = 0; i < collisions.size(); ++i)
-        boxes.push_back(collisions.solid(static_cast<int>(i)).box);
-    std::vector<PartOverlap> overlaps;
-    for (const auto &[a, b] : meetingPairs(boxes)) {
-        if (const auto &how = collisions.overlap(a, b))
-            overlaps.push_back({a, b, *how});
-    }
-    return overlaps;
-}
-
 } // namespace
 
 std::vector<SolidPointer> solidsOf(const Analysis &analysis, std::vector<PartRef> &parts,
@@ -166,6 +152,19 @@ std::vector<Slide> slidesOf(const Analysis &analysis, const std::vector<PartRef>
             }
     }
     return slides;
+}
+
+std::vector<PartOverlap> overlapsOf(Collisions &collisions)
+{
+    std::vector<Box3> boxes;
+    for (std::size_t i = 0; i < collisions.size(); ++i)
+        boxes.push_back(collisions.solid(static_cast<int>(i)).box);
+    std::vector<PartOverlap> overlaps;
+    for (const auto &[a, b] : meetingPairs(boxes)) {
+        if (const auto &how = collisions.overlap(a, b))
+            overlaps.push_back({a, b, *how});
+    }
+    return overlaps;
 }
 
 ModelPlan planOf(const Analysis &analysis, const std::function<bool()> &isOutOfTime)

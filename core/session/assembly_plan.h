@@ -56,6 +56,8 @@ std::vector<SolidPointer> solidsOf(const Analysis &analysis, std::vector<PartRef
                                    PlanCaches &caches);
 /// Which way the parts of a joint's sections come off each other; of all joints that hold.
 std::vector<Slide> slidesOf(const Analysis &analysis, const std::vector<PartRef> &parts);
+/// Pairs of parts that are in each other, wherever they are.
+std::vector<PartOverlap> overlapsOf(Collisions &collisions);
 
 /// A pure function of the analysis, but for the time. A part that a press fit holds may be as deep
 /// in its mate as the clearance is negative and as bumps press into it from both sides.

@@ -3,6 +3,7 @@
 // complain of parts that do.
 #include <QTest> // first: moc cannot read some of the standard library before it
 
+#include "core/base/tolerances.h"
 #include "core/base/units.h"
 #include "core/fabrication/kerf.h"
 #include "core/fabrication/marks.h"
@@ -129,8 +130,10 @@ void TestSlitEnds::bumpsPressAndNothingElse()
                 continue;
             const Analysis analysis = analysed(like(document, stock));
             std::vector<PartRef> parts;
-            const std::vector<Solid> solids = solidsOf(analysis, parts);
-            const std::vector<PartOverlap> overlaps = overlapsOf(solids, kTouchingDepth);
+            PlanCaches caches;
+            Collisions collisions;
+            collisions.use(solidsOf(analysis, parts, caches), kTouchingDepth);
+            const std::vector<PartOverlap> overlaps = overlapsOf(collisions);
             const bool presses = stock.bumps > 0.5 * stock.clearance;
             QCOMPARE(!overlaps.empty(), presses);
             for (const PartOverlap &overlap : overlaps)
@@ -150,11 +153,12 @@ void TestSlitEnds::partsSeatAtTheSquareBottom()
         const Analysis analysis = analysed(
             like(withSection(withSection(newDocument(), plate, front()), plate, side()), stock));
         std::vector<PartRef> parts;
-        const std::vector<Solid> solids = solidsOf(analysis, parts);
+        PlanCaches caches;
+        const std::vector<SolidPointer> solids = solidsOf(analysis, parts, caches);
         const Slide slide = slidesOf(analysis, parts).at(0);
         constexpr double kDeeper = 0.3; // mm: how far it is pushed on
-        const auto pushed = interpenetration(movedBy(solids[1], -kDeeper * slide.direction),
-                                             solids[0], kTouchingDepth);
+        const auto pushed = interpenetration(movedBy(*solids[1], -kDeeper * slide.direction),
+                                             *solids[0], kTouchingDepth);
         QVERIFY(pushed);
         if (end == SlitEnd::Square || end == SlitEnd::TBone) {
             QVERIFY(pushed->depth > kDeeper - 2.0 * kTouchingDepth);
