@@ -50,7 +50,7 @@ void JointGesture::show(const Model &model, Overlay &overlay) const
     const std::optional<JointState> state = jointState(model, m_joint);
     if (!state)
         return;
-    overlay.joints.emplace();
+    overlay.joints = Overlay::Joints();
     for (std::size_t i = 0; i < state->crossing.overlaps.size(); ++i)
         overlay.joints->marks.push_back(markOf(*state, static_cast<int>(i)));
     overlay.joints->hovered = m_overlap;

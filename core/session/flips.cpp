@@ -1,5 +1,6 @@
 #include "core/session/flips.h"
 
+#include "core/assembly/joint_state.h"
 #include "core/model/edits.h"
 #include "core/operations/evaluate.h"
 
@@ -45,57 +46,11 @@ Document only(const Document &document, const std::vector<SectionId> &ids)
     return removeSections(document, others).value_or(document);
 }
 
-/// Where a section's slit of a joint opens to, unit, world; zero when it has none.
-Vec3 openingOf(const Analysis &analysis, int section, int joint)
-{
-    const auto index = static_cast<std::size_t>(section);
-    const auto &slits = analysis.assembly.slits[index];
-    const auto slit = std::find_if(slits.begin(), slits.end(),
-                                   [&](const Slit &s) { return s.joint == joint && s.isOpen; });
-    if (slit == slits.end())
-        return Vec3::Zero();
-    return analysis.model.section(index)->frame.directionToWorld(
-        (slit->mouth - slit->inner).normalized());
-}
-
-/// What is wanted of a joint when its slits are to change sides; nothing of one that has none.
-std::optional<JointOverride> flipped(const Analysis &analysis, const Joint &joint)
-{
-    const Model &model = analysis.model;
-    int a = joint.a, b = joint.b;
-    if (model.ref(static_cast<std::size_t>(b)) < model.ref(static_cast<std::size_t>(a)))
-        std::swap(a, b);
-    Vec3 opening = openingOf(analysis, a, joint.id);
-    if (opening.isZero())
-        opening = -openingOf(analysis, b, joint.id);
-    if (opening.isZero())
-        return {};
-    const SectionRef refA = model.ref(static_cast<std::size_t>(a));
-    const SectionRef refB = model.ref(static_cast<std::size_t>(b));
-    JointOverride wanted;
-    if (const JointOverride *before = model.document.jointOverride(refA, refB))
-        wanted = *before;
-    wanted.a = refA;
-    wanted.b = refB;
-    const Frame &frame = model.section(static_cast<std::size_t>(a))->frame;
-    wanted.opens = Vec2(-opening.dot(frame.x), -opening.dot(frame.y));
-    return wanted;
-}
-
 Document with(Document document, const std::vector<JointOverride> &wanted)
 {
     for (const JointOverride &joint : wanted)
         document = setJointOverride(document, joint).value_or(document);
     return document;
-}
-
-/// Whether a joint's slits do change sides: an override that cannot be had changes nothing.
-bool doesFlip(const Document &document, const Analysis &before, const Joint &joint,
-              const JointOverride &wanted)
-{
-    const Analysis after = analysed(with(document, {wanted}));
-    const auto a = static_cast<std::size_t>(joint.a);
-    return before.assembly.slits[a] != after.assembly.slits[a];
 }
 
 /// The flips that free a few sections by themselves, as few as are found.
@@ -105,11 +60,14 @@ public:
     Search(Document document, const std::function<bool()> &isOutOfTime)
         : m_document(std::move(document)), m_isOutOfTime(isOutOfTime)
     {
-        const Analysis analysis = analysed(m_document);
-        for (const Joint &joint : analysis.assembly.joints) {
-            const std::optional<JointOverride> wanted = flipped(analysis, joint);
-            if (wanted && doesFlip(m_document, analysis, joint, *wanted))
-                m_candidates.push_back(*wanted);
+        const Model model = evaluate(m_document);
+        const Assembly assembly = assemble(model);
+        for (const Joint &joint : assembly.joints) {
+            const JointRef ref(model.ref(static_cast<std::size_t>(joint.a)),
+                               model.ref(static_cast<std::size_t>(joint.b)));
+            const std::optional<JointState> state = jointState(model, ref);
+            if (state && state->canFlip)
+                m_candidates.push_back(flipped(model, *state));
         }
     }
 

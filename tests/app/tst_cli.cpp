@@ -2,6 +2,7 @@
 #include <QTest> // first: moc stumbles over some standard headers
 
 #include "core/io/document_file.h"
+#include "tests/app/cli_run.h"
 #include "tests/core/assembly/plates.h"
 
 #include <QDir>
@@ -9,7 +10,6 @@
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
-#include <QProcess>
 #include <QTemporaryDir>
 #include <QXmlStreamReader>
 
@@ -19,30 +19,6 @@ using namespace fff;
 using namespace fff::test;
 
 namespace {
-
-struct Run
-{
-    int status = -1;
-    QByteArray out, err;
-};
-
-Run run(const QStringList &arguments, bool hasDisplay = true)
-{
-    QProcess process;
-    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
-    if (!hasDisplay) {
-        for (const char *name : {"DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM"})
-            environment.remove(QLatin1String(name));
-    }
-    process.setProcessEnvironment(environment);
-    process.start(QStringLiteral(FFF_CLI), arguments);
-    Run result;
-    if (process.waitForFinished(60000) && process.exitStatus() == QProcess::NormalExit)
-        result.status = process.exitCode();
-    result.out = process.readAllStandardOutput();
-    result.err = process.readAllStandardError();
-    return result;
-}
 
 QJsonObject object(const QByteArray &json)
 {

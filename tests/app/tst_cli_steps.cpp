@@ -2,12 +2,12 @@
 #include <QTest> // first: moc stumbles over some standard headers
 
 #include "core/io/document_file.h"
+#include "tests/app/cli_run.h"
 #include "tests/core/assembly/known_models.h"
 
 #include <QDir>
 #include <QFile>
 #include <QImage>
-#include <QProcess>
 #include <QRegularExpression>
 #include <QTemporaryDir>
 
@@ -15,30 +15,6 @@ using namespace fff;
 using namespace fff::test;
 
 namespace {
-
-struct Run
-{
-    int status = -1;
-    QByteArray out, err;
-};
-
-Run run(const QStringList &arguments, bool hasDisplay = true)
-{
-    QProcess process;
-    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
-    if (!hasDisplay) {
-        for (const char *name : {"DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM"})
-            environment.remove(QLatin1String(name));
-    }
-    process.setProcessEnvironment(environment);
-    process.start(QStringLiteral(FFF_CLI), arguments);
-    Run result;
-    if (process.waitForFinished(120000) && process.exitStatus() == QProcess::NormalExit)
-        result.status = process.exitCode();
-    result.out = process.readAllStandardOutput();
-    result.err = process.readAllStandardError();
-    return result;
-}
 
 int pageCount(const QByteArray &pdf)
 {

@@ -366,7 +366,7 @@ void TestDocks::slitsAreTurnedInOneStep()
     QCOMPARE(session().history()->count(), 1);
     QCOMPARE(session().history()->text(0), QStringLiteral("Make assemblable"));
     QCOMPARE(session().committed().document.jointOverrides.size(),
-             locked.jointOverrides.size()); // one of those is turned back
+             locked.jointOverrides.size() - 1); // turned back, a joint is as it is by itself
     QTRY_VERIFY(!firstCheck().contains(QStringLiteral("Sections block each other")));
     session().history()->undo();
     QVERIFY(session().committed().document == locked);

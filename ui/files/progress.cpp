@@ -25,6 +25,14 @@ public:
         : QProgressDialog(text, QString(), 0, 0, window, Qt::Dialog | Qt::CustomizeWindowHint),
           m_mayCancel(mayCancel)
     {
+        setObjectName(QStringLiteral("progress"));
+        setPalette(theme().palette());
+        setWindowModality(Qt::ApplicationModal);
+        setAutoClose(false);
+        setAutoReset(false);
+        setMinimumDuration(0);
+        if (mayCancel == MayCancel::Yes)
+            setCancelButtonText(QProgressDialog::tr("Cancel"));
     }
 
     void reject() override
@@ -67,15 +75,8 @@ bool waitWithProgress(QWidget &window, const QString &text, MayCancel mayCancel,
         return true;
 
     Progress dialog(text, mayCancel, &window);
-    dialog.setObjectName(QStringLiteral("progress"));
-    dialog.setPalette(theme().palette());
-    dialog.setWindowModality(Qt::ApplicationModal);
-    dialog.setAutoClose(false);
-    dialog.setAutoReset(false);
-    dialog.setMinimumDuration(0);
     bool isGivenUp = false;
     if (mayCancel == MayCancel::Yes) {
-        dialog.setCancelButtonText(QProgressDialog::tr("Cancel"));
         QObject::connect(&dialog, &QProgressDialog::canceled, &loop, [&] {
             isGivenUp = true;
             loop.quit();
@@ -115,18 +116,11 @@ Pieces doInPieces(QWidget &window, const QString &text, int count,
     loop.exec(QEventLoop::ExcludeUserInputEvents);
     if (done < count && !isFailed) {
         Progress dialog(text, MayCancel::Yes, &window);
-        dialog.setObjectName(QStringLiteral("progress"));
-        dialog.setPalette(theme().palette());
-        dialog.setWindowModality(Qt::ApplicationModal);
-        dialog.setAutoClose(false);
-        dialog.setAutoReset(false);
-        dialog.setMinimumDuration(0);
         // The dialog's own setValue() lets events in, and the next piece with them.
         auto *bar = new QProgressBar(&dialog);
         bar->setRange(0, count);
         bar->setValue(done);
         dialog.setBar(bar);
-        dialog.setCancelButtonText(QProgressDialog::tr("Cancel"));
         QObject::connect(&dialog, &QProgressDialog::canceled, &loop, [&] {
             isGivenUp = true;
             loop.quit();
