@@ -1077,6 +1077,19 @@
         <extracomment>%1 and %2 are the names of two sections</extracomment>
         <translation>%1 · %2: wieder automatisch</translation>
     </message>
+    <message>
+        <source>Move %1 to %2</source>
+        <extracomment>%1 is the name of a section, %2 of the one that it comes to</extracomment>
+        <translation>%1 zu %2 verschieben</translation>
+    </message>
+    <message numerus="yes">
+        <source>Move %n sections to %1</source>
+        <extracomment>%1 is the name of a section</extracomment>
+        <translation>
+            <numerusform>%n Scheibe zu %1 verschieben</numerusform>
+            <numerusform>%n Scheiben zu %1 verschieben</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>fff::cli</name>
@@ -2309,6 +2322,44 @@
         <source>Problem</source>
         <translation>Problem</translation>
     </message>
+    <message>
+        <source>Move it to %1</source>
+        <extracomment>%1 is the name of a section</extracomment>
+        <translation>Zu %1 verschieben</translation>
+    </message>
+    <message>
+        <source>Move them to %1</source>
+        <extracomment>%1 is the name of a section</extracomment>
+        <translation>Alle zu %1 verschieben</translation>
+    </message>
+    <message>
+        <source>Delete it</source>
+        <translation>Löschen</translation>
+    </message>
+    <message>
+        <source>Delete them</source>
+        <translation>Alle löschen</translation>
+    </message>
+    <message>
+        <source>Make assemblable</source>
+        <translation>Baubar machen</translation>
+    </message>
+    <message>
+        <source>Drop it to the ground</source>
+        <translation>Auf den Boden setzen</translation>
+    </message>
+    <message>
+        <source>Show the steps</source>
+        <translation>Schritte zeigen</translation>
+    </message>
+    <message>
+        <source>Choose a sheet</source>
+        <translation>Andere Platte wählen</translation>
+    </message>
+    <message>
+        <source>Set the clearance</source>
+        <translation>Spiel einstellen</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::ChecksDock</name>
@@ -2352,26 +2403,6 @@
         <translation>Problem %1 von %2: %3.</translation>
     </message>
     <message>
-        <source>Delete it</source>
-        <translation>Löschen</translation>
-    </message>
-    <message>
-        <source>Delete them</source>
-        <translation>Alle löschen</translation>
-    </message>
-    <message>
-        <source>Choose a sheet</source>
-        <translation>Andere Platte wählen</translation>
-    </message>
-    <message>
-        <source>Drop it to the ground</source>
-        <translation>Auf den Boden setzen</translation>
-    </message>
-    <message>
-        <source>Make assemblable</source>
-        <translation>Baubar machen</translation>
-    </message>
-    <message>
         <source>The slits of one joint were turned round.</source>
         <translation>Die Schlitze einer Verbindung wurden umgedreht.</translation>
     </message>
@@ -2383,12 +2414,8 @@
         </translation>
     </message>
     <message>
-        <source>Set the clearance</source>
-        <translation>Spiel einstellen</translation>
-    </message>
-    <message>
-        <source>Show the steps</source>
-        <translation>Schritte zeigen</translation>
+        <source>The model has changed; that cannot be done any more.</source>
+        <translation>Das Modell hat sich geändert; das geht nicht mehr.</translation>
     </message>
 </context>
 <context>

@@ -121,6 +121,14 @@
             <numerusform>Remove holes of %n sections</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>Move %n sections to %1</source>
+        <extracomment>%1 is the name of a section</extracomment>
+        <translation>
+            <numerusform>Move %n section to %1</numerusform>
+            <numerusform>Move %n sections to %1</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::AgoText</name>

@@ -38,6 +38,37 @@ CheckWords checkWords(const Check &check, const Model &model)
     return {whole.left(end), whole.mid(end + 2)};
 }
 
+QString actionText(const CheckAction &action, const Check &check, const Model &model)
+{
+    const bool isOne = check.sections.size() == 1;
+    switch (action.kind) {
+    case CheckAction::Kind::MoveToOther: {
+        const int index = model.indexOf(action.section);
+        const QString name =
+            index < 0
+                ? QString()
+                : QString::fromStdString(model.section(static_cast<std::size_t>(index))->name);
+        //: %1 is the name of a section
+        return isOne ? Words::tr("Move it to %1").arg(name)
+                     //: %1 is the name of a section
+                     : Words::tr("Move them to %1").arg(name);
+    }
+    case CheckAction::Kind::DeleteSections:
+        return isOne ? Words::tr("Delete it") : Words::tr("Delete them");
+    case CheckAction::Kind::MakeAssemblable:
+        return Words::tr("Make assemblable");
+    case CheckAction::Kind::DropToGround:
+        return Words::tr("Drop it to the ground");
+    case CheckAction::Kind::ShowSteps:
+        return Words::tr("Show the steps");
+    case CheckAction::Kind::ChooseSheet:
+        return Words::tr("Choose a sheet");
+    case CheckAction::Kind::WidenSlits:
+        return Words::tr("Set the clearance");
+    }
+    return {}; // not reached: every kind is above
+}
+
 QString checkGlyph(CheckSeverity severity)
 {
     switch (severity) {

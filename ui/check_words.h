@@ -1,7 +1,7 @@
 // What checks look like to a person: words, glyph, colour. For the Checks dock and the badges.
 #pragma once
 
-#include "core/session/checks.h"
+#include "core/session/check_actions.h"
 
 #include <QColor>
 #include <QString>
@@ -16,6 +16,9 @@ struct CheckWords
 
 /// In the unit that is set. `model` is the one that was checked.
 CheckWords checkWords(const Check &check, const Model &model);
+
+/// What a link says: "Move it to Body".
+QString actionText(const CheckAction &action, const Check &check, const Model &model);
 
 /// Name of an icon; the outlines differ, not the colours alone.
 QString checkGlyph(CheckSeverity severity);

@@ -24,6 +24,7 @@ target_sources(fff_ui PRIVATE
     docks/drawing_page.cpp
     docks/history_dock.cpp
     docks/joint_page.cpp
+    docks/link_row.cpp
     docks/model_page.cpp
     docks/outline_dock.cpp
     docks/properties_dock.cpp

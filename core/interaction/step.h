@@ -18,6 +18,7 @@ struct Step
         DeleteSections,
         RenameSection,
         MoveSection,
+        MoveToSection, // names: of those that go, then of the one that they come to
         DropToGround,
         MovePoints, // count: of points, of the first section
         MoveHandle,

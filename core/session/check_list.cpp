@@ -3,6 +3,7 @@
 #include "core/session/session.h"
 
 #include <algorithm>
+#include <map>
 
 namespace fff {
 
@@ -12,7 +13,30 @@ namespace {
 // would only flicker.
 constexpr int kSeen = 100, kLate = 500;
 
+ActionsOfChecks actionsOfAll(const std::vector<Check> &checks, const Analysis &analysis,
+                             const Flips *flips)
+{
+    ActionsOfChecks all;
+    std::map<CheckCode, int> alike;
+    for (const Check &check : checks)
+        if (alike[check.code]++ < kMostAlike)
+            all.emplace_back(check, fff::actionsOf(check, analysis, flips));
+    return all;
+}
+
+const std::vector<CheckAction> *found(const ActionsOfChecks &all, const Check &check)
+{
+    const auto known = std::find_if(all.begin(), all.end(),
+                                    [&](const auto &of) { return isSameVerdict(of.first, check); });
+    return known == all.end() ? nullptr : &known->second;
+}
+
 } // namespace
+
+bool isSameVerdict(const Check &a, const Check &b)
+{
+    return a.code == b.code && a.sections == b.sections;
+}
 
 CheckList::CheckList(const Session &session, QObject *parent)
     : QObject(parent), m_session(session),
@@ -20,7 +44,8 @@ CheckList::CheckList(const Session &session, QObject *parent)
           [this](const Question &question) -> VerdictsPointer {
               const Analysis &analysis = *question.analysis;
               return std::make_shared<const Verdicts>(
-                  Verdicts{analysis.model, checks(analysis, m_caches, {}, question.rules)});
+                  Verdicts{question.analysis, analysis.model,
+                           checks(analysis, m_caches, {}, question.rules)});
           },
           [this](std::uint64_t revision, VerdictsPointer verdicts) {
               if (revision != m_session.revision() && m_session.model().sectionCount() == 0)
@@ -34,9 +59,11 @@ CheckList::CheckList(const Session &session, QObject *parent)
               const Analysis &analysis = *question.analysis;
               const auto limit = [&] { return timeLimit(question.rules.planningTime); };
               PlannedAnalysis planned{
-                  question.analysis, planOf(analysis, m_planCaches, limit()), {}, {}};
+                  question.analysis, planOf(analysis, m_planCaches, limit()), {}, {}, {}};
               planned.checks = planChecks(analysis, planned.plan, m_webCaches);
               planned.flips = flipsThatHelp(analysis, planned.plan, limit());
+              planned.actions =
+                  actionsOfAll(planned.checks, analysis, planned.flips ? &*planned.flips : nullptr);
               return std::make_shared<const PlannedAnalysis>(std::move(planned));
           },
           [this](std::uint64_t, std::shared_ptr<const PlannedAnalysis> plan) {
@@ -44,6 +71,14 @@ CheckList::CheckList(const Session &session, QObject *parent)
                   return;
               m_plan = std::move(plan);
               refresh();
+          }),
+      m_acting(
+          [](const VerdictsPointer &verdicts) {
+              return actionsOfAll(verdicts->checks, *verdicts->analysis, nullptr);
+          },
+          [this](std::uint64_t, ActionsOfChecks actions) {
+              m_actions = std::move(actions);
+              Q_EMIT changed();
           })
 {
     m_becomesOlder.setSingleShot(true);
@@ -57,7 +92,10 @@ CheckList::CheckList(const Session &session, QObject *parent)
         requestChecks();
         requestPlan();
     });
-    connect(&session, &Session::committedChanged, this, &CheckList::requestPlan);
+    connect(&session, &Session::committedChanged, this, [this] {
+        requestPlan();
+        requestActions();
+    });
     requestChecks();
     requestPlan();
     if (session.analysedRevision() != session.revision())
@@ -117,6 +155,16 @@ void CheckList::requestPlan()
     m_planning.request(m_session.analysedRevision(), {m_toPlan, m_rules});
 }
 
+/// The same goes for what can be done.
+void CheckList::requestActions()
+{
+    if (m_session.hasPreview() || m_revision != m_session.revision() || !m_verdicts->analysis ||
+        m_toActOn == m_verdicts->analysis)
+        return;
+    m_toActOn = m_verdicts->analysis;
+    m_acting.request(m_revision, m_verdicts);
+}
+
 void CheckList::refresh()
 {
     m_all = m_verdicts->checks;
@@ -135,7 +183,17 @@ void CheckList::refresh()
         m_becomesLate.stop();
         m_age = Age::Current;
     }
+    requestActions();
     Q_EMIT changed();
+}
+
+const std::vector<CheckAction> &CheckList::actionsOf(const Check &check) const
+{
+    static const std::vector<CheckAction> kNone;
+    const std::vector<CheckAction> *actions = found(m_actions, check);
+    if (!actions && m_plan)
+        actions = found(m_plan->actions, check);
+    return actions ? *actions : kNone;
 }
 
 const Flips *CheckList::flips() const
@@ -149,6 +207,7 @@ void CheckList::finish()
 {
     m_job.finish();
     m_planning.finish();
+    m_acting.finish();
 }
 
 } // namespace fff

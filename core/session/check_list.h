@@ -5,6 +5,7 @@
 #include <QObject> // first: moc stumbles over some standard headers
 #include <QTimer>
 
+#include "core/session/check_actions.h"
 #include "core/session/checks.h"
 #include "core/session/flips.h"
 #include "core/session/latest_job.h"
@@ -12,10 +13,21 @@
 
 #include <cstdint>
 #include <memory>
+#include <utility>
 
 namespace fff {
 
 class Session;
+
+/// More checks of one kind than this say less than a number does; nothing is offered for each of
+/// the others.
+inline constexpr int kMostAlike = 12;
+
+/// Whether it is the same verdict after a change of the model; its numbers may differ.
+bool isSameVerdict(const Check &a, const Check &b);
+
+/// What can be done about some checks.
+using ActionsOfChecks = std::vector<std::pair<Check, std::vector<CheckAction>>>;
 
 struct PlannedAnalysis
 {
@@ -23,6 +35,7 @@ struct PlannedAnalysis
     ModelPlan plan;
     std::vector<Check> checks;
     std::optional<Flips> flips; // where parts are locked
+    ActionsOfChecks actions;    // of `checks`
 };
 
 class CheckList : public QObject
@@ -49,6 +62,9 @@ public:
     const std::shared_ptr<const PlannedAnalysis> &plan() const { return m_plan; }
     /// What frees the locked parts of what is there now, null when nothing does.
     const Flips *flips() const;
+    /// What can be done about one of all(), as far as it is worked out; until then what could be
+    /// done about the same verdict before.
+    const std::vector<CheckAction> &actionsOf(const Check &check) const;
     /// What it goes by from now on; looks again where that differs.
     void setRules(const CheckRules &rules);
     /// Waits for what is worked out: for tests.
@@ -61,6 +77,7 @@ Q_SIGNALS:
 private:
     struct Verdicts
     {
+        AnalysisPointer analysis; // null: of an empty model
         Model model;
         std::vector<Check> checks;
     };
@@ -76,6 +93,7 @@ private:
     void requestChecks();
     void grow(Age age);
     void requestPlan();
+    void requestActions();
     /// After a result: whether all are of the model that is shown by now.
     void refresh();
 
@@ -87,13 +105,16 @@ private:
     VerdictsPointer m_verdicts = std::make_shared<const Verdicts>();
     std::uint64_t m_revision = 0; // that they belong to
     std::shared_ptr<const PlannedAnalysis> m_plan;
-    AnalysisPointer m_toPlan; // of what is or was being planned last
+    AnalysisPointer m_toPlan;  // of what is or was being planned last
+    AnalysisPointer m_toActOn; // the same of what can be done about m_verdicts
+    ActionsOfChecks m_actions;
     std::vector<Check> m_all;
     Age m_age = Age::Current;
     QTimer m_becomesOlder, m_becomesLate;
     // Last: they wait for their workers.
     LatestJob<Question, VerdictsPointer> m_job;
     LatestJob<Question, std::shared_ptr<const PlannedAnalysis>> m_planning;
+    LatestJob<VerdictsPointer, ActionsOfChecks> m_acting;
 };
 
 } // namespace fff

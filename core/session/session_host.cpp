@@ -121,6 +121,12 @@ QString SessionHost::undoText(const Step &step)
     case Step::Kind::MoveSection:
         //: %1 is the name of a section
         return count == 1 ? tr("Move %1").arg(name) : tr("Move %n sections", nullptr, count);
+    case Step::Kind::MoveToSection:
+        //: %1 is the name of a section, %2 of the one that it comes to
+        return count == 2 ? tr("Move %1 to %2").arg(name, other)
+                          //: %1 is the name of a section
+                          : tr("Move %n sections to %1", nullptr, count - 1)
+                                .arg(QString::fromStdString(step.names.back()));
     case Step::Kind::SetStock:
         //: %1 is the name of a section
         return count == 1 ? tr("Change stock of %1").arg(name)

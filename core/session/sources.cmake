@@ -3,13 +3,16 @@ target_sources(fff_session PRIVATE
     assembly_plan.cpp
     assembly_steps.cpp
     autosave.cpp
+    check_actions.cpp
     check_caches.cpp
     check_list.cpp
     check_text.cpp
     checks.cpp
     cutting_file.cpp
+    dropping.cpp
     flips.cpp
     gap.cpp
+    joining_move.cpp
     joint_commands.cpp
     journal.cpp
     narrow_slits.cpp

@@ -2,7 +2,7 @@
 
 #include "core/base/tolerances.h"
 #include "core/interaction/draw_tool.h"
-#include "core/model/edits.h"
+#include "core/session/dropping.h"
 #include "core/session/pen_commands.h"
 #include "core/session/session_host.h"
 
@@ -16,8 +16,6 @@ namespace {
 
 /// How far from its section a parallel plane lies, mm, when nobody says (half an inch).
 constexpr double kParallelDistance = 12.7;
-/// What stands this near to the ground needs no dropping, mm.
-constexpr double kDropped = 1e-6;
 
 /// The one drawn section that is selected; null when there is none or are several.
 const Section *selectedSection(const Session &session, const Interaction &interaction)
@@ -32,23 +30,6 @@ const Section *selectedSection(const Session &session, const Interaction &intera
 ContourTarget onPlane(const Vec3 &origin, const Vec3 &x, const Vec3 &y)
 {
     return ContourTarget::newSection({origin, x, y});
-}
-
-/// Y of the lowest point of the slabs, mm; none without sections.
-std::optional<double> lowestPoint(const Model &model)
-{
-    std::optional<double> lowest;
-    for (std::size_t i = 0; i < model.sectionCount(); ++i) {
-        const Section &section = *model.section(i);
-        const double half = 0.5 * model.document.stockOf(section).thickness;
-        const double below = half * std::abs(section.frame.normal().y());
-        for (const Vec2 &p : section.shape->region().outer) {
-            const double y = section.frame.toWorld(p).y() - below;
-            if (!lowest || y < *lowest)
-                lowest = y;
-        }
-    }
-    return lowest;
 }
 
 bool isHeld(const Interaction &interaction, std::string_view command)
@@ -132,18 +113,14 @@ void registerPlanes(CommandRegistry &registry, Session &session, Interaction &in
 
 void registerGround(CommandRegistry &registry, Session &session)
 {
-    const auto isOff = [&session] {
-        const std::optional<double> lowest = lowestPoint(session.committed());
-        return lowest && std::abs(*lowest) > kDropped;
-    };
     registry.add("section.dropToGround",
                  {[&session](const CommandParameters &, double) -> Result<void> {
-                      const Model &model = session.committed();
-                      session.commit(SessionHost::undoText({Step::Kind::DropToGround, {}}),
-                                     moveAll(model.document, Vec3(0.0, -*lowestPoint(model), 0.0)));
+                      if (std::optional<Document> next = droppedToGround(session.committed()))
+                          session.commit(SessionHost::undoText({Step::Kind::DropToGround, {}}),
+                                         *std::move(next));
                       return {};
                   },
-                  isOff});
+                  [&session] { return droppedToGround(session.committed()).has_value(); }});
 }
 
 void registerSwitches(CommandRegistry &registry, Interaction &interaction)

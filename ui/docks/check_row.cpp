@@ -1,5 +1,6 @@
 #include "ui/docks/check_row.h"
 
+#include "ui/docks/link_row.h"
 #include "ui/icon.h"
 #include "ui/theme.h"
 
@@ -45,23 +46,22 @@ CheckRow::CheckRow(QWidget *parent) : QAbstractButton(parent)
     if (small.pointSizeF() > 0)
         small.setPointSizeF(small.pointSizeF() * 0.93);
     m_text->setFont(small);
-    m_link = new QLabel(this);
-    m_link->setFont(small);
-    m_link->setTextInteractionFlags(Qt::LinksAccessibleByMouse | Qt::LinksAccessibleByKeyboard);
-    connect(m_link, &QLabel::linkActivated, this, &CheckRow::linkClicked);
+    m_links = new LinkRow(this);
+    m_links->setFont(small);
+    connect(m_links, &LinkRow::clicked, this, &CheckRow::linkClicked);
 
     auto *words = new QVBoxLayout;
     words->setContentsMargins(0, 0, 0, 0);
     words->setSpacing(1);
     words->addWidget(m_title);
     words->addWidget(m_text);
-    words->addWidget(m_link);
+    words->addWidget(m_links);
     auto *row = new QHBoxLayout(this);
     row->setContentsMargins(11, 7, 10, 8);
     row->setSpacing(8);
     row->addWidget(m_glyph, 0, Qt::AlignTop);
     row->addLayout(words, 1);
-    m_link->hide();
+    m_links->hide();
 }
 
 void CheckRow::setContent(const Content &content)
@@ -74,7 +74,8 @@ void CheckRow::setContent(const Content &content)
                          : QStringLiteral("%1  %2").arg(content.number).arg(content.title));
     m_text->setText(content.text);
     m_text->setVisible(!content.text.isEmpty());
-    m_link->setVisible(!content.link.isEmpty());
+    m_links->setTexts(content.links);
+    m_links->setVisible(!content.links.isEmpty());
     for (QLabel *words : {m_title, m_text}) {
         QFont f = words->font();
         f.setItalic(content.isOlder);
@@ -91,11 +92,6 @@ void CheckRow::setContent(const Content &content)
 
 void CheckRow::refresh()
 {
-    // Links in a text have the application's colour, not that of the palette here.
-    m_link->setText(m_content.link.isEmpty()
-                        ? QString()
-                        : QStringLiteral("<a href=\"do\" style=\"color:%1\">%2</a>")
-                              .arg(theme().accent.name(), m_content.link.toHtmlEscaped()));
     m_glyph->setPixmap(
         tintedPixmap(m_content.glyph, kGlyphSize, m_content.colour, devicePixelRatioF()));
     update();

@@ -2,10 +2,13 @@
 #pragma once
 
 #include <QAbstractButton>
+#include <QStringList>
 
 class QLabel;
 
 namespace fff::ui {
+
+class LinkRow;
 
 class CheckRow : public QAbstractButton
 {
@@ -18,7 +21,7 @@ public:
         QString kind;   // "Problem", for those who hear it
         int number = 0; // of a problem, before its title; 0: none
         QString title, text;
-        QString link; // what can be done at once; may be empty
+        QStringList links; // what can be done at once
         bool isOlder = false;
         bool operator==(const Content &) const = default;
     };
@@ -36,7 +39,7 @@ public:
     int heightForWidth(int width) const override;
 
 Q_SIGNALS:
-    void linkClicked();
+    void linkClicked(int index);
     void hovered(bool isOver);
 
 protected:
@@ -48,7 +51,8 @@ protected:
 private:
     Content m_content;
     bool m_isLit = false;
-    QLabel *m_glyph = nullptr, *m_title = nullptr, *m_text = nullptr, *m_link = nullptr;
+    QLabel *m_glyph = nullptr, *m_title = nullptr, *m_text = nullptr;
+    LinkRow *m_links = nullptr;
 };
 
 } // namespace fff::ui

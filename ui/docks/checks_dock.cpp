@@ -1,7 +1,5 @@
 #include "ui/docks/checks_dock.h"
 
-#include "core/fabrication/summary.h"
-#include "core/model/edits.h"
 #include "core/session/check_list.h"
 #include "ui/check_words.h"
 #include "ui/docks/check_row.h"
@@ -26,19 +24,11 @@ namespace fff::ui {
 
 namespace {
 
-/// More rows of one kind than this say less than a number does.
-constexpr int kMostAlike = 12;
 constexpr int kSpinTime = 60, kSpinStep = 30; // ms, degrees
 
 bool isProblem(const Check &check)
 {
     return check.severity >= CheckSeverity::Warning;
-}
-
-/// Whether it is the same verdict after a change of the model; its numbers may differ.
-bool isSameVerdict(const Check &a, const Check &b)
-{
-    return a.code == b.code && a.sections == b.sections;
 }
 
 } // namespace
@@ -174,7 +164,7 @@ void ChecksDock::refresh()
     std::map<CheckCode, int> alike;
     for (std::size_t i = 0; i < all.size(); ++i) {
         if (alike[all[i].code]++ < kMostAlike) {
-            m_rows.push_back({all[i]});
+            m_rows.push_back({all[i], 1, 0, {}});
         } else {
             const auto last = std::find_if(m_rows.rbegin(), m_rows.rend(), [&](const Row &row) {
                 return row.check.code == all[i].code;
@@ -198,7 +188,7 @@ void ChecksDock::refresh()
             const bool isThere = isOver && index < static_cast<int>(m_rows.size());
             m_bench.setLitProblem(isThere ? m_rows[static_cast<std::size_t>(index)].number : 0);
         });
-        connect(row, &CheckRow::linkClicked, this, [this, index] { act(index); });
+        connect(row, &CheckRow::linkClicked, this, [this, index](int link) { act(index, link); });
         m_column->insertWidget(static_cast<int>(m_widgets.size()), row);
         m_widgets.push_back(row);
     }
@@ -219,9 +209,12 @@ void ChecksDock::refresh()
         const QColor colour = isOlder && check.severity == CheckSeverity::Good
                                   ? theme().muted
                                   : checkColour(check.severity);
+        m_rows[i].actions = actionsOf(m_rows[i]);
+        QStringList links;
+        for (const CheckAction &action : m_rows[i].actions)
+            links += actionText(action, check, m_list.model());
         m_widgets[i]->setContent({checkGlyph(check.severity), colour, severityWord(check.severity),
-                                  m_rows[i].number, words.title, words.text, linkOf(check),
-                                  isOlder});
+                                  m_rows[i].number, words.title, words.text, links, isOlder});
         const bool isChosen = m_chosen && isSameVerdict(*m_chosen, check);
         m_widgets[i]->setChecked(isChosen);
         isChosenThere = isChosenThere || isChosen;
@@ -365,71 +358,55 @@ void ChecksDock::choose(CheckSubject subject)
     }
 }
 
-QString ChecksDock::linkOf(const Check &check) const
+/// A row for many has only what is done to all of them alike.
+std::vector<CheckAction> ChecksDock::actionsOf(const Row &row) const
 {
-    switch (check.code) {
-    case CheckCode::NotConnected:
-        return check.sections.size() == 1 ? tr("Delete it") : tr("Delete them");
-    case CheckCode::TooLarge:
-        return tr("Choose a sheet");
-    case CheckCode::NarrowSlit:
-        return tr("Set the clearance");
-    case CheckCode::CanAssemble:
-        return check.count > 1 ? tr("Show the steps") : QString();
-    case CheckCode::CannotAssemble:
-        return m_list.flips() ? tr("Make assemblable") : QString();
-    case CheckCode::NoContact:
-    case CheckCode::BelowGround:
-        return m_bench.commands().isEnabled("section.dropToGround") ? tr("Drop it to the ground")
-                                                                    : QString();
-    default:
-        return {};
-    }
+    std::vector<CheckAction> actions = m_list.actionsOf(row.check);
+    if (row.count > 1)
+        actions = row.check.code == CheckCode::NotConnected
+                      ? std::vector<CheckAction>{{CheckAction::Kind::DeleteSections, {}}}
+                      : std::vector<CheckAction>();
+    return actions;
 }
 
-void ChecksDock::act(int row)
+void ChecksDock::act(int row, int index)
 {
-    const Check check = m_rows[static_cast<std::size_t>(row)].check;
-    if (check.code == CheckCode::TooLarge || check.code == CheckCode::NarrowSlit) {
-        const Model &model = m_bench.session().model();
-        const int index = check.sections.empty() ? -1 : model.indexOf(check.sections.front());
-        Q_EMIT stockWanted(index < 0 ? StockId{}
-                                     : model.section(static_cast<std::size_t>(index))->stock);
-        return;
-    }
-    if (check.code == CheckCode::CanAssemble) {
+    const Row &of = m_rows[static_cast<std::size_t>(row)];
+    const CheckAction action = of.actions[static_cast<std::size_t>(index)];
+    const Check check = of.check; // the rows change with the model
+    switch (action.kind) {
+    case CheckAction::Kind::ShowSteps:
         Q_EMIT stepsWanted();
         return;
-    }
-    if (check.code == CheckCode::CannotAssemble) {
-        makeAssemblable();
+    case CheckAction::Kind::ChooseSheet:
+    case CheckAction::Kind::WidenSlits: {
+        const Model &model = m_bench.session().model();
+        const int at = check.sections.empty() ? -1 : model.indexOf(check.sections.front());
+        Q_EMIT stockWanted(at < 0 ? StockId{} : model.section(static_cast<std::size_t>(at))->stock);
         return;
     }
-    if (check.code != CheckCode::NotConnected) {
-        m_bench.run(QStringLiteral("section.dropToGround"));
-        return;
+    default:
+        carryOut(action, check);
     }
-    const Document &document = m_bench.session().committed().document;
-    Step step{Step::Kind::DeleteSections, {}};
-    std::vector<SectionId> ids;
-    for (const SectionRef &ref : check.sections) {
-        if (const Section *section = document.find(ref.drawn)) {
-            ids.push_back(section->id);
-            step.names.push_back(section->name);
-        }
-    }
-    m_bench.commit(step, removeSections(document, ids));
 }
 
-void ChecksDock::makeAssemblable()
+/// On the model that is there now, which the row may be older than.
+void ChecksDock::carryOut(const CheckAction &action, const Check &check)
 {
+    Session &session = m_bench.session();
     const Flips *flips = m_list.flips();
-    if (!flips)
-        return; // the model has changed since the row was shown
-    const int count = flips->count;
-    m_bench.commit({Step::Kind::MakeAssemblable, {}}, flips->document);
-    Q_EMIT said(count == 1 ? tr("The slits of one joint were turned round.")
-                           : tr("The slits of %n joints were turned round.", nullptr, count));
+    const std::optional<CheckEdit> edit =
+        session.hasPreview() ? std::nullopt
+                             : carriedOut(action, check, session.currentAnalysis(), flips);
+    if (!edit) {
+        Q_EMIT said(tr("The model has changed; that cannot be done any more."));
+        return;
+    }
+    const int turned = flips ? flips->count : 0;
+    m_bench.commit(edit->step, edit->document);
+    if (action.kind == CheckAction::Kind::MakeAssemblable)
+        Q_EMIT said(turned == 1 ? tr("The slits of one joint were turned round.")
+                                : tr("The slits of %n joints were turned round.", nullptr, turned));
 }
 
 } // namespace fff::ui

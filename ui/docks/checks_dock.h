@@ -4,7 +4,7 @@
 
 #include <QDockWidget> // first: moc stumbles over some standard headers
 
-#include "core/session/checks.h"
+#include "core/session/check_actions.h"
 
 #include <vector>
 
@@ -50,6 +50,7 @@ private:
         Check check;
         int count = 1;  // of equal ones that this row stands for
         int number = 0; // of a problem, from 1 on
+        std::vector<CheckAction> actions;
     };
 
     void refresh();
@@ -58,11 +59,12 @@ private:
     void forgetChoice();
     void markProblems();
     int rowOf(int number) const; // of a problem; -1: there is none any more
-    void act(int row);
-    void makeAssemblable();
+    /// The link at the index was clicked.
+    void act(int row, int index);
+    void carryOut(const CheckAction &action, const Check &check);
     std::optional<Check> focusedCheck() const;
     void returnFocus(const Check &check);
-    QString linkOf(const Check &check) const;
+    std::vector<CheckAction> actionsOf(const Row &row) const;
     std::vector<int> problems() const; // rows
 
     Workbench &m_bench;

@@ -1,0 +1,158 @@
+#include "core/session/check_actions.h"
+
+#include "core/model/edits.h"
+#include "core/session/dropping.h"
+#include "core/session/joining_move.h"
+
+namespace fff {
+
+namespace {
+
+using Kind = CheckAction::Kind;
+
+/// So many are tried: a rib that lies beside others is parallel to most of them.
+constexpr std::size_t kMostTried = 8;
+
+/// The nearest section that it can be joined with.
+std::vector<CheckAction> movesOf(const Check &check, const Analysis &analysis)
+{
+    std::vector<SectionRef> others = nearestSections(analysis, check.sections, kMostTried);
+    if (check.other) { // it is the nearest by more than boxes
+        std::erase(others, *check.other);
+        others.insert(others.begin(), *check.other);
+    }
+    for (const SectionRef &other : others)
+        if (joiningMove(analysis, check.sections, other))
+            return {{Kind::MoveToOther, other}};
+    return {};
+}
+
+std::optional<CheckEdit> movedTo(const SectionRef &other, const Check &check,
+                                 const Analysis &analysis)
+{
+    const std::optional<JoiningMove> move = joiningMove(analysis, check.sections, other);
+    if (!move)
+        return {};
+    const Model &model = analysis.model;
+    CheckEdit edit{{Step::Kind::MoveToSection, {}}, moved(model.document, *move)};
+    for (const SectionId id : move->sections)
+        edit.step.names.push_back(model.document.find(id)->name);
+    const int index = model.indexOf(other);
+    edit.step.names.push_back(model.section(static_cast<std::size_t>(index))->name);
+    return edit;
+}
+
+std::optional<CheckEdit> deleted(const Check &check, const Document &document)
+{
+    CheckEdit edit{{Step::Kind::DeleteSections, {}}, document};
+    std::vector<SectionId> ids;
+    for (const SectionRef &ref : check.sections) {
+        if (const Section *section = document.find(ref.drawn)) {
+            ids.push_back(section->id);
+            edit.step.names.push_back(section->name);
+        }
+    }
+    Result<Document> next = removeSections(document, ids);
+    if (ids.empty() || !next)
+        return {};
+    edit.document = *std::move(next);
+    return edit;
+}
+
+std::optional<CheckEdit> assemblable(const Document &document, const Flips *flips)
+{
+    if (!flips || flips->document.isSame(document))
+        return {};
+    return CheckEdit{{Step::Kind::MakeAssemblable, {}}, flips->document};
+}
+
+/// From above or from below, as the check has it.
+std::optional<CheckEdit> dropped(const Check &check, const Model &model)
+{
+    const std::optional<double> lowest = lowestPoint(model);
+    if (!lowest || (*lowest > 0.0) != (check.code == CheckCode::NoContact))
+        return {};
+    std::optional<Document> next = droppedToGround(model);
+    if (!next)
+        return {};
+    return CheckEdit{{Step::Kind::DropToGround, {}}, *std::move(next)};
+}
+
+std::vector<CheckAction> withDeleted(std::vector<CheckAction> actions)
+{
+    actions.push_back({Kind::DeleteSections, {}});
+    return actions;
+}
+
+/// Of the check; edits among them may turn out not to be possible.
+std::vector<CheckAction> candidates(const Check &check, const Analysis &analysis)
+{
+    switch (check.code) {
+    case CheckCode::NotConnected:
+        return withDeleted(movesOf(check, analysis));
+    case CheckCode::CannotAssemble:
+        return {{Kind::MakeAssemblable, {}}};
+    case CheckCode::NoContact:
+    case CheckCode::BelowGround:
+        return {{Kind::DropToGround, {}}};
+    case CheckCode::CanAssemble:
+        if (check.count < 2)
+            return {}; // there is nothing to see
+        return {{Kind::ShowSteps, {}}};
+    case CheckCode::TooLarge:
+        return {{Kind::ChooseSheet, {}}};
+    case CheckCode::NarrowSlit:
+        return {{Kind::WidenSlits, {}}};
+    default:
+        return {};
+    }
+}
+
+} // namespace
+
+bool isEdit(Kind kind)
+{
+    switch (kind) {
+    case Kind::MoveToOther:
+    case Kind::DeleteSections:
+    case Kind::MakeAssemblable:
+    case Kind::DropToGround:
+        return true;
+    case Kind::ShowSteps:
+    case Kind::ChooseSheet:
+    case Kind::WidenSlits:
+        return false;
+    }
+    return false; // not reached: every kind is above
+}
+
+std::vector<CheckAction> actionsOf(const Check &check, const Analysis &analysis, const Flips *flips)
+{
+    std::vector<CheckAction> actions = candidates(check, analysis);
+    std::erase_if(actions, [&](const CheckAction &action) {
+        return isEdit(action.kind) && !carriedOut(action, check, analysis, flips);
+    });
+    return actions;
+}
+
+std::optional<CheckEdit> carriedOut(const CheckAction &action, const Check &check,
+                                    const Analysis &analysis, const Flips *flips)
+{
+    switch (action.kind) {
+    case Kind::MoveToOther:
+        return movedTo(action.section, check, analysis);
+    case Kind::DeleteSections:
+        return deleted(check, analysis.model.document);
+    case Kind::MakeAssemblable:
+        return assemblable(analysis.model.document, flips);
+    case Kind::DropToGround:
+        return dropped(check, analysis.model);
+    case Kind::ShowSteps:
+    case Kind::ChooseSheet:
+    case Kind::WidenSlits:
+        break;
+    }
+    return {};
+}
+
+} // namespace fff

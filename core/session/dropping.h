@@ -1,0 +1,16 @@
+// The whole model onto the ground.
+#pragma once
+
+#include "core/model/model.h"
+
+#include <optional>
+
+namespace fff {
+
+/// Y of the lowest point of the slabs, mm; none without sections. O(vertices).
+std::optional<double> lowestPoint(const Model &model);
+
+/// The document with that point on the ground. Nothing where it is there (to 1 nm).
+std::optional<Document> droppedToGround(const Model &model);
+
+} // namespace fff

@@ -1,0 +1,328 @@
+#include <QTest> // first: moc cannot read some of the standard library before it
+
+#include "core/base/tolerances.h"
+#include "core/session/check_actions.h"
+#include "core/session/joining_move.h"
+#include "core/session/plan_checks.h"
+#include "core/session/session.h"
+#include "core/session/session_host.h"
+#include "tests/core/assembly/known_models.h"
+
+#include <random>
+
+using namespace fff;
+using namespace fff::test;
+
+Q_DECLARE_METATYPE(fff::Document)
+Q_DECLARE_METATYPE(fff::CheckAction::Kind)
+
+namespace {
+
+using Kind = CheckAction::Kind;
+
+Analysis analysed(const Document &document)
+{
+    AnalysisCaches caches;
+    return analyse(evaluate(document), caches);
+}
+
+struct Checked
+{
+    Analysis analysis;
+    std::vector<Check> checks;
+    std::optional<Flips> flips;
+};
+
+Checked checked(const Document &document)
+{
+    Checked all{analysed(document), {}, {}};
+    all.checks = checks(all.analysis);
+    const ModelPlan plan = planOf(all.analysis);
+    for (Check &check : planChecks(all.analysis, plan))
+        all.checks.push_back(std::move(check));
+    all.flips = flipsThatHelp(all.analysis, plan);
+    return all;
+}
+
+int count(const Checked &all, CheckCode code)
+{
+    return static_cast<int>(std::count_if(all.checks.begin(), all.checks.end(),
+                                          [&](const Check &check) { return check.code == code; }));
+}
+
+/// What is wrong, by how many.
+int problems(const Checked &all)
+{
+    return static_cast<int>(
+        std::count_if(all.checks.begin(), all.checks.end(),
+                      [](const Check &check) { return check.severity >= CheckSeverity::Warning; }));
+}
+
+/// The action of this kind that the checks offer, carried out.
+std::optional<CheckEdit> done(const Checked &all, Kind kind)
+{
+    const Flips *flips = all.flips ? &*all.flips : nullptr;
+    for (const Check &check : all.checks)
+        for (const CheckAction &action : actionsOf(check, all.analysis, flips))
+            if (action.kind == kind)
+                return carriedOut(action, check, all.analysis, flips);
+    return {};
+}
+
+ShapePointer plate(double x0, double y0, double x1, double y1)
+{
+    return polygonShape(rectangle(x0, y0, x1, y1));
+}
+
+/// Two crossed plates, 100 x 60, and one beside them.
+Document with(ShapePointer shape, const Frame &frame)
+{
+    return withSection(withSection(withSection(newDocument(), plate(-50, 0, 50, 60), front()),
+                                   plate(-50, 0, 50, 60), side()),
+                       std::move(shape), frame);
+}
+
+Document onSheets(Document document, const Vec2 &size)
+{
+    Stock stock = *document.stocks.front();
+    stock.sheet = size;
+    return *setStock(std::move(document), stock);
+}
+
+} // namespace
+
+class TestCheckActions : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void editsMend_data();
+    void editsMend();
+    void whatOnlyShowsIsOffered();
+    void looseSectionsAreJoined_data();
+    void looseSectionsAreJoined();
+    void whatCannotBeJoinedIsNotMoved_data();
+    void whatCannotBeJoinedIsNotMoved();
+    void whatWasDrawnOnItComesAlong();
+    void anyLooseSectionIsJoinedWell();
+    void aLaterModelIsAskedAnew();
+};
+
+void TestCheckActions::editsMend_data()
+{
+    QTest::addColumn<Document>("document");
+    QTest::addColumn<Kind>("kind");
+    QTest::addColumn<CheckCode>("code");
+    QTest::newRow("a loose plate is moved to the others")
+        << with(plate(-20, 0, 20, 40), side(120)) << Kind::MoveToOther << CheckCode::NotConnected;
+    QTest::newRow("a loose plate is deleted") << with(plate(-20, 0, 20, 40), front(90))
+                                              << Kind::DeleteSections << CheckCode::NotConnected;
+    QTest::newRow("slits are turned round")
+        << roundabout(eggCrate(2, 2), 0) << Kind::MakeAssemblable << CheckCode::CannotAssemble;
+    QTest::newRow("what hangs is dropped")
+        << moveAll(eggCrate(2, 2), {0, 12, 0}) << Kind::DropToGround << CheckCode::NoContact;
+    QTest::newRow("what is sunk is lifted")
+        << moveAll(eggCrate(2, 2), {0, -12, 0}) << Kind::DropToGround << CheckCode::BelowGround;
+}
+
+// Wrong: a link that promises to mend what is wrong and leaves it, or cannot be taken back.
+void TestCheckActions::editsMend()
+{
+    QFETCH(Document, document);
+    QFETCH(Kind, kind);
+    QFETCH(CheckCode, code);
+    const Checked before = checked(document);
+    QVERIFY(count(before, code) > 0);
+    QVERIFY(isEdit(kind));
+    const std::optional<CheckEdit> edit = done(before, kind);
+    QVERIFY(edit);
+    QVERIFY(!edit->document.isSame(document));
+    QVERIFY(!SessionHost::undoText(edit->step).isEmpty());
+    const Checked after = checked(edit->document);
+    QVERIFY(count(after, code) < count(before, code));
+    QVERIFY(problems(after) < problems(before));
+    QVERIFY(!done(after, kind)); // it is done
+
+    Session session;
+    session.reset(document);
+    session.commit(SessionHost::undoText(edit->step), edit->document);
+    QVERIFY(session.committed().document == edit->document);
+    session.history()->undo();
+    QVERIFY(session.committed().document == document);
+}
+
+void TestCheckActions::whatOnlyShowsIsOffered()
+{
+    const auto offers = [](const Document &document, Kind kind) {
+        const Checked all = checked(document);
+        return std::any_of(all.checks.begin(), all.checks.end(), [&](const Check &check) {
+            const auto actions = actionsOf(check, all.analysis);
+            return std::any_of(actions.begin(), actions.end(), [&](const CheckAction &action) {
+                return action.kind == kind && !isEdit(kind) &&
+                       !carriedOut(action, check, all.analysis);
+            });
+        });
+    };
+    Document milled = eggCrate(2, 2);
+    Stock stock = *milled.stocks.front();
+    stock.toolDiameter = 2.0 * stock.thickness;
+    stock.slitEnd = SlitEnd::Round;
+    QVERIFY(offers(*setStock(milled, stock), Kind::WidenSlits));
+    QVERIFY(offers(eggCrate(2, 2), Kind::ShowSteps));
+    QVERIFY(!offers(withSection(newDocument(), plate(0, 0, 50, 50), front()), Kind::ShowSteps));
+    QVERIFY(offers(onSheets(eggCrate(2, 2), {50, 50}), Kind::ChooseSheet));
+    QVERIFY(!offers(eggCrate(2, 2), Kind::ChooseSheet));
+}
+
+void TestCheckActions::looseSectionsAreJoined_data()
+{
+    QTest::addColumn<Document>("document");
+    QTest::addColumn<double>("farthest"); // mm
+    const auto add = [](const char *name, ShapePointer shape, const Frame &frame, double farthest) {
+        QTest::newRow(name) << with(std::move(shape), frame) << farthest;
+    };
+    // To where the faces touch, and on through the half of the other one and a web, or by an
+    // overlap; and what the search is off by.
+    add("its edge goes into the face of the other one", plate(70, 10, 110, 40), front(20),
+        68.5 + 9.0);
+    add("it goes down onto the edge of the other one", plate(-20, 90, 20, 120), side(30),
+        30.0 + 9.0);
+    add("it hangs beside the other one", plate(-20, 20, 20, 50), side(80), 28.5 + 9.0);
+    add("it stands oblique", plate(60, 0, 110, 40), turned(radians(-30.0)), 52.0 + 12.0);
+    add("it touches already", plate(1.5, 0, 40, 40), front(20), 9.0);
+}
+
+// Wrong: a section that is moved beside the other one, or right through it.
+void TestCheckActions::looseSectionsAreJoined()
+{
+    QFETCH(Document, document);
+    QFETCH(double, farthest);
+    const Checked before = checked(document);
+    QCOMPARE(count(before, CheckCode::NotConnected), 1);
+    const std::optional<CheckEdit> edit = done(before, Kind::MoveToOther);
+    QVERIFY(edit);
+    const Checked after = checked(edit->document);
+    QCOMPARE(count(after, CheckCode::NotConnected), 0);
+    for (const CheckCode code :
+         {CheckCode::NoSlit, CheckCode::Interference, CheckCode::ThinWeb, CheckCode::SlitsMeet,
+          CheckCode::BelowGround, CheckCode::CannotAssemble})
+        QCOMPARE(count(after, code), count(before, code));
+    const Vec3 way = edit->document.sections[2]->frame.origin - document.sections[2]->frame.origin;
+    QVERIFY2(way.norm() < farthest, qPrintable(QString::number(way.norm())));
+    // It was not turned, and nobody else was moved.
+    QVERIFY(edit->document.sections[2]->frame.x == document.sections[2]->frame.x);
+    QVERIFY(edit->document.sections[0] == document.sections[0]);
+    QVERIFY(edit->document.sections[1] == document.sections[1]);
+}
+
+void TestCheckActions::whatCannotBeJoinedIsNotMoved_data()
+{
+    QTest::addColumn<Document>("document");
+    const Document one = withSection(newDocument(), plate(-50, 0, 50, 60), front());
+    QTest::newRow("it is parallel to the other one")
+        << withSection(one, plate(-20, 0, 20, 40), front(40));
+    QTest::newRow("it lies in the other one's plane")
+        << withSection(one, plate(80, 0, 120, 40), front());
+    QTest::newRow("it is nearly parallel")
+        << withSection(one, plate(60, 0, 90, 40), turned(radians(5.0)));
+    QTest::newRow("it is a speck") << withSection(one, plate(-1, 20, 1, 22), side(80));
+    QTest::newRow("there is no other one") << one;
+}
+
+// Wrong: a link after which nothing holds the section either.
+void TestCheckActions::whatCannotBeJoinedIsNotMoved()
+{
+    QFETCH(Document, document);
+    const Checked all = checked(document);
+    QVERIFY(!done(all, Kind::MoveToOther));
+    if (count(all, CheckCode::NotConnected) > 0)
+        QVERIFY(done(all, Kind::DeleteSections));
+}
+
+// Wrong: a fin that stays in the air when its tail goes, or the body that goes along with it.
+void TestCheckActions::whatWasDrawnOnItComesAlong()
+{
+    // A loose tail with a fin in it, a plate drawn on it that nothing holds any more, and one of
+    // the crossed plates drawn on it, too.
+    Document document = with(plate(80, 0, 140, 40), front(20));
+    const SectionId tail = document.sections[2]->id;
+    const auto drawnOnTail = [&](ShapePointer shape, const Frame &frame) {
+        NewSection section;
+        section.shape = std::move(shape);
+        section.frame = frame;
+        section.parent = Parent{tail, {0, 0}, {0, 20}};
+        document = *addSection(std::move(document), std::move(section));
+    };
+    drawnOnTail(plate(-40, 10, -8, 50), side(110));
+    drawnOnTail(plate(-10, 0, 10, 20), side(400));
+    drawnOnTail(plate(-20, 0, 20, 50), front(-30)); // held by the side plate
+    const Checked before = checked(document);
+    const Check *loose = nullptr;
+    for (const Check &check : before.checks)
+        if (check.code == CheckCode::NotConnected && check.sections.size() == 2)
+            loose = &check;
+    QVERIFY(loose);
+    const std::optional<JoiningMove> move =
+        joiningMove(before.analysis, loose->sections, before.analysis.model.ref(1));
+    QVERIFY(move);
+    std::vector<std::size_t> went;
+    const Document next = moved(document, *move);
+    for (std::size_t i = 0; i < next.sections.size(); ++i) {
+        const Vec3 way = next.sections[i]->frame.origin - document.sections[i]->frame.origin;
+        if (way.isZero())
+            continue;
+        went.push_back(i);
+        QVERIFY((way - move->way).norm() < 1e-9);
+    }
+    QCOMPARE(went, (std::vector<std::size_t>{2, 3, 4}));
+    QVERIFY(count(checked(next), CheckCode::NotConnected) < count(before, CheckCode::NotConnected));
+}
+
+// Wrong: a move that mends one thing and breaks another.
+void TestCheckActions::anyLooseSectionIsJoinedWell()
+{
+    constexpr unsigned kSeed = 5; // of the places
+    std::mt19937 random(kSeed);
+    std::uniform_real_distribution<double> place(-150, 150), turn(0, 3.14159), size(20, 60);
+    int offered = 0;
+    for (int i = 0; i < 60; ++i) {
+        Frame frame = turned(turn(random));
+        frame.origin = {place(random), std::abs(place(random)), place(random)};
+        const Document document = with(plate(0, 0, size(random), size(random)), frame);
+        const Checked before = checked(document);
+        if (count(before, CheckCode::NotConnected) == 0)
+            continue;
+        const std::optional<CheckEdit> edit = done(before, Kind::MoveToOther);
+        if (!edit)
+            continue;
+        ++offered;
+        const Checked after = checked(edit->document);
+        const QByteArray which = "place " + QByteArray::number(i);
+        QVERIFY2(count(after, CheckCode::NotConnected) == 0, which);
+        for (const CheckCode code : {CheckCode::NoSlit, CheckCode::Interference,
+                                     CheckCode::SlitsMeet, CheckCode::BelowGround})
+            QVERIFY2(count(after, code) <= count(before, code), which);
+    }
+    QVERIFY2(offered >= 30, qPrintable(QString::number(offered)));
+}
+
+// Wrong: what a row of an older model offers is done to sections that are not there any more.
+void TestCheckActions::aLaterModelIsAskedAnew()
+{
+    const Document document = with(plate(-20, 0, 20, 40), side(120));
+    const Checked all = checked(document);
+    const auto loose = std::find_if(all.checks.begin(), all.checks.end(), [](const Check &check) {
+        return check.code == CheckCode::NotConnected;
+    });
+    QVERIFY(loose != all.checks.end());
+    for (const std::size_t gone : {0u, 2u}) {
+        const Analysis later =
+            analysed(*removeSections(document, std::vector{document.sections[gone]->id}));
+        QVERIFY(!carriedOut({Kind::MoveToOther, *loose->other}, *loose, later) ||
+                later.model.indexOf(*loose->other) >= 0);
+        QCOMPARE(carriedOut({Kind::DeleteSections, {}}, *loose, later).has_value(), gone == 0);
+    }
+}
+
+QTEST_APPLESS_MAIN(TestCheckActions)
+#include "tst_check_actions.moc"

@@ -1,0 +1,164 @@
+#include "ui/docks/link_row.h"
+
+#include "ui/theme.h"
+
+#include <QAbstractButton>
+#include <QKeyEvent>
+#include <QPainter>
+
+#include <algorithm>
+
+namespace fff::ui {
+
+namespace {
+
+constexpr int kBetween = 16; // px, with the dot in the middle
+constexpr int kAround = 2;   // px, for the frame of the focus
+
+/// Words to be clicked. Too long ones are cut short; their tip says them all.
+class Link : public QAbstractButton
+{
+public:
+    explicit Link(QWidget *parent) : QAbstractButton(parent)
+    {
+        setFocusPolicy(Qt::StrongFocus);
+        setCursor(Qt::PointingHandCursor);
+        setAttribute(Qt::WA_Hover);
+    }
+
+    QSize sizeHint() const override
+    {
+        const QFontMetrics metrics = fontMetrics();
+        return {metrics.horizontalAdvance(text()) + 2 * kAround, metrics.height() + 2 * kAround};
+    }
+
+protected:
+    void paintEvent(QPaintEvent *) override
+    {
+        QPainter painter(this);
+        const Theme &t = theme();
+        QFont underlined = font();
+        underlined.setUnderline(true);
+        painter.setFont(underlined);
+        painter.setPen(underMouse() || isDown() ? t.text : t.accent);
+        const QRect words = rect().adjusted(kAround, kAround, -kAround, -kAround);
+        painter.drawText(words, Qt::AlignLeft | Qt::AlignVCenter,
+                         fontMetrics().elidedText(text(), Qt::ElideMiddle, words.width()));
+        if (hasFocus()) {
+            painter.setPen(QPen(t.accent, 1.0));
+            painter.drawRect(rect().adjusted(0, 0, -1, -1));
+        }
+    }
+    void keyPressEvent(QKeyEvent *event) override
+    {
+        if (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter)
+            click();
+        else
+            QAbstractButton::keyPressEvent(event);
+    }
+    void resizeEvent(QResizeEvent *) override
+    {
+        setToolTip(width() < sizeHint().width() ? text() : QString());
+    }
+};
+
+} // namespace
+
+LinkRow::LinkRow(QWidget *parent) : QWidget(parent)
+{
+    QSizePolicy policy(QSizePolicy::Preferred, QSizePolicy::Minimum);
+    policy.setHeightForWidth(true);
+    setSizePolicy(policy);
+}
+
+void LinkRow::setTexts(const QStringList &texts)
+{
+    if (texts == m_texts)
+        return;
+    m_texts = texts;
+    const auto count = static_cast<std::size_t>(texts.size());
+    while (m_links.size() < count) {
+        auto *link = new Link(this);
+        const int index = static_cast<int>(m_links.size());
+        link->setObjectName(QStringLiteral("checkLink%1").arg(index));
+        // It comes after all rows otherwise: those are there first.
+        QWidget::setTabOrder(m_links.empty() ? parentWidget() : m_links.back(), link);
+        connect(link, &QAbstractButton::clicked, this, [this, index] { Q_EMIT clicked(index); });
+        m_links.push_back(link);
+    }
+    for (std::size_t i = 0; i < m_links.size(); ++i) {
+        m_links[i]->setVisible(i < count);
+        if (i >= count)
+            continue;
+        // An ampersand in a name is none of a mnemonic: the link paints its text itself.
+        m_links[i]->setText(texts[static_cast<qsizetype>(i)]);
+        m_links[i]->setAccessibleName(texts[static_cast<qsizetype>(i)]);
+    }
+    updateGeometry();
+    place();
+    update();
+}
+
+std::vector<QRect> LinkRow::places(int width) const
+{
+    std::vector<QRect> places;
+    int x = 0, y = 0;
+    for (qsizetype i = 0; i < m_texts.size(); ++i) {
+        const QSize size = m_links[static_cast<std::size_t>(i)]->sizeHint();
+        if (x > 0 && x + size.width() > width) {
+            x = 0;
+            y += size.height();
+        }
+        places.emplace_back(x, y, std::min(size.width(), width), size.height());
+        x += size.width() + kBetween - 2 * kAround;
+    }
+    return places;
+}
+
+void LinkRow::place()
+{
+    const std::vector<QRect> at = places(width());
+    for (std::size_t i = 0; i < at.size(); ++i)
+        m_links[i]->setGeometry(at[i]);
+}
+
+QSize LinkRow::sizeHint() const
+{
+    int width = 0;
+    for (const QRect &place : places(QWIDGETSIZE_MAX))
+        width = std::max(width, place.right() + 1);
+    return {width, heightForWidth(width)};
+}
+
+QSize LinkRow::minimumSizeHint() const
+{
+    return {0, 0};
+}
+
+int LinkRow::heightForWidth(int width) const
+{
+    int height = 0;
+    for (const QRect &place : places(width))
+        height = std::max(height, place.bottom() + 1);
+    return height;
+}
+
+void LinkRow::resizeEvent(QResizeEvent *)
+{
+    place();
+}
+
+/// The dots between links of one line.
+void LinkRow::paintEvent(QPaintEvent *)
+{
+    QPainter painter(this);
+    painter.setPen(theme().muted);
+    const std::vector<QRect> at = places(width());
+    for (std::size_t i = 1; i < at.size(); ++i)
+        if (at[i].top() == at[i - 1].top())
+            painter.drawText(QRect(at[i - 1].right() + 1, at[i].top(),
+                                   at[i].left() - at[i - 1].right() - 1, at[i].height()),
+                             Qt::AlignCenter, QStringLiteral("·"));
+}
+
+} // namespace fff::ui
