@@ -3850,13 +3850,6 @@
         <source>Replace files</source>
         <translation>Dateien ersetzen</translation>
     </message>
-    <message numerus="yes">
-        <source>Replace %n file(s) of an earlier export?</source>
-        <translation>
-            <numerusform>%n Datei einer früheren Ausgabe ersetzen?</numerusform>
-            <numerusform>%n Dateien einer früheren Ausgabe ersetzen?</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Replace</source>
         <translation>Ersetzen</translation>
@@ -3864,6 +3857,13 @@
     <message>
         <source>Cancel</source>
         <translation>Abbrechen</translation>
+    </message>
+    <message numerus="yes">
+        <source>Replace %n existing file(s)?</source>
+        <translation>
+            <numerusform>%n vorhandene Datei ersetzen?</numerusform>
+            <numerusform>%n vorhandene Dateien ersetzen?</numerusform>
+        </translation>
     </message>
 </context>
 <context>

@@ -235,10 +235,10 @@
 <context>
     <name>fff::ui::ReplaceQuestion</name>
     <message numerus="yes">
-        <source>Replace %n file(s) of an earlier export?</source>
+        <source>Replace %n existing file(s)?</source>
         <translation>
-            <numerusform>Replace %n file of an earlier export?</numerusform>
-            <numerusform>Replace %n files of an earlier export?</numerusform>
+            <numerusform>Replace %n existing file?</numerusform>
+            <numerusform>Replace %n existing files?</numerusform>
         </translation>
     </message>
 </context>

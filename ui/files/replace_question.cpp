@@ -30,10 +30,10 @@ bool mayReplace(QWidget &window, const std::vector<io::NamedBytes> &files)
     }
     if (there.isEmpty())
         return true;
-    QMessageBox question(QMessageBox::NoIcon, Words::tr("Replace files"),
-                         Words::tr("Replace %n file(s) of an earlier export?", nullptr,
-                                   static_cast<int>(there.size())),
-                         QMessageBox::NoButton, &window);
+    QMessageBox question(
+        QMessageBox::NoIcon, Words::tr("Replace files"),
+        Words::tr("Replace %n existing file(s)?", nullptr, static_cast<int>(there.size())),
+        QMessageBox::NoButton, &window);
     question.setObjectName(QStringLiteral("replaceQuestion"));
     question.setPalette(theme().palette());
     QStringList named = there.mid(0, kMostNames);

@@ -1,4 +1,5 @@
-// Asks before several files replace those that are there: a file dialog asks about one only.
+// Asks before files replace those that are there: a file dialog asks about one only, and only when
+// it has the name that is written.
 #pragma once
 
 #include "core/io/file_set.h"

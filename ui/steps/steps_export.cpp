@@ -19,9 +19,20 @@ namespace {
 
 const QString kPaper = QStringLiteral("pdf"), kPictures = QStringLiteral("png");
 
+bool hasSuffix(const QString &path, const QString &suffix)
+{
+    return QFileInfo(path).suffix().compare(suffix, Qt::CaseInsensitive) == 0;
+}
+
 bool isPictures(const QString &path)
 {
-    return QFileInfo(path).suffix().compare(kPictures, Qt::CaseInsensitive) == 0;
+    return hasSuffix(path, kPictures);
+}
+
+/// What follows a dot in a model's name ("chair.v2") is no suffix.
+QString withoutSuffix(const QString &path)
+{
+    return hasSuffix(path, kPaper) || isPictures(path) ? path.chopped(kPaper.size() + 1) : path;
 }
 
 } // namespace
@@ -49,11 +60,19 @@ bool StepsExport::ask(const Subject &subject, const QString &suggestion)
         dialog.setOption(QFileDialog::DontConfirmOverwrite, filter == pictures);
         const QFileInfo chosen(dialog.selectedFiles().value(0));
         if (!chosen.isDir())
-            dialog.selectFile(chosen.completeBaseName() + u'.' + suffix);
+            dialog.selectFile(withoutSuffix(chosen.fileName()) + u'.' + suffix);
     });
     if (dialog.exec() != QDialog::Accepted)
         return false;
-    return write(subject, dialog.selectedFiles().value(0));
+    // A suffix that was typed is meant, with any other one the filter decides.
+    const QString chosen = dialog.selectedFiles().value(0);
+    const bool isTyped = hasSuffix(chosen, kPaper) || isPictures(chosen);
+    const QString path = isTyped ? chosen : chosen + u'.' + dialog.defaultSuffix();
+    // The dialog has asked about the very name that was chosen, and about none of pictures.
+    const bool wasAsked = path == chosen && !dialog.testOption(QFileDialog::DontConfirmOverwrite);
+    if (!isPictures(path) && !wasAsked && !mayReplace(m_window, {{path, {}}}))
+        return false;
+    return write(subject, path);
 }
 
 bool StepsExport::write(const Subject &subject, const QString &path)

@@ -12,7 +12,12 @@
 #include "ui/steps/steps_view.h"
 #include "ui/view/steps_scene.h"
 
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QDir>
 #include <QFileDialog>
+#include <QLineEdit>
+#include <QPointer>
 #include <QSlider>
 #include <QToolButton>
 
@@ -40,6 +45,8 @@ private Q_SLOTS:
     void whatCannotBeAssembledSaysWhy();
     void nothingIsShownOfAnOlderPlan();
     void theyAreExported();
+    void theNameAndTheFilterSayWhatIsWritten_data();
+    void theNameAndTheFilterSayWhatIsWritten();
 
 private:
     void open(const Document &document);
@@ -313,6 +320,79 @@ void TestStepsView::theyAreExported()
     QTest::mouseClick(m_window->findChild<QToolButton *>(QStringLiteral("stepsExport")),
                       Qt::LeftButton);
     QCOMPARE(suggested, QStringLiteral("pdf"));
+}
+
+void TestStepsView::theNameAndTheFilterSayWhatIsWritten_data()
+{
+    QTest::addColumn<bool>("wantsPictures"); // the filter
+    QTest::addColumn<QString>("typed");
+    QTest::addColumn<QString>("there"); // before
+    QTest::addColumn<int>("questions"); // of the dialog or our own
+    QTest::addColumn<QStringList>("written");
+    const QStringList pictures{QStringLiteral("a-01.png"), QStringLiteral("a-02.png"),
+                               QStringLiteral("a-03.png"), QStringLiteral("a-04.png")};
+    const QStringList second{QStringLiteral("a.v2-01.png"), QStringLiteral("a.v2-02.png"),
+                             QStringLiteral("a.v2-03.png"), QStringLiteral("a.v2-04.png")};
+    const auto row = [](const char *name, bool wantsPictures, const char *typed, const char *there,
+                        int questions, const QStringList &written) {
+        QTest::newRow(name) << wantsPictures << QString::fromLatin1(typed)
+                            << QString::fromLatin1(there) << questions << written;
+    };
+    row("a name gets the suffix of the paper", false, "a", "", 0, {QStringLiteral("a.pdf")});
+    row("a name gets the suffix of the pictures", true, "a", "", 0, pictures);
+    row("a dot in a name is no suffix on paper", false, "a.v2", "", 0,
+        {QStringLiteral("a.v2.pdf")});
+    row("a dot in a name is no suffix of pictures", true, "a.v2", "", 0, second);
+    row("a suffix that is typed is meant", false, "a.png", "", 0, pictures);
+    row("a PDF that is there is asked about", false, "a.pdf", "a.pdf", 1, {});
+    row("a PDF that is there is asked about with the other filter", true, "a.pdf", "a.pdf", 1, {});
+    row("a PDF that gets its suffix later is asked about", false, "a.v2", "a.v2.pdf", 1, {});
+    row("a picture that is there is asked about", true, "a.png", "a-02.png", 1, {});
+    row("a picture that none is called like is not asked about", true, "a.png", "a.png", 0,
+        pictures);
+}
+
+// Wrong: what lies there is lost without a question, or one kind of file has the other one's name.
+void TestStepsView::theNameAndTheFilterSayWhatIsWritten()
+{
+    QFETCH(bool, wantsPictures);
+    QFETCH(QString, typed);
+    QFETCH(QString, there);
+    QFETCH(int, questions);
+    QFETCH(QStringList, written);
+    showSteps();
+    const QString folder = m_folder->filePath(QStringLiteral("out"));
+    QVERIFY(QDir().mkpath(folder));
+    if (!there.isEmpty())
+        QVERIFY(io::writeFile(folder + u'/' + there, "mine"));
+    int asked = 0;
+    whenShown<QFileDialog>("stepsExportDialog", [&](QFileDialog *dialog) {
+        auto *kinds = dialog->findChild<QComboBox *>(QStringLiteral("fileTypeCombo"));
+        kinds->setFocus();
+        QTest::keyClick(kinds, wantsPictures ? Qt::Key_End : Qt::Key_Home);
+        dialog->findChild<QLineEdit *>(QStringLiteral("fileNameEdit"))->setText(typed);
+        dialog->findChild<QDialogButtonBox *>()->button(QDialogButtonBox::Save)->click();
+    });
+    QTimer no;
+    connect(&no, &QTimer::timeout, this, [&asked] {
+        if (auto *question = qobject_cast<QMessageBox *>(QApplication::activeModalWidget())) {
+            ++asked;
+            question->reject();
+        }
+    });
+    no.start(20);
+    const bool wasWritten = m_window->findChild<StepsExport *>()->ask(
+        {steps().steps(), interaction().camera(), QStringLiteral("Comb")},
+        folder + QStringLiteral("/comb"));
+    no.stop();
+    QCOMPARE(asked, questions);
+    QCOMPARE(wasWritten, !written.isEmpty());
+    QStringList now = QDir(folder).entryList(QDir::Files, QDir::Name);
+    if (!there.isEmpty()) {
+        QCOMPARE(io::readFile(folder + u'/' + there).value(), std::string("mine"));
+        now.removeOne(there);
+    }
+    QCOMPARE(now, written);
 }
 
 int main(int argc, char *argv[])
