@@ -4635,6 +4635,18 @@
         <extracomment>%1 is &quot;Step 4 of 38&quot;, %2 what is done in it</extracomment>
         <translation>&lt;b&gt;%1:&lt;/b&gt; %2</translation>
     </message>
+    <message>
+        <source>The model has changed, so its steps are not shown.</source>
+        <translation>Das Modell hat sich geändert, deshalb werden seine Schritte nicht gezeigt.</translation>
+    </message>
+    <message>
+        <source>The steps will not be shown.</source>
+        <translation>Die Schritte werden nicht gezeigt.</translation>
+    </message>
+    <message>
+        <source>The order of assembly is known now; “Show the steps” shows it.</source>
+        <translation>Die Reihenfolge ist jetzt bekannt; „Schritte zeigen“ zeigt sie.</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::Stock</name>

@@ -175,6 +175,8 @@ void MainWindow::makeDocks()
     connect(m_checks, &ChecksDock::stepsWanted, this,
             [this] { run(QStringLiteral("check.showAssembly")); });
     connect(m_steps, &StepsView::said, m_status, &StatusLine::sayMarked);
+    connect(m_steps, &StepsView::waitingChanged, m_actions,
+            [this](bool waits) { m_actions->setWaiting("check.showAssembly", waits); });
     connect(m_history, &HistoryDock::said, m_status, &StatusLine::sayMarked);
     connect(m_checks, &ChecksDock::stockWanted, this, &MainWindow::showStocks);
     connect(m_properties, &PropertiesDock::stockWanted, this, &MainWindow::showStocks);

@@ -157,6 +157,15 @@ void ActionSet::setAble(const char *id, bool able, const QString &whyNot)
     setTip(a, able ? tr(rowOf(a->objectName()).tip) : whyNot);
 }
 
+void ActionSet::setWaiting(const char *id, bool waits)
+{
+    if (waits)
+        m_waiting.insert(QLatin1String(id));
+    else
+        m_waiting.remove(QLatin1String(id));
+    refresh();
+}
+
 void ActionSet::refresh()
 {
     const QUndoStack &history = *m_bench.session().history();
@@ -217,7 +226,7 @@ void ActionSet::refresh()
     setAble("section.dropToGround", m_bench.commands().isEnabled("section.dropToGround"),
             hasSections ? tr("The model stands on the ground") : nothingThere);
     for (const char *id : kTools)
-        action(id)->setChecked(held == id);
+        action(id)->setChecked(held == id || m_waiting.contains(QLatin1String(id)));
     action("section.symmetry")->setChecked(settings().isOn(DrawingSwitch::Symmetry));
     action("section.ground")->setChecked(settings().isOn(DrawingSwitch::Ground));
     action("section.snap")->setChecked(settings().isOn(DrawingSwitch::Snap));

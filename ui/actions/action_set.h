@@ -7,6 +7,7 @@
 #include <QHash>
 #include <QKeySequence>
 #include <QObject>
+#include <QSet>
 
 #include <functional>
 #include <initializer_list>
@@ -41,6 +42,8 @@ public:
     static QString sentence(const QAction *action);
 
     void setAble(const char *id, bool able, const QString &whyNot);
+    /// What was asked for and is not there yet is checked, too: asking again takes it back.
+    void setWaiting(const char *id, bool waits);
     /// What can be done now, and what is checked.
     void refresh();
 
@@ -53,6 +56,7 @@ private:
 
     Workbench &m_bench;
     QHash<QString, QAction *> m_actions;
+    QSet<QString> m_waiting;
 };
 
 } // namespace fff::ui

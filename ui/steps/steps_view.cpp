@@ -9,6 +9,7 @@
 #include "ui/viewport.h"
 #include "ui/workbench.h"
 
+#include <QApplication>
 #include <QKeyEvent>
 
 #include <utility>
@@ -29,6 +30,22 @@ bool isPlain(const QKeyEvent *event)
     return (event->modifiers() & ~Qt::KeypadModifier) == Qt::NoModifier;
 }
 
+/// The view is moved, with nothing begun in it.
+bool movesView(Hint::Kind gesture)
+{
+    return gesture == Hint::Kind::TurnView || gesture == Hint::Kind::Orbiting ||
+           gesture == Hint::Kind::Panning || gesture == Hint::Kind::Zooming ||
+           gesture == Hint::Kind::LookFrom;
+}
+
+/// In a field, a menu or a question: what takes the focus now takes the next keys as well.
+bool isElsewhere()
+{
+    const QWidget *focus = QApplication::focusWidget();
+    return QApplication::activeModalWidget() || QApplication::activePopupWidget() ||
+           (focus && focus->testAttribute(Qt::WA_InputMethodEnabled));
+}
+
 } // namespace
 
 StepsView::StepsView(Workbench &bench, const CheckList &list, Viewport *viewport, QObject *parent)
@@ -38,6 +55,7 @@ StepsView::StepsView(Workbench &bench, const CheckList &list, Viewport *viewport
         return;
     m_bar = new StepsBar(viewport);
     viewport->installEventFilter(this);
+    viewport->window()->installEventFilter(this); // Esc, wherever nobody else has a use for it
     connect(m_bar, &StepsBar::playWanted, this, [this] { act(Qt::Key_Space); });
     connect(m_bar, &StepsBar::previousWanted, this, [this] { act(Qt::Key_Left); });
     connect(m_bar, &StepsBar::nextWanted, this, [this] { act(Qt::Key_Right); });
@@ -56,9 +74,11 @@ StepsView::StepsView(Workbench &bench, const CheckList &list, Viewport *viewport
             close();
     });
     connect(&bench, &Workbench::viewChanged, this, &StepsView::follow);
-    connect(&list, &CheckList::changed, this, [this] {
-        if (m_isWanted)
-            openWhenPlanned();
+    connect(&bench, &Workbench::viewChanged, this, &StepsView::followWork);
+    connect(&list, &CheckList::changed, this, &StepsView::followWork);
+    connect(&bench.session(), &Session::modelChanged, this, [this] {
+        if (m_isWaiting)
+            giveUp(tr("The model has changed, so its steps are not shown."));
     });
 }
 
@@ -102,34 +122,72 @@ void StepsView::toggle()
         Q_EMIT said(tr("The steps cannot be shown on this display."));
         return;
     }
+    if (m_isWaiting) {
+        giveUp(tr("The steps will not be shown."));
+        return;
+    }
     if (m_bench.session().hasPreview())
         m_bench.escape(); // what is still being drawn has no steps
-    m_isWanted = true;
-    openWhenPlanned();
-    if (m_isWanted)
-        Q_EMIT said(tr("Working out the order of assembly; the steps are shown as soon as it is "
-                       "known."));
+    if (isPlanned()) {
+        openPlanned();
+        return;
+    }
+    m_heldTool = m_bench.interaction().tool();
+    setWaiting(true);
+    Q_EMIT said(tr("Working out the order of assembly; the steps are shown as soon as it is "
+                   "known."));
+}
+
+void StepsView::setWaiting(bool waits)
+{
+    if (std::exchange(m_isWaiting, waits) != waits)
+        Q_EMIT waitingChanged(waits);
+}
+
+void StepsView::giveUp(const QString &why)
+{
+    setWaiting(false);
+    Q_EMIT said(why);
+}
+
+void StepsView::followWork()
+{
+    if (!m_isWaiting)
+        return;
+    const Interaction &interaction = m_bench.interaction();
+    const bool hasGesture = interaction.hasGesture();
+    if (interaction.tool() != m_heldTool || (hasGesture && !movesView(interaction.hint().kind)))
+        giveUp(tr("The steps will not be shown."));
+    else if (!hasGesture && isPlanned()) // else they come when it is over
+        openPlanned(isElsewhere());
 }
 
 /// The plan may be older than the drawing: then the next one is waited for.
-void StepsView::openWhenPlanned()
+bool StepsView::isPlanned() const
 {
     const Session &session = m_bench.session();
     const auto &planned = m_list.plan();
-    const bool isEmpty = session.model().sectionCount() == 0;
-    if (!isEmpty && (session.hasPreview() || session.analysedRevision() != session.revision() ||
-                     !planned || planned->analysis != session.analysisPointer()))
-        return;
-    m_isWanted = false;
-    if (isEmpty) {
+    return session.model().sectionCount() == 0 ||
+           (!session.hasPreview() && session.analysedRevision() == session.revision() && planned &&
+            planned->analysis == session.analysisPointer());
+}
+
+void StepsView::openPlanned(bool isElsewhere)
+{
+    setWaiting(false);
+    const Session &session = m_bench.session();
+    if (session.model().sectionCount() == 0) {
         Q_EMIT said(whyNoSteps(session.analysis(), {}).toHtmlEscaped());
         return;
     }
-    AssemblyStepsPointer steps = assemblySteps(planned->analysis, planned->plan);
-    if (steps)
-        open(std::move(steps));
+    const PlannedAnalysis &planned = *m_list.plan();
+    AssemblyStepsPointer steps = assemblySteps(planned.analysis, planned.plan);
+    if (!steps)
+        Q_EMIT said(whyNoSteps(*planned.analysis, planned.plan).toHtmlEscaped());
+    else if (isElsewhere)
+        Q_EMIT said(tr("The order of assembly is known now; \u201cShow the steps\u201d shows it."));
     else
-        Q_EMIT said(whyNoSteps(*planned->analysis, planned->plan).toHtmlEscaped());
+        open(std::move(steps));
 }
 
 void StepsView::open(AssemblyStepsPointer steps)
@@ -231,6 +289,12 @@ bool StepsView::act(int key)
 
 bool StepsView::eventFilter(QObject *object, QEvent *event)
 {
+    if (m_isWaiting && event->type() == QEvent::KeyPress &&
+        static_cast<QKeyEvent *>(event)->key() == Qt::Key_Escape &&
+        !m_bench.interaction().hasGesture()) {
+        giveUp(tr("The steps will not be shown."));
+        return true;
+    }
     if (!isOpen() || object != m_viewport)
         return QObject::eventFilter(object, event);
     if (event->type() == QEvent::ShortcutOverride || event->type() == QEvent::KeyPress) {

@@ -13,6 +13,7 @@
 namespace fff {
 class CheckList;
 class StepsPlayer;
+class Tool;
 } // namespace fff
 
 namespace fff::ui {
@@ -31,9 +32,11 @@ public:
     ~StepsView() override;
 
     /// Shows them, or the model again. What is in the way is said. Where the plan is still being
-    /// worked out they are shown as soon as it is there.
+    /// worked out they are waited for: shown as soon as it is there, unless by then they are
+    /// toggled again, Esc is pressed, or a person has gone on with something else.
     void toggle();
     bool isOpen() const { return m_scene != nullptr; }
+    bool isWaiting() const { return m_isWaiting; }
     /// All that is there now, over the bar.
     void fit();
     /// Those that are shown; null: none are.
@@ -46,13 +49,20 @@ public:
 Q_SIGNALS:
     /// For the status bar, with marks.
     void said(const QString &sentence);
+    void waitingChanged(bool isWaiting);
     void exportWanted();
 
 protected:
     bool eventFilter(QObject *object, QEvent *event) override;
 
 private:
-    void openWhenPlanned();
+    bool isPlanned() const;
+    /// Or says why there are none. isElsewhere: a person is; then they are only offered.
+    void openPlanned(bool isElsewhere = false);
+    void setWaiting(bool waits);
+    void giveUp(const QString &why);
+    /// While they are waited for: nothing that is being done is disturbed.
+    void followWork();
     void open(AssemblyStepsPointer steps);
     void close();
     /// Moves the player on and shows where it is now.
@@ -64,7 +74,8 @@ private:
     const CheckList &m_list;
     Viewport *m_viewport;
     StepsBar *m_bar = nullptr;
-    bool m_isWanted = false; // as soon as there is a plan
+    bool m_isWaiting = false;         // for a plan
+    const Tool *m_heldTool = nullptr; // since then
     std::shared_ptr<StepsPlayer> m_player;
     std::unique_ptr<StepsScene> m_scene; // while they are shown
     struct Shown

@@ -20,10 +20,16 @@
 #include <QPointer>
 #include <QSlider>
 #include <QToolButton>
+#include <QTreeView>
+#include <QWheelEvent>
+
+#include <functional>
 
 using namespace fff;
 using namespace fff::test;
 using namespace fff::ui;
+
+Q_DECLARE_METATYPE(std::function<void()>)
 
 class TestStepsView : public QObject, private ViewHand
 {
@@ -44,11 +50,17 @@ private Q_SLOTS:
     void anotherToolLeavesThem();
     void whatCannotBeAssembledSaysWhy();
     void nothingIsShownOfAnOlderPlan();
+    void whoGoesOnIsNotDisturbed_data();
+    void whoGoesOnIsNotDisturbed();
+    void theViewMayBeTurnedMeanwhile();
     void theyAreExported();
     void theNameAndTheFilterSayWhatIsWritten_data();
     void theNameAndTheFilterSayWhatIsWritten();
 
 private:
+    /// Asks for the steps of a model whose plan is not there yet.
+    void waitForSteps();
+    void finishPlan();
     void open(const Document &document);
     void showSteps();
     StepsView &steps() { return *m_window->findChild<StepsView *>(); }
@@ -65,6 +77,7 @@ private:
     {
         return m_window->findChild<QSlider *>(QLatin1String(name));
     }
+    QPointer<QLineEdit> m_field;
     std::size_t shownParts() { return m_view->steps()->scene.sections.size(); }
 };
 
@@ -78,11 +91,24 @@ void TestStepsView::init()
 void TestStepsView::open(const Document &document)
 {
     session().reset(document);
-    session().currentAnalysis();
-    m_window->findChild<CheckList *>()->finish();
+    finishPlan();
     bench().showAll("iso1");
     m_view->setFocus();
     QTRY_VERIFY(m_view->hasFocus());
+}
+
+void TestStepsView::finishPlan()
+{
+    session().currentAnalysis();
+    m_window->findChild<CheckList *>()->finish();
+}
+
+void TestStepsView::waitForSteps()
+{
+    session().commit(QStringLiteral("Add"), comb(5));
+    actionOf(*m_window, "check.showAssembly")->trigger(); // before an event brings the plan
+    QVERIFY(steps().isWaiting() && !steps().isOpen());
+    QVERIFY(actionOf(*m_window, "check.showAssembly")->isChecked());
 }
 
 void TestStepsView::showSteps()
@@ -245,8 +271,7 @@ void TestStepsView::anEditLeavesThem()
     QVERIFY(!steps().isOpen() && !m_view->steps());
     QCOMPARE(status(),
              QStringLiteral("The model has changed, so the view of its steps was closed."));
-    session().currentAnalysis();
-    m_window->findChild<CheckList *>()->finish();
+    finishPlan();
     showSteps();
     key(Qt::Key_Z, Qt::ControlModifier);
     QVERIFY(!steps().isOpen());
@@ -275,12 +300,91 @@ void TestStepsView::whatCannotBeAssembledSaysWhy()
 // Wrong: the steps are those of a model before.
 void TestStepsView::nothingIsShownOfAnOlderPlan()
 {
-    session().commit(QStringLiteral("Add"), comb(5));
-    key(Qt::Key_A);
-    if (!steps().isOpen()) // as a rule it is still being worked out
-        QVERIFY(status().startsWith(QStringLiteral("Working out the order")));
-    QTRY_VERIFY(steps().isOpen());
+    waitForSteps();
+    QVERIFY(status().startsWith(QStringLiteral("Working out the order")));
+    finishPlan();
+    QVERIFY(steps().isOpen());
     QCOMPARE(steps().steps()->playback.partCount(), 6);
+    QVERIFY(actionOf(*m_window, "check.showAssembly")->isChecked());
+    key(Qt::Key_Escape);
+    QVERIFY(!actionOf(*m_window, "check.showAssembly")->isChecked());
+}
+
+void TestStepsView::whoGoesOnIsNotDisturbed_data()
+{
+    QTest::addColumn<std::function<void()>>("goOn");
+    QTest::addColumn<QString>("said"); // begins so
+    const auto row = [](const char *name, std::function<void()> goOn, const char *said) {
+        QTest::newRow(name) << std::move(goOn) << QString::fromLatin1(said);
+    };
+    const char *const notShown = "The steps will not be shown.";
+    row(
+        "asking again", [this] { actionOf(*m_window, "check.showAssembly")->trigger(); }, notShown);
+    row(
+        "Esc", [this] { QTest::keyClick(m_view, Qt::Key_Escape); }, notShown);
+    row(
+        "Esc in a dock",
+        [this] {
+            auto *list = m_window->findChild<QTreeView *>(QStringLiteral("outlineTree"));
+            QVERIFY(list);
+            list->setFocus();
+            QTest::keyClick(list, Qt::Key_Escape);
+        },
+        notShown);
+    row(
+        "an edit", [this] { session().commit(QStringLiteral("Add"), comb(6)); },
+        "The model has changed, so its steps are not shown.");
+    row(
+        "undo", [this] { session().history()->undo(); }, "The model has changed");
+    row(
+        "a tool", [this] { bench().run(QStringLiteral("section.pen")); }, notShown);
+    row(
+        "a stroke", [this] { press(onScreen(first().frame.toWorld(first().shape->centroid()))); },
+        "");
+    row(
+        "typing",
+        [this] {
+            m_field = new QLineEdit(m_window.get());
+            m_field->show();
+            m_field->setFocus();
+            QVERIFY(m_field->hasFocus());
+        },
+        "The order of assembly is known now");
+}
+
+// Wrong: points of the pen, a stroke, or the place in a field are lost to steps that nobody waits
+// for any more.
+void TestStepsView::whoGoesOnIsNotDisturbed()
+{
+    QFETCH(std::function<void()>, goOn);
+    QFETCH(QString, said);
+    waitForSteps();
+    goOn();
+    const Tool *held = interaction().tool();
+    const bool hadGesture = interaction().hasGesture();
+    finishPlan();
+    QVERIFY(!steps().isOpen() && !steps().isWaiting());
+    QVERIFY(!actionOf(*m_window, "check.showAssembly")->isChecked());
+    QCOMPARE(interaction().tool(), held);
+    QCOMPARE(interaction().hasGesture(), hadGesture);
+    QVERIFY(!m_field || m_field->hasFocus());
+    QVERIFY2(status().startsWith(said), qPrintable(status()));
+}
+
+// Wrong: the view jumps back under the hand that turns it, or the steps are forgotten over it.
+void TestStepsView::theViewMayBeTurnedMeanwhile()
+{
+    waitForSteps();
+    const QPoint beside(40, m_view->height() / 2);
+    const Camera before = interaction().camera();
+    press(beside);
+    move(beside + QPoint(30, 0));
+    move(beside + QPoint(60, 0));
+    finishPlan();
+    QVERIFY(!steps().isOpen() && steps().isWaiting());
+    release(beside + QPoint(60, 0));
+    QVERIFY(steps().isOpen());
+    QVERIFY(!(interaction().camera() == before));
 }
 
 void TestStepsView::theyAreExported()
