@@ -39,15 +39,23 @@ private Q_SLOTS:
     void menusFlipAndReset();
     void delDeletesNothing();
     void placesHaveARowEach();
+    void whatIsNotSettledIsOfTheJointBefore();
 
 private:
+    /// Two sections that share two places, and a third one that shares one with the first.
+    void openTwoPlaces();
+    JointRef joint(std::size_t a, std::size_t b) const
+    {
+        return {session().committed().ref(a), session().committed().ref(b)};
+    }
+    QLabel *labelOf(const char *editor) const;
     template <class Widget>
     Widget *field(const char *name)
     {
         return m_window->findChild<Widget *>(QLatin1String(name));
     }
     QPoint at(double height) const { return onScreen({0, height, 0}); }
-    JointRef joint() const { return {session().committed().ref(0), session().committed().ref(1)}; }
+    JointRef joint() const { return joint(0, 1); }
     JointState state() const { return *jointState(session().committed(), joint()); }
     /// Of the slit of Head.
     double percent() const { return 100.0 * (1.0 - *state().shares[0]); }
@@ -248,8 +256,7 @@ void TestJoints::delDeletesNothing()
     QCOMPARE(steps(), 0);
 }
 
-// Wrong: of a joint with two places only one can be set.
-void TestJoints::placesHaveARowEach()
+void TestJoints::openTwoPlaces()
 {
     Document document = newDocument();
     document = withSection(
@@ -259,7 +266,14 @@ void TestJoints::placesHaveARowEach()
         front());
     document = withSection(document, polygonShape(rectangle(-60, -30, 60, 30)),
                            {{0, 50, 0}, Vec3::UnitX(), -Vec3::UnitZ()});
+    document = withSection(document, polygonShape(rectangle(-30, 0, 30, 15)), side());
     session().reset(document);
+}
+
+// Wrong: of a joint with two places only one can be set.
+void TestJoints::placesHaveARowEach()
+{
+    openTwoPlaces();
     bench().selectJoint(joint());
     QTRY_VERIFY(field<QWidget>("jointShare2") && field<QWidget>("jointShare2")->isVisible());
     auto *edit = field<QWidget>("jointShare2")->findChild<QDoubleSpinBox *>();
@@ -270,9 +284,38 @@ void TestJoints::placesHaveARowEach()
     QVERIFY(std::abs(*state().shares[1] - 0.2) < 1e-9);
     QVERIFY(std::abs(*state().shares[0] - 0.5) < 1e-9);
     // One with a single place has one row again.
-    session().history()->undo();
-    session().reset(squareDocument());
-    QVERIFY(!interaction().selectedJoint());
+    bench().selectJoint(joint(0, 2));
+    QTRY_VERIFY(!field<QWidget>("jointShare2")->isVisible());
+    QVERIFY(field<QWidget>("jointShare1")->isVisible());
+    QCOMPARE(labelOf("jointShare1")->text(), QStringLiteral("Meeting point"));
+}
+
+// Wrong: it is lost, or given to another joint, whose rows are made while it is settled.
+void TestJoints::whatIsNotSettledIsOfTheJointBefore()
+{
+    openTwoPlaces();
+    bench().selectJoint(joint(0, 2));
+    auto *slider = field<QWidget>("jointShare1")->findChild<QSlider *>();
+    QTRY_VERIFY(slider->isVisible());
+    QVERIFY(!field<QWidget>("jointShare2"));
+    slider->setFocus();
+    QTest::keyClick(slider, Qt::Key_Right);
+    QCOMPARE(steps(), 0);
+    bench().selectJoint(joint(0, 1));
+    QCOMPARE(steps(), 1);
+    QTRY_VERIFY(field<QWidget>("jointShare2") && field<QWidget>("jointShare2")->isVisible());
+    QVERIFY(std::abs(*jointState(session().committed(), joint(0, 2))->shares[0] - 0.49) < 1e-9);
+    QVERIFY(std::abs(*state().shares[0] - 0.5) < 1e-9);
+    QCOMPARE(shown(), 50.0);
+}
+
+QLabel *TestJoints::labelOf(const char *editor) const
+{
+    for (QLabel *label : m_window->findChildren<QLabel *>()) {
+        if (label->buddy() && label->buddy()->objectName() == QLatin1String(editor))
+            return label;
+    }
+    return nullptr;
 }
 
 int main(int argc, char *argv[])

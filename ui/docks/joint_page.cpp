@@ -237,8 +237,9 @@ void JointPage::follow()
     const std::optional<JointRef> &selected = m_bench.interaction().selectedJoint();
     if (m_joint == selected)
         return;
-    for (const ShareRow &share : m_shares)
-        share.field->settle();
+    // An edit that this commits may come back here, and bring more rows.
+    for (std::size_t i = 0; i < m_shares.size(); ++i)
+        m_shares[i].field->settle();
     m_joint = selected;
     m_state.reset();
 }
@@ -249,9 +250,10 @@ void JointPage::refreshShares()
     while (m_shares.size() < count)
         addShareRow();
     for (std::size_t i = 0; i < m_shares.size(); ++i) {
-        const auto &[field, row] = m_shares[i];
-        const bool isShown = i < count && m_state->shares[i].has_value();
-        row->setVisible(isShown);
+        const auto [field, row] = m_shares[i];
+        const bool isShown =
+            m_state && i < m_state->shares.size() && m_state->shares[i].has_value();
+        row->setVisible(isShown); // one that loses the focus settles, which comes back here, too
         if (!isShown)
             continue;
         const double percent =
@@ -295,6 +297,8 @@ void JointPage::refresh()
                                          "other side")
                                           .arg(b, a));
     refreshShares();
+    if (!m_state)
+        return;
     m_slitsOfA->setName(tr("In %1"), a);
     m_slitsOfB->setName(tr("In %1"), b);
     for (TextRow *row : {m_slitsOfA, m_slitsOfB, m_angle})
