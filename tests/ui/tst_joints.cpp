@@ -40,6 +40,7 @@ private Q_SLOTS:
     void delDeletesNothing();
     void placesHaveARowEach();
     void whatIsNotSettledIsOfTheJointBefore();
+    void slidersAndFieldsAreReadOut();
 
 private:
     /// Two sections that share two places, and a third one that shares one with the first.
@@ -307,6 +308,25 @@ void TestJoints::whatIsNotSettledIsOfTheJointBefore()
     QVERIFY(std::abs(*jointState(session().committed(), joint(0, 2))->shares[0] - 0.49) < 1e-9);
     QVERIFY(std::abs(*state().shares[0] - 0.5) < 1e-9);
     QCOMPARE(shown(), 50.0);
+}
+
+// Wrong: a screen reader says "slider", and not of what.
+void TestJoints::slidersAndFieldsAreReadOut()
+{
+    openTwoPlaces();
+    bench().selectJoint(joint());
+    QTRY_VERIFY(field<QWidget>("jointShare2") && field<QWidget>("jointShare2")->isVisible());
+    auto *slider = field<QWidget>("jointShare2")->findChild<QSlider *>();
+    auto *edit = field<QWidget>("jointShare2")->findChild<QDoubleSpinBox *>();
+    QCOMPARE(slider->accessibleName(), QStringLiteral("Meeting point 2"));
+    QCOMPARE(edit->accessibleName(), slider->accessibleName());
+    QVERIFY(slider->accessibleDescription().isEmpty());
+    bench().editJoint(moveMeetingPoint(session().committed(), joint(), 1, 0.3));
+    QTRY_VERIFY(slider->accessibleDescription().startsWith(QStringLiteral("Set by hand")));
+    QCOMPARE(edit->accessibleDescription(), slider->accessibleDescription());
+    bench().selectJoint(joint(0, 2));
+    slider = field<QWidget>("jointShare1")->findChild<QSlider *>();
+    QTRY_COMPARE(slider->accessibleName(), QStringLiteral("Meeting point"));
 }
 
 QLabel *TestJoints::labelOf(const char *editor) const

@@ -1,6 +1,7 @@
 #include "ui/properties/property_rows.h"
 
 #include "ui/icon.h"
+#include "ui/properties/slider_field.h"
 
 #include <QCoreApplication>
 #include <QHBoxLayout>
@@ -30,7 +31,7 @@ void PropertyRow::setEditor(QWidget *editor, const char *objectName, bool fills)
 {
     m_editor = editor;
     editor->setObjectName(QLatin1String(objectName));
-    editor->setAccessibleName(m_label->text());
+    tellEditor();
     m_label->setBuddy(editor);
     auto *row = static_cast<QHBoxLayout *>(layout());
     row->addWidget(editor, fills ? 1 : 0);
@@ -44,7 +45,7 @@ void PropertyRow::setName(const QString &pattern, const QString &of)
         return;
     m_pattern = pattern;
     m_of = of;
-    m_editor->setAccessibleName(of.isEmpty() ? pattern : pattern.arg(of));
+    tellEditor();
     showName();
 }
 
@@ -52,6 +53,7 @@ void PropertyRow::setMarked(bool marked, const QString &tip)
 {
     m_label->setToolTip(tip);
     m_editor->setAccessibleDescription(marked ? tip : QString());
+    tellEditor();
     if (m_isMarked == marked)
         return;
     m_isMarked = marked;
@@ -59,6 +61,15 @@ void PropertyRow::setMarked(bool marked, const QString &tip)
     words.setBold(marked);
     m_label->setFont(words);
     showName();
+}
+
+/// What is read out when it has the focus.
+void PropertyRow::tellEditor()
+{
+    const QString name = m_of.isEmpty() ? m_pattern : m_pattern.arg(m_of);
+    m_editor->setAccessibleName(name);
+    if (auto *field = qobject_cast<SliderField *>(m_editor))
+        field->setSpoken(name, m_editor->accessibleDescription());
 }
 
 void PropertyRow::showName()

@@ -37,6 +37,7 @@ protected:
 
 private:
     void showName();
+    void tellEditor();
 
     QLabel *m_label = nullptr;
     QWidget *m_editor = nullptr;

@@ -43,12 +43,18 @@ SliderField::SliderField(const Scale &scale, NumberEdit *edit, QWidget *parent)
     connect(m_edit, &NumberEdit::numberEdited, this, &SliderField::settled);
 }
 
-void SliderField::setNames(const char *slider, const char *edit, const QString &accessible)
+void SliderField::setNames(const char *slider, const char *edit)
 {
     m_slider->setObjectName(QLatin1String(slider));
     m_edit->setObjectName(QLatin1String(edit));
-    m_slider->setAccessibleName(accessible);
-    m_edit->setAccessibleName(accessible);
+}
+
+void SliderField::setSpoken(const QString &name, const QString &description)
+{
+    for (QWidget *part : {static_cast<QWidget *>(m_slider), static_cast<QWidget *>(m_edit)}) {
+        part->setAccessibleName(name);
+        part->setAccessibleDescription(description);
+    }
 }
 
 int SliderField::toNotch(double number) const

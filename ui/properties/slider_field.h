@@ -27,8 +27,10 @@ public:
     void setNumber(std::optional<double> number);
     /// What waits to be announced is, now: the field is about to be for something else.
     void settle();
-    /// Of the slider and the field.
-    void setNames(const char *slider, const char *edit, const QString &accessible);
+    /// Object names of the slider and the field.
+    void setNames(const char *slider, const char *edit);
+    /// What is read out of both: they have the focus, not what they lie in.
+    void setSpoken(const QString &name, const QString &description);
 
 Q_SIGNALS:
     void dragged(double number); // on the way

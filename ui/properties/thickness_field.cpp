@@ -7,7 +7,8 @@ ThicknessField::ThicknessField(QWidget *parent) : ThicknessField(new LengthEdit(
 ThicknessField::ThicknessField(LengthEdit *edit, QWidget *parent)
     : SliderField({kSliderLeast, kSliderMost, 0.05}, edit, parent)
 {
-    setNames("thicknessSlider", "thicknessEdit", tr("Thickness"));
+    setNames("thicknessSlider", "thicknessEdit");
+    setSpoken(tr("Thickness"), {});
     edit->setThickness([this] { return m_thickness; });
 }
 
