@@ -6,6 +6,7 @@
 #include "tests/ui/view_hand.h"
 #include "tests/ui/window_fixture.h"
 #include "tests/ui/window_program.h"
+#include "ui/docks/joint_page.h"
 
 #include <QAbstractButton>
 #include <QComboBox>
@@ -40,6 +41,8 @@ private Q_SLOTS:
     void delDeletesNothing();
     void placesHaveARowEach();
     void whatIsNotSettledIsOfTheJointBefore();
+    void theTabKeyGoesDownThePage();
+    void theTabKeyGoesDownTheList();
     void slidersAndFieldsAreReadOut();
 
 private:
@@ -308,6 +311,65 @@ void TestJoints::whatIsNotSettledIsOfTheJointBefore()
     QVERIFY(std::abs(*jointState(session().committed(), joint(0, 2))->shares[0] - 0.49) < 1e-9);
     QVERIFY(std::abs(*state().shares[0] - 0.5) < 1e-9);
     QCOMPARE(shown(), 50.0);
+}
+
+/// In the order of the Tab key, of those inside `page`.
+QStringList inTabOrder(QWidget *page)
+{
+    QStringList names;
+    QWidget *widget = page;
+    while ((widget = widget->nextInFocusChain()) != page) {
+        if (!page->isAncestorOf(widget) || widget->focusProxy() ||
+            !(widget->focusPolicy() & Qt::TabFocus))
+            continue;
+        if (auto *button = qobject_cast<QPushButton *>(widget))
+            names += button->text();
+        else if (widget->objectName().isEmpty() || qobject_cast<QSlider *>(widget) ||
+                 qobject_cast<QDoubleSpinBox *>(widget))
+            names += widget->parentWidget()->objectName();
+        else
+            names += widget->objectName();
+    }
+    return names;
+}
+
+// Wrong: the Tab key jumps over the page, and comes to rows that were made later at the very end.
+void TestJoints::theTabKeyGoesDownThePage()
+{
+    openTwoPlaces();
+    bench().selectJoint(joint());
+    QTRY_VERIFY(field<QWidget>("jointShare2") && field<QWidget>("jointShare2")->isVisible());
+    const QStringList expected{QStringLiteral("Joint"),
+                               QStringLiteral("jointSections"),
+                               QStringLiteral("jointKind"),
+                               QStringLiteral("jointOpens"),
+                               QStringLiteral("jointFlip"),
+                               QStringLiteral("jointShare1"),
+                               QStringLiteral("jointShare1"),
+                               QStringLiteral("jointShare2"),
+                               QStringLiteral("jointShare2"),
+                               QStringLiteral("Slits"),
+                               QStringLiteral("Reset to automatic")};
+    QCOMPARE(inTabOrder(m_window->findChild<JointPage *>()), expected);
+}
+
+// The same of the rows of a section's joints.
+void TestJoints::theTabKeyGoesDownTheList()
+{
+    QTRY_VERIFY(row() && row()->isVisible());
+    openTwoPlaces();
+    bench().select({session().committed().ref(0)});
+    const auto rows = [this] {
+        return field<QWidget>("jointList")->findChildren<QAbstractButton *>();
+    };
+    QTRY_COMPARE(rows().size(), 2);
+    QWidget *widget = field<QWidget>("jointList");
+    for (QAbstractButton *expected : rows()) {
+        do
+            widget = widget->nextInFocusChain();
+        while (!(widget->focusPolicy() & Qt::TabFocus));
+        QCOMPARE(widget, expected);
+    }
 }
 
 // Wrong: a screen reader says "slider", and not of what.

@@ -47,9 +47,10 @@ JointPage::JointPage(Workbench &bench, QWidget *parent) : QWidget(parent), m_ben
     auto *box = new QVBoxLayout(m_problemBox);
     box->setContentsMargins(0, 0, 0, 12);
     box->addWidget(m_problem);
+    // One group after the other: the Tab key goes in the order that they are made in.
     auto *joint = new PropertyGroup(tr("Joint"), this);
-    m_slits = new PropertyGroup(tr("Slits"), this);
     addChoices(joint);
+    m_slits = new PropertyGroup(tr("Slits"), this);
     addMeasures(m_slits);
 
     m_reset = new QPushButton(tr("Reset to automatic"), this);
@@ -187,6 +188,8 @@ void JointPage::addShareRow()
     });
     connect(field, &SliderField::cancelled, this, [this] { m_bench.session().cancelPreview(); });
     dress(row); // the window may be dressed by then
+    if (!m_shares.empty())
+        field->comeAfter(*m_shares.back().field);
     m_shares.push_back({field, row});
 }
 
@@ -283,6 +286,7 @@ void JointPage::refresh()
     const QString a = name(m_state->a), b = name(m_state->b);
     m_links->setText(linkTo(a, "a") + QStringLiteral(" · ") + linkTo(b, "b"));
     m_links->setAccessibleName(tr("Sections: %1 and %2").arg(a, b));
+    static_cast<void>(m_links->sizeHint()); // reads the text: the Tab key may come before a paint
 
     const JointOverride &wanted = m_state->wanted;
     m_kind->refresh();

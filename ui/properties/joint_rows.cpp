@@ -104,6 +104,20 @@ JointRows::JointRows(QWidget *parent) : QWidget(parent), m_empty(new QLabel(tr("
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
     column->addWidget(m_empty);
+    addRow(); // has the place where the Tab key comes to all of them
+}
+
+void JointRows::addRow()
+{
+    auto *row = new JointRow(this);
+    const std::size_t index = m_rows.size();
+    connect(row, &QAbstractButton::clicked, this,
+            [this, index] { Q_EMIT chosen(SectionRef(m_entries[index].other)); });
+    layout()->addWidget(row);
+    row->hide();
+    if (!m_rows.empty())
+        setTabOrder(m_rows.back(), row);
+    m_rows.push_back(row);
 }
 
 void JointRows::setEntries(const std::vector<Entry> &entries)
@@ -111,14 +125,8 @@ void JointRows::setEntries(const std::vector<Entry> &entries)
     if (entries == m_entries)
         return;
     m_entries = entries;
-    while (m_rows.size() < entries.size()) {
-        auto *row = new JointRow(this);
-        const std::size_t index = m_rows.size();
-        connect(row, &QAbstractButton::clicked, this,
-                [this, index] { Q_EMIT chosen(SectionRef(m_entries[index].other)); });
-        layout()->addWidget(row);
-        m_rows.push_back(row);
-    }
+    while (m_rows.size() < entries.size())
+        addRow();
     for (std::size_t i = 0; i < m_rows.size(); ++i) {
         m_rows[i]->setVisible(i < entries.size());
         if (i < entries.size())

@@ -40,6 +40,8 @@ Q_SIGNALS:
     void hovered(const fff::SectionRef &other);
 
 private:
+    void addRow();
+
     std::vector<Entry> m_entries;
     std::vector<JointRow *> m_rows; // as many as entries, or more, hidden
     QLabel *m_empty = nullptr;

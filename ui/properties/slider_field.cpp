@@ -57,6 +57,12 @@ void SliderField::setSpoken(const QString &name, const QString &description)
     }
 }
 
+void SliderField::comeAfter(const SliderField &other)
+{
+    setTabOrder(other.m_edit, m_slider);
+    setTabOrder(m_slider, m_edit);
+}
+
 int SliderField::toNotch(double number) const
 {
     return static_cast<int>(

@@ -31,6 +31,8 @@ public:
     void setNames(const char *slider, const char *edit);
     /// What is read out of both: they have the focus, not what they lie in.
     void setSpoken(const QString &name, const QString &description);
+    /// The Tab key goes from there to here.
+    void comeAfter(const SliderField &other);
 
 Q_SIGNALS:
     void dragged(double number); // on the way
