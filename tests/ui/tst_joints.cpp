@@ -127,7 +127,17 @@ void TestJoints::rowsAndLinksGoThereAndBack()
     QVERIFY(interaction().selectedJoint() == joint());
     auto *links = field<QLabel>("jointSections");
     QVERIFY(links->isVisible() && links->text().contains(QStringLiteral("Head")));
+    // The section that a link names is outlined while the cursor is on the link.
+    Q_EMIT links->linkHovered(QStringLiteral("b"));
+    QCOMPARE(bench().outlined(), head);
+    QApplication::sendEvent(links, &leave);
+    QVERIFY(bench().outlined().empty());
+    bench().setOutlined(head); // by another dock
+    QApplication::sendEvent(links, &leave);
+    QCOMPARE(bench().outlined(), head);
+    Q_EMIT links->linkHovered(QStringLiteral("b"));
     Q_EMIT links->linkActivated(QStringLiteral("b"));
+    QVERIFY(bench().outlined().empty()); // the link is gone
     QCOMPARE(interaction().selection(), std::vector{session().committed().ref(1)});
     QVERIFY(!interaction().selectedJoint());
     QTRY_COMPARE(row()->accessibleName().left(4), QStringLiteral("Body"));

@@ -10,6 +10,7 @@
 #include "ui/theme.h"
 #include "ui/workbench.h"
 
+#include <QEvent>
 #include <QLabel>
 #include <QPushButton>
 #include <QVBoxLayout>
@@ -84,12 +85,8 @@ void JointPage::addChoices(PropertyGroup *group)
         Q_EMIT sectionWanted(SectionRef(isA ? m_joint->a : m_joint->b),
                              SectionRef(isA ? m_joint->b : m_joint->a));
     });
-    connect(m_links, &QLabel::linkHovered, this, [this](const QString &target) {
-        std::vector<SectionRef> outlined;
-        if (m_joint && !target.isEmpty())
-            outlined = {target == QLatin1String("a") ? m_joint->a : m_joint->b};
-        m_bench.setOutlined(std::move(outlined));
-    });
+    connect(m_links, &QLabel::linkHovered, this, &JointPage::outline);
+    m_links->installEventFilter(this);
     group->add(new EditorRow(tr("Sections"), "jointSections", m_links, {}, group));
 
     // Another kind of joint is one more in JointState::kKinds.
@@ -139,6 +136,27 @@ void JointPage::addChoices(PropertyGroup *group)
     shares->setSpacing(0);
     group->add(m_shareRows);
     addShareRow();
+}
+
+/// target: of the link under the cursor, empty when there is none.
+void JointPage::outline(const QString &target)
+{
+    const bool isOver = m_joint && !target.isEmpty();
+    if (!isOver && !m_isOutlining)
+        return; // what is outlined is not ours
+    m_isOutlining = isOver;
+    std::vector<SectionRef> outlined;
+    if (isOver)
+        outlined = {target == QLatin1String("a") ? m_joint->a : m_joint->b};
+    m_bench.setOutlined(std::move(outlined));
+}
+
+bool JointPage::eventFilter(QObject *object, QEvent *event)
+{
+    // A label tells of the cursor only while it is over it.
+    if (object == m_links && (event->type() == QEvent::Leave || event->type() == QEvent::Hide))
+        outline({});
+    return QWidget::eventFilter(object, event);
 }
 
 void JointPage::addMeasures(PropertyGroup *group)

@@ -37,6 +37,9 @@ Q_SIGNALS:
     /// One of its two sections, of the joint with the other one.
     void sectionWanted(const fff::SectionRef &section, const fff::SectionRef &other);
 
+protected:
+    bool eventFilter(QObject *object, QEvent *event) override;
+
 private:
     /// Where slits meet: one for each place that the two sections share.
     struct ShareRow
@@ -46,6 +49,7 @@ private:
     };
 
     void addChoices(PropertyGroup *group);
+    void outline(const QString &target);
     void addMeasures(PropertyGroup *group);
     void addShareRow();
     void refreshShares();
@@ -58,6 +62,7 @@ private:
     std::optional<JointRef> m_joint;
     std::optional<JointState> m_state; // as it is shown
     QLabel *m_links = nullptr;
+    bool m_isOutlining = false; // the section whose link is under the cursor
     QWidget *m_problemBox = nullptr;
     QLabel *m_problem = nullptr;
     ChoiceRow *m_kind = nullptr, *m_opens = nullptr;
