@@ -338,6 +338,8 @@ void JointPage::refresh()
         m_problem->setPalette(soft);
     }
     const bool isSet = !wanted.isEmpty();
+    if (!isSet && m_reset->hasFocus())
+        m_kind->setFocus(); // Qt would give it to another dock
     m_reset->setEnabled(isSet);
     m_reset->setToolTip(isSet ? tr("Kind, direction and meeting points as by themselves")
                               : tr("Nothing of this joint is set by hand"));

@@ -33,6 +33,7 @@ void PropertyRow::setEditor(QWidget *editor, const char *objectName, bool fills)
     editor->setObjectName(QLatin1String(objectName));
     tellEditor();
     m_label->setBuddy(editor);
+    setFocusProxy(editor);
     auto *row = static_cast<QHBoxLayout *>(layout());
     row->addWidget(editor, fills ? 1 : 0);
     if (!fills)
