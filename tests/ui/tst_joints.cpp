@@ -44,6 +44,7 @@ private Q_SLOTS:
     void theTabKeyGoesDownThePage();
     void theTabKeyGoesDownTheList();
     void slidersAndFieldsAreReadOut();
+    void anAmpersandIsPartOfAName();
 
 private:
     /// Two sections that share two places, and a third one that shares one with the first.
@@ -410,6 +411,19 @@ QLabel *TestJoints::labelOf(const char *editor) const
             return label;
     }
     return nullptr;
+}
+
+// Wrong: "A&B" is shown as "AB" with a line under the B, which is then a key of a shortcut.
+void TestJoints::anAmpersandIsPartOfAName()
+{
+    Document document = session().committed().document;
+    document = *renameSection(document, document.sections[0]->id, "A&B");
+    document = *renameSection(document, document.sections[1]->id, "<b>C</b>");
+    session().reset(document);
+    bench().selectJoint(joint());
+    QTRY_COMPARE(labelOf("jointSlitsA")->text(), QStringLiteral("In A&&B"));
+    QCOMPARE(field<QLabel>("jointSlitsA")->accessibleName(), QStringLiteral("In A&B"));
+    QCOMPARE(labelOf("jointSlitsB")->textFormat(), Qt::PlainText);
 }
 
 int main(int argc, char *argv[])

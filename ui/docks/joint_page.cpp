@@ -41,6 +41,7 @@ JointPage::JointPage(Workbench &bench, QWidget *parent) : QWidget(parent), m_ben
     m_problemBox = new QWidget(this); // with the distance to what comes after it
     m_problem = new QLabel(m_problemBox);
     m_problem->setObjectName(QStringLiteral("jointProblem"));
+    m_problem->setTextFormat(Qt::PlainText); // with names in it
     m_problem->setWordWrap(true);
     m_problem->setMargin(10);
     m_problem->setAutoFillBackground(true);

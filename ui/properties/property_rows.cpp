@@ -20,6 +20,7 @@ PropertyRow::PropertyRow(const QString &name, QWidget *parent)
     : QWidget(parent), m_label(new QLabel(name, this)), m_pattern(name)
 {
     m_label->setMinimumWidth(kLabelWidth);
+    m_label->setTextFormat(Qt::PlainText); // it may name a section
     auto *row = new QHBoxLayout(this);
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(8);
@@ -82,7 +83,9 @@ void PropertyRow::showName()
     }
     const QFontMetrics metrics(m_label->font());
     const int room = kLabelWidth - metrics.horizontalAdvance(m_pattern.arg(QString()) + mark);
-    m_label->setText(m_pattern.arg(metrics.elidedText(m_of, Qt::ElideMiddle, room)) + mark);
+    QString of = metrics.elidedText(m_of, Qt::ElideMiddle, room);
+    of.replace(u'&', QStringLiteral("&&")); // no key of a shortcut
+    m_label->setText(m_pattern.arg(of) + mark);
 }
 
 void PropertyRow::addButton(const QString &icon, const char *objectName, const QString &tip,
@@ -106,6 +109,7 @@ TextRow::TextRow(const QString &name, const char *objectName, std::function<QStr
     : PropertyRow(name, parent), m_value(new QLabel(this)), m_read(std::move(read))
 {
     m_value->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    m_value->setTextFormat(Qt::PlainText);
     m_value->setWordWrap(true);
     setEditor(m_value, objectName, true);
 }
