@@ -72,10 +72,13 @@ void StockEditor::open(StockId stock)
     if (!m_wasPlaced) {
         // At the right, where numbers are: the slits in the view follow, which one wants to see.
         m_wasPlaced = true;
-        const QRect window = parentWidget()->frameGeometry(), free = screen()->availableGeometry();
-        const int left = window.right() - width() - kInset;
-        move(std::clamp(left, free.left(), std::max(free.left(), free.right() - width())),
-             window.top() + kBelowBars);
+        const QRect window = parentWidget()->frameGeometry();
+        // Its own frame, not there yet, will be as wide as the window's.
+        const QSize size = this->size() + window.size() - parentWidget()->size();
+        QRect free = screen()->availableGeometry();
+        free.setSize((free.size() - size).expandedTo({1, 1})); // for its corner
+        move(std::clamp(window.right() - size.width() - kInset, free.left(), free.right()),
+             std::clamp(window.top() + kBelowBars, free.top(), free.bottom()));
     }
     show();
     raise();

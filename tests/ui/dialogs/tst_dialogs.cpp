@@ -20,6 +20,7 @@
 #include <QListWidget>
 #include <QMenuBar>
 #include <QPlainTextEdit>
+#include <QScreen>
 #include <QSpinBox>
 #include <QTreeWidget>
 
@@ -35,6 +36,7 @@ private Q_SLOTS:
     void cleanup();
 
     void settingsAreKept();
+    void stocksOpenOnTheScreen();
     void theThemeIsFollowedAtOnce();
     void theTurnTimeIsFollowedAtOnce();
     void everyActionHasAnIconAndIsInAMenu();
@@ -120,6 +122,20 @@ void TestDialogs::settingsAreKept()
     QCOMPARE(again.autosaveInterval(), 17);
     QVERIFY(!again.showsStartPage());
     QVERIFY(!again.keepsBackup());
+}
+
+// Wrong: its Close button, and the last rows, are below the screen.
+void TestDialogs::stocksOpenOnTheScreen()
+{
+    const QRect free = m_window->screen()->availableGeometry();
+    m_window->resize(1024, 640);
+    m_window->move(free.right() - 900, free.bottom() - 500);
+    actionOf(*m_window, "fabricate.stocks")->trigger();
+    auto *stocks = m_window->findChild<QDialog *>(QStringLiteral("stockEditor"));
+    QVERIFY(stocks && stocks->isVisible());
+    QVERIFY(stocks->height() > 420);
+    QVERIFY2(free.contains(stocks->frameGeometry()),
+             qPrintable(QString::number(stocks->frameGeometry().bottom())));
 }
 
 void TestDialogs::theThemeIsFollowedAtOnce()
