@@ -88,6 +88,20 @@ public:
         m_described = field;
     }
 
+    struct Whole
+    {
+        int least = 0, most = 0, step = 1;
+    };
+    void wholeNumber(const char *name, const QString &label, const Whole &range,
+                     const QString &unit, int current, const std::function<void(int)> &edited)
+    {
+        number(name, label, {double(range.least), double(range.most), double(range.step), 0, 0},
+               unit, current, [edited](double value) {
+                   // What is shown of a sum that was typed is rounded, too.
+                   edited(static_cast<int>(std::lround(value)));
+               });
+    }
+
     QCheckBox *box(const char *name, const QString &label, bool current,
                    const std::function<void(bool)> &toggled)
     {
@@ -209,19 +223,14 @@ QWidget *SettingsDialog::makeGeneral()
 QWidget *SettingsDialog::makeView()
 {
     auto *form = new Form;
-    NumberEdit::Range range;
-    range.most = Settings::kMaxTurnTime;
-    range.step = 50;
-    range.digits = range.mostDigits = 0;
-    form->number("settingsTurnTime", tr("Turn time"), range, tr("ms"), settings().turnTime(),
-                 [](double value) { settings().setTurnTime(static_cast<int>(value)); });
+    form->wholeNumber("settingsTurnTime", tr("Turn time"), {0, Settings::kMaxTurnTime, 50},
+                      tr("ms"), settings().turnTime(),
+                      [](int time) { settings().setTurnTime(time); });
     form->note(tr("How long the view takes, while you draw, to turn to the new plane. With 0 it "
                   "jumps."));
-    range.least = Settings::kMinTurnAngle;
-    range.most = Settings::kMaxTurnAngle;
-    range.step = 1;
-    form->number("settingsTurnAngle", tr("Turn to"), range, tr("°"), settings().turnAngle(),
-                 [](double value) { settings().setTurnAngle(static_cast<int>(value)); });
+    form->wholeNumber("settingsTurnAngle", tr("Turn to"),
+                      {Settings::kMinTurnAngle, Settings::kMaxTurnAngle}, tr("°"),
+                      settings().turnAngle(), [](int angle) { settings().setTurnAngle(angle); });
     form->note(tr("At 90° you look straight at the new plane. With less, the section that you "
                   "started on stays to be seen."));
     form->choice("settingsNavigation", tr("Mouse as in"),
@@ -242,23 +251,17 @@ QWidget *SettingsDialog::makeView()
 QWidget *SettingsDialog::makeChecks()
 {
     auto *form = new Form;
-    NumberEdit::Range range;
-    range.least = Settings::kMinShallowAngle;
-    range.most = Settings::kMaxShallowAngle;
-    range.step = 1;
-    range.digits = range.mostDigits = 0;
-    form->number("settingsShallowAngle", tr("Warn of angles below"), range, tr("°"),
-                 settings().shallowAngle(),
-                 [](double value) { settings().setShallowAngle(static_cast<int>(value)); });
+    form->wholeNumber("settingsShallowAngle", tr("Warn of angles below"),
+                      {Settings::kMinShallowAngle, Settings::kMaxShallowAngle}, tr("°"),
+                      settings().shallowAngle(),
+                      [](int angle) { settings().setShallowAngle(angle); });
     form->note(tr("The flatter two sections meet, the wider their slits have to be."));
-    range.least = 0.001 * Settings::kMinPlanningTime;
-    range.most = 0.001 * Settings::kMaxPlanningTime;
-    range.step = 0.5;
-    range.digits = range.mostDigits = 1;
-    form->number("settingsPlanningTime", tr("Look for an order of assembly for"), range, tr("s"),
-                 0.001 * settings().planningTime(), [](double value) {
-                     settings().setPlanningTime(static_cast<int>(std::lround(1000.0 * value)));
-                 });
+    form->number(
+        "settingsPlanningTime", tr("Look for an order of assembly for"),
+        {0.001 * Settings::kMinPlanningTime, 0.001 * Settings::kMaxPlanningTime, 0.5, 1, 3},
+        tr("s"), 0.001 * settings().planningTime(), [](double value) {
+            settings().setPlanningTime(static_cast<int>(std::lround(1000.0 * value)));
+        });
     form->note(tr("In the background, after each change. Give it more time where the checks say "
                   "that they found no order."));
     return form;
@@ -267,14 +270,10 @@ QWidget *SettingsDialog::makeChecks()
 QWidget *SettingsDialog::makeFiles()
 {
     auto *form = new Form;
-    NumberEdit::Range range;
-    range.least = Settings::kMinAutosaveInterval;
-    range.most = Settings::kMaxAutosaveInterval;
-    range.step = 1;
-    range.digits = range.mostDigits = 0;
-    form->number("settingsAutosave", tr("Keep unsaved work every"), range, tr("s"),
-                 settings().autosaveInterval(),
-                 [](double value) { settings().setAutosaveInterval(static_cast<int>(value)); });
+    form->wholeNumber("settingsAutosave", tr("Keep unsaved work every"),
+                      {Settings::kMinAutosaveInterval, Settings::kMaxAutosaveInterval}, tr("s"),
+                      settings().autosaveInterval(),
+                      [](int interval) { settings().setAutosaveInterval(interval); });
     form->note(tr("After a crash or a power cut you get it back, also what was never saved. Your "
                   "file is left alone."));
     form->box("settingsBackup", tr("When saving, keep the file as it was before"),

@@ -24,8 +24,12 @@
 #include <QSpinBox>
 #include <QTreeWidget>
 
+#include <functional>
+
 using namespace fff;
 using namespace fff::ui;
+
+Q_DECLARE_METATYPE(std::function<int()>)
 
 class TestDialogs : public QObject
 {
@@ -36,6 +40,8 @@ private Q_SLOTS:
     void cleanup();
 
     void settingsAreKept();
+    void numbersAreKeptAsTheyAreShown_data();
+    void numbersAreKeptAsTheyAreShown();
     void stocksOpenOnTheScreen();
     void theThemeIsFollowedAtOnce();
     void theTurnTimeIsFollowedAtOnce();
@@ -122,6 +128,56 @@ void TestDialogs::settingsAreKept()
     QCOMPARE(again.autosaveInterval(), 17);
     QVERIFY(!again.showsStartPage());
     QVERIFY(!again.keepsBackup());
+}
+
+void TestDialogs::numbersAreKeptAsTheyAreShown_data()
+{
+    using Page = SettingsDialog::Page;
+    QTest::addColumn<int>("page");
+    QTest::addColumn<QString>("name");
+    QTest::addColumn<QString>("typed");
+    QTest::addColumn<QString>("shown");
+    QTest::addColumn<std::function<int()>>("kept");
+    QTest::addColumn<int>("expected");
+    const auto row = [](const char *title, Page page, const char *name, const char *typed,
+                        const char *shown, int (Settings::*kept)() const, int expected) {
+        QTest::newRow(title) << static_cast<int>(page) << QString::fromLatin1(name)
+                             << QString::fromLatin1(typed) << QString::fromLatin1(shown)
+                             << std::function([kept] { return (settings().*kept)(); }) << expected;
+    };
+    row("the turn time to whole ms", Page::View, "settingsTurnTime", "250.7", "251",
+        &Settings::turnTime, 251);
+    row("the turn angle to whole degrees", Page::View, "settingsTurnAngle", "75.6", "76",
+        &Settings::turnAngle, 76);
+    row("the shallow angle to whole degrees", Page::Checks, "settingsShallowAngle", "25.7", "26",
+        &Settings::shallowAngle, 26);
+    row("the shallow angle of a sum", Page::Checks, "settingsShallowAngle", "100/3", "33",
+        &Settings::shallowAngle, 33);
+    row("the planning time to ms", Page::Checks, "settingsPlanningTime", "1.256", "1.256",
+        &Settings::planningTime, 1256);
+    row("the time between copies to whole s", Page::Files, "settingsAutosave", "17.5", "18",
+        &Settings::autosaveInterval, 18);
+}
+
+// Wrong: a field shows 26 and the program goes by 25.
+void TestDialogs::numbersAreKeptAsTheyAreShown()
+{
+    QFETCH(int, page);
+    QFETCH(QString, name);
+    QFETCH(QString, typed);
+    QFETCH(QString, shown);
+    QFETCH(std::function<int()>, kept);
+    QFETCH(int, expected);
+    withSettings(static_cast<SettingsDialog::Page>(page), [&](QDialog *dialog) {
+        auto *field = dialog->findChild<QDoubleSpinBox *>(name);
+        QVERIFY(field && field->isVisible());
+        field->setFocus();
+        field->selectAll();
+        QTest::keyClicks(field, typed);
+        QTest::keyClick(field, Qt::Key_Return);
+        QCOMPARE(field->text().remove(field->suffix()), shown);
+        QCOMPARE(kept(), expected);
+    });
 }
 
 // Wrong: its Close button, and the last rows, are below the screen.
