@@ -1,6 +1,5 @@
 #include "ui/main_window.h"
 
-#include "core/base/units.h"
 #include "core/io/error_text.h"
 #include "core/session/check_list.h"
 #include "ui/actions/action_set.h"
@@ -23,6 +22,7 @@
 #include "ui/message_bar.h"
 #include "ui/panes.h"
 #include "ui/properties/open_editor.h"
+#include "ui/settings/check_rules.h"
 #include "ui/settings/settings.h"
 #include "ui/start/start_page.h"
 #include "ui/status_line.h"
@@ -145,10 +145,7 @@ void MainWindow::makeView()
 void MainWindow::makeDocks()
 {
     m_checkList = new CheckList(m_bench->session(), this);
-    const auto followRules = [this] {
-        m_checkList->setRules({radians(settings().shallowAngle()),
-                               std::chrono::milliseconds(settings().planningTime())});
-    };
+    const auto followRules = [this] { m_checkList->setRules(checkRules(settings())); };
     connect(&settings(), &Settings::checksChanged, this, followRules);
     followRules();
     m_outline = new OutlineDock(*m_bench, *m_checkList, this);

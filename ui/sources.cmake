@@ -66,6 +66,7 @@ target_sources(fff_ui PRIVATE
     properties/thickness_field.cpp
     script_player.cpp
     sentence_label.cpp
+    settings/check_rules.cpp
     settings/settings.cpp
     settings/system_wishes.cpp
     start/ago_text.cpp

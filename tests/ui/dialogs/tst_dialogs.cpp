@@ -1,6 +1,9 @@
 // Settings, shortcuts, the search for actions, About and the start page, as a person uses them.
 #include <QTest>
 
+#include "core/base/units.h"
+#include "core/session/check_list.h"
+#include "tests/core/assembly/plates.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/actions/action_set.h"
 #include "ui/dialogs/command_search.h"
@@ -42,6 +45,7 @@ private Q_SLOTS:
     void settingsAreKept();
     void numbersAreKeptAsTheyAreShown_data();
     void numbersAreKeptAsTheyAreShown();
+    void checksFollowTheSettingsAtOnce();
     void stocksOpenOnTheScreen();
     void theThemeIsFollowedAtOnce();
     void theTurnTimeIsFollowedAtOnce();
@@ -178,6 +182,27 @@ void TestDialogs::numbersAreKeptAsTheyAreShown()
         QCOMPARE(field->text().remove(field->suffix()), shown);
         QCOMPARE(kept(), expected);
     });
+}
+
+// Wrong: a joint is said to be too flat, or not to be, until the model changes.
+void TestDialogs::checksFollowTheSettingsAtOnce()
+{
+    const ShapePointer plate = test::polygonShape(test::rectangle(-50, 0, 50, 60));
+    Session &session = m_window->bench().session();
+    session.reset(test::withSection(test::withSection(newDocument(), plate, test::front()), plate,
+                                    test::turned(radians(40.0))));
+    session.currentAnalysis();
+    auto *list = m_window->findChild<CheckList *>();
+    const auto isFlat = [list] {
+        list->finish();
+        return std::any_of(list->all().begin(), list->all().end(),
+                           [](const Check &c) { return c.code == CheckCode::ShallowAngle; });
+    };
+    QVERIFY(!isFlat());
+    settings().setShallowAngle(41);
+    QVERIFY(isFlat());
+    settings().setShallowAngle(39);
+    QVERIFY(!isFlat());
 }
 
 // Wrong: its Close button, and the last rows, are below the screen.

@@ -1,11 +1,15 @@
 // What a person sets is there again at the next start, and nothing in the file can do harm.
 #include <QTest>
 
+#include "ui/settings/check_rules.h"
 #include "ui/settings/settings.h"
 
 #include <QSignalSpy>
 #include <QTemporaryDir>
 
+#include <cmath>
+
+using namespace fff;
 using namespace fff::ui;
 
 class TestSettings : public QObject
@@ -20,6 +24,7 @@ private Q_SLOTS:
     void nonsenseReadsAsTheDefault_data();
     void nonsenseReadsAsTheDefault();
     void numbersStayInTheirRange();
+    void checksGoByTheirOwnUnits();
     void aRecentFileIsThereOnceAndFirst();
     void shortcutsAreKeptById();
 
@@ -143,6 +148,18 @@ void TestSettings::numbersStayInTheirRange()
         file.setValue(QStringLiteral("files/autosaveInterval"), 3600);
     }
     QCOMPARE(Settings(m_file).autosaveInterval(), 30);
+}
+
+// Wrong: every joint is too flat, or none is; the search for an order ends at once, or never.
+void TestSettings::checksGoByTheirOwnUnits()
+{
+    Settings settings(m_file);
+    QCOMPARE(checkRules(settings), CheckRules());
+    settings.setShallowAngle(45);
+    settings.setPlanningTime(2500);
+    const CheckRules rules = checkRules(settings);
+    QVERIFY(std::abs(std::tan(rules.shallowAngle) - 1.0) < 1e-12);
+    QCOMPARE(rules.planningTime, std::chrono::milliseconds(2500));
 }
 
 void TestSettings::aRecentFileIsThereOnceAndFirst()

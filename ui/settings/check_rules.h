@@ -1,0 +1,13 @@
+// What the checks go by, as a person has set it.
+#pragma once
+
+#include "core/session/checks.h"
+
+namespace fff::ui {
+
+class Settings;
+
+/// From degrees and milliseconds.
+CheckRules checkRules(const Settings &settings);
+
+} // namespace fff::ui
