@@ -35,6 +35,7 @@ StepsBar::StepsBar(QWidget *view) : QFrame(view)
     setObjectName(QStringLiteral("stepsBar"));
     setAccessibleName(tr("Steps of the assembly"));
     setCursor(Qt::ArrowCursor);
+    setAttribute(Qt::WA_NoMousePropagation); // beside its buttons is not in the view
     m_sentence = new SentenceLabel(this);
     m_sentence->setObjectName(QStringLiteral("stepsSentence"));
     m_export = new QToolButton(this);
@@ -104,6 +105,8 @@ StepsBar::StepsBar(QWidget *view) : QFrame(view)
     QWidget *const order[] = {m_previous, m_play, m_next, m_time, m_apart, m_export, m_close};
     for (std::size_t i = 1; i < std::size(order); ++i)
         setTabOrder(order[i - 1], order[i]);
+    for (QWidget *part : order)
+        part->installEventFilter(this);
     hide();
     view->installEventFilter(this);
 }
@@ -155,8 +158,17 @@ void StepsBar::show(double time, const QString &sentence, bool isPlaying)
     m_sentence->setSentence(sentence);
     if (m_time->accessibleDescription() != m_sentence->text())
         m_time->setAccessibleDescription(m_sentence->text());
-    m_previous->setEnabled(value > 0);
-    m_next->setEnabled(value < m_time->maximum());
+    const bool canGoBack = value > 0, canGoOn = value < m_time->maximum();
+    // The focus stays with the two, or the next Space would be for something else.
+    if (!canGoOn && m_next->hasFocus()) {
+        m_previous->setEnabled(true);
+        m_previous->setFocus();
+    } else if (!canGoBack && m_previous->hasFocus()) {
+        m_next->setEnabled(true);
+        m_next->setFocus();
+    }
+    m_previous->setEnabled(canGoBack);
+    m_next->setEnabled(canGoOn);
     if (std::exchange(m_isPlaying, isPlaying) != isPlaying) {
         const QString text = isPlaying ? tr("Pause (Space)") : tr("Play (Space)");
         m_play->setIcon(themedIcon(isPlaying ? QStringLiteral("pause") : QStringLiteral("play")));
@@ -183,8 +195,23 @@ void StepsBar::refresh()
 
 bool StepsBar::eventFilter(QObject *object, QEvent *event)
 {
-    if (object == parent() && event->type() == QEvent::Resize)
-        place();
+    if (object == parent()) {
+        if (event->type() == QEvent::Resize)
+            place();
+        return QFrame::eventFilter(object, event);
+    }
+    const auto *slider = qobject_cast<QSlider *>(object);
+    if (slider && event->type() == QEvent::Wheel && !slider->hasFocus()) {
+        event->ignore(); // scrolling must not change the step on the way
+        return true;
+    }
+    if (!slider && event->type() == QEvent::KeyPress) {
+        auto *key = static_cast<QKeyEvent *>(event);
+        if (key->key() == Qt::Key_Left || key->key() == Qt::Key_Right) {
+            keyPressEvent(key); // a button would give the focus to the one beside it
+            return true;
+        }
+    }
     return QFrame::eventFilter(object, event);
 }
 

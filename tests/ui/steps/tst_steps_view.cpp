@@ -41,6 +41,9 @@ private Q_SLOTS:
 
     void theActionShowsThem();
     void keysGoThroughTheSteps();
+    void arrowsGoThroughTheStepsFromTheBar();
+    void theFocusStaysInTheBar();
+    void theBarIsNotTheView();
     void theSliderGoesAnywhere();
     void theyArePlayed();
     void apartIsApart();
@@ -72,6 +75,10 @@ private:
     QString status()
     {
         return m_window->findChild<SentenceLabel *>(QStringLiteral("statusSentence"))->text();
+    }
+    QToolButton *button(const char *name)
+    {
+        return m_window->findChild<QToolButton *>(QLatin1String(name));
     }
     QSlider *slider(const char *name)
     {
@@ -162,6 +169,69 @@ void TestStepsView::keysGoThroughTheSteps()
     QCOMPARE(shownParts(), std::size_t(0));
     QVERIFY(interaction().camera() == seen);
     QCOMPARE(this->ViewHand::steps(), 0); // of the history
+}
+
+// Wrong: Left and Right, which the tips name, go from button to button.
+void TestStepsView::arrowsGoThroughTheStepsFromTheBar()
+{
+    showSteps();
+    for (const char *name : {"stepsNext", "stepsPlay", "stepsExport"}) {
+        QToolButton *focused = button(name);
+        focused->setFocus();
+        key(Qt::Key_Right);
+        QCOMPARE(steps().time(), 2.0);
+        QVERIFY(focused->hasFocus());
+        key(Qt::Key_Left);
+        QCOMPARE(steps().time(), 1.0);
+        QVERIFY(focused->hasFocus());
+    }
+}
+
+// Wrong: whoever goes to the last step with Space plays them all with the next one.
+void TestStepsView::theFocusStaysInTheBar()
+{
+    showSteps();
+    button("stepsNext")->setFocus();
+    for (int step = 2; step <= 4; ++step)
+        key(Qt::Key_Space);
+    QCOMPARE(steps().time(), 4.0);
+    QVERIFY(!button("stepsNext")->isEnabled());
+    QVERIFY(button("stepsPrevious")->hasFocus());
+    for (int step = 3; step >= 0; --step)
+        key(Qt::Key_Space);
+    QCOMPARE(steps().time(), 0.0);
+    QVERIFY(button("stepsNext")->hasFocus());
+}
+
+// Wrong: what is done on the bar, beside its buttons, turns or zooms the view behind it.
+void TestStepsView::theBarIsNotTheView()
+{
+    showSteps();
+    key(Qt::Key_End);
+    const Camera seen = interaction().camera();
+    const QPoint sentence = bar()->pos() + QPoint(80, 20);
+    const QPoint disabled = m_view->mapFromGlobal(button("stepsNext")->mapToGlobal(QPoint(14, 14)));
+    for (const QPoint &on : {sentence, disabled})
+        drag({on, on + QPoint(20, 0), on + QPoint(60, 0)});
+    QVERIFY(interaction().camera() == seen);
+    const double time = steps().time();
+    const auto scroll = [this](QWidget *on) {
+        const QPointF at = QRectF(on->rect()).center();
+        QWheelEvent event(at, on->mapToGlobal(at), {}, {0, 240}, Qt::NoButton, {},
+                          Qt::NoScrollPhase, false);
+        QApplication::sendEvent(on, &event);
+    };
+    m_view->setFocus();
+    scroll(bar());
+    scroll(slider("stepsTime"));
+    scroll(slider("stepsApart"));
+    QCoreApplication::processEvents();
+    QVERIFY(interaction().camera() == seen);
+    QCOMPARE(steps().time(), time);
+    QCOMPARE(slider("stepsApart")->value(), 0);
+    slider("stepsApart")->setFocus();
+    scroll(slider("stepsApart"));
+    QVERIFY(slider("stepsApart")->value() > 0);
 }
 
 // Wrong: a place on the slider is no place in the steps.
