@@ -41,10 +41,8 @@ Camera StepPictures::cameraFor(const std::vector<Scene> &scenes, const Vec2 &siz
 /// On what is there and the way of what comes, but not so near that a person loses the whole.
 Camera StepPictures::cameraForStep(int step, const Vec2 &size) const
 {
-    const Camera whole = cameraFor({m_scene.finished(m_looking, size).scene}, size);
-    Camera camera = cameraFor({m_scene.before(step, m_looking, size).scene,
-                               m_scene.at(step + 1.0, 0.0, m_looking, size).scene},
-                              size);
+    const Camera whole = cameraFor({m_scene.finishedScene()}, size);
+    Camera camera = cameraFor({m_scene.sceneBefore(step), m_scene.sceneAt(step + 1.0, 0.0)}, size);
     camera.millimetresPerPixel =
         std::max(camera.millimetresPerPixel, whole.millimetresPerPixel / kNearest);
     return camera;
@@ -53,9 +51,9 @@ Camera StepPictures::cameraForStep(int step, const Vec2 &size) const
 /// The same for all steps: the finished model, and all that ever comes.
 Camera StepPictures::cameraForAll(const Vec2 &size) const
 {
-    std::vector<Scene> scenes{m_scene.finished(m_looking, size).scene};
+    std::vector<Scene> scenes{m_scene.finishedScene()};
     for (int step = 0; step < m_scene.steps().playback.stepCount(); ++step) {
-        Scene begun = m_scene.before(step, m_looking, size).scene;
+        Scene begun = m_scene.sceneBefore(step);
         std::erase_if(begun.sections, [](const SceneSection &s) { return !s.isSelected; });
         scenes.push_back(std::move(begun));
     }
@@ -74,7 +72,7 @@ QImage StepPictures::step(int index, Fit fit, const Vec2 &size, double pixelRati
 
 QImage StepPictures::finished(const Vec2 &size, double pixelRatio)
 {
-    const Camera camera = cameraFor({m_scene.finished(m_looking, size).scene}, size);
+    const Camera camera = cameraFor({m_scene.finishedScene()}, size);
     return paint(m_scene.finished(camera, size), camera, size, pixelRatio);
 }
 

@@ -94,7 +94,7 @@ StepsPicture StepsScene::at(double time, double drawnApart, const Camera &camera
 {
     const Playback &playback = m_steps->playback;
     const std::vector<PartPlace> places = playback.at(time, drawnApart);
-    StepsPicture picture = this->picture(places, drawnApart);
+    StepsPicture picture{sceneOf(places, drawnApart), {}};
     if (const int step = playback.stepAt(time); step >= 0)
         addWay(picture, step, drawnApart);
     addNumbers(picture, places, camera, viewport);
@@ -104,7 +104,7 @@ StepsPicture StepsScene::at(double time, double drawnApart, const Camera &camera
 StepsPicture StepsScene::before(int step, const Camera &camera, const Vec2 &viewport) const
 {
     const std::vector<PartPlace> places = m_steps->playback.before(step);
-    StepsPicture picture = this->picture(places, 0.0);
+    StepsPicture picture{sceneOf(places, 0.0), {}};
     addWay(picture, step, 0.0);
     addNumbers(picture, places, camera, viewport);
     return picture;
@@ -112,17 +112,38 @@ StepsPicture StepsScene::before(int step, const Camera &camera, const Vec2 &view
 
 StepsPicture StepsScene::finished(const Camera &camera, const Vec2 &viewport) const
 {
-    std::vector<PartPlace> places = m_steps->playback.at(m_steps->playback.stepCount());
-    for (PartPlace &place : places)
-        place.isMoving = false;
-    StepsPicture picture = this->picture(places, 0.0);
+    const std::vector<PartPlace> places = finishedPlaces();
+    StepsPicture picture{sceneOf(places, 0.0), {}};
     addNumbers(picture, places, camera, viewport);
     return picture;
 }
 
-StepsPicture StepsScene::picture(const std::vector<PartPlace> &places, double drawnApart) const
+Scene StepsScene::sceneAt(double time, double drawnApart) const
 {
-    StepsPicture picture;
+    return sceneOf(m_steps->playback.at(time, drawnApart), drawnApart);
+}
+
+Scene StepsScene::sceneBefore(int step) const
+{
+    return sceneOf(m_steps->playback.before(step), 0.0);
+}
+
+Scene StepsScene::finishedScene() const
+{
+    return sceneOf(finishedPlaces(), 0.0);
+}
+
+std::vector<PartPlace> StepsScene::finishedPlaces() const
+{
+    std::vector<PartPlace> places = m_steps->playback.at(m_steps->playback.stepCount());
+    for (PartPlace &place : places)
+        place.isMoving = false;
+    return places;
+}
+
+Scene StepsScene::sceneOf(const std::vector<PartPlace> &places, double drawnApart) const
+{
+    Scene scene;
     for (std::size_t i = 0; i < places.size(); ++i) {
         if (!places[i].isThere)
             continue;
@@ -131,14 +152,14 @@ StepsPicture StepsScene::picture(const std::vector<PartPlace> &places, double dr
         section.bounds.min += places[i].offset;
         section.bounds.max += places[i].offset;
         section.isSelected = places[i].isMoving;
-        picture.scene.sections.push_back(std::move(section));
+        scene.sections.push_back(std::move(section));
     }
     if (m_reachOf != drawnApart) {
         m_reach = m_steps->playback.reach(drawnApart);
         m_reachOf = drawnApart;
     }
-    picture.scene.bounds = m_reach; // the same at all times, so that the ground stays as it is
-    return picture;
+    scene.bounds = m_reach; // the same at all times, so that the ground stays as it is
+    return scene;
 }
 
 void StepsScene::addWay(StepsPicture &picture, int step, double drawnApart) const

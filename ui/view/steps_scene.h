@@ -36,6 +36,11 @@ public:
     /// The finished model, nothing selected.
     StepsPicture finished(const Camera &camera, const Vec2 &viewport) const;
 
+    /// The same without what lies over them: a place for each number takes time, and a camera.
+    Scene sceneAt(double time, double drawnApart) const;
+    Scene sceneBefore(int step) const;
+    Scene finishedScene() const;
+
 private:
     /// A part in its place, and where its number may stand, the best first (frame coordinates).
     struct Item
@@ -45,7 +50,8 @@ private:
         double extent = 0.0;              // the smaller one, mm
         const RegionTree *tree = nullptr; // of its outline, kept by its cut
     };
-    StepsPicture picture(const std::vector<PartPlace> &places, double drawnApart) const;
+    std::vector<PartPlace> finishedPlaces() const;
+    Scene sceneOf(const std::vector<PartPlace> &places, double drawnApart) const;
     void addWay(StepsPicture &picture, int step, double drawnApart) const;
     void addNumbers(StepsPicture &picture, const std::vector<PartPlace> &places,
                     const Camera &camera, const Vec2 &viewport) const;
