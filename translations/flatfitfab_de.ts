@@ -4595,11 +4595,6 @@
         <translation>%1, aus %2, in %3.</translation>
     </message>
     <message>
-        <source>%1, %2&#x202f;mm</source>
-        <extracomment>%1 is a material&apos;s name, %2 its thickness in millimetres</extracomment>
-        <translation>%1, %2&#x202f;mm</translation>
-    </message>
-    <message>
         <source>The numbers are those engraved on the parts. At every slit stands the number of its joint, the same on both of its parts.</source>
         <translation>Die Nummern sind die, die auf den Teilen eingraviert sind. An jedem Schlitz steht die Nummer seiner Verbindung, auf beiden Teilen dieselbe.</translation>
     </message>
@@ -4609,11 +4604,6 @@
             <numerusform>und %n weiteres</numerusform>
             <numerusform>und %n weitere</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>%1 × %2&#x202f;mm</source>
-        <extracomment>the size of a part in millimetres: width, height</extracomment>
-        <translation>%1 × %2&#x202f;mm</translation>
     </message>
 </context>
 <context>

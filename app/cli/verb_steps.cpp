@@ -53,9 +53,9 @@ QString read(const QCommandLineParser &parser, Wish &wish)
         return tr("--paper is for .pdf.");
     if (!paper.isEmpty() && paper != QStringLiteral("a4") && paper != QStringLiteral("letter"))
         return tr("--paper: found \"%1\", expected a4 or letter.").arg(paper);
-    wish.files.paper = paper.isEmpty()                 ? ui::StepsPaper::usualSize(QLocale())
-                       : paper == QStringLiteral("a4") ? QPageSize::A4
-                                                       : QPageSize::Letter;
+    wish.files.paper.size = paper.isEmpty()                 ? ui::StepsPaper::usualSize(QLocale())
+                            : paper == QStringLiteral("a4") ? QPageSize::A4
+                                                            : QPageSize::Letter;
     const QString reason = readPictureOptions(parser, wish.picture);
     wish.files.size = wish.picture.size;
     orientationOfView(wish.picture.view.toStdString(), wish.files.looking.orientation);
@@ -136,7 +136,7 @@ int runSteps(const QStringList &arguments)
         printError(whyNoSteps(*analysis, plan));
         return analysis->model.sectionCount() == 0 ? BadInput : ProblemsFound;
     }
-    wish.files.title = QFileInfo(input).completeBaseName();
+    wish.files.paper.title = QFileInfo(input).completeBaseName();
     StepsFiles files(steps, wish.files);
     return write(parser.value(QStringLiteral("output")), files);
 }

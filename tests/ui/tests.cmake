@@ -41,6 +41,7 @@ fff_test(ui/view/tst_renderer fff::view)
 set_tests_properties(ui/view/tst_renderer PROPERTIES LABELS gl ENVIRONMENT "QT_QPA_PLATFORM=xcb")
 fff_test(ui/view/tst_scale_bar fff::view)
 fff_test(ui/view/tst_slit_covers fff::view)
+fff_test(ui/view/tst_steps_paper fff::view)
 
 fff_test(ui/tst_script_player fff::ui)
 set_tests_properties(ui/tst_script_player PROPERTIES LABELS gl ENVIRONMENT "QT_QPA_PLATFORM=xcb")

@@ -6,9 +6,10 @@
 #include "ui/files/progress.h"
 #include "ui/files/replace_question.h"
 #include "ui/message_bar.h"
+#include "ui/properties/stock_choice.h"
+#include "ui/settings/settings.h"
 #include "ui/status_line.h"
 #include "ui/theme.h"
-#include "ui/view/steps_files.h"
 
 #include <QFileDialog>
 #include <QFileInfo>
@@ -75,16 +76,21 @@ bool StepsExport::ask(const Subject &subject, const QString &suggestion)
     return write(subject, path);
 }
 
+StepsFiles::Options StepsExport::optionsFor(const Subject &subject, const QString &path) const
+{
+    StepsFiles::Options options;
+    options.kind = isPictures(path) ? StepsFiles::Kind::Pictures : StepsFiles::Kind::Paper;
+    options.paper = {subject.title, StepsPaper::usualSize(m_window.locale()), settings().unit(),
+                     stockName};
+    options.looking = subject.looking;
+    return options;
+}
+
 bool StepsExport::write(const Subject &subject, const QString &path)
 {
     const AssemblyStepsPointer &steps = subject.steps;
     const QString name = QFileInfo(path).fileName();
-    StepsFiles::Options options;
-    options.kind = isPictures(path) ? StepsFiles::Kind::Pictures : StepsFiles::Kind::Paper;
-    options.title = subject.title;
-    options.paper = StepsPaper::usualSize(m_window.locale());
-    options.looking = subject.looking;
-    StepsFiles files(steps, options);
+    StepsFiles files(steps, optionsFor(subject, path));
     const auto count = static_cast<std::size_t>(steps->playback.stepCount());
     if (isPictures(path) &&
         !mayReplace(m_window,

@@ -4,6 +4,7 @@
 
 #include "core/interaction/camera.h"
 #include "core/session/assembly_steps.h"
+#include "ui/view/steps_files.h"
 
 #include <QObject>
 #include <QString>
@@ -36,6 +37,8 @@ public:
     /// A PDF, which replaces another one, or for .png a picture of each step, OUT-01.png,
     /// OUT-02.png, …, where it asks before it replaces some. False when nothing was written.
     bool write(const Subject &subject, const QString &path);
+    /// How it writes: lengths and names as they are in the window.
+    StepsFiles::Options optionsFor(const Subject &subject, const QString &path) const;
 
 private:
     bool tellFailure(const Subject &subject, const QString &path, const Error &error);

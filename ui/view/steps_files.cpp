@@ -10,8 +10,7 @@ StepsFiles::StepsFiles(AssemblyStepsPointer steps, const Options &options)
     : m_options(options), m_pictures(std::move(steps), options.looking)
 {
     if (options.kind == Kind::Paper)
-        m_paper = std::make_unique<StepsPaper>(m_pictures,
-                                               StepsPaper::Options{options.title, options.paper});
+        m_paper = std::make_unique<StepsPaper>(m_pictures, options.paper);
 }
 
 int StepsFiles::pieceCount() const

@@ -17,10 +17,9 @@ public:
     struct Options
     {
         Kind kind = Kind::Paper;
-        QString title;                               // of paper
-        QPageSize::PageSizeId paper = QPageSize::A4; //
-        Vec2 size{1280.0, 800.0};                    // of pictures, px; at most kMaxPictureSide
-        Camera looking;                              // direction and projection
+        StepsPaper::Options paper;
+        Vec2 size{1280.0, 800.0}; // of pictures, px; at most kMaxPictureSide
+        Camera looking;           // direction and projection
     };
 
     StepsFiles(AssemblyStepsPointer steps, const Options &options);

@@ -76,6 +76,20 @@ QPageSize::PageSizeId StepsPaper::usualSize(const QLocale &locale)
                                                                    : QPageSize::A4;
 }
 
+QString StepsPaper::stockText(const Stock &stock, const Options &options)
+{
+    const QString name =
+        options.stockName ? options.stockName(stock) : QString::fromStdString(stock.name);
+    return QStringLiteral("%1, %2").arg(name,
+                                        lengthText(stock.thickness, options.unit, 2, 3, QLocale()));
+}
+
+QString StepsPaper::sizeText(const Vec2 &millimetres, LengthUnit unit)
+{
+    return QStringLiteral("%1 × %2").arg(lengthNumber(millimetres.x(), unit, 0, 0, QLocale()),
+                                         lengthText(millimetres.y(), unit, 0, 0, QLocale()));
+}
+
 StepsPaper::StepsPaper(StepPictures &pictures, const Options &options)
     : m_pictures(pictures), m_steps(pictures.steps()), m_options(options)
 {
@@ -174,12 +188,8 @@ bool StepsPaper::titlePage()
         if (!stocks.insert(part.stock).second)
             continue;
         const Stock &stock = *model.document.find(part.stock);
-        const QString thickness = QLocale().toString(stock.thickness, 'f', 2);
-        //: %1 is a material's name, %2 its thickness in millimetres
-        y += text(QRectF(0.0, y, width, 20.0),
-                  Words::tr("%1, %2\u202fmm").arg(QString::fromStdString(stock.name), thickness),
-                  font(11.0), kText) +
-             1.0;
+        y +=
+            text(QRectF(0.0, y, width, 20.0), stockText(stock, m_options), font(11.0), kText) + 1.0;
     }
     text(QRectF(0.0, y + 2.0, width, 30.0),
          Words::tr("The numbers are those engraved on the parts. At every slit stands the number "
@@ -281,11 +291,8 @@ void StepsPaper::outline(const QRectF &box, int index)
         QFontMetricsF(font(11.0, QFont::Bold), m_writer.get()).horizontalAdvance(number) * 25.4 /
             kResolution +
         2.0;
-    text(line.adjusted(shift, 0.0, 0.0, 0.0),
-         //: the size of a part in millimetres: width, height
-         Words::tr("%1 \u00d7 %2\u202fmm")
-             .arg(QLocale().toString(size.x(), 'f', 0), QLocale().toString(size.y(), 'f', 0)),
-         font(8.0), kMuted, Qt::AlignLeft | Qt::AlignVCenter);
+    text(line.adjusted(shift, 0.0, 0.0, 0.0), sizeText(size, m_options.unit), font(8.0), kMuted,
+         Qt::AlignLeft | Qt::AlignVCenter);
 }
 
 QByteArray StepsPaper::take()

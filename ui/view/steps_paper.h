@@ -4,6 +4,7 @@
 #pragma once
 
 #include "core/fabrication/part.h"
+#include "ui/view/length_unit.h"
 #include "ui/view/step_pictures.h"
 
 #include <QBuffer>
@@ -12,6 +13,7 @@
 #include <QPdfWriter>
 #include <QString>
 
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -24,7 +26,14 @@ public:
     {
         QString title; // the model's name
         QPageSize::PageSizeId size = QPageSize::A4;
+        LengthUnit unit = LengthUnit::Millimetre;
+        /// What a stock is called for whoever reads it; none: as in the file.
+        std::function<QString(const Stock &)> stockName;
     };
+    /// "Birch plywood, 3.00 mm"
+    static QString stockText(const Stock &stock, const Options &options);
+    /// Of a part, width and height: "84 × 120 mm".
+    static QString sizeText(const Vec2 &millimetres, LengthUnit unit);
 
     /// The pictures outlive it. To be used on their thread.
     StepsPaper(StepPictures &pictures, const Options &options);

@@ -7,6 +7,7 @@
 #include "tests/ui/view_hand.h"
 #include "tests/ui/window_fixture.h"
 #include "tests/ui/window_program.h"
+#include "ui/properties/stock_choice.h"
 #include "ui/sentence_label.h"
 #include "ui/steps/steps_export.h"
 #include "ui/steps/steps_view.h"
@@ -57,6 +58,7 @@ private Q_SLOTS:
     void whoGoesOnIsNotDisturbed();
     void theViewMayBeTurnedMeanwhile();
     void theyAreExported();
+    void paperHasTheUnitThatIsSet();
     void theNameAndTheFilterSayWhatIsWritten_data();
     void theNameAndTheFilterSayWhatIsWritten();
 
@@ -494,6 +496,21 @@ void TestStepsView::theyAreExported()
     QTest::mouseClick(m_window->findChild<QToolButton *>(QStringLiteral("stepsExport")),
                       Qt::LeftButton);
     QCOMPARE(suggested, QStringLiteral("pdf"));
+}
+
+// Wrong: the window says inches and names stocks in its language, and the paper does neither.
+void TestStepsView::paperHasTheUnitThatIsSet()
+{
+    showSteps();
+    settings().setUnit(LengthUnit::Inch);
+    Stock stock = *session().committed().document.stocks.front();
+    stock.name = "MDF 2"; // of a preset, which has a name in each language
+    const StepsExport::Subject subject{steps().steps(), interaction().camera(), {}};
+    const StepsPaper::Options paper =
+        m_window->findChild<StepsExport *>()->optionsFor(subject, QStringLiteral("a.pdf")).paper;
+    QCOMPARE(StepsPaper::stockText(stock, paper),
+             QStringLiteral("%1, 0.1181\u202fin").arg(stockName(stock)));
+    QVERIFY(paper.stockName);
 }
 
 void TestStepsView::theNameAndTheFilterSayWhatIsWritten_data()

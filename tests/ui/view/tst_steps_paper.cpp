@@ -1,0 +1,60 @@
+// What is written on the paper of the steps, beside its pictures.
+#include <QTest>
+
+#include "core/model/stock.h"
+#include "ui/view/steps_paper.h"
+
+using namespace fff;
+using namespace fff::ui;
+
+class TestStepsPaper : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { QLocale::setDefault(QLocale(QLocale::English, QLocale::UnitedKingdom)); }
+
+    void lengthsAreInTheUnit_data();
+    void lengthsAreInTheUnit();
+    void stocksAreNamedAsTheReaderKnowsThem();
+};
+
+void TestStepsPaper::lengthsAreInTheUnit_data()
+{
+    QTest::addColumn<LengthUnit>("unit");
+    QTest::addColumn<QString>("stock");
+    QTest::addColumn<QString>("size");
+    QTest::newRow("millimetres") << LengthUnit::Millimetre << QStringLiteral("Ply, 3.175\u202fmm")
+                                 << QStringLiteral("84 × 127\u202fmm");
+    QTest::newRow("centimetres") << LengthUnit::Centimetre << QStringLiteral("Ply, 0.3175\u202fcm")
+                                 << QStringLiteral("8.4 × 12.7\u202fcm");
+    QTest::newRow("inches") << LengthUnit::Inch << QStringLiteral("Ply, 0.125\u202fin")
+                            << QStringLiteral("3.3 × 5.0\u202fin");
+}
+
+// Wrong: whoever works in inches finds millimetres on the paper.
+void TestStepsPaper::lengthsAreInTheUnit()
+{
+    QFETCH(LengthUnit, unit);
+    Stock stock;
+    stock.name = "Ply";
+    stock.thickness = 3.175;
+    StepsPaper::Options options;
+    options.unit = unit;
+    QTEST(StepsPaper::stockText(stock, options), "stock");
+    QTEST(StepsPaper::sizeText({83.6, 127.0}, unit), "size");
+}
+
+void TestStepsPaper::stocksAreNamedAsTheReaderKnowsThem()
+{
+    Stock stock;
+    stock.name = "Birch";
+    stock.thickness = 3.0;
+    StepsPaper::Options options;
+    QCOMPARE(StepsPaper::stockText(stock, options), QStringLiteral("Birch, 3.00\u202fmm"));
+    options.stockName = [](const Stock &) { return QStringLiteral("Birke"); };
+    QCOMPARE(StepsPaper::stockText(stock, options), QStringLiteral("Birke, 3.00\u202fmm"));
+}
+
+QTEST_MAIN(TestStepsPaper)
+#include "tst_steps_paper.moc"
