@@ -12,11 +12,14 @@
 #include <QApplication>
 #include <QKeyEvent>
 
+#include <algorithm>
 #include <utility>
 
 namespace fff::ui {
 
 namespace {
+
+constexpr double kLongestFrame = 500.0; // ms
 
 /// Of the keys that the view has another use for.
 bool isOfSteps(int key)
@@ -203,7 +206,7 @@ void StepsView::open(AssemblyStepsPointer steps)
     if (jumps)
         m_player->jumpTo(1.0);
     else
-        m_player->play(m_bench.clock().now());
+        m_player->play(now());
     show();
     m_bar->show();
     m_bar->raise();
@@ -221,11 +224,20 @@ void StepsView::close()
     m_viewport->setFocus();
 }
 
+/// ms. Where no frame came for long, the program was busy or the clock was set by its first event:
+/// no step is left out for that.
+double StepsView::now()
+{
+    const double now = m_bench.clock().now();
+    m_leftOut += std::max(0.0, now - std::exchange(m_lastFrame, now) - kLongestFrame);
+    return now - m_leftOut;
+}
+
 void StepsView::follow()
 {
     if (!isOpen())
         return;
-    m_player->advance(m_bench.clock().now());
+    m_player->advance(now());
     const Interaction &interaction = m_bench.interaction();
     const bool isSame =
         m_shown && m_shown->time == m_player->time() &&
@@ -259,7 +271,7 @@ bool StepsView::act(int key)
 {
     if (!isOpen())
         return false;
-    const double now = m_bench.clock().now();
+    const double now = this->now();
     m_player->advance(now);
     switch (key) {
     case Qt::Key_Space:

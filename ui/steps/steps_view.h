@@ -69,6 +69,7 @@ private:
     void follow();
     void show();
     bool act(int key);
+    double now();
 
     Workbench &m_bench;
     const CheckList &m_list;
@@ -77,7 +78,8 @@ private:
     bool m_isWaiting = false;         // for a plan
     const Tool *m_heldTool = nullptr; // since then
     std::shared_ptr<StepsPlayer> m_player;
-    std::unique_ptr<StepsScene> m_scene; // while they are shown
+    double m_lastFrame = 0.0, m_leftOut = 0.0; // ms
+    std::unique_ptr<StepsScene> m_scene;       // while they are shown
     struct Shown
     {
         double time = -1.0, drawnApart = 0.0;
