@@ -27,11 +27,14 @@
 #include <QToolButton>
 #include <QTreeWidget>
 
+#include <functional>
+
 using namespace fff;
 using namespace fff::test;
 using namespace fff::ui;
 
 Q_DECLARE_METATYPE(fff::Document)
+Q_DECLARE_METATYPE(std::function<double(const fff::Stock &)>)
 
 namespace {
 
@@ -93,6 +96,8 @@ private Q_SLOTS:
     void aNameIsForTheSectionItWasTypedAt();
     void aUsedStockIsReplaced();
     void slitEndsFollowAtOnce();
+    void slitNumbersAreTyped_data();
+    void slitNumbersAreTyped();
     void lengthsFollowTheUnit();
     void fieldsReckonWithTheThickness();
     void fieldsOfSectionsThatDifferSayMixed();
@@ -525,7 +530,7 @@ void TestDocks::slitEndsFollowAtOnce()
     find<QAction>("fabricate.stocks")->trigger();
     auto *end = find<QComboBox>("stockSlitEnd");
     auto *tool = find<QWidget>("stockTool");
-    QVERIFY(end && tool && find<QWidget>("stockLeadIn") && find<QWidget>("stockBumps"));
+    QVERIFY(end && tool);
     QVERIFY(!tool->isEnabled());
     QVERIFY(tool->parentWidget()->toolTip().contains(QStringLiteral("square end has no tool")));
     const double before = session().currentAnalysis().cuts[0]->area();
@@ -539,6 +544,46 @@ void TestDocks::slitEndsFollowAtOnce()
     QVERIFY(!tool->isEnabled());
     QCOMPARE(end->currentIndex(), 0);
     QCOMPARE(session().currentAnalysis().cuts[0]->area(), before);
+}
+
+void TestDocks::slitNumbersAreTyped_data()
+{
+    QTest::addColumn<QString>("field");
+    QTest::addColumn<double>("typed");
+    QTest::addColumn<std::function<double(const Stock &)>>("kept");
+    const auto row = [](const char *title, const char *field, double typed, double Stock::*kept) {
+        QTest::newRow(title) << QString::fromLatin1(field) << typed
+                             << std::function([kept](const Stock &stock) { return stock.*kept; });
+    };
+    row("the diameter of the tool", "stockTool", 2.5, &Stock::toolDiameter);
+    row("the lead-in", "stockLeadIn", 1.5, &Stock::leadIn);
+    row("the bumps", "stockBumps", 0.25, &Stock::bumps);
+}
+
+// Wrong: a field that changes nothing, the number of another field, or no slit.
+void TestDocks::slitNumbersAreTyped()
+{
+    QFETCH(QString, field);
+    QFETCH(double, typed);
+    QFETCH(std::function<double(const Stock &)>, kept);
+    Document document = cross();
+    Stock milled = *document.stocks.front();
+    milled.slitEnd = SlitEnd::Dogbone;
+    session().reset(*setStock(std::move(document), milled));
+    find<QAction>("fabricate.stocks")->trigger();
+    auto *edit = m_window->findChild<QDoubleSpinBox *>(field);
+    QVERIFY(edit && edit->isEnabled());
+    QCOMPARE(edit->value(), kept(milled));
+    const double before = session().currentAnalysis().cuts[0]->area();
+    edit->setFocus();
+    edit->selectAll();
+    QTest::keyClicks(edit, QString::number(typed));
+    QTest::keyClick(edit, Qt::Key_Return);
+    QCOMPARE(kept(*session().committed().document.stocks.front()), typed);
+    QCOMPARE(session().history()->count(), 1);
+    QVERIFY(std::abs(session().currentAnalysis().cuts[0]->area() - before) > 1e-3);
+    session().history()->undo();
+    QCOMPARE(edit->value(), kept(milled));
 }
 
 // Wrong: the thickness of one stock given to another that is chosen before the slider has settled.
