@@ -407,40 +407,19 @@ void TestSlitForm::everyStockNumberCounts()
 {
     Stock before = milled(SlitEnd::Dogbone, 3.0, 0.1);
     before.leadIn = 1.0;
-    const Stock others[] = {[&] {
-                                Stock s = before;
-                                s.slitEnd = SlitEnd::Round;
-                                return s;
-                            }(),
-                            [&] {
-                                Stock s = before;
-                                s.toolDiameter = 3.1;
-                                return s;
-                            }(),
-                            [&] {
-                                Stock s = before;
-                                s.leadIn = 1.1;
-                                return s;
-                            }(),
-                            [&] {
-                                Stock s = before;
-                                s.bumps = 0.2;
-                                return s;
-                            }(),
-                            [&] {
-                                Stock s = before;
-                                s.clearance = 0.1;
-                                return s;
-                            }()};
     const CutPlate plate({{100, 60}, {0, 60}}, before);
-    for (const Stock &other : others) {
-        QVERIFY(!cutsTheSameSlits(before, other));
+    using Change = void (*)(Stock &);
+    const Change changes[] = {
+        [](Stock &stock) { stock.slitEnd = SlitEnd::Round; },
+        [](Stock &stock) { stock.toolDiameter = 3.1; },
+        [](Stock &stock) { stock.leadIn = 1.1; },
+        [](Stock &stock) { stock.bumps = 0.2; },
+        [](Stock &stock) { stock.clearance = 0.1; },
+    };
+    for (const Change change : changes) {
         Stock stock = *plate.model.document.stocks.front();
-        stock.slitEnd = other.slitEnd;
-        stock.toolDiameter = other.toolDiameter;
-        stock.leadIn = other.leadIn;
-        stock.bumps = other.bumps;
-        stock.clearance = other.clearance;
+        change(stock);
+        QVERIFY(!cutsTheSameSlits(*plate.model.document.stocks.front(), stock));
         const Model next = evaluate(*setStock(plate.model.document, stock));
         const Assembly changed = assemble(next, plate.model, plate.assembly);
         QVERIFY(!(changed.slits[0].at(0) == plate.slit()));
