@@ -224,6 +224,7 @@ Stability stability(const GroundContact &contact, const Vec3 &centreOfMass, doub
     const Vec2 centre = onGround(centreOfMass);
     Vec2 nearest = centre;
     result.margin = signedDistance(result.support, centre, &nearest);
+    result.nearest = nearest;
     result.fall = fallDirection(result.support, centre, nearest, result.margin);
     if (signedArea(result.support) < kLineShare * thickness * size)
         result.standing = Standing::LineSupport;

@@ -32,6 +32,10 @@ GroundContact together(std::span<const GroundContact *const> contacts);
 /// its outline, whether its lower face or, as FlatFab's models have it, its middle is drawn at Y =
 /// 0; an oblique one on what of its bevel is there. Slabs that hang above the ground, or whose
 /// mid-planes reach below it, have no contact: `lowest` and `lowestMiddle` say by how much.
+/// Between −kGroundSunk and −kGroundContact it is neither a fault nor lost as a foot: what a person
+/// drew onto the ground is off by that much, feet at Y = 0 and feet a tenth below it carry alike,
+/// and nobody sees the difference on a table. Below −kGroundSunk it is in the ground, and then none
+/// is a foot: nobody can tell where it would come to rest.
 /// Holes are never lower than their contour and need not be looked at. O(vertices).
 ///
 /// Errors  none; without slabs everything is 0.
@@ -48,12 +52,13 @@ enum class Standing {
 struct Stability
 {
     Standing standing = Standing::NoContact;
-    int contacts = 0;      // stretches of outlines on the ground
-    Polygon support;       // (x, z), counter-clockwise seen from below (x to the right, z up)
-    double margin = 0.0;   // mm from the projected centre of mass to the nearest edge of `support`;
-                           // negative outside. 0 without a contact
-    double tipAngle = 0.0; // radians: tilted by less, it falls back onto its feet. 0 unless it
-                           // stands
+    int contacts = 0;    // stretches of outlines on the ground
+    Polygon support;     // (x, z), counter-clockwise seen from below (x to the right, z up)
+    double margin = 0.0; // mm from the projected centre of mass to the nearest edge of `support`;
+                         // negative outside. 0 without a contact
+    Vec2 nearest = Vec2::Zero(); // (x, z), of that edge, the point it is measured to
+    double tipAngle = 0.0;    // radians: tilted by less, it falls back onto its feet. 0 unless it
+                              // stands
     Vec2 fall = Vec2::Zero(); // (x, z), unit: over which edge it falls, or would fall first
     double height = 0.0;      // of its lowest point above the ground, mm; negative: below it, as
                               // deep as its mid-planes

@@ -55,6 +55,8 @@ private Q_SLOTS:
     void plateStandsOnItsWholeEdge();
     void heights_data();
     void heights();
+    void aFootThatIsALittleLowIsAFoot_data();
+    void aFootThatIsALittleLowIsAFoot();
     void marginIsTheDepthInTheHull();
 };
 
@@ -77,10 +79,14 @@ void TestStability::heights_data()
     QTest::addColumn<double>("height"); // of a plate's lower edge
     QTest::addColumn<int>("standing");
     QTest::newRow("on the ground") << 0.0 << int(Standing::Stands);
-    QTest::newRow("within the tolerance above") << 0.04 << int(Standing::Stands);
-    QTest::newRow("beyond it") << 0.06 << int(Standing::NoContact);
+    QTest::newRow("just within the tolerance above") << 0.049 << int(Standing::Stands);
+    QTest::newRow("just beyond it") << 0.051 << int(Standing::NoContact);
     QTest::newRow("a hand's breadth above") << 100.0 << int(Standing::NoContact);
     QTest::newRow("sunk as FlatFab sinks its models") << -0.127 << int(Standing::Stands);
+    QTest::newRow("just within the tolerance below") << -0.049 << int(Standing::Stands);
+    QTest::newRow("deeper, but not in the ground") << -0.051 << int(Standing::Stands);
+    QTest::newRow("just not in the ground") << -0.199 << int(Standing::Stands);
+    QTest::newRow("just in the ground") << -0.201 << int(Standing::BelowGround);
     QTest::newRow("below the ground") << -0.3 << int(Standing::BelowGround);
     QTest::newRow("half below the ground") << -30.0 << int(Standing::BelowGround);
 }
@@ -97,6 +103,35 @@ void TestStability::heights()
     QCOMPARE(int(found.standing), standing);
     QCOMPARE(found.height, height);
     QCOMPARE(found.contacts, found.standing == Standing::Stands ? 2 : 0);
+}
+
+void TestStability::aFootThatIsALittleLowIsAFoot_data()
+{
+    QTest::addColumn<double>("height"); // of one of two feet, the other is on the ground
+    QTest::addColumn<int>("contacts");
+    QTest::newRow("too high to touch") << 0.051 << 1;
+    QTest::newRow("a little high") << 0.049 << 2;
+    QTest::newRow("a little low") << -0.049 << 2;
+    QTest::newRow("lower") << -0.051 << 2;
+    QTest::newRow("as low as a foot may be") << -0.199 << 2;
+    QTest::newRow("in the ground, where nothing stands") << -0.201 << 0;
+}
+
+// Wrong: what stands on all its feet falls over because one was drawn a tenth of a millimetre
+// deeper.
+void TestStability::aFootThatIsALittleLowIsAFoot()
+{
+    QFETCH(double, height);
+    QFETCH(int, contacts);
+    const Region plate = regionOf(rectangle(-80, 0, 80, 60));
+    const Region other = regionOf(rectangle(-80, height, 80, 60));
+    const Frame a = front(-40), b = front(40);
+    const Stability found =
+        stability(groundContact({{plate, a, 6.0}, {other, b, 6.0}}), {0, 30, 0}, 6.0, 160.0);
+    QCOMPARE(found.contacts, contacts);
+    QCOMPARE(found.standing, contacts == 2   ? Standing::Stands
+                             : contacts == 1 ? Standing::Topples
+                                             : Standing::BelowGround);
 }
 
 // The margin by brute force: how deep the point lies under every direction's farthest contact.
