@@ -141,6 +141,7 @@ bool Session::hasPreview() const
 
 void Session::reset(Document document)
 {
+    Q_EMIT replaced();
     d->isResetting = true;
     d->committed = std::make_shared<const Model>(evaluate(std::move(document)));
     d->stack->clear();

@@ -63,6 +63,8 @@ public:
     const Analysis &currentAnalysis();
 
 Q_SIGNALS:
+    /// Another document comes in the place of this one (reset); modelChanged follows.
+    void replaced();
     void modelChanged(const fff::Model &before, const fff::Model &after);
     /// committed() is another one, also where what is shown stays: a preview was committed.
     void committedChanged();

@@ -41,6 +41,10 @@ void SessionHost::attach(Interaction &interaction)
             [&interaction] { interaction.modelChanged(); });
     connect(&m_session, &Session::committedChanged, this,
             [&interaction] { interaction.modelChanged(); });
+    connect(&m_session, &Session::replaced, this, [&interaction] {
+        interaction.select({});
+        interaction.forgetViews();
+    });
     interaction.modelChanged();
 }
 
