@@ -3760,6 +3760,19 @@
     </message>
 </context>
 <context>
+    <name>fff::ui::ProblemMarks</name>
+    <message>
+        <source>%1 outside</source>
+        <extracomment>%1 is a length: how far the centre of mass lies from the edge of the feet</extracomment>
+        <translation>%1 außerhalb</translation>
+    </message>
+    <message>
+        <source>%1 inside</source>
+        <extracomment>%1 is a length: how far it lies from their edge</extracomment>
+        <translation>%1 innerhalb</translation>
+    </message>
+</context>
+<context>
     <name>fff::ui::PropertiesDock</name>
     <message>
         <source>Properties</source>

@@ -170,8 +170,10 @@ void Viewport::paintMarks()
         scene.marks =
             placeMarks(interaction.marks(), interaction.camera(), scene.viewport, scene.view);
     scene.litMark = litMark();
-    if (!isDrawing && !m_steps)
+    if (!isDrawing && !m_steps) {
         scene.ghosts = m_bench.ghosts();
+        scene.problems = m_bench.problemLook();
+    }
     scene.steps = m_steps ? &m_steps->marks : nullptr;
     if (scene.view.clip) // of the handle's place; every vertex is looked at for it
         scene.bounds = m_bench.session().committed().bounds();
@@ -352,6 +354,7 @@ Viewport::Seen Viewport::seen() const
             overlay.band.has_value(),
             interaction.marks(),
             litMark(),
+            m_bench.problemLook(),
             overlay.pen,
             overlay.plane ? std::optional(overlay.plane->canvas) : std::nullopt};
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/interaction/interaction.h"
+#include "core/interaction/problem_look.h"
 #include "ui/view/frame_pace.h"
 #include "ui/view/renderer.h"
 #include "ui/view/scene.h"
@@ -74,6 +75,7 @@ private:
         bool isHandleHovered = false, hasGesture = false, isGhosted = false, hasBand = false;
         std::vector<ProblemMark> marks;
         int litMark = 0;
+        ProblemLook problems;
         std::optional<PenMarks> pen;
         std::optional<Frame> plane;
 

@@ -119,6 +119,7 @@ void Workbench::showAll(std::string_view view)
     state.hidden.clear();
     state.isolated.clear();
     state.problems.clear();
+    state.faulty.clear();
     state.clip.reset();
     m_interaction->setView(std::move(state));
     announceChanges();
@@ -181,6 +182,17 @@ void Workbench::setProblemMarks(std::vector<ProblemMark> marks)
 {
     m_marks = std::move(marks);
     showMarks();
+}
+
+void Workbench::setProblemLook(ProblemLook look, const std::vector<SectionRef> &faulty)
+{
+    ViewState view = m_interaction->view();
+    view.faulty = {faulty.begin(), faulty.end()};
+    if (look == m_look && view == m_interaction->view())
+        return;
+    m_look = std::move(look);
+    m_interaction->setView(std::move(view));
+    announceChanges();
 }
 
 void Workbench::setMarksAside(bool aside)

@@ -5,6 +5,7 @@
 #include "core/interaction/commands.h"
 #include "core/interaction/interaction.h"
 #include "core/interaction/joint_editing.h"
+#include "core/interaction/problem_look.h"
 #include "core/session/session.h"
 #include "core/session/session_host.h"
 #include "ui/event_clock.h"
@@ -60,6 +61,10 @@ public:
     void setProblemSections(const std::vector<SectionRef> &sections);
     /// Numbers beside problems. A click on one is announced by problemChosen.
     void setProblemMarks(std::vector<ProblemMark> marks);
+    /// What else is drawn of problems; and the sections of those that are not looked at.
+    void setProblemLook(ProblemLook look, const std::vector<SectionRef> &faulty);
+    /// Empty while something else than the model is shown.
+    const ProblemLook &problemLook() const { return m_areMarksAside ? m_noLook : m_look; }
     /// Put aside for as long as something else than the model is shown.
     void setMarksAside(bool aside);
     /// The mark that is shown as if the cursor were on it, because it is on its row; 0: none.
@@ -116,6 +121,8 @@ private:
     std::vector<SectionRef> m_outlined;
     std::vector<SectionPointer> m_ghosts;
     std::vector<ProblemMark> m_marks;
+    ProblemLook m_look;
+    const ProblemLook m_noLook;
     bool m_areMarksAside = false;
     int m_litProblem = 0, m_hoveredProblem = 0;
     Projection m_projection = Projection::Orthographic;

@@ -163,6 +163,8 @@ Check stabilityCheck(const Analysis &analysis, const Group &group, const CheckCa
     check.margin = stability.margin;
     check.tipAngle = stability.tipAngle;
     check.side = towards(stability.fall);
+    check.support = stability.support;
+    check.edge = stability.nearest;
     check.sectionCount = static_cast<int>(group.size());
     check.at = Vec3(check.mass.centre.x(), 0.0, check.mass.centre.z());
     switch (stability.standing) {
@@ -281,6 +283,7 @@ void addJoints(const Analysis &analysis, const CheckRules &rules, std::vector<Ch
         Check check = makeCheck(collides ? CheckCode::NoSlit : CheckCode::ShallowAngle,
                                 CheckSeverity::Warning);
         check.sections = refsOf(model, {joint.a, joint.b});
+        check.joint = JointRef(check.sections[0], check.sections[1]);
         check.at = crossing.axis.at(0.5 * (longest->from + longest->to));
         check.distance = longest->to - longest->from;
         check.angle = crossing.angle;

@@ -5,6 +5,7 @@
 
 #include "core/assembly/slits.h"
 #include "core/fabrication/summary.h"
+#include "core/model/joint_ref.h"
 #include "core/session/check_caches.h"
 
 #include <chrono>
@@ -55,6 +56,21 @@ enum class CheckSeverity { Good, Unknown, Note, Warning, Error }; // ordered
 /// As seen in the front view: the front is +Z, the right +X.
 enum class Towards { Front, Back, Left, Right };
 
+/// Two sections that are in each other's way, and where.
+struct CheckLink
+{
+    SectionRef a, b;
+    Vec3 fromA = Vec3::Zero(), fromB = Vec3::Zero(); // a place on each of them, world, mm
+    Vec3 at = Vec3::Zero();  // their joint, or where the first comes to stand against the other
+    Vec3 way = Vec3::Zero(); // in which their joint slides, unit; zero: no joint
+
+    bool operator==(const CheckLink &other) const
+    {
+        return a == other.a && b == other.b && fromA == other.fromA && fromB == other.fromB &&
+               at == other.at && way == other.way;
+    }
+};
+
 struct Check
 {
     CheckCode code = CheckCode::Connected;
@@ -64,11 +80,15 @@ struct Check
     std::optional<SectionRef> other;  // NotConnected: who is nearest
     std::vector<SectionRef> guests; // SlitsMeet, ThinWeb: whom the section's one or two slits hold
     std::optional<Vec3> at;         // where to look, world, mm
+    std::optional<JointRef> joint;  // that it is about, where it is about one
+    std::vector<CheckLink> links;   // CannotAssemble, Cycle: who blocks whom
 
     // The numbers of its sentence; 0 where the code has no use for them.
     double margin = 0.0;   // Stability: mm from the centre of mass to the support's nearest edge,
                            // negative outside. TooLarge: what the sheet's edges leave free
     double tipAngle = 0.0; // Stands, Unsteady: radians up to which it can be tilted
+    Polygon support;       // Stability: of what stands or falls, (x, z); see stability.h
+    Vec2 edge = Vec2::Zero(); // Stability: (x, z), of its boundary nearest to the centre of mass
     Towards side = Towards::Front; // Stability: where to it falls, or would first
     double distance = 0.0;    // mm. NotConnected: to the nearest other section (negative: unknown);
                               // NoContact: above the ground; BelowGround: below it (both positive);

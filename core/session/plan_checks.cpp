@@ -43,6 +43,20 @@ Vec3 placeOf(const Joint &joint)
     return joint.crossing->axis.at(overlap.meet);
 }
 
+CheckLink linkOf(const Model &model, const Joint &joint)
+{
+    const auto middleOf = [&](int index) {
+        const Section &section = *model.section(static_cast<std::size_t>(index));
+        return section.frame.toWorld(section.shape->centroid());
+    };
+    return {model.ref(static_cast<std::size_t>(joint.a)),
+            model.ref(static_cast<std::size_t>(joint.b)),
+            middleOf(joint.a),
+            middleOf(joint.b),
+            placeOf(joint),
+            joint.crossing->axis.direction};
+}
+
 /// Why parts are locked: the ways in which the joints among them slide, and what stops the one that
 /// could move.
 void explain(const Analysis &analysis, const ModelPlan &plan, const std::vector<int> &sections,
@@ -55,6 +69,7 @@ void explain(const Analysis &analysis, const ModelPlan &plan, const std::vector<
             if (!joint || joint->kind == JointKind::None)
                 continue;
             ++check.count;
+            check.links.push_back(linkOf(analysis.model, *joint));
             if (!check.at)
                 check.at = placeOf(*joint);
             const Vec3 &way = joint->crossing->axis.direction;
@@ -73,6 +88,7 @@ void explain(const Analysis &analysis, const ModelPlan &plan, const std::vector<
     // Who moves is named first.
     check.sections = refsOf(analysis.model, {sectionOf(plan.stop->part), sectionOf(plan.stop->by)});
     check.distance = plan.stop->distance;
+    check.joint = JointRef(check.sections[0], check.sections[1]);
 }
 
 Check verdict(const Analysis &analysis, const ModelPlan &plan)
@@ -118,10 +134,17 @@ void addCycles(const Analysis &analysis, const ModelPlan &plan, std::vector<Chec
         analysis.model,
         cycles.size() == 1 ? cycles.front() : std::vector<int>(sections.begin(), sections.end()));
     check.count = static_cast<int>(cycles.size());
-    const std::vector<int> &first = cycles.front();
-    if (const Joint *joint = analysis.assembly.joints.find(std::min(first[0], first[1]),
-                                                           std::max(first[0], first[1])))
-        check.at = placeOf(*joint);
+    std::set<std::pair<int, int>> linked; // a joint may be of several rings
+    for (const std::vector<int> &cycle : cycles) {
+        for (std::size_t i = 0, k = cycle.size() - 1; i < cycle.size(); k = i++) {
+            const auto [a, b] = std::minmax(cycle[i], cycle[k]);
+            const Joint *joint = analysis.assembly.joints.find(a, b);
+            if (joint && linked.emplace(a, b).second)
+                check.links.push_back(linkOf(analysis.model, *joint));
+        }
+    }
+    if (!check.links.empty())
+        check.at = check.links.front().at;
     all.push_back(std::move(check));
 }
 
@@ -155,6 +178,8 @@ void addWebs(const Analysis &analysis, std::size_t section, const std::vector<We
         check.guests = {guestOf(web.slit)};
         if (web.between == Web::Between::Slits)
             check.guests.push_back(guestOf(web.other));
+        else
+            check.joint = JointRef(check.sections.front(), check.guests.front());
         check.at = model.section(section)->frame.toWorld(web.at);
         check.distance = web.width;
         check.count = web.between == Web::Between::SlitAndHole ? 1 : 0;
@@ -217,6 +242,8 @@ std::vector<Check> planChecks(const Analysis &analysis, const ModelPlan &plan, W
         check.at = how->at;
         check.distance = how->depth;
         check.count = joint ? 1 : 0;
+        if (joint)
+            check.joint = JointRef(check.sections[0], check.sections[1]);
         all.push_back(std::move(check));
     }
     addCycles(analysis, plan, all);

@@ -250,6 +250,30 @@ void ChecksDock::markProblems()
                              check.severity == CheckSeverity::Error});
     }
     m_bench.setProblemMarks(std::move(marks));
+    showLook();
+}
+
+/// Who blocks whom is shown of the problem that is looked at: of all it would be a web of lines.
+/// Whether it stands concerns the whole model, so that is seen as long as it is a problem.
+void ChecksDock::showLook()
+{
+    ProblemLook look;
+    std::vector<SectionRef> faulty;
+    for (const Row &row : m_rows) {
+        const Check &check = row.check;
+        if (!toggleViewAction()->isChecked())
+            break;
+        const bool isChosen = m_chosen && isSameVerdict(*m_chosen, check);
+        if (!check.support.empty() && (isProblem(check) || isChosen))
+            look.grounds.push_back(
+                {check.support, check.mass.centre, check.edge, check.margin, isProblem(check)});
+        if (isChosen)
+            for (const CheckLink &link : check.links)
+                look.links.push_back({link.fromA, link.at, link.fromB, link.way});
+        else if (check.severity == CheckSeverity::Error)
+            faulty.insert(faulty.end(), check.sections.begin(), check.sections.end());
+    }
+    m_bench.setProblemLook(std::move(look), faulty);
 }
 
 int ChecksDock::rowOf(int number) const
@@ -302,6 +326,7 @@ void ChecksDock::choose(int row, bool frames)
         m_widgets[i]->setChecked(static_cast<int>(i) == row);
     m_bench.select(check.sections);
     m_bench.setProblemSections(isProblem(check) ? check.sections : std::vector<SectionRef>());
+    showLook();
     if (frames)
         m_bench.run(check.sections.empty() ? QStringLiteral("view.fitAll")
                                            : QStringLiteral("view.fitSelection"));
@@ -316,6 +341,7 @@ void ChecksDock::forgetChoice()
     for (CheckRow *row : m_widgets)
         row->setChecked(false);
     m_bench.setProblemSections({});
+    showLook();
 }
 
 void ChecksDock::goToProblem(int step)

@@ -58,6 +58,7 @@ private:
     void choose(int row, bool frames);
     void forgetChoice();
     void markProblems();
+    void showLook();
     int rowOf(int number) const; // of a problem; -1: there is none any more
     /// The link at the index was clicked.
     void act(int row, int index);

@@ -4,6 +4,7 @@
 #include "ui/view/joint_marks.h"
 #include "ui/view/pen_marks.h"
 #include "ui/view/point_marks.h"
+#include "ui/view/problem_marks.h"
 #include "ui/view/scale_bar.h"
 #include "ui/view/stroke_marks.h"
 #include "ui/view/view_cube_painter.h"
@@ -47,6 +48,7 @@ public:
     void cutHandle();
     void hoveredName();
     void progress();
+    void problems() { paintProblems(m_pen, m_scene.problems, m_scene.unit, m_locale); }
     void marks();
     void mark(const PlacedMark &mark, bool isLit);
     void steps()
@@ -325,6 +327,7 @@ void paintOverlay(QPainter &painter, const OverlayScene &scene, const ViewStyle 
     Drawing drawing(painter, scene, style, locale);
     drawing.ground();
     drawing.ghosts();
+    drawing.problems();
     drawing.points();
     drawing.joints();
     drawing.stroke();

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "core/interaction/interaction.h"
+#include "core/interaction/problem_look.h"
 #include "core/interaction/view_state.h"
 #include "ui/view/length_unit.h"
 #include "ui/view/step_marks.h"
@@ -32,6 +33,7 @@ struct OverlayScene
     LengthUnit unit = LengthUnit::Millimetre;
     std::vector<PlacedMark> marks = {};      // numbers of problems
     int litMark = 0;                         // the one that is drawn larger
+    ProblemLook problems = {};               // what is drawn of them besides
     std::vector<SectionPointer> ghosts = {}; // that are not in the model
     const StepMarks *steps = nullptr;        // of the assembly, which is shown instead of the model
     const Section *edited = nullptr;         // whose points are shown, as it is shown

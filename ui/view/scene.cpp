@@ -15,7 +15,7 @@ bool SceneSection::looksTheSame(const SceneSection &other) const
            thickness == other.thickness && look.face == other.look.face &&
            look.side == other.look.side && look.alpha == other.look.alpha &&
            covers == other.covers && guests == other.guests && isGhost == other.isGhost &&
-           isHidden == other.isHidden && isProblem == other.isProblem;
+           isHidden == other.isHidden && isProblem == other.isProblem && isFaulty == other.isFaulty;
 }
 
 SlabMesh meshOf(const SceneSection &section)
@@ -170,6 +170,7 @@ void applyView(Scene &scene, const Model &model, const ViewState &view)
         section.isHidden = view.isHidden(ref);
         section.isGhost = view.isGhost(ref);
         section.isProblem = view.problems.count(ref) > 0;
+        section.isFaulty = view.faulty.count(ref) > 0;
     }
 }
 

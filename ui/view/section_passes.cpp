@@ -73,8 +73,10 @@ SlabLook SectionPasses::lookOf(std::size_t index, double alpha) const
 
 EdgeLook SectionPasses::edgesOf(std::size_t index, double alpha) const
 {
-    const QColor &colour = m_scene->sections[index].isProblem ? m_style->problem : m_style->edge;
-    return {premultiplied(colour, alpha), m_style->edgeWidth, m_style->silhouetteWidth, 0.02};
+    const SceneSection &section = m_scene->sections[index];
+    const bool isRed = section.isProblem || section.isFaulty;
+    return {premultiplied(isRed ? m_style->problem : m_style->edge, alpha), m_style->edgeWidth,
+            section.isFaulty ? m_style->problemWidth : m_style->silhouetteWidth, 0.02};
 }
 
 /// Pixels that a line reaches over its surface: so many slopes the surface is set back.

@@ -14,6 +14,7 @@ target_sources(fff_view PRIVATE
     view/overlay_painter.cpp
     view/pen_marks.cpp
     view/point_marks.cpp
+    view/problem_marks.cpp
     view/render_target.cpp
     view/renderer.cpp
     view/scale_bar.cpp

@@ -43,6 +43,8 @@ private Q_SLOTS:
     void websAreMeasured();
     void whatIsKnownFromBeforeChangesNothing();
     void ringsAreNamed();
+    void blockingPairsAreLinked();
+    void whatIsSaidOfAJointNamesIt();
     void aModelWithoutPartsHasNoVerdict();
 };
 
@@ -197,6 +199,50 @@ void TestPlanChecks::ringsAreNamed()
 void TestPlanChecks::aModelWithoutPartsHasNoVerdict()
 {
     QVERIFY(saidOf(newDocument()).checks.empty());
+}
+
+// Wrong: lines between sections that do not block each other, or beside where they do.
+void TestPlanChecks::blockingPairsAreLinked()
+{
+    for (const Document &document : {triangle(), roundabout(eggCrate(2, 2), 0), underAnArm(60)}) {
+        const Model model = evaluate(document);
+        const std::vector<Check> checks = saidOf(document).checks;
+        QVERIFY(checks.front().code == CheckCode::CannotAssemble);
+        QVERIFY(!checks.front().links.empty());
+        QCOMPARE(static_cast<int>(checks.front().links.size()), checks.front().count);
+        for (const CheckLink &link : checks.front().links) {
+            const auto height = [&](const SectionRef &ref, const Vec3 &at) {
+                const Frame &frame =
+                    model.section(static_cast<std::size_t>(model.indexOf(ref)))->frame;
+                return std::abs(frame.normal().dot(at - frame.origin));
+            };
+            QVERIFY(link.a != link.b);
+            // The place is in both planes, and so is the way; the ends are in one each.
+            QVERIFY(height(link.a, link.at) < 1e-6 && height(link.b, link.at) < 1e-6);
+            QVERIFY(height(link.a, link.at + link.way) < 1e-6);
+            QVERIFY(height(link.b, link.at + link.way) < 1e-6);
+            QVERIFY(height(link.a, link.fromA) < 1e-6 && height(link.b, link.fromB) < 1e-6);
+            QVERIFY(std::abs(link.way.norm() - 1.0) < 1e-9);
+        }
+    }
+    QVERIFY(saidOf(eggCrate(2, 2)).checks.front().links.empty());
+}
+
+// Wrong: the page of another joint, or of none, beside what is said of one.
+void TestPlanChecks::whatIsSaidOfAJointNamesIt()
+{
+    // Two places of the same rib: one too near to the edge of the plate that holds it.
+    const Document document = twoSections(polygonShape(rectangle(-50, 0, 50, 60)), front(),
+                                          polygonShape(rectangle(-30, 0, 30, 60)), side(47))
+                                  .document;
+    int named = 0;
+    for (const Check &check : saidOf(document).checks) {
+        if (check.code != CheckCode::ThinWeb)
+            continue;
+        QVERIFY(check.joint == JointRef(check.sections.front(), check.guests.front()));
+        ++named;
+    }
+    QVERIFY(named > 0);
 }
 
 QTEST_GUILESS_MAIN(TestPlanChecks)
