@@ -85,6 +85,10 @@ private Q_SLOTS:
     void aRowUnderTheCursorLightsItsMark();
     void aStepUnderTheCursorIsOutlined();
     void aCheckSelectsWhomItIsAbout();
+    void aCheckOfAJointSelectsTheJoint();
+    void whoBlocksWhomIsShown();
+    void howItFallsIsShown();
+    void anotherDocumentHasNothingSelected();
     void whatCanBeDoneIsOneStep();
     void slitsAreTurnedInOneStep();
     void theFocusStaysWithItsCheck();
@@ -357,6 +361,88 @@ void TestDocks::aCheckSelectsWhomItIsAbout()
     QVERIFY(m_window->bench().interaction().view().problems.empty());
     QTest::keyClick(m_window.get(), Qt::Key_F8);
     QVERIFY(!m_window->bench().interaction().selection().empty());
+}
+
+// Wrong: a person is told of a joint and left to find it, to see what can be set of it.
+void TestDocks::aCheckOfAJointSelectsTheJoint()
+{
+    session().reset(twoSections(polygonShape(rectangle(-50, 0, 50, 60)), front(),
+                                polygonShape(rectangle(-50, 0, 50, 60)), turned(0.4))
+                        .document);
+    QTRY_VERIFY(find<CheckRow>("checkRow0") && firstCheck().contains(QStringLiteral("meets")));
+    QTest::mouseClick(find<CheckRow>("checkRow0"), Qt::LeftButton);
+    const Interaction &interaction = m_window->bench().interaction();
+    QVERIFY(interaction.selectedJoint() ==
+            JointRef(session().model().ref(0), session().model().ref(1)));
+    QCOMPARE(interaction.view().problems.size(), std::size_t(2));
+    QVERIFY(find<CheckRow>("checkRow0")->isChecked());
+}
+
+// Wrong: one reads that sections block each other, and searches for where.
+void TestDocks::whoBlocksWhomIsShown()
+{
+    Workbench &bench = m_window->bench();
+    session().reset(moveAll(triangle(), {0, 30, 0}));
+    QTRY_VERIFY(find<CheckRow>("checkRow0") &&
+                firstCheck().contains(QStringLiteral("block each other")));
+    QVERIFY(bench.problemLook().links.empty());
+    QCOMPARE(bench.interaction().view().faulty.size(), std::size_t(3));
+    QTest::mouseClick(find<CheckRow>("checkRow0"), Qt::LeftButton);
+    QCOMPARE(bench.problemLook().links.size(), std::size_t(3));
+    QCOMPARE(bench.interaction().view().problems.size(), std::size_t(3));
+    QVERIFY(bench.interaction().view().faulty.empty()); // it has the hatch
+    bench.setMarksAside(true);
+    QVERIFY(bench.problemLook().isEmpty());
+    bench.setMarksAside(false);
+    bench.select({});
+    QVERIFY(bench.problemLook().links.empty());
+}
+
+// Wrong: a model that falls over without a sign of where to.
+void TestDocks::howItFallsIsShown()
+{
+    Workbench &bench = m_window->bench();
+    session().reset(
+        withSection(newDocument(), polygonShape({{0, 0}, {10, 0}, {120, 60}, {0, 60}}), front()));
+    QTRY_COMPARE(bench.problemLook().grounds.size(), std::size_t(1));
+    const GroundMark mark = bench.problemLook().grounds.front();
+    QVERIFY(mark.isProblem && mark.margin < 0.0);
+    QVERIFY(std::abs(mark.edge.x() - 10.0) < 0.2); // of its foot, and what is as good as on it
+    QVERIFY(std::abs(mark.centreOfMass.x() - mark.edge.x() + mark.margin) < 1e-6);
+    find<QDockWidget>("checksDock")->toggleViewAction()->trigger();
+    QVERIFY(bench.problemLook().isEmpty());
+    find<QDockWidget>("checksDock")->toggleViewAction()->trigger();
+
+    session().reset(cross()); // it stands: only whoever asks sees how
+    QTRY_VERIFY(firstCheck().startsWith(QStringLiteral("Good")));
+    QVERIFY(bench.problemLook().isEmpty());
+    for (int row = 0; bench.problemLook().isEmpty() && row < 4; ++row)
+        QTest::mouseClick(m_window->findChild<CheckRow *>(QStringLiteral("checkRow%1").arg(row)),
+                          Qt::LeftButton);
+    QCOMPARE(bench.problemLook().grounds.size(), std::size_t(1));
+    QVERIFY(!bench.problemLook().grounds.front().isProblem);
+}
+
+// Wrong: Delete takes sections of the file that was just opened which nobody has chosen.
+void TestDocks::anotherDocumentHasNothingSelected()
+{
+    Workbench &bench = m_window->bench();
+    session().reset(cross());
+    bench.select({session().model().ref(1)});
+    session().reset(eggCrate(2, 2));
+    QVERIFY(bench.interaction().selection().empty());
+    bench.selectJoint(JointRef(session().model().ref(0), session().model().ref(2)));
+    session().reset(eggCrate(2, 3));
+    QVERIFY(!bench.interaction().selectedJoint());
+    QVERIFY(bench.interaction().selection().empty());
+    // Nor what was deleted in the one before: an edit here brings nothing back.
+    bench.select({session().model().ref(0)});
+    bench.run(QStringLiteral("edit.delete"));
+    session().reset(cross());
+    session().commit(QStringLiteral("Rename"),
+                     *renameSection(session().committed().document,
+                                    session().committed().document.sections[0]->id, "Fin"));
+    QVERIFY(bench.interaction().selection().empty());
 }
 
 // Wrong: links that say something else than they do, cannot be reached with keys, or a step of the

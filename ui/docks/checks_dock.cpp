@@ -1,5 +1,6 @@
 #include "ui/docks/checks_dock.h"
 
+#include "core/assembly/joint_state.h"
 #include "core/session/check_list.h"
 #include "ui/check_words.h"
 #include "ui/docks/check_row.h"
@@ -324,7 +325,11 @@ void ChecksDock::choose(int row, bool frames)
     m_chosen = check;
     for (std::size_t i = 0; i < m_widgets.size(); ++i)
         m_widgets[i]->setChecked(static_cast<int>(i) == row);
-    m_bench.select(check.sections);
+    // What can be done about a joint is on its page.
+    if (check.joint && hasJoint(m_bench.session().committed(), *check.joint))
+        m_bench.selectJoint(*check.joint);
+    else
+        m_bench.select(check.sections);
     m_bench.setProblemSections(isProblem(check) ? check.sections : std::vector<SectionRef>());
     showLook();
     if (frames)
