@@ -24,6 +24,8 @@ std::string kindName(JointKind kind)
         return "extendedCrossLap";
     case JointKind::Mortise:
         return "mortise";
+    case JointKind::Tabs:
+        return "edge";
     case JointKind::None:
         return "none";
     }
@@ -57,6 +59,27 @@ void writeStocks(JsonWriter &json, const Document &document)
     json.endArray();
 }
 
+/// Those that are cut, or the tabs.
+void writeSlits(JsonWriter &json, const Model &model, const std::vector<Slit> &slits, SlitRole role)
+{
+    json.key(role == SlitRole::Tab ? "tabs" : "slits");
+    json.beginArray();
+    for (const Slit &slit : slits) {
+        if (slit.role != role)
+            continue;
+        json.beginObject(JsonWriter::Layout::Line);
+        json.member("joint", slit.joint);
+        json.member("with", model.section(static_cast<std::size_t>(slit.guest))->name);
+        json.member("from", slit.mouth);
+        json.member("to", slit.inner);
+        json.member("width", slit.width);
+        if (role == SlitRole::Slit)
+            json.member("open", slit.isOpen);
+        json.endObject();
+    }
+    json.endArray();
+}
+
 void writeSection(JsonWriter &json, const Analysis &analysis, std::size_t index)
 {
     const Model &model = analysis.model;
@@ -71,19 +94,8 @@ void writeSection(JsonWriter &json, const Analysis &analysis, std::size_t index)
     json.member("mass", mass.mass);
     json.member("centroid", section.frame.toWorld(section.shape->centroid()));
     writeFrame(json, section.frame);
-    json.key("slits");
-    json.beginArray();
-    for (const Slit &slit : analysis.assembly.slits[index]) {
-        json.beginObject(JsonWriter::Layout::Line);
-        json.member("joint", slit.joint);
-        json.member("with", model.section(static_cast<std::size_t>(slit.guest))->name);
-        json.member("from", slit.mouth);
-        json.member("to", slit.inner);
-        json.member("width", slit.width);
-        json.member("open", slit.isOpen);
-        json.endObject();
-    }
-    json.endArray();
+    writeSlits(json, model, analysis.assembly.slits[index], SlitRole::Slit);
+    writeSlits(json, model, analysis.assembly.slits[index], SlitRole::Tab);
     json.endObject();
 }
 
@@ -246,7 +258,9 @@ std::string infoJson(const Analysis &analysis, const ModelPlan &plan, const Info
         // end.
         controlPoints +=
             static_cast<std::size_t>(shape.controlPointCount()) + 1 + shape.holes().size();
-        slits += assembly.slits[i].size();
+        slits += static_cast<std::size_t>(
+            std::count_if(assembly.slits[i].begin(), assembly.slits[i].end(),
+                          [](const Slit &slit) { return slit.role == SlitRole::Slit; }));
     }
     for (const Joint &joint : assembly.joints)
         overlaps += joint.crossing->overlaps.size();

@@ -14,8 +14,8 @@ std::vector<CutSectionPointer> cutsOnChords(const Analysis &analysis, double cho
     std::vector<CutSectionPointer> cuts;
     for (std::size_t i = 0; i < analysis.model.sectionCount(); ++i) {
         const Shape &shape = *analysis.model.section(i)->shape;
-        cuts.push_back(std::make_shared<const CutSection>(subtractContours(
-            shape.contour(), shape.holes(), cutsOf(analysis.assembly.slits[i]), chord)));
+        cuts.push_back(
+            std::make_shared<const CutSection>(cutShape(shape, analysis.assembly.slits[i], chord)));
     }
     return cuts;
 }

@@ -36,6 +36,41 @@ std::vector<char> otherwiseWanted(const Model &model, const Model &previous)
     return is;
 }
 
+/// By which a section's neighbours are found. One that tabs are wanted of reaches as far as to the
+/// other side of a slab on whose face it ends (cutTabs): half of the strip is no more than both
+/// thicknesses, one from either box.
+class Boxes
+{
+public:
+    explicit Boxes(const Model &model)
+        : m_model(model), m_hasTabs(model.sectionCount(), char(false))
+    {
+        for (const JointOverridePointer &joint : model.document.jointOverrides) {
+            if (joint->kind != JointKind::Tabs)
+                continue;
+            for (const SectionRef &ref : {joint->a, joint->b})
+                if (const int index = model.indexOf(ref); index >= 0)
+                    m_hasTabs[static_cast<std::size_t>(index)] = true;
+        }
+    }
+
+    Box3 of(std::size_t index) const
+    {
+        const Section &section = *m_model.section(index);
+        Box3 box = worldBounds(*section.shape, section.frame);
+        if (m_hasTabs[index]) {
+            const double reach = m_model.stockOf(index).thickness + kEdgeReach;
+            box.min.array() -= reach;
+            box.max.array() += reach;
+        }
+        return box;
+    }
+
+private:
+    const Model &m_model;
+    std::vector<char> m_hasTabs;
+};
+
 /// What one model has of another: which of its sections differ.
 class Difference
 {
@@ -255,10 +290,9 @@ Assembly assemble(const Model &model, const Model &previous, const Assembly &bef
     Assembly assembly = before;
     assembly.boxes.resize(count);
     assembly.slits.resize(count);
-    for (const int i : difference.changed()) {
-        const Section &section = *model.section(static_cast<std::size_t>(i));
-        assembly.boxes[static_cast<std::size_t>(i)] = worldBounds(*section.shape, section.frame);
-    }
+    const Boxes boxes(model);
+    for (const int i : difference.changed())
+        assembly.boxes[static_cast<std::size_t>(i)] = boxes.of(static_cast<std::size_t>(i));
     const std::vector<FoundJoint> found =
         findJoints(model, pairsToLookAt(difference, assembly.boxes));
     const std::vector<int> concerned = concernedSections(difference, before, count, found);

@@ -30,22 +30,8 @@ JointSide sideOf(const Model &model, int section)
     return {*model.section(index), model.stockOf(index)};
 }
 
-} // namespace
-
-JointSlits slitsOf(const Model &model, int a, int b, Crossing &crossing, const JointWish &wish)
+FoundJoint found(int a, int b, Crossing crossing, JointSlits slits)
 {
-    return cutSlits(crossing, sideOf(model, a), sideOf(model, b), isLower(model, a, b), wish);
-}
-
-std::optional<FoundJoint> findJoint(const Model &model, int a, int b)
-{
-    const Section &sectionA = *model.section(static_cast<std::size_t>(a));
-    const Section &sectionB = *model.section(static_cast<std::size_t>(b));
-    Crossing crossing =
-        findCrossing(*sectionA.shape, sectionA.frame, *sectionB.shape, sectionB.frame);
-    if (crossing.overlaps.empty())
-        return {};
-    JointSlits slits = slitsOf(model, a, b, crossing, wishFor(model, a, b, crossing));
     FoundJoint found;
     found.joint.a = a;
     found.joint.b = b;
@@ -56,6 +42,33 @@ std::optional<FoundJoint> findJoint(const Model &model, int a, int b)
     setGuest(found.slitsOfA, b);
     setGuest(found.slitsOfB, a);
     return found;
+}
+
+} // namespace
+
+JointSlits slitsOf(const Model &model, int a, int b, Crossing &crossing, const JointWish &wish)
+{
+    return cutSlits(crossing, sideOf(model, a), sideOf(model, b), isLower(model, a, b), wish);
+}
+
+tl::expected<TabJoint, NoTabs> tabsOf(const Model &model, int a, int b)
+{
+    return cutTabs(sideOf(model, a), sideOf(model, b));
+}
+
+std::optional<FoundJoint> findJoint(const Model &model, int a, int b)
+{
+    if (wantsTabs(model, a, b))
+        if (auto tabs = tabsOf(model, a, b))
+            return found(a, b, std::move(tabs->crossing), std::move(tabs->slits));
+    const Section &sectionA = *model.section(static_cast<std::size_t>(a));
+    const Section &sectionB = *model.section(static_cast<std::size_t>(b));
+    Crossing crossing =
+        findCrossing(*sectionA.shape, sectionA.frame, *sectionB.shape, sectionB.frame);
+    if (crossing.overlaps.empty())
+        return {};
+    JointSlits slits = slitsOf(model, a, b, crossing, wishFor(model, a, b, crossing));
+    return found(a, b, std::move(crossing), std::move(slits));
 }
 
 NoSlit whyNoSlit(const Model &model, const Joint &joint)

@@ -1,7 +1,7 @@
 // The joint of one pair of sections, by itself.
 #pragma once
 
-#include "core/assembly/slits.h"
+#include "core/assembly/tabs.h"
 
 #include <optional>
 #include <vector>
@@ -16,8 +16,12 @@ struct FoundJoint
 };
 
 /// Of two sections (indices into the model, a < b), as the document wants it; nothing where they do
-/// not meet. The same as assemble() has it.
+/// not meet. Tabs are only had where they are wanted, instead of anything else. The same as
+/// assemble() has it.
 std::optional<FoundJoint> findJoint(const Model &model, int a, int b);
+
+/// The tabs that they could have, whatever is wanted of them.
+tl::expected<TabJoint, NoTabs> tabsOf(const Model &model, int a, int b);
 
 /// What the two are cut by when this is wanted of them. The crossing is theirs and has an overlap;
 /// it is told where their slits meet.

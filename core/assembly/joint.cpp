@@ -60,6 +60,8 @@ Polygon Slit::outline() const
 
 std::vector<Contour> Slit::cuts() const
 {
+    if (role == SlitRole::Tab)
+        return {};
     if (!form)
         return {Contour::fromPolygon(outline()).value_or(Contour())};
     const double length = (mouth - inner).norm();
@@ -95,8 +97,8 @@ Vec2 Slit::bottom() const
 bool Slit::operator==(const Slit &other) const
 {
     return inner == other.inner && mouth == other.mouth && width == other.width &&
-           isOpen == other.isOpen && joint == other.joint && overlap == other.overlap &&
-           guest == other.guest &&
+           isOpen == other.isOpen && role == other.role && joint == other.joint &&
+           overlap == other.overlap && guest == other.guest &&
            (form == other.form || (form && other.form && *form == *other.form));
 }
 

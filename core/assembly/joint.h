@@ -58,6 +58,13 @@ struct Crossing
     std::vector<Overlap> overlaps; // along the axis
 };
 
+/// What a cut is for.
+enum class SlitRole {
+    Slit,     // holds the other section
+    Shoulder, // where a section ends on the other's face: all that would be in the other
+    Tab       // is not cut but added: it reaches through a slot in the other
+};
+
 /// The cut that one section (host) makes for one overlap: a rectangle along the axis, in the host's
 /// frame coordinates, and what its form adds.
 struct Slit
@@ -66,17 +73,19 @@ struct Slit
     Vec2 mouth =
         Vec2::Zero();   // middle of its open end, beyond the contour; of a mortise the other end
     double width = 0.0; // mm
-    bool isOpen = true; // false: a mortise
-    int joint = 0;      // Joint::id
-    int overlap = 0;    // index into the joint's overlaps; −1: the slabs meet beside the axis
-    int guest = 0;      // index of the other section in the Model
+    bool isOpen = true; // false: a mortise, a shoulder (along the axis), a tab (inner: its root)
+    SlitRole role = SlitRole::Slit;
+    int joint = 0;   // Joint::id
+    int overlap = 0; // index into the joint's overlaps; −1: the slabs meet beside the axis
+    int guest = 0;   // index of the other section in the Model
     std::shared_ptr<const SlitForm> form; // null: the plain rectangle
 
     /// The rectangle's four corners, counter-clockwise: what is cut without a form.
     Polygon outline() const;
-    /// What is cut, as contours that may overlap each other, counter-clockwise: mostly one.
+    /// What is cut, as contours that may overlap each other, counter-clockwise: mostly one, of a
+    /// tab none.
     std::vector<Contour> cuts() const;
-    /// The same as chords within `chord` mm of the curves.
+    /// The same as chords within `chord` mm of the curves; of a tab what is added.
     std::vector<Polygon> outlines(double chord) const;
     /// The middle of its end: the meeting point, or as far beyond it as an arc reaches.
     Vec2 bottom() const;
@@ -90,6 +99,13 @@ struct Joint
     JointKind kind = JointKind::CrossLap;
     std::shared_ptr<const Crossing> crossing;
 };
+
+/// Whether the sections come apart along the joint's axis; of a mortise and of tabs one of them
+/// comes out of the other square to it, in its own plane.
+inline bool slidesAlongAxis(JointKind kind)
+{
+    return kind == JointKind::CrossLap || kind == JointKind::ExtendedCrossLap;
+}
 
 /// The joints of a model in the order of their ids, which is that of (a, b). Kept by their first
 /// section, so that an edit replaces the rows of a few sections and copies share all others.
@@ -177,7 +193,7 @@ struct Assembly
 {
     JointList joints;
     SharedRows<Slit> slits;  // one list a section of the model, in the joints' order
-    std::vector<Box3> boxes; // of each section's mid-plane, by which neighbours are found
+    std::vector<Box3> boxes; // of each section, by which neighbours are found
 };
 
 } // namespace fff

@@ -3,6 +3,7 @@
 #include "core/assembly/crossing.h"
 #include "core/assembly/intervals.h"
 #include "core/assembly/joint_wish.h"
+#include "core/assembly/tabs.h"
 
 #include <algorithm>
 #include <cmath>
@@ -29,6 +30,28 @@ int signOf(const std::vector<Slit> &slits, const Axis &axis, const Frame &frame)
     return lineInFrame(axis, frame).direction.dot(open->mouth - open->inner) > 0.0 ? 1 : -1;
 }
 
+Crossing crossingOf(const Model &model, int a, int b)
+{
+    const Section &sectionA = *model.section(static_cast<std::size_t>(a));
+    const Section &sectionB = *model.section(static_cast<std::size_t>(b));
+    return findCrossing(*sectionA.shape, sectionA.frame, *sectionB.shape, sectionB.frame);
+}
+
+JointObstacle obstacleOf(NoTabs why)
+{
+    switch (why) {
+    case NoTabs::TooOblique:
+        return JointObstacle::TooOblique;
+    case NoTabs::NoWidth:
+        return JointObstacle::NoWidth;
+    case NoTabs::EndsNowhere:
+        return JointObstacle::EndsNowhere;
+    case NoTabs::NoRoom:
+        break;
+    }
+    return JointObstacle::NoRoom;
+}
+
 /// The two sections in the model's order, and what each wish would make of them.
 class Trial
 {
@@ -37,6 +60,8 @@ public:
         : m_model(model), m_a(std::min(state.a, state.b)), m_b(std::max(state.a, state.b)),
           m_isTurned(state.b < state.a), m_crossing(state.crossing)
     {
+        if (state.kind == JointKind::Tabs) // of which those are the overlaps
+            m_crossing = crossingOf(model, m_a, m_b);
     }
 
     /// sign: of the state's a.
@@ -58,6 +83,13 @@ public:
         const JointSlits made = slits(JointKind::CrossLap, side);
         return sign(made) == side ? std::optional(made.kind) : std::nullopt;
     }
+    bool doCross() const { return !m_crossing.overlaps.empty(); }
+    bool isInOnePlace() const { return m_crossing.overlaps.size() == 1; }
+    JointObstacle tabsObstacle() const
+    {
+        const auto tabs = tabsOf(m_model, m_a, m_b);
+        return tabs ? JointObstacle::None : obstacleOf(tabs.error());
+    }
     bool hasWidth() const
     {
         for (const auto &[host, guest] : {std::pair(m_a, m_b), {m_b, m_a}}) {
@@ -73,7 +105,7 @@ private:
     const Model &m_model;
     int m_a, m_b;
     bool m_isTurned;
-    const Crossing &m_crossing;
+    Crossing m_crossing;
 };
 
 JointObstacle lapObstacle(const Trial &trial, JointKind kind)
@@ -86,13 +118,13 @@ JointObstacle lapObstacle(const Trial &trial, JointKind kind)
     return kind == JointKind::CrossLap ? JointObstacle::ReachesBeyond : JointObstacle::EndsWithin;
 }
 
-JointObstacle mortiseObstacle(const Trial &trial, const Crossing &crossing)
+JointObstacle mortiseObstacle(const Trial &trial)
 {
     if (trial.slits(JointKind::Mortise).kind == JointKind::Mortise)
         return JointObstacle::None;
     if (!trial.hasWidth())
         return JointObstacle::NoWidth;
-    return crossing.overlaps.size() > 1 ? JointObstacle::SeveralPlaces : JointObstacle::DoesNotFit;
+    return trial.isInOnePlace() ? JointObstacle::DoesNotFit : JointObstacle::SeveralPlaces;
 }
 
 bool hasSlit(const std::vector<Slit> &slits, int overlap)
@@ -193,10 +225,15 @@ std::optional<JointState> jointState(const Model &model, const JointRef &joint)
     state.canFlip = state.sign != 0 && trial.lap(-state.sign).has_value();
     for (std::size_t i = 0; i < JointState::kKinds.size(); ++i) {
         const JointKind kind = JointState::kKinds[i];
-        if (kind == JointKind::Mortise)
-            state.obstacles[i] = mortiseObstacle(trial, state.crossing);
-        else if (kind != JointKind::None)
-            state.obstacles[i] = lapObstacle(trial, kind);
+        if (kind == JointKind::Tabs)
+            state.obstacles[i] = trial.tabsObstacle();
+        else if (kind == JointKind::None)
+            continue;
+        else if (!trial.doCross())
+            state.obstacles[i] = JointObstacle::DoNotCross;
+        else
+            state.obstacles[i] =
+                kind == JointKind::Mortise ? mortiseObstacle(trial) : lapObstacle(trial, kind);
     }
 
     state.wanted = wantedOf(model, joint);
@@ -213,6 +250,10 @@ JointOverride withKind(const Model &model, const JointState &state, JointKind ki
 {
     JointOverride wanted = state.wanted;
     const Trial trial(model, state);
+    if (kind == JointKind::Tabs) {
+        wanted.kind = kind;
+        return wanted;
+    }
     if (kind == JointKind::Mortise || kind == JointKind::None) {
         wanted.kind = kind;
         if (trial.slits(std::nullopt).kind == kind)

@@ -19,14 +19,18 @@ enum class JointObstacle {
     ReachesBeyond, // one section does, whichever way they slide: their slits are never equal
     EndsWithin,    // neither section reaches beyond the other
     SeveralPlaces, // they meet in more than one
-    DoesNotFit     // neither fits through the other
+    DoesNotFit,    // neither fits through the other
+    DoNotCross,    // one only ends on the other
+    EndsNowhere,   // neither ends on the other's face
+    NoRoom,        // for tabs
+    TooOblique     // for tabs
 };
 
 struct JointState
 {
     /// In the order in which a person chooses from them.
     static constexpr std::array kKinds{JointKind::CrossLap, JointKind::ExtendedCrossLap,
-                                       JointKind::Mortise, JointKind::None};
+                                       JointKind::Mortise, JointKind::Tabs, JointKind::None};
 
     JointRef ref;
     int a = 0, b = 0; // indices in the model, not in their order

@@ -32,6 +32,15 @@ int overlapOf(const JointOverride::Share &share, const Frame &frameOfA, const Cr
     return overlap ? static_cast<int>(overlap - crossing.overlaps.data()) : -1;
 }
 
+bool wantsTabs(const Model &model, int a, int b)
+{
+    if (model.document.jointOverrides.empty())
+        return false;
+    const JointOverride *wanted = model.document.jointOverride(
+        model.ref(static_cast<std::size_t>(a)), model.ref(static_cast<std::size_t>(b)));
+    return wanted && wanted->kind == JointKind::Tabs;
+}
+
 JointWish wishFor(const Model &model, int a, int b, const Crossing &crossing)
 {
     JointWish wish;

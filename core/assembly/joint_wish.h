@@ -11,6 +11,9 @@ namespace fff {
 /// is passed over.
 JointWish wishFor(const Model &model, int a, int b, const Crossing &crossing);
 
+/// Whether tabs are, which need no crossing.
+bool wantsTabs(const Model &model, int a, int b);
+
 /// The overlap that a share is meant for now, an index into those of the crossing; −1: none.
 int overlapOf(const JointOverride::Share &share, const Frame &frameOfA, const Crossing &crossing);
 

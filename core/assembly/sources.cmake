@@ -17,5 +17,6 @@ target_sources(fff_core PRIVATE
     assembly/slits.cpp
     assembly/solid.cpp
     assembly/stability.cpp
+    assembly/tabs.cpp
     assembly/webs.cpp
 )

@@ -41,6 +41,7 @@ SlitKey keyOf(const Slit &slit)
 {
     return {{slit.inner.x(), slit.inner.y(), slit.mouth.x(), slit.mouth.y(), slit.width},
             slit.isOpen,
+            slit.role,
             slit.form};
 }
 
@@ -82,6 +83,8 @@ NotchPointer knownNotch(const std::vector<SlitNotch> &known, const SlitKey &slit
 
 NotchPointer findNotch(const NotchFinder &finder, const Slit &slit)
 {
+    if (slit.role == SlitRole::Tab)
+        return nullptr;
     if (!slit.form)
         return finder.find(slit.outline());
     const std::vector<Contour> cuts = slit.cuts();
@@ -110,8 +113,7 @@ std::vector<SlitNotch> findNotches(const Shape &shape, const std::vector<Slit> &
     return notches;
 }
 
-} // namespace
-
+/// All that the slits cut.
 std::vector<Contour> cutsOf(const std::vector<Slit> &slits)
 {
     std::vector<Contour> all;
@@ -121,6 +123,31 @@ std::vector<Contour> cutsOf(const std::vector<Slit> &slits)
         std::move(cuts.begin(), cuts.end(), std::back_inserter(all));
     }
     return all;
+}
+
+/// Pieces that do not overlap, and the tabs that are added to them.
+std::vector<CurvedRegion> withTabs(std::vector<CurvedRegion> pieces, const std::vector<Slit> &slits,
+                                   double chord)
+{
+    std::vector<Contour> all;
+    for (const Slit &slit : slits)
+        if (slit.role == SlitRole::Tab)
+            all.push_back(Contour::fromPolygon(slit.outline()).value_or(Contour()));
+    if (all.empty())
+        return pieces;
+    for (CurvedRegion &piece : pieces) {
+        all.push_back(std::move(piece.outer));
+        std::move(piece.holes.begin(), piece.holes.end(), std::back_inserter(all));
+    }
+    return windingRegions(all, WindingRule::Positive, chord);
+}
+
+} // namespace
+
+std::vector<CurvedRegion> cutShape(const Shape &shape, const std::vector<Slit> &slits, double chord)
+{
+    return withTabs(subtractContours(shape.contour(), shape.holes(), cutsOf(slits), chord), slits,
+                    chord);
 }
 
 CutSection::CutSection(const Shape &shape, const std::vector<Slit> &slits, const CutSection *before)
@@ -140,7 +167,7 @@ CutSection::CutSection(const Shape &shape, const std::vector<Slit> &slits, const
             }
         }
     }
-    m_parts = subtractContours(shape.contour(), shape.holes(), cutsOf(slits), kCutChord);
+    m_parts = cutShape(shape, slits, kCutChord);
 }
 
 const std::vector<Triangulation> &CutSection::triangulations() const

@@ -20,17 +20,20 @@ struct SlitKey
 {
     std::array<double, 5> rectangle{};
     bool isOpen = true; // of no account without a form
+    SlitRole role = SlitRole::Slit;
     std::shared_ptr<const SlitForm> form;
 
     bool operator==(const SlitKey &other) const
     {
-        return rectangle == other.rectangle && isOpen == other.isOpen &&
+        return rectangle == other.rectangle && isOpen == other.isOpen && role == other.role &&
                (form == other.form || (form && other.form && *form == *other.form));
     }
 };
 
-/// All that the slits cut (Slit::cuts).
-std::vector<Contour> cutsOf(const std::vector<Slit> &slits);
+/// What slits leave of a shape, and the tabs among them: connected pieces, largest first.
+/// chord: see subtractContours().
+std::vector<CurvedRegion> cutShape(const Shape &shape, const std::vector<Slit> &slits,
+                                   double chord);
 
 struct SlitNotch
 {
@@ -49,8 +52,8 @@ public:
     ///          not looked for again
     CutSection(const Shape &shape, const std::vector<Slit> &slits, const CutSection *before);
 
-    /// Connected pieces of contour − holes − slits, largest first; usually one. Frame coordinates,
-    /// mm.
+    /// Connected pieces of contour − holes − slits + tabs, largest first; usually one. Frame
+    /// coordinates, mm.
     const std::vector<CurvedRegion> &parts() const { return m_parts; }
     /// Of each part's region, computed at first use, once, from any thread.
     const std::vector<Triangulation> &triangulations() const;
@@ -95,7 +98,7 @@ private:
     std::unique_ptr<Data> m_data;
 };
 
-/// The shape minus the slits, on chords of kCutChord. From the cache when it has been asked for
+/// The shape with its slits cut, on chords of kCutChord. From the cache when it has been asked for
 /// before, else from `before` as far as it goes: null, or a cut of the same shape.
 CutSectionPointer cutSection(const ShapePointer &shape, const std::vector<Slit> &slits,
                              CutCache &cache, const CutSection *before = nullptr);

@@ -73,6 +73,8 @@ std::vector<Part> makeParts(const Model &model, const Assembly &assembly,
         if (outlines.empty() || section >= assembly.slits.size())
             continue;
         for (const Slit &slit : assembly.slits[section]) {
+            if (slit.role == SlitRole::Shoulder)
+                continue; // its tabs are marked
             const Vec2 direction = (slit.inner - slit.mouth).normalized();
             const Vec2 bottom = slit.bottom();
             const std::size_t part = partAtBottom(outlines, bottom, direction);

@@ -11,7 +11,8 @@
 //                         "frame": { "origin": [x, y, z], "x": [...], "y": [...] } } ],
 //       "operations": [],
 //       "weights":    [ { "id", "section": ref, "position": [x, y], "mass" } ],
-//       "joints":     [ { "a": ref, "b": ref, "kind": "crossLap|mortise|none", "opens": [x, y],
+//       "joints":     [ { "a": ref, "b": ref, "kind": "crossLap|mortise|tabs|none", "opens": [x,
+//       y],
 //                         "shares": [ { "at": [x, y], "ofA" } ] } ] }
 //
 // Strengths and modulus are null when not rated; "parent", "holes", "weights", "joints", and of a

@@ -246,10 +246,12 @@ JointOverride FffReader::readJoint(const JsonCursor &cursor)
             joint.kind = JointKind::CrossLap;
         else if (name == "mortise")
             joint.kind = JointKind::Mortise;
+        else if (name == "tabs")
+            joint.kind = JointKind::Tabs;
         else if (name == "none")
             joint.kind = JointKind::None;
         else
-            kind.failExpected(QT_TRANSLATE_NOOP("Error", "crossLap, mortise or none"));
+            kind.failExpected(QT_TRANSLATE_NOOP("Error", "crossLap, mortise, tabs or none"));
     }
     if (const JsonCursor opens = cursor.member("opens"); opens.exists()) {
         joint.opens = opens.point2();

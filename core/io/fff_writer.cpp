@@ -145,7 +145,18 @@ void writeWeight(JsonWriter &json, const Weight &weight)
 /// As the format names it; an extended cross lap is one that geometry extends.
 const char *jointKindName(JointKind kind)
 {
-    return kind == JointKind::Mortise ? "mortise" : kind == JointKind::None ? "none" : "crossLap";
+    switch (kind) {
+    case JointKind::Mortise:
+        return "mortise";
+    case JointKind::Tabs:
+        return "tabs";
+    case JointKind::None:
+        return "none";
+    case JointKind::CrossLap:
+    case JointKind::ExtendedCrossLap:
+        break;
+    }
+    return "crossLap";
 }
 
 void writeJoint(JsonWriter &json, const JointOverride &joint)

@@ -14,6 +14,7 @@ enum class JointKind {
     ExtendedCrossLap, // one section reaches beyond the other: its slit runs from its contour to the
                       // meeting point
     Mortise,          // one closed slit, the other section passes through uncut
+    Tabs,             // one section ends on the other's face, with tabs that reach through slots
     None,             // they meet but no slit lets them slide together: they collide
 };
 

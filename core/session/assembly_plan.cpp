@@ -24,8 +24,8 @@ Vec3 slideOf(const Analysis &analysis, const Joint &joint)
         return analysis.model.section(static_cast<std::size_t>(section))->frame;
     };
     const Slit *inA = slitOf(joint.a), *inB = slitOf(joint.b);
-    if (joint.kind == JointKind::Mortise) {
-        const int guest = inA ? joint.b : joint.a;
+    if (!slidesAlongAxis(joint.kind)) {
+        const int guest = inA && inA->role == SlitRole::Slit ? joint.b : joint.a;
         return frameOf(guest).normal().cross(joint.crossing->axis.direction).normalized();
     }
     if (inA)
@@ -138,7 +138,7 @@ std::vector<Slide> slidesOf(const Analysis &analysis, const std::vector<PartRef>
         const bool isWhole = first[a + 1] == first[a] + 1 && first[b + 1] == first[b] + 1;
         Slide slide;
         slide.direction = slideOf(analysis, joint);
-        slide.goesBothWays = joint.kind == JointKind::Mortise;
+        slide.goesBothWays = !slidesAlongAxis(joint.kind);
         if (!slide.goesBothWays) {
             const Hold hold = holdOf(analysis, joint);
             slide.length = hold.length;

@@ -26,6 +26,8 @@ void measureSlits(const Analysis &analysis, bool compensatesKerf, CuttingFile &f
     for (std::size_t i = 0; i < analysis.assembly.slits.size(); ++i) {
         const double kerf = compensatesKerf ? analysis.model.stockOf(i).kerf : 0.0;
         for (const Slit &slit : analysis.assembly.slits[i]) {
+            if (slit.role != SlitRole::Slit)
+                continue;
             const double width = slit.width - kerf;
             file.slitWidth = std::min(width, file.slitWidth.value_or(width));
             if (width <= 0.0)

@@ -14,10 +14,11 @@ namespace fff {
 
 namespace {
 
-constexpr std::array<std::pair<std::string_view, JointKind>, 4> kKinds{
+constexpr std::array<std::pair<std::string_view, JointKind>, 5> kKinds{
     {{"crossLap", JointKind::CrossLap},
      {"extendedCrossLap", JointKind::ExtendedCrossLap},
      {"mortise", JointKind::Mortise},
+     {"tabs", JointKind::Tabs},
      {"none", JointKind::None}}};
 
 std::string textOf(const CommandParameters &parameters, const std::string &name)

@@ -30,6 +30,8 @@ std::vector<Check> narrowSlits(const Analysis &analysis)
                 continue;
             bool isNarrow = false;
             for (const Slit &slit : analysis.assembly.slits[i]) {
+                if (slit.role != SlitRole::Slit)
+                    continue;
                 isNarrow = isNarrow || slit.width < stock->toolDiameter - kSameWidth;
                 if (slit.width >= check.distance)
                     continue;

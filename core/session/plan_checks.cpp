@@ -73,7 +73,7 @@ void explain(const Analysis &analysis, const ModelPlan &plan, const std::vector<
             if (!check.at)
                 check.at = placeOf(*joint);
             const Vec3 &way = joint->crossing->axis.direction;
-            if (joint->kind != JointKind::Mortise &&
+            if (slidesAlongAxis(joint->kind) &&
                 std::none_of(ways.begin(), ways.end(),
                              [&](const Vec3 &other) { return isSameLine(way, other); }))
                 ways.push_back(way);

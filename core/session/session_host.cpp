@@ -24,6 +24,9 @@ QString kindStep(JointKind kind)
     case JointKind::Mortise:
         //: %1 and %2 are the names of two sections
         return Texts::tr("%1 · %2: kind → mortise");
+    case JointKind::Tabs:
+        //: %1 and %2 are the names of two sections
+        return Texts::tr("%1 · %2: kind → tabs");
     case JointKind::None:
         break;
     }

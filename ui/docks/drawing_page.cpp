@@ -178,6 +178,8 @@ QString DrawingPage::ownSlit() const
     if (own == slits.end())
         return tr("none");
     const Slit &slit = *own;
+    if (slit.role != SlitRole::Slit)
+        return tr("tabs");
     if (!slit.isOpen)
         return tr("closed");
     const Joint &joint = analysis.assembly.joints[static_cast<std::size_t>(slit.joint - 1)];

@@ -234,6 +234,12 @@ QString JointPage::slitsText(int section, const std::vector<Slit> &slits) const
     const int sign = isA ? m_state->sign : -m_state->sign;
     QStringList lines;
     for (const Slit &slit : slits) {
+        if (slit.role == SlitRole::Shoulder)
+            continue;
+        if (slit.role == SlitRole::Tab) {
+            lines += tr("tab, %1 wide").arg(lengthText(slit.width, 1, 1, locale()));
+            continue;
+        }
         const QString width = lengthText(slit.width, 2, 2, locale());
         if (!slit.isOpen) {
             const double length = (slit.mouth - slit.inner).norm();

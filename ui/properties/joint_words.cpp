@@ -38,6 +38,8 @@ QString jointKindText(JointKind kind)
         return Texts::tr("extended cross lap");
     case JointKind::Mortise:
         return Texts::tr("mortise");
+    case JointKind::Tabs:
+        return Texts::tr("tabs");
     case JointKind::None:
         return Texts::tr("no joint");
     }
@@ -53,6 +55,8 @@ QString jointKindName(JointKind kind)
         return Texts::tr("Extended cross lap");
     case JointKind::Mortise:
         return Texts::tr("Mortise");
+    case JointKind::Tabs:
+        return Texts::tr("Tabs");
     case JointKind::None:
         return Texts::tr("None");
     }
@@ -76,6 +80,14 @@ QString jointObstacleText(JointObstacle obstacle)
         return Texts::tr("They meet in more than one place");
     case JointObstacle::DoesNotFit:
         return Texts::tr("Neither section fits through a slot in the other");
+    case JointObstacle::DoNotCross:
+        return Texts::tr("One section only ends on the other");
+    case JointObstacle::EndsNowhere:
+        return Texts::tr("Neither section ends on the other's face");
+    case JointObstacle::NoRoom:
+        return Texts::tr("There is no room for tabs and their slots");
+    case JointObstacle::TooOblique:
+        return Texts::tr("They meet at less than 30°");
     }
     return {};
 }

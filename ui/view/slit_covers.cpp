@@ -83,7 +83,8 @@ std::optional<CoveredSlit> coveredSlit(const Analysis &analysis, std::size_t sec
     const double half = 0.5 * model.stockOf(section).thickness - kOnBorder;
     const auto index = static_cast<std::size_t>(slit.guest);
     const Frame &guest = model.section(index)->frame;
-    const bool touches = std::abs(host.normal().dot(guest.normal())) < kSquare &&
+    const bool touches = slit.role == SlitRole::Slit &&
+                         std::abs(host.normal().dot(guest.normal())) < kSquare &&
                          std::abs(slit.width - model.stockOf(index).thickness) < kNoPlay;
     const double length = (slit.mouth - slit.inner).norm();
     if (!touches || !(length > 4.0 * kOnBorder) || !(half > 0.0))
@@ -115,7 +116,7 @@ void addCover(const Analysis &analysis, const Slit &slit, CoveredSlit covered,
 bool cutsTheSame(const Slit &a, const Slit &b)
 {
     return a.guest == b.guest && a.inner == b.inner && a.mouth == b.mouth && a.width == b.width &&
-           (a.form == b.form || (a.form && b.form && *a.form == *b.form));
+           a.role == b.role && (a.form == b.form || (a.form && b.form && *a.form == *b.form));
 }
 
 /// Slits of one list that the other does not have; both are in the order of their guests.
