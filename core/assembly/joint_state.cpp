@@ -262,10 +262,12 @@ JointOverride withKind(const Model &model, const JointState &state, JointKind ki
     }
     wanted.kind.reset(); // a cross lap is what it is by itself, wherever one can be
     // Which of the two cross laps it is follows from where it opens to.
-    const Vec3 &axis = state.crossing.axis.direction;
     int side = trial.sign(trial.slits(JointKind::CrossLap));
-    if (wanted.opens)
-        side = frameOf(model, state.a).directionToWorld(*wanted.opens).dot(axis) > 0.0 ? 1 : -1;
+    if (wanted.opens) {
+        const Vec3 opens = frameOf(model, state.a).directionToWorld(*wanted.opens);
+        if (const int wished = signAlong(opens, state.crossing.axis); wished != 0)
+            side = wished;
+    }
     if (trial.lap(side) != kind)
         wanted.opens = openingTo(-side, model, state, trial);
     return wanted;

@@ -32,6 +32,13 @@ int overlapOf(const JointOverride::Share &share, const Frame &frameOfA, const Cr
     return overlap ? static_cast<int>(overlap - crossing.overlaps.data()) : -1;
 }
 
+int signAlong(const Vec3 &direction, const Axis &axis)
+{
+    constexpr double kSquare = 1e-6; // cosine: files round directions to less
+    const double along = direction.dot(axis.direction);
+    return std::abs(along) < kSquare ? 0 : along > 0.0 ? 1 : -1;
+}
+
 bool wantsTabs(const Model &model, int a, int b)
 {
     if (model.document.jointOverrides.empty())
@@ -57,8 +64,8 @@ JointWish wishFor(const Model &model, int a, int b, const Crossing &crossing)
     const Frame &frame = model.section(static_cast<std::size_t>(isTurned ? b : a))->frame;
     wish.kind = wanted->kind;
     if (wanted->opens) {
-        const double along = frame.directionToWorld(*wanted->opens).dot(crossing.axis.direction);
-        wish.sign = (along > 0.0) == isTurned ? -1 : 1;
+        const int sign = signAlong(frame.directionToWorld(*wanted->opens), crossing.axis);
+        wish.sign = isTurned ? -sign : sign;
     }
     for (const JointOverride::Share &share : wanted->shares) {
         const int overlap = overlapOf(share, frame, crossing);

@@ -11,6 +11,10 @@ namespace fff {
 /// is passed over.
 JointWish wishFor(const Model &model, int a, int b, const Crossing &crossing);
 
+/// To which end of the axis a direction (world, unit) points, ±1; 0 when it is square to it: then
+/// it means neither.
+int signAlong(const Vec3 &direction, const Axis &axis);
+
 /// Whether tabs are, which need no crossing.
 bool wantsTabs(const Model &model, int a, int b);
 

@@ -82,7 +82,11 @@ struct Host
     const Section &section;
     const Stock &stock;
     PlaneLine line;
-    double width = 0.0;
+    double trace = 0.0; // mm: what the other's slab takes up, the width without a clearance
+    double width = 0.0; // mm
+
+    /// What of the strip must be free. What only touches the other's faces needs no slit.
+    double needed() const { return 0.5 * trace - kTouchingDepth; }
 };
 
 /// The lead-in of a wall, given where it leaves the section. No longer than half of the wall.
@@ -145,8 +149,8 @@ Slit openSlit(const Host &host, const Interval &interval, const Overlap &shared,
               int sign, int overlap)
 {
     const AxisEnd &end = sign > 0 ? interval.to : interval.from;
-    const double reach = mouthReach(host.line, host.section.shape->region(), end, 0.5 * host.width,
-                                    sign * meet, sign);
+    const double reach =
+        mouthReach(host.line, host.section.shape->region(), end, host.needed(), sign * meet, sign);
     Slit slit = slitFrom(host, meet, sign * reach, sign, overlap);
     slit.form = openForm(host, end, meet, sign > 0 ? shared.to : shared.from, sign);
     return slit;
@@ -221,55 +225,71 @@ struct Laps
     double beside = 0.0; // mm that are cut for what meets beside the axis
 };
 
+/// What a row of slits leaves of its section in the strip that must be free.
+std::vector<Stretch> leftBy(const std::vector<Slit> &slits, const Host &host)
+{
+    std::vector<Stretch> cuts;
+    for (const Slit &slit : slits) {
+        const double inner = host.line.along(slit.inner), mouth = host.line.along(slit.mouth);
+        cuts.push_back({std::min(inner, mouth), std::max(inner, mouth)});
+    }
+    return leftOf(lobesIn(host.line, host.section.shape->region(), host.needed()), std::move(cuts));
+}
+
+/// The first two that are in each other.
+std::optional<std::pair<Stretch, Stretch>> firstShared(const std::vector<Stretch> &inA,
+                                                       const std::vector<Stretch> &inB)
+{
+    for (const Stretch &a : inA)
+        for (const Stretch &b : inB)
+            if (std::min(a.to, b.to) - std::max(a.from, b.from) >= kTouchingDepth)
+                return std::pair(a, b);
+    return {};
+}
+
 /// Slits for what still is in each other though the axis is cut: where contours are oblique, or run
 /// along the axis without reaching it, they meet in the strips of both slabs alone. They take as
 /// little as the way of sliding allows.
 void cutBesides(const Host &a, const Host &b, int sign, Laps &laps)
 {
-    const auto isPlain = [](const Host &host) {
-        return isOneLobe(host.line, host.section.shape->region(), 0.5 * host.width);
+    std::vector<Stretch> inA = leftBy(laps.a, a), inB = leftBy(laps.b, b);
+    const auto cut = [&laps](const Host &host, double meet, double end, int way,
+                             std::vector<Slit> &slits, std::vector<Stretch> &left) {
+        if (meet == end)
+            return;
+        slits.push_back(besideSlit(host, meet, end, way));
+        left = leftOf(left, {{std::min(meet, end), std::max(meet, end)}});
+        laps.beside += std::abs(end - meet);
     };
-    if (laps.meets.size() == 1 && isPlain(a) && isPlain(b))
-        return;
-    const auto stretchesOf = [](const std::vector<Slit> &slits, const PlaneLine &line) {
-        std::vector<Stretch> stretches;
-        for (const Slit &slit : slits) {
-            const double inner = line.along(slit.inner), mouth = line.along(slit.mouth);
-            stretches.push_back({std::min(inner, mouth), std::max(inner, mouth)});
-        }
-        return stretches;
-    };
-    const auto leftIn = [&](const Host &host, const std::vector<Slit> &slits) {
-        return leftOf(lobesIn(host.line, host.section.shape->region(), 0.5 * host.width),
-                      stretchesOf(slits, host.line));
-    };
-    const std::vector<Stretch> inA = leftIn(a, laps.a), inB = leftIn(b, laps.b);
-    for (const Stretch &ofA : inA) {
-        for (const Stretch &ofB : inB) {
-            const double from = std::max(ofA.from, ofB.from), to = std::min(ofA.to, ofB.to);
-            if (to - from < kTouchingDepth)
-                continue;
-            // a is cut from where they meet to its end towards the sign, b from its other end on:
-            // wherever that is, or one of them not at all.
-            const double endA = sign > 0 ? ofA.to : ofA.from, endB = sign > 0 ? ofB.from : ofB.to;
-            const double low = sign > 0 ? from : to, high = sign > 0 ? to : from;
-            double meet = 0.5 * (from + to);
-            const bool sparesA = high == endA, sparesB = low == endB;
-            if (sparesA && (!sparesB || std::abs(high - endB) <= std::abs(endA - low)))
-                meet = high;
-            else if (sparesB)
-                meet = low;
-            if (meet != endA)
-                laps.a.push_back(besideSlit(a, meet, endA, sign));
-            if (meet != endB)
-                laps.b.push_back(besideSlit(b, meet, endB, -sign));
-            laps.beside += std::abs(endA - meet) + std::abs(meet - endB);
-        }
+    while (const auto shared = firstShared(inA, inB)) {
+        const auto &[ofA, ofB] = *shared;
+        const double from = std::max(ofA.from, ofB.from), to = std::min(ofA.to, ofB.to);
+        // a is cut from where they meet to its end towards the sign, b from its other end on:
+        // wherever that is, or one of them not at all.
+        const double endA = sign > 0 ? ofA.to : ofA.from, endB = sign > 0 ? ofB.from : ofB.to;
+        const double low = sign > 0 ? from : to, high = sign > 0 ? to : from;
+        double meet = 0.5 * (from + to);
+        const bool sparesA = high == endA, sparesB = low == endB;
+        if (sparesA && (!sparesB || std::abs(high - endB) <= std::abs(endA - low)))
+            meet = high;
+        else if (sparesB)
+            meet = low;
+        cut(a, meet, endA, sign, laps.a, inA);
+        cut(b, meet, endB, -sign, laps.b, inB);
     }
 }
 
+/// Whether nothing can meet beside the axis: nearly all pairs are so.
+bool isPlain(const Crossing &crossing, const Host &a, const Host &b)
+{
+    return crossing.overlaps.size() == 1 &&
+           isOneLobe(a.line, a.section.shape->region(), a.needed()) &&
+           isOneLobe(b.line, b.section.shape->region(), b.needed());
+}
+
+/// hasBesides: something may meet beside the axis (isPlain).
 Laps lapsOf(const Crossing &crossing, const Host &a, const Host &b, int sign,
-            const std::vector<double> &shares)
+            const std::vector<double> &shares, bool hasBesides)
 {
     Laps laps;
     for (std::size_t i = 0; i < crossing.overlaps.size(); ++i) {
@@ -285,8 +305,29 @@ Laps lapsOf(const Crossing &crossing, const Host &a, const Host &b, int sign,
         if (cut.cutsB)
             laps.b.push_back(openSlit(b, o.b, o, cut.meet, -sign, index));
     }
-    cutBesides(a, b, sign, laps);
+    if (hasBesides)
+        cutBesides(a, b, sign, laps);
     return laps;
+}
+
+/// To which end of the axis a opens: what is wanted, else where less is cut beyond the overlaps,
+/// with halves, so that a meeting point that moves turns nothing round.
+int chosenSign(const Crossing &crossing, const Host &a, const Host &b, bool aIsLower, int wanted,
+               bool hasBesides)
+{
+    const Way plus = wayOf(crossing, 1), minus = wayOf(crossing, -1);
+    if (!plus.isOpen || !minus.isOpen)
+        return plus.isOpen ? 1 : -1;
+    if (wanted != 0)
+        return wanted;
+    double costs[] = {plus.excess, minus.excess};
+    if (hasBesides) {
+        costs[0] += lapsOf(crossing, a, b, 1, {}, true).beside;
+        costs[1] += lapsOf(crossing, a, b, -1, {}, true).beside;
+    }
+    if (std::abs(costs[0] - costs[1]) > kEqualEnds)
+        return costs[0] < costs[1] ? 1 : -1;
+    return pointsUp(crossing.axis.direction) == aIsLower ? 1 : -1;
 }
 
 /// Without a clearance.
@@ -317,18 +358,17 @@ JointSlits cutSlits(Crossing &crossing, const JointSide &a, const JointSide &b, 
         return result;
     // As slitWidth(), with one sine and cosine for both.
     const double sine = std::sin(crossing.angle), cosine = std::cos(crossing.angle);
-    const double widthA =
-        widthAt(a.stock.thickness, b.stock.thickness, sine, cosine) + a.stock.clearance;
-    const double widthB =
-        widthAt(b.stock.thickness, a.stock.thickness, sine, cosine) + b.stock.clearance;
+    const double traceA = widthAt(a.stock.thickness, b.stock.thickness, sine, cosine);
+    const double traceB = widthAt(b.stock.thickness, a.stock.thickness, sine, cosine);
+    const double widthA = traceA + a.stock.clearance, widthB = traceB + b.stock.clearance;
     if (crossing.angle < kMinJointAngle || !(widthA > 0.0 && widthB > 0.0) ||
         crossing.overlaps.empty())
         return result;
-    const Host hostA{a.section, a.stock, lineInFrame(crossing.axis, a.section.frame), widthA};
-    const Host hostB{b.section, b.stock, lineInFrame(crossing.axis, b.section.frame), widthB};
-
-    const Way plus = wayOf(crossing, 1), minus = wayOf(crossing, -1);
-    const bool hasWay = plus.isOpen || minus.isOpen;
+    const Host hostA{a.section, a.stock, lineInFrame(crossing.axis, a.section.frame), traceA,
+                     widthA};
+    const Host hostB{b.section, b.stock, lineInFrame(crossing.axis, b.section.frame), traceB,
+                     widthB};
+    const bool hasWay = wayOf(crossing, 1).isOpen || wayOf(crossing, -1).isOpen;
     if (!hasWay || wish.kind == JointKind::Mortise) {
         if (cutMortise(crossing, hostB, hostA, false, result.b) ||
             cutMortise(crossing, hostA, hostB, true, result.a))
@@ -336,31 +376,13 @@ JointSlits cutSlits(Crossing &crossing, const JointSide &a, const JointSide &b, 
         if (!hasWay || result.kind == JointKind::Mortise)
             return result;
     }
-    bool takesPlus = plus.isOpen;
-    if (plus.isOpen && minus.isOpen && wish.sign != 0)
-        takesPlus = wish.sign > 0;
-    else if (plus.isOpen && minus.isOpen)
-        takesPlus = std::abs(plus.excess - minus.excess) > kEqualEnds
-                        ? plus.excess < minus.excess
-                        : pointsUp(crossing.axis.direction) == aIsLower;
-
-    const int sign = takesPlus ? 1 : -1;
-    Laps laps = lapsOf(crossing, hostA, hostB, sign, wish.shares);
-    if (laps.beside > 0.0 && plus.isOpen && minus.isOpen && wish.sign == 0) {
-        // What lies beside the axis may go better the other way.
-        const auto cost = [&](int way, const Laps &of) {
-            return (way > 0 ? plus : minus).excess + of.beside;
-        };
-        if (Laps other = lapsOf(crossing, hostA, hostB, -sign, wish.shares);
-            cost(-sign, other) < cost(sign, laps) - kEqualEnds) {
-            laps = std::move(other);
-            takesPlus = !takesPlus;
-        }
-    }
-    const Way &way = takesPlus ? plus : minus;
-    result.kind = way.excess > kEqualEnds * static_cast<double>(crossing.overlaps.size())
-                      ? JointKind::ExtendedCrossLap
-                      : JointKind::CrossLap;
+    const bool hasBesides = !isPlain(crossing, hostA, hostB);
+    const int sign = chosenSign(crossing, hostA, hostB, aIsLower, wish.sign, hasBesides);
+    Laps laps = lapsOf(crossing, hostA, hostB, sign, wish.shares, hasBesides);
+    result.kind =
+        wayOf(crossing, sign).excess > kEqualEnds * static_cast<double>(crossing.overlaps.size())
+            ? JointKind::ExtendedCrossLap
+            : JointKind::CrossLap;
     for (std::size_t i = 0; i < crossing.overlaps.size(); ++i)
         crossing.overlaps[i].meet = laps.meets[i];
     result.a = std::move(laps.a);

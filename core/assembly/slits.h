@@ -49,7 +49,8 @@ struct JointSlits
 /// to the upper end of a's interval and b's from the lower end of b's interval to the meeting
 /// point, whatever the intervals; where a section ends inside the other, that is the ordinary half
 /// slit, where it reaches beyond, the slit is extended. So of the two ways the one is taken that
-/// cuts less beyond the overlaps (summed over all of them: they slide one way). Slits open to the
+/// cuts less beyond the overlaps (summed over all of them: they slide one way), with what must be
+/// cut beside the axis where the two slabs meet there, too. Slits open to the
 /// outside, never into a hole: where a section's own end lies on a hole, it stays uncut and the
 /// other's slit takes the whole overlap; at least one overlap must keep two slits, or nothing
 /// holds. Both ways equal to kEqualEnds: the section with the lower id (`aIsLower`) opens upwards

@@ -97,6 +97,8 @@ private Q_SLOTS:
     void kindsAreHad();
     void whatIsDormantStays();
     void itIsAsTheAssemblyHasIt();
+    void aMeetingPointTurnsNothingRound();
+    void aDirectionSquareToTheAxisIsDormant();
 };
 
 void TestJointState::aShareReadsBack_data()
@@ -267,6 +269,42 @@ void TestJointState::itIsAsTheAssemblyHasIt()
                 QVERIFY(slit->inner == state->slitsOfA.front().inner &&
                         slit->mouth == state->slitsOfA.front().mouth);
         }
+    }
+}
+
+// Wrong: the mark of a meeting point that is dragged jumps to the other side, with both slits. What
+// lies beside the axis is cut more or less as the point moves.
+void TestJointState::aMeetingPointTurnsNothingRound()
+{
+    const Document document =
+        two({{-20, 0}, {30, 0}, {30, 95}, {1, 95}, {1, 20}, {20, 20}, {20, 10}, {-20, 10}},
+            rectangle(-30, 0, 30, 100));
+    Model model = evaluate(document);
+    const JointRef joint(model.ref(0), model.ref(1));
+    const int sign = jointState(model, joint)->sign;
+    const JointKind kind = jointState(model, joint)->kind;
+    QVERIFY(sign != 0);
+    for (int percent = 5; percent <= 95; percent += 5) {
+        const std::optional<JointState> before = jointState(model, joint);
+        model = evaluate(
+            *setJointOverride(model.document, withShare(model, *before, 0, 0.01 * percent)));
+        QCOMPARE(jointState(model, joint)->sign, sign);
+        QCOMPARE(jointState(model, joint)->kind, kind);
+    }
+}
+
+// Wrong: rounding of a turned section decides where a slit opens.
+void TestJointState::aDirectionSquareToTheAxisIsDormant()
+{
+    const Document document = cross();
+    for (const double angle : {0.0, 1e-9, -1e-9}) {
+        JointOverride wanted;
+        wanted.a = document.sections[0]->id;
+        wanted.b = document.sections[1]->id;
+        wanted.opens = Vec2(std::cos(angle), std::sin(angle)); // the axis is upright
+        const Model model = evaluate(*setJointOverride(document, wanted));
+        const JointRef joint(model.ref(0), model.ref(1));
+        QCOMPARE(jointState(model, joint)->sign, jointState(evaluate(document), joint)->sign);
     }
 }
 

@@ -121,6 +121,34 @@ void TestHardCrossings::fit_data()
                                                             {-1, 20},
                                                             {-40, 20}}),
                                               side(), JointKind::CrossLap, 3});
+    // A foot stands on the other's face, beside what crosses it.
+    const ShapePointer wall = polygonShape(rectangle(-30, 0, 30, 60));
+    for (const double edge : {1.5, 1.5000004, 1.4999996, 1.52})
+        QTest::addRow("a foot whose edge is %.7f mm beside the axis", edge)
+            << Pair{polygonShape({{-20, 0},
+                                  {30, 0},
+                                  {30, 60},
+                                  {edge, 60},
+                                  {edge, 40},
+                                  {20, 40},
+                                  {20, 10},
+                                  {-20, 10}}),
+                    wall, side(), JointKind::CrossLap, 2};
+    // Shoulders on the other's face between two tongues that go through it.
+    add("shoulders on the face between tongues",
+        {polygonShape({{1.5, -40},
+                       {40, -40},
+                       {40, 40},
+                       {1.5, 40},
+                       {1.5, 30},
+                       {-20, 30},
+                       {-20, 10},
+                       {1.5, 10},
+                       {1.5, -10},
+                       {-20, -10},
+                       {-20, -30},
+                       {1.5, -30}}),
+         polygonShape(rectangle(-30, -60, 30, 60)), side(), JointKind::ExtendedCrossLap, 4});
 }
 
 /// What would be wrong: slits that are not there, on the wrong side or too short, so that parts are
