@@ -165,7 +165,7 @@ std::vector<Blocking::Obstacle> &Blocking::obstaclesOf(int part, Way &way)
     const Shadow &own = way.shadows[static_cast<std::size_t>(part)];
     for (int other = 0; other < static_cast<int>(partCount()); ++other) {
         if (other != part &&
-            own.meetsOnItsWay(way.shadows[static_cast<std::size_t>(other)], m_collisions.depth()) &&
+            own.meetsOnItsWay(way.shadows[static_cast<std::size_t>(other)], m_collisions.depth(part, other)) &&
             !isIgnored(part, other))
             known->push_back({other, {}});
     }
@@ -342,7 +342,8 @@ std::optional<Blocking::Removal> Blocking::bent(int part, const Group &others, i
         for (const Vec3 &turn : turnsOf(part)) {
             const int next = m_collisions.way(turn);
             if (std::all_of(others.begin(), others.end(), [&](int other) {
-                    return other == part || m_collisions.comesFree(part, other, next, lift);
+                    return other == part || isIgnored(part, other) ||
+                           m_collisions.comesFree(part, other, next, lift);
                 }))
                 return Removal{{part}, {first, {turn, 0.0}}};
         }

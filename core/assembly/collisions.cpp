@@ -47,7 +47,7 @@ std::size_t Collisions::Hash::operator()(const Question &question) const
     return static_cast<std::size_t>(mixed ^ (mixed >> 29));
 }
 
-void Collisions::use(std::vector<SolidPointer> solids, double depth)
+void Collisions::use(std::vector<SolidPointer> solids, Depths depths)
 {
     std::unordered_map<const Solid *, int> before;
     for (std::size_t i = 0; i < m_solids.size(); ++i)
@@ -68,7 +68,7 @@ void Collisions::use(std::vector<SolidPointer> solids, double depth)
         return std::binary_search(there.begin(), there.end(), number);
     };
     const auto forget = [&](auto &answers) {
-        if (depth != m_depth || answers.size() > kMostAnswers)
+        if (answers.size() > kMostAnswers)
             answers.clear();
         std::erase_if(answers, [&](const auto &answer) {
             const Question &asked = answer.first;
@@ -81,13 +81,19 @@ void Collisions::use(std::vector<SolidPointer> solids, double depth)
     forget(m_until);
     forget(m_clear);
     forget(m_overlaps);
-    m_depth = depth;
+    m_depths = std::move(depths);
 }
 
 Collisions::Question Collisions::question(int a, int b, int way, int lift) const
 {
     return {m_numbers[static_cast<std::size_t>(a)], m_numbers[static_cast<std::size_t>(b)], way,
-            lift};
+            lift, depth(a, b)};
+}
+
+double Collisions::pressed(int a, int b) const
+{
+    const auto known = m_depths.find(std::minmax(a, b));
+    return known == m_depths.end() ? kTouchingDepth : known->second;
 }
 
 const Solid &Collisions::lifted(int a, int lift)
@@ -106,7 +112,7 @@ bool Collisions::comesFree(int a, int b, int way, int lift)
 {
     const auto [known, isNew] = m_isFree.try_emplace(question(a, b, way, lift), false);
     if (isNew)
-        known->second = fff::comesFree(lifted(a, lift), solid(b), m_ways.vector(way), m_depth);
+        known->second = fff::comesFree(lifted(a, lift), solid(b), m_ways.vector(way), depth(a, b));
     return known->second;
 }
 
@@ -115,7 +121,7 @@ double Collisions::wayUntil(int a, int b, int way)
     const auto [known, isNew] = m_until.try_emplace(question(a, b, way, kNotLifted),
                                                     std::numeric_limits<double>::infinity());
     if (isNew) {
-        if (const auto met = collisionAlong(solid(a), solid(b), m_ways.vector(way), m_depth))
+        if (const auto met = collisionAlong(solid(a), solid(b), m_ways.vector(way), depth(a, b)))
             known->second = met->from;
     }
     return known->second;
@@ -133,7 +139,7 @@ const std::optional<Interpenetration> &Collisions::overlap(int a, int b)
 {
     const auto [known, isNew] = m_overlaps.try_emplace(question(a, b, -1, kNotLifted));
     if (isNew)
-        known->second = interpenetration(solid(a), solid(b), m_depth);
+        known->second = interpenetration(solid(a), solid(b), depth(a, b));
     return known->second;
 }
 

@@ -3,12 +3,14 @@
 #pragma once
 
 #include "core/assembly/solid.h"
+#include "core/base/tolerances.h"
 
 #include <array>
 #include <cstdint>
 #include <map>
 #include <memory>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 namespace fff {
@@ -20,14 +22,17 @@ using SolidPointer = std::shared_ptr<const Solid>;
 class Collisions
 {
 public:
-    /// From now on about these, of which none may be null; depth: mm that they may be in each
-    /// other. What is known of pairs that were there before stays known, as far as it was of use
-    /// since then. O(what is known).
-    void use(std::vector<SolidPointer> solids, double depth);
+    /// How deep two solids (a < b) may be in each other, mm, where that is not kTouchingDepth: what
+    /// is pressed into a slit.
+    using Depths = std::map<std::pair<int, int>, double>;
+
+    /// From now on about these, of which none may be null. What is known of pairs that were there
+    /// before stays known, as far as it was of use since then. O(what is known).
+    void use(std::vector<SolidPointer> solids, Depths depths = {});
 
     std::size_t size() const { return m_solids.size(); }
     const Solid &solid(int index) const { return *m_solids[static_cast<std::size_t>(index)]; }
-    double depth() const { return m_depth; }
+    double depth(int a, int b) const { return m_depths.empty() ? kTouchingDepth : pressed(a, b); }
 
     /// A unit vector that something moves along.
     int way(const Vec3 &direction) { return m_ways.number(direction); }
@@ -71,6 +76,7 @@ private:
     struct Question
     {
         int a = 0, b = 0, way = -1, lift = kNotLifted;
+        double depth = 0.0;
         bool operator==(const Question &) const = default;
     };
     struct Hash
@@ -80,6 +86,7 @@ private:
     template <typename Answer>
     using Known = std::unordered_map<Question, Answer, Hash>;
 
+    double pressed(int a, int b) const;
     Question question(int a, int b, int way, int lift) const;
     /// Solid a where it goes from.
     const Solid &lifted(int a, int lift);
@@ -87,7 +94,7 @@ private:
     std::vector<SolidPointer> m_solids;
     std::vector<int> m_numbers; // of the solids
     int m_nextNumber = 0;
-    double m_depth = 0.0;
+    Depths m_depths;
     Numbers m_ways, m_lifts;
     Known<bool> m_isFree;
     Known<double> m_until, m_clear;

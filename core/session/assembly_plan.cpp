@@ -5,11 +5,42 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
+#include <numeric>
 
 namespace fff {
 
 namespace {
+
+/// Of each section its first part; those of one section come one after the other.
+class FirstParts
+{
+public:
+    FirstParts(const Analysis &analysis, const std::vector<PartRef> &parts)
+        : m_first(analysis.model.sectionCount() + 1, 0)
+    {
+        for (const PartRef &part : parts)
+            ++m_first[static_cast<std::size_t>(part.section) + 1];
+        std::partial_sum(m_first.begin(), m_first.end(), m_first.begin());
+    }
+
+    int count(int section) const { return end(section) - begin(section); }
+    /// Calls visit(a, b) for each part of the joint's a with each of its b.
+    template <class Visit>
+    void forEachPair(const Joint &joint, Visit visit) const
+    {
+        for (int a = begin(joint.a); a < end(joint.a); ++a)
+            for (int b = begin(joint.b); b < end(joint.b); ++b)
+                visit(a, b);
+    }
+
+private:
+    int begin(int section) const { return m_first[static_cast<std::size_t>(section)]; }
+    int end(int section) const { return m_first[static_cast<std::size_t>(section) + 1]; }
+
+    std::vector<int> m_first; // and behind the last one their number
+};
 
 /// The unit direction in which b comes off a.
 Vec3 slideOf(const Analysis &analysis, const Joint &joint)
@@ -65,15 +96,29 @@ Hold holdOf(const Analysis &analysis, const Joint &joint)
     return hold;
 }
 
-/// How deep bumps press into their guests, from both sides together, mm.
-double bumpsOf(const Analysis &analysis)
+/// How deep the parts of joints are pressed into each other: by a negative clearance of the stocks
+/// that have their slits, and by bumps from both sides.
+Collisions::Depths pressedDepths(const Analysis &analysis, const FirstParts &first)
 {
-    double highest = 0.0;
-    for (const std::vector<Slit> &slits : analysis.assembly.slits)
-        for (const Slit &slit : slits)
-            if (slit.form)
-                highest = std::max(highest, slit.form->bumps);
-    return 2.0 * highest;
+    std::map<int, double> ofJoints;
+    for (std::size_t i = 0; i < analysis.model.sectionCount(); ++i) {
+        const double clearance = analysis.model.stockOf(i).clearance;
+        for (const Slit &slit : analysis.assembly.slits[i]) {
+            const double bumps = slit.form ? 2.0 * slit.form->bumps : 0.0;
+            if (clearance < 0.0 || bumps > 0.0) {
+                double &depth = ofJoints[slit.joint];
+                depth = std::max(depth, bumps + std::max(0.0, -clearance));
+            }
+        }
+    }
+    Collisions::Depths depths;
+    for (const auto &[id, depth] : ofJoints) {
+        const Joint &joint = analysis.assembly.joints[static_cast<std::size_t>(id - 1)];
+        first.forEachPair(joint, [&, depth = depth](int a, int b) {
+            depths[std::minmax(a, b)] = kTouchingDepth + depth;
+        });
+    }
+    return depths;
 }
 
 /// What stops the one of a locked pair that comes out of its slit.
@@ -123,19 +168,13 @@ std::vector<SolidPointer> solidsOf(const Analysis &analysis, std::vector<PartRef
 
 std::vector<Slide> slidesOf(const Analysis &analysis, const std::vector<PartRef> &parts)
 {
-    // Of each section its first part, and behind the last one their number.
-    std::vector<int> first(analysis.model.sectionCount() + 1, 0);
-    for (const PartRef &part : parts)
-        ++first[static_cast<std::size_t>(part.section) + 1];
-    for (std::size_t i = 1; i < first.size(); ++i)
-        first[i] += first[i - 1];
+    const FirstParts first(analysis, parts);
     std::vector<Slide> slides;
     for (const Joint &joint : analysis.assembly.joints) {
         if (joint.kind == JointKind::None)
             continue;
-        const auto a = static_cast<std::size_t>(joint.a), b = static_cast<std::size_t>(joint.b);
         // Of a divided section it is not known which piece it holds: one direction more to try.
-        const bool isWhole = first[a + 1] == first[a] + 1 && first[b + 1] == first[b] + 1;
+        const bool isWhole = first.count(joint.a) == 1 && first.count(joint.b) == 1;
         Slide slide;
         slide.direction = slideOf(analysis, joint);
         slide.goesBothWays = !slidesAlongAxis(joint.kind);
@@ -144,12 +183,11 @@ std::vector<Slide> slidesOf(const Analysis &analysis, const std::vector<PartRef>
             slide.length = hold.length;
             slide.play = isWhole ? hold.play : slide.play;
         }
-        for (int i = first[a]; i < first[a + 1]; ++i)
-            for (int k = first[b]; k < first[b + 1]; ++k) {
-                slide.a = i;
-                slide.b = k;
-                slides.push_back(slide);
-            }
+        first.forEachPair(joint, [&](int a, int b) {
+            slide.a = a;
+            slide.b = b;
+            slides.push_back(slide);
+        });
     }
     return slides;
 }
@@ -177,12 +215,9 @@ ModelPlan planOf(const Analysis &analysis, PlanCaches &caches,
                  const std::function<bool()> &isOutOfTime)
 {
     ModelPlan result;
-    double depth = kTouchingDepth;
-    for (const auto &stock : analysis.model.document.stocks)
-        depth = std::max(depth, kTouchingDepth - stock->clearance);
-    depth += bumpsOf(analysis);
     Collisions &collisions = caches.collisions;
-    collisions.use(solidsOf(analysis, result.parts, caches), depth);
+    std::vector<SolidPointer> solids = solidsOf(analysis, result.parts, caches);
+    collisions.use(std::move(solids), pressedDepths(analysis, FirstParts(analysis, result.parts)));
     PlanOptions options;
     options.isOutOfTime = isOutOfTime;
     result.overlaps = overlapsOf(collisions);

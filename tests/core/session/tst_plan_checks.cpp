@@ -39,6 +39,7 @@ private Q_SLOTS:
     void sentences();
     void anUnknownOrderIsNoProblem();
     void whatIsInEachOtherSaysHowDeep();
+    void whatOtherJointsArePressedByHidesNothing();
     void anAngleThatNoSlitTakesIsAnError();
     void websAreMeasured();
     void whatIsKnownFromBeforeChangesNothing();
@@ -98,6 +99,30 @@ void TestPlanChecks::whatIsInEachOtherSaysHowDeep()
     QCOMPARE(said.sentences.back(),
              QStringLiteral("Section 1 and Section 2 cut into each other, 1 mm, but are not "
                             "joined."));
+}
+
+/// What would be wrong: bumps of one joint, or the clearance of another stock, hide that two plates
+/// elsewhere are in each other.
+void TestPlanChecks::whatOtherJointsArePressedByHidesNothing()
+{
+    Document document = *addStock(eggCrate(2, 2), [] {
+        Stock tight = birchPlywood();
+        tight.clearance = -0.4;
+        tight.bumps = 0.3;
+        return tight;
+    }());
+    for (const SectionPointer &section : std::vector(document.sections))
+        document = *setSectionStock(std::move(document), section->id, document.stocks[1]->id);
+    document = *setCurrentStock(std::move(document), document.stocks[0]->id);
+    const auto isInterference = [](const Check &c) { return c.code == CheckCode::Interference; };
+    const Said before = saidOf(document);
+    QVERIFY(std::none_of(before.checks.begin(), before.checks.end(), isInterference));
+    const ShapePointer plate = polygonShape(rectangle(200, 0, 240, 40));
+    document = withSection(withSection(document, plate, front()), plate, front(2.7));
+    const Said said = saidOf(document);
+    const auto found = std::find_if(said.checks.begin(), said.checks.end(), isInterference);
+    QVERIFY(found != said.checks.end());
+    QVERIFY(std::abs(found->distance - 0.3) < 1e-6);
 }
 
 /// What would be wrong: sections that meet at 8° are in each other, and nobody says why.

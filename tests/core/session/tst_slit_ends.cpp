@@ -132,7 +132,7 @@ void TestSlitEnds::bumpsPressAndNothingElse()
             std::vector<PartRef> parts;
             PlanCaches caches;
             Collisions collisions;
-            collisions.use(solidsOf(analysis, parts, caches), kTouchingDepth);
+            collisions.use(solidsOf(analysis, parts, caches));
             const std::vector<PartOverlap> overlaps = overlapsOf(collisions);
             const bool presses = stock.bumps > 0.5 * stock.clearance;
             QCOMPARE(!overlaps.empty(), presses);
