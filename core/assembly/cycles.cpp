@@ -15,6 +15,23 @@ bool areParallel(const Joint &a, const Joint &b)
     return a.crossing->axis.direction.cross(b.crossing->axis.direction).norm() < kParallelAxes;
 }
 
+/// One of the joints that hold whose axis is parallel to most others', if it is to more than half
+/// of them; else some other one. Null when there is none. Source  R. Boyer, J. Moore 1981, MJRTY: a
+/// fast majority vote algorithm.
+const Joint *commonest(const JointList &joints)
+{
+    const Joint *common = nullptr;
+    int lead = 0;
+    for (const Joint &joint : joints) {
+        if (joint.kind == JointKind::None)
+            continue;
+        if (lead == 0)
+            common = &joint;
+        lead += areParallel(joint, *common) ? 1 : -1;
+    }
+    return common;
+}
+
 /// Looks for rings through one joint after the other.
 class Rings
 {
@@ -28,6 +45,7 @@ public:
             m_edges[static_cast<std::size_t>(joint.b)].push_back({joint.a, &joint});
         }
         m_from.resize(2 * sectionCount);
+        m_via.resize(2 * sectionCount);
     }
 
     /// From one of its sections to the other without it, as few joints as possible, with an axis
@@ -42,18 +60,20 @@ public:
         };
         std::vector<int> open{state(joint.a, false)};
         m_from[static_cast<std::size_t>(open.front())] = open.front();
+        m_via[static_cast<std::size_t>(open.front())] = nullptr;
         const int goal = state(joint.b, true);
         for (std::size_t next = 0; next < open.size(); ++next) {
             const int here = open[next];
             if (here == goal)
                 return ringTo(goal);
             for (const Edge &edge : m_edges[static_cast<std::size_t>(here / 2)]) {
-                if (edge.joint == &joint)
-                    continue;
+                if (edge.joint == &joint || edge.joint == m_via[static_cast<std::size_t>(here)])
+                    continue; // no ring goes back the way it came
                 const int there = state(edge.to, here % 2 == 1 || !areParallel(*edge.joint, joint));
                 int &from = m_from[static_cast<std::size_t>(there)];
                 if (from == kUnseen) {
                     from = here;
+                    m_via[static_cast<std::size_t>(there)] = edge.joint;
                     open.push_back(there);
                 }
             }
@@ -82,6 +102,7 @@ private:
 
     std::vector<std::vector<Edge>> m_edges; // of each section
     std::vector<int> m_from;                // of each state the one before it
+    std::vector<const Joint *> m_via;       // and the joint between them
 };
 
 /// Beginning with the lowest section, on to the lower one of its neighbours.
@@ -97,16 +118,16 @@ std::vector<int> inOrder(std::vector<int> ring)
 
 std::vector<std::vector<int>> cyclesOf(std::size_t sectionCount, const JointList &joints)
 {
-    const bool areAllParallel =
-        joints.empty() || std::all_of(joints.begin(), joints.end(), [&](const Joint &joint) {
-            return areParallel(joint, joints.front());
-        });
-    if (areAllParallel)
+    const Joint *common = commonest(joints);
+    const auto isOdd = [common](const Joint &joint) {
+        return joint.kind != JointKind::None && !areParallel(joint, *common);
+    };
+    if (std::none_of(joints.begin(), joints.end(), isOdd))
         return {};
     Rings rings(sectionCount, joints);
     std::set<std::vector<int>> found;
     for (const Joint &joint : joints) {
-        if (joint.kind == JointKind::None)
+        if (!isOdd(joint))
             continue;
         if (std::vector<int> ring = rings.through(joint); !ring.empty())
             found.insert(inOrder(std::move(ring)));
