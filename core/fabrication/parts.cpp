@@ -53,6 +53,17 @@ std::size_t partAtBottom(const std::vector<CurvedRegion> &parts, const Vec2 &inn
     return best;
 }
 
+/// One mark where the two hold each other; what meets beside the axis has one only where there is
+/// nothing else, a shoulder none, since its tabs are marked.
+bool isMarked(const Slit &slit, const std::vector<Slit> &slits)
+{
+    if (slit.role == SlitRole::Shoulder)
+        return false;
+    return slit.overlap >= 0 || std::none_of(slits.begin(), slits.end(), [&](const Slit &other) {
+               return other.joint == slit.joint && other.overlap >= 0;
+           });
+}
+
 } // namespace
 
 std::vector<Part> makeParts(const Model &model, const Assembly &assembly,
@@ -73,8 +84,8 @@ std::vector<Part> makeParts(const Model &model, const Assembly &assembly,
         if (outlines.empty() || section >= assembly.slits.size())
             continue;
         for (const Slit &slit : assembly.slits[section]) {
-            if (slit.role == SlitRole::Shoulder)
-                continue; // its tabs are marked
+            if (!isMarked(slit, assembly.slits[section]))
+                continue;
             const Vec2 direction = (slit.inner - slit.mouth).normalized();
             const Vec2 bottom = slit.bottom();
             const std::size_t part = partAtBottom(outlines, bottom, direction);

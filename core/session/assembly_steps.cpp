@@ -51,8 +51,9 @@ QString namesOf(const AssemblySteps &steps, const std::vector<int> &parts)
             steps.analysis->cuts[static_cast<std::size_t>(section)]->parts().size() == 1;
         const QString name = nameOf(steps, section);
         //: %1 is a section's name, %2 the number engraved on one of its parts
-        names +=
-            isWhole ? name : Words::tr("%1 (part %2)").arg(name).arg(AssemblySteps::numberOf(part));
+        names += isWhole ? name
+                         : Words::tr("%1 (part %2)")
+                               .arg(name, QString::number(AssemblySteps::numberOf(part)));
     }
     return listed(names);
 }

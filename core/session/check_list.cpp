@@ -171,7 +171,8 @@ void CheckList::refresh()
     const auto isThere = [&](const SectionRef &ref) { return m_verdicts->model.indexOf(ref) >= 0; };
     if (m_plan)
         for (const Check &check : m_plan->checks)
-            if (std::all_of(check.sections.begin(), check.sections.end(), isThere))
+            if (std::all_of(check.sections.begin(), check.sections.end(), isThere) &&
+                std::all_of(check.guests.begin(), check.guests.end(), isThere))
                 m_all.push_back(check);
     std::stable_sort(m_all.begin(), m_all.end(), [](const Check &a, const Check &b) {
         return subjectOf(a.code) < subjectOf(b.code);
