@@ -181,6 +181,9 @@ QString hintSentence(const Hint &hint, const QString &undoKeys)
     case Hint::Kind::JointCannotFlip:
         return HintText::tr("Nothing turned: the slits of %1 and %2 cannot open to the other side.")
             .arg(name, other);
+    case Hint::Kind::CannotTrim:
+        return HintText::tr("Nothing trimmed: %1 is not in %2, or nothing of it would stay.")
+            .arg(name, other);
     case Hint::Kind::JointNotDeleted:
         return HintText::tr("Nothing deleted: a joint is where two sections meet. Delete one of "
                             "them, or choose the kind \u201cNone\u201d.");

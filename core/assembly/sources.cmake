@@ -18,5 +18,6 @@ target_sources(fff_core PRIVATE
     assembly/solid.cpp
     assembly/stability.cpp
     assembly/tabs.cpp
+    assembly/trim.cpp
     assembly/webs.cpp
 )

@@ -86,6 +86,7 @@ struct Hint
         NoMeetingPoint, // of the joint of section and other
         JointCannotBe,  // of that kind
         JointCannotFlip,
+        CannotTrim,
         JointNotDeleted,
         EditFailed,
         Failed

@@ -1,5 +1,7 @@
 #include "core/interaction/joint_editing.h"
 
+#include "core/assembly/found_joint.h"
+#include "core/assembly/trim.h"
 #include "core/model/edits.h"
 
 #include <cmath>
@@ -21,6 +23,21 @@ std::string nameOf(const Model &model, const SectionRef &ref)
 tl::unexpected<Hint> refused(Hint::Kind kind, const Model &model, const JointRef &joint)
 {
     return tl::unexpected<Hint>(Hint{kind, nameOf(model, joint.a), true, nameOf(model, joint.b)});
+}
+
+/// Nothing for a section that is not drawn, or not in the other.
+std::optional<ShapePointer> trimmedShape(const Model &model, const SectionRef &section,
+                                         const SectionRef &to)
+{
+    const int index = model.indexOf(section), other = model.indexOf(to);
+    if (!section.drawn.isValid() || index < 0 || other < 0 || index == other)
+        return {};
+    const auto sideOf = [&model](int of) {
+        const auto at = static_cast<std::size_t>(of);
+        return JointSide{*model.section(at), model.stockOf(at)};
+    };
+    Result<ShapePointer> shape = trimmed(sideOf(index), sideOf(other));
+    return shape ? std::optional(*std::move(shape)) : std::nullopt;
 }
 
 JointEdit edited(const Model &model, JointOverride wanted, Step step)
@@ -70,6 +87,53 @@ JointEdit moveMeetingPoint(const Model &model, const JointRef &joint, int overla
     if (std::abs(*state->shares[static_cast<std::size_t>(overlap)] - share) < kSameShare)
         wanted = state->wanted; // else its place alone would be another one
     return edited(model, std::move(wanted), std::move(step));
+}
+
+JointEdit joinWithTabs(const Model &model, const JointRef &joint)
+{
+    const int a = model.indexOf(joint.a), b = model.indexOf(joint.b);
+    if (a < 0 || b < 0 || a == b || !tabsOf(model, std::min(a, b), std::max(a, b)))
+        return refused(Hint::Kind::JointCannotBe, model, joint);
+    JointOverride wanted;
+    if (const JointOverride *before = model.document.jointOverride(joint.a, joint.b))
+        wanted = *before;
+    wanted.a = joint.a;
+    wanted.b = joint.b;
+    wanted.kind = JointKind::Tabs;
+    Step step = stepOf(Step::Kind::SetJointKind);
+    step.joint = JointKind::Tabs;
+    return edited(model, std::move(wanted), std::move(step));
+}
+
+JointEdit trimTo(const Model &model, const SectionRef &section, const SectionRef &to)
+{
+    const Hint cannot{Hint::Kind::CannotTrim, nameOf(model, section), true, nameOf(model, to)};
+    const auto shape = trimmedShape(model, section, to);
+    if (!shape)
+        return tl::unexpected(cannot);
+    Result<Document> next = setShape(model.document, section.drawn, *shape);
+    if (!next)
+        return tl::unexpected(cannot);
+    Step step = stepOf(Step::Kind::TrimSection);
+    step.names = {nameOf(model, section), nameOf(model, to)};
+    return EditedJoint{*std::move(next), std::move(step)};
+}
+
+std::optional<SectionRef> easierTrimmed(const Model &model, const JointRef &joint)
+{
+    std::optional<SectionRef> easier;
+    double least = 0.0; // mm² lost
+    for (const auto &[section, to] : {std::pair(&joint.a, &joint.b), {&joint.b, &joint.a}}) {
+        const auto shape = trimmedShape(model, *section, *to);
+        if (!shape)
+            continue;
+        const double lost = model.document.find(section->drawn)->shape->area() - (*shape)->area();
+        if (!easier || lost < least) {
+            easier = *section;
+            least = lost;
+        }
+    }
+    return easier;
 }
 
 JointEdit resetJoint(const Model &model, const JointRef &joint)

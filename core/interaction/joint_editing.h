@@ -21,6 +21,13 @@ JointEdit setKind(const Model &model, const JointRef &joint, JointKind kind);
 JointEdit flipSlits(const Model &model, const JointRef &joint);
 /// share: of the slit of the joint's a.
 JointEdit moveMeetingPoint(const Model &model, const JointRef &joint, int overlap, double share);
+/// As setKind() for tabs, also of sections that have no joint because one only ends on the other.
+JointEdit joinWithTabs(const Model &model, const JointRef &joint);
+/// Cuts a section back to the faces of another one that it is in; only a drawn one.
+JointEdit trimTo(const Model &model, const SectionRef &section, const SectionRef &to);
+/// Of two that are in each other the one that loses less when it is trimmed to the other; none when
+/// neither can be.
+std::optional<SectionRef> easierTrimmed(const Model &model, const JointRef &joint);
 /// Nothing is wanted of it any more, also of what is dormant now.
 JointEdit resetJoint(const Model &model, const JointRef &joint);
 

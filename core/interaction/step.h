@@ -33,7 +33,8 @@ struct Step
         SetJointKind,    // names: of its two sections, as for the next three
         FlipSlits,
         MoveMeetingPoint, // count: percent of the second one's slit
-        ResetJoint
+        ResetJoint,
+        TrimSection // names: of it, and of the one that it was cut back to
     };
     Kind kind = Kind::DrawSection;
     std::vector<std::string> names; // of the sections or stocks it was done to

@@ -36,10 +36,9 @@ std::optional<SectionRef> sectionNamed(const Model &model, const std::string &na
     return {};
 }
 
-Result<void> selectJoint(const Session &session, Interaction &interaction,
-                         const CommandParameters &parameters)
+/// By the names of its two sections, whether they meet or not.
+Result<JointRef> jointNamed(const Model &model, const CommandParameters &parameters)
 {
-    const Model &model = session.committed();
     std::array<SectionRef, 2> sections;
     for (const auto &[key, ref] : {std::pair("a", &sections[0]), std::pair("b", &sections[1])}) {
         const std::string name = textOf(parameters, key);
@@ -48,12 +47,36 @@ Result<void> selectJoint(const Session &session, Interaction &interaction,
             return failure(ErrorCode::BadValue, key, {name, "the name of a section"});
         *ref = *found;
     }
-    const JointRef joint(sections[0], sections[1]);
-    if (!hasJoint(model, joint))
+    return JointRef(sections[0], sections[1]);
+}
+
+Result<void> selectJoint(const Session &session, Interaction &interaction,
+                         const CommandParameters &parameters)
+{
+    const Result<JointRef> joint = jointNamed(session.committed(), parameters);
+    if (!joint)
+        return tl::unexpected(joint.error());
+    if (!hasJoint(session.committed(), *joint))
         return failure(ErrorCode::BadValue, "b",
                        {textOf(parameters, "b"), "a section that meets the other"});
-    interaction.selectJoint(joint);
+    interaction.selectJoint(*joint);
     return {};
+}
+
+/// The selected joint's section of that name, or without a name the one that loses less.
+Result<JointEdit> trimmedOf(const Model &model, const JointRef &joint,
+                            const CommandParameters &parameters)
+{
+    const std::string name = textOf(parameters, "section");
+    std::optional<SectionRef> section = easierTrimmed(model, joint);
+    if (!name.empty()) {
+        section = sectionNamed(model, name);
+        if (!section || (*section != joint.a && *section != joint.b))
+            return failure(ErrorCode::BadValue, "section",
+                           {name, "the name of one of the joint's sections"});
+    }
+    const SectionRef trimmed = section.value_or(joint.a);
+    return trimTo(model, trimmed, trimmed == joint.a ? joint.b : joint.a);
 }
 
 /// One step of the history, or why there is none.
@@ -119,6 +142,23 @@ void registerJointCommands(CommandRegistry &registry, Session &session, Interact
                              time);
          },
          hasJoint});
+    registry.add("joint.tabs",
+                 {[&](const CommandParameters &parameters, double time) -> Result<void> {
+                      const auto joint = jointNamed(session.committed(), parameters);
+                      if (!joint)
+                          return tl::unexpected(joint.error());
+                      return carryOut(session, interaction,
+                                      joinWithTabs(session.committed(), *joint), time);
+                  },
+                  {}});
+    registry.add("joint.trim",
+                 {[&](const CommandParameters &parameters, double time) {
+                      auto edit =
+                          trimmedOf(session.committed(), *interaction.selectedJoint(), parameters);
+                      return edit ? carryOut(session, interaction, *std::move(edit), time)
+                                  : Result<void>(tl::unexpected(edit.error()));
+                  },
+                  hasJoint});
     registry.add("joint.reset",
                  {[&](const CommandParameters &, double time) {
                       return carryOut(session, interaction,

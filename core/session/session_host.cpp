@@ -155,6 +155,9 @@ QString SessionHost::undoText(const Step &step)
     case Step::Kind::ResetJoint:
         //: %1 and %2 are the names of two sections
         return tr("%1 · %2: reset to automatic").arg(name, other);
+    case Step::Kind::TrimSection:
+        //: %1 and %2 are the names of two sections
+        return tr("Trim %1 to %2").arg(name, other);
     }
     return {};
 }

@@ -46,6 +46,16 @@ JointPage::JointPage(Workbench &bench, QWidget *parent) : QWidget(parent), m_ben
     m_problem->setMargin(10);
     m_problem->setAutoFillBackground(true);
     m_problem->setFrameShape(QFrame::StyledPanel);
+    m_problem->setTextFormat(Qt::RichText);
+    m_problem->setFocusPolicy(Qt::StrongFocus);
+    m_problem->setTextInteractionFlags(Qt::LinksAccessibleByMouse | Qt::LinksAccessibleByKeyboard);
+    connect(m_problem, &QLabel::linkActivated, this, [this](const QString &target) {
+        if (!m_joint)
+            return;
+        const bool isA = target == QLatin1String("a");
+        m_bench.editJoint(trimTo(m_bench.session().committed(), isA ? m_joint->a : m_joint->b,
+                                 isA ? m_joint->b : m_joint->a));
+    });
     auto *box = new QVBoxLayout(m_problemBox);
     box->setContentsMargins(0, 0, 0, 12);
     box->addWidget(m_problem);
@@ -260,6 +270,25 @@ QString JointPage::slitsText(int section, const std::vector<Slit> &slits) const
     return lines.join(QLatin1Char('\n'));
 }
 
+/// Why they collide, unless it is wanted so, and what helps.
+QString JointPage::problemText(const QString &a, const QString &b) const
+{
+    const QString why = m_state->wanted.kind
+                            ? QString()
+                            : jointObstacleText(m_state->obstacleTo(JointKind::CrossLap));
+    QStringList text{tr("%1 and %2 collide.").arg(a.toHtmlEscaped(), b.toHtmlEscaped())};
+    if (!why.isEmpty())
+        text += why + QLatin1Char('.');
+    QStringList links;
+    for (const auto &[section, target] : {std::pair(&m_joint->a, "a"), {&m_joint->b, "b"}}) {
+        if (section->drawn.isValid())
+            links += linkTo(tr("Trim %1").arg(*target == 'a' ? a : b), target);
+    }
+    return text.join(QLatin1Char(' ')) +
+           (links.isEmpty() ? QString()
+                            : QStringLiteral("<br>") + links.join(QStringLiteral(" · ")));
+}
+
 void JointPage::follow()
 {
     const std::optional<JointRef> &selected = m_bench.interaction().selectedJoint();
@@ -333,12 +362,10 @@ void JointPage::refresh()
     for (TextRow *row : {m_slitsOfA, m_slitsOfB, m_angle})
         row->refresh();
 
-    const bool collides = m_state->kind == JointKind::None && !wanted.kind;
+    const bool collides = m_state->kind == JointKind::None;
     m_problemBox->setVisible(collides);
     if (collides) {
-        m_problem->setText(
-            tr("%1 and %2 collide. %3.")
-                .arg(a, b, jointObstacleText(m_state->obstacleTo(JointKind::CrossLap))));
+        m_problem->setText(problemText(a, b));
         QPalette soft = m_problem->palette();
         soft.setColor(QPalette::Window, theme().warningSoft);
         soft.setColor(QPalette::WindowText, theme().text);

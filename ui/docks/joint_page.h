@@ -57,6 +57,7 @@ private:
     double shareOf(double percent) const { return 1.0 - 0.01 * percent; }
     QString name(int section) const;
     QString slitsText(int section, const std::vector<Slit> &slits) const;
+    QString problemText(const QString &a, const QString &b) const;
 
     Workbench &m_bench;
     std::optional<JointRef> m_joint;
