@@ -427,22 +427,6 @@
         <translation>Ihre Verbindung ist so eingestellt, dass sie keinen hat.</translation>
     </message>
     <message>
-        <source>The negative clearance leaves it no width: make the clearance larger.</source>
-        <translation>Das negative Spiel lässt ihm keine Breite: Vergrößern Sie das Spiel.</translation>
-    </message>
-    <message>
-        <source>Where they meet here they could only slide one way, there only the other way: shorten one of them.</source>
-        <translation>An der einen Stelle könnten sie nur in eine Richtung gleiten, an der anderen nur in die andere: Kürzen Sie eine von beiden.</translation>
-    </message>
-    <message>
-        <source>None of them reaches the edge: open a hole to the outside, or let one of them pass through.</source>
-        <translation>Keiner erreicht den Rand: Öffnen Sie ein Loch nach außen, oder lassen Sie eine der beiden hindurchgehen.</translation>
-    </message>
-    <message>
-        <source>%1 and %2 cut into each other, %3 long, but no slit lets them slide together. %4</source>
-        <translation>%1 und %2 schneiden sich auf %3 Länge, aber kein Schlitz lässt sie zusammengleiten. %4</translation>
-    </message>
-    <message>
         <source>%1 form a ring of joints that slide in different directions.</source>
         <translation>%1 bilden einen Ring aus Verbindungen, die in verschiedene Richtungen gleiten.</translation>
     </message>
@@ -456,6 +440,26 @@
     <message>
         <source>Rings of joints</source>
         <translation>Ringe aus Verbindungen</translation>
+    </message>
+    <message>
+        <source>No slit lets them slide together: the negative clearance leaves it no width. Make the clearance larger.</source>
+        <translation>Kein Schlitz lässt sie zusammengleiten: Das negative Spiel lässt ihm keine Breite. Vergrößern Sie das Spiel.</translation>
+    </message>
+    <message>
+        <source>No slits let them slide together: where they meet here they could only slide one way, there only the other way. Shorten one of them.</source>
+        <translation>Keine Schlitze lassen sie zusammengleiten: An der einen Stelle könnten sie nur in eine Richtung gleiten, an der anderen nur in die andere. Kürzen Sie eine von beiden.</translation>
+    </message>
+    <message>
+        <source>Nothing would hold them: nowhere do slits of both meet. Let one of them end inside the other.</source>
+        <translation>Nichts würde sie halten: Nirgends treffen sich Schlitze von beiden. Lassen Sie eine in der anderen enden.</translation>
+    </message>
+    <message>
+        <source>No slit lets them slide together: neither of them reaches the edge. Open a hole to the outside, or let one of them pass through.</source>
+        <translation>Kein Schlitz lässt sie zusammengleiten: Keine von beiden erreicht den Rand. Öffnen Sie ein Loch nach außen, oder lassen Sie eine hindurchgehen.</translation>
+    </message>
+    <message>
+        <source>%1 and %2 cut into each other, %3 long. %4</source>
+        <translation>%1 und %2 schneiden sich auf %3 Länge. %4</translation>
     </message>
 </context>
 <context>
@@ -870,10 +874,6 @@
         <translation>es blieben zu wenige Punkte, um etwas zu umschließen</translation>
     </message>
     <message>
-        <source>crossLap, mortise or none</source>
-        <translation>crossLap, mortise oder none</translation>
-    </message>
-    <message>
         <source>a direction of length 1</source>
         <translation>eine Richtung der Länge 1</translation>
     </message>
@@ -888,6 +888,10 @@
     <message>
         <source>square, round, dogbone or tBone</source>
         <translation>square, round, dogbone oder tBone</translation>
+    </message>
+    <message>
+        <source>crossLap, mortise, tabs or none</source>
+        <translation>crossLap, mortise, tabs oder none</translation>
     </message>
 </context>
 <context>
@@ -1089,6 +1093,16 @@
             <numerusform>%n Scheibe zu %1 verschieben</numerusform>
             <numerusform>%n Scheiben zu %1 verschieben</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>%1 · %2: kind → tabs</source>
+        <extracomment>%1 and %2 are the names of two sections</extracomment>
+        <translation>%1 · %2: Art → Zapfen</translation>
+    </message>
+    <message>
+        <source>Trim %1 to %2</source>
+        <extracomment>%1 and %2 are the names of two sections</extracomment>
+        <translation>%1 an %2 kürzen</translation>
     </message>
 </context>
 <context>
@@ -2360,6 +2374,15 @@
         <source>Set the clearance</source>
         <translation>Spiel einstellen</translation>
     </message>
+    <message>
+        <source>Join with tabs</source>
+        <translation>Mit Zapfen verbinden</translation>
+    </message>
+    <message>
+        <source>Trim %1</source>
+        <extracomment>%1 is the name of a section</extracomment>
+        <translation>%1 kürzen</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::ChecksDock</name>
@@ -2696,6 +2719,10 @@
     <message>
         <source>Its contour comes next</source>
         <translation>Als Nächstes kommt die Kontur</translation>
+    </message>
+    <message>
+        <source>tabs</source>
+        <translation>Zapfen</translation>
     </message>
 </context>
 <context>
@@ -3208,6 +3235,10 @@
         <source>Nothing deleted: a joint is where two sections meet. Delete one of them, or choose the kind “None”.</source>
         <translation>Nichts gelöscht: Eine Verbindung ist, wo zwei Scheiben sich treffen. Lösche eine davon oder wähle die Art „Keine“.</translation>
     </message>
+    <message>
+        <source>Nothing trimmed: %1 is not in %2, or nothing of it would stay.</source>
+        <translation>Nichts gekürzt: %1 steckt nicht in %2, oder es bliebe nichts davon.</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::HistoryDock</name>
@@ -3339,16 +3370,24 @@
         <translation>In %1</translation>
     </message>
     <message>
-        <source>%1 and %2 collide. %3.</source>
-        <translation>%1 und %2 stoßen zusammen. %3.</translation>
-    </message>
-    <message>
         <source>Kind, direction and meeting points as by themselves</source>
         <translation>Art, Richtung und Treffpunkte wie von selbst</translation>
     </message>
     <message>
         <source>Nothing of this joint is set by hand</source>
         <translation>An dieser Verbindung ist nichts von Hand eingestellt</translation>
+    </message>
+    <message>
+        <source>tab, %1 wide</source>
+        <translation>Zapfen, %1 breit</translation>
+    </message>
+    <message>
+        <source>%1 and %2 collide.</source>
+        <translation>%1 und %2 stoßen zusammen.</translation>
+    </message>
+    <message>
+        <source>Trim %1</source>
+        <translation>%1 kürzen</translation>
     </message>
 </context>
 <context>
@@ -3443,6 +3482,38 @@
     <message>
         <source>Back</source>
         <translation>Nach hinten</translation>
+    </message>
+    <message>
+        <source>tabs</source>
+        <translation>Zapfen</translation>
+    </message>
+    <message>
+        <source>Tabs</source>
+        <translation>Zapfen</translation>
+    </message>
+    <message>
+        <source>One section only ends on the other</source>
+        <translation>Eine Scheibe endet nur an der anderen</translation>
+    </message>
+    <message>
+        <source>Neither section ends on the other&apos;s face</source>
+        <translation>Keine Scheibe endet an der Fläche der anderen</translation>
+    </message>
+    <message>
+        <source>There is no room for tabs and their slots</source>
+        <translation>Für Zapfen und ihre Schlitze ist kein Platz</translation>
+    </message>
+    <message>
+        <source>They meet at less than 30°</source>
+        <translation>Sie treffen sich unter weniger als 30°</translation>
+    </message>
+    <message>
+        <source>Here they could only slide one way, there only the other</source>
+        <translation>Hier könnten sie nur in eine Richtung gleiten, dort nur in die andere</translation>
+    </message>
+    <message>
+        <source>Nowhere would slits of both meet</source>
+        <translation>Nirgends würden sich Schlitze von beiden treffen</translation>
     </message>
 </context>
 <context>

@@ -28,6 +28,17 @@ CheckUnits unitsInUse()
 
 } // namespace
 
+namespace {
+
+QString nameOf(const SectionRef &ref, const Model &model)
+{
+    const int index = model.indexOf(ref);
+    return index < 0 ? QString()
+                     : QString::fromStdString(model.section(static_cast<std::size_t>(index))->name);
+}
+
+} // namespace
+
 CheckWords checkWords(const Check &check, const Model &model)
 {
     const QString whole = checkText(check, model, unitsInUse());
@@ -43,16 +54,17 @@ QString actionText(const CheckAction &action, const Check &check, const Model &m
     const bool isOne = check.sections.size() == 1;
     switch (action.kind) {
     case CheckAction::Kind::MoveToOther: {
-        const int index = model.indexOf(action.section);
-        const QString name =
-            index < 0
-                ? QString()
-                : QString::fromStdString(model.section(static_cast<std::size_t>(index))->name);
+        const QString name = nameOf(action.section, model);
         //: %1 is the name of a section
         return isOne ? Words::tr("Move it to %1").arg(name)
                      //: %1 is the name of a section
                      : Words::tr("Move them to %1").arg(name);
     }
+    case CheckAction::Kind::JoinWithTabs:
+        return Words::tr("Join with tabs");
+    case CheckAction::Kind::Trim:
+        //: %1 is the name of a section
+        return Words::tr("Trim %1").arg(nameOf(action.section, model));
     case CheckAction::Kind::DeleteSections:
         return isOne ? Words::tr("Delete it") : Words::tr("Delete them");
     case CheckAction::Kind::MakeAssemblable:

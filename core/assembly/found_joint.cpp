@@ -24,12 +24,6 @@ void setGuest(std::vector<Slit> &slits, int guest)
         slit.guest = guest;
 }
 
-JointSide sideOf(const Model &model, int section)
-{
-    const auto index = static_cast<std::size_t>(section);
-    return {*model.section(index), model.stockOf(index)};
-}
-
 FoundJoint found(int a, int b, Crossing crossing, JointSlits slits)
 {
     FoundJoint found;
@@ -45,6 +39,12 @@ FoundJoint found(int a, int b, Crossing crossing, JointSlits slits)
 }
 
 } // namespace
+
+JointSide sideOf(const Model &model, int section)
+{
+    const auto index = static_cast<std::size_t>(section);
+    return {*model.section(index), model.stockOf(index)};
+}
 
 JointSlits slitsOf(const Model &model, int a, int b, Crossing &crossing, const JointWish &wish)
 {

@@ -15,6 +15,8 @@ struct FoundJoint
     std::vector<Slit> slitsOfA, slitsOfB;
 };
 
+JointSide sideOf(const Model &model, int section);
+
 /// Of two sections (indices into the model, a < b), as the document wants it; nothing where they do
 /// not meet. Tabs are only had where they are wanted, instead of anything else. The same as
 /// assemble() has it.

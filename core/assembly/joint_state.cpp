@@ -52,6 +52,22 @@ JointObstacle obstacleOf(NoTabs why)
     return JointObstacle::NoRoom;
 }
 
+JointObstacle obstacleOf(NoSlit why)
+{
+    switch (why) {
+    case NoSlit::NoWidth:
+        return JointObstacle::NoWidth;
+    case NoSlit::OppositeWays:
+        return JointObstacle::OppositeWays;
+    case NoSlit::NothingHolds:
+        return JointObstacle::NothingHolds;
+    case NoSlit::Wanted:
+    case NoSlit::Enclosed:
+        break;
+    }
+    return JointObstacle::EndsOnHole;
+}
+
 /// The two sections in the model's order, and what each wish would make of them.
 class Trial
 {
@@ -90,15 +106,10 @@ public:
         const auto tabs = tabsOf(m_model, m_a, m_b);
         return tabs ? JointObstacle::None : obstacleOf(tabs.error());
     }
-    bool hasWidth() const
+    /// Of two that have no cross lap.
+    JointObstacle slitObstacle() const
     {
-        for (const auto &[host, guest] : {std::pair(m_a, m_b), {m_b, m_a}}) {
-            const Stock &stock = m_model.stockOf(static_cast<std::size_t>(host));
-            const Stock &other = m_model.stockOf(static_cast<std::size_t>(guest));
-            if (!slitWidth(stock.thickness, other.thickness, m_crossing.angle, stock.clearance))
-                return false;
-        }
-        return true;
+        return obstacleOf(whyNoSlit(m_crossing, sideOf(m_model, m_a), sideOf(m_model, m_b), {}));
     }
 
 private:
@@ -114,7 +125,7 @@ JointObstacle lapObstacle(const Trial &trial, JointKind kind)
     if (plus == kind || minus == kind)
         return JointObstacle::None;
     if (!plus && !minus)
-        return trial.hasWidth() ? JointObstacle::EndsOnHole : JointObstacle::NoWidth;
+        return trial.slitObstacle();
     return kind == JointKind::CrossLap ? JointObstacle::ReachesBeyond : JointObstacle::EndsWithin;
 }
 
@@ -122,7 +133,7 @@ JointObstacle mortiseObstacle(const Trial &trial)
 {
     if (trial.slits(JointKind::Mortise).kind == JointKind::Mortise)
         return JointObstacle::None;
-    if (!trial.hasWidth())
+    if (trial.slitObstacle() == JointObstacle::NoWidth)
         return JointObstacle::NoWidth;
     return trial.isInOnePlace() ? JointObstacle::DoesNotFit : JointObstacle::SeveralPlaces;
 }

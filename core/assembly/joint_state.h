@@ -16,6 +16,8 @@ enum class JointObstacle {
     None,
     NoWidth,       // a negative clearance leaves the slits none
     EndsOnHole,    // no slit can open to the outside
+    OppositeWays,  // here they could only slide one way, there only the other
+    NothingHolds,  // they could slide, but nowhere would both have a slit
     ReachesBeyond, // one section does, whichever way they slide: their slits are never equal
     EndsWithin,    // neither section reaches beyond the other
     SeveralPlaces, // they meet in more than one

@@ -404,7 +404,13 @@ NoSlit whyNoSlit(const Crossing &crossing, const JointSide &a, const JointSide &
         someOnlyUp |= up && !down;
         someOnlyDown |= down && !up;
     }
-    return someOnlyUp && someOnlyDown ? NoSlit::OppositeWays : NoSlit::Enclosed;
+    if (someOnlyUp && someOnlyDown)
+        return NoSlit::OppositeWays;
+    const auto isOpen = [&](int sign) {
+        return std::all_of(crossing.overlaps.begin(), crossing.overlaps.end(),
+                           [sign](const Overlap &o) { return cutOf(o, sign).isOpen(); });
+    };
+    return isOpen(1) || isOpen(-1) ? NoSlit::NothingHolds : NoSlit::Enclosed;
 }
 
 } // namespace fff

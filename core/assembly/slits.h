@@ -66,6 +66,7 @@ enum class NoSlit {
     Wanted,       // its kind is None
     NoWidth,      // a negative clearance leaves them none
     OppositeWays, // some of its overlaps could only slide one way, others only the other
+    NothingHolds, // they could slide together, but nowhere would both have a slit
     Enclosed,     // ends lie on holes, or enclose each other: none comes from outside, and neither
                   // section fits through a mortise
 };

@@ -32,11 +32,7 @@ std::optional<ShapePointer> trimmedShape(const Model &model, const SectionRef &s
     const int index = model.indexOf(section), other = model.indexOf(to);
     if (!section.drawn.isValid() || index < 0 || other < 0 || index == other)
         return {};
-    const auto sideOf = [&model](int of) {
-        const auto at = static_cast<std::size_t>(of);
-        return JointSide{*model.section(at), model.stockOf(at)};
-    };
-    Result<ShapePointer> shape = trimmed(sideOf(index), sideOf(other));
+    Result<ShapePointer> shape = trimmed(sideOf(model, index), sideOf(model, other));
     return shape ? std::optional(*std::move(shape)) : std::nullopt;
 }
 

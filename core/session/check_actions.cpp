@@ -1,5 +1,6 @@
 #include "core/session/check_actions.h"
 
+#include "core/interaction/joint_editing.h"
 #include "core/model/edits.h"
 #include "core/session/dropping.h"
 #include "core/session/joining_move.h"
@@ -40,6 +41,41 @@ std::optional<CheckEdit> movedTo(const SectionRef &other, const Check &check,
     const int index = model.indexOf(other);
     edit.step.names.push_back(model.section(static_cast<std::size_t>(index))->name);
     return edit;
+}
+
+/// Of the check's sections and the one that it names, the first that can be joined so.
+std::optional<CheckEdit> joinedWithTabs(const SectionRef &other, const Check &check,
+                                        const Model &model)
+{
+    for (std::size_t i = 0; i < std::min(check.sections.size(), kMostTried); ++i)
+        if (auto edit = joinWithTabs(model, JointRef(check.sections[i], other)))
+            return CheckEdit{std::move(edit->step), std::move(edit->document)};
+    return {};
+}
+
+/// Its pair's section, to the other one.
+std::optional<CheckEdit> trimmed(const SectionRef &section, const Check &check, const Model &model)
+{
+    const auto other = std::find_if(check.sections.begin(), check.sections.end(),
+                                    [&](const SectionRef &ref) { return ref != section; });
+    if (other == check.sections.end())
+        return {};
+    auto edit = trimTo(model, section, *other);
+    if (!edit)
+        return {};
+    return CheckEdit{std::move(edit->step), std::move(edit->document)};
+}
+
+/// What can be done about two sections that are in each other.
+std::vector<CheckAction> mendsOf(const Check &check, const Model &model)
+{
+    if (check.sections.size() != 2)
+        return {};
+    std::vector<CheckAction> actions{{Kind::JoinWithTabs, check.sections[1]}};
+    const JointRef pair(check.sections[0], check.sections[1]);
+    if (const auto section = easierTrimmed(model, pair))
+        actions.push_back({Kind::Trim, *section});
+    return actions;
 }
 
 std::optional<CheckEdit> deleted(const Check &check, const Document &document)
@@ -84,12 +120,23 @@ std::vector<CheckAction> withDeleted(std::vector<CheckAction> actions)
     return actions;
 }
 
+/// What only touches is held by tabs, which moves nothing.
+std::vector<CheckAction> withTabs(const Check &check, std::vector<CheckAction> actions)
+{
+    if (check.other)
+        actions.insert(actions.begin(), {Kind::JoinWithTabs, *check.other});
+    return actions;
+}
+
 /// Of the check; edits among them may turn out not to be possible.
 std::vector<CheckAction> candidates(const Check &check, const Analysis &analysis)
 {
     switch (check.code) {
     case CheckCode::NotConnected:
-        return withDeleted(movesOf(check, analysis));
+        return withDeleted(withTabs(check, movesOf(check, analysis)));
+    case CheckCode::NoSlit:
+    case CheckCode::Interference:
+        return mendsOf(check, analysis.model);
     case CheckCode::CannotAssemble:
         return {{Kind::MakeAssemblable, {}}};
     case CheckCode::NoContact:
@@ -114,6 +161,8 @@ bool isEdit(Kind kind)
 {
     switch (kind) {
     case Kind::MoveToOther:
+    case Kind::JoinWithTabs:
+    case Kind::Trim:
     case Kind::DeleteSections:
     case Kind::MakeAssemblable:
     case Kind::DropToGround:
@@ -141,6 +190,10 @@ std::optional<CheckEdit> carriedOut(const CheckAction &action, const Check &chec
     switch (action.kind) {
     case Kind::MoveToOther:
         return movedTo(action.section, check, analysis);
+    case Kind::JoinWithTabs:
+        return joinedWithTabs(action.section, check, analysis.model);
+    case Kind::Trim:
+        return trimmed(action.section, check, analysis.model);
     case Kind::DeleteSections:
         return deleted(check, analysis.model.document);
     case Kind::MakeAssemblable:

@@ -18,6 +18,8 @@ struct CheckAction
         // Edits: carriedOut() makes them.
         MoveToOther,     // NotConnected: to the nearest section that a joint can then hold it to
                          // (joining_move.h)
+        JoinWithTabs,    // NotConnected, NoSlit, Interference: where one ends on the other's face
+        Trim,            // NoSlit, Interference: the one that loses less, to the other
         DeleteSections,  // NotConnected
         MakeAssemblable, // CannotAssemble: slits turned round (flips.h)
         DropToGround,    // NoContact, BelowGround: the whole model
@@ -27,7 +29,8 @@ struct CheckAction
         WidenSlits,  // NarrowSlit: the same
     };
     Kind kind = Kind::ShowSteps;
-    SectionRef section; // whom its words name: MoveToOther: the one it comes to
+    SectionRef section; // whom its words name: MoveToOther, JoinWithTabs: the one it comes to, or
+                        // is joined with; Trim: the one that is trimmed
 
     bool operator==(const CheckAction &) const = default;
 };

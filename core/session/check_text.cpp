@@ -184,20 +184,24 @@ QString sizeText(const Check &check, const Model &model, const CheckUnits &units
         .arg(sheets, units.size(check.sheet), used);
 }
 
-/// And what to do about it.
+/// Why there is no slit and what to do about it.
 QString whyText(NoSlit why)
 {
     switch (why) {
     case NoSlit::Wanted:
         return Words::tr("Their joint is set to have none.");
     case NoSlit::NoWidth:
-        return Words::tr("The negative clearance leaves it no width: make the clearance larger.");
+        return Words::tr("No slit lets them slide together: the negative clearance leaves it no "
+                         "width. Make the clearance larger.");
     case NoSlit::OppositeWays:
-        return Words::tr("Where they meet here they could only slide one way, there only the "
-                         "other way: shorten one of them.");
+        return Words::tr("No slits let them slide together: where they meet here they could only "
+                         "slide one way, there only the other way. Shorten one of them.");
+    case NoSlit::NothingHolds:
+        return Words::tr("Nothing would hold them: nowhere do slits of both meet. Let one of them "
+                         "end inside the other.");
     case NoSlit::Enclosed:
-        return Words::tr("None of them reaches the edge: open a hole to the outside, or let one of "
-                         "them pass through.");
+        return Words::tr("No slit lets them slide together: neither of them reaches the edge. Open "
+                         "a hole to the outside, or let one of them pass through.");
     }
     return {}; // not reached: every reason is above
 }
@@ -207,8 +211,7 @@ QString jointText(const Check &check, const Model &model, const CheckUnits &unit
     const QString first = nameAt(check, model, 0), second = nameAt(check, model, 1);
     switch (check.code) {
     case CheckCode::NoSlit:
-        return Words::tr("%1 and %2 cut into each other, %3 long, but no slit lets them slide "
-                         "together. %4")
+        return Words::tr("%1 and %2 cut into each other, %3 long. %4")
             .arg(first, second, units.length(check.distance), whyText(check.noSlit));
     case CheckCode::Interference: {
         constexpr double kSmall = 0.1; // mm

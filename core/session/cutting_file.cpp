@@ -2,6 +2,7 @@
 
 #include "core/fabrication/kerf.h"
 #include "core/io/svg_writer.h"
+#include "core/session/narrow_slits.h"
 
 #include <algorithm>
 
@@ -28,7 +29,7 @@ void measureSlits(const Analysis &analysis, bool compensatesKerf, CuttingFile &f
         for (const Slit &slit : analysis.assembly.slits[i]) {
             if (slit.role != SlitRole::Slit)
                 continue;
-            const double width = slit.width - kerf;
+            const double width = narrowest(slit) - kerf;
             file.slitWidth = std::min(width, file.slitWidth.value_or(width));
             if (width <= 0.0)
                 addOnce(file.closedSlits, analysis.model.section(i)->name);

@@ -13,6 +13,12 @@ constexpr double kSameWidth = kTouchingDepth;
 
 } // namespace
 
+double narrowest(const Slit &slit)
+{
+    const double width = slit.width - (slit.form ? 2.0 * slit.form->bumps : 0.0);
+    return slit.isOpen ? width : std::min(width, (slit.mouth - slit.inner).norm());
+}
+
 std::vector<Check> narrowSlits(const Analysis &analysis)
 {
     const Model &model = analysis.model;
@@ -32,10 +38,11 @@ std::vector<Check> narrowSlits(const Analysis &analysis)
             for (const Slit &slit : analysis.assembly.slits[i]) {
                 if (slit.role != SlitRole::Slit)
                     continue;
-                isNarrow = isNarrow || slit.width < stock->toolDiameter - kSameWidth;
-                if (slit.width >= check.distance)
+                const double width = narrowest(slit);
+                isNarrow = isNarrow || width < stock->toolDiameter - kSameWidth;
+                if (width >= check.distance)
                     continue;
-                check.distance = slit.width;
+                check.distance = width;
                 check.at = model.section(i)->frame.toWorld(slit.inner);
             }
             if (isNarrow)

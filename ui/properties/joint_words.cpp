@@ -72,6 +72,10 @@ QString jointObstacleText(JointObstacle obstacle)
         return Texts::tr("The clearance of their stock leaves a slit no width");
     case JointObstacle::EndsOnHole:
         return Texts::tr("Slits cannot open to the outside: a hole is in the way");
+    case JointObstacle::OppositeWays:
+        return Texts::tr("Here they could only slide one way, there only the other");
+    case JointObstacle::NothingHolds:
+        return Texts::tr("Nowhere would slits of both meet");
     case JointObstacle::ReachesBeyond:
         return Texts::tr("One section reaches beyond the other, whichever way they slide");
     case JointObstacle::EndsWithin:

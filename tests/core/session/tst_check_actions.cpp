@@ -69,6 +69,12 @@ std::optional<CheckEdit> done(const Checked &all, Kind kind)
     return {};
 }
 
+/// Lying, x to the right, y to the back.
+Frame lyingAt(double height)
+{
+    return {{0, height, 0}, Vec3::UnitX(), -Vec3::UnitZ()};
+}
+
 ShapePointer plate(double x0, double y0, double x1, double y1)
 {
     return polygonShape(rectangle(x0, y0, x1, y1));
@@ -115,6 +121,23 @@ void TestCheckActions::editsMend_data()
     QTest::addColumn<CheckCode>("code");
     QTest::newRow("a loose plate is moved to the others")
         << with(plate(-20, 0, 20, 40), side(120)) << Kind::MoveToOther << CheckCode::NotConnected;
+    QTest::newRow("a shelf that ends on a wall gets tabs")
+        << withSection(withSection(newDocument(), plate(-40, 0, 40, 100), side()),
+                       plate(1.5, -30, 60, 30), lyingAt(50))
+        << Kind::JoinWithTabs << CheckCode::NotConnected;
+    QTest::newRow("a shelf that ends in a wall gets tabs")
+        << withSection(withSection(newDocument(), plate(-40, 0, 40, 100), side()),
+                       plate(0.5, -30, 60, 30), lyingAt(50))
+        << Kind::JoinWithTabs << CheckCode::Interference;
+    QTest::newRow("what no slit holds is trimmed")
+        << withSection(
+               withSection(newDocument(),
+                           polygonShape(rectangle(-40, -40, 40, 40), {rectangle(-20, -20, 20, 20)}),
+                           front()),
+               polygonShape(rectangle(-40, -60, 40, 60),
+                            {rectangle(-20, -45, 20, -30), rectangle(-20, 30, 20, 45)}),
+               side())
+        << Kind::Trim << CheckCode::NoSlit;
     QTest::newRow("a loose plate is deleted") << with(plate(-20, 0, 20, 40), front(90))
                                               << Kind::DeleteSections << CheckCode::NotConnected;
     QTest::newRow("slits are turned round")

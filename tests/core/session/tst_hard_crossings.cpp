@@ -202,6 +202,10 @@ void TestHardCrossings::whatCannotSlideSaysWhy_data()
         polygonShape(rectangle(-40, -60, 40, 60),
                      {rectangle(-20, -45, 20, -30), rectangle(-20, 30, 20, 45)}),
         NoSlit::OppositeWays);
+    add("frames whose bars cross",
+        polygonShape(rectangle(-40, 0, 40, 110), {rectangle(-20, 20, 20, 90)}),
+        polygonShape(rectangle(-40, 10, 40, 100), {rectangle(-20, 30, 20, 80)}),
+        NoSlit::NothingHolds);
     add("bars between windows of both",
         polygonShape(rectangle(-40, -40, 40, 60),
                      {rectangle(-20, -20, 20, 0), rectangle(-20, 10, 20, 30)}),

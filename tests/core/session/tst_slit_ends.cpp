@@ -195,6 +195,13 @@ void TestSlitEnds::slitNarrowerThanItsTool()
     }
     stock.clearance = 0.0; // exactly as wide
     QVERIFY(narrowSlits(analysed(like(eggCrate(2, 3), stock))).empty());
+    // Between its bumps it has less width than elsewhere.
+    stock.clearance = 0.1;
+    stock.bumps = 0.25;
+    const std::vector<Check> bumpy = narrowSlits(analysed(like(eggCrate(2, 3), stock)));
+    QCOMPARE(bumpy.size(), std::size_t(1));
+    QVERIFY(std::abs(bumpy[0].distance - 2.6) < 1e-9);
+    stock.bumps = 0.0;
     // An oblique slit is wider than the stock is thick.
     stock.clearance = -0.3;
     const ShapePointer plate = polygonShape(rectangle(-30, 0, 30, 40));
