@@ -443,19 +443,19 @@
     </message>
     <message>
         <source>No slit lets them slide together: the negative clearance leaves it no width. Make the clearance larger.</source>
-        <translation>Kein Schlitz lässt sie zusammengleiten: Das negative Spiel lässt ihm keine Breite. Vergrößern Sie das Spiel.</translation>
+        <translation>Kein Schlitz lässt sie zusammengleiten: Das negative Spiel lässt ihm keine Breite. Ein größeres Spiel hilft.</translation>
     </message>
     <message>
         <source>No slits let them slide together: where they meet here they could only slide one way, there only the other way. Shorten one of them.</source>
-        <translation>Keine Schlitze lassen sie zusammengleiten: An der einen Stelle könnten sie nur in eine Richtung gleiten, an der anderen nur in die andere. Kürzen Sie eine von beiden.</translation>
+        <translation>Keine Schlitze lassen sie zusammengleiten: An der einen Stelle könnten sie nur in eine Richtung gleiten, an der anderen nur in die andere. Eine von beiden zu kürzen hilft.</translation>
     </message>
     <message>
         <source>Nothing would hold them: nowhere do slits of both meet. Let one of them end inside the other.</source>
-        <translation>Nichts würde sie halten: Nirgends treffen sich Schlitze von beiden. Lassen Sie eine in der anderen enden.</translation>
+        <translation>Nichts würde sie halten: Nirgends treffen sich Schlitze von beiden. Eine von beiden in der anderen enden lassen.</translation>
     </message>
     <message>
         <source>No slit lets them slide together: neither of them reaches the edge. Open a hole to the outside, or let one of them pass through.</source>
-        <translation>Kein Schlitz lässt sie zusammengleiten: Keine von beiden erreicht den Rand. Öffnen Sie ein Loch nach außen, oder lassen Sie eine hindurchgehen.</translation>
+        <translation>Kein Schlitz lässt sie zusammengleiten: Keine von beiden erreicht den Rand. Ein Loch nach außen öffnen, oder eine hindurchgehen lassen.</translation>
     </message>
     <message>
         <source>%1 and %2 cut into each other, %3 long. %4</source>
@@ -2183,7 +2183,7 @@
     </message>
     <message>
         <source>No joint is selected: select a section, then one of its joints</source>
-        <translation>Keine Verbindung ist gewählt: Wähle eine Scheibe, dann eine ihrer Verbindungen</translation>
+        <translation>Keine Verbindung ist gewählt: erst eine Scheibe wählen, dann eine ihrer Verbindungen</translation>
     </message>
     <message>
         <source>Nothing of this joint is set by hand</source>
@@ -4247,7 +4247,7 @@
     </message>
     <message>
         <source>In the background, after each change. Give it more time where the checks say that they found no order.</source>
-        <translation>Im Hintergrund, nach jeder Änderung. Geben Sie mehr Zeit, wenn die Prüfungen sagen, dass sie keine Reihenfolge gefunden haben.</translation>
+        <translation>Im Hintergrund, nach jeder Änderung. Mehr Zeit hilft, wenn die Prüfungen sagen, dass sie keine Reihenfolge gefunden haben.</translation>
     </message>
 </context>
 <context>
