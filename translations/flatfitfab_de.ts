@@ -450,16 +450,16 @@
         <translation>Keine Schlitze lassen sie zusammengleiten: An der einen Stelle könnten sie nur in eine Richtung gleiten, an der anderen nur in die andere. Eine von beiden zu kürzen hilft.</translation>
     </message>
     <message>
-        <source>Nothing would hold them: nowhere do slits of both meet. Let one of them end inside the other.</source>
-        <translation>Nichts würde sie halten: Nirgends treffen sich Schlitze von beiden. Eine von beiden in der anderen enden lassen.</translation>
-    </message>
-    <message>
         <source>No slit lets them slide together: neither of them reaches the edge. Open a hole to the outside, or let one of them pass through.</source>
         <translation>Kein Schlitz lässt sie zusammengleiten: Keine von beiden erreicht den Rand. Ein Loch nach außen öffnen, oder eine hindurchgehen lassen.</translation>
     </message>
     <message>
         <source>%1 and %2 cut into each other, %3 long. %4</source>
         <translation>%1 und %2 schneiden sich auf %3 Länge. %4</translation>
+    </message>
+    <message>
+        <source>Nothing would hold them: holes are where slits would begin. Make the holes smaller, or let one of them end inside the other.</source>
+        <translation>Nichts würde sie halten: Wo Schlitze beginnen würden, sind Löcher. Kleinere Löcher helfen, oder eine von beiden in der anderen enden lassen.</translation>
     </message>
 </context>
 <context>
@@ -3512,8 +3512,8 @@
         <translation>Hier könnten sie nur in eine Richtung gleiten, dort nur in die andere</translation>
     </message>
     <message>
-        <source>Nowhere would slits of both meet</source>
-        <translation>Nirgends würden sich Schlitze von beiden treffen</translation>
+        <source>Nothing would hold them: holes are where slits would begin</source>
+        <translation>Nichts würde sie halten: Wo Schlitze beginnen würden, sind Löcher</translation>
     </message>
 </context>
 <context>

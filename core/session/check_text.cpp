@@ -197,8 +197,8 @@ QString whyText(NoSlit why)
         return Words::tr("No slits let them slide together: where they meet here they could only "
                          "slide one way, there only the other way. Shorten one of them.");
     case NoSlit::NothingHolds:
-        return Words::tr("Nothing would hold them: nowhere do slits of both meet. Let one of them "
-                         "end inside the other.");
+        return Words::tr("Nothing would hold them: holes are where slits would begin. Make the holes "
+                         "smaller, or let one of them end inside the other.");
     case NoSlit::Enclosed:
         return Words::tr("No slit lets them slide together: neither of them reaches the edge. Open "
                          "a hole to the outside, or let one of them pass through.");

@@ -34,6 +34,7 @@ private Q_SLOTS:
     void rowsAndLinksGoThereAndBack();
     void keysAreEnough();
     void kindsThatCannotBeHadSayWhy();
+    void oneThatCollidesIsTrimmed();
     void theSliderIsOneStep();
     void escapeEndsTheSlidersDrag();
     void directionsAreWords();
@@ -175,10 +176,35 @@ void TestJoints::kindsThatCannotBeHadSayWhy()
     QCOMPARE(session().history()->undoText(), QStringLiteral("Body · Head: kind → none"));
     QVERIFY(!field<QWidget>("jointShare1")->isVisible());
     QVERIFY(!field<QWidget>("jointOpens")->isVisible());
-    QVERIFY(!field<QWidget>("jointProblem")->isVisible()); // it is wanted so
+    auto *problem = field<QLabel>("jointProblem");
+    QVERIFY(problem->isVisible());
+    QVERIFY(problem->text().startsWith(QStringLiteral("Body and Head collide.<br>"))); // wanted so
     QTest::keyClick(kinds, Qt::Key_Home);
     QTRY_COMPARE(state().kind, JointKind::CrossLap);
     QVERIFY(session().committed().document.jointOverrides.empty());
+    QVERIFY(!problem->isVisible());
+}
+
+// Wrong: two sections that collide are left to the person who drew them.
+void TestJoints::oneThatCollidesIsTrimmed()
+{
+    bench().selectJoint(joint());
+    auto *kinds = field<QComboBox>("jointKind");
+    kinds->setFocus();
+    QTest::keyClick(kinds, Qt::Key_End);
+    QTRY_COMPARE(state().kind, JointKind::None);
+    const Document before = session().committed().document;
+    auto *problem = field<QLabel>("jointProblem");
+    QTRY_VERIFY(problem->isVisible());
+    problem->setFocus();
+    QTest::keyClick(problem, Qt::Key_Tab); // to its first link
+    QTest::keyClick(problem, Qt::Key_Return);
+    QTRY_COMPARE(session().history()->undoText(), QStringLiteral("Trim Body to Head"));
+    QVERIFY(session().committed().document.sections[0]->shape->area() <
+            before.sections[0]->shape->area());
+    QTRY_VERIFY(!interaction().selectedJoint()); // there is none any more
+    session().history()->undo();
+    QVERIFY(session().committed().document == before);
 }
 
 // Wrong: a hundred steps of the history for one drag, or slits that follow only at its end.

@@ -75,7 +75,7 @@ QString jointObstacleText(JointObstacle obstacle)
     case JointObstacle::OppositeWays:
         return Texts::tr("Here they could only slide one way, there only the other");
     case JointObstacle::NothingHolds:
-        return Texts::tr("Nowhere would slits of both meet");
+        return Texts::tr("Nothing would hold them: holes are where slits would begin");
     case JointObstacle::ReachesBeyond:
         return Texts::tr("One section reaches beyond the other, whichever way they slide");
     case JointObstacle::EndsWithin:
