@@ -185,8 +185,10 @@ public:
     {
         addBetweenSlits();
         for (std::size_t i = 0; i < m_slits.size(); ++i) {
-            addToHoles(i);
-            addToContour(i);
+            if (m_slits[i].role == SlitRole::Slit) {
+                addToHoles(i);
+                addToContour(i);
+            }
         }
         std::stable_sort(m_found.begin(), m_found.end(),
                          [](const Web &a, const Web &b) { return a.slit < b.slit; });
@@ -218,8 +220,10 @@ private:
 
 void Webs::addBetweenSlits()
 {
-    std::vector<std::size_t> order(m_slits.size());
-    std::iota(order.begin(), order.end(), std::size_t(0));
+    std::vector<std::size_t> order;
+    for (std::size_t i = 0; i < m_slits.size(); ++i)
+        if (m_slits[i].role == SlitRole::Slit)
+            order.push_back(i);
     std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
         return m_boxes[a].min.x() < m_boxes[b].min.x();
     });

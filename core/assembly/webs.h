@@ -19,7 +19,8 @@ struct Web
 /// each other: then one slides through the other's. At its mouth a slit parts the contour: what
 /// runs out there is no web, as far as it takes a contour that slants by 30°, nor is what its
 /// lead-ins leave. A slit that runs into a hole, or out of the contour beside its mouth, leaves
-/// nothing between them; where only the relief of its end does, that is a web of width 0.
+/// nothing between them; where only the relief of its end does, that is a web of width 0. Tabs and
+/// shoulders, which are part of the outline, are none.
 ///
 /// region   of the section's shape, without slits
 /// O(n log n + pairs that are near each other).

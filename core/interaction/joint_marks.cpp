@@ -16,6 +16,8 @@ void addOutlines(const Model &model, int host, const std::vector<Slit> &slits, J
     const auto index = static_cast<std::size_t>(host);
     const Frame &frame = model.section(index)->frame;
     for (const Slit &slit : slits) {
+        if (slit.role == SlitRole::Shoulder)
+            continue; // its tabs tell enough
         for (const Polygon &cut : slit.outlines(kDrawChord)) {
             JointLook::Outline outline{model.ref(index), slit.overlap, {}};
             for (const Vec2 &corner : cut)

@@ -236,37 +236,42 @@ QString JointPage::name(int section) const
         m_bench.session().model().section(static_cast<std::size_t>(section))->name);
 }
 
+QString JointPage::slitText(int section, const Slit &slit) const
+{
+    if (slit.role == SlitRole::Tab)
+        return tr("tab, %1 wide").arg(lengthText(slit.width, 1, 1, locale()));
+    const QString width = lengthText(slit.width, 2, 2, locale());
+    double length = (slit.mouth - slit.inner).norm();
+    if (!slit.isOpen)
+        return tr("closed, %1 long, %2 wide").arg(lengthText(length, 1, 1, locale()), width);
+    if (slit.overlap >= 0) { // else it is beside the axis
+        const Overlap &o = m_state->crossing.overlaps[static_cast<std::size_t>(slit.overlap)];
+        const bool isA = section == m_state->a;
+        const int sign = isA ? m_state->sign : -m_state->sign;
+        // The crossing has intervals in the order of the model.
+        const Interval &interval = isA == (m_state->a < m_state->b) ? o.a : o.b;
+        length = sign > 0 ? interval.to.at - o.meet : o.meet - interval.from.at;
+    }
+    return tr("%1 deep, %2 wide").arg(lengthText(length, 1, 1, locale()), width);
+}
+
+/// One line for those that are alike and follow each other.
 QString JointPage::slitsText(int section, const std::vector<Slit> &slits) const
 {
-    if (slits.empty())
-        return tr("none");
-    const bool isA = section == m_state->a;
-    const int sign = isA ? m_state->sign : -m_state->sign;
-    QStringList lines;
+    std::vector<std::pair<QString, int>> alike;
     for (const Slit &slit : slits) {
         if (slit.role == SlitRole::Shoulder)
             continue;
-        if (slit.role == SlitRole::Tab) {
-            lines += tr("tab, %1 wide").arg(lengthText(slit.width, 1, 1, locale()));
-            continue;
-        }
-        const QString width = lengthText(slit.width, 2, 2, locale());
-        if (!slit.isOpen) {
-            const double length = (slit.mouth - slit.inner).norm();
-            lines += tr("closed, %1 long, %2 wide").arg(lengthText(length, 1, 1, locale()), width);
-            continue;
-        }
-        if (slit.overlap < 0) { // beside the axis
-            const double length = (slit.mouth - slit.inner).norm();
-            lines += tr("%1 deep, %2 wide").arg(lengthText(length, 1, 1, locale()), width);
-            continue;
-        }
-        const Overlap &o = m_state->crossing.overlaps[static_cast<std::size_t>(slit.overlap)];
-        // The crossing has intervals in the order of the model.
-        const Interval &interval = isA == (m_state->a < m_state->b) ? o.a : o.b;
-        const double depth = sign > 0 ? interval.to.at - o.meet : o.meet - interval.from.at;
-        lines += tr("%1 deep, %2 wide").arg(lengthText(depth, 1, 1, locale()), width);
+        const QString text = slitText(section, slit);
+        if (alike.empty() || alike.back().first != text)
+            alike.emplace_back(text, 0);
+        ++alike.back().second;
     }
+    if (alike.empty())
+        return tr("none");
+    QStringList lines;
+    for (const auto &[text, count] : alike)
+        lines += count == 1 ? text : tr("%1 × %2").arg(locale().toString(count), text);
     return lines.join(QLatin1Char('\n'));
 }
 

@@ -56,6 +56,7 @@ private:
     void chooseSide(int index);
     double shareOf(double percent) const { return 1.0 - 0.01 * percent; }
     QString name(int section) const;
+    QString slitText(int section, const Slit &slit) const;
     QString slitsText(int section, const std::vector<Slit> &slits) const;
     QString problemText(const QString &a, const QString &b) const;
 
