@@ -3389,6 +3389,10 @@
         <source>Trim %1</source>
         <translation>%1 kürzen</translation>
     </message>
+    <message>
+        <source>%1 × %2</source>
+        <translation>%1 × %2</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::JointRows</name>
