@@ -38,9 +38,8 @@ struct Place
 /// Of the line from the vertex `from` on.
 Place nearestPlace(const std::vector<Vec2> &line, const Vec2 &p, std::size_t from)
 {
-    const double distance = (p - line[from]).norm();
-    Place best =
-        from + 1 < line.size() ? Place{from, 0.0, distance} : Place{from - 1, 1.0, distance};
+    const double first = (p - line[from]).norm();
+    Place best = from + 1 < line.size() ? Place{from, 0.0, first} : Place{from - 1, 1.0, first};
     for (std::size_t i = from; i + 1 < line.size(); ++i) {
         const Vec2 way = line[i + 1] - line[i];
         const double u = std::clamp(way.dot(p - line[i]) / way.squaredNorm(), 0.0, 1.0);
