@@ -7,6 +7,7 @@
 #include <QPainter>
 
 #include <algorithm>
+#include <cmath>
 
 namespace fff::ui {
 
@@ -28,8 +29,12 @@ public:
 
     QSize sizeHint() const override
     {
-        const QFontMetrics metrics = fontMetrics();
-        return {metrics.horizontalAdvance(text()) + 2 * kAround, metrics.height() + 2 * kAround};
+        // The font that the style sheet gives comes with the polish, at the first show otherwise.
+        ensurePolished();
+        // Rounded up: a fraction of a pixel too little, and the text would be cut short.
+        const QFontMetricsF metrics(font());
+        return {static_cast<int>(std::ceil(metrics.horizontalAdvance(text()))) + 2 * kAround,
+                static_cast<int>(std::ceil(metrics.height())) + 2 * kAround};
     }
 
 protected:
@@ -55,6 +60,12 @@ protected:
             click();
         else
             QAbstractButton::keyPressEvent(event);
+    }
+    void changeEvent(QEvent *event) override
+    {
+        if (event->type() == QEvent::FontChange || event->type() == QEvent::StyleChange)
+            updateGeometry();
+        QAbstractButton::changeEvent(event);
     }
     void resizeEvent(QResizeEvent *) override
     {
@@ -141,6 +152,17 @@ int LinkRow::heightForWidth(int width) const
     for (const QRect &place : places(width))
         height = std::max(height, place.bottom() + 1);
     return height;
+}
+
+bool LinkRow::event(QEvent *event)
+{
+    // A link's font changed, and with it its size.
+    if (event->type() == QEvent::LayoutRequest) {
+        updateGeometry();
+        place();
+        update();
+    }
+    return QWidget::event(event);
 }
 
 void LinkRow::resizeEvent(QResizeEvent *)

@@ -30,6 +30,7 @@ Q_SIGNALS:
     void clicked(int index);
 
 protected:
+    bool event(QEvent *event) override;
     void resizeEvent(QResizeEvent *event) override;
     void paintEvent(QPaintEvent *event) override;
 

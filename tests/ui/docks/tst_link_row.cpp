@@ -1,0 +1,116 @@
+// The row of links below a check by itself: no window, no checks.
+#include <QTest> // first: moc stumbles over some standard headers
+
+#include "ui/docks/link_row.h"
+
+#include <QAbstractButton>
+#include <QVBoxLayout>
+
+using namespace fff::ui;
+
+class TestLinkRow : public QObject
+{
+    Q_OBJECT
+private Q_SLOTS:
+    void aLinkHasRoomForItsWords_data();
+    void aLinkHasRoomForItsWords();
+    void aLongLinkIsCutShortAndSaysAllInItsTip();
+    void linksBreakIntoLines();
+};
+
+namespace {
+
+/// A row in a panel as wide as that; links are made while it is hidden, as those of checks are.
+struct Panel
+{
+    explicit Panel(int width)
+    {
+        row = new LinkRow(&panel);
+        auto *layout = new QVBoxLayout(&panel);
+        layout->addWidget(row);
+        layout->addStretch(1);
+        row->hide();
+        panel.resize(width, 200);
+        panel.show();
+    }
+    QAbstractButton *link(int index) const
+    {
+        return row->findChild<QAbstractButton *>(QStringLiteral("checkLink%1").arg(index));
+    }
+    QWidget panel;
+    LinkRow *row = nullptr;
+};
+
+} // namespace
+
+void TestLinkRow::aLinkHasRoomForItsWords_data()
+{
+    QTest::addColumn<QString>("before");
+    QTest::addColumn<QString>("after");
+    QTest::newRow("a larger font of the style sheet")
+        << QStringLiteral("QWidget { font-size: 19px; letter-spacing: 0px; }") << QString();
+    QTest::newRow("a larger font later")
+        << QString() << QStringLiteral("QWidget { font-size: 23px; }");
+    QTest::newRow("fractions of a pixel")
+        << QStringLiteral("QWidget { font-size: 13px; letter-spacing: 0.3px; }") << QString();
+}
+
+// Wrong: "Trim Se…ion 120", with plenty of room beside it.
+void TestLinkRow::aLinkHasRoomForItsWords()
+{
+    QFETCH(QString, before);
+    QFETCH(QString, after);
+    Panel panel(600);
+    panel.panel.setStyleSheet(before);
+    panel.row->setTexts({QStringLiteral("Trim Section 120"), QStringLiteral("Trim Section 22")});
+    panel.row->show();
+    QTRY_VERIFY(panel.link(1)->isVisible());
+    if (!after.isEmpty())
+        panel.panel.setStyleSheet(after);
+    for (int i = 0; i < 2; ++i) {
+        const QAbstractButton *link = panel.link(i);
+        const auto needed = [link] {
+            return QFontMetricsF(link->font()).horizontalAdvance(link->text());
+        };
+        QTRY_VERIFY2(link->width() >= needed(), qPrintable(link->text()));
+        QVERIFY(link->toolTip().isEmpty());
+    }
+    QTRY_VERIFY(panel.link(1)->x() > panel.link(0)->geometry().right());
+    QVERIFY(panel.row->height() >= panel.link(0)->height());
+
+    // The same row for another check, with a longer text.
+    panel.row->setTexts({QStringLiteral("Trim the very long tail spike of the dragon")});
+    QTRY_VERIFY(panel.link(0)->width() >=
+                QFontMetricsF(panel.link(0)->font()).horizontalAdvance(panel.link(0)->text()));
+    QVERIFY(!panel.link(1)->isVisible());
+}
+
+// Wrong: words that run out of the panel, or that cannot be read anywhere.
+void TestLinkRow::aLongLinkIsCutShortAndSaysAllInItsTip()
+{
+    Panel panel(120);
+    const QString words = QStringLiteral("Trim the very long tail spike of the dragon");
+    panel.row->setTexts({words});
+    panel.row->show();
+    QTRY_VERIFY(panel.link(0)->width() <= panel.row->width());
+    QTRY_COMPARE(panel.link(0)->toolTip(), words);
+    panel.panel.resize(900, 200);
+    QTRY_VERIFY(panel.link(0)->toolTip().isEmpty());
+}
+
+// Wrong: two links upon each other, or a row too low for its lines.
+void TestLinkRow::linksBreakIntoLines()
+{
+    Panel panel(200);
+    panel.row->setTexts({QStringLiteral("Move it to Body"),
+                         QStringLiteral("Stretch the front legs"), QStringLiteral("Delete it")});
+    panel.row->show();
+    QTRY_VERIFY(panel.link(1)->y() >= panel.link(0)->geometry().bottom());
+    QTRY_VERIFY(panel.row->height() > panel.link(2)->geometry().bottom());
+    for (int i = 0; i < 3; ++i)
+        for (int k = 0; k < i; ++k)
+            QVERIFY(!panel.link(i)->geometry().intersects(panel.link(k)->geometry()));
+}
+
+QTEST_MAIN(TestLinkRow)
+#include "tst_link_row.moc"
