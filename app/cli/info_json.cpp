@@ -5,6 +5,7 @@
 #include "core/fabrication/summary.h"
 #include "core/geometry/convex_hull.h"
 #include "core/io/json_writer.h"
+#include "core/model/joint_kind_names.h"
 #include "core/session/checks.h"
 
 #include <algorithm>
@@ -15,21 +16,10 @@ namespace {
 
 using io::JsonWriter;
 
-std::string kindName(JointKind kind)
+/// Scripts know tabs by what a person sees of them: an edge on a face.
+std::string_view kindName(JointKind kind)
 {
-    switch (kind) {
-    case JointKind::CrossLap:
-        return "crossLap";
-    case JointKind::ExtendedCrossLap:
-        return "extendedCrossLap";
-    case JointKind::Mortise:
-        return "mortise";
-    case JointKind::Tabs:
-        return "edge";
-    case JointKind::None:
-        return "none";
-    }
-    return {};
+    return kind == JointKind::Tabs ? "edge" : nameOf(kind);
 }
 
 void writeFrame(JsonWriter &json, const Frame &frame)

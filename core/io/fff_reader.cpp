@@ -3,6 +3,7 @@
 #include "core/io/fff_migration.h"
 #include "core/io/json_cursor.h"
 #include "core/io/json_syntax.h"
+#include "core/model/joint_kind_names.h"
 #include "core/model/mended_shape.h"
 
 #include <QtCore/QCoreApplication>
@@ -241,16 +242,9 @@ JointOverride FffReader::readJoint(const JsonCursor &cursor)
     joint.a = readRef(cursor.member("a"));
     joint.b = readRef(cursor.member("b"));
     if (const JsonCursor kind = cursor.member("kind"); kind.exists()) {
-        const std::string name = kind.text();
-        if (name == "crossLap")
-            joint.kind = JointKind::CrossLap;
-        else if (name == "mortise")
-            joint.kind = JointKind::Mortise;
-        else if (name == "tabs")
-            joint.kind = JointKind::Tabs;
-        else if (name == "none")
-            joint.kind = JointKind::None;
-        else
+        joint.kind = jointKindNamed(kind.text());
+        if (!joint.kind ||
+            joint.kind == JointKind::ExtendedCrossLap) // which is for geometry to say
             kind.failExpected(QT_TRANSLATE_NOOP("Error", "crossLap, mortise, tabs or none"));
     }
     if (const JsonCursor opens = cursor.member("opens"); opens.exists()) {

@@ -1,5 +1,6 @@
 #include "core/io/fff_format.h"
 #include "core/io/json_writer.h"
+#include "core/model/joint_kind_names.h"
 
 #include <unordered_map>
 
@@ -142,23 +143,6 @@ void writeWeight(JsonWriter &json, const Weight &weight)
     json.endObject();
 }
 
-/// As the format names it; an extended cross lap is one that geometry extends.
-const char *jointKindName(JointKind kind)
-{
-    switch (kind) {
-    case JointKind::Mortise:
-        return "mortise";
-    case JointKind::Tabs:
-        return "tabs";
-    case JointKind::None:
-        return "none";
-    case JointKind::CrossLap:
-    case JointKind::ExtendedCrossLap:
-        break;
-    }
-    return "crossLap";
-}
-
 void writeJoint(JsonWriter &json, const JointOverride &joint)
 {
     json.beginObject();
@@ -166,8 +150,9 @@ void writeJoint(JsonWriter &json, const JointOverride &joint)
     writeRef(json, joint.a);
     json.key("b");
     writeRef(json, joint.b);
-    if (joint.kind)
-        json.member("kind", jointKindName(*joint.kind));
+    if (joint.kind) // an extended cross lap is one that geometry extends: the format has no other
+        json.member("kind", nameOf(*joint.kind == JointKind::ExtendedCrossLap ? JointKind::CrossLap
+                                                                              : *joint.kind));
     if (joint.opens)
         json.member("opens", *joint.opens);
     if (!joint.shares.empty()) {

@@ -1,6 +1,7 @@
 #include "core/session/joint_commands.h"
 
 #include "core/interaction/joint_editing.h"
+#include "core/model/joint_kind_names.h"
 #include "core/session/session_host.h"
 
 #include <algorithm>
@@ -13,13 +14,6 @@
 namespace fff {
 
 namespace {
-
-constexpr std::array<std::pair<std::string_view, JointKind>, 5> kKinds{
-    {{"crossLap", JointKind::CrossLap},
-     {"extendedCrossLap", JointKind::ExtendedCrossLap},
-     {"mortise", JointKind::Mortise},
-     {"tabs", JointKind::Tabs},
-     {"none", JointKind::None}}};
 
 std::string textOf(const CommandParameters &parameters, const std::string &name)
 {
@@ -104,19 +98,17 @@ void registerJointCommands(CommandRegistry &registry, Session &session, Interact
                                       return selectJoint(session, interaction, parameters);
                                   },
                                   {}});
-    registry.add(
-        "joint.kind",
-        {[&](const CommandParameters &parameters, double time) -> Result<void> {
-             const std::string text = textOf(parameters, "kind");
-             const auto kind = std::find_if(kKinds.begin(), kKinds.end(),
-                                            [&](const auto &known) { return known.first == text; });
-             if (kind == kKinds.end())
-                 return failure(ErrorCode::BadValue, "kind", {text, "a kind of joint"});
-             return carryOut(
-                 session, interaction,
-                 setKind(session.committed(), *interaction.selectedJoint(), kind->second), time);
-         },
-         hasJoint});
+    registry.add("joint.kind",
+                 {[&](const CommandParameters &parameters, double time) -> Result<void> {
+                      const std::string text = textOf(parameters, "kind");
+                      const std::optional<JointKind> kind = jointKindNamed(text);
+                      if (!kind)
+                          return failure(ErrorCode::BadValue, "kind", {text, "a kind of joint"});
+                      return carryOut(
+                          session, interaction,
+                          setKind(session.committed(), *interaction.selectedJoint(), *kind), time);
+                  },
+                  hasJoint});
     registry.add("joint.flip",
                  {[&](const CommandParameters &, double time) {
                       return carryOut(session, interaction,
