@@ -3,11 +3,6 @@
 <TS version="2.1" language="de" sourcelanguage="en">
 <context>
     <name>AssemblySteps</name>
-    <message>
-        <source>%1 and %2</source>
-        <extracomment>the end of a list of names</extracomment>
-        <translation>%1 und %2</translation>
-    </message>
     <message numerus="yes">
         <source>%n parts as one</source>
         <translation>
@@ -139,11 +134,6 @@
             <numerusform>%n Scheibe</numerusform>
             <numerusform>%n Scheiben</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>%1 and %2</source>
-        <extracomment>the end of a list of names</extracomment>
-        <translation>%1 und %2</translation>
     </message>
     <message>
         <source>Connected. There is only one section.</source>
@@ -460,6 +450,14 @@
     <message>
         <source>Nothing would hold them: holes are where slits would begin. Make the holes smaller, or let one of them end inside the other.</source>
         <translation>Nichts würde sie halten: Wo Schlitze beginnen würden, sind Löcher. Kleinere Löcher helfen, oder eine von beiden in der anderen enden lassen.</translation>
+    </message>
+    <message>
+        <source>%1 ends %2 above the ground.</source>
+        <translation>%1 endet %2 über dem Boden.</translation>
+    </message>
+    <message>
+        <source>%1 end up to %2 above the ground.</source>
+        <translation>%1 enden bis zu %2 über dem Boden.</translation>
     </message>
 </context>
 <context>
@@ -913,6 +911,14 @@
     </message>
 </context>
 <context>
+    <name>fff::SectionNames</name>
+    <message>
+        <source>%1 and %2</source>
+        <extracomment>the end of a list of names</extracomment>
+        <translation>%1 und %2</translation>
+    </message>
+</context>
+<context>
     <name>fff::SessionHost</name>
     <message>
         <source>Draw %1</source>
@@ -1103,6 +1109,18 @@
         <source>Trim %1 to %2</source>
         <extracomment>%1 and %2 are the names of two sections</extracomment>
         <translation>%1 an %2 kürzen</translation>
+    </message>
+    <message>
+        <source>Stretch %1 to the ground</source>
+        <extracomment>%1 is the name of a section</extracomment>
+        <translation>%1 bis zum Boden verlängern</translation>
+    </message>
+    <message numerus="yes">
+        <source>Stretch %n sections to the ground</source>
+        <translation>
+            <numerusform>%n Scheibe bis zum Boden verlängern</numerusform>
+            <numerusform>%n Scheiben bis zum Boden verlängern</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -2383,6 +2401,15 @@
         <extracomment>%1 is the name of a section</extracomment>
         <translation>%1 kürzen</translation>
     </message>
+    <message>
+        <source>Stretch %1 to the ground</source>
+        <extracomment>%1 is the name of a section</extracomment>
+        <translation>%1 bis zum Boden verlängern</translation>
+    </message>
+    <message>
+        <source>Stretch them to the ground</source>
+        <translation>Bis zum Boden verlängern</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::ChecksDock</name>
@@ -3239,6 +3266,10 @@
         <source>Nothing trimmed: %1 is not in %2, or nothing of it would stay.</source>
         <translation>Nichts gekürzt: %1 steckt nicht in %2, oder es bliebe nichts davon.</translation>
     </message>
+    <message>
+        <source>Drag to make the slit of %1 deeper and that of %2 shallower; arrow keys move 1&#x202f;mm.</source>
+        <translation>Ziehen macht den Schlitz von %1 tiefer und den von %2 flacher; Pfeiltasten verschieben um 1&#x202f;mm.</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::HistoryDock</name>
@@ -3846,12 +3877,24 @@
         <extracomment>%1 is a length: how far it lies from their edge</extracomment>
         <translation>%1 innerhalb</translation>
     </message>
+    <message>
+        <source>%1 too high</source>
+        <extracomment>%1 is a length: how far a foot ends above the ground</extracomment>
+        <translation>%1 zu hoch</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::PropertiesDock</name>
     <message>
         <source>Properties</source>
         <translation>Eigenschaften</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n more in Checks.</source>
+        <translation>
+            <numerusform>%n weiteres unter Prüfungen.</numerusform>
+            <numerusform>%n weitere unter Prüfungen.</numerusform>
+        </translation>
     </message>
 </context>
 <context>

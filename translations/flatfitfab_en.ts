@@ -129,6 +129,13 @@
             <numerusform>Move %n sections to %1</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>Stretch %n sections to the ground</source>
+        <translation>
+            <numerusform>Stretch %n section to the ground</numerusform>
+            <numerusform>Stretch %n sections to the ground</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::AgoText</name>
@@ -212,6 +219,16 @@
         <translation>
             <numerusform>And %n more.</numerusform>
             <numerusform>And %n more.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>fff::ui::PropertiesDock</name>
+    <message numerus="yes">
+        <source>%n more in Checks.</source>
+        <translation>
+            <numerusform>%n more in Checks.</numerusform>
+            <numerusform>%n more in Checks.</numerusform>
         </translation>
     </message>
 </context>

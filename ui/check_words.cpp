@@ -1,6 +1,7 @@
 #include "ui/check_words.h"
 
 #include "core/session/check_text.h"
+#include "core/session/section_names.h"
 #include "ui/measures.h"
 #include "ui/theme.h"
 
@@ -28,17 +29,6 @@ CheckUnits unitsInUse()
 
 } // namespace
 
-namespace {
-
-QString nameOf(const SectionRef &ref, const Model &model)
-{
-    const int index = model.indexOf(ref);
-    return index < 0 ? QString()
-                     : QString::fromStdString(model.section(static_cast<std::size_t>(index))->name);
-}
-
-} // namespace
-
 CheckWords checkWords(const Check &check, const Model &model)
 {
     const QString whole = checkText(check, model, unitsInUse());
@@ -54,7 +44,7 @@ QString actionText(const CheckAction &action, const Check &check, const Model &m
     const bool isOne = check.sections.size() == 1;
     switch (action.kind) {
     case CheckAction::Kind::MoveToOther: {
-        const QString name = nameOf(action.section, model);
+        const QString name = sectionName(model, action.section);
         //: %1 is the name of a section
         return isOne ? Words::tr("Move it to %1").arg(name)
                      //: %1 is the name of a section
@@ -64,7 +54,7 @@ QString actionText(const CheckAction &action, const Check &check, const Model &m
         return Words::tr("Join with tabs");
     case CheckAction::Kind::Trim:
         //: %1 is the name of a section
-        return Words::tr("Trim %1").arg(nameOf(action.section, model));
+        return Words::tr("Trim %1").arg(sectionName(model, action.section));
     case CheckAction::Kind::DeleteSections:
         return isOne ? Words::tr("Delete it") : Words::tr("Delete them");
     case CheckAction::Kind::MakeAssemblable:

@@ -41,9 +41,9 @@ public:
     static constexpr int kNotLifted = -1;
 
     bool comesFree(int a, int b, int way, int lift = kNotLifted);
-    /// How far a comes along the way before it is in b; endless: it comes free.
+    /// How far a comes along the way before it is in b, mm; endless: it comes free.
     double wayUntil(int a, int b, int way);
-    /// See fff::wayToClear(), for a gap of kNearParts.
+    /// See fff::wayToClear(), mm, for a gap of kNearParts.
     double wayToClear(int a, int b, int way, int lift = kNotLifted);
     /// As they are; a < b.
     const std::optional<Interpenetration> &overlap(int a, int b);

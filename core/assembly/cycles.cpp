@@ -1,18 +1,22 @@
 #include "core/assembly/cycles.h"
 
+#include "core/base/tolerances.h"
+
 #include <algorithm>
 #include <set>
 
 namespace fff {
 
-namespace {
+bool areParallel(const Vec3 &a, const Vec3 &b)
+{
+    return a.cross(b).norm() < kPracticallyParallel;
+}
 
-/// Axes that differ by less are parallel, 0.1°: a slit has more play. Of unit vectors.
-constexpr double kParallelAxes = 1.7e-3;
+namespace {
 
 bool areParallel(const Joint &a, const Joint &b)
 {
-    return a.crossing->axis.direction.cross(b.crossing->axis.direction).norm() < kParallelAxes;
+    return fff::areParallel(a.crossing->axis.direction, b.crossing->axis.direction);
 }
 
 /// One of the joints that hold whose axis is parallel to most others', if it is to more than half

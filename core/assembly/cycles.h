@@ -6,6 +6,10 @@
 
 namespace fff {
 
+/// Whether ways to slide are one, or each other's opposite; of unit vectors, to
+/// kPracticallyParallel.
+bool areParallel(const Vec3 &a, const Vec3 &b);
+
 /// Rings in which not all axes are parallel, as indices of sections: for each joint that holds, but
 /// those of one direction (that of most, if there is such a one: without the others there is no
 /// such ring), a shortest one through it. Each ring once, the shortest first, then by its sections.

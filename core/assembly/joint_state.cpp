@@ -12,9 +12,6 @@ namespace fff {
 
 namespace {
 
-/// Shares that differ by less are one.
-constexpr double kSameShare = 1e-9;
-
 const Frame &frameOf(const Model &model, int section)
 {
     return model.section(static_cast<std::size_t>(section))->frame;

@@ -14,9 +14,9 @@ struct Stretch
     double from = 0.0, to = 0.0;
 };
 
-/// How far the connected pieces of the region in the strip |across| ≤ halfWidth reach along the
-/// line, ascending by where they begin; several may lie beside each other. A piece's boundary is
-/// made of arcs of the region's rings and of stretches of the strip's two edges: the arcs and
+/// How far the connected pieces of the region in the strip |across| ≤ halfWidth (mm) reach along
+/// the line, ascending by where they begin; several may lie beside each other. A piece's boundary
+/// is made of arcs of the region's rings and of stretches of the strip's two edges: the arcs and
 /// stretches that meet are one piece. O(vertices + crossings of the edges · log of that).
 std::vector<Stretch> lobesIn(const PlaneLine &line, const Region &region, double halfWidth);
 

@@ -40,8 +40,8 @@ struct Chain
     void arcTo(const Vec2 &centre, double radius, double from, double to, const Vec2 &last)
     {
         // A cubic for a quarter of a circle is off it, outwards, by 0.03 % of the radius.
-        const int count =
-            std::max(1, static_cast<int>(std::ceil(std::abs(to - from) / kPi * 2.0 - 1e-6)));
+        const int count = std::max(
+            1, static_cast<int>(std::ceil((std::abs(to - from) - kSameDirection) / kPi * 2.0)));
         const double step = (to - from) / count;
         const double handle = 4.0 / 3.0 * std::tan(0.25 * step) * radius;
         const auto direction = [](double angle) { return Vec2(std::cos(angle), std::sin(angle)); };

@@ -69,7 +69,7 @@ std::vector<Contour> slitCuts(const SlitForm &form, const SlitBox &box);
 /// mm.
 double looseWall(const SlitForm &form, const SlitBox &box);
 
-/// How far the end goes beyond the square bottom, mm.
+/// How far the end goes beyond the square bottom, mm; half: of the slit's width, mm.
 double reachBeyond(const SlitForm &form, double half);
 
 } // namespace fff

@@ -48,6 +48,9 @@ inline constexpr double kRayRounding = 1e-7;
 inline constexpr double kMinDrawAngle = 0.05235987755982989;
 /// Turns and directions that differ by less than this, in radians, are the same.
 inline constexpr double kSameDirection = 1e-9;
+/// Axes and planes that differ by less, in radians, are parallel to whoever puts them together: a
+/// slit has more play (0.1°).
+inline constexpr double kPracticallyParallel = 1.7e-3;
 /// A view that is turned from a named one by less than this, in radians, is that view to the eye.
 inline constexpr double kSameView = 1e-3;
 

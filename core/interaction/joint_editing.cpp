@@ -4,6 +4,7 @@
 #include "core/assembly/trim.h"
 #include "core/model/edits.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -11,18 +12,9 @@ namespace fff {
 
 namespace {
 
-/// Shares that differ by less are one.
-constexpr double kSameShare = 1e-9;
-
-std::string nameOf(const Model &model, const SectionRef &ref)
-{
-    const int index = model.indexOf(ref);
-    return index < 0 ? std::string() : model.section(static_cast<std::size_t>(index))->name;
-}
-
 tl::unexpected<Hint> refused(Hint::Kind kind, const Model &model, const JointRef &joint)
 {
-    return tl::unexpected<Hint>(Hint{kind, nameOf(model, joint.a), true, nameOf(model, joint.b)});
+    return tl::unexpected<Hint>(Hint{kind, model.nameOf(joint.a), true, model.nameOf(joint.b)});
 }
 
 /// Nothing for a section that is not drawn, or not in the other.
@@ -39,7 +31,7 @@ std::optional<ShapePointer> trimmedShape(const Model &model, const SectionRef &s
 JointEdit edited(const Model &model, JointOverride wanted, Step step)
 {
     const JointRef joint(wanted.a, wanted.b);
-    step.names = {nameOf(model, joint.a), nameOf(model, joint.b)};
+    step.names = {model.nameOf(joint.a), model.nameOf(joint.b)};
     Result<Document> next = setJointOverride(model.document, std::move(wanted));
     if (!next)
         return refused(Hint::Kind::EditFailed, model, joint);
@@ -103,7 +95,7 @@ JointEdit joinWithTabs(const Model &model, const JointRef &joint)
 
 JointEdit trimTo(const Model &model, const SectionRef &section, const SectionRef &to)
 {
-    const Hint cannot{Hint::Kind::CannotTrim, nameOf(model, section), true, nameOf(model, to)};
+    const Hint cannot{Hint::Kind::CannotTrim, model.nameOf(section), true, model.nameOf(to)};
     const auto shape = trimmedShape(model, section, to);
     if (!shape)
         return tl::unexpected(cannot);
@@ -111,7 +103,7 @@ JointEdit trimTo(const Model &model, const SectionRef &section, const SectionRef
     if (!next)
         return tl::unexpected(cannot);
     Step step = stepOf(Step::Kind::TrimSection);
-    step.names = {nameOf(model, section), nameOf(model, to)};
+    step.names = {model.nameOf(section), model.nameOf(to)};
     return EditedJoint{*std::move(next), std::move(step)};
 }
 

@@ -48,5 +48,7 @@ using JointOverridePointer = std::shared_ptr<const JointOverride>;
 
 /// A slit that takes less of an overlap holds nothing.
 inline constexpr double kLeastShare = 0.05;
+/// Shares that differ by less are one.
+inline constexpr double kSameShare = 1e-9;
 
 } // namespace fff

@@ -29,6 +29,21 @@ int Model::indexOf(const SectionRef &ref) const
                : static_cast<int>(document.sections.size()) + static_cast<int>(it - made.begin());
 }
 
+std::vector<SectionRef> Model::refs(const std::vector<int> &sections) const
+{
+    std::vector<SectionRef> refs;
+    refs.reserve(sections.size());
+    for (const int index : sections)
+        refs.push_back(ref(static_cast<std::size_t>(index)));
+    return refs;
+}
+
+std::string Model::nameOf(const SectionRef &ref) const
+{
+    const int index = indexOf(ref);
+    return index < 0 ? std::string() : section(static_cast<std::size_t>(index))->name;
+}
+
 Box3 Model::bounds() const
 {
     Box3 box;

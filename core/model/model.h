@@ -31,6 +31,10 @@ struct Model
     SectionRef ref(std::size_t index) const;
     /// Index of the section, or -1 when it does not exist now.
     int indexOf(const SectionRef &ref) const;
+    /// Of sections by their indices.
+    std::vector<SectionRef> refs(const std::vector<int> &sections) const;
+    /// What the section is called; empty when it does not exist now.
+    std::string nameOf(const SectionRef &ref) const;
     const Stock &stockOf(std::size_t index) const { return document.stockOf(*section(index)); }
     /// Mid-plane boxes of all sections together. Empty for an empty model.
     Box3 bounds() const;

@@ -1,6 +1,7 @@
 #include "core/session/assembly_steps.h"
 
 #include "core/assembly/slab.h"
+#include "core/session/section_names.h"
 
 #include <QCoreApplication>
 #include <QStringList>
@@ -24,19 +25,10 @@ constexpr int kMostNames = 3;
 /// A way that is off an axis of the world by more is not called by its name: cos 20°.
 constexpr double kAlongAxis = 0.94;
 
-QString listed(QStringList names)
-{
-    if (names.size() < 2)
-        return names.join(QString());
-    const QString last = names.takeLast();
-    //: the end of a list of names
-    return Words::tr("%1 and %2").arg(names.join(QStringLiteral(", ")), last);
-}
-
 QString nameOf(const AssemblySteps &steps, int section)
 {
-    return QString::fromStdString(
-        steps.analysis->model.section(static_cast<std::size_t>(section))->name);
+    const Model &model = steps.analysis->model;
+    return sectionName(model, model.ref(static_cast<std::size_t>(section)));
 }
 
 /// Of a divided section a number says which of its parts is meant.

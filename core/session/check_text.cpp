@@ -2,6 +2,7 @@
 
 #include "core/base/tolerances.h"
 #include "core/base/units.h"
+#include "core/session/section_names.h"
 
 #include <QCoreApplication>
 #include <QLocale>
@@ -41,31 +42,20 @@ QString wholeDegrees(double angle)
            QStringLiteral("°");
 }
 
-QString nameOf(const Model &model, const SectionRef &ref)
-{
-    const int index = model.indexOf(ref);
-    return index < 0 ? QString()
-                     : QString::fromStdString(model.section(static_cast<std::size_t>(index))->name);
-}
-
 QString namesOf(const Model &model, const std::vector<SectionRef> &refs)
 {
     if (refs.size() > kMaxNames)
         return Words::tr("%n sections", nullptr, static_cast<int>(refs.size()));
     QStringList names;
     for (const SectionRef &ref : refs)
-        names += nameOf(model, ref);
-    if (names.size() < 2)
-        return names.join(QString());
-    const QString last = names.takeLast();
-    //: the end of a list of names
-    return Words::tr("%1 and %2").arg(names.join(QStringLiteral(", ")), last);
+        names += sectionName(model, ref);
+    return listed(names);
 }
 
 /// The one or two sections of a check, by their place in it.
 QString nameAt(const Check &check, const Model &model, std::size_t index)
 {
-    return index < check.sections.size() ? nameOf(model, check.sections[index]) : QString();
+    return index < check.sections.size() ? sectionName(model, check.sections[index]) : QString();
 }
 
 QString connectedText(const Check &check)
@@ -85,7 +75,7 @@ QString notConnectedText(const Check &check, const Model &model, const CheckUnit
     if (!check.other || check.distance < 0.0)
         return isOne ? Words::tr("%1 is not joined to the rest.").arg(names)
                      : Words::tr("%1 are not joined to the rest.").arg(names);
-    const QString other = nameOf(model, *check.other);
+    const QString other = sectionName(model, *check.other);
     // Below what anyone can see they touch.
     constexpr double kTouching = 0.05; // mm
     if (check.distance <= kTouching)
@@ -197,8 +187,9 @@ QString whyText(NoSlit why)
         return Words::tr("No slits let them slide together: where they meet here they could only "
                          "slide one way, there only the other way. Shorten one of them.");
     case NoSlit::NothingHolds:
-        return Words::tr("Nothing would hold them: holes are where slits would begin. Make the holes "
-                         "smaller, or let one of them end inside the other.");
+        return Words::tr(
+            "Nothing would hold them: holes are where slits would begin. Make the holes "
+            "smaller, or let one of them end inside the other.");
     case NoSlit::Enclosed:
         return Words::tr("No slit lets them slide together: neither of them reaches the edge. Open "
                          "a hole to the outside, or let one of them pass through.");

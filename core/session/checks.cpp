@@ -18,14 +18,6 @@ constexpr std::size_t kMaxMeasuredGroups = 32;
 
 using Group = std::vector<int>;
 
-std::vector<SectionRef> refsOf(const Model &model, const Group &sections)
-{
-    std::vector<SectionRef> refs;
-    for (const int section : sections)
-        refs.push_back(model.ref(static_cast<std::size_t>(section)));
-    return refs;
-}
-
 Check makeCheck(CheckCode code, CheckSeverity severity)
 {
     Check check;
@@ -87,7 +79,7 @@ void addConnection(const Analysis &analysis, const std::vector<Group> &groups, C
     }
     for (std::size_t g = 1; g < groups.size(); ++g) {
         Check check = makeCheck(CheckCode::NotConnected, CheckSeverity::Error);
-        check.sections = refsOf(analysis.model, groups[g]);
+        check.sections = analysis.model.refs(groups[g]);
         check.distance = -1.0;
         if (g <= caches.gaps.size() && caches.gaps[g - 1].other >= 0) {
             const CheckCaches::OfGroup &gap = caches.gaps[g - 1];
@@ -130,7 +122,7 @@ std::vector<SectionRef> sunkSections(const Analysis &analysis, const Group &grou
             }))
             sunk.push_back(section);
     }
-    return refsOf(analysis.model, sunk);
+    return analysis.model.refs(sunk);
 }
 
 Stability stabilityOf(const Analysis &analysis, const Group &group, const MassProperties &mass,
@@ -195,7 +187,7 @@ void addStability(const Analysis &analysis, const std::vector<Group> &groups,
         if (check.code == CheckCode::BelowGround)
             check.sections = sunkSections(analysis, groups[g], caches);
         else if (groups.size() > 1)
-            check.sections = refsOf(analysis.model, groups[g]);
+            check.sections = analysis.model.refs(groups[g]);
         if (check.code == CheckCode::Stands || check.code == CheckCode::Unsteady) {
             standingSections += check.sectionCount;
             if (!standing || check.tipAngle < standing->tipAngle)
@@ -215,7 +207,7 @@ void addStability(const Analysis &analysis, const std::vector<Group> &groups,
 // --- size
 
 /// A part of a model, by where it comes from.
-struct PartPlace
+struct PartIndex
 {
     std::size_t section = 0, part = 0;
 };
@@ -225,7 +217,7 @@ void addSize(const Analysis &analysis, const LayoutOptions &options, const Check
 {
     const Model &model = analysis.model;
     std::vector<SizedPart> parts;
-    std::vector<PartPlace> places;
+    std::vector<PartIndex> places;
     for (std::size_t i = 0; i < caches.sections.size(); ++i) {
         const auto &sizes = caches.sections[i].sizes;
         for (std::size_t k = 0; k < sizes.size(); ++k) {
@@ -238,7 +230,7 @@ void addSize(const Analysis &analysis, const LayoutOptions &options, const Check
     std::sort(oversized.begin(), oversized.end());
     std::optional<std::size_t> last;
     for (const int index : oversized) {
-        const PartPlace &place = places[static_cast<std::size_t>(index)];
+        const PartIndex &place = places[static_cast<std::size_t>(index)];
         if (place.section == last) {
             ++all.back().count;
             continue;
@@ -282,7 +274,7 @@ void addJoints(const Analysis &analysis, const CheckRules &rules, std::vector<Ch
             [](const Overlap &a, const Overlap &b) { return a.to - a.from < b.to - b.from; });
         Check check = makeCheck(collides ? CheckCode::NoSlit : CheckCode::ShallowAngle,
                                 CheckSeverity::Warning);
-        check.sections = refsOf(model, {joint.a, joint.b});
+        check.sections = model.refs({joint.a, joint.b});
         check.joint = JointRef(check.sections[0], check.sections[1]);
         check.at = crossing.axis.at(0.5 * (longest->from + longest->to));
         check.distance = longest->to - longest->from;

@@ -12,14 +12,6 @@ namespace fff {
 
 namespace {
 
-/// Ways to slide that differ by less are one, 0.1°: a person would call them so.
-constexpr double kSameSlide = 1.7e-3; // of unit vectors
-
-bool isSameLine(const Vec3 &a, const Vec3 &b)
-{
-    return a.cross(b).norm() < kSameSlide;
-}
-
 /// The sections of parts, each once.
 std::vector<int> sectionsOf(const std::vector<int> &parts, const ModelPlan &plan)
 {
@@ -27,14 +19,6 @@ std::vector<int> sectionsOf(const std::vector<int> &parts, const ModelPlan &plan
     for (const int part : parts)
         sections.insert(plan.parts[static_cast<std::size_t>(part)].section);
     return {sections.begin(), sections.end()};
-}
-
-std::vector<SectionRef> refsOf(const Model &model, const std::vector<int> &sections)
-{
-    std::vector<SectionRef> refs;
-    for (const int section : sections)
-        refs.push_back(model.ref(static_cast<std::size_t>(section)));
-    return refs;
 }
 
 Vec3 placeOf(const Joint &joint)
@@ -75,7 +59,7 @@ void explain(const Analysis &analysis, const ModelPlan &plan, const std::vector<
             const Vec3 &way = joint->crossing->axis.direction;
             if (slidesAlongAxis(joint->kind) &&
                 std::none_of(ways.begin(), ways.end(),
-                             [&](const Vec3 &other) { return isSameLine(way, other); }))
+                             [&](const Vec3 &other) { return areParallel(way, other); }))
                 ways.push_back(way);
         }
     }
@@ -86,7 +70,7 @@ void explain(const Analysis &analysis, const ModelPlan &plan, const std::vector<
         return plan.parts[static_cast<std::size_t>(part)].section;
     };
     // Who moves is named first.
-    check.sections = refsOf(analysis.model, {sectionOf(plan.stop->part), sectionOf(plan.stop->by)});
+    check.sections = analysis.model.refs({sectionOf(plan.stop->part), sectionOf(plan.stop->by)});
     check.distance = plan.stop->distance;
     check.joint = JointRef(check.sections[0], check.sections[1]);
 }
@@ -104,7 +88,7 @@ Check verdict(const Analysis &analysis, const ModelPlan &plan)
         check.code = CheckCode::CannotAssemble;
         check.severity = CheckSeverity::Error;
         const std::vector<int> sections = sectionsOf(plan.plan.locked, plan);
-        check.sections = refsOf(analysis.model, sections);
+        check.sections = analysis.model.refs(sections);
         explain(analysis, plan, sections, check);
         break;
     }
@@ -130,8 +114,7 @@ void addCycles(const Analysis &analysis, const ModelPlan &plan, std::vector<Chec
     Check check;
     check.code = CheckCode::Cycle;
     check.severity = CheckSeverity::Note;
-    check.sections = refsOf(
-        analysis.model,
+    check.sections = analysis.model.refs(
         cycles.size() == 1 ? cycles.front() : std::vector<int>(sections.begin(), sections.end()));
     check.count = static_cast<int>(cycles.size());
     std::set<std::pair<int, int>> linked; // a joint may be of several rings
@@ -234,11 +217,11 @@ std::vector<Check> planChecks(const Analysis &analysis, const ModelPlan &plan, W
         check.code = CheckCode::Interference;
         check.severity = CheckSeverity::Warning;
         check.angle = angleBetween(analysis.model, pair);
-        if (!joint && check.angle > kSameSlide && check.angle < kMinJointAngle) {
+        if (!joint && check.angle > kPracticallyParallel && check.angle < kMinJointAngle) {
             check.code = CheckCode::ShallowAngle; // that is why there is no slit
             check.severity = CheckSeverity::Error;
         }
-        check.sections = refsOf(analysis.model, {pair.first, pair.second});
+        check.sections = analysis.model.refs({pair.first, pair.second});
         check.at = how->at;
         check.distance = how->depth;
         check.count = joint ? 1 : 0;

@@ -22,6 +22,7 @@ target_sources(fff_session PRIVATE
     recovery.cpp
     replay.cpp
     replay_script.cpp
+    section_names.cpp
     session.cpp
     session_commands.cpp
     session_host.cpp
