@@ -59,6 +59,11 @@ QString actionText(const CheckAction &action, const Check &check, const Model &m
         return isOne ? Words::tr("Delete it") : Words::tr("Delete them");
     case CheckAction::Kind::MakeAssemblable:
         return Words::tr("Make assemblable");
+    case CheckAction::Kind::StretchToGround:
+        //: %1 is the name of a section
+        return check.feet.size() == 1
+                   ? Words::tr("Stretch %1 to the ground").arg(sectionName(model, action.section))
+                   : Words::tr("Stretch them to the ground");
     case CheckAction::Kind::DropToGround:
         return Words::tr("Drop it to the ground");
     case CheckAction::Kind::ShowSteps:

@@ -63,6 +63,28 @@ std::optional<CurveCrossing> crossCurves(const CurveRange &a, const CurveRange &
 
 } // namespace
 
+std::vector<double> levelParameters(const CubicBezier &curve, const Vec2 &normal)
+{
+    // h' / 3 = a (1 − t)² + 2 b t (1 − t) + c t²
+    const double a = normal.dot(curve.p1 - curve.p0), b = normal.dot(curve.p2 - curve.p1),
+                 c = normal.dot(curve.p3 - curve.p2);
+    const double square = a - 2.0 * b + c, linear = 2.0 * (b - a);
+    std::vector<double> result;
+    const auto add = [&](double t) {
+        if (t > 0.0 && t < 1.0)
+            result.push_back(t);
+    };
+    const double discriminant = linear * linear - 4.0 * square * a;
+    if (discriminant < 0.0)
+        return result;
+    // The form that loses no digits; divisions by zero give what add() leaves out.
+    const double q = -0.5 * (linear + std::copysign(std::sqrt(discriminant), linear));
+    add(q / square);
+    add(a / q);
+    std::sort(result.begin(), result.end());
+    return result;
+}
+
 std::optional<double> crossLine(const CurveRange &range, const Vec2 &point, const Vec2 &normal,
                                 double slack)
 {

@@ -4,6 +4,7 @@
 #include "core/geometry/bezier.h"
 
 #include <optional>
+#include <vector>
 
 namespace fff {
 
@@ -19,6 +20,10 @@ struct CurveCrossing
     double a = 0.0, b = 0.0; // parameters, in their ranges
     Vec2 point = Vec2::Zero();
 };
+
+/// Parameters 0 < t < 1 at which the curve runs at a right angle to the normal (not zero), in
+/// order: between them its height over a line with that normal only rises or only falls.
+std::vector<double> levelParameters(const CubicBezier &curve, const Vec2 &normal);
 
 /// The parameter in the range at which the curve crosses the line through `point` with this normal
 /// (not zero). When both ends lie on one side: the nearer end if within `slack` mm, else nothing.

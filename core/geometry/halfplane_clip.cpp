@@ -37,28 +37,6 @@ std::array<double, 4> heights(const CubicBezier &curve, const Halfplane &halfpla
             halfplane.height(curve.p3)};
 }
 
-/// Parameters 0 < t < 1 at which the height neither rises nor falls, in order.
-std::vector<double> levelParameters(const std::array<double, 4> &h)
-{
-    // h' / 3 = a (1 − t)² + 2 b t (1 − t) + c t²
-    const double a = h[1] - h[0], b = h[2] - h[1], c = h[3] - h[2];
-    const double square = a - 2.0 * b + c, linear = 2.0 * (b - a);
-    std::vector<double> result;
-    const auto add = [&](double t) {
-        if (t > 0.0 && t < 1.0)
-            result.push_back(t);
-    };
-    const double discriminant = linear * linear - 4.0 * square * a;
-    if (discriminant < 0.0)
-        return result;
-    // The form that loses no digits; divisions by zero give what add() leaves out.
-    const double q = -0.5 * (linear + std::copysign(std::sqrt(discriminant), linear));
-    add(q / square);
-    add(a / q);
-    std::sort(result.begin(), result.end());
-    return result;
-}
-
 /// Appends what of the segment lies on which side, joined with the stretch before where both are
 /// on one side.
 void addStretches(int index, const CubicBezier &curve, const Halfplane &halfplane,
@@ -78,7 +56,7 @@ void addStretches(int index, const CubicBezier &curve, const Halfplane &halfplan
         return add(0.0, 1.0, false);
 
     std::vector<double> nodes{0.0};
-    for (const double t : levelParameters(h))
+    for (const double t : levelParameters(curve, halfplane.inward))
         nodes.push_back(t);
     nodes.push_back(1.0);
     const auto sideAt = [&](double t) {
@@ -263,7 +241,7 @@ bool isInside(const Contour &contour, const Halfplane &halfplane)
         const CubicBezier curve = contour.segment(i);
         if (!isKept(curve.p0))
             return false;
-        for (const double t : levelParameters(heights(curve, halfplane))) {
+        for (const double t : levelParameters(curve, halfplane.inward)) {
             if (!isKept(curve.at(t)))
                 return false;
         }

@@ -36,12 +36,25 @@ struct GroundMark
     }
 };
 
+/// Where something ends above the ground that ought to stand on it.
+struct HighMark
+{
+    Vec3 at = Vec3::Zero(); // its lowest point, world, mm
+    double height = 0.0;    // of it, mm
+
+    bool operator==(const HighMark &other) const
+    {
+        return at == other.at && height == other.height;
+    }
+};
+
 struct ProblemLook
 {
     std::vector<ProblemLink> links;
     std::vector<GroundMark> grounds;
+    std::vector<HighMark> feet;
 
-    bool isEmpty() const { return links.empty() && grounds.empty(); }
+    bool isEmpty() const { return links.empty() && grounds.empty() && feet.empty(); }
     bool operator==(const ProblemLook &other) const = default;
 };
 

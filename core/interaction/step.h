@@ -20,7 +20,8 @@ struct Step
         MoveSection,
         MoveToSection, // names: of those that go, then of the one that they come to
         DropToGround,
-        MovePoints, // count: of points, of the first section
+        StretchToGround, // names: of the sections that reach it now
+        MovePoints,      // count: of points, of the first section
         MoveHandle,
         BendContour,
         AddPoint,

@@ -4,6 +4,7 @@
 #include "core/model/edits.h"
 #include "core/session/dropping.h"
 #include "core/session/joining_move.h"
+#include "core/session/stretching.h"
 
 namespace fff {
 
@@ -102,6 +103,17 @@ std::optional<CheckEdit> assemblable(const Document &document, const Flips *flip
     return CheckEdit{{Step::Kind::MakeAssemblable, {}}, flips->document};
 }
 
+std::optional<CheckEdit> onStretchedFeet(const Check &check, const Analysis &analysis)
+{
+    std::optional<Document> next = stretched(analysis, check.feet);
+    if (!next)
+        return {};
+    CheckEdit edit{{Step::Kind::StretchToGround, {}}, *std::move(next)};
+    for (const HighFoot &foot : check.feet)
+        edit.step.names.push_back(analysis.model.nameOf(foot.section));
+    return edit;
+}
+
 /// From above or from below, as the check has it.
 std::optional<CheckEdit> dropped(const Check &check, const Model &model)
 {
@@ -139,6 +151,10 @@ std::vector<CheckAction> candidates(const Check &check, const Analysis &analysis
         return mendsOf(check, analysis.model);
     case CheckCode::CannotAssemble:
         return {{Kind::MakeAssemblable, {}}};
+    case CheckCode::Topples:
+    case CheckCode::LineSupport:
+        return {{Kind::StretchToGround,
+                 check.feet.size() == 1 ? check.feet.front().section : SectionRef()}};
     case CheckCode::NoContact:
     case CheckCode::BelowGround:
         return {{Kind::DropToGround, {}}};
@@ -165,6 +181,7 @@ bool isEdit(Kind kind)
     case Kind::Trim:
     case Kind::DeleteSections:
     case Kind::MakeAssemblable:
+    case Kind::StretchToGround:
     case Kind::DropToGround:
         return true;
     case Kind::ShowSteps:
@@ -198,6 +215,8 @@ std::optional<CheckEdit> carriedOut(const CheckAction &action, const Check &chec
         return deleted(check, analysis.model.document);
     case Kind::MakeAssemblable:
         return assemblable(analysis.model.document, flips);
+    case Kind::StretchToGround:
+        return onStretchedFeet(check, analysis);
     case Kind::DropToGround:
         return dropped(check, analysis.model);
     case Kind::ShowSteps:

@@ -22,6 +22,7 @@ struct CheckAction
         Trim,            // NoSlit, Interference: the one that loses less, to the other
         DeleteSections,  // NotConnected
         MakeAssemblable, // CannotAssemble: slits turned round (flips.h)
+        StretchToGround, // Topples, LineSupport: its feet (stretching.h)
         DropToGround,    // NoContact, BelowGround: the whole model
         // What only shows something.
         ShowSteps,   // CanAssemble
@@ -30,7 +31,8 @@ struct CheckAction
     };
     Kind kind = Kind::ShowSteps;
     SectionRef section; // whom its words name: MoveToOther, JoinWithTabs: the one it comes to, or
-                        // is joined with; Trim: the one that is trimmed
+                        // is joined with; Trim: the one that is trimmed; StretchToGround: its
+                        // only foot, or none
 
     bool operator==(const CheckAction &) const = default;
 };

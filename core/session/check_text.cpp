@@ -107,6 +107,23 @@ QString topplesText(const Check &check, const CheckUnits &units)
     return {}; // not reached: every side is above
 }
 
+/// What else could be a foot: a sentence after others, or nothing.
+QString feetText(const Check &check, const Model &model, const CheckUnits &units)
+{
+    if (check.feet.empty())
+        return {};
+    std::vector<SectionRef> sections;
+    double highest = 0.0;
+    for (const HighFoot &foot : check.feet) {
+        sections.push_back(foot.section);
+        highest = std::max(highest, foot.height);
+    }
+    const QString names = namesOf(model, sections), high = units.length(highest);
+    return u' ' + (sections.size() == 1
+                       ? Words::tr("%1 ends %2 above the ground.").arg(names, high)
+                       : Words::tr("%1 end up to %2 above the ground.").arg(names, high));
+}
+
 /// Which sections a sentence about standing is about, where it is not the whole model.
 QString ofThese(const Check &check, const Model &model, const QString &sentence)
 {
@@ -138,11 +155,12 @@ QString stabilityText(const Check &check, const Model &model, const CheckUnits &
                       "inside the feet.")
                 .arg(wholeDegrees(check.tipAngle), units.length(check.margin)));
     case CheckCode::Topples:
-        return ofThese(check, model, topplesText(check, units));
+        return ofThese(check, model, topplesText(check, units) + feetText(check, model, units));
     case CheckCode::LineSupport:
         return ofThese(check, model,
                        Words::tr("Falls over. Its feet are all on one line, so nothing holds it "
-                                 "upright."));
+                                 "upright.") +
+                           feetText(check, model, units));
     case CheckCode::NoContact:
         return ofThese(check, model,
                        Words::tr("Not on the ground. Its lowest point is %1 above it.")

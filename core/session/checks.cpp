@@ -4,6 +4,7 @@
 #include "core/base/tolerances.h"
 #include "core/session/gap.h"
 #include "core/session/narrow_slits.h"
+#include "core/session/stretching.h"
 
 #include <algorithm>
 #include <array>
@@ -31,22 +32,6 @@ Towards towards(const Vec2 &direction)
     if (std::abs(direction.x()) > std::abs(direction.y()))
         return direction.x() > 0.0 ? Towards::Right : Towards::Left;
     return direction.y() >= 0.0 ? Towards::Front : Towards::Back;
-}
-
-/// Mass of the sections with the weights that hang on them.
-MassProperties loadedMass(const Analysis &analysis, const Group &sections)
-{
-    const Model &model = analysis.model;
-    MassProperties sum;
-    for (const int section : sections) {
-        const auto index = static_cast<std::size_t>(section);
-        const Section &host = *model.section(index);
-        sum += massOf(host, model.stockOf(index), *analysis.cuts[index]);
-        for (const Weight &weight : model.document.weights)
-            if (weight.section == model.ref(index))
-                sum += {weight.mass, host.frame.toWorld(weight.position)};
-    }
-    return sum;
 }
 
 // --- connection
@@ -171,6 +156,7 @@ Check stabilityCheck(const Analysis &analysis, const Group &group, const CheckCa
         break;
     case Standing::Topples:
     case Standing::LineSupport:
+        check.feet = feetToStretch(analysis, group);
         break;
     }
     return check;
@@ -334,6 +320,30 @@ CheckSubject subjectOf(CheckCode code)
         return CheckSubject::Joints;
     }
     return CheckSubject::Joints; // not reached: every code is above
+}
+
+std::vector<SectionRef> concerned(const Check &check)
+{
+    std::vector<SectionRef> sections = check.sections;
+    for (const HighFoot &foot : check.feet)
+        if (std::find(sections.begin(), sections.end(), foot.section) == sections.end())
+            sections.push_back(foot.section);
+    return sections;
+}
+
+MassProperties loadedMass(const Analysis &analysis, const std::vector<int> &sections)
+{
+    const Model &model = analysis.model;
+    MassProperties sum;
+    for (const int section : sections) {
+        const auto index = static_cast<std::size_t>(section);
+        const Section &host = *model.section(index);
+        sum += massOf(host, model.stockOf(index), *analysis.cuts[index]);
+        for (const Weight &weight : model.document.weights)
+            if (weight.section == model.ref(index))
+                sum += {weight.mass, host.frame.toWorld(weight.position)};
+    }
+    return sum;
 }
 
 Stability stabilityOf(const Analysis &analysis, const std::vector<int> &sections)

@@ -71,6 +71,19 @@ struct CheckLink
     }
 };
 
+/// A section that ends above the ground and would help to stand there.
+struct HighFoot
+{
+    SectionRef section;
+    double height = 0.0;    // of its lowest point above the ground, mm
+    Vec3 at = Vec3::Zero(); // that point, world, mm
+
+    bool operator==(const HighFoot &other) const
+    {
+        return section == other.section && height == other.height && at == other.at;
+    }
+};
+
 struct Check
 {
     CheckCode code = CheckCode::Connected;
@@ -82,6 +95,8 @@ struct Check
     std::optional<Vec3> at;         // where to look, world, mm
     std::optional<JointRef> joint;  // that it is about, where it is about one
     std::vector<CheckLink> links;   // CannotAssemble, Cycle: who blocks whom
+    std::vector<HighFoot> feet;     // Topples, LineSupport: who would hold it up on the ground, if
+                                    // there are such (stretching.h)
 
     // The numbers of its sentence; 0 where the code has no use for them.
     double margin = 0.0;   // Stability: mm from the centre of mass to the support's nearest edge,
@@ -125,6 +140,8 @@ struct CheckRules
 };
 
 CheckSubject subjectOf(CheckCode code);
+/// Whom it is about: its sections and its feet.
+std::vector<SectionRef> concerned(const Check &check);
 
 /// The checks of a model, but those that take planning: of each subject at least one (Joints: only
 /// what is wrong), in the order of the subjects and, within one, of the sections. A model that is
@@ -142,6 +159,9 @@ std::vector<Check> checks(const Analysis &analysis, CheckCaches &caches,
 
 /// The worst of a subject, nothing when it has none.
 std::optional<CheckSeverity> worst(const std::vector<Check> &checks, CheckSubject subject);
+
+/// Of sections (indices into the model), with the weights that hang on them.
+MassProperties loadedMass(const Analysis &analysis, const std::vector<int> &sections);
 
 /// Whether and how the sections (indices into the model) stand, taken as one rigid body with the
 /// weights that hang on them.

@@ -7,6 +7,7 @@
 #include "core/model/edits.h"
 #include "core/operations/evaluate.h"
 #include "core/session/check_caches.h"
+#include "core/session/touching.h"
 
 #include <algorithm>
 #include <cmath>
@@ -184,22 +185,9 @@ private:
                 return false;
         for (const int index : m_moving)
             for (std::size_t i = 0; i < next.sectionCount(); ++i)
-                if (!moves[i] && touches(next, index, static_cast<int>(i), assembly.joints))
+                if (!moves[i] && touchLoosely(next, assembly.joints, index, static_cast<int>(i)))
                     return false;
         return true;
-    }
-
-    /// Whether two sections that no joint is of share a point.
-    static bool touches(const Model &model, int a, int b, const JointList &joints)
-    {
-        if (joints.find(std::min(a, b), std::max(a, b)))
-            return false;
-        const Section &one = sectionAt(model, a), &other = sectionAt(model, b);
-        const Slab slab{one.shape->region(), one.frame, model.document.stockOf(one).thickness};
-        const Slab mate{other.shape->region(), other.frame,
-                        model.document.stockOf(other).thickness};
-        return distanceBetween(boundsOf(slab), boundsOf(mate)) <= kTouchingDepth &&
-               nearestPoints(slab, mate, kTouchingDepth).distance <= kTouchingDepth;
     }
 
     const Analysis &m_analysis;

@@ -93,6 +93,10 @@ QString SessionHost::undoText(const Step &step)
         return tr("Draw a hole in %1").arg(name);
     case Step::Kind::DropToGround:
         return tr("Drop to the ground");
+    case Step::Kind::StretchToGround:
+        //: %1 is the name of a section
+        return count == 1 ? tr("Stretch %1 to the ground").arg(name)
+                          : tr("Stretch %n sections to the ground", nullptr, count);
     case Step::Kind::MovePoints:
         //: %1 is the name of a section
         return step.count == 1 ? tr("Move point of %1").arg(name)

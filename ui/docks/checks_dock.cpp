@@ -268,6 +268,8 @@ void ChecksDock::showLook()
         if (!check.support.empty() && (isProblem(check) || isChosen))
             look.grounds.push_back(
                 {check.support, check.mass.centre, check.edge, check.margin, isProblem(check)});
+        for (const HighFoot &foot : check.feet)
+            look.feet.push_back({foot.at, foot.height});
         if (isChosen)
             for (const CheckLink &link : check.links)
                 look.links.push_back({link.fromA, link.at, link.fromB, link.way});

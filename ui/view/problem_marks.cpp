@@ -139,6 +139,23 @@ void paintGround(MarkPen &pen, const GroundMark &mark, LengthUnit unit, const QL
              MarkPen::Anchor::Middle, text, colour);
 }
 
+/// A line down to a bar on the ground, as wide as the foot is a mark.
+void paintHigh(MarkPen &pen, const HighMark &mark, LengthUnit unit, const QLocale &locale)
+{
+    const Vec3 below(mark.at.x(), 0.0, mark.at.z());
+    if (!isBeforeEye(pen, mark.at) || !isBeforeEye(pen, below))
+        return;
+    const QColor &colour = pen.style().problem;
+    const QPointF from = pen.screen(mark.at), to = pen.screen(below);
+    QPainterPath path = line(from, to);
+    path.addPath(line(to - QPointF(kBar, 0.0), to + QPointF(kBar, 0.0)));
+    pen.cased(path, roundPen(colour, kSymbol));
+    const QString high = lengthText(mark.height, unit, 0, 1, locale);
+    //: %1 is a length: how far a foot ends above the ground
+    pen.chip(to + QPointF(0.0, kChipBelow), MarkPen::Anchor::Middle,
+             Words::tr("%1 too high").arg(high), colour);
+}
+
 } // namespace
 
 void paintProblems(MarkPen &pen, const ProblemLook &look, LengthUnit unit, const QLocale &locale)
@@ -148,6 +165,8 @@ void paintProblems(MarkPen &pen, const ProblemLook &look, LengthUnit unit, const
     painter.setBrush(Qt::NoBrush);
     for (const GroundMark &mark : look.grounds)
         paintGround(pen, mark, unit, locale);
+    for (const HighMark &mark : look.feet)
+        paintHigh(pen, mark, unit, locale);
     std::vector<const ProblemLink *> links;
     for (const ProblemLink &link : look.links)
         if (isBeforeEye(pen, link.fromA) && isBeforeEye(pen, link.at) &&

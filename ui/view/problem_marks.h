@@ -1,4 +1,4 @@
-// Draws who blocks whom and how the centre of mass lies over the feet.
+// Draws who blocks whom, how the centre of mass lies over the feet, and feet that hang in the air.
 #pragma once
 
 #include "core/interaction/problem_look.h"

@@ -147,6 +147,11 @@ void TestCheckActions::editsMend_data()
         << roundabout(eggCrate(2, 2), 0) << Kind::MakeAssemblable << CheckCode::CannotAssemble;
     QTest::newRow("what hangs is dropped")
         << moveAll(eggCrate(2, 2), {0, 12, 0}) << Kind::DropToGround << CheckCode::NoContact;
+    QTest::newRow("feet that end too high are stretched")
+        << withSection(withSection(withSection(newDocument(), plate(-100, 40, 100, 80), front()),
+                                   plate(-30, 0, 30, 60), side(60)),
+                       plate(-30, 6, 30, 60), side(-60))
+        << Kind::StretchToGround << CheckCode::Topples;
     QTest::newRow("what is sunk is lifted")
         << moveAll(eggCrate(2, 2), {0, -12, 0}) << Kind::DropToGround << CheckCode::BelowGround;
 }

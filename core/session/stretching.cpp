@@ -1,0 +1,306 @@
+#include "core/session/stretching.h"
+
+#include "core/base/tolerances.h"
+#include "core/geometry/convex_hull.h"
+#include "core/geometry/curve_crossing.h"
+#include "core/geometry/halfplane_clip.h"
+#include "core/model/edits.h"
+#include "core/operations/evaluate.h"
+#include "core/session/touching.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace fff {
+
+namespace {
+
+/// Of the cosine of how far a section leans from upright: 60°.
+constexpr double kLeastUpright = 0.5;
+/// What is stretched gets so many times as long at most.
+constexpr double kMostStretched = 2.0;
+/// So many of the lowest sections are looked at, and so many stretched at once.
+constexpr std::size_t kMostLooked = 32, kMostFeet = 4;
+
+/// A section's plane as seen from the ground.
+struct Uprightness
+{
+    Vec2 up = Vec2::Zero(); // steepest direction in its plane, unit, frame coordinates
+    double cosine = 0.0;    // of how far that leans: mm up in the world for a mm along it
+    double below = 0.0;     // mm from the mid-plane down to the slab's lower face, straight down
+};
+
+std::optional<Uprightness> uprightnessOf(const Section &section, double thickness)
+{
+    const Vec2 up(section.frame.x.y(), section.frame.y.y());
+    if (up.norm() < kLeastUpright)
+        return {};
+    return Uprightness{up.normalized(), up.norm(),
+                       0.5 * thickness * std::abs(section.frame.normal().y())};
+}
+
+/// Lowest along `up`; an empty list has none.
+std::optional<Vec2> lowest(const Polygon &points, const Vec2 &up)
+{
+    const auto least =
+        std::min_element(points.begin(), points.end(),
+                         [&](const Vec2 &a, const Vec2 &b) { return up.dot(a) < up.dot(b); });
+    return least == points.end() ? std::nullopt : std::optional(*least);
+}
+
+/// Along `up`, from where on the section is held: the lowest point of its slits and of where it
+/// meets others. Without any, its centre.
+double heldFrom(const Analysis &analysis, int index, const Vec2 &up)
+{
+    const Section &section = *analysis.model.section(static_cast<std::size_t>(index));
+    std::optional<double> held;
+    const auto hold = [&](const Vec2 &p) { held = std::min(held.value_or(up.dot(p)), up.dot(p)); };
+    for (const Slit &slit : analysis.assembly.slits[static_cast<std::size_t>(index)])
+        for (const Polygon &outline : slit.outlines(kCutChord))
+            for (const Vec2 &p : outline)
+                hold(p);
+    for (const Joint &joint : analysis.assembly.joints) {
+        if (joint.a != index && joint.b != index)
+            continue;
+        for (const Overlap &overlap : joint.crossing->overlaps)
+            for (const double at : {overlap.from, overlap.to})
+                hold(section.frame.toLocal(joint.crossing->axis.at(at)));
+    }
+    return held.value_or(up.dot(section.shape->centroid()));
+}
+
+/// What of the contour lies outside of the halfplane, so many times as far from its line.
+Result<Contour> stretchedBelow(const Contour &contour, const Halfplane &kept, double factor)
+{
+    const auto isBelow = [&](const Vec2 &p) { return kept.height(p) < 0.0; };
+    std::vector<CubicBezier> pieces;
+    const auto add = [&](CubicBezier piece) {
+        if (isBelow(piece.at(0.5)))
+            for (Vec2 *p : {&piece.p0, &piece.p1, &piece.p2, &piece.p3})
+                *p += (factor - 1.0) * kept.height(*p) * kept.inward;
+        if (!pieces.empty())
+            piece.p0 = pieces.back().p3;
+        pieces.push_back(piece);
+    };
+    for (int i = 0; i < contour.segmentCount(); ++i) {
+        const CubicBezier curve = contour.segment(i);
+        std::vector<double> nodes = levelParameters(curve, kept.inward);
+        nodes.push_back(1.0);
+        double from = 0.0, piece = 0.0;
+        for (const double to : nodes) {
+            const double here = kept.height(curve.at(from)), there = kept.height(curve.at(to));
+            if (std::min(here, there) < -kOnLine && std::max(here, there) > kOnLine) {
+                if (const auto t = crossLine({curve, from, to}, kept.point, kept.inward, 0.0)) {
+                    add(curve.piece(piece, *t));
+                    piece = *t;
+                }
+            }
+            from = to;
+        }
+        add(curve.piece(piece, 1.0));
+    }
+    pieces.back().p3 = pieces.front().p0;
+    return Contour::fromSegments(pieces);
+}
+
+/// A section that can be stretched.
+struct Candidate
+{
+    HighFoot foot;
+    GroundContact contact; // once it is
+};
+
+class Search
+{
+public:
+    Search(const Analysis &analysis, const std::vector<int> &group)
+        : m_analysis(analysis), m_group(group), m_before(stabilityOf(analysis, group)),
+          m_centre(centreOf(analysis, group))
+    {
+    }
+
+    std::vector<HighFoot> find() const
+    {
+        const std::vector<Candidate> all = candidates();
+        for (const Candidate &one : all)
+            if (mayStand({one.contact.corners}) && stands({one.foot}))
+                return {one.foot};
+        std::vector<HighFoot> feet;
+        std::vector<std::vector<Vec2>> corners;
+        for (const Candidate &one : all) {
+            feet.push_back(one.foot);
+            corners.push_back(one.contact.corners);
+            if (feet.size() > kMostFeet)
+                break;
+            if (feet.size() < 2 || !mayStand(corners))
+                continue;
+            dropNeedless(feet, corners);
+            if (stands(feet))
+                return feet;
+            break; // more of them are in more sections' way
+        }
+        return {};
+    }
+
+private:
+    static Vec2 centreOf(const Analysis &analysis, const std::vector<int> &group)
+    {
+        const Vec3 centre = loadedMass(analysis, group).centre;
+        return {centre.x(), centre.z()};
+    }
+
+    /// The lowest first.
+    std::vector<Candidate> candidates() const
+    {
+        const Model &model = m_analysis.model;
+        std::vector<std::pair<double, int>> heights;
+        for (const int index : m_group) {
+            const Section &section = *model.section(static_cast<std::size_t>(index));
+            if (const double height = slabBounds(section, model.document.stockOf(section)).min.y();
+                height > kGroundContact)
+                heights.emplace_back(height, index);
+        }
+        std::sort(heights.begin(), heights.end());
+        heights.resize(std::min(heights.size(), kMostLooked));
+        std::vector<Candidate> all;
+        for (const auto &[height, index] : heights) {
+            const std::optional<ShapePointer> shape = stretchedToGround(m_analysis, index);
+            if (!shape)
+                continue;
+            const Section &section = *model.section(static_cast<std::size_t>(index));
+            const double thickness = model.document.stockOf(section).thickness;
+            const Slab before{section.shape->region(), section.frame, thickness};
+            all.push_back({{model.ref(static_cast<std::size_t>(index)), height,
+                            contactOf(before).lowestPoint},
+                           contactOf({(*shape)->region(), section.frame, thickness})});
+        }
+        return all;
+    }
+
+    /// Whether the centre of mass, as it is before, would lie above the feet.
+    bool mayStand(const std::vector<std::vector<Vec2>> &corners) const
+    {
+        std::vector<Vec2> all = m_before.support;
+        for (const std::vector<Vec2> &more : corners)
+            all.insert(all.end(), more.begin(), more.end());
+        const Polygon hull = convexHull(all);
+        return hull.size() >= 3 && signedDistance(hull, m_centre) > 0.0;
+    }
+
+    void dropNeedless(std::vector<HighFoot> &feet, std::vector<std::vector<Vec2>> &corners) const
+    {
+        for (std::size_t i = 0; i < feet.size() && feet.size() > 2;) {
+            std::vector<std::vector<Vec2>> others = corners;
+            others.erase(others.begin() + static_cast<std::ptrdiff_t>(i));
+            if (mayStand(others)) {
+                corners = std::move(others);
+                feet.erase(feet.begin() + static_cast<std::ptrdiff_t>(i));
+            } else {
+                ++i;
+            }
+        }
+    }
+
+    /// Tries it.
+    bool stands(const std::vector<HighFoot> &feet) const
+    {
+        std::optional<Document> document = stretched(m_analysis, feet);
+        if (!document)
+            return false;
+        AnalysisCaches caches;
+        caches.last = AnalysisPointer(AnalysisPointer(), &m_analysis); // it outlives them
+        const Analysis next = analyse(evaluate(*std::move(document), m_analysis.model), caches);
+        return stabilityOf(next, m_group).standing == Standing::Stands && joinsTheSame(next) &&
+               std::none_of(feet.begin(), feet.end(), [&](const HighFoot &foot) {
+                   return comesUponOthers(m_analysis.model.indexOf(foot.section), next);
+               });
+    }
+
+    bool joinsTheSame(const Analysis &next) const
+    {
+        const JointList &before = m_analysis.assembly.joints, &after = next.assembly.joints;
+        return std::equal(before.begin(), before.end(), after.begin(), after.end(),
+                          [](const Joint &a, const Joint &b) {
+                              return a.a == b.a && a.b == b.b && a.kind == b.kind &&
+                                     a.crossing->overlaps.size() == b.crossing->overlaps.size();
+                          });
+    }
+
+    bool comesUponOthers(int index, const Analysis &next) const
+    {
+        for (int other = 0; other < static_cast<int>(next.model.sectionCount()); ++other)
+            if (other != index && touchLoosely(next.model, next.assembly.joints, index, other) &&
+                !touchLoosely(m_analysis.model, m_analysis.assembly.joints, index, other))
+                return true;
+        return false;
+    }
+
+    const Analysis &m_analysis;
+    const std::vector<int> &m_group;
+    Stability m_before;
+    Vec2 m_centre; // (x, z), of mass
+};
+
+} // namespace
+
+std::optional<ShapePointer> stretchedToGround(const Analysis &analysis, int section)
+{
+    const Model &model = analysis.model;
+    const auto index = static_cast<std::size_t>(section);
+    const Section &own = *model.section(index);
+    const double thickness = model.stockOf(index).thickness;
+    const std::optional<Uprightness> plane = uprightnessOf(own, thickness);
+    const std::optional<Vec2> foot =
+        plane ? lowest(own.shape->region().outer, plane->up) : std::nullopt;
+    if (!foot || !model.ref(index).drawn.isValid())
+        return {};
+    const double height = own.frame.toWorld(*foot).y() - plane->below;
+    if (height <= kGroundContact)
+        return {};
+    const double level = heldFrom(analysis, section, plane->up) - thickness;
+    const double length = level - plane->up.dot(*foot);
+    const double factor = 1.0 + height / plane->cosine / length;
+    if (length <= 0.0 || factor > kMostStretched)
+        return {};
+    const Halfplane kept{level * plane->up, plane->up};
+    Result<Contour> contour = stretchedBelow(own.shape->contour(), kept, factor);
+    std::vector<Contour> holes;
+    for (const Contour &hole : own.shape->holes()) {
+        Result<Contour> next = stretchedBelow(hole, kept, factor);
+        if (!next)
+            return {};
+        holes.push_back(*std::move(next));
+    }
+    if (!contour)
+        return {};
+    Result<ShapePointer> shape = Shape::make(*std::move(contour), std::move(holes));
+    return shape ? std::optional(*std::move(shape)) : std::nullopt;
+}
+
+std::vector<HighFoot> feetToStretch(const Analysis &analysis, const std::vector<int> &group)
+{
+    return Search(analysis, group).find();
+}
+
+std::optional<Document> stretched(const Analysis &analysis, const std::vector<HighFoot> &feet)
+{
+    if (feet.empty())
+        return {};
+    Document document = analysis.model.document;
+    for (const HighFoot &foot : feet) {
+        const int index = analysis.model.indexOf(foot.section);
+        std::optional<ShapePointer> shape;
+        if (index >= 0)
+            shape = stretchedToGround(analysis, index);
+        if (!shape)
+            return {};
+        Result<Document> next =
+            setShape(std::move(document), foot.section.drawn, *std::move(shape));
+        if (!next)
+            return {};
+        document = *std::move(next);
+    }
+    return document;
+}
+
+} // namespace fff
