@@ -151,7 +151,7 @@ void MainWindow::makeDocks()
     m_outline = new OutlineDock(*m_bench, *m_checkList, this);
     m_history = new HistoryDock(*m_bench, this);
     m_checks = new ChecksDock(*m_bench, *m_checkList, this);
-    m_properties = new PropertiesDock(*m_bench, this);
+    m_properties = new PropertiesDock(*m_bench, *m_checkList, this);
     m_badges = new Badges(*m_bench, *m_checkList, m_view);
     m_bar = new CanvasBar(*m_bench, m_view);
     if (auto *viewport = qobject_cast<Viewport *>(m_view))

@@ -26,6 +26,7 @@ target_sources(fff_ui PRIVATE
     docks/joint_page.cpp
     docks/link_row.cpp
     docks/model_page.cpp
+    docks/problem_box.cpp
     docks/outline_dock.cpp
     docks/properties_dock.cpp
     docks/properties_header.cpp

@@ -90,6 +90,7 @@ private Q_SLOTS:
     void howItFallsIsShown();
     void anotherDocumentHasNothingSelected();
     void whatCanBeDoneIsOneStep();
+    void propertiesSayWhatIsWrong();
     void slitsAreTurnedInOneStep();
     void theFocusStaysWithItsCheck();
     void draggingTheThicknessIsOneStep();
@@ -481,6 +482,30 @@ void TestDocks::whatCanBeDoneIsOneStep()
     QCOMPARE(session().history()->text(0), QStringLiteral("Delete Fin"));
     QCOMPARE(session().committed().sectionCount(), std::size_t(2));
     QTRY_VERIFY(firstCheck().startsWith(QStringLiteral("Good")));
+}
+
+// Wrong: one selects what is red and does not read what is wrong with it.
+void TestDocks::propertiesSayWhatIsWrong()
+{
+    Document loose = withSection(cross(), polygonShape(rectangle(-20, 0, 20, 40)), side(120));
+    loose = *renameSection(loose, loose.sections[2]->id, "Fin & <b>");
+    session().reset(loose);
+    QTRY_VERIFY(find<CheckRow>("checkRow0") &&
+                firstCheck().contains(QStringLiteral("touches nothing")));
+    auto *problem = find<QLabel>("sectionProblem");
+    QVERIFY(problem && !problem->isVisible());
+    m_window->bench().select({session().committed().ref(2)});
+    QTRY_VERIFY(problem->isVisible());
+    QVERIFY2(problem->text().startsWith(QStringLiteral("<b>Fin &amp; &lt;b&gt; touches nothing.")),
+             qPrintable(problem->text()));
+    m_window->bench().select({session().committed().ref(0)});
+    QTRY_VERIFY(!problem->isVisible());
+    m_window->bench().select({session().committed().ref(2)});
+    QTRY_VERIFY(problem->isVisible());
+    session().commit(QStringLiteral("Move"),
+                     *moveSection(session().committed().document,
+                                  session().committed().document.sections[2]->id, side(30)));
+    QTRY_VERIFY(!problem->isVisible());
 }
 
 // Wrong: a person is told that it cannot be assembled and left to find out what helps, or cannot

@@ -2,6 +2,7 @@
 
 #include "core/base/units.h"
 #include "core/interaction/joint_editing.h"
+#include "ui/docks/problem_box.h"
 #include "ui/icon.h"
 #include "ui/lengths.h"
 #include "ui/properties/joint_words.h"
@@ -27,38 +28,18 @@ constexpr int kFieldWidth = 76; // px
 /// Digits that percents are worth: the rest is rounding of the share.
 constexpr double kPercentDigits = 1e6;
 
-QString linkTo(const QString &name, const char *target)
-{
-    // Links in a text have the application's colour, not that of the palette here.
-    return QStringLiteral("<a href=\"%1\" style=\"color:%2\">%3</a>")
-        .arg(QLatin1String(target), theme().accent.name(), name.toHtmlEscaped());
-}
-
 } // namespace
 
 JointPage::JointPage(Workbench &bench, QWidget *parent) : QWidget(parent), m_bench(bench)
 {
-    m_problemBox = new QWidget(this); // with the distance to what comes after it
-    m_problem = new QLabel(m_problemBox);
-    m_problem->setObjectName(QStringLiteral("jointProblem"));
-    m_problem->setTextFormat(Qt::PlainText); // with names in it
-    m_problem->setWordWrap(true);
-    m_problem->setMargin(10);
-    m_problem->setAutoFillBackground(true);
-    m_problem->setFrameShape(QFrame::StyledPanel);
-    m_problem->setTextFormat(Qt::RichText);
-    m_problem->setFocusPolicy(Qt::StrongFocus);
-    m_problem->setTextInteractionFlags(Qt::LinksAccessibleByMouse | Qt::LinksAccessibleByKeyboard);
-    connect(m_problem, &QLabel::linkActivated, this, [this](const QString &target) {
+    m_problem = new ProblemBox("jointProblem", this);
+    connect(m_problem, &ProblemBox::linkActivated, this, [this](const QString &target) {
         if (!m_joint)
             return;
         const bool isA = target == QLatin1String("a");
         m_bench.editJoint(trimTo(m_bench.session().committed(), isA ? m_joint->a : m_joint->b,
                                  isA ? m_joint->b : m_joint->a));
     });
-    auto *box = new QVBoxLayout(m_problemBox);
-    box->setContentsMargins(0, 0, 0, 12);
-    box->addWidget(m_problem);
     // One group after the other: the Tab key goes in the order that they are made in.
     auto *joint = new PropertyGroup(tr("Joint"), this);
     addChoices(joint);
@@ -75,7 +56,7 @@ JointPage::JointPage(Workbench &bench, QWidget *parent) : QWidget(parent), m_ben
     auto *column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
-    column->addWidget(m_problemBox);
+    column->addWidget(m_problem);
     column->addWidget(joint);
     column->addWidget(m_slits);
     column->addWidget(m_reset, 0, Qt::AlignLeft);
@@ -287,7 +268,7 @@ QString JointPage::problemText(const QString &a, const QString &b) const
     QStringList links;
     for (const auto &[section, target] : {std::pair(&m_joint->a, "a"), {&m_joint->b, "b"}}) {
         if (section->drawn.isValid())
-            links += linkTo(tr("Trim %1").arg(*target == 'a' ? a : b), target);
+            links += linkTo(tr("Trim %1").arg(*target == 'a' ? a : b), QLatin1String(target));
     }
     return text.join(QLatin1Char(' ')) +
            (links.isEmpty() ? QString()
@@ -343,7 +324,8 @@ void JointPage::refresh()
     if (!m_state)
         return;
     const QString a = name(m_state->a), b = name(m_state->b);
-    m_links->setText(linkTo(a, "a") + QStringLiteral(" · ") + linkTo(b, "b"));
+    m_links->setText(linkTo(a, QStringLiteral("a")) + QStringLiteral(" · ") +
+                     linkTo(b, QStringLiteral("b")));
     m_links->setAccessibleName(tr("Sections: %1 and %2").arg(a, b));
     static_cast<void>(m_links->sizeHint()); // reads the text: the Tab key may come before a paint
 
@@ -368,14 +350,10 @@ void JointPage::refresh()
         row->refresh();
 
     const bool collides = m_state->kind == JointKind::None;
-    m_problemBox->setVisible(collides);
-    if (collides) {
-        m_problem->setText(problemText(a, b));
-        QPalette soft = m_problem->palette();
-        soft.setColor(QPalette::Window, theme().warningSoft);
-        soft.setColor(QPalette::WindowText, theme().text);
-        m_problem->setPalette(soft);
-    }
+    if (collides)
+        m_problem->tell(CheckSeverity::Warning, problemText(a, b));
+    else
+        m_problem->hide();
     const bool isSet = !wanted.isEmpty();
     if (!isSet && m_reset->hasFocus())
         m_kind->setFocus(); // Qt would give it to another dock

@@ -17,6 +17,7 @@ namespace fff::ui {
 
 class ChoiceRow;
 class EditorRow;
+class ProblemBox;
 class PropertyGroup;
 class PropertyRow;
 class SliderField;
@@ -65,8 +66,7 @@ private:
     std::optional<JointState> m_state; // as it is shown
     QLabel *m_links = nullptr;
     bool m_isOutlining = false; // the section whose link is under the cursor
-    QWidget *m_problemBox = nullptr;
-    QLabel *m_problem = nullptr;
+    ProblemBox *m_problem = nullptr;
     ChoiceRow *m_kind = nullptr, *m_opens = nullptr;
     PropertyGroup *m_slits = nullptr;
     std::vector<ShareRow> m_shares; // as many as places, or more, hidden

@@ -338,7 +338,7 @@ void OutlineDock::markProblems()
     for (const Check &check : m_list.all()) {
         if (check.severity < CheckSeverity::Warning)
             continue;
-        for (const SectionRef &ref : check.sections) {
+        for (const SectionRef &ref : concerned(check)) {
             const Check *&known = worst[ref.drawn];
             if (!known || check.severity > known->severity)
                 known = &check;

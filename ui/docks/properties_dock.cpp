@@ -1,9 +1,12 @@
 #include "ui/docks/properties_dock.h"
 
+#include "core/session/check_list.h"
+#include "ui/check_words.h"
 #include "ui/docks/dock_title.h"
 #include "ui/docks/drawing_page.h"
 #include "ui/docks/joint_page.h"
 #include "ui/docks/model_page.h"
+#include "ui/docks/problem_box.h"
 #include "ui/docks/properties_header.h"
 #include "ui/docks/section_page.h"
 #include "ui/settings/settings.h"
@@ -12,10 +15,12 @@
 #include <QScrollArea>
 #include <QVBoxLayout>
 
+#include <algorithm>
+
 namespace fff::ui {
 
-PropertiesDock::PropertiesDock(Workbench &bench, QWidget *parent)
-    : QDockWidget(tr("Properties"), parent), m_bench(bench)
+PropertiesDock::PropertiesDock(Workbench &bench, const CheckList &list, QWidget *parent)
+    : QDockWidget(tr("Properties"), parent), m_bench(bench), m_list(list)
 {
     dressDock(this, "propertiesDock");
     auto *area = new QScrollArea(this);
@@ -25,6 +30,7 @@ PropertiesDock::PropertiesDock(Workbench &bench, QWidget *parent)
     area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     auto *content = new QWidget(area);
     m_header = new PropertiesHeader(bench, content);
+    m_problem = new ProblemBox("sectionProblem", content);
     m_modelPage = new ModelPage(bench, content);
     m_sectionPage = new SectionPage(bench, content);
     m_jointPage = new JointPage(bench, content);
@@ -33,6 +39,7 @@ PropertiesDock::PropertiesDock(Workbench &bench, QWidget *parent)
     column->setSpacing(0);
     column->addWidget(m_header);
     column->addSpacing(12);
+    column->addWidget(m_problem);
     column->addWidget(m_modelPage);
     column->addWidget(m_sectionPage);
     column->addWidget(m_jointPage);
@@ -60,6 +67,7 @@ PropertiesDock::PropertiesDock(Workbench &bench, QWidget *parent)
     connect(&bench, &Workbench::pointsChanged, this, &PropertiesDock::refresh);
     connect(&bench.session(), &Session::modelChanged, this, &PropertiesDock::follow);
     connect(&bench.session(), &Session::analysisChanged, this, &PropertiesDock::follow);
+    connect(&list, &CheckList::changed, this, &PropertiesDock::tellProblem);
     connect(&settings(), &Settings::unitChanged, this, &PropertiesDock::refresh);
     connect(&bench, &Workbench::viewChanged, this, [this] {
         if (m_drawingPage->isWanted() || !m_drawingPage->isHidden())
@@ -94,6 +102,7 @@ void PropertiesDock::refresh()
     m_modelPage->setVisible(!hasSection && !hasJoint && !isDrawing);
     m_jointPage->setVisible(hasJoint && !isDrawing);
     m_sectionPage->setVisible(hasSection && !isDrawing);
+    tellProblem();
     if (isDrawing) {
         m_drawingPage->refresh();
         return;
@@ -105,6 +114,37 @@ void PropertiesDock::refresh()
         m_sectionPage->refresh();
     else
         m_modelPage->refresh();
+}
+
+/// The worst that is wrong with the section that is selected.
+void PropertiesDock::tellProblem()
+{
+    const std::vector<int> sections = selectedSections(m_bench);
+    const Check *worst = nullptr;
+    int others = -1;
+    if (sections.size() == 1 && !m_sectionPage->isHidden()) {
+        const SectionRef section =
+            m_bench.session().model().ref(static_cast<std::size_t>(sections.front()));
+        for (const Check &check : m_list.all()) {
+            const std::vector<SectionRef> whom = concerned(check);
+            if (check.severity < CheckSeverity::Warning ||
+                std::find(whom.begin(), whom.end(), section) == whom.end())
+                continue;
+            ++others;
+            if (!worst || check.severity > worst->severity)
+                worst = &check;
+        }
+    }
+    if (!worst) {
+        m_problem->hide();
+        return;
+    }
+    const CheckWords words = checkWords(*worst, m_list.model());
+    QString html = QStringLiteral("<b>%1.</b> %2")
+                       .arg(words.title.toHtmlEscaped(), words.text.toHtmlEscaped());
+    if (others > 0)
+        html += QStringLiteral("<br>") + tr("%n more in Checks.", nullptr, others);
+    m_problem->tell(worst->severity, html);
 }
 
 } // namespace fff::ui

@@ -8,11 +8,16 @@
 
 #include <QTimer>
 
+namespace fff {
+class CheckList;
+}
+
 namespace fff::ui {
 
 class DrawingPage;
 class JointPage;
 class ModelPage;
+class ProblemBox;
 class PropertiesHeader;
 class SectionPage;
 class Workbench;
@@ -21,7 +26,7 @@ class PropertiesDock : public QDockWidget
 {
     Q_OBJECT
 public:
-    explicit PropertiesDock(Workbench &bench, QWidget *parent = nullptr);
+    PropertiesDock(Workbench &bench, const CheckList &list, QWidget *parent = nullptr);
 
     /// Reads everything again; also for another theme.
     void refresh();
@@ -32,9 +37,12 @@ Q_SIGNALS:
 
 private:
     void follow();
+    void tellProblem();
 
     Workbench &m_bench;
+    const CheckList &m_list;
     PropertiesHeader *m_header = nullptr;
+    ProblemBox *m_problem = nullptr; // of a single section
     ModelPage *m_modelPage = nullptr;
     SectionPage *m_sectionPage = nullptr;
     JointPage *m_jointPage = nullptr;
