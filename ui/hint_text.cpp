@@ -166,6 +166,10 @@ QString hintSentence(const Hint &hint, const QString &undoKeys)
         return HintText::tr("Drag to make the slit of %1 deeper and that of %2 shallower; click "
                             "to select the joint.")
             .arg(other, name);
+    case Hint::Kind::MoveSelectedMeetingPoint:
+        return HintText::tr("Drag to make the slit of %1 deeper and that of %2 shallower; arrow "
+                            "keys move 1\u202fmm.")
+            .arg(other, name);
     case Hint::Kind::SelectJoint:
         return HintText::tr("Click to select the joint of %1 and %2.").arg(name, other);
     case Hint::Kind::MovingMeetingPoint:

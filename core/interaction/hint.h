@@ -54,12 +54,13 @@ struct Hint
         MovingHandle,
         BendingContour, // dragging a piece of it
         PointBand,
-        ChooseProblem,      // section: the number of its mark
-        ShowSteps,          // of the assembly
-        StepsClosed,        // since the model has changed
-        MoveMeetingPoint,   // over the mark of a joint; section, other: whose it is
-        SelectJoint,        // the same, where nothing can be moved
-        MovingMeetingPoint, // dragging it; number: percent that is of the other's slit
+        ChooseProblem,            // section: the number of its mark
+        ShowSteps,                // of the assembly
+        StepsClosed,              // since the model has changed
+        MoveMeetingPoint,         // over the mark of a joint; section, other: whose it is
+        MoveSelectedMeetingPoint, // the same, of the selected joint
+        SelectJoint,              // the same, where nothing can be moved
+        MovingMeetingPoint,       // dragging it; number: percent that is of the other's slit
         // Notes and refusals
         NeverLeft,
         TooShort,

@@ -106,14 +106,12 @@ std::pair<Hint, Cursor> hoverHint(const PointTarget &target)
     return {}; // not reached: every kind is above
 }
 
-std::pair<Hint, Cursor> hoverHint(const JointMark &mark, const Model &model)
+std::pair<Hint, Cursor> hoverHint(const JointMark &mark, const Model &model, bool isSelected)
 {
-    const auto nameOf = [&](const SectionRef &ref) {
-        const int index = model.indexOf(ref);
-        return index < 0 ? std::string() : model.section(static_cast<std::size_t>(index))->name;
-    };
-    const Hint::Kind kind = mark.moves ? Hint::Kind::MoveMeetingPoint : Hint::Kind::SelectJoint;
-    return {{kind, nameOf(mark.joint.a), false, nameOf(mark.joint.b)}, Cursor::Hand};
+    const Hint::Kind kind = !mark.moves  ? Hint::Kind::SelectJoint
+                            : isSelected ? Hint::Kind::MoveSelectedMeetingPoint
+                                         : Hint::Kind::MoveMeetingPoint;
+    return {{kind, model.nameOf(mark.joint.a), false, model.nameOf(mark.joint.b)}, Cursor::Hand};
 }
 
 } // namespace fff

@@ -44,6 +44,6 @@ std::pair<Hint, Cursor> hoverHint(const Overlay &overlay, const Model &model);
 /// The same over what of a contour can be dragged.
 std::pair<Hint, Cursor> hoverHint(const PointTarget &target);
 /// The same over the mark of a joint.
-std::pair<Hint, Cursor> hoverHint(const JointMark &mark, const Model &model);
+std::pair<Hint, Cursor> hoverHint(const JointMark &mark, const Model &model, bool isSelected);
 
 } // namespace fff

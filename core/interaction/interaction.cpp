@@ -346,6 +346,11 @@ bool Interaction::nudge(const Vec2 &arrow, double distance, double time)
     advance(time);
     if (d->tool)
         return false; // it has the keys
+    if (const std::optional<JointRef> joint = d->selection.joint()) {
+        const bool isMoved = d->nudgeMeetingPoints(*joint, arrow, distance);
+        d->update();
+        return isMoved;
+    }
     const Camera &camera = d->motion.camera;
     const Document &document = d->host.model().document;
     if (const Section *section = sectionOfPoints(); section && !d->points.isEmpty()) {

@@ -242,9 +242,9 @@ public:
     void carryOut(PointEdit edit, double time);
     /// Says it for a while, in place of what the next gesture does.
     void say(const Hint &hint, double time);
-    /// An arrow key: the selected points, else the selected sections, go along the axis that is
-    /// nearest to the arrow on the screen. arrow: unit, right and up; distance: mm. False when
-    /// nothing is selected.
+    /// An arrow key: where the slits of the selected joint meet goes along its axis if that runs so
+    /// on the screen; the selected points, else the selected sections, go along the axis that is
+    /// nearest to the arrow. arrow: unit, right and up; distance: mm. False when nothing moves.
     bool nudge(const Vec2 &arrow, double distance, double time);
     /// What edits of points go by.
     PointRules pointRules() const;

@@ -1,6 +1,16 @@
 #include "core/interaction/interaction_private.h"
+#include "core/interaction/joint_editing.h"
 
 namespace fff {
+
+namespace {
+
+/// Cosine of the angle on the screen up to which an axis runs along an arrow, 60°.
+constexpr double kAlongArrow = 0.5;
+/// Sine of the angle to the axis below which one looks along it.
+constexpr double kSeenAlong = 0.05;
+
+} // namespace
 
 // Marks of joints.
 
@@ -53,6 +63,37 @@ void Interaction::Private::markJoints()
         light(shown.marks[static_cast<std::size_t>(shown.hovered)].joint);
     if (!shown.marks.empty())
         overlay.joints = std::move(shown);
+}
+
+/// Along the axis as it runs on the screen; what looks along it cannot tell which way.
+bool Interaction::Private::nudgeMeetingPoints(const JointRef &joint, const Vec2 &arrow,
+                                              double distance)
+{
+    const Model &model = host.model();
+    const std::optional<JointState> state = jointState(model, joint);
+    if (!state)
+        return false;
+    const Camera &camera = motion.camera;
+    const Vec3 at = state->meetingPoint(0);
+    const Vec2 way = camera.toScreen(at + state->crossing.axis.direction, motion.viewport) -
+                     camera.toScreen(at, motion.viewport);
+    const double along = way.x() * arrow.x() - way.y() * arrow.y();
+    if (std::abs(along) < kAlongArrow * way.norm() ||
+        way.norm() < kSeenAlong / camera.scaleAt(at, motion.viewport))
+        return false;
+    cancelGesture();
+    JointEdit edit = fff::nudgeMeetingPoints(model, joint, along > 0.0 ? distance : -distance);
+    if (!edit) {
+        note = Note{edit.error(), now + kNoteTime};
+        return true;
+    }
+    note.reset();
+    if (!edit->document.isSame(model.document)) {
+        document = edit->document;
+        host.commit(edit->step, std::move(edit->document));
+    }
+    hover();
+    return true;
 }
 
 } // namespace fff

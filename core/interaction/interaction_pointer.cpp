@@ -218,7 +218,8 @@ void Interaction::Private::update()
     else if (tool && !isOnMark)
         std::tie(hint, cursor) = std::pair(tool->hint(), tool->cursor());
     else if (hoveredJoint)
-        std::tie(hint, cursor) = hoverHint(*hoveredJoint, host.model());
+        std::tie(hint, cursor) =
+            hoverHint(*hoveredJoint, host.model(), selection.joint() == hoveredJoint->joint);
     else
         std::tie(hint, cursor) =
             hoveredPoint ? hoverHint(*hoveredPoint) : hoverHint(overlay, host.model());

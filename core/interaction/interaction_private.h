@@ -105,6 +105,7 @@ public:
     void markJoints();
     bool marksSelection() const;
     const JointMark *jointMarkAt(const Vec2 &position);
+    bool nudgeMeetingPoints(const JointRef &joint, const Vec2 &arrow, double distance);
     void update();
     void turn(const Camera &to, double start, double duration);
     void stopMotion();

@@ -77,6 +77,29 @@ JointEdit moveMeetingPoint(const Model &model, const JointRef &joint, int overla
     return edited(model, std::move(wanted), std::move(step));
 }
 
+JointEdit nudgeMeetingPoints(const Model &model, const JointRef &joint, double by)
+{
+    std::optional<JointState> state = jointState(model, joint);
+    Step step = stepOf(Step::Kind::MoveMeetingPoint);
+    bool moves = false;
+    for (std::size_t i = 0; state && i < state->shares.size(); ++i) {
+        if (!state->shares[i])
+            continue;
+        const Overlap &o = state->crossing.overlaps[i];
+        const double share = std::clamp(*state->shares[i] - state->sign * by / (o.to - o.from),
+                                        kLeastShare, 1.0 - kLeastShare);
+        if (!moves)
+            step.count = static_cast<int>(std::lround(100.0 * (1.0 - share)));
+        if (std::abs(share - *state->shares[i]) >= kSameShare)
+            state->wanted = withShare(model, *state, static_cast<int>(i), share);
+        moves = true;
+    }
+    if (!moves)
+        return refused(Hint::Kind::NoMeetingPoint, model, joint);
+    step.merges = "meeting point " + model.nameOf(joint.a) + '\n' + model.nameOf(joint.b);
+    return edited(model, std::move(state->wanted), std::move(step));
+}
+
 JointEdit joinWithTabs(const Model &model, const JointRef &joint)
 {
     const int a = model.indexOf(joint.a), b = model.indexOf(joint.b);

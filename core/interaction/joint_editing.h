@@ -21,6 +21,9 @@ JointEdit setKind(const Model &model, const JointRef &joint, JointKind kind);
 JointEdit flipSlits(const Model &model, const JointRef &joint);
 /// share: of the slit of the joint's a.
 JointEdit moveMeetingPoint(const Model &model, const JointRef &joint, int overlap, double share);
+/// All places where slits of the joint meet by so much along its axis, mm, as far as they can go.
+/// Several such steps are one.
+JointEdit nudgeMeetingPoints(const Model &model, const JointRef &joint, double by);
 /// As setKind() for tabs, also of sections that have no joint because one only ends on the other.
 JointEdit joinWithTabs(const Model &model, const JointRef &joint);
 /// Cuts a section back to the faces of another one that it is in; only a drawn one.

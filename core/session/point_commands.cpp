@@ -133,7 +133,10 @@ void registerNudges(CommandRegistry &registry, Interaction &interaction)
                               interaction.nudge(arrow, *distance, time);
                               return {};
                           },
-                          [&interaction] { return !interaction.selection().empty(); }});
+                          [&interaction] {
+                              return !interaction.selection().empty() ||
+                                     interaction.selectedJoint().has_value();
+                          }});
     };
     add("nudge.left", -Vec2::UnitX());
     add("nudge.right", Vec2::UnitX());

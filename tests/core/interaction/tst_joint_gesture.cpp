@@ -53,6 +53,7 @@ private Q_SLOTS:
     void aClickSelectsTheJoint();
     void aDragMovesTheMeetingPoint_data();
     void aDragMovesTheMeetingPoint();
+    void arrowKeysMoveIt();
     void escapeLeavesNoTrace();
     void undoBringsBackTheVeryObjects();
     void fingersReachFarther();
@@ -124,7 +125,7 @@ void TestJointGesture::aClickSelectsTheJoint()
     QCOMPARE(desk.marks()->marks.size(), std::size_t(1));
     // Its slits are seen by now, and taken hold of as well.
     desk.send(Type::Move, desk.at(50));
-    QCOMPARE(desk.hint(), Hint::Kind::MoveMeetingPoint);
+    QCOMPARE(desk.hint(), Hint::Kind::MoveSelectedMeetingPoint);
     desk.drag({desk.at(50), desk.at(56)});
     QVERIFY(std::abs(desk.share() - 0.4) < 1e-9);
     desk.session.history()->undo();
@@ -318,6 +319,39 @@ void TestJointGesture::whatCannotBeMovedSaysSo()
     desk.run("joint.kind", {{"kind", "mortise"}});
     QCOMPARE(desk.hint(), Hint::Kind::JointCannotBe);
     QVERIFY(desk.document().isSame(before));
+}
+
+// Wrong: what the mouse can do the keys cannot, or twenty presses take twenty undos.
+void TestJointGesture::arrowKeysMoveIt()
+{
+    JointDesk desk;
+    desk.interaction.selectJoint(desk.joint());
+    const auto height = [&] { return desk.state().meetingPoint(0).y(); };
+    QVERIFY(std::abs(height() - 30.0) < 1e-9);
+    for (int i = 0; i < 3; ++i)
+        desk.run("nudge.up");
+    desk.run("nudge.down", {{"distance", "0.1"}});
+    QVERIFY(std::abs(height() - 32.9) < 1e-9);
+    QCOMPARE(desk.steps(), 1);
+    desk.run("nudge.left"); // the axis stands upright
+    QVERIFY(std::abs(height() - 32.9) < 1e-9);
+    desk.session.history()->undo();
+    QVERIFY(std::abs(height() - 30.0) < 1e-9);
+
+    desk.run("joint.flip"); // up is up all the same
+    desk.run("nudge.up", {{"distance", "10"}});
+    QVERIFY(std::abs(height() - 40.0) < 1e-9);
+    desk.run("nudge.up", {{"distance", "100"}}); // as far as a slit still holds
+    QVERIFY(std::abs(height() - (60.0 - 60.0 * kLeastShare)) < 1e-9);
+    const int steps = desk.steps();
+    desk.run("nudge.up");
+    QCOMPARE(desk.steps(), steps);
+    // Seen along the axis an arrow says nothing.
+    Camera camera = desk.interaction.camera();
+    orientationOfView("top", camera.orientation);
+    desk.interaction.setCamera(camera);
+    desk.run("nudge.down");
+    QCOMPARE(desk.steps(), steps);
 }
 
 void TestJointGesture::deleteSaysWhyNot()
