@@ -452,12 +452,12 @@
         <translation>Nichts würde sie halten: Wo Schlitze beginnen würden, sind Löcher. Kleinere Löcher helfen, oder eine von beiden in der anderen enden lassen.</translation>
     </message>
     <message>
-        <source>%1 ends %2 above the ground.</source>
-        <translation>%1 endet %2 über dem Boden.</translation>
+        <source>The lowest point of %1 is %2 above the ground.</source>
+        <translation>Der tiefste Punkt von %1 liegt %2 über dem Boden.</translation>
     </message>
     <message>
-        <source>%1 end up to %2 above the ground.</source>
-        <translation>%1 enden bis zu %2 über dem Boden.</translation>
+        <source>The lowest points of %1 are up to %2 above the ground.</source>
+        <translation>Die tiefsten Punkte von %1 liegen bis zu %2 über dem Boden.</translation>
     </message>
 </context>
 <context>

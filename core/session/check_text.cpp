@@ -119,9 +119,11 @@ QString feetText(const Check &check, const Model &model, const CheckUnits &units
         highest = std::max(highest, foot.height);
     }
     const QString names = namesOf(model, sections), high = units.length(highest);
-    return u' ' + (sections.size() == 1
-                       ? Words::tr("%1 ends %2 above the ground.").arg(names, high)
-                       : Words::tr("%1 end up to %2 above the ground.").arg(names, high));
+    return u' ' +
+           (sections.size() == 1
+                ? Words::tr("The lowest point of %1 is %2 above the ground.").arg(names, high)
+                : Words::tr("The lowest points of %1 are up to %2 above the ground.")
+                      .arg(names, high));
 }
 
 /// Which sections a sentence about standing is about, where it is not the whole model.
