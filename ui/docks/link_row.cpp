@@ -16,7 +16,8 @@ namespace {
 constexpr int kBetween = 16; // px, with the dot in the middle
 constexpr int kAround = 2;   // px, for the frame of the focus
 
-/// Words to be clicked. Too long ones are cut short; their tip says them all.
+/// Words to be clicked, in several lines where they are long. A word longer than a line is cut
+/// short; the tip says all of them.
 class Link : public QAbstractButton
 {
 public:
@@ -36,6 +37,12 @@ public:
         return {static_cast<int>(std::ceil(metrics.horizontalAdvance(text()))) + 2 * kAround,
                 static_cast<int>(std::ceil(metrics.height())) + 2 * kAround};
     }
+    bool hasHeightForWidth() const override { return true; }
+    int heightForWidth(int width) const override
+    {
+        ensurePolished();
+        return wrapped(width).height() + 2 * kAround;
+    }
 
 protected:
     void paintEvent(QPaintEvent *) override
@@ -47,8 +54,11 @@ protected:
         painter.setFont(underlined);
         painter.setPen(underMouse() || isDown() ? t.text : t.accent);
         const QRect words = rect().adjusted(kAround, kAround, -kAround, -kAround);
-        painter.drawText(words, Qt::AlignLeft | Qt::AlignVCenter,
-                         fontMetrics().elidedText(text(), Qt::ElideMiddle, words.width()));
+        if (wrapped(width()).width() > words.width())
+            painter.drawText(words, Qt::AlignLeft | Qt::AlignVCenter,
+                             fontMetrics().elidedText(text(), Qt::ElideMiddle, words.width()));
+        else
+            painter.drawText(words, kFlags, text());
         if (hasFocus()) {
             painter.setPen(QPen(t.accent, 1.0));
             painter.drawRect(rect().adjusted(0, 0, -1, -1));
@@ -69,7 +79,19 @@ protected:
     }
     void resizeEvent(QResizeEvent *) override
     {
-        setToolTip(width() < sizeHint().width() ? text() : QString());
+        setToolTip(wrapped(width()).width() > width() - 2 * kAround ? text() : QString());
+    }
+
+private:
+    static constexpr int kFlags = Qt::AlignLeft | Qt::AlignVCenter | Qt::TextWordWrap;
+
+    /// Size of the words in a link so wide; wider than that where they do not break.
+    QSize wrapped(int width) const
+    {
+        const QRectF room(0.0, 0.0, width - 2 * kAround, QWIDGETSIZE_MAX);
+        const QRectF words = QFontMetricsF(font()).boundingRect(room, kFlags, text());
+        return {static_cast<int>(std::ceil(words.width())),
+                static_cast<int>(std::ceil(words.height()))};
     }
 };
 
@@ -115,7 +137,10 @@ std::vector<QRect> LinkRow::places(int width) const
     std::vector<QRect> places;
     int x = 0, y = 0;
     for (qsizetype i = 0; i < m_texts.size(); ++i) {
-        const QSize size = m_links[static_cast<std::size_t>(i)]->sizeHint();
+        const QAbstractButton *link = m_links[static_cast<std::size_t>(i)];
+        QSize size = link->sizeHint();
+        if (size.width() > width)
+            size.setHeight(link->heightForWidth(width));
         if (x > 0 && x + size.width() > width) {
             x = 0;
             y += size.height();

@@ -4,11 +4,22 @@
 
 #include <QAbstractItemView>
 #include <QCoreApplication>
+#include <QHelpEvent>
 #include <QPainter>
 #include <QStandardItemModel>
+#include <QStyleOptionComboBox>
+#include <QStylePainter>
+#include <QToolTip>
 #include <QWheelEvent>
 
 namespace fff::ui {
+
+namespace {
+
+// What Fusion leaves free beside the icon and at the two ends of the text, px.
+constexpr int kBesideChip = 4, kBesideText = 2;
+
+} // namespace
 
 QIcon colourChip(const QColor &colour)
 {
@@ -66,6 +77,46 @@ void ChoiceBox::showPopup()
     for (QWidget *list : {static_cast<QWidget *>(view()), view()->parentWidget()})
         list->setPalette(theme().palette());
     QComboBox::showPopup();
+}
+
+/// What is chosen, so much of it as there is room for.
+QString ChoiceBox::shownText(const QStyleOptionComboBox &option) const
+{
+    const QRect field =
+        style()->subControlRect(QStyle::CC_ComboBox, &option, QStyle::SC_ComboBoxEditField, this);
+    const int chip = option.currentIcon.isNull() ? 0 : option.iconSize.width() + kBesideChip;
+    return fontMetrics().elidedText(option.currentText, Qt::ElideRight,
+                                    field.width() - chip - kBesideText);
+}
+
+bool ChoiceBox::event(QEvent *event)
+{
+    if (event->type() == QEvent::ToolTip && toolTip().isEmpty()) {
+        QStyleOptionComboBox option;
+        initStyleOption(&option);
+        if (shownText(option) != option.currentText) {
+            QToolTip::showText(static_cast<QHelpEvent *>(event)->globalPos(), option.currentText,
+                               this);
+            return true;
+        }
+    }
+    return QComboBox::event(event);
+}
+
+/// As QComboBox does it, which cuts a long text off in the middle of a letter.
+void ChoiceBox::paintEvent(QPaintEvent *)
+{
+    QStylePainter painter(this);
+    painter.setPen(palette().color(QPalette::Text));
+    QStyleOptionComboBox option;
+    initStyleOption(&option);
+    painter.drawComplexControl(QStyle::CC_ComboBox, option);
+    if (currentIndex() < 0) {
+        option.palette.setBrush(QPalette::ButtonText, option.palette.placeholderText());
+        option.currentText = placeholderText();
+    }
+    option.currentText = shownText(option);
+    painter.drawControl(QStyle::CE_ComboBoxLabel, option);
 }
 
 void ChoiceBox::wheelEvent(QWheelEvent *event)

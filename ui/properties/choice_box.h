@@ -38,9 +38,13 @@ public:
     void showPopup() override;
 
 protected:
+    bool event(QEvent *event) override;
+    void paintEvent(QPaintEvent *event) override;
     void wheelEvent(QWheelEvent *event) override;
 
 private:
+    QString shownText(const QStyleOptionComboBox &option) const;
+
     std::vector<Choice> m_shown;
 };
 

@@ -14,7 +14,7 @@ class TestLinkRow : public QObject
 private Q_SLOTS:
     void aLinkHasRoomForItsWords_data();
     void aLinkHasRoomForItsWords();
-    void aLongLinkIsCutShortAndSaysAllInItsTip();
+    void aLongLinkBreaksIntoLines();
     void linksBreakIntoLines();
 };
 
@@ -86,14 +86,24 @@ void TestLinkRow::aLinkHasRoomForItsWords()
 }
 
 // Wrong: words that run out of the panel, or that cannot be read anywhere.
-void TestLinkRow::aLongLinkIsCutShortAndSaysAllInItsTip()
+void TestLinkRow::aLongLinkBreaksIntoLines()
 {
-    Panel panel(120);
-    const QString words = QStringLiteral("Trim the very long tail spike of the dragon");
-    panel.row->setTexts({words});
+    Panel panel(140);
+    panel.row->setTexts({QStringLiteral("Trim the very long tail spike of the dragon")});
     panel.row->show();
     QTRY_VERIFY(panel.link(0)->width() <= panel.row->width());
-    QTRY_COMPARE(panel.link(0)->toolTip(), words);
+    const int line = panel.link(0)->sizeHint().height();
+    QTRY_VERIFY(panel.link(0)->height() > line);
+    QTRY_VERIFY(panel.row->height() >= panel.link(0)->height());
+    QVERIFY(panel.link(0)->toolTip().isEmpty());
+    panel.panel.resize(900, 200);
+    QTRY_COMPARE(panel.link(0)->height(), line);
+
+    // What has no place to break is cut short and said by the tip.
+    const QString word = QStringLiteral("Donaudampfschifffahrtsgesellschaftskapitän");
+    panel.panel.resize(140, 200);
+    panel.row->setTexts({word});
+    QTRY_COMPARE(panel.link(0)->toolTip(), word);
     panel.panel.resize(900, 200);
     QTRY_VERIFY(panel.link(0)->toolTip().isEmpty());
 }
