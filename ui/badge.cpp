@@ -72,13 +72,17 @@ QFont Badge::words() const
 
 QSize Badge::sizeHint() const
 {
-    if (m_isFolded)
-        return {kGlyph + 2 * 8, kHeight};
+    return {widthWhen(m_isFolded), kHeight};
+}
+
+int Badge::widthWhen(bool isFolded) const
+{
+    if (isFolded)
+        return kGlyph + 2 * 8;
     QFont widest = font(); // so that turning bad moves no neighbour
     widest.setWeight(QFont::DemiBold);
-    return {kMargin + kGlyph + kGap + QFontMetrics(widest).horizontalAdvance(m_content.title) +
-                kMargin + 2,
-            kHeight};
+    return kMargin + kGlyph + kGap + QFontMetrics(widest).horizontalAdvance(m_content.title) +
+           kMargin + 2;
 }
 
 void Badge::paintEvent(QPaintEvent *)

@@ -26,8 +26,11 @@ public:
 
     /// One that turns bad fills from the left, once.
     void setContent(const Content &content);
+    CheckSeverity severity() const { return m_content.severity; }
     /// Its glyph alone.
     void setFolded(bool isFolded);
+    /// px
+    int widthWhen(bool isFolded) const;
 
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override { return sizeHint(); }

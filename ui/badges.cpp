@@ -1,5 +1,6 @@
 #include "ui/badges.h"
 
+#include "core/interaction/view_cube.h"
 #include "core/session/check_list.h"
 #include "core/session/check_text.h"
 #include "ui/badge.h"
@@ -11,6 +12,7 @@
 #include <QHBoxLayout>
 
 #include <algorithm>
+#include <optional>
 
 namespace fff::ui {
 
@@ -93,11 +95,28 @@ void Badges::refresh()
     fold();
 }
 
+/// Words are there as long as they leave the view cube free; those of what is good go first.
 void Badges::fold()
 {
-    const bool glyphsOnly = parentWidget()->width() < kGlyphsOnly;
+    const QSize view = parentWidget()->size();
+    const auto cube = cubeCentre({view.width(), view.height()});
+    const double end = cube ? cube->x() - 0.5 * kCubeRoom : view.width();
+    std::optional<CheckSeverity> folded; // up to this one
+    if (view.width() < kGlyphsOnly)
+        folded = CheckSeverity::Error;
+    const auto isFolded = [&](const Badge *badge) {
+        return folded && badge->severity() <= *folded;
+    };
+    for (const auto next : {CheckSeverity::Good, CheckSeverity::Error}) {
+        int width = kMargin;
+        for (const Badge *badge : m_badges)
+            width += badge->isHidden() ? 0 : badge->widthWhen(isFolded(badge)) + kGap;
+        if (folded == CheckSeverity::Error || width <= end)
+            break;
+        folded = next;
+    }
     for (Badge *badge : m_badges)
-        badge->setFolded(glyphsOnly);
+        badge->setFolded(isFolded(badge));
     const QSize size = layout()->sizeHint();
     if (this->size() != size)
         resize(size);

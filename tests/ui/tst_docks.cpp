@@ -1,9 +1,11 @@
 // Docks, checks, history, stocks and units as a person uses them, in a window without its view.
 #include <QTest> // first: moc stumbles over some standard headers
 
+#include "core/interaction/view_cube.h"
 #include "core/model/edits.h"
 #include "core/session/check_list.h"
 #include "tests/core/assembly/known_models.h"
+#include "ui/badge.h"
 #include "ui/docks/check_row.h"
 #include "ui/docks/outline_dock.h"
 #include "ui/field_style.h"
@@ -28,6 +30,7 @@
 #include <QTreeWidget>
 
 #include <functional>
+#include <set>
 
 using namespace fff;
 using namespace fff::test;
@@ -91,6 +94,7 @@ private Q_SLOTS:
     void anotherDocumentHasNothingSelected();
     void whatCanBeDoneIsOneStep();
     void propertiesSayWhatIsWrong();
+    void badgesLeaveTheCubeFree();
     void slitsAreTurnedInOneStep();
     void theFocusStaysWithItsCheck();
     void draggingTheThicknessIsOneStep();
@@ -506,6 +510,33 @@ void TestDocks::propertiesSayWhatIsWrong()
                      *moveSection(session().committed().document,
                                   session().committed().document.sections[2]->id, side(30)));
     QTRY_VERIFY(!problem->isVisible());
+}
+
+// Wrong: a badge lies on the view cube, or a problem has no words though there is room for them.
+void TestDocks::badgesLeaveTheCubeFree()
+{
+    Document loose = withSection(roundabout(eggCrate(2, 2), 0),
+                                 polygonShape(rectangle(-20, 0, 20, 40)), side(120));
+    session().reset(moveAll(loose, {0, 5, 0}));
+    auto *badges = m_window->findChild<QWidget *>(QStringLiteral("badges"));
+    const auto badge = [&](int index) {
+        return badges->findChild<Badge *>(QStringLiteral("badge%1").arg(index));
+    };
+    QTRY_VERIFY(badge(2) && badge(2)->isVisible() && badge(2)->severity() == CheckSeverity::Error);
+    std::set<int> widths;
+    for (int width = 1700; width >= 1024; width -= 25) {
+        m_window->resize(width, 700);
+        const QWidget *view = badges->parentWidget();
+        const auto cube = cubeCentre({view->width(), view->height()});
+        QVERIFY(cube);
+        QTRY_VERIFY2(badges->geometry().right() < cube->x() - 0.5 * kCubeRoom,
+                     QByteArray::number(width));
+        for (int i = 0; i < 5; ++i)
+            if (badge(i)->isVisible())
+                QTRY_COMPARE(badge(i)->width(), badge(i)->sizeHint().width());
+        widths.insert(badges->width());
+    }
+    QVERIFY2(widths.size() >= 2, QByteArray::number(int(widths.size())));
 }
 
 // Wrong: a person is told that it cannot be assembled and left to find out what helps, or cannot

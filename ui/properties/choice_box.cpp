@@ -16,8 +16,10 @@ namespace fff::ui {
 
 namespace {
 
-// What Fusion leaves free beside the icon and at the two ends of the text, px.
-constexpr int kBesideChip = 4, kBesideText = 2;
+/// What Fusion leaves free beside the icon, px.
+constexpr int kBesideChip = 4;
+/// Its own hint for the size of a box is so much short of what its text takes, px.
+constexpr int kShort = 2;
 
 } // namespace
 
@@ -86,7 +88,7 @@ QString ChoiceBox::shownText(const QStyleOptionComboBox &option) const
         style()->subControlRect(QStyle::CC_ComboBox, &option, QStyle::SC_ComboBoxEditField, this);
     const int chip = option.currentIcon.isNull() ? 0 : option.iconSize.width() + kBesideChip;
     return fontMetrics().elidedText(option.currentText, Qt::ElideRight,
-                                    field.width() - chip - kBesideText);
+                                    field.width() - chip + kShort);
 }
 
 bool ChoiceBox::event(QEvent *event)
