@@ -28,6 +28,11 @@ bool isBeforeEye(const MarkPen &pen, const Vec3 &world)
            camera.forward().dot(world - camera.eye(pen.viewport())) > 0.0;
 }
 
+bool isInView(const MarkPen &pen, const QPointF &at)
+{
+    return QRectF(0.0, 0.0, pen.viewport().x(), pen.viewport().y()).contains(at);
+}
+
 QPen dashed(const QColor &colour, double width, double on, double off)
 {
     QPen pen(colour, width, Qt::CustomDashLine, Qt::FlatCap, Qt::RoundJoin);
@@ -135,6 +140,8 @@ void paintGround(MarkPen &pen, const GroundMark &mark, LengthUnit unit, const QL
                                            : Words::tr("%1 inside").arg(far);
     const QPointF middle = 0.5 * (foot + to);
     const bool isShort = std::hypot(to.x() - foot.x(), to.y() - foot.y()) < kShortest;
+    if (!isInView(pen, isShort ? foot : middle))
+        return; // it would be about something else at the view's edge
     pen.chip((isShort ? foot : middle) + QPointF(0.0, kCentre + kChipBelow),
              MarkPen::Anchor::Middle, text, colour);
 }
@@ -152,6 +159,8 @@ void paintHigh(MarkPen &pen, const HighMark &mark, LengthUnit unit, const QLocal
     pen.cased(path, roundPen(colour, kSymbol));
     const QString high = lengthText(mark.height, unit, 0, 1, locale);
     //: %1 is a length: how far a foot ends above the ground
+    if (!isInView(pen, to))
+        return;
     pen.chip(to + QPointF(0.0, kChipBelow), MarkPen::Anchor::Middle,
              Words::tr("%1 too high").arg(high), colour);
 }
