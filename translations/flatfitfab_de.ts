@@ -2410,6 +2410,15 @@
         <source>Stretch them to the ground</source>
         <translation>Bis zum Boden verlängern</translation>
     </message>
+    <message>
+        <source>Join it with %1</source>
+        <extracomment>%1 is the name of a section</extracomment>
+        <translation>Mit %1 verbinden</translation>
+    </message>
+    <message>
+        <source>Join them</source>
+        <translation>Verbinden</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::ChecksDock</name>
@@ -3879,7 +3888,6 @@
     </message>
     <message>
         <source>%1 too high</source>
-        <extracomment>%1 is a length: how far a foot ends above the ground</extracomment>
         <translation>%1 zu hoch</translation>
     </message>
 </context>

@@ -50,6 +50,10 @@ QString actionText(const CheckAction &action, const Check &check, const Model &m
                      //: %1 is the name of a section
                      : Words::tr("Move them to %1").arg(name);
     }
+    case CheckAction::Kind::JoinAgain:
+        //: %1 is the name of a section
+        return isOne ? Words::tr("Join it with %1").arg(sectionName(model, action.section))
+                     : Words::tr("Join them");
     case CheckAction::Kind::JoinWithTabs:
         return Words::tr("Join with tabs");
     case CheckAction::Kind::Trim:

@@ -1,10 +1,14 @@
 #include "core/session/check_actions.h"
 
+#include "core/assembly/found_joint.h"
 #include "core/interaction/joint_editing.h"
 #include "core/model/edits.h"
+#include "core/operations/evaluate.h"
 #include "core/session/dropping.h"
 #include "core/session/joining_move.h"
 #include "core/session/stretching.h"
+
+#include <algorithm>
 
 namespace fff {
 
@@ -42,6 +46,46 @@ std::optional<CheckEdit> movedTo(const SectionRef &other, const Check &check,
     const int index = model.indexOf(other);
     edit.step.names.push_back(model.section(static_cast<std::size_t>(index))->name);
     return edit;
+}
+
+bool isOneOf(const SectionRef &section, const std::vector<SectionRef> &sections)
+{
+    return std::find(sections.begin(), sections.end(), section) != sections.end();
+}
+
+/// A joint of one of the sections with another one, or with any, that somebody wanted not to be.
+std::optional<JointRef> unwantedJoint(const std::vector<SectionRef> &sections,
+                                      const std::optional<SectionRef> &with,
+                                      const Document &document)
+{
+    for (const JointOverridePointer &wanted : document.jointOverrides) {
+        if (wanted->kind != JointKind::None)
+            continue;
+        for (const auto &[one, other] :
+             {std::pair(&wanted->a, &wanted->b), std::pair(&wanted->b, &wanted->a)})
+            if (isOneOf(*one, sections) && (with ? *other == *with : !isOneOf(*other, sections)))
+                return JointRef(*one, *other);
+    }
+    return {};
+}
+
+/// As it is by itself.
+std::optional<CheckEdit> joinedAgain(const SectionRef &other, const Check &check,
+                                     const Model &model)
+{
+    const auto joint = unwantedJoint(check.sections, other, model.document);
+    if (!joint)
+        return {};
+    JointEdit edit = resetJoint(model, *joint);
+    if (!edit)
+        return {};
+    const Model next = evaluate(edit->document, model);
+    const int a = next.indexOf(joint->a), b = next.indexOf(joint->b);
+    const auto found =
+        a < 0 || b < 0 ? std::nullopt : findJoint(next, std::min(a, b), std::max(a, b));
+    if (!found || found->joint.kind == JointKind::None)
+        return {};
+    return CheckEdit{std::move(edit->step), std::move(edit->document)};
 }
 
 /// Of the check's sections and the one that it names, the first that can be joined so.
@@ -126,6 +170,21 @@ std::optional<CheckEdit> dropped(const Check &check, const Model &model)
     return CheckEdit{{Step::Kind::DropToGround, {}}, *std::move(next)};
 }
 
+/// Where there was to be no joint one is the mildest of all.
+std::vector<CheckAction> withJoint(const Check &check, const Document &document,
+                                   std::vector<CheckAction> actions)
+{
+    std::optional<SectionRef> other;
+    if (check.code == CheckCode::NoSlit)
+        other = check.sections.back();
+    if (const auto joint = unwantedJoint(check.sections, other, document)) {
+        if (!other)
+            other = isOneOf(joint->a, check.sections) ? joint->b : joint->a;
+        actions.insert(actions.begin(), {Kind::JoinAgain, *other});
+    }
+    return actions;
+}
+
 std::vector<CheckAction> withDeleted(std::vector<CheckAction> actions)
 {
     actions.push_back({Kind::DeleteSections, {}});
@@ -145,10 +204,11 @@ std::vector<CheckAction> candidates(const Check &check, const Analysis &analysis
 {
     switch (check.code) {
     case CheckCode::NotConnected:
-        return withDeleted(withTabs(check, movesOf(check, analysis)));
+        return withJoint(check, analysis.model.document,
+                         withDeleted(withTabs(check, movesOf(check, analysis))));
     case CheckCode::NoSlit:
     case CheckCode::Interference:
-        return mendsOf(check, analysis.model);
+        return withJoint(check, analysis.model.document, mendsOf(check, analysis.model));
     case CheckCode::CannotAssemble:
         return {{Kind::MakeAssemblable, {}}};
     case CheckCode::Topples:
@@ -176,6 +236,7 @@ std::vector<CheckAction> candidates(const Check &check, const Analysis &analysis
 bool isEdit(Kind kind)
 {
     switch (kind) {
+    case Kind::JoinAgain:
     case Kind::MoveToOther:
     case Kind::JoinWithTabs:
     case Kind::Trim:
@@ -205,6 +266,8 @@ std::optional<CheckEdit> carriedOut(const CheckAction &action, const Check &chec
                                     const Analysis &analysis, const Flips *flips)
 {
     switch (action.kind) {
+    case Kind::JoinAgain:
+        return joinedAgain(action.section, check, analysis.model);
     case Kind::MoveToOther:
         return movedTo(action.section, check, analysis);
     case Kind::JoinWithTabs:

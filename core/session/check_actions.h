@@ -16,6 +16,7 @@ struct CheckAction
 {
     enum class Kind {
         // Edits: carriedOut() makes them.
+        JoinAgain,       // NotConnected, NoSlit: where somebody wanted no joint
         MoveToOther,     // NotConnected: to the nearest section that a joint can then hold it to
                          // (joining_move.h)
         JoinWithTabs,    // NotConnected, NoSlit, Interference: where one ends on the other's face
@@ -30,8 +31,8 @@ struct CheckAction
         WidenSlits,  // NarrowSlit: the same
     };
     Kind kind = Kind::ShowSteps;
-    SectionRef section; // whom its words name: MoveToOther, JoinWithTabs: the one it comes to, or
-                        // is joined with; Trim: the one that is trimmed; StretchToGround: its
+    SectionRef section; // whom its words name: MoveToOther, JoinWithTabs, JoinAgain: the one it comes
+                        // to, or is joined with; Trim: the one that is trimmed; StretchToGround: its
                         // only foot, or none
 
     bool operator==(const CheckAction &) const = default;

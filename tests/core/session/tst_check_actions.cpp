@@ -75,12 +75,12 @@ Frame lyingAt(double height)
     return {{0, height, 0}, Vec3::UnitX(), -Vec3::UnitZ()};
 }
 
-/// Without a joint of the first two sections.
-Document without(Document document)
+/// Without a joint of the first section with another one.
+Document without(Document document, std::size_t other = 1)
 {
     JointOverride none;
     none.a = document.sections[0]->id;
-    none.b = document.sections[1]->id;
+    none.b = document.sections[other]->id;
     none.kind = JointKind::None;
     return *setJointOverride(std::move(document), none);
 }
@@ -139,6 +139,10 @@ void TestCheckActions::editsMend_data()
         << withSection(withSection(newDocument(), plate(-40, 0, 40, 100), side()),
                        plate(0.5, -30, 60, 30), lyingAt(50))
         << Kind::JoinWithTabs << CheckCode::Interference;
+    QTest::newRow("what was not to be joined is joined again, so that it holds")
+        << without(eggCrate(1, 1)) << Kind::JoinAgain << CheckCode::NotConnected;
+    QTest::newRow("what was not to be joined is joined again, so that it does not collide")
+        << without(eggCrate(2, 2), 2) << Kind::JoinAgain << CheckCode::NoSlit;
     QTest::newRow("what no slit holds is trimmed")
         << without(eggCrate(1, 1)) << Kind::Trim << CheckCode::NoSlit;
     QTest::newRow("a loose plate is deleted") << with(plate(-20, 0, 20, 40), front(90))
