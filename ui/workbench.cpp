@@ -49,7 +49,18 @@ void Workbench::setViewport(const Vec2 &size)
     m_interaction->setViewport(size);
     if (!m_viewToShow.empty())
         showAll(std::exchange(m_viewToShow, {}));
+    else if (m_shown && m_shown->camera == m_interaction->camera() &&
+             m_shown->document.isSame(m_session.model().document))
+        fitAll(m_shown->camera); // nobody has looked closer, or drawn anything
     announceChanges();
+}
+
+void Workbench::fitAll(const Camera &camera)
+{
+    const Model &model = m_session.model();
+    setCamera(fitted(camera, model.bounds(), m_interaction->viewport()));
+    m_interaction->forgetViews(); // of another document, or of another size
+    m_shown = Shown{m_interaction->camera(), model.document};
 }
 
 void Workbench::handle(const PointerEvent &event)
@@ -112,9 +123,8 @@ void Workbench::showAll(std::string_view view)
     Camera camera;
     camera.projection = m_interaction->camera().projection;
     orientationOfView(view, camera.orientation);
-    setCamera(fitted(camera, m_session.model().bounds(), size));
+    fitAll(camera);
     // What belonged to another document.
-    m_interaction->forgetViews();
     ViewState state = m_interaction->view();
     state.hidden.clear();
     state.isolated.clear();

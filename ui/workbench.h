@@ -12,6 +12,7 @@
 
 #include <QObject>
 
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -107,6 +108,7 @@ Q_SIGNALS:
 
 private:
     void announceChanges();
+    void fitAll(const Camera &camera);
     void followSettings();
     void showMarks();
 
@@ -132,6 +134,13 @@ private:
     EventClock m_clock;
     CommandRegistry m_commands;
     std::string m_viewToShow; // asked for before there was a size
+    /// By showAll(): all of it stays in sight until somebody goes on from there.
+    struct Shown
+    {
+        Camera camera;
+        Document document;
+    };
+    std::optional<Shown> m_shown;
 };
 
 } // namespace fff::ui

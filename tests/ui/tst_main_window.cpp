@@ -5,6 +5,7 @@
 #include "core/base/units.h"
 #include "core/io/document_file.h"
 #include "core/model/edits.h"
+#include "tests/core/assembly/known_models.h"
 #include "tests/ui/view_hand.h"
 #include "tests/ui/window_fixture.h"
 #include "tests/ui/window_program.h"
@@ -44,6 +45,7 @@ private Q_SLOTS:
 
     void theFirstFiveMinutes();
     void aClickSelectsInViewOutlineAndProperties();
+    void aModelStaysWholeInSight();
     void theOutlineRenames();
     void theFilterFindsSections();
     void aThicknessIsOneStep();
@@ -136,6 +138,42 @@ void TestMainWindow::aClickSelectsInViewOutlineAndProperties()
 
     tree->setCurrentItem(tree->topLevelItem(0));
     QCOMPARE(interaction().selection().size(), std::size_t(1));
+}
+
+// Wrong: a model is opened, the window made smaller, and half of the model is beyond its edge; or a
+// person looks closer and the view jumps back.
+void TestMainWindow::aModelStaysWholeInSight()
+{
+    session().reset(test::eggCrate(3, 3));
+    Workbench &bench = m_window->bench();
+    bench.showAll("iso1");
+    const auto isWhole = [&] {
+        const Box3 box = session().model().bounds();
+        for (int i = 0; i < 8; ++i) {
+            const Vec2 at = interaction().camera().toScreen({(i & 1 ? box.min : box.max).x(),
+                                                             (i & 2 ? box.min : box.max).y(),
+                                                             (i & 4 ? box.min : box.max).z()},
+                                                            interaction().viewport());
+            const Vec2 &size = interaction().viewport();
+            if (at.x() < 0.0 || at.y() < 0.0 || at.x() > size.x() || at.y() > size.y())
+                return false;
+        }
+        return true;
+    };
+    QVERIFY(isWhole());
+    const Vec2 before = interaction().viewport();
+    m_window->resize(1024, 640);
+    QTRY_VERIFY(interaction().viewport() != before);
+    QTRY_VERIFY(isWhole());
+    QVERIFY(!interaction().canGoBack());
+
+    Camera closer = interaction().camera();
+    closer.millimetresPerPixel *= 0.5;
+    bench.setCamera(closer);
+    const Vec2 small = interaction().viewport();
+    m_window->resize(1400, 900);
+    QTRY_VERIFY(interaction().viewport() != small);
+    QVERIFY(interaction().camera() == closer);
 }
 
 void TestMainWindow::theOutlineRenames()
