@@ -55,10 +55,12 @@ protected:
         painter.setPen(underMouse() || isDown() ? t.text : t.accent);
         const QRect words = rect().adjusted(kAround, kAround, -kAround, -kAround);
         if (wrapped(width()).width() > words.width())
-            painter.drawText(words, Qt::AlignLeft | Qt::AlignVCenter,
+            painter.drawText(words, kFlags,
                              fontMetrics().elidedText(text(), Qt::ElideMiddle, words.width()));
         else
-            painter.drawText(words, kFlags, text());
+            // Words that just fit into a line would still break in it, for a fraction of a pixel.
+            painter.drawText(words, isOneLine(width()) ? kFlags : kFlags | Qt::TextWordWrap,
+                             text());
         if (hasFocus()) {
             painter.setPen(QPen(t.accent, 1.0));
             painter.drawRect(rect().adjusted(0, 0, -1, -1));
@@ -83,13 +85,18 @@ protected:
     }
 
 private:
-    static constexpr int kFlags = Qt::AlignLeft | Qt::AlignVCenter | Qt::TextWordWrap;
+    static constexpr int kFlags = Qt::AlignLeft | Qt::AlignVCenter;
+
+    bool isOneLine(int width) const { return width >= sizeHint().width(); }
 
     /// Size of the words in a link so wide; wider than that where they do not break.
     QSize wrapped(int width) const
     {
+        if (isOneLine(width))
+            return sizeHint() - QSize(2 * kAround, 2 * kAround);
         const QRectF room(0.0, 0.0, width - 2 * kAround, QWIDGETSIZE_MAX);
-        const QRectF words = QFontMetricsF(font()).boundingRect(room, kFlags, text());
+        const QRectF words =
+            QFontMetricsF(font()).boundingRect(room, kFlags | Qt::TextWordWrap, text());
         return {static_cast<int>(std::ceil(words.width())),
                 static_cast<int>(std::ceil(words.height()))};
     }

@@ -15,6 +15,7 @@ private Q_SLOTS:
     void aLinkHasRoomForItsWords_data();
     void aLinkHasRoomForItsWords();
     void aLongLinkBreaksIntoLines();
+    void whatFitsIntoALineStaysInIt();
     void linksBreakIntoLines();
 };
 
@@ -106,6 +107,23 @@ void TestLinkRow::aLongLinkBreaksIntoLines()
     QTRY_COMPARE(panel.link(0)->toolTip(), word);
     panel.panel.resize(900, 200);
     QTRY_VERIFY(panel.link(0)->toolTip().isEmpty());
+}
+
+// Wrong: "Delete" and below it, out of sight, "it", because of a fraction of a pixel.
+void TestLinkRow::whatFitsIntoALineStaysInIt()
+{
+    Panel panel(900);
+    panel.row->show();
+    for (const char *text : {"Delete it", "Move it to Body", "Drop it to the ground", "Trim Fin 2",
+                             "Mit Body verbinden", "Stretch Front legs to the ground"}) {
+        for (int pixels = 9; pixels < 24; ++pixels) {
+            panel.panel.setStyleSheet(QStringLiteral("QWidget { font-size: %1px; }").arg(pixels));
+            panel.row->setTexts({QLatin1String(text)});
+            const QSize size = panel.link(0)->sizeHint();
+            QCOMPARE(panel.link(0)->heightForWidth(size.width()), size.height());
+            QVERIFY(panel.link(0)->heightForWidth(size.width() - 1) > size.height());
+        }
+    }
 }
 
 // Wrong: two links upon each other, or a row too low for its lines.
