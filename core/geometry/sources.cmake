@@ -25,6 +25,7 @@ target_sources(fff_core PRIVATE
     geometry/simplified_line.cpp
     geometry/sliver_mender.cpp
     geometry/source_edges.cpp
+    geometry/stretch.cpp
     geometry/sweep_triangulation.cpp
     geometry/triangulation.cpp
     geometry/turning.cpp

@@ -2,8 +2,7 @@
 
 #include "core/base/tolerances.h"
 #include "core/geometry/convex_hull.h"
-#include "core/geometry/curve_crossing.h"
-#include "core/geometry/halfplane_clip.h"
+#include "core/geometry/stretch.h"
 #include "core/model/edits.h"
 #include "core/operations/evaluate.h"
 #include "core/session/touching.h"
@@ -69,38 +68,49 @@ double heldFrom(const Analysis &analysis, int index, const Vec2 &up)
     return held.value_or(up.dot(section.shape->centroid()));
 }
 
-/// What of the contour lies outside of the halfplane, so many times as far from its line.
-Result<Contour> stretchedBelow(const Contour &contour, const Halfplane &kept, double factor)
+/// With these sections stretched.
+std::optional<Document> stretched(const Analysis &analysis, const std::vector<HighFoot> &feet)
 {
-    const auto isBelow = [&](const Vec2 &p) { return kept.height(p) < 0.0; };
-    std::vector<CubicBezier> pieces;
-    const auto add = [&](CubicBezier piece) {
-        if (isBelow(piece.at(0.5)))
-            for (Vec2 *p : {&piece.p0, &piece.p1, &piece.p2, &piece.p3})
-                *p += (factor - 1.0) * kept.height(*p) * kept.inward;
-        if (!pieces.empty())
-            piece.p0 = pieces.back().p3;
-        pieces.push_back(piece);
-    };
-    for (int i = 0; i < contour.segmentCount(); ++i) {
-        const CubicBezier curve = contour.segment(i);
-        std::vector<double> nodes = levelParameters(curve, kept.inward);
-        nodes.push_back(1.0);
-        double from = 0.0, piece = 0.0;
-        for (const double to : nodes) {
-            const double here = kept.height(curve.at(from)), there = kept.height(curve.at(to));
-            if (std::min(here, there) < -kOnLine && std::max(here, there) > kOnLine) {
-                if (const auto t = crossLine({curve, from, to}, kept.point, kept.inward, 0.0)) {
-                    add(curve.piece(piece, *t));
-                    piece = *t;
-                }
-            }
-            from = to;
-        }
-        add(curve.piece(piece, 1.0));
+    Document document = analysis.model.document;
+    for (const HighFoot &foot : feet) {
+        const int index = analysis.model.indexOf(foot.section);
+        std::optional<ShapePointer> shape;
+        if (index >= 0)
+            shape = stretchedToGround(analysis, index);
+        if (!shape)
+            return {};
+        Result<Document> next =
+            setShape(std::move(document), foot.section.drawn, *std::move(shape));
+        if (!next)
+            return {};
+        document = *std::move(next);
     }
-    pieces.back().p3 = pieces.front().p0;
-    return Contour::fromSegments(pieces);
+    return document;
+}
+
+bool joinTheSame(const JointList &before, const JointList &after)
+{
+    return std::equal(before.begin(), before.end(), after.begin(), after.end(),
+                      [](const Joint &a, const Joint &b) {
+                          return a.a == b.a && a.b == b.b && a.kind == b.kind &&
+                                 a.crossing->overlaps.size() == b.crossing->overlaps.size();
+                      });
+}
+
+/// Whether the section touches one that it did not touch before.
+bool comesUponOthers(int index, const Analysis &before, const Analysis &next)
+{
+    const auto boxOf = [&](int section) {
+        const auto at = static_cast<std::size_t>(section);
+        return slabBounds(*next.model.section(at), next.model.stockOf(at));
+    };
+    const Box3 own = boxOf(index);
+    for (int other = 0; other < static_cast<int>(next.model.sectionCount()); ++other)
+        if (other != index && distanceBetween(own, boxOf(other)) <= kTouchingDepth &&
+            touchLoosely(next.model, next.assembly.joints, index, other) &&
+            !touchLoosely(before.model, before.assembly.joints, index, other))
+            return true;
+    return false;
 }
 
 /// A section that can be stretched.
@@ -201,38 +211,9 @@ private:
         }
     }
 
-    /// Tries it.
     bool stands(const std::vector<HighFoot> &feet) const
     {
-        std::optional<Document> document = stretched(m_analysis, feet);
-        if (!document)
-            return false;
-        AnalysisCaches caches;
-        caches.last = AnalysisPointer(AnalysisPointer(), &m_analysis); // it outlives them
-        const Analysis next = analyse(evaluate(*std::move(document), m_analysis.model), caches);
-        return stabilityOf(next, m_group).standing == Standing::Stands && joinsTheSame(next) &&
-               std::none_of(feet.begin(), feet.end(), [&](const HighFoot &foot) {
-                   return comesUponOthers(m_analysis.model.indexOf(foot.section), next);
-               });
-    }
-
-    bool joinsTheSame(const Analysis &next) const
-    {
-        const JointList &before = m_analysis.assembly.joints, &after = next.assembly.joints;
-        return std::equal(before.begin(), before.end(), after.begin(), after.end(),
-                          [](const Joint &a, const Joint &b) {
-                              return a.a == b.a && a.b == b.b && a.kind == b.kind &&
-                                     a.crossing->overlaps.size() == b.crossing->overlaps.size();
-                          });
-    }
-
-    bool comesUponOthers(int index, const Analysis &next) const
-    {
-        for (int other = 0; other < static_cast<int>(next.model.sectionCount()); ++other)
-            if (other != index && touchLoosely(next.model, next.assembly.joints, index, other) &&
-                !touchLoosely(m_analysis.model, m_analysis.assembly.joints, index, other))
-                return true;
-        return false;
+        return standingOn(m_analysis, m_group, feet).has_value();
     }
 
     const Analysis &m_analysis;
@@ -263,10 +244,10 @@ std::optional<ShapePointer> stretchedToGround(const Analysis &analysis, int sect
     if (length <= 0.0 || factor > kMostStretched)
         return {};
     const Halfplane kept{level * plane->up, plane->up};
-    Result<Contour> contour = stretchedBelow(own.shape->contour(), kept, factor);
+    Result<Contour> contour = stretchedOutside(own.shape->contour(), kept, factor);
     std::vector<Contour> holes;
     for (const Contour &hole : own.shape->holes()) {
-        Result<Contour> next = stretchedBelow(hole, kept, factor);
+        Result<Contour> next = stretchedOutside(hole, kept, factor);
         if (!next)
             return {};
         holes.push_back(*std::move(next));
@@ -282,24 +263,23 @@ std::vector<HighFoot> feetToStretch(const Analysis &analysis, const std::vector<
     return Search(analysis, group).find();
 }
 
-std::optional<Document> stretched(const Analysis &analysis, const std::vector<HighFoot> &feet)
+std::optional<Document> standingOn(const Analysis &analysis, const std::vector<int> &group,
+                                   const std::vector<HighFoot> &feet)
 {
     if (feet.empty())
         return {};
-    Document document = analysis.model.document;
-    for (const HighFoot &foot : feet) {
-        const int index = analysis.model.indexOf(foot.section);
-        std::optional<ShapePointer> shape;
-        if (index >= 0)
-            shape = stretchedToGround(analysis, index);
-        if (!shape)
-            return {};
-        Result<Document> next =
-            setShape(std::move(document), foot.section.drawn, *std::move(shape));
-        if (!next)
-            return {};
-        document = *std::move(next);
-    }
+    std::optional<Document> document = stretched(analysis, feet);
+    if (!document)
+        return {};
+    AnalysisCaches caches;
+    caches.last = AnalysisPointer(AnalysisPointer(), &analysis); // it outlives them
+    const Analysis next = analyse(evaluate(*document, analysis.model), caches);
+    if (stabilityOf(next, group).standing != Standing::Stands ||
+        !joinTheSame(analysis.assembly.joints, next.assembly.joints) ||
+        std::any_of(feet.begin(), feet.end(), [&](const HighFoot &foot) {
+            return comesUponOthers(analysis.model.indexOf(foot.section), analysis, next);
+        }))
+        return {};
     return document;
 }
 

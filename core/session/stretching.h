@@ -15,19 +15,21 @@ namespace fff {
 ///
 /// Nothing for a section that is on the ground or below it, that has nothing to stretch, that would
 /// more than double what is stretched, that leans by more than 60° from upright, or that an
-/// operation made. O(control points + slits).
+/// operation made. O(control points + slits + joints of the model).
 std::optional<ShapePointer> stretchedToGround(const Analysis &analysis, int section);
 
 /// Of a group of sections that falls over as one body, those that make it stand once they are
-/// stretched: one if one is enough, the one that is nearest to the ground first, else as few of the
-/// lowest as it takes. Empty when there are none, or when what is new of them would come upon
-/// another section.
+/// stretched: one if one is enough, the one that is nearest to the ground first, else of the lowest
+/// four as few as it takes; of more than 32 that end above the ground the lowest are looked at.
+/// Empty when none of these help, see standingOn().
 ///
-/// Taken for possible by what of them reaches the ground, then tried: a trial costs an edit and
-/// what the group takes to be weighed, O(its vertices).
+/// Taken for possible by what of them reaches the ground, then tried, of several together one set
+/// alone. A trial costs an edit, weighing the group and a look at all sections' boxes: O(vertices).
 std::vector<HighFoot> feetToStretch(const Analysis &analysis, const std::vector<int> &group);
 
-/// The document with these stretched. Nothing when one of them cannot be, or not any more.
-std::optional<Document> stretched(const Analysis &analysis, const std::vector<HighFoot> &feet);
+/// The document with these stretched. Nothing unless the group then stands, all joints are as they
+/// were, and none of them touches a section that it did not touch before.
+std::optional<Document> standingOn(const Analysis &analysis, const std::vector<int> &group,
+                                   const std::vector<HighFoot> &feet);
 
 } // namespace fff

@@ -84,6 +84,7 @@ private Q_SLOTS:
     void onlyWhatIsFreeGetsLonger_data();
     void onlyWhatIsFreeGetsLonger();
     void whatIsHeldStays();
+    void onTheGroundNothingIsStretched();
     void notEverythingIsStretched_data();
     void notEverythingIsStretched();
     void asFewAsItTakes_data();
@@ -154,7 +155,7 @@ void TestStretching::whatIsHeldStays()
     QCOMPARE(feet.size(), std::size_t(1));
     QCOMPARE(feet[0].height, 6.0);
     QCOMPARE(feet[0].at.y(), 6.0);
-    const Analysis after = analysed(*stretched(before, feet));
+    const Analysis after = analysed(*standingOn(before, allOf(before), feet));
     QVERIFY(stabilityOf(after, allOf(after)).standing == Standing::Stands);
     QCOMPARE(after.assembly.joints.size(), before.assembly.joints.size());
     for (std::size_t i = 0; i < before.model.sectionCount(); ++i)
@@ -163,11 +164,26 @@ void TestStretching::whatIsHeldStays()
         QVERIFY(after.model.section(i) == before.model.section(i));
 }
 
+// Wrong: what stands is made longer.
+void TestStretching::onTheGroundNothingIsStretched()
+{
+    const auto at = [](double height) {
+        const Document document =
+            withSection(newDocument(), plate(-20, height, 20, height + 60), front());
+        return stretchedToGround(analysed(document), 0).has_value();
+    };
+    QVERIFY(!at(-1.0));
+    QVERIFY(!at(0.0));
+    QVERIFY(!at(0.9 * kGroundContact));
+    QVERIFY(at(1.1 * kGroundContact));
+    QVERIFY(at(26.0));
+    QVERIFY(!at(28.0)); // of the 30 below its middle 27 are free
+}
+
 void TestStretching::notEverythingIsStretched_data()
 {
     QTest::addColumn<Document>("document");
-    // The front legs are what is wrong; the other way round one would stand.
-    QTest::newRow("on the ground")
+    QTest::newRow("on the ground, both of them")
         << withSection(onHindLegs(), plate(-30, 0.01, 30, 60), side(60 - kThickness));
     QTest::newRow("more than twice as long")
         << withSection(onHindLegs(), plate(-30, 25, 30, 60), side(-60));
@@ -230,7 +246,7 @@ void TestStretching::asFewAsItTakes()
         found += analysis.model.indexOf(foot.section);
     std::sort(found.begin(), found.end());
     QCOMPARE(found, expected);
-    const Analysis after = analysed(*stretched(analysis, feet));
+    const Analysis after = analysed(*standingOn(analysis, allOf(analysis), feet));
     QVERIFY(stabilityOf(after, allOf(after)).standing == Standing::Stands);
 }
 
