@@ -96,7 +96,9 @@ JointEdit nudgeMeetingPoints(const Model &model, const JointRef &joint, double b
     }
     if (!moves)
         return refused(Hint::Kind::NoMeetingPoint, model, joint);
-    step.merges = "meeting point " + model.nameOf(joint.a) + '\n' + model.nameOf(joint.b);
+    step.merges = "meeting point";
+    for (const SectionRef &section : {joint.a, joint.b})
+        step.merges.append(" ").append(std::to_string(model.indexOf(section)));
     return edited(model, std::move(state->wanted), std::move(step));
 }
 
