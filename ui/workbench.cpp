@@ -50,17 +50,13 @@ void Workbench::setViewport(const Vec2 &size)
     if (!m_viewToShow.empty())
         showAll(std::exchange(m_viewToShow, {}));
     else if (m_shown && m_shown->camera == m_interaction->camera() &&
-             m_shown->document.isSame(m_session.model().document))
-        fitAll(m_shown->camera); // nobody has looked closer, or drawn anything
+             m_shown->document.isSame(m_session.model().document) && !m_interaction->tool()) {
+        // Nobody has looked closer, or drawn anything.
+        m_shown->camera =
+            fitted(m_shown->camera, m_session.model().bounds(), m_interaction->viewport());
+        m_interaction->replaceCamera(m_shown->camera);
+    }
     announceChanges();
-}
-
-void Workbench::fitAll(const Camera &camera)
-{
-    const Model &model = m_session.model();
-    setCamera(fitted(camera, model.bounds(), m_interaction->viewport()));
-    m_interaction->forgetViews(); // of another document, or of another size
-    m_shown = Shown{m_interaction->camera(), model.document};
 }
 
 void Workbench::handle(const PointerEvent &event)
@@ -123,8 +119,10 @@ void Workbench::showAll(std::string_view view)
     Camera camera;
     camera.projection = m_interaction->camera().projection;
     orientationOfView(view, camera.orientation);
-    fitAll(camera);
+    setCamera(fitted(camera, m_session.model().bounds(), size));
+    m_shown = Shown{m_interaction->camera(), m_session.model().document};
     // What belonged to another document.
+    m_interaction->forgetViews();
     ViewState state = m_interaction->view();
     state.hidden.clear();
     state.isolated.clear();

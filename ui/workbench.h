@@ -108,7 +108,6 @@ Q_SIGNALS:
 
 private:
     void announceChanges();
-    void fitAll(const Camera &camera);
     void followSettings();
     void showMarks();
 

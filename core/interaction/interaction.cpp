@@ -70,6 +70,14 @@ void Interaction::setCamera(const Camera &camera)
     turnTo(camera, d->now, 0.0);
 }
 
+void Interaction::replaceCamera(const Camera &camera)
+{
+    d->stopMotion();
+    d->motion.camera = camera;
+    d->hover();
+    d->update();
+}
+
 void Interaction::turnTo(const Camera &camera, double time, double duration)
 {
     d->now = std::max(d->now, time);

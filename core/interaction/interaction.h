@@ -172,6 +172,8 @@ public:
     const Camera &targetCamera() const;
     /// At once. Like turnTo, ends a gesture: what is drawn belongs to the view it began in.
     void setCamera(const Camera &camera);
+    /// The same, but the view before is none to go back to: the window became another size.
+    void replaceCamera(const Camera &camera);
     /// Animated from `time` on, in `duration` ms (0: at once). A press finishes it at once.
     void turnTo(const Camera &camera, double time, double duration);
     /// Keeps what the model's middle, or that of the selection, looks like; no step of the history.
@@ -244,7 +246,8 @@ public:
     void say(const Hint &hint, double time);
     /// An arrow key: where the slits of the selected joint meet goes along its axis if that runs so
     /// on the screen; the selected points, else the selected sections, go along the axis that is
-    /// nearest to the arrow. arrow: unit, right and up; distance: mm. False when nothing moves.
+    /// nearest to the arrow. arrow: unit, right and up; distance: mm. False when the arrow is
+    /// not for what is selected.
     bool nudge(const Vec2 &arrow, double distance, double time);
     /// What edits of points go by.
     PointRules pointRules() const;

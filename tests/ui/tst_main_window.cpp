@@ -167,6 +167,23 @@ void TestMainWindow::aModelStaysWholeInSight()
     QTRY_VERIFY(isWhole());
     QVERIFY(!interaction().canGoBack());
 
+    // Nothing else is touched by that.
+    const JointRef joint(session().committed().ref(0), session().committed().ref(3));
+    bench.selectJoint(joint);
+    m_window->resize(1200, 700);
+    QTRY_VERIFY(isWhole());
+    QVERIFY(interaction().selectedJoint() == joint);
+    const Camera fit = interaction().camera();
+    bench.run(QStringLiteral("section.pen"));
+    QVERIFY(interaction().tool());
+    const Vec2 drawing = interaction().viewport();
+    m_window->resize(1300, 800);
+    QTRY_VERIFY(interaction().viewport() != drawing);
+    QVERIFY(interaction().tool());
+    QVERIFY(interaction().camera() == fit);
+    bench.escape();
+    bench.showAll("iso1");
+
     Camera closer = interaction().camera();
     closer.millimetresPerPixel *= 0.5;
     bench.setCamera(closer);
