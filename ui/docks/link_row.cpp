@@ -3,8 +3,10 @@
 #include "ui/theme.h"
 
 #include <QAbstractButton>
+#include <QHelpEvent>
 #include <QKeyEvent>
 #include <QPainter>
+#include <QToolTip>
 
 #include <algorithm>
 #include <cmath>
@@ -54,7 +56,7 @@ protected:
         painter.setFont(underlined);
         painter.setPen(underMouse() || isDown() ? t.text : t.accent);
         const QRect words = rect().adjusted(kAround, kAround, -kAround, -kAround);
-        if (wrapped(width()).width() > words.width())
+        if (isCutShort())
             painter.drawText(words, kFlags,
                              fontMetrics().elidedText(text(), Qt::ElideMiddle, words.width()));
         else
@@ -79,14 +81,20 @@ protected:
             updateGeometry();
         QAbstractButton::changeEvent(event);
     }
-    void resizeEvent(QResizeEvent *) override
+    bool event(QEvent *event) override
     {
-        setToolTip(wrapped(width()).width() > width() - 2 * kAround ? text() : QString());
+        if (event->type() == QEvent::ToolTip) {
+            QToolTip::showText(static_cast<QHelpEvent *>(event)->globalPos(),
+                               isCutShort() ? text() : QString(), this);
+            return true;
+        }
+        return QAbstractButton::event(event);
     }
 
 private:
     static constexpr int kFlags = Qt::AlignLeft | Qt::AlignVCenter;
 
+    bool isCutShort() const { return wrapped(width()).width() > width() - 2 * kAround; }
     bool isOneLine(int width) const { return width >= sizeHint().width(); }
 
     /// Size of the words in a link so wide; wider than that where they do not break.

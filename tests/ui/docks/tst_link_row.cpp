@@ -1,11 +1,13 @@
 // The row of links below a check by itself: no window, no checks.
 #include <QTest> // first: moc stumbles over some standard headers
 
+#include "tests/ui/tip.h"
 #include "ui/docks/link_row.h"
 
 #include <QAbstractButton>
 #include <QVBoxLayout>
 
+using namespace fff::test;
 using namespace fff::ui;
 
 class TestLinkRow : public QObject
@@ -74,7 +76,7 @@ void TestLinkRow::aLinkHasRoomForItsWords()
             return QFontMetricsF(link->font()).horizontalAdvance(link->text());
         };
         QTRY_VERIFY2(link->width() >= needed(), qPrintable(link->text()));
-        QVERIFY(link->toolTip().isEmpty());
+        QCOMPARE(tipOf(*panel.link(i)), QString());
     }
     QTRY_VERIFY(panel.link(1)->x() > panel.link(0)->geometry().right());
     QVERIFY(panel.row->height() >= panel.link(0)->height());
@@ -96,7 +98,7 @@ void TestLinkRow::aLongLinkBreaksIntoLines()
     const int line = panel.link(0)->sizeHint().height();
     QTRY_VERIFY(panel.link(0)->height() > line);
     QTRY_VERIFY(panel.row->height() >= panel.link(0)->height());
-    QVERIFY(panel.link(0)->toolTip().isEmpty());
+    QCOMPARE(tipOf(*panel.link(0)), QString());
     panel.panel.resize(900, 200);
     QTRY_COMPARE(panel.link(0)->height(), line);
 
@@ -104,9 +106,15 @@ void TestLinkRow::aLongLinkBreaksIntoLines()
     const QString word = QStringLiteral("Donaudampfschifffahrtsgesellschaftskapitän");
     panel.panel.resize(140, 200);
     panel.row->setTexts({word});
-    QTRY_COMPARE(panel.link(0)->toolTip(), word);
+    QTRY_VERIFY(panel.link(0)->width() <= panel.row->width());
+    QCOMPARE(tipOf(*panel.link(0)), word);
+    // Another one in its place, as wide.
+    const QString other = QStringLiteral("Bundesausbildungsförderungsgesetzgeberinnen");
+    panel.row->setTexts({other});
+    QCOMPARE(tipOf(*panel.link(0)), other);
     panel.panel.resize(900, 200);
-    QTRY_VERIFY(panel.link(0)->toolTip().isEmpty());
+    QTRY_COMPARE(panel.link(0)->width(), panel.link(0)->sizeHint().width());
+    QCOMPARE(tipOf(*panel.link(0)), QString());
 }
 
 // Wrong: "Delete" and below it, out of sight, "it", because of a fraction of a pixel.

@@ -1,11 +1,12 @@
 // A box to choose from, by itself.
 #include <QTest> // first: moc stumbles over some standard headers
 
+#include "tests/ui/tip.h"
 #include "ui/properties/choice_box.h"
 
-#include <QHelpEvent>
-#include <QToolTip>
+#include <QStyleOptionComboBox>
 
+using namespace fff::test;
 using namespace fff::ui;
 
 class TestChoiceBox : public QObject
@@ -16,16 +17,6 @@ private Q_SLOTS:
 };
 
 namespace {
-
-QString tipOf(ChoiceBox &box)
-{
-    QToolTip::hideText(); // soon
-    if (!QTest::qWaitFor([] { return !QToolTip::isVisible(); }))
-        return QStringLiteral("one of before");
-    QHelpEvent event(QEvent::ToolTip, box.rect().center(), box.mapToGlobal(box.rect().center()));
-    QApplication::sendEvent(&box, &event);
-    return QToolTip::isVisible() ? QToolTip::text() : QString();
-}
 
 /// Columns of pixels, from the right end of the text's field on, that are all of one colour.
 int emptyColumns(ChoiceBox &box)
