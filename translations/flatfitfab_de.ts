@@ -1122,6 +1122,11 @@
             <numerusform>%n Scheiben bis zum Boden verlängern</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Join %1 and %2</source>
+        <extracomment>%1 and %2 are the names of two sections</extracomment>
+        <translation>%1 und %2 verbinden</translation>
+    </message>
 </context>
 <context>
     <name>fff::cli</name>
@@ -2412,12 +2417,17 @@
     </message>
     <message>
         <source>Join it with %1</source>
-        <extracomment>%1 is the name of a section</extracomment>
         <translation>Mit %1 verbinden</translation>
     </message>
     <message>
         <source>Join them</source>
+        <extracomment>%1 is the name of a section</extracomment>
         <translation>Verbinden</translation>
+    </message>
+    <message>
+        <source>Join them with %1</source>
+        <extracomment>%1 is the name of a section</extracomment>
+        <translation>Mit %1 verbinden</translation>
     </message>
 </context>
 <context>
@@ -3888,6 +3898,7 @@
     </message>
     <message>
         <source>%1 too high</source>
+        <extracomment>%1 is a length: how far a foot ends above the ground</extracomment>
         <translation>%1 zu hoch</translation>
     </message>
 </context>

@@ -52,8 +52,10 @@ QString actionText(const CheckAction &action, const Check &check, const Model &m
     }
     case CheckAction::Kind::JoinAgain:
         //: %1 is the name of a section
-        return isOne ? Words::tr("Join it with %1").arg(sectionName(model, action.section))
-                     : Words::tr("Join them");
+        return check.code == CheckCode::NoSlit ? Words::tr("Join them")
+               : isOne ? Words::tr("Join it with %1").arg(sectionName(model, action.section))
+                       //: %1 is the name of a section
+                       : Words::tr("Join them with %1").arg(sectionName(model, action.section));
     case CheckAction::Kind::JoinWithTabs:
         return Words::tr("Join with tabs");
     case CheckAction::Kind::Trim:
@@ -65,9 +67,9 @@ QString actionText(const CheckAction &action, const Check &check, const Model &m
         return Words::tr("Make assemblable");
     case CheckAction::Kind::StretchToGround:
         //: %1 is the name of a section
-        return check.feet.size() == 1
-                   ? Words::tr("Stretch %1 to the ground").arg(sectionName(model, action.section))
-                   : Words::tr("Stretch them to the ground");
+        return check.feet.size() == 1 ? Words::tr("Stretch %1 to the ground")
+                                            .arg(sectionName(model, check.feet.front().section))
+                                      : Words::tr("Stretch them to the ground");
     case CheckAction::Kind::DropToGround:
         return Words::tr("Drop it to the ground");
     case CheckAction::Kind::ShowSteps:

@@ -35,7 +35,8 @@ struct Step
         FlipSlits,
         MoveMeetingPoint, // count: percent of the second one's slit
         ResetJoint,
-        TrimSection // names: of it, and of the one that it was cut back to
+        JoinSections, // that were not to be joined; names: of the two
+        TrimSection   // names: of it, and of the one that it was cut back to
     };
     Kind kind = Kind::DrawSection;
     std::vector<std::string> names; // of the sections or stocks it was done to

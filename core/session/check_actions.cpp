@@ -9,6 +9,7 @@
 #include "core/session/stretching.h"
 
 #include <algorithm>
+#include <numeric>
 
 namespace fff {
 
@@ -53,39 +54,42 @@ bool isOneOf(const SectionRef &section, const std::vector<SectionRef> &sections)
     return std::find(sections.begin(), sections.end(), section) != sections.end();
 }
 
-/// A joint of one of the sections with another one, or with any, that somebody wanted not to be.
-std::optional<JointRef> unwantedJoint(const std::vector<SectionRef> &sections,
-                                      const std::optional<SectionRef> &with,
-                                      const Document &document)
+/// Joints that somebody wanted not to be, of the two that collide, or of what is loose with others.
+/// Some may not be there now.
+std::vector<JointRef> unwantedJoints(const Check &check, const Document &document)
 {
+    std::vector<JointRef> joints;
     for (const JointOverridePointer &wanted : document.jointOverrides) {
-        if (wanted->kind != JointKind::None)
-            continue;
-        for (const auto &[one, other] :
-             {std::pair(&wanted->a, &wanted->b), std::pair(&wanted->b, &wanted->a)})
-            if (isOneOf(*one, sections) && (with ? *other == *with : !isOneOf(*other, sections)))
-                return JointRef(*one, *other);
+        const int inside = isOneOf(wanted->a, check.sections) + isOneOf(wanted->b, check.sections);
+        if (wanted->kind == JointKind::None && inside == (check.code == CheckCode::NoSlit ? 2 : 1))
+            joints.emplace_back(wanted->a, wanted->b);
     }
-    return {};
+    return joints;
 }
 
-/// As it is by itself.
+/// As it is when its kind is not wanted.
 std::optional<CheckEdit> joinedAgain(const SectionRef &other, const Check &check,
                                      const Model &model)
 {
-    const auto joint = unwantedJoint(check.sections, other, model.document);
-    if (!joint)
-        return {};
-    JointEdit edit = resetJoint(model, *joint);
-    if (!edit)
-        return {};
-    const Model next = evaluate(edit->document, model);
-    const int a = next.indexOf(joint->a), b = next.indexOf(joint->b);
-    const auto found =
-        a < 0 || b < 0 ? std::nullopt : findJoint(next, std::min(a, b), std::max(a, b));
-    if (!found || found->joint.kind == JointKind::None)
-        return {};
-    return CheckEdit{std::move(edit->step), std::move(edit->document)};
+    for (const JointRef &joint : unwantedJoints(check, model.document)) {
+        if (joint.a != other && joint.b != other)
+            continue;
+        JointOverride wanted = *model.document.jointOverride(joint.a, joint.b);
+        wanted.kind.reset();
+        Result<Document> next = setJointOverride(model.document, std::move(wanted));
+        if (!next)
+            continue;
+        const Model tried = evaluate(*next, model);
+        const int a = tried.indexOf(joint.a), b = tried.indexOf(joint.b);
+        if (a < 0 || b < 0)
+            continue;
+        const auto found = findJoint(tried, std::min(a, b), std::max(a, b));
+        if (!found || found->joint.kind == JointKind::None)
+            continue;
+        Step step{Step::Kind::JoinSections, {model.nameOf(joint.a), model.nameOf(joint.b)}};
+        return CheckEdit{std::move(step), *std::move(next)};
+    }
+    return {};
 }
 
 /// Of the check's sections and the one that it names, the first that can be joined so.
@@ -149,7 +153,14 @@ std::optional<CheckEdit> assemblable(const Document &document, const Flips *flip
 
 std::optional<CheckEdit> onStretchedFeet(const Check &check, const Analysis &analysis)
 {
-    std::optional<Document> next = stretched(analysis, check.feet);
+    std::vector<int> group;
+    for (const SectionRef &section : check.sections)
+        group.push_back(analysis.model.indexOf(section));
+    if (group.empty()) { // the whole model
+        group.resize(analysis.model.sectionCount());
+        std::iota(group.begin(), group.end(), 0);
+    }
+    std::optional<Document> next = standingOn(analysis, group, check.feet);
     if (!next)
         return {};
     CheckEdit edit{{Step::Kind::StretchToGround, {}}, *std::move(next)};
@@ -171,18 +182,17 @@ std::optional<CheckEdit> dropped(const Check &check, const Model &model)
 }
 
 /// Where there was to be no joint one is the mildest of all.
-std::vector<CheckAction> withJoint(const Check &check, const Document &document,
-                                   std::vector<CheckAction> actions)
+std::vector<CheckAction> withJoints(const Check &check, const Document &document,
+                                    std::vector<CheckAction> actions)
 {
-    std::optional<SectionRef> other;
-    if (check.code == CheckCode::NoSlit)
-        other = check.sections.back();
-    if (const auto joint = unwantedJoint(check.sections, other, document)) {
-        if (!other)
-            other = isOneOf(joint->a, check.sections) ? joint->b : joint->a;
-        actions.insert(actions.begin(), {Kind::JoinAgain, *other});
-    }
-    return actions;
+    std::vector<CheckAction> all;
+    for (const JointRef &joint : unwantedJoints(check, document))
+        all.push_back(
+            {Kind::JoinAgain, joint.a == check.sections.front() || !isOneOf(joint.b, check.sections)
+                                  ? joint.b
+                                  : joint.a});
+    all.insert(all.end(), actions.begin(), actions.end());
+    return all;
 }
 
 std::vector<CheckAction> withDeleted(std::vector<CheckAction> actions)
@@ -204,17 +214,17 @@ std::vector<CheckAction> candidates(const Check &check, const Analysis &analysis
 {
     switch (check.code) {
     case CheckCode::NotConnected:
-        return withJoint(check, analysis.model.document,
-                         withDeleted(withTabs(check, movesOf(check, analysis))));
+        return withJoints(check, analysis.model.document,
+                          withDeleted(withTabs(check, movesOf(check, analysis))));
     case CheckCode::NoSlit:
+        return withJoints(check, analysis.model.document, mendsOf(check, analysis.model));
     case CheckCode::Interference:
-        return withJoint(check, analysis.model.document, mendsOf(check, analysis.model));
+        return mendsOf(check, analysis.model);
     case CheckCode::CannotAssemble:
         return {{Kind::MakeAssemblable, {}}};
     case CheckCode::Topples:
     case CheckCode::LineSupport:
-        return {{Kind::StretchToGround,
-                 check.feet.size() == 1 ? check.feet.front().section : SectionRef()}};
+        return {{Kind::StretchToGround, {}}};
     case CheckCode::NoContact:
     case CheckCode::BelowGround:
         return {{Kind::DropToGround, {}}};

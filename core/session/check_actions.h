@@ -31,9 +31,8 @@ struct CheckAction
         WidenSlits,  // NarrowSlit: the same
     };
     Kind kind = Kind::ShowSteps;
-    SectionRef section; // whom its words name: MoveToOther, JoinWithTabs, JoinAgain: the one it comes
-                        // to, or is joined with; Trim: the one that is trimmed; StretchToGround: its
-                        // only foot, or none
+    SectionRef section; // whom its words name: MoveToOther, JoinWithTabs, JoinAgain: the one it
+                        // comes to, or is joined with; Trim: the one that is trimmed
 
     bool operator==(const CheckAction &) const = default;
 };

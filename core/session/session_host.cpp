@@ -156,6 +156,9 @@ QString SessionHost::undoText(const Step &step)
         //: %1 and %2 are the names of two sections, %3 a number
         return tr("%1 · %2: meeting point → %3\u202f%")
             .arg(name, other, QString::number(step.count));
+    case Step::Kind::JoinSections:
+        //: %1 and %2 are the names of two sections
+        return tr("Join %1 and %2").arg(name, other);
     case Step::Kind::ResetJoint:
         //: %1 and %2 are the names of two sections
         return tr("%1 · %2: reset to automatic").arg(name, other);

@@ -158,10 +158,10 @@ void paintHigh(MarkPen &pen, const HighMark &mark, LengthUnit unit, const QLocal
     path.addPath(line(to - QPointF(kBar, 0.0), to + QPointF(kBar, 0.0)));
     pen.cased(path, roundPen(colour, kSymbol));
     const QString high = lengthText(mark.height, unit, 0, 1, locale);
-    //: %1 is a length: how far a foot ends above the ground
     if (!isInView(pen, to))
         return;
     pen.chip(to + QPointF(0.0, kChipBelow), MarkPen::Anchor::Middle,
+             //: %1 is a length: how far a foot ends above the ground
              Words::tr("%1 too high").arg(high), colour);
 }
 

@@ -121,6 +121,7 @@ private Q_SLOTS:
     void whatCannotBeJoinedIsNotMoved();
     void whatWasDrawnOnItComesAlong();
     void anyLooseSectionIsJoinedWell();
+    void whatWasWantedOfAJointComesBack();
     void aLaterModelIsAskedAnew();
 };
 
@@ -184,6 +185,54 @@ void TestCheckActions::editsMend()
     QVERIFY(session.committed().document == edit->document);
     session.history()->undo();
     QVERIFY(session.committed().document == document);
+}
+
+// Wrong: a joint that comes back opens to the other side; one that is long gone hides the one that
+// helps; or a link joins sections that the check is not about.
+void TestCheckActions::whatWasWantedOfAJointComesBack()
+{
+    Document crate = eggCrate(1, 1);
+    const SectionId a = crate.sections[0]->id, b = crate.sections[1]->id;
+    JointOverride wanted;
+    wanted.a = a;
+    wanted.b = b;
+    wanted.opens = Vec2(0, -1);
+    wanted.shares = {{Vec2(20, 20), 0.3}};
+    const Document before = *setJointOverride(crate, wanted);
+    wanted.kind = JointKind::None;
+    const Document loose = *setJointOverride(crate, wanted);
+    const std::optional<CheckEdit> edit = done(checked(loose), Kind::JoinAgain);
+    QVERIFY(edit);
+    QVERIFY(edit->document == before);
+    QCOMPARE(SessionHost::undoText(edit->step), QStringLiteral("Join Section 1 and Section 2"));
+
+    // A third one, that neither of them meets, and that was not to be joined either.
+    Document third = withSection(loose, plate(-10, 0, 10, 40), front(200));
+    JointOverride gone;
+    gone.a = a;
+    gone.b = third.sections[2]->id;
+    gone.kind = JointKind::None;
+    third = *setJointOverride(std::move(third), gone);
+    gone.a = b;
+    third = *setJointOverride(std::move(third), gone);
+    int offered = 0;
+    const Checked all = checked(third);
+    for (const Check &check : all.checks)
+        for (const CheckAction &action : actionsOf(check, all.analysis))
+            if (action.kind == Kind::JoinAgain) {
+                ++offered;
+                const auto joined = carriedOut(action, check, all.analysis);
+                QVERIFY(joined && !joined->document.jointOverride(a, b)->kind);
+            }
+    QVERIFY(offered >= 2); // of what is loose, and of what collides
+
+    // Two that are in each other beside their joint have nothing to do with it.
+    const Document tabless = withSection(loose, plate(1.0, -30, 60, 30), lyingAt(60));
+    const Checked deep = checked(tabless);
+    for (const Check &check : deep.checks)
+        if (check.code == CheckCode::Interference)
+            for (const CheckAction &action : actionsOf(check, deep.analysis))
+                QVERIFY(action.kind != Kind::JoinAgain);
 }
 
 void TestCheckActions::whatOnlyShowsIsOffered()
