@@ -96,6 +96,33 @@ inline Document star(int ribs)
     return document;
 }
 
+/// Three ribs on a spine, and over them a comb that holds each between two of its teeth: it goes in
+/// from above alone. Its index is 4.
+inline Document combOverRibs()
+{
+    Document document = withSection(newDocument(), polygonShape(rectangle(0, 0, 160, 40)), front());
+    for (const double at : {30.0, 80.0, 130.0})
+        document =
+            withSection(std::move(document), polygonShape(rectangle(-30, 10, 30, 80)), side(at));
+    Polygon teeth{{0, 100}, {0, 50}};
+    for (const double at : {30.0, 80.0, 130.0})
+        teeth.insert(teeth.end(), {{at - 12, 50}, {at - 8, 65}, {at + 8, 65}, {at + 12, 50}});
+    teeth.insert(teeth.end(), {{160, 50}, {160, 100}});
+    return withSection(std::move(document), polygonShape(teeth), front(-20));
+}
+
+/// A short rib (index 1) and two high ones on a spine; a beam (index 4) from one high rib to the
+/// other hangs over the short one, which must be there first.
+inline Document ribUnderABeam()
+{
+    Document document = withSection(newDocument(), polygonShape(rectangle(0, 0, 120, 30)), front());
+    document = withSection(std::move(document), polygonShape(rectangle(-20, 10, 20, 50)), side(60));
+    for (const double at : {20.0, 100.0})
+        document =
+            withSection(std::move(document), polygonShape(rectangle(-20, 10, 20, 80)), side(at));
+    return withSection(std::move(document), polygonShape(rectangle(0, 60, 120, 100)), front(-8));
+}
+
 /// The joint of two sections with the slit of the first one opening downwards.
 inline Document downwards(Document document, std::size_t first, std::size_t second)
 {

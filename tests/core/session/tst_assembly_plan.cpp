@@ -47,6 +47,26 @@ std::vector<Case> cases()
          {std::tuple("a crate of 2 by 2", 2, 2), std::tuple("a crate of 3 by 5", 3, 5),
           std::tuple("a crate of 8 by 8", 8, 8), std::tuple("a crate of 12 by 12", 12, 12)})
         add(name, eggCrate(across, along), Verdict::Possible);
+    add("a crate of 5 by 5", eggCrate(5, 5), Verdict::Possible);
+    add("a crate of 10 by 10", eggCrate(10, 10), Verdict::Possible);
+    // Each strip above the next one, but for the lowest.
+    add("a crate with one joint the other way", downwards(eggCrate(2, 2), 0, 2), Verdict::Possible);
+    // Each above the next one, all round: a burr.
+    add("four that lock each other", roundabout(eggCrate(2, 2), 0), Verdict::Impossible,
+        {0, 1, 2, 3});
+    add("four that lock each other, and a rib",
+        withSection(roundabout(eggCrate(2, 2), 0), polygonShape(rectangle(5, 10, 35, 60)),
+                    side(50)),
+        Verdict::Impossible, {0, 1, 2, 3});
+    add("a comb that goes in from one side", combOverRibs(), Verdict::Possible);
+    add("a rib under a beam", ribUnderABeam(), Verdict::Possible);
+    // The key holds the tongue where it is.
+    add("a key through a tongue through a slot",
+        withSection(withSection(withSection(newDocument(), slot,
+                                            {Vec3::Zero(), Vec3::UnitX(), -Vec3::UnitZ()}),
+                                polygonShape(rectangle(-10, -20, 10, 40)), front()),
+                    polygonShape(rectangle(-30, 3, 30, 25)), side()),
+        Verdict::Possible);
     add("three through each other", triangle(), Verdict::Impossible, {0, 1, 2});
     {
         Document document = triangle();
@@ -80,6 +100,7 @@ private Q_SLOTS:
     void modelsWithAKnownAnswer();
     void whatIsBuiltFirstIsMovedAsOne();
     void theTimeIsKept();
+    void orderAndDirectionAreAsTheyMustBe();
     void whatIsKnownFromBeforeChangesNothing();
     void platesInEachOtherAreFound();
 };
@@ -117,6 +138,25 @@ void TestAssemblyPlan::whatIsBuiltFirstIsMovedAsOne()
     const ModelPlan plan = planOf(analyse(evaluate(furnished()), caches));
     QVERIFY(std::any_of(plan.plan.steps.begin(), plan.plan.steps.end(),
                         [](const AssemblyStep &step) { return step.parts.size() == 2; }));
+}
+
+/// What would be wrong: a person is told to push where it does not go, or what comes last first.
+void TestAssemblyPlan::orderAndDirectionAreAsTheyMustBe()
+{
+    const auto stepOf = [](const ModelPlan &plan, int part) {
+        const auto &steps = plan.plan.steps;
+        return std::find_if(steps.begin(), steps.end(), [&](const AssemblyStep &step) {
+            return std::find(step.parts.begin(), step.parts.end(), part) != step.parts.end();
+        });
+    };
+    AnalysisCaches caches;
+    // The comb comes from above, or all that it holds from below.
+    const ModelPlan comb = planOf(analyse(evaluate(combOverRibs()), caches));
+    QVERIFY(stepOf(comb, 4) != comb.plan.steps.end());
+    for (const Move &move : stepOf(comb, 4)->moves)
+        QVERIFY(std::abs(std::abs(move.direction.y()) - 1.0) < 1e-9);
+    const ModelPlan beam = planOf(analyse(evaluate(ribUnderABeam()), caches));
+    QVERIFY(stepOf(beam, 1) < stepOf(beam, 4));
 }
 
 /// What would be wrong: a verdict that was not thought through to its end.
