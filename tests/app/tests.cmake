@@ -8,4 +8,8 @@ if(FFF_BUILD_WINDOW)
     target_compile_definitions(tst_cli_steps PRIVATE FFF_CLI="$<TARGET_FILE:flatfitfab-cli>")
     add_dependencies(tst_cli_steps flatfitfab-cli)
     set_tests_properties(app/tst_cli_steps PROPERTIES LABELS gl ENVIRONMENT "QT_QPA_PLATFORM=xcb")
+    if(FFF_SANITIZE) # as for the other tests that draw (ui/tests.cmake)
+        set_tests_properties(app/tst_cli_steps PROPERTIES
+            ENVIRONMENT_MODIFICATION "ASAN_OPTIONS=set:detect_leaks=0")
+    endif()
 endif()
