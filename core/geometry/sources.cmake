@@ -1,10 +1,12 @@
 target_sources(fff_core PRIVATE
+    geometry/arc_length.cpp
     geometry/bezier.cpp
     geometry/boolean.cpp
     geometry/chain_fitter.cpp
     geometry/clip_grid.cpp
     geometry/closed_line.cpp
     geometry/contour.cpp
+    geometry/contour_blend.cpp
     geometry/contour_points.cpp
     geometry/convex_hull.cpp
     geometry/curve_crossing.cpp

@@ -1,5 +1,7 @@
+fff_test(core/geometry/tst_contour_blend fff::core)
 fff_test(core/geometry/tst_convex_hull fff::core)
 fff_test(core/geometry/tst_bezier fff::core)
+fff_test(core/geometry/tst_arc_length fff::core)
 fff_test(core/geometry/tst_boolean fff::core)
 fff_test(core/geometry/tst_boolean_oracle fff::core CGAL::CGAL)
 fff_test(core/geometry/tst_contour fff::core)
