@@ -2,6 +2,8 @@
 
 #include "core/assembly/crossing.h"
 #include "core/assembly/found_joint.h"
+#include "core/assembly/realigned.h"
+#include "core/model/changes.h"
 
 #include <algorithm>
 #include <numeric>
@@ -14,7 +16,7 @@ namespace {
 
 bool isSameGeometry(const Section &a, const Section &b)
 {
-    return a.id == b.id && a.shape == b.shape && a.stock == b.stock && a.frame == b.frame;
+    return a.ref() == b.ref() && a.shape == b.shape && a.stock == b.stock && a.frame == b.frame;
 }
 
 /// Of which sections other joints are wanted now than before.
@@ -71,11 +73,14 @@ private:
     std::vector<char> m_hasTabs;
 };
 
+/// Of each section its index in the model before, or −1; nothing: the same.
+using Places = std::optional<std::vector<int>>;
+
 /// What one model has of another: which of its sections differ.
 class Difference
 {
 public:
-    Difference(const Model &model, const Model &previous);
+    Difference(const Model &model, const Model &previous, const Places &places);
 
     const std::vector<int> &changed() const { return m_changed; }
     /// Then looking at everything once is faster than at each of them.
@@ -95,7 +100,7 @@ private:
     std::vector<char> m_isChanged;
 };
 
-Difference::Difference(const Model &model, const Model &previous)
+Difference::Difference(const Model &model, const Model &previous, const Places &places)
     : m_isChanged(model.sectionCount(), char(false))
 {
     // Sections of a stock that became another one have other slits.
@@ -106,14 +111,11 @@ Difference::Difference(const Model &model, const Model &previous)
         return before && (before == &now || cutsTheSameSlits(*before, now));
     };
     const std::vector<char> isWantedOtherwise = otherwiseWanted(model, previous);
-    const std::size_t drawn = model.document.sections.size();
-    const bool hasSameOrder =
-        drawn == previous.document.sections.size() ||
-        (model.evaluation.sections.empty() && previous.evaluation.sections.empty());
     for (std::size_t i = 0; i < model.sectionCount(); ++i) {
-        bool isSame = hasSameOrder && i < previous.sectionCount() && !isWantedOtherwise[i];
+        const std::size_t place = places ? static_cast<std::size_t>((*places)[i]) : i;
+        bool isSame = place < previous.sectionCount() && !isWantedOtherwise[i];
         if (isSame) {
-            const SectionPointer &now = model.section(i), &before = previous.section(i);
+            const SectionPointer &now = model.section(i), &before = previous.section(place);
             isSame = (now == before || isSameGeometry(*now, *before)) &&
                      (hasSameStocks || hasSameStock(*now));
         }
@@ -276,6 +278,18 @@ void renewSlits(const Difference &difference, const std::vector<int> &concerned,
             renew(index, slits[index]);
 }
 
+/// Those that were there are in the order in which they were.
+bool isAscending(const std::vector<int> &places)
+{
+    int last = -1;
+    for (const int place : places) {
+        if (place >= 0 && place < last)
+            return false;
+        last = std::max(last, place);
+    }
+    return true;
+}
+
 } // namespace
 
 Assembly assemble(const Model &model)
@@ -283,10 +297,19 @@ Assembly assemble(const Model &model)
     return assemble(model, Model(), Assembly());
 }
 
-Assembly assemble(const Model &model, const Model &previous, const Assembly &before)
+Assembly assemble(const Model &model, const Model &previous, const Assembly &last)
 {
+    Places places = placesBefore(model, previous);
+    Realigned moved;
+    if (places) {
+        // Where sections changed their order, nothing is kept.
+        if (!isAscending(*places))
+            std::fill(places->begin(), places->end(), -1);
+        moved = realigned(last, *places);
+    }
+    const Assembly &before = places ? moved.assembly : last;
     const std::size_t count = model.sectionCount();
-    const Difference difference(model, previous);
+    const Difference difference(model, previous, places);
     Assembly assembly = before;
     assembly.boxes.resize(count);
     assembly.slits.resize(count);
@@ -296,7 +319,8 @@ Assembly assemble(const Model &model, const Model &previous, const Assembly &bef
     const std::vector<FoundJoint> found =
         findJoints(model, pairsToLookAt(difference, assembly.boxes));
     const std::vector<int> concerned = concernedSections(difference, before, count, found);
-    const bool hasNewIds = renewJoints(difference, concerned, found, count, assembly.joints);
+    const bool hasNewIds =
+        renewJoints(difference, concerned, found, count, assembly.joints) || moved.hasNewIds;
     renewSlits(difference, concerned, found, assembly.joints, hasNewIds, assembly.slits);
     return assembly;
 }

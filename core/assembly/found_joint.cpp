@@ -13,9 +13,9 @@ namespace {
 /// Drawn sections by their id, all others by their place behind them.
 bool isLower(const Model &model, int a, int b)
 {
-    const std::vector<SectionPointer> &drawn = model.document.sections;
-    const auto i = static_cast<std::size_t>(a), j = static_cast<std::size_t>(b);
-    return i < drawn.size() && j < drawn.size() ? drawn[i]->id < drawn[j]->id : a < b;
+    const SectionId i = model.section(static_cast<std::size_t>(a))->id;
+    const SectionId j = model.section(static_cast<std::size_t>(b))->id;
+    return i.isValid() && j.isValid() ? i < j : a < b;
 }
 
 void setGuest(std::vector<Slit> &slits, int guest)

@@ -12,6 +12,7 @@ target_sources(fff_core PRIVATE
     assembly/lobes.cpp
     assembly/planning.cpp
     assembly/playback.cpp
+    assembly/realigned.cpp
     assembly/slab.cpp
     assembly/slit_form.cpp
     assembly/slits.cpp

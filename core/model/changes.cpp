@@ -37,13 +37,8 @@ std::vector<SectionRef> changedSections(const Model &before, const Model &after)
 {
     std::vector<SectionRef> changed;
     eachNew(
-        before.document.sections, after.document.sections,
-        [](const SectionPointer &s) { return s.get(); },
-        [&](const SectionPointer &s) { changed.push_back(s->id); });
-    eachNew(
-        before.evaluation.sections, after.evaluation.sections,
-        [](const GeneratedSection &s) { return s.section.get(); },
-        [&](const GeneratedSection &s) { changed.push_back(s.ref); });
+        before.sections(), after.sections(), [](const SectionPointer &s) { return s.get(); },
+        [&](const SectionPointer &s) { changed.push_back(s->ref()); });
 
     std::vector<StockId> stocks;
     eachNew(
@@ -74,9 +69,7 @@ std::vector<SectionPointer> missingSections(const Model &before, const Model &af
                                             const Model &now)
 {
     const auto sorted = [](const Model &model) {
-        std::vector<SectionPointer> sections;
-        for (std::size_t i = 0; i < model.sectionCount(); ++i)
-            sections.push_back(model.section(i));
+        std::vector<SectionPointer> sections = model.sections();
         std::sort(sections.begin(), sections.end());
         return sections;
     };
@@ -88,6 +81,23 @@ std::vector<SectionPointer> missingSections(const Model &before, const Model &af
     std::set_difference(touched.begin(), touched.end(), present.begin(), present.end(),
                         std::back_inserter(missing));
     return missing;
+}
+
+std::optional<std::vector<int>> placesBefore(const Model &now, const Model &before)
+{
+    const std::vector<SectionPointer> &these = now.sections(), &those = before.sections();
+    const std::size_t common = std::min(these.size(), those.size());
+    const auto isSame = [&](const SectionPointer &a, const SectionPointer &b) {
+        return a == b || a->ref() == b->ref();
+    };
+    const auto end = these.begin() + static_cast<std::ptrdiff_t>(common);
+    if (std::equal(these.begin(), end, those.begin(), isSame))
+        return std::nullopt;
+    std::vector<int> places;
+    places.reserve(these.size());
+    for (const SectionPointer &section : these)
+        places.push_back(before.indexOf(section->ref()));
+    return places;
 }
 
 } // namespace fff

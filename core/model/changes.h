@@ -3,6 +3,7 @@
 
 #include "core/model/model.h"
 
+#include <optional>
 #include <vector>
 
 namespace fff {
@@ -16,5 +17,10 @@ std::vector<SectionRef> changedSections(const Model &before, const Model &after)
 /// between them takes away or would bring back. Compares pointers.
 std::vector<SectionPointer> missingSections(const Model &before, const Model &after,
                                             const Model &now);
+
+/// Of each section of `now` its index in `before`, or −1, by what it is called; nothing when all
+/// that both have stand at the same places, so that what is derived from them can be kept as it is.
+/// O(sections).
+std::optional<std::vector<int>> placesBefore(const Model &now, const Model &before);
 
 } // namespace fff

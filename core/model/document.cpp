@@ -49,6 +49,13 @@ const Stock *Document::find(StockId id) const
     return it == stocks.end() ? nullptr : it->get();
 }
 
+const Operation *Document::find(OperationId id) const
+{
+    const auto it = std::find_if(operations.begin(), operations.end(),
+                                 [id](const auto &operation) { return operation->id == id; });
+    return it == operations.end() ? nullptr : it->get();
+}
+
 const Stock &Document::stockOf(const Section &section) const
 {
     const Stock *stock = find(section.stock);
@@ -80,7 +87,7 @@ bool Document::isSame(const Document &other) const
 bool Document::operator==(const Document &other) const
 {
     return equalValues(sections, other.sections) && equalValues(stocks, other.stocks) &&
-           operations == other.operations && weights == other.weights &&
+           equalValues(operations, other.operations) && weights == other.weights &&
            equalValues(jointOverrides, other.jointOverrides) &&
            currentStock == other.currentStock && nextId == other.nextId;
 }

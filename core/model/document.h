@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/model/joint_override.h"
+#include "core/model/operation.h"
 #include "core/model/section.h"
 #include "core/model/stock.h"
 
@@ -25,25 +26,13 @@ struct Weight
     }
 };
 
-/// Parameters of one procedural operation. No kind exists yet; each will be a subclass of its own
-/// in core/operations, and is kept here so that documents hold them in their order from the start.
-struct Operation
-{
-    virtual ~Operation() = default;
-
-    OperationId id;
-    std::string kind;
-    int version = 1;
-    std::string name;
-};
-
 /// Order of `sections` is that of drawing. Every section's stock is in `stocks`; `currentStock` is
 /// that of the next section. `nextId` is larger than every id ever given here.
 struct Document
 {
     std::vector<SectionPointer> sections;
     std::vector<std::shared_ptr<const Stock>> stocks;
-    std::vector<std::shared_ptr<const Operation>> operations;
+    std::vector<OperationPointer> operations; // in the order in which they work
     std::vector<Weight> weights;
     std::vector<JointOverridePointer> jointOverrides; // ascending in (a, b), none of them empty
     StockId currentStock;
@@ -55,6 +44,7 @@ struct Document
     /// Null when there is none.
     const Section *find(SectionId id) const;
     const Stock *find(StockId id) const;
+    const Operation *find(OperationId id) const;
     /// Of two sections in any order, or null. O(log overrides).
     const JointOverride *jointOverride(const SectionRef &first, const SectionRef &second) const;
     /// Of a section of this document.

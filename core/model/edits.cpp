@@ -192,6 +192,14 @@ Result<Document> removeStock(Document document, StockId id, StockId replacement)
         next.stock = replacement;
         pointer = std::make_shared<const Section>(std::move(next));
     }
+    for (OperationPointer &pointer : document.operations) {
+        Operation next = *pointer;
+        for (auto &[key, exception] : next.exceptions)
+            if (exception.stock == id)
+                exception.stock = replacement;
+        if (!(next == *pointer))
+            pointer = std::make_shared<const Operation>(std::move(next));
+    }
     if (document.currentStock == id)
         document.currentStock = replacement;
     std::erase_if(document.stocks, [id](const auto &stock) { return stock->id == id; });

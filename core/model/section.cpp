@@ -1,11 +1,27 @@
 #include "core/model/section.h"
 
+#include "core/model/instance_key.h"
+
 namespace fff {
+
+std::strong_ordering SectionRef::operator<=>(const SectionRef &other) const
+{
+    if (drawn.isValid() != other.drawn.isValid())
+        return drawn.isValid() ? std::strong_ordering::less : std::strong_ordering::greater;
+    if (const auto order = drawn <=> other.drawn; order != 0)
+        return order;
+    if (const auto order = operation <=> other.operation; order != 0)
+        return order;
+    if (key == other.key)
+        return std::strong_ordering::equal;
+    return isKeyBefore(key, other.key) ? std::strong_ordering::less : std::strong_ordering::greater;
+}
 
 bool Section::operator==(const Section &other) const
 {
-    return id == other.id && name == other.name && parent == other.parent && frame == other.frame &&
-           stock == other.stock && (shape == other.shape || *shape == *other.shape);
+    return id == other.id && made == other.made && name == other.name && parent == other.parent &&
+           frame == other.frame && stock == other.stock &&
+           (shape == other.shape || *shape == *other.shape);
 }
 
 Box3 worldBounds(const Shape &shape, const Frame &frame)

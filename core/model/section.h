@@ -5,6 +5,7 @@
 #include "core/geometry/frame.h"
 #include "core/model/shape.h"
 
+#include <compare>
 #include <memory>
 #include <optional>
 #include <string>
@@ -12,7 +13,8 @@
 namespace fff {
 
 /// A drawn section by its id, or one that an operation made by the operation's id and a structural
-/// key ("3", "branch/1/0"). Survives re-evaluation; may name nothing for a while (dormant).
+/// key ("3", "0/2/1"; core/model/instance_key.h). Survives re-evaluation; may name nothing for a
+/// while (dormant). Drawn ones come first in their order.
 struct SectionRef
 {
     SectionId drawn; // valid: a drawn section, and the rest is empty
@@ -23,7 +25,8 @@ struct SectionRef
     SectionRef(SectionId id) : drawn(id) {}
     SectionRef(OperationId id, std::string instance) : operation(id), key(std::move(instance)) {}
 
-    auto operator<=>(const SectionRef &) const = default;
+    bool operator==(const SectionRef &) const = default;
+    std::strong_ordering operator<=>(const SectionRef &other) const;
 };
 
 /// On which section one was drawn, and the slit's segment there, from inside to where the stroke
@@ -42,13 +45,15 @@ struct Parent
 
 struct Section
 {
-    SectionId id;
+    SectionId id;         // of a drawn one
+    SectionRef made = {}; // of one that an operation made: which; else empty
     std::string name;
     std::optional<Parent> parent;
     ShapePointer shape; // never null in a document
     Frame frame;
     StockId stock;
 
+    SectionRef ref() const { return id.isValid() ? SectionRef(id) : made; }
     /// Same values; shapes are compared by their curves.
     bool operator==(const Section &other) const;
 };

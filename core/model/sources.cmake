@@ -3,10 +3,12 @@ target_sources(fff_core PRIVATE
     model/document.cpp
     model/edits.cpp
     model/ground.cpp
+    model/instance_key.cpp
     model/materials.cpp
     model/mended_shape.cpp
     model/model.cpp
     model/naming.cpp
+    model/operation_edits.cpp
     model/point_edits.cpp
     model/section.cpp
     model/shape.cpp

@@ -5,9 +5,10 @@
 
 namespace fff {
 
-/// The model of a document. Sections whose operation has equal inputs in `previous` are the very
-/// objects of `previous`, so that everything derived from them is kept. Pure; safe on any thread.
-/// No kind of operation exists yet, so nothing is generated: each will be one file in this folder.
+/// The model of a document: its operations work one after the other, each on the drawn sections and
+/// on what those above it made. One that would see all that it looked at as in `previous` is not
+/// done again; of what is done again, sections and shapes that come out as they were are the very
+/// objects of `previous`, so that all that is derived from them is kept. Pure; safe on any thread.
 Model evaluate(Document document, const Model &previous = {});
 
 } // namespace fff

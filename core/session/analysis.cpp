@@ -1,5 +1,7 @@
 #include "core/session/analysis.h"
 
+#include "core/model/changes.h"
+
 namespace fff {
 
 AnalysisPointer analyseNext(const Model &model, AnalysisCaches &caches)
@@ -9,17 +11,19 @@ AnalysisPointer analyseNext(const Model &model, AnalysisCaches &caches)
     Analysis analysis;
     analysis.model = model;
     analysis.assembly = assemble(model, last.model, last.assembly);
-    analysis.cuts = last.cuts;
     analysis.cuts.resize(model.sectionCount());
+    const std::optional<std::vector<int>> places = placesBefore(model, last.model);
     const SharedRows<Slit> &slits = analysis.assembly.slits, &before = last.assembly.slits;
     for (std::size_t i = 0; i < analysis.cuts.size(); ++i) {
+        const std::size_t place = places ? static_cast<std::size_t>((*places)[i]) : i;
         const ShapePointer &shape = model.section(i)->shape;
         const bool hasSameShape =
-            i < last.cuts.size() &&
-            (model.section(i) == last.model.section(i) || shape == last.model.section(i)->shape);
-        if (!hasSameShape || slits.pointer(i) != before.pointer(i))
-            analysis.cuts[i] = cutSection(shape, slits[i], caches.cuts,
-                                          hasSameShape ? last.cuts[i].get() : nullptr);
+            place < last.cuts.size() && (model.section(i) == last.model.section(place) ||
+                                         shape == last.model.section(place)->shape);
+        const CutSectionPointer known = hasSameShape ? last.cuts[place] : nullptr;
+        analysis.cuts[i] = known && slits.pointer(i) == before.pointer(place)
+                               ? known
+                               : cutSection(shape, slits[i], caches.cuts, known.get());
     }
     caches.last = std::make_shared<const Analysis>(std::move(analysis));
     return caches.last;

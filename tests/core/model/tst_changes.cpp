@@ -86,9 +86,21 @@ private Q_SLOTS:
     void generatedSectionsAreNamedByTheirOperation()
     {
         const Document document = sample();
-        const SectionRef kept(OperationId{7}, "0"), made(OperationId{7}, "1");
-        const Model before{document, {{{kept, document.sections[0]}}}};
-        const Model after{document, {{{kept, document.sections[0]}, {made, document.sections[1]}}}};
+        const SectionRef made(OperationId{7}, "1");
+        const auto generated = [&](const char *key, std::size_t like) {
+            Section section = *document.sections[like];
+            section.id = {};
+            section.made = SectionRef(OperationId{7}, key);
+            return std::make_shared<const Section>(section);
+        };
+        auto listing = std::make_shared<Listing>();
+        listing->sections = document.sections;
+        listing->drawn = listing->sections.size();
+        listing->sections.push_back(generated("0", 0));
+        const Model before{document, {{}, listing}};
+        listing = std::make_shared<Listing>(*listing);
+        listing->sections.push_back(generated("1", 1));
+        const Model after{document, {{}, listing}};
         QVERIFY(changedSections(before, after) == std::vector{made});
         QVERIFY(changedSections(after, before).empty());
     }

@@ -104,8 +104,16 @@ void TestDocument::findByNameOfNothing()
 void TestDocument::modelListsDrawnThenGenerated()
 {
     Model model{withDisc(withDisc(newDocument())), {}};
-    const auto replica = std::make_shared<const Section>(*model.document.sections[0]);
-    model.evaluation.sections.push_back({SectionRef(OperationId{7}, "1"), replica});
+    Section made = *model.document.sections[0];
+    made.id = {};
+    made.made = SectionRef(OperationId{7}, "1");
+    const auto replica = std::make_shared<const Section>(made);
+    auto listing = std::make_shared<Listing>();
+    listing->sections = model.document.sections;
+    listing->drawn = 2;
+    listing->sections.push_back(replica);
+    listing->blocks = {{OperationId{7}, 2, 3}};
+    model.evaluation.listing = listing;
     QCOMPARE(model.sectionCount(), 3U);
     QCOMPARE(model.section(2).get(), replica.get());
     for (std::size_t i = 0; i < 3; ++i)

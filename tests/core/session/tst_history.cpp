@@ -11,13 +11,8 @@ namespace {
 /// The same objects, drawn and generated.
 bool isSameModel(const Model &a, const Model &b)
 {
-    if (!a.document.isSame(b.document) || a.document.nextId != b.document.nextId ||
-        a.evaluation.sections.size() != b.evaluation.sections.size())
-        return false;
-    for (std::size_t i = 0; i < a.evaluation.sections.size(); ++i)
-        if (a.evaluation.sections[i].section != b.evaluation.sections[i].section)
-            return false;
-    return true;
+    return a.document.isSame(b.document) && a.document.nextId == b.document.nextId &&
+           a.sections() == b.sections();
 }
 
 } // namespace

@@ -1,0 +1,93 @@
+#include "core/model/operation_edits.h"
+
+#include <algorithm>
+
+namespace fff {
+
+namespace {
+
+tl::unexpected<Error> unknown(OperationId id)
+{
+    return failure(ErrorCode::UnknownReference, std::to_string(id.value),
+                   {std::to_string(id.value)});
+}
+
+std::vector<OperationPointer>::iterator placeOf(Document &document, OperationId id)
+{
+    return std::find_if(document.operations.begin(), document.operations.end(),
+                        [id](const auto &operation) { return operation->id == id; });
+}
+
+} // namespace
+
+Document addOperation(Document document, Operation operation)
+{
+    operation.id = OperationId{document.nextId++};
+    document.operations.push_back(std::make_shared<const Operation>(std::move(operation)));
+    return document;
+}
+
+Result<Document> setOperation(Document document, Operation operation)
+{
+    const auto place = placeOf(document, operation.id);
+    if (place == document.operations.end())
+        return unknown(operation.id);
+    if (!(**place == operation))
+        *place = std::make_shared<const Operation>(std::move(operation));
+    return document;
+}
+
+Result<Document> removeOperation(Document document, OperationId id)
+{
+    const auto place = placeOf(document, id);
+    if (place == document.operations.end())
+        return unknown(id);
+    document.operations.erase(place);
+    std::erase_if(document.weights, [id](const Weight &w) { return w.section.operation == id; });
+    std::erase_if(document.jointOverrides, [id](const JointOverridePointer &joint) {
+        return joint->a.operation == id || joint->b.operation == id;
+    });
+    for (SectionPointer &pointer : document.sections) {
+        if (!pointer->parent || pointer->parent->section.operation != id)
+            continue;
+        Section orphan = *pointer;
+        orphan.parent.reset();
+        pointer = std::make_shared<const Section>(std::move(orphan));
+    }
+    return document;
+}
+
+Result<Document> moveOperation(Document document, OperationId id, int index)
+{
+    const auto place = placeOf(document, id);
+    if (place == document.operations.end())
+        return unknown(id);
+    const int last = static_cast<int>(document.operations.size()) - 1;
+    const auto to = document.operations.begin() + std::clamp(index, 0, last);
+    if (to < place)
+        std::rotate(to, place, place + 1);
+    else
+        std::rotate(place, place + 1, to + 1);
+    return document;
+}
+
+Result<Document> setException(Document document, const SectionRef &instance,
+                              const Exception &exception)
+{
+    const auto place = placeOf(document, instance.operation);
+    if (place == document.operations.end())
+        return unknown(instance.operation);
+    if (exception.stock.isValid() && !document.find(exception.stock))
+        return failure(ErrorCode::UnknownReference, std::to_string(exception.stock.value),
+                       {std::to_string(exception.stock.value)});
+    Operation next = **place;
+    if (exception.isEmpty())
+        next.exceptions.erase(instance.key);
+    else
+        next.exceptions.insert_or_assign(instance.key, exception);
+    if (!(**place == next))
+        *place = std::make_shared<const Operation>(std::move(next));
+    return document;
+}
+
+} // namespace fff

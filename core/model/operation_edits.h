@@ -1,0 +1,33 @@
+// The pure edits of a document's operations, as those of edits.h.
+// Errors of all: UnknownReference, place = the id, when there is no such operation.
+#pragma once
+
+#include "core/model/document.h"
+
+namespace fff {
+
+/// Appends it; its id is the document's nextId.
+Document addOperation(Document document, Operation operation);
+/// Replaces the one with the same id.
+Result<Document> setOperation(Document document, Operation operation);
+/// Sections that were drawn on what it made stay, without a parent; weights there and what was
+/// wanted of its joints go.
+Result<Document> removeOperation(Document document, OperationId id);
+/// To another place in their order, 0 … their number − 1.
+Result<Document> moveOperation(Document document, OperationId id, int index);
+/// What is other than made of one of its sections; an empty exception makes it as the others again.
+Result<Document> setException(Document document, const SectionRef &instance,
+                              const Exception &exception);
+
+/// The names that its inputs have now are what it is said to miss when they go. Done by whoever
+/// evaluates an edit of it: `nameOf` is empty for what is not there.
+template <class NameOf>
+void noteInputNames(Operation &operation, NameOf nameOf)
+{
+    for (auto &[role, inputs] : operation.inputs)
+        for (OperationInput &input : inputs)
+            if (std::string name = nameOf(input.section); !name.empty())
+                input.name = std::move(name);
+}
+
+} // namespace fff

@@ -1,0 +1,204 @@
+#include "core/operations/baking.h"
+
+#include "core/assembly/assembly.h"
+#include "core/model/edits.h"
+#include "core/model/operation_edits.h"
+#include "core/operations/evaluate.h"
+
+#include <algorithm>
+#include <map>
+
+namespace fff {
+
+namespace {
+
+/// Generated sections and what is drawn in their place.
+using Replacements = std::map<SectionRef, SectionRef>;
+
+SectionRef follow(const Replacements &replacements, const SectionRef &ref)
+{
+    const auto it = replacements.find(ref);
+    return it == replacements.end() ? ref : it->second;
+}
+
+/// What was wanted of two sections, of the same two under other names. frame: by section, by its
+/// name before.
+template <class FrameOf>
+JointOverride followed(const JointOverride &joint, const Replacements &replacements,
+                       FrameOf frameOf)
+{
+    JointOverride next = joint;
+    next.a = follow(replacements, joint.a);
+    next.b = follow(replacements, joint.b);
+    if (next.a < next.b)
+        return next;
+    // The other one is first now, so all is said in its frame.
+    const Frame *from = frameOf(joint.a), *to = frameOf(joint.b);
+    std::swap(next.a, next.b);
+    for (JointOverride::Share &share : next.shares) {
+        share.ofA = 1.0 - share.ofA;
+        if (from && to)
+            share.at = to->toLocal(from->toWorld(share.at));
+    }
+    // What lies across b's plane is lost; the axis, along which slits open, lies in both.
+    if (next.opens && from && to) {
+        const Vec2 opens = to->directionToLocal(-from->directionToWorld(*next.opens));
+        next.opens = opens.norm() > 0.0 ? std::optional(opens.normalized()) : std::nullopt;
+    }
+    return next;
+}
+
+void followInDocument(Document &document, const Model &model, const Replacements &replacements)
+{
+    const auto frameOf = [&model](const SectionRef &ref) {
+        const Section *section = model.find(ref);
+        return section ? &section->frame : nullptr;
+    };
+    for (SectionPointer &pointer : document.sections) {
+        if (!pointer->parent || !replacements.contains(pointer->parent->section))
+            continue;
+        Section next = *pointer;
+        next.parent->section = follow(replacements, next.parent->section);
+        pointer = std::make_shared<const Section>(std::move(next));
+    }
+    for (Weight &weight : document.weights)
+        weight.section = follow(replacements, weight.section);
+    std::vector<JointOverridePointer> joints;
+    joints.swap(document.jointOverrides);
+    for (const JointOverridePointer &joint : joints) {
+        if (!replacements.contains(joint->a) && !replacements.contains(joint->b))
+            document.jointOverrides.push_back(joint);
+        else if (JointOverride next = followed(*joint, replacements, frameOf); !next.isEmpty())
+            document.jointOverrides.push_back(
+                std::make_shared<const JointOverride>(std::move(next)));
+    }
+    std::sort(document.jointOverrides.begin(), document.jointOverrides.end(),
+              [](const JointOverridePointer &a, const JointOverridePointer &b) {
+                  return std::tie(a->a, a->b) < std::tie(b->a, b->b);
+              });
+    for (OperationPointer &pointer : document.operations) {
+        Operation next = *pointer;
+        for (auto &[role, inputs] : next.inputs)
+            for (OperationInput &input : inputs)
+                input.section = follow(replacements, input.section);
+        if (!(next == *pointer))
+            pointer = std::make_shared<const Operation>(std::move(next));
+    }
+}
+
+/// Puts the section, as it stands in the model, among the drawn ones; its id is the next one.
+SectionRef draw(Document &document, const Section &section)
+{
+    Section drawn = section;
+    drawn.id = SectionId{document.nextId++};
+    drawn.made = {};
+    document.sections.push_back(std::make_shared<const Section>(std::move(drawn)));
+    return document.sections.back()->ref();
+}
+
+/// To where the slits of a, the first of a joint, open along the axis: ±1; 0: there are none.
+int openingOf(const Model &model, const Assembly &assembly, const Joint &joint)
+{
+    const auto index = static_cast<std::size_t>(joint.a);
+    const Frame &frame = model.section(index)->frame;
+    for (const Slit &slit : assembly.slits[index])
+        if (slit.joint == joint.id && slit.isOpen && slit.role == SlitRole::Slit)
+            return frame.directionToWorld(slit.mouth - slit.inner)
+                               .dot(joint.crossing->axis.direction) > 0.0
+                       ? 1
+                       : -1;
+    return 0;
+}
+
+/// Slits that would open to another side are wished to stay.
+Result<Document> withSlitsKept(Document document, const Model &model,
+                               const Replacements &replacements)
+{
+    const Model next = evaluate(document, model);
+    const Assembly before = assemble(model), after = assemble(next);
+    for (const Joint &joint : before.joints) {
+        const SectionRef a = follow(replacements, model.ref(static_cast<std::size_t>(joint.a)));
+        const SectionRef b = follow(replacements, model.ref(static_cast<std::size_t>(joint.b)));
+        const int i = next.indexOf(a), j = next.indexOf(b);
+        const Joint *now =
+            i < 0 || j < 0 ? nullptr : after.joints.find(std::min(i, j), std::max(i, j));
+        if (!now)
+            continue;
+        // Along the direction of the axis before, of the section that was first then.
+        const int wasOpen = openingOf(model, before, joint);
+        int isOpen = openingOf(next, after, *now);
+        if (now->crossing->axis.direction.dot(joint.crossing->axis.direction) < 0.0)
+            isOpen = -isOpen;
+        if (now->a != i)
+            isOpen = -isOpen;
+        if (wasOpen == 0 || wasOpen == isOpen)
+            continue;
+        const Vec3 opens = wasOpen * joint.crossing->axis.direction;
+        JointOverride wanted;
+        if (const JointOverride *known = document.jointOverride(a, b))
+            wanted = *known;
+        wanted.a = std::min(a, b);
+        wanted.b = std::max(a, b);
+        const Frame &frame = next.find(wanted.a)->frame;
+        wanted.opens = frame.directionToLocal(wanted.a == a ? opens : Vec3(-opens));
+        Result<Document> with = setJointOverride(std::move(document), std::move(wanted));
+        if (!with)
+            return with;
+        document = *std::move(with);
+    }
+    return document;
+}
+
+} // namespace
+
+Result<Document> baked(const Model &model, OperationId id)
+{
+    Document document = model.document;
+    const OperationResult *result = model.resultOf(id);
+    if (!result)
+        return removeOperation(std::move(document), id);
+    Replacements replacements;
+    std::vector<SectionId> gone;
+    // What it changes of others first: it may take the place of a drawn section.
+    for (const auto &[ref, section] : result->changed) {
+        if (!ref.drawn.isValid()) {
+            Result<Document> without =
+                setException(std::move(document), ref, {Exception::State::Detached});
+            if (!without)
+                return without;
+            document = *std::move(without);
+            if (section)
+                replacements.emplace(ref, draw(document, *section));
+            continue;
+        }
+        const int index = document.indexOf(ref.drawn);
+        if (index < 0)
+            continue;
+        if (section)
+            document.sections[static_cast<std::size_t>(index)] = section;
+        else
+            gone.push_back(ref.drawn);
+    }
+    for (const SectionPointer &section : result->sections)
+        replacements.emplace(section->made, draw(document, *section));
+    followInDocument(document, model, replacements);
+    Result<Document> without = removeOperation(std::move(document), id);
+    if (without)
+        without = removeSections(*std::move(without), gone);
+    return without ? withSlitsKept(*std::move(without), model, replacements) : without;
+}
+
+Result<Document> detached(const Model &model, const SectionRef &instance)
+{
+    const Section *section = model.find(instance);
+    if (!section || instance.drawn.isValid())
+        return failure(ErrorCode::UnknownReference, instance.key, {instance.key});
+    Result<Document> next = setException(model.document, instance, {Exception::State::Detached});
+    if (!next)
+        return next;
+    const Replacements replacements{{instance, draw(*next, *section)}};
+    followInDocument(*next, model, replacements);
+    return withSlitsKept(*std::move(next), model, replacements);
+}
+
+} // namespace fff

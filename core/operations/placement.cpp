@@ -1,0 +1,195 @@
+#include "core/operations/placement.h"
+
+#include "core/assembly/crossing.h"
+#include "core/model/instance_key.h"
+
+#include <algorithm>
+#include <cctype>
+
+namespace fff {
+
+namespace {
+
+Result<Contour> mapped(const Contour &contour, const Eigen::Matrix2d &matrix, const Vec2 &about)
+{
+    std::vector<Vec2> points;
+    points.reserve(contour.points().size());
+    for (const Vec2 &p : contour.points())
+        points.push_back(about + matrix * (p - about));
+    return Contour::fromPoints(std::move(points));
+}
+
+/// Below the key of a copy: the id of a drawn member, the operation and key of another.
+std::string memberKey(const SectionRef &ref)
+{
+    if (ref.drawn.isValid())
+        return std::to_string(ref.drawn.value);
+    std::string operation = "o";
+    return keyBelow(operation.append(std::to_string(ref.operation.value)), ref.key);
+}
+
+bool meets(const Section &a, const Section &b)
+{
+    return worldBounds(*a.shape, a.frame).intersects(worldBounds(*b.shape, b.frame)) &&
+           !findCrossing(*a.shape, a.frame, *b.shape, b.frame).overlaps.empty();
+}
+
+/// The root and those that it is on, up to the first.
+std::vector<SectionRef> lineageOf(const std::vector<SectionPointer> &all, const Section &root)
+{
+    std::vector<SectionRef> lineage{root.ref()};
+    const auto isKnown = [&lineage](const SectionRef &ref) {
+        return std::find(lineage.begin(), lineage.end(), ref) != lineage.end();
+    };
+    for (const Section *section = &root; section && section->parent;) {
+        const SectionRef &parent = section->parent->section;
+        if (isKnown(parent))
+            break;
+        lineage.push_back(parent);
+        const auto it = std::find_if(all.begin(), all.end(), [&parent](const SectionPointer &s) {
+            return s->ref() == parent;
+        });
+        section = it == all.end() ? nullptr : it->get();
+    }
+    return lineage;
+}
+
+/// Where a section is held by that which it is on.
+Vec3 attachedAt(const Section &section, const Section &host)
+{
+    if (!section.parent)
+        return section.frame.toWorld(section.shape->centroid());
+    return host.frame.toWorld(0.5 * (section.parent->slitFrom + section.parent->slitTo));
+}
+
+} // namespace
+
+Placement Placement::inverse() const
+{
+    const Eigen::Matrix3d back = turn.transpose();
+    return {back, 1.0 / scale, -(back * shift) / scale};
+}
+
+Placement Placement::operator*(const Placement &first) const
+{
+    return {turn * first.turn, scale * first.scale, (*this)(first.shift)};
+}
+
+Frame placed(const Frame &frame, const Placement &placement)
+{
+    return {placement(frame.origin), placement.turn * frame.x, placement.turn * frame.y};
+}
+
+Result<Curves> mapped(const Shape &shape, const Eigen::Matrix2d &matrix, const Vec2 &about)
+{
+    Curves curves;
+    Result<Contour> contour = mapped(shape.contour(), matrix, about);
+    if (!contour)
+        return tl::unexpected(contour.error());
+    curves.contour = *std::move(contour);
+    for (const Contour &hole : shape.holes()) {
+        Result<Contour> next = mapped(hole, matrix, about);
+        if (!next)
+            return tl::unexpected(next.error());
+        curves.holes.push_back(*std::move(next));
+    }
+    return curves;
+}
+
+Branch branchOf(const SectionPointer &section)
+{
+    return {{{section, {}, -1}}};
+}
+
+Branch wholeBranchOf(OperationContext &context, const SectionPointer &section,
+                     const SectionPointer &root)
+{
+    Branch branch = branchOf(section);
+    const std::vector<SectionPointer> &all = context.all();
+    const std::vector<SectionRef> lineage = lineageOf(all, *root);
+    std::vector<SectionPointer> rest;
+    for (const SectionPointer &other : all)
+        if (other != section &&
+            std::find(lineage.begin(), lineage.end(), other->ref()) == lineage.end())
+            rest.push_back(other);
+    for (std::size_t i = 0; i < branch.members.size(); ++i) {
+        const SectionPointer host = branch.members[i].section; // the list grows
+        const auto isOnHost = [&](const SectionPointer &other) {
+            return other->parent ? other->parent->section == host->ref()
+                                 : meets(*other, *host) && !meets(*other, *root);
+        };
+        const auto end =
+            std::stable_partition(rest.begin(), rest.end(),
+                                  [&](const SectionPointer &other) { return !isOnHost(other); });
+        for (auto it = end; it != rest.end(); ++it)
+            branch.members.push_back({*it, memberKey((*it)->ref()), static_cast<int>(i)});
+        rest.erase(end, rest.end());
+    }
+    return branch;
+}
+
+std::string copiedName(const std::string &name, const std::string &number)
+{
+    const bool endsInDigit =
+        !name.empty() && std::isdigit(static_cast<unsigned char>(name.back())) != 0;
+    std::string copied = name;
+    return copied.append(endsInDigit ? "." : " ").append(number);
+}
+
+ShapePointer scaledShape(OperationContext &context, const std::string &key,
+                         const ShapePointer &shape, double scale)
+{
+    if (scale == 1.0)
+        return shape;
+    const Result<Curves> curves = mapped(*shape, scale * Eigen::Matrix2d::Identity(), Vec2::Zero());
+    if (!curves)
+        return nullptr;
+    const Result<ShapePointer> scaled = context.shape(key, curves->contour, curves->holes);
+    return scaled ? *scaled : nullptr;
+}
+
+bool addCopy(OperationContext &context, const Branch &branch, const Copy &copy)
+{
+    const std::size_t count = branch.members.size();
+    std::vector<char> isMade(count, char(false));
+    std::vector<Vec3> carried(count, Vec3::Zero()); // by the stretch
+    bool isWhole = true;
+    for (std::size_t i = 0; i < count; ++i) {
+        const Branch::Member &member = branch.members[i];
+        const auto host = static_cast<std::size_t>(std::max(member.parent, 0));
+        if (i > 0 && !isMade[host])
+            continue;
+        const std::string key = i == 0 ? copy.key : keyBelow(copy.key, member.key);
+        Section section = *member.section;
+        section.name = copiedName(section.name, copy.number);
+        if (i == 0) {
+            section.shape = copy.section.shape;
+            section.frame = copy.section.frame;
+            section.parent = copy.section.parent;
+        } else {
+            carried[i] =
+                host > 0 ? carried[host]
+                         : Vec3(copy.stretch * (attachedAt(section, *branch.members[0].section) -
+                                                copy.stretchedFrom));
+            section.shape = scaledShape(context, key, section.shape, copy.placement.scale);
+            section.frame = placed(section.frame, copy.placement * Placement::moved(carried[i]));
+            if (section.parent) {
+                const std::string &below = branch.members[host].key;
+                section.parent->section = SectionRef(
+                    context.operation().id, host > 0 ? keyBelow(copy.key, below) : copy.key);
+                section.parent->slitFrom *= copy.placement.scale;
+                section.parent->slitTo *= copy.placement.scale;
+            }
+        }
+        if (!section.shape) {
+            isWhole = false;
+            continue;
+        }
+        // What is hidden takes along what is on it.
+        isMade[i] = !context.isHidden(key);
+        context.add(key, std::move(section));
+    }
+    return isWhole;
+}
+
+} // namespace fff

@@ -1,0 +1,87 @@
+// Copies of sections elsewhere in space. Internal to operations.
+#pragma once
+
+#include "core/operations/operation_context.h"
+
+namespace fff {
+
+/// p → scale · turn · p + shift. `turn` is orthogonal: a rotation, or a reflection, which a section
+/// follows by its frame alone, since both of its faces are alike.
+struct Placement
+{
+    Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
+    double scale = 1.0;
+    Vec3 shift = Vec3::Zero(); // mm
+
+    Vec3 operator()(const Vec3 &p) const { return scale * (turn * p) + shift; }
+    Placement inverse() const;
+    /// First the other one.
+    Placement operator*(const Placement &first) const;
+
+    static Placement moved(const Vec3 &way) { return {.shift = way}; }
+    static Placement scaled(double scale, const Vec3 &about)
+    {
+        return {.scale = scale, .shift = (1.0 - scale) * about};
+    }
+    static Placement turned(const Eigen::Matrix3d &turn, const Vec3 &about)
+    {
+        return {.turn = turn, .shift = about - turn * about};
+    }
+};
+
+Frame placed(const Frame &frame, const Placement &placement);
+
+/// The contour and holes, each point p as about + matrix (p − about). Errors as Shape::make().
+struct Curves
+{
+    Contour contour;
+    std::vector<Contour> holes;
+};
+Result<Curves> mapped(const Shape &shape, const Eigen::Matrix2d &matrix, const Vec2 &about);
+
+/// A section and what is attached to it, to be copied together.
+struct Branch
+{
+    struct Member
+    {
+        SectionPointer section;
+        std::string key; // below that of a copy; empty: the section itself
+        int parent = -1; // index of the member that it is on
+    };
+    std::vector<Member> members; // the section first, parents before children
+};
+
+/// The section alone.
+Branch branchOf(const SectionPointer &section);
+/// With all that was drawn on it, on that, and so on, and what operations above put there; sections
+/// that were drawn on nothing belong to it where they meet it and not `root`. Without `root` and
+/// what that is on.
+Branch wholeBranchOf(OperationContext &context, const SectionPointer &section,
+                     const SectionPointer &root);
+
+/// One copy of a branch.
+struct Copy
+{
+    std::string key;          // of the section's copy
+    std::string number;       // which names end with
+    Section section;          // the section's copy: its shape, frame and parent count
+    Placement placement = {}; // of all others
+    /// Besides, what is on the section goes along where that was stretched: a point p of it by
+    /// stretch · (p − stretchedFrom), before it is placed.
+    Eigen::Matrix3d stretch = Eigen::Matrix3d::Zero();
+    Vec3 stretchedFrom = Vec3::Zero();
+};
+
+/// Adds a copy of every member. Whether all of them could be made: scaled too small, a shape is
+/// none any more.
+bool addCopy(OperationContext &context, const Branch &branch, const Copy &copy);
+
+/// The shape scaled, as the instance of that key has it; the same one for 1. Null when it is none
+/// any more.
+ShapePointer scaledShape(OperationContext &context, const std::string &key,
+                         const ShapePointer &shape, double scale);
+
+/// What a copy is called: "Rib" gives "Rib 2", "Rib 1" gives "Rib 1.2".
+std::string copiedName(const std::string &name, const std::string &number);
+
+} // namespace fff

@@ -1,0 +1,6 @@
+fff_test(core/operations/tst_row fff::core)
+fff_test(core/operations/tst_linear fff::core)
+fff_test(core/operations/tst_revolve fff::core)
+fff_test(core/operations/tst_evaluate fff::io)
+fff_test(core/operations/tst_baking fff::core)
+fff_test(core/operations/tst_blend fff::core)
