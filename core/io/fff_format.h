@@ -1,6 +1,6 @@
-// The native format `.fff`: JSON, lengths in mm, angles in radians, version 2.
+// The native format `.fff`: JSON, lengths in mm, angles in radians, version 3.
 //
-//     { "format": "FlatFitFab", "version": 2, "nextId": 5, "currentStock": 1,
+//     { "format": "FlatFitFab", "version": 3, "nextId": 5, "currentStock": 1,
 //       "stocks":     [ { "id", "name", "thickness", "density", "tensileStrength",
 //                         "flexuralStrength", "modulus", "kerf", "clearance",
 //                         "slitEnd": "square|round|dogbone|tBone", "toolDiameter", "leadIn",
@@ -9,7 +9,11 @@
 //       "sections":   [ { "id", "name", "stock": id, "shape": index in shapes,
 //                         "parent": { "section": ref, "slitFrom": [x, y], "slitTo": [x, y] },
 //                         "frame": { "origin": [x, y, z], "x": [...], "y": [...] } } ],
-//       "operations": [],
+//       "operations": [ { "id", "kind", "version", "name", "on",
+//                         "inputs": { "role": [ { "section": ref, "name" } ] },
+//                         "parameters": { "key": number, true, false or "choice" },
+//                         "exceptions": [ { "instance": "key", "state": "hidden|detached",
+//                                           "stock": id } ] } ],
 //       "weights":    [ { "id", "section": ref, "position": [x, y], "mass" } ],
 //       "joints":     [ { "a": ref, "b": ref, "kind": "crossLap|mortise|tabs|none", "opens": [x,
 //       y],
@@ -17,7 +21,9 @@
 //
 // Strengths and modulus are null when not rated; "parent", "holes", "weights", "joints", and of a
 // joint all but its two sections, may be missing; of a stock "slitEnd" (then square),
-// "toolDiameter" (3.175), "leadIn" and "bumps" (0). `joints` are those of which something is
+// "toolDiameter" (3.175), "leadIn" and "bumps" (0); of an operation "on" (then true) and
+// "exceptions". Kinds of operations, their roles and parameters: core/operations; a file keeps
+// also those that do not count. `joints` are those of which something is
 // wanted (core/model/joint_override.h). A contour has three control points a segment, p0 h h, a
 // segment on each line; the last closes onto the first. A ref is the id of a drawn section, or
 // { "operation": id, "instance": "key" } for one that an operation makes; the latter may name
@@ -30,10 +36,9 @@
 
 namespace fff::io {
 
-inline constexpr int kFffVersion = 2;
+inline constexpr int kFffVersion = 3;
 
-/// The file's bytes. Errors  Unsupported for an operation of a kind that this version cannot write
-/// (it would be lost), place = its name; NonFinite when a number of the document is not finite.
+/// The file's bytes. Errors  NonFinite when a number of the document is not finite.
 Result<std::string> writeFff(const Document &document);
 
 /// Reads a whole file. write and read again gives an equal document; numbers come back bit for bit,
@@ -42,7 +47,8 @@ Result<std::string> writeFff(const Document &document);
 /// name      how errors call the file; empty: places are without it
 /// Errors    BadSyntax, Truncated, NonFinite at name:line; NotAModel, NewerVersion; and at
 ///           name:$.json.path  BadValue, DuplicateId, UnknownReference, DegenerateFrame (axes off
-///           by more than kFrameRounding), BadContour, EmptyContour, Unsupported (operations).
+///           by more than kFrameRounding), BadContour, EmptyContour, Unsupported (a kind of
+///           operation, or a version of one, that is not known here).
 /// Warnings  SkewFrame: axes off by more than rounding of a double, made orthonormal again.
 ///           Those of core/model/mended_shape.h.
 Result<LoadedDocument> readFff(std::string_view bytes, const std::string &name = {});

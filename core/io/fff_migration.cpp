@@ -4,8 +4,13 @@ namespace fff::io {
 
 namespace {
 
-/// Version 2 has joints of which something is wanted; before there were none.
-constexpr Migration kMigrations[] = {{1, [](QJsonObject document) { return document; }}};
+QJsonObject unchanged(QJsonObject document)
+{
+    return document;
+}
+
+/// Version 2 has joints of which something is wanted, version 3 operations; before there were none.
+constexpr Migration kMigrations[] = {{1, unchanged}, {2, unchanged}};
 
 } // namespace
 

@@ -1,6 +1,7 @@
 #include "core/base/tolerances.h"
 #include "core/io/fff_format.h"
 #include "core/io/fff_migration.h"
+#include "core/io/fff_operations.h"
 #include "core/io/json_cursor.h"
 #include "core/io/json_syntax.h"
 #include "core/model/joint_kind_names.h"
@@ -45,7 +46,8 @@ private:
     Weight readWeight(const JsonCursor &cursor);
     JointOverride readJoint(const JsonCursor &cursor);
     void readJoints(const JsonCursor &cursor, std::vector<JointOverridePointer> &joints);
-    void readOperations(const JsonCursor &cursor);
+    std::int64_t readGivenId(const JsonCursor &cursor);
+    OperationPointer readOperation(const JsonCursor &cursor);
     void checkAncestry(const std::vector<JsonCursor> &items,
                        const std::vector<SectionPointer> &sections);
 
@@ -74,15 +76,21 @@ std::int64_t FffReader::readReference(const JsonCursor &cursor, const Known &kno
     return id;
 }
 
+/// Of what is, or was, in the document.
+std::int64_t FffReader::readGivenId(const JsonCursor &cursor)
+{
+    const std::int64_t id = cursor.integer(1, kMaxId);
+    if (id >= m_nextId)
+        cursor.fail(ErrorCode::UnknownReference, {std::to_string(id)});
+    return id;
+}
+
 SectionRef FffReader::readRef(const JsonCursor &cursor)
 {
     if (!cursor.isObject())
         return SectionId{readReference(cursor, m_sectionIds)};
     // An operation that is gone leaves its references dormant; ids are never given twice.
-    const JsonCursor operation = cursor.member("operation");
-    const std::int64_t id = operation.integer(1, kMaxId);
-    if (id >= m_nextId)
-        operation.fail(ErrorCode::UnknownReference, {std::to_string(id)});
+    const std::int64_t id = readGivenId(cursor.member("operation"));
     return {OperationId{id}, cursor.member("instance").text()};
 }
 
@@ -283,13 +291,20 @@ void FffReader::readJoints(const JsonCursor &cursor, std::vector<JointOverridePo
     }
 }
 
-void FffReader::readOperations(const JsonCursor &cursor)
+OperationPointer FffReader::readOperation(const JsonCursor &cursor)
 {
-    if (!cursor.exists())
-        return;
-    // No kind is known yet: a model without its operations would be another model.
-    for (const JsonCursor &item : cursor.items())
-        item.fail(ErrorCode::Unsupported, {quoted(item.member("kind").text())});
+    OperationSurroundings surroundings;
+    // A section that is gone is still known by its id: the operation says what it misses.
+    surroundings.readRef = [this](const JsonCursor &item) {
+        return item.isObject() ? readRef(item) : SectionRef(SectionId{readGivenId(item)});
+    };
+    surroundings.readStock = [this](const JsonCursor &item) {
+        return StockId{readReference(item, m_stockIds)};
+    };
+    const OperationId id{readId(cursor.member("id"))};
+    auto operation = std::make_shared<Operation>(fff::io::readOperation(cursor, surroundings));
+    operation->id = id;
+    return operation;
 }
 
 /// No section is its own ancestor. Each chain of parents is walked until known ground: O(n).
@@ -348,7 +363,13 @@ Document FffReader::read(const JsonCursor &root)
     if (m_problems.failed())
         return {};
     checkAncestry(sections, document.sections);
-    readOperations(root.member("operations"));
+    if (const JsonCursor operations = root.member("operations"); operations.exists()) {
+        for (const JsonCursor &item : operations.items()) {
+            document.operations.push_back(readOperation(item));
+            if (m_problems.failed())
+                return {};
+        }
+    }
     if (const JsonCursor weights = root.member("weights"); weights.exists()) {
         for (const JsonCursor &item : weights.items())
             document.weights.push_back(readWeight(item));

@@ -1,4 +1,5 @@
 #include "core/io/fff_format.h"
+#include "core/io/fff_operations.h"
 #include "core/io/json_writer.h"
 #include "core/model/joint_kind_names.h"
 
@@ -90,18 +91,6 @@ void writeShape(JsonWriter &json, const Shape &shape)
     json.endObject();
 }
 
-void writeRef(JsonWriter &json, const SectionRef &ref)
-{
-    if (ref.drawn.isValid()) {
-        json.value(ref.drawn.value);
-        return;
-    }
-    json.beginObject(Layout::Line);
-    json.member("operation", ref.operation.value);
-    json.member("instance", ref.key);
-    json.endObject();
-}
-
 void writeParent(JsonWriter &json, const Parent &parent)
 {
     json.beginObject(Layout::Line);
@@ -188,10 +177,6 @@ struct ShapeTable
 
 Result<std::string> writeFff(const Document &document)
 {
-    if (!document.operations.empty()) {
-        const Operation &operation = *document.operations.front();
-        return failure(ErrorCode::Unsupported, operation.name, {operation.kind});
-    }
     const ShapeTable table(document);
 
     JsonWriter json;
@@ -217,6 +202,8 @@ Result<std::string> writeFff(const Document &document)
     json.endArray();
     json.key("operations");
     json.beginArray();
+    for (const OperationPointer &operation : document.operations)
+        writeOperation(json, *operation);
     json.endArray();
     json.key("weights");
     json.beginArray();

@@ -52,6 +52,32 @@ JsonCursor JsonCursor::member(const char *key) const
     return {m_value.toObject().value(QLatin1String(key)), m_path + "." + key, *m_problems};
 }
 
+std::string JsonCursor::shown() const
+{
+    return found(m_value);
+}
+
+std::vector<std::pair<std::string, JsonCursor>> JsonCursor::members() const
+{
+    std::vector<std::pair<std::string, JsonCursor>> result;
+    if (!m_value.isObject())
+        failExpected(QT_TRANSLATE_NOOP("Error", "an object"));
+    const QJsonObject object = m_value.toObject();
+    for (auto it = object.begin(); it != object.end(); ++it) {
+        std::string name = it.key().toStdString();
+        JsonCursor value(it.value(), m_path + "." + name, *m_problems);
+        result.emplace_back(std::move(name), std::move(value));
+    }
+    return result;
+}
+
+bool JsonCursor::truth() const
+{
+    if (!m_value.isBool())
+        failExpected(QT_TRANSLATE_NOOP("Error", "true or false"));
+    return m_value.toBool();
+}
+
 std::vector<JsonCursor> JsonCursor::items() const
 {
     std::vector<JsonCursor> result;

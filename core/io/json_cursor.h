@@ -25,11 +25,19 @@ public:
     bool exists() const { return !m_value.isUndefined(); }
     bool isNull() const { return m_value.isNull(); }
     bool isObject() const { return m_value.isObject(); }
+    bool isBool() const { return m_value.isBool(); }
+    bool isText() const { return m_value.isString(); }
+    /// What stands here, short, for a sentence.
+    std::string shown() const;
 
     /// Of an object; a member that is not there is a cursor that does not exist.
     JsonCursor member(const char *key) const;
+    /// Of an object: all that are there, by name.
+    std::vector<std::pair<std::string, JsonCursor>> members() const;
     /// Of a list.
     std::vector<JsonCursor> items() const;
+
+    bool truth() const;
 
     double number() const;
     double positive() const;

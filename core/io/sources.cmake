@@ -3,6 +3,7 @@ target_sources(fff_io PRIVATE
     drawing_text.cpp
     error_text.cpp
     fff_migration.cpp
+    fff_operations.cpp
     fff_reader.cpp
     fff_writer.cpp
     file_set.cpp

@@ -18,7 +18,8 @@ find_program(FFF_PYTHON python3 REQUIRED)
 file(GLOB FFF_DOCUMENTS CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/resources/samples/*.fff
     ${CMAKE_CURRENT_SOURCE_DIR}/data/fff/*.fff ${CMAKE_CURRENT_SOURCE_DIR}/data/migration/version_1.fff
     ${CMAKE_CURRENT_SOURCE_DIR}/data/migration/version_2.fff
+    ${CMAKE_CURRENT_SOURCE_DIR}/data/migration/version_3.fff
     ${CMAKE_CURRENT_SOURCE_DIR}/fuzz/seeds/fff/*.fff)
 add_test(NAME core/io/fff_schema COMMAND ${FFF_PYTHON}
     ${CMAKE_CURRENT_SOURCE_DIR}/core/io/check_schema.py
-    ${CMAKE_SOURCE_DIR}/resources/schema/fff-2.schema.json $<TARGET_FILE:fff_verdicts> ${FFF_DOCUMENTS})
+    ${CMAKE_SOURCE_DIR}/resources/schema/fff-3.schema.json $<TARGET_FILE:fff_verdicts> ${FFF_DOCUMENTS})

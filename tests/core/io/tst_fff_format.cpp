@@ -3,6 +3,7 @@
 #include "core/geometry/boolean.h"
 #include "core/io/error_text.h"
 #include "core/io/fff_format.h"
+#include "core/operations/operation_kind.h"
 #include "tests/core/io/io_samples.h"
 
 #include <QtCore/QFile>
@@ -60,6 +61,18 @@ std::string golden()
 std::string edited(const std::string &from, const std::string &to)
 {
     return test::replacedOnce(golden(), from, to);
+}
+
+/// With an operation of this in place of what a whole one has.
+std::string withOperation(const std::string &from, const std::string &to)
+{
+    const std::string whole = R"({"id": 9, "kind": "linear", "version": 1, "name": "Ribs",
+        "inputs": {"section": [{"section": 4, "name": "Rib"}], "along": []},
+        "parameters": {"count": 8, "side": "both", "equalDepth": true},
+        "exceptions": [{"instance": "1", "state": "hidden"}]})";
+    const std::string text = from.empty() ? whole : test::replacedOnce(whole, from, to);
+    return test::replacedOnce(edited("\"operations\": []", "\"operations\": [" + text + "]"),
+                              "\"nextId\": 6", "\"nextId\": 20");
 }
 
 Document withFrame(const Frame &frame)
@@ -138,8 +151,8 @@ void TestFffFormat::writeThenReadIsEqual_data()
     joint.shares = {{{0.1 + 0.2, -5e-7}, 0.05}, {{7.0, 8.0}, 1.0 / 3.0}};
     wanted = setJointOverride(wanted, joint).value();
     joint = {};
-    joint.a = SectionRef(OperationId{3}, "rib/7");
-    joint.b = wanted.sections[0]->id;
+    joint.a = wanted.sections[0]->id;
+    joint.b = SectionRef(OperationId{3}, "rib/7");
     joint.kind = JointKind::None;
     QTest::newRow("joints, one dormant") << setJointOverride(wanted, joint).value();
 }
@@ -252,17 +265,17 @@ void TestFffFormat::malformed_data()
     row("nan", edited("83.82", "nan"), NonFinite, "a.fff:64");
     row("minus infinity", edited("83.82", "-Infinity"), NonFinite, "a.fff:64");
     row("a number no double holds", edited("83.82", "1e999"), NonFinite, "a.fff:64");
-    row("a missing comma", edited("\"version\": 2,", "\"version\": 2"), BadSyntax, "a.fff:4");
+    row("a missing comma", edited("\"version\": 3,", "\"version\": 3"), BadSyntax, "a.fff:4");
     row("a comma too many", edited("0.35\n", "0.35,\n"), BadSyntax, "a.fff:89");
     row("a second document", golden() + "{}", BadSyntax, "a.fff:93");
     row("broken UTF-8",
         edited("Rückwand", "R\xFC"
                            "ckwand"),
         BadSyntax, "a.fff:60");
-    row("a version from the future", edited("\"version\": 2", "\"version\": 7"), NewerVersion,
+    row("a version from the future", edited("\"version\": 3", "\"version\": 7"), NewerVersion,
         "a.fff:$.version");
-    row("version zero", edited("\"version\": 2", "\"version\": 0"), BadValue, "a.fff:$.version");
-    row("version in words", edited("\"version\": 2", "\"version\": \"1\""), BadValue,
+    row("version zero", edited("\"version\": 3", "\"version\": 0"), BadValue, "a.fff:$.version");
+    row("version in words", edited("\"version\": 3", "\"version\": \"1\""), BadValue,
         "a.fff:$.version");
     row("no nextId", edited("\"nextId\"", "\"next\""), BadValue, "a.fff:$.nextId");
     row("nextId that was used", edited("\"nextId\": 6", "\"nextId\": 5"), BadValue,
@@ -339,9 +352,33 @@ void TestFffFormat::malformed_data()
         "a.fff:$.sections[1].parent");
     row("a parent without a slit", edited("slitTo", "slitTwo"), BadValue,
         "a.fff:$.sections[1].parent.slitTo");
-    row("an unknown operation",
-        edited("\"operations\": []", "\"operations\": [{\"id\": 3, \"kind\": \"spiral\"}]"),
+    row("an unknown operation", withOperation("linear", "spiral"), Unsupported,
+        "a.fff:$.operations[0]");
+    row("an operation of a later version", withOperation("\"version\": 1", "\"version\": 2"),
         Unsupported, "a.fff:$.operations[0]");
+    row("an operation with a section's id", withOperation("\"id\": 9", "\"id\": 4"), DuplicateId,
+        "a.fff:$.operations[0].id");
+    row("an operation with 1 replica", withOperation("8", "1"), BadValue,
+        "a.fff:$.operations[0].parameters.count");
+    row("an operation with half a replica", withOperation("8", "8.5"), BadValue,
+        "a.fff:$.operations[0].parameters.count");
+    row("an operation with an unknown side", withOperation("both", "up"), BadValue,
+        "a.fff:$.operations[0].parameters.side");
+    row("a switch that is a number", withOperation("true", "1"), BadValue,
+        "a.fff:$.operations[0].parameters.equalDepth");
+    row("an input that never was", withOperation("\"section\": 4", "\"section\": 21"),
+        UnknownReference, "a.fff:$.operations[0].inputs.section[0].section");
+    row("inputs as a list", withOperation("\"along\": []", "\"along\": 4"), BadValue,
+        "a.fff:$.operations[0].inputs.along");
+    row("an exception that is none", withOperation(", \"state\": \"hidden\"", ""), BadValue,
+        "a.fff:$.operations[0].exceptions[0]");
+    row("an exception of an unknown kind", withOperation("hidden", "blue"), BadValue,
+        "a.fff:$.operations[0].exceptions[0].state");
+    row("an exception of no stock", withOperation("\"state\": \"hidden\"", "\"stock\": 4"),
+        UnknownReference, "a.fff:$.operations[0].exceptions[0].stock");
+    row("two exceptions of one instance",
+        withOperation("[{\"instance\"", "[{\"instance\": \"1\", \"stock\": 1}, {\"instance\""),
+        BadValue, "a.fff:$.operations[0].exceptions[1]");
     row("a reference to an operation that never was",
         edited("\"section\": 4", "\"section\": {\"operation\": 6, \"instance\": \"1\"}"),
         UnknownReference, "a.fff:$.weights[0].section.operation");
@@ -385,9 +422,9 @@ void TestFffFormat::malformed_data()
     row("bumps as a word", edited("-0.05", "-0.05, \"bumps\": \"high\""), BadValue,
         "a.fff:$.stocks[1].bumps");
     row("a format in a list", edited("\"FlatFitFab\"", "[\"FlatFitFab\"]"), NotAModel, "a.fff");
-    row("half a version", edited("\"version\": 2", "\"version\": 1.5"), BadValue,
+    row("half a version", edited("\"version\": 3", "\"version\": 1.5"), BadValue,
         "a.fff:$.version");
-    row("a version beyond whole numbers", edited("\"version\": 2", "\"version\": 1e300"), BadValue,
+    row("a version beyond whole numbers", edited("\"version\": 3", "\"version\": 1e300"), BadValue,
         "a.fff:$.version");
     row("two stocks with one id", edited("\"id\": 3", "\"id\": 1"), DuplicateId,
         "a.fff:$.stocks[1].id");
@@ -413,8 +450,10 @@ void TestFffFormat::malformed_data()
         edited("\"shape\": 0,", "\"shape\": 0, \"parent\": {\"section\": 4, \"slitFrom\": [0, 0], "
                                 "\"slitTo\": [1, 1]},"),
         BadValue, "a.fff:$.sections[0].parent");
-    row("an operation without a kind", edited("\"operations\": []", "\"operations\": [{}]"),
-        BadValue, "a.fff:$.operations[0].kind");
+    row("an operation without a kind", withOperation("\"kind\": \"linear\", ", ""), BadValue,
+        "a.fff:$.operations[0].kind");
+    row("an operation without an id", edited("\"operations\": []", "\"operations\": [{}]"),
+        BadValue, "a.fff:$.operations[0].id");
     row("a reference without an instance",
         edited("\"section\": 4", "\"section\": {\"operation\": 3}"), BadValue,
         "a.fff:$.weights[0].section.instance");
@@ -427,10 +466,10 @@ void TestFffFormat::malformed_data()
     row("an error behind a byte-order mark", "\xEF\xBB\xBF" + edited("83.82", "nan"), NonFinite,
         "a.fff:64");
     row("a byte-order mark alone", "\xEF\xBB\xBF", Truncated, "a.fff:1");
-    row("half a surrogate pair", edited("\"version\": 2", "\"version\": \"\\ud83d\""), BadValue,
+    row("half a surrogate pair", edited("\"version\": 3", "\"version\": \"\\ud83d\""), BadValue,
         "a.fff:$.version");
     row("steering characters in a value",
-        edited("\"version\": 2", "\"version\": \"\\u001b[31m\\n\\u0085\\u2028\""), BadValue,
+        edited("\"version\": 3", "\"version\": \"\\u001b[31m\\n\\u0085\\u2028\""), BadValue,
         "a.fff:$.version");
 }
 
@@ -571,14 +610,21 @@ void TestFffFormat::unknownKeysArePassedOver()
 void TestFffFormat::operationsAreNotLost()
 {
     Document document = twoSections();
-    auto operation = std::make_shared<Operation>();
-    operation->kind = "spiral";
-    operation->name = "Spiral 1";
-    document.operations.push_back(operation);
-    const auto bytes = io::writeFff(document);
-    QVERIFY(!bytes);
-    QVERIFY(bytes.error().code == ErrorCode::Unsupported);
-    QCOMPARE(bytes.error().args, std::vector<std::string>{"spiral"});
+    Operation operation = newOperation(*operationKind("revolve"));
+    operation.id = OperationId{document.nextId++};
+    operation.name = "Plates";
+    operation.isOn = false;
+    // A section that was deleted is still spoken of.
+    operation.inputs["section"] = {{SectionId{2}, "Body"}};
+    operation.inputs["along"] = {{SectionId{1}, "Gone"}, {{OperationId{3}, "1/4"}, "Rib 4"}};
+    operation.parameters["angle"] = 0.1 + 0.2;
+    operation.parameters["ofAnotherVersion"] = std::string("kept");
+    operation.exceptions["2"] = {Exception::State::Hidden, document.stocks[0]->id};
+    operation.exceptions["-1/7"] = {Exception::State::Detached};
+    document.operations.push_back(std::make_shared<const Operation>(operation));
+    const auto loaded = io::readFff(io::writeFff(document).value());
+    QVERIFY(loaded && loaded->document == document);
+    QVERIFY(*loaded->document.operations[0] == operation);
 }
 
 void TestFffFormat::deepNestingIsAnError()
