@@ -502,6 +502,10 @@
         <source>How it goes together, step by step; needs a display</source>
         <translation>Wie es zusammengebaut wird, Schritt für Schritt; braucht eine Anzeige</translation>
     </message>
+    <message>
+        <source>The procedural operations that there are, or those of a model</source>
+        <translation>Die Operationen, die es gibt, oder die eines Modells</translation>
+    </message>
 </context>
 <context>
     <name>Error</name>
@@ -890,6 +894,233 @@
     <message>
         <source>crossLap, mortise, tabs or none</source>
         <translation>crossLap, mortise, tabs oder none</translation>
+    </message>
+    <message>
+        <source>hidden or detached</source>
+        <translation>hidden oder detached</translation>
+    </message>
+    <message>
+        <source>something other than made, each instance once</source>
+        <translation>etwas anderes als gemacht, jede Instanz einmal</translation>
+    </message>
+    <message>
+        <source>true or false</source>
+        <translation>true oder false</translation>
+    </message>
+</context>
+<context>
+    <name>Operation</name>
+    <message>
+        <source>Blend</source>
+        <translation>Übergang</translation>
+    </message>
+    <message>
+        <source>Makes sections between others, which turn into one another.</source>
+        <translation>Macht Scheiben zwischen anderen, die ineinander übergehen.</translation>
+    </message>
+    <message>
+        <source>Sections</source>
+        <translation>Scheiben</translation>
+    </message>
+    <message>
+        <source>Click the sections to blend, in their order.</source>
+        <translation>Die Scheiben anklicken, die ineinander übergehen sollen, der Reihe nach.</translation>
+    </message>
+    <message>
+        <source>Along</source>
+        <translation>Entlang</translation>
+    </message>
+    <message>
+        <source>Click the section it shall run along.</source>
+        <translation>Die Scheibe anklicken, an der sie entlanglaufen soll.</translation>
+    </message>
+    <message>
+        <source>Count</source>
+        <translation>Anzahl</translation>
+    </message>
+    <message>
+        <source>Easing</source>
+        <translation>Verlauf</translation>
+    </message>
+    <message>
+        <source>Even</source>
+        <translation>Gleichmäßig</translation>
+    </message>
+    <message>
+        <source>Slow ends</source>
+        <translation>Langsame Enden</translation>
+    </message>
+    <message>
+        <source>Match</source>
+        <translation>Zuordnung</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Von selbst</translation>
+    </message>
+    <message>
+        <source>As drawn</source>
+        <translation>Wie gezeichnet</translation>
+    </message>
+    <message>
+        <source>Reverse</source>
+        <translation>Umgekehrt</translation>
+    </message>
+    <message>
+        <source>Side</source>
+        <translation>Seite</translation>
+    </message>
+    <message>
+        <source>Forward</source>
+        <translation>Vorwärts</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Rückwärts</translation>
+    </message>
+    <message>
+        <source>Both</source>
+        <translation>Beide</translation>
+    </message>
+    <message>
+        <source>Equal depth inside</source>
+        <translation>Gleiche Tiefe innen</translation>
+    </message>
+    <message>
+        <source>Linear</source>
+        <translation>Reihe</translation>
+    </message>
+    <message>
+        <source>Repeats a section in a row along another one.</source>
+        <translation>Wiederholt eine Scheibe in einer Reihe entlang einer anderen.</translation>
+    </message>
+    <message>
+        <source>Section</source>
+        <translation>Scheibe</translation>
+    </message>
+    <message>
+        <source>Click the section to repeat.</source>
+        <translation>Die Scheibe anklicken, die wiederholt werden soll.</translation>
+    </message>
+    <message>
+        <source>With everything attached to it</source>
+        <translation>Mit allem, was daran hängt</translation>
+    </message>
+    <message>
+        <source>Repeat by</source>
+        <translation>Wiederholen nach</translation>
+    </message>
+    <message>
+        <source>Spacing</source>
+        <translation>Abstand</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>Von</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>Bis</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>Größe ändern</translation>
+    </message>
+    <message>
+        <source>No</source>
+        <translation>Nein</translation>
+    </message>
+    <message>
+        <source>By local thickness</source>
+        <translation>Nach örtlicher Dicke</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>Richtung</translation>
+    </message>
+    <message>
+        <source>Whole section</source>
+        <translation>Ganze Scheibe</translation>
+    </message>
+    <message>
+        <source>Along the slit</source>
+        <translation>Entlang des Schlitzes</translation>
+    </message>
+    <message>
+        <source>Strength</source>
+        <translation>Stärke</translation>
+    </message>
+    <message>
+        <source>Not below</source>
+        <translation>Nicht unter</translation>
+    </message>
+    <message>
+        <source>All the way round</source>
+        <translation>Ganz herum</translation>
+    </message>
+    <message>
+        <source>Outside</source>
+        <translation>Außen</translation>
+    </message>
+    <message>
+        <source>Inside</source>
+        <translation>Innen</translation>
+    </message>
+    <message>
+        <source>Angle to edge</source>
+        <translation>Winkel zum Rand</translation>
+    </message>
+    <message>
+        <source>Revolve</source>
+        <translation>Umlauf</translation>
+    </message>
+    <message>
+        <source>Repeats a section round the contour of another one.</source>
+        <translation>Wiederholt eine Scheibe um die Kontur einer anderen herum.</translation>
+    </message>
+</context>
+<context>
+    <name>OperationNotice</name>
+    <message>
+        <source>%1 makes nothing yet: choose what stands under &quot;%2&quot;.</source>
+        <extracomment>%1 is the name of an operation, %2 what it asks for: &quot;Along&quot;</extracomment>
+        <translation>%1 macht noch nichts: es fehlt, was unter „%2“ steht.</translation>
+    </message>
+    <message>
+        <source>%1 has lost its section &quot;%2&quot;, which was deleted. It makes nothing until another one is chosen.</source>
+        <extracomment>%1 is the name of an operation, %2 that of a section</extracomment>
+        <translation>%1 hat die Scheibe „%2“ verloren, die gelöscht wurde. Es macht nichts, bis eine andere gewählt ist.</translation>
+    </message>
+    <message>
+        <source>%1 makes nothing: its sections do not cross each other.</source>
+        <extracomment>%1 is the name of an operation</extracomment>
+        <translation>%1 macht nichts: die Scheiben kreuzen einander nicht.</translation>
+    </message>
+    <message>
+        <source>%1 makes nothing: there is no room within its range.</source>
+        <extracomment>%1 is the name of an operation</extracomment>
+        <translation>%1 macht nichts: im Bereich ist kein Platz.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 stopped at %n sections.</source>
+        <extracomment>%1 is the name of an operation</extracomment>
+        <translation>
+            <numerusform>%1 hat bei %n Scheibe aufgehört.</numerusform>
+            <numerusform>%1 hat bei %n Scheiben aufgehört.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n sections of %1 were left out, as there is nothing to hold them.</source>
+        <extracomment>%1 is the name of an operation</extracomment>
+        <translation>
+            <numerusform>%n Scheibe von %1 wurde ausgelassen, weil nichts da ist, was sie hält.</numerusform>
+            <numerusform>%n Scheiben von %1 wurden ausgelassen, weil nichts da ist, was sie hält.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 makes nothing: its sections are too different.</source>
+        <extracomment>%1 is the name of an operation</extracomment>
+        <translation>%1 macht nichts: die Scheiben sind zu verschieden.</translation>
     </message>
 </context>
 <context>
@@ -5227,6 +5458,14 @@
     <message>
         <source>Step %1: parts %2, put together before</source>
         <translation>Schritt %1: die Teile %2, vorher zusammengesetzt</translation>
+    </message>
+    <message>
+        <source>The model has no operations.</source>
+        <translation>Das Modell hat keine Operationen.</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>aus</translation>
     </message>
 </context>
 </TS>

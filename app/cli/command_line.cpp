@@ -2,6 +2,7 @@
 
 #include "core/io/error_text.h"
 #include "core/model/edits.h"
+#include "core/model/operation_edits.h"
 
 #include <QCoreApplication>
 #include <QTextStream>
@@ -38,6 +39,10 @@ constexpr std::array kVerbs = {
          QT_TRANSLATE_NOOP("CommandLine", "How it goes together, step by step; needs a display"),
          runSteps},
 #endif
+    Verb{"operations", "[FILE] [--json] [options]",
+         QT_TRANSLATE_NOOP("CommandLine",
+                           "The procedural operations that there are, or those of a model"),
+         runOperations},
     Verb{"replay", "SCRIPT.json [--from FILE] -o OUT.{fff,svg,obj} [options]",
          QT_TRANSLATE_NOOP("CommandLine", "Runs a script of what a person does"), runReplay},
 };
@@ -83,6 +88,13 @@ std::optional<int> applyStock(Document &document, const QString &name, const Ver
     }
     for (const SectionPointer &section : std::vector(document.sections))
         document = *setSectionStock(std::move(document), section->id, id);
+    for (const OperationPointer &pointer : std::vector(document.operations)) {
+        Operation next = *pointer;
+        for (auto &[key, exception] : next.exceptions)
+            exception.stock = {};
+        std::erase_if(next.exceptions, [](const auto &item) { return item.second.isEmpty(); });
+        document = *setOperation(std::move(document), std::move(next));
+    }
     document = *setCurrentStock(std::move(document), id);
     return std::nullopt;
 }

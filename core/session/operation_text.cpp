@@ -1,0 +1,76 @@
+#include "core/session/operation_text.h"
+
+#include <QCoreApplication>
+
+namespace fff {
+
+namespace {
+
+struct Texts
+{
+    Q_DECLARE_TR_FUNCTIONS(OperationNotice)
+};
+
+/// What an input is called in the panel.
+QString inputName(const Operation &operation, const std::string &role)
+{
+    const OperationKind *kind = operationKind(operation.kind);
+    const InputSpec *spec = kind ? kind->input(role) : nullptr;
+    return spec ? operationText(spec->label) : QString::fromStdString(role);
+}
+
+} // namespace
+
+QString operationText(const char *text)
+{
+    return QCoreApplication::translate("Operation", text);
+}
+
+QString kindName(const Operation &operation)
+{
+    const OperationKind *kind = operationKind(operation.kind);
+    return kind ? operationText(kind->name) : QString::fromStdString(operation.kind);
+}
+
+QString noticeText(const OperationNotice &notice, const Operation &operation)
+{
+    using Kind = OperationNotice::Kind;
+    const QString name = QString::fromStdString(operation.name);
+    switch (notice.kind) {
+    case Kind::InputMissing:
+        if (notice.name.empty())
+            //: %1 is the name of an operation, %2 what it asks for: "Along"
+            return Texts::tr("%1 makes nothing yet: choose what stands under \"%2\".")
+                .arg(name, inputName(operation, notice.role));
+        //: %1 is the name of an operation, %2 that of a section
+        return Texts::tr("%1 has lost its section \"%2\", which was deleted. It makes nothing "
+                         "until another one is chosen.")
+            .arg(name, QString::fromStdString(notice.name));
+    case Kind::InputsApart:
+        //: %1 is the name of an operation
+        return Texts::tr("%1 makes nothing: its sections do not cross each other.").arg(name);
+    case Kind::NothingFits:
+        //: %1 is the name of an operation
+        return Texts::tr("%1 makes nothing: there is no room within its range.").arg(name);
+    case Kind::StoppedAtMost:
+        //: %1 is the name of an operation
+        return Texts::tr("%1 stopped at %n sections.", nullptr, notice.count).arg(name);
+    case Kind::LeftOut:
+        //: %1 is the name of an operation
+        return Texts::tr("%n sections of %1 were left out, as there is nothing to hold them.",
+                         nullptr, notice.count)
+            .arg(name);
+    case Kind::Unlike:
+        break;
+    }
+    //: %1 is the name of an operation
+    return Texts::tr("%1 makes nothing: its sections are too different.").arg(name);
+}
+
+bool isFailure(const OperationNotice &notice)
+{
+    using Kind = OperationNotice::Kind;
+    return notice.kind != Kind::StoppedAtMost && notice.kind != Kind::LeftOut;
+}
+
+} // namespace fff
