@@ -16,8 +16,10 @@ void writeParameters(JsonWriter &json, const Operation &operation)
 {
     json.key("parameters");
     json.beginObject();
-    for (const auto &[key, value] : operation.parameters)
-        std::visit([&](const auto &v) { json.member(key, v); }, value);
+    for (const auto &[key, value] : operation.parameters) {
+        json.key(key);
+        std::visit([&json](const auto &v) { json.value(v); }, value);
+    }
     json.endObject();
 }
 
