@@ -1078,6 +1078,194 @@
         <source>Repeats a section round the contour of another one.</source>
         <translation>Wiederholt eine Scheibe um die Kontur einer anderen herum.</translation>
     </message>
+    <message>
+        <source>Iterations</source>
+        <translation>Durchgänge</translation>
+    </message>
+    <message>
+        <source>Size of a copy</source>
+        <translation>Größe einer Kopie</translation>
+    </message>
+    <message>
+        <source>Vary size ±</source>
+        <translation>Größe variieren ±</translation>
+    </message>
+    <message>
+        <source>Vary angle ±</source>
+        <translation>Winkel variieren ±</translation>
+    </message>
+    <message>
+        <source>Seed</source>
+        <translation>Startzahl</translation>
+    </message>
+    <message>
+        <source>Smallest</source>
+        <translation>Kleinste</translation>
+    </message>
+    <message>
+        <source>At most</source>
+        <translation>Höchstens</translation>
+    </message>
+    <message>
+        <source>Branch</source>
+        <translation>Verzweigung</translation>
+    </message>
+    <message>
+        <source>Puts a section with all that is on it in the place of its children, again and again.</source>
+        <translation>Setzt eine Scheibe mit allem, was daran hängt, an die Stelle ihrer Kinder, immer wieder.</translation>
+    </message>
+    <message>
+        <source>Root</source>
+        <translation>Wurzel</translation>
+    </message>
+    <message>
+        <source>Click the section that branches.</source>
+        <translation>Die Scheibe anklicken, die sich verzweigt.</translation>
+    </message>
+    <message>
+        <source>Held by</source>
+        <translation>Gehalten von</translation>
+    </message>
+    <message>
+        <source>Click the section that holds it: copies are held the same way.</source>
+        <translation>Die Scheibe anklicken, die sie hält: Kopien werden ebenso gehalten.</translation>
+    </message>
+    <message>
+        <source>Children</source>
+        <translation>Kinder</translation>
+    </message>
+    <message>
+        <source>Click those of its children whose place copies shall take.</source>
+        <translation>Die Kinder anklicken, deren Platz Kopien einnehmen sollen.</translation>
+    </message>
+    <message>
+        <source>Grid</source>
+        <translation>Raster</translation>
+    </message>
+    <message>
+        <source>Divides a section that is too large into cells that hold together.</source>
+        <translation>Teilt eine zu große Scheibe in Zellen, die zusammenhalten.</translation>
+    </message>
+    <message>
+        <source>Click the section to divide.</source>
+        <translation>Die Scheibe anklicken, die geteilt werden soll.</translation>
+    </message>
+    <message>
+        <source>Fit my sheet</source>
+        <translation>Passend zur Platte</translation>
+    </message>
+    <message>
+        <source>Cell width</source>
+        <translation>Breite einer Zelle</translation>
+    </message>
+    <message>
+        <source>Cell height</source>
+        <translation>Höhe einer Zelle</translation>
+    </message>
+    <message>
+        <source>Edge</source>
+        <translation>Kante</translation>
+    </message>
+    <message>
+        <source>Straight with connectors</source>
+        <translation>Gerade, mit Verbindern</translation>
+    </message>
+    <message>
+        <source>Jigsaw</source>
+        <translation>Puzzle</translation>
+    </message>
+    <message>
+        <source>Connectors per edge</source>
+        <translation>Verbinder je Kante</translation>
+    </message>
+    <message>
+        <source>Connector size</source>
+        <translation>Größe der Verbinder</translation>
+    </message>
+    <message>
+        <source>Clearance</source>
+        <translation>Spiel</translation>
+    </message>
+    <message>
+        <source>Merge slivers below</source>
+        <translation>Reste vereinen unter</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Art</translation>
+    </message>
+    <message>
+        <source>Circle</source>
+        <translation>Kreis</translation>
+    </message>
+    <message>
+        <source>Star</source>
+        <translation>Stern</translation>
+    </message>
+    <message>
+        <source>Gear</source>
+        <translation>Zahnrad</translation>
+    </message>
+    <message>
+        <source>Holes</source>
+        <translation>Löcher</translation>
+    </message>
+    <message>
+        <source>Drawn sector</source>
+        <translation>Gezeichneter Sektor</translation>
+    </message>
+    <message>
+        <source>Sectors</source>
+        <translation>Sektoren</translation>
+    </message>
+    <message>
+        <source>Outer radius</source>
+        <translation>Äußerer Radius</translation>
+    </message>
+    <message>
+        <source>Inner radius</source>
+        <translation>Innerer Radius</translation>
+    </message>
+    <message>
+        <source>Tooth</source>
+        <translation>Zahn</translation>
+    </message>
+    <message>
+        <source>Round</source>
+        <translation>Rund</translation>
+    </message>
+    <message>
+        <source>Square</source>
+        <translation>Eckig</translation>
+    </message>
+    <message>
+        <source>Trapezium</source>
+        <translation>Trapez</translation>
+    </message>
+    <message>
+        <source>Phase</source>
+        <translation>Drehung</translation>
+    </message>
+    <message>
+        <source>Apply to</source>
+        <translation>Anwenden auf</translation>
+    </message>
+    <message>
+        <source>Contour</source>
+        <translation>Kontur</translation>
+    </message>
+    <message>
+        <source>Radial</source>
+        <translation>Rundform</translation>
+    </message>
+    <message>
+        <source>Makes a section a circle, a star or a gear, or puts such holes into it.</source>
+        <translation>Macht eine Scheibe zu Kreis, Stern oder Zahnrad oder setzt solche Löcher hinein.</translation>
+    </message>
+    <message>
+        <source>Click the section to shape.</source>
+        <translation>Die Scheibe anklicken, die geformt werden soll.</translation>
+    </message>
 </context>
 <context>
     <name>OperationNotice</name>

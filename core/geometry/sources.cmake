@@ -20,6 +20,7 @@ target_sources(fff_core PRIVATE
     geometry/offset.cpp
     geometry/point_removal.cpp
     geometry/polygon.cpp
+    geometry/radial_contour.cpp
     geometry/region_tree.cpp
     geometry/sampled_line.cpp
     geometry/side_of_line.cpp

@@ -123,6 +123,17 @@ ShapePointer OperationContext::kept(const std::string &key, ShapePointer shape)
     return before && *before->shape == *shape ? before->shape : shape;
 }
 
+ShapePointer OperationContext::keptOfAny(ShapePointer shape)
+{
+    if (m_previous && m_shapesBefore.empty())
+        for (const SectionPointer &section : m_previous->sections)
+            m_shapesBefore.insert(section->shape);
+    for (const ShapePointer &before : m_shapesBefore)
+        if (*before == *shape)
+            return before;
+    return shape;
+}
+
 bool OperationContext::isHidden(const std::string &key) const
 {
     const auto exception = operation().exceptions.find(key);

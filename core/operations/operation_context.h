@@ -51,6 +51,8 @@ public:
     Result<ShapePointer> shape(const std::string &key, Contour contour, std::vector<Contour> holes);
     /// The same of a shape that was made elsewhere.
     ShapePointer kept(const std::string &key, ShapePointer shape);
+    /// The same of a shape that several instances share.
+    ShapePointer keptOfAny(ShapePointer shape);
     /// Makes another section of one from above; null: takes it away.
     void change(const SectionRef &ref, SectionPointer section);
     void notice(OperationNotice notice);
@@ -71,6 +73,7 @@ private:
     const OperationResult *m_previous;
     OperationResult m_result;
     std::set<SectionRef> m_read;
+    std::set<ShapePointer> m_shapesBefore; // once asked for
 };
 
 } // namespace fff

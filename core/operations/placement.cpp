@@ -10,15 +10,6 @@ namespace fff {
 
 namespace {
 
-Result<Contour> mapped(const Contour &contour, const Eigen::Matrix2d &matrix, const Vec2 &about)
-{
-    std::vector<Vec2> points;
-    points.reserve(contour.points().size());
-    for (const Vec2 &p : contour.points())
-        points.push_back(about + matrix * (p - about));
-    return Contour::fromPoints(std::move(points));
-}
-
 /// Below the key of a copy: the id of a drawn member, the operation and key of another.
 std::string memberKey(const SectionRef &ref)
 {
@@ -80,6 +71,15 @@ Frame placed(const Frame &frame, const Placement &placement)
     return {placement(frame.origin), placement.turn * frame.x, placement.turn * frame.y};
 }
 
+Result<Contour> mapped(const Contour &contour, const Eigen::Matrix2d &matrix, const Vec2 &about)
+{
+    std::vector<Vec2> points;
+    points.reserve(contour.points().size());
+    for (const Vec2 &p : contour.points())
+        points.push_back(about + matrix * (p - about));
+    return Contour::fromPoints(std::move(points));
+}
+
 Result<Curves> mapped(const Shape &shape, const Eigen::Matrix2d &matrix, const Vec2 &about)
 {
     Curves curves;
@@ -106,7 +106,8 @@ Branch wholeBranchOf(OperationContext &context, const SectionPointer &section,
 {
     Branch branch = branchOf(section);
     const std::vector<SectionPointer> &all = context.all();
-    const std::vector<SectionRef> lineage = lineageOf(all, *root);
+    const std::vector<SectionRef> lineage =
+        root ? lineageOf(all, *root) : std::vector<SectionRef>();
     std::vector<SectionPointer> rest;
     for (const SectionPointer &other : all)
         if (other != section &&
@@ -116,7 +117,7 @@ Branch wholeBranchOf(OperationContext &context, const SectionPointer &section,
         const SectionPointer host = branch.members[i].section; // the list grows
         const auto isOnHost = [&](const SectionPointer &other) {
             return other->parent ? other->parent->section == host->ref()
-                                 : meets(*other, *host) && !meets(*other, *root);
+                                 : meets(*other, *host) && !(root && meets(*other, *root));
         };
         const auto end =
             std::stable_partition(rest.begin(), rest.end(),

@@ -37,6 +37,7 @@ struct Curves
     Contour contour;
     std::vector<Contour> holes;
 };
+Result<Contour> mapped(const Contour &contour, const Eigen::Matrix2d &matrix, const Vec2 &about);
 Result<Curves> mapped(const Shape &shape, const Eigen::Matrix2d &matrix, const Vec2 &about);
 
 /// A section and what is attached to it, to be copied together.
@@ -55,7 +56,7 @@ struct Branch
 Branch branchOf(const SectionPointer &section);
 /// With all that was drawn on it, on that, and so on, and what operations above put there; sections
 /// that were drawn on nothing belong to it where they meet it and not `root`. Without `root` and
-/// what that is on.
+/// what that is on; there may be none (null).
 Branch wholeBranchOf(OperationContext &context, const SectionPointer &section,
                      const SectionPointer &root);
 

@@ -1,12 +1,16 @@
 target_sources(fff_core PRIVATE
     operations/baking.cpp
     operations/blend.cpp
+    operations/branch.cpp
     operations/evaluate.cpp
+    operations/grid.cpp
+    operations/grid_cells.cpp
     operations/linear.cpp
     operations/operation_context.cpp
     operations/operation_kind.cpp
     operations/operation_kinds.cpp
     operations/placement.cpp
+    operations/radial.cpp
     operations/repeat_parameters.cpp
     operations/revolve.cpp
     operations/root_edge.cpp

@@ -1,0 +1,221 @@
+#include "core/operations/radial.h"
+
+#include "core/base/tolerances.h"
+#include "core/geometry/boolean.h"
+#include "core/geometry/halfplane_clip.h"
+#include "core/geometry/radial_contour.h"
+#include "core/model/mended_shape.h"
+#include "core/operations/placement.h"
+#include "core/operations/text.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace fff {
+
+namespace {
+
+using Unit = ParameterSpec::Unit;
+
+/// Sectors reach over each other by this, so that what touches becomes one. mm.
+constexpr double kSectorOverlap = 8.0 * kClipGrid;
+
+Eigen::Matrix2d turn(double angle)
+{
+    return Eigen::Rotation2Dd(angle).toRotationMatrix();
+}
+
+/// What of a shape lies in the sector round a direction; all of it for a full turn.
+std::vector<ClippedPiece> sectorOf(const Shape &shape, const Vec2 &centre, double middle,
+                                   double width)
+{
+    std::vector<ClippedPiece> pieces{{shape.contour(), shape.holes()}};
+    if (width > 1.5 * std::numbers::pi)
+        return pieces;
+    for (const double side : {-1.0, 1.0}) {
+        const double ray = middle + 0.5 * side * width;
+        const Vec2 inward = -side * Vec2(-std::sin(ray), std::cos(ray));
+        const Halfplane halfplane{centre - kSectorOverlap * inward, inward};
+        std::vector<ClippedPiece> next;
+        for (const ClippedPiece &piece : pieces)
+            for (ClippedPiece &part : clip(piece.outer, piece.holes, halfplane))
+                next.push_back(std::move(part));
+        pieces = std::move(next);
+    }
+    return pieces;
+}
+
+/// The largest piece of what the sectors together are. Null when nothing is.
+ShapePointer repeatedSector(const Shape &shape, const Vec2 &centre, int count, double phase)
+{
+    const std::vector<ClippedPiece> sector =
+        sectorOf(shape, centre, phase, 2.0 * std::numbers::pi / count);
+    std::vector<Contour> all;
+    for (int i = 0; i < count; ++i) {
+        const Eigen::Matrix2d matrix = turn(2.0 * std::numbers::pi * i / count);
+        for (const ClippedPiece &piece : sector) {
+            std::vector<Contour> contours{piece.outer};
+            contours.insert(contours.end(), piece.holes.begin(), piece.holes.end());
+            for (const Contour &contour : contours)
+                if (const Result<Contour> turned = mapped(contour, matrix, centre))
+                    all.push_back(*turned);
+        }
+    }
+    const std::vector<CurvedRegion> regions = windingRegions(all, WindingRule::Positive, kCutChord);
+    if (regions.empty())
+        return nullptr;
+    const Result<ShapePointer> made = Shape::make(regions.front().outer, regions.front().holes);
+    return made ? *made : nullptr;
+}
+
+ToothShape toothOf(const std::string &key)
+{
+    return key == "round"    ? ToothShape::Round
+           : key == "square" ? ToothShape::Square
+                             : ToothShape::Trapezium;
+}
+
+/// The contours that were asked for: one, or the holes of a ring.
+std::vector<Contour> askedContours(const OperationContext &context, const Vec2 &centre)
+{
+    const std::string kind = context.choice("kind");
+    const double outer = context.number("outerRadius"), inner = context.number("innerRadius");
+    const double phase = context.number("phase");
+    const int count = context.count("sectors");
+    if (kind == "holes")
+        return ringOfCircles(centre, outer, inner, count, phase);
+    if (kind == "circle" || count < 2)
+        return {circleContour(centre, outer)};
+    if (kind == "star")
+        return {starContour(centre, outer, inner, count, phase)};
+    return {gearContour(centre, outer, inner, count, phase, toothOf(context.choice("tooth")))};
+}
+
+/// In place of the contour, or as holes.
+ShapePointer withContours(const Shape &shape, std::vector<Contour> contours, bool asHoles)
+{
+    std::vector<PlacedContour> holes;
+    for (const Contour &hole : shape.holes())
+        holes.push_back({hole, {}});
+    PlacedContour outer{shape.contour(), {}};
+    if (asHoles)
+        for (Contour &contour : contours)
+            holes.push_back({std::move(contour), {}});
+    else
+        outer.contour = std::move(contours.front());
+    std::vector<Warning> mended; // what no longer fits is left out
+    const Result<ShapePointer> made = makeMendedShape(outer, holes, {}, mended);
+    return made ? *made : nullptr;
+}
+
+void make(OperationContext &context)
+{
+    const SectionPointer section = context.input("section");
+    if (!section)
+        return;
+    const Shape &shape = *section->shape;
+    const Vec2 centre = shape.centroid();
+    const std::string kind = context.choice("kind");
+    const bool asHoles = kind == "holes" || context.choice("applyTo") == "holes";
+    ShapePointer next;
+    if (kind == "sector") {
+        next = repeatedSector(shape, centre, context.count("sectors"), context.number("phase"));
+        if (next && context.choice("applyTo") == "holes")
+            next = withContours(shape, {next->contour()}, true);
+    } else {
+        next = withContours(shape, askedContours(context, centre), asHoles);
+    }
+    if (!next) {
+        context.notice({OperationNotice::Kind::NothingFits});
+        return;
+    }
+    Section changed = *section;
+    changed.shape = std::move(next);
+    context.change(section->ref(), std::make_shared<const Section>(std::move(changed)));
+}
+
+ParameterSpec radius(const char *key, const char *label, double standard,
+                     std::vector<const char *> kinds)
+{
+    return {.key = key,
+            .label = label,
+            .unit = Unit::Length,
+            .standard = standard,
+            .least = 1.0,
+            .most = 2000.0,
+            .step = 0.5,
+            .sliderLeast = 1.0,
+            .sliderMost = 150.0,
+            .countsIf = "kind",
+            .countsFor = std::move(kinds)};
+}
+
+std::vector<ParameterSpec> parameters()
+{
+    return {{.key = "kind",
+             .label = QT_TRANSLATE_NOOP("Operation", "Kind"),
+             .unit = Unit::Choice,
+             .standard = 2,
+             .choices = {{"circle", QT_TRANSLATE_NOOP("Operation", "Circle")},
+                         {"star", QT_TRANSLATE_NOOP("Operation", "Star")},
+                         {"gear", QT_TRANSLATE_NOOP("Operation", "Gear")},
+                         {"holes", QT_TRANSLATE_NOOP("Operation", "Holes")},
+                         {"sector", QT_TRANSLATE_NOOP("Operation", "Drawn sector")}}},
+            {.key = "sectors",
+             .label = QT_TRANSLATE_NOOP("Operation", "Sectors"),
+             .unit = Unit::Count,
+             .standard = 10,
+             .least = 1,
+             .most = 200,
+             .sliderLeast = 1,
+             .sliderMost = 40,
+             .countsIf = "kind",
+             .countsFor = {"star", "gear", "holes", "sector"}},
+            radius("outerRadius", QT_TRANSLATE_NOOP("Operation", "Outer radius"), 40.0,
+                   {"circle", "star", "gear", "holes"}),
+            radius("innerRadius", QT_TRANSLATE_NOOP("Operation", "Inner radius"), 28.0,
+                   {"star", "gear", "holes"}),
+            {.key = "tooth",
+             .label = QT_TRANSLATE_NOOP("Operation", "Tooth"),
+             .unit = Unit::Choice,
+             .choices = {{"round", QT_TRANSLATE_NOOP("Operation", "Round")},
+                         {"square", QT_TRANSLATE_NOOP("Operation", "Square")},
+                         {"trapezium", QT_TRANSLATE_NOOP("Operation", "Trapezium")}},
+             .countsIf = "kind",
+             .countsFor = {"gear"}},
+            {.key = "phase",
+             .label = QT_TRANSLATE_NOOP("Operation", "Phase"),
+             .unit = Unit::Angle,
+             .standard = 0.0,
+             .least = 0.0,
+             .most = 2.0 * std::numbers::pi,
+             .step = std::numbers::pi / 180.0,
+             .sliderLeast = 0.0,
+             .sliderMost = 2.0 * std::numbers::pi,
+             .countsIf = "kind",
+             .countsFor = {"star", "gear", "holes", "sector"}},
+            {.key = "applyTo",
+             .label = QT_TRANSLATE_NOOP("Operation", "Apply to"),
+             .unit = Unit::Choice,
+             .choices = {{"contour", QT_TRANSLATE_NOOP("Operation", "Contour")},
+                         {"holes", QT_TRANSLATE_NOOP("Operation", "Holes")}},
+             .countsIf = "kind",
+             .countsFor = {"circle", "star", "gear", "sector"}}};
+}
+
+} // namespace
+
+const OperationKind kRadial{
+    .key = "radial",
+    .version = 1,
+    .name = QT_TRANSLATE_NOOP("Operation", "Radial"),
+    .summary = QT_TRANSLATE_NOOP("Operation", "Makes a section a circle, a star or a gear, or puts "
+                                              "such holes into it."),
+    .inputs = {{.role = "section",
+                .label = QT_TRANSLATE_NOOP("Operation", "Section"),
+                .prompt = QT_TRANSLATE_NOOP("Operation", "Click the section to shape.")}},
+    .parameters = parameters(),
+    .make = make};
+
+} // namespace fff
