@@ -56,6 +56,35 @@ std::optional<Contour> notched(const Contour &contour, const Contour &hole)
     return std::move(pieces.front().outer);
 }
 
+/// The same curve, begun at another of its anchors.
+bool isTurned(const Contour &a, const Contour &b)
+{
+    const std::vector<Vec2> &p = a.points(), &q = b.points();
+    if (p.size() != q.size())
+        return false;
+    for (std::size_t start = 0; start < q.size(); start += 3) {
+        const auto turn = q.begin() + static_cast<std::ptrdiff_t>(start);
+        const auto rest = p.begin() + (q.end() - turn);
+        if (std::equal(turn, q.end(), p.begin()) && std::equal(q.begin(), turn, rest))
+            return true;
+    }
+    return false;
+}
+
+/// Resolved; but where that found nothing to leave out and only begins elsewhere, as it was drawn:
+/// it would begin elsewhere again each time that a file of it is read.
+Result<ResolvedContour> resolvedInPlace(const Contour &drawn)
+{
+    Result<ResolvedContour> resolved = resolveCrossings(drawn);
+    if (resolved && resolved->wasCrossing &&
+        (isTurned(resolved->contour, drawn) || isTurned(resolved->contour, drawn.reversed()))) {
+        resolved->contour = drawn;
+        resolved->chords = {};
+        resolved->isPlain = false;
+    }
+    return resolved;
+}
+
 /// Something was left out. Pieces that meet within rounding may be found to cross once more in a
 /// file that was mended when it was first opened; nobody needs to hear of that again.
 bool isMended(const ResolvedContour &resolved, const Contour &drawn)
@@ -104,7 +133,7 @@ void Mender::warn(WarningCode code, const std::string &where)
 /// A hole that cannot be one is left out with a warning.
 void Mender::addHole(const PlacedContour &drawn)
 {
-    Result<ResolvedContour> hole = resolveCrossings(drawn.contour);
+    Result<ResolvedContour> hole = resolvedInPlace(drawn.contour);
     if (!hole || std::abs(hole->contour.signedArea()) < kMinArea) {
         warn(WarningCode::DegenerateHole, drawn.where);
         return;
@@ -172,7 +201,7 @@ void Mender::cutOut()
 Result<ShapePointer> Mender::mend(const PlacedContour &contour,
                                   const std::vector<PlacedContour> &holes)
 {
-    Result<ResolvedContour> resolved = resolveCrossings(contour.contour);
+    Result<ResolvedContour> resolved = resolvedInPlace(contour.contour);
     if (!resolved)
         return tl::unexpected(resolved.error());
     if (isMended(*resolved, contour.contour))

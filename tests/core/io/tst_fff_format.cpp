@@ -32,6 +32,7 @@ private Q_SLOTS:
     void shapesAreMended();
     void mendingComesToAnEnd_data();
     void mendingComesToAnEnd();
+    void mendingOfHolesComesToAnEnd();
     void frames_data();
     void frames();
     void danglingOperationIsKept();
@@ -564,6 +565,25 @@ void TestFffFormat::mendingComesToAnEnd()
     const auto again = io::readFff(io::writeFff(mended->document).value(), "a.fff");
     QVERIFY(again);
     QVERIFY2(again->warnings.empty(), "it was said once");
+    QVERIFY(again->document == mended->document);
+}
+
+// Found by made-up files: its crossing is cut where it was cut, but it begins elsewhere each time.
+void TestFffFormat::mendingOfHolesComesToAnEnd()
+{
+    const std::vector<Vec2> hole{{48, 25}, {48, 20.581722001353654}, {35.418277998646346, 17},
+                                 {40, 17}, {35.581722001353654, 17}, {32, 20.581722001353654},
+                                 {32, 25}, {32, 29.418277998646346}, {35.581722001353654, 33},
+                                 {40, 33}, {44.418277998646346, 33}, {48, 29.418277998646346}};
+    NewSection section;
+    section.shape = Shape::make(Contour::fromPolygon({{0, 0}, {80, 0}, {80, 60}, {0, 60}}).value(),
+                                {Contour::fromPoints(hole).value()})
+                        .value();
+    const Document drawn = addSection(newDocument(), section).value();
+    const auto mended = io::readFff(io::writeFff(drawn).value(), "a.fff");
+    QVERIFY(mended);
+    const auto again = io::readFff(io::writeFff(mended->document).value(), "a.fff");
+    QVERIFY(again);
     QVERIFY(again->document == mended->document);
 }
 
