@@ -1266,6 +1266,74 @@
         <source>Click the section to shape.</source>
         <translation>Die Scheibe anklicken, die geformt werden soll.</translation>
     </message>
+    <message>
+        <source>Click the sections that it is about.</source>
+        <translation>Die Scheiben anklicken, um die es geht.</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>Was</translation>
+    </message>
+    <message>
+        <source>Whole model</source>
+        <translation>Ganzes Modell</translation>
+    </message>
+    <message>
+        <source>Selection</source>
+        <translation>Auswahl</translation>
+    </message>
+    <message>
+        <source>Mirror</source>
+        <translation>Spiegelung</translation>
+    </message>
+    <message>
+        <source>What is drawn on one side stands on the other side, too.</source>
+        <translation>Was auf einer Seite gezeichnet ist, steht auch auf der anderen.</translation>
+    </message>
+    <message>
+        <source>Click the section to mirror across.</source>
+        <translation>Die Scheibe anklicken, an der gespiegelt werden soll.</translation>
+    </message>
+    <message>
+        <source>Plane</source>
+        <translation>Ebene</translation>
+    </message>
+    <message>
+        <source>A section&apos;s plane</source>
+        <translation>Ebene einer Scheibe</translation>
+    </message>
+    <message>
+        <source>Join at the plane</source>
+        <translation>An der Ebene verbinden</translation>
+    </message>
+    <message>
+        <source>Rotational</source>
+        <translation>Drehung</translation>
+    </message>
+    <message>
+        <source>What is drawn once stands all round an axis.</source>
+        <translation>Was einmal gezeichnet ist, steht rings um eine Achse.</translation>
+    </message>
+    <message>
+        <source>Axis</source>
+        <translation>Achse</translation>
+    </message>
+    <message>
+        <source>Click the two sections whose slit is the axis.</source>
+        <translation>Die zwei Scheiben anklicken, deren Schlitz die Achse ist.</translation>
+    </message>
+    <message>
+        <source>Vertical</source>
+        <translation>Senkrecht</translation>
+    </message>
+    <message>
+        <source>Slit</source>
+        <translation>Schlitz</translation>
+    </message>
+    <message>
+        <source>Times</source>
+        <translation>Anzahl</translation>
+    </message>
 </context>
 <context>
     <name>OperationNotice</name>

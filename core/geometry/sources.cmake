@@ -30,6 +30,7 @@ target_sources(fff_core PRIVATE
     geometry/source_edges.cpp
     geometry/stretch.cpp
     geometry/sweep_triangulation.cpp
+    geometry/symmetrised.cpp
     geometry/triangulation.cpp
     geometry/turning.cpp
 )

@@ -5,18 +5,21 @@
 #include "core/operations/linear.h"
 #include "core/operations/radial.h"
 #include "core/operations/revolve.h"
+#include "core/operations/symmetry.h"
 
 namespace fff {
 
 std::span<const OperationKind *const> operationKinds()
 {
     static constexpr const OperationKind *kKinds[] = {
-        &kLinear,  //
-        &kRevolve, //
-        &kBlend,   //
-        &kBranch,  //
-        &kGrid,    //
-        &kRadial,
+        &kLinear,     //
+        &kRevolve,    //
+        &kBlend,      //
+        &kBranch,     //
+        &kGrid,       //
+        &kRadial,     //
+        &kMirror,     //
+        &kRotational, //
     };
     return kKinds;
 }

@@ -1,11 +1,8 @@
 #include "core/operations/radial.h"
 
-#include "core/base/tolerances.h"
-#include "core/geometry/boolean.h"
-#include "core/geometry/halfplane_clip.h"
 #include "core/geometry/radial_contour.h"
+#include "core/geometry/symmetrised.h"
 #include "core/model/mended_shape.h"
-#include "core/operations/placement.h"
 #include "core/operations/text.h"
 
 #include <algorithm>
@@ -18,54 +15,13 @@ namespace {
 
 using Unit = ParameterSpec::Unit;
 
-/// Sectors reach over each other by this, so that what touches becomes one. mm.
-constexpr double kSectorOverlap = 8.0 * kClipGrid;
-
-Eigen::Matrix2d turn(double angle)
-{
-    return Eigen::Rotation2Dd(angle).toRotationMatrix();
-}
-
-/// What of a shape lies in the sector round a direction; all of it for a full turn.
-std::vector<ClippedPiece> sectorOf(const Shape &shape, const Vec2 &centre, double middle,
-                                   double width)
-{
-    std::vector<ClippedPiece> pieces{{shape.contour(), shape.holes()}};
-    if (width > 1.5 * std::numbers::pi)
-        return pieces;
-    for (const double side : {-1.0, 1.0}) {
-        const double ray = middle + 0.5 * side * width;
-        const Vec2 inward = -side * Vec2(-std::sin(ray), std::cos(ray));
-        const Halfplane halfplane{centre - kSectorOverlap * inward, inward};
-        std::vector<ClippedPiece> next;
-        for (const ClippedPiece &piece : pieces)
-            for (ClippedPiece &part : clip(piece.outer, piece.holes, halfplane))
-                next.push_back(std::move(part));
-        pieces = std::move(next);
-    }
-    return pieces;
-}
-
 /// The largest piece of what the sectors together are. Null when nothing is.
-ShapePointer repeatedSector(const Shape &shape, const Vec2 &centre, int count, double phase)
+ShapePointer sectorAllRound(const Shape &shape, const Vec2 &centre, int count, double phase)
 {
-    const std::vector<ClippedPiece> sector =
-        sectorOf(shape, centre, phase, 2.0 * std::numbers::pi / count);
-    std::vector<Contour> all;
-    for (int i = 0; i < count; ++i) {
-        const Eigen::Matrix2d matrix = turn(2.0 * std::numbers::pi * i / count);
-        for (const ClippedPiece &piece : sector) {
-            std::vector<Contour> contours{piece.outer};
-            contours.insert(contours.end(), piece.holes.begin(), piece.holes.end());
-            for (const Contour &contour : contours)
-                if (const Result<Contour> turned = mapped(contour, matrix, centre))
-                    all.push_back(*turned);
-        }
-    }
-    const std::vector<CurvedRegion> regions = windingRegions(all, WindingRule::Positive, kCutChord);
-    if (regions.empty())
+    const auto pieces = repeatedSector(shape.contour(), shape.holes(), centre, count, phase);
+    if (pieces.empty())
         return nullptr;
-    const Result<ShapePointer> made = Shape::make(regions.front().outer, regions.front().holes);
+    const Result<ShapePointer> made = Shape::make(pieces.front().outer, pieces.front().holes);
     return made ? *made : nullptr;
 }
 
@@ -120,7 +76,7 @@ void make(OperationContext &context)
     const bool asHoles = kind == "holes" || context.choice("applyTo") == "holes";
     ShapePointer next;
     if (kind == "sector") {
-        next = repeatedSector(shape, centre, context.count("sectors"), context.number("phase"));
+        next = sectorAllRound(shape, centre, context.count("sectors"), context.number("phase"));
         if (next && context.choice("applyTo") == "holes")
             next = withContours(shape, {next->contour()}, true);
     } else {

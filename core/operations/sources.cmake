@@ -17,4 +17,5 @@ target_sources(fff_core PRIVATE
     operations/row.cpp
     operations/section_lookup.cpp
     operations/source_crossing.cpp
+    operations/symmetry.cpp
 )

@@ -1,0 +1,426 @@
+#include "core/operations/symmetry.h"
+
+#include "core/base/tolerances.h"
+#include "core/geometry/contour_points.h"
+#include "core/geometry/symmetrised.h"
+#include "core/model/instance_key.h"
+#include "core/operations/placement.h"
+#include "core/operations/source_crossing.h"
+#include "core/operations/text.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+
+namespace fff {
+
+namespace {
+
+using Unit = ParameterSpec::Unit;
+
+/// Two shapes in space are one image when they differ by no more, mm: frames and files round.
+constexpr double kSameImage = 1e-4;
+
+std::string keyOf(const SectionRef &ref)
+{
+    if (ref.drawn.isValid())
+        return std::to_string(ref.drawn.value);
+    std::string operation = "o";
+    return keyBelow(operation.append(std::to_string(ref.operation.value)), ref.key);
+}
+
+/// Whether the placement maps the section's plane to itself.
+bool keepsPlane(const Frame &frame, const Placement &placement)
+{
+    const Frame image = placed(frame, placement);
+    return image.normal().cross(frame.normal()).norm() <= kSameDirection * 100.0 &&
+           std::abs(frame.height(image.origin)) <= kSameImage;
+}
+
+/// The same region in space: planes, areas, middles and boxes agree.
+bool isSameImage(const Section &a, const Section &b)
+{
+    if (a.frame.normal().cross(b.frame.normal()).norm() > 1e-6 ||
+        std::abs(a.frame.height(b.frame.toWorld(b.shape->centroid()))) > kSameImage)
+        return false;
+    const double size = a.shape->bounds().size().norm();
+    if (std::abs(a.shape->area() - b.shape->area()) > kSameImage * (1.0 + size) ||
+        (a.frame.toWorld(a.shape->centroid()) - b.frame.toWorld(b.shape->centroid())).norm() >
+            kSameImage)
+        return false;
+    // Of the boundary: every anchor of one lies on the other's.
+    const auto isNear = [&](const Vec2 &p) {
+        const Vec2 q = b.frame.toLocal(a.frame.toWorld(p));
+        return nearestPlace(b.shape->contour(), q).distance <= kSameImage;
+    };
+    for (int i = 0; i < a.shape->contour().segmentCount(); ++i)
+        if (!isNear(a.shape->contour().segment(i).p0))
+            return false;
+    return true;
+}
+
+/// Where a line in the world runs in a section's plane; the section has to contain it.
+PlaneLine lineIn(const Frame &frame, const Vec3 &point, const Vec3 &direction)
+{
+    return {frame.toLocal(point), frame.directionToLocal(direction).normalized()};
+}
+
+bool reachesAcross(const Shape &shape, const PlaneLine &line)
+{
+    double least = 0.0, most = 0.0;
+    for (const Vec2 &p : shape.region().outer) {
+        least = std::min(least, line.across(p));
+        most = std::max(most, line.across(p));
+    }
+    return least < -kSameImage && most > kSameImage && !intervalsOn(line, shape.region()).empty();
+}
+
+/// The larger half and its image; null when nothing is left.
+ShapePointer mirrored(const Shape &shape, const PlaneLine &line)
+{
+    const Vec2 left = perpendicular(line.direction);
+    double areas[2] = {};
+    for (const int side : {0, 1})
+        for (const ClippedPiece &piece :
+             clip(shape.contour(), shape.holes(), {line.point, side == 0 ? left : Vec2(-left)})) {
+            areas[side] += std::abs(piece.outer.signedArea());
+            for (const Contour &hole : piece.holes)
+                areas[side] -= std::abs(hole.signedArea());
+        }
+    // A shape that is symmetric stays bit for bit what it is.
+    if (std::abs(areas[0] - areas[1]) <= kSameImage) {
+        const Eigen::Matrix2d mirror =
+            2.0 * line.direction * line.direction.transpose() - Eigen::Matrix2d::Identity();
+        Section own, image;
+        const Result<Curves> curves = mapped(shape, mirror, line.point);
+        const Result<ShapePointer> other =
+            curves ? Shape::make(curves->contour, curves->holes)
+                   : Result<ShapePointer>(tl::unexpected(curves.error()));
+        const Result<ShapePointer> same = Shape::make(shape.contour(), shape.holes());
+        if (other && same) {
+            own.shape = *same;
+            image.shape = *other;
+            if (isSameImage(own, image))
+                return own.shape;
+        }
+    }
+    const Halfplane half{line.point, areas[0] >= areas[1] ? left : Vec2(-left)};
+    const auto pieces = mirroredHalf(shape.contour(), shape.holes(), half);
+    if (pieces.empty())
+        return nullptr;
+    const Result<ShapePointer> made = Shape::make(pieces.front().outer, pieces.front().holes);
+    return made ? *made : nullptr;
+}
+
+class SymmetryMaker
+{
+public:
+    SymmetryMaker(OperationContext &context, std::vector<SectionPointer> scope)
+        : m_context(context), m_scope(std::move(scope))
+    {
+        for (const SectionPointer &section : m_scope)
+            m_isCopied[section->ref()] = true;
+    }
+
+    const std::vector<SectionPointer> &scope() const { return m_scope; }
+
+    /// It is of this shape from now on, as are its copies.
+    void reshape(const SectionPointer &section, const ShapePointer &shape)
+    {
+        if (!shape || *shape == *section->shape)
+            return;
+        Section next = *section;
+        next.shape = shape;
+        const auto changed = std::make_shared<const Section>(std::move(next));
+        m_context.change(section->ref(), changed);
+        std::replace(m_scope.begin(), m_scope.end(), SectionPointer(section),
+                     SectionPointer(changed));
+    }
+    /// It is not copied.
+    void leave(const SectionPointer &section) { m_isCopied[section->ref()] = false; }
+    bool isCopied(const SectionPointer &section) const { return m_isCopied.at(section->ref()); }
+
+    /// Sections that are there at the image's place already.
+    bool hasImage(const SectionPointer &section, const Placement &placement) const
+    {
+        const Section image = imageOf(*section, placement);
+        return std::any_of(m_scope.begin(), m_scope.end(),
+                           [&](const SectionPointer &other) { return isSameImage(image, *other); });
+    }
+
+    void addCopies(const Placement &placement, const std::string &above, const std::string &mark)
+    {
+        for (const SectionPointer &section : m_scope) {
+            if (!isCopied(section))
+                continue;
+            Section copy = imageOf(*section, placement);
+            copy.name = section->name;
+            copy.name.append(mark);
+            if (copy.parent) {
+                const auto parent = m_isCopied.find(copy.parent->section);
+                const bool isTaken = parent != m_isCopied.end() && parent->second;
+                if (isTaken)
+                    copy.parent->section =
+                        SectionRef(m_context.operation().id, keyBelow(above, keyOf(parent->first)));
+                else
+                    moveSlit(copy, placement);
+            }
+            m_context.add(keyBelow(above, keyOf(section->ref())), std::move(copy));
+        }
+    }
+
+private:
+    static Section imageOf(const Section &section, const Placement &placement)
+    {
+        Section image = section;
+        image.frame = placed(section.frame, placement);
+        return image;
+    }
+
+    /// On a parent that stays one the slit is elsewhere; on one that is none of this, too.
+    void moveSlit(Section &copy, const Placement &placement)
+    {
+        const SectionPointer parent = m_context.find(copy.parent->section);
+        if (!parent)
+            return;
+        for (Vec2 *end : {&copy.parent->slitFrom, &copy.parent->slitTo})
+            *end = parent->frame.toLocal(placement(parent->frame.toWorld(*end)));
+    }
+
+    OperationContext &m_context;
+    std::vector<SectionPointer> m_scope;
+    std::map<SectionRef, bool> m_isCopied;
+};
+
+/// The sections that a symmetry is about; nothing when it misses one.
+std::optional<std::vector<SectionPointer>> scopeOf(OperationContext &context)
+{
+    if (context.choice("what") == "whole")
+        return context.all();
+    std::vector<SectionPointer> sections = context.inputs("sections");
+    if (sections.empty()) {
+        context.notice({.kind = OperationNotice::Kind::InputMissing, .role = "sections"});
+        return std::nullopt;
+    }
+    return sections;
+}
+
+struct Mirror
+{
+    Vec3 point = Vec3::Zero(), normal = Vec3::UnitX();
+
+    Placement placement() const
+    {
+        return Placement::turned(Eigen::Matrix3d::Identity() - 2.0 * normal * normal.transpose(),
+                                 point);
+    }
+};
+
+std::optional<Mirror> mirrorOf(OperationContext &context)
+{
+    const std::string plane = context.choice("plane");
+    if (plane == "x")
+        return Mirror{};
+    if (plane == "z")
+        return Mirror{Vec3::Zero(), Vec3::UnitZ()};
+    const SectionPointer section = context.input("plane");
+    if (!section)
+        return std::nullopt;
+    return Mirror{section->frame.origin, section->frame.normal()};
+}
+
+void makeMirror(OperationContext &context)
+{
+    const std::optional<Mirror> mirror = mirrorOf(context);
+    std::optional<std::vector<SectionPointer>> scope = scopeOf(context);
+    if (!mirror || !scope)
+        return;
+    const Placement placement = mirror->placement();
+    SymmetryMaker maker(context, *std::move(scope));
+    const std::vector<SectionPointer> all = maker.scope(); // which changes
+    for (const SectionPointer &section : all) {
+        const Frame &frame = section->frame;
+        if (keepsPlane(frame, placement)) {
+            const Vec3 along = frame.normal().cross(mirror->normal);
+            if (along.norm() < 0.5) { // it lies in the mirror
+                maker.leave(section);
+                continue;
+            }
+            const Vec3 foot =
+                frame.origin - mirror->normal.dot(frame.origin - mirror->point) * mirror->normal;
+            const PlaneLine line = lineIn(frame, foot, along);
+            if (context.isOn("join") && reachesAcross(*section->shape, line)) {
+                maker.leave(section);
+                maker.reshape(section, mirrored(*section->shape, line));
+                continue;
+            }
+        }
+        if (maker.hasImage(section, placement))
+            maker.leave(section);
+    }
+    maker.addCopies(placement, {}, "\u2032");
+}
+
+/// A line in space.
+struct TurnAxis
+{
+    Vec3 point = Vec3::Zero(), direction = Vec3::UnitY();
+
+    Placement turn(double angle) const
+    {
+        return Placement::turned(Eigen::AngleAxisd(angle, direction).toRotationMatrix(), point);
+    }
+};
+
+std::optional<TurnAxis> turnAxisOf(OperationContext &context)
+{
+    if (context.choice("axis") == "vertical")
+        return TurnAxis{};
+    const std::vector<SectionPointer> sections = context.inputs("axis");
+    if (sections.size() < 2)
+        return std::nullopt;
+    const std::optional<SourceCrossing> crossing = sourceCrossing(*sections[0], *sections[1]);
+    if (!crossing) {
+        context.notice({OperationNotice::Kind::InputsApart});
+        return std::nullopt;
+    }
+    return TurnAxis{crossing->axis.point, crossing->axis.direction};
+}
+
+/// One that the axis goes through square: the sector round its frame's x, all round.
+bool keepTurned(SymmetryMaker &maker, const SectionPointer &section, const TurnAxis &axis,
+                int times)
+{
+    const Frame &frame = section->frame;
+    if (frame.normal().cross(axis.direction).norm() > kPracticallyParallel)
+        return false;
+    const double along = axis.direction.dot(frame.normal());
+    const Vec3 through =
+        axis.point + frame.normal().dot(frame.origin - axis.point) / along * axis.direction;
+    const Vec2 centre = frame.toLocal(through);
+    if (locate(centre, section->shape->region().outer) == Side::Outside)
+        return false;
+    const auto pieces =
+        repeatedSector(section->shape->contour(), section->shape->holes(), centre, times, 0.0);
+    const Result<ShapePointer> shape =
+        pieces.empty() ? Result<ShapePointer>(section->shape)
+                       : Shape::make(pieces.front().outer, pieces.front().holes);
+    maker.leave(section);
+    maker.reshape(section, shape ? *shape : section->shape);
+    return true;
+}
+
+void makeRotational(OperationContext &context)
+{
+    const std::optional<TurnAxis> axis = turnAxisOf(context);
+    std::optional<std::vector<SectionPointer>> scope = scopeOf(context);
+    if (!axis || !scope)
+        return;
+    const int times = context.count("times");
+    const double step = 2.0 * std::numbers::pi / times;
+    SymmetryMaker maker(context, *std::move(scope));
+    std::vector<SectionPointer> halves; // upright ones that half a turn maps to themselves
+    const std::vector<SectionPointer> all = maker.scope(); // which changes
+    for (const SectionPointer &section : all) {
+        if (keepTurned(maker, section, *axis, times))
+            continue;
+        const bool isHalf =
+            times % 2 == 0 && keepsPlane(section->frame, axis->turn(0.5 * times * step));
+        if (isHalf) {
+            const PlaneLine line = lineIn(section->frame, axis->point, axis->direction);
+            if (reachesAcross(*section->shape, line)) {
+                halves.push_back(section);
+                maker.reshape(section, mirrored(*section->shape, line));
+                continue;
+            }
+        }
+        bool hasAll = true;
+        for (int i = 1; i < times && hasAll; ++i)
+            hasAll = maker.hasImage(section, axis->turn(i * step));
+        if (hasAll)
+            maker.leave(section);
+    }
+    for (int i = 1; i < times; ++i) {
+        if (2 * i == times)
+            for (const SectionPointer &section : halves)
+                maker.leave(section);
+        std::string mark = " ";
+        maker.addCopies(axis->turn(i * step), std::to_string(i),
+                        mark.append(std::to_string(i + 1)));
+    }
+}
+
+std::vector<InputSpec> symmetryInputs(const InputSpec &first)
+{
+    return {first,
+            {.role = "sections",
+             .label = QT_TRANSLATE_NOOP("Operation", "Sections"),
+             .prompt = QT_TRANSLATE_NOOP("Operation", "Click the sections that it is about."),
+             .least = 0,
+             .most = 500}};
+}
+
+ParameterSpec whatParameter()
+{
+    return {.key = "what",
+            .label = QT_TRANSLATE_NOOP("Operation", "What"),
+            .unit = Unit::Choice,
+            .choices = {{"whole", QT_TRANSLATE_NOOP("Operation", "Whole model")},
+                        {"selection", QT_TRANSLATE_NOOP("Operation", "Selection")}}};
+}
+
+} // namespace
+
+const OperationKind kMirror{
+    .key = "mirror",
+    .version = 1,
+    .name = QT_TRANSLATE_NOOP("Operation", "Mirror"),
+    .summary = QT_TRANSLATE_NOOP("Operation", "What is drawn on one side stands on the other side, "
+                                              "too."),
+    .inputs = symmetryInputs(
+        {.role = "plane",
+         .label = QT_TRANSLATE_NOOP("Operation", "Mirror"),
+         .prompt = QT_TRANSLATE_NOOP("Operation", "Click the section to mirror across."),
+         .least = 0}),
+    .parameters = {{.key = "plane",
+                    .label = QT_TRANSLATE_NOOP("Operation", "Plane"),
+                    .unit = Unit::Choice,
+                    .choices = {{"x", "X"},
+                                {"z", "Z"},
+                                {"section", QT_TRANSLATE_NOOP("Operation", "A section's plane")}}},
+                   whatParameter(),
+                   {.key = "join",
+                    .label = QT_TRANSLATE_NOOP("Operation", "Join at the plane"),
+                    .unit = Unit::Switch,
+                    .standard = 1.0}},
+    .make = makeMirror};
+
+const OperationKind kRotational{
+    .key = "rotational",
+    .version = 1,
+    .name = QT_TRANSLATE_NOOP("Operation", "Rotational"),
+    .summary = QT_TRANSLATE_NOOP("Operation", "What is drawn once stands all round an axis."),
+    .inputs = symmetryInputs(
+        {.role = "axis",
+         .label = QT_TRANSLATE_NOOP("Operation", "Axis"),
+         .prompt = QT_TRANSLATE_NOOP("Operation", "Click the two sections whose slit is the axis."),
+         .least = 0,
+         .most = 2}),
+    .parameters = {{.key = "axis",
+                    .label = QT_TRANSLATE_NOOP("Operation", "Axis"),
+                    .unit = Unit::Choice,
+                    .choices = {{"vertical", QT_TRANSLATE_NOOP("Operation", "Vertical")},
+                                {"slit", QT_TRANSLATE_NOOP("Operation", "Slit")}}},
+                   {.key = "times",
+                    .label = QT_TRANSLATE_NOOP("Operation", "Times"),
+                    .unit = Unit::Count,
+                    .standard = 6,
+                    .least = 2,
+                    .most = 60,
+                    .sliderLeast = 2,
+                    .sliderMost = 24},
+                   whatParameter()},
+    .make = makeRotational};
+
+} // namespace fff
