@@ -31,6 +31,20 @@ Result<Document> changeSection(Document document, SectionId id, Change change)
     return document;
 }
 
+/// Operations that read these sections will speak of them by the names that they have now.
+void noteNames(Document &document, std::span<const SectionId> ids)
+{
+    for (OperationPointer &pointer : document.operations) {
+        Operation next = *pointer;
+        for (auto &[role, inputs] : next.inputs)
+            for (OperationInput &input : inputs)
+                if (std::find(ids.begin(), ids.end(), input.section.drawn) != ids.end())
+                    input.name = document.find(input.section.drawn)->name;
+        if (!(next == *pointer))
+            pointer = std::make_shared<const Operation>(std::move(next));
+    }
+}
+
 /// The first field of a stock that no sheet can have, or null.
 const char *invalidField(const Stock &s)
 {
@@ -94,6 +108,7 @@ Result<Document> removeSections(Document document, std::span<const SectionId> id
         if (!document.find(id))
             return unknown(id);
     }
+    noteNames(document, ids);
     std::erase_if(document.sections, [&](const SectionPointer &s) { return isRemoved(s->id); });
     std::erase_if(document.weights, [&](const Weight &w) { return isRemoved(w.section.drawn); });
     std::erase_if(document.jointOverrides, [&](const JointOverridePointer &joint) {

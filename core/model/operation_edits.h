@@ -19,15 +19,4 @@ Result<Document> moveOperation(Document document, OperationId id, int index);
 Result<Document> setException(Document document, const SectionRef &instance,
                               const Exception &exception);
 
-/// The names that its inputs have now are what it is said to miss when they go. Done by whoever
-/// evaluates an edit of it: `nameOf` is empty for what is not there.
-template <class NameOf>
-void noteInputNames(Operation &operation, NameOf nameOf)
-{
-    for (auto &[role, inputs] : operation.inputs)
-        for (OperationInput &input : inputs)
-            if (std::string name = nameOf(input.section); !name.empty())
-                input.name = std::move(name);
-}
-
 } // namespace fff

@@ -105,9 +105,6 @@ void TestEvaluate::missingInputsAreNamedAndComeBack()
 {
     Document document = withRibs();
     const Model before = evaluate(document);
-    Operation named = *document.operations[0];
-    noteInputNames(named, [&](const SectionRef &ref) { return before.nameOf(ref); });
-    document = setOperation(document, named).value();
     const std::vector<SectionId> rib{SectionId{3}};
     const Model without = evaluate(removeSections(document, rib).value(), before);
     QCOMPARE(without.sectionCount(), 1U);
