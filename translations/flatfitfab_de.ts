@@ -506,6 +506,13 @@
         <source>The procedural operations that there are, or those of a model</source>
         <translation>Die Operationen, die es gibt, oder die eines Modells</translation>
     </message>
+    <message numerus="yes">
+        <source>%n sections</source>
+        <translation>
+            <numerusform>%n Scheibe</numerusform>
+            <numerusform>%n Scheiben</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>Error</name>
@@ -1359,7 +1366,6 @@
     </message>
     <message numerus="yes">
         <source>%1 stopped at %n sections.</source>
-        <extracomment>%1 is the name of an operation</extracomment>
         <translation>
             <numerusform>%1 hat bei %n Scheibe aufgehört.</numerusform>
             <numerusform>%1 hat bei %n Scheiben aufgehört.</numerusform>
@@ -1367,7 +1373,6 @@
     </message>
     <message numerus="yes">
         <source>%n sections of %1 were left out, as there is nothing to hold them.</source>
-        <extracomment>%1 is the name of an operation</extracomment>
         <translation>
             <numerusform>%n Scheibe von %1 wurde ausgelassen, weil nichts da ist, was sie hält.</numerusform>
             <numerusform>%n Scheiben von %1 wurden ausgelassen, weil nichts da ist, was sie hält.</numerusform>
@@ -1377,6 +1382,16 @@
         <source>%1 makes nothing: its sections are too different.</source>
         <extracomment>%1 is the name of an operation</extracomment>
         <translation>%1 macht nichts: die Scheiben sind zu verschieden.</translation>
+    </message>
+    <message>
+        <source>%1 stopped at 1 section.</source>
+        <extracomment>%1 is the name of an operation</extracomment>
+        <translation>%1 hat bei 1 Scheibe aufgehört.</translation>
+    </message>
+    <message>
+        <source>1 section of %1 was left out, as there is nothing to hold it.</source>
+        <extracomment>%1 is the name of an operation</extracomment>
+        <translation>1 Scheibe von %1 wurde ausgelassen, weil nichts da ist, was sie hält.</translation>
     </message>
 </context>
 <context>
@@ -5722,6 +5737,10 @@
     <message>
         <source>off</source>
         <translation>aus</translation>
+    </message>
+    <message>
+        <source>1 section</source>
+        <translation>1 Scheibe</translation>
     </message>
 </context>
 </TS>

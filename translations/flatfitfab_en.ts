@@ -71,10 +71,19 @@
     </message>
 </context>
 <context>
+    <name>CommandLine</name>
+    <message numerus="yes">
+        <source>%n sections</source>
+        <translation>
+            <numerusform>%n section</numerusform>
+            <numerusform>%n sections</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>OperationNotice</name>
     <message numerus="yes">
         <source>%1 stopped at %n sections.</source>
-        <extracomment>%1 is the name of an operation</extracomment>
         <translation>
             <numerusform>%1 stopped at %n section.</numerusform>
             <numerusform>%1 stopped at %n sections.</numerusform>
@@ -82,7 +91,6 @@
     </message>
     <message numerus="yes">
         <source>%n sections of %1 were left out, as there is nothing to hold them.</source>
-        <extracomment>%1 is the name of an operation</extracomment>
         <translation>
             <numerusform>%n section of %1 was left out, as there is nothing to hold it.</numerusform>
             <numerusform>%n sections of %1 were left out, as there is nothing to hold them.</numerusform>

@@ -199,12 +199,12 @@ std::string modelText(const Model &model)
         out << tr("The model has no operations.") << '\n';
     for (const OperationPointer &operation : model.document.operations) {
         const OperationResult *result = model.resultOf(operation->id);
+        const int count = result ? static_cast<int>(result->sections.size()) : 0;
+        const QString made =
+            count == 1 ? tr("1 section")
+                       : QCoreApplication::translate("CommandLine", "%n sections", nullptr, count);
         out << QString::fromStdString(operation->name) << ": " << kindName(*operation) << ", "
-            << (operation->isOn ? QCoreApplication::translate(
-                                      "CommandLine", "%n section(s)", nullptr,
-                                      result ? static_cast<int>(result->sections.size()) : 0)
-                                : tr("off"))
-            << '\n';
+            << (operation->isOn ? made : tr("off")) << '\n';
         if (result)
             for (const OperationNotice &notice : result->notices)
                 out << "    " << noticeText(notice, *operation) << '\n';

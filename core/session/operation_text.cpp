@@ -54,11 +54,18 @@ QString noticeText(const OperationNotice &notice, const Operation &operation)
         return Texts::tr("%1 makes nothing: there is no room within its range.").arg(name);
     case Kind::StoppedAtMost:
         //: %1 is the name of an operation
-        return Texts::tr("%1 stopped at %n sections.", nullptr, notice.count).arg(name);
+        return (notice.count == 1 ? Texts::tr("%1 stopped at 1 section.")
+                                  //: %1 is the name of an operation
+                                  : Texts::tr("%1 stopped at %n sections.", nullptr, notice.count))
+            .arg(name);
     case Kind::LeftOut:
         //: %1 is the name of an operation
-        return Texts::tr("%n sections of %1 were left out, as there is nothing to hold them.",
-                         nullptr, notice.count)
+        return (notice.count == 1
+                    ? Texts::tr("1 section of %1 was left out, as there is nothing to hold it.")
+                    //: %1 is the name of an operation
+                    : Texts::tr("%n sections of %1 were left out, as there is nothing to hold "
+                                "them.",
+                                nullptr, notice.count))
             .arg(name);
     case Kind::Unlike:
         break;
