@@ -15,6 +15,7 @@ target_sources(fff_core PRIVATE
     geometry/fit_span.cpp
     geometry/frame.cpp
     geometry/halfplane_clip.cpp
+    geometry/mapped_contour.cpp
     geometry/moments.cpp
     geometry/notch.cpp
     geometry/offset.cpp

@@ -2,6 +2,7 @@
 
 #include "core/base/tolerances.h"
 #include "core/geometry/boolean.h"
+#include "core/geometry/mapped_contour.h"
 
 #include <cmath>
 #include <numbers>
@@ -12,15 +13,6 @@ namespace {
 
 /// Halves and sectors reach over each other by this, so that what touches becomes one. mm.
 constexpr double kOverlap = 8.0 * kClipGrid;
-
-Contour mapped(const Contour &contour, const Eigen::Matrix2d &matrix, const Vec2 &about)
-{
-    std::vector<Vec2> points;
-    points.reserve(contour.points().size());
-    for (const Vec2 &p : contour.points())
-        points.push_back(about + matrix * (p - about));
-    return Contour::fromPoints(std::move(points)).value_or(Contour());
-}
 
 /// Outer ones counter-clockwise, holes clockwise, so that windings add up.
 void append(std::vector<Contour> &all, const ClippedPiece &piece)
@@ -35,9 +27,10 @@ void append(std::vector<Contour> &all, const ClippedPiece &piece)
 
 ClippedPiece mapped(const ClippedPiece &piece, const Eigen::Matrix2d &matrix, const Vec2 &about)
 {
-    ClippedPiece result{mapped(piece.outer, matrix, about), {}};
+    // It stays within what a document may hold, or nothing of it is left.
+    ClippedPiece result{mapped(piece.outer, matrix, about).value_or(Contour()), {}};
     for (const Contour &hole : piece.holes)
-        result.holes.push_back(mapped(hole, matrix, about));
+        result.holes.push_back(mapped(hole, matrix, about).value_or(Contour()));
     return result;
 }
 

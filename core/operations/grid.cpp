@@ -21,6 +21,8 @@ using Unit = ParameterSpec::Unit;
 
 /// Left free round a cell on its sheet, as layouts do. mm.
 constexpr double kSheetMargin = 6.0;
+/// So much of a cell more than a whole number of them is rounding.
+constexpr double kRoundedCells = 1e-9;
 /// More cells than this nobody wants of one section.
 constexpr int kMostCells = 400;
 
@@ -36,8 +38,9 @@ CellGrid gridOf(OperationContext &context, const Section &section)
         grid.size = (sheet.array() - 2.0 * kSheetMargin).max(10.0);
     }
     const auto count = [&](int axis) {
-        return std::clamp(static_cast<int>(std::ceil(box.size()[axis] / grid.size[axis] - 1e-9)), 1,
-                          kMostCells);
+        return std::clamp(
+            static_cast<int>(std::ceil(box.size()[axis] / grid.size[axis] - kRoundedCells)), 1,
+            kMostCells);
     };
     grid.columns = count(0);
     grid.rows = count(1);
@@ -89,6 +92,11 @@ public:
             return;
         const ShapePointer shared = m_context.keptOfAny(*shape);
         const double thickness = m_context.stock(m_section.stock).thickness;
+        for (const GridCell &one : m_cells.cells) {
+            m_regions.push_back({one.outer.polygon(kCutChord), {}});
+            for (const Contour &hole : one.holes)
+                m_regions.back().holes.push_back(hole.polygon(kCutChord));
+        }
         int stretch = 0;
         for (std::size_t i = 0; i < m_cells.seams.size(); ++i) {
             const Seam &seam = m_cells.seams[i];
@@ -188,10 +196,7 @@ private:
         way[seam.axis] = 1.0;
         const PlaneLine line{at, way};
         const auto reaches = [&](int index, double from, double to) {
-            const Result<ShapePointer> shape = Shape::make(cell(index).outer, cell(index).holes);
-            if (!shape)
-                return false;
-            const auto inside = intervalsOn(line, (*shape)->region());
+            const auto inside = intervalsOn(line, m_regions[static_cast<std::size_t>(index)]);
             return std::any_of(inside.begin(), inside.end(), [&](const Interval &interval) {
                 return interval.from.at <= from + kEqualEnds && interval.to.at >= to - kEqualEnds;
             });
@@ -269,6 +274,7 @@ private:
     const Section &m_section;
     CellGrid m_grid;
     GridCells m_cells;
+    std::vector<Region> m_regions; // of the cells, while connectors are added
     double m_size, m_clearance;
 };
 

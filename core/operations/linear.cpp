@@ -165,12 +165,7 @@ private:
         Eigen::Matrix2d matrix = scale * Eigen::Matrix2d::Identity();
         if (m_isStretched)
             matrix = Eigen::Matrix2d::Identity() + (scale - 1.0) * u * u.transpose();
-        const Result<Curves> curves =
-            mapped(*m_row.section.shape, matrix, m_axisInSection.at(inner));
-        if (!curves)
-            return nullptr;
-        const Result<ShapePointer> shape = m_context.shape(key, curves->contour, curves->holes);
-        return shape ? *shape : nullptr;
+        return mappedShape(m_context, key, *m_row.section.shape, matrix, m_axisInSection.at(inner));
     }
 
     double innerOf(const Shape &shape, double inner) const

@@ -71,15 +71,6 @@ Frame placed(const Frame &frame, const Placement &placement)
     return {placement(frame.origin), placement.turn * frame.x, placement.turn * frame.y};
 }
 
-Result<Contour> mapped(const Contour &contour, const Eigen::Matrix2d &matrix, const Vec2 &about)
-{
-    std::vector<Vec2> points;
-    points.reserve(contour.points().size());
-    for (const Vec2 &p : contour.points())
-        points.push_back(about + matrix * (p - about));
-    return Contour::fromPoints(std::move(points));
-}
-
 Result<Curves> mapped(const Shape &shape, const Eigen::Matrix2d &matrix, const Vec2 &about)
 {
     Curves curves;
@@ -137,16 +128,22 @@ std::string copiedName(const std::string &name, const std::string &number)
     return copied.append(endsInDigit ? "." : " ").append(number);
 }
 
+ShapePointer mappedShape(OperationContext &context, const std::string &key, const Shape &shape,
+                         const Eigen::Matrix2d &matrix, const Vec2 &about)
+{
+    const Result<Curves> curves = mapped(shape, matrix, about);
+    if (!curves)
+        return nullptr;
+    const Result<ShapePointer> made = context.shape(key, curves->contour, curves->holes);
+    return made ? *made : nullptr;
+}
+
 ShapePointer scaledShape(OperationContext &context, const std::string &key,
                          const ShapePointer &shape, double scale)
 {
     if (scale == 1.0)
         return shape;
-    const Result<Curves> curves = mapped(*shape, scale * Eigen::Matrix2d::Identity(), Vec2::Zero());
-    if (!curves)
-        return nullptr;
-    const Result<ShapePointer> scaled = context.shape(key, curves->contour, curves->holes);
-    return scaled ? *scaled : nullptr;
+    return mappedShape(context, key, *shape, scale * Eigen::Matrix2d::Identity(), Vec2::Zero());
 }
 
 bool addCopy(OperationContext &context, const Branch &branch, const Copy &copy)

@@ -1,6 +1,7 @@
 // Copies of sections elsewhere in space. Internal to operations.
 #pragma once
 
+#include "core/geometry/mapped_contour.h"
 #include "core/operations/operation_context.h"
 
 namespace fff {
@@ -37,7 +38,6 @@ struct Curves
     Contour contour;
     std::vector<Contour> holes;
 };
-Result<Contour> mapped(const Contour &contour, const Eigen::Matrix2d &matrix, const Vec2 &about);
 Result<Curves> mapped(const Shape &shape, const Eigen::Matrix2d &matrix, const Vec2 &about);
 
 /// A section and what is attached to it, to be copied together.
@@ -77,6 +77,10 @@ struct Copy
 /// none any more.
 bool addCopy(OperationContext &context, const Branch &branch, const Copy &copy);
 
+/// The shape with its points as `mapped` maps them, as the instance of that key has it. Null when
+/// it is none any more.
+ShapePointer mappedShape(OperationContext &context, const std::string &key, const Shape &shape,
+                         const Eigen::Matrix2d &matrix, const Vec2 &about);
 /// The shape scaled, as the instance of that key has it; the same one for 1. Null when it is none
 /// any more.
 ShapePointer scaledShape(OperationContext &context, const std::string &key,

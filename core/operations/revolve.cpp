@@ -147,18 +147,11 @@ private:
         const Vec2 v = m_section.frame.directionToLocal(u);
         const Eigen::Matrix2d matrix =
             Eigen::Matrix2d::Identity() + (scale - 1.0) * v * v.transpose();
-        const Result<Curves> curves =
-            mapped(*m_section.shape, matrix, m_section.frame.toLocal(about));
-        if (!curves)
-            return false;
-        const Result<ShapePointer> shape =
-            m_context.shape(copy.key, curves->contour, curves->holes);
-        if (!shape)
-            return false;
-        copy.section.shape = *shape;
+        copy.section.shape = mappedShape(m_context, copy.key, *m_section.shape, matrix,
+                                         m_section.frame.toLocal(about));
         copy.stretch = (scale - 1.0) * u * u.transpose();
         copy.stretchedFrom = about;
-        return true;
+        return copy.section.shape != nullptr;
     }
 
     Parent parentFor(const PlaneMotion &motion) const

@@ -30,21 +30,28 @@ std::string keyOf(const SectionRef &ref)
     return keyBelow(operation.append(std::to_string(ref.operation.value)), ref.key);
 }
 
-/// Whether the placement maps the section's plane to itself.
-bool keepsPlane(const Frame &frame, const Placement &placement)
+/// Over a section of this size, mm, round a point of the second plane.
+bool isSamePlane(const Frame &a, const Frame &b, const Vec3 &point, double size)
 {
+    return size * a.normal().cross(b.normal()).norm() <= kSameImage &&
+           std::abs(a.height(point)) <= kSameImage;
+}
+
+/// Whether the placement maps the section's plane to itself.
+bool keepsPlane(const Section &section, const Placement &placement)
+{
+    const Frame &frame = section.frame;
+    const double size = section.shape->bounds().size().norm();
     const Frame image = placed(frame, placement);
-    return image.normal().cross(frame.normal()).norm() <= kSameDirection * 100.0 &&
-           std::abs(frame.height(image.origin)) <= kSameImage;
+    return isSamePlane(frame, image, image.origin, size);
 }
 
 /// The same region in space: planes, areas, middles and boxes agree.
 bool isSameImage(const Section &a, const Section &b)
 {
-    if (a.frame.normal().cross(b.frame.normal()).norm() > 1e-6 ||
-        std::abs(a.frame.height(b.frame.toWorld(b.shape->centroid()))) > kSameImage)
-        return false;
     const double size = a.shape->bounds().size().norm();
+    if (!isSamePlane(a.frame, b.frame, b.frame.toWorld(b.shape->centroid()), size))
+        return false;
     if (std::abs(a.shape->area() - b.shape->area()) > kSameImage * (1.0 + size) ||
         (a.frame.toWorld(a.shape->centroid()) - b.frame.toWorld(b.shape->centroid())).norm() >
             kSameImage)
@@ -241,7 +248,7 @@ void makeMirror(OperationContext &context)
     const std::vector<SectionPointer> all = maker.scope(); // which changes
     for (const SectionPointer &section : all) {
         const Frame &frame = section->frame;
-        if (keepsPlane(frame, placement)) {
+        if (keepsPlane(*section, placement)) {
             const Vec3 along = frame.normal().cross(mirror->normal);
             if (along.norm() < 0.5) { // it lies in the mirror
                 maker.leave(section);
@@ -325,8 +332,7 @@ void makeRotational(OperationContext &context)
     for (const SectionPointer &section : all) {
         if (keepTurned(maker, section, *axis, times))
             continue;
-        const bool isHalf =
-            times % 2 == 0 && keepsPlane(section->frame, axis->turn(0.5 * times * step));
+        const bool isHalf = times % 2 == 0 && keepsPlane(*section, axis->turn(0.5 * times * step));
         if (isHalf) {
             const PlaneLine line = lineIn(section->frame, axis->point, axis->direction);
             if (reachesAcross(*section->shape, line)) {
