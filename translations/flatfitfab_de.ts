@@ -1429,7 +1429,9 @@
     </message>
     <message>
         <source>Delete %1</source>
-        <extracomment>%1 is the name of a section</extracomment>
+        <extracomment>%1 is the name of a section
+----------
+%1 is the name of an operation</extracomment>
         <translation>%1 löschen</translation>
     </message>
     <message>
@@ -1628,6 +1630,50 @@
         <source>Join %1 and %2</source>
         <extracomment>%1 and %2 are the names of two sections</extracomment>
         <translation>%1 und %2 verbinden</translation>
+    </message>
+    <message>
+        <source>Add %1</source>
+        <extracomment>%1 is the name of an operation</extracomment>
+        <translation>%1 hinzufügen</translation>
+    </message>
+    <message>
+        <source>Change %1</source>
+        <extracomment>%1 is the name of an operation</extracomment>
+        <translation>%1 ändern</translation>
+    </message>
+    <message>
+        <source>Switch %1 on</source>
+        <extracomment>%1 is the name of an operation</extracomment>
+        <translation>%1 einschalten</translation>
+    </message>
+    <message>
+        <source>Switch %1 off</source>
+        <extracomment>%1 is the name of an operation</extracomment>
+        <translation>%1 ausschalten</translation>
+    </message>
+    <message>
+        <source>Change the order of %1</source>
+        <extracomment>%1 is the name of an operation</extracomment>
+        <translation>Reihenfolge von %1 ändern</translation>
+    </message>
+    <message>
+        <source>Bake %1</source>
+        <extracomment>%1 is the name of an operation</extracomment>
+        <translation>%1 in Gezeichnetes umwandeln</translation>
+    </message>
+    <message>
+        <source>Leave out %1</source>
+        <extracomment>%1 is the name of a section that an operation made</extracomment>
+        <translation>%1 auslassen</translation>
+    </message>
+    <message>
+        <source>Make a left out section again</source>
+        <translation>Ausgelassene Scheibe wieder machen</translation>
+    </message>
+    <message>
+        <source>Detach %1</source>
+        <extracomment>%1 is the name of a section that an operation made</extracomment>
+        <translation>%1 lösen</translation>
     </message>
 </context>
 <context>

@@ -36,7 +36,17 @@ struct Step
         MoveMeetingPoint, // count: percent of the second one's slit
         ResetJoint,
         JoinSections, // that were not to be joined; names: of the two
-        TrimSection   // names: of it, and of the one that it was cut back to
+        TrimSection,  // names: of it, and of the one that it was cut back to
+        AddOperation, // names: of the operation, as for all of them
+        ChangeOperation,
+        SwitchOnOperation,
+        SwitchOffOperation,
+        MoveOperation,
+        DeleteOperation,
+        BakeOperation,
+        HideInstance, // names: of the section
+        ShowInstance,
+        DetachInstance
     };
     Kind kind = Kind::DrawSection;
     std::vector<std::string> names; // of the sections or stocks it was done to

@@ -83,6 +83,7 @@ private:
     Modifiers modifiers();
     std::optional<Button> button();
     CommandParameters parameters();
+    QString lines(const QJsonArray &list);
     void readPointer(ReplayEvent &event);
 
     QJsonObject m_object;
@@ -156,6 +157,18 @@ std::optional<Button> EventReader::button()
     return std::nullopt;
 }
 
+/// A list of texts has one on a line.
+QString EventReader::lines(const QJsonArray &list)
+{
+    QStringList texts;
+    for (const QJsonValue &item : list) {
+        if (!item.isString())
+            wrong(QStringLiteral("parameters: ") + found(item), QStringLiteral("a text"));
+        texts += item.toString();
+    }
+    return texts.join(u'\n');
+}
+
 CommandParameters EventReader::parameters()
 {
     CommandParameters result;
@@ -169,9 +182,11 @@ CommandParameters EventReader::parameters()
         const QString name = QString::fromStdString(io::quoted(it.key().toStdString()));
         if (it->isString() || it->isBool() || it->isDouble())
             result[it.key().toStdString()] = it->toVariant().toString().toStdString();
+        else if (it->isArray())
+            result[it.key().toStdString()] = lines(it->toArray()).toStdString();
         else
             wrong(QStringLiteral("parameters.") + name + QStringLiteral(": ") + found(*it),
-                  QStringLiteral("a text, a number or a boolean"));
+                  QStringLiteral("a text, a number, a boolean or a list of texts"));
     }
     return result;
 }

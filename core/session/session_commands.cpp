@@ -6,6 +6,7 @@
 #include "core/interaction/facing.h"
 #include "core/model/edits.h"
 #include "core/session/joint_commands.h"
+#include "core/session/operation_commands.h"
 #include "core/session/point_commands.h"
 #include "core/session/session_host.h"
 #include "core/session/tool_commands.h"
@@ -324,6 +325,7 @@ void registerSessionCommands(CommandRegistry &registry, Session &session, Intera
     registerToolCommands(registry, session, interaction);
     registerPointCommands(registry, session, interaction);
     registerJointCommands(registry, session, interaction);
+    registerOperationCommands(registry, session, interaction);
 }
 
 Camera turnedTo(const Eigen::Quaterniond &orientation, const Session &session,

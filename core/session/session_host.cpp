@@ -165,6 +165,35 @@ QString SessionHost::undoText(const Step &step)
     case Step::Kind::TrimSection:
         //: %1 and %2 are the names of two sections
         return tr("Trim %1 to %2").arg(name, other);
+    case Step::Kind::AddOperation:
+        //: %1 is the name of an operation
+        return tr("Add %1").arg(name);
+    case Step::Kind::ChangeOperation:
+        //: %1 is the name of an operation
+        return tr("Change %1").arg(name);
+    case Step::Kind::SwitchOnOperation:
+        //: %1 is the name of an operation
+        return tr("Switch %1 on").arg(name);
+    case Step::Kind::SwitchOffOperation:
+        //: %1 is the name of an operation
+        return tr("Switch %1 off").arg(name);
+    case Step::Kind::MoveOperation:
+        //: %1 is the name of an operation
+        return tr("Change the order of %1").arg(name);
+    case Step::Kind::DeleteOperation:
+        //: %1 is the name of an operation
+        return tr("Delete %1").arg(name);
+    case Step::Kind::BakeOperation:
+        //: %1 is the name of an operation
+        return tr("Bake %1").arg(name);
+    case Step::Kind::HideInstance:
+        //: %1 is the name of a section that an operation made
+        return tr("Leave out %1").arg(name);
+    case Step::Kind::ShowInstance:
+        return tr("Make a left out section again");
+    case Step::Kind::DetachInstance:
+        //: %1 is the name of a section that an operation made
+        return tr("Detach %1").arg(name);
     }
     return {};
 }

@@ -16,6 +16,7 @@ target_sources(fff_session PRIVATE
     joint_commands.cpp
     journal.cpp
     narrow_slits.cpp
+    operation_commands.cpp
     operation_text.cpp
     pen_commands.cpp
     plan_checks.cpp

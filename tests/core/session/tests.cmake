@@ -1,4 +1,5 @@
 fff_test(core/session/tst_session fff::session)
+fff_test(core/session/tst_operation_commands fff::session)
 fff_test(core/session/tst_replay fff::session)
 fff_test(core/session/tst_strokes fff::session)
 fff_test(core/session/tst_pen_scripts fff::session)
