@@ -1,5 +1,7 @@
 #include "ui/hint_text.h"
 
+#include "core/session/operation_text.h"
+
 #include <QCoreApplication>
 
 namespace fff::ui {
@@ -39,6 +41,24 @@ QString drawOn(const QString &plane)
     if (plane == QLatin1String("front"))
         return HintText::tr("Draw a section on the front plane in one go. <kbd>Esc</kbd> cancels.");
     return HintText::tr("Draw a section on the side plane in one go. <kbd>Esc</kbd> cancels.");
+}
+
+/// What an operation asks for; of a list that is long enough, how to end it.
+QString pickInput(const Hint &hint)
+{
+    const OperationKind *kind = operationKind(hint.section);
+    const InputSpec *input = kind ? kind->input(hint.other) : nullptr;
+    if (!input)
+        return HintText::tr("<kbd>Enter</kbd> makes it. <kbd>Esc</kbd> cancels.");
+    const QString prompt = operationText(input->prompt);
+    if (input->most == 1)
+        //: %1 is a sentence: "Click the section to repeat."
+        return HintText::tr("%1 <kbd>Esc</kbd> cancels.").arg(prompt);
+    if (hint.number < input->least)
+        //: %1 is a sentence, %2 a number of sections
+        return HintText::tr("%1 So far: %2. <kbd>Esc</kbd> cancels.").arg(prompt).arg(hint.number);
+    //: %1 is a sentence, %2 a number of sections
+    return HintText::tr("%1 So far: %2. <kbd>Enter</kbd> makes it.").arg(prompt).arg(hint.number);
 }
 
 } // namespace
@@ -225,6 +245,8 @@ QString hintSentence(const Hint &hint, const QString &undoKeys)
         return HintText::tr("Nothing deleted: a contour needs two points at least.");
     case Hint::Kind::EditFailed:
         return HintText::tr("Nothing changed: this cannot be done here.");
+    case Hint::Kind::PickInput:
+        return pickInput(hint);
     case Hint::Kind::NeverLeft:
         return HintText::tr(
                    "Nothing drawn: the slit never left %1. Start inside and drag across its edge.")

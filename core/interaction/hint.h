@@ -61,6 +61,7 @@ struct Hint
         MoveSelectedMeetingPoint, // the same, of the selected joint
         SelectJoint,              // the same, where nothing can be moved
         MovingMeetingPoint,       // dragging it; number: percent that is of the other's slit
+        PickInput, // of an operation; section: its kind, other: the role, number: picked for it
         // Notes and refusals
         NeverLeft,
         TooShort,

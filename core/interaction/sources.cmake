@@ -18,6 +18,7 @@ target_sources(fff_core PRIVATE
     interaction/joint_gesture.cpp
     interaction/joint_marks.cpp
     interaction/navigation.cpp
+    interaction/operation_tool.cpp
     interaction/pen_tool.cpp
     interaction/pen_tool_marks.cpp
     interaction/pen_tool_points.cpp
