@@ -1379,11 +1379,6 @@
         </translation>
     </message>
     <message>
-        <source>%1 makes nothing: its sections are too different.</source>
-        <extracomment>%1 is the name of an operation</extracomment>
-        <translation>%1 macht nichts: die Scheiben sind zu verschieden.</translation>
-    </message>
-    <message>
         <source>%1 stopped at 1 section.</source>
         <extracomment>%1 is the name of an operation</extracomment>
         <translation>%1 hat bei 1 Scheibe aufgehört.</translation>
@@ -3836,6 +3831,25 @@
     <message>
         <source>Drag to make the slit of %1 deeper and that of %2 shallower; arrow keys move 1&#x202f;mm.</source>
         <translation>Ziehen macht den Schlitz von %1 tiefer und den von %2 flacher; Pfeiltasten verschieben um 1&#x202f;mm.</translation>
+    </message>
+    <message>
+        <source>&lt;kbd&gt;Enter&lt;/kbd&gt; makes it. &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
+        <translation>&lt;kbd&gt;Enter&lt;/kbd&gt; macht es. &lt;kbd&gt;Esc&lt;/kbd&gt; bricht ab.</translation>
+    </message>
+    <message>
+        <source>%1 &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
+        <extracomment>%1 is a sentence: &quot;Click the section to repeat.&quot;</extracomment>
+        <translation>%1 &lt;kbd&gt;Esc&lt;/kbd&gt; bricht ab.</translation>
+    </message>
+    <message>
+        <source>%1 So far: %2. &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
+        <extracomment>%1 is a sentence, %2 a number of sections</extracomment>
+        <translation>%1 Bisher: %2. &lt;kbd&gt;Esc&lt;/kbd&gt; bricht ab.</translation>
+    </message>
+    <message>
+        <source>%1 So far: %2. &lt;kbd&gt;Enter&lt;/kbd&gt; makes it.</source>
+        <extracomment>%1 is a sentence, %2 a number of sections</extracomment>
+        <translation>%1 Bisher: %2. &lt;kbd&gt;Enter&lt;/kbd&gt; macht es.</translation>
     </message>
 </context>
 <context>

@@ -21,8 +21,7 @@ struct OperationNotice
         InputsApart,  // the sections do not meet where they have to; it makes nothing
         NothingFits,  // within its range nothing can be made
         StoppedAtMost, // the number of sections that may be made was reached; count: that number
-        LeftOut,       // count: of sections that could not be made
-        Unlike         // the sections are of kinds that it cannot work with together
+        LeftOut        // count: of sections that could not be made
     };
     Kind kind = Kind::InputMissing;
     std::string role = {}; // InputMissing: of the input

@@ -67,11 +67,8 @@ QString noticeText(const OperationNotice &notice, const Operation &operation)
                                 "them.",
                                 nullptr, notice.count))
             .arg(name);
-    case Kind::Unlike:
-        break;
     }
-    //: %1 is the name of an operation
-    return Texts::tr("%1 makes nothing: its sections are too different.").arg(name);
+    return {};
 }
 
 bool isFailure(const OperationNotice &notice)

@@ -320,9 +320,26 @@ void TestSymmetry::halvesAndSectorsOfNastyShapes()
         QVERIFY2(std::abs(sum - 2.0 * area) < rounding,
                  qPrintable(QString::number(sum - 2.0 * area)));
     }
-    for (const int count : {1, 2, 3, 12})
-        for (const ClippedPiece &piece : repeatedSector(contour, {}, middle, count, 0.7))
-            QVERIFY(std::abs(piece.outer.signedArea()) > 0.0);
+    // One sector more or less round is the same, and a whole turn is all of it.
+    const auto areaOf = [](const std::vector<ClippedPiece> &pieces) {
+        double sum = 0.0;
+        for (const ClippedPiece &piece : pieces) {
+            sum += std::abs(piece.outer.signedArea());
+            for (const Contour &hole : piece.holes)
+                sum -= std::abs(hole.signedArea());
+        }
+        return sum;
+    };
+    const double rounding = 0.01 + 1e-4 * contour.bounds().size().norm();
+    QVERIFY(std::abs(areaOf(repeatedSector(contour, {}, middle, 1, 0.7)) -
+                     std::abs(contour.signedArea())) < rounding);
+    for (const int count : {2, 3, 12}) {
+        const double turn = 2.0 * std::numbers::pi / count;
+        double all = 0.0; // of each sector in its turn, repeated, the mean is the contour
+        for (int i = 0; i < count; ++i)
+            all += areaOf(repeatedSector(contour, {}, middle, count, 0.7 + i * turn));
+        QVERIFY(std::abs(all / count - std::abs(contour.signedArea())) < rounding);
+    }
 }
 
 QTEST_APPLESS_MAIN(TestSymmetry)
