@@ -38,6 +38,14 @@ struct OperationResult
 
     /// In the order of their keys (isKeyBefore), without those that exceptions take out.
     std::vector<SectionPointer> sections;
+    /// Of sections that are images of others (symmetry): of which, and whether the world is
+    /// mirrored between them. Frame coordinates are the same in both.
+    struct Image
+    {
+        SectionRef of;
+        bool isMirrored = false;
+    };
+    std::map<std::string, Image> images; // by their keys
     /// Sections from above that it makes other ones of; null: that it takes the place of.
     std::vector<std::pair<SectionRef, SectionPointer>> changed;
     std::vector<OperationNotice> notices;

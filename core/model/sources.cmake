@@ -8,6 +8,7 @@ target_sources(fff_core PRIVATE
     model/mended_shape.cpp
     model/model.cpp
     model/naming.cpp
+    model/origin.cpp
     model/operation_edits.cpp
     model/point_edits.cpp
     model/section.cpp

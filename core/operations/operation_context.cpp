@@ -159,6 +159,11 @@ void OperationContext::add(std::string key, Section section)
                                        : std::make_shared<const Section>(std::move(section)));
 }
 
+void OperationContext::setImage(const std::string &key, const SectionRef &of, bool isMirrored)
+{
+    m_result.images.insert_or_assign(key, OperationResult::Image{of, isMirrored});
+}
+
 void OperationContext::change(const SectionRef &ref, SectionPointer section)
 {
     if (m_previous && section) {

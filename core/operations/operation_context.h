@@ -53,6 +53,8 @@ public:
     ShapePointer kept(const std::string &key, ShapePointer shape);
     /// The same of a shape that several instances share.
     ShapePointer keptOfAny(ShapePointer shape);
+    /// What was added as `key` is the image of this section.
+    void setImage(const std::string &key, const SectionRef &of, bool isMirrored);
     /// Makes another section of one from above; null: takes it away.
     void change(const SectionRef &ref, SectionPointer section);
     void notice(OperationNotice notice);

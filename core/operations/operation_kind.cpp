@@ -103,7 +103,10 @@ Operation newOperation(const OperationKind &kind)
     return operation;
 }
 
-bool counts(const ParameterSpec &spec, const Operation &operation)
+namespace {
+
+template <class Spec>
+bool countsAs(const Spec &spec, const Operation &operation)
 {
     const OperationKind *kind = operationKind(operation.kind);
     const ParameterSpec *other = kind && spec.countsIf ? kind->parameter(spec.countsIf) : nullptr;
@@ -114,6 +117,18 @@ bool counts(const ParameterSpec &spec, const Operation &operation)
     const std::optional<ParameterValue> value = valueOf(*other, operation);
     return value && std::any_of(spec.countsFor.begin(), spec.countsFor.end(),
                                 [text = asKey(*value)](const char *key) { return text == key; });
+}
+
+} // namespace
+
+bool counts(const InputSpec &spec, const Operation &operation)
+{
+    return countsAs(spec, operation);
+}
+
+bool counts(const ParameterSpec &spec, const Operation &operation)
+{
+    return countsAs(spec, operation);
 }
 
 std::optional<ParameterValue> valueOf(const ParameterSpec &spec, const Operation &operation)

@@ -43,6 +43,10 @@ struct ParameterSpec
     std::vector<const char *> countsFor = {};
     /// It may be missing: then it follows from the inputs, and the result says what it is.
     bool isFree = false;
+    /// Here begins a group of parameters of this name; those before the first one stand with the
+    /// inputs.
+    const char *heading = nullptr;
+    const char *tip = nullptr; // what the label leaves open
 };
 
 struct InputSpec
@@ -51,6 +55,9 @@ struct InputSpec
     const char *label;
     const char *prompt; // "Click the section to repeat."
     int least = 1, most = 1;
+    /// As those of ParameterSpec.
+    const char *countsIf = nullptr;
+    std::vector<const char *> countsFor = {};
 };
 
 struct OperationKind
@@ -79,6 +86,7 @@ Operation newOperation(const OperationKind &kind);
 
 /// Whether it counts with the other values as they are.
 bool counts(const ParameterSpec &spec, const Operation &operation);
+bool counts(const InputSpec &spec, const Operation &operation);
 /// The value, or the standard one where it is missing or is none of this parameter's; numbers are
 /// brought into their range. Missing where it is free: nothing.
 std::optional<ParameterValue> valueOf(const ParameterSpec &spec, const Operation &operation);

@@ -2,6 +2,8 @@
 
 #include "core/operations/text.h"
 
+#include <cmath>
+
 namespace fff {
 
 using Unit = ParameterSpec::Unit;
@@ -19,8 +21,9 @@ std::vector<InputSpec> repeatInputs()
 ParameterSpec wholeBranchParameter()
 {
     return {.key = "wholeBranch",
-            .label = QT_TRANSLATE_NOOP("Operation", "With everything attached to it"),
-            .unit = Unit::Switch};
+            .label = QT_TRANSLATE_NOOP("Operation", "Whole branch"),
+            .unit = Unit::Switch,
+            .tip = QT_TRANSLATE_NOOP("Operation", "With everything that is attached to it")};
 }
 
 std::vector<ParameterSpec> rowParameters(int standardCount)
@@ -29,7 +32,8 @@ std::vector<ParameterSpec> rowParameters(int standardCount)
              .label = QT_TRANSLATE_NOOP("Operation", "Repeat by"),
              .unit = Unit::Choice,
              .choices = {{"count", QT_TRANSLATE_NOOP("Operation", "Count")},
-                         {"spacing", QT_TRANSLATE_NOOP("Operation", "Spacing")}}},
+                         {"spacing", QT_TRANSLATE_NOOP("Operation", "Spacing")}},
+             .heading = QT_TRANSLATE_NOOP("Operation", "Placing")},
             {.key = "count",
              .label = QT_TRANSLATE_NOOP("Operation", "Count"),
              .unit = Unit::Count,
@@ -77,7 +81,8 @@ std::vector<ParameterSpec> scaleParameters()
              .label = QT_TRANSLATE_NOOP("Operation", "Scale"),
              .unit = Unit::Choice,
              .choices = {{"no", QT_TRANSLATE_NOOP("Operation", "No")},
-                         {"thickness", QT_TRANSLATE_NOOP("Operation", "By local thickness")}}},
+                         {"thickness", QT_TRANSLATE_NOOP("Operation", "By local thickness")}},
+             .heading = QT_TRANSLATE_NOOP("Operation", "Size")},
             {.key = "direction",
              .label = QT_TRANSLATE_NOOP("Operation", "Direction"),
              .unit = Unit::Choice,
@@ -121,6 +126,14 @@ RowRequest rowRequest(const OperationContext &context)
 void noticeRow(OperationContext &context, const Row &row, int leftOut)
 {
     using Kind = OperationNotice::Kind;
+    // Of count and spacing, what the other one came to.
+    const std::vector<RowPlace> &places = row.places;
+    if (context.choice("repeatBy") == "spacing")
+        context.found("count", static_cast<double>(places.size() + 1));
+    else if (!places.empty())
+        context.found("spacing", places.size() > 1 && places[0].number * places[1].number > 0
+                                     ? places[1].at - places[0].at
+                                     : std::abs(places[0].at));
     if (row.isStopped)
         context.notice({.kind = Kind::StoppedAtMost, .count = kMostReplicas});
     if (row.places.empty() || leftOut == static_cast<int>(row.places.size()))

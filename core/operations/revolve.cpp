@@ -235,9 +235,6 @@ std::vector<ParameterSpec> parameters()
     const auto append = [&all](std::vector<ParameterSpec> more) {
         all.insert(all.end(), more.begin(), more.end());
     };
-    append({{.key = "closed",
-             .label = QT_TRANSLATE_NOOP("Operation", "All the way round"),
-             .unit = Unit::Switch}});
     append(rowParameters(13));
     for (ParameterSpec &spec : all) {
         if (std::string_view(spec.key) == "from" || std::string_view(spec.key) == "to") {
@@ -259,7 +256,10 @@ std::vector<ParameterSpec> parameters()
              .step = std::numbers::pi / 360.0,
              .sliderLeast = 0.0,
              .sliderMost = std::numbers::pi,
-             .isFree = true}});
+             .isFree = true},
+            {.key = "closed",
+             .label = QT_TRANSLATE_NOOP("Operation", "All the way round"),
+             .unit = Unit::Switch}});
     append(scaleParameters());
     return all;
 }

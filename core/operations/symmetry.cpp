@@ -173,7 +173,9 @@ public:
                 else
                     moveSlit(copy, placement);
             }
-            m_context.add(keyBelow(above, keyOf(section->ref())), std::move(copy));
+            const std::string key = keyBelow(above, keyOf(section->ref()));
+            m_context.setImage(key, section->ref(), placement.turn.determinant() < 0.0);
+            m_context.add(key, std::move(copy));
         }
     }
 
@@ -231,7 +233,7 @@ std::optional<Mirror> mirrorOf(OperationContext &context)
         return Mirror{};
     if (plane == "z")
         return Mirror{Vec3::Zero(), Vec3::UnitZ()};
-    const SectionPointer section = context.input("plane");
+    const SectionPointer section = context.input("across");
     if (!section)
         return std::nullopt;
     return Mirror{section->frame.origin, section->frame.normal()};
@@ -284,7 +286,7 @@ std::optional<TurnAxis> turnAxisOf(OperationContext &context)
 {
     if (context.choice("axis") == "vertical")
         return TurnAxis{};
-    const std::vector<SectionPointer> sections = context.inputs("axis");
+    const std::vector<SectionPointer> sections = context.inputs("around");
     if (sections.size() < 2)
         return std::nullopt;
     const std::optional<SourceCrossing> crossing = sourceCrossing(*sections[0], *sections[1]);
@@ -364,7 +366,9 @@ std::vector<InputSpec> symmetryInputs(const InputSpec &first)
              .label = QT_TRANSLATE_NOOP("Operation", "Sections"),
              .prompt = QT_TRANSLATE_NOOP("Operation", "Click the sections that it is about."),
              .least = 0,
-             .most = 500}};
+             .most = 500,
+             .countsIf = "what",
+             .countsFor = {"selection"}}};
 }
 
 ParameterSpec whatParameter()
@@ -385,16 +389,19 @@ const OperationKind kMirror{
     .summary = QT_TRANSLATE_NOOP("Operation", "What is drawn on one side stands on the other side, "
                                               "too."),
     .inputs = symmetryInputs(
-        {.role = "plane",
+        {.role = "across",
          .label = QT_TRANSLATE_NOOP("Operation", "Mirror"),
          .prompt = QT_TRANSLATE_NOOP("Operation", "Click the section to mirror across."),
-         .least = 0}),
+         .least = 0,
+         .countsIf = "plane",
+         .countsFor = {"section"}}),
     .parameters = {{.key = "plane",
                     .label = QT_TRANSLATE_NOOP("Operation", "Plane"),
                     .unit = Unit::Choice,
                     .choices = {{"x", "X"},
                                 {"z", "Z"},
-                                {"section", QT_TRANSLATE_NOOP("Operation", "A section's plane")}}},
+                                {"section", QT_TRANSLATE_NOOP("Operation", "A section's plane")}},
+                    .heading = QT_TRANSLATE_NOOP("Operation", "Symmetry")},
                    whatParameter(),
                    {.key = "join",
                     .label = QT_TRANSLATE_NOOP("Operation", "Join at the plane"),
@@ -408,16 +415,19 @@ const OperationKind kRotational{
     .name = QT_TRANSLATE_NOOP("Operation", "Rotational"),
     .summary = QT_TRANSLATE_NOOP("Operation", "What is drawn once stands all round an axis."),
     .inputs = symmetryInputs(
-        {.role = "axis",
+        {.role = "around",
          .label = QT_TRANSLATE_NOOP("Operation", "Axis"),
          .prompt = QT_TRANSLATE_NOOP("Operation", "Click the two sections whose slit is the axis."),
          .least = 0,
-         .most = 2}),
+         .most = 2,
+         .countsIf = "axis",
+         .countsFor = {"slit"}}),
     .parameters = {{.key = "axis",
                     .label = QT_TRANSLATE_NOOP("Operation", "Axis"),
                     .unit = Unit::Choice,
                     .choices = {{"vertical", QT_TRANSLATE_NOOP("Operation", "Vertical")},
-                                {"slit", QT_TRANSLATE_NOOP("Operation", "Slit")}}},
+                                {"slit", QT_TRANSLATE_NOOP("Operation", "Slit")}},
+                    .heading = QT_TRANSLATE_NOOP("Operation", "Symmetry")},
                    {.key = "times",
                     .label = QT_TRANSLATE_NOOP("Operation", "Times"),
                     .unit = Unit::Count,

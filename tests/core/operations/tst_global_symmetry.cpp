@@ -77,6 +77,7 @@ private Q_SLOTS:
     void bakedItStays();
     void halvesAndSectorsOfNastyShapes_data();
     void halvesAndSectorsOfNastyShapes();
+    void sectorsMeetWithoutSplinters();
 };
 
 // Wrong: a leg on one side only, or two bodies in one place.
@@ -148,7 +149,7 @@ void TestSymmetry::acrossASectionsPlane()
         add(beast.document, "Wall", shapeOf(circle({0, 50}, 30)), sideFrame({100, 0, 0}));
     const Model model = beast.with(
         "mirror", {{"plane", std::string("section")}, {"what", std::string("selection")}},
-        {{"plane", {wall}}, {"sections", {beast.leg, wall}}});
+        {{"across", {wall}}, {"sections", {beast.leg, wall}}});
     const OperationId id = model.document.operations[0]->id;
     QVERIFY(
         (model.find({id, std::to_string(beast.leg.value)})->frame.origin - Vec3(155, 0, 0)).norm() <
@@ -266,7 +267,7 @@ void TestSymmetry::aroundASlit()
         add(document, "Petal", shapeOf(circle({0, 60}, 10)), sideFrame({0, 0, 0}));
     add(document,
         operation(
-            "rotational", {{"axis", {a, b}}, {"sections", {petal}}},
+            "rotational", {{"around", {a, b}}, {"sections", {petal}}},
             {{"axis", std::string("slit")}, {"times", 3.0}, {"what", std::string("selection")}}));
     const Model model = evaluate(document);
     // The axis lies along X at y = 5, and the petal is square to it beside it.
@@ -339,6 +340,23 @@ void TestSymmetry::halvesAndSectorsOfNastyShapes()
         for (int i = 0; i < count; ++i)
             all += areaOf(repeatedSector(contour, {}, middle, count, 0.7 + i * turn));
         QVERIFY(std::abs(all / count - std::abs(contour.signedArea())) < rounding);
+    }
+}
+
+// Wrong: where sectors meet, the edge goes a hair's breadth back and on again; a crease is drawn.
+void TestSymmetry::sectorsMeetWithoutSplinters()
+{
+    for (const int count : {2, 3, 4, 5, 6, 7, 12}) {
+        for (const double radius : {38.0, 47.0, 60.0}) {
+            const auto pieces = repeatedSector(circle({0, 0}, radius), {}, {0, 0}, count, 0.0);
+            QCOMPARE(pieces.size(), 1U);
+            const Contour &outer = pieces.front().outer;
+            for (int i = 0; i < outer.segmentCount(); ++i) {
+                const CubicBezier segment = outer.segment(i);
+                QVERIFY2((segment.p3 - segment.p0).norm() > 1e-6,
+                         qPrintable(QString::number(count)));
+            }
+        }
     }
 }
 
