@@ -36,6 +36,7 @@ struct GestureReply
     std::optional<Camera> returnTo;  // turn the view back to where it was
     std::optional<Camera> turnTo;    // turn the view there, as a view of its own
     std::optional<std::vector<SectionRef>> select;
+    std::optional<OperationId> selectOperation; // of what is committed
     /// Of a tool: the press was a click that it has no use for.
     bool isClick = false;
     /// Of a tool that turns the view by itself: where it was before.
@@ -59,6 +60,8 @@ public:
 
     /// It puts the marks of joints into the overlay by itself.
     virtual bool marksJoints() const { return false; }
+    /// The same of the handles of an operation.
+    virtual bool marksOperation() const { return false; }
 
     virtual Hint hint() const = 0;
     virtual Cursor cursor() const = 0;

@@ -61,6 +61,11 @@ struct Hint
         MoveSelectedMeetingPoint, // the same, of the selected joint
         SelectJoint,              // the same, where nothing can be moved
         MovingMeetingPoint,       // dragging it; number: percent that is of the other's slit
+        SelectOperation,          // over a section that the operation `other` made
+        SelectInstance,           // the same, of the operation that is selected
+        MoveRange,                // an operation is selected that has handles for its range
+        MoveHandleOf,   // over such a handle; section: the operation, other: the parameter
+        MovingHandleOf, // dragging it; number: what it is at, in tenths of percent
         PickInput, // of an operation; section: its kind, other: the role, number: picked for it
         // Notes and refusals
         NeverLeft,
@@ -90,6 +95,7 @@ struct Hint
         JointCannotFlip,
         CannotTrim,
         JointNotDeleted,
+        MadeByOperation, // section: which one, other: by which; it cannot be edited by itself
         EditFailed,
         Failed
     };

@@ -73,7 +73,16 @@ void Hovering::advance(double now, Overlay &overlay)
     }
 }
 
-std::pair<Hint, Cursor> hoverHint(const Overlay &overlay, const Model &model)
+std::pair<Hint, Cursor> hoverHint(const OperationHandle &handle, const Model &model)
+{
+    const Operation *operation = model.document.find(handle.operation);
+    return {
+        {Hint::Kind::MoveHandleOf, operation ? operation->name : std::string(), false, handle.key},
+        Cursor::MoveCross};
+}
+
+std::pair<Hint, Cursor> hoverHint(const Overlay &overlay, const Model &model,
+                                  const Selection &selection)
 {
     if (overlay.cubePart)
         return {{Hint::Kind::LookFrom, std::string(nameOfPart(*overlay.cubePart)), false},
@@ -86,10 +95,20 @@ std::pair<Hint, Cursor> hoverHint(const Overlay &overlay, const Model &model)
         return {{Hint::Kind::DrawFirstSection, {}, false}, Cursor::Pencil};
     if (overlay.hovered >= 0) {
         const Section &section = *model.section(static_cast<std::size_t>(overlay.hovered));
+        const Operation *operation = model.document.find(section.made.operation);
+        if (operation) {
+            const bool isChosen = operationInFocus(selection) == operation->id;
+            return {{isChosen ? Hint::Kind::SelectInstance : Hint::Kind::SelectOperation,
+                     section.name, false, operation->name},
+                    overlay.slitStart ? Cursor::PencilWithSlit : Cursor::Arrow};
+        }
         if (overlay.slitStart)
             return {{Hint::Kind::DragOutOfSection, section.name, false}, Cursor::PencilWithSlit};
         return {{Hint::Kind::SeenOnEdge, section.name, false}, Cursor::Arrow};
     }
+    const Operation *operation = model.document.find(selection.operation());
+    if (operation && overlay.operation && !overlay.operation->handles.empty())
+        return {{Hint::Kind::MoveRange, operation->name, false}, Cursor::Arrow};
     return {{Hint::Kind::TurnView, {}, false}, Cursor::Arrow};
 }
 

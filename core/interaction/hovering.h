@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/interaction/interaction.h"
+#include "core/interaction/selection.h"
 #include "core/interaction/sight.h"
 
 #include <optional>
@@ -40,9 +41,12 @@ private:
 };
 
 /// What the next click or drag does at what is marked, and the cursor that says so.
-std::pair<Hint, Cursor> hoverHint(const Overlay &overlay, const Model &model);
+std::pair<Hint, Cursor> hoverHint(const Overlay &overlay, const Model &model,
+                                  const Selection &selection);
 /// The same over what of a contour can be dragged.
 std::pair<Hint, Cursor> hoverHint(const PointTarget &target);
+/// The same over a handle of the selected operation.
+std::pair<Hint, Cursor> hoverHint(const OperationHandle &handle, const Model &model);
 /// The same over the mark of a joint.
 std::pair<Hint, Cursor> hoverHint(const JointMark &mark, const Model &model, bool isSelected);
 

@@ -228,7 +228,7 @@ bool Interaction::escape(double time)
     if (hadSelection && d->selection.joint())
         d->selection.leaveJoint(d->host.model());
     else if (hadSelection)
-        d->selection.select({});
+        d->selection.goBack();
     if (hadPoints || hadSelection)
         d->hover();
     if (hadView) {
@@ -314,6 +314,31 @@ void Interaction::say(const Hint &hint, double time)
     d->update();
 }
 
+OperationId Interaction::selectedOperation() const
+{
+    return d->selection.operation();
+}
+
+void Interaction::selectOperation(OperationId id)
+{
+    if (!d->host.model().document.find(id))
+        return;
+    d->points.clear();
+    d->selection.selectOperation(id);
+    d->hoverMarks();
+    d->update();
+}
+
+OperationId Interaction::operationInFocus() const
+{
+    return fff::operationInFocus(d->selection);
+}
+
+std::vector<SectionRef> Interaction::sectionsInFocus() const
+{
+    return fff::sectionsInFocus(d->host.model(), d->selection);
+}
+
 const PointSelection &Interaction::points() const
 {
     return d->points;
@@ -329,7 +354,10 @@ void Interaction::selectPoints(std::vector<PointAddress> points)
 const Section *Interaction::sectionOfPoints() const
 {
     const std::vector<SectionRef> &sections = d->selection.sections();
-    return sections.size() == 1 ? d->host.model().document.find(sections.front().drawn) : nullptr;
+    if (sections.size() != 1)
+        return nullptr;
+    const std::optional<Origin> origin = originOf(d->host.model(), sections.front());
+    return origin ? origin->section : nullptr;
 }
 
 std::optional<PointTarget> Interaction::hoveredPoint() const
@@ -360,17 +388,18 @@ bool Interaction::nudge(const Vec2 &arrow, double distance, double time)
         return isMoved;
     }
     const Camera &camera = d->motion.camera;
-    const Document &document = d->host.model().document;
-    if (const Section *section = sectionOfPoints(); section && !d->points.isEmpty()) {
+    const Model &model = d->host.model();
+    if (!d->points.isEmpty()) {
+        const SectionPointer section = editedSection(model, d->selection.sections().front());
         const Vec2 by = distance * arrowAxis(section->frame, camera, arrow);
-        carryOut(movedSelection(document, d->points, by, pointRules()), time);
+        carryOut(movedSelection(model.document, d->points, by, pointRules()), time);
         return true;
     }
-    const PointEdit moved =
-        movedSections(document, d->selection.sections(), distance * arrowAxis(camera, arrow));
-    if (moved)
-        carryOut(moved, time);
-    return moved.has_value();
+    if (d->selection.sections().empty())
+        return false;
+    carryOut(movedSections(model, d->selection.sections(), distance * arrowAxis(camera, arrow)),
+             time);
+    return true;
 }
 
 void Interaction::modelChanged()

@@ -8,6 +8,7 @@
 #include "core/interaction/hint.h"
 #include "core/interaction/joint_marks.h"
 #include "core/interaction/navigation.h"
+#include "core/interaction/operation_handles.h"
 #include "core/interaction/pen_marks.h"
 #include "core/interaction/pick.h"
 #include "core/interaction/point_editing.h"
@@ -90,7 +91,7 @@ struct Overlay
     /// The control points of the selected section, while they can be edited.
     struct Points
     {
-        int section = -1; // index in the model
+        SectionRef section; // editedSection() of it has the points
         std::vector<PointAddress> selected;
         std::optional<PointTarget> hovered;
         bool operator==(const Points &) const = default;
@@ -105,6 +106,7 @@ struct Overlay
     };
     std::optional<Points> points;
     std::optional<Joints> joints;
+    std::optional<OperationMarks> operation; // that is selected
     std::optional<SlitLine> slit;
     std::optional<DeadZone> deadZone;
     std::optional<Stroke> stroke;
@@ -132,6 +134,8 @@ public:
     virtual void commit(const Step &step, Document document) = 0;
     /// The mark of this number was clicked.
     virtual void chooseProblem(int /*number*/) {}
+    /// The handle of this parameter was clicked.
+    virtual void chooseParameter(OperationId /*operation*/, const std::string & /*key*/) {}
 };
 
 struct InteractionSettings
@@ -232,11 +236,18 @@ public:
     /// None unless a joint is selected, in place of sections.
     const std::optional<JointRef> &selectedJoint() const;
     void selectJoint(const JointRef &joint);
+    /// Not valid unless an operation is selected, in place of sections.
+    OperationId selectedOperation() const;
+    void selectOperation(OperationId id);
+    /// It, or the one that made all that is selected.
+    OperationId operationInFocus() const;
+    /// The sections that are selected and there; of an operation those that it made or changed.
+    std::vector<SectionRef> sectionsInFocus() const;
     /// The selected control points of the selected section.
     const PointSelection &points() const;
     void selectPoints(std::vector<PointAddress> points);
-    /// The one drawn section that is selected, as committed: whose points can be edited. Null when
-    /// there is none.
+    /// The drawn section, as committed, whose points can be edited: the one that is selected, or
+    /// whose image is. Null when there is none.
     const Section *sectionOfPoints() const;
     /// The place of its contour that is under the cursor.
     std::optional<PointTarget> hoveredPoint() const;

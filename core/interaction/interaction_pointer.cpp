@@ -142,6 +142,10 @@ void Interaction::Private::click(const PointerEvent &begin)
         feedClick(begin);
         return;
     }
+    if (const OperationHandle *handle = operationHandleAt(begin.position)) {
+        host.chooseParameter(handle->operation, handle->key);
+        return;
+    }
     if (const JointMark *mark = jointMarkAt(begin.position)) {
         points.clear();
         selection.selectJoint(mark->joint);
@@ -151,9 +155,8 @@ void Interaction::Private::click(const PointerEvent &begin)
     if (clickPoint(begin))
         return;
     points.clear();
-    selection.select(clicks.click(host.model(), sight().hitsAt(begin.position), begin.position,
-                                  settings.dragThreshold, begin.modifiers.control,
-                                  selection.sections()));
+    clicks.click(host.model(), sight().hitsAt(begin.position), begin.position,
+                 settings.dragThreshold, begin.modifiers.control, selection);
 }
 
 // What is under the cursor, and what is said about it.
@@ -167,9 +170,10 @@ void Interaction::Private::hover()
     hoverMarks();
 }
 
-/// What is drawn over the sections lies before them for the cursor as well, joints first.
+/// What is drawn over the sections lies before them for the cursor as well, handles first.
 void Interaction::Private::hoverMarks()
 {
+    hoverOperation();
     hoverJoint();
     hoverPoint();
 }
@@ -178,10 +182,11 @@ void Interaction::Private::hoverPoint()
 {
     hoveredPoint.reset();
     const std::optional<Vec2> &at = hovering.position();
-    if (!at || hoveredJoint || motion.animation || tool || overlay.cubePart || overlay.mark > 0 ||
-        overlay.isHandleHovered)
+    if (!at || hoveredJoint || hoveredHandle || motion.animation || tool || overlay.cubePart ||
+        overlay.mark > 0 || overlay.isHandleHovered)
         return;
-    hoveredPoint = pointTargetAt(sight(), sectionWithPoints(sight(), selection), points, *at);
+    if (const auto section = sectionWithPoints(sight(), selection))
+        hoveredPoint = pointTargetAt(sight(), *section, points, *at);
     if (hoveredPoint)
         hovering.unmark(overlay);
 }
@@ -195,12 +200,13 @@ bool Interaction::Private::marksSelection() const
 void Interaction::Private::markPoints()
 {
     overlay.points.reset();
-    if (points.section() !=
-        (selection.sections().size() == 1 ? selection.sections().front().drawn : SectionId()))
+    const std::vector<SectionRef> &sections = selection.sections();
+    const std::optional<Origin> origin =
+        sections.size() == 1 ? originOf(host.model(), sections.front()) : std::nullopt;
+    if (points.section() != (origin ? origin->section->id : SectionId()))
         points.clear();
-    const int index = marksSelection() ? sectionWithPoints(sight(), selection) : -1;
-    if (index >= 0)
-        overlay.points = Overlay::Points{index, points.points(), hoveredPoint};
+    if (const auto ref = marksSelection() ? sectionWithPoints(sight(), selection) : std::nullopt)
+        overlay.points = Overlay::Points{*ref, points.points(), hoveredPoint};
 }
 
 void Interaction::Private::update()
@@ -217,14 +223,17 @@ void Interaction::Private::update()
         std::tie(hint, cursor) = std::pair(gesture->hint(), gesture->cursor());
     else if (tool && !isOnMark)
         std::tie(hint, cursor) = std::pair(tool->hint(), tool->cursor());
+    else if (hoveredHandle)
+        std::tie(hint, cursor) = hoverHint(*hoveredHandle, host.model());
     else if (hoveredJoint)
         std::tie(hint, cursor) =
             hoverHint(*hoveredJoint, host.model(), selection.joint() == hoveredJoint->joint);
     else
         std::tie(hint, cursor) =
-            hoveredPoint ? hoverHint(*hoveredPoint) : hoverHint(overlay, host.model());
+            hoveredPoint ? hoverHint(*hoveredPoint) : hoverHint(overlay, host.model(), selection);
     markPoints();
     markJoints();
+    markOperation();
     if (modifiers.space && !gesture)
         cursor = Cursor::Hand;
 

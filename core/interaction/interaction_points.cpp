@@ -18,10 +18,11 @@ bool Interaction::Private::addPointAt(const PointerEvent &press)
 {
     if (!overlay.points || isOnViewMark(sight(), press.position) || jointMarkAt(press.position))
         return false;
-    const auto target = pointTargetAt(sight(), overlay.points->section, points, press.position);
+    const SectionRef &ref = overlay.points->section;
+    const auto target = pointTargetAt(sight(), ref, points, press.position);
     if (!target || target->kind != PointTarget::Kind::Line)
         return false;
-    const SectionId id = selection.sections().front().drawn;
+    const SectionId id = originOf(host.model(), ref)->section->id;
     carryOut(withInsertedPoint(host.model().document, id, target->point.boundary,
                                {target->point.index, target->t}, {settings.cutsAtGround}));
     return true;
@@ -32,11 +33,11 @@ bool Interaction::Private::clickPoint(const PointerEvent &press)
 {
     if (!overlay.points)
         return false;
-    const int index = overlay.points->section;
-    const auto target = pointTargetAt(sight(), index, points, press.position);
+    const SectionRef &ref = overlay.points->section;
+    const auto target = pointTargetAt(sight(), ref, points, press.position);
     if (!target)
         return false;
-    const Section &section = *host.model().section(static_cast<std::size_t>(index));
+    const Section &section = *originOf(host.model(), ref)->section;
     if (target->kind == PointTarget::Kind::Anchor) {
         if (press.modifiers.control)
             points.toggle(section, target->point);
@@ -46,10 +47,13 @@ bool Interaction::Private::clickPoint(const PointerEvent &press)
     return true;
 }
 
+/// of: another document than the committed one may be shown, with the same sections.
 void Interaction::Private::selectPoints(std::vector<PointAddress> addresses, const Document &of)
 {
     const std::vector<SectionRef> &sections = selection.sections();
-    const Section *section = sections.size() == 1 ? of.find(sections.front().drawn) : nullptr;
+    const std::optional<Origin> origin =
+        sections.size() == 1 ? originOf(host.model(), sections.front()) : std::nullopt;
+    const Section *section = origin ? of.find(origin->section->id) : nullptr;
     if (section && !addresses.empty())
         points.select(*section, std::move(addresses));
     else

@@ -11,6 +11,7 @@
 #include "core/interaction/tool.h"
 #include "core/interaction/view_gestures.h"
 #include "core/interaction/view_motion.h"
+#include "core/model/origin.h"
 
 #include <algorithm>
 #include <cmath>
@@ -105,6 +106,9 @@ public:
     void markJoints();
     bool marksSelection() const;
     const JointMark *jointMarkAt(const Vec2 &position);
+    void hoverOperation();
+    void markOperation();
+    const OperationHandle *operationHandleAt(const Vec2 &position);
     bool nudgeMeetingPoints(const JointRef &joint, const Vec2 &arrow, double distance);
     void update();
     void turn(const Camera &to, double start, double duration);
@@ -124,7 +128,8 @@ public:
     std::optional<PointTarget> hoveredPoint;
     JointMarks jointMarks;
     std::optional<JointMark> hoveredJoint;
-    Pointer pointer = Pointer::Mouse; // of the last event
+    std::optional<OperationHandle> hoveredHandle; // of the selected operation
+    Pointer pointer = Pointer::Mouse;             // of the last event
     ClickSelection clicks;
     std::optional<PointerEvent> lastClick; // the first of two, maybe
 

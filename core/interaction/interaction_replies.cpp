@@ -54,6 +54,10 @@ void Interaction::Private::carryOut(GestureReply &reply)
             view.isolated.insert(document.sections.back()->id); // or it would be a ghost at once
         host.commit(reply.commit->step, std::move(reply.commit->document));
     }
+    if (reply.selectOperation) {
+        points.clear();
+        selection.selectOperation(*reply.selectOperation);
+    }
     if (reply.selectPoints)
         selectPoints(*std::move(reply.selectPoints), host.model().document);
 }

@@ -7,35 +7,56 @@
 
 namespace fff {
 
-OperationTool::OperationTool(const OperationKind &kind, Operation draft)
-    : m_kind(kind), m_draft(std::move(draft)), m_command("operation.")
+namespace {
+
+int countOf(const Operation &operation, const InputSpec &input)
+{
+    const auto found = operation.inputs.find(input.role);
+    return found == operation.inputs.end() ? 0 : static_cast<int>(found->second.size());
+}
+
+} // namespace
+
+const InputSpec *missingInput(const OperationKind &kind, const Operation &operation)
+{
+    for (const InputSpec &input : kind.inputs)
+        if (countOf(operation, input) < input.least)
+            return &input;
+    return nullptr;
+}
+
+OperationTool::OperationTool(const OperationKind &kind, Operation draft, Naming naming)
+    : m_kind(kind), m_draft(std::move(draft)), m_naming(std::move(naming)), m_command("operation.")
 {
     m_command.append(kind.key);
 }
 
-int OperationTool::countOf(const InputSpec &input) const
+OperationTool::OperationTool(const OperationKind &kind, const Operation &operation,
+                             const std::string &role)
+    : m_kind(kind), m_draft(operation), m_role(role), m_command("operation.choose")
 {
-    const auto found = m_draft.inputs.find(input.role);
-    return found == m_draft.inputs.end() ? 0 : static_cast<int>(found->second.size());
+}
+
+bool OperationTool::isSame(const Tool &other) const
+{
+    const auto *tool = dynamic_cast<const OperationTool *>(&other);
+    return tool && m_command == tool->m_command && m_role == tool->m_role &&
+           m_draft.id == tool->m_draft.id;
 }
 
 const InputSpec *OperationTool::asked() const
 {
+    if (!isNew())
+        return m_kind.input(m_role);
     const InputSpec *list = nullptr;
     for (const InputSpec &input : m_kind.inputs) {
-        if (input.least == 0 || countOf(input) >= input.most)
+        if (input.least == 0 || countOf(m_draft, input) >= input.most)
             continue;
         if (input.most == 1)
             return &input;
         list = list ? list : &input;
     }
     return list;
-}
-
-bool OperationTool::isComplete() const
-{
-    return std::all_of(m_kind.inputs.begin(), m_kind.inputs.end(),
-                       [this](const InputSpec &input) { return countOf(input) >= input.least; });
 }
 
 std::optional<Hit> OperationTool::hitAt(const Vec2 &position, const GestureContext &context) const
@@ -45,19 +66,36 @@ std::optional<Hit> OperationTool::hitAt(const Vec2 &position, const GestureConte
     return hits.empty() ? std::nullopt : std::optional(hits.front());
 }
 
-std::optional<Operation> OperationTool::withPick(const Operation &draft, const SectionRef &section,
+std::optional<Operation> OperationTool::withPick(const SectionRef &section,
                                                  const Model &model) const
 {
     const InputSpec *input = asked();
     if (!input)
         return std::nullopt;
-    for (const auto &[role, inputs] : draft.inputs)
-        for (const OperationInput &known : inputs)
-            if (known.section == section)
+    bool isAbove = true;
+    for (const OperationPointer &operation : model.document.operations) {
+        isAbove = isAbove && operation->id != m_draft.id;
+        if (operation->id == section.operation && !isAbove)
+            return std::nullopt;
+    }
+    Operation next = m_draft;
+    std::vector<OperationInput> &inputs = next.inputs[input->role];
+    if (input->most == 1)
+        inputs.clear();
+    for (const auto &[role, known] : next.inputs)
+        for (const OperationInput &other : known)
+            if (other.section == section)
                 return std::nullopt;
-    Operation next = draft;
-    next.inputs[input->role].push_back({section, model.nameOf(section)});
+    inputs.push_back({section, model.nameOf(section)});
     return next;
+}
+
+Document OperationTool::withDraft(const Document &document, Operation draft) const
+{
+    if (isNew())
+        return addOperation(document, std::move(draft));
+    Result<Document> next = setOperation(document, std::move(draft));
+    return next ? *std::move(next) : document;
 }
 
 std::optional<Document> OperationTool::previewAt(const Vec2 &position,
@@ -66,25 +104,30 @@ std::optional<Document> OperationTool::previewAt(const Vec2 &position,
     Operation draft = m_draft;
     if (const std::optional<Hit> hit = hitAt(position, context)) {
         const SectionRef section = context.model.ref(static_cast<std::size_t>(hit->section));
-        if (std::optional<Operation> next = withPick(m_draft, section, context.model))
+        if (std::optional<Operation> next = withPick(section, context.model))
             draft = *std::move(next);
     }
-    const auto has = [&draft](const InputSpec &input) {
-        const auto found = draft.inputs.find(input.role);
-        return input.least == 0 || (found != draft.inputs.end() &&
-                                    static_cast<int>(found->second.size()) >= input.least);
-    };
-    if (!std::all_of(m_kind.inputs.begin(), m_kind.inputs.end(), has))
+    if (missingInput(m_kind, draft) || (!isNew() && draft == m_draft))
         return std::nullopt;
-    return addOperation(context.model.document, std::move(draft));
+    return withDraft(context.model.document, std::move(draft));
 }
 
-GestureReply OperationTool::added(const GestureContext &context) const
+GestureReply OperationTool::done(const GestureContext &context) const
 {
     GestureReply reply;
     reply.state = GestureReply::State::Over;
-    reply.commit = GestureReply::Commit{{Step::Kind::AddOperation, {m_draft.name}},
-                                        addOperation(context.model.document, m_draft)};
+    Operation draft = m_draft;
+    Step step{isNew() ? Step::Kind::AddOperation : Step::Kind::ChangeOperation, {}};
+    if (isNew()) {
+        draft.name = m_naming(draft);
+        draft.id = OperationId{context.model.document.nextId};
+    } else {
+        step.change = Step::Change{draft.kind, m_role, {}, draft.inputs[m_role].back().name};
+    }
+    step.names = {draft.name};
+    reply.selectOperation = draft.id;
+    reply.commit =
+        GestureReply::Commit{std::move(step), withDraft(context.model.document, std::move(draft))};
     return reply;
 }
 
@@ -95,11 +138,13 @@ GestureReply OperationTool::pick(const Vec2 &position, GestureContext &context)
     if (!hit)
         return reply;
     const SectionRef section = context.model.ref(static_cast<std::size_t>(hit->section));
-    if (std::optional<Operation> next = withPick(m_draft, section, context.model))
-        m_draft = *std::move(next);
+    std::optional<Operation> picked = withPick(section, context.model);
+    if (!picked)
+        return reply;
+    m_draft = *std::move(picked);
     const InputSpec *next = asked();
-    if (isComplete() && (!next || next->most == 1))
-        return added(context);
+    if (!missingInput(m_kind, m_draft) && (!isNew() || !next || next->most == 1))
+        return done(context);
     reply.preview = previewAt(position, context);
     return reply;
 }
@@ -158,6 +203,13 @@ GestureReply OperationTool::cancel(GestureContext &context)
 /// What was picked and is gone is asked for again.
 GestureReply OperationTool::modelChanged(GestureContext &context)
 {
+    if (!isNew()) {
+        const Operation *operation = context.model.document.find(m_draft.id);
+        if (!operation)
+            return cancel(context);
+        m_draft = *operation;
+        return interrupt(context);
+    }
     for (auto &[role, inputs] : m_draft.inputs)
         std::erase_if(inputs, [&context](const OperationInput &input) {
             return !context.model.find(input.section);
@@ -168,15 +220,16 @@ GestureReply OperationTool::modelChanged(GestureContext &context)
 bool OperationTool::wants(ToolKey key) const
 {
     if (key == ToolKey::Enter)
-        return isComplete();
-    return std::any_of(m_draft.inputs.begin(), m_draft.inputs.end(),
+        return isNew() && !missingInput(m_kind, m_draft);
+    return key == ToolKey::Backspace && isNew() &&
+           std::any_of(m_draft.inputs.begin(), m_draft.inputs.end(),
                        [](const auto &role) { return !role.second.empty(); });
 }
 
 GestureReply OperationTool::key(ToolKey key, GestureContext &context)
 {
     if (key == ToolKey::Enter)
-        return added(context);
+        return done(context);
     // The last pick: of the list, else of the last role that has one.
     for (auto input = m_kind.inputs.rbegin(); input != m_kind.inputs.rend(); ++input) {
         const auto found = m_draft.inputs.find(input->role);
@@ -193,7 +246,7 @@ Hint OperationTool::hint() const
     const InputSpec *input = asked();
     Hint hint{Hint::Kind::PickInput, m_kind.key};
     hint.other = input ? input->role : std::string();
-    hint.number = input ? countOf(*input) : 0;
+    hint.number = input && isNew() ? countOf(m_draft, *input) : 0;
     return hint;
 }
 

@@ -6,6 +6,7 @@
 #include "core/interaction/view_gestures.h"
 #include "core/operations/operation_kind.h"
 
+#include <functional>
 #include <optional>
 #include <string>
 
@@ -17,15 +18,23 @@ namespace fff {
 class OperationTool : public Tool
 {
 public:
-    /// draft: with its name, and with inputs that need not be asked for.
-    explicit OperationTool(const OperationKind &kind, Operation draft);
+    using Naming = std::function<std::string(const Operation &)>;
+
+    /// draft: of a new operation, with inputs that need not be asked for; it is named when it is
+    /// added.
+    OperationTool(const OperationKind &kind, Operation draft, Naming naming);
+    /// Of an operation that there is, this role alone is asked for: another section, or one more
+    /// of a list.
+    OperationTool(const OperationKind &kind, const Operation &operation, const std::string &role);
 
     std::string_view command() const override { return m_command; }
+    bool isSame(const Tool &other) const override;
     GestureReply handle(const PointerEvent &event, GestureContext &context) override;
     GestureReply cancel(GestureContext &context) override;
     GestureReply interrupt(GestureContext &context) override;
     GestureReply modelChanged(GestureContext &context) override;
     bool takesClicks() const override { return true; }
+    std::string_view asksFor() const override { return m_role; }
     bool marksSections() const override { return !m_orbit; }
     bool wants(ToolKey key) const override;
     GestureReply key(ToolKey key, GestureContext &context) override;
@@ -33,25 +42,30 @@ public:
     Cursor cursor() const override { return m_orbit ? Cursor::TurningArrows : Cursor::Arrow; }
 
 private:
+    bool isNew() const { return m_role.empty(); }
     /// The role that the next pick is for; null when there is nothing to ask for.
     const InputSpec *asked() const;
-    int countOf(const InputSpec &input) const;
-    /// All that is needed is there.
-    bool isComplete() const;
     std::optional<Hit> hitAt(const Vec2 &position, const GestureContext &context) const;
-    /// The draft with this section as the next pick; nothing where it is picked already.
-    std::optional<Operation> withPick(const Operation &draft, const SectionRef &section,
-                                      const Model &model) const;
+    /// The draft with this section as the next pick; nothing where it is picked already, or made
+    /// by the operation itself or by one below it.
+    std::optional<Operation> withPick(const SectionRef &section, const Model &model) const;
     GestureReply pick(const Vec2 &position, GestureContext &context);
-    GestureReply added(const GestureContext &context) const;
+    GestureReply done(const GestureContext &context) const;
+    /// With the draft added, or in the place of what it is of.
+    Document withDraft(const Document &document, Operation draft) const;
     /// What the next click, or Enter, would make.
     std::optional<Document> previewAt(const Vec2 &position, const GestureContext &context) const;
 
     const OperationKind &m_kind;
     Operation m_draft;
+    Naming m_naming;
+    std::string m_role; // asked for of one that there is
     std::string m_command;
     std::optional<PointerEvent> m_press; // not a drag yet
     std::optional<OrbitGesture> m_orbit;
 };
+
+/// The first role that has fewer inputs than it needs, or null.
+const InputSpec *missingInput(const OperationKind &kind, const Operation &operation);
 
 } // namespace fff

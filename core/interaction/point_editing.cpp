@@ -2,8 +2,10 @@
 
 #include "core/model/edits.h"
 #include "core/model/ground.h"
+#include "core/model/origin.h"
 
 #include <array>
+#include <set>
 
 namespace fff {
 
@@ -157,19 +159,29 @@ std::optional<std::pair<int, CurvePoint>> placeBetween(const Shape &shape,
     return std::pair(first.boundary, CurvePoint{segment, 0.5});
 }
 
-PointEdit movedSections(const Document &document, const std::vector<SectionRef> &sections,
-                        const Vec3 &by)
+tl::unexpected<Hint> madeByOperation(const Model &model, const SectionRef &ref)
+{
+    const Operation *operation = model.document.find(ref.operation);
+    return tl::unexpected(Hint{Hint::Kind::MadeByOperation, model.nameOf(ref), true,
+                               operation ? operation->name : std::string()});
+}
+
+PointEdit movedSections(const Model &model, const std::vector<SectionRef> &sections, const Vec3 &by)
 {
     EditedPoints edited;
-    edited.document = document;
+    edited.document = model.document;
     edited.step = {Step::Kind::MoveSection, {}};
     edited.step.merges = "sections";
+    std::set<SectionId> moved; // a section and its image may both be selected
     for (const SectionRef &ref : sections) {
-        const Section *section = document.find(ref.drawn);
-        if (!section)
+        const std::optional<Origin> origin = originOf(model, ref);
+        if (!origin)
+            return madeByOperation(model, ref);
+        const Section *section = origin->section;
+        if (!moved.insert(section->id).second)
             continue;
         Frame frame = section->frame;
-        frame.origin += by;
+        frame.origin += origin->turn.transpose() * by;
         Result<Document> next = moveSection(std::move(edited.document), section->id, frame);
         if (!next)
             return refused(Hint::Kind::EditFailed);

@@ -6,7 +6,7 @@
 #include "core/interaction/hint.h"
 #include "core/interaction/point_selection.h"
 #include "core/interaction/step.h"
-#include "core/model/document.h"
+#include "core/model/model.h"
 
 #include <optional>
 #include <span>
@@ -52,10 +52,13 @@ PointEdit withInsertedPoint(const Document &document, SectionId section, int bou
 std::optional<std::pair<int, CurvePoint>> placeBetween(const Shape &shape,
                                                        const PointSelection &points);
 
-/// The drawn ones among these sections moved, mm, also as steps that are one. Refused when there
-/// are none.
-PointEdit movedSections(const Document &document, const std::vector<SectionRef> &sections,
+/// These sections moved, mm, also as steps that are one; of images the drawn sections, so that the
+/// images go there. Refused where one is made by an operation in its own way.
+PointEdit movedSections(const Model &model, const std::vector<SectionRef> &sections,
                         const Vec3 &by);
+
+/// Why a section that an operation made cannot be edited by itself.
+tl::unexpected<Hint> madeByOperation(const Model &model, const SectionRef &ref);
 
 /// The axis of the frame, x or y to either side, that an arrow key on the screen points along:
 /// `arrow` is a unit vector, right and up.

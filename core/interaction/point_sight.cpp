@@ -1,6 +1,7 @@
 #include "core/interaction/point_sight.h"
 
 #include "core/base/tolerances.h"
+#include "core/model/origin.h"
 
 #include <cmath>
 
@@ -51,24 +52,26 @@ std::optional<PointTarget> lineAt(const Sight &sight, int index, const Section &
 
 } // namespace
 
-int sectionWithPoints(const Sight &sight, const Selection &selection)
+std::optional<SectionRef> sectionWithPoints(const Sight &sight, const Selection &selection)
 {
-    if (selection.sections().size() != 1 || !selection.sections().front().drawn.isValid())
-        return -1;
+    if (selection.sections().size() != 1)
+        return std::nullopt;
     const SectionRef &ref = selection.sections().front();
-    const int index = sight.model.indexOf(ref);
-    if (index < 0 || !sight.view.isPicked(ref))
-        return -1;
-    const Section &section = *sight.model.section(static_cast<std::size_t>(index));
-    return isSeenOnEdge(section.frame, section.shape->bounds().center(), sight) ? -1 : index;
+    if (!sight.view.isPicked(ref))
+        return std::nullopt;
+    const SectionPointer section = editedSection(sight.model, ref);
+    if (!section || isSeenOnEdge(section->frame, section->shape->bounds().center(), sight))
+        return std::nullopt;
+    return ref;
 }
 
-std::optional<PointTarget> pointTargetAt(const Sight &sight, int index,
+std::optional<PointTarget> pointTargetAt(const Sight &sight, const SectionRef &ref,
                                          const PointSelection &selected, const Vec2 &position)
 {
-    if (index < 0)
+    const SectionPointer edited = editedSection(sight.model, ref);
+    if (!edited)
         return std::nullopt;
-    const Section &section = *sight.model.section(static_cast<std::size_t>(index));
+    const Section &section = *edited;
     const Shape &shape = *section.shape;
     const auto screen = [&](const Vec2 &p) {
         return sight.camera.toScreen(section.frame.toWorld(p), sight.viewport);
@@ -102,7 +105,7 @@ std::optional<PointTarget> pointTargetAt(const Sight &sight, int index,
             }
         }
     }
-    return best ? best : lineAt(sight, index, section, position);
+    return best ? best : lineAt(sight, sight.model.indexOf(ref), section, position);
 }
 
 std::optional<Vec2> placeOnPlane(const Frame &frame, const Camera &camera, const Vec2 &viewport,

@@ -27,14 +27,14 @@ struct PointTarget
     }
 };
 
-/// Index in the model of the section whose points are shown: the one drawn section that is
-/// selected, unless it is hidden or seen on its edge. −1: none.
-int sectionWithPoints(const Sight &sight, const Selection &selection);
+/// The section whose points are shown: the one that is selected, if it is drawn or the image of a
+/// drawn one, unless it is hidden or seen on its edge.
+std::optional<SectionRef> sectionWithPoints(const Sight &sight, const Selection &selection);
 
 /// What of that section is there (px): of anchors and of the handles of selected points the
 /// nearest within 10 px, else the contour, where no other section lies before it. These marks are
 /// drawn over everything, so nothing else hides them.
-std::optional<PointTarget> pointTargetAt(const Sight &sight, int section,
+std::optional<PointTarget> pointTargetAt(const Sight &sight, const SectionRef &section,
                                          const PointSelection &selected, const Vec2 &position);
 
 /// Where the ray through a place of the screen meets the section's plane, frame coordinates.

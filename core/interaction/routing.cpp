@@ -2,10 +2,12 @@
 
 #include "core/interaction/clip_gesture.h"
 #include "core/interaction/joint_gesture.h"
+#include "core/interaction/operation_gesture.h"
 #include "core/interaction/point_gesture.h"
 #include "core/interaction/rubber_band.h"
 #include "core/interaction/stroke_gesture.h"
 #include "core/interaction/view_gestures.h"
+#include "core/model/origin.h"
 
 namespace fff {
 
@@ -20,6 +22,19 @@ std::unique_ptr<Gesture> onViewMark(const PointerEvent &press, const Sight &sigh
     if (sight.markAt(at) > 0)
         return std::make_unique<OrbitGesture>(press, sight.pivotAt(at));
     return std::make_unique<ClipGesture>(press, context);
+}
+
+std::unique_ptr<Gesture> onOperation(const PointerEvent &press, const GestureContext &context)
+{
+    if (press.button != Button::Left || !context.overlay.operation ||
+        dragKind(context.settings.navigation, press.button, press.modifiers) != DragKind::Edit)
+        return nullptr;
+    const OperationMarks &marks = *context.overlay.operation;
+    const int index =
+        handleAt(marks, context.camera, context.viewport, press.position, reachOf(press.pointer));
+    if (index < 0)
+        return nullptr;
+    return std::make_unique<OperationGesture>(marks, index, press, context);
 }
 
 std::unique_ptr<Gesture> onJoint(const PointerEvent &press, const Sight &sight,
@@ -45,14 +60,14 @@ std::unique_ptr<Gesture> onPoint(const PointerEvent &press, const Sight &sight,
 {
     if (press.button != Button::Left || press.modifiers.space || !context.overlay.points)
         return nullptr;
-    const int section = context.overlay.points->section;
+    const SectionRef &section = context.overlay.points->section;
     const auto target = pointTargetAt(sight, section, context.points, press.position);
     const bool edits =
         dragKind(context.settings.navigation, press.button, press.modifiers) == DragKind::Edit;
     if (!target || (target->kind == PointTarget::Kind::Line && !edits))
         return nullptr;
-    return std::make_unique<PointGesture>(
-        *target, press, *context.model.section(static_cast<std::size_t>(section)), context);
+    return std::make_unique<PointGesture>(*target, press, *editedSection(context.model, section),
+                                          context);
 }
 
 /// The left button alone: what lies under the cursor decides.
@@ -66,9 +81,7 @@ std::unique_ptr<Gesture> editing(const PointerEvent &press, const Sight &sight,
     if (hits.empty() && press.modifiers.shift) {
         if (context.overlay.points)
             return std::make_unique<PointBandGesture>(
-                press,
-                *context.model.section(static_cast<std::size_t>(context.overlay.points->section)),
-                context);
+                press, *editedSection(context.model, context.overlay.points->section), context);
         return std::make_unique<RubberBandGesture>(press, context);
     }
     if (!hits.empty() && !sight.isOnEdge(hits.front()))
@@ -88,6 +101,8 @@ std::unique_ptr<Gesture> gestureFor(const PointerEvent &press, const Sight &sigh
 {
     if (press.button == Button::Left && isOnViewMark(sight, press.position))
         return onViewMark(press, sight, context);
+    if (auto gesture = onOperation(press, context))
+        return gesture;
     if (auto gesture = onJoint(press, sight, context))
         return gesture;
     if (auto gesture = onPoint(press, sight, context))

@@ -9,10 +9,12 @@ namespace fff {
 
 void Selection::select(std::vector<SectionRef> sections)
 {
-    if (sections != m_sections || m_joint) {
+    if (sections != m_sections || m_joint || m_operation.isValid()) {
         m_before.clear();
         m_lost.reset();
+        m_lostOperation = {};
     }
+    m_operation = {};
     m_joint.reset();
     m_origin.clear();
     m_sections = std::move(sections);
@@ -26,8 +28,16 @@ void Selection::selectJoint(const JointRef &joint)
         m_origin = m_sections;
     m_before.clear();
     m_lost.reset();
+    m_lostOperation = m_operation = {};
     m_sections.clear();
     m_joint = joint;
+}
+
+void Selection::selectOperation(OperationId id)
+{
+    select({});
+    m_lostOperation = {};
+    m_operation = id;
 }
 
 void Selection::leaveJoint(const Model &model)
@@ -51,8 +61,31 @@ void Selection::followJoint(const Model &model)
     m_left = m_sections;
 }
 
+void Selection::goBack()
+{
+    const OperationId made = operationInFocus(*this);
+    if (m_sections.size() == 1 && made.isValid())
+        selectOperation(made);
+    else
+        select({});
+}
+
+/// True when that is all there was to do.
+bool Selection::followOperation(const Document &document)
+{
+    if (m_operation.isValid() && !document.find(m_operation)) {
+        m_lostOperation = std::exchange(m_operation, {});
+        return true;
+    }
+    if (m_lostOperation.isValid() && isEmpty() && document.find(m_lostOperation))
+        selectOperation(m_lostOperation);
+    return m_operation.isValid();
+}
+
 void Selection::follow(const Model &model)
 {
+    if (followOperation(model.document))
+        return;
     if (m_joint) {
         followJoint(model);
         return;
@@ -79,8 +112,34 @@ void Selection::forget()
 {
     m_before.clear();
     m_lost.reset();
+    m_lostOperation = m_operation = {};
     m_joint.reset();
     m_origin.clear();
+}
+
+std::vector<SectionRef> sectionsInFocus(const Model &model, const Selection &selection)
+{
+    std::vector<SectionRef> sections = selection.sections();
+    if (const OperationResult *result = model.resultOf(selection.operation())) {
+        for (const SectionPointer &section : result->sections)
+            sections.push_back(section->ref());
+        for (const auto &[ref, section] : result->changed)
+            if (section)
+                sections.push_back(ref);
+    }
+    std::erase_if(sections, [&](const SectionRef &ref) { return model.indexOf(ref) < 0; });
+    return sections;
+}
+
+OperationId operationInFocus(const Selection &selection)
+{
+    OperationId id = selection.operation();
+    for (const SectionRef &ref : selection.sections()) {
+        if (ref.drawn.isValid() || (id.isValid() && id != ref.operation))
+            return {};
+        id = ref.operation;
+    }
+    return id;
 }
 
 } // namespace fff

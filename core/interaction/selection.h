@@ -1,5 +1,5 @@
-// What is selected, sections or a joint, and how it comes back when Undo brings back what was
-// deleted.
+// What is selected, sections, a joint or an operation, and how it comes back when Undo brings back
+// what was deleted.
 #pragma once
 
 #include "core/model/joint_ref.h"
@@ -16,9 +16,15 @@ public:
     const std::vector<SectionRef> &sections() const { return m_sections; }
     /// While one is selected no section is.
     const std::optional<JointRef> &joint() const { return m_joint; }
-    bool isEmpty() const { return m_sections.empty() && !m_joint; }
+    /// While one is selected neither a section nor a joint is; not valid: none is.
+    OperationId operation() const { return m_operation; }
+    bool isEmpty() const { return m_sections.empty() && !m_joint && !m_operation.isValid(); }
     void select(std::vector<SectionRef> sections);
     void selectJoint(const JointRef &joint);
+    void selectOperation(OperationId id);
+    /// One step back from sections or an operation: from one section that an operation made to
+    /// that, else to nothing.
+    void goBack();
     /// One step back from a joint: to the sections that it was chosen from, as far as they are
     /// there.
     void leaveJoint(const Model &model);
@@ -32,12 +38,19 @@ public:
 
 private:
     void followJoint(const Model &model);
+    bool followOperation(const Document &document);
 
     std::vector<SectionRef> m_sections;
     std::vector<SectionRef> m_before, m_left; // before sections of it went, and what stayed
     std::optional<JointRef> m_joint;
     std::optional<JointRef> m_lost;   // a joint that went
     std::vector<SectionRef> m_origin; // sections that were selected before the joint
+    OperationId m_operation, m_lostOperation;
 };
+
+/// The selected sections that are there; of a selected operation those that it made or changed.
+std::vector<SectionRef> sectionsInFocus(const Model &model, const Selection &selection);
+/// The operation that is selected, or that made all that is; not valid: there is none.
+OperationId operationInFocus(const Selection &selection);
 
 } // namespace fff

@@ -10,6 +10,7 @@ target_sources(fff_core PRIVATE
     interaction/hovering.cpp
     interaction/interaction.cpp
     interaction/interaction_joints.cpp
+    interaction/interaction_operations.cpp
     interaction/interaction_pointer.cpp
     interaction/interaction_points.cpp
     interaction/interaction_replies.cpp
@@ -18,6 +19,8 @@ target_sources(fff_core PRIVATE
     interaction/joint_gesture.cpp
     interaction/joint_marks.cpp
     interaction/navigation.cpp
+    interaction/operation_gesture.cpp
+    interaction/operation_handles.cpp
     interaction/operation_tool.cpp
     interaction/pen_tool.cpp
     interaction/pen_tool_marks.cpp

@@ -2,7 +2,9 @@
 #pragma once
 
 #include "core/model/joint_override.h"
+#include "core/model/operation.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -44,6 +46,7 @@ struct Step
         MoveOperation,
         DeleteOperation,
         BakeOperation,
+        MakeSymmetric,
         HideInstance, // names: of the section
         ShowInstance,
         DetachInstance
@@ -54,6 +57,14 @@ struct Step
     /// Not empty: with a step before it of the same it makes one (an arrow key pressed again).
     std::string merges = {};
     JointKind joint = JointKind::None; // SetJointKind
+    /// ChangeOperation: of one parameter, what it was and is; none where it follows from the
+    /// inputs.
+    struct Change
+    {
+        std::string kind, key; // of the operation, of the parameter
+        std::optional<ParameterValue> before = {}, after = {};
+    };
+    std::optional<Change> change = {};
 };
 
 } // namespace fff

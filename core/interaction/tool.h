@@ -42,6 +42,8 @@ public:
     }
     /// It works with clicks: also with those while Ctrl is held, whose drags turn the view.
     virtual bool takesClicks() const { return false; }
+    /// Of one that asks for an input of an operation that there is: its role.
+    virtual std::string_view asksFor() const { return {}; }
     /// The section under the cursor is marked as without a tool.
     virtual bool marksSections() const { return false; }
     /// Puts what it has in hand into the overlay, when all else is there: also while the view is

@@ -1,84 +1,19 @@
 #include "core/session/operation_commands.h"
 
+#include "core/interaction/operation_tool.h"
 #include "core/model/operation_edits.h"
 #include "core/operations/baking.h"
-#include "core/operations/operation_kind.h"
+#include "core/operations/evaluate.h"
+#include "core/session/operation_script.h"
 #include "core/session/operation_text.h"
 #include "core/session/session_host.h"
 
 #include <algorithm>
-#include <sstream>
+#include <memory>
 
 namespace fff {
 
 namespace {
-
-const std::string *textOf(const CommandParameters &parameters, const std::string &key)
-{
-    const auto found = parameters.find(key);
-    return found == parameters.end() ? nullptr : &found->second;
-}
-
-std::vector<std::string> linesOf(const std::string &text)
-{
-    std::vector<std::string> lines;
-    std::istringstream stream(text);
-    for (std::string line; std::getline(stream, line);)
-        lines.push_back(line);
-    return lines;
-}
-
-/// In what is there now; drawn sections may also be named while an operation takes their place.
-Result<OperationInput> inputNamed(const Model &model, const std::string &key,
-                                  const std::string &name)
-{
-    for (const auto *list : {&model.sections(), &model.document.sections})
-        for (const SectionPointer &section : *list)
-            if (section->name == name)
-                return OperationInput{section->ref(), name};
-    return failure(ErrorCode::BadValue, key, {name, "the name of a section"});
-}
-
-Result<OperationPointer> operationNamed(const Model &model, const CommandParameters &parameters)
-{
-    const std::string *name = textOf(parameters, "operation");
-    for (const OperationPointer &operation : model.document.operations)
-        if (name && operation->name == *name)
-            return operation;
-    return failure(ErrorCode::BadValue, "operation",
-                   {name ? *name : std::string(), "the name of an operation"});
-}
-
-/// What the parameters say of an operation. Errors  BadValue, place = the key.
-Result<Operation> withParameters(const Model &model, const OperationKind &kind, Operation operation,
-                                 const CommandParameters &parameters)
-{
-    for (const auto &[key, text] : parameters) {
-        if (key == "operation") {
-            continue;
-        }
-        if (key == "name") {
-            operation.name = text;
-        } else if (const ParameterSpec *spec = kind.parameter(key); spec && !kind.input(key)) {
-            Result<ParameterValue> value = parsedValue(*spec, text);
-            if (!value)
-                return tl::unexpected(value.error());
-            operation.parameters.insert_or_assign(key, *std::move(value));
-        } else if (kind.input(key)) {
-            std::vector<OperationInput> inputs;
-            for (const std::string &name : linesOf(text)) {
-                Result<OperationInput> input = inputNamed(model, key, name);
-                if (!input)
-                    return tl::unexpected(input.error());
-                inputs.push_back(*std::move(input));
-            }
-            operation.inputs.insert_or_assign(key, std::move(inputs));
-        } else {
-            return failure(ErrorCode::BadValue, key, {text, "a parameter of this operation"});
-        }
-    }
-    return operation;
-}
 
 /// Those that are selected, for the roles that nothing was said of: one each, the last list takes
 /// the rest.
@@ -94,17 +29,24 @@ void takeSelected(const Model &model, const OperationKind &kind,
     }
 }
 
-/// The first role that has fewer inputs than it needs, or null.
-const InputSpec *missingInput(const OperationKind &kind, const Operation &operation)
+/// Where one parameter alone becomes another one, what it was.
+std::optional<Step::Change> changeBetween(const Operation &before, const Operation &after,
+                                          const CommandParameters &parameters)
 {
-    for (const InputSpec &input : kind.inputs) {
-        const auto found = operation.inputs.find(input.role);
-        const int count =
-            found == operation.inputs.end() ? 0 : static_cast<int>(found->second.size());
-        if (count < input.least)
-            return &input;
+    std::optional<Step::Change> change;
+    for (const auto &[key, text] : parameters) {
+        const auto now = after.parameters.find(key);
+        if (now == after.parameters.end())
+            continue;
+        if (change)
+            return std::nullopt;
+        const auto was = before.parameters.find(key);
+        change = Step::Change{after.kind, key};
+        change->after = now->second;
+        if (was != before.parameters.end())
+            change->before = was->second;
     }
-    return nullptr;
+    return change;
 }
 
 class OperationCommands
@@ -115,84 +57,131 @@ public:
     {
     }
 
-    Result<void> add(const OperationKind &kind, const CommandParameters &parameters) const
+    /// Without any word of what it is to be, what misses is asked for in the view.
+    Result<void> add(const OperationKind &kind, const CommandParameters &parameters,
+                     double time) const
     {
         const Model &model = m_session.committed();
         Result<Operation> operation = withParameters(model, kind, newOperation(kind), parameters);
         if (!operation)
             return tl::unexpected(operation.error());
         takeSelected(model, kind, m_interaction.selection(), *operation);
-        if (const InputSpec *missing = missingInput(kind, *operation))
-            return failure(ErrorCode::BadValue, missing->role, {"", "the name of a section"});
+        if (const InputSpec *missing = missingInput(kind, *operation)) {
+            if (!parameters.empty())
+                return failure(ErrorCode::BadValue, missing->role, {"", "the name of a section"});
+            m_interaction.pickUp(std::make_unique<OperationTool>(
+                                     kind, *std::move(operation),
+                                     [this_ = *this](const Operation &added) {
+                                         return freeOperationName(
+                                             this_.m_session.committed().document, added);
+                                     }),
+                                 time);
+            return {};
+        }
         if (operation->name.empty())
             operation->name = freeOperationName(model.document, *operation);
+        const OperationId id{model.document.nextId};
         const Step step{Step::Kind::AddOperation, {operation->name}};
-        return commit(step, addOperation(model.document, *std::move(operation)));
+        const Result<void> done = commit(step, addOperation(model.document, *std::move(operation)));
+        if (done)
+            m_interaction.selectOperation(id);
+        return done;
     }
 
-    Result<void> change(const CommandParameters &parameters) const
+    Result<void> change(const CommandParameters &parameters, double) const
     {
         const Model &model = m_session.committed();
-        const Result<OperationPointer> known = operationNamed(model, parameters);
+        const Result<OperationPointer> known = named(parameters);
         if (!known)
             return tl::unexpected(known.error());
         const OperationKind *kind = operationKind((*known)->kind);
         Result<Operation> next = withParameters(model, *kind, **known, parameters);
         if (!next)
             return tl::unexpected(next.error());
-        const Step step{Step::Kind::ChangeOperation, {(*known)->name}};
+        Step step{Step::Kind::ChangeOperation, {(*known)->name}};
+        step.change = changeBetween(**known, *next, parameters);
         return commit(step, setOperation(model.document, *std::move(next)));
     }
 
-    Result<void> turn(const CommandParameters &parameters) const
+    /// Asks in the view for another section of one role, or one more of a list.
+    Result<void> choose(const CommandParameters &parameters, double time) const
     {
-        const Model &model = m_session.committed();
-        const Result<OperationPointer> known = operationNamed(model, parameters);
+        const Result<OperationPointer> known = named(parameters);
+        if (!known)
+            return tl::unexpected(known.error());
+        const OperationKind *kind = operationKind((*known)->kind);
+        const std::string *role = textOf(parameters, "role");
+        if (!kind || !role || !kind->input(*role))
+            return failure(ErrorCode::BadValue, "role",
+                           {role ? *role : std::string(), "what the operation asks for"});
+        m_interaction.pickUp(std::make_unique<OperationTool>(*kind, **known, *role), time);
+        return {};
+    }
+
+    Result<void> turn(const CommandParameters &parameters, double) const
+    {
+        const Result<OperationPointer> known = named(parameters);
         if (!known)
             return tl::unexpected(known.error());
         Operation next = **known;
         next.isOn = switched(parameters, next.isOn);
         const Step step{next.isOn ? Step::Kind::SwitchOnOperation : Step::Kind::SwitchOffOperation,
                         {next.name}};
-        return commit(step, setOperation(model.document, std::move(next)));
+        return commit(step, setOperation(m_session.committed().document, std::move(next)));
     }
 
-    Result<void> move(const CommandParameters &parameters) const
+    Result<void> move(const CommandParameters &parameters, double) const
     {
-        const Model &model = m_session.committed();
-        const Result<OperationPointer> known = operationNamed(model, parameters);
+        const Result<OperationPointer> known = named(parameters);
         if (!known)
             return tl::unexpected(known.error());
         const Result<double> to = numberOf(parameters, "to", 1.0);
         if (!to)
             return tl::unexpected(to.error());
-        return commit({Step::Kind::MoveOperation, {(*known)->name}},
-                      moveOperation(model.document, (*known)->id, static_cast<int>(*to) - 1));
+        return moveTo(**known, static_cast<int>(*to) - 1);
     }
 
-    Result<void> remove(const CommandParameters &parameters) const
+    /// One place up (−1) or down.
+    Result<void> step(const CommandParameters &parameters, int by) const
     {
-        const Model &model = m_session.committed();
-        const Result<OperationPointer> known = operationNamed(model, parameters);
+        const Result<OperationPointer> known = named(parameters);
+        if (!known)
+            return tl::unexpected(known.error());
+        const auto &all = m_session.committed().document.operations;
+        const auto at = static_cast<int>(std::find(all.begin(), all.end(), *known) - all.begin());
+        return moveTo(**known, std::clamp(at + by, 0, static_cast<int>(all.size()) - 1));
+    }
+    Result<void> stepUp(const CommandParameters &parameters, double) const
+    {
+        return step(parameters, -1);
+    }
+    Result<void> stepDown(const CommandParameters &parameters, double) const
+    {
+        return step(parameters, 1);
+    }
+
+    Result<void> remove(const CommandParameters &parameters, double) const
+    {
+        const Result<OperationPointer> known = named(parameters);
         if (!known)
             return tl::unexpected(known.error());
         return commit({Step::Kind::DeleteOperation, {(*known)->name}},
-                      removeOperation(model.document, (*known)->id));
+                      removeOperation(m_session.committed().document, (*known)->id));
     }
 
-    Result<void> bake(const CommandParameters &parameters) const
+    Result<void> bake(const CommandParameters &parameters, double) const
     {
-        const Model &model = m_session.committed();
-        const Result<OperationPointer> known = operationNamed(model, parameters);
+        const Result<OperationPointer> known = named(parameters);
         if (!known)
             return tl::unexpected(known.error());
-        return commit({Step::Kind::BakeOperation, {(*known)->name}}, baked(model, (*known)->id));
+        return commit({Step::Kind::BakeOperation, {(*known)->name}},
+                      baked(m_session.committed(), (*known)->id));
     }
 
-    Result<void> exclude(const CommandParameters &parameters) const
+    Result<void> exclude(const CommandParameters &parameters, double) const
     {
         const Model &model = m_session.committed();
-        const Result<SectionRef> instance = instanceOf(model, parameters);
+        const Result<SectionRef> instance = instanceOf(parameters);
         if (!instance)
             return tl::unexpected(instance.error());
         const std::string *state = textOf(parameters, "state");
@@ -208,25 +197,45 @@ public:
                                    {isHidden ? Exception::State::Hidden : Exception::State::Made}));
     }
 
-private:
-    /// By its name, or that of an operation with the key below it ("Ribs/3"), as one that is hidden
-    /// has no name; else the selected one.
-    Result<SectionRef> instanceOf(const Model &model, const CommandParameters &parameters) const
+    /// A mirror's copies, drawn at once: one step, and no operation stays.
+    Result<void> makeSymmetric(const CommandParameters &parameters, double) const
     {
-        const std::string *name = textOf(parameters, "section");
-        if (!name) {
-            for (const SectionRef &ref : m_interaction.selection())
-                if (!ref.drawn.isValid())
-                    return ref;
-            return failure(ErrorCode::BadValue, "section", {"", "one that an operation made"});
-        }
-        for (const SectionPointer &section : model.sections())
-            if (section->name == *name && !section->id.isValid())
-                return section->ref();
-        for (const OperationPointer &operation : model.document.operations)
-            if (name->starts_with(operation->name + "/"))
-                return SectionRef(operation->id, name->substr(operation->name.size() + 1));
-        return failure(ErrorCode::BadValue, "section", {*name, "one that an operation made"});
+        const Model &model = m_session.committed();
+        const OperationKind &kind = *operationKind("mirror");
+        Result<Operation> mirror = withParameters(model, kind, newOperation(kind), parameters);
+        if (!mirror)
+            return tl::unexpected(mirror.error());
+        const OperationId id{model.document.nextId};
+        const Model with = evaluate(addOperation(model.document, *std::move(mirror)), model);
+        const OperationResult *result = with.resultOf(id);
+        if (!result || (result->sections.empty() && result->changed.empty()))
+            return {}; // it is so already
+        return commit({Step::Kind::MakeSymmetric, {}}, baked(with, id));
+    }
+
+    bool hasSections() const { return m_session.committed().sectionCount() > 0; }
+
+private:
+    Result<OperationPointer> named(const CommandParameters &parameters) const
+    {
+        return operationNamed(m_session.committed(), parameters, m_interaction.operationInFocus());
+    }
+
+    /// By its name, else the selected one.
+    Result<SectionRef> instanceOf(const CommandParameters &parameters) const
+    {
+        if (const std::string *name = textOf(parameters, "section"))
+            return instanceNamed(m_session.committed(), *name);
+        for (const SectionRef &ref : m_interaction.selection())
+            if (!ref.drawn.isValid())
+                return ref;
+        return failure(ErrorCode::BadValue, "section", {"", "one that an operation made"});
+    }
+
+    Result<void> moveTo(const Operation &operation, int index) const
+    {
+        return commit({Step::Kind::MoveOperation, {operation.name}},
+                      moveOperation(m_session.committed().document, operation.id, index));
     }
 
     Result<void> commit(const Step &step, Result<Document> next) const
@@ -245,9 +254,23 @@ private:
 
 std::string freeOperationName(const Document &document, const Operation &operation)
 {
-    const QString kind = kindName(operation);
+    const OperationKind *kind = operationKind(operation.kind);
+    std::string base = kindName(operation).toStdString();
+    bool hasInput = false;
+    for (const InputSpec &input : kind ? kind->inputs : std::vector<InputSpec>()) {
+        const auto found = operation.inputs.find(input.role);
+        if (found == operation.inputs.end() || found->second.empty())
+            continue;
+        base.append(" ").append(found->second.front().name);
+        hasInput = true;
+        break;
+    }
     for (int number = 1;; ++number) {
-        const std::string name = QStringLiteral("%1 %2").arg(kind).arg(number).toStdString();
+        std::string name = base;
+        if (!hasInput)
+            name.append(" ").append(std::to_string(number));
+        else if (number > 1)
+            name.append(" (").append(std::to_string(number)).append(")");
         const auto isTaken = [&name](const OperationPointer &known) { return known->name == name; };
         if (std::none_of(document.operations.begin(), document.operations.end(), isTaken))
             return name;
@@ -261,24 +284,32 @@ void registerOperationCommands(CommandRegistry &registry, Session &session,
     for (const OperationKind *kind : operationKinds()) {
         std::string id = "operation.";
         registry.add(id.append(kind->key),
-                     {[commands, kind](const CommandParameters &parameters, double) {
-                          return commands.add(*kind, parameters);
+                     {[commands, kind](const CommandParameters &parameters, double time) {
+                          return commands.add(*kind, parameters, time);
                       },
                       {}});
     }
-    using Work = Result<void> (OperationCommands::*)(const CommandParameters &) const;
+    registry.add("operation.symmetric",
+                 {[commands](const CommandParameters &parameters, double time) {
+                      return commands.makeSymmetric(parameters, time);
+                  },
+                  [commands] { return commands.hasSections(); }});
+    using Work = Result<void> (OperationCommands::*)(const CommandParameters &, double) const;
     const std::pair<const char *, Work> works[] = {
         {"operation.change", &OperationCommands::change},
+        {"operation.choose", &OperationCommands::choose},
         {"operation.switch", &OperationCommands::turn},
         {"operation.move", &OperationCommands::move},
+        {"operation.moveUp", &OperationCommands::stepUp},
+        {"operation.moveDown", &OperationCommands::stepDown},
         {"operation.delete", &OperationCommands::remove},
         {"operation.bake", &OperationCommands::bake},
         {"operation.exclude", &OperationCommands::exclude},
     };
     for (const auto &[id, work] : works) {
         const Work wanted = work; // a binding cannot be captured
-        registry.add(id, {[commands, wanted](const CommandParameters &parameters, double) {
-                              return (commands.*wanted)(parameters);
+        registry.add(id, {[commands, wanted](const CommandParameters &parameters, double time) {
+                              return (commands.*wanted)(parameters, time);
                           },
                           {}});
     }

@@ -1,6 +1,10 @@
 #include "core/session/operation_text.h"
 
 #include <QCoreApplication>
+#include <QLocale>
+
+#include <algorithm>
+#include <cmath>
 
 namespace fff {
 
@@ -30,6 +34,35 @@ QString kindName(const Operation &operation)
 {
     const OperationKind *kind = operationKind(operation.kind);
     return kind ? operationText(kind->name) : QString::fromStdString(operation.kind);
+}
+
+QString valueText(const ParameterSpec &spec, const std::optional<ParameterValue> &value)
+{
+    using Unit = ParameterSpec::Unit;
+    if (!value)
+        return Texts::tr("automatic");
+    if (const bool *isOn = std::get_if<bool>(&*value))
+        return *isOn ? Texts::tr("on") : Texts::tr("off");
+    if (const std::string *key = std::get_if<std::string>(&*value)) {
+        for (const ChoiceSpec &choice : spec.choices)
+            if (*key == choice.key)
+                return operationText(choice.label);
+        return QString::fromStdString(*key);
+    }
+    // Two digits are more than is shown of any step.
+    const double spoken = spokenValue(spec.unit, std::get<double>(*value));
+    const QString number =
+        QLocale().toString(std::round(100.0 * spoken) / 100.0, 'f', QLocale::FloatingPointShortest);
+    switch (spec.unit) {
+    case Unit::Length:
+        return Texts::tr("%1\u202fmm").arg(number);
+    case Unit::Share:
+        return Texts::tr("%1\u202f%").arg(number);
+    case Unit::Angle:
+        return Texts::tr("%1°").arg(number);
+    default:
+        return number;
+    }
 }
 
 QString noticeText(const OperationNotice &notice, const Operation &operation)
@@ -69,6 +102,13 @@ QString noticeText(const OperationNotice &notice, const Operation &operation)
             .arg(name);
     }
     return {};
+}
+
+int countOf(const OperationResult &result)
+{
+    const auto changed = std::count_if(result.changed.begin(), result.changed.end(),
+                                       [](const auto &change) { return change.second != nullptr; });
+    return static_cast<int>(std::ssize(result.sections) + changed);
 }
 
 bool isFailure(const OperationNotice &notice)

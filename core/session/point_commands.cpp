@@ -1,8 +1,10 @@
 #include "core/session/point_commands.h"
 
 #include "core/model/edits.h"
+#include "core/model/origin.h"
 #include "core/session/session_host.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace fff {
@@ -79,10 +81,12 @@ std::vector<const Section *> selectedWithHoles(const Session &session,
                                                const Interaction &interaction)
 {
     std::vector<const Section *> sections;
-    for (const SectionRef &ref : interaction.selection())
-        if (const Section *section = session.committed().document.find(ref.drawn))
-            if (!section->shape->holes().empty())
-                sections.push_back(section);
+    for (const SectionRef &ref : interaction.selection()) {
+        const std::optional<Origin> origin = originOf(session.committed(), ref);
+        if (origin && !origin->section->shape->holes().empty() &&
+            std::find(sections.begin(), sections.end(), origin->section) == sections.end())
+            sections.push_back(origin->section);
+    }
     return sections;
 }
 

@@ -5,6 +5,8 @@
 #include "core/fabrication/summary.h"
 #include "core/interaction/facing.h"
 #include "core/model/edits.h"
+#include "core/model/operation_edits.h"
+#include "core/model/origin.h"
 #include "core/session/joint_commands.h"
 #include "core/session/operation_commands.h"
 #include "core/session/point_commands.h"
@@ -50,35 +52,35 @@ Box3 selectionBounds(const Session &session, const Interaction &interaction)
     const Model &model = session.committed();
     if (interaction.selectedJoint())
         return jointBounds(model, *interaction.selectedJoint());
-    for (const SectionRef &ref : interaction.selection()) {
-        if (const int index = model.indexOf(ref); index >= 0) {
-            const Section &section = *model.section(static_cast<std::size_t>(index));
-            box.extend(slabBounds(section, model.document.stockOf(section)));
-        }
+    for (const SectionRef &ref : interaction.sectionsInFocus()) {
+        const Section &section = *model.find(ref);
+        box.extend(slabBounds(section, model.document.stockOf(section)));
     }
     return box;
 }
 
-std::vector<SectionId> selectedDrawn(const Interaction &interaction)
-{
-    std::vector<SectionId> ids;
-    for (const SectionRef &ref : interaction.selection()) {
-        if (ref.drawn.isValid())
-            ids.push_back(ref.drawn);
-    }
-    return ids;
-}
-
+/// Drawn sections go, with their images; one that an operation made in its own way is left out of
+/// what that makes.
 Result<void> deleteSelected(Session &session, const Interaction &interaction)
 {
-    const Document &document = session.committed().document;
-    const std::vector<SectionId> ids = selectedDrawn(interaction);
-    Step step{Step::Kind::DeleteSections, {}};
-    for (const SectionId id : ids) {
-        if (const Section *section = document.find(id))
-            step.names.push_back(section->name);
+    const Model &model = session.committed();
+    Result<Document> next = model.document;
+    Step step{Step::Kind::HideInstance, {}};
+    std::vector<SectionId> ids;
+    for (const SectionRef &ref : interaction.selection()) {
+        const Section *shown = model.find(ref);
+        if (!shown)
+            continue;
+        step.names.push_back(shown->name);
+        if (const std::optional<Origin> origin = originOf(model, ref))
+            ids.push_back(origin->section->id);
+        else if (next)
+            next = setException(*std::move(next), ref, {Exception::State::Hidden});
     }
-    Result<Document> next = removeSections(document, ids);
+    if (!ids.empty())
+        step.kind = Step::Kind::DeleteSections;
+    if (next && !ids.empty())
+        next = removeSections(*std::move(next), ids);
     if (!next)
         return tl::unexpected(next.error());
     session.commit(SessionHost::undoText(step), std::move(*next));
@@ -134,18 +136,22 @@ void registerEdits(CommandRegistry &registry, Session &session, Interaction &int
                       return {};
                   },
                   [&] { return interaction.canRedoInTool() || session.history()->canRedo(); }});
-    registry.add(
-        "edit.delete",
-        {[&](const CommandParameters &, double time) -> Result<void> {
-             if (interaction.selectedJoint()) {
-                 interaction.say({Hint::Kind::JointNotDeleted, {}, true}, time);
-                 return {};
-             }
-             if (interaction.points().isEmpty())
-                 return deleteSelected(session, interaction);
-             return registry.run("point.delete", {}, time);
-         },
-         [&] { return !selectedDrawn(interaction).empty() || interaction.selectedJoint(); }});
+    registry.add("edit.delete",
+                 {[&](const CommandParameters &, double time) -> Result<void> {
+                      if (interaction.selectedJoint()) {
+                          interaction.say({Hint::Kind::JointNotDeleted, {}, true}, time);
+                          return {};
+                      }
+                      if (interaction.selectedOperation().isValid())
+                          return registry.run("operation.delete", {}, time);
+                      if (interaction.points().isEmpty())
+                          return deleteSelected(session, interaction);
+                      return registry.run("point.delete", {}, time);
+                  },
+                  [&] {
+                      return !interaction.selection().empty() || interaction.selectedJoint() ||
+                             interaction.selectedOperation().isValid();
+                  }});
     registry.add("edit.selectAll", {[&](const CommandParameters &, double) -> Result<void> {
                                         selectAll(session, interaction);
                                         return {};
@@ -173,21 +179,20 @@ void registerTurns(CommandRegistry &registry, Session &session, Interaction &int
                       return {};
                   },
                   {}});
-    registry.add(
-        "view.faceSelection",
-        {[&](const CommandParameters &, double time) -> Result<void> {
-             const Model &model = session.committed();
-             const int index = model.indexOf(interaction.selection().back());
-             if (index < 0)
-                 return {};
-             const Vec3 normal =
-                 model.section(static_cast<std::size_t>(index))->frame.normal().normalized();
-             const Eigen::Quaterniond orientation =
-                 facingOrientation(interaction.targetCamera().orientation, normal);
-             interaction.turnTo(turnedTo(orientation, session, interaction), time, kTurnTime);
-             return {};
-         },
-         [&] { return !interaction.selection().empty(); }});
+    registry.add("view.faceSelection",
+                 {[&](const CommandParameters &, double time) -> Result<void> {
+                      const Model &model = session.committed();
+                      const std::vector<SectionRef> sections = interaction.sectionsInFocus();
+                      if (sections.empty())
+                          return {};
+                      const Vec3 normal = model.find(sections.back())->frame.normal().normalized();
+                      const Eigen::Quaterniond orientation =
+                          facingOrientation(interaction.targetCamera().orientation, normal);
+                      interaction.turnTo(turnedTo(orientation, session, interaction), time,
+                                         kTurnTime);
+                      return {};
+                  },
+                  [&] { return !interaction.sectionsInFocus().empty(); }});
 }
 
 /// Faces the eye, through the target; through the model's middle when that plane would miss it.
@@ -235,12 +240,12 @@ void registerLooks(CommandRegistry &registry, Session &session, Interaction &int
         [](const ViewState &view) { return !view.isolated.empty(); },
         [&interaction](ViewState &view, bool on) {
             view.isolated.clear();
+            const std::vector<SectionRef> sections = interaction.sectionsInFocus();
             if (on)
-                view.isolated.insert(interaction.selection().begin(),
-                                     interaction.selection().end());
+                view.isolated.insert(sections.begin(), sections.end());
         },
         [&interaction] {
-            return !interaction.view().isolated.empty() || !interaction.selection().empty();
+            return !interaction.view().isolated.empty() || !interaction.sectionsInFocus().empty();
         });
     addSwitch(
         registry, "view.clip", interaction,
@@ -255,13 +260,14 @@ void registerLooks(CommandRegistry &registry, Session &session, Interaction &int
         });
     registry.add("view.hide", {[&](const CommandParameters &, double) -> Result<void> {
                                    ViewState view = interaction.view();
-                                   view.hidden.insert(interaction.selection().begin(),
-                                                      interaction.selection().end());
+                                   const std::vector<SectionRef> sections =
+                                       interaction.sectionsInFocus();
+                                   view.hidden.insert(sections.begin(), sections.end());
                                    interaction.select({}); // what is not seen is not worked on
                                    interaction.setView(std::move(view));
                                    return {};
                                },
-                               [&] { return !interaction.selection().empty(); }});
+                               [&] { return !interaction.sectionsInFocus().empty(); }});
     registry.add("view.showAll", {[&](const CommandParameters &, double) -> Result<void> {
                                       ViewState view = interaction.view();
                                       view.hidden.clear();

@@ -1,5 +1,7 @@
 #include "core/session/session_host.h"
 
+#include "core/session/operation_text.h"
+
 #include <QCoreApplication>
 
 namespace fff {
@@ -32,6 +34,26 @@ QString kindStep(JointKind kind)
     }
     //: %1 and %2 are the names of two sections
     return Texts::tr("%1 · %2: kind → none");
+}
+
+/// "Back plates: Count 9 → 13", "Back plates: Along → Body".
+QString changeText(const QString &name, const Step::Change &change)
+{
+    const OperationKind *kind = operationKind(change.kind);
+    const ParameterSpec *spec = kind ? kind->parameter(change.key) : nullptr;
+    const InputSpec *input = kind ? kind->input(change.key) : nullptr;
+    if (input && change.after && std::holds_alternative<std::string>(*change.after))
+        //: %1 is the name of an operation, %2 of what it works on ("Along"), %3 of a section
+        return Texts::tr("%1: %2 → %3")
+            .arg(name, operationText(input->label),
+                 QString::fromStdString(std::get<std::string>(*change.after)));
+    if (!spec)
+        //: %1 is the name of an operation
+        return Texts::tr("Change %1").arg(name);
+    //: %1 is the name of an operation, %2 of a number ("Count"), %3 and %4 what it was and is
+    return Texts::tr("%1: %2 %3 → %4")
+        .arg(name, operationText(spec->label), valueText(*spec, change.before),
+             valueText(*spec, change.after));
 }
 
 } // namespace
@@ -74,6 +96,11 @@ void SessionHost::commit(const Step &step, Document document)
 void SessionHost::chooseProblem(int number)
 {
     Q_EMIT problemChosen(number);
+}
+
+void SessionHost::chooseParameter(OperationId operation, const std::string &key)
+{
+    Q_EMIT parameterChosen(operation, QString::fromStdString(key));
 }
 
 QString SessionHost::undoText(const Step &step)
@@ -169,8 +196,9 @@ QString SessionHost::undoText(const Step &step)
         //: %1 is the name of an operation
         return tr("Add %1").arg(name);
     case Step::Kind::ChangeOperation:
-        //: %1 is the name of an operation
-        return tr("Change %1").arg(name);
+        return step.change ? changeText(name, *step.change)
+                           //: %1 is the name of an operation
+                           : tr("Change %1").arg(name);
     case Step::Kind::SwitchOnOperation:
         //: %1 is the name of an operation
         return tr("Switch %1 on").arg(name);
@@ -186,9 +214,12 @@ QString SessionHost::undoText(const Step &step)
     case Step::Kind::BakeOperation:
         //: %1 is the name of an operation
         return tr("Bake %1").arg(name);
+    case Step::Kind::MakeSymmetric:
+        return tr("Make symmetric");
     case Step::Kind::HideInstance:
         //: %1 is the name of a section that an operation made
-        return tr("Leave out %1").arg(name);
+        return count == 1 ? tr("Leave out %1").arg(name)
+                          : tr("Leave out %n sections", nullptr, count);
     case Step::Kind::ShowInstance:
         return tr("Make a left out section again");
     case Step::Kind::DetachInstance:

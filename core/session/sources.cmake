@@ -17,6 +17,7 @@ target_sources(fff_session PRIVATE
     journal.cpp
     narrow_slits.cpp
     operation_commands.cpp
+    operation_script.cpp
     operation_text.cpp
     pen_commands.cpp
     plan_checks.cpp

@@ -2,6 +2,7 @@
 
 #include "core/base/tolerances.h"
 #include "core/interaction/draw_tool.h"
+#include "core/interaction/point_editing.h"
 #include "core/session/dropping.h"
 #include "core/session/pen_commands.h"
 #include "core/session/session_host.h"
@@ -17,13 +18,11 @@ namespace {
 /// How far from its section a parallel plane lies, mm, when nobody says (half an inch).
 constexpr double kParallelDistance = 12.7;
 
-/// The one drawn section that is selected; null when there is none or are several.
+/// The one section that is selected; null when there is none or are several.
 const Section *selectedSection(const Session &session, const Interaction &interaction)
 {
     const std::vector<SectionRef> &selection = interaction.selection();
-    if (selection.size() != 1)
-        return nullptr;
-    return session.committed().document.find(selection.front().drawn);
+    return selection.size() == 1 ? session.committed().find(selection.front()) : nullptr;
 }
 
 /// A plane through a point with these axes as seen from where one looks straight at it.
@@ -50,11 +49,17 @@ void registerDrawing(CommandRegistry &registry, Session &session, Interaction &i
         registry.add(id,
                      {[&session, &interaction, id, target](const CommandParameters &,
                                                            double time) -> Result<void> {
-                          const Section *section = selectedSection(session, interaction);
+                          // Of an image the drawn section, which it follows.
+                          const Section *section = interaction.sectionOfPoints();
                           if (section)
                               drawOn(interaction, {target(*section), id, section->name, {}}, time);
                           else
                               interaction.layDown(time);
+                          if (!section && selectedSection(session, interaction))
+                              interaction.say(madeByOperation(session.committed(),
+                                                              interaction.selection().front())
+                                                  .value(),
+                                              time);
                           return {};
                       },
                       [&session, &interaction, id] {

@@ -76,8 +76,8 @@ void TestOperationCommands::inputsByNameAndBySelection()
     selected.interaction.select({selected.bones.rib, selected.bones.spine});
     QVERIFY(selected.run("operation.linear"));
     QVERIFY(selected.run("operation.linear", {{"count", "3"}}));
-    QCOMPARE(selected.document().operations[0]->name, std::string("Linear 1"));
-    QCOMPARE(selected.document().operations[1]->name, std::string("Linear 2"));
+    QCOMPARE(selected.document().operations[0]->name, std::string("Linear Rib"));
+    QCOMPARE(selected.document().operations[1]->name, std::string("Linear Rib (2)"));
     QCOMPARE(selected.session.committed().sectionCount(), 2U + 7U + 2U);
     // Several in one role, one on a line.
     Bench blend;

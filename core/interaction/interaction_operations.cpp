@@ -1,0 +1,45 @@
+#include "core/interaction/interaction_private.h"
+
+namespace fff {
+
+// Handles of the selected operation.
+
+/// Null: none is there.
+const OperationHandle *Interaction::Private::operationHandleAt(const Vec2 &position)
+{
+    if (tool || !overlay.operation || isOnViewMark(sight(), position))
+        return nullptr;
+    const int index =
+        handleAt(*overlay.operation, motion.camera, motion.viewport, position, reachOf(pointer));
+    return index < 0 ? nullptr : &overlay.operation->handles[static_cast<std::size_t>(index)];
+}
+
+void Interaction::Private::hoverOperation()
+{
+    hoveredHandle.reset();
+    const std::optional<Vec2> &at = hovering.position();
+    if (!at || motion.animation)
+        return;
+    if (const OperationHandle *handle = operationHandleAt(*at)) {
+        hoveredHandle = *handle;
+        hovering.unmark(overlay);
+    }
+}
+
+void Interaction::Private::markOperation()
+{
+    if (gesture && gesture->marksOperation())
+        return;
+    overlay.operation.reset();
+    if (!marksSelection() || !selection.operation().isValid())
+        return;
+    OperationMarks shown = operationMarks(host.model(), selection.operation());
+    if (shown.handles.empty())
+        return;
+    for (std::size_t i = 0; hoveredHandle && !gesture && i < shown.handles.size(); ++i)
+        if (shown.handles[i].key == hoveredHandle->key)
+            shown.hovered = static_cast<int>(i);
+    overlay.operation = std::move(shown);
+}
+
+} // namespace fff
