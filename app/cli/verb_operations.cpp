@@ -199,7 +199,7 @@ std::string modelText(const Model &model)
         out << tr("The model has no operations.") << '\n';
     for (const OperationPointer &operation : model.document.operations) {
         const OperationResult *result = model.resultOf(operation->id);
-        const int count = result ? static_cast<int>(result->sections.size()) : 0;
+        const int count = result ? countOf(*result) : 0;
         const QString made =
             count == 1 ? tr("1 section")
                        : QCoreApplication::translate("CommandLine", "%n sections", nullptr, count);

@@ -64,6 +64,20 @@ std::vector<Case> generatedCases(const QString &folder)
     }
     for (int n : {10, 20, 40})
         add(square("crates of 10, in all", n), crates(n, 10));
+    const auto addRepeated = [&](const char *kind, bool scaled, bool branches, const char *what) {
+        const QString path =
+            folder + QLatin1Char('/') + QString::number(cases.size()) + QStringLiteral(".fff");
+        if (!io::writeDocument(path, repeated(kind, scaled, branches)))
+            return;
+        for (const int edited : {0, 1})
+            cases.push_back(
+                {std::string("50 ") + what + (edited == 0 ? ", spine" : ", rib"), path, edited});
+    };
+    addRepeated("linear", false, false, "linear");
+    addRepeated("linear", true, false, "linear scaled");
+    addRepeated("linear", false, true, "linear branches");
+    addRepeated("revolve", false, false, "revolved");
+    addRepeated("revolve", true, false, "revolved scaled");
     return cases;
 }
 

@@ -2,8 +2,11 @@
 
 #include "core/base/units.h"
 #include "core/model/edits.h"
+#include "core/model/operation_edits.h"
+#include "core/operations/operation_kind.h"
 
 #include <charconv>
+#include <cmath>
 
 namespace fff::bench {
 
@@ -52,6 +55,47 @@ void print(std::string &out, std::initializer_list<double> numbers)
 }
 
 } // namespace
+
+Document repeated(const char *kind, bool scaled, bool branches)
+{
+    constexpr int kReplicas = 50;
+    constexpr double kLength = 600.0; // mm
+    Document document = newDocument();
+    std::vector<Vec2> outline;
+    for (int i = 0; i <= 12; ++i)
+        outline.push_back({kLength * i / 12.0, 60.0 + 12.0 * std::sin(0.9 * i)});
+    for (int i = 12; i >= 0; --i)
+        outline.push_back({kLength * i / 12.0, 120.0 + 10.0 * std::cos(0.7 * i)});
+    add(document, *Shape::make(*Contour::fromPoints(outline)), alongX(0.0, 0.0));
+    const Contour rib = *Contour::fromPoints({{-30, 20},
+                                              {-34, 60},
+                                              {-18, 92},
+                                              {0, 95},
+                                              {18, 92},
+                                              {34, 60},
+                                              {30, 20},
+                                              {12, 50},
+                                              {-12, 50}});
+    const Frame across{{200, 0, 0}, Vec3::UnitZ(), Vec3::UnitY()};
+    add(document, *Shape::make(rib), across);
+    for (const double z : {-24.0, 24.0}) {
+        if (!branches)
+            continue;
+        add(document, *Shape::make(*Contour::fromPoints({{-12, 0}, {-12, 24}, {12, 24}, {12, 0}})),
+            {{200, 30, z}, Vec3::UnitX(), Vec3::UnitY()});
+    }
+    Operation operation = newOperation(*operationKind(kind));
+    operation.name = kind;
+    operation.inputs["section"] = {{SectionRef(document.sections[1]->id), "Rib"}};
+    operation.inputs["along"] = {{SectionRef(document.sections[0]->id), "Spine"}};
+    operation.parameters["count"] = kReplicas + 1.0;
+    operation.parameters["wholeBranch"] = branches;
+    if (operation.kind == "linear")
+        operation.parameters["side"] = std::string("both");
+    if (scaled)
+        operation.parameters["scale"] = std::string("thickness");
+    return addOperation(std::move(document), std::move(operation));
+}
 
 Document comb(int sections)
 {

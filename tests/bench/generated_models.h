@@ -20,6 +20,11 @@ Document crates(int n, int reach);
 /// The lattice and one short section more (the last) that meets two neighbouring strips.
 Document latticeWithShort(int n);
 
+/// A curved spine and a rib that an operation of this kind ("linear", "revolve") repeats: 50
+/// replicas, drawn sections are the spine (0) and the rib (1). scaled: each by the local thickness;
+/// branches: the rib carries two more sections, which go along.
+Document repeated(const char *kind, bool scaled, bool branches);
+
 /// In the text format of FlatFab, which the old program's timings were taken on. Straight edges
 /// and sections without holes only.
 std::string flatfabText(const Document &document);

@@ -24,9 +24,9 @@ constexpr double kStretch = 3.0;   // mm between which a dragged section goes to
 
 using ModelPointer = std::shared_ptr<const Model>;
 
-ModelPointer modelOf(Document document)
+ModelPointer modelOf(Document document, const Model &previous = {})
 {
-    return std::make_shared<const Model>(evaluate(std::move(document)));
+    return std::make_shared<const Model>(evaluate(std::move(document), previous));
 }
 
 std::vector<int> jointCounts(const Analysis &analysis)
@@ -61,7 +61,7 @@ Document moved(const Document &document, SectionId id, double by)
 StepMemory memoryOfStep(const ModelPointer &model, SectionId id)
 {
     const std::int64_t before = liveBytes();
-    const ModelPointer after = modelOf(moved(model->document, id, kDragStep));
+    const ModelPointer after = modelOf(moved(model->document, id, kDragStep), *model);
     StepMemory memory;
     memory.counted = liveBytes() - before;
     // Objects made shared carry two counters and a table of functions.
@@ -92,8 +92,8 @@ void measureEdits(const ModelPointer &committed, SectionId id, AnalysisCaches &c
     for (int i = 0; i < kMoves; ++i) {
         offset = offset < kStretch ? offset + kDragStep : -kStretch;
         double drag = 0.0, follow = 0.0, undo = 0.0;
-        const ModelPointer next =
-            timed(drag, [&] { return modelOf(moved(committed->document, id, offset)); });
+        const ModelPointer next = timed(
+            drag, [&] { return modelOf(moved(committed->document, id, offset), *committed); });
         const auto analysed = [&](const ModelPointer &model) {
             AnalysisPointer result = analyseNext(*model, caches);
             prepareDrawing(*result);
@@ -138,7 +138,7 @@ void measureVerdicts(const ModelPointer &model, SectionId id, AnalysisCaches &ca
     });
     std::vector<double> again;
     for (int i = 1; i <= 3; ++i) {
-        analysis = analyseNext(*modelOf(moved(model->document, id, i * kDragStep)), caches);
+        analysis = analyseNext(*modelOf(moved(model->document, id, i * kDragStep), *model), caches);
         prepareDrawing(*analysis);
         timed(again.emplace_back(), [&] {
             verdicts.check(*analysis);
@@ -197,7 +197,8 @@ Result<Measurement> measure(const std::string &name, const QString &path, int ru
         t.drawing = drawingTime(analysis);
 
         const std::vector<int> counts = jointCounts(analysis);
-        const int index = edited >= 0 ? edited : middleSection(counts);
+        const int drawn = static_cast<int>(model->drawnCount());
+        const int index = edited >= 0 ? edited : std::min(middleSection(counts), drawn - 1);
         result.sections = static_cast<int>(model->sectionCount());
         result.joints = static_cast<int>(analysis.assembly.joints.size());
         result.neighbours = counts[static_cast<std::size_t>(index)];

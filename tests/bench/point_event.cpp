@@ -139,7 +139,7 @@ private:
 
 std::vector<std::size_t> sectionsToTry(const Model &model, const Assembly &assembly)
 {
-    std::vector<std::size_t> all(model.sectionCount());
+    std::vector<std::size_t> all(model.drawnCount());
     for (std::size_t i = 0; i < all.size(); ++i)
         all[i] = i;
     std::set<std::size_t> tried;
