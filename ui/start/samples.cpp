@@ -26,6 +26,18 @@ const Row kRows[] = {
     {"chair", QT_TRANSLATE_NOOP("fff::ui::Samples", "Doll’s chair")},
     {"glass_holder", QT_TRANSLATE_NOOP("fff::ui::Samples", "Glass holder")},
     {"organiser", QT_TRANSLATE_NOOP("fff::ui::Samples", "Desk organiser")},
+    // With operations to play with.
+    {"bony_fish", QT_TRANSLATE_NOOP("fff::ui::Samples", "Fish bones")},
+    {"dinosaur", QT_TRANSLATE_NOOP("fff::ui::Samples", "Dinosaur")},
+    {"beetle", QT_TRANSLATE_NOOP("fff::ui::Samples", "Stag beetle")},
+    {"growing_tree", QT_TRANSLATE_NOOP("fff::ui::Samples", "Growing tree")},
+    {"two_poses", QT_TRANSLATE_NOOP("fff::ui::Samples", "Dancers in two poses")},
+    {"bridge", QT_TRANSLATE_NOOP("fff::ui::Samples", "Footbridge")},
+    {"gears", QT_TRANSLATE_NOOP("fff::ui::Samples", "Gears")},
+    {"whale", QT_TRANSLATE_NOOP("fff::ui::Samples", "Whale in cells")},
+    {"cutlery_man", QT_TRANSLATE_NOOP("fff::ui::Samples", "Cutlery man")},
+    {"glass_three_legs", QT_TRANSLATE_NOOP("fff::ui::Samples", "Glass on three legs")},
+    {"glass_four_legs", QT_TRANSLATE_NOOP("fff::ui::Samples", "Glass on four legs")},
 };
 
 } // namespace

@@ -3,12 +3,15 @@
 
 #include "core/io/document_file.h"
 #include "core/operations/evaluate.h"
+#include "core/operations/operation_kind.h"
 #include "core/session/checks.h"
 #include "core/session/cutting_file.h"
 #include "core/session/plan_checks.h"
 #include "ui/start/samples.h"
 
 #include <QSet>
+
+#include <algorithm>
 
 using namespace fff;
 
@@ -20,6 +23,7 @@ private Q_SLOTS:
     void thereAreSeveral();
     void eachHoldsAndCanBeMade_data();
     void eachHoldsAndCanBeMade();
+    void everyOperationIsInOne();
 };
 
 void TestSamples::thereAreSeveral()
@@ -46,18 +50,38 @@ void TestSamples::eachHoldsAndCanBeMade()
     QVERIFY(loaded->warnings.empty());
     AnalysisCaches caches;
     const Analysis analysis = analyse(evaluate(loaded->document), caches);
+    for (const OperationResultPointer &result : analysis.model.evaluation.results)
+        QVERIFY2(result->notices.empty(), result->operation->name.c_str());
     std::vector<Check> found = planChecks(analysis, planOf(analysis));
     for (Check &check : checks(analysis))
         found.push_back(std::move(check));
     for (const Check &check : found)
         QVERIFY2(check.severity < CheckSeverity::Warning,
                  check.sections.empty() ? "the model" : "a section");
+    for (const CheckCode code :
+         {CheckCode::Connected, CheckCode::Stands, CheckCode::CanAssemble, CheckCode::FitsSheet})
+        QVERIFY(std::any_of(found.begin(), found.end(),
+                            [code](const Check &check) { return check.code == code; }));
     const Result<CuttingFile> file = makeCuttingFile(analysis);
     QVERIFY(file);
     QCOMPARE(file->partCount, static_cast<int>(analysis.model.sectionCount()));
     QVERIFY(file->oversized.empty());
     QVERIFY(file->unmarked.empty());
     QVERIFY(file->closedSlits.empty());
+}
+
+// Wrong: an operation that nobody sees at work before trying it.
+void TestSamples::everyOperationIsInOne()
+{
+    QSet<QString> kinds;
+    for (const ui::Sample &sample : ui::samples()) {
+        const Result<io::LoadedDocument> loaded = io::readDocument(sample.path);
+        QVERIFY(loaded);
+        for (const OperationPointer &operation : loaded->document.operations)
+            kinds += QString::fromStdString(operation->kind);
+    }
+    for (const OperationKind *kind : operationKinds())
+        QVERIFY2(kinds.contains(QString::fromUtf8(kind->key)), kind->key);
 }
 
 QTEST_GUILESS_MAIN(TestSamples)

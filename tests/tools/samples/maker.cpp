@@ -1,0 +1,170 @@
+#include "tests/tools/samples/maker.h"
+
+#include "core/assembly/crossing.h"
+#include "core/io/document_file.h"
+#include "core/model/edits.h"
+#include "core/model/operation_edits.h"
+#include "core/operations/evaluate.h"
+#include "core/operations/operation_kind.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+
+namespace fff::samples {
+
+namespace {
+
+[[noreturn]] void fail(const std::string &what)
+{
+    std::fprintf(stderr, "%s could not be made\n", what.c_str());
+    std::exit(1);
+}
+
+template <class T>
+T taken(Result<T> result, const std::string &what)
+{
+    if (!result)
+        fail(what);
+    return *std::move(result);
+}
+
+/// From inside to where the section leaves its parent: that end at which it reaches further out.
+Parent parentOf(const Section &parent, const Section &section)
+{
+    const Crossing crossing =
+        findCrossing(*parent.shape, parent.frame, *section.shape, section.frame);
+    if (crossing.overlaps.empty())
+        fail(section.name);
+    const Overlap &overlap = *std::max_element(
+        crossing.overlaps.begin(), crossing.overlaps.end(),
+        [](const Overlap &a, const Overlap &b) { return a.to - a.from < b.to - b.from; });
+    const bool isHigh = overlap.b.to.at - overlap.a.to.at > overlap.a.from.at - overlap.b.from.at;
+    const auto at = [&](double s) { return parent.frame.toLocal(crossing.axis.at(s)); };
+    return {parent.ref(), at(isHigh ? overlap.from : overlap.to),
+            at(isHigh ? overlap.to : overlap.from)};
+}
+
+} // namespace
+
+Maker::Maker(double thickness) : m_document(newDocument())
+{
+    Stock stock = *m_document.stocks.front();
+    stock.thickness = thickness;
+    m_document = taken(setStock(m_document, stock), "the stock");
+}
+
+SectionRef Maker::add(const std::string &name, const Frame &frame, Contour contour,
+                      std::vector<Contour> holes)
+{
+    NewSection section;
+    section.name = name;
+    section.frame = frame;
+    section.shape = taken(Shape::make(std::move(contour), std::move(holes)), name);
+    m_document = taken(addSection(std::move(m_document), std::move(section)), name);
+    return m_document.sections.back()->id;
+}
+
+SectionRef Maker::addOn(const SectionRef &parent, const std::string &name, const Frame &frame,
+                        Contour contour, std::vector<Contour> holes)
+{
+    NewSection section;
+    section.name = name;
+    section.frame = frame;
+    section.shape = taken(Shape::make(std::move(contour), std::move(holes)), name);
+    Section placed;
+    placed.name = name;
+    placed.frame = frame;
+    placed.shape = section.shape;
+    const Model model = evaluate(m_document);
+    const Section *on = model.find(parent);
+    if (!on)
+        fail(name);
+    section.parent = parentOf(*on, placed);
+    m_document = taken(addSection(std::move(m_document), std::move(section)), name);
+    return m_document.sections.back()->id;
+}
+
+OperationId Maker::apply(const std::string &kind, const std::string &name, const Inputs &inputs,
+                         const Values &values)
+{
+    const OperationKind *known = operationKind(kind);
+    if (!known)
+        fail(name);
+    Operation operation = newOperation(*known);
+    operation.name = name;
+    const Model before = evaluate(m_document);
+    for (const auto &[role, refs] : inputs) {
+        for (const SectionRef &ref : refs) {
+            if (!known->input(role) || !before.find(ref))
+                fail(name);
+            operation.inputs[role].push_back({ref, before.nameOf(ref)});
+        }
+    }
+    for (const auto &[key, value] : values) {
+        const ParameterSpec *spec = known->parameter(key);
+        if (!spec || !isAllowed(*spec, value))
+            fail(name + ": " + key);
+        operation.parameters.insert_or_assign(key, value);
+    }
+    m_document = addOperation(std::move(m_document), std::move(operation));
+    const OperationId id = m_document.operations.back()->id;
+    const Model model = evaluate(m_document);
+    if (const OperationResult *result = model.resultOf(id); !result || !result->notices.empty())
+        fail(name);
+    return id;
+}
+
+void Maker::hide(OperationId operation, const std::string &key)
+{
+    Exception exception;
+    exception.state = Exception::State::Hidden;
+    m_document = taken(setException(m_document, {operation, key}, exception), key);
+}
+
+void Maker::hang(const SectionRef &section, const Vec2 &position, double kilograms)
+{
+    Weight weight;
+    weight.section = section;
+    weight.position = position;
+    weight.mass = kilograms;
+    m_document = taken(addWeight(std::move(m_document), weight), "a weight");
+}
+
+std::vector<SectionPointer> Maker::sections() const
+{
+    return evaluate(m_document).sections();
+}
+
+void Maker::write(const std::string &folder, const std::string &name) const
+{
+    const QString path = QString::fromStdString(folder + "/" + name + ".fff");
+    if (!io::writeDocument(path, m_document))
+        fail(name);
+    // A contour that crosses itself would be mended each time that the file is opened.
+    if (const auto loaded = io::readDocument(path); !loaded || !loaded->warnings.empty())
+        fail("a sound " + name);
+}
+
+Frame facingFront(double z)
+{
+    return {{0.0, 0.0, z}, Vec3::UnitX(), Vec3::UnitY()};
+}
+
+Frame facingRight(double x)
+{
+    return {{x, 0.0, 0.0}, -Vec3::UnitZ(), Vec3::UnitY()};
+}
+
+Frame lying(double y)
+{
+    return {{0.0, y, 0.0}, Vec3::UnitX(), -Vec3::UnitZ()};
+}
+
+Frame radial(double angle)
+{
+    return {Vec3::Zero(), {std::cos(angle), 0.0, std::sin(angle)}, Vec3::UnitY()};
+}
+
+} // namespace fff::samples
