@@ -245,7 +245,9 @@ Contour RingRecovery::contour()
     std::vector<Piece> pieces;
     for (std::size_t k = 0; k < ends.size(); ++k) {
         Piece next = piece(ends[k], ends[(k + 1) % ends.size()]);
-        if (next.curve.p0 != next.curve.p3 || !next.curve.isStraight(kClipGrid))
+        // Ends that were steps of the grid apart are one where their curves meet.
+        if ((next.curve.p3 - next.curve.p0).norm() > 0.5 * kClipGrid ||
+            !next.curve.isStraight(kClipGrid))
             pieces.push_back(std::move(next));
     }
     joinLines(pieces);
