@@ -1010,10 +1010,6 @@
         <translation>Die Scheibe anklicken, die wiederholt werden soll.</translation>
     </message>
     <message>
-        <source>With everything attached to it</source>
-        <translation>Mit allem, was daran hängt</translation>
-    </message>
-    <message>
         <source>Repeat by</source>
         <translation>Wiederholen nach</translation>
     </message>
@@ -1341,6 +1337,50 @@
         <source>Times</source>
         <translation>Anzahl</translation>
     </message>
+    <message>
+        <source>Placing</source>
+        <translation>Anordnung</translation>
+    </message>
+    <message>
+        <source>Growth</source>
+        <translation>Wachstum</translation>
+    </message>
+    <message>
+        <source>Limits</source>
+        <translation>Grenzen</translation>
+    </message>
+    <message>
+        <source>Cells</source>
+        <translation>Zellen</translation>
+    </message>
+    <message>
+        <source>Edges</source>
+        <translation>Kanten</translation>
+    </message>
+    <message>
+        <source>As much of each lies inside the other section</source>
+        <translation>Von jeder liegt gleich viel in der anderen Scheibe</translation>
+    </message>
+    <message>
+        <source>Shape</source>
+        <translation>Form</translation>
+    </message>
+    <message>
+        <source>Whole branch</source>
+        <translation>Ganzer Zweig</translation>
+    </message>
+    <message>
+        <source>With everything that is attached to it</source>
+        <translation>Mit allem, was daran hängt</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>Symmetry</source>
+        <translation>Symmetrie</translation>
+    </message>
 </context>
 <context>
     <name>OperationNotice</name>
@@ -1387,6 +1427,30 @@
         <source>1 section of %1 was left out, as there is nothing to hold it.</source>
         <extracomment>%1 is the name of an operation</extracomment>
         <translation>1 Scheibe von %1 wurde ausgelassen, weil nichts da ist, was sie hält.</translation>
+    </message>
+    <message>
+        <source>automatic</source>
+        <translation>von selbst</translation>
+    </message>
+    <message>
+        <source>on</source>
+        <translation>ein</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>aus</translation>
+    </message>
+    <message>
+        <source>%1&#x202f;mm</source>
+        <translation>%1&#x202f;mm</translation>
+    </message>
+    <message>
+        <source>%1&#x202f;%</source>
+        <translation>%1&#x202f;%</translation>
+    </message>
+    <message>
+        <source>%1°</source>
+        <translation>%1°</translation>
     </message>
 </context>
 <context>
@@ -1669,6 +1733,27 @@
         <source>Detach %1</source>
         <extracomment>%1 is the name of a section that an operation made</extracomment>
         <translation>%1 lösen</translation>
+    </message>
+    <message>
+        <source>%1: %2 → %3</source>
+        <extracomment>%1 is the name of an operation, %2 of what it works on (&quot;Along&quot;), %3 of a section</extracomment>
+        <translation>%1: %2 → %3</translation>
+    </message>
+    <message>
+        <source>%1: %2 %3 → %4</source>
+        <extracomment>%1 is the name of an operation, %2 of a number (&quot;Count&quot;), %3 and %4 what it was and is</extracomment>
+        <translation>%1: %2 %3 → %4</translation>
+    </message>
+    <message>
+        <source>Make symmetric</source>
+        <translation>Symmetrisch machen</translation>
+    </message>
+    <message numerus="yes">
+        <source>Leave out %n sections</source>
+        <translation>
+            <numerusform>%n Scheiben auslassen</numerusform>
+            <numerusform>%n Scheiben auslassen</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -2791,6 +2876,174 @@
         <source>Show step by step how the model is put together</source>
         <translation>Schritt für Schritt zeigen, wie das Modell zusammengebaut wird</translation>
     </message>
+    <message>
+        <source>No operation is selected</source>
+        <translation>Es ist keine Operation ausgewählt</translation>
+    </message>
+    <message>
+        <source>It is the first one</source>
+        <translation>Sie ist die erste</translation>
+    </message>
+    <message>
+        <source>It is the last one</source>
+        <translation>Sie ist die letzte</translation>
+    </message>
+    <message>
+        <source>&amp;Linear</source>
+        <translation>&amp;Reihe</translation>
+    </message>
+    <message>
+        <source>Linear</source>
+        <translation>Reihe</translation>
+    </message>
+    <message>
+        <source>Repeat a section in a row along another one</source>
+        <translation>Eine Scheibe in einer Reihe entlang einer anderen wiederholen</translation>
+    </message>
+    <message>
+        <source>&amp;Revolve along contour</source>
+        <translation>&amp;Umlauf entlang der Kontur</translation>
+    </message>
+    <message>
+        <source>Revolve</source>
+        <translation>Umlauf</translation>
+    </message>
+    <message>
+        <source>Repeat a section round the contour of another one</source>
+        <translation>Eine Scheibe um die Kontur einer anderen herum wiederholen</translation>
+    </message>
+    <message>
+        <source>&amp;Blend</source>
+        <translation>Über&amp;gang</translation>
+    </message>
+    <message>
+        <source>Blend</source>
+        <translation>Übergang</translation>
+    </message>
+    <message>
+        <source>Make sections between others, which turn into one another</source>
+        <translation>Scheiben zwischen anderen machen, die ineinander übergehen</translation>
+    </message>
+    <message>
+        <source>Br&amp;anch</source>
+        <translation>&amp;Verzweigung</translation>
+    </message>
+    <message>
+        <source>Branch</source>
+        <translation>Verzweigung</translation>
+    </message>
+    <message>
+        <source>Let a section grow out of itself again and again, as a tree does</source>
+        <translation>Eine Scheibe immer wieder aus sich selbst wachsen lassen, wie einen Baum</translation>
+    </message>
+    <message>
+        <source>&amp;Grid with connectors</source>
+        <translation>Ra&amp;ster mit Verbindern</translation>
+    </message>
+    <message>
+        <source>Grid</source>
+        <translation>Raster</translation>
+    </message>
+    <message>
+        <source>Divide a section that is too large for the sheet</source>
+        <translation>Eine Scheibe teilen, die für die Platte zu groß ist</translation>
+    </message>
+    <message>
+        <source>Ra&amp;dial contour</source>
+        <translation>Run&amp;dform</translation>
+    </message>
+    <message>
+        <source>Radial</source>
+        <translation>Rundform</translation>
+    </message>
+    <message>
+        <source>Make a circle, a star or a gear of a section, or holes in it</source>
+        <translation>Eine Scheibe zu Kreis, Stern oder Zahnrad machen oder solche Löcher hineinsetzen</translation>
+    </message>
+    <message>
+        <source>&amp;Mirror model</source>
+        <translation>&amp;Modell spiegeln</translation>
+    </message>
+    <message>
+        <source>Mirror</source>
+        <translation>Spiegelung</translation>
+    </message>
+    <message>
+        <source>Let what is drawn on one side stand on the other side, too</source>
+        <translation>Was auf einer Seite gezeichnet ist, auch auf der anderen stehen lassen</translation>
+    </message>
+    <message>
+        <source>Ro&amp;tational symmetry</source>
+        <translation>Dr&amp;ehsymmetrie</translation>
+    </message>
+    <message>
+        <source>Rotational</source>
+        <translation>Drehung</translation>
+    </message>
+    <message>
+        <source>Let what is drawn once stand all round an axis</source>
+        <translation>Was einmal gezeichnet ist, rings um eine Achse stehen lassen</translation>
+    </message>
+    <message>
+        <source>Make symmetric &amp;now</source>
+        <translation>&amp;Jetzt symmetrisch machen</translation>
+    </message>
+    <message>
+        <source>Copy what stands on one side to the other side, once</source>
+        <translation>Was auf einer Seite steht, einmal auf die andere kopieren</translation>
+    </message>
+    <message>
+        <source>&amp;Switch off or on</source>
+        <translation>&amp;Aus- oder einschalten</translation>
+    </message>
+    <message>
+        <source>On</source>
+        <translation>Ein</translation>
+    </message>
+    <message>
+        <source>Switch the selected operation off, or on again</source>
+        <translation>Die ausgewählte Operation aus- oder wieder einschalten</translation>
+    </message>
+    <message>
+        <source>Earlier in the &amp;order</source>
+        <translation>&amp;Früher in der Reihenfolge</translation>
+    </message>
+    <message>
+        <source>Earlier</source>
+        <translation>Früher</translation>
+    </message>
+    <message>
+        <source>Let the selected operation work before the one above it</source>
+        <translation>Die ausgewählte Operation vor der darüber arbeiten lassen</translation>
+    </message>
+    <message>
+        <source>Lat&amp;er in the order</source>
+        <translation>S&amp;päter in der Reihenfolge</translation>
+    </message>
+    <message>
+        <source>Later</source>
+        <translation>Später</translation>
+    </message>
+    <message>
+        <source>Let the selected operation work after the one below it</source>
+        <translation>Die ausgewählte Operation nach der darunter arbeiten lassen</translation>
+    </message>
+    <message>
+        <source>Ba&amp;ke into sections</source>
+        <translation>In Scheiben um&amp;wandeln</translation>
+    </message>
+    <message>
+        <source>Bake</source>
+        <translation>Umwandeln</translation>
+    </message>
+    <message>
+        <source>Make drawn sections of what the selected operation makes</source>
+        <translation>Aus dem, was die ausgewählte Operation macht, gezeichnete Scheiben machen</translation>
+    </message>
+    <message>
+        <source>&amp;Operation</source>
+        <translation>&amp;Operation</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::AgoText</name>
@@ -3312,6 +3565,29 @@
     <message>
         <source>tabs</source>
         <translation>Zapfen</translation>
+    </message>
+</context>
+<context>
+    <name>fff::ui::ExceptionRows</name>
+    <message>
+        <source>None. Click one section to leave it out or to detach it.</source>
+        <translation>Keine. Eine Scheibe anklicken, um sie auszulassen oder zu lösen.</translation>
+    </message>
+    <message>
+        <source>Show again</source>
+        <translation>Wieder zeigen</translation>
+    </message>
+    <message>
+        <source>No. %1</source>
+        <translation>Nr. %1</translation>
+    </message>
+    <message>
+        <source>%1, left out</source>
+        <translation>%1, ausgelassen</translation>
+    </message>
+    <message>
+        <source>%1, detached</source>
+        <translation>%1, gelöst</translation>
     </message>
 </context>
 <context>
@@ -3851,6 +4127,39 @@
         <extracomment>%1 is a sentence, %2 a number of sections</extracomment>
         <translation>%1 Bisher: %2. &lt;kbd&gt;Enter&lt;/kbd&gt; macht es.</translation>
     </message>
+    <message>
+        <source>%1 is made by %2: click to edit them all, click again for this one.</source>
+        <translation>%1 kommt von %2: Klick für alle, noch ein Klick für diese allein.</translation>
+    </message>
+    <message>
+        <source>Click to select %1 alone; drag out of it to draw a section across it.</source>
+        <translation>Klick wählt %1 allein aus; herausziehen zeichnet eine Scheibe quer dazu.</translation>
+    </message>
+    <message>
+        <source>Drag a round handle to move the beginning or the end of %1; click one section to select it.</source>
+        <translation>Runde Griffe verschieben Anfang und Ende von %1; ein Klick auf eine Scheibe wählt sie aus.</translation>
+    </message>
+    <message>
+        <source>Drag to move the beginning of %1; click to type it.</source>
+        <translation>Ziehen verschiebt den Anfang von %1; Klick, um ihn einzutippen.</translation>
+    </message>
+    <message>
+        <source>Drag to move the end of %1; click to type it.</source>
+        <translation>Ziehen verschiebt das Ende von %1; Klick, um es einzutippen.</translation>
+    </message>
+    <message>
+        <source>Release to let %1 begin here: %2&#x202f;%. &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
+        <extracomment>%1 is the name of an operation, %2 a number</extracomment>
+        <translation>Loslassen: %1 beginnt hier, bei %2&#x202f;%. &lt;kbd&gt;Esc&lt;/kbd&gt; bricht ab.</translation>
+    </message>
+    <message>
+        <source>Release to let %1 end here: %2&#x202f;%. &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
+        <translation>Loslassen: %1 endet hier, bei %2&#x202f;%. &lt;kbd&gt;Esc&lt;/kbd&gt; bricht ab.</translation>
+    </message>
+    <message>
+        <source>%1 is made by %2: edit its source, or detach this one.</source>
+        <translation>%1 kommt von %2: die Vorlage bearbeiten oder diese lösen.</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::HistoryDock</name>
@@ -3885,6 +4194,62 @@
     <message>
         <source>Saved here</source>
         <translation>Hier gespeichert</translation>
+    </message>
+</context>
+<context>
+    <name>fff::ui::InputRow</name>
+    <message>
+        <source>Delete takes a section out, drag changes the order.</source>
+        <translation>Entf nimmt eine Scheibe heraus, Ziehen ändert die Reihenfolge.</translation>
+    </message>
+    <message>
+        <source>Take it out</source>
+        <translation>Herausnehmen</translation>
+    </message>
+    <message>
+        <source>%1 (gone)</source>
+        <extracomment>%1 is the name of a section</extracomment>
+        <translation>%1 (fehlt)</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>Auswählen…</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <extracomment>%1 is what an operation works on (&quot;Along&quot;), %2 the name of a section</extracomment>
+        <translation>%1: %2</translation>
+    </message>
+</context>
+<context>
+    <name>fff::ui::InstanceGroup</name>
+    <message>
+        <source>Made by an operation</source>
+        <translation>Von einer Operation</translation>
+    </message>
+    <message>
+        <source>Made by</source>
+        <translation>Kommt von</translation>
+    </message>
+    <message>
+        <source>Image of</source>
+        <translation>Abbild von</translation>
+    </message>
+    <message>
+        <source>What is done to one of them is done to all</source>
+        <translation>Was mit einer geschieht, geschieht mit allen</translation>
+    </message>
+    <message>
+        <source>Leave this one out</source>
+        <translation>Diese auslassen</translation>
+    </message>
+    <message>
+        <source>Detach</source>
+        <translation>Lösen</translation>
+    </message>
+    <message>
+        <source>Make a drawn section of this one; its operation makes the others</source>
+        <translation>Aus dieser eine gezeichnete Scheibe machen; die anderen macht die Operation</translation>
     </message>
 </context>
 <context>
@@ -4172,6 +4537,14 @@
         <source>Tool bar</source>
         <translation>Werkzeugleiste</translation>
     </message>
+    <message>
+        <source>Repeat</source>
+        <translation>Wiederholen</translation>
+    </message>
+    <message>
+        <source>Repeat and blend sections</source>
+        <translation>Scheiben wiederholen und ineinander übergehen lassen</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::MainWindow</name>
@@ -4326,6 +4699,87 @@
     </message>
 </context>
 <context>
+    <name>fff::ui::OperationMarks</name>
+    <message>
+        <source>%1 %2&#x202f;%</source>
+        <extracomment>%1 is the name of a number (&quot;From&quot;), %2 its value in percent</extracomment>
+        <translation>%1 %2&#x202f;%</translation>
+    </message>
+</context>
+<context>
+    <name>fff::ui::OperationNotices</name>
+    <message>
+        <source>Choose another</source>
+        <translation>Andere auswählen</translation>
+    </message>
+    <message>
+        <source>Show it</source>
+        <translation>Zeigen</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Rückgängig</translation>
+    </message>
+</context>
+<context>
+    <name>fff::ui::OperationPage</name>
+    <message>
+        <source>Exceptions</source>
+        <translation>Ausnahmen</translation>
+    </message>
+    <message>
+        <source>Bake</source>
+        <translation>Umwandeln</translation>
+    </message>
+    <message>
+        <source>Make drawn sections of what it makes; it is then no operation any more</source>
+        <translation>Aus dem, was sie macht, gezeichnete Scheiben machen; die Operation gibt es dann nicht mehr</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Löschen</translation>
+    </message>
+    <message>
+        <source>Delete it and what it makes</source>
+        <translation>Sie löschen, mit allem, was sie macht</translation>
+    </message>
+    <message>
+        <source>Inputs</source>
+        <translation>Eingaben</translation>
+    </message>
+    <message>
+        <source>Choose</source>
+        <translation>Auswählen</translation>
+    </message>
+    <message>
+        <source>Allow more</source>
+        <translation>Mehr erlauben</translation>
+    </message>
+</context>
+<context>
+    <name>fff::ui::OperationTree</name>
+    <message>
+        <source>Operations, in order</source>
+        <translation>Operationen, der Reihe nach</translation>
+    </message>
+    <message>
+        <source>F2 renames, Space hides and shows, Alt with an arrow key changes the order.</source>
+        <translation>F2 benennt um, Leertaste blendet aus und ein, Alt mit Pfeiltaste ändert die Reihenfolge.</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>aus</translation>
+    </message>
+    <message>
+        <source>Hidden: show it</source>
+        <translation>Ausgeblendet: einblenden</translation>
+    </message>
+    <message>
+        <source>Hide it</source>
+        <translation>Ausblenden</translation>
+    </message>
+</context>
+<context>
     <name>fff::ui::OutlineDock</name>
     <message>
         <source>Outline</source>
@@ -4397,6 +4851,25 @@
         <source>%1 × %2 from the last point</source>
         <extracomment>how far it is to the side (%1) and up or down (%2, with a unit)</extracomment>
         <translation>%1 × %2 vom letzten Punkt</translation>
+    </message>
+</context>
+<context>
+    <name>fff::ui::ParameterRow</name>
+    <message>
+        <source>%</source>
+        <translation>%</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>As it follows from the sections</source>
+        <translation>Wie es aus den Scheiben folgt</translation>
+    </message>
+    <message>
+        <source>Set by hand</source>
+        <translation>Von Hand gesetzt</translation>
     </message>
 </context>
 <context>
@@ -4536,6 +5009,34 @@
         <source>%1 · set by hand</source>
         <translation>%1 · von Hand</translation>
     </message>
+    <message>
+        <source>On</source>
+        <translation>Ein</translation>
+    </message>
+    <message>
+        <source>Off, it makes nothing and keeps all that is set</source>
+        <translation>Ausgeschaltet macht sie nichts und behält alles, was eingestellt ist</translation>
+    </message>
+    <message>
+        <source>Made by %1 · %2</source>
+        <extracomment>%1 is the name of an operation, %2 a number of joints</extracomment>
+        <translation>Von %1 · %2</translation>
+    </message>
+    <message>
+        <source>%1 · switched off</source>
+        <extracomment>%1 is the kind of an operation</extracomment>
+        <translation>%1 · ausgeschaltet</translation>
+    </message>
+    <message>
+        <source>%1 · makes nothing</source>
+        <extracomment>%1 is the kind of an operation</extracomment>
+        <translation>%1 · macht nichts</translation>
+    </message>
+    <message>
+        <source>%1 · %2 · up to date</source>
+        <extracomment>%1 is the kind of an operation, %2 a number of sections</extracomment>
+        <translation>%1 · %2 · aktuell</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::RecentMenu</name>
@@ -4607,6 +5108,50 @@
     <message>
         <source>Desk organiser</source>
         <translation>Schreibtischbox</translation>
+    </message>
+    <message>
+        <source>Fish bones</source>
+        <translation>Fischgräten</translation>
+    </message>
+    <message>
+        <source>Dinosaur</source>
+        <translation>Dinosaurier</translation>
+    </message>
+    <message>
+        <source>Stag beetle</source>
+        <translation>Hirschkäfer</translation>
+    </message>
+    <message>
+        <source>Growing tree</source>
+        <translation>Wachsender Baum</translation>
+    </message>
+    <message>
+        <source>Dancers in two poses</source>
+        <translation>Tänzer in zwei Haltungen</translation>
+    </message>
+    <message>
+        <source>Footbridge</source>
+        <translation>Steg</translation>
+    </message>
+    <message>
+        <source>Gears</source>
+        <translation>Zahnräder</translation>
+    </message>
+    <message>
+        <source>Whale in cells</source>
+        <translation>Wal aus Zellen</translation>
+    </message>
+    <message>
+        <source>Cutlery man</source>
+        <translation>Besteckmann</translation>
+    </message>
+    <message>
+        <source>Glass on three legs</source>
+        <translation>Glas auf drei Beinen</translation>
+    </message>
+    <message>
+        <source>Glass on four legs</source>
+        <translation>Glas auf vier Beinen</translation>
     </message>
 </context>
 <context>
@@ -4709,6 +5254,14 @@
     <message>
         <source>%1 · %2</source>
         <translation>%1 · %2</translation>
+    </message>
+</context>
+<context>
+    <name>fff::ui::SegmentedBox</name>
+    <message>
+        <source>%1: %2</source>
+        <extracomment>%1 is the name of a choice (&quot;Side&quot;), %2 one of what can be chosen (&quot;Both&quot;)</extracomment>
+        <translation>%1: %2</translation>
     </message>
 </context>
 <context>

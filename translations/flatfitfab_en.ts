@@ -163,6 +163,13 @@
             <numerusform>Stretch %n sections to the ground</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>Leave out %n sections</source>
+        <translation>
+            <numerusform>Leave out %n sections</numerusform>
+            <numerusform>Leave out %n sections</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::AgoText</name>

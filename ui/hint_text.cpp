@@ -3,6 +3,7 @@
 #include "core/session/operation_text.h"
 
 #include <QCoreApplication>
+#include <QLocale>
 
 namespace fff::ui {
 
@@ -245,6 +246,32 @@ QString hintSentence(const Hint &hint, const QString &undoKeys)
         return HintText::tr("Nothing deleted: a contour needs two points at least.");
     case Hint::Kind::EditFailed:
         return HintText::tr("Nothing changed: this cannot be done here.");
+    case Hint::Kind::SelectOperation:
+        return HintText::tr("%1 is made by %2: click to edit them all, click again for this one.")
+            .arg(name, other);
+    case Hint::Kind::SelectInstance:
+        return HintText::tr("Click to select %1 alone; drag out of it to draw a section across it.")
+            .arg(name);
+    case Hint::Kind::MoveRange:
+        return HintText::tr("Drag a round handle to move the beginning or the end of %1; click one "
+                            "section to select it.")
+            .arg(name);
+    case Hint::Kind::MoveHandleOf:
+        return (hint.other == "from"
+                    ? HintText::tr("Drag to move the beginning of %1; click to type it.")
+                    : HintText::tr("Drag to move the end of %1; click to type it."))
+            .arg(name);
+    case Hint::Kind::MovingHandleOf:
+        //: %1 is the name of an operation, %2 a number
+        return (hint.other == "from"
+                    ? HintText::tr(
+                          "Release to let %1 begin here: %2\u202f%. <kbd>Esc</kbd> cancels.")
+                    : HintText::tr(
+                          "Release to let %1 end here: %2\u202f%. <kbd>Esc</kbd> cancels."))
+            .arg(name, QLocale().toString(0.1 * hint.number, 'f', 1));
+    case Hint::Kind::MadeByOperation:
+        return HintText::tr("%1 is made by %2: edit its source, or detach this one.")
+            .arg(name, other);
     case Hint::Kind::PickInput:
         return pickInput(hint);
     case Hint::Kind::NeverLeft:

@@ -6,14 +6,20 @@
 #include "ui/theme.h"
 #include "ui/workbench.h"
 
+#include <QMenu>
 #include <QPushButton>
+#include <QToolButton>
 
 namespace fff::ui {
 
 namespace {
 
 // px; what a narrower window has not
-constexpr int kToolLabels = 1400, kWholeStock = 1240;
+constexpr int kToolLabels = 1400, kWholeStock = 1240, kOperationButtons = 1160;
+
+constexpr const char *kOperations[] = {"operation.linear", "operation.revolve", "operation.blend",
+                                       "operation.branch", "operation.grid",    "operation.radial",
+                                       "operation.mirror"};
 
 } // namespace
 
@@ -24,10 +30,14 @@ MainToolBar::MainToolBar(Workbench &bench, const ActionSet &actions, QWidget *pa
     setMovable(false);
     toggleViewAction()->setVisible(false);
     setIconSize({20, 20});
-    actions.fill(this,
-                 {"file.new", "file.open", "file.save", "", "edit.undo", "edit.redo", "",
-                  "section.symmetry", "section.ground", "section.snap", "section.pen", "",
-                  "section.redraw", "section.addHole", "section.planeGround", "", "view.fitAll"});
+    actions.fill(this, {"file.new", "file.open", "file.save", "", "edit.undo", "edit.redo", "",
+                        "section.symmetry", "section.ground", "section.snap", "section.pen", "",
+                        "section.redraw", "section.addHole", ""});
+    for (const char *id : kOperations)
+        m_operations.push_back(actions.action(id));
+    makeRepeat();
+    m_afterOperations = addSeparator();
+    addAction(actions.action("view.fitAll"));
 
     for (QAction *action : this->actions()) {
         if (QWidget *button = widgetForAction(action); button && !action->isSeparator())
@@ -47,6 +57,39 @@ MainToolBar::MainToolBar(Workbench &bench, const ActionSet &actions, QWidget *pa
     makeExport(actions.action("file.export"));
 }
 
+/// Their buttons, or the one that stands for all.
+void MainToolBar::placeOperations(bool hasButtons)
+{
+    if (hasButtons == actions().contains(m_operations.front()))
+        return;
+    for (QAction *action : m_operations) {
+        if (!hasButtons) {
+            removeAction(action);
+            continue;
+        }
+        insertAction(m_afterOperations, action);
+        widgetForAction(action)->setFocusPolicy(Qt::TabFocus);
+    }
+    m_repeatAction->setVisible(!hasButtons);
+}
+
+/// What stands for the operations where there is no room for all.
+void MainToolBar::makeRepeat()
+{
+    m_repeat = new QToolButton(this);
+    m_repeat->setObjectName(QStringLiteral("repeatButton"));
+    m_repeat->setText(tr("Repeat"));
+    m_repeat->setIcon(themedIcon(QStringLiteral("linear")));
+    m_repeat->setToolTip(tr("Repeat and blend sections"));
+    m_repeat->setPopupMode(QToolButton::InstantPopup);
+    m_repeat->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    auto *menu = new QMenu(m_repeat);
+    for (QAction *action : m_operations)
+        menu->addAction(action);
+    m_repeat->setMenu(menu);
+    m_repeatAction = addWidget(m_repeat);
+}
+
 void MainToolBar::makeExport(QAction *exporting)
 {
     m_export = new QPushButton(exporting->iconText(), this);
@@ -64,10 +107,17 @@ void MainToolBar::makeExport(QAction *exporting)
 
 void MainToolBar::fold(int windowWidth)
 {
-    const bool labels = windowWidth >= kToolLabels;
-    setToolButtonStyle(labels ? Qt::ToolButtonTextUnderIcon : Qt::ToolButtonIconOnly);
-    setFixedHeight(labels ? 56 : 44);
     m_stock->setShort(windowWidth < kWholeStock);
+    placeOperations(windowWidth >= kOperationButtons);
+    // Whole words or none: how long they are is the language's.
+    const bool hadLabels = toolButtonStyle() == Qt::ToolButtonTextUnderIcon;
+    bool labels = windowWidth >= kToolLabels;
+    if (labels && !hadLabels)
+        setToolButtonStyle(Qt::ToolButtonTextUnderIcon);
+    labels = labels && sizeHint().width() <= windowWidth;
+    if (!labels)
+        setToolButtonStyle(Qt::ToolButtonIconOnly);
+    setFixedHeight(labels ? 56 : 44);
 }
 
 void MainToolBar::refresh()

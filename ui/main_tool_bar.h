@@ -4,7 +4,10 @@
 
 #include <QToolBar>
 
+#include <vector>
+
 class QPushButton;
+class QToolButton;
 
 namespace fff::ui {
 
@@ -24,11 +27,16 @@ public:
     void refresh();
 
 private:
+    void makeRepeat();
     void makeExport(QAction *exporting);
+    void placeOperations(bool hasButtons);
 
     Workbench &m_bench;
     StockBox *m_stock = nullptr;
     QPushButton *m_export = nullptr;
+    std::vector<QAction *> m_operations;
+    QToolButton *m_repeat = nullptr;
+    QAction *m_repeatAction = nullptr, *m_afterOperations = nullptr;
 };
 
 } // namespace fff::ui

@@ -20,6 +20,7 @@
 #include "ui/icon.h"
 #include "ui/main_tool_bar.h"
 #include "ui/message_bar.h"
+#include "ui/operation_notices.h"
 #include "ui/panes.h"
 #include "ui/properties/open_editor.h"
 #include "ui/settings/check_rules.h"
@@ -156,6 +157,7 @@ void MainWindow::makeDocks()
     m_bar = new CanvasBar(*m_bench, m_view);
     if (auto *viewport = qobject_cast<Viewport *>(m_view))
         connect(viewport, &Viewport::numberBegun, m_bar, &CanvasBar::begin);
+    new OperationNotices(*m_bench, *m_messages, this);
     m_steps = new StepsView(*m_bench, *m_checkList, qobject_cast<Viewport *>(m_view), this);
     m_layout = new WindowLayout(*this);
     // The order is that of the tabs in a narrow window.
@@ -264,7 +266,8 @@ void MainWindow::run(const QString &id)
     else
         m_bench->run(id);
     m_actions->refresh(); // what is checked says what is so, not what was clicked
-    if (m_bench->interaction().tool() && id.startsWith(QStringLiteral("section.")))
+    if (m_bench->interaction().tool() &&
+        (id.startsWith(QStringLiteral("section.")) || id.startsWith(QStringLiteral("operation."))))
         m_view->setFocus(); // keys are the tool's
     if (id == QStringLiteral("edit.undo") && history.index() < before)
         m_status->sayUndone(undone);

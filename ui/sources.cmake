@@ -27,7 +27,10 @@ target_sources(fff_ui PRIVATE
     docks/link_row.cpp
     docks/model_page.cpp
     docks/problem_box.cpp
+    docks/operation_page.cpp
+    docks/operation_tree.cpp
     docks/outline_dock.cpp
+    docks/outline_marks.cpp
     docks/properties_dock.cpp
     docks/properties_header.cpp
     docks/section_page.cpp
@@ -51,16 +54,22 @@ target_sources(fff_ui PRIVATE
     measures.cpp
     message_bar.cpp
     naming.cpp
+    operation_notices.cpp
     panes.cpp
     properties/choice_box.cpp
     properties/drawing_group.cpp
+    properties/exception_rows.cpp
+    properties/input_row.cpp
+    properties/instance_group.cpp
     properties/joint_rows.cpp
     properties/joint_words.cpp
     properties/length_edit.cpp
     properties/number_edit.cpp
     properties/open_editor.cpp
+    properties/parameter_row.cpp
     properties/point_rows.cpp
     properties/property_rows.cpp
+    properties/segmented_box.cpp
     properties/slider_field.cpp
     properties/stock_box.cpp
     properties/stock_choice.cpp

@@ -226,6 +226,9 @@ ViewStyle Theme::viewStyle() const
         style.slit = QColor(0xff, 0x9a, 0x5c);
         style.symmetry = QColor(0xf0, 0x7b, 0xe3);
         style.guide = QColor(0x3f, 0xd0, 0xc0);
+        style.made = QColor(0xb9, 0xa8, 0xff);
+        style.madeFace = QColor(0xc3, 0xb6, 0xee);
+        style.madeSide = QColor(0x75, 0x63, 0xc4);
         style.casing = QColor(0x15, 0x11, 0x0c);
         style.faceBrightness = 0.94;
     }
@@ -236,6 +239,7 @@ ViewStyle Theme::viewStyle() const
         style.slit = isDark ? QColor(0xff, 0xb0, 0x80) : QColor(0x7a, 0x26, 0x00);
         style.symmetry = isDark ? QColor(0xff, 0x9c, 0xf2) : QColor(0x7a, 0x00, 0x6c);
         style.guide = isDark ? QColor(0x6f, 0xf0, 0xe0) : QColor(0x00, 0x4f, 0x48);
+        style.made = isDark ? QColor(0xd3, 0xc8, 0xff) : QColor(0x3a, 0x28, 0x8c);
         style.edge = QColor(0x00, 0x00, 0x00);
         style.edgeWidth = 1.5;
         style.silhouetteWidth = 2.2;

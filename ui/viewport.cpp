@@ -1,5 +1,6 @@
 #include "ui/viewport.h"
 
+#include "core/model/origin.h"
 #include "ui/cursors.h"
 #include "ui/focus_frame.h"
 #include "ui/settings/settings.h"
@@ -44,7 +45,8 @@ bool hasPath(const Overlay &overlay)
 
 bool Viewport::Seen::isSamePicture(const Seen &other) const
 {
-    return camera == other.camera && view == other.view && isGhosted == other.isGhosted;
+    return camera == other.camera && view == other.view && isGhosted == other.isGhosted &&
+           operation == other.operation;
 }
 
 Viewport::Viewport(Workbench &bench, QWidget *parent)
@@ -180,8 +182,12 @@ void Viewport::paintMarks()
     const auto hovered = static_cast<std::size_t>(std::max(overlay.hovered, 0));
     if (overlay.hovered >= 0 && hovered < model.sectionCount())
         scene.hovered = QString::fromStdString(model.section(hovered)->name);
-    if (overlay.points && static_cast<std::size_t>(overlay.points->section) < model.sectionCount())
-        scene.edited = model.section(static_cast<std::size_t>(overlay.points->section)).get();
+    if (overlay.points)
+        scene.edited = editedSection(model, overlay.points->section);
+    if (overlay.operation) {
+        const Operation *operation = model.document.find(interaction.selectedOperation());
+        scene.operation = operation ? operationKind(operation->kind) : nullptr;
+    }
     if (m_busyTurn.isActive())
         scene.busy = m_busyTurns;
     QPainter painter(&m_marks);
@@ -348,6 +354,8 @@ Viewport::Seen Viewport::seen() const
             overlay.cubePart,
             overlay.points,
             overlay.joints,
+            overlay.operation,
+            interaction.operationInFocus(),
             overlay.isHandleHovered,
             interaction.hasGesture(),
             overlay.stroke.has_value() || hasPath(overlay),
@@ -405,19 +413,39 @@ void Viewport::markScene()
     const std::set<SectionRef> selected(interaction.selection().begin(),
                                         interaction.selection().end());
     const auto &outlined = m_bench.outlined();
+    const OperationId inFocus = interaction.operationInFocus();
+    const int hovered = interaction.overlay().hovered;
+    OperationId hoveredOperation;
+    if (hovered >= 0 && static_cast<std::size_t>(hovered) < model.sectionCount())
+        hoveredOperation = model.ref(static_cast<std::size_t>(hovered)).operation;
     applyView(m_scene, model, interaction.view());
     const bool isDrawing =
         interaction.overlay().stroke.has_value() || hasPath(interaction.overlay());
     // All stand back for the section that is being drawn: the one that is not as it was.
     const Model &committed = m_bench.session().committed();
+    // What the operation made or changed; one that is not committed yet is about to be.
+    std::set<SectionRef> made;
+    for (const OperationResultPointer &result : model.evaluation.results) {
+        const OperationId id = result->operation->id;
+        if (id != inFocus && committed.document.find(id))
+            continue;
+        for (const SectionPointer &section : result->sections)
+            made.insert(section->ref());
+        for (const auto &[ref, section] : result->changed)
+            if (section)
+                made.insert(ref);
+    }
     const auto isAsItWas = [&](std::size_t i) {
         return i < committed.sectionCount() && committed.section(i) == model.section(i);
     };
     for (std::size_t i = 0; i < m_scene.sections.size(); ++i) {
         SceneSection &section = m_scene.sections[i];
-        section.isSelected = !selected.empty() && selected.contains(model.ref(i));
-        section.isHovered = interaction.overlay().hovered == static_cast<int>(i) ||
-                            std::binary_search(outlined.begin(), outlined.end(), model.ref(i));
+        const SectionRef ref = model.ref(i);
+        section.isHovered = hovered == static_cast<int>(i) ||
+                            std::binary_search(outlined.begin(), outlined.end(), ref);
+        section.isSelected = !selected.empty() && selected.contains(ref);
+        section.isSibling = hoveredOperation.isValid() && ref.operation == hoveredOperation;
+        section.isMade = !made.empty() && made.contains(ref);
         section.isGhost = isDrawing ? isAsItWas(i) : section.isGhost;
     }
 }

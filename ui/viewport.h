@@ -72,6 +72,8 @@ private:
         std::optional<CubePart> cubePart;
         std::optional<Overlay::Points> points;
         std::optional<Overlay::Joints> joints;
+        std::optional<OperationMarks> handles;
+        OperationId operation; // in focus
         bool isHandleHovered = false, hasGesture = false, isGhosted = false, hasBand = false;
         std::vector<ProblemMark> marks;
         int litMark = 0;

@@ -17,6 +17,7 @@ Workbench::Workbench(QObject *parent)
     m_hint = m_interaction->hint();
     m_host.attach(*m_interaction);
     connect(&m_host, &SessionHost::problemChosen, this, &Workbench::problemChosen);
+    connect(&m_host, &SessionHost::parameterChosen, this, &Workbench::parameterChosen);
     connect(&m_session, &Session::modelChanged, this, &Workbench::announceChanges);
     registerSessionCommands(m_commands, m_session, *m_interaction);
     connect(&settings(), &Settings::viewChanged, this, &Workbench::followSettings);
@@ -145,6 +146,12 @@ void Workbench::selectJoint(const JointRef &joint)
     announceChanges();
 }
 
+void Workbench::selectOperation(OperationId id)
+{
+    m_interaction->selectOperation(id);
+    announceChanges();
+}
+
 void Workbench::editJoint(JointEdit edit)
 {
     if (edit)
@@ -167,13 +174,15 @@ bool Workbench::nudge(const Vec2 &arrow, double distance)
     return moved;
 }
 
-void Workbench::setHidden(const SectionRef &ref, bool hidden)
+void Workbench::setHidden(const std::vector<SectionRef> &sections, bool hidden)
 {
     ViewState view = m_interaction->view();
-    if (hidden)
-        view.hidden.insert(ref);
-    else
-        view.hidden.erase(ref);
+    for (const SectionRef &ref : sections) {
+        if (hidden)
+            view.hidden.insert(ref);
+        else
+            view.hidden.erase(ref);
+    }
     m_interaction->setView(std::move(view));
     announceChanges();
 }
@@ -247,8 +256,10 @@ void Workbench::setOutlined(std::vector<SectionRef> sections, std::vector<Sectio
 
 void Workbench::announceChanges()
 {
-    if (m_selection != m_interaction->selection() || m_joint != m_interaction->selectedJoint()) {
+    if (m_selection != m_interaction->selection() || m_joint != m_interaction->selectedJoint() ||
+        m_operation != m_interaction->selectedOperation()) {
         m_selection = m_interaction->selection();
+        m_operation = m_interaction->selectedOperation();
         m_joint = m_interaction->selectedJoint();
         Q_EMIT selectionChanged();
     }

@@ -53,11 +53,13 @@ public:
     void showAll(std::string_view view);
     void select(std::vector<SectionRef> selection);
     void selectJoint(const JointRef &joint);
+    void selectOperation(OperationId id);
 
     // The view's state: what is hidden, red, isolated, cut open. No step of the history.
     bool isHidden(const SectionRef &ref) const { return m_interaction->view().isHidden(ref); }
     /// A hidden section is neither drawn nor picked.
-    void setHidden(const SectionRef &ref, bool hidden);
+    void setHidden(const SectionRef &ref, bool hidden) { setHidden(std::vector{ref}, hidden); }
+    void setHidden(const std::vector<SectionRef> &sections, bool hidden);
     /// Those that are part of the problem looked at: red and hatched.
     void setProblemSections(const std::vector<SectionRef> &sections);
     /// Numbers beside problems. A click on one is announced by problemChosen.
@@ -104,6 +106,8 @@ Q_SIGNALS:
     void editFailed(const fff::Error &error);
     /// The mark of this problem was clicked, or is under the cursor (0: none is).
     void problemChosen(int number);
+    /// The handle of this parameter was clicked.
+    void parameterChosen(fff::OperationId operation, const QString &key);
     void problemHovered(int number);
 
 private:
@@ -116,6 +120,7 @@ private:
     std::unique_ptr<Interaction> m_interaction;
     std::vector<SectionRef> m_selection; // as last announced
     std::optional<JointRef> m_joint;
+    OperationId m_operation;
     std::vector<PointAddress> m_points;
     Hint m_hint;
     ViewState m_view;

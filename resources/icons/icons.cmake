@@ -3,6 +3,9 @@
 find_program(RSVG_CONVERT rsvg-convert REQUIRED)
 set(icon_names
     about
+    bake
+    blend
+    branch
     check
     chevron_down
     chevron_right
@@ -23,6 +26,7 @@ set(icon_names
     fit_selection
     float
     full_screen
+    grid
     ground_shadow
     hide
     hole
@@ -32,14 +36,20 @@ set(icon_names
     joint_flip
     joint_reset
     keyboard
+    linear
+    mirror
     mouse
+    move_down
+    move_up
     new
     next_pane
     next_problem
     open
+    operation_switch
     pause
     pen
     perspective
+    pick
     plane_front
     plane_ground
     plane_parallel
@@ -54,10 +64,13 @@ set(icon_names
     previous_pane
     previous_problem
     quit
+    radial
     redo
     redraw
     reset_window
     revert
+    revolve
+    rotational
     save
     save_as
     search

@@ -1,6 +1,7 @@
 fff_test(ui/actions/tst_action_finder fff::ui)
 fff_test(ui/dialogs/tst_dialogs fff::ui)
 fff_test(ui/docks/tst_link_row fff::ui)
+fff_test(ui/docks/tst_operations_docks fff::ui)
 fff_test(ui/files/tst_progress fff::ui)
 fff_test(ui/files/tst_windows fff::ui)
 fff_test(ui/properties/tst_choice_box fff::ui)

@@ -19,7 +19,9 @@ constexpr char kSentence[] = "sentence"; // of the tooltip, without the shortcut
 /// Checked while their tool is in the hand.
 constexpr const char *kTools[] = {
     "section.planeGround", "section.planeFront", "section.planeSide", "section.planeParallel",
-    "section.redraw",      "section.addHole",    "section.pen",       "check.showAssembly"};
+    "section.redraw",      "section.addHole",    "section.pen",       "check.showAssembly",
+    "operation.linear",    "operation.revolve",  "operation.blend",   "operation.branch",
+    "operation.grid",      "operation.radial",   "operation.mirror",  "operation.rotational"};
 
 const ActionRow &rowOf(const QString &id)
 {
@@ -170,7 +172,7 @@ void ActionSet::refresh()
 {
     const QUndoStack &history = *m_bench.session().history();
     const bool hasSections = m_bench.session().model().sectionCount() > 0;
-    const bool hasSelection = !m_bench.interaction().selection().empty();
+    const bool hasSelection = !m_bench.interaction().sectionsInFocus().empty();
 
     // Points of an open path go first.
     const Interaction &interaction = m_bench.interaction();
@@ -195,7 +197,18 @@ void ActionSet::refresh()
     setAble("file.export", hasSections, nothingThere);
     setAble("edit.selectAll", hasSections, nothingThere);
     const bool hasJoint = interaction.selectedJoint().has_value();
-    setAble("edit.delete", hasSelection || hasJoint, nothingSelected);
+    const OperationId inFocus = interaction.operationInFocus();
+    setAble("edit.delete", hasSelection || hasJoint || interaction.selectedOperation().isValid(),
+            nothingSelected);
+    const auto &operations = m_bench.session().committed().document.operations;
+    const QString noOperation = tr("No operation is selected");
+    for (const char *id : {"operation.switch", "operation.bake"})
+        setAble(id, inFocus.isValid(), noOperation);
+    setAble("operation.moveUp", inFocus.isValid() && operations.front()->id != inFocus,
+            inFocus.isValid() ? tr("It is the first one") : noOperation);
+    setAble("operation.moveDown", inFocus.isValid() && operations.back()->id != inFocus,
+            inFocus.isValid() ? tr("It is the last one") : noOperation);
+    setAble("operation.symmetric", hasSections, nothingThere);
     setAble("view.faceSelection", hasSelection, nothingSelected);
     setAble("view.fitSelection", hasSelection || hasJoint, nothingSelected);
     const QString noJoint = tr("No joint is selected: select a section, then one of its joints");

@@ -4,6 +4,8 @@
 #include "core/session/check_list.h"
 #include "ui/check_words.h"
 #include "ui/docks/dock_title.h"
+#include "ui/docks/operation_tree.h"
+#include "ui/docks/outline_marks.h"
 #include "ui/icon.h"
 #include "ui/properties/choice_box.h"
 #include "ui/properties/stock_choice.h"
@@ -11,11 +13,11 @@
 #include "ui/view/view_style.h"
 #include "ui/workbench.h"
 
-#include <QHeaderView>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
 #include <QScopedValueRollback>
+#include <QSplitter>
 #include <QTreeWidget>
 #include <QVBoxLayout>
 
@@ -31,9 +33,6 @@ enum Column { kName, kStock, kProblem, kEye, kColumnCount };
 constexpr int kIdRole = Qt::UserRole;        // SectionId
 constexpr int kNameRole = Qt::UserRole + 1;  // as in the model
 constexpr int kStockRole = Qt::UserRole + 2; // name of its stock, for the filter
-constexpr int kMarkRole = Qt::UserRole + 3;  // what a column's icon is made of
-constexpr int kRowHeight = 24;               // px
-constexpr int kMarkWidth = 24;               // px
 
 SectionId idOf(const QTreeWidgetItem *item)
 {
@@ -65,29 +64,14 @@ protected:
         else
             QTreeWidget::keyPressEvent(event);
     }
-    /// The eye is a button: it does not select.
     QItemSelectionModel::SelectionFlags selectionCommand(const QModelIndex &index,
                                                          const QEvent *event) const override
     {
-        if (event && index.column() == kEye &&
-            (event->type() == QEvent::MouseButtonPress ||
-             event->type() == QEvent::MouseButtonRelease))
+        if (isOnEye(index, event, kEye))
             return QItemSelectionModel::NoUpdate;
         return QTreeWidget::selectionCommand(index, event);
     }
 };
-
-/// Sets an icon only where it differs: every change is announced and painted.
-void setMark(QTreeWidgetItem *item, int column, const QString &mark, const QIcon &icon,
-             const QString &tip)
-{
-    if (item->data(column, kMarkRole).toString() == mark)
-        return;
-    item->setData(column, kMarkRole, mark);
-    item->setIcon(column, icon);
-    item->setToolTip(column, tip);
-    item->setData(column, Qt::AccessibleTextRole, tip);
-}
 
 } // namespace
 
@@ -111,20 +95,7 @@ OutlineDock::OutlineDock(Workbench &bench, const CheckList &list, QWidget *paren
     m_tree->setAccessibleDescription(tr("F2 renames, Space hides and shows."));
     m_tree->setColumnCount(kColumnCount);
     m_tree->setHeaderHidden(true);
-    m_tree->header()->setStretchLastSection(false);
-    m_tree->header()->setMinimumSectionSize(kMarkWidth);
-    m_tree->header()->setSectionResizeMode(kName, QHeaderView::Stretch);
-    for (int column = kStock; column < kColumnCount; ++column) {
-        m_tree->header()->setSectionResizeMode(column, QHeaderView::Fixed);
-        m_tree->setColumnWidth(column, kMarkWidth);
-    }
-    m_tree->setFrameShape(QFrame::NoFrame);
-    m_tree->setSelectionMode(QAbstractItemView::ExtendedSelection);
-    m_tree->setEditTriggers(QAbstractItemView::EditKeyPressed);
-    m_tree->setAllColumnsShowFocus(true);
-    m_tree->setIconSize({16, 16});
-    m_tree->setIndentation(16);
-    m_tree->setUniformRowHeights(true);
+    dressOutline(m_tree, kEye);
 
     m_empty = new QLabel(tr("Sections appear here as you draw them."), m_tree);
     m_empty->setObjectName(QStringLiteral("outlineEmpty"));
@@ -139,7 +110,14 @@ OutlineDock::OutlineDock(Workbench &bench, const CheckList &list, QWidget *paren
     filterRow->setContentsMargins(8, 4, 8, 8);
     filterRow->addWidget(m_filter);
     column->addLayout(filterRow);
-    column->addWidget(m_tree);
+    m_operations = new OperationTree(bench, content);
+    auto *halves = new QSplitter(Qt::Vertical, content);
+    halves->setChildrenCollapsible(false);
+    halves->addWidget(m_tree);
+    halves->addWidget(m_operations);
+    halves->setStretchFactor(0, 3);
+    halves->setStretchFactor(1, 2);
+    column->addWidget(halves, 1);
     setWidget(content);
 
     connect(m_filter, &QLineEdit::textChanged, this, &OutlineDock::applyFilter);
@@ -163,6 +141,7 @@ void OutlineDock::refreshColours()
     markProblems();
     markHidden();
     m_tree->viewport()->update();
+    m_operations->refreshColours();
 }
 
 /// What is shown only while a section is drawn.
@@ -206,7 +185,7 @@ void OutlineDock::writeRow(QTreeWidgetItem *&item, const Section &section, bool 
     if (!item) {
         item = new QTreeWidgetItem;
         item->setIcon(kName, rowIcon(QStringLiteral("section")));
-        item->setSizeHint(kName, {0, kRowHeight});
+        item->setSizeHint(kName, {0, kOutlineRow});
         item->setData(kName, kIdRole, static_cast<qlonglong>(section.id.value));
     }
     fill(item, section);
@@ -408,6 +387,7 @@ void OutlineDock::rename(QTreeWidgetItem *item)
 void OutlineDock::applyFilter()
 {
     const QString words = m_filter->text().trimmed();
+    m_operations->setFilter(words);
     const std::function<bool(QTreeWidgetItem *)> filter = [&](QTreeWidgetItem *item) {
         bool fits = words.isEmpty() || item->text(kName).contains(words, Qt::CaseInsensitive) ||
                     item->data(kName, kStockRole).toString().contains(words, Qt::CaseInsensitive);
@@ -436,7 +416,8 @@ void OutlineDock::showSelection()
     const QScopedValueRollback filling(m_isFilling, true);
     std::set<SectionId> wanted;
     for (const SectionRef &ref : m_bench.interaction().selection())
-        wanted.insert(ref.drawn);
+        if (ref.drawn.isValid())
+            wanted.insert(ref.drawn);
     for (QTreeWidgetItem *item : m_tree->selectedItems()) {
         if (!wanted.contains(idOf(item)))
             item->setSelected(false);

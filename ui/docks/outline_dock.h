@@ -1,5 +1,6 @@
-// The sections as a tree by parent, with a filter. Selecting works both ways with the view; F2
-// renames; the eye hides. Follows an edit by what it changed: nothing else is touched.
+// The drawn sections as a tree by parent, with a filter, and below them the operations. Selecting
+// works both ways with the view; F2 renames; the eye hides. Follows an edit by what it changed:
+// nothing else is touched.
 #pragma once
 
 #include <QDockWidget> // first: moc stumbles over some standard headers
@@ -21,6 +22,7 @@ class CheckList;
 
 namespace fff::ui {
 
+class OperationTree;
 class Workbench;
 
 class OutlineDock : public QDockWidget
@@ -57,6 +59,7 @@ private:
     QLineEdit *m_filter = nullptr;
     QTreeWidget *m_tree = nullptr;
     QLabel *m_empty = nullptr;
+    OperationTree *m_operations = nullptr;
     std::unordered_map<SectionId, QTreeWidgetItem *> m_items;
     SectionList m_shown;                                // what the items were made of
     std::vector<std::shared_ptr<const Stock>> m_stocks; // likewise

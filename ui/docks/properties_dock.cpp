@@ -6,6 +6,7 @@
 #include "ui/docks/drawing_page.h"
 #include "ui/docks/joint_page.h"
 #include "ui/docks/model_page.h"
+#include "ui/docks/operation_page.h"
 #include "ui/docks/problem_box.h"
 #include "ui/docks/properties_header.h"
 #include "ui/docks/section_page.h"
@@ -34,6 +35,7 @@ PropertiesDock::PropertiesDock(Workbench &bench, const CheckList &list, QWidget 
     m_modelPage = new ModelPage(bench, content);
     m_sectionPage = new SectionPage(bench, content);
     m_jointPage = new JointPage(bench, content);
+    m_operationPage = new OperationPage(bench, content);
     auto *column = new QVBoxLayout(content);
     column->setContentsMargins(16, 12, 12, 12);
     column->setSpacing(0);
@@ -43,6 +45,7 @@ PropertiesDock::PropertiesDock(Workbench &bench, const CheckList &list, QWidget 
     column->addWidget(m_modelPage);
     column->addWidget(m_sectionPage);
     column->addWidget(m_jointPage);
+    column->addWidget(m_operationPage);
     m_drawingPage = new DrawingPage(bench, content);
     column->addWidget(m_drawingPage);
     column->addStretch(1);
@@ -63,7 +66,17 @@ PropertiesDock::PropertiesDock(Workbench &bench, const CheckList &list, QWidget 
                 m_bench.select({section});
                 m_sectionPage->focusJoint(other);
             });
+    connect(&bench, &Workbench::parameterChosen, this, [this](OperationId, const QString &key) {
+        show();
+        raise();
+        refresh();
+        m_operationPage->focusParameter(key);
+    });
     connect(&bench, &Workbench::selectionChanged, this, &PropertiesDock::refresh);
+    connect(&bench, &Workbench::viewStateChanged, this, [this] { // another tool
+        if (!m_operationPage->isHidden())
+            refresh();
+    });
     connect(&bench, &Workbench::pointsChanged, this, &PropertiesDock::refresh);
     connect(&bench.session(), &Session::modelChanged, this, &PropertiesDock::follow);
     connect(&bench.session(), &Session::analysisChanged, this, &PropertiesDock::follow);
@@ -98,8 +111,11 @@ void PropertiesDock::refresh()
     m_header->setVisible(!isDrawing);
     const bool hasSection = !selectedSections(m_bench).empty();
     const bool hasJoint = m_bench.interaction().selectedJoint().has_value();
+    const bool hasOperation = m_bench.interaction().selectedOperation().isValid();
     m_jointPage->follow();
-    m_modelPage->setVisible(!hasSection && !hasJoint && !isDrawing);
+    m_operationPage->follow();
+    m_modelPage->setVisible(!hasSection && !hasJoint && !hasOperation && !isDrawing);
+    m_operationPage->setVisible(hasOperation && !isDrawing);
     m_jointPage->setVisible(hasJoint && !isDrawing);
     m_sectionPage->setVisible(hasSection && !isDrawing);
     tellProblem();
@@ -110,6 +126,8 @@ void PropertiesDock::refresh()
     m_header->refresh();
     if (hasJoint)
         m_jointPage->refresh();
+    else if (hasOperation)
+        m_operationPage->refresh();
     else if (hasSection)
         m_sectionPage->refresh();
     else

@@ -17,6 +17,7 @@ namespace fff::ui {
 class DrawingPage;
 class JointPage;
 class ModelPage;
+class OperationPage;
 class ProblemBox;
 class PropertiesHeader;
 class SectionPage;
@@ -46,6 +47,7 @@ private:
     ModelPage *m_modelPage = nullptr;
     SectionPage *m_sectionPage = nullptr;
     JointPage *m_jointPage = nullptr;
+    OperationPage *m_operationPage = nullptr;
     DrawingPage *m_drawingPage = nullptr; // while a stroke is drawn
     QTimer m_soon;                        // refreshes once all that came at once is in
 };

@@ -2,14 +2,19 @@
 
 #include "core/assembly/joint_state.h"
 #include "core/model/edits.h"
+#include "core/model/operation_edits.h"
+#include "core/session/operation_text.h"
 #include "ui/icon.h"
 #include "ui/properties/joint_words.h"
 #include "ui/theme.h"
 #include "ui/workbench.h"
 
+#include <QCheckBox>
 #include <QGridLayout>
 #include <QLabel>
 #include <QLineEdit>
+
+#include <algorithm>
 
 namespace fff::ui {
 
@@ -48,7 +53,17 @@ PropertiesHeader::PropertiesHeader(Workbench &bench, QWidget *parent)
     grid->addWidget(m_icon, 0, 0);
     grid->addWidget(m_name, 0, 1);
     grid->addWidget(m_title, 0, 1);
-    grid->addWidget(m_kind, 1, 1);
+    m_isOn = new QCheckBox(tr("On"), this);
+    m_isOn->setObjectName(QStringLiteral("operationOn"));
+    m_isOn->setToolTip(tr("Off, it makes nothing and keeps all that is set"));
+    auto *line = new QHBoxLayout;
+    line->setContentsMargins(0, 0, 0, 0);
+    line->addWidget(m_kind, 1);
+    line->addWidget(m_isOn, 0, Qt::AlignTop);
+    grid->addLayout(line, 1, 1);
+    connect(m_isOn, &QCheckBox::clicked, this, [this](bool isOn) {
+        m_bench.run(QStringLiteral("operation.switch"), {{"on", isOn ? "true" : "false"}});
+    });
     connect(m_name, &QLineEdit::editingFinished, this, &PropertiesHeader::rename);
     refresh();
 }
@@ -58,7 +73,10 @@ void PropertiesHeader::refresh()
     nameWhatIsSelected();
     const std::vector<int> sections = selectedSections(m_bench);
     const std::optional<JointRef> &joint = m_bench.interaction().selectedJoint();
+    const Operation *operation =
+        m_bench.session().model().document.find(m_bench.interaction().selectedOperation());
     const QString icon = joint              ? QStringLiteral("joint")
+                         : operation        ? QString::fromStdString(operation->kind)
                          : sections.empty() ? QStringLiteral("view_iso")
                                             : QStringLiteral("section");
     m_icon->setPixmap(tintedPixmap(icon, 22, theme().accent, devicePixelRatioF()));
@@ -74,6 +92,10 @@ void PropertiesHeader::refresh()
             name = tr("%1 · %2", "joint").arg(nameOf(state->a), nameOf(state->b));
             kind = stateOf(*state);
         }
+    } else if (operation) {
+        name = QString::fromStdString(operation->name);
+        kind = kindOf(*operation);
+        m_isOn->setChecked(operation->isOn);
     } else if (sections.empty()) {
         name = tr("Model");
         kind = tr("Nothing is selected");
@@ -86,8 +108,10 @@ void PropertiesHeader::refresh()
         name = tr("%n section(s)", nullptr, static_cast<int>(sections.size()));
         kind = tr("Changes apply to all of them");
     }
-    m_name->setVisible(sections.size() == 1);
-    m_title->setVisible(sections.size() != 1);
+    const bool hasName = m_named.drawn.isValid() || m_named.operation.isValid();
+    m_isOn->setVisible(operation != nullptr);
+    m_name->setVisible(hasName);
+    m_title->setVisible(!hasName);
     m_title->setText(
         QFontMetrics(m_title->font()).elidedText(name, Qt::ElideMiddle, kLongestTitle));
     m_title->setToolTip(joint ? name : QString());
@@ -102,10 +126,14 @@ void PropertiesHeader::refresh()
 void PropertiesHeader::nameWhatIsSelected()
 {
     const std::vector<int> sections = selectedSections(m_bench);
-    const SectionRef single =
-        sections.size() == 1
-            ? m_bench.session().model().ref(static_cast<std::size_t>(sections.front()))
-            : SectionRef();
+    SectionRef single;
+    if (sections.size() == 1) {
+        const SectionRef ref =
+            m_bench.session().model().ref(static_cast<std::size_t>(sections.front()));
+        if (ref.drawn.isValid()) // others are called after what they are made of
+            single = ref;
+    }
+    single.operation = m_bench.interaction().selectedOperation();
     if (single == m_named)
         return;
     rename();
@@ -132,6 +160,9 @@ QString PropertiesHeader::kindOf(int section) const
     for (const Joint &joint : analysis.assembly.joints)
         joints += joint.a == there || joint.b == there ? 1 : 0;
     const QString count = tr("%n joint(s)", nullptr, joints);
+    if (const Operation *operation = model.document.find(model.ref(index).operation))
+        //: %1 is the name of an operation, %2 a number of joints
+        return tr("Made by %1 · %2").arg(QString::fromStdString(operation->name), count);
     const auto &link = model.section(index)->parent;
     const int on = link ? model.indexOf(link->section) : -1;
     return on < 0
@@ -141,6 +172,24 @@ QString PropertiesHeader::kindOf(int section) const
                           count);
 }
 
+/// "Revolve · 13 sections · up to date"
+QString PropertiesHeader::kindOf(const Operation &operation) const
+{
+    const QString kind = kindName(operation);
+    if (!operation.isOn)
+        //: %1 is the kind of an operation
+        return tr("%1 · switched off").arg(kind);
+    const OperationResult *result = m_bench.session().model().resultOf(operation.id);
+    const bool fails =
+        !result || std::any_of(result->notices.begin(), result->notices.end(),
+                               [](const OperationNotice &n) { return isFailure(n); });
+    if (fails)
+        //: %1 is the kind of an operation
+        return tr("%1 · makes nothing").arg(kind);
+    //: %1 is the kind of an operation, %2 a number of sections
+    return tr("%1 · %2 · up to date").arg(kind, tr("%n section(s)", nullptr, countOf(*result)));
+}
+
 void PropertiesHeader::rename()
 {
     if (!m_name->isModified())
@@ -148,7 +197,14 @@ void PropertiesHeader::rename()
     m_name->setModified(false);
     const Document document = m_bench.session().committed().document;
     const Section *section = document.find(m_named.drawn);
+    const Operation *operation = document.find(m_named.operation);
     const std::string name = m_name->text().trimmed().toStdString();
+    if (operation && !name.empty() && name != operation->name) {
+        Operation renamed = *operation;
+        renamed.name = name;
+        m_bench.commit({Step::Kind::RenameSection, {operation->name}},
+                       setOperation(document, std::move(renamed)));
+    }
     if (section && !name.empty() && name != section->name) {
         m_bench.commit({Step::Kind::RenameSection, {section->name}},
                        renameSection(document, m_named.drawn, name));

@@ -8,12 +8,14 @@
 
 #include <vector>
 
+class QCheckBox;
 class QLabel;
 class QLineEdit;
 
 namespace fff {
 struct JointState;
-}
+struct Operation;
+} // namespace fff
 
 namespace fff::ui {
 
@@ -30,6 +32,7 @@ public:
 
 private:
     QString kindOf(int section) const;
+    QString kindOf(const Operation &operation) const;
     static QString stateOf(const JointState &joint);
     void nameWhatIsSelected();
     void rename();
@@ -39,7 +42,9 @@ private:
     QLabel *m_title = nullptr; // of what has no name to change
     QLineEdit *m_name = nullptr;
     QLabel *m_kind = nullptr;
-    SectionRef m_named; // whose name the field has; none unless one is selected
+    QCheckBox *m_isOn = nullptr; // of an operation
+    /// Whose name the field has: one drawn section or an operation; none unless one is selected.
+    SectionRef m_named;
 };
 
 /// Indices in the model that is shown, of those selected sections that exist in it.

@@ -3,8 +3,11 @@
 #include "core/base/tolerances.h"
 #include "core/base/units.h"
 #include "core/model/edits.h"
+#include "core/model/operation_edits.h"
+#include "core/model/origin.h"
 #include "ui/docks/properties_header.h"
 #include "ui/measures.h"
+#include "ui/properties/instance_group.h"
 #include "ui/properties/joint_rows.h"
 #include "ui/properties/joint_words.h"
 #include "ui/properties/point_rows.h"
@@ -65,6 +68,23 @@ std::optional<double> commonNumber(const std::vector<int> &sections,
     return common;
 }
 
+/// Of an image the drawn section; of another one that an operation made an exception of that.
+Result<Document> setStockOf(const Model &model, Document document, const SectionRef &ref,
+                            StockId stock)
+{
+    if (const std::optional<Origin> origin = originOf(model, ref))
+        return setSectionStock(std::move(document), origin->section->id, stock);
+    const Operation *operation = document.find(ref.operation);
+    if (!operation)
+        return document;
+    Exception exception;
+    if (const auto known = operation->exceptions.find(ref.key);
+        known != operation->exceptions.end())
+        exception = known->second;
+    exception.stock = stock;
+    return setException(std::move(document), ref, exception);
+}
+
 /// The stocks of these sections, each once.
 std::set<StockId> stocksOf(const Model &model, const std::vector<int> &sections)
 {
@@ -79,8 +99,10 @@ std::set<StockId> stocksOf(const Model &model, const std::vector<int> &sections)
 SectionPage::SectionPage(Workbench &bench, QWidget *parent) : QWidget(parent), m_bench(bench)
 {
     m_pointGroup = new PointGroup(m_bench, this);
+    m_instanceGroup = new InstanceGroup(m_bench, this);
     auto *stock = new PropertyGroup(tr("Stock"), this);
     auto *place = new PropertyGroup(tr("Place"), this);
+    m_placeGroup = place;
     auto *contour = new PropertyGroup(tr("Contour"), this);
     m_jointGroup = new PropertyGroup(tr("Joints"), this);
     addStockRows(stock);
@@ -103,6 +125,7 @@ SectionPage::SectionPage(Workbench &bench, QWidget *parent) : QWidget(parent), m
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
     column->addWidget(m_pointGroup);
+    column->addWidget(m_instanceGroup);
     for (QWidget *group : {stock, place, contour, m_jointGroup})
         column->addWidget(group);
 }
@@ -131,8 +154,8 @@ void SectionPage::addStockRows(PropertyGroup *group)
             for (int i : selectedSections(m_bench)) {
                 names.push_back(nameOf(model, i));
                 if (next)
-                    next = setSectionStock(std::move(*next),
-                                           model.ref(static_cast<std::size_t>(i)).drawn, id);
+                    next = setStockOf(model, *std::move(next),
+                                      model.ref(static_cast<std::size_t>(i)), id);
             }
             m_bench.commit({Step::Kind::SetStock, names}, std::move(next));
         },
@@ -295,12 +318,16 @@ PropertyRow *SectionPage::positionRow(int axis, const QString &name, const char 
             Result<Document> next = model.document;
             std::vector<std::string> names;
             for (int i : selectedSections(m_bench)) {
-                Frame frame = model.section(static_cast<std::size_t>(i))->frame;
-                frame.origin[axis] = value;
+                const auto origin = originOf(model, model.ref(static_cast<std::size_t>(i)));
+                if (!origin)
+                    continue; // its place is its operation's
+                Vec3 by = Vec3::Zero();
+                by[axis] = value - model.section(static_cast<std::size_t>(i))->frame.origin[axis];
+                Frame frame = origin->section->frame;
+                frame.origin += origin->turn.transpose() * by;
                 names.push_back(nameOf(model, i));
                 if (next)
-                    next = moveSection(std::move(*next),
-                                       model.ref(static_cast<std::size_t>(i)).drawn, frame);
+                    next = moveSection(*std::move(next), origin->section->id, frame);
             }
             m_bench.commit({Step::Kind::MoveSection, names}, std::move(next));
         },
@@ -315,6 +342,12 @@ void SectionPage::refresh()
     for (PropertyRow *row : m_rows)
         row->refresh();
     m_pointGroup->refresh();
+    m_instanceGroup->refresh();
+    // Where an operation puts a section is said there.
+    const Model &model = m_bench.session().model();
+    m_placeGroup->setVisible(std::all_of(m_selected.begin(), m_selected.end(), [&](int i) {
+        return originOf(model, model.ref(static_cast<std::size_t>(i))).has_value();
+    }));
     refreshJoints();
 }
 

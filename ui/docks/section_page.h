@@ -11,6 +11,7 @@
 
 namespace fff::ui {
 
+class InstanceGroup;
 class JointRows;
 class PointGroup;
 class PropertyGroup;
@@ -43,6 +44,8 @@ private:
                              QWidget *parent);
 
     Workbench &m_bench;
+    InstanceGroup *m_instanceGroup = nullptr;
+    PropertyGroup *m_placeGroup = nullptr;
     PointGroup *m_pointGroup = nullptr;
     PropertyGroup *m_jointGroup = nullptr;
     JointRows *m_joints = nullptr;

@@ -41,6 +41,11 @@ void PropertyRow::setEditor(QWidget *editor, const char *objectName, bool fills)
         row->addStretch(1);
 }
 
+void PropertyRow::giveWholeRow()
+{
+    m_label->hide();
+}
+
 void PropertyRow::setName(const QString &pattern, const QString &of)
 {
     if (m_pattern == pattern && m_of == of)
@@ -88,8 +93,8 @@ void PropertyRow::showName()
     m_label->setText(m_pattern.arg(of) + mark);
 }
 
-void PropertyRow::addButton(const QString &icon, const char *objectName, const QString &tip,
-                            std::function<void()> act)
+QToolButton *PropertyRow::addButton(const QString &icon, const char *objectName, const QString &tip,
+                                    std::function<void()> act)
 {
     auto *button = new QToolButton(this);
     button->setObjectName(QLatin1String(objectName));
@@ -102,6 +107,7 @@ void PropertyRow::addButton(const QString &icon, const char *objectName, const Q
     button->setAutoRaise(true);
     connect(button, &QToolButton::clicked, this, std::move(act));
     layout()->addWidget(button);
+    return button;
 }
 
 TextRow::TextRow(const QString &name, const char *objectName, std::function<QString()> read,

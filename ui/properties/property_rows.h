@@ -14,6 +14,8 @@
 #include <optional>
 #include <utility>
 
+class QToolButton;
+
 namespace fff::ui {
 
 class PropertyRow : public QWidget
@@ -21,8 +23,8 @@ class PropertyRow : public QWidget
 public:
     virtual void refresh() = 0;
     /// A small button behind the editor.
-    void addButton(const QString &icon, const char *objectName, const QString &tip,
-                   std::function<void()> act);
+    QToolButton *addButton(const QString &icon, const char *objectName, const QString &tip,
+                           std::function<void()> act);
 
     /// For what it is of now. pattern: may have a place for `of`, which is cut short where it is
     /// long.
@@ -32,6 +34,8 @@ public:
 
 protected:
     PropertyRow(const QString &name, QWidget *parent);
+    /// The editor has the label's place, too.
+    void giveWholeRow();
     /// The editor takes the rest of the row; it is called as the row is.
     void setEditor(QWidget *editor, const char *objectName, bool fills);
 

@@ -87,7 +87,9 @@ void CapBuffers::update(const Scene &scene, const ClipPlane &plane, const ViewSt
         if (section.isHidden || section.isGhost)
             continue;
         addCapOf(caps, section, plane);
-        const QColor &c = section.isProblem ? style.problemSide : section.look.side;
+        const QColor &c = section.isProblem ? style.problemSide
+                          : section.isMade  ? style.madeSide
+                                            : section.look.side;
         for (std::size_t i = vertices.size(); i < caps.triangles.size(); ++i)
             vertices.push_back({caps.triangles[i],
                                 {static_cast<float>(c.redF()), static_cast<float>(c.greenF()),

@@ -2,6 +2,7 @@
 
 #include "core/interaction/clip_gesture.h"
 #include "ui/view/joint_marks.h"
+#include "ui/view/operation_marks.h"
 #include "ui/view/pen_marks.h"
 #include "ui/view/point_marks.h"
 #include "ui/view/problem_marks.h"
@@ -42,6 +43,11 @@ public:
     {
         if (m_scene.overlay.joints)
             paintJoints(m_pen, *m_scene.overlay.joints, m_locale);
+    }
+    void handles()
+    {
+        if (m_scene.overlay.operation && m_scene.operation)
+            paintOperation(m_pen, *m_scene.overlay.operation, *m_scene.operation, m_locale);
     }
     void band();
     void ghosts();
@@ -330,6 +336,7 @@ void paintOverlay(QPainter &painter, const OverlayScene &scene, const ViewStyle 
     drawing.problems();
     drawing.points();
     drawing.joints();
+    drawing.handles();
     drawing.stroke();
     drawing.path();
     drawing.band();

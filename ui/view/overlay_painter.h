@@ -6,6 +6,7 @@
 #include "core/interaction/interaction.h"
 #include "core/interaction/problem_look.h"
 #include "core/interaction/view_state.h"
+#include "core/operations/operation_kind.h"
 #include "ui/view/length_unit.h"
 #include "ui/view/step_marks.h"
 #include "ui/view/view_style.h"
@@ -36,7 +37,8 @@ struct OverlayScene
     ProblemLook problems = {};               // what is drawn of them besides
     std::vector<SectionPointer> ghosts = {}; // that are not in the model
     const StepMarks *steps = nullptr;        // of the assembly, which is shown instead of the model
-    const Section *edited = nullptr;         // whose points are shown, as it is shown
+    SectionPointer edited = {};              // whose points are shown, as it is shown
+    const OperationKind *operation = nullptr; // that is selected, if it has handles
 };
 
 /// Leaves the painter's state changed. Lengths are written as the locale has them.

@@ -141,8 +141,9 @@ void Renderer::render(const Scene &scene, const Camera &camera, const Vec2 &view
         ++d->drawCount;
     }
     const bool hasOutlines =
-        std::any_of(scene.sections.begin(), scene.sections.end(),
-                    [](const SceneSection &s) { return s.isSelected || s.isHovered; });
+        std::any_of(scene.sections.begin(), scene.sections.end(), [](const SceneSection &s) {
+            return s.isSelected || s.isHovered || s.isSibling;
+        });
     if (hasOutlines) {
         d->shown.resize(d->pixels);
         d->shown.copyFrom(d->base());

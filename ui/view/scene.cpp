@@ -15,7 +15,8 @@ bool SceneSection::looksTheSame(const SceneSection &other) const
            thickness == other.thickness && look.face == other.look.face &&
            look.side == other.look.side && look.alpha == other.look.alpha &&
            covers == other.covers && guests == other.guests && isGhost == other.isGhost &&
-           isHidden == other.isHidden && isProblem == other.isProblem && isFaulty == other.isFaulty;
+           isHidden == other.isHidden && isProblem == other.isProblem &&
+           isFaulty == other.isFaulty && isMade == other.isMade;
 }
 
 SlabMesh meshOf(const SceneSection &section)

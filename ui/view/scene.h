@@ -26,7 +26,9 @@ struct SceneSection
     std::vector<int> guests; // of each cover: its section in the scene, -1 for one that went
     Box3 bounds;             // of the slab, mm
     bool isSelected = false, isHovered = false;
-    bool isGhost = false; // stands back while another one is drawn or looked at
+    bool isSibling = false; // of the one that is hovered: the same operation made it
+    bool isMade = false;    // by the operation that is selected
+    bool isGhost = false;   // stands back while another one is drawn or looked at
     bool isHidden = false;
     bool isProblem = false; // red and hatched
     bool isFaulty = false;  // outlined in red

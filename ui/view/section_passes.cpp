@@ -68,6 +68,8 @@ SlabLook SectionPasses::lookOf(std::size_t index, double alpha) const
     const SceneSection &section = m_scene->sections[index];
     if (section.isProblem)
         return {m_style->problemFace, m_style->problemSide, alpha, m_style->problemHatch};
+    if (section.isMade)
+        return {m_style->madeFace, m_style->madeSide, alpha, QColor()};
     return {scaled(section.look.face, m_style->faceBrightness), section.look.side, alpha, QColor()};
 }
 
@@ -245,11 +247,13 @@ void SectionPasses::drawOutlines()
     };
     const std::vector<SceneSection> &sections = m_scene->sections;
     for (std::size_t i = 0; i < sections.size(); ++i) {
-        if (!sections[i].isHovered || sections[i].isSelected)
+        if (!(sections[i].isHovered || sections[i].isSibling) || sections[i].isSelected)
             continue;
         if (m_style->casesHover && m_style->casing.isValid())
             outline(i, m_style->casing, 1.0, m_style->hoverWidth + 2.0, 0.2);
-        outline(i, m_style->accent, m_style->hoverAlpha, m_style->hoverWidth, 0.3);
+        outline(i, m_style->accent,
+                sections[i].isHovered ? m_style->hoverAlpha : m_style->siblingAlpha,
+                m_style->hoverWidth, 0.3);
     }
     // Selected ones are seen through what is before them, but faintly.
     m_gl.glDepthFunc(GL_GREATER);

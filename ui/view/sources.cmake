@@ -11,6 +11,7 @@ target_sources(fff_view PRIVATE
     view/length_unit.cpp
     view/mark_pen.cpp
     view/offscreen_image.cpp
+    view/operation_marks.cpp
     view/overlay_painter.cpp
     view/pen_marks.cpp
     view/point_marks.cpp

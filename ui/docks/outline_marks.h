@@ -1,0 +1,27 @@
+// What the trees of the Outline have in common.
+#pragma once
+
+#include <QIcon>
+#include <QString>
+
+class QEvent;
+class QModelIndex;
+class QTreeWidget;
+class QTreeWidgetItem;
+
+namespace fff::ui {
+
+inline constexpr int kOutlineRow = 24; // px
+
+/// Frame, fonts and columns: the first one stretches, those after it up to the eye's are narrow.
+void dressOutline(QTreeWidget *tree, int lastColumn);
+
+/// Sets an icon only where it differs: every change is announced and painted. mark: what the icon
+/// is made of.
+void setMark(QTreeWidgetItem *item, int column, const QString &mark, const QIcon &icon,
+             const QString &tip);
+
+/// The eye is a button: a click on it does not select.
+bool isOnEye(const QModelIndex &index, const QEvent *event, int eyeColumn);
+
+} // namespace fff::ui

@@ -1,0 +1,68 @@
+#include "ui/operation_notices.h"
+
+#include "core/session/operation_text.h"
+#include "ui/message_bar.h"
+#include "ui/workbench.h"
+
+#include <algorithm>
+
+namespace fff::ui {
+
+OperationNotices::OperationNotices(Workbench &bench, MessageBar &messages, QObject *parent)
+    : QObject(parent), m_bench(bench), m_messages(messages)
+{
+    connect(&bench.session(), &Session::replaced, this, [this] { m_isAnother = true; });
+    connect(&bench.session(), &Session::committedChanged, this, &OperationNotices::follow);
+}
+
+void OperationNotices::follow()
+{
+    const Model &model = m_bench.session().committed();
+    std::map<std::int64_t, std::vector<OperationNotice>> now;
+    const OperationNotice *news = nullptr;
+    const Operation *of = nullptr;
+    for (const OperationResultPointer &result : model.evaluation.results) {
+        if (result->notices.empty())
+            continue;
+        const std::int64_t id = result->operation->id.value;
+        const auto known = m_known.find(id);
+        for (const OperationNotice &notice : result->notices) {
+            // What was left out is seen, and said where the operation is.
+            const bool isWorth =
+                isFailure(notice) || notice.kind == OperationNotice::Kind::StoppedAtMost;
+            const bool isNew =
+                known == m_known.end() ||
+                std::none_of(known->second.begin(), known->second.end(),
+                             [&](const OperationNotice &n) { return n.kind == notice.kind; });
+            if (!isWorth || !isNew)
+                continue;
+            news = &notice;
+            of = result->operation.get();
+        }
+        now.emplace(id, result->notices);
+    }
+    m_known = std::move(now);
+    if (news && !m_isAnother)
+        tell(*of, *news);
+    m_isAnother = false;
+}
+
+void OperationNotices::tell(const Operation &operation, const OperationNotice &notice)
+{
+    std::vector<MessageBar::Verb> verbs;
+    const OperationId id = operation.id;
+    if (notice.kind == OperationNotice::Kind::InputMissing) {
+        const std::string role = notice.role;
+        verbs.push_back({tr("Choose another"), [this, id, role] {
+                             m_bench.selectOperation(id);
+                             m_bench.run(QStringLiteral("operation.choose"), {{"role", role}});
+                         }});
+    } else {
+        verbs.push_back({tr("Show it"), [this, id] { m_bench.selectOperation(id); }});
+    }
+    verbs.push_back({tr("Undo"), [this] { m_bench.run(QStringLiteral("edit.undo")); }});
+    m_messages.show(isFailure(notice) ? MessageBar::Severity::Error : MessageBar::Severity::Warning,
+                    {noticeText(notice, operation)}, std::move(verbs));
+}
+
+} // namespace fff::ui

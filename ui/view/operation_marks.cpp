@@ -1,0 +1,80 @@
+#include "ui/view/operation_marks.h"
+
+#include "core/session/operation_text.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+#include <cmath>
+
+namespace fff::ui {
+
+namespace {
+
+constexpr double kTrackWidth = 3.0;                 // px
+constexpr double kRadius = 6.0, kHoveredRadius = 8; // px
+constexpr double kChipOff = 14.0;                   // px, of a chip beside its handle
+
+/// The track between two values; of what lies beside them a thin line.
+QPainterPath partOf(const MarkPen &pen, const OperationMarks &marks, double from, double to)
+{
+    QPainterPath path(pen.screen(placeOnTrack(marks.track, from)));
+    for (const auto &[at, value] : marks.track)
+        if (value > from && value < to)
+            path.lineTo(pen.screen(at));
+    path.lineTo(pen.screen(placeOnTrack(marks.track, to)));
+    return path;
+}
+
+QString valueText(const ParameterSpec &spec, double value, const QLocale &locale)
+{
+    const double spoken = spokenValue(spec.unit, value);
+    // Shares are the only ones that have handles by now.
+    //: %1 is the name of a number ("From"), %2 its value in percent
+    return QCoreApplication::translate("fff::ui::OperationMarks", "%1 %2\u202f%")
+        .arg(operationText(spec.label), locale.toString(spoken, 'f', 1));
+}
+
+} // namespace
+
+void paintOperation(MarkPen &pen, const OperationMarks &marks, const OperationKind &kind,
+                    const QLocale &locale)
+{
+    if (marks.handles.empty())
+        return;
+    QPainter &painter = pen.painter();
+    painter.save();
+    painter.setBrush(Qt::NoBrush);
+    const QColor &colour = pen.style().made;
+    double from = marks.handles.front().value, to = marks.handles.back().value;
+    if (from > to)
+        std::swap(from, to);
+    const double begin = marks.track.front().second, end = marks.track.back().second;
+    painter.strokePath(partOf(pen, marks, begin, end), roundPen(faded(colour, 0.45), 1.4));
+    pen.cased(partOf(pen, marks, from, to), roundPen(colour, kTrackWidth));
+    QPointF middle;
+    for (const OperationHandle &handle : marks.handles)
+        middle += pen.screen(handle.at) / static_cast<double>(marks.handles.size());
+    for (std::size_t i = 0; i < marks.handles.size(); ++i) {
+        const OperationHandle &handle = marks.handles[i];
+        const ParameterSpec *spec = kind.parameter(handle.key);
+        if (!spec)
+            continue;
+        const QPointF at = pen.screen(handle.at);
+        const bool grows = marks.hovered == static_cast<int>(i);
+        const double radius = grows ? kHoveredRadius : kRadius;
+        pen.ring(at, radius, colour);
+        painter.setPen(Qt::NoPen);
+        painter.setBrush(colour);
+        painter.drawEllipse(at, 0.4 * radius, 0.4 * radius);
+        painter.setBrush(Qt::NoBrush);
+        // Away from the other one, so that neither chip lies on the sections between them.
+        const bool isLeft = at.x() < middle.x() || (at.x() == middle.x() && i == 0);
+        pen.chip(at + QPointF(isLeft ? -kChipOff : kChipOff, -kChipOff),
+                 isLeft ? MarkPen::Anchor::Right : MarkPen::Anchor::Left,
+                 valueText(*spec, handle.value, locale), colour);
+    }
+    painter.restore();
+}
+
+} // namespace fff::ui
