@@ -346,18 +346,22 @@ const PointSelection &Interaction::points() const
 
 void Interaction::selectPoints(std::vector<PointAddress> points)
 {
-    d->selectPoints(std::move(points), d->host.model().document);
+    d->selectPoints(std::move(points), d->documentOfPoints());
     d->hoverMarks();
     d->update();
 }
 
-const Section *Interaction::sectionOfPoints() const
+SectionPointer Interaction::sectionOfPoints() const
 {
     const std::vector<SectionRef> &sections = d->selection.sections();
     if (sections.size() != 1)
         return nullptr;
-    const std::optional<Origin> origin = originOf(d->host.model(), sections.front());
-    return origin ? origin->section : nullptr;
+    return editedSection(d->host.model(), sections.front());
+}
+
+Document Interaction::documentOfPoints() const
+{
+    return d->documentOfPoints();
 }
 
 std::optional<PointTarget> Interaction::hoveredPoint() const
@@ -367,7 +371,7 @@ std::optional<PointTarget> Interaction::hoveredPoint() const
 
 PointRules Interaction::pointRules() const
 {
-    return {d->settings.cutsAtGround};
+    return d->rulesOfPoints();
 }
 
 void Interaction::carryOut(PointEdit edit, double time)
@@ -392,7 +396,7 @@ bool Interaction::nudge(const Vec2 &arrow, double distance, double time)
     if (!d->points.isEmpty()) {
         const SectionPointer section = editedSection(model, d->selection.sections().front());
         const Vec2 by = distance * arrowAxis(section->frame, camera, arrow);
-        carryOut(movedSelection(model.document, d->points, by, pointRules()), time);
+        carryOut(movedSelection(documentOfPoints(), d->points, by, pointRules()), time);
         return true;
     }
     if (d->selection.sections().empty())
@@ -415,7 +419,7 @@ void Interaction::modelChanged()
     }
     d->clicks.forget();
     d->selection.follow(model);
-    d->points.follow(model.document);
+    d->points.follow(d->documentOfPoints());
     if (!d->motion.isTouched)
         d->motion.fitFirst(model.bounds());
     d->hover();

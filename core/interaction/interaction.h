@@ -248,7 +248,10 @@ public:
     void selectPoints(std::vector<PointAddress> points);
     /// The drawn section, as committed, whose points can be edited: the one that is selected, or
     /// whose image is. Null when there is none.
-    const Section *sectionOfPoints() const;
+    SectionPointer sectionOfPoints() const;
+    /// The committed document, with that section as it is shown: what edits of its points begin
+    /// with.
+    Document documentOfPoints() const;
     /// The place of its contour that is under the cursor.
     std::optional<PointTarget> hoveredPoint() const;
     /// Commits an edit of points and selects those that it names, or says why it was refused.

@@ -23,8 +23,8 @@ bool Interaction::Private::addPointAt(const PointerEvent &press)
     if (!target || target->kind != PointTarget::Kind::Line)
         return false;
     const SectionId id = originOf(host.model(), ref)->section->id;
-    carryOut(withInsertedPoint(host.model().document, id, target->point.boundary,
-                               {target->point.index, target->t}, {settings.cutsAtGround}));
+    carryOut(withInsertedPoint(documentOfPoints(), id, target->point.boundary,
+                               {target->point.index, target->t}, rulesOfPoints()));
     return true;
 }
 
@@ -37,7 +37,7 @@ bool Interaction::Private::clickPoint(const PointerEvent &press)
     const auto target = pointTargetAt(sight(), ref, points, press.position);
     if (!target)
         return false;
-    const Section &section = *originOf(host.model(), ref)->section;
+    const Section &section = *editedSection(host.model(), ref);
     if (target->kind == PointTarget::Kind::Anchor) {
         if (press.modifiers.control)
             points.toggle(section, target->point);
@@ -60,6 +60,24 @@ void Interaction::Private::selectPoints(std::vector<PointAddress> addresses, con
         points.clear();
 }
 
+Document Interaction::Private::documentOfPoints() const
+{
+    const std::vector<SectionRef> &sections = selection.sections();
+    return sections.size() == 1 ? documentToEdit(host.model(), sections.front())
+                                : host.model().document;
+}
+
+PointRules Interaction::Private::rulesOfPoints() const
+{
+    PointRules rules{settings.cutsAtGround};
+    const std::vector<SectionRef> &sections = selection.sections();
+    const std::optional<Origin> origin =
+        sections.size() == 1 ? originOf(host.model(), sections.front()) : std::nullopt;
+    if (origin && origin->mirror)
+        rules.mirror = *origin->mirror;
+    return rules;
+}
+
 void Interaction::Private::carryOut(PointEdit edit)
 {
     cancelGesture();
@@ -73,7 +91,7 @@ void Interaction::Private::carryOut(PointEdit edit)
     document = edit->document;
     host.commit(edit->step, std::move(edit->document));
     clicks.forget();
-    selectPoints(std::move(edit->points), host.model().document);
+    selectPoints(std::move(edit->points), documentOfPoints());
     hover();
 }
 

@@ -96,6 +96,8 @@ public:
     bool addPointAt(const PointerEvent &press);
     bool clickPoint(const PointerEvent &press);
     void selectPoints(std::vector<PointAddress> addresses, const Document &of);
+    Document documentOfPoints() const;
+    PointRules rulesOfPoints() const;
     void carryOut(PointEdit edit);
 
     void hover();

@@ -19,7 +19,7 @@ void Interaction::Private::take(GestureReply reply)
         if (reply.select)
             selection.select(*std::move(reply.select));
         if (reply.selectPoints)
-            selectPoints(*std::move(reply.selectPoints), shown ? *shown : host.model().document);
+            selectPoints(*std::move(reply.selectPoints), shown ? *shown : documentOfPoints());
         return;
     }
     // The gesture goes first: the host's answer to what follows may come back here.
@@ -59,7 +59,7 @@ void Interaction::Private::carryOut(GestureReply &reply)
         selection.selectOperation(*reply.selectOperation);
     }
     if (reply.selectPoints)
-        selectPoints(*std::move(reply.selectPoints), host.model().document);
+        selectPoints(*std::move(reply.selectPoints), documentOfPoints());
 }
 
 /// Only a preview that a gesture has put up is taken down: others have theirs.

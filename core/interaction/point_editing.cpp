@@ -1,10 +1,13 @@
 #include "core/interaction/point_editing.h"
 
+#include "core/geometry/symmetrised.h"
 #include "core/model/edits.h"
 #include "core/model/ground.h"
 #include "core/model/origin.h"
 
+#include <algorithm>
 #include <array>
+#include <iterator>
 #include <set>
 
 namespace fff {
@@ -50,6 +53,38 @@ Step stepOf(Step::Kind kind, const Section &section, std::size_t count = 1)
 
 } // namespace
 
+/// The control points, one after the other as they stand on the plane.
+std::vector<std::pair<double, double>> pointsOf(const Shape &shape)
+{
+    std::vector<std::pair<double, double>> points;
+    for (int b = 0; b < boundaryCount(shape); ++b)
+        for (int i = 0; i < boundary(shape, b).segmentCount(); ++i) {
+            const CubicBezier &curve = boundary(shape, b).segment(i);
+            for (const Vec2 &p : {curve.p0, curve.p1, curve.p2})
+                points.emplace_back(p.x(), p.y());
+        }
+    std::sort(points.begin(), points.end());
+    return points;
+}
+
+/// The shape with the side on which it was changed, and the image of that. Null: nothing is left.
+ShapePointer withImage(const Shape &before, const Shape &after, const Halfplane &mirror)
+{
+    const auto was = pointsOf(before), is = pointsOf(after);
+    std::vector<std::pair<double, double>> changed;
+    std::set_symmetric_difference(was.begin(), was.end(), is.begin(), is.end(),
+                                  std::back_inserter(changed));
+    int side = 0; // of most of what was changed
+    for (const auto &[x, y] : changed)
+        side += mirror.height({x, y}) >= 0.0 ? 1 : -1;
+    const Halfplane half{mirror.point, side >= 0 ? mirror.inward : Vec2(-mirror.inward)};
+    const auto pieces = mirroredHalf(after.contour(), after.holes(), half);
+    if (pieces.empty())
+        return nullptr;
+    const Result<ShapePointer> made = Shape::make(pieces.front().outer, pieces.front().holes);
+    return made ? *made : nullptr;
+}
+
 PointEdit withEditedShape(const Document &document, SectionId id, const Result<ShapePointer> &shape,
                           std::span<const Vec2> places, Step step, const PointRules &rules)
 {
@@ -60,6 +95,10 @@ PointEdit withEditedShape(const Document &document, SectionId id, const Result<S
         return refused(reasonOf(shape.error()), section->name);
     EditedPoints edited;
     ShapePointer kept = *shape;
+    if (rules.mirror && !(*kept == *section->shape))
+        kept = withImage(*section->shape, *kept, *rules.mirror);
+    if (!kept)
+        return refused(Hint::Kind::WouldBeEmpty, section->name);
     if (rules.cutsAtGround) {
         const std::vector<ShapePointer> pieces = clippedAtGround(kept, section->frame);
         if (pieces.empty())

@@ -28,6 +28,8 @@ using PointEdit = tl::expected<EditedPoints, Hint>;
 struct PointRules
 {
     bool cutsAtGround = true; // what is below Y = 0 goes
+    /// The section is symmetric to this line: what changes on one side does so on the other.
+    std::optional<Halfplane> mirror = {};
 };
 
 /// The section with this shape. `places`: of the points to be selected, frame coordinates.

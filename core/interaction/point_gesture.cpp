@@ -1,14 +1,22 @@
 #include "core/interaction/point_gesture.h"
 
+#include "core/model/origin.h"
+
 #include <algorithm>
 
 namespace fff {
 
 PointGesture::PointGesture(const PointTarget &target, const PointerEvent &press,
-                           const Section &section, const GestureContext &context)
-    : m_target(target), m_section(section.id), m_name(section.name), m_shape(section.shape),
-      m_frame(section.frame)
+                           const SectionRef &ref, const GestureContext &context)
+    : m_target(target), m_document(documentToEdit(context.model, ref))
 {
+    const Section &section = *editedSection(context.model, ref);
+    m_section = section.id;
+    m_name = section.name;
+    m_shape = section.shape;
+    m_frame = section.frame;
+    if (const std::optional<Origin> origin = originOf(context.model, ref); origin->mirror)
+        m_mirror = *origin->mirror;
     if (context.points.section() == section.id)
         m_before = context.points.points();
     m_moved = m_before;
@@ -75,8 +83,8 @@ GestureReply PointGesture::handle(const PointerEvent &event, GestureContext &con
         m_shown && m_shown->by == by && m_shown->breaks == event.modifiers.control;
     if (place && !event.isFollowed && !isAsShown) {
         m_shown = Shown{by, event.modifiers.control};
-        PointEdit edit = edited(by, event.modifiers.control, context.model.document,
-                                {context.settings.cutsAtGround});
+        PointEdit edit = edited(by, event.modifiers.control, m_document,
+                                {context.settings.cutsAtGround, m_mirror});
         m_refusal = edit ? std::nullopt : std::optional(edit.error());
         if (edit)
             m_last = *std::move(edit);

@@ -15,7 +15,7 @@ class PointGesture : public Gesture
 {
 public:
     /// A point that is not selected is taken alone, else all that are selected move with it.
-    PointGesture(const PointTarget &target, const PointerEvent &press, const Section &section,
+    PointGesture(const PointTarget &target, const PointerEvent &press, const SectionRef &section,
                  const GestureContext &context);
 
     GestureReply handle(const PointerEvent &event, GestureContext &context) override;
@@ -36,6 +36,8 @@ private:
     };
 
     PointTarget m_target;
+    Document m_document;               // that every move starts from
+    std::optional<Halfplane> m_mirror; // of a section that is symmetric
     SectionId m_section;
     std::string m_name; // of the section
     ShapePointer m_shape;

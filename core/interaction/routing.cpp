@@ -66,8 +66,7 @@ std::unique_ptr<Gesture> onPoint(const PointerEvent &press, const Sight &sight,
         dragKind(context.settings.navigation, press.button, press.modifiers) == DragKind::Edit;
     if (!target || (target->kind == PointTarget::Kind::Line && !edits))
         return nullptr;
-    return std::make_unique<PointGesture>(*target, press, *editedSection(context.model, section),
-                                          context);
+    return std::make_unique<PointGesture>(*target, press, section, context);
 }
 
 /// The left button alone: what lies under the cursor decides.

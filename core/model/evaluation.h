@@ -2,6 +2,7 @@
 // shared from one model to the next (core/operations/evaluate.h).
 #pragma once
 
+#include "core/geometry/halfplane_clip.h"
 #include "core/model/operation.h"
 #include "core/model/stock.h"
 
@@ -46,6 +47,8 @@ struct OperationResult
         bool isMirrored = false;
     };
     std::map<std::string, Image> images; // by their keys
+    /// Of sections that lie across a mirror, and are symmetric by that: its line, in their frames.
+    std::map<SectionRef, Halfplane> mirrors;
     /// Sections from above that it makes other ones of; null: that it takes the place of.
     std::vector<std::pair<SectionRef, SectionPointer>> changed;
     std::vector<OperationNotice> notices;

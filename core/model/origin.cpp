@@ -1,5 +1,7 @@
 #include "core/model/origin.h"
 
+#include "core/model/edits.h"
+
 namespace fff {
 
 namespace {
@@ -34,8 +36,12 @@ std::optional<Origin> originOf(const Model &model, const SectionRef &ref)
     const Section *drawn = model.document.find(at.drawn);
     if (!drawn)
         return std::nullopt;
-    return Origin{drawn,
-                  axesOf(shown->frame, isMirrored) * axesOf(drawn->frame, false).transpose()};
+    const Halfplane *mirror = nullptr;
+    for (const OperationResultPointer &result : model.evaluation.results)
+        if (const auto line = result->mirrors.find(at); line != result->mirrors.end())
+            mirror = &line->second;
+    return Origin{drawn, axesOf(shown->frame, isMirrored) * axesOf(drawn->frame, false).transpose(),
+                  mirror};
 }
 
 SectionPointer editedSection(const Model &model, const SectionRef &ref)
@@ -48,7 +54,18 @@ SectionPointer editedSection(const Model &model, const SectionRef &ref)
         return shown;
     Section edited = *origin->section;
     edited.frame = shown->frame;
+    if (origin->mirror)
+        edited.shape = shown->shape;
     return std::make_shared<const Section>(std::move(edited));
+}
+
+Document documentToEdit(const Model &model, const SectionRef &ref)
+{
+    const SectionPointer edited = editedSection(model, ref);
+    if (!edited || edited->shape == model.document.find(edited->id)->shape)
+        return model.document;
+    Result<Document> document = setShape(model.document, edited->id, edited->shape);
+    return document ? *std::move(document) : model.document;
 }
 
 } // namespace fff

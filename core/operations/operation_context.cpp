@@ -164,6 +164,11 @@ void OperationContext::setImage(const std::string &key, const SectionRef &of, bo
     m_result.images.insert_or_assign(key, OperationResult::Image{of, isMirrored});
 }
 
+void OperationContext::setMirror(const SectionRef &ref, const Halfplane &line)
+{
+    m_result.mirrors.insert_or_assign(ref, line);
+}
+
 void OperationContext::change(const SectionRef &ref, SectionPointer section)
 {
     if (m_previous && section) {

@@ -55,6 +55,8 @@ public:
     ShapePointer keptOfAny(ShapePointer shape);
     /// What was added as `key` is the image of this section.
     void setImage(const std::string &key, const SectionRef &of, bool isMirrored);
+    /// The section is symmetric to this line, in its frame.
+    void setMirror(const SectionRef &ref, const Halfplane &line);
     /// Makes another section of one from above; null: takes it away.
     void change(const SectionRef &ref, SectionPointer section);
     void notice(OperationNotice notice);

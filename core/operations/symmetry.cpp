@@ -144,6 +144,12 @@ public:
         std::replace(m_scope.begin(), m_scope.end(), SectionPointer(section),
                      SectionPointer(changed));
     }
+    /// Its larger half across the line, and the image of that.
+    void mirror(const SectionPointer &section, const PlaneLine &line)
+    {
+        m_context.setMirror(section->ref(), {line.point, perpendicular(line.direction)});
+        reshape(section, mirrored(*section->shape, line));
+    }
     /// It is not copied.
     void leave(const SectionPointer &section) { m_isCopied[section->ref()] = false; }
     bool isCopied(const SectionPointer &section) const { return m_isCopied.at(section->ref()); }
@@ -261,7 +267,7 @@ void makeMirror(OperationContext &context)
             const PlaneLine line = lineIn(frame, foot, along);
             if (context.isOn("join") && reachesAcross(*section->shape, line)) {
                 maker.leave(section);
-                maker.reshape(section, mirrored(*section->shape, line));
+                maker.mirror(section, line);
                 continue;
             }
         }
@@ -339,7 +345,7 @@ void makeRotational(OperationContext &context)
             const PlaneLine line = lineIn(section->frame, axis->point, axis->direction);
             if (reachesAcross(*section->shape, line)) {
                 halves.push_back(section);
-                maker.reshape(section, mirrored(*section->shape, line));
+                maker.mirror(section, line);
                 continue;
             }
         }

@@ -33,7 +33,7 @@ Result<std::optional<std::pair<int, CurvePoint>>> placeIn(const CommandParameter
 
 std::optional<std::pair<int, CurvePoint>> placeToInsert(const Interaction &interaction)
 {
-    const Section *section = interaction.sectionOfPoints();
+    const SectionPointer section = interaction.sectionOfPoints();
     if (!section)
         return std::nullopt;
     const auto hovered = interaction.hoveredPoint();
@@ -42,10 +42,9 @@ std::optional<std::pair<int, CurvePoint>> placeToInsert(const Interaction &inter
     return placeBetween(*section->shape, interaction.points());
 }
 
-Result<void> insertPoint(Session &session, Interaction &interaction,
-                         const CommandParameters &parameters, double time)
+Result<void> insertPoint(Interaction &interaction, const CommandParameters &parameters, double time)
 {
-    const Section *section = interaction.sectionOfPoints();
+    const SectionPointer section = interaction.sectionOfPoints();
     if (!section)
         return {};
     auto place = placeIn(parameters, *section->shape);
@@ -54,7 +53,7 @@ Result<void> insertPoint(Session &session, Interaction &interaction,
     if (!*place)
         *place = placeToInsert(interaction);
     if (*place)
-        interaction.carryOut(withInsertedPoint(session.committed().document, section->id,
+        interaction.carryOut(withInsertedPoint(interaction.documentOfPoints(), section->id,
                                                (*place)->first, (*place)->second,
                                                interaction.pointRules()),
                              time);
@@ -108,17 +107,18 @@ Result<void> removeHoles(Session &session, const Interaction &interaction)
     return {};
 }
 
-void registerKinds(CommandRegistry &registry, Session &session, Interaction &interaction)
+void registerKinds(CommandRegistry &registry, Interaction &interaction)
 {
     const auto add = [&](const char *id, PointKind kind) {
-        registry.add(id, {[&, kind](const CommandParameters &, double time) -> Result<void> {
-                              interaction.carryOut(withSelectionOfKind(session.committed().document,
-                                                                       interaction.points(), kind,
-                                                                       interaction.pointRules()),
-                                                   time);
-                              return {};
-                          },
-                          [&] { return !interaction.points().isEmpty(); }});
+        registry.add(id,
+                     {[&, kind](const CommandParameters &, double time) -> Result<void> {
+                          interaction.carryOut(withSelectionOfKind(interaction.documentOfPoints(),
+                                                                   interaction.points(), kind,
+                                                                   interaction.pointRules()),
+                                               time);
+                          return {};
+                      },
+                      [&] { return !interaction.points().isEmpty(); }});
     };
     add("point.smooth", PointKind::Smooth);
     add("point.symmetric", PointKind::Symmetric);
@@ -153,12 +153,12 @@ void registerNudges(CommandRegistry &registry, Interaction &interaction)
 void registerPointCommands(CommandRegistry &registry, Session &session, Interaction &interaction)
 {
     registry.add("point.insert", {[&](const CommandParameters &parameters, double time) {
-                                      return insertPoint(session, interaction, parameters, time);
+                                      return insertPoint(interaction, parameters, time);
                                   },
                                   [&] { return interaction.sectionOfPoints() != nullptr; }});
     registry.add("point.delete",
                  {[&](const CommandParameters &, double time) -> Result<void> {
-                      interaction.carryOut(withoutSelection(session.committed().document,
+                      interaction.carryOut(withoutSelection(interaction.documentOfPoints(),
                                                             interaction.points(),
                                                             interaction.pointRules()),
                                            time);
@@ -173,7 +173,7 @@ void registerPointCommands(CommandRegistry &registry, Session &session, Interact
         "section.removeHoles",
         {[&](const CommandParameters &, double) { return removeHoles(session, interaction); },
          [&] { return !selectedWithHoles(session, interaction).empty(); }});
-    registerKinds(registry, session, interaction);
+    registerKinds(registry, interaction);
     registerNudges(registry, interaction);
 }
 

@@ -3,6 +3,7 @@
 #include "core/base/tolerances.h"
 #include "core/interaction/draw_tool.h"
 #include "core/interaction/point_editing.h"
+#include "core/model/origin.h"
 #include "core/session/dropping.h"
 #include "core/session/pen_commands.h"
 #include "core/session/session_host.h"
@@ -46,26 +47,29 @@ void drawOn(Interaction &interaction, CanvasChoice canvas, double time)
 void registerDrawing(CommandRegistry &registry, Session &session, Interaction &interaction)
 {
     const auto add = [&](const char *id, ContourTarget (*target)(const Section &)) {
-        registry.add(id,
-                     {[&session, &interaction, id, target](const CommandParameters &,
-                                                           double time) -> Result<void> {
-                          // Of an image the drawn section, which it follows.
-                          const Section *section = interaction.sectionOfPoints();
-                          if (section)
-                              drawOn(interaction, {target(*section), id, section->name, {}}, time);
-                          else
-                              interaction.layDown(time);
-                          if (!section && selectedSection(session, interaction))
-                              interaction.say(madeByOperation(session.committed(),
-                                                              interaction.selection().front())
-                                                  .value(),
-                                              time);
-                          return {};
-                      },
-                      [&session, &interaction, id] {
-                          return selectedSection(session, interaction) != nullptr ||
-                                 isHeld(interaction, id);
-                      }});
+        registry.add(
+            id, {[&session, &interaction, id, target](const CommandParameters &,
+                                                      double time) -> Result<void> {
+                     // Of an image the drawn section, which it follows.
+                     const Section *selected = selectedSection(session, interaction);
+                     const auto origin =
+                         selected ? originOf(session.committed(), selected->ref()) : std::nullopt;
+                     const Section *section = origin ? origin->section : nullptr;
+                     if (section)
+                         drawOn(interaction, {target(*section), id, section->name, {}}, time);
+                     else
+                         interaction.layDown(time);
+                     if (!section && selected)
+                         interaction.say(
+                             madeByOperation(session.committed(), interaction.selection().front())
+                                 .value(),
+                             time);
+                     return {};
+                 },
+                 [&session, &interaction, id] {
+                     return selectedSection(session, interaction) != nullptr ||
+                            isHeld(interaction, id);
+                 }});
     };
     add("section.redraw", &ContourTarget::redraw);
     add("section.addHole", &ContourTarget::hole);

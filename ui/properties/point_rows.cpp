@@ -2,6 +2,7 @@
 
 #include "core/base/tolerances.h"
 #include "core/base/units.h"
+#include "core/model/origin.h"
 #include "ui/workbench.h"
 
 #include <QCoreApplication>
@@ -62,7 +63,9 @@ PointGroup::common(const std::function<double(const Contour &, int)> &valueOf) c
 {
     // Of what is shown: a drag is seen in the numbers.
     const PointSelection &points = m_bench.interaction().points();
-    const Section *section = m_bench.session().model().document.find(points.section());
+    const std::vector<SectionRef> &selected = m_bench.interaction().selection();
+    const SectionPointer section =
+        selected.size() == 1 ? editedSection(m_bench.session().model(), selected.front()) : nullptr;
     std::optional<double> value;
     for (const PointAddress &point : points.points()) {
         if (!section || !isPoint(*section->shape, point))
@@ -79,7 +82,7 @@ void PointGroup::edit(const std::function<Result<Contour>(const Contour &, int)>
                       bool moves)
 {
     const PointSelection points = m_bench.interaction().points();
-    const Document &document = m_bench.session().committed().document;
+    const Document document = m_bench.interaction().documentOfPoints();
     const Section *section = document.find(points.section());
     if (!section)
         return;

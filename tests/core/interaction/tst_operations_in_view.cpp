@@ -1,5 +1,6 @@
 #include <QTest> // first: moc cannot read some of the standard library before it
 
+#include "core/geometry/contour_points.h"
 #include "core/interaction/tool.h"
 #include "core/model/origin.h"
 #include "tests/core/interaction/desk.h"
@@ -80,6 +81,7 @@ private Q_SLOTS:
     void handlesMoveTheRange();
     void handlesDoNotPass();
     void anImageIsEditedAsItsSource();
+    void bothSidesOfTheMirrorAreEdited();
     void whatIsMadeSaysSo();
 };
 
@@ -323,6 +325,64 @@ void TestOperationsInView::anImageIsEditedAsItsSource()
     QVERIFY(desk.commands.run("edit.delete"));
     QVERIFY(!desk.document().find(leg));
     QVERIFY(!desk.model().find(image));
+}
+
+// Wrong: of a section across the mirror, a point on the smaller half could be dragged, and nothing
+// would come of it.
+void TestOperationsInView::bothSidesOfTheMirrorAreEdited()
+{
+    BoneDesk desk;
+    Document document = newDocument();
+    const SectionId body =
+        add(document, "Body", polygonShape({{-40, -40}, {60, -40}, {60, 10}, {40, 40}, {-40, 40}}),
+            frontFrame({0, 60, 0}));
+    desk.look(document);
+    QVERIFY(desk.commands.run("operation.mirror", {{"name", "Mirror"}}));
+    desk.interaction.select({body});
+    const auto shown = [&] { return editedSection(desk.model(), body); };
+    const auto isSymmetric = [&] {
+        const Shape &shape = *desk.model().find(body)->shape;
+        for (int i = 0; i < shape.contour().segmentCount(); ++i) {
+            const Vec2 p = shape.contour().segment(i).p0;
+            if (nearestPlace(shape.contour(), Vec2(-p.x(), p.y())).distance > 1e-3)
+                return false;
+        }
+        return true;
+    };
+    QVERIFY(isSymmetric());
+    QVERIFY2(shown()->shape == desk.model().find(body)->shape, "points are those that are seen");
+    for (const double side : {-1.0, 1.0}) {
+        const Contour &contour = shown()->shape->contour();
+        int corner = 0; // the lowest on that side
+        for (int i = 0; i < contour.segmentCount(); ++i) {
+            const Vec2 p = contour.segment(i).p0, best = contour.segment(corner).p0;
+            if (side * p.x() - p.y() > side * best.x() - best.y())
+                corner = i;
+        }
+        const Vec2 from = contour.segment(corner).p0, to = from + Vec2(side * -12.0, 7.0);
+        const double area = shown()->shape->area();
+        const int steps = desk.steps();
+        desk.moveTo(desk.screen(shown()->frame.toWorld(from)));
+        desk.press(desk.cursor);
+        desk.moveTo(desk.screen(shown()->frame.toWorld(to)));
+        desk.release(desk.cursor);
+        QCOMPARE(desk.steps(), steps + 1);
+        QVERIFY2(std::abs(shown()->shape->area() - area) > 100.0, "it changed");
+        QVERIFY(isSymmetric());
+        // The point is where it was put, and selected there; its image is opposite.
+        QCOMPARE(desk.interaction.points().points().size(), 1U);
+        const Vec2 now = position(*shown()->shape, desk.interaction.points().points().front());
+        QVERIFY((now - to).norm() < 1.0);
+        QVERIFY2(nearestPlace(shown()->shape->contour(), Vec2(-now.x(), now.y())).distance < 1e-3,
+                 "its image");
+        QVERIFY2(*desk.document().find(body)->shape == *shown()->shape, "what is drawn is so, too");
+    }
+    // With keys, and undone.
+    QVERIFY(desk.interaction.nudge(Vec2::UnitY(), 3.0, desk.time));
+    QVERIFY(isSymmetric());
+    while (desk.session.history()->canUndo())
+        desk.session.history()->undo();
+    QVERIFY(desk.document().isSame(document));
 }
 
 // Wrong: an arrow key on a rib would do nothing, and nobody would know why.
