@@ -18,6 +18,16 @@ std::vector<OperationPointer>::iterator placeOf(Document &document, OperationId 
                         [id](const auto &operation) { return operation->id == id; });
 }
 
+/// An empty one where there is none.
+Exception exceptionOf(const Document &document, const SectionRef &instance)
+{
+    const Operation *operation = document.find(instance.operation);
+    if (!operation)
+        return {};
+    const auto known = operation->exceptions.find(instance.key);
+    return known == operation->exceptions.end() ? Exception() : known->second;
+}
+
 } // namespace
 
 Document addOperation(Document document, Operation operation)
@@ -88,6 +98,21 @@ Result<Document> setException(Document document, const SectionRef &instance,
     if (!(**place == next))
         *place = std::make_shared<const Operation>(std::move(next));
     return document;
+}
+
+Result<Document> setExceptionState(Document document, const SectionRef &instance,
+                                   Exception::State state)
+{
+    Exception exception = exceptionOf(document, instance);
+    exception.state = state;
+    return setException(std::move(document), instance, exception);
+}
+
+Result<Document> setExceptionStock(Document document, const SectionRef &instance, StockId stock)
+{
+    Exception exception = exceptionOf(document, instance);
+    exception.stock = stock;
+    return setException(std::move(document), instance, exception);
 }
 
 } // namespace fff

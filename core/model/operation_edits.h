@@ -18,5 +18,10 @@ Result<Document> moveOperation(Document document, OperationId id, int index);
 /// What is other than made of one of its sections; an empty exception makes it as the others again.
 Result<Document> setException(Document document, const SectionRef &instance,
                               const Exception &exception);
+/// The same of its state alone: it keeps a stock of its own.
+Result<Document> setExceptionState(Document document, const SectionRef &instance,
+                                   Exception::State state);
+/// The same of its stock alone.
+Result<Document> setExceptionStock(Document document, const SectionRef &instance, StockId stock);
 
 } // namespace fff

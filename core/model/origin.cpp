@@ -2,6 +2,8 @@
 
 #include "core/model/edits.h"
 
+#include <algorithm>
+
 namespace fff {
 
 namespace {
@@ -37,9 +39,17 @@ std::optional<Origin> originOf(const Model &model, const SectionRef &ref)
     if (!drawn)
         return std::nullopt;
     const Halfplane *mirror = nullptr;
-    for (const OperationResultPointer &result : model.evaluation.results)
-        if (const auto line = result->mirrors.find(at); line != result->mirrors.end())
+    bool isReshaped = false; // by others, whose work is none of the drawn contour
+    for (const OperationResultPointer &result : model.evaluation.results) {
+        const auto line = result->mirrors.find(at);
+        if (line != result->mirrors.end())
             mirror = &line->second;
+        else
+            isReshaped = isReshaped || std::any_of(result->changed.begin(), result->changed.end(),
+                                                   [&](const auto &c) { return c.first == at; });
+    }
+    if (isReshaped)
+        mirror = nullptr;
     return Origin{drawn, axesOf(shown->frame, isMirrored) * axesOf(drawn->frame, false).transpose(),
                   mirror};
 }

@@ -103,6 +103,20 @@ Operation newOperation(const OperationKind &kind)
     return operation;
 }
 
+int countOf(const Operation &operation, const InputSpec &input)
+{
+    const auto found = operation.inputs.find(input.role);
+    return found == operation.inputs.end() ? 0 : static_cast<int>(found->second.size());
+}
+
+const InputSpec *missingInput(const OperationKind &kind, const Operation &operation)
+{
+    for (const InputSpec &input : kind.inputs)
+        if (countOf(operation, input) < input.least)
+            return &input;
+    return nullptr;
+}
+
 namespace {
 
 template <class Spec>

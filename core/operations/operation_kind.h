@@ -84,6 +84,10 @@ const OperationKind *operationKind(std::string_view key);
 /// A new one of the kind, without inputs, with the standard values of all parameters that have one.
 Operation newOperation(const OperationKind &kind);
 
+/// How many sections it has in this role, and the first role that has fewer than it needs, or null.
+int countOf(const Operation &operation, const InputSpec &input);
+const InputSpec *missingInput(const OperationKind &kind, const Operation &operation);
+
 /// Whether it counts with the other values as they are.
 bool counts(const ParameterSpec &spec, const Operation &operation);
 bool counts(const InputSpec &spec, const Operation &operation);
