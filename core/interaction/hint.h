@@ -96,6 +96,7 @@ struct Hint
         CannotTrim,
         JointNotDeleted,
         MadeByOperation, // section: which one, other: by which; it cannot be edited by itself
+        AlreadySymmetric,
         EditFailed,
         Failed
     };

@@ -4,14 +4,16 @@ namespace fff {
 
 // Handles of the selected operation.
 
-/// Null: none is there.
-const OperationHandle *Interaction::Private::operationHandleAt(const Vec2 &position)
+/// Of the operation as it is now: what the overlay has may be of before.
+std::optional<OperationHandle> Interaction::Private::operationHandleAt(const Vec2 &position)
 {
-    if (tool || !overlay.operation || isOnViewMark(sight(), position))
-        return nullptr;
+    if (!marksSelection() || !selection.operation().isValid() || isOnViewMark(sight(), position))
+        return std::nullopt;
+    const OperationMarks marksNow = operationMarks(host.model(), selection.operation());
     const int index =
-        handleAt(*overlay.operation, motion.camera, motion.viewport, position, reachOf(pointer));
-    return index < 0 ? nullptr : &overlay.operation->handles[static_cast<std::size_t>(index)];
+        handleAt(marksNow, motion.camera, motion.viewport, position, reachOf(pointer));
+    return index < 0 ? std::nullopt
+                     : std::optional(marksNow.handles[static_cast<std::size_t>(index)]);
 }
 
 void Interaction::Private::hoverOperation()
@@ -20,10 +22,9 @@ void Interaction::Private::hoverOperation()
     const std::optional<Vec2> &at = hovering.position();
     if (!at || motion.animation)
         return;
-    if (const OperationHandle *handle = operationHandleAt(*at)) {
-        hoveredHandle = *handle;
+    hoveredHandle = operationHandleAt(*at);
+    if (hoveredHandle)
         hovering.unmark(overlay);
-    }
 }
 
 void Interaction::Private::markOperation()

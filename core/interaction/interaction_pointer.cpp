@@ -142,7 +142,7 @@ void Interaction::Private::click(const PointerEvent &begin)
         feedClick(begin);
         return;
     }
-    if (const OperationHandle *handle = operationHandleAt(begin.position)) {
+    if (const auto handle = operationHandleAt(begin.position)) {
         host.chooseParameter(handle->operation, handle->key);
         return;
     }

@@ -37,7 +37,8 @@ bool Interaction::Private::clickPoint(const PointerEvent &press)
     const auto target = pointTargetAt(sight(), ref, points, press.position);
     if (!target)
         return false;
-    const Section &section = *editedSection(host.model(), ref);
+    const SectionPointer edited = editedSection(host.model(), ref);
+    const Section &section = *edited;
     if (target->kind == PointTarget::Kind::Anchor) {
         if (press.modifiers.control)
             points.toggle(section, target->point);
@@ -78,6 +79,15 @@ PointRules Interaction::Private::rulesOfPoints() const
     return rules;
 }
 
+/// One that leaves a symmetric section as it is shown is none.
+bool Interaction::Private::isEdited(const EditedPoints &edit) const
+{
+    const Section *section = edit.document.find(edit.section);
+    const Document before = documentOfPoints();
+    const Section *was = before.find(edit.section);
+    return !section || !was || section->shape != was->shape;
+}
+
 void Interaction::Private::carryOut(PointEdit edit)
 {
     cancelGesture();
@@ -88,8 +98,10 @@ void Interaction::Private::carryOut(PointEdit edit)
     note.reset();
     if (edit->note)
         note = Note{*edit->note, now + kNoteTime};
-    document = edit->document;
-    host.commit(edit->step, std::move(edit->document));
+    if (isEdited(*edit)) {
+        document = edit->document;
+        host.commit(edit->step, std::move(edit->document));
+    }
     clicks.forget();
     selectPoints(std::move(edit->points), documentOfPoints());
     hover();

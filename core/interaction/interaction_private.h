@@ -98,6 +98,7 @@ public:
     void selectPoints(std::vector<PointAddress> addresses, const Document &of);
     Document documentOfPoints() const;
     PointRules rulesOfPoints() const;
+    bool isEdited(const EditedPoints &edit) const;
     void carryOut(PointEdit edit);
 
     void hover();
@@ -110,7 +111,7 @@ public:
     const JointMark *jointMarkAt(const Vec2 &position);
     void hoverOperation();
     void markOperation();
-    const OperationHandle *operationHandleAt(const Vec2 &position);
+    std::optional<OperationHandle> operationHandleAt(const Vec2 &position);
     bool nudgeMeetingPoints(const JointRef &joint, const Vec2 &arrow, double distance);
     void update();
     void turn(const Camera &to, double start, double duration);

@@ -7,24 +7,6 @@
 
 namespace fff {
 
-namespace {
-
-int countOf(const Operation &operation, const InputSpec &input)
-{
-    const auto found = operation.inputs.find(input.role);
-    return found == operation.inputs.end() ? 0 : static_cast<int>(found->second.size());
-}
-
-} // namespace
-
-const InputSpec *missingInput(const OperationKind &kind, const Operation &operation)
-{
-    for (const InputSpec &input : kind.inputs)
-        if (countOf(operation, input) < input.least)
-            return &input;
-    return nullptr;
-}
-
 OperationTool::OperationTool(const OperationKind &kind, Operation draft, Naming naming)
     : m_kind(kind), m_draft(std::move(draft)), m_naming(std::move(naming)), m_command("operation.")
 {
@@ -80,8 +62,8 @@ std::optional<Operation> OperationTool::withPick(const SectionRef &section,
     }
     Operation next = m_draft;
     std::vector<OperationInput> &inputs = next.inputs[input->role];
-    if (input->most == 1)
-        inputs.clear();
+    if (std::ssize(inputs) >= input->most) // the last one has the place of the first
+        inputs.erase(inputs.begin());
     for (const auto &[role, known] : next.inputs)
         for (const OperationInput &other : known)
             if (other.section == section)
@@ -92,8 +74,10 @@ std::optional<Operation> OperationTool::withPick(const SectionRef &section,
 
 Document OperationTool::withDraft(const Document &document, Operation draft) const
 {
-    if (isNew())
+    if (isNew()) {
+        draft.name = m_naming(draft);
         return addOperation(document, std::move(draft));
+    }
     Result<Document> next = setOperation(document, std::move(draft));
     return next ? *std::move(next) : document;
 }
@@ -208,7 +192,8 @@ GestureReply OperationTool::modelChanged(GestureContext &context)
         if (!operation)
             return cancel(context);
         m_draft = *operation;
-        return interrupt(context);
+        const bool isAskedStill = counts(*m_kind.input(m_role), m_draft);
+        return isAskedStill ? interrupt(context) : cancel(context);
     }
     for (auto &[role, inputs] : m_draft.inputs)
         std::erase_if(inputs, [&context](const OperationInput &input) {

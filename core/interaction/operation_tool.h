@@ -34,7 +34,7 @@ public:
     GestureReply interrupt(GestureContext &context) override;
     GestureReply modelChanged(GestureContext &context) override;
     bool takesClicks() const override { return true; }
-    std::string_view asksFor() const override { return m_role; }
+    Asked asksFor() const override { return {m_draft.id, m_role}; }
     bool marksSections() const override { return !m_orbit; }
     bool wants(ToolKey key) const override;
     GestureReply key(ToolKey key, GestureContext &context) override;
@@ -64,8 +64,5 @@ private:
     std::optional<PointerEvent> m_press; // not a drag yet
     std::optional<OrbitGesture> m_orbit;
 };
-
-/// The first role that has fewer inputs than it needs, or null.
-const InputSpec *missingInput(const OperationKind &kind, const Operation &operation);
 
 } // namespace fff

@@ -51,8 +51,6 @@ Step stepOf(Step::Kind kind, const Section &section, std::size_t count = 1)
     return step;
 }
 
-} // namespace
-
 /// The control points, one after the other as they stand on the plane.
 std::vector<std::pair<double, double>> pointsOf(const Shape &shape)
 {
@@ -84,6 +82,8 @@ ShapePointer withImage(const Shape &before, const Shape &after, const Halfplane 
     const Result<ShapePointer> made = Shape::make(pieces.front().outer, pieces.front().holes);
     return made ? *made : nullptr;
 }
+
+} // namespace
 
 PointEdit withEditedShape(const Document &document, SectionId id, const Result<ShapePointer> &shape,
                           std::span<const Vec2> places, Step step, const PointRules &rules)

@@ -10,7 +10,8 @@ PointGesture::PointGesture(const PointTarget &target, const PointerEvent &press,
                            const SectionRef &ref, const GestureContext &context)
     : m_target(target), m_document(documentToEdit(context.model, ref))
 {
-    const Section &section = *editedSection(context.model, ref);
+    const SectionPointer edited = editedSection(context.model, ref);
+    const Section &section = *edited;
     m_section = section.id;
     m_name = section.name;
     m_shape = section.shape;
@@ -100,7 +101,8 @@ GestureReply PointGesture::handle(const PointerEvent &event, GestureContext &con
     if (m_last) {
         if (!m_refusal)
             reply.note = m_last->note;
-        reply.commit = GestureReply::Commit{m_last->step, std::move(m_last->document)};
+        if (m_last->document.find(m_section)->shape != m_shape)
+            reply.commit = GestureReply::Commit{m_last->step, std::move(m_last->document)};
     }
     return reply;
 }

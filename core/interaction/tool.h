@@ -42,8 +42,14 @@ public:
     }
     /// It works with clicks: also with those while Ctrl is held, whose drags turn the view.
     virtual bool takesClicks() const { return false; }
-    /// Of one that asks for an input of an operation that there is: its role.
-    virtual std::string_view asksFor() const { return {}; }
+    /// Of one that asks for an input of an operation that there is: of which, and its role.
+    struct Asked
+    {
+        OperationId operation;
+        std::string role;
+        bool operator==(const Asked &) const = default;
+    };
+    virtual Asked asksFor() const { return {}; }
     /// The section under the cursor is marked as without a tool.
     virtual bool marksSections() const { return false; }
     /// Puts what it has in hand into the overlay, when all else is there: also while the view is

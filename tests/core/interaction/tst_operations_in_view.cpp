@@ -80,6 +80,9 @@ private Q_SLOTS:
     void anInputIsChosenAnew();
     void handlesMoveTheRange();
     void handlesDoNotPass();
+    void undoBringsTheVeryObjects();
+    void aThirdTakesThePlaceOfTheFirst();
+    void anotherSelectionEndsTheAsking();
     void anImageIsEditedAsItsSource();
     void bothSidesOfTheMirrorAreEdited();
     void whatIsMadeSaysSo();
@@ -208,7 +211,7 @@ void TestOperationsInView::anInputIsChosenAnew()
     desk.look(document);
     desk.interaction.selectOperation(desk.ribs());
     QVERIFY(desk.commands.run("operation.choose", {{"role", "section"}}));
-    QCOMPARE(desk.interaction.tool()->asksFor(), std::string_view("section"));
+    QCOMPARE(desk.interaction.tool()->asksFor().role, std::string("section"));
     desk.click(desk.placeOf("Fin"));
     QVERIFY(!desk.interaction.tool());
     QCOMPARE(desk.document().operations[0]->inputs.at("section")[0].name, std::string("Fin"));
@@ -253,6 +256,55 @@ void TestOperationsInView::handlesMoveTheRange()
     QVERIFY(desk.session.history()->undoText().startsWith(QStringLiteral("Ribs: To 100")));
     for (const SectionPointer &rib : desk.model().resultOf(desk.ribs())->sections)
         QVERIFY2(rib->frame.origin.x() > 200.0 * (1.0 - now) - 1.0, "its normal points to x = 0");
+}
+
+// Wrong: slits, outlines and triangles of all ribs would be worked out again with every Undo.
+void TestOperationsInView::undoBringsTheVeryObjects()
+{
+    BoneDesk desk;
+    desk.makeRibs();
+    const std::vector<SectionPointer> before = desk.model().sections();
+    QVERIFY(desk.commands.run("operation.change", {{"count", "20"}, {"scale", "thickness"}}));
+    QVERIFY(desk.commands.run("operation.switch"));
+    QVERIFY(desk.commands.run("operation.bake"));
+    while (desk.session.history()->undoText() != QStringLiteral("Add Ribs"))
+        desk.session.history()->undo();
+    QVERIFY(desk.model().sections() == before);
+}
+
+// Wrong: a section that was picked would be listed, and count for nothing.
+void TestOperationsInView::aThirdTakesThePlaceOfTheFirst()
+{
+    BoneDesk desk;
+    desk.makeRibs();
+    QVERIFY(desk.commands.run("operation.rotational", {{"name", "Round"}, {"axis", "slit"}}));
+    const auto picked = [&] {
+        std::vector<std::string> names;
+        const Operation &round = *desk.document().operations.back();
+        if (const auto found = round.inputs.find("around"); found != round.inputs.end())
+            for (const OperationInput &input : found->second)
+                names.push_back(input.name);
+        return names;
+    };
+    for (const char *name : {"Rib", "Spine", "Rib 3"}) {
+        QVERIFY(
+            desk.commands.run("operation.choose", {{"operation", "Round"}, {"role", "around"}}));
+        desk.click(desk.placeOf(name));
+    }
+    QCOMPARE(picked(), (std::vector<std::string>{"Spine", "Rib 3"}));
+}
+
+// Wrong: a click would change an operation that is not the one whose panel is open; or one would be
+// asked for what does not count any more.
+void TestOperationsInView::anotherSelectionEndsTheAsking()
+{
+    BoneDesk desk;
+    desk.makeRibs();
+    QVERIFY(desk.commands.run("operation.mirror", {{"name", "Both"}, {"plane", "section"}}));
+    QVERIFY(desk.commands.run("operation.choose", {{"role", "across"}}));
+    QVERIFY(desk.interaction.tool());
+    QVERIFY(desk.commands.run("operation.change", {{"plane", "x"}}));
+    QVERIFY2(!desk.interaction.tool(), "the plane X asks for no section");
 }
 
 // Wrong: a range would turn round while it is dragged, and all ribs be named anew.
