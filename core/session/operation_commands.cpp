@@ -187,18 +187,28 @@ public:
         const std::string *state = textOf(parameters, "state");
         const std::string wanted = state ? *state : "hidden";
         const std::vector<std::string> names{model.nameOf(*instance)};
-        if (wanted == "detached")
-            return commit({Step::Kind::DetachInstance, names}, detached(model, *instance));
+        if (wanted == "detached") {
+            const Result<void> done =
+                commit({Step::Kind::DetachInstance, names}, detached(model, *instance));
+            if (done) // what it became
+                m_interaction.select({m_session.committed().document.sections.back()->id});
+            return done;
+        }
         if (wanted != "hidden" && wanted != "made")
             return failure(ErrorCode::BadValue, "state", {wanted, "hidden, detached, made"});
         const bool isHidden = wanted == "hidden";
-        return commit({isHidden ? Step::Kind::HideInstance : Step::Kind::ShowInstance, names},
-                      setException(model.document, *instance,
-                                   {isHidden ? Exception::State::Hidden : Exception::State::Made}));
+        const bool wasSelected = m_interaction.selection() == std::vector{*instance};
+        const Result<void> done =
+            commit({isHidden ? Step::Kind::HideInstance : Step::Kind::ShowInstance, names},
+                   setExceptionState(model.document, *instance,
+                                     isHidden ? Exception::State::Hidden : Exception::State::Made));
+        if (done && isHidden && wasSelected) // where it can be had back
+            m_interaction.selectOperation(instance->operation);
+        return done;
     }
 
     /// A mirror's copies, drawn at once: one step, and no operation stays.
-    Result<void> makeSymmetric(const CommandParameters &parameters, double) const
+    Result<void> makeSymmetric(const CommandParameters &parameters, double time) const
     {
         const Model &model = m_session.committed();
         const OperationKind &kind = *operationKind("mirror");
@@ -208,8 +218,10 @@ public:
         const OperationId id{model.document.nextId};
         const Model with = evaluate(addOperation(model.document, *std::move(mirror)), model);
         const OperationResult *result = with.resultOf(id);
-        if (!result || (result->sections.empty() && result->changed.empty()))
-            return {}; // it is so already
+        if (!result || (result->sections.empty() && result->changed.empty())) {
+            m_interaction.say({Hint::Kind::AlreadySymmetric, {}, true}, time);
+            return {};
+        }
         return commit({Step::Kind::MakeSymmetric, {}}, baked(with, id));
     }
 

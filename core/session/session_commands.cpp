@@ -13,6 +13,7 @@
 #include "core/session/session_host.h"
 #include "core/session/tool_commands.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <functional>
@@ -68,14 +69,17 @@ Result<void> deleteSelected(Session &session, const Interaction &interaction)
     Step step{Step::Kind::HideInstance, {}};
     std::vector<SectionId> ids;
     for (const SectionRef &ref : interaction.selection()) {
-        const Section *shown = model.find(ref);
-        if (!shown)
-            continue;
-        step.names.push_back(shown->name);
-        if (const std::optional<Origin> origin = originOf(model, ref))
-            ids.push_back(origin->section->id);
-        else if (next)
-            next = setException(*std::move(next), ref, {Exception::State::Hidden});
+        // One whose place an operation has taken is not shown.
+        const std::optional<Origin> origin = originOf(model, ref);
+        const Section *drawn = origin ? origin->section : model.document.find(ref.drawn);
+        if (drawn && std::find(ids.begin(), ids.end(), drawn->id) == ids.end()) {
+            ids.push_back(drawn->id);
+            step.names.push_back(drawn->name);
+        } else if (const Section *made = model.find(ref); made && !drawn) {
+            step.names.push_back(made->name);
+            if (next)
+                next = setExceptionState(*std::move(next), ref, Exception::State::Hidden);
+        }
     }
     if (!ids.empty())
         step.kind = Step::Kind::DeleteSections;

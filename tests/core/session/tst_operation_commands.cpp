@@ -75,6 +75,7 @@ void TestOperationCommands::inputsByNameAndBySelection()
     Bench selected;
     selected.interaction.select({selected.bones.rib, selected.bones.spine});
     QVERIFY(selected.run("operation.linear"));
+    selected.interaction.select({selected.bones.rib, selected.bones.spine});
     QVERIFY(selected.run("operation.linear", {{"count", "3"}}));
     QCOMPARE(selected.document().operations[0]->name, std::string("Linear Rib"));
     QCOMPARE(selected.document().operations[1]->name, std::string("Linear Rib (2)"));
