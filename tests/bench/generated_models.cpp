@@ -22,6 +22,20 @@ ShapePointer strip(double length)
         *Contour::fromPolygon({{0, 0}, {length, 0}, {length, kHeight}, {0, kHeight}}));
 }
 
+/// A closed curve through the points.
+Contour smooth(const std::vector<Vec2> &points)
+{
+    const std::size_t n = points.size();
+    const auto at = [&](std::size_t i) { return points[(i + n) % n]; };
+    std::vector<Vec2> controls;
+    for (std::size_t i = 0; i < n; ++i) {
+        controls.push_back(at(i));
+        controls.push_back(at(i) + (at(i + 1) - at(i + n - 1)) / 6.0);
+        controls.push_back(at(i + 1) - (at(i + 2) - at(i)) / 6.0);
+    }
+    return *Contour::fromPoints(std::move(controls));
+}
+
 /// Along +X at this corner.
 Frame alongX(double x, double z)
 {
@@ -66,7 +80,7 @@ Document repeated(const char *kind, bool scaled, bool branches)
         outline.push_back({kLength * i / 12.0, 60.0 + 12.0 * std::sin(0.9 * i)});
     for (int i = 12; i >= 0; --i)
         outline.push_back({kLength * i / 12.0, 120.0 + 10.0 * std::cos(0.7 * i)});
-    add(document, *Shape::make(*Contour::fromPoints(outline)), alongX(0.0, 0.0));
+    add(document, *Shape::make(smooth(outline)), alongX(0.0, 0.0));
     const Contour rib = *Contour::fromPoints({{-30, 20},
                                               {-34, 60},
                                               {-18, 92},
@@ -81,7 +95,7 @@ Document repeated(const char *kind, bool scaled, bool branches)
     for (const double z : {-24.0, 24.0}) {
         if (!branches)
             continue;
-        add(document, *Shape::make(*Contour::fromPoints({{-12, 0}, {-12, 24}, {12, 24}, {12, 0}})),
+        add(document, *Shape::make(*Contour::fromPolygon({{-12, 0}, {-12, 24}, {12, 24}, {12, 0}})),
             {{200, 30, z}, Vec3::UnitX(), Vec3::UnitY()});
     }
     Operation operation = newOperation(*operationKind(kind));
