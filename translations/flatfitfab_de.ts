@@ -4160,6 +4160,10 @@
         <source>%1 is made by %2: edit its source, or detach this one.</source>
         <translation>%1 kommt von %2: die Vorlage bearbeiten oder diese lösen.</translation>
     </message>
+    <message>
+        <source>Nothing copied: the model is symmetric already.</source>
+        <translation>Nichts kopiert: Das Modell ist schon symmetrisch.</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::HistoryDock</name>
@@ -4199,10 +4203,6 @@
 <context>
     <name>fff::ui::InputRow</name>
     <message>
-        <source>Delete takes a section out, drag changes the order.</source>
-        <translation>Entf nimmt eine Scheibe heraus, Ziehen ändert die Reihenfolge.</translation>
-    </message>
-    <message>
         <source>Take it out</source>
         <translation>Herausnehmen</translation>
     </message>
@@ -4219,6 +4219,10 @@
         <source>%1: %2</source>
         <extracomment>%1 is what an operation works on (&quot;Along&quot;), %2 the name of a section</extracomment>
         <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Delete takes a section out, drag or Alt with an arrow key changes the order.</source>
+        <translation>Entf nimmt eine Scheibe heraus, Ziehen oder Alt mit Pfeiltaste ändert die Reihenfolge.</translation>
     </message>
 </context>
 <context>
@@ -4250,6 +4254,14 @@
     <message>
         <source>Make a drawn section of this one; its operation makes the others</source>
         <translation>Aus dieser eine gezeichnete Scheibe machen; die anderen macht die Operation</translation>
+    </message>
+    <message>
+        <source>Made from</source>
+        <translation>Gemacht aus</translation>
+    </message>
+    <message>
+        <source>Draw it anew, and all that is made from it follows</source>
+        <translation>Sie neu zeichnen: alles, was daraus gemacht ist, folgt</translation>
     </message>
 </context>
 <context>
@@ -4701,9 +4713,9 @@
 <context>
     <name>fff::ui::OperationMarks</name>
     <message>
-        <source>%1 %2&#x202f;%</source>
-        <extracomment>%1 is the name of a number (&quot;From&quot;), %2 its value in percent</extracomment>
-        <translation>%1 %2&#x202f;%</translation>
+        <source>%1 %2</source>
+        <extracomment>%1 is the name of a number (&quot;From&quot;), %2 its value</extracomment>
+        <translation>%1 %2</translation>
     </message>
 </context>
 <context>
@@ -4719,6 +4731,14 @@
     <message>
         <source>Undo</source>
         <translation>Rückgängig</translation>
+    </message>
+    <message>
+        <source>Allow more</source>
+        <translation>Mehr erlauben</translation>
+    </message>
+    <message>
+        <source>Keep it</source>
+        <translation>So lassen</translation>
     </message>
 </context>
 <context>

@@ -272,6 +272,8 @@ QString hintSentence(const Hint &hint, const QString &undoKeys)
     case Hint::Kind::MadeByOperation:
         return HintText::tr("%1 is made by %2: edit its source, or detach this one.")
             .arg(name, other);
+    case Hint::Kind::AlreadySymmetric:
+        return HintText::tr("Nothing copied: the model is symmetric already.");
     case Hint::Kind::PickInput:
         return pickInput(hint);
     case Hint::Kind::NeverLeft:

@@ -35,6 +35,7 @@ MainToolBar::MainToolBar(Workbench &bench, const ActionSet &actions, QWidget *pa
                         "section.redraw", "section.addHole", ""});
     for (const char *id : kOperations)
         m_operations.push_back(actions.action(id));
+    m_rotational = actions.action("operation.rotational");
     makeRepeat();
     m_afterOperations = addSeparator();
     addAction(actions.action("view.fitAll"));
@@ -86,6 +87,7 @@ void MainToolBar::makeRepeat()
     auto *menu = new QMenu(m_repeat);
     for (QAction *action : m_operations)
         menu->addAction(action);
+    menu->addAction(m_rotational);
     m_repeat->setMenu(menu);
     m_repeatAction = addWidget(m_repeat);
 }

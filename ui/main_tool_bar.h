@@ -35,6 +35,7 @@ private:
     StockBox *m_stock = nullptr;
     QPushButton *m_export = nullptr;
     std::vector<QAction *> m_operations;
+    QAction *m_rotational = nullptr; // in the menu alone
     QToolButton *m_repeat = nullptr;
     QAction *m_repeatAction = nullptr, *m_afterOperations = nullptr;
 };

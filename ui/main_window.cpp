@@ -1,5 +1,6 @@
 #include "ui/main_window.h"
 
+#include "core/interaction/tool.h"
 #include "core/io/error_text.h"
 #include "core/session/check_list.h"
 #include "ui/actions/action_set.h"
@@ -91,6 +92,13 @@ MainWindow::MainWindow(QWidget *parent) : QMainWindow(parent), m_bench(new Workb
     refreshTheme();
 
     connect(m_actions, &ActionSet::triggered, this, &MainWindow::run);
+    // Wherever a tool was asked for, its keys are the view's.
+    connect(m_bench, &Workbench::viewStateChanged, m_view, [this] {
+        const Tool *tool = m_bench->interaction().tool();
+        const bool hasTool = tool && (tool->asksFor().operation.isValid());
+        if (hasTool && !m_view->hasFocus() && isActiveWindow())
+            m_view->setFocus();
+    });
     connect(m_files, &DocumentFiles::chosen, this, &MainWindow::openFiles);
     connect(new FileDrop(*this), &FileDrop::dropped, this, &MainWindow::openFiles);
     connect(&settings(), &Settings::colourSchemeChanged, this, &MainWindow::refreshTheme);

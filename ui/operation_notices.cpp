@@ -42,6 +42,10 @@ void OperationNotices::follow()
         now.emplace(id, result->notices);
     }
     m_known = std::move(now);
+    // What is offered is of the step that it came with.
+    if (!m_told.isEmpty() && m_messages.text() == m_told)
+        m_messages.show(MessageBar::Severity::Info, {});
+    m_told.clear();
     if (news && !m_isAnother)
         tell(*of, *news);
     m_isAnother = false;
@@ -60,9 +64,23 @@ void OperationNotices::tell(const Operation &operation, const OperationNotice &n
     } else {
         verbs.push_back({tr("Show it"), [this, id] { m_bench.selectOperation(id); }});
     }
-    verbs.push_back({tr("Undo"), [this] { m_bench.run(QStringLiteral("edit.undo")); }});
+    const OperationKind *kind = operationKind(operation.kind);
+    const ParameterSpec *most = kind ? kind->parameter("most") : nullptr;
+    if (notice.kind == OperationNotice::Kind::StoppedAtMost && most) {
+        const double allowed = std::min(most->most, 2.0 * notice.count);
+        verbs = {{tr("Allow more"),
+                  [this, id, allowed] {
+                      m_bench.selectOperation(id);
+                      m_bench.run(QStringLiteral("operation.change"),
+                                  {{"most", std::to_string(static_cast<int>(allowed))}});
+                  }},
+                 {tr("Keep it"), [] {}}};
+    } else {
+        verbs.push_back({tr("Undo"), [this] { m_bench.run(QStringLiteral("edit.undo")); }});
+    }
     m_messages.show(isFailure(notice) ? MessageBar::Severity::Error : MessageBar::Severity::Warning,
                     {noticeText(notice, operation)}, std::move(verbs));
+    m_told = m_messages.text();
 }
 
 } // namespace fff::ui

@@ -27,6 +27,7 @@ private:
     Workbench &m_bench;
     MessageBar &m_messages;
     std::map<std::int64_t, std::vector<OperationNotice>> m_known; // by the operation's id
+    QString m_told;                                               // what the bar shows of it
     bool m_isAnother = false;                                     // document: it is shown, not done
 };
 

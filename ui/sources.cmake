@@ -24,7 +24,6 @@ target_sources(fff_ui PRIVATE
     docks/drawing_page.cpp
     docks/history_dock.cpp
     docks/joint_page.cpp
-    docks/link_row.cpp
     docks/model_page.cpp
     docks/problem_box.cpp
     docks/operation_page.cpp
@@ -64,6 +63,7 @@ target_sources(fff_ui PRIVATE
     properties/joint_rows.cpp
     properties/joint_words.cpp
     properties/length_edit.cpp
+    properties/link_row.cpp
     properties/number_edit.cpp
     properties/open_editor.cpp
     properties/parameter_row.cpp

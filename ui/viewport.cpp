@@ -184,7 +184,8 @@ void Viewport::paintMarks()
         scene.hovered = QString::fromStdString(model.section(hovered)->name);
     if (overlay.points)
         scene.edited = editedSection(model, overlay.points->section);
-    if (overlay.operation) {
+    scene.handles = handles();
+    if (scene.handles) {
         const Operation *operation = model.document.find(interaction.selectedOperation());
         scene.operation = operation ? operationKind(operation->kind) : nullptr;
     }
@@ -340,6 +341,19 @@ std::vector<SectionRef> Viewport::presentlyOutlined() const
     return present;
 }
 
+/// Of the operation that is selected; while its numbers are dragged elsewhere, where they are then.
+std::optional<OperationMarks> Viewport::handles() const
+{
+    const Interaction &interaction = m_bench.interaction();
+    std::optional<OperationMarks> shown = interaction.overlay().operation;
+    if (!shown || interaction.hasGesture() || !m_bench.session().hasPreview())
+        return shown;
+    OperationMarks marks =
+        operationMarks(m_bench.session().model(), interaction.selectedOperation());
+    marks.hovered = shown->hovered;
+    return marks;
+}
+
 Viewport::Seen Viewport::seen() const
 {
     const Interaction &interaction = m_bench.interaction();
@@ -354,7 +368,7 @@ Viewport::Seen Viewport::seen() const
             overlay.cubePart,
             overlay.points,
             overlay.joints,
-            overlay.operation,
+            handles(),
             interaction.operationInFocus(),
             overlay.isHandleHovered,
             interaction.hasGesture(),

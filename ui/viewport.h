@@ -91,6 +91,7 @@ private:
     void rebuildScene();
     void markScene();
     Seen seen() const;
+    std::optional<OperationMarks> handles() const;
     std::vector<SectionRef> presentlyOutlined() const;
     int litMark() const;
     void watchAnalysis();

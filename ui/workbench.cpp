@@ -260,6 +260,10 @@ void Workbench::announceChanges()
         m_operation != m_interaction->selectedOperation()) {
         m_selection = m_interaction->selection();
         m_operation = m_interaction->selectedOperation();
+        // What is asked for is of the one that was selected.
+        const Tool *held = m_interaction->tool();
+        if (held && held->asksFor().operation.isValid() && held->asksFor().operation != m_operation)
+            m_interaction->layDown(m_clock.now());
         m_joint = m_interaction->selectedJoint();
         Q_EMIT selectionChanged();
     }
@@ -275,13 +279,15 @@ void Workbench::announceChanges()
     const bool canGoBack = m_interaction->canGoBack();
     const Tool *tool = m_interaction->tool();
     const std::string toolCommand = tool ? std::string(tool->command()) : std::string();
+    const Tool::Asked asked = tool ? tool->asksFor() : Tool::Asked();
     if (!(m_view == m_interaction->view()) || m_projection != projection ||
-        m_couldGoBack != canGoBack || m_toolCommand != toolCommand ||
+        m_couldGoBack != canGoBack || m_toolCommand != toolCommand || !(m_asked == asked) ||
         m_couldUndoInTool != m_interaction->canUndoInTool() ||
         m_couldRedoInTool != m_interaction->canRedoInTool()) {
         m_couldUndoInTool = m_interaction->canUndoInTool();
         m_couldRedoInTool = m_interaction->canRedoInTool();
         m_toolCommand = toolCommand;
+        m_asked = asked;
         m_view = m_interaction->view();
         m_projection = projection;
         m_couldGoBack = canGoBack;

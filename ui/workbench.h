@@ -6,6 +6,7 @@
 #include "core/interaction/interaction.h"
 #include "core/interaction/joint_editing.h"
 #include "core/interaction/problem_look.h"
+#include "core/interaction/tool.h"
 #include "core/session/session.h"
 #include "core/session/session_host.h"
 #include "ui/event_clock.h"
@@ -134,6 +135,7 @@ private:
     Projection m_projection = Projection::Orthographic;
     bool m_couldGoBack = false;
     std::string m_toolCommand; // of the tool in the hand
+    Tool::Asked m_asked;       // by it
     bool m_couldUndoInTool = false, m_couldRedoInTool = false;
     EventClock m_clock;
     CommandRegistry m_commands;

@@ -1,10 +1,11 @@
 fff_test(ui/actions/tst_action_finder fff::ui)
 fff_test(ui/dialogs/tst_dialogs fff::ui)
-fff_test(ui/docks/tst_link_row fff::ui)
+
 fff_test(ui/docks/tst_operations_docks fff::ui)
 fff_test(ui/files/tst_progress fff::ui)
 fff_test(ui/files/tst_windows fff::ui)
 fff_test(ui/properties/tst_choice_box fff::ui)
+fff_test(ui/properties/tst_link_row fff::ui)
 fff_test(ui/properties/tst_slider_field fff::ui)
 fff_test(ui/settings/tst_settings fff::ui)
 fff_test(ui/start/tst_samples fff::ui)
@@ -33,6 +34,9 @@ set_tests_properties(ui/tst_point_editing PROPERTIES LABELS gl ENVIRONMENT "QT_Q
 fff_test(ui/tst_joints fff::ui)
 set_tests_properties(ui/tst_joints PROPERTIES LABELS gl ENVIRONMENT "QT_QPA_PLATFORM=xcb")
 
+fff_test(ui/tst_operations_window fff::ui)
+set_tests_properties(ui/tst_operations_window PROPERTIES LABELS gl ENVIRONMENT "QT_QPA_PLATFORM=xcb")
+
 fff_test(ui/steps/tst_steps_view fff::ui)
 set_tests_properties(ui/steps/tst_steps_view PROPERTIES LABELS gl ENVIRONMENT "QT_QPA_PLATFORM=xcb")
 
@@ -57,7 +61,7 @@ add_dependencies(tst_killed flatfitfab)
 set_tests_properties(ui/tst_killed PROPERTIES LABELS gl ENVIRONMENT "QT_QPA_PLATFORM=xcb" TIMEOUT 600)
 
 # Windows of two programs on one display take the focus from each other.
-set_tests_properties(ui/tst_main_window ui/tst_drawing ui/tst_joints ui/tst_pen_window ui/tst_point_editing ui/tst_script_player ui/steps/tst_steps_view ui/tst_killed PROPERTIES RESOURCE_LOCK focus)
+set_tests_properties(ui/tst_main_window ui/tst_drawing ui/tst_joints ui/tst_operations_window ui/tst_pen_window ui/tst_point_editing ui/tst_script_player ui/steps/tst_steps_view ui/tst_killed PROPERTIES RESOURCE_LOCK focus)
 
 if(FFF_SANITIZE)
     # Graphics drivers keep some memory, and are unloaded before it could be told from ours.

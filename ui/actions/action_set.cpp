@@ -198,7 +198,9 @@ void ActionSet::refresh()
     setAble("edit.selectAll", hasSections, nothingThere);
     const bool hasJoint = interaction.selectedJoint().has_value();
     const OperationId inFocus = interaction.operationInFocus();
-    setAble("edit.delete", hasSelection || hasJoint || interaction.selectedOperation().isValid(),
+    setAble("edit.delete",
+            !interaction.selection().empty() || hasJoint ||
+                interaction.selectedOperation().isValid(),
             nothingSelected);
     const auto &operations = m_bench.session().committed().document.operations;
     const QString noOperation = tr("No operation is selected");

@@ -1,7 +1,7 @@
 #include "ui/docks/check_row.h"
 
-#include "ui/docks/link_row.h"
 #include "ui/icon.h"
+#include "ui/properties/link_row.h"
 #include "ui/theme.h"
 
 #include <QHBoxLayout>

@@ -47,7 +47,8 @@ OperationPage::OperationPage(Workbench &bench, QWidget *parent) : QWidget(parent
     exceptions->add(m_exceptions);
     connect(m_exceptions, &ExceptionRows::showWanted, this, [this](const SectionRef &instance) {
         m_bench.commit(Step{Step::Kind::ShowInstance, {}},
-                       setException(m_bench.session().committed().document, instance, {}));
+                       setExceptionState(m_bench.session().committed().document, instance,
+                                         Exception::State::Made));
     });
     QVBoxLayout *column = plainColumn(this);
     column->addWidget(m_problem);
@@ -260,14 +261,16 @@ void OperationPage::refresh()
     const OperationResult *result = model.resultOf(m_id);
     tellNotices(*known, result);
     const Tool *tool = m_bench.interaction().tool();
-    const std::string picked = tool ? std::string(tool->asksFor()) : std::string();
+    const Tool::Asked asked = tool ? tool->asksFor() : Tool::Asked();
+    const std::string picked = asked.operation == m_id ? asked.role : std::string();
     if (panel) {
         for (std::size_t i = 0; i < panel->inputs.size(); ++i)
             panel->inputs[i]->show(*known, model, picked == kind->inputs[i].role);
         for (ParameterRow *row : panel->parameters)
             row->show(*known, result);
     }
-    m_exceptions->show(*known, model);
+    if (!m_bench.session().hasPreview()) // a number that is dragged changes none of them
+        m_exceptions->show(*known, model);
 }
 
 void OperationPage::focusParameter(const QString &key)

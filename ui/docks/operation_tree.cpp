@@ -7,6 +7,7 @@
 #include "ui/theme.h"
 #include "ui/workbench.h"
 
+#include <QApplication>
 #include <QDropEvent>
 #include <QHeaderView>
 #include <QKeyEvent>
@@ -120,6 +121,8 @@ OperationTree::OperationTree(Workbench &bench, QWidget *parent) : QWidget(parent
     connect(&bench, &Workbench::selectionChanged, this, &OperationTree::showSelection);
     connect(&bench, &Workbench::viewStateChanged, this, &OperationTree::markHidden);
     connect(&bench.session(), &Session::modelChanged, this, &OperationTree::followModel);
+    // Committing what was previewed changes no model, only its standing.
+    connect(&bench.session(), &Session::committedChanged, this, &OperationTree::followModel);
     followModel();
 }
 
@@ -148,7 +151,10 @@ void OperationTree::followModel()
     {
         const QScopedValueRollback filling(m_isFilling, true);
         std::vector<Row> rows;
+        const Document &committed = m_bench.session().committed().document;
         for (const OperationPointer &operation : model.document.operations) {
+            if (!committed.find(operation->id))
+                continue; // what it works on is still being chosen
             const auto known = std::find_if(m_rows.begin(), m_rows.end(), [&](const Row &row) {
                 return row.operation->id == operation->id;
             });
@@ -383,6 +389,11 @@ void OperationTree::takeSelection()
         const std::vector<SectionRef> own = sectionsOf(item);
         sections.insert(sections.end(), own.begin(), own.end());
     }
+    // Ctrl and Shift add to what is selected elsewhere.
+    if (QApplication::keyboardModifiers() & (Qt::ControlModifier | Qt::ShiftModifier))
+        for (const SectionRef &ref : m_bench.interaction().selection())
+            if (ref.drawn.isValid())
+                sections.push_back(ref);
     m_bench.select(std::move(sections));
 }
 
@@ -404,7 +415,8 @@ void OperationTree::showSelection()
         const bool holdsOne = std::any_of(wanted.begin(), wanted.end(), [&](const SectionRef &ref) {
             return ref.operation == row.operation->id;
         });
-        if (holdsOne && !row.item->isExpanded())
+        const bool isNews = sections != m_shown;
+        if (holdsOne && isNews && !row.item->isExpanded())
             row.item->setExpanded(true);
         if (holdsOne && !row.isFilled)
             fill(row);
@@ -414,6 +426,7 @@ void OperationTree::showSelection()
             show(item, holdsOne && wanted.contains(sectionsOf(item).front()));
         }
     }
+    m_shown = sections;
     if (newest) {
         m_tree->setCurrentItem(newest, kName, QItemSelectionModel::NoUpdate);
         m_tree->scrollToItem(newest);

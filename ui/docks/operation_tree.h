@@ -52,7 +52,8 @@ private:
     Workbench &m_bench;
     QTreeWidget *m_tree = nullptr;
     QString m_words;
-    std::vector<Row> m_rows; // in the order of the operations
+    std::vector<Row> m_rows;         // in the order of the operations
+    std::vector<SectionRef> m_shown; // sections that were selected when the rows were last marked
     bool m_isFilling = false;
 };
 

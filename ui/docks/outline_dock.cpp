@@ -13,6 +13,7 @@
 #include "ui/view/view_style.h"
 #include "ui/workbench.h"
 
+#include <QApplication>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
@@ -408,6 +409,11 @@ void OutlineDock::takeSelection()
     std::vector<SectionRef> selection;
     for (const QTreeWidgetItem *item : m_tree->selectedItems())
         selection.emplace_back(idOf(item));
+    // Ctrl and Shift add to what is selected below.
+    if (QApplication::keyboardModifiers() & (Qt::ControlModifier | Qt::ShiftModifier))
+        for (const SectionRef &ref : m_bench.interaction().selection())
+            if (!ref.drawn.isValid())
+                selection.push_back(ref);
     m_bench.select(std::move(selection));
 }
 

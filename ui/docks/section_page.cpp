@@ -74,15 +74,8 @@ Result<Document> setStockOf(const Model &model, Document document, const Section
 {
     if (const std::optional<Origin> origin = originOf(model, ref))
         return setSectionStock(std::move(document), origin->section->id, stock);
-    const Operation *operation = document.find(ref.operation);
-    if (!operation)
-        return document;
-    Exception exception;
-    if (const auto known = operation->exceptions.find(ref.key);
-        known != operation->exceptions.end())
-        exception = known->second;
-    exception.stock = stock;
-    return setException(std::move(document), ref, exception);
+    return document.find(ref.operation) ? setExceptionStock(std::move(document), ref, stock)
+                                        : Result<Document>(std::move(document));
 }
 
 /// The stocks of these sections, each once.
@@ -317,9 +310,10 @@ PropertyRow *SectionPage::positionRow(int axis, const QString &name, const char 
             const Model &model = m_bench.session().committed();
             Result<Document> next = model.document;
             std::vector<std::string> names;
+            std::set<SectionId> moved; // a section and its image may both be selected
             for (int i : selectedSections(m_bench)) {
                 const auto origin = originOf(model, model.ref(static_cast<std::size_t>(i)));
-                if (!origin)
+                if (!origin || !moved.insert(origin->section->id).second)
                     continue; // its place is its operation's
                 Vec3 by = Vec3::Zero();
                 by[axis] = value - model.section(static_cast<std::size_t>(i))->frame.origin[axis];

@@ -2,7 +2,7 @@
 
 #include "core/model/operation_edits.h"
 #include "core/operations/evaluate.h"
-#include "ui/docks/link_row.h"
+#include "ui/properties/link_row.h"
 
 #include <QHBoxLayout>
 #include <QLabel>
@@ -54,6 +54,7 @@ QString ExceptionRows::nameOf(const Operation &operation, const std::string &key
         m_names.clear();
         Operation whole = operation;
         whole.exceptions.clear();
+        whole.isOn = true;
         if (const Result<Document> document = setOperation(model.document, std::move(whole))) {
             const Model all = evaluate(*document, model);
             if (const OperationResult *result = all.resultOf(operation.id))

@@ -114,7 +114,7 @@ void InputRow::makeList()
     m_list->setDragDropMode(QAbstractItemView::InternalMove);
     m_list->setAccessibleName(operationText(m_spec.label));
     m_list->setAccessibleDescription(
-        Texts::tr("Delete takes a section out, drag changes the order."));
+        Texts::tr("Delete takes a section out, drag or Alt with an arrow key changes the order."));
     m_list->setUniformItemSizes(true);
     m_list->setIconSize({16, 16});
     m_list->setMouseTracking(true);
@@ -142,24 +142,42 @@ void InputRow::makeList()
     connect(m_list, &QListWidget::itemEntered, this, [this](QListWidgetItem *item) {
         const auto index = static_cast<std::size_t>(m_list->row(item));
         if (index < m_inputs.size())
-            m_reactions.hovered(m_inputs[index].section);
+            outline(m_inputs[index].section);
     });
-    // Once the drag is over: the list still moves its items then.
-    connect(
-        m_list->model(), &QAbstractItemModel::rowsMoved, this, [this] { takeOrder(); },
-        Qt::QueuedConnection);
+    connect(m_list, &QListWidget::viewportEntered, this, [this] { outline({}); });
+    connect(m_list->model(), &QAbstractItemModel::rowsMoved, this, [this] { takeOrder(); });
+}
+
+/// An empty one: none is under the cursor any more.
+void InputRow::outline(const SectionRef &section)
+{
+    const bool isOver = !(section == SectionRef());
+    if (isOver || m_isOutlining)
+        m_reactions.hovered(section);
+    m_isOutlining = isOver;
 }
 
 bool InputRow::eventFilter(QObject *object, QEvent *event)
 {
     if (event->type() == QEvent::Leave || event->type() == QEvent::Hide)
-        m_reactions.hovered({});
+        outline({});
     if (object == m_field && event->type() == QEvent::Enter && !m_inputs.empty())
-        m_reactions.hovered(m_inputs.front().section);
+        outline(m_inputs.front().section);
+    // Here Delete is for the list, not for what is selected in the view.
+    if (object == m_list && event->type() == QEvent::ShortcutOverride &&
+        static_cast<QKeyEvent *>(event)->key() == Qt::Key_Delete) {
+        event->accept();
+        return true;
+    }
     if (object == m_list && event->type() == QEvent::KeyPress) {
         const int key = static_cast<QKeyEvent *>(event)->key();
         if (key == Qt::Key_Delete || key == Qt::Key_Backspace) {
             takeOut();
+            return true;
+        }
+        const bool isArrow = key == Qt::Key_Up || key == Qt::Key_Down;
+        if (isArrow && static_cast<QKeyEvent *>(event)->modifiers() == Qt::AltModifier) {
+            moveCurrent(key == Qt::Key_Up ? -1 : 1);
             return true;
         }
     }
@@ -231,9 +249,21 @@ void InputRow::takeOut()
     const int index = m_list->currentRow();
     if (index < 0 || index >= static_cast<int>(m_inputs.size()))
         return;
+    outline({});
     std::vector<OperationInput> next = m_inputs;
     next.erase(next.begin() + index);
     m_reactions.reordered(std::move(next));
+}
+
+void InputRow::moveCurrent(int by)
+{
+    const int from = m_list->currentRow(), to = from + by;
+    if (from < 0 || to < 0 || to >= static_cast<int>(m_inputs.size()))
+        return;
+    std::vector<OperationInput> next = m_inputs;
+    std::swap(next[static_cast<std::size_t>(from)], next[static_cast<std::size_t>(to)]);
+    m_reactions.reordered(std::move(next));
+    m_list->setCurrentRow(to);
 }
 
 void InputRow::takeOrder()
@@ -243,8 +273,11 @@ void InputRow::takeOrder()
     std::vector<OperationInput> next;
     for (int i = 0; i < m_list->count(); ++i)
         next.push_back(m_inputs[m_list->item(i)->data(Qt::UserRole).toULongLong()]);
-    if (next != m_inputs)
-        m_reactions.reordered(std::move(next));
+    if (next == m_inputs)
+        return;
+    // Once the drag is over: the list still moves its items now.
+    QMetaObject::invokeMethod(
+        this, [this, next] { m_reactions.reordered(next); }, Qt::QueuedConnection);
 }
 
 } // namespace fff::ui

@@ -40,7 +40,9 @@ private:
     void makeList();
     void showList(const Model &model);
     void takeOut();
+    void moveCurrent(int by);
     void takeOrder();
+    void outline(const SectionRef &section);
     /// What the section is called now, else what it was, and whether it is there.
     static std::pair<QString, bool> nameOf(const OperationInput &input, const Model &model);
 
@@ -51,6 +53,7 @@ private:
     QToolButton *m_pick = nullptr, *m_takeOut = nullptr; // of the list
     std::vector<OperationInput> m_inputs;
     bool m_isFilling = false;
+    bool m_isOutlining = false; // what is outlined is ours
 };
 
 } // namespace fff::ui

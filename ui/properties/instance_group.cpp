@@ -1,13 +1,29 @@
 #include "ui/properties/instance_group.h"
 
 #include "core/model/origin.h"
-#include "ui/docks/link_row.h"
+#include "core/operations/operation_kind.h"
+#include "ui/properties/link_row.h"
 #include "ui/workbench.h"
 
 #include <QCheckBox>
 #include <QHBoxLayout>
 
 namespace fff::ui {
+
+namespace {
+
+SectionRef firstInput(const Operation &operation)
+{
+    const OperationKind *kind = operationKind(operation.kind);
+    for (const InputSpec &input : kind ? kind->inputs : std::vector<InputSpec>()) {
+        const auto found = operation.inputs.find(input.role);
+        if (found != operation.inputs.end() && !found->second.empty())
+            return found->second.front().section;
+    }
+    return {};
+}
+
+} // namespace
 
 InstanceGroup::InstanceGroup(Workbench &bench, QWidget *parent)
     : PropertyGroup(tr("Made by an operation"), parent), m_bench(bench)
@@ -19,16 +35,12 @@ InstanceGroup::InstanceGroup(Workbench &bench, QWidget *parent)
     m_source = new LinkRow;
     connect(m_source, &LinkRow::clicked, this, [this] { m_bench.select({m_origin}); });
     m_sourceRow = new EditorRow(tr("Image of"), "instanceSource", m_source, {}, this);
-    m_sourceRow->setToolTip(tr("What is done to one of them is done to all"));
     add(m_sourceRow);
 
     m_leaveOut = new QCheckBox(tr("Leave this one out"));
     m_leaveOut->setObjectName(QStringLiteral("instanceLeaveOut"));
-    // With it the operation is selected, where it can be brought back.
     connect(m_leaveOut, &QCheckBox::clicked, this, [this] {
-        const OperationId operation = m_section.operation;
         m_bench.run(QStringLiteral("operation.exclude"), {{"state", "hidden"}});
-        m_bench.selectOperation(operation);
     });
     m_detach = new QPushButton(tr("Detach"));
     m_detach->setObjectName(QStringLiteral("instanceDetach"));
@@ -36,9 +48,6 @@ InstanceGroup::InstanceGroup(Workbench &bench, QWidget *parent)
     m_detach->setAutoDefault(false);
     connect(m_detach, &QPushButton::clicked, this, [this] {
         m_bench.run(QStringLiteral("operation.exclude"), {{"state", "detached"}});
-        const auto &sections = m_bench.session().committed().document.sections;
-        if (!sections.empty())
-            m_bench.select({SectionRef(sections.back()->id)}); // what it became
     });
     auto *line = new QWidget(this);
     auto *row = new QHBoxLayout(line);
@@ -60,11 +69,15 @@ void InstanceGroup::refresh()
         return;
     m_madeBy->setTexts({QString::fromStdString(operation->name)});
     m_leaveOut->setChecked(false); // one that is left out cannot be selected
+    // What is drawn for it: an image's own source, else the first thing that is repeated.
     const std::optional<Origin> origin = originOf(model, m_section);
-    m_sourceRow->setVisible(origin.has_value());
-    m_origin = origin ? SectionRef(origin->section->id) : SectionRef();
-    if (origin)
-        m_source->setTexts({QString::fromStdString(origin->section->name)});
+    m_origin = origin ? SectionRef(origin->section->id) : firstInput(*operation);
+    const std::string name = model.nameOf(m_origin);
+    m_sourceRow->setVisible(!name.empty());
+    m_sourceRow->setName(origin ? tr("Image of") : tr("Made from"));
+    m_sourceRow->setToolTip(origin ? tr("What is done to one of them is done to all")
+                                   : tr("Draw it anew, and all that is made from it follows"));
+    m_source->setTexts({QString::fromStdString(name)});
 }
 
 } // namespace fff::ui

@@ -26,19 +26,9 @@ QPainterPath partOf(const MarkPen &pen, const OperationMarks &marks, double from
     return path;
 }
 
-QString valueText(const ParameterSpec &spec, double value, const QLocale &locale)
-{
-    const double spoken = spokenValue(spec.unit, value);
-    // Shares are the only ones that have handles by now.
-    //: %1 is the name of a number ("From"), %2 its value in percent
-    return QCoreApplication::translate("fff::ui::OperationMarks", "%1 %2\u202f%")
-        .arg(operationText(spec.label), locale.toString(spoken, 'f', 1));
-}
-
 } // namespace
 
-void paintOperation(MarkPen &pen, const OperationMarks &marks, const OperationKind &kind,
-                    const QLocale &locale)
+void paintOperation(MarkPen &pen, const OperationMarks &marks, const OperationKind &kind)
 {
     if (marks.handles.empty())
         return;
@@ -72,7 +62,10 @@ void paintOperation(MarkPen &pen, const OperationMarks &marks, const OperationKi
         const bool isLeft = at.x() < middle.x() || (at.x() == middle.x() && i == 0);
         pen.chip(at + QPointF(isLeft ? -kChipOff : kChipOff, -kChipOff),
                  isLeft ? MarkPen::Anchor::Right : MarkPen::Anchor::Left,
-                 valueText(*spec, handle.value, locale), colour);
+                 //: %1 is the name of a number ("From"), %2 its value
+                 QCoreApplication::translate("fff::ui::OperationMarks", "%1 %2")
+                     .arg(operationText(spec->label), valueText(*spec, handle.value)),
+                 colour);
     }
     painter.restore();
 }

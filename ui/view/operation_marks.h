@@ -5,11 +5,8 @@
 #include "core/operations/operation_kind.h"
 #include "ui/view/mark_pen.h"
 
-#include <QLocale>
-
 namespace fff::ui {
 
-void paintOperation(MarkPen &pen, const OperationMarks &marks, const OperationKind &kind,
-                    const QLocale &locale);
+void paintOperation(MarkPen &pen, const OperationMarks &marks, const OperationKind &kind);
 
 } // namespace fff::ui

@@ -46,8 +46,8 @@ public:
     }
     void handles()
     {
-        if (m_scene.overlay.operation && m_scene.operation)
-            paintOperation(m_pen, *m_scene.overlay.operation, *m_scene.operation, m_locale);
+        if (m_scene.handles && m_scene.operation)
+            paintOperation(m_pen, *m_scene.handles, *m_scene.operation);
     }
     void band();
     void ghosts();

@@ -38,7 +38,8 @@ struct OverlayScene
     std::vector<SectionPointer> ghosts = {}; // that are not in the model
     const StepMarks *steps = nullptr;        // of the assembly, which is shown instead of the model
     SectionPointer edited = {};              // whose points are shown, as it is shown
-    const OperationKind *operation = nullptr; // that is selected, if it has handles
+    std::optional<OperationMarks> handles = {};
+    const OperationKind *operation = nullptr; // whose handles they are
 };
 
 /// Leaves the painter's state changed. Lengths are written as the locale has them.

@@ -7,6 +7,7 @@
 #include "ui/main_window.h"
 #include "ui/message_bar.h"
 #include "ui/settings/settings.h"
+#include "ui/translations.h"
 #include "ui/workbench.h"
 
 #include <QAbstractButton>
@@ -73,7 +74,7 @@ private:
     Widget *field(const char *name)
     {
         for (Widget *widget : m_window->findChildren<Widget *>(QLatin1String(name)))
-            if (!widget->isHidden())
+            if (widget->isVisible())
                 return widget;
         return nullptr;
     }
@@ -257,6 +258,8 @@ void TestOperationsDocks::oneIsLeftOutAndShownAgain()
     const QString name = QString::fromStdString(session().committed().nameOf(third));
     bench().select({third});
     QCOMPARE(field<QLabel>("propertiesTitle")->text(), name);
+    // What it is made of is a click away.
+    QCOMPARE(in<QAbstractButton>("instanceSource")->text(), QStringLiteral("Rib"));
     auto *leaveOut = field<QCheckBox>("instanceLeaveOut");
     QTest::mouseClick(leaveOut, Qt::LeftButton, {}, QPoint(8, leaveOut->height() / 2));
     QCOMPARE(count(), 2U + 6U);
@@ -312,7 +315,7 @@ void TestOperationsDocks::inputsAreNamedAndChosen()
     QTest::mouseClick(along, Qt::LeftButton);
     const Tool *tool = bench().interaction().tool();
     QVERIFY(tool);
-    QCOMPARE(tool->asksFor(), std::string_view("along"));
+    QCOMPARE(tool->asksFor().role, std::string("along"));
     QVERIFY2(along->isChecked(), "as long as the view asks");
     QTest::mouseClick(along, Qt::LeftButton);
     QVERIFY2(!bench().interaction().tool(), "a second click lets it be");
@@ -508,7 +511,7 @@ void TestOperationsDocks::theBarFolds()
     QVERIFY(!hasButton("operation.revolve"));
     auto *repeat = field<QToolButton>("repeatButton");
     QVERIFY(repeat);
-    QCOMPARE(repeat->menu()->actions().size(), 7);
+    QCOMPARE(repeat->menu()->actions().size(), 8);
     m_window->resize(1440, 900);
     QCoreApplication::processEvents();
     QVERIFY(hasButton("operation.revolve"));
@@ -528,6 +531,7 @@ int main(int argc, char *argv[])
     QLocale::setDefault(QLocale(QLocale::English, QLocale::UnitedKingdom));
     QApplication application(argc, argv);
     QApplication::setStyle(new FieldStyle);
+    installTranslations(application);
     TestOperationsDocks test;
     return QTest::qExec(&test, argc, argv);
 }

@@ -2,7 +2,7 @@
 #include <QTest> // first: moc stumbles over some standard headers
 
 #include "tests/ui/tip.h"
-#include "ui/docks/link_row.h"
+#include "ui/properties/link_row.h"
 
 #include <QAbstractButton>
 #include <QVBoxLayout>

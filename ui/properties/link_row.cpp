@@ -1,4 +1,4 @@
-#include "ui/docks/link_row.h"
+#include "ui/properties/link_row.h"
 
 #include "ui/theme.h"
 
