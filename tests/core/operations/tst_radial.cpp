@@ -60,19 +60,23 @@ private Q_SLOTS:
 // Wrong: other areas than those of the figures.
 void TestRadial::contoursAreWhatTheyAreCalled()
 {
-    const Shape &disc =
-        *shaped({{"kind", std::string("circle")}, {"outerRadius", 30.0}}).section(0)->shape;
+    const ShapePointer discShape =
+        shaped({{"kind", std::string("circle")}, {"outerRadius", 30.0}}).section(0)->shape;
+    const Shape &disc = *discShape;
     QVERIFY(std::abs(disc.area() - kPi * 900.0) < 3.0);
     QVERIFY((disc.centroid() - Vec2(5, 7)).norm() < 1e-6);
-    const Shape &star =
-        *shaped({{"kind", std::string("star")}, {"sectors", 5.0}}).section(0)->shape;
+    const ShapePointer starShape =
+        shaped({{"kind", std::string("star")}, {"sectors", 5.0}}).section(0)->shape;
+    const Shape &star = *starShape;
     QVERIFY(std::abs(star.area() - 5.0 * 40.0 * 28.0 * std::sin(kPi / 5.0)) < 1e-6);
     const double inner = kPi * 28.0 * 28.0, outer = kPi * 40.0 * 40.0;
-    const Shape &square =
-        *shaped({{"tooth", std::string("square")}, {"sectors", 12.0}}).section(0)->shape;
+    const ShapePointer squareShape =
+        shaped({{"tooth", std::string("square")}, {"sectors", 12.0}}).section(0)->shape;
+    const Shape &square = *squareShape;
     QVERIFY(std::abs(square.area() - 0.5 * (inner + outer)) < 60.0); // flanks are straight
-    const Shape &tapered =
-        *shaped({{"tooth", std::string("trapezium")}, {"sectors", 12.0}}).section(0)->shape;
+    const ShapePointer taperedShape =
+        shaped({{"tooth", std::string("trapezium")}, {"sectors", 12.0}}).section(0)->shape;
+    const Shape &tapered = *taperedShape;
     QVERIFY(tapered.area() > inner && tapered.area() < outer);
     QVERIFY(square.isPlain() && tapered.isPlain());
 }
@@ -125,17 +129,18 @@ void TestRadial::ringsOfHoles()
 void TestRadial::holesThatFitStay()
 {
     const auto shape = shapeOf(circle({0, 0}, 60), {circle({0, 0}, 8), circle({0, 50}, 4)});
-    const Shape &gear = *shaped({}, shape).section(0)->shape;
+    const ShapePointer gearShape = shaped({}, shape).section(0)->shape;
+    const Shape &gear = *gearShape;
     QCOMPARE(gear.holes().size(), 1U); // the other lies beside the gear
-    const Shape &both = *shaped({{"kind", std::string("star")},
-                                 {"sectors", 5.0},
-                                 {"outerRadius", 30.0},
-                                 {"innerRadius", 15.0},
-                                 {"applyTo", std::string("holes")}},
-                                shapeOf(circle({0, 0}, 60), {circle({0, 50}, 4)}))
-                             .section(0)
-                             ->shape;
-    QCOMPARE(both.holes().size(), 2U);
+    const ShapePointer both = shaped({{"kind", std::string("star")},
+                                      {"sectors", 5.0},
+                                      {"outerRadius", 30.0},
+                                      {"innerRadius", 15.0},
+                                      {"applyTo", std::string("holes")}},
+                                     shapeOf(circle({0, 0}, 60), {circle({0, 50}, 4)}))
+                                  .section(0)
+                                  ->shape;
+    QCOMPARE(both->holes().size(), 2U);
 }
 
 // Wrong: what a person drew would not be what is repeated.
