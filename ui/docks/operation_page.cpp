@@ -126,6 +126,7 @@ OperationPage::Panel &OperationPage::panelOf(const OperationKind &kind)
         column->addWidget(group);
     };
     begin(tr("Inputs"));
+    panel.first = group;
     for (std::size_t i = 0; i < kind.inputs.size(); ++i) {
         panel.inputs.push_back(inputRow(kind, i, group));
         group->add(panel.inputs.back());
@@ -268,6 +269,13 @@ void OperationPage::refresh()
             panel->inputs[i]->show(*known, model, picked == kind->inputs[i].role);
         for (ParameterRow *row : panel->parameters)
             row->show(*known, result);
+        // One that asks for nothing has nothing under it.
+        const auto isInIt = [panel](const QWidget *row) {
+            return panel->first->isAncestorOf(row) && !row->isHidden();
+        };
+        panel->first->setVisible(
+            std::any_of(panel->inputs.begin(), panel->inputs.end(), isInIt) ||
+            std::any_of(panel->parameters.begin(), panel->parameters.end(), isInIt));
     }
     if (!m_bench.session().hasPreview()) // a number that is dragged changes none of them
         m_exceptions->show(*known, model);

@@ -43,6 +43,7 @@ private:
     struct Panel
     {
         QWidget *box = nullptr;
+        QWidget *first = nullptr; // the group of the inputs
         std::vector<InputRow *> inputs;
         std::vector<ParameterRow *> parameters;
     };

@@ -246,8 +246,17 @@ void TestOperationsDocks::rowsComeAndGo()
     QVERIFY(!field<QWidget>("strength"));
     QVERIFY(field<QWidget>("join"));
     QVERIFY2(!field<QWidget>("across"), "only a section's plane asks for a section");
+    const auto hasInputs = [this] {
+        for (QPushButton *title :
+             m_window->findChildren<QPushButton *>(QStringLiteral("groupTitle")))
+            if (title->isVisible() && title->text() == QStringLiteral("Inputs"))
+                return true;
+        return false;
+    };
+    QVERIFY2(!hasInputs(), "a heading over nothing");
     bench().run(QStringLiteral("operation.change"), {{"plane", "section"}});
     QVERIFY(field<QWidget>("across"));
+    QVERIFY(hasInputs());
 }
 
 // Wrong: what was left out could not be had back.
