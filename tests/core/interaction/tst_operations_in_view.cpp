@@ -81,6 +81,7 @@ private Q_SLOTS:
     void handlesMoveTheRange();
     void handlesDoNotPass();
     void undoBringsTheVeryObjects();
+    void aJointOfOneStaysAsItWasSet();
     void aThirdTakesThePlaceOfTheFirst();
     void anotherSelectionEndsTheAsking();
     void anImageIsEditedAsItsSource();
@@ -270,6 +271,24 @@ void TestOperationsInView::undoBringsTheVeryObjects()
     while (desk.session.history()->undoText() != QStringLiteral("Add Ribs"))
         desk.session.history()->undo();
     QVERIFY(desk.model().sections() == before);
+}
+
+// Wrong: what a person set for one rib would be lost with the next change of their number.
+void TestOperationsInView::aJointOfOneStaysAsItWasSet()
+{
+    BoneDesk desk;
+    desk.makeRibs();
+    const SectionRef third = desk.named("Rib 3");
+    const JointRef joint{desk.bones.spine, third};
+    const int before = jointState(desk.model(), joint)->sign;
+    desk.interaction.selectJoint(joint);
+    QVERIFY(desk.interaction.selectedJoint());
+    QVERIFY(desk.commands.run("joint.flip"));
+    QCOMPARE(jointState(desk.model(), joint)->sign, -before);
+    QVERIFY(desk.commands.run("operation.change", {{"operation", "Ribs"}, {"count", "12"}}));
+    QCOMPARE(jointState(desk.model(), joint)->sign, -before);
+    const JointRef other{desk.bones.spine, desk.named("Rib 2")};
+    QCOMPARE(jointState(desk.model(), other)->sign, before);
 }
 
 // Wrong: a section that was picked would be listed, and count for nothing.
