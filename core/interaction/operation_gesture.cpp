@@ -19,7 +19,11 @@ OperationGesture::OperationGesture(const OperationMarks &marks, int handle,
     m_step = spec.step;
     m_least = std::max(spec.least, m_marks.track.front().second);
     m_most = std::min(spec.most, m_marks.track.back().second);
-    for (std::size_t i = 0; i < m_marks.handles.size(); ++i) {
+    const bool isAscending = std::is_sorted(
+        m_marks.handles.begin(), m_marks.handles.end(),
+        [](const OperationHandle &a, const OperationHandle &b) { return a.value < b.value; });
+    const bool mayPass = m_marks.isRing() || !isAscending;
+    for (std::size_t i = 0; i < m_marks.handles.size() && !mayPass; ++i) {
         if (i < m_handle)
             m_least = std::max(m_least, m_marks.handles[i].value);
         if (i > m_handle)
@@ -34,7 +38,6 @@ double OperationGesture::valueAt(const PointerEvent &event, const GestureContext
 {
     const double value =
         valueOnTrack(m_marks.track, context.camera, context.viewport, event.position) - m_grip;
-    // A range that was set the wrong way round stays as it is.
     return std::clamp(m_step * std::round(value / m_step), m_least, std::max(m_least, m_most));
 }
 

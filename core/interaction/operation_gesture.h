@@ -6,7 +6,8 @@
 namespace fff {
 
 /// Every move starts from the committed document. The value goes in the steps of its field. A
-/// handle that comes to another one stays there: a range does not turn round.
+/// handle that comes to another one stays there, so that a range does not turn round; but in a ring
+/// it may, and where it is so already.
 class OperationGesture : public Gesture
 {
 public:

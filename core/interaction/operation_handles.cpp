@@ -8,6 +8,18 @@
 
 namespace fff {
 
+namespace {
+
+/// Ends of a track that are one place, mm.
+constexpr double kSamePlace = 1e-3;
+
+} // namespace
+
+bool OperationMarks::isRing() const
+{
+    return track.size() > 2 && (track.front().first - track.back().first).norm() <= kSamePlace;
+}
+
 OperationMarks operationMarks(const Model &model, OperationId id)
 {
     OperationMarks marks;

@@ -25,6 +25,8 @@ struct OperationMarks
     std::vector<OperationHandle> handles;
     int hovered = -1; // index of one, or dragged
 
+    /// The track ends where it begins: a range may go on from its end to its beginning.
+    bool isRing() const;
     bool operator==(const OperationMarks &) const = default;
 };
 

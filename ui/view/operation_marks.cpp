@@ -37,11 +37,18 @@ void paintOperation(MarkPen &pen, const OperationMarks &marks, const OperationKi
     painter.setBrush(Qt::NoBrush);
     const QColor &colour = pen.style().made;
     double from = marks.handles.front().value, to = marks.handles.back().value;
-    if (from > to)
-        std::swap(from, to);
     const double begin = marks.track.front().second, end = marks.track.back().second;
     painter.strokePath(partOf(pen, marks, begin, end), roundPen(faded(colour, 0.45), 1.4));
-    pen.cased(partOf(pen, marks, from, to), roundPen(colour, kTrackWidth));
+    QPainterPath range;
+    if (from > to && marks.isRing()) { // on over the place where the track begins
+        range = partOf(pen, marks, from, end);
+        range.connectPath(partOf(pen, marks, begin, to));
+    } else {
+        if (from > to)
+            std::swap(from, to);
+        range = partOf(pen, marks, from, to);
+    }
+    pen.cased(range, roundPen(colour, kTrackWidth));
     QPointF middle;
     for (const OperationHandle &handle : marks.handles)
         middle += pen.screen(handle.at) / static_cast<double>(marks.handles.size());

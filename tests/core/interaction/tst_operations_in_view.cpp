@@ -80,6 +80,7 @@ private Q_SLOTS:
     void anInputIsChosenAnew();
     void handlesMoveTheRange();
     void handlesDoNotPass();
+    void aRangeGoesOnRoundARing();
     void undoBringsTheVeryObjects();
     void aJointOfOneStaysAsItWasSet();
     void aThirdTakesThePlaceOfTheFirst();
@@ -257,6 +258,46 @@ void TestOperationsInView::handlesMoveTheRange()
     QVERIFY(desk.session.history()->undoText().startsWith(QStringLiteral("Ribs: To 100")));
     for (const SectionPointer &rib : desk.model().resultOf(desk.ribs())->sections)
         QVERIFY2(rib->frame.origin.x() > 200.0 * (1.0 - now) - 1.0, "its normal points to x = 0");
+}
+
+// Wrong: plates that run over the place where a contour begins would jump to its other side when
+// one end of them is dragged.
+void TestOperationsInView::aRangeGoesOnRoundARing()
+{
+    BoneDesk desk;
+    QVERIFY(desk.commands.run(
+        "operation.revolve",
+        {{"section", "Rib"}, {"along", "Spine"}, {"from", "85"}, {"to", "10"}, {"name", "Ribs"}}));
+    const OperationMarks marks = *desk.interaction.overlay().operation;
+    QVERIFY(marks.isRing());
+    const auto drag = [&](int handle, double to) {
+        const auto &handles = desk.interaction.overlay().operation->handles;
+        const Vec2 from = desk.screen(handles[static_cast<std::size_t>(handle)].at);
+        desk.moveTo(from);
+        desk.press(from);
+        desk.moveTo(desk.screen(placeOnTrack(marks.track, to)));
+        desk.release(desk.cursor);
+    };
+    const auto value = [&](const char *key) {
+        return std::get<double>(desk.document().operations[0]->parameters.at(key));
+    };
+    drag(0, 0.9);
+    QVERIFY(std::abs(value("from") - 0.9) < 0.02);
+    QCOMPARE(value("to"), 0.1);
+    drag(1, 0.15);
+    QVERIFY(std::abs(value("to") - 0.15) < 0.02);
+    // A straight one that was typed the wrong way round is dragged from where it is.
+    BoneDesk straight;
+    straight.makeRibs();
+    QVERIFY(straight.commands.run("operation.change", {{"from", "80"}, {"to", "20"}}));
+    const OperationMarks line = *straight.interaction.overlay().operation;
+    QVERIFY(!line.isRing());
+    straight.moveTo(straight.screen(line.handles[0].at));
+    straight.press(straight.cursor);
+    straight.moveTo(straight.screen(placeOnTrack(line.track, 0.7)));
+    straight.release(straight.cursor);
+    QVERIFY(std::abs(std::get<double>(straight.document().operations[0]->parameters.at("from")) -
+                     0.7) < 0.02);
 }
 
 // Wrong: slits, outlines and triangles of all ribs would be worked out again with every Undo.
