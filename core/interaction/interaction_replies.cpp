@@ -18,8 +18,10 @@ void Interaction::Private::take(GestureReply reply)
             showPreview(std::move(reply.preview));
         if (reply.select)
             selection.select(*std::move(reply.select));
-        if (reply.selectPoints)
-            selectPoints(*std::move(reply.selectPoints), shown ? *shown : documentOfPoints());
+        if (reply.selectPoints && shown)
+            selectPoints(*std::move(reply.selectPoints), *shown);
+        else if (reply.selectPoints)
+            selectPoints(*std::move(reply.selectPoints), documentOfPoints());
         return;
     }
     // The gesture goes first: the host's answer to what follows may come back here.

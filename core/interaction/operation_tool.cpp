@@ -82,18 +82,21 @@ Document OperationTool::withDraft(const Document &document, Operation draft) con
     return next ? *std::move(next) : document;
 }
 
+/// Over one section all the way it is one document, which is worked out once.
 std::optional<Document> OperationTool::previewAt(const Vec2 &position,
-                                                 const GestureContext &context) const
+                                                 const GestureContext &context)
 {
-    Operation draft = m_draft;
-    if (const std::optional<Hit> hit = hitAt(position, context)) {
-        const SectionRef section = context.model.ref(static_cast<std::size_t>(hit->section));
-        if (std::optional<Operation> next = withPick(section, context.model))
-            draft = *std::move(next);
-    }
-    if (missingInput(m_kind, draft) || (!isNew() && draft == m_draft))
-        return std::nullopt;
-    return withDraft(context.model.document, std::move(draft));
+    const std::optional<Hit> hit = hitAt(position, context);
+    const SectionRef over =
+        hit ? context.model.ref(static_cast<std::size_t>(hit->section)) : SectionRef();
+    if (m_shown && m_shown->over == over)
+        return m_shown->document;
+    m_shown = Shown{over, {}};
+    std::optional<Operation> next = hit ? withPick(over, context.model) : std::nullopt;
+    Operation draft = next ? *std::move(next) : m_draft;
+    if (!missingInput(m_kind, draft) && (isNew() || !(draft == m_draft)))
+        m_shown->document = withDraft(context.model.document, std::move(draft));
+    return m_shown->document;
 }
 
 GestureReply OperationTool::done(const GestureContext &context) const
@@ -136,48 +139,24 @@ GestureReply OperationTool::pick(const Vec2 &position, GestureContext &context)
 GestureReply OperationTool::handle(const PointerEvent &event, GestureContext &context)
 {
     GestureReply reply;
-    switch (event.type) {
-    case PointerEvent::Type::Press:
-    case PointerEvent::Type::DoubleClick:
-        m_press = event;
-        return reply;
-    case PointerEvent::Type::Release:
-        if (m_press && !m_orbit)
-            reply = pick(event.position, context);
-        m_press.reset();
-        m_orbit.reset();
-        return reply;
-    case PointerEvent::Type::Move:
-        break;
-    default:
-        return reply;
+    if (m_drag.handle(event, context, reply)) {
+        m_shown.reset();
+        return pick(event.position, context);
     }
-    if (m_press && (event.position - m_press->position).norm() > context.settings.dragThreshold) {
-        const Box3 box = context.model.bounds();
-        m_orbit.emplace(*m_press, box.isEmpty() ? context.camera.target : Vec3(box.center()));
-        m_press.reset();
-        reply.left = context.camera;
-    }
-    if (m_orbit)
-        m_orbit->handle(event, context);
-    else if (!m_press)
+    if (event.type == PointerEvent::Type::Move && !m_drag.isTurning() && !m_drag.isPressed())
         reply.preview = previewAt(event.position, context);
     return reply;
 }
 
 GestureReply OperationTool::interrupt(GestureContext &context)
 {
-    GestureReply reply;
-    if (m_orbit)
-        reply.returnTo = m_orbit->cancel(context).returnTo;
-    m_press.reset();
-    m_orbit.reset();
-    return reply;
+    m_shown.reset();
+    return m_drag.interrupt(context);
 }
 
 GestureReply OperationTool::cancel(GestureContext &context)
 {
-    if (m_orbit)
+    if (m_drag.isTurning())
         return interrupt(context);
     GestureReply reply;
     reply.state = GestureReply::State::Over;
@@ -215,6 +194,7 @@ GestureReply OperationTool::key(ToolKey key, GestureContext &context)
 {
     if (key == ToolKey::Enter)
         return done(context);
+    m_shown.reset();
     // The last pick: of the list, else of the last role that has one.
     for (auto input = m_kind.inputs.rbegin(); input != m_kind.inputs.rend(); ++input) {
         const auto found = m_draft.inputs.find(input->role);

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/interaction/tool.h"
-#include "core/interaction/view_gestures.h"
+#include "core/interaction/turning_drag.h"
 #include "core/operations/operation_kind.h"
 
 #include <functional>
@@ -35,11 +35,14 @@ public:
     GestureReply modelChanged(GestureContext &context) override;
     bool takesClicks() const override { return true; }
     Asked asksFor() const override { return {m_draft.id, m_role}; }
-    bool marksSections() const override { return !m_orbit; }
+    bool marksSections() const override { return !m_drag.isTurning(); }
     bool wants(ToolKey key) const override;
     GestureReply key(ToolKey key, GestureContext &context) override;
     Hint hint() const override;
-    Cursor cursor() const override { return m_orbit ? Cursor::TurningArrows : Cursor::Arrow; }
+    Cursor cursor() const override
+    {
+        return m_drag.isTurning() ? Cursor::TurningArrows : Cursor::Arrow;
+    }
 
 private:
     bool isNew() const { return m_role.empty(); }
@@ -54,15 +57,20 @@ private:
     /// With the draft added, or in the place of what it is of.
     Document withDraft(const Document &document, Operation draft) const;
     /// What the next click, or Enter, would make.
-    std::optional<Document> previewAt(const Vec2 &position, const GestureContext &context) const;
+    std::optional<Document> previewAt(const Vec2 &position, const GestureContext &context);
 
     const OperationKind &m_kind;
     Operation m_draft;
     Naming m_naming;
     std::string m_role; // asked for of one that there is
     std::string m_command;
-    std::optional<PointerEvent> m_press; // not a drag yet
-    std::optional<OrbitGesture> m_orbit;
+    TurningDrag m_drag;
+    struct Shown
+    {
+        SectionRef over; // the cursor; empty: none
+        std::optional<Document> document;
+    };
+    std::optional<Shown> m_shown; // since the last pick
 };
 
 } // namespace fff

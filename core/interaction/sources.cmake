@@ -40,6 +40,7 @@ target_sources(fff_core PRIVATE
     interaction/steps_player.cpp
     interaction/steps_tool.cpp
     interaction/stroke_gesture.cpp
+    interaction/turning_drag.cpp
     interaction/view_cube.cpp
     interaction/view_gestures.cpp
     interaction/view_history.cpp

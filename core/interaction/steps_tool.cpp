@@ -5,48 +5,16 @@ namespace fff {
 GestureReply StepsTool::handle(const PointerEvent &event, GestureContext &context)
 {
     GestureReply reply;
-    switch (event.type) {
-    case PointerEvent::Type::Press:
-    case PointerEvent::Type::DoubleClick:
-        m_press = event;
-        return reply;
-    case PointerEvent::Type::Release:
-        m_press.reset();
-        m_orbit.reset();
-        return reply;
-    case PointerEvent::Type::Move:
-        break;
-    default:
-        return reply;
-    }
-    if (m_press && (event.position - m_press->position).norm() > context.settings.dragThreshold) {
-        const Box3 box = context.model.bounds();
-        m_orbit.emplace(*m_press, box.isEmpty() ? context.camera.target : Vec3(box.center()));
-        m_press.reset();
-        reply.left = context.camera;
-    }
-    if (m_orbit)
-        m_orbit->handle(event, context);
+    m_drag.handle(event, context, reply);
     return reply;
 }
 
 GestureReply StepsTool::cancel(GestureContext &context)
 {
-    if (m_orbit)
+    if (m_drag.isTurning())
         return interrupt(context);
     GestureReply reply;
     reply.state = GestureReply::State::Over;
-    return reply;
-}
-
-/// The view goes back to where it was before the drag.
-GestureReply StepsTool::interrupt(GestureContext &context)
-{
-    GestureReply reply;
-    if (m_orbit)
-        reply.returnTo = m_orbit->cancel(context).returnTo;
-    m_press.reset();
-    m_orbit.reset();
     return reply;
 }
 
@@ -61,7 +29,7 @@ GestureReply StepsTool::modelChanged(GestureContext &context)
 
 Hint StepsTool::hint() const
 {
-    return {m_orbit ? Hint::Kind::Orbiting : Hint::Kind::ShowSteps, {}, false};
+    return {m_drag.isTurning() ? Hint::Kind::Orbiting : Hint::Kind::ShowSteps, {}, false};
 }
 
 } // namespace fff

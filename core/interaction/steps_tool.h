@@ -4,7 +4,7 @@
 
 #include "core/interaction/steps_player.h"
 #include "core/interaction/tool.h"
-#include "core/interaction/view_gestures.h"
+#include "core/interaction/turning_drag.h"
 
 #include <memory>
 
@@ -19,20 +19,22 @@ public:
     std::string_view command() const override { return kCommand; }
     GestureReply handle(const PointerEvent &event, GestureContext &context) override;
     GestureReply cancel(GestureContext &context) override;
-    GestureReply interrupt(GestureContext &context) override;
+    GestureReply interrupt(GestureContext &context) override { return m_drag.interrupt(context); }
     /// They are of another model now.
     GestureReply modelChanged(GestureContext &context) override;
     bool takesClicks() const override { return true; } // and has no use for them
     bool isAnimating() const override { return m_player->isMoving(); }
     Hint hint() const override;
-    Cursor cursor() const override { return m_orbit ? Cursor::TurningArrows : Cursor::Arrow; }
+    Cursor cursor() const override
+    {
+        return m_drag.isTurning() ? Cursor::TurningArrows : Cursor::Arrow;
+    }
 
     static constexpr std::string_view kCommand = "check.showAssembly";
 
 private:
     std::shared_ptr<const StepsPlayer> m_player;
-    std::optional<PointerEvent> m_press; // not a drag yet
-    std::optional<OrbitGesture> m_orbit;
+    TurningDrag m_drag;
 };
 
 } // namespace fff

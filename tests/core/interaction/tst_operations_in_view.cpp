@@ -104,6 +104,9 @@ void TestOperationsInView::twoSectionsAndThreeClicks()
     desk.moveTo(desk.placeOf("Spine"));
     QVERIFY2(desk.session.hasPreview(), "over the spine the ribs are there already");
     QCOMPARE(desk.session.model().sectionCount(), 2U + 7U);
+    const std::uint64_t revision = desk.session.revision();
+    desk.moveTo(desk.cursor + Vec2(1.0, 1.0));
+    QVERIFY2(desk.session.revision() == revision, "over one section they are worked out once");
     desk.click(desk.placeOf("Spine"));
     QVERIFY(!desk.interaction.tool());
     QCOMPARE(desk.model().sectionCount(), 2U + 7U);
