@@ -41,6 +41,7 @@ struct Step
         TrimSection,  // names: of it, and of the one that it was cut back to
         AddOperation, // names: of the operation, as for all of them
         ChangeOperation,
+        RenameOperation,
         SwitchOnOperation,
         SwitchOffOperation,
         MoveOperation,

@@ -47,6 +47,16 @@ Result<Document> setOperation(Document document, Operation operation)
     return document;
 }
 
+Result<Document> renameOperation(Document document, OperationId id, std::string name)
+{
+    const Operation *known = document.find(id);
+    if (!known)
+        return unknown(id);
+    Operation renamed = *known;
+    renamed.name = std::move(name);
+    return setOperation(std::move(document), std::move(renamed));
+}
+
 Result<Document> removeOperation(Document document, OperationId id)
 {
     const auto place = placeOf(document, id);

@@ -10,6 +10,7 @@ namespace fff {
 Document addOperation(Document document, Operation operation);
 /// Replaces the one with the same id.
 Result<Document> setOperation(Document document, Operation operation);
+Result<Document> renameOperation(Document document, OperationId id, std::string name);
 /// Sections that were drawn on what it made stay, without a parent; weights there and what was
 /// wanted of its joints go.
 Result<Document> removeOperation(Document document, OperationId id);

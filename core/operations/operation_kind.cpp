@@ -109,6 +109,15 @@ int countOf(const Operation &operation, const InputSpec &input)
     return found == operation.inputs.end() ? 0 : static_cast<int>(found->second.size());
 }
 
+const OperationInput *firstInput(const Operation &operation)
+{
+    if (const OperationKind *kind = operationKind(operation.kind))
+        for (const InputSpec &input : kind->inputs)
+            if (countOf(operation, input) > 0)
+                return &operation.inputs.at(input.role).front();
+    return nullptr;
+}
+
 const InputSpec *missingInput(const OperationKind &kind, const Operation &operation)
 {
     for (const InputSpec &input : kind.inputs)

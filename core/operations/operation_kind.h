@@ -87,6 +87,8 @@ Operation newOperation(const OperationKind &kind);
 /// How many sections it has in this role, and the first role that has fewer than it needs, or null.
 int countOf(const Operation &operation, const InputSpec &input);
 const InputSpec *missingInput(const OperationKind &kind, const Operation &operation);
+/// The first of its inputs in the order of the kind's roles: what it is mainly about. Null: none.
+const OperationInput *firstInput(const Operation &operation);
 
 /// Whether it counts with the other values as they are.
 bool counts(const ParameterSpec &spec, const Operation &operation);

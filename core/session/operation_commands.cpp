@@ -266,20 +266,13 @@ private:
 
 std::string freeOperationName(const Document &document, const Operation &operation)
 {
-    const OperationKind *kind = operationKind(operation.kind);
     std::string base = kindName(operation).toStdString();
-    bool hasInput = false;
-    for (const InputSpec &input : kind ? kind->inputs : std::vector<InputSpec>()) {
-        const auto found = operation.inputs.find(input.role);
-        if (found == operation.inputs.end() || found->second.empty())
-            continue;
-        base.append(" ").append(found->second.front().name);
-        hasInput = true;
-        break;
-    }
+    const OperationInput *input = firstInput(operation);
+    if (input)
+        base.append(" ").append(input->name);
     for (int number = 1;; ++number) {
         std::string name = base;
-        if (!hasInput)
+        if (!input)
             name.append(" ").append(std::to_string(number));
         else if (number > 1)
             name.append(" (").append(std::to_string(number)).append(")");

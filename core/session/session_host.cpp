@@ -154,7 +154,8 @@ QString SessionHost::undoText(const Step &step)
         //: %1 is the name of a section
         return count == 1 ? tr("Delete %1").arg(name) : tr("Delete %n sections", nullptr, count);
     case Step::Kind::RenameSection:
-        //: %1 is the name of a section
+    case Step::Kind::RenameOperation:
+        //: %1 is the name of a section or an operation
         return tr("Rename %1").arg(name);
     case Step::Kind::MoveSection:
         //: %1 is the name of a section

@@ -10,21 +10,6 @@
 
 namespace fff::ui {
 
-namespace {
-
-SectionRef firstInput(const Operation &operation)
-{
-    const OperationKind *kind = operationKind(operation.kind);
-    for (const InputSpec &input : kind ? kind->inputs : std::vector<InputSpec>()) {
-        const auto found = operation.inputs.find(input.role);
-        if (found != operation.inputs.end() && !found->second.empty())
-            return found->second.front().section;
-    }
-    return {};
-}
-
-} // namespace
-
 InstanceGroup::InstanceGroup(Workbench &bench, QWidget *parent)
     : PropertyGroup(tr("Made by an operation"), parent), m_bench(bench)
 {
@@ -71,7 +56,8 @@ void InstanceGroup::refresh()
     m_leaveOut->setChecked(false); // one that is left out cannot be selected
     // What is drawn for it: an image's own source, else the first thing that is repeated.
     const std::optional<Origin> origin = originOf(model, m_section);
-    m_origin = origin ? SectionRef(origin->section->id) : firstInput(*operation);
+    const OperationInput *input = firstInput(*operation);
+    m_origin = origin ? SectionRef(origin->section->id) : input ? input->section : SectionRef();
     const std::string name = model.nameOf(m_origin);
     m_sourceRow->setVisible(!name.empty());
     m_sourceRow->setName(origin ? tr("Image of") : tr("Made from"));
