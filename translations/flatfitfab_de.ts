@@ -1495,7 +1495,7 @@
     </message>
     <message>
         <source>Rename %1</source>
-        <extracomment>%1 is the name of a section</extracomment>
+        <extracomment>%1 is the name of a section or an operation</extracomment>
         <translation>%1 umbenennen</translation>
     </message>
     <message>

@@ -325,28 +325,19 @@ void OperationTree::rename(QTreeWidgetItem *item)
     Row *row = rowOf(item);
     if (m_isFilling || !row || row->item != item)
         return;
-    const QString before = item->data(kName, kMarkedName).toString(),
-                  name = item->text(kName).trimmed();
-    if (name == before)
+    const QScopedValueRollback filling(m_isFilling, true);
+    const QString name = typedName(item, item->data(kName, kMarkedName).toString());
+    if (name.isEmpty())
         return;
-    if (name.isEmpty()) {
-        const QScopedValueRollback filling(m_isFilling, true);
-        item->setText(kName, before);
-        return;
-    }
     // Only after the editor has gone: the commit writes the row anew.
     const OperationId id = row->operation->id;
     QMetaObject::invokeMethod(
         this,
         [this, id, name] {
             const Document &document = m_bench.session().committed().document;
-            const Operation *operation = document.find(id);
-            if (!operation)
-                return;
-            Operation renamed = *operation;
-            renamed.name = name.toStdString();
-            m_bench.commit({Step::Kind::RenameSection, {operation->name}},
-                           setOperation(document, std::move(renamed)));
+            if (const Operation *operation = document.find(id))
+                m_bench.commit({Step::Kind::RenameOperation, {operation->name}},
+                               renameOperation(document, id, name.toStdString()));
         },
         Qt::QueuedConnection);
 }

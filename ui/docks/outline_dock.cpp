@@ -363,15 +363,10 @@ void OutlineDock::rename(QTreeWidgetItem *item)
 {
     if (m_isFilling)
         return;
-    const QString before = item->data(kName, kNameRole).toString(),
-                  name = item->text(kName).trimmed();
-    if (name == before)
+    const QScopedValueRollback filling(m_isFilling, true);
+    const QString before = item->data(kName, kNameRole).toString(), name = typedName(item, before);
+    if (name.isEmpty())
         return;
-    if (name.isEmpty()) {
-        const QScopedValueRollback filling(m_isFilling, true);
-        item->setText(kName, before);
-        return;
-    }
     // Only after the editor has gone: the commit writes the row anew.
     const SectionId id = idOf(item);
     QMetaObject::invokeMethod(

@@ -42,6 +42,14 @@ void setMark(QTreeWidgetItem *item, int column, const QString &mark, const QIcon
     item->setData(column, Qt::AccessibleTextRole, tip);
 }
 
+QString typedName(QTreeWidgetItem *item, const QString &before)
+{
+    const QString name = item->text(0).trimmed();
+    if (name.isEmpty())
+        item->setText(0, before);
+    return name == before ? QString() : name;
+}
+
 bool isOnEye(const QModelIndex &index, const QEvent *event, int eyeColumn)
 {
     return event && index.column() == eyeColumn &&

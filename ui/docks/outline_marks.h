@@ -21,6 +21,10 @@ void dressOutline(QTreeWidget *tree, int lastColumn);
 void setMark(QTreeWidgetItem *item, int column, const QString &mark, const QIcon &icon,
              const QString &tip);
 
+/// The new name that was typed into an item's first column; empty where it is as before. Where
+/// nothing was typed, the name before is put back.
+QString typedName(QTreeWidgetItem *item, const QString &before);
+
 /// The eye is a button: a click on it does not select.
 bool isOnEye(const QModelIndex &index, const QEvent *event, int eyeColumn);
 

@@ -199,12 +199,9 @@ void PropertiesHeader::rename()
     const Section *section = document.find(m_named.drawn);
     const Operation *operation = document.find(m_named.operation);
     const std::string name = m_name->text().trimmed().toStdString();
-    if (operation && !name.empty() && name != operation->name) {
-        Operation renamed = *operation;
-        renamed.name = name;
-        m_bench.commit({Step::Kind::RenameSection, {operation->name}},
-                       setOperation(document, std::move(renamed)));
-    }
+    if (operation && !name.empty() && name != operation->name)
+        m_bench.commit({Step::Kind::RenameOperation, {operation->name}},
+                       renameOperation(document, operation->id, name));
     if (section && !name.empty() && name != section->name) {
         m_bench.commit({Step::Kind::RenameSection, {section->name}},
                        renameSection(document, m_named.drawn, name));

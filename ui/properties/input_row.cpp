@@ -71,21 +71,6 @@ private:
     static constexpr int kFieldHeight = 26; // px
 };
 
-QToolButton *listButton(const QString &icon, const char *objectName, const QString &tip,
-                        QWidget *parent)
-{
-    auto *button = new QToolButton(parent);
-    button->setObjectName(QLatin1String(objectName));
-    button->setIcon(themedIcon(icon));
-    button->setIconSize({16, 16});
-    button->setFixedSize(26, 26);
-    button->setToolTip(tip);
-    button->setAccessibleName(tip);
-    button->setFocusPolicy(Qt::StrongFocus);
-    button->setAutoRaise(true);
-    return button;
-}
-
 } // namespace
 
 InputRow::InputRow(const InputSpec &spec, Reactions reactions, QWidget *parent)
@@ -120,9 +105,9 @@ void InputRow::makeList()
     m_list->setMouseTracking(true);
     m_list->installEventFilter(this);
     m_list->viewport()->installEventFilter(this);
-    m_pick = listButton(QStringLiteral("pick"), "inputPick", operationText(m_spec.prompt), box);
+    m_pick = smallButton(QStringLiteral("pick"), "inputPick", operationText(m_spec.prompt), box);
     m_pick->setCheckable(true);
-    m_takeOut = listButton(QStringLiteral("trash"), "inputTakeOut", Texts::tr("Take it out"), box);
+    m_takeOut = smallButton(QStringLiteral("trash"), "inputTakeOut", Texts::tr("Take it out"), box);
     auto *buttons = new QVBoxLayout;
     buttons->setSpacing(0);
     buttons->addWidget(m_pick);

@@ -16,6 +16,21 @@ constexpr int kLabelWidth = 104, kRowHeight = 30; // px
 
 } // namespace
 
+QToolButton *smallButton(const QString &icon, const char *objectName, const QString &tip,
+                         QWidget *parent)
+{
+    auto *button = new QToolButton(parent);
+    button->setObjectName(QLatin1String(objectName));
+    button->setIcon(themedIcon(icon));
+    button->setIconSize({16, 16});
+    button->setFixedSize(26, 26);
+    button->setToolTip(tip);
+    button->setAccessibleName(tip);
+    button->setFocusPolicy(Qt::StrongFocus);
+    button->setAutoRaise(true);
+    return button;
+}
+
 PropertyRow::PropertyRow(const QString &name, QWidget *parent)
     : QWidget(parent), m_label(new QLabel(name, this)), m_pattern(name)
 {
@@ -96,15 +111,7 @@ void PropertyRow::showName()
 QToolButton *PropertyRow::addButton(const QString &icon, const char *objectName, const QString &tip,
                                     std::function<void()> act)
 {
-    auto *button = new QToolButton(this);
-    button->setObjectName(QLatin1String(objectName));
-    button->setIcon(themedIcon(icon));
-    button->setIconSize({16, 16});
-    button->setFixedSize(26, 26);
-    button->setToolTip(tip);
-    button->setAccessibleName(tip);
-    button->setFocusPolicy(Qt::StrongFocus);
-    button->setAutoRaise(true);
+    QToolButton *button = smallButton(icon, objectName, tip, this);
     connect(button, &QToolButton::clicked, this, std::move(act));
     layout()->addWidget(button);
     return button;

@@ -18,6 +18,10 @@ class QToolButton;
 
 namespace fff::ui {
 
+/// A button with a picture only, beside a field.
+QToolButton *smallButton(const QString &icon, const char *objectName, const QString &tip,
+                         QWidget *parent);
+
 class PropertyRow : public QWidget
 {
 public:
