@@ -19,6 +19,7 @@ target_sources(fff_core PRIVATE
     geometry/moments.cpp
     geometry/notch.cpp
     geometry/offset.cpp
+    geometry/placement.cpp
     geometry/point_removal.cpp
     geometry/polygon.cpp
     geometry/radial_contour.cpp

@@ -4,6 +4,7 @@ target_sources(fff_core PRIVATE
     model/edits.cpp
     model/ground.cpp
     model/instance_key.cpp
+    model/mapped_shape.cpp
     model/materials.cpp
     model/mended_shape.cpp
     model/model.cpp

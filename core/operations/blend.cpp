@@ -5,7 +5,7 @@
 #include "core/geometry/contour_blend.h"
 #include "core/model/instance_key.h"
 #include "core/model/mended_shape.h"
-#include "core/operations/placement.h"
+#include "core/operations/copying.h"
 #include "core/operations/root_edge.h"
 #include "core/operations/text.h"
 

@@ -1,7 +1,7 @@
 #include "core/operations/branch.h"
 
 #include "core/model/instance_key.h"
-#include "core/operations/placement.h"
+#include "core/operations/copying.h"
 #include "core/operations/root_edge.h"
 #include "core/operations/seeded.h"
 #include "core/operations/text.h"

@@ -1,6 +1,6 @@
 #include "core/operations/linear.h"
 
-#include "core/operations/placement.h"
+#include "core/operations/copying.h"
 #include "core/operations/repeat_parameters.h"
 #include "core/operations/source_crossing.h"
 #include "core/operations/text.h"

@@ -2,7 +2,7 @@
 
 #include "core/geometry/arc_length.h"
 #include "core/model/instance_key.h"
-#include "core/operations/placement.h"
+#include "core/operations/copying.h"
 #include "core/operations/repeat_parameters.h"
 #include "core/operations/root_edge.h"
 #include "core/operations/text.h"

@@ -2,6 +2,7 @@ target_sources(fff_core PRIVATE
     operations/baking.cpp
     operations/blend.cpp
     operations/branch.cpp
+    operations/copying.cpp
     operations/evaluate.cpp
     operations/grid.cpp
     operations/grid_cells.cpp
@@ -9,7 +10,6 @@ target_sources(fff_core PRIVATE
     operations/operation_context.cpp
     operations/operation_kind.cpp
     operations/operation_kinds.cpp
-    operations/placement.cpp
     operations/radial.cpp
     operations/repeat_parameters.cpp
     operations/revolve.cpp

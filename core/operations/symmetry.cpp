@@ -4,7 +4,7 @@
 #include "core/geometry/contour_points.h"
 #include "core/geometry/symmetrised.h"
 #include "core/model/instance_key.h"
-#include "core/operations/placement.h"
+#include "core/operations/copying.h"
 #include "core/operations/source_crossing.h"
 #include "core/operations/text.h"
 

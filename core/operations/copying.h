@@ -1,44 +1,11 @@
 // Copies of sections elsewhere in space. Internal to operations.
 #pragma once
 
-#include "core/geometry/mapped_contour.h"
+#include "core/geometry/placement.h"
+#include "core/model/mapped_shape.h"
 #include "core/operations/operation_context.h"
 
 namespace fff {
-
-/// p → scale · turn · p + shift. `turn` is orthogonal: a rotation, or a reflection, which a section
-/// follows by its frame alone, since both of its faces are alike.
-struct Placement
-{
-    Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
-    double scale = 1.0;
-    Vec3 shift = Vec3::Zero(); // mm
-
-    Vec3 operator()(const Vec3 &p) const { return scale * (turn * p) + shift; }
-    Placement inverse() const;
-    /// First the other one.
-    Placement operator*(const Placement &first) const;
-
-    static Placement moved(const Vec3 &way) { return {.shift = way}; }
-    static Placement scaled(double scale, const Vec3 &about)
-    {
-        return {.scale = scale, .shift = (1.0 - scale) * about};
-    }
-    static Placement turned(const Eigen::Matrix3d &turn, const Vec3 &about)
-    {
-        return {.turn = turn, .shift = about - turn * about};
-    }
-};
-
-Frame placed(const Frame &frame, const Placement &placement);
-
-/// The contour and holes, each point p as about + matrix (p − about). Errors as Shape::make().
-struct Curves
-{
-    Contour contour;
-    std::vector<Contour> holes;
-};
-Result<Curves> mapped(const Shape &shape, const Eigen::Matrix2d &matrix, const Vec2 &about);
 
 /// A section and what is attached to it, to be copied together.
 struct Branch

@@ -1,4 +1,4 @@
-#include "core/operations/placement.h"
+#include "core/operations/copying.h"
 
 #include "core/assembly/crossing.h"
 #include "core/model/instance_key.h"
@@ -54,38 +54,6 @@ Vec3 attachedAt(const Section &section, const Section &host)
 }
 
 } // namespace
-
-Placement Placement::inverse() const
-{
-    const Eigen::Matrix3d back = turn.transpose();
-    return {back, 1.0 / scale, -(back * shift) / scale};
-}
-
-Placement Placement::operator*(const Placement &first) const
-{
-    return {turn * first.turn, scale * first.scale, (*this)(first.shift)};
-}
-
-Frame placed(const Frame &frame, const Placement &placement)
-{
-    return {placement(frame.origin), placement.turn * frame.x, placement.turn * frame.y};
-}
-
-Result<Curves> mapped(const Shape &shape, const Eigen::Matrix2d &matrix, const Vec2 &about)
-{
-    Curves curves;
-    Result<Contour> contour = mapped(shape.contour(), matrix, about);
-    if (!contour)
-        return tl::unexpected(contour.error());
-    curves.contour = *std::move(contour);
-    for (const Contour &hole : shape.holes()) {
-        Result<Contour> next = mapped(hole, matrix, about);
-        if (!next)
-            return tl::unexpected(next.error());
-        curves.holes.push_back(*std::move(next));
-    }
-    return curves;
-}
 
 Branch branchOf(const SectionPointer &section)
 {
