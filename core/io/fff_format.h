@@ -6,8 +6,9 @@
 //                         "slitEnd": "square|round|dogbone|tBone", "toolDiameter", "leadIn",
 //                         "bumps", "sheet": [w, h] } ],
 //       "shapes":     [ { "contour": [[x, y], ...], "holes": [ [[x, y], ...], ... ] } ],
-//       "sections":   [ { "id", "name", "stock": id, "shape": index in shapes,
-//                         "parent": { "section": ref, "slitFrom": [x, y], "slitTo": [x, y] },
+//       "sections":   [ { "id", "name", "stock": id, "shape": index in shapes, "locked",
+//                         "parent": { "section": ref, "slitFrom": [x, y], "slitTo": [x, y],
+//                                     "free" },
 //                         "frame": { "origin": [x, y, z], "x": [...], "y": [...] } } ],
 //       "operations": [ { "id", "kind", "version", "name", "on",
 //                         "inputs": { "role": [ { "section": ref, "name" } ] },
@@ -20,7 +21,8 @@
 //                         "shares": [ { "at": [x, y], "ofA" } ] } ] }
 //
 // Strengths and modulus are null when not rated; "parent", "holes", "weights", "joints", and of a
-// joint all but its two sections, may be missing; of a stock "slitEnd" (then square),
+// joint all but its two sections, may be missing; of a section "locked", and of a parent "free"
+// (then false); of a stock "slitEnd" (then square),
 // "toolDiameter" (3.175), "leadIn" and "bumps" (0); of an operation "on" (then true) and
 // "exceptions". Kinds of operations, their roles and parameters: core/operations; a file keeps
 // also those that do not count. `joints` are those of which something is

@@ -213,6 +213,8 @@ std::optional<Parent> FffReader::readParent(const JsonCursor &cursor)
     parent.section = readRef(cursor.member("section"));
     parent.slitFrom = cursor.member("slitFrom").point2();
     parent.slitTo = cursor.member("slitTo").point2();
+    if (const JsonCursor free = cursor.member("free"); free.exists())
+        parent.isFree = free.truth();
     return parent;
 }
 
@@ -229,6 +231,8 @@ SectionPointer FffReader::readSection(const JsonCursor &cursor,
         section->shape = shapes[index];
     else
         shape.fail(ErrorCode::UnknownReference, {std::to_string(index)});
+    if (const JsonCursor locked = cursor.member("locked"); locked.exists())
+        section->isLocked = locked.truth();
     section->parent = readParent(cursor.member("parent"));
     section->frame = readFrame(cursor.member("frame"), section->name);
     return section;

@@ -98,6 +98,8 @@ void writeParent(JsonWriter &json, const Parent &parent)
     writeRef(json, parent.section);
     json.member("slitFrom", parent.slitFrom);
     json.member("slitTo", parent.slitTo);
+    if (parent.isFree)
+        json.member("free", true);
     json.endObject();
 }
 
@@ -108,6 +110,8 @@ void writeSection(JsonWriter &json, const Section &section, std::size_t shapeInd
     json.member("name", section.name);
     json.member("stock", section.stock.value);
     json.member("shape", shapeIndex);
+    if (section.isLocked)
+        json.member("locked", true);
     if (section.parent) {
         json.key("parent");
         writeParent(json, *section.parent);

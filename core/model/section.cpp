@@ -20,7 +20,7 @@ std::strong_ordering SectionRef::operator<=>(const SectionRef &other) const
 bool Section::operator==(const Section &other) const
 {
     return id == other.id && made == other.made && name == other.name && parent == other.parent &&
-           frame == other.frame && stock == other.stock &&
+           frame == other.frame && stock == other.stock && isLocked == other.isLocked &&
            (shape == other.shape || *shape == *other.shape);
 }
 

@@ -36,10 +36,13 @@ struct Parent
     SectionRef section;
     Vec2 slitFrom = Vec2::Zero();
     Vec2 slitTo = Vec2::Zero();
+    /// It neither goes along when that is moved nor keeps its angle to it (core/model/moving.h).
+    bool isFree = false;
 
     bool operator==(const Parent &other) const
     {
-        return section == other.section && slitFrom == other.slitFrom && slitTo == other.slitTo;
+        return section == other.section && slitFrom == other.slitFrom && slitTo == other.slitTo &&
+               isFree == other.isFree;
     }
 };
 
@@ -52,6 +55,7 @@ struct Section
     ShapePointer shape; // never null in a document
     Frame frame;
     StockId stock;
+    bool isLocked = false; // a person wants it to stay as it is
 
     SectionRef ref() const { return id.isValid() ? SectionRef(id) : made; }
     /// Same values; shapes are compared by their curves.

@@ -8,6 +8,7 @@ target_sources(fff_core PRIVATE
     model/materials.cpp
     model/mended_shape.cpp
     model/model.cpp
+    model/moving.cpp
     model/naming.cpp
     model/origin.cpp
     model/operation_edits.cpp

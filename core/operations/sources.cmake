@@ -7,6 +7,7 @@ target_sources(fff_core PRIVATE
     operations/grid.cpp
     operations/grid_cells.cpp
     operations/linear.cpp
+    operations/moving_model.cpp
     operations/operation_context.cpp
     operations/operation_kind.cpp
     operations/operation_kinds.cpp
