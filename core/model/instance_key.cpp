@@ -24,12 +24,28 @@ std::optional<long> numberIn(std::string_view part)
     return error == std::errc() && stop == end ? std::optional(number) : std::nullopt;
 }
 
+/// "o12" begins with "o".
+std::string_view stemOf(std::string_view word)
+{
+    const std::size_t last = word.find_last_not_of("0123456789");
+    return word.substr(0, last == std::string_view::npos ? 0 : last + 1);
+}
+
 /// Negative, 0 or positive.
 int comparedParts(std::string_view a, std::string_view b)
 {
-    const std::optional<long> x = numberIn(a), y = numberIn(b);
+    std::optional<long> x = numberIn(a), y = numberIn(b);
     if (x.has_value() != y.has_value())
         return x ? -1 : 1;
+    if (!x) {
+        const std::string_view stem = stemOf(a);
+        if (const int order = stem.compare(stemOf(b)); order != 0)
+            return order;
+        x = numberIn(a.substr(stem.size()));
+        y = numberIn(b.substr(stem.size()));
+        if (x.has_value() != y.has_value())
+            return x ? 1 : -1;
+    }
     if (x && *x != *y)
         return *x < *y ? -1 : 1;
     return a.compare(b); // of equal numbers, too: "1" and "01" are two keys

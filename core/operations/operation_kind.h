@@ -71,6 +71,10 @@ struct OperationKind
     /// Parameters that have a handle in the view, which goes along the result's track.
     std::vector<const char *> handles = {};
     void (*make)(OperationContext &context) = nullptr;
+    /// Of kinds that can be about the whole model: whether this one is, and the same about these
+    /// sections alone. False: that would be too many.
+    bool (*isOfAll)(const Operation &operation) = nullptr;
+    bool (*narrow)(Operation &operation, std::vector<OperationInput> sections) = nullptr;
 
     const ParameterSpec *parameter(std::string_view key) const;
     const InputSpec *input(std::string_view role) const;

@@ -4,8 +4,10 @@ target_sources(fff_core PRIVATE
     operations/branch.cpp
     operations/copying.cpp
     operations/evaluate.cpp
+    operations/excerpt.cpp
     operations/grid.cpp
     operations/grid_cells.cpp
+    operations/insertion.cpp
     operations/linear.cpp
     operations/moving_model.cpp
     operations/operation_context.cpp

@@ -21,6 +21,8 @@ using Unit = ParameterSpec::Unit;
 
 /// Two shapes in space are one image when they differ by no more, mm: frames and files round.
 constexpr double kSameImage = 1e-4;
+/// That one symmetry can be about, of a selection.
+constexpr int kMostSections = 500;
 
 std::string keyOf(const SectionRef &ref)
 {
@@ -237,6 +239,8 @@ std::optional<Mirror> mirrorOf(OperationContext &context)
     const std::string plane = context.choice("plane");
     if (plane == "x")
         return Mirror{};
+    if (plane == "y")
+        return Mirror{Vec3::Zero(), Vec3::UnitY()};
     if (plane == "z")
         return Mirror{Vec3::Zero(), Vec3::UnitZ()};
     const SectionPointer section = context.input("across");
@@ -372,9 +376,25 @@ std::vector<InputSpec> symmetryInputs(const InputSpec &first)
              .label = QT_TRANSLATE_NOOP("Operation", "Sections"),
              .prompt = QT_TRANSLATE_NOOP("Operation", "Click the sections that it is about."),
              .least = 0,
-             .most = 500,
+             .most = kMostSections,
              .countsIf = "what",
              .countsFor = {"selection"}}};
+}
+
+bool isOfAll(const Operation &operation)
+{
+    const auto what = operation.parameters.find("what");
+    return what == operation.parameters.end() ||
+           what->second == ParameterValue(std::string("whole"));
+}
+
+bool narrow(Operation &operation, std::vector<OperationInput> sections)
+{
+    if (std::ssize(sections) > kMostSections)
+        return false;
+    operation.parameters.insert_or_assign("what", std::string("selection"));
+    operation.inputs.insert_or_assign("sections", std::move(sections));
+    return true;
 }
 
 ParameterSpec whatParameter()
@@ -405,6 +425,7 @@ const OperationKind kMirror{
                     .label = QT_TRANSLATE_NOOP("Operation", "Plane"),
                     .unit = Unit::Choice,
                     .choices = {{"x", "X"},
+                                {"y", "Y"},
                                 {"z", "Z"},
                                 {"section", QT_TRANSLATE_NOOP("Operation", "A section's plane")}},
                     .heading = QT_TRANSLATE_NOOP("Operation", "Symmetry")},
@@ -413,7 +434,9 @@ const OperationKind kMirror{
                     .label = QT_TRANSLATE_NOOP("Operation", "Join at the plane"),
                     .unit = Unit::Switch,
                     .standard = 1.0}},
-    .make = makeMirror};
+    .make = makeMirror,
+    .isOfAll = isOfAll,
+    .narrow = narrow};
 
 const OperationKind kRotational{
     .key = "rotational",
@@ -443,6 +466,8 @@ const OperationKind kRotational{
                     .sliderLeast = 2,
                     .sliderMost = 24},
                    whatParameter()},
-    .make = makeRotational};
+    .make = makeRotational,
+    .isOfAll = isOfAll,
+    .narrow = narrow};
 
 } // namespace fff

@@ -1,0 +1,255 @@
+#include "core/operations/insertion.h"
+
+#include "core/operations/evaluate.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <tuple>
+
+namespace fff {
+
+namespace {
+
+/// Of names that are not here yet, the very ones; of others with the first free number behind.
+template <class Things>
+class FreeNames
+{
+public:
+    FreeNames(const Things &here, const Things &coming)
+    {
+        for (const auto &thing : here)
+            m_taken.insert(thing->name);
+        for (const auto &thing : coming)
+            m_coming.insert(thing->name);
+    }
+    std::string take(const std::string &name)
+    {
+        std::string result = name;
+        for (int number = 2;
+             m_taken.contains(result) || (result != name && m_coming.contains(result)); ++number)
+            result = std::string(name).append(" ").append(std::to_string(number));
+        if (result != name)
+            m_taken.insert(result);
+        return result;
+    }
+
+private:
+    std::set<std::string> m_taken, m_coming;
+};
+
+/// One document on its way into another one: its ids, keys and names there.
+class Inserter
+{
+public:
+    Inserter(Document into, const Document &other)
+        : m_other(other), m_shift(into.nextId - 1), m_isFirst(into.sections.empty())
+    {
+        m_result.document = std::move(into);
+    }
+
+    Insertion insert();
+
+private:
+    template <class Tag>
+    Id<Tag> moved(Id<Tag> id) const
+    {
+        return id.isValid() ? Id<Tag>{id.value + m_shift} : id;
+    }
+    SectionRef moved(const SectionRef &ref) const;
+    std::string movedKey(OperationId operation, const std::string &key) const;
+    StockId moved(StockId id) const { return m_stocks.at(id); }
+    void addStocks();
+    void addSections();
+    void settleParents();
+    void addOperations();
+    void addMarks();
+    Operation moved(const Operation &operation) const;
+
+    const Document &m_other;
+    const std::int64_t m_shift; // of all ids but those of stocks: their order stays
+    const bool m_isFirst;
+    std::map<StockId, StockId> m_stocks;
+    std::map<OperationId, std::map<std::string, std::string>> m_keys; // by operations of the other
+    Insertion m_result;
+};
+
+std::string Inserter::movedKey(OperationId operation, const std::string &key) const
+{
+    const auto keys = m_keys.find(operation);
+    if (keys == m_keys.end())
+        return key;
+    const auto found = keys->second.find(key);
+    return found == keys->second.end() ? key : found->second;
+}
+
+SectionRef Inserter::moved(const SectionRef &ref) const
+{
+    if (ref.drawn.isValid())
+        return moved(ref.drawn);
+    if (!ref.operation.isValid())
+        return ref;
+    return {moved(ref.operation), movedKey(ref.operation, ref.key)};
+}
+
+void Inserter::addStocks()
+{
+    Document &document = m_result.document;
+    for (const auto &stock : m_other.stocks) {
+        const auto isAlike = [&stock](const auto &known) {
+            Stock same = *known;
+            same.id = stock->id;
+            return same == *stock;
+        };
+        const auto known =
+            std::find_if(document.stocks.begin(), document.stocks.end(), isAlike);
+        if (known != document.stocks.end()) {
+            m_stocks.emplace(stock->id, (*known)->id);
+            continue;
+        }
+        Stock next = *stock;
+        next.id = Id<StockTag>{stock->id.value + m_shift};
+        m_stocks.emplace(stock->id, next.id);
+        document.stocks.push_back(std::make_shared<const Stock>(std::move(next)));
+    }
+    m_stocks.emplace(StockId(), StockId());
+    if (m_isFirst)
+        document.currentStock = moved(m_other.currentStock);
+}
+
+void Inserter::addSections()
+{
+    Document &document = m_result.document;
+    FreeNames names(document.sections, m_other.sections);
+    for (const SectionPointer &pointer : m_other.sections) {
+        Section next = *pointer;
+        next.id = moved(next.id);
+        next.name = names.take(next.name);
+        next.stock = moved(next.stock);
+        if (next.parent)
+            next.parent->section = moved(next.parent->section);
+        m_result.sections.push_back(next.id);
+        document.sections.push_back(std::make_shared<const Section>(std::move(next)));
+    }
+}
+
+/// What was drawn on what operations make, by the keys that those have now.
+void Inserter::settleParents()
+{
+    auto place = m_result.document.sections.end() - std::ssize(m_other.sections);
+    for (const SectionPointer &section : m_other.sections) {
+        SectionPointer &pointer = *place++;
+        if (!section->parent || !section->parent->section.operation.isValid())
+            continue;
+        Section next = *pointer;
+        next.parent->section = moved(section->parent->section);
+        pointer = std::make_shared<const Section>(std::move(next));
+    }
+}
+
+Operation Inserter::moved(const Operation &operation) const
+{
+    Operation next = operation;
+    next.id = moved(operation.id);
+    for (auto &[role, inputs] : next.inputs)
+        for (OperationInput &input : inputs)
+            input.section = moved(input.section);
+    next.exceptions.clear();
+    for (const auto &[key, exception] : operation.exceptions) {
+        Exception same = exception;
+        same.stock = moved(exception.stock);
+        next.exceptions.emplace(movedKey(operation.id, key), same);
+    }
+    return next;
+}
+
+/// Keys may have ids in them, as each kind wants it. Since ids keep their order, what an operation
+/// makes there comes in the order in which it makes it here: so both are made and compared.
+void Inserter::addOperations()
+{
+    Document here = m_other;
+    here.operations.clear();
+    here.weights.clear();
+    here.jointOverrides.clear();
+    Document there = newDocument();
+    there.stocks = m_result.document.stocks;
+    there.currentStock = m_result.document.currentStock;
+    there.sections.assign(m_result.document.sections.end() - std::ssize(m_other.sections),
+                          m_result.document.sections.end());
+    Model from = evaluate(here), to = evaluate(there);
+    const auto bare = [](Operation operation) {
+        operation.isOn = true;
+        operation.exceptions.clear();
+        return std::make_shared<const Operation>(std::move(operation));
+    };
+    for (const OperationPointer &operation : m_other.operations) {
+        here.operations.push_back(bare(*operation));
+        there.operations.push_back(bare(moved(*operation)));
+        from = evaluate(here, from);
+        to = evaluate(there, to);
+        const OperationResult *made = from.resultOf(operation->id);
+        const OperationResult *again = to.resultOf(moved(operation->id));
+        if (!made || !again || made->sections.size() != again->sections.size())
+            continue;
+        for (std::size_t i = 0; i < made->sections.size(); ++i)
+            m_keys[operation->id].emplace(made->sections[i]->made.key,
+                                          again->sections[i]->made.key);
+        settleParents();
+        there.sections.assign(m_result.document.sections.end() - std::ssize(m_other.sections),
+                              m_result.document.sections.end());
+    }
+    FreeNames names(m_result.document.operations, m_other.operations);
+    for (const OperationPointer &operation : m_other.operations) {
+        Operation next = moved(*operation);
+        next.name = names.take(next.name);
+        m_result.operations.push_back(next.id);
+        m_result.document.operations.push_back(std::make_shared<const Operation>(std::move(next)));
+    }
+}
+
+void Inserter::addMarks()
+{
+    Document &document = m_result.document;
+    for (Weight weight : m_other.weights) {
+        weight.id = moved(weight.id);
+        weight.section = moved(weight.section);
+        document.weights.push_back(std::move(weight));
+    }
+    for (const JointOverridePointer &joint : m_other.jointOverrides) {
+        JointOverride next = *joint;
+        next.a = moved(joint->a);
+        next.b = moved(joint->b);
+        document.jointOverrides.push_back(std::make_shared<const JointOverride>(std::move(next)));
+    }
+    std::sort(document.jointOverrides.begin(), document.jointOverrides.end(),
+              [](const JointOverridePointer &a, const JointOverridePointer &b) {
+                  return std::tie(a->a, a->b) < std::tie(b->a, b->b);
+              });
+}
+
+Insertion Inserter::insert()
+{
+    Document &document = m_result.document;
+    addStocks();
+    addSections();
+    addOperations();
+    addMarks();
+    document.nextId += m_other.nextId - 1;
+    const Model model = evaluate(document);
+    for (const OperationId id : m_result.operations)
+        if (const OperationResult *made = model.resultOf(id))
+            for (const SectionPointer &section : made->sections)
+                m_result.sections.push_back(section->made);
+    std::erase_if(m_result.sections, // whose places operations take
+                  [&model](const SectionRef &ref) { return model.indexOf(ref) < 0; });
+    return std::move(m_result);
+}
+
+} // namespace
+
+Insertion inserted(Document into, const Document &other)
+{
+    return Inserter(std::move(into), other).insert();
+}
+
+} // namespace fff
