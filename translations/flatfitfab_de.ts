@@ -1755,6 +1755,155 @@
             <numerusform>%n Scheiben auslassen</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Turn %1</source>
+        <extracomment>%1 is the name of a section</extracomment>
+        <translation>%1 drehen</translation>
+    </message>
+    <message numerus="yes">
+        <source>Turn %n sections</source>
+        <translation>
+            <numerusform>%n Scheibe drehen</numerusform>
+            <numerusform>%n Scheiben drehen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Scale %1</source>
+        <extracomment>%1 is the name of a section</extracomment>
+        <translation>%1 skalieren</translation>
+    </message>
+    <message numerus="yes">
+        <source>Scale %n sections</source>
+        <translation>
+            <numerusform>%n Scheibe skalieren</numerusform>
+            <numerusform>%n Scheiben skalieren</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Copy %1</source>
+        <extracomment>%1 is the name of a section</extracomment>
+        <translation>%1 kopieren</translation>
+    </message>
+    <message numerus="yes">
+        <source>Copy %n sections</source>
+        <translation>
+            <numerusform>%n Scheibe kopieren</numerusform>
+            <numerusform>%n Scheiben kopieren</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Mirror a copy of %1</source>
+        <extracomment>%1 is the name of a section</extracomment>
+        <translation>Kopie von %1 spiegeln</translation>
+    </message>
+    <message numerus="yes">
+        <source>Mirror copies of %n sections</source>
+        <translation>
+            <numerusform>Kopie von %n Scheibe spiegeln</numerusform>
+            <numerusform>Kopien von %n Scheiben spiegeln</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Paste %1</source>
+        <extracomment>%1 is the name of a section</extracomment>
+        <translation>%1 einfügen</translation>
+    </message>
+    <message numerus="yes">
+        <source>Paste %n sections</source>
+        <translation>
+            <numerusform>%n Scheibe einfügen</numerusform>
+            <numerusform>%n Scheiben einfügen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Cut %1</source>
+        <extracomment>%1 is the name of a section</extracomment>
+        <translation>%1 ausschneiden</translation>
+    </message>
+    <message numerus="yes">
+        <source>Cut %n sections</source>
+        <translation>
+            <numerusform>%n Scheibe ausschneiden</numerusform>
+            <numerusform>%n Scheiben ausschneiden</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Make %1 orthogonal</source>
+        <extracomment>%1 is the name of a section</extracomment>
+        <translation>%1 rechtwinklig stellen</translation>
+    </message>
+    <message numerus="yes">
+        <source>Make %n sections orthogonal</source>
+        <translation>
+            <numerusform>%n Scheibe rechtwinklig stellen</numerusform>
+            <numerusform>%n Scheiben rechtwinklig stellen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Align %1 to an axis</source>
+        <extracomment>%1 is the name of a section</extracomment>
+        <translation>%1 an einer Achse ausrichten</translation>
+    </message>
+    <message numerus="yes">
+        <source>Align %n sections to an axis</source>
+        <translation>
+            <numerusform>%n Scheibe an einer Achse ausrichten</numerusform>
+            <numerusform>%n Scheiben an Achsen ausrichten</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Put %1 on another section</source>
+        <extracomment>%1 is the name of a section</extracomment>
+        <translation>%1 auf eine andere Scheibe setzen</translation>
+    </message>
+    <message>
+        <source>Free %1</source>
+        <extracomment>%1 is the name of a section</extracomment>
+        <translation>%1 freigeben</translation>
+    </message>
+    <message numerus="yes">
+        <source>Free %n sections</source>
+        <translation>
+            <numerusform>%n Scheibe freigeben</numerusform>
+            <numerusform>%n Scheiben freigeben</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Hold %1</source>
+        <extracomment>%1 is the name of a section</extracomment>
+        <translation>%1 halten</translation>
+    </message>
+    <message numerus="yes">
+        <source>Hold %n sections</source>
+        <translation>
+            <numerusform>%n Scheibe halten</numerusform>
+            <numerusform>%n Scheiben halten</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Lock %1</source>
+        <extracomment>%1 is the name of a section</extracomment>
+        <translation>%1 sperren</translation>
+    </message>
+    <message numerus="yes">
+        <source>Lock %n sections</source>
+        <translation>
+            <numerusform>%n Scheibe sperren</numerusform>
+            <numerusform>%n Scheiben sperren</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Unlock %1</source>
+        <extracomment>%1 is the name of a section</extracomment>
+        <translation>%1 entsperren</translation>
+    </message>
+    <message numerus="yes">
+        <source>Unlock %n sections</source>
+        <translation>
+            <numerusform>%n Scheibe entsperren</numerusform>
+            <numerusform>%n Scheiben entsperren</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>fff::cli</name>
@@ -3044,6 +3193,262 @@
         <source>&amp;Operation</source>
         <translation>&amp;Operation</translation>
     </message>
+    <message>
+        <source>What is selected is on no other section</source>
+        <translation>Was ausgewählt ist, sitzt auf keiner anderen Scheibe</translation>
+    </message>
+    <message>
+        <source>What is selected is made by an operation</source>
+        <translation>Was ausgewählt ist, macht eine Operation</translation>
+    </message>
+    <message>
+        <source>What is selected is drawn</source>
+        <translation>Was ausgewählt ist, ist gezeichnet</translation>
+    </message>
+    <message>
+        <source>Cu&amp;t</source>
+        <translation>&amp;Ausschneiden</translation>
+    </message>
+    <message>
+        <source>Cut</source>
+        <translation>Ausschneiden</translation>
+    </message>
+    <message>
+        <source>Copy the selected sections and delete them</source>
+        <translation>Die ausgewählten Scheiben kopieren und löschen</translation>
+    </message>
+    <message>
+        <source>&amp;Copy</source>
+        <translation>&amp;Kopieren</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Kopieren</translation>
+    </message>
+    <message>
+        <source>Copy the selected sections, also for other windows and programs</source>
+        <translation>Die ausgewählten Scheiben kopieren, auch für andere Fenster und Programme</translation>
+    </message>
+    <message>
+        <source>&amp;Paste</source>
+        <translation>E&amp;infügen</translation>
+    </message>
+    <message>
+        <source>Paste</source>
+        <translation>Einfügen</translation>
+    </message>
+    <message>
+        <source>Add the sections that were copied</source>
+        <translation>Die kopierten Scheiben hinzufügen</translation>
+    </message>
+    <message>
+        <source>D&amp;uplicate</source>
+        <translation>&amp;Duplizieren</translation>
+    </message>
+    <message>
+        <source>Duplicate</source>
+        <translation>Duplizieren</translation>
+    </message>
+    <message>
+        <source>Put a copy of the selected sections beside them</source>
+        <translation>Eine Kopie der ausgewählten Scheiben danebenstellen</translation>
+    </message>
+    <message>
+        <source>Mirror copy across &amp;X</source>
+        <translation>Kopie an &amp;X spiegeln</translation>
+    </message>
+    <message>
+        <source>Mirror X</source>
+        <translation>An X spiegeln</translation>
+    </message>
+    <message>
+        <source>Put a mirror image of the selected sections on the other side of the plane where X is 0</source>
+        <translation>Ein Spiegelbild der ausgewählten Scheiben auf die andere Seite der Ebene stellen, in der X gleich 0 ist</translation>
+    </message>
+    <message>
+        <source>Mirror copy across &amp;Y</source>
+        <translation>Kopie an &amp;Y spiegeln</translation>
+    </message>
+    <message>
+        <source>Mirror Y</source>
+        <translation>An Y spiegeln</translation>
+    </message>
+    <message>
+        <source>Put a mirror image of the selected sections on the other side of the plane where Y is 0</source>
+        <translation>Ein Spiegelbild der ausgewählten Scheiben auf die andere Seite der Ebene stellen, in der Y gleich 0 ist</translation>
+    </message>
+    <message>
+        <source>Mirror copy across &amp;Z</source>
+        <translation>Kopie an &amp;Z spiegeln</translation>
+    </message>
+    <message>
+        <source>Mirror Z</source>
+        <translation>An Z spiegeln</translation>
+    </message>
+    <message>
+        <source>Put a mirror image of the selected sections on the other side of the plane where Z is 0</source>
+        <translation>Ein Spiegelbild der ausgewählten Scheiben auf die andere Seite der Ebene stellen, in der Z gleich 0 ist</translation>
+    </message>
+    <message>
+        <source>Mirror copy across a &amp;section…</source>
+        <translation>Kopie an einer &amp;Scheibe spiegeln …</translation>
+    </message>
+    <message>
+        <source>Click a section: a mirror image of the selected ones comes on its other side</source>
+        <translation>Auf eine Scheibe klicken: Ein Spiegelbild der ausgewählten kommt auf ihre andere Seite</translation>
+    </message>
+    <message>
+        <source>Select co&amp;nnected</source>
+        <translation>&amp;Verbundene auswählen</translation>
+    </message>
+    <message>
+        <source>Connected</source>
+        <translation>Verbundene</translation>
+    </message>
+    <message>
+        <source>Select all sections that hang together with the selected ones</source>
+        <translation>Alle Scheiben auswählen, die mit den ausgewählten zusammenhängen</translation>
+    </message>
+    <message>
+        <source>Select pa&amp;rallel</source>
+        <translation>&amp;Parallele auswählen</translation>
+    </message>
+    <message>
+        <source>Select all sections parallel to the selected ones</source>
+        <translation>Alle Scheiben auswählen, die parallel zu den ausgewählten sind</translation>
+    </message>
+    <message>
+        <source>Select of the same stoc&amp;k</source>
+        <translation>Alle &amp;derselben Platte auswählen</translation>
+    </message>
+    <message>
+        <source>Same stock</source>
+        <translation>Gleiche Platte</translation>
+    </message>
+    <message>
+        <source>Select all sections of the stocks of the selected ones</source>
+        <translation>Alle Scheiben aus den Platten der ausgewählten auswählen</translation>
+    </message>
+    <message>
+        <source>Move and t&amp;urn</source>
+        <translation>&amp;Bewegen und drehen</translation>
+    </message>
+    <message>
+        <source>Move</source>
+        <translation>Bewegen</translation>
+    </message>
+    <message>
+        <source>Move, turn and scale with handles or numbers</source>
+        <translation>Mit Griffen oder Zahlen bewegen, drehen und skalieren</translation>
+    </message>
+    <message>
+        <source>In &amp;space</source>
+        <translation>Im Rau&amp;m</translation>
+    </message>
+    <message>
+        <source>In space</source>
+        <translation>Im Raum</translation>
+    </message>
+    <message>
+        <source>Along the axes of the world, rather than in the plane of the section</source>
+        <translation>Entlang der Achsen der Welt statt in der Ebene der Scheibe</translation>
+    </message>
+    <message>
+        <source>With what is &amp;on it</source>
+        <translation>Mit allem, was d&amp;arauf ist</translation>
+    </message>
+    <message>
+        <source>With all on it</source>
+        <translation>Mit allem darauf</translation>
+    </message>
+    <message>
+        <source>What was drawn on a section goes along when that is moved</source>
+        <translation>Was auf eine Scheibe gezeichnet wurde, geht mit, wenn sie bewegt wird</translation>
+    </message>
+    <message>
+        <source>Put on another section…</source>
+        <translation>Auf eine andere Scheibe setzen …</translation>
+    </message>
+    <message>
+        <source>Put on</source>
+        <translation>Aufsetzen</translation>
+    </message>
+    <message>
+        <source>Click the section that the selected one shall be on</source>
+        <translation>Auf die Scheibe klicken, auf der die ausgewählte sitzen soll</translation>
+    </message>
+    <message>
+        <source>Free &amp;from its parent</source>
+        <translation>&amp;Frei von ihrer Scheibe</translation>
+    </message>
+    <message>
+        <source>Free</source>
+        <translation>Frei</translation>
+    </message>
+    <message>
+        <source>Let the section go any way: it neither goes along with the one that it is on, nor keeps its angle</source>
+        <translation>Die Scheibe frei bewegen: Sie geht weder mit der mit, auf der sie sitzt, noch behält sie ihren Winkel</translation>
+    </message>
+    <message>
+        <source>Make ort&amp;hogonal</source>
+        <translation>&amp;Rechtwinklig stellen</translation>
+    </message>
+    <message>
+        <source>Orthogonal</source>
+        <translation>Rechtwinklig</translation>
+    </message>
+    <message>
+        <source>Turn the section to a right angle to the one that it is on</source>
+        <translation>Die Scheibe rechtwinklig zu der stellen, auf der sie sitzt</translation>
+    </message>
+    <message>
+        <source>Align to nearest a&amp;xis</source>
+        <translation>An nächster Achse a&amp;usrichten</translation>
+    </message>
+    <message>
+        <source>Align</source>
+        <translation>Ausrichten</translation>
+    </message>
+    <message>
+        <source>Turn the section so that it faces along an axis of the world</source>
+        <translation>Die Scheibe so drehen, dass sie entlang einer Achse der Welt schaut</translation>
+    </message>
+    <message>
+        <source>Loc&amp;k</source>
+        <translation>&amp;Sperren</translation>
+    </message>
+    <message>
+        <source>Lock</source>
+        <translation>Sperren</translation>
+    </message>
+    <message>
+        <source>Let the selected sections stay as they are</source>
+        <translation>Die ausgewählten Scheiben so lassen, wie sie sind</translation>
+    </message>
+    <message>
+        <source>Edit its s&amp;ource</source>
+        <translation>&amp;Quelle bearbeiten</translation>
+    </message>
+    <message>
+        <source>Edit source</source>
+        <translation>Quelle bearbeiten</translation>
+    </message>
+    <message>
+        <source>Select the section that the selected one is made from</source>
+        <translation>Die Scheibe auswählen, aus der die ausgewählte gemacht wird</translation>
+    </message>
+    <message>
+        <source>De&amp;tach this one</source>
+        <translation>Diese &amp;lösen</translation>
+    </message>
+    <message>
+        <source>Detach</source>
+        <translation>Lösen</translation>
+    </message>
+    <message>
+        <source>Make a drawn section of the selected one; its operation makes the others</source>
+        <translation>Aus der ausgewählten eine gezeichnete Scheibe machen; ihre Operation macht die anderen</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::AgoText</name>
@@ -3124,6 +3529,39 @@
     <message>
         <source>Angle</source>
         <translation>Winkel</translation>
+    </message>
+    <message>
+        <source>Z</source>
+        <translation>Z</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Rechts</translation>
+    </message>
+    <message>
+        <source>Up</source>
+        <translation>Hoch</translation>
+    </message>
+    <message>
+        <source>Out</source>
+        <extracomment>away from its plane</extracomment>
+        <translation>Heraus</translation>
+    </message>
+    <message>
+        <source>Turn</source>
+        <translation>Drehung</translation>
+    </message>
+    <message>
+        <source>%</source>
+        <translation>%</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>Copies</source>
+        <translation>Kopien</translation>
     </message>
 </context>
 <context>
@@ -3743,6 +4181,21 @@
     </message>
 </context>
 <context>
+    <name>fff::ui::GizmoMarks</name>
+    <message>
+        <source>%1°</source>
+        <translation>%1°</translation>
+    </message>
+    <message>
+        <source>%1&#x202f;%</source>
+        <translation>%1&#x202f;%</translation>
+    </message>
+    <message>
+        <source>Copy: %1</source>
+        <translation>Kopie: %1</translation>
+    </message>
+</context>
+<context>
     <name>fff::ui::HintText</name>
     <message>
         <source>Draw the first section: press, draw its shape in one go, release.</source>
@@ -4163,6 +4616,81 @@
     <message>
         <source>Nothing copied: the model is symmetric already.</source>
         <translation>Nichts kopiert: Das Modell ist schon symmetrisch.</translation>
+    </message>
+    <message>
+        <source>Click the section that %1 shall be on. &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
+        <translation>Auf die Scheibe klicken, auf der %1 sitzen soll. &lt;kbd&gt;Esc&lt;/kbd&gt; bricht ab.</translation>
+    </message>
+    <message>
+        <source>Click the section to mirror across; drag to turn the view. &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
+        <translation>Auf die Scheibe klicken, an der gespiegelt wird; ziehen dreht die Ansicht. &lt;kbd&gt;Esc&lt;/kbd&gt; bricht ab.</translation>
+    </message>
+    <message>
+        <source>Click the section to move or turn, or drag it. &lt;kbd&gt;Esc&lt;/kbd&gt; lays the handles down.</source>
+        <translation>Auf die Scheibe klicken, die bewegt werden soll, oder sie ziehen. &lt;kbd&gt;Esc&lt;/kbd&gt; legt die Griffe weg.</translation>
+    </message>
+    <message>
+        <source>Drag an arrow to move, a ring to turn, a box to scale; or type numbers. &lt;kbd&gt;Esc&lt;/kbd&gt; lays the handles down.</source>
+        <translation>Pfeil ziehen bewegt, Ring dreht, Kästchen skaliert; oder Zahlen tippen. &lt;kbd&gt;Esc&lt;/kbd&gt; legt die Griffe weg.</translation>
+    </message>
+    <message>
+        <source>Drag to move %1; click to select it.</source>
+        <translation>Ziehen bewegt %1; klicken wählt aus.</translation>
+    </message>
+    <message>
+        <source>Drag to move; &lt;kbd&gt;Ctrl&lt;/kbd&gt; leaves a copy, &lt;kbd&gt;Shift&lt;/kbd&gt; keeps to one direction.</source>
+        <translation>Ziehen bewegt; &lt;kbd&gt;Strg&lt;/kbd&gt; lässt eine Kopie da, &lt;kbd&gt;Umschalt&lt;/kbd&gt; bleibt bei einer Richtung.</translation>
+    </message>
+    <message>
+        <source>Drag to turn; &lt;kbd&gt;Ctrl&lt;/kbd&gt; leaves a copy.</source>
+        <translation>Ziehen dreht; &lt;kbd&gt;Strg&lt;/kbd&gt; lässt eine Kopie da.</translation>
+    </message>
+    <message>
+        <source>Drag to scale; &lt;kbd&gt;Ctrl&lt;/kbd&gt; leaves a copy.</source>
+        <translation>Ziehen skaliert; &lt;kbd&gt;Strg&lt;/kbd&gt; lässt eine Kopie da.</translation>
+    </message>
+    <message>
+        <source>Release to leave it so. &lt;kbd&gt;Ctrl&lt;/kbd&gt; leaves a copy, &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
+        <translation>Loslassen lässt es so. &lt;kbd&gt;Strg&lt;/kbd&gt; lässt eine Kopie da, &lt;kbd&gt;Esc&lt;/kbd&gt; bricht ab.</translation>
+    </message>
+    <message>
+        <source>Release to leave a copy so. &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
+        <translation>Loslassen lässt eine Kopie so da. &lt;kbd&gt;Esc&lt;/kbd&gt; bricht ab.</translation>
+    </message>
+    <message numerus="yes">
+        <source>&lt;kbd&gt;Enter&lt;/kbd&gt; makes %n copies like this, each a step further. &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
+        <translation>
+            <numerusform>&lt;kbd&gt;Eingabe&lt;/kbd&gt; macht %n solche Kopie. &lt;kbd&gt;Esc&lt;/kbd&gt; bricht ab.</numerusform>
+            <numerusform>&lt;kbd&gt;Eingabe&lt;/kbd&gt; macht %n solche Kopien, jede einen Schritt weiter. &lt;kbd&gt;Esc&lt;/kbd&gt; bricht ab.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>&lt;kbd&gt;Enter&lt;/kbd&gt; leaves it like this. &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
+        <translation>&lt;kbd&gt;Eingabe&lt;/kbd&gt; lässt es so. &lt;kbd&gt;Esc&lt;/kbd&gt; bricht ab.</translation>
+    </message>
+    <message>
+        <source>%1 is locked. Unlock it in the Outline to change it.</source>
+        <translation>%1 ist gesperrt. In der Gliederung entsperren, um sie zu ändern.</translation>
+    </message>
+    <message>
+        <source>%1 keeps its angle to %2. Free it to turn it any way.</source>
+        <translation>%1 behält ihren Winkel zu %2. Freigeben, um sie beliebig zu drehen.</translation>
+    </message>
+    <message>
+        <source>%1 is on no other section, so it has no angle to one.</source>
+        <translation>%1 sitzt auf keiner anderen Scheibe und hat daher keinen Winkel zu einer.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be on %2, which is on it.</source>
+        <translation>%1 kann nicht auf %2 sitzen, denn diese sitzt auf ihr.</translation>
+    </message>
+    <message>
+        <source>%1 and %2 do not meet: move one of them across the other first.</source>
+        <translation>%1 und %2 treffen sich nicht: zuerst eine quer in die andere bewegen.</translation>
+    </message>
+    <message>
+        <source>Nothing pasted: nothing that was copied has sections in it.</source>
+        <translation>Nichts eingefügt: Was kopiert wurde, enthält keine Scheiben.</translation>
     </message>
 </context>
 <context>
@@ -4834,6 +5362,14 @@
         <source>Hide it</source>
         <translation>Ausblenden</translation>
     </message>
+    <message>
+        <source>Locked: unlock it</source>
+        <translation>Gesperrt: entsperren</translation>
+    </message>
+    <message>
+        <source>Lock it</source>
+        <translation>Sperren</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::OverlayPainter</name>
@@ -4890,6 +5426,85 @@
     <message>
         <source>Set by hand</source>
         <translation>Von Hand gesetzt</translation>
+    </message>
+</context>
+<context>
+    <name>fff::ui::PlaceGroup</name>
+    <message>
+        <source>Place</source>
+        <translation>Lage</translation>
+    </message>
+    <message>
+        <source>Position X</source>
+        <translation>Position X</translation>
+    </message>
+    <message>
+        <source>Position Y</source>
+        <translation>Position Y</translation>
+    </message>
+    <message>
+        <source>Position Z</source>
+        <translation>Position Z</translation>
+    </message>
+    <message>
+        <source>Normal X</source>
+        <translation>Normale X</translation>
+    </message>
+    <message>
+        <source>Normal Y</source>
+        <translation>Normale Y</translation>
+    </message>
+    <message>
+        <source>Normal Z</source>
+        <translation>Normale Z</translation>
+    </message>
+    <message>
+        <source>Free</source>
+        <translation>Frei</translation>
+    </message>
+    <message>
+        <source>It neither goes along with the section that it is on, nor keeps its angle to that</source>
+        <translation>Sie geht weder mit der Scheibe mit, auf der sie sitzt, noch behält sie ihren Winkel zu dieser</translation>
+    </message>
+    <message>
+        <source>Locked</source>
+        <translation>Gesperrt</translation>
+    </message>
+    <message>
+        <source>It stays as it is, unless what it is on is moved</source>
+        <translation>Sie bleibt, wie sie ist, außer wenn die Scheibe bewegt wird, auf der sie sitzt</translation>
+    </message>
+    <message>
+        <source>On</source>
+        <translation>Auf</translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation>nichts</translation>
+    </message>
+    <message>
+        <source>Click another section that it shall be on</source>
+        <translation>Auf eine andere Scheibe klicken, auf der sie sitzen soll</translation>
+    </message>
+    <message>
+        <source>On no other section</source>
+        <translation>Auf keiner anderen Scheibe</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>Angle to it</source>
+        <translation>Winkel zu ihr</translation>
+    </message>
+    <message>
+        <source>Of its middle</source>
+        <translation>Von ihrer Mitte</translation>
+    </message>
+    <message>
+        <source>Which way it faces: across its plane, of length 1</source>
+        <translation>Wohin sie schaut: quer zu ihrer Ebene, der Länge 1</translation>
     </message>
 </context>
 <context>
@@ -5192,10 +5807,6 @@
         <translation>Material</translation>
     </message>
     <message>
-        <source>Place</source>
-        <translation>Lage</translation>
-    </message>
-    <message>
         <source>Contour</source>
         <translation>Kontur</translation>
     </message>
@@ -5218,38 +5829,6 @@
     <message>
         <source>Mass</source>
         <translation>Masse</translation>
-    </message>
-    <message>
-        <source>On</source>
-        <translation>Auf</translation>
-    </message>
-    <message>
-        <source>nothing</source>
-        <translation>nichts</translation>
-    </message>
-    <message>
-        <source>Angle to it</source>
-        <translation>Winkel dazu</translation>
-    </message>
-    <message>
-        <source>%1°</source>
-        <translation>%1°</translation>
-    </message>
-    <message>
-        <source>Position X</source>
-        <translation>Position X</translation>
-    </message>
-    <message>
-        <source>Position Y</source>
-        <translation>Position Y</translation>
-    </message>
-    <message>
-        <source>Position Z</source>
-        <translation>Position Z</translation>
-    </message>
-    <message>
-        <source>Normal</source>
-        <translation>Normale</translation>
     </message>
     <message>
         <source>Size</source>

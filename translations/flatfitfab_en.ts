@@ -170,6 +170,90 @@
             <numerusform>Leave out %n sections</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>Turn %n sections</source>
+        <translation>
+            <numerusform>Turn %n section</numerusform>
+            <numerusform>Turn %n sections</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Scale %n sections</source>
+        <translation>
+            <numerusform>Scale %n section</numerusform>
+            <numerusform>Scale %n sections</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Copy %n sections</source>
+        <translation>
+            <numerusform>Copy %n section</numerusform>
+            <numerusform>Copy %n sections</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Mirror copies of %n sections</source>
+        <translation>
+            <numerusform>Mirror a copy of %n section</numerusform>
+            <numerusform>Mirror copies of %n sections</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Paste %n sections</source>
+        <translation>
+            <numerusform>Paste %n section</numerusform>
+            <numerusform>Paste %n sections</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Cut %n sections</source>
+        <translation>
+            <numerusform>Cut %n section</numerusform>
+            <numerusform>Cut %n sections</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Make %n sections orthogonal</source>
+        <translation>
+            <numerusform>Make %n section orthogonal</numerusform>
+            <numerusform>Make %n sections orthogonal</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Align %n sections to an axis</source>
+        <translation>
+            <numerusform>Align %n section to an axis</numerusform>
+            <numerusform>Align %n sections to an axis</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Free %n sections</source>
+        <translation>
+            <numerusform>Free %n section</numerusform>
+            <numerusform>Free %n sections</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Hold %n sections</source>
+        <translation>
+            <numerusform>Hold %n section</numerusform>
+            <numerusform>Hold %n sections</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Lock %n sections</source>
+        <translation>
+            <numerusform>Lock %n section</numerusform>
+            <numerusform>Lock %n sections</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Unlock %n sections</source>
+        <translation>
+            <numerusform>Unlock %n section</numerusform>
+            <numerusform>Unlock %n sections</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::AgoText</name>
@@ -233,6 +317,16 @@
         <translation>
             <numerusform>%n section</numerusform>
             <numerusform>%n sections</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>fff::ui::HintText</name>
+    <message numerus="yes">
+        <source>&lt;kbd&gt;Enter&lt;/kbd&gt; makes %n copies like this, each a step further. &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
+        <translation>
+            <numerusform>&lt;kbd&gt;Enter&lt;/kbd&gt; makes %n copy like this. &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</numerusform>
+            <numerusform>&lt;kbd&gt;Enter&lt;/kbd&gt; makes %n copies like this, each a step further. &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</numerusform>
         </translation>
     </message>
 </context>

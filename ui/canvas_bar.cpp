@@ -1,16 +1,19 @@
 #include "ui/canvas_bar.h"
 
 #include "core/base/units.h"
+#include "ui/actions/action_set.h"
 #include "ui/properties/length_edit.h"
 #include "ui/theme.h"
 #include "ui/workbench.h"
 
 #include <QApplication>
 #include <QGridLayout>
+#include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPainter>
+#include <QToolButton>
 
 #include <algorithm>
 
@@ -23,14 +26,49 @@ constexpr NumberEdit::Range kPlace{-10000.0, 10000.0, 0.1, 1, 3};
 constexpr NumberEdit::Range kLength{0.0, 10000.0, 0.1, 1, 3};
 constexpr NumberEdit::Range kAngle{-360.0, 360.0, 0.5, 1, 3};
 
-bool isAngle(ToolNumber::Kind kind)
+constexpr NumberEdit::Range kPercent{1.0, 10000.0, 5.0, 0, 2};
+constexpr NumberEdit::Range kCopies{0.0, 500.0, 1.0, 0, 0};
+constexpr int kFieldWidth = 104, kNarrowField = 88; // px
+
+/// Numbers of points come and go with what is typed; others stay with their tool.
+bool isOfPoint(ToolNumber::Kind kind)
 {
-    return kind == ToolNumber::Kind::Angle;
+    using Kind = ToolNumber::Kind;
+    return kind == Kind::X || kind == Kind::Y || kind == Kind::DeltaX || kind == Kind::DeltaY ||
+           kind == Kind::Length || kind == Kind::Angle;
+}
+
+/// As people say it, and back.
+double shownNumber(const ToolNumber &number)
+{
+    switch (number.kind) {
+    case ToolNumber::Kind::Angle:
+    case ToolNumber::Kind::Turn:
+        return degrees(number.value);
+    case ToolNumber::Kind::Size:
+        return 100.0 * number.value;
+    default:
+        return number.value;
+    }
+}
+
+double numberShown(ToolNumber::Kind kind, double shown)
+{
+    switch (kind) {
+    case ToolNumber::Kind::Angle:
+    case ToolNumber::Kind::Turn:
+        return radians(shown);
+    case ToolNumber::Kind::Size:
+        return shown / 100.0;
+    default:
+        return shown;
+    }
 }
 
 } // namespace
 
-CanvasBar::CanvasBar(Workbench &bench, QWidget *view) : QFrame(view), m_bench(bench)
+CanvasBar::CanvasBar(Workbench &bench, const ActionSet &actions, QWidget *view)
+    : QFrame(view), m_bench(bench), m_actions(actions)
 {
     setObjectName(QStringLiteral("canvasBar"));
     setAccessibleName(tr("Numbers of the drawing tool"));
@@ -44,6 +82,20 @@ CanvasBar::CanvasBar(Workbench &bench, QWidget *view) : QFrame(view), m_bench(be
     addField(Kind::Y, new LengthEdit(kPlace, this), tr("Y"), "canvasY");
     addField(Kind::Length, new LengthEdit(kLength, this), tr("Length"), "canvasLength");
     addField(Kind::Angle, new NumberEdit(kAngle, tr("°"), this), tr("Angle"), "canvasAngle");
+    addField(Kind::MoveX, new LengthEdit(kPlace, this), tr("X"), "canvasMoveX");
+    addField(Kind::MoveY, new LengthEdit(kPlace, this), tr("Y"), "canvasMoveY");
+    addField(Kind::MoveZ, new LengthEdit(kPlace, this), tr("Z"), "canvasMoveZ");
+    addField(Kind::MoveRight, new LengthEdit(kPlace, this), tr("Right"), "canvasMoveRight");
+    addField(Kind::MoveUp, new LengthEdit(kPlace, this), tr("Up"), "canvasMoveUp");
+    //: away from its plane
+    addField(Kind::MoveOut, new LengthEdit(kPlace, this), tr("Out"), "canvasMoveOut");
+    addField(Kind::Turn, new NumberEdit(kAngle, tr("°"), this), tr("Turn"), "canvasTurn");
+    addField(Kind::Size, new NumberEdit(kPercent, tr("%"), this), tr("Size"), "canvasSize");
+    addField(Kind::Copies, new NumberEdit(kCopies, QString(), this), tr("Copies"), "canvasCopies");
+    m_buttons = new QWidget(this);
+    auto *row = new QHBoxLayout(m_buttons);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(6);
     hide();
     view->installEventFilter(this);
     connect(&bench, &Workbench::viewChanged, this, &CanvasBar::refresh);
@@ -59,7 +111,7 @@ void CanvasBar::addField(ToolNumber::Kind kind, NumberEdit *edit, const QString 
     label->setForegroundRole(QPalette::PlaceholderText);
     edit->setObjectName(QLatin1String(objectName));
     edit->setAccessibleName(name);
-    edit->setFixedWidth(104);
+    edit->setFixedWidth(isOfPoint(kind) ? kFieldWidth : kNarrowField);
     m_fields.push_back({kind, label, edit});
     auto *line = edit->findChild<QLineEdit *>();
     connect(line, &QLineEdit::textEdited, this, [this, kind, edit] {
@@ -84,7 +136,7 @@ void CanvasBar::begin(const QString &text)
     m_isOpen = field(Kind::Distance) == nullptr;
     refresh();
     Field *first = field(isFromLast ? Kind::Length : Kind::X);
-    for (const Kind kind : {Kind::X, Kind::Distance}) {
+    for (const Kind kind : {Kind::X, Kind::MoveX, Kind::MoveRight, Kind::Distance}) {
         if (!first || !first->edit->isVisibleTo(this))
             first = field(kind);
     }
@@ -101,14 +153,14 @@ void CanvasBar::begin(const QString &text)
 void CanvasBar::take(ToolNumber::Kind kind, double shown)
 {
     if (field(kind) && isVisible())
-        m_bench.setNumbers({{kind, isAngle(kind) ? radians(shown) : shown}});
+        m_bench.setNumbers({{kind, numberShown(kind, shown)}});
 }
 
 /// The fields of what the tool takes now, with the numbers that it has.
 void CanvasBar::refresh()
 {
     const std::vector<ToolNumber> numbers = m_bench.interaction().numbers();
-    bool hasDistance = false;
+    bool isSeen = false;
     for (Field &field : m_fields)
         field.isWanted = false;
     for (const ToolNumber &number : numbers) {
@@ -116,23 +168,48 @@ void CanvasBar::refresh()
             if (field.kind != number.kind)
                 continue;
             field.isWanted = true;
-            field.edit->setNumber(isAngle(number.kind) ? degrees(number.value) : number.value);
+            field.edit->setNumber(shownNumber(number));
         }
-        hasDistance = hasDistance || number.kind == ToolNumber::Kind::Distance;
     }
     m_isOpen = m_isOpen && !numbers.empty();
     for (Field &field : m_fields) {
-        const bool isDistance = field.kind == ToolNumber::Kind::Distance;
-        const bool isSeen = field.isWanted && (isDistance || m_isOpen);
-        if (!isSeen && field.edit->hasFocus())
+        const bool isFieldSeen = field.isWanted && (m_isOpen || !isOfPoint(field.kind));
+        if (!isFieldSeen && field.edit->hasFocus())
             parentWidget()->setFocus();
-        field.label->setVisible(isSeen);
-        field.edit->setVisible(isSeen);
+        field.label->setVisible(isFieldSeen);
+        field.edit->setVisible(isFieldSeen);
+        isSeen = isSeen || isFieldSeen;
     }
-    const bool isSeen = hasDistance || m_isOpen;
+    showCommands();
+    isSeen = isSeen || !m_commands.empty();
     if (isSeen)
         place();
     setVisible(isSeen);
+}
+
+/// A button for each; they are made anew only where they are others.
+void CanvasBar::showCommands()
+{
+    const Tool *tool = m_bench.interaction().tool();
+    std::vector<std::string_view> commands =
+        tool ? tool->commands() : std::vector<std::string_view>();
+    if (commands == m_commands)
+        return;
+    m_commands = std::move(commands);
+    for (QToolButton *old : m_buttons->findChildren<QToolButton *>()) {
+        old->hide();
+        old->deleteLater();
+    }
+    for (const std::string_view command : m_commands) {
+        auto *button = new QToolButton(m_buttons);
+        button->setDefaultAction(m_actions.action(std::string(command).c_str()));
+        button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+        button->setIconSize({16, 16});
+        button->setFocusPolicy(Qt::TabFocus);
+        button->setObjectName(QStringLiteral("canvas.") + button->defaultAction()->objectName());
+        m_buttons->layout()->addWidget(button);
+    }
+    m_buttons->setVisible(!m_commands.empty());
 }
 
 void CanvasBar::accept()
@@ -141,27 +218,31 @@ void CanvasBar::accept()
         if (field.edit->isVisible() && !field.edit->refusal().isEmpty())
             return; // it says why, and stays
     }
-    const bool isPoint = m_isOpen;
+    const bool isTyped = m_isOpen;
     m_isOpen = false;
     parentWidget()->setFocus();
-    if (isPoint)
+    if (isTyped)
         m_bench.key(ToolKey::Enter);
     refresh();
 }
 
 void CanvasBar::close()
 {
-    const bool isPoint = m_isOpen;
+    const bool isTyped = m_isOpen;
     m_isOpen = false;
     parentWidget()->setFocus();
-    if (isPoint)
+    if (isTyped)
         m_bench.dropNumbers();
     refresh();
 }
 
-/// Whoever goes elsewhere, sets no point.
+/// Whoever goes elsewhere, sets no point and moves nothing.
 void CanvasBar::follow(QWidget *focus)
 {
+    const auto isEdit = [focus](const Field &field) { return field.edit == focus; };
+    const auto entered = std::find_if(m_fields.begin(), m_fields.end(), isEdit);
+    if (entered != m_fields.end() && entered->kind != ToolNumber::Kind::Distance)
+        m_isOpen = true;
     if (m_isOpen && focus && !isAncestorOf(focus) && focus->window() == window()) {
         m_isOpen = false;
         m_bench.dropNumbers();
@@ -206,7 +287,7 @@ bool CanvasBar::eventFilter(QObject *object, QEvent *event)
     return QFrame::eventFilter(object, event);
 }
 
-/// Two fields a row where all of them would be wider than the view.
+/// The commands stand below the fields.
 void CanvasBar::arrange(int fieldsInRow)
 {
     int shown = 0;
@@ -216,14 +297,17 @@ void CanvasBar::arrange(int fieldsInRow)
         m_grid->addWidget(field.edit, row, column + 1);
         shown += field.edit->isVisibleTo(this) ? 1 : 0;
     }
+    m_grid->addWidget(m_buttons, (shown + fieldsInRow - 1) / fieldsInRow, 0, 1, -1);
     m_grid->activate();
 }
 
 void CanvasBar::place()
 {
-    arrange(static_cast<int>(m_fields.size()));
-    if (sizeHint().width() > parentWidget()->width() - 2 * kBelow)
-        arrange(2);
+    for (const int fieldsInRow : {static_cast<int>(m_fields.size()), 3, 2}) {
+        arrange(fieldsInRow);
+        if (sizeHint().width() <= parentWidget()->width() - 2 * kBelow)
+            break;
+    }
     const QSize size = sizeHint();
     resize(size);
     move((parentWidget()->width() - size.width()) / 2,

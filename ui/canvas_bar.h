@@ -1,12 +1,13 @@
-// A bar over the view for the numbers of the tool in the hand: where the next point goes, or how
-// far away a plane is. It opens with the first key of a number; for a plane's distance it is there
-// as long as the tool waits.
+// A bar over the view for the numbers of the tool in the hand: where the next point goes, how far
+// away a plane is, how far sections are moved; and for the commands that go with it. For points it
+// opens with the first key of a number; all else is there as long as the tool waits.
 #pragma once
 
 #include <QFrame> // first: moc stumbles over some standard headers
 
 #include "core/interaction/tool.h"
 
+#include <string_view>
 #include <vector>
 
 class QGridLayout;
@@ -14,6 +15,7 @@ class QLabel;
 
 namespace fff::ui {
 
+class ActionSet;
 class NumberEdit;
 class Workbench;
 
@@ -24,7 +26,7 @@ class CanvasBar : public QFrame
     Q_OBJECT
 public:
     /// At the lower edge of the view.
-    CanvasBar(Workbench &bench, QWidget *view);
+    CanvasBar(Workbench &bench, const ActionSet &actions, QWidget *view);
 
     /// Opens it and puts the first key there: "@" goes to the distance from the last point.
     void begin(const QString &text);
@@ -54,11 +56,15 @@ private:
     void follow(QWidget *focus);
     void place();
     void arrange(int fieldsInRow);
+    void showCommands();
 
     Workbench &m_bench;
+    const ActionSet &m_actions;
+    QWidget *m_buttons = nullptr;
+    std::vector<std::string_view> m_commands; // that have buttons
     QGridLayout *m_grid = nullptr;
     std::vector<Field> m_fields;
-    bool m_isOpen = false; // for a point
+    bool m_isOpen = false; // something is typed, or was
 };
 
 } // namespace fff::ui

@@ -269,6 +269,52 @@ QString hintSentence(const Hint &hint, const QString &undoKeys)
                     : HintText::tr(
                           "Release to let %1 end here: %2\u202f%. <kbd>Esc</kbd> cancels."))
             .arg(name, QLocale().toString(0.1 * hint.number, 'f', 1));
+    case Hint::Kind::PickParent:
+        return HintText::tr("Click the section that %1 shall be on. <kbd>Esc</kbd> cancels.")
+            .arg(name);
+    case Hint::Kind::PickMirror:
+        return HintText::tr("Click the section to mirror across; drag to turn the view. "
+                            "<kbd>Esc</kbd> cancels.");
+    case Hint::Kind::TransformPick:
+        return HintText::tr("Click the section to move or turn, or drag it. <kbd>Esc</kbd> lays "
+                            "the handles down.");
+    case Hint::Kind::Transform:
+        return HintText::tr("Drag an arrow to move, a ring to turn, a box to scale; or type "
+                            "numbers. <kbd>Esc</kbd> lays the handles down.");
+    case Hint::Kind::TransformDrag:
+        return HintText::tr("Drag to move %1; click to select it.").arg(name);
+    case Hint::Kind::DragToMove:
+        return HintText::tr("Drag to move; <kbd>Ctrl</kbd> leaves a copy, <kbd>Shift</kbd> keeps "
+                            "to one direction.");
+    case Hint::Kind::DragToTurn:
+        return HintText::tr("Drag to turn; <kbd>Ctrl</kbd> leaves a copy.");
+    case Hint::Kind::DragToScale:
+        return HintText::tr("Drag to scale; <kbd>Ctrl</kbd> leaves a copy.");
+    case Hint::Kind::Transforming:
+        return HintText::tr("Release to leave it so. <kbd>Ctrl</kbd> leaves a copy, "
+                            "<kbd>Esc</kbd> cancels.");
+    case Hint::Kind::LeavingCopy:
+        return HintText::tr("Release to leave a copy so. <kbd>Esc</kbd> cancels.");
+    case Hint::Kind::TransformNumbers:
+        return hint.number > 0
+                   ? HintText::tr("<kbd>Enter</kbd> makes %n copies like this, each a step "
+                                  "further. <kbd>Esc</kbd> cancels.",
+                                  nullptr, hint.number)
+                   : HintText::tr("<kbd>Enter</kbd> leaves it like this. <kbd>Esc</kbd> cancels.");
+    case Hint::Kind::Locked:
+        return HintText::tr("%1 is locked. Unlock it in the Outline to change it.").arg(name);
+    case Hint::Kind::HeldByParent:
+        return HintText::tr("%1 keeps its angle to %2. Free it to turn it any way.")
+            .arg(name, other);
+    case Hint::Kind::OnNothing:
+        return HintText::tr("%1 is on no other section, so it has no angle to one.").arg(name);
+    case Hint::Kind::CannotBeOn:
+        return HintText::tr("%1 cannot be on %2, which is on it.").arg(name, other);
+    case Hint::Kind::DoNotMeet:
+        return HintText::tr("%1 and %2 do not meet: move one of them across the other first.")
+            .arg(name, other);
+    case Hint::Kind::NothingToPaste:
+        return HintText::tr("Nothing pasted: nothing that was copied has sections in it.");
     case Hint::Kind::MadeByOperation:
         return HintText::tr("%1 is made by %2: edit its source, or detach this one.")
             .arg(name, other);

@@ -162,7 +162,7 @@ void MainWindow::makeDocks()
     m_checks = new ChecksDock(*m_bench, *m_checkList, this);
     m_properties = new PropertiesDock(*m_bench, *m_checkList, this);
     m_badges = new Badges(*m_bench, *m_checkList, m_view);
-    m_bar = new CanvasBar(*m_bench, m_view);
+    m_bar = new CanvasBar(*m_bench, *m_actions, m_view);
     if (auto *viewport = qobject_cast<Viewport *>(m_view))
         connect(viewport, &Viewport::numberBegun, m_bar, &CanvasBar::begin);
     new OperationNotices(*m_bench, *m_messages, this);

@@ -6,6 +6,7 @@ target_sources(fff_ui PRIVATE
     badges.cpp
     canvas_bar.cpp
     check_words.cpp
+    clipboard.cpp
     cursors.cpp
     dialogs/about_dialog.cpp
     dialogs/command_search.cpp
@@ -67,6 +68,7 @@ target_sources(fff_ui PRIVATE
     properties/number_edit.cpp
     properties/open_editor.cpp
     properties/parameter_row.cpp
+    properties/place_group.cpp
     properties/point_rows.cpp
     properties/property_rows.cpp
     properties/segmented_box.cpp

@@ -378,7 +378,8 @@ Viewport::Seen Viewport::seen() const
             litMark(),
             m_bench.problemLook(),
             overlay.pen,
-            overlay.plane ? std::optional(overlay.plane->canvas) : std::nullopt};
+            overlay.plane ? std::optional(overlay.plane->canvas) : std::nullopt,
+            overlay.gizmo};
 }
 
 /// Something that is seen may have changed: paints only if it has.

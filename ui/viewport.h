@@ -80,6 +80,7 @@ private:
         ProblemLook problems;
         std::optional<PenMarks> pen;
         std::optional<Frame> plane;
+        std::optional<GizmoMarks> gizmo;
 
         bool isSamePicture(const Seen &other) const;
         bool operator==(const Seen &other) const = default;

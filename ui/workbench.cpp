@@ -2,7 +2,9 @@
 
 #include "core/base/units.h"
 #include "core/interaction/tool.h"
+#include "core/session/copy_commands.h"
 #include "core/session/session_commands.h"
+#include "ui/clipboard.h"
 #include "ui/naming.h"
 #include "ui/settings/settings.h"
 
@@ -20,6 +22,7 @@ Workbench::Workbench(QObject *parent)
     connect(&m_host, &SessionHost::parameterChosen, this, &Workbench::parameterChosen);
     connect(&m_session, &Session::modelChanged, this, &Workbench::announceChanges);
     registerSessionCommands(m_commands, m_session, *m_interaction);
+    registerCopyCommands(m_commands, m_session, *m_interaction, systemClipboard());
     connect(&settings(), &Settings::viewChanged, this, &Workbench::followSettings);
     connect(&settings(), &Settings::drawingChanged, this, &Workbench::followSettings);
     followSettings();
@@ -162,6 +165,12 @@ void Workbench::editJoint(JointEdit edit)
 }
 
 void Workbench::editPoints(PointEdit edit)
+{
+    m_interaction->carryOut(std::move(edit), m_clock.now());
+    announceChanges();
+}
+
+void Workbench::editSections(SectionEdit edit)
 {
     m_interaction->carryOut(std::move(edit), m_clock.now());
     announceChanges();

@@ -87,6 +87,8 @@ public:
 
     /// Commits an edit of control points, or says in the status line why it was refused.
     void editPoints(PointEdit edit);
+    /// The same of whole sections.
+    void editSections(SectionEdit edit);
     /// Commits an edit of a joint, or says in the status line why it cannot be had.
     void editJoint(JointEdit edit);
     /// An arrow key (Interaction::nudge). False when nothing is selected.

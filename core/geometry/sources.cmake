@@ -19,13 +19,13 @@ target_sources(fff_core PRIVATE
     geometry/moments.cpp
     geometry/notch.cpp
     geometry/offset.cpp
-    geometry/placement.cpp
     geometry/point_removal.cpp
     geometry/polygon.cpp
     geometry/radial_contour.cpp
     geometry/region_tree.cpp
     geometry/sampled_line.cpp
     geometry/side_of_line.cpp
+    geometry/similarity.cpp
     geometry/simple_ring.cpp
     geometry/simplified_line.cpp
     geometry/sliver_mender.cpp

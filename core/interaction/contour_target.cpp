@@ -181,6 +181,8 @@ void moveToDistance(CanvasChoice &canvas, double distance)
 tl::expected<DrawnContour, Hint> drawContour(const Document &document, const ContourTarget &target,
                                              const Contour &contour, const DrawingRules &rules)
 {
+    if (const Section *section = document.find(target.section); section && section->isLocked)
+        return tl::unexpected(Hint{Hint::Kind::Locked, section->name, true});
     if (target.purpose == ContourTarget::Purpose::Hole)
         return withHole(document, target.section, contour);
     std::vector<ClippedPiece> pieces;

@@ -62,8 +62,8 @@ struct DrawingRules
 /// place. A redrawn section keeps the holes that lie in the new contour, a hole that overlaps
 /// others becomes one with them, and one that reaches over the contour's edge is cut out of it.
 /// Where cutting at the ground takes a contour apart, its largest piece is kept, and the note says
-/// so. Refused, with the hint that says why: BelowGround (nothing of it is above), HoleOutside,
-/// Failed.
+/// so. Refused, with the hint that says why: Locked, BelowGround (nothing of it is above),
+/// HoleOutside, Failed.
 tl::expected<DrawnContour, Hint> drawContour(const Document &document, const ContourTarget &target,
                                              const Contour &contour, const DrawingRules &rules);
 

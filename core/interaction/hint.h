@@ -66,7 +66,18 @@ struct Hint
         MoveRange,                // an operation is selected that has handles for its range
         MoveHandleOf,   // over such a handle; section: the operation, other: the parameter
         MovingHandleOf, // dragging it; number: what it is at, in tenths of percent
-        PickInput, // of an operation; section: its kind, other: the role, number: picked for it
+        PickInput,     // of an operation; section: its kind, other: the role, number: picked for it
+        PickParent,    // of section; clicked
+        PickMirror,    // of copies; clicked
+        TransformPick, // nothing is selected that could be moved
+        Transform,     // over nothing of the gizmo; section: the one that is selected, or empty
+        TransformDrag, // over a section that is not selected
+        DragToMove,    // over a part of the gizmo, and the next two
+        DragToTurn,
+        DragToScale,
+        Transforming,     // dragging it
+        LeavingCopy,      // the same while Ctrl is held; number: of copies
+        TransformNumbers, // they are typed; number: of copies
         // Notes and refusals
         NeverLeft,
         TooShort,
@@ -95,6 +106,12 @@ struct Hint
         JointCannotFlip,
         CannotTrim,
         JointNotDeleted,
+        Locked,          // section
+        HeldByParent,    // it keeps its angle; other: to which one
+        OnNothing,       // it was drawn on no other one
+        CannotBeOn,      // section, since it carries other
+        DoNotMeet,       // section and other
+        NothingToPaste,  // the clipboard has no sections
         MadeByOperation, // section: which one, other: by which; it cannot be edited by itself
         AlreadySymmetric,
         EditFailed,

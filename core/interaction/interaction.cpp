@@ -1,4 +1,5 @@
 #include "core/interaction/interaction_private.h"
+#include "core/interaction/section_editing.h"
 
 namespace fff {
 
@@ -381,6 +382,13 @@ void Interaction::carryOut(PointEdit edit, double time)
     d->update();
 }
 
+void Interaction::carryOut(SectionEdit edit, double time)
+{
+    advance(time);
+    d->carryOut(std::move(edit));
+    d->update();
+}
+
 bool Interaction::nudge(const Vec2 &arrow, double distance, double time)
 {
     advance(time);
@@ -401,8 +409,11 @@ bool Interaction::nudge(const Vec2 &arrow, double distance, double time)
     }
     if (d->selection.sections().empty())
         return false;
-    carryOut(movedSections(model, d->selection.sections(), distance * arrowAxis(camera, arrow)),
-             time);
+    Transform transform;
+    transform.way = distance * arrowAxis(camera, arrow);
+    carryOut(
+        transformed(model, d->selection.sections(), transform, {}, d->settings.takesChildren, true),
+        time);
     return true;
 }
 

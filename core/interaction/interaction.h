@@ -5,6 +5,7 @@
 
 #include "core/interaction/camera.h"
 #include "core/interaction/contour_target.h"
+#include "core/interaction/gizmo.h"
 #include "core/interaction/hint.h"
 #include "core/interaction/joint_marks.h"
 #include "core/interaction/navigation.h"
@@ -15,6 +16,7 @@
 #include "core/interaction/point_sight.h"
 #include "core/interaction/pointer_event.h"
 #include "core/interaction/problem_marks.h"
+#include "core/interaction/section_edit.h"
 #include "core/interaction/step.h"
 #include "core/interaction/view_cube.h"
 #include "core/interaction/view_state.h"
@@ -107,6 +109,7 @@ struct Overlay
     std::optional<Points> points;
     std::optional<Joints> joints;
     std::optional<OperationMarks> operation; // that is selected
+    std::optional<GizmoMarks> gizmo;         // of what is selected, to move it
     std::optional<SlitLine> slit;
     std::optional<DeadZone> deadZone;
     std::optional<Stroke> stroke;
@@ -148,7 +151,9 @@ struct InteractionSettings
     bool mirrors = true;       // local symmetry: a stroke on one side of its slit is mirrored
     bool mirrorsFirst = false; // also the first section's, across the vertical through its start
     bool cutsAtGround = true;  // contours end at Y = 0
-    bool snaps = true;         // points that the pen sets or moves
+    bool snaps = true;         // points that the pen sets or moves, and sections that are moved
+    bool takesChildren = true; // what was drawn on a section goes along with it
+    bool movesInSpace = false; // along the world's axes rather than in the section's plane
     double deadZoneFraction = 0.025; // of the viewport's width
     double dragThreshold = 4.0;      // px
     double nameDelay = 400.0;        // ms that the cursor rests before a name is shown
@@ -258,6 +263,8 @@ public:
     void carryOut(PointEdit edit, double time);
     /// Says it for a while, in place of what the next gesture does.
     void say(const Hint &hint, double time);
+    /// Commits an edit of sections, or says why it was refused.
+    void carryOut(SectionEdit edit, double time);
     /// An arrow key: where the slits of the selected joint meet goes along its axis if that runs so
     /// on the screen; the selected points, else the selected sections, go along the axis that is
     /// nearest to the arrow. arrow: unit, right and up; distance: mm. False when the arrow is

@@ -1,7 +1,7 @@
 // What Interaction keeps between events, for the files that implement it: interaction.cpp (what
 // others ask), interaction_pointer.cpp (events), interaction_replies.cpp (what gestures and tools
 // answer), interaction_tool.cpp (the tool in the hand), interaction_points.cpp (control points),
-// interaction_joints.cpp (marks of joints).
+// interaction_joints.cpp (marks of joints), interaction_sections.cpp (edits of whole sections).
 #pragma once
 
 #include "core/interaction/click_selection.h"
@@ -100,6 +100,7 @@ public:
     PointRules rulesOfPoints() const;
     bool isEdited(const EditedPoints &edit) const;
     void carryOut(PointEdit edit);
+    void carryOut(SectionEdit edit);
 
     void hover();
     void hoverMarks();

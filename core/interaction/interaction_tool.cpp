@@ -7,7 +7,9 @@ namespace fff {
 bool Interaction::Private::toolHasUse(const PointerEvent &press)
 {
     GestureContext with = context();
-    return tool->takes(press, with);
+    const bool edits =
+        dragKind(settings.navigation, press.button, press.modifiers) == DragKind::Edit;
+    return (edits || tool->takesControl(press, with)) && tool->takes(press, with);
 }
 
 /// What lies over the view comes first, and drags that move it are as without a tool.
@@ -19,7 +21,6 @@ bool Interaction::Private::toolTakes(const PointerEvent &event)
     case PointerEvent::Type::Press:
     case PointerEvent::Type::DoubleClick:
         return event.button == Button::Left && !isOnViewMark(sight(), event.position) &&
-               dragKind(settings.navigation, event.button, event.modifiers) == DragKind::Edit &&
                toolHasUse(event);
     case PointerEvent::Type::Release:
         return isToolPressed && event.button == Button::Left;

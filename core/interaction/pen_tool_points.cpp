@@ -82,6 +82,8 @@ GestureReply PenTool::setNumbers(const std::vector<ToolNumber> &numbers, Gesture
                 setCanvas(m_canvas->choice, false, context);
             }
             return shown();
+        default: // those of other tools
+            break;
         }
     }
     m_typed = targets.fromGrid(at);

@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <array>
 #include <iterator>
-#include <set>
 
 namespace fff {
 
@@ -91,6 +90,8 @@ PointEdit withEditedShape(const Document &document, SectionId id, const Result<S
     const Section *section = document.find(id);
     if (!section)
         return refused(Hint::Kind::EditFailed);
+    if (section->isLocked)
+        return refused(Hint::Kind::Locked, section->name);
     if (!shape)
         return refused(reasonOf(shape.error()), section->name);
     EditedPoints edited;
@@ -203,34 +204,6 @@ tl::unexpected<Hint> madeByOperation(const Model &model, const SectionRef &ref)
     const Operation *operation = model.document.find(ref.operation);
     return tl::unexpected(Hint{Hint::Kind::MadeByOperation, model.nameOf(ref), true,
                                operation ? operation->name : std::string()});
-}
-
-PointEdit movedSections(const Model &model, const std::vector<SectionRef> &sections, const Vec3 &by)
-{
-    EditedPoints edited;
-    edited.document = model.document;
-    edited.step = {Step::Kind::MoveSection, {}};
-    edited.step.merges = "sections";
-    std::set<SectionId> moved; // a section and its image may both be selected
-    for (const SectionRef &ref : sections) {
-        const std::optional<Origin> origin = originOf(model, ref);
-        if (!origin)
-            return madeByOperation(model, ref);
-        const Section *section = origin->section;
-        if (!moved.insert(section->id).second)
-            continue;
-        Frame frame = section->frame;
-        frame.origin += origin->turn.transpose() * by;
-        Result<Document> next = moveSection(std::move(edited.document), section->id, frame);
-        if (!next)
-            return refused(Hint::Kind::EditFailed);
-        edited.document = *std::move(next);
-        edited.step.names.push_back(section->name);
-        edited.step.merges.append(" ").append(std::to_string(section->id.value));
-    }
-    if (edited.step.names.empty())
-        return refused(Hint::Kind::EditFailed);
-    return edited;
 }
 
 Vec2 arrowAxis(const Frame &frame, const Camera &camera, const Vec2 &arrow)

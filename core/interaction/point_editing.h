@@ -33,8 +33,8 @@ struct PointRules
 };
 
 /// The section with this shape. `places`: of the points to be selected, frame coordinates.
-/// Refused as the shape was: WouldCrossItself, WouldMeetHole, WouldBeEmpty, TooFewPoints; where
-/// nothing of it is above the ground, WouldBeBelowGround.
+/// Refused where it is locked (Locked), or as the shape was: WouldCrossItself, WouldMeetHole,
+/// WouldBeEmpty, TooFewPoints; where nothing of it is above the ground, WouldBeBelowGround.
 PointEdit withEditedShape(const Document &document, SectionId section,
                           const Result<ShapePointer> &shape, std::span<const Vec2> places,
                           Step step, const PointRules &rules);
@@ -53,11 +53,6 @@ PointEdit withInsertedPoint(const Document &document, SectionId section, int bou
 /// points, or behind the one. None when there is no such place.
 std::optional<std::pair<int, CurvePoint>> placeBetween(const Shape &shape,
                                                        const PointSelection &points);
-
-/// These sections moved, mm, also as steps that are one; of images the drawn sections, so that the
-/// images go there. Refused where one is made by an operation in its own way.
-PointEdit movedSections(const Model &model, const std::vector<SectionRef> &sections,
-                        const Vec3 &by);
 
 /// Why a section that an operation made cannot be edited by itself.
 tl::unexpected<Hint> madeByOperation(const Model &model, const SectionRef &ref);

@@ -1,4 +1,5 @@
 target_sources(fff_core PRIVATE
+    interaction/alignment.cpp
     interaction/camera.cpp
     interaction/canvas_turn.cpp
     interaction/click_selection.cpp
@@ -7,6 +8,8 @@ target_sources(fff_core PRIVATE
     interaction/contour_target.cpp
     interaction/draw_tool.cpp
     interaction/facing.cpp
+    interaction/gizmo.cpp
+    interaction/gizmo_drag.cpp
     interaction/hovering.cpp
     interaction/interaction.cpp
     interaction/interaction_joints.cpp
@@ -14,6 +17,7 @@ target_sources(fff_core PRIVATE
     interaction/interaction_pointer.cpp
     interaction/interaction_points.cpp
     interaction/interaction_replies.cpp
+    interaction/interaction_sections.cpp
     interaction/interaction_tool.cpp
     interaction/joint_editing.cpp
     interaction/joint_gesture.cpp
@@ -26,6 +30,7 @@ target_sources(fff_core PRIVATE
     interaction/pen_tool_marks.cpp
     interaction/pen_tool_points.cpp
     interaction/pick.cpp
+    interaction/pick_section_tool.cpp
     interaction/point_editing.cpp
     interaction/point_gesture.cpp
     interaction/point_selection.cpp
@@ -33,6 +38,7 @@ target_sources(fff_core PRIVATE
     interaction/problem_marks.cpp
     interaction/routing.cpp
     interaction/rubber_band.cpp
+    interaction/section_editing.cpp
     interaction/selection.cpp
     interaction/sight.cpp
     interaction/slit_turn.cpp
@@ -40,6 +46,7 @@ target_sources(fff_core PRIVATE
     interaction/steps_player.cpp
     interaction/steps_tool.cpp
     interaction/stroke_gesture.cpp
+    interaction/transform_tool.cpp
     interaction/turning_drag.cpp
     interaction/view_cube.cpp
     interaction/view_gestures.cpp

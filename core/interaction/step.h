@@ -20,6 +20,19 @@ struct Step
         DeleteSections,
         RenameSection,
         MoveSection,
+        TurnSection,
+        ScaleSection,
+        CopySections,
+        MirrorSections, // copies of them
+        PasteSections,
+        CutSections,
+        MakeOrthogonal,
+        AlignSection, // to an axis
+        PutOn,        // another section, or nothing
+        FreeSection,
+        HoldSection, // no longer free
+        LockSection,
+        UnlockSection,
         MoveToSection, // names: of those that go, then of the one that they come to
         DropToGround,
         StretchToGround, // names: of the sections that reach it now

@@ -15,7 +15,25 @@ namespace fff {
 /// radians. Points are counted in the canvas' grid (snapping.h), or from the last one.
 struct ToolNumber
 {
-    enum class Kind { X, Y, DeltaX, DeltaY, Length, Angle, Distance };
+    enum class Kind {
+        X,
+        Y,
+        DeltaX,
+        DeltaY,
+        Length,
+        Angle,
+        Distance,
+        // How far what is selected goes: along the world's axes, or as its plane lies.
+        MoveX,
+        MoveY,
+        MoveZ,
+        MoveRight,
+        MoveUp,
+        MoveOut,
+        Turn,
+        Size,  // a factor
+        Copies // a count
+    };
     Kind kind = Kind::X;
     double value = 0.0;
 
@@ -39,6 +57,11 @@ public:
     virtual bool takes(const PointerEvent & /*press*/, GestureContext & /*context*/) const
     {
         return true;
+    }
+    /// It has a use for the press also while Ctrl is held, with which drags turn the view.
+    virtual bool takesControl(const PointerEvent & /*press*/, GestureContext & /*context*/) const
+    {
+        return false;
     }
     /// It works with clicks: also with those while Ctrl is held, whose drags turn the view.
     virtual bool takesClicks() const { return false; }
@@ -84,6 +107,9 @@ public:
         return {};
     }
     virtual GestureReply dropNumbers(GestureContext & /*context*/) { return {}; }
+
+    /// Commands that go with it: the bar over the view has a button for each.
+    virtual std::vector<std::string_view> commands() const { return {}; }
 
     /// A key that it has a use for; what it has none for does what it does elsewhere.
     virtual bool wants(ToolKey /*key*/) const { return false; }

@@ -15,7 +15,7 @@ namespace {
 /// Sine of the angle between two planes below which they have no line in common (no unit).
 constexpr double kSamePlanes = 1e-6;
 
-bool isSame(const Placement &a, const Placement &b)
+bool isSame(const Similarity &a, const Similarity &b)
 {
     return a.turn == b.turn && a.scale == b.scale && a.shift == b.shift;
 }
@@ -27,9 +27,9 @@ Frame straight(const Frame &frame)
     return made ? *made : frame;
 }
 
-Placement turnAbout(const Eigen::Quaterniond &turn, const Vec3 &about)
+Similarity turnAbout(const Eigen::Quaterniond &turn, const Vec3 &about)
 {
-    return Placement::turned(turn.toRotationMatrix(), about);
+    return Similarity::turned(turn.toRotationMatrix(), about);
 }
 
 /// The nearest point of the line in which both planes lie; of the first one where there is none.
@@ -54,8 +54,7 @@ std::optional<Vec3> slitDirection(const Section &section, const Frame &parent)
     const Vec3 line = section.frame.normal().cross(parent.normal());
     if (line.norm() < kSamePlanes)
         return std::nullopt;
-    const Vec3 slit =
-        parent.directionToWorld(section.parent->slitTo - section.parent->slitFrom);
+    const Vec3 slit = parent.directionToWorld(section.parent->slitTo - section.parent->slitFrom);
     return line.dot(slit) < 0.0 ? Vec3(-line.normalized()) : Vec3(line.normalized());
 }
 
@@ -75,7 +74,7 @@ private:
     {
         const SectionMove *wanted = nullptr;
         bool isKnown = false;
-        Placement placement = {};
+        Similarity placement = {};
     };
 
     const Section &section(int index) const
@@ -89,13 +88,13 @@ private:
         return section.parent ? m_document.indexOf(section.parent->section.drawn) : -1;
     }
     std::optional<MovingRules::Frames> parentFrames(const Section &section);
-    Placement carrier(const Section &section);
-    Placement alongStretch(const Section &section);
-    Placement placementOf(int index);
-    Placement held(const Section &section, const Placement &placement);
+    Similarity carrier(const Section &section);
+    Similarity alongStretch(const Section &section);
+    Similarity placementOf(int index);
+    Similarity held(const Section &section, const Similarity &placement);
     Result<void> carryOut();
-    Result<void> put(int index, const Placement &placement);
-    void follow(Section &next, const Section &before, const Placement &placement);
+    Result<void> put(int index, const Similarity &placement);
+    void follow(Section &next, const Section &before, const Similarity &placement);
     void scaleMarks(const SectionRef &ref, const Eigen::Matrix2d &matrix, const Vec2 &about);
 
     Document m_document;
@@ -119,7 +118,7 @@ std::optional<MovingRules::Frames> Mover::parentFrames(const Section &section)
 }
 
 /// How that which the section is on is moved.
-Placement Mover::carrier(const Section &section)
+Similarity Mover::carrier(const Section &section)
 {
     if (const int parent = parentIndex(section); parent >= 0)
         return placementOf(parent);
@@ -136,7 +135,7 @@ Placement Mover::carrier(const Section &section)
 }
 
 /// Turned so that its angle to what it is on is as before.
-Placement Mover::held(const Section &section, const Placement &placement)
+Similarity Mover::held(const Section &section, const Similarity &placement)
 {
     const std::optional<MovingRules::Frames> on = parentFrames(section);
     if (!on || section.parent->isFree)
@@ -145,7 +144,7 @@ Placement Mover::held(const Section &section, const Placement &placement)
     if (std::abs(cosine) <= kRightAngle)
         cosine = 0.0;
     const Vec3 anchor = slitMiddle(*section.parent, on->before);
-    const auto turned = [&](const Placement &by) -> std::optional<Placement> {
+    const auto turned = [&](const Similarity &by) -> std::optional<Similarity> {
         const Vec3 now = placed(section.frame, by).normal(), m = on->after.normal();
         const Vec3 beside = now - now.dot(m) * m;
         if (beside.norm() < kSamePlanes)
@@ -157,38 +156,39 @@ Placement Mover::held(const Section &section, const Placement &placement)
     if (const auto result = turned(placement))
         return *result;
     // It would lie in the other one's plane: then it goes there as it is.
-    const Placement straightOn{.scale = placement.scale,
-                               .shift = placement(anchor) - placement.scale * anchor};
+    const Similarity straightOn{.scale = placement.scale,
+                                .shift = placement(anchor) - placement.scale * anchor};
     return turned(straightOn).value_or(straightOn);
 }
 
 /// As far as the middle of its slit goes in the section that is stretched.
-Placement Mover::alongStretch(const Section &section)
+Similarity Mover::alongStretch(const Section &section)
 {
     const Vec2 at = 0.5 * (section.parent->slitFrom + section.parent->slitTo);
     const Vec2 by = m_about + m_matrix * (at - m_about) - at;
-    return Placement::moved(this->section(m_stretched).frame.directionToWorld(by));
+    return Similarity::moved(this->section(m_stretched).frame.directionToWorld(by));
 }
 
 /// Parents are asked for first; no section is its own ancestor.
-Placement Mover::placementOf(int index)
+Similarity Mover::placementOf(int index)
 {
     Way &own = way(index);
     if (own.isKnown)
         return own.placement;
     const Section &moved = section(index);
     const int parent = parentIndex(moved);
-    Placement placement;
+    Similarity placement;
     if (own.wanted) {
         placement = own.wanted->placement;
         const bool isAlike = parent >= 0 && isSame(placement, placementOf(parent));
         if (!isAlike && !own.wanted->breaksAngle)
             placement = held(moved, placement);
     } else if (moved.parent && !moved.parent->isFree) {
-        const Placement carried = parent >= 0 && parent == m_stretched ? alongStretch(moved) : carrier(moved);
+        const Similarity carried =
+            parent >= 0 && parent == m_stretched ? alongStretch(moved) : carrier(moved);
         if (m_rules.takesChildren)
             placement = carried;
-        else if (!isSame(carried, Placement()))
+        else if (!isSame(carried, Similarity()))
             placement = held(moved, placement);
     }
     own.isKnown = true;
@@ -197,16 +197,16 @@ Placement Mover::placementOf(int index)
 }
 
 /// The slit stays in both planes.
-void Mover::follow(Section &next, const Section &before, const Placement &placement)
+void Mover::follow(Section &next, const Section &before, const Similarity &placement)
 {
     const std::optional<MovingRules::Frames> on = parentFrames(before);
     const bool isStretched = m_stretched >= 0 && parentIndex(before) == m_stretched;
-    const Placement by = carrier(before);
+    const Similarity by = carrier(before);
     if (!on || (isSame(placement, by) && by.scale == 1.0 && !isStretched))
         return;
     for (Vec2 *end : {&next.parent->slitFrom, &next.parent->slitTo})
-        *end = on->after.toLocal(
-            onBoth(placement(on->before.toWorld(*end)), next.frame, on->after));
+        *end =
+            on->after.toLocal(onBoth(placement(on->before.toWorld(*end)), next.frame, on->after));
 }
 
 /// What is at places of a section whose shape is mapped so.
@@ -225,7 +225,7 @@ void Mover::scaleMarks(const SectionRef &ref, const Eigen::Matrix2d &matrix, con
     }
 }
 
-Result<void> Mover::put(int index, const Placement &placement)
+Result<void> Mover::put(int index, const Similarity &placement)
 {
     const Section &before = section(index);
     Section next = before;
@@ -256,9 +256,9 @@ Result<void> Mover::put(int index, const Placement &placement)
 Result<void> Mover::carryOut()
 {
     for (int i = 0; i < static_cast<int>(m_ways.size()); ++i) {
-        const Placement placement = placementOf(i);
-        const bool stays = isSame(placement, Placement()) && i != m_stretched;
-        if (stays && isSame(carrier(section(i)), Placement()))
+        const Similarity placement = placementOf(i);
+        const bool stays = isSame(placement, Similarity()) && i != m_stretched;
+        if (stays && isSame(carrier(section(i)), Similarity()))
             continue; // nor does what it is on
         if (const Result<void> done = put(i, placement); !done)
             return done;
@@ -314,7 +314,7 @@ Result<Document> stretchedSection(Document document, SectionId id, const Eigen::
     return Mover(std::move(document), rules).stretch(id, matrix, about);
 }
 
-Placement turnToNormal(const Section &section, const Frame *parent, const Vec3 &normal)
+Similarity turnToNormal(const Section &section, const Frame *parent, const Vec3 &normal)
 {
     const Vec3 now = section.frame.normal();
     const Vec3 wanted = now.dot(normal) < 0.0 ? Vec3(-normal) : normal;
@@ -334,14 +334,13 @@ double angleToParent(const Section &section, const Frame &parent)
     return angle < 0.0 ? angle + std::numbers::pi : angle;
 }
 
-Placement turnToAngle(const Section &section, const Frame &parent, double angle)
+Similarity turnToAngle(const Section &section, const Frame &parent, double angle)
 {
     const std::optional<Vec3> slit = slitDirection(section, parent);
-    const Vec3 axis = slit ? *slit
-                           : parent
-                                 .directionToWorld(section.parent->slitTo -
-                                                   section.parent->slitFrom)
-                                 .normalized();
+    const Vec3 axis =
+        slit ? *slit
+             : parent.directionToWorld(section.parent->slitTo - section.parent->slitFrom)
+                   .normalized();
     if (!axis.allFinite())
         return {};
     const double by = angleToParent(section, parent) - angle;

@@ -9,7 +9,7 @@
 // Free ones (Parent::isFree) do neither. The slit's segment stays where the two planes meet.
 #pragma once
 
-#include "core/geometry/placement.h"
+#include "core/geometry/similarity.h"
 #include "core/model/document.h"
 
 #include <functional>
@@ -23,7 +23,7 @@ namespace fff {
 struct SectionMove
 {
     SectionId section;
-    Placement placement = {};
+    Similarity placement = {};
     /// What it is drawn on has no say in it.
     bool breaksAngle = false;
 };
@@ -54,10 +54,10 @@ Result<Document> stretchedSection(Document document, SectionId id, const Eigen::
 
 /// The least turn of a section about the middle of its slit, without one about the middle of its
 /// shape, that gives it this normal or the opposite one (unit).
-Placement turnToNormal(const Section &section, const Frame *parent, const Vec3 &normal);
+Similarity turnToNormal(const Section &section, const Frame *parent, const Vec3 &normal);
 /// The turn of a section about its slit, so that its plane is at this angle (0 … π, as
 /// angleToParent() counts it) to its parent's.
-Placement turnToAngle(const Section &section, const Frame &parent, double angle);
+Similarity turnToAngle(const Section &section, const Frame &parent, double angle);
 /// Between the two planes, 0 … π: from the parent's plane, on the side that the slit's direction
 /// × the parent's normal points to, up to the section's.
 double angleToParent(const Section &section, const Frame &parent);

@@ -131,7 +131,7 @@ private:
         int bud = -1;     // whose place it took there
         int depth = 0;
         double hostScale = 1.0;
-        Placement placement;
+        Similarity placement;
         std::vector<char> isReplaced; // of its buds
     };
 
@@ -157,7 +157,7 @@ private:
         const double scale = m_scale * (1.0 + m_varyScale * random.symmetric());
         const double angle = m_varyAngle * random.symmetric();
         const Vec3 normal = bud.growth.axes.col(1);
-        Placement own;
+        Similarity own;
         own.scale = scale;
         own.turn = Eigen::AngleAxisd(angle, normal).toRotationMatrix() * bud.growth.axes *
                    m_base.axes.transpose();

@@ -138,7 +138,7 @@ bool addCopy(OperationContext &context, const Branch &branch, const Copy &copy)
                          : Vec3(copy.stretch * (attachedAt(section, *branch.members[0].section) -
                                                 copy.stretchedFrom));
             section.shape = scaledShape(context, key, section.shape, copy.placement.scale);
-            section.frame = placed(section.frame, copy.placement * Placement::moved(carried[i]));
+            section.frame = placed(section.frame, copy.placement * Similarity::moved(carried[i]));
             if (section.parent) {
                 const std::string &below = branch.members[host].key;
                 section.parent->section = SectionRef(

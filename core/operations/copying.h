@@ -1,7 +1,7 @@
 // Copies of sections elsewhere in space. Internal to operations.
 #pragma once
 
-#include "core/geometry/placement.h"
+#include "core/geometry/similarity.h"
 #include "core/model/mapped_shape.h"
 #include "core/operations/operation_context.h"
 
@@ -30,10 +30,10 @@ Branch wholeBranchOf(OperationContext &context, const SectionPointer &section,
 /// One copy of a branch.
 struct Copy
 {
-    std::string key;          // of the section's copy
-    std::string number;       // which names end with
-    Section section;          // the section's copy: its shape, frame and parent count
-    Placement placement = {}; // of all others
+    std::string key;           // of the section's copy
+    std::string number;        // which names end with
+    Section section;           // the section's copy: its shape, frame and parent count
+    Similarity placement = {}; // of all others
     /// Besides, what is on the section goes along where that was stretched: a point p of it by
     /// stretch · (p − stretchedFrom), before it is placed.
     Eigen::Matrix3d stretch = Eigen::Matrix3d::Zero();

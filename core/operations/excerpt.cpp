@@ -22,8 +22,8 @@ bool isOfAll(const Operation &operation)
 class Excerpt
 {
 public:
-    Excerpt(const Model &model, const std::vector<SectionRef> &sections)
-        : m_model(model), m_wanted(sections.begin(), sections.end())
+    Excerpt(const Model &model, const std::vector<SectionRef> &sections, bool isAttached)
+        : m_model(model), m_wanted(sections.begin(), sections.end()), m_isAttached(isAttached)
     {
     }
 
@@ -45,8 +45,9 @@ private:
 
     const Model &m_model;
     std::set<SectionRef> m_wanted;
-    std::set<OperationId> m_operations; // that come along
-    std::set<SectionId> m_read;         // drawn ones that are not shown, but read by those
+    const bool m_isAttached;                  // to what it is an excerpt of
+    std::set<OperationId> m_operations;       // that come along
+    std::set<SectionId> m_read;               // drawn ones that are not shown, but read by those
     std::map<SectionRef, SectionRef> m_drawn; // what became of those that come without theirs
     Document m_result;
 };
@@ -74,10 +75,10 @@ bool Excerpt::readsWanted(const Operation &operation) const
         const InputSpec *spec = kind ? kind->input(role) : nullptr;
         for (const OperationInput &input : inputs) {
             const SectionRef &ref = input.section;
-            const bool isThere = ref.drawn.isValid()
-                                     ? isWanted(ref) || (m_model.document.find(ref.drawn) &&
-                                                         !m_model.find(ref))
-                                     : m_operations.contains(ref.operation);
+            const bool isThere =
+                ref.drawn.isValid()
+                    ? isWanted(ref) || (m_model.document.find(ref.drawn) && !m_model.find(ref))
+                    : m_operations.contains(ref.operation);
             if (!isThere && spec && counts(*spec, operation))
                 return false;
         }
@@ -146,7 +147,7 @@ void Excerpt::settleParents()
         if (!pointer->parent)
             continue;
         const SectionRef parent = newRef(pointer->parent->section);
-        if (parent == pointer->parent->section)
+        if (parent == pointer->parent->section || (m_isAttached && parent == SectionRef()))
             continue;
         Section next = *pointer;
         if (parent == SectionRef())
@@ -213,7 +214,12 @@ Document Excerpt::take()
 
 Document excerpt(const Model &model, const std::vector<SectionRef> &sections)
 {
-    return Excerpt(model, sections).take();
+    return Excerpt(model, sections, false).take();
+}
+
+Document attachedExcerpt(const Model &model, const std::vector<SectionRef> &sections)
+{
+    return Excerpt(model, sections, true).take();
 }
 
 Document selfContained(const Model &model)

@@ -13,6 +13,9 @@ namespace fff {
 /// of these sections. A section that an operation made and that is here without it becomes a drawn
 /// one. Ids stay what they are. The current stock is that of the first section.
 Document excerpt(const Model &model, const std::vector<SectionRef> &sections);
+/// The same on its way back into this very document: parents that are not among the sections stay
+/// theirs. It is none that could stand by itself.
+Document attachedExcerpt(const Model &model, const std::vector<SectionRef> &sections);
 
 /// The whole document, in which symmetries of the whole model are such of what it has now: so that
 /// it changes nothing but itself where it goes.

@@ -6,8 +6,8 @@
 #include "core/geometry/offset.h"
 #include "core/geometry/radial_contour.h"
 #include "core/model/instance_key.h"
-#include "core/operations/grid_cells.h"
 #include "core/operations/copying.h"
+#include "core/operations/grid_cells.h"
 #include "core/operations/text.h"
 
 #include <algorithm>

@@ -42,8 +42,9 @@ private:
 class Inserter
 {
 public:
-    Inserter(Document into, const Document &other)
-        : m_other(other), m_shift(into.nextId - 1), m_isFirst(into.sections.empty())
+    Inserter(Document into, const Document &other, bool isAttached)
+        : m_other(other), m_isAttached(isAttached), m_shift(into.nextId - 1),
+          m_isFirst(into.sections.empty())
     {
         m_result.document = std::move(into);
     }
@@ -67,6 +68,7 @@ private:
     Operation moved(const Operation &operation) const;
 
     const Document &m_other;
+    const bool m_isAttached;
     const std::int64_t m_shift; // of all ids but those of stocks: their order stays
     const bool m_isFirst;
     std::map<StockId, StockId> m_stocks;
@@ -85,6 +87,10 @@ std::string Inserter::movedKey(OperationId operation, const std::string &key) co
 
 SectionRef Inserter::moved(const SectionRef &ref) const
 {
+    const bool isIn = ref.drawn.isValid() ? m_other.find(ref.drawn) != nullptr
+                                          : m_other.find(ref.operation) != nullptr;
+    if (m_isAttached && !isIn)
+        return ref;
     if (ref.drawn.isValid())
         return moved(ref.drawn);
     if (!ref.operation.isValid())
@@ -101,8 +107,7 @@ void Inserter::addStocks()
             same.id = stock->id;
             return same == *stock;
         };
-        const auto known =
-            std::find_if(document.stocks.begin(), document.stocks.end(), isAlike);
+        const auto known = std::find_if(document.stocks.begin(), document.stocks.end(), isAlike);
         if (known != document.stocks.end()) {
             m_stocks.emplace(stock->id, (*known)->id);
             continue;
@@ -249,7 +254,12 @@ Insertion Inserter::insert()
 
 Insertion inserted(Document into, const Document &other)
 {
-    return Inserter(std::move(into), other).insert();
+    return Inserter(std::move(into), other, false).insert();
+}
+
+Insertion insertedAttached(Document into, const Document &other)
+{
+    return Inserter(std::move(into), other, true).insert();
 }
 
 } // namespace fff

@@ -18,5 +18,7 @@ struct Insertion
 /// which get a number. Its stocks are those of this document where there are such, by all that they
 /// say but their ids. The current stock stays, unless this document has nothing yet.
 Insertion inserted(Document into, const Document &other);
+/// The same of an attachedExcerpt() of this document: what that does not have is meant to be here.
+Insertion insertedAttached(Document into, const Document &other);
 
 } // namespace fff

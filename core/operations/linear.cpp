@@ -134,7 +134,7 @@ private:
                   .section = m_row.section};
         const double inner = source.isMeeting ? innerAt(source, source.overlap.b) : 0.0;
         const Vec3 held = source.axis.at(inner);
-        Placement size;
+        Similarity size;
         if (scale != 1.0) {
             copy.section.shape = scaledAbout(copy.key, scale, inner);
             if (!copy.section.shape)
@@ -148,12 +148,12 @@ private:
                 copy.stretch = (scale - 1.0) * u * u.transpose();
                 copy.stretchedFrom = held;
             } else {
-                size = Placement::scaled(scale, held);
+                size = Similarity::scaled(scale, held);
             }
         }
         const Vec3 way = place.at * m_row.wayInWorld() + shift * source.axis.direction;
         copy.section.frame.origin += way;
-        copy.placement = Placement::moved(way) * size;
+        copy.placement = Similarity::moved(way) * size;
         if (source.isMeeting)
             copy.section.parent = parentAt(place.at, shift, scale);
         return addCopy(m_context, m_branch, copy);

@@ -21,7 +21,7 @@ tl::unexpected<Error> madeInItsOwnWay(const Model &model, const SectionRef &ref)
 }
 
 /// From the drawn section to what is shown for it.
-Placement toImage(const Origin &origin, const Section &shown)
+Similarity toImage(const Origin &origin, const Section &shown)
 {
     return {.turn = origin.turn,
             .shift = shown.frame.origin - origin.turn * origin.section->frame.origin};
@@ -76,7 +76,7 @@ Result<Document> movedSections(const Model &model, std::span<const RefMove> move
         if (std::any_of(drawn.begin(), drawn.end(),
                         [id](const SectionMove &other) { return other.section == id; }))
             continue;
-        const Placement image = toImage(*origin, *model.find(move.section));
+        const Similarity image = toImage(*origin, *model.find(move.section));
         const bool isImage = !(move.section == SectionRef(id));
         drawn.push_back({id, isImage ? image.inverse() * move.placement * image : move.placement,
                          move.breaksAngle});

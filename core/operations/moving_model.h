@@ -14,7 +14,7 @@ namespace fff {
 struct RefMove
 {
     SectionRef section;
-    Placement placement = {};
+    Similarity placement = {};
     bool breaksAngle = false;
 };
 

@@ -39,13 +39,13 @@ struct PlaneMotion
 };
 
 /// The same of space, which keeps the root's normal.
-Placement inSpace(const Frame &root, const PlaneMotion &motion)
+Similarity inSpace(const Frame &root, const PlaneMotion &motion)
 {
     Eigen::Matrix3d axes;
     axes << root.x, root.y, root.normal();
     Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
     turn.topLeftCorner<2, 2>() = motion.matrix;
-    Placement placement;
+    Similarity placement;
     placement.turn = axes * turn * axes.transpose();
     placement.shift = root.toWorld(motion.to) - placement.turn * root.toWorld(motion.from);
     return placement;
@@ -139,7 +139,7 @@ private:
         const Vec3 about = m_root.frame.toWorld(m_edge.point);
         if (!m_isStretched) {
             copy.section.shape = scaledShape(m_context, copy.key, m_section.shape, scale);
-            const Placement size = Placement::scaled(scale, about);
+            const Similarity size = Similarity::scaled(scale, about);
             copy.placement = copy.placement * size;
             return copy.section.shape != nullptr;
         }

@@ -2,6 +2,7 @@ target_sources(fff_core PRIVATE
     operations/baking.cpp
     operations/blend.cpp
     operations/branch.cpp
+    operations/copies.cpp
     operations/copying.cpp
     operations/evaluate.cpp
     operations/excerpt.cpp

@@ -40,7 +40,7 @@ bool isSamePlane(const Frame &a, const Frame &b, const Vec3 &point, double size)
 }
 
 /// Whether the placement maps the section's plane to itself.
-bool keepsPlane(const Section &section, const Placement &placement)
+bool keepsPlane(const Section &section, const Similarity &placement)
 {
     const Frame &frame = section.frame;
     const double size = section.shape->bounds().size().norm();
@@ -157,14 +157,14 @@ public:
     bool isCopied(const SectionPointer &section) const { return m_isCopied.at(section->ref()); }
 
     /// Sections that are there at the image's place already.
-    bool hasImage(const SectionPointer &section, const Placement &placement) const
+    bool hasImage(const SectionPointer &section, const Similarity &placement) const
     {
         const Section image = imageOf(*section, placement);
         return std::any_of(m_scope.begin(), m_scope.end(),
                            [&](const SectionPointer &other) { return isSameImage(image, *other); });
     }
 
-    void addCopies(const Placement &placement, const std::string &above, const std::string &mark)
+    void addCopies(const Similarity &placement, const std::string &above, const std::string &mark)
     {
         for (const SectionPointer &section : m_scope) {
             if (!isCopied(section))
@@ -188,7 +188,7 @@ public:
     }
 
 private:
-    static Section imageOf(const Section &section, const Placement &placement)
+    static Section imageOf(const Section &section, const Similarity &placement)
     {
         Section image = section;
         image.frame = placed(section.frame, placement);
@@ -196,7 +196,7 @@ private:
     }
 
     /// On a parent that stays one the slit is elsewhere; on one that is none of this, too.
-    void moveSlit(Section &copy, const Placement &placement)
+    void moveSlit(Section &copy, const Similarity &placement)
     {
         const SectionPointer parent = m_context.find(copy.parent->section);
         if (!parent)
@@ -227,10 +227,10 @@ struct Mirror
 {
     Vec3 point = Vec3::Zero(), normal = Vec3::UnitX();
 
-    Placement placement() const
+    Similarity placement() const
     {
-        return Placement::turned(Eigen::Matrix3d::Identity() - 2.0 * normal * normal.transpose(),
-                                 point);
+        return Similarity::turned(Eigen::Matrix3d::Identity() - 2.0 * normal * normal.transpose(),
+                                  point);
     }
 };
 
@@ -255,7 +255,7 @@ void makeMirror(OperationContext &context)
     std::optional<std::vector<SectionPointer>> scope = scopeOf(context);
     if (!mirror || !scope)
         return;
-    const Placement placement = mirror->placement();
+    const Similarity placement = mirror->placement();
     SymmetryMaker maker(context, *std::move(scope));
     const std::vector<SectionPointer> all = maker.scope(); // which changes
     for (const SectionPointer &section : all) {
@@ -286,9 +286,9 @@ struct TurnAxis
 {
     Vec3 point = Vec3::Zero(), direction = Vec3::UnitY();
 
-    Placement turn(double angle) const
+    Similarity turn(double angle) const
     {
-        return Placement::turned(Eigen::AngleAxisd(angle, direction).toRotationMatrix(), point);
+        return Similarity::turned(Eigen::AngleAxisd(angle, direction).toRotationMatrix(), point);
     }
 };
 

@@ -5,7 +5,8 @@
 
 namespace fff {
 
-/// Mirror      across a plane: x = 0, y = 0, z = 0, or that of a section. Rotational: `times` times round
+/// Mirror      across a plane: x = 0, y = 0, z = 0, or that of a section. Rotational: `times` times
+/// round
 ///             the vertical through the origin, or the axis of two sections that cross.
 /// Scope       the whole model as the operations above leave it, or the sections under "sections".
 /// Copies      of every section that is not its own image; one of which the image is already drawn

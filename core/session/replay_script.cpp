@@ -23,7 +23,7 @@ struct KeyBinding
     bool control, shift;
     const char *command;
 };
-constexpr std::array<KeyBinding, 33> kKeys{
+constexpr std::array<KeyBinding, 39> kKeys{
     {{"Delete", false, false, "edit.delete"},  {"+", false, false, "point.insert"},
      {"-", false, false, "point.delete"},      {"1", true, false, "point.smooth"},
      {"2", true, false, "point.corner"},       {"3", true, false, "point.symmetric"},
@@ -40,7 +40,10 @@ constexpr std::array<KeyBinding, 33> kKeys{
      {"X", false, false, "view.xray"},         {"I", false, false, "view.isolate"},
      {"H", false, false, "view.hide"},         {"H", false, true, "view.showAll"},
      {"C", false, false, "view.clip"},         {"P", false, false, "section.pen"},
-     {"Q", false, false, "section.snap"}}};
+     {"Q", false, false, "section.snap"},      {"T", false, false, "section.transform"},
+     {"C", true, false, "edit.copy"},          {"X", true, false, "edit.cut"},
+     {"V", true, false, "edit.paste"},         {"D", true, false, "edit.duplicate"},
+     {"A", true, true, "edit.selectConnected"}}};
 
 /// What stands in the script, short and on one line.
 QString found(const QJsonValue &value)

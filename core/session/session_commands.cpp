@@ -4,13 +4,13 @@
 #include "core/base/units.h"
 #include "core/fabrication/summary.h"
 #include "core/interaction/facing.h"
-#include "core/model/edits.h"
-#include "core/model/operation_edits.h"
-#include "core/model/origin.h"
+#include "core/interaction/section_editing.h"
+#include "core/session/copy_commands.h"
 #include "core/session/joint_commands.h"
 #include "core/session/operation_commands.h"
 #include "core/session/point_commands.h"
-#include "core/session/session_host.h"
+#include "core/session/section_commands.h"
+#include "core/session/selection_commands.h"
 #include "core/session/tool_commands.h"
 
 #include <algorithm>
@@ -58,46 +58,6 @@ Box3 selectionBounds(const Session &session, const Interaction &interaction)
         box.extend(slabBounds(section, model.document.stockOf(section)));
     }
     return box;
-}
-
-/// Drawn sections go, with their images; one that an operation made in its own way is left out of
-/// what that makes.
-Result<void> deleteSelected(Session &session, const Interaction &interaction)
-{
-    const Model &model = session.committed();
-    Result<Document> next = model.document;
-    Step step{Step::Kind::HideInstance, {}};
-    std::vector<SectionId> ids;
-    for (const SectionRef &ref : interaction.selection()) {
-        // One whose place an operation has taken is not shown.
-        const std::optional<Origin> origin = originOf(model, ref);
-        const Section *drawn = origin ? origin->section : model.document.find(ref.drawn);
-        if (drawn && std::find(ids.begin(), ids.end(), drawn->id) == ids.end()) {
-            ids.push_back(drawn->id);
-            step.names.push_back(drawn->name);
-        } else if (const Section *made = model.find(ref); made && !drawn) {
-            step.names.push_back(made->name);
-            if (next)
-                next = setExceptionState(*std::move(next), ref, Exception::State::Hidden);
-        }
-    }
-    if (!ids.empty())
-        step.kind = Step::Kind::DeleteSections;
-    if (next && !ids.empty())
-        next = removeSections(*std::move(next), ids);
-    if (!next)
-        return tl::unexpected(next.error());
-    session.commit(SessionHost::undoText(step), std::move(*next));
-    return {};
-}
-
-void selectAll(const Session &session, Interaction &interaction)
-{
-    std::vector<SectionRef> all;
-    const Model &model = session.committed();
-    for (std::size_t i = 0; i < model.sectionCount(); ++i)
-        all.push_back(model.ref(i));
-    interaction.select(std::move(all));
 }
 
 /// The corner after the one that is looked from, else the first.
@@ -148,19 +108,16 @@ void registerEdits(CommandRegistry &registry, Session &session, Interaction &int
                       }
                       if (interaction.selectedOperation().isValid())
                           return registry.run("operation.delete", {}, time);
-                      if (interaction.points().isEmpty())
-                          return deleteSelected(session, interaction);
-                      return registry.run("point.delete", {}, time);
+                      if (!interaction.points().isEmpty())
+                          return registry.run("point.delete", {}, time);
+                      interaction.carryOut(deleted(session.committed(), interaction.selection()),
+                                           time);
+                      return {};
                   },
                   [&] {
                       return !interaction.selection().empty() || interaction.selectedJoint() ||
                              interaction.selectedOperation().isValid();
                   }});
-    registry.add("edit.selectAll", {[&](const CommandParameters &, double) -> Result<void> {
-                                        selectAll(session, interaction);
-                                        return {};
-                                    },
-                                    [&] { return session.committed().sectionCount() > 0; }});
 }
 
 void registerTurns(CommandRegistry &registry, Session &session, Interaction &interaction)
@@ -332,7 +289,10 @@ void registerSessionCommands(CommandRegistry &registry, Session &session, Intera
     registerFits(registry, session, interaction);
     registerCamera(registry, interaction);
     registerLooks(registry, session, interaction);
+    registerSelectionCommands(registry, session, interaction);
     registerToolCommands(registry, session, interaction);
+    registerSectionCommands(registry, session, interaction);
+    registerCopyCommands(registry, session, interaction, memoryClipboard());
     registerPointCommands(registry, session, interaction);
     registerJointCommands(registry, session, interaction);
     registerOperationCommands(registry, session, interaction);

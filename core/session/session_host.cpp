@@ -160,6 +160,48 @@ QString SessionHost::undoText(const Step &step)
     case Step::Kind::MoveSection:
         //: %1 is the name of a section
         return count == 1 ? tr("Move %1").arg(name) : tr("Move %n sections", nullptr, count);
+    case Step::Kind::TurnSection:
+        //: %1 is the name of a section
+        return count == 1 ? tr("Turn %1").arg(name) : tr("Turn %n sections", nullptr, count);
+    case Step::Kind::ScaleSection:
+        //: %1 is the name of a section
+        return count == 1 ? tr("Scale %1").arg(name) : tr("Scale %n sections", nullptr, count);
+    case Step::Kind::CopySections:
+        //: %1 is the name of a section
+        return count == 1 ? tr("Copy %1").arg(name) : tr("Copy %n sections", nullptr, count);
+    case Step::Kind::MirrorSections:
+        //: %1 is the name of a section
+        return count == 1 ? tr("Mirror a copy of %1").arg(name)
+                          : tr("Mirror copies of %n sections", nullptr, count);
+    case Step::Kind::PasteSections:
+        //: %1 is the name of a section
+        return count == 1 ? tr("Paste %1").arg(name) : tr("Paste %n sections", nullptr, count);
+    case Step::Kind::CutSections:
+        //: %1 is the name of a section
+        return count == 1 ? tr("Cut %1").arg(name) : tr("Cut %n sections", nullptr, count);
+    case Step::Kind::MakeOrthogonal:
+        //: %1 is the name of a section
+        return count == 1 ? tr("Make %1 orthogonal").arg(name)
+                          : tr("Make %n sections orthogonal", nullptr, count);
+    case Step::Kind::AlignSection:
+        //: %1 is the name of a section
+        return count == 1 ? tr("Align %1 to an axis").arg(name)
+                          : tr("Align %n sections to an axis", nullptr, count);
+    case Step::Kind::PutOn:
+        //: %1 is the name of a section
+        return tr("Put %1 on another section").arg(name);
+    case Step::Kind::FreeSection:
+        //: %1 is the name of a section
+        return count == 1 ? tr("Free %1").arg(name) : tr("Free %n sections", nullptr, count);
+    case Step::Kind::HoldSection:
+        //: %1 is the name of a section
+        return count == 1 ? tr("Hold %1").arg(name) : tr("Hold %n sections", nullptr, count);
+    case Step::Kind::LockSection:
+        //: %1 is the name of a section
+        return count == 1 ? tr("Lock %1").arg(name) : tr("Lock %n sections", nullptr, count);
+    case Step::Kind::UnlockSection:
+        //: %1 is the name of a section
+        return count == 1 ? tr("Unlock %1").arg(name) : tr("Unlock %n sections", nullptr, count);
     case Step::Kind::MoveToSection:
         //: %1 is the name of a section, %2 of the one that it comes to
         return count == 2 ? tr("Move %1 to %2").arg(name, other)

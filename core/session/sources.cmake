@@ -8,6 +8,7 @@ target_sources(fff_session PRIVATE
     check_list.cpp
     check_text.cpp
     checks.cpp
+    copy_commands.cpp
     cutting_file.cpp
     dropping.cpp
     flips.cpp
@@ -25,7 +26,9 @@ target_sources(fff_session PRIVATE
     recovery.cpp
     replay.cpp
     replay_script.cpp
+    section_commands.cpp
     section_names.cpp
+    selection_commands.cpp
     session.cpp
     session_commands.cpp
     session_host.cpp

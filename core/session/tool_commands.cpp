@@ -55,7 +55,10 @@ void registerDrawing(CommandRegistry &registry, Session &session, Interaction &i
                      const auto origin =
                          selected ? originOf(session.committed(), selected->ref()) : std::nullopt;
                      const Section *section = origin ? origin->section : nullptr;
-                     if (section)
+                     if (section && section->isLocked) {
+                         interaction.layDown(time);
+                         interaction.say({Hint::Kind::Locked, section->name, true}, time);
+                     } else if (section)
                          drawOn(interaction, {target(*section), id, section->name, {}}, time);
                      else
                          interaction.layDown(time);

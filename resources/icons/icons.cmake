@@ -3,6 +3,7 @@
 find_program(RSVG_CONVERT rsvg-convert REQUIRED)
 set(icon_names
     about
+    align
     bake
     blend
     branch
@@ -12,8 +13,11 @@ set(icon_names
     clock
     close
     close_window
+    copy
+    cut
     cut_at_ground
     cut_open
+    detach
     docks
     drop_to_ground
     duplicate
@@ -25,19 +29,24 @@ set(icon_names
     fit
     fit_selection
     float
+    free
     full_screen
     grid
     ground_shadow
     hide
     hole
     holes_remove
+    in_space
     isolate
     joint
     joint_flip
     joint_reset
     keyboard
     linear
+    lock
+    lock_open
     mirror
+    mirror_copy
     mouse
     move_down
     move_up
@@ -46,6 +55,8 @@ set(icon_names
     next_problem
     open
     operation_switch
+    orthogonal
+    paste
     pause
     pen
     perspective
@@ -63,6 +74,7 @@ set(icon_names
     point_symmetric
     previous_pane
     previous_problem
+    put_on
     quit
     radial
     redo
@@ -76,6 +88,8 @@ set(icon_names
     search
     section
     select_all
+    select_connected
+    select_parallel
     settings
     show_all
     snap
@@ -85,6 +99,7 @@ set(icon_names
     steps
     stocks
     symmetry
+    transform
     trash
     undo
     unknown
@@ -97,8 +112,10 @@ set(icon_names
     view_right
     view_top
     warn
+    with_children
     working
-    xray)
+    xray
+)
 set(icon_folder ${CMAKE_CURRENT_BINARY_DIR}/icons)
 file(MAKE_DIRECTORY ${icon_folder})
 set(icon_masks)

@@ -18,10 +18,11 @@ constexpr char kSentence[] = "sentence"; // of the tooltip, without the shortcut
 
 /// Checked while their tool is in the hand.
 constexpr const char *kTools[] = {
-    "section.planeGround", "section.planeFront", "section.planeSide", "section.planeParallel",
-    "section.redraw",      "section.addHole",    "section.pen",       "check.showAssembly",
-    "operation.linear",    "operation.revolve",  "operation.blend",   "operation.branch",
-    "operation.grid",      "operation.radial",   "operation.mirror",  "operation.rotational"};
+    "section.planeGround", "section.planeFront", "section.planeSide",     "section.planeParallel",
+    "section.redraw",      "section.addHole",    "section.pen",           "check.showAssembly",
+    "operation.linear",    "operation.revolve",  "operation.blend",       "operation.branch",
+    "operation.grid",      "operation.radial",   "operation.mirror",      "operation.rotational",
+    "section.transform",   "section.putOn",      "edit.mirrorCopySection"};
 
 const ActionRow &rowOf(const QString &id)
 {
@@ -238,10 +239,45 @@ void ActionSet::refresh()
     const QString selectOne = tr("Select one section first");
     for (const char *id : {"section.redraw", "section.addHole", "section.planeParallel"})
         setAble(id, hasOne || held == id, selectOne);
+    for (const char *id : {"edit.cut", "edit.copy", "edit.duplicate", "edit.mirrorCopyX",
+                           "edit.mirrorCopyY", "edit.mirrorCopyZ", "edit.mirrorCopySection",
+                           "edit.selectConnected", "edit.selectParallel", "edit.selectSameStock"})
+        setAble(id, hasSelection || held == id, nothingSelected);
+    setAble("section.transform", hasSections, nothingThere);
+    setAble("section.putOn", hasOne || held == "section.putOn", selectOne);
+    const auto setAsCommand = [this](const char *id, const QString &whyNot) {
+        setAble(id, m_bench.commands().isEnabled(id), whyNot);
+    };
+    const QString onNothing =
+        hasSelection ? tr("What is selected is on no other section") : nothingSelected;
+    setAsCommand("section.free", onNothing);
+    setAsCommand("section.makeOrthogonal", onNothing);
+    const QString noDrawn =
+        hasSelection ? tr("What is selected is made by an operation") : nothingSelected;
+    setAsCommand("section.snapNormal", noDrawn);
+    setAsCommand("section.lock", noDrawn);
+    const QString noMade = hasSelection ? tr("What is selected is drawn") : nothingSelected;
+    setAsCommand("operation.editSource", noMade);
+    setAsCommand("operation.detach", noMade);
     setAble("section.dropToGround", m_bench.commands().isEnabled("section.dropToGround"),
             hasSections ? tr("The model stands on the ground") : nothingThere);
     for (const char *id : kTools)
         action(id)->setChecked(held == id || m_waiting.contains(QLatin1String(id)));
+    const std::vector<SectionRef> inFocusNow = interaction.sectionsInFocus();
+    const Model &model = m_bench.session().model();
+    const auto areAll = [&](const auto &is) {
+        return !inFocusNow.empty() &&
+               std::all_of(inFocusNow.begin(), inFocusNow.end(), [&](const SectionRef &ref) {
+                   const Section *section = model.find(ref);
+                   return section && is(*section);
+               });
+    };
+    action("section.free")->setChecked(areAll([](const Section &s) {
+        return s.parent && s.parent->isFree;
+    }));
+    action("section.lock")->setChecked(areAll([](const Section &s) { return s.isLocked; }));
+    action("transform.inSpace")->setChecked(interaction.settings().movesInSpace);
+    action("transform.withChildren")->setChecked(interaction.settings().takesChildren);
     action("section.symmetry")->setChecked(settings().isOn(DrawingSwitch::Symmetry));
     action("section.ground")->setChecked(settings().isOn(DrawingSwitch::Ground));
     action("section.snap")->setChecked(settings().isOn(DrawingSwitch::Snap));

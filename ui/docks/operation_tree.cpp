@@ -52,7 +52,7 @@ protected:
     QItemSelectionModel::SelectionFlags selectionCommand(const QModelIndex &index,
                                                          const QEvent *event) const override
     {
-        return isOnEye(index, event, kEye) ? QItemSelectionModel::NoUpdate
+        return isOnButton(index, event, kEye) ? QItemSelectionModel::NoUpdate
                                            : QTreeWidget::selectionCommand(index, event);
     }
     /// The model is told; the rows follow it.

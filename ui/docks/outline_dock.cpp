@@ -1,5 +1,6 @@
 #include "ui/docks/outline_dock.h"
 
+#include "core/interaction/section_editing.h"
 #include "core/model/edits.h"
 #include "core/session/check_list.h"
 #include "ui/check_words.h"
@@ -24,12 +25,13 @@
 
 #include <algorithm>
 #include <functional>
+#include <utility>
 
 namespace fff::ui {
 
 namespace {
 
-enum Column { kName, kStock, kProblem, kEye, kColumnCount };
+enum Column { kName, kStock, kProblem, kLock, kEye, kColumnCount };
 
 constexpr int kIdRole = Qt::UserRole;        // SectionId
 constexpr int kNameRole = Qt::UserRole + 1;  // as in the model
@@ -56,8 +58,15 @@ class OutlineTree : public QTreeWidget
 public:
     using QTreeWidget::QTreeWidget;
     std::function<void(QTreeWidgetItem *)> toggle;
+    std::function<void()> left; // by the mouse
 
 protected:
+    bool viewportEvent(QEvent *event) override
+    {
+        if (event->type() == QEvent::Leave)
+            left();
+        return QTreeWidget::viewportEvent(event);
+    }
     void keyPressEvent(QKeyEvent *event) override
     {
         if (event->key() == Qt::Key_Space && currentItem())
@@ -68,7 +77,7 @@ protected:
     QItemSelectionModel::SelectionFlags selectionCommand(const QModelIndex &index,
                                                          const QEvent *event) const override
     {
-        if (isOnEye(index, event, kEye))
+        if (isOnButton(index, event, kLock))
             return QItemSelectionModel::NoUpdate;
         return QTreeWidget::selectionCommand(index, event);
     }
@@ -89,8 +98,12 @@ OutlineDock::OutlineDock(Workbench &bench, const CheckList &list, QWidget *paren
     m_filter->addAction(rowIcon(QStringLiteral("search")), QLineEdit::LeadingPosition);
 
     auto *tree = new OutlineTree(content);
-    tree->toggle = [this](QTreeWidgetItem *item) { toggleEye(item, kEye); };
+    tree->toggle = [this](QTreeWidgetItem *item) { press(item, kEye); };
+    tree->left = [this] { pointAt(nullptr); };
     m_tree = tree;
+    m_tree->setMouseTracking(true);
+    connect(m_tree, &QTreeWidget::itemEntered, this, &OutlineDock::pointAt);
+    connect(m_tree, &QTreeWidget::viewportEntered, this, [this] { pointAt(nullptr); });
     m_tree->setObjectName(QStringLiteral("outlineTree"));
     m_tree->setAccessibleName(tr("Sections"));
     m_tree->setAccessibleDescription(tr("F2 renames, Space hides and shows."));
@@ -123,7 +136,7 @@ OutlineDock::OutlineDock(Workbench &bench, const CheckList &list, QWidget *paren
 
     connect(m_filter, &QLineEdit::textChanged, this, &OutlineDock::applyFilter);
     connect(m_tree, &QTreeWidget::itemChanged, this, &OutlineDock::rename);
-    connect(m_tree, &QTreeWidget::itemClicked, this, &OutlineDock::toggleEye);
+    connect(m_tree, &QTreeWidget::itemClicked, this, &OutlineDock::press);
     connect(m_tree, &QTreeWidget::itemSelectionChanged, this, &OutlineDock::takeSelection);
     connect(&bench, &Workbench::selectionChanged, this, &OutlineDock::showSelection);
     connect(&bench, &Workbench::viewStateChanged, this, &OutlineDock::markHidden);
@@ -171,6 +184,8 @@ void OutlineDock::dropRows(const Document &document, std::set<SectionId> &moved)
             continue;
         }
         QTreeWidgetItem *item = it->second;
+        if (m_pointedAt == item)
+            m_pointedAt = nullptr;
         for (QTreeWidgetItem *child : item->takeChildren()) {
             m_tree->addTopLevelItem(child);
             moved.insert(idOf(child));
@@ -262,6 +277,32 @@ void OutlineDock::fill(QTreeWidgetItem *item, const Section &section)
     const QColor face = stockLook(stock).face;
     setMark(item, kStock, face.name() + stockName(stock), colourChip(face), stockName(stock));
     item->setToolTip(kName, name);
+    markLock(item, section.isLocked);
+}
+
+/// Open ones only where the mouse is: a column of them would be noise.
+void OutlineDock::markLock(QTreeWidgetItem *item, bool isLocked)
+{
+    if (isLocked)
+        setMark(item, kLock, QStringLiteral("lock"), rowIcon(QStringLiteral("lock")),
+                tr("Locked: unlock it"));
+    else if (item == m_pointedAt)
+        setMark(item, kLock, QStringLiteral("lock_open"), rowIcon(QStringLiteral("lock_open")),
+                tr("Lock it"));
+    else
+        setMark(item, kLock, QString(), QIcon(), QString());
+}
+
+void OutlineDock::pointAt(QTreeWidgetItem *item)
+{
+    const QScopedValueRollback filling(m_isFilling, true);
+    QTreeWidgetItem *before = std::exchange(m_pointedAt, item);
+    for (QTreeWidgetItem *changed : {before, item}) {
+        const Section *section =
+            changed ? m_bench.session().model().document.find(idOf(changed)) : nullptr;
+        if (section)
+            markLock(changed, section->isLocked);
+    }
 }
 
 /// Puts rows under their parents, in the document's order. A parent may stand after its child in a
@@ -351,12 +392,15 @@ void OutlineDock::markHidden()
     }
 }
 
-void OutlineDock::toggleEye(QTreeWidgetItem *item, int column)
+void OutlineDock::press(QTreeWidgetItem *item, int column)
 {
-    if (column != kEye)
-        return;
     const SectionRef ref(idOf(item));
-    m_bench.setHidden(ref, !m_bench.isHidden(ref));
+    if (column == kEye)
+        m_bench.setHidden(ref, !m_bench.isHidden(ref));
+    const Model &model = m_bench.session().committed();
+    const Section *section = model.document.find(ref.drawn);
+    if (column == kLock && section)
+        m_bench.editSections(locked(model, {ref}, !section->isLocked));
 }
 
 void OutlineDock::rename(QTreeWidgetItem *item)

@@ -47,7 +47,10 @@ private:
     void markHidden();
     void showColumns();
     void rename(QTreeWidgetItem *item);
-    void toggleEye(QTreeWidgetItem *item, int column);
+    /// What stands in the column is a button.
+    void press(QTreeWidgetItem *item, int column);
+    void pointAt(QTreeWidgetItem *item);
+    void markLock(QTreeWidgetItem *item, bool isLocked);
     void applyFilter();
     void takeSelection();
     void showSelection();
@@ -59,6 +62,7 @@ private:
     QLineEdit *m_filter = nullptr;
     QTreeWidget *m_tree = nullptr;
     QLabel *m_empty = nullptr;
+    QTreeWidgetItem *m_pointedAt = nullptr; // by the mouse
     OperationTree *m_operations = nullptr;
     std::unordered_map<SectionId, QTreeWidgetItem *> m_items;
     SectionList m_shown;                                // what the items were made of

@@ -50,9 +50,9 @@ QString typedName(QTreeWidgetItem *item, const QString &before)
     return name == before ? QString() : name;
 }
 
-bool isOnEye(const QModelIndex &index, const QEvent *event, int eyeColumn)
+bool isOnButton(const QModelIndex &index, const QEvent *event, int firstColumn)
 {
-    return event && index.column() == eyeColumn &&
+    return event && index.column() >= firstColumn &&
            (event->type() == QEvent::MouseButtonPress ||
             event->type() == QEvent::MouseButtonRelease);
 }

@@ -25,7 +25,8 @@ void setMark(QTreeWidgetItem *item, int column, const QString &mark, const QIcon
 /// nothing was typed, the name before is put back.
 QString typedName(QTreeWidgetItem *item, const QString &before);
 
-/// The eye is a button: a click on it does not select.
-bool isOnEye(const QModelIndex &index, const QEvent *event, int eyeColumn);
+/// The eye, and what else stands right of the first such column, is a button: a click on it does
+/// not select.
+bool isOnButton(const QModelIndex &index, const QEvent *event, int firstColumn);
 
 } // namespace fff::ui

@@ -1,7 +1,5 @@
 #include "ui/docks/section_page.h"
 
-#include "core/base/tolerances.h"
-#include "core/base/units.h"
 #include "core/model/edits.h"
 #include "core/model/operation_edits.h"
 #include "core/model/origin.h"
@@ -10,6 +8,7 @@
 #include "ui/properties/instance_group.h"
 #include "ui/properties/joint_rows.h"
 #include "ui/properties/joint_words.h"
+#include "ui/properties/place_group.h"
 #include "ui/properties/point_rows.h"
 #include "ui/properties/property_rows.h"
 #include "ui/properties/stock_choice.h"
@@ -27,7 +26,6 @@ namespace fff::ui {
 namespace {
 
 constexpr LengthEdit::Range kThicknessRange{0.01, 1000.0, 0.05, 2, 3};
-constexpr LengthEdit::Range kPositionRange{-kMaxCoordinate, kMaxCoordinate, 0.1, 2, 2};
 
 std::string nameOf(const Model &model, int index)
 {
@@ -51,19 +49,6 @@ QString commonText(const std::vector<int> &sections, Value valueOf, Text textOf)
             return {};
         last = value;
         common = text;
-    }
-    return common;
-}
-
-std::optional<double> commonNumber(const std::vector<int> &sections,
-                                   const std::function<double(int)> &numberOf)
-{
-    std::optional<double> common;
-    for (const int i : sections) {
-        const double number = numberOf(i);
-        if (common && *common != number)
-            return {};
-        common = number;
     }
     return common;
 }
@@ -94,12 +79,10 @@ SectionPage::SectionPage(Workbench &bench, QWidget *parent) : QWidget(parent), m
     m_pointGroup = new PointGroup(m_bench, this);
     m_instanceGroup = new InstanceGroup(m_bench, this);
     auto *stock = new PropertyGroup(tr("Stock"), this);
-    auto *place = new PropertyGroup(tr("Place"), this);
-    m_placeGroup = place;
+    m_placeGroup = new PlaceGroup(m_bench, this);
     auto *contour = new PropertyGroup(tr("Contour"), this);
     m_jointGroup = new PropertyGroup(tr("Joints"), this);
     addStockRows(stock);
-    addPlaceRows(place);
     addContourRows(contour);
     m_joints = new JointRows(m_jointGroup);
     m_joints->setObjectName(QStringLiteral("jointList"));
@@ -119,7 +102,8 @@ SectionPage::SectionPage(Workbench &bench, QWidget *parent) : QWidget(parent), m
     column->setSpacing(0);
     column->addWidget(m_pointGroup);
     column->addWidget(m_instanceGroup);
-    for (QWidget *group : {stock, place, contour, m_jointGroup})
+    for (QWidget *group : {static_cast<QWidget *>(stock), static_cast<QWidget *>(m_placeGroup),
+                           static_cast<QWidget *>(contour), static_cast<QWidget *>(m_jointGroup)})
         column->addWidget(group);
 }
 
@@ -187,62 +171,6 @@ void SectionPage::addStockRows(PropertyGroup *group)
     }
 }
 
-void SectionPage::addPlaceRows(PropertyGroup *group)
-{
-    const auto add = [this, group](PropertyRow *row) {
-        group->add(row);
-        m_rows.push_back(row);
-    };
-    const auto parentOf = [this](int i) {
-        const Model &model = m_bench.session().model();
-        const auto &link = model.section(static_cast<std::size_t>(i))->parent;
-        return link ? model.indexOf(link->section) : -1;
-    };
-    const auto normalOf = [this](int i) -> Vec3 {
-        return m_bench.session().model().section(static_cast<std::size_t>(i))->frame.normal();
-    };
-    /// Of the angle to the parent; above 1 without one.
-    const auto cosineOf = [parentOf, normalOf](int i) {
-        constexpr double kNone = 2.0;
-        const int on = parentOf(i);
-        return on < 0 ? kNone : std::clamp(std::abs(normalOf(i).dot(normalOf(on))), 0.0, 1.0);
-    };
-    add(new TextRow(
-        tr("On"), "sectionParent",
-        [this, parentOf] {
-            return commonText(m_selected, parentOf, [this](int on) {
-                return on < 0 ? tr("nothing")
-                              : QString::fromStdString(nameOf(m_bench.session().model(), on));
-            });
-        },
-        group));
-    add(new TextRow(
-        tr("Angle to it"), "sectionAngle",
-        [this, cosineOf] {
-            return commonText(m_selected, cosineOf, [this](double cosine) {
-                return cosine > 1.0
-                           ? QStringLiteral("\u2013")
-                           : tr("%1°").arg(numberText(degrees(std::acos(cosine)), 0, 1, locale()));
-            });
-        },
-        group));
-    add(positionRow(0, tr("Position X"), "positionX", group));
-    add(positionRow(1, tr("Position Y"), "positionY", group));
-    add(positionRow(2, tr("Position Z"), "positionZ", group));
-    add(new TextRow(
-        tr("Normal"), "sectionNormal",
-        [this, normalOf] {
-            return commonText(m_selected, normalOf, [this](const Vec3 &normal) {
-                QStringList numbers;
-                for (int axis : {0, 1, 2}) // no minus before a zero
-                    numbers += numberText(std::round(normal[axis] * 1000.0) / 1000.0 + 0.0, 0, 3,
-                                          locale());
-                return numbers.join(QStringLiteral("  "));
-            });
-        },
-        group));
-}
-
 void SectionPage::addContourRows(PropertyGroup *group)
 {
     const auto add = [this, group](const QString &name, const char *objectName,
@@ -294,42 +222,6 @@ std::optional<double> SectionPage::commonThickness() const
     return values.size() == 1 ? std::optional(*values.begin()) : std::nullopt;
 }
 
-/// Of the frame's origin; a new value moves the section along the world's axis.
-PropertyRow *SectionPage::positionRow(int axis, const QString &name, const char *objectName,
-                                      QWidget *parent)
-{
-    auto *row = new LengthRow(
-        name, objectName, kPositionRange,
-        [this, axis]() -> std::optional<double> {
-            const Model &model = m_bench.session().model();
-            return commonNumber(m_selected, [&](int i) {
-                return model.section(static_cast<std::size_t>(i))->frame.origin[axis];
-            });
-        },
-        [this, axis](double value) {
-            const Model &model = m_bench.session().committed();
-            Result<Document> next = model.document;
-            std::vector<std::string> names;
-            std::set<SectionId> moved; // a section and its image may both be selected
-            for (int i : selectedSections(m_bench)) {
-                const auto origin = originOf(model, model.ref(static_cast<std::size_t>(i)));
-                if (!origin || !moved.insert(origin->section->id).second)
-                    continue; // its place is its operation's
-                Vec3 by = Vec3::Zero();
-                by[axis] = value - model.section(static_cast<std::size_t>(i))->frame.origin[axis];
-                Frame frame = origin->section->frame;
-                frame.origin += origin->turn.transpose() * by;
-                names.push_back(nameOf(model, i));
-                if (next)
-                    next = moveSection(*std::move(next), origin->section->id, frame);
-            }
-            m_bench.commit({Step::Kind::MoveSection, names}, std::move(next));
-        },
-        parent);
-    row->setThickness([this] { return commonThickness(); });
-    return row;
-}
-
 void SectionPage::refresh()
 {
     m_selected = selectedSections(m_bench);
@@ -337,11 +229,7 @@ void SectionPage::refresh()
         row->refresh();
     m_pointGroup->refresh();
     m_instanceGroup->refresh();
-    // Where an operation puts a section is said there.
-    const Model &model = m_bench.session().model();
-    m_placeGroup->setVisible(std::all_of(m_selected.begin(), m_selected.end(), [&](int i) {
-        return originOf(model, model.ref(static_cast<std::size_t>(i))).has_value();
-    }));
+    m_placeGroup->refresh();
     refreshJoints();
 }
 

@@ -13,6 +13,7 @@ namespace fff::ui {
 
 class InstanceGroup;
 class JointRows;
+class PlaceGroup;
 class PointGroup;
 class PropertyGroup;
 class PropertyRow;
@@ -36,16 +37,13 @@ Q_SIGNALS:
 
 private:
     void addStockRows(PropertyGroup *group);
-    void addPlaceRows(PropertyGroup *group);
     void addContourRows(PropertyGroup *group);
     void refreshJoints();
     std::optional<double> commonThickness() const;
-    PropertyRow *positionRow(int axis, const QString &name, const char *objectName,
-                             QWidget *parent);
 
     Workbench &m_bench;
     InstanceGroup *m_instanceGroup = nullptr;
-    PropertyGroup *m_placeGroup = nullptr;
+    PlaceGroup *m_placeGroup = nullptr;
     PointGroup *m_pointGroup = nullptr;
     PropertyGroup *m_jointGroup = nullptr;
     JointRows *m_joints = nullptr;

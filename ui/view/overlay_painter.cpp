@@ -1,6 +1,7 @@
 #include "ui/view/overlay_painter.h"
 
 #include "core/interaction/clip_gesture.h"
+#include "ui/view/gizmo_marks.h"
 #include "ui/view/joint_marks.h"
 #include "ui/view/operation_marks.h"
 #include "ui/view/pen_marks.h"
@@ -48,6 +49,11 @@ public:
     {
         if (m_scene.handles && m_scene.operation)
             paintOperation(m_pen, *m_scene.handles, *m_scene.operation);
+    }
+    void gizmo()
+    {
+        if (m_scene.overlay.gizmo)
+            paintGizmo(m_pen, *m_scene.overlay.gizmo, m_scene.unit, m_locale);
     }
     void band();
     void ghosts();
@@ -339,6 +345,7 @@ void paintOverlay(QPainter &painter, const OverlayScene &scene, const ViewStyle 
     drawing.handles();
     drawing.stroke();
     drawing.path();
+    drawing.gizmo();
     drawing.band();
     drawing.steps();
     drawing.cutHandle();

@@ -2,6 +2,7 @@ target_sources(fff_view PRIVATE
     view/cap_buffers.cpp
     view/cut_caps.cpp
     view/frame_pace.cpp
+    view/gizmo_marks.cpp
     view/gl.cpp
     view/ground_painter.cpp
     view/ground_shadow.cpp

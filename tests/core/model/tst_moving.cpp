@@ -41,8 +41,8 @@ struct Animal
     SectionId add(const char *name, Frame frame, const std::optional<Parent> &parent)
     {
         if (parent)
-            frame = crossing(section(parent->section.drawn).frame, parent->slitFrom,
-                             parent->slitTo);
+            frame =
+                crossing(section(parent->section.drawn).frame, parent->slitFrom, parent->slitTo);
         const ShapePointer shape =
             Shape::make(circle({3, -2}, 50.0), {circle({0, 0}, 10.0)}).value();
         document = addSection(document, {name, parent, shape, frame, {}}).value();
@@ -86,11 +86,10 @@ public:
     {
         return {between(-reach, reach), between(-reach, reach), between(-reach, reach)};
     }
-    Placement placement(bool scales)
+    Similarity placement(bool scales)
     {
         const Vec3 axis = point(1.0).normalized();
-        const Eigen::Matrix3d turn =
-            Eigen::AngleAxisd(between(-3.0, 3.0), axis).toRotationMatrix();
+        const Eigen::Matrix3d turn = Eigen::AngleAxisd(between(-3.0, 3.0), axis).toRotationMatrix();
         const double scale = scales ? between(0.5, 2.0) : 1.0;
         const Vec3 about = point(100.0);
         return {turn, scale, about - scale * (turn * about) + point(100.0)};
@@ -100,7 +99,7 @@ private:
     std::mt19937 m_generator{7};
 };
 
-Document moved(const Document &document, SectionId id, const Placement &placement,
+Document moved(const Document &document, SectionId id, const Similarity &placement,
                bool takesChildren = true)
 {
     const SectionMove move{id, placement};
@@ -115,8 +114,7 @@ double skew(const Document &document)
         const Section *parent =
             section->parent ? document.find(section->parent->section.drawn) : nullptr;
         if (parent && !section->parent->isFree)
-            most = std::max(most,
-                            std::abs(section->frame.normal().dot(parent->frame.normal())));
+            most = std::max(most, std::abs(section->frame.normal().dot(parent->frame.normal())));
     }
     return most;
 }
@@ -174,7 +172,7 @@ void TestMoving::aMoveAndItsInverse()
     Dice dice;
     const Animal animal;
     for (int i = 0; i < 100; ++i) {
-        const Placement there = dice.placement(scales);
+        const Similarity there = dice.placement(scales);
         const Document once = moved(animal.document, animal.body, there);
         QVERIFY(difference(once, animal.document) > 1.0);
         const Document back = moved(once, animal.body, there.inverse());
@@ -186,8 +184,8 @@ void TestMoving::aMoveAndItsInverse()
     for (int i = 0; i < 100; ++i) {
         const Eigen::Matrix3d turn =
             Eigen::AngleAxisd(dice.between(-3.0, 3.0), normal).toRotationMatrix();
-        const Placement there =
-            Placement::moved(dice.point(50.0)) * Placement::turned(turn, dice.point(50.0));
+        const Similarity there =
+            Similarity::moved(dice.point(50.0)) * Similarity::turned(turn, dice.point(50.0));
         const Document back =
             moved(moved(animal.document, animal.rib, there), animal.rib, there.inverse());
         QVERIFY(difference(back, animal.document) <= kSameMove);
@@ -218,13 +216,13 @@ void TestMoving::whatIsOnItGoesAlong()
 {
     const Animal animal;
     const Vec3 way(10, 20, 30);
-    const Document next = moved(animal.document, animal.body, Placement::moved(way));
+    const Document next = moved(animal.document, animal.body, Similarity::moved(way));
     for (const SectionPointer &section : next.sections) {
         const Section &before = *animal.document.find(section->id);
         QVERIFY((section->frame.origin - before.frame.origin - way).norm() <= 1e-12);
         QCOMPARE(section->parent, before.parent);
     }
-    const Document alone = moved(animal.document, animal.body, Placement::moved(way), false);
+    const Document alone = moved(animal.document, animal.body, Similarity::moved(way), false);
     QCOMPARE(alone.find(animal.rib)->frame, animal.section(animal.rib).frame);
     QVERIFY(slitError(alone) <= 1e-9);
 }
@@ -235,7 +233,7 @@ void TestMoving::whatIsFreeStays()
     Animal animal;
     animal.document = setFree(animal.document, animal.rib, true).value();
     Dice dice;
-    const Placement there = dice.placement(false);
+    const Similarity there = dice.placement(false);
     const Document next = moved(animal.document, animal.body, there);
     QCOMPARE(next.find(animal.rib)->frame, animal.section(animal.rib).frame);
     QCOMPARE(next.find(animal.fin)->frame, animal.section(animal.fin).frame);
@@ -251,17 +249,16 @@ void TestMoving::aloneItTurnsAboutItsParentsNormal()
 {
     const Animal animal;
     const Section &rib = animal.section(animal.rib);
-    const Vec3 middle =
-        animal.section(animal.body).frame.toWorld(0.5 * (rib.parent->slitFrom + rib.parent->slitTo));
+    const Vec3 middle = animal.section(animal.body)
+                            .frame.toWorld(0.5 * (rib.parent->slitFrom + rib.parent->slitTo));
     const Eigen::Matrix3d turn =
         Eigen::AngleAxisd(0.4, animal.section(animal.body).frame.normal()).toRotationMatrix();
-    const Document next = moved(animal.document, animal.rib, Placement::turned(turn, middle));
+    const Document next = moved(animal.document, animal.rib, Similarity::turned(turn, middle));
     const Vec3 wanted = turn * rib.frame.normal();
     QVERIFY((next.find(animal.rib)->frame.normal() - wanted).norm() <= 1e-12);
     // About any other axis it goes as far as it may.
-    const Eigen::Matrix3d tilt =
-        Eigen::AngleAxisd(0.4, rib.frame.x).toRotationMatrix();
-    const Document tilted = moved(animal.document, animal.rib, Placement::turned(tilt, middle));
+    const Eigen::Matrix3d tilt = Eigen::AngleAxisd(0.4, rib.frame.x).toRotationMatrix();
+    const Document tilted = moved(animal.document, animal.rib, Similarity::turned(tilt, middle));
     QVERIFY((tilted.find(animal.rib)->frame.normal() - rib.frame.normal()).norm() <= 1e-12);
 }
 
@@ -273,7 +270,7 @@ void TestMoving::itDoesNotLieDownInItsParent()
     const Eigen::Matrix3d down =
         Eigen::AngleAxisd(std::numbers::pi / 2, rib.frame.x).toRotationMatrix();
     const Document next =
-        moved(animal.document, animal.rib, Placement::turned(down, rib.frame.origin));
+        moved(animal.document, animal.rib, Similarity::turned(down, rib.frame.origin));
     QVERIFY(next.find(animal.rib)->frame.origin.allFinite());
     QVERIFY(skew(next) <= 1e-12);
 }
@@ -282,8 +279,7 @@ void TestMoving::itDoesNotLieDownInItsParent()
 void TestMoving::othersKeepTheirObjects()
 {
     const Animal animal;
-    const Document next =
-        moved(animal.document, animal.rib, Placement::moved(Vec3(0, 0, 5)));
+    const Document next = moved(animal.document, animal.rib, Similarity::moved(Vec3(0, 0, 5)));
     QCOMPARE(next.sections[0], animal.document.sections[0]);
     QCOMPARE(next.sections[3], animal.document.sections[3]);
     QVERIFY(moved(animal.document, animal.rib, {}).isSame(animal.document));
@@ -303,7 +299,7 @@ void TestMoving::shapesAreSharedUnlessScaled()
 void TestMoving::scaledWithAllThatIsOnIt()
 {
     const Animal animal;
-    const Placement twice = Placement::scaled(2.0, {10, 20, 30});
+    const Similarity twice = Similarity::scaled(2.0, {10, 20, 30});
     const Document next = moved(animal.document, animal.body, twice);
     for (const SectionPointer &section : next.sections) {
         const Section &before = *animal.document.find(section->id);
@@ -334,8 +330,7 @@ void TestMoving::stretchedInItsPlane()
     const Vec2 was = 0.5 * (before.parent->slitFrom + before.parent->slitTo);
     QVERIFY((middle - (about + wide * (was - about))).norm() <= 1e-9);
     QVERIFY(slitError(next) <= 1e-9);
-    const Document back =
-        stretchedSection(next, animal.body, wide.inverse(), about).value();
+    const Document back = stretchedSection(next, animal.body, wide.inverse(), about).value();
     QVERIFY(difference(back, animal.document) <= kSameMove);
     QVERIFY(stretchedSection(animal.document, animal.body, Eigen::Matrix2d::Identity(), about)
                 ->isSame(animal.document));
@@ -369,7 +364,7 @@ void TestMoving::turnedToANormal()
     const Animal animal;
     const Section &body = animal.section(animal.body);
     const Vec3 normal = Vec3(0.1, 0.2, -1.0).normalized();
-    const Placement turn = turnToNormal(body, nullptr, normal);
+    const Similarity turn = turnToNormal(body, nullptr, normal);
     const Frame frame = placed(body.frame, turn);
     QVERIFY((frame.normal() + normal).norm() <= 1e-12); // the nearer of the two
     const Vec3 middle = body.frame.toWorld(body.shape->centroid());
@@ -391,14 +386,14 @@ void TestMoving::freedAndHeldAgain()
 void TestMoving::badMovesAreRefused()
 {
     const Animal animal;
-    const auto errorOf = [&](SectionId id, const Placement &placement) {
+    const auto errorOf = [&](SectionId id, const Similarity &placement) {
         const SectionMove move{id, placement};
         const Result<Document> next = movedSections(animal.document, {&move, 1});
         return next ? std::string() : next.error().place;
     };
     QCOMPARE(errorOf(SectionId{99}, {}), std::string("99"));
-    QCOMPARE(errorOf(animal.fin, Placement::scaled(1e-5, Vec3::Zero())), std::string("Fin"));
-    QCOMPARE(errorOf(animal.fin, Placement::moved(Vec3(1e9, 0, 0))), std::string("Fin"));
+    QCOMPARE(errorOf(animal.fin, Similarity::scaled(1e-5, Vec3::Zero())), std::string("Fin"));
+    QCOMPARE(errorOf(animal.fin, Similarity::moved(Vec3(1e9, 0, 0))), std::string("Fin"));
     QVERIFY(!stretchedSection(animal.document, animal.body, 1e-6 * Eigen::Matrix2d::Identity(),
                               Vec2::Zero()));
 }

@@ -113,8 +113,8 @@ void TestExcerpt::pastingWhatWasCopied_data()
 {
     QTest::addColumn<QString>("path");
     int count = 0;
-    for (const QString &folder :
-         {QStringLiteral(FFF_SHARED_MODELS), QStringLiteral(FFF_TEST_DATA "/../../resources/samples")}) {
+    for (const QString &folder : {QStringLiteral(FFF_SHARED_MODELS),
+                                  QStringLiteral(FFF_TEST_DATA "/../../resources/samples")}) {
         const QDir dir(folder);
         for (const QString &name : dir.entryList({QStringLiteral("*.txt"), QStringLiteral("*.fff")},
                                                  QDir::Files, QDir::Name)) {
@@ -167,9 +167,9 @@ void TestExcerpt::twiceIntoTheSame()
 void TestExcerpt::keysFollowTheirIds()
 {
     FishBones bones;
-    const SectionId fin = test::add(
-        bones.document, "Fin", shapeOf(circle({0, 0}, 12.0)),
-        {Vec3(60, 30, 0), Vec3::UnitX(), Vec3::UnitY()}, Parent{bones.rib, {0, 30}, {0, 20}});
+    const SectionId fin = test::add(bones.document, "Fin", shapeOf(circle({0, 0}, 12.0)),
+                                    {Vec3(60, 30, 0), Vec3::UnitX(), Vec3::UnitY()},
+                                    Parent{bones.rib, {0, 30}, {0, 20}});
     const OperationId ribs = test::add(
         bones.document, operation("linear", {{"section", {bones.rib}}, {"along", {bones.spine}}},
                                   {{"wholeBranch", true}, {"count", 4.0}}));
@@ -182,8 +182,7 @@ void TestExcerpt::keysFollowTheirIds()
             weighed = made->made;
         }
     QVERIFY(hidden.operation.isValid());
-    Document document =
-        setExceptionState(model.document, hidden, Exception::State::Hidden).value();
+    Document document = setExceptionState(model.document, hidden, Exception::State::Hidden).value();
     Weight weight;
     weight.section = weighed;
     document = addWeight(document, weight).value();
@@ -258,7 +257,8 @@ void TestExcerpt::stocksAreFoundAgain()
     QCOMPARE(both.stockOf(*both.sections.back()).thickness, 3.0);
     QCOMPARE(both.find(both.currentStock)->thickness, 12.0);
     // An empty document takes the stock of what comes.
-    const Document first = inserted(newDocument(), excerpt(evaluate(thick), {thick.sections[0]->id})).document;
+    const Document first =
+        inserted(newDocument(), excerpt(evaluate(thick), {thick.sections[0]->id})).document;
     QCOMPARE(first.find(first.currentStock)->thickness, 12.0);
 }
 

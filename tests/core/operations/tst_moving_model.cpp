@@ -8,9 +8,10 @@ using namespace fff::test;
 
 namespace {
 
-Placement turned(double angle, const Vec3 &axis, const Vec3 &about)
+Similarity turned(double angle, const Vec3 &axis, const Vec3 &about)
 {
-    return Placement::turned(Eigen::AngleAxisd(angle, axis.normalized()).toRotationMatrix(), about);
+    return Similarity::turned(Eigen::AngleAxisd(angle, axis.normalized()).toRotationMatrix(),
+                              about);
 }
 
 /// Fish bones with ribs all along, and a fin that is drawn across one of those.
@@ -68,8 +69,8 @@ private Q_SLOTS:
 void TestMovingModel::whatIsOnAReplicaGoesWithIt()
 {
     const FinnedBones bones;
-    const Placement there =
-        turned(0.7, {1, 2, 3}, {50, 60, 70}) * Placement::moved(Vec3(10, 20, 30));
+    const Similarity there =
+        turned(0.7, {1, 2, 3}, {50, 60, 70}) * Similarity::moved(Vec3(10, 20, 30));
     const RefMove move{bones.spine, there};
     const Model after = evaluate(movedSections(bones.model, {&move, 1}).value(), bones.model);
     const Section &fin = *after.find(bones.fin);
@@ -79,19 +80,19 @@ void TestMovingModel::whatIsOnAReplicaGoesWithIt()
                                          bones.model.find(bones.fin)->frame)));
     QCOMPARE(fin.parent, bones.model.find(bones.fin)->parent);
     // Of the rib that is repeated as well: all of them move with it.
-    const RefMove along{bones.rib, Placement::moved(Vec3(0, -3, 0))};
+    const RefMove along{bones.rib, Similarity::moved(Vec3(0, -3, 0))};
     const Model lower = evaluate(movedSections(bones.model, {&along, 1}).value(), bones.model);
-    QVERIFY(isSame(FinnedBones::seenFrom(lower.find(bones.third)->frame,
-                                         lower.find(bones.fin)->frame),
-                   FinnedBones::seenFrom(bones.model.find(bones.third)->frame,
-                                         bones.model.find(bones.fin)->frame)));
+    QVERIFY(
+        isSame(FinnedBones::seenFrom(lower.find(bones.third)->frame, lower.find(bones.fin)->frame),
+               FinnedBones::seenFrom(bones.model.find(bones.third)->frame,
+                                     bones.model.find(bones.fin)->frame)));
 }
 
 // Wrong: "What is on it goes along" could not be switched off.
 void TestMovingModel::whatIsOnAReplicaStaysWhenAsked()
 {
     const FinnedBones bones;
-    const RefMove move{bones.spine, Placement::moved(Vec3(10, 20, 30))};
+    const RefMove move{bones.spine, Similarity::moved(Vec3(10, 20, 30))};
     const Document after = movedSections(bones.model, {&move, 1}, false).value();
     QVERIFY(isSame(after.find(bones.fin)->frame, bones.model.find(bones.fin)->frame));
     QVERIFY(isSame(after.find(bones.rib)->frame, bones.model.find(bones.rib)->frame));
@@ -105,10 +106,10 @@ void TestMovingModel::stretchingCarriesReplicasToo()
     longer << 1.5, 0.0, 0.0, 1.0;
     const Model after = evaluate(
         stretchedSection(bones.model, bones.spine, longer, Vec2::Zero()).value(), bones.model);
-    QVERIFY(isSame(FinnedBones::seenFrom(after.find(bones.third)->frame,
-                                         after.find(bones.fin)->frame),
-                   FinnedBones::seenFrom(bones.model.find(bones.third)->frame,
-                                         bones.model.find(bones.fin)->frame)));
+    QVERIFY(
+        isSame(FinnedBones::seenFrom(after.find(bones.third)->frame, after.find(bones.fin)->frame),
+               FinnedBones::seenFrom(bones.model.find(bones.third)->frame,
+                                     bones.model.find(bones.fin)->frame)));
 }
 
 // Wrong: dragging the mirrored half would move the drawn one to the wrong side.
@@ -121,8 +122,8 @@ void TestMovingModel::anImageTakesItsSourceAlong()
     const Model model = evaluate(document);
     QCOMPARE(model.sectionCount(), std::size_t(2));
     const SectionRef image = model.ref(1);
-    const Placement there =
-        Placement::moved(Vec3(-10, 5, 20)) * turned(0.5, {0, 1, 0}, {-60, 50, 0});
+    const Similarity there =
+        Similarity::moved(Vec3(-10, 5, 20)) * turned(0.5, {0, 1, 0}, {-60, 50, 0});
     const Frame wanted = placed(model.find(image)->frame, there);
     const RefMove move{image, there};
     const Model after = evaluate(movedSections(model, {&move, 1}).value(), model);
@@ -139,7 +140,7 @@ void TestMovingModel::aSectionAndItsImageMoveOnce()
         test::add(document, "Plate", shapeOf(circle({0, 0}, 20.0)), sideFrame({60, 50, 0}));
     test::add(document, operation("mirror", {}, {{"plane", std::string("x")}}));
     const Model model = evaluate(document);
-    const Placement up = Placement::moved(Vec3(0, 10, 0));
+    const Similarity up = Similarity::moved(Vec3(0, 10, 0));
     const RefMove moves[] = {{plate, up}, {model.ref(1), up}};
     const Document after = movedSections(model, moves).value();
     QVERIFY((after.find(plate)->frame.origin - Vec3(60, 60, 0)).norm() <= 1e-12);
@@ -149,7 +150,7 @@ void TestMovingModel::aSectionAndItsImageMoveOnce()
 void TestMovingModel::replicasAreNotMoved()
 {
     const FinnedBones bones;
-    const RefMove move{bones.third, Placement::moved(Vec3(0, 10, 0))};
+    const RefMove move{bones.third, Similarity::moved(Vec3(0, 10, 0))};
     const Result<Document> after = movedSections(bones.model, {&move, 1});
     QCOMPARE(after.error().code, ErrorCode::UnknownReference);
     QVERIFY(!after.error().place.empty());

@@ -1,19 +1,19 @@
-#include "core/geometry/placement.h"
+#include "core/geometry/similarity.h"
 
 namespace fff {
 
-Placement Placement::inverse() const
+Similarity Similarity::inverse() const
 {
     const Eigen::Matrix3d back = turn.transpose();
     return {back, 1.0 / scale, -(back * shift) / scale};
 }
 
-Placement Placement::operator*(const Placement &first) const
+Similarity Similarity::operator*(const Similarity &first) const
 {
     return {turn * first.turn, scale * first.scale, (*this)(first.shift)};
 }
 
-Frame placed(const Frame &frame, const Placement &placement)
+Frame placed(const Frame &frame, const Similarity &placement)
 {
     return {placement(frame.origin), placement.turn * frame.x, placement.turn * frame.y};
 }

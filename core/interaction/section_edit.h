@@ -1,0 +1,24 @@
+// What an edit of whole sections comes to.
+#pragma once
+
+#include "core/interaction/hint.h"
+#include "core/interaction/step.h"
+#include "core/model/document.h"
+
+#include <optional>
+#include <vector>
+
+namespace fff {
+
+struct EditedSections
+{
+    Document document;
+    Step step;
+    std::optional<std::vector<SectionRef>> select = {}; // others than before
+    std::optional<Hint> note = {}; // what became of it beyond what was asked for
+};
+
+/// The document, or the refusal that says why there is none.
+using SectionEdit = tl::expected<EditedSections, Hint>;
+
+} // namespace fff

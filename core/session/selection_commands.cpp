@@ -1,0 +1,146 @@
+#include "core/session/selection_commands.h"
+
+#include "core/base/tolerances.h"
+
+#include <algorithm>
+#include <functional>
+#include <set>
+#include <sstream>
+
+namespace fff {
+
+namespace {
+
+class SelectionCommands
+{
+public:
+    SelectionCommands(Session &session, Interaction &interaction)
+        : m_session(session), m_interaction(interaction)
+    {
+    }
+
+    bool hasSections() const { return model().sectionCount() > 0; }
+    bool hasSelection() const { return !m_interaction.sectionsInFocus().empty(); }
+
+    void selectAll() const
+    {
+        select([](std::size_t) { return true; });
+    }
+
+    /// By the joints of the model as it is committed.
+    void selectConnected() const
+    {
+        const std::size_t count = model().sectionCount();
+        std::vector<char> isIn(count, char(false));
+        std::vector<int> open;
+        const auto take = [&](int index) {
+            if (index >= 0 && !isIn[static_cast<std::size_t>(index)]) {
+                isIn[static_cast<std::size_t>(index)] = char(true);
+                open.push_back(index);
+            }
+        };
+        for (const SectionRef &ref : m_interaction.sectionsInFocus())
+            take(model().indexOf(ref));
+        const Assembly assembly = assemble(model());
+        std::vector<std::vector<int>> mates(count);
+        for (const Joint &joint : assembly.joints) {
+            if (joint.kind == JointKind::None)
+                continue;
+            mates[static_cast<std::size_t>(joint.a)].push_back(joint.b);
+            mates[static_cast<std::size_t>(joint.b)].push_back(joint.a);
+        }
+        while (!open.empty()) {
+            const int next = open.back();
+            open.pop_back();
+            for (const int mate : mates[static_cast<std::size_t>(next)])
+                take(mate);
+        }
+        select([&](std::size_t index) { return isIn[index] != 0; });
+    }
+
+    void selectParallel() const
+    {
+        std::vector<Vec3> normals;
+        for (const SectionRef &ref : m_interaction.sectionsInFocus())
+            normals.push_back(model().find(ref)->frame.normal());
+        select([&](std::size_t index) {
+            const Vec3 normal = model().section(index)->frame.normal();
+            return std::any_of(normals.begin(), normals.end(), [&](const Vec3 &other) {
+                return normal.cross(other).norm() <= kPracticallyParallel;
+            });
+        });
+    }
+
+    void selectSameStock() const
+    {
+        std::set<StockId> stocks;
+        for (const SectionRef &ref : m_interaction.sectionsInFocus())
+            stocks.insert(model().find(ref)->stock);
+        select([&](std::size_t index) { return stocks.contains(model().section(index)->stock); });
+    }
+
+    Result<void> selectNamed(const CommandParameters &parameters) const
+    {
+        const auto names = parameters.find("section");
+        if (names == parameters.end())
+            return failure(ErrorCode::BadValue, "section", {"", "the name of a section"});
+        std::vector<SectionRef> refs;
+        std::istringstream lines(names->second);
+        for (std::string name; std::getline(lines, name);) {
+            const auto &all = model().sections();
+            const auto found = std::find_if(all.begin(), all.end(), [&name](const auto &section) {
+                return section->name == name;
+            });
+            if (found == all.end())
+                return failure(ErrorCode::BadValue, "section", {name, "the name of a section"});
+            refs.push_back((*found)->ref());
+        }
+        m_interaction.select(std::move(refs));
+        return {};
+    }
+
+private:
+    const Model &model() const { return m_session.committed(); }
+
+    /// What is not seen is not worked on.
+    void select(const std::function<bool(std::size_t)> &isWanted) const
+    {
+        std::vector<SectionRef> refs;
+        for (std::size_t i = 0; i < model().sectionCount(); ++i)
+            if (isWanted(i) && m_interaction.view().isPicked(model().ref(i)))
+                refs.push_back(model().ref(i));
+        m_interaction.select(std::move(refs));
+    }
+
+    Session &m_session;
+    Interaction &m_interaction;
+};
+
+} // namespace
+
+void registerSelectionCommands(CommandRegistry &registry, Session &session,
+                               Interaction &interaction)
+{
+    const SelectionCommands commands(session, interaction);
+    using Work = void (SelectionCommands::*)() const;
+    const auto add = [&](const char *id, Work work, bool (SelectionCommands::*isEnabled)() const) {
+        registry.add(id, {[commands, work](const CommandParameters &, double) -> Result<void> {
+                              (commands.*work)();
+                              return {};
+                          },
+                          [commands, isEnabled] { return (commands.*isEnabled)(); }});
+    };
+    add("edit.selectAll", &SelectionCommands::selectAll, &SelectionCommands::hasSections);
+    add("edit.selectConnected", &SelectionCommands::selectConnected,
+        &SelectionCommands::hasSelection);
+    add("edit.selectParallel", &SelectionCommands::selectParallel,
+        &SelectionCommands::hasSelection);
+    add("edit.selectSameStock", &SelectionCommands::selectSameStock,
+        &SelectionCommands::hasSelection);
+    registry.add("edit.select", {[commands](const CommandParameters &parameters, double) {
+                                     return commands.selectNamed(parameters);
+                                 },
+                                 {}});
+}
+
+} // namespace fff

@@ -1,0 +1,225 @@
+#include "ui/properties/place_group.h"
+
+#include "core/base/tolerances.h"
+#include "core/base/units.h"
+#include "core/interaction/section_editing.h"
+#include "core/model/moving.h"
+#include "core/model/origin.h"
+#include "ui/properties/number_edit.h"
+#include "ui/workbench.h"
+
+#include <QCheckBox>
+#include <QCoreApplication>
+#include <QToolButton>
+
+#include <algorithm>
+#include <cmath>
+
+namespace fff::ui {
+
+namespace {
+
+struct Texts
+{
+    Q_DECLARE_TR_FUNCTIONS(fff::ui::PlaceGroup)
+};
+
+constexpr LengthEdit::Range kPositionRange{-kMaxCoordinate, kMaxCoordinate, 0.1, 2, 3};
+constexpr NumberEdit::Range kAngleRange{10.0, 170.0, 0.5, 0, 2};
+constexpr NumberEdit::Range kNormalRange{-1.0, 1.0, 0.05, 0, 4};
+/// What is shown of numbers is no finer: values that differ by less are one.
+constexpr double kSameNumber = 1e-7;
+
+} // namespace
+
+PlaceGroup::PlaceGroup(Workbench &bench, QWidget *parent)
+    : PropertyGroup(Texts::tr("Place"), parent), m_bench(bench)
+{
+    addParent();
+    addAngle();
+    addPosition(0, Texts::tr("Position X"), "positionX");
+    addPosition(1, Texts::tr("Position Y"), "positionY");
+    addPosition(2, Texts::tr("Position Z"), "positionZ");
+    addNormal(0, Texts::tr("Normal X"), "normalX");
+    addNormal(1, Texts::tr("Normal Y"), "normalY");
+    addNormal(2, Texts::tr("Normal Z"), "normalZ");
+    addSwitch(Texts::tr("Free"), "sectionFree",
+              Texts::tr("It neither goes along with the section that it is on, nor keeps its "
+                        "angle to that"),
+              "section.free",
+              [](const Section &section) { return section.parent && section.parent->isFree; });
+    addSwitch(Texts::tr("Locked"), "sectionLocked",
+              Texts::tr("It stays as it is, unless what it is on is moved"), "section.lock",
+              [](const Section &section) { return section.isLocked; });
+}
+
+void PlaceGroup::add(PropertyRow *row)
+{
+    PropertyGroup::add(row);
+    m_rows.push_back(row);
+}
+
+std::vector<const Section *> PlaceGroup::sections() const
+{
+    const Model &model = m_bench.session().model();
+    std::vector<const Section *> all;
+    for (const SectionRef &ref : m_bench.interaction().selection())
+        if (const Section *section = model.find(ref))
+            all.push_back(section);
+    return all;
+}
+
+const Section *PlaceGroup::parentOf(const Section &section) const
+{
+    return section.parent ? m_bench.session().model().find(section.parent->section) : nullptr;
+}
+
+/// Nothing where they differ, or where one has no such number.
+std::optional<double>
+PlaceGroup::common(const std::function<std::optional<double>(const Section &)> &valueOf) const
+{
+    std::optional<double> first;
+    for (const Section *section : sections()) {
+        const std::optional<double> value = valueOf(*section);
+        if (!value || (first && std::abs(*first - *value) > kSameNumber))
+            return std::nullopt;
+        first = first ? first : value;
+    }
+    return first;
+}
+
+void PlaceGroup::addParent()
+{
+    auto *row = new TextRow(
+        Texts::tr("On"), "sectionParent",
+        [this] {
+            QStringList names;
+            for (const Section *section : sections()) {
+                const Section *on = parentOf(*section);
+                names += on ? QString::fromStdString(on->name) : Texts::tr("nothing");
+                m_off->setVisible(on && sections().size() == 1);
+            }
+            m_pick->setVisible(names.size() == 1);
+            const bool isCommon = names.count(names.value(0)) == names.size();
+            return isCommon ? names.value(0) : QString();
+        },
+        this);
+    m_pick = row->addButton(QStringLiteral("pick"), "sectionParentPick",
+                            Texts::tr("Click another section that it shall be on"),
+                            [this] { m_bench.run(QStringLiteral("section.putOn")); });
+    m_off = row->addButton(QStringLiteral("close"), "sectionParentNone",
+                           Texts::tr("On no other section"), [this] {
+                               m_bench.run(QStringLiteral("section.putOn"), {{"on", ""}});
+                           });
+    add(row);
+}
+
+void PlaceGroup::addAngle()
+{
+    auto *edit = new NumberEdit(kAngleRange, Texts::tr("°"), this);
+    connect(edit, &NumberEdit::numberEdited, this, [this](double value) {
+        m_bench.editSections(withAngle(m_bench.session().committed(),
+                                       m_bench.interaction().selection(), radians(value),
+                                       m_bench.interaction().settings().takesChildren));
+    });
+    add(new EditorRow(
+        Texts::tr("Angle to it"), "sectionAngle", edit,
+        [this, edit] {
+            const auto angle = [this](const Section &section) -> std::optional<double> {
+                const Section *on = parentOf(section);
+                return on ? std::optional(degrees(angleToParent(section, on->frame)))
+                          : std::nullopt;
+            };
+            const std::vector<const Section *> all = sections();
+            edit->setEnabled(std::any_of(all.begin(), all.end(), [this](const Section *section) {
+                return parentOf(*section) != nullptr;
+            }));
+            edit->setNumber(common(angle));
+        },
+        this));
+}
+
+/// Of the middle of its shape.
+void PlaceGroup::addPosition(int axis, const QString &name, const char *objectName)
+{
+    auto *row = new LengthRow(
+        name, objectName, kPositionRange,
+        [this, axis] {
+            return common([axis](const Section &section) {
+                return std::optional(positionOf(section)[axis]);
+            });
+        },
+        [this, axis](double value) {
+            m_bench.editSections(withPosition(m_bench.session().committed(),
+                                              m_bench.interaction().selection(), axis, value,
+                                              m_bench.interaction().settings().takesChildren));
+        },
+        this);
+    row->setToolTip(Texts::tr("Of its middle"));
+    row->setThickness([this] {
+        const Document &document = m_bench.session().model().document;
+        return common([&document](const Section &section) {
+            return std::optional(document.stockOf(section).thickness);
+        });
+    });
+    add(row);
+}
+
+void PlaceGroup::addNormal(int axis, const QString &name, const char *objectName)
+{
+    auto *edit = new NumberEdit(kNormalRange, QString(), this);
+    connect(edit, &NumberEdit::numberEdited, this, [this, axis](double value) {
+        m_bench.editSections(withNormal(m_bench.session().committed(),
+                                        m_bench.interaction().selection(), axis, value,
+                                        m_bench.interaction().settings().takesChildren));
+    });
+    auto *row = new EditorRow(
+        name, objectName, edit,
+        [this, edit, axis] {
+            edit->setNumber(common([axis](const Section &section) {
+                return std::optional(section.frame.normal()[axis] + 0.0); // no minus before a zero
+            }));
+        },
+        this);
+    row->setToolTip(Texts::tr("Which way it faces: across its plane, of length 1"));
+    add(row);
+}
+
+void PlaceGroup::addSwitch(const QString &name, const char *objectName, const QString &tip,
+                           const char *command, std::function<bool(const Section &)> read)
+{
+    auto *box = new QCheckBox(this);
+    const QString id = QLatin1String(command);
+    connect(box, &QCheckBox::clicked, this, [this, id, box] {
+        m_bench.run(id, {{"on", box->isChecked() ? "true" : "false"}});
+    });
+    const auto isEnabled = [this, id] { return m_bench.commands().isEnabled(id.toStdString()); };
+    auto *row = new EditorRow(
+        name, objectName, box,
+        [this, box, isEnabled, read = std::move(read)] {
+            const std::vector<const Section *> all = sections();
+            const auto on = std::count_if(all.begin(), all.end(),
+                                          [&read](const Section *s) { return read(*s); });
+            box->setTristate(on > 0 && on < std::ssize(all));
+            box->setCheckState(on == 0                 ? Qt::Unchecked
+                               : on == std::ssize(all) ? Qt::Checked
+                                                       : Qt::PartiallyChecked);
+            box->setEnabled(isEnabled());
+        },
+        this);
+    row->setToolTip(tip);
+    add(row);
+}
+
+void PlaceGroup::refresh()
+{
+    const Model &model = m_bench.session().model();
+    const std::vector<SectionRef> &selected = m_bench.interaction().selection();
+    setVisible(std::all_of(selected.begin(), selected.end(), [&model](const SectionRef &ref) {
+        return originOf(model, ref).has_value();
+    }));
+    for (PropertyRow *row : m_rows)
+        row->refresh();
+}
+
+} // namespace fff::ui
