@@ -3207,7 +3207,7 @@
     </message>
     <message>
         <source>Cu&amp;t</source>
-        <translation>&amp;Ausschneiden</translation>
+        <translation>A&amp;usschneiden</translation>
     </message>
     <message>
         <source>Cut</source>
@@ -3242,7 +3242,7 @@
         <translation>Die kopierten Scheiben hinzufügen</translation>
     </message>
     <message>
-        <source>D&amp;uplicate</source>
+        <source>Dup&amp;licate</source>
         <translation>&amp;Duplizieren</translation>
     </message>
     <message>
@@ -3254,8 +3254,8 @@
         <translation>Eine Kopie der ausgewählten Scheiben danebenstellen</translation>
     </message>
     <message>
-        <source>Mirror copy across &amp;X</source>
-        <translation>Kopie an &amp;X spiegeln</translation>
+        <source>Across &amp;X</source>
+        <translation>An &amp;X</translation>
     </message>
     <message>
         <source>Mirror X</source>
@@ -3266,8 +3266,8 @@
         <translation>Ein Spiegelbild der ausgewählten Scheiben auf die andere Seite der Ebene stellen, in der X gleich 0 ist</translation>
     </message>
     <message>
-        <source>Mirror copy across &amp;Y</source>
-        <translation>Kopie an &amp;Y spiegeln</translation>
+        <source>Across &amp;Y</source>
+        <translation>An &amp;Y</translation>
     </message>
     <message>
         <source>Mirror Y</source>
@@ -3278,8 +3278,8 @@
         <translation>Ein Spiegelbild der ausgewählten Scheiben auf die andere Seite der Ebene stellen, in der Y gleich 0 ist</translation>
     </message>
     <message>
-        <source>Mirror copy across &amp;Z</source>
-        <translation>Kopie an &amp;Z spiegeln</translation>
+        <source>Across &amp;Z</source>
+        <translation>An &amp;Z</translation>
     </message>
     <message>
         <source>Mirror Z</source>
@@ -3290,8 +3290,8 @@
         <translation>Ein Spiegelbild der ausgewählten Scheiben auf die andere Seite der Ebene stellen, in der Z gleich 0 ist</translation>
     </message>
     <message>
-        <source>Mirror copy across a &amp;section…</source>
-        <translation>Kopie an einer &amp;Scheibe spiegeln …</translation>
+        <source>Across a &amp;section…</source>
+        <translation>An einer &amp;Scheibe …</translation>
     </message>
     <message>
         <source>Click a section: a mirror image of the selected ones comes on its other side</source>
@@ -3310,7 +3310,7 @@
         <translation>Alle Scheiben auswählen, die mit den ausgewählten zusammenhängen</translation>
     </message>
     <message>
-        <source>Select pa&amp;rallel</source>
+        <source>&amp;Select parallel</source>
         <translation>&amp;Parallele auswählen</translation>
     </message>
     <message>
@@ -3319,7 +3319,7 @@
     </message>
     <message>
         <source>Select of the same stoc&amp;k</source>
-        <translation>Alle &amp;derselben Platte auswählen</translation>
+        <translation>All&amp;e derselben Platte auswählen</translation>
     </message>
     <message>
         <source>Same stock</source>
@@ -3330,8 +3330,8 @@
         <translation>Alle Scheiben aus den Platten der ausgewählten auswählen</translation>
     </message>
     <message>
-        <source>Move and t&amp;urn</source>
-        <translation>&amp;Bewegen und drehen</translation>
+        <source>Move &amp;and turn</source>
+        <translation>Bewe&amp;gen und drehen</translation>
     </message>
     <message>
         <source>Move</source>
@@ -3342,7 +3342,7 @@
         <translation>Mit Griffen oder Zahlen bewegen, drehen und skalieren</translation>
     </message>
     <message>
-        <source>In &amp;space</source>
+        <source>&amp;In space</source>
         <translation>Im Rau&amp;m</translation>
     </message>
     <message>
@@ -3354,8 +3354,8 @@
         <translation>Entlang der Achsen der Welt statt in der Ebene der Scheibe</translation>
     </message>
     <message>
-        <source>With what is &amp;on it</source>
-        <translation>Mit allem, was d&amp;arauf ist</translation>
+        <source>&amp;With what is on it</source>
+        <translation>Mit allem, was darau&amp;f ist</translation>
     </message>
     <message>
         <source>With all on it</source>
@@ -3366,8 +3366,8 @@
         <translation>Was auf eine Scheibe gezeichnet wurde, geht mit, wenn sie bewegt wird</translation>
     </message>
     <message>
-        <source>Put on another section…</source>
-        <translation>Auf eine andere Scheibe setzen …</translation>
+        <source>&amp;Put on another section…</source>
+        <translation>Auf eine andere S&amp;cheibe setzen …</translation>
     </message>
     <message>
         <source>Put on</source>
@@ -3379,7 +3379,7 @@
     </message>
     <message>
         <source>Free &amp;from its parent</source>
-        <translation>&amp;Frei von ihrer Scheibe</translation>
+        <translation>Frei &amp;von ihrer Scheibe</translation>
     </message>
     <message>
         <source>Free</source>
@@ -3390,8 +3390,8 @@
         <translation>Die Scheibe frei bewegen: Sie geht weder mit der mit, auf der sie sitzt, noch behält sie ihren Winkel</translation>
     </message>
     <message>
-        <source>Make ort&amp;hogonal</source>
-        <translation>&amp;Rechtwinklig stellen</translation>
+        <source>Ma&amp;ke orthogonal</source>
+        <translation>Rec&amp;htwinklig stellen</translation>
     </message>
     <message>
         <source>Orthogonal</source>
@@ -3403,7 +3403,7 @@
     </message>
     <message>
         <source>Align to nearest a&amp;xis</source>
-        <translation>An nächster Achse a&amp;usrichten</translation>
+        <translation>An nächster Achse ausrichten</translation>
     </message>
     <message>
         <source>Align</source>
@@ -3414,8 +3414,8 @@
         <translation>Die Scheibe so drehen, dass sie entlang einer Achse der Welt schaut</translation>
     </message>
     <message>
-        <source>Loc&amp;k</source>
-        <translation>&amp;Sperren</translation>
+        <source>Lo&amp;ck</source>
+        <translation>S&amp;perren</translation>
     </message>
     <message>
         <source>Lock</source>
@@ -3426,7 +3426,7 @@
         <translation>Die ausgewählten Scheiben so lassen, wie sie sind</translation>
     </message>
     <message>
-        <source>Edit its s&amp;ource</source>
+        <source>Edit &amp;its source</source>
         <translation>&amp;Quelle bearbeiten</translation>
     </message>
     <message>
@@ -3438,7 +3438,7 @@
         <translation>Die Scheibe auswählen, aus der die ausgewählte gemacht wird</translation>
     </message>
     <message>
-        <source>De&amp;tach this one</source>
+        <source>Deta&amp;ch this one</source>
         <translation>Diese &amp;lösen</translation>
     </message>
     <message>
@@ -3448,6 +3448,18 @@
     <message>
         <source>Make a drawn section of the selected one; its operation makes the others</source>
         <translation>Aus der ausgewählten eine gezeichnete Scheibe machen; ihre Operation macht die anderen</translation>
+    </message>
+    <message>
+        <source>&amp;Mirror copy</source>
+        <translation>Kopie &amp;spiegeln</translation>
+    </message>
+    <message>
+        <source>Draw on a p&amp;lane</source>
+        <translation>Auf einer &amp;Ebene zeichnen</translation>
+    </message>
+    <message>
+        <source>P&amp;oints</source>
+        <translation>P&amp;unkte</translation>
     </message>
 </context>
 <context>

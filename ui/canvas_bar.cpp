@@ -21,7 +21,9 @@ namespace fff::ui {
 
 namespace {
 
-constexpr int kBelow = 14; // px to the view's lower edge
+constexpr int kBelow = 14;     // px to the view's lower edge
+constexpr int kScaleBar = 160; // px that the scale bar takes at its left end
+constexpr int kOverScale = 48; // px to the lower edge where the bar would lie on that
 constexpr NumberEdit::Range kPlace{-10000.0, 10000.0, 0.1, 1, 3};
 constexpr NumberEdit::Range kLength{0.0, 10000.0, 0.1, 1, 3};
 constexpr NumberEdit::Range kAngle{-360.0, 360.0, 0.5, 1, 3};
@@ -297,7 +299,7 @@ void CanvasBar::arrange(int fieldsInRow)
         m_grid->addWidget(field.edit, row, column + 1);
         shown += field.edit->isVisibleTo(this) ? 1 : 0;
     }
-    m_grid->addWidget(m_buttons, (shown + fieldsInRow - 1) / fieldsInRow, 0, 1, -1);
+    m_grid->addWidget(m_buttons, (shown + fieldsInRow - 1) / fieldsInRow, 0, 1, -1, Qt::AlignLeft);
     m_grid->activate();
 }
 
@@ -310,8 +312,8 @@ void CanvasBar::place()
     }
     const QSize size = sizeHint();
     resize(size);
-    move((parentWidget()->width() - size.width()) / 2,
-         parentWidget()->height() - size.height() - kBelow);
+    const int left = (parentWidget()->width() - size.width()) / 2;
+    move(left, parentWidget()->height() - size.height() - (left < kScaleBar ? kOverScale : kBelow));
 }
 
 void CanvasBar::paintEvent(QPaintEvent *)

@@ -314,9 +314,17 @@ Transform TransformTool::typedTransform() const
 std::vector<ToolNumber> TransformTool::numbers() const
 {
     using Kind = ToolNumber::Kind;
-    if (m_gizmo.parts.empty() || m_drag)
+    if (m_gizmo.parts.empty())
         return {};
-    const Typed typed = m_typed.value_or(Typed());
+    Typed typed = m_typed.value_or(Typed());
+    if (m_drag) { // what the hand does
+        const Transform &transform = m_drag->transform();
+        for (int axis : {0, 1, 2})
+            typed.way[axis] = transform.way.dot(m_gizmo.axis(axis));
+        typed.angle = transform.angle;
+        typed.factor = isScale(m_drag->part()) ? m_drag->value() : 1.0;
+        typed.copies = m_leavesCopy ? 1 : 0;
+    }
     const bool isInSpace = m_gizmo.isInSpace;
     return {{isInSpace ? Kind::MoveX : Kind::MoveRight, typed.way.x()},
             {isInSpace ? Kind::MoveY : Kind::MoveUp, typed.way.y()},
@@ -330,7 +338,7 @@ GestureReply TransformTool::setNumbers(const std::vector<ToolNumber> &numbers,
                                        GestureContext &context)
 {
     follow(context);
-    if (m_gizmo.parts.empty())
+    if (m_gizmo.parts.empty() || m_drag)
         return {};
     Typed typed = m_typed.value_or(Typed());
     for (const ToolNumber &number : numbers) {

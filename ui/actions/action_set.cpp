@@ -96,17 +96,26 @@ void ActionSet::fill(QToolBar *bar, std::initializer_list<const char *> ids) con
 
 void ActionSet::fill(QMenuBar *bar, const std::function<void(const QString &, QMenu *)> &own) const
 {
-    for (const MenuRow &row : menuTable()) {
-        QMenu *menu = bar->addMenu(tr(row.title));
-        menu->setToolTipsVisible(true); // greyed entries say why
-        for (const QString &id : words(row.ids)) {
-            if (id == QStringLiteral("|"))
-                menu->addSeparator();
-            else if (id.startsWith(u'@'))
-                own(id, menu);
-            else
-                menu->addAction(m_actions.value(id));
-        }
+    for (const MenuRow &row : menuTable())
+        if (!row.key)
+            fill(bar->addMenu(tr(row.title)), row, own);
+}
+
+void ActionSet::fill(QMenu *menu, const MenuRow &row,
+                     const std::function<void(const QString &, QMenu *)> &own) const
+{
+    menu->setToolTipsVisible(true); // greyed entries say why
+    for (const QString &id : words(row.ids)) {
+        if (id == QStringLiteral("|"))
+            menu->addSeparator();
+        else if (id.startsWith(u'@'))
+            own(id, menu);
+        else if (!id.startsWith(u'>'))
+            menu->addAction(m_actions.value(id));
+        else
+            for (const MenuRow &beside : menuTable())
+                if (beside.key && id.mid(1) == QLatin1String(beside.key))
+                    fill(menu->addMenu(tr(beside.title)), beside, own);
     }
 }
 

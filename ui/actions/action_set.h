@@ -19,6 +19,7 @@ class QToolBar;
 namespace fff::ui {
 
 class Workbench;
+struct MenuRow;
 
 class ActionSet : public QObject
 {
@@ -51,6 +52,8 @@ Q_SIGNALS:
     void triggered(const QString &id);
 
 private:
+    void fill(QMenu *menu, const MenuRow &row,
+              const std::function<void(const QString &id, QMenu *menu)> &own) const;
     void applyShortcuts();
     static void setTip(QAction *action, const QString &sentence);
 

@@ -46,32 +46,29 @@ std::span<const ActionRow> Texts::actions()
          QT_TR_NOOP("Copy the selected sections, also for other windows and programs")},
         {"edit.paste", QT_TR_NOOP("&Paste"), QT_TR_NOOP("Paste"), "Ctrl+V", "paste",
          QT_TR_NOOP("Add the sections that were copied")},
-        {"edit.duplicate", QT_TR_NOOP("D&uplicate"), QT_TR_NOOP("Duplicate"), "Ctrl+D", "duplicate",
+        {"edit.duplicate", QT_TR_NOOP("Dup&licate"), QT_TR_NOOP("Duplicate"), "Ctrl+D", "duplicate",
          QT_TR_NOOP("Put a copy of the selected sections beside them")},
         {"edit.delete", QT_TR_NOOP("&Delete"), QT_TR_NOOP("Delete"), "Del", "trash",
          QT_TR_NOOP("Delete the selected sections")},
         {"edit.selectAll", QT_TR_NOOP("Select &all"), QT_TR_NOOP("Select all"), "Ctrl+A",
          "select_all", QT_TR_NOOP("Select all sections")},
-        {"edit.mirrorCopyX", QT_TR_NOOP("Mirror copy across &X"), QT_TR_NOOP("Mirror X"), "",
-         "mirror_copy",
+        {"edit.mirrorCopyX", QT_TR_NOOP("Across &X"), QT_TR_NOOP("Mirror X"), "", "mirror_copy",
          QT_TR_NOOP("Put a mirror image of the selected sections on the other side of the plane "
                     "where X is 0")},
-        {"edit.mirrorCopyY", QT_TR_NOOP("Mirror copy across &Y"), QT_TR_NOOP("Mirror Y"), "",
-         "mirror_copy",
+        {"edit.mirrorCopyY", QT_TR_NOOP("Across &Y"), QT_TR_NOOP("Mirror Y"), "", "mirror_copy",
          QT_TR_NOOP("Put a mirror image of the selected sections on the other side of the plane "
                     "where Y is 0")},
-        {"edit.mirrorCopyZ", QT_TR_NOOP("Mirror copy across &Z"), QT_TR_NOOP("Mirror Z"), "",
-         "mirror_copy",
+        {"edit.mirrorCopyZ", QT_TR_NOOP("Across &Z"), QT_TR_NOOP("Mirror Z"), "", "mirror_copy",
          QT_TR_NOOP("Put a mirror image of the selected sections on the other side of the plane "
                     "where Z is 0")},
-        {"edit.mirrorCopySection", QT_TR_NOOP("Mirror copy across a &section…"),
-         QT_TR_NOOP("Mirror"), "", "mirror_copy",
+        {"edit.mirrorCopySection", QT_TR_NOOP("Across a &section…"), QT_TR_NOOP("Mirror"), "",
+         "mirror_copy",
          QT_TR_NOOP("Click a section: a mirror image of the selected ones comes on its other side"),
          false, true},
         {"edit.selectConnected", QT_TR_NOOP("Select co&nnected"), QT_TR_NOOP("Connected"),
          "Ctrl+Shift+A", "select_connected",
          QT_TR_NOOP("Select all sections that hang together with the selected ones")},
-        {"edit.selectParallel", QT_TR_NOOP("Select pa&rallel"), QT_TR_NOOP("Parallel"), "",
+        {"edit.selectParallel", QT_TR_NOOP("&Select parallel"), QT_TR_NOOP("Parallel"), "",
          "select_parallel", QT_TR_NOOP("Select all sections parallel to the selected ones")},
         {"edit.selectSameStock", QT_TR_NOOP("Select of the same stoc&k"), QT_TR_NOOP("Same stock"),
          "", "stocks", QT_TR_NOOP("Select all sections of the stocks of the selected ones")},
@@ -166,25 +163,25 @@ std::span<const ActionRow> Texts::actions()
         {"joint.reset", QT_TR_NOOP("Reset the joint to a&utomatic"), QT_TR_NOOP("Reset joint"), "",
          "joint_reset",
          QT_TR_NOOP("Let the selected joint be as it is by itself: kind, direction and share")},
-        {"section.transform", QT_TR_NOOP("Move and t&urn"), QT_TR_NOOP("Move"), "T", "transform",
+        {"section.transform", QT_TR_NOOP("Move &and turn"), QT_TR_NOOP("Move"), "T", "transform",
          QT_TR_NOOP("Move, turn and scale with handles or numbers"), true, true},
-        {"transform.inSpace", QT_TR_NOOP("In &space"), QT_TR_NOOP("In space"), "", "in_space",
+        {"transform.inSpace", QT_TR_NOOP("&In space"), QT_TR_NOOP("In space"), "", "in_space",
          QT_TR_NOOP("Along the axes of the world, rather than in the plane of the section"), false,
          true},
-        {"transform.withChildren", QT_TR_NOOP("With what is &on it"), QT_TR_NOOP("With all on it"),
+        {"transform.withChildren", QT_TR_NOOP("&With what is on it"), QT_TR_NOOP("With all on it"),
          "", "with_children",
          QT_TR_NOOP("What was drawn on a section goes along when that is moved"), false, true},
-        {"section.putOn", QT_TR_NOOP("Put on another section…"), QT_TR_NOOP("Put on"), "", "put_on",
-         QT_TR_NOOP("Click the section that the selected one shall be on"), false, true},
+        {"section.putOn", QT_TR_NOOP("&Put on another section…"), QT_TR_NOOP("Put on"), "",
+         "put_on", QT_TR_NOOP("Click the section that the selected one shall be on"), false, true},
         {"section.free", QT_TR_NOOP("Free &from its parent"), QT_TR_NOOP("Free"), "", "free",
          QT_TR_NOOP("Let the section go any way: it neither goes along with the one that it is on, "
                     "nor keeps its angle"),
          false, true},
-        {"section.makeOrthogonal", QT_TR_NOOP("Make ort&hogonal"), QT_TR_NOOP("Orthogonal"), "",
+        {"section.makeOrthogonal", QT_TR_NOOP("Ma&ke orthogonal"), QT_TR_NOOP("Orthogonal"), "",
          "orthogonal", QT_TR_NOOP("Turn the section to a right angle to the one that it is on")},
         {"section.snapNormal", QT_TR_NOOP("Align to nearest a&xis"), QT_TR_NOOP("Align"), "",
          "align", QT_TR_NOOP("Turn the section so that it faces along an axis of the world")},
-        {"section.lock", QT_TR_NOOP("Loc&k"), QT_TR_NOOP("Lock"), "", "lock",
+        {"section.lock", QT_TR_NOOP("Lo&ck"), QT_TR_NOOP("Lock"), "", "lock",
          QT_TR_NOOP("Let the selected sections stay as they are"), false, true},
         {"section.dropToGround", QT_TR_NOOP("&Drop to ground"), QT_TR_NOOP("Drop"), "End",
          "drop_to_ground", QT_TR_NOOP("Set the model down on the ground"), true},
@@ -215,9 +212,9 @@ std::span<const ActionRow> Texts::actions()
          "move_up", QT_TR_NOOP("Let the selected operation work before the one above it")},
         {"operation.moveDown", QT_TR_NOOP("Lat&er in the order"), QT_TR_NOOP("Later"), "",
          "move_down", QT_TR_NOOP("Let the selected operation work after the one below it")},
-        {"operation.editSource", QT_TR_NOOP("Edit its s&ource"), QT_TR_NOOP("Edit source"), "",
+        {"operation.editSource", QT_TR_NOOP("Edit &its source"), QT_TR_NOOP("Edit source"), "",
          "section", QT_TR_NOOP("Select the section that the selected one is made from")},
-        {"operation.detach", QT_TR_NOOP("De&tach this one"), QT_TR_NOOP("Detach"), "", "detach",
+        {"operation.detach", QT_TR_NOOP("Deta&ch this one"), QT_TR_NOOP("Detach"), "", "detach",
          QT_TR_NOOP("Make a drawn section of the selected one; its operation makes the others")},
         {"operation.bake", QT_TR_NOOP("Ba&ke into sections"), QT_TR_NOOP("Bake"), "", "bake",
          QT_TR_NOOP("Make drawn sections of what the selected operation makes")},
@@ -248,7 +245,7 @@ std::span<const MenuRow> Texts::menus()
          "file.settings | file.close file.quit"},
         {QT_TR_NOOP("&Edit"),
          "edit.undo edit.redo | edit.cut edit.copy edit.paste edit.duplicate edit.delete | "
-         "edit.mirrorCopyX edit.mirrorCopyY edit.mirrorCopyZ edit.mirrorCopySection | "
+         ">mirrorCopy | "
          "edit.selectAll edit.selectConnected edit.selectParallel edit.selectSameStock"},
         {QT_TR_NOOP("&View"),
          "view.front view.top view.right view.back view.bottom view.left view.iso "
@@ -258,13 +255,10 @@ std::span<const MenuRow> Texts::menus()
          "@docks view.docks view.resetWindow | view.nextPane view.previousPane | "
          "view.fullScreen"},
         {QT_TR_NOOP("&Section"),
-         "section.symmetry section.ground section.snap | section.pen section.planeGround "
-         "section.planeFront "
-         "section.planeSide section.planeParallel | section.redraw section.addHole "
-         "section.removeHoles | point.insert point.delete | "
-         "point.smooth point.symmetric point.corner | joint.flip joint.reset | "
-         "section.transform transform.inSpace transform.withChildren | section.putOn section.free "
-         "section.makeOrthogonal section.snapNormal section.dropToGround section.lock"},
+         "section.symmetry section.ground section.snap | section.pen >plane | section.redraw "
+         "section.addHole section.removeHoles >points | section.transform transform.inSpace "
+         "transform.withChildren | section.putOn section.free section.makeOrthogonal "
+         "section.snapNormal section.dropToGround section.lock | joint.flip joint.reset"},
         {QT_TR_NOOP("&Operation"),
          "operation.linear operation.revolve operation.blend operation.branch operation.grid "
          "operation.radial | operation.mirror operation.rotational operation.symmetric | "
@@ -273,6 +267,12 @@ std::span<const MenuRow> Texts::menus()
         {QT_TR_NOOP("&Checks"), "check.nextProblem check.previousProblem | check.showAssembly"},
         {QT_TR_NOOP("F&abricate"), "fabricate.stocks | file.export"},
         {QT_TR_NOOP("&Help"), "edit.find help.start | help.about"},
+        {QT_TR_NOOP("&Mirror copy"),
+         "edit.mirrorCopyX edit.mirrorCopyY edit.mirrorCopyZ edit.mirrorCopySection", "mirrorCopy"},
+        {QT_TR_NOOP("Draw on a p&lane"),
+         "section.planeGround section.planeFront section.planeSide section.planeParallel", "plane"},
+        {QT_TR_NOOP("P&oints"),
+         "point.insert point.delete | point.smooth point.symmetric point.corner", "points"},
     };
     return kMenus;
 }

@@ -23,11 +23,13 @@ struct ActionRow
 std::span<const ActionRow> actionTable();
 
 /// A menu of the menu bar. Ids are separated by blanks; "|" is a separator, "@recent" and "@docks"
-/// are what the window puts in their place.
+/// are what the window puts in their place, ">plane" is the menu with the key "plane", which opens
+/// beside it and is none of the bar.
 struct MenuRow
 {
     const char *title;
     const char *ids;
+    const char *key = nullptr;
 };
 
 std::span<const MenuRow> menuTable();

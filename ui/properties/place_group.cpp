@@ -122,7 +122,7 @@ void PlaceGroup::addAngle()
                                        m_bench.interaction().selection(), radians(value),
                                        m_bench.interaction().settings().takesChildren));
     });
-    add(new EditorRow(
+    m_angle = new EditorRow(
         Texts::tr("Angle to it"), "sectionAngle", edit,
         [this, edit] {
             const auto angle = [this](const Section &section) -> std::optional<double> {
@@ -131,12 +131,13 @@ void PlaceGroup::addAngle()
                           : std::nullopt;
             };
             const std::vector<const Section *> all = sections();
-            edit->setEnabled(std::any_of(all.begin(), all.end(), [this](const Section *section) {
+            m_angle->setVisible(std::any_of(all.begin(), all.end(), [this](const Section *section) {
                 return parentOf(*section) != nullptr;
             }));
             edit->setNumber(common(angle));
         },
-        this));
+        this);
+    add(m_angle);
 }
 
 /// Of the middle of its shape.

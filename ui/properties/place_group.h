@@ -38,7 +38,8 @@ private:
     common(const std::function<std::optional<double>(const Section &)> &valueOf) const;
 
     Workbench &m_bench;
-    QToolButton *m_pick = nullptr, *m_off = nullptr;
+    QToolButton *m_pick = nullptr, *m_off = nullptr; // of what it is on
+    PropertyRow *m_angle = nullptr;                  // to that
     std::vector<PropertyRow *> m_rows;
 };
 

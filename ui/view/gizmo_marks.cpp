@@ -20,7 +20,7 @@ constexpr double kRingAlpha = 0.7;                    // of rings that nobody ho
 constexpr double kHead = 11.0, kHeadHalf = 5.5;       // px, of an arrow
 constexpr double kBox = 9.0, kLitBox = 12.0;          // px, a side
 constexpr double kLetterOff = 12.0;                   // px beyond an arrow's tip
-constexpr double kChipOff = 26.0;                     // px above the middle
+constexpr double kChipOff = 18.0;                     // px from the middle, left and up
 constexpr double kGuideWidth = 1.4, kGuideMark = 4.0; // px
 constexpr double kShortest = 2.0 * kHead;             // px, of an arrow that has a shaft
 
@@ -147,7 +147,7 @@ void GizmoDrawing::value(LengthUnit unit, const QLocale &locale)
         text = lengthText(number, unit, 1, 1, locale);
     if (m_marks.copies > 0)
         text = Texts::tr("Copy: %1").arg(text);
-    m_pen.chip(point(m_look.centre()) - QPointF(0.0, kChipOff), MarkPen::Anchor::Middle, text,
+    m_pen.chip(point(m_look.centre()) - QPointF(kChipOff, kChipOff), MarkPen::Anchor::Right, text,
                m_pen.style().accent);
 }
 
