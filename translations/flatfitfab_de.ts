@@ -1381,6 +1381,38 @@
         <source>Symmetry</source>
         <translation>Symmetrie</translation>
     </message>
+    <message>
+        <source>Line</source>
+        <translation>Linie</translation>
+    </message>
+    <message>
+        <source>With what is there already</source>
+        <translation>Mit dem, was schon da ist</translation>
+    </message>
+    <message>
+        <source>Step X</source>
+        <translation>Schritt X</translation>
+    </message>
+    <message>
+        <source>Step Y</source>
+        <translation>Schritt Y</translation>
+    </message>
+    <message>
+        <source>Step Z</source>
+        <translation>Schritt Z</translation>
+    </message>
+    <message>
+        <source>Array</source>
+        <translation>Reihe</translation>
+    </message>
+    <message>
+        <source>Repeats sections along a line through space.</source>
+        <translation>Wiederholt Scheiben entlang einer Linie durch den Raum.</translation>
+    </message>
+    <message>
+        <source>Click the sections to repeat.</source>
+        <translation>Auf die Scheiben klicken, die wiederholt werden.</translation>
+    </message>
 </context>
 <context>
     <name>OperationNotice</name>
@@ -3460,6 +3492,18 @@
     <message>
         <source>P&amp;oints</source>
         <translation>P&amp;unkte</translation>
+    </message>
+    <message>
+        <source>Arra&amp;y</source>
+        <translation>Re&amp;ihe</translation>
+    </message>
+    <message>
+        <source>Array</source>
+        <translation>Reihe</translation>
+    </message>
+    <message>
+        <source>Repeat sections along a line through space</source>
+        <translation>Scheiben entlang einer Linie durch den Raum wiederholen</translation>
     </message>
 </context>
 <context>

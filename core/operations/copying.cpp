@@ -2,6 +2,7 @@
 
 #include "core/assembly/crossing.h"
 #include "core/model/instance_key.h"
+#include "core/operations/images.h"
 
 #include <algorithm>
 #include <cctype>
@@ -9,15 +10,6 @@
 namespace fff {
 
 namespace {
-
-/// Below the key of a copy: the id of a drawn member, the operation and key of another.
-std::string memberKey(const SectionRef &ref)
-{
-    if (ref.drawn.isValid())
-        return std::to_string(ref.drawn.value);
-    std::string operation = "o";
-    return keyBelow(operation.append(std::to_string(ref.operation.value)), ref.key);
-}
 
 bool meets(const Section &a, const Section &b)
 {
@@ -82,7 +74,7 @@ Branch wholeBranchOf(OperationContext &context, const SectionPointer &section,
             std::stable_partition(rest.begin(), rest.end(),
                                   [&](const SectionPointer &other) { return !isOnHost(other); });
         for (auto it = end; it != rest.end(); ++it)
-            branch.members.push_back({*it, memberKey((*it)->ref()), static_cast<int>(i)});
+            branch.members.push_back({*it, keyOfSection((*it)->ref()), static_cast<int>(i)});
         rest.erase(end, rest.end());
     }
     return branch;

@@ -1,4 +1,5 @@
 // The table of the kinds: a new one is its file and its line here.
+#include "core/operations/array.h"
 #include "core/operations/blend.h"
 #include "core/operations/branch.h"
 #include "core/operations/grid.h"
@@ -20,6 +21,7 @@ std::span<const OperationKind *const> operationKinds()
         &kRadial,     //
         &kMirror,     //
         &kRotational, //
+        &kArray,      //
     };
     return kKinds;
 }

@@ -1,4 +1,5 @@
 target_sources(fff_core PRIVATE
+    operations/array.cpp
     operations/baking.cpp
     operations/blend.cpp
     operations/branch.cpp
@@ -8,6 +9,7 @@ target_sources(fff_core PRIVATE
     operations/excerpt.cpp
     operations/grid.cpp
     operations/grid_cells.cpp
+    operations/images.cpp
     operations/insertion.cpp
     operations/linear.cpp
     operations/moving_model.cpp

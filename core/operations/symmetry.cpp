@@ -3,14 +3,13 @@
 #include "core/base/tolerances.h"
 #include "core/geometry/contour_points.h"
 #include "core/geometry/symmetrised.h"
-#include "core/model/instance_key.h"
 #include "core/operations/copying.h"
+#include "core/operations/images.h"
 #include "core/operations/source_crossing.h"
 #include "core/operations/text.h"
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <numbers>
 
 namespace fff {
@@ -23,14 +22,6 @@ using Unit = ParameterSpec::Unit;
 constexpr double kSameImage = 1e-4;
 /// That one symmetry can be about, of a selection.
 constexpr int kMostSections = 500;
-
-std::string keyOf(const SectionRef &ref)
-{
-    if (ref.drawn.isValid())
-        return std::to_string(ref.drawn.value);
-    std::string operation = "o";
-    return keyBelow(operation.append(std::to_string(ref.operation.value)), ref.key);
-}
 
 /// Over a section of this size, mm, round a point of the second plane.
 bool isSamePlane(const Frame &a, const Frame &b, const Vec3 &point, double size)
@@ -122,17 +113,10 @@ ShapePointer mirrored(const Shape &shape, const PlaneLine &line)
     return made ? *made : nullptr;
 }
 
-class SymmetryMaker
+class SymmetryMaker : public ImageMaker
 {
 public:
-    SymmetryMaker(OperationContext &context, std::vector<SectionPointer> scope)
-        : m_context(context), m_scope(std::move(scope))
-    {
-        for (const SectionPointer &section : m_scope)
-            m_isCopied[section->ref()] = true;
-    }
-
-    const std::vector<SectionPointer> &scope() const { return m_scope; }
+    using ImageMaker::ImageMaker;
 
     /// It is of this shape from now on, as are its copies.
     void reshape(const SectionPointer &section, const ShapePointer &shape)
@@ -141,73 +125,21 @@ public:
             return;
         Section next = *section;
         next.shape = shape;
-        const auto changed = std::make_shared<const Section>(std::move(next));
-        m_context.change(section->ref(), changed);
-        std::replace(m_scope.begin(), m_scope.end(), SectionPointer(section),
-                     SectionPointer(changed));
+        change(section, std::make_shared<const Section>(std::move(next)));
     }
     /// Its larger half across the line, and the image of that.
     void mirror(const SectionPointer &section, const PlaneLine &line)
     {
-        m_context.setMirror(section->ref(), {line.point, perpendicular(line.direction)});
+        context().setMirror(section->ref(), {line.point, perpendicular(line.direction)});
         reshape(section, mirrored(*section->shape, line));
     }
-    /// It is not copied.
-    void leave(const SectionPointer &section) { m_isCopied[section->ref()] = false; }
-    bool isCopied(const SectionPointer &section) const { return m_isCopied.at(section->ref()); }
-
     /// Sections that are there at the image's place already.
     bool hasImage(const SectionPointer &section, const Similarity &placement) const
     {
         const Section image = imageOf(*section, placement);
-        return std::any_of(m_scope.begin(), m_scope.end(),
+        return std::any_of(scope().begin(), scope().end(),
                            [&](const SectionPointer &other) { return isSameImage(image, *other); });
     }
-
-    void addCopies(const Similarity &placement, const std::string &above, const std::string &mark)
-    {
-        for (const SectionPointer &section : m_scope) {
-            if (!isCopied(section))
-                continue;
-            Section copy = imageOf(*section, placement);
-            copy.name = section->name;
-            copy.name.append(mark);
-            if (copy.parent) {
-                const auto parent = m_isCopied.find(copy.parent->section);
-                const bool isTaken = parent != m_isCopied.end() && parent->second;
-                if (isTaken)
-                    copy.parent->section =
-                        SectionRef(m_context.operation().id, keyBelow(above, keyOf(parent->first)));
-                else
-                    moveSlit(copy, placement);
-            }
-            const std::string key = keyBelow(above, keyOf(section->ref()));
-            m_context.setImage(key, section->ref(), placement.turn.determinant() < 0.0);
-            m_context.add(key, std::move(copy));
-        }
-    }
-
-private:
-    static Section imageOf(const Section &section, const Similarity &placement)
-    {
-        Section image = section;
-        image.frame = placed(section.frame, placement);
-        return image;
-    }
-
-    /// On a parent that stays one the slit is elsewhere; on one that is none of this, too.
-    void moveSlit(Section &copy, const Similarity &placement)
-    {
-        const SectionPointer parent = m_context.find(copy.parent->section);
-        if (!parent)
-            return;
-        for (Vec2 *end : {&copy.parent->slitFrom, &copy.parent->slitTo})
-            *end = parent->frame.toLocal(placement(parent->frame.toWorld(*end)));
-    }
-
-    OperationContext &m_context;
-    std::vector<SectionPointer> m_scope;
-    std::map<SectionRef, bool> m_isCopied;
 };
 
 /// The sections that a symmetry is about; nothing when it misses one.

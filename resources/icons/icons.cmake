@@ -4,6 +4,7 @@ find_program(RSVG_CONVERT rsvg-convert REQUIRED)
 set(icon_names
     about
     align
+    array
     bake
     blend
     branch

@@ -18,11 +18,11 @@ constexpr char kSentence[] = "sentence"; // of the tooltip, without the shortcut
 
 /// Checked while their tool is in the hand.
 constexpr const char *kTools[] = {
-    "section.planeGround", "section.planeFront", "section.planeSide",     "section.planeParallel",
-    "section.redraw",      "section.addHole",    "section.pen",           "check.showAssembly",
-    "operation.linear",    "operation.revolve",  "operation.blend",       "operation.branch",
-    "operation.grid",      "operation.radial",   "operation.mirror",      "operation.rotational",
-    "section.transform",   "section.putOn",      "edit.mirrorCopySection"};
+    "section.planeGround", "section.planeFront", "section.planeSide", "section.planeParallel",
+    "section.redraw",      "section.addHole",    "section.pen",       "check.showAssembly",
+    "operation.linear",    "operation.revolve",  "operation.blend",   "operation.branch",
+    "operation.grid",      "operation.radial",   "operation.mirror",  "operation.rotational",
+    "operation.array",     "section.transform",  "section.putOn",     "edit.mirrorCopySection"};
 
 const ActionRow &rowOf(const QString &id)
 {

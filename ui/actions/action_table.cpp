@@ -204,6 +204,8 @@ std::span<const ActionRow> Texts::actions()
          true},
         {"operation.rotational", QT_TR_NOOP("Ro&tational symmetry"), QT_TR_NOOP("Rotational"), "",
          "rotational", QT_TR_NOOP("Let what is drawn once stand all round an axis"), false, true},
+        {"operation.array", QT_TR_NOOP("Arra&y"), QT_TR_NOOP("Array"), "", "array",
+         QT_TR_NOOP("Repeat sections along a line through space"), false, true},
         {"operation.symmetric", QT_TR_NOOP("Make symmetric &now"), QT_TR_NOOP("Symmetric"), "",
          "symmetry", QT_TR_NOOP("Copy what stands on one side to the other side, once")},
         {"operation.switch", QT_TR_NOOP("&Switch off or on"), QT_TR_NOOP("On"), "",
@@ -261,7 +263,8 @@ std::span<const MenuRow> Texts::menus()
          "section.snapNormal section.dropToGround section.lock | joint.flip joint.reset"},
         {QT_TR_NOOP("&Operation"),
          "operation.linear operation.revolve operation.blend operation.branch operation.grid "
-         "operation.radial | operation.mirror operation.rotational operation.symmetric | "
+         "operation.radial | operation.mirror operation.rotational operation.array "
+         "operation.symmetric | "
          "operation.switch operation.moveUp operation.moveDown | "
          "operation.editSource operation.detach operation.bake"},
         {QT_TR_NOOP("&Checks"), "check.nextProblem check.previousProblem | check.showAssembly"},

@@ -63,25 +63,28 @@ void organiser(const std::string &folder)
                         {{-half * 0.5, height}, false},
                         {{-half, height}, true}});
     };
-    maker.add("Back", facingFront(-deep + 12), wall(wide, high + 20, -10));
+    const SectionRef back = maker.add("Back", facingFront(-deep + 12), wall(wide, high + 20, -10));
     maker.add("Middle", facingFront(0.0), wall(wide, high, 0));
-    maker.add("Front", facingFront(deep - 12), wall(wide, high - 20, 10));
-    int number = 1;
-    for (const double x : {-93.0, -31.0, 31.0, 93.0}) {
-        const bool isOuter = std::abs(x) > 60;
-        // To the back at positive coordinates: it rises there.
-        const Contour slope = through({{{-deep, 0}, true},
-                                       {{deep, 0}, true},
-                                       {{deep, high + 20}, true},
-                                       {{deep - 24, high + 20}},
-                                       {{0, high}},
-                                       {{-deep + 24, high - 20}},
-                                       {{-deep, high - 20}, true}});
-        std::vector<Contour> holes;
-        if (isOuter)
-            holes.push_back(roundedRectangle({28, high - 16}, 34, 15, 7));
-        maker.add("Wall " + std::to_string(number++), facingRight(x), slope, holes);
-    }
+    const SectionRef front = maker.add("Front", facingFront(deep - 12), wall(wide, high - 20, 10));
+    // To the back at positive coordinates: it rises there.
+    const Contour slope = through({{{-deep, 0}, true},
+                                   {{deep, 0}, true},
+                                   {{deep, high + 20}, true},
+                                   {{deep - 24, high + 20}},
+                                   {{0, high}},
+                                   {{-deep + 24, high - 20}},
+                                   {{-deep, high - 20}, true}});
+    const auto row = [&](const char *name, const char *part, double x, double step,
+                         const SectionRef &crossed, const std::vector<Contour> &holes) {
+        const SectionRef first = maker.add(part, facingRight(x), slope, holes);
+        const OperationId array = maker.apply("array", name, {{"sections", {first}}},
+                                              {{"count", 2.0}, {"x", step}, {"z", 0.0}});
+        // All go in from above.
+        maker.open(crossed, first, {0, 1});
+        maker.open(crossed, {array, "1/" + std::to_string(first.drawn.value)}, {0, 1});
+    };
+    row("Sides", "Side", -93.0, 186.0, front, {roundedRectangle({28, high - 16}, 34, 15, 7)});
+    row("Dividers", "Divider", -31.0, 62.0, back, {});
     maker.write(folder, "organiser");
 }
 

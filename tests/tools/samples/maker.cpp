@@ -123,6 +123,15 @@ void Maker::hide(OperationId operation, const std::string &key)
     m_document = taken(setException(m_document, {operation, key}, exception), key);
 }
 
+void Maker::open(const SectionRef &a, const SectionRef &b, const Vec2 &way)
+{
+    JointOverride joint;
+    joint.a = a;
+    joint.b = b;
+    joint.opens = way;
+    m_document = taken(setJointOverride(std::move(m_document), std::move(joint)), "a joint");
+}
+
 void Maker::hang(const SectionRef &section, const Vec2 &position, double kilograms)
 {
     Weight weight;

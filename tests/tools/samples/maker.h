@@ -28,6 +28,8 @@ public:
                       const Values &values = {});
     /// One of its sections is not made.
     void hide(OperationId operation, const std::string &key);
+    /// In their joint the slit of `a` opens that way, in its frame coordinates.
+    void open(const SectionRef &a, const SectionRef &b, const Vec2 &way);
     void hang(const SectionRef &section, const Vec2 &position, double kilograms);
 
     /// All that is there by now, drawn or made.
