@@ -206,6 +206,7 @@ void CanvasBar::showCommands()
         auto *button = new QToolButton(m_buttons);
         button->setDefaultAction(m_actions.action(std::string(command).c_str()));
         button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+        button->setAutoRaise(true);
         button->setIconSize({16, 16});
         button->setFocusPolicy(Qt::TabFocus);
         button->setObjectName(QStringLiteral("canvas.") + button->defaultAction()->objectName());
@@ -299,7 +300,8 @@ void CanvasBar::arrange(int fieldsInRow)
         m_grid->addWidget(field.edit, row, column + 1);
         shown += field.edit->isVisibleTo(this) ? 1 : 0;
     }
-    m_grid->addWidget(m_buttons, (shown + fieldsInRow - 1) / fieldsInRow, 0, 1, -1, Qt::AlignLeft);
+    m_grid->addWidget(m_buttons, (shown + fieldsInRow - 1) / fieldsInRow, 0, 1,
+                      std::max(1, 2 * std::min(shown, fieldsInRow)), Qt::AlignLeft);
     m_grid->activate();
 }
 
