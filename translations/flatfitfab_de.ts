@@ -1936,6 +1936,11 @@
             <numerusform>%n Scheiben entsperren</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Insert %1</source>
+        <extracomment>%1 is the name of a file</extracomment>
+        <translation>%1 einfügen</translation>
+    </message>
 </context>
 <context>
     <name>fff::cli</name>
@@ -3505,6 +3510,34 @@
         <source>Repeat sections along a line through space</source>
         <translation>Scheiben entlang einer Linie durch den Raum wiederholen</translation>
     </message>
+    <message>
+        <source>&amp;Insert model…</source>
+        <translation>&amp;Modell einfügen …</translation>
+    </message>
+    <message>
+        <source>Insert</source>
+        <translation>Einfügen</translation>
+    </message>
+    <message>
+        <source>Add the sections of another model to this one</source>
+        <translation>Die Scheiben eines anderen Modells zu diesem hinzufügen</translation>
+    </message>
+    <message>
+        <source>Lea&amp;ve this one out</source>
+        <translation>Diese auslassen</translation>
+    </message>
+    <message>
+        <source>Leave out</source>
+        <translation>Auslassen</translation>
+    </message>
+    <message>
+        <source>Do not make the selected section; its operation makes the others</source>
+        <translation>Die ausgewählte Scheibe nicht machen; ihre Operation macht die anderen</translation>
+    </message>
+    <message>
+        <source>What is selected has no holes</source>
+        <translation>Was ausgewählt ist, hat keine Löcher</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::AgoText</name>
@@ -3897,6 +3930,14 @@
     <message>
         <source>Save over it</source>
         <translation>Darüber speichern</translation>
+    </message>
+    <message>
+        <source>Insert a model</source>
+        <translation>Ein Modell einfügen</translation>
+    </message>
+    <message>
+        <source>Nothing inserted: %1 has no sections.</source>
+        <translation>Nichts eingefügt: %1 hat keine Scheiben.</translation>
     </message>
 </context>
 <context>

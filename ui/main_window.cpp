@@ -6,6 +6,7 @@
 #include "ui/actions/action_set.h"
 #include "ui/badges.h"
 #include "ui/canvas_bar.h"
+#include "ui/context_menu.h"
 #include "ui/dialogs/about_dialog.h"
 #include "ui/dialogs/command_search.h"
 #include "ui/dialogs/settings_dialog.h"
@@ -163,8 +164,12 @@ void MainWindow::makeDocks()
     m_properties = new PropertiesDock(*m_bench, *m_checkList, this);
     m_badges = new Badges(*m_bench, *m_checkList, m_view);
     m_bar = new CanvasBar(*m_bench, *m_actions, m_view);
-    if (auto *viewport = qobject_cast<Viewport *>(m_view))
+    if (auto *viewport = qobject_cast<Viewport *>(m_view)) {
+        auto *menu = new ContextMenu(*m_bench, *m_actions, m_view);
         connect(viewport, &Viewport::numberBegun, m_bar, &CanvasBar::begin);
+        connect(viewport, &Viewport::menuWanted, menu, &ContextMenu::openAt);
+        connect(viewport, &Viewport::menuKeyPressed, menu, &ContextMenu::openForSelection);
+    }
     new OperationNotices(*m_bench, *m_messages, this);
     m_steps = new StepsView(*m_bench, *m_checkList, qobject_cast<Viewport *>(m_view), this);
     m_layout = new WindowLayout(*this);
@@ -230,6 +235,10 @@ void MainWindow::addCommands()
     };
     add("file.new", [this] { startNewDocument(*this); });
     add("file.open", [this] { m_files->open(); });
+    add("file.insert", [this] {
+        if (m_files->insert())
+            showDocument();
+    });
     add("file.save", [this] { m_files->save(); });
     add("file.saveAs", [this] { m_files->saveAs(); });
     add("file.export", [this] { m_files->exportCuttingFile(); });
@@ -274,8 +283,8 @@ void MainWindow::run(const QString &id)
     else
         m_bench->run(id);
     m_actions->refresh(); // what is checked says what is so, not what was clicked
-    if (m_bench->interaction().tool() &&
-        (id.startsWith(QStringLiteral("section.")) || id.startsWith(QStringLiteral("operation."))))
+    const Tool *tool = m_bench->interaction().tool();
+    if (tool && tool->command() == id.toStdString())
         m_view->setFocus(); // keys are the tool's
     if (id == QStringLiteral("edit.undo") && history.index() < before)
         m_status->sayUndone(undone);

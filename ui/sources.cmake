@@ -7,6 +7,7 @@ target_sources(fff_ui PRIVATE
     canvas_bar.cpp
     check_words.cpp
     clipboard.cpp
+    context_menu.cpp
     cursors.cpp
     dialogs/about_dialog.cpp
     dialogs/command_search.cpp

@@ -4,6 +4,7 @@
 #include "ui/workbench.h"
 
 #include <QKeyEvent>
+#include <QLineF>
 #include <QMouseEvent>
 #include <QWheelEvent>
 
@@ -82,6 +83,10 @@ void ViewInput::press(QMouseEvent *event)
 {
     flush();
     m_held |= event->button();
+    m_menuPress.reset();
+    if (event->button() == Qt::RightButton && m_held == Qt::RightButton &&
+        event->modifiers() == Qt::NoModifier)
+        m_menuPress = event->position();
     m_bench.handle(pointer(PointerEvent::Type::Press, event));
 }
 
@@ -90,6 +95,9 @@ void ViewInput::press(QMouseEvent *event)
 void ViewInput::move(QMouseEvent *event)
 {
     letGo(event->buttons());
+    const double threshold = m_bench.interaction().settings().dragThreshold;
+    if (m_menuPress && QLineF(*m_menuPress, event->position()).length() > threshold)
+        m_menuPress.reset();
     m_moves.push_back(pointer(PointerEvent::Type::Move, event));
     if (!m_burst.isActive())
         m_burst.start();
@@ -110,6 +118,8 @@ void ViewInput::release(QMouseEvent *event)
     m_held &= ~Qt::MouseButtons(event->button());
     flush();
     m_bench.handle(pointer(PointerEvent::Type::Release, event));
+    if (event->button() == Qt::RightButton && std::exchange(m_menuPress, std::nullopt))
+        Q_EMIT menuWanted(event->position().toPoint());
 }
 
 void ViewInput::letGo(Qt::MouseButtons stillHeld)

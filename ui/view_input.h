@@ -10,6 +10,7 @@
 #include <QSinglePointEvent>
 #include <QTimer>
 
+#include <optional>
 #include <vector>
 
 class QKeyEvent;
@@ -54,6 +55,8 @@ public:
 Q_SIGNALS:
     /// This was typed, and begins a number for the tool in the hand.
     void numberBegun(const QString &text);
+    /// The right button was pressed and released in one place.
+    void menuWanted(const QPoint &inView);
 
 private:
     PointerEvent pointer(PointerEvent::Type type, QSinglePointEvent *event);
@@ -66,10 +69,11 @@ private:
     Workbench &m_bench;
     bool m_isSpaceHeld = false;
     Qt::MouseButtons m_held = Qt::NoButton;
-    Qt::KeyboardModifiers m_keys;      // of the last event that had a place
-    Vec2 m_cursor = Vec2::Zero();      // px, of that event
-    std::vector<PointerEvent> m_moves; // of the burst that is coming in
-    QTimer m_burst;                    // ends when nothing more is at hand
+    Qt::KeyboardModifiers m_keys;       // of the last event that had a place
+    Vec2 m_cursor = Vec2::Zero();       // px, of that event
+    std::optional<QPointF> m_menuPress; // of the right button, as long as it stays there
+    std::vector<PointerEvent> m_moves;  // of the burst that is coming in
+    QTimer m_burst;                     // ends when nothing more is at hand
 };
 
 } // namespace fff::ui

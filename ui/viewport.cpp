@@ -9,6 +9,7 @@
 #include "ui/view/steps_scene.h"
 #include "ui/workbench.h"
 
+#include <QContextMenuEvent>
 #include <QFocusEvent>
 #include <QMouseEvent>
 #include <QOpenGLContext>
@@ -68,6 +69,7 @@ Viewport::Viewport(Workbench &bench, QWidget *parent)
     FocusFrame::leaveTo(this);
 
     connect(&m_input, &ViewInput::numberBegun, this, &Viewport::numberBegun);
+    connect(&m_input, &ViewInput::menuWanted, this, &Viewport::menuWanted);
     m_frames.setInterval(kFrameTime);
     connect(&m_frames, &QTimer::timeout, this, &Viewport::advance);
     const auto once = [this](QTimer &timer, auto act) {
@@ -278,6 +280,14 @@ void Viewport::keyPressEvent(QKeyEvent *event)
 {
     if (!m_input.keyPress(event))
         QOpenGLWidget::keyPressEvent(event);
+}
+
+/// That of the mouse comes with its press, which may become a drag.
+void Viewport::contextMenuEvent(QContextMenuEvent *event)
+{
+    if (event->reason() == QContextMenuEvent::Keyboard)
+        Q_EMIT menuKeyPressed();
+    event->accept();
 }
 
 void Viewport::keyReleaseEvent(QKeyEvent *event)

@@ -43,6 +43,9 @@ public:
 Q_SIGNALS:
     /// The first key of a number, while the tool in the hand takes some.
     void numberBegun(const QString &text);
+    /// A menu of what lies there is asked for; and of what is selected, by a key.
+    void menuWanted(const QPoint &inView);
+    void menuKeyPressed();
     /// The driver offers no OpenGL 3.3: nothing can be drawn.
     void unusable();
 
@@ -57,6 +60,7 @@ protected:
     void wheelEvent(QWheelEvent *event) override;
     void keyPressEvent(QKeyEvent *event) override;
     void keyReleaseEvent(QKeyEvent *event) override;
+    void contextMenuEvent(QContextMenuEvent *event) override;
     bool event(QEvent *event) override;
 
 private:

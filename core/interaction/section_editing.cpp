@@ -5,6 +5,9 @@
 #include "core/model/edits.h"
 #include "core/model/operation_edits.h"
 #include "core/model/origin.h"
+#include "core/operations/evaluate.h"
+#include "core/operations/excerpt.h"
+#include "core/operations/insertion.h"
 #include "core/operations/moving_model.h"
 
 #include <algorithm>
@@ -18,6 +21,8 @@ namespace {
 
 /// Two normals that differ by less are the same to whoever typed one (no unit).
 constexpr double kSameNormal = 1e-6;
+/// Between a model and another one that comes beside it, mm.
+constexpr double kBeside = 20.0;
 
 tl::unexpected<Hint> refused(Hint::Kind kind, const std::string &section = {},
                              const std::string &other = {})
@@ -324,6 +329,27 @@ SectionEdit deleted(const Model &model, const std::vector<SectionRef> &sections,
     if (next && !ids.empty())
         next = removeSections(*std::move(next), ids);
     return edited(std::move(next), std::move(step));
+}
+
+SectionEdit added(const Model &model, const Document &other, const Vec3 &way, Step step)
+{
+    Insertion insertion = inserted(model.document, selfContained(evaluate(other)));
+    std::vector<SectionMove> moves;
+    for (const SectionRef &ref : insertion.sections)
+        if (insertion.document.find(ref.drawn))
+            moves.push_back({ref.drawn, Similarity::moved(way)});
+    SectionEdit edit = edited(movedSections(insertion.document, moves), std::move(step));
+    if (edit)
+        edit->select = std::move(insertion.sections);
+    return edit;
+}
+
+Vec3 wayBeside(const Model &model, const Document &other)
+{
+    const Box3 here = model.bounds(), there = evaluate(other).bounds();
+    if (here.isEmpty() || there.isEmpty())
+        return Vec3::Zero();
+    return Vec3(here.max.x() + kBeside - there.min.x(), 0.0, 0.0);
 }
 
 SectionEdit duplicated(const Model &model, const std::vector<SectionRef> &sections, const Vec3 &way)

@@ -60,6 +60,13 @@ SectionEdit locked(const Model &model, const std::vector<SectionRef> &sections, 
 SectionEdit deleted(const Model &model, const std::vector<SectionRef> &sections,
                     Step::Kind kind = Step::Kind::DeleteSections);
 
+/// All of another document added and moved by `way`, mm; it is selected. Symmetries of the whole
+/// model become those of what comes.
+SectionEdit added(const Model &model, const Document &other, const Vec3 &way, Step step);
+/// The least way along the world's X after which the box of what comes stands 20 mm beside that of
+/// the model; none where one of them is empty.
+Vec3 wayBeside(const Model &model, const Document &other);
+
 /// A copy of all of them where they are, moved by `way`, mm; it is selected.
 SectionEdit duplicated(const Model &model, const std::vector<SectionRef> &sections,
                        const Vec3 &way);

@@ -26,6 +26,7 @@ struct Step
         MirrorSections, // copies of them
         PasteSections,
         CutSections,
+        InsertModel, // names: of its file
         MakeOrthogonal,
         AlignSection, // to an axis
         PutOn,        // another section, or nothing

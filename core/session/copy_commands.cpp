@@ -3,10 +3,7 @@
 #include "core/interaction/pick_section_tool.h"
 #include "core/interaction/section_editing.h"
 #include "core/io/fff_format.h"
-#include "core/model/moving.h"
-#include "core/operations/evaluate.h"
 #include "core/operations/excerpt.h"
-#include "core/operations/insertion.h"
 #include "core/session/operation_script.h"
 
 #include <algorithm>
@@ -67,22 +64,11 @@ public:
             m_interaction.say({Hint::Kind::NothingToPaste, {}, true}, time);
             return {};
         }
-        Insertion insertion = inserted(model().document, selfContained(evaluate(read->document)));
         Step step{Step::Kind::PasteSections, {}};
-        std::vector<SectionMove> moves;
-        const Vec3 way = freeWay(read->document);
-        for (const SectionRef &ref : insertion.sections) {
-            if (const Section *section = insertion.document.find(ref.drawn)) {
-                step.names.push_back(section->name);
-                moves.push_back({section->id, Similarity::moved(way)});
-            }
-        }
-        Result<Document> next = movedSections(insertion.document, moves);
-        if (!next)
-            return tl::unexpected(next.error());
-        EditedSections edited{*std::move(next), std::move(step)};
-        edited.select = std::move(insertion.sections);
-        m_interaction.carryOut(SectionEdit(std::move(edited)), time);
+        for (const SectionPointer &section : read->document.sections)
+            step.names.push_back(section->name);
+        m_interaction.carryOut(
+            added(model(), read->document, freeWay(read->document), std::move(step)), time);
         return {};
     }
 

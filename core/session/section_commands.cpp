@@ -300,6 +300,11 @@ void registerSectionCommands(CommandRegistry &registry, Session &session, Intera
                       return registry.run("operation.exclude", {{"state", "detached"}}, time);
                   },
                   [commands] { return commands.hasMade(); }});
+    registry.add("operation.leaveOut",
+                 {[&registry](const CommandParameters &, double time) {
+                      return registry.run("operation.exclude", {{"state", "hidden"}}, time);
+                  },
+                  [commands] { return commands.hasMade(); }});
     registerSwitch(registry, interaction, "transform.inSpace", &InteractionSettings::movesInSpace);
     registerSwitch(registry, interaction, "transform.withChildren",
                    &InteractionSettings::takesChildren);

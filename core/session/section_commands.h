@@ -19,7 +19,8 @@ namespace fff {
 /// section.makeOrthogonal, section.snapNormal
 /// section.putOn            on: the name of a section, or none; without it, asked for in the view
 /// operation.editSource     selects what the operation, or what is selected of it, is made of
-/// operation.detach         makes drawn sections of what is selected of it
+/// operation.detach         makes a drawn section of the one that is selected of it
+/// operation.leaveOut       does not make that one any more
 /// Each that changes the model is one step of the history. The session and the interaction outlive
 /// the registry.
 void registerSectionCommands(CommandRegistry &registry, Session &session, Interaction &interaction);

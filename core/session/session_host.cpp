@@ -179,6 +179,9 @@ QString SessionHost::undoText(const Step &step)
     case Step::Kind::CutSections:
         //: %1 is the name of a section
         return count == 1 ? tr("Cut %1").arg(name) : tr("Cut %n sections", nullptr, count);
+    case Step::Kind::InsertModel:
+        //: %1 is the name of a file
+        return tr("Insert %1").arg(name);
     case Step::Kind::MakeOrthogonal:
         //: %1 is the name of a section
         return count == 1 ? tr("Make %1 orthogonal").arg(name)

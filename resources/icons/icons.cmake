@@ -38,6 +38,7 @@ set(icon_names
     hole
     holes_remove
     in_space
+    insert_model
     isolate
     joint
     joint_flip

@@ -119,6 +119,18 @@ void ActionSet::fill(QMenu *menu, const MenuRow &row,
     }
 }
 
+void ActionSet::fill(QMenu *menu, const char *key) const
+{
+    for (const MenuRow &row : menuTable())
+        if (row.key && QLatin1String(key) == QLatin1String(row.key))
+            fill(menu, row, {});
+    for (QAction *action : menu->actions())
+        if (!action->isSeparator() && !action->menu() &&
+            !(action->isEnabled() &&
+              m_bench.commands().isEnabled(action->objectName().toStdString())))
+            menu->removeAction(action);
+}
+
 void ActionSet::addViewShortcuts(QWidget *view) const
 {
     for (const ActionRow &row : actionTable()) {
@@ -265,9 +277,12 @@ void ActionSet::refresh()
         hasSelection ? tr("What is selected is made by an operation") : nothingSelected;
     setAsCommand("section.snapNormal", noDrawn);
     setAsCommand("section.lock", noDrawn);
+    setAsCommand("section.removeHoles",
+                 hasSelection ? tr("What is selected has no holes") : nothingSelected);
     const QString noMade = hasSelection ? tr("What is selected is drawn") : nothingSelected;
     setAsCommand("operation.editSource", noMade);
     setAsCommand("operation.detach", noMade);
+    setAsCommand("operation.leaveOut", noMade);
     setAble("section.dropToGround", m_bench.commands().isEnabled("section.dropToGround"),
             hasSections ? tr("The model stands on the ground") : nothingThere);
     for (const char *id : kTools)

@@ -33,6 +33,8 @@ public:
     void fill(QToolBar *bar, std::initializer_list<const char *> ids) const;
     /// The menus of the table; `own` adds what the window has for an id that begins with "@".
     void fill(QMenuBar *bar, const std::function<void(const QString &id, QMenu *menu)> &own) const;
+    /// The menu of the table with this key, without what cannot be done now.
+    void fill(QMenu *menu, const char *key) const;
     /// Single letters and digits work only while this widget has the focus.
     void addViewShortcuts(QWidget *view) const;
 

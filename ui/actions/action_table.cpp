@@ -22,6 +22,8 @@ std::span<const ActionRow> Texts::actions()
          QT_TR_NOOP("Start a new model")},
         {"file.open", QT_TR_NOOP("&Open…"), QT_TR_NOOP("Open"), "Ctrl+O", "open",
          QT_TR_NOOP("Open a model, also one of FlatFab")},
+        {"file.insert", QT_TR_NOOP("&Insert model…"), QT_TR_NOOP("Insert"), "Ctrl+Shift+I",
+         "insert_model", QT_TR_NOOP("Add the sections of another model to this one")},
         {"file.save", QT_TR_NOOP("&Save"), QT_TR_NOOP("Save"), "Ctrl+S", "save",
          QT_TR_NOOP("Save the model")},
         {"file.saveAs", QT_TR_NOOP("Save &as…"), QT_TR_NOOP("Save as"), "Ctrl+Shift+S", "save_as",
@@ -218,6 +220,8 @@ std::span<const ActionRow> Texts::actions()
          "section", QT_TR_NOOP("Select the section that the selected one is made from")},
         {"operation.detach", QT_TR_NOOP("Deta&ch this one"), QT_TR_NOOP("Detach"), "", "detach",
          QT_TR_NOOP("Make a drawn section of the selected one; its operation makes the others")},
+        {"operation.leaveOut", QT_TR_NOOP("Lea&ve this one out"), QT_TR_NOOP("Leave out"), "",
+         "hide", QT_TR_NOOP("Do not make the selected section; its operation makes the others")},
         {"operation.bake", QT_TR_NOOP("Ba&ke into sections"), QT_TR_NOOP("Bake"), "", "bake",
          QT_TR_NOOP("Make drawn sections of what the selected operation makes")},
         {"check.nextProblem", QT_TR_NOOP("&Next problem"), QT_TR_NOOP("Next problem"), "F8",
@@ -242,9 +246,9 @@ std::span<const ActionRow> Texts::actions()
 std::span<const MenuRow> Texts::menus()
 {
     static const MenuRow kMenus[] = {
-        {QT_TR_NOOP("&File"),
-         "file.new file.open @recent | file.save file.saveAs file.revert | file.export | "
-         "file.settings | file.close file.quit"},
+        {QT_TR_NOOP("&File"), "file.new file.open @recent file.insert | file.save file.saveAs "
+                              "file.revert | file.export | "
+                              "file.settings | file.close file.quit"},
         {QT_TR_NOOP("&Edit"),
          "edit.undo edit.redo | edit.cut edit.copy edit.paste edit.duplicate edit.delete | "
          ">mirrorCopy | "
@@ -266,7 +270,7 @@ std::span<const MenuRow> Texts::menus()
          "operation.radial | operation.mirror operation.rotational operation.array "
          "operation.symmetric | "
          "operation.switch operation.moveUp operation.moveDown | "
-         "operation.editSource operation.detach operation.bake"},
+         "operation.editSource operation.detach operation.leaveOut operation.bake"},
         {QT_TR_NOOP("&Checks"), "check.nextProblem check.previousProblem | check.showAssembly"},
         {QT_TR_NOOP("F&abricate"), "fabricate.stocks | file.export"},
         {QT_TR_NOOP("&Help"), "edit.find help.start | help.about"},
@@ -276,6 +280,33 @@ std::span<const MenuRow> Texts::menus()
          "section.planeGround section.planeFront section.planeSide section.planeParallel", "plane"},
         {QT_TR_NOOP("P&oints"),
          "point.insert point.delete | point.smooth point.symmetric point.corner", "points"},
+        {"",
+         "section.transform section.redraw section.addHole section.removeHoles | edit.cut "
+         "edit.copy "
+         "edit.paste edit.duplicate >mirrorCopy edit.delete | section.putOn section.free "
+         "section.makeOrthogonal section.snapNormal section.lock | view.faceSelection "
+         "view.fitSelection view.isolate view.hide | edit.selectConnected edit.selectParallel "
+         "edit.selectSameStock",
+         "context.section"},
+        {"",
+         "operation.editSource operation.detach operation.leaveOut | edit.copy edit.duplicate "
+         ">mirrorCopy | view.faceSelection view.fitSelection view.isolate view.hide | "
+         "edit.selectConnected edit.selectParallel edit.selectSameStock | operation.switch "
+         "operation.bake",
+         "context.made"},
+        {"",
+         "operation.editSource | edit.copy edit.duplicate edit.delete | operation.switch "
+         "operation.moveUp operation.moveDown operation.bake | view.fitSelection view.isolate "
+         "view.hide",
+         "context.operation"},
+        {"", "point.smooth point.symmetric point.corner | point.insert point.delete",
+         "context.point"},
+        {"", "point.insert", "context.contour"},
+        {"", "joint.flip joint.reset | view.fitSelection", "context.joint"},
+        {"",
+         "edit.paste | edit.selectAll view.showAll | >plane section.pen | view.fitAll view.iso "
+         "view.front view.top view.right view.previous | view.perspective view.xray view.clip",
+         "context.empty"},
     };
     return kMenus;
 }

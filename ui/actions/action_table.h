@@ -24,7 +24,7 @@ std::span<const ActionRow> actionTable();
 
 /// A menu of the menu bar. Ids are separated by blanks; "|" is a separator, "@recent" and "@docks"
 /// are what the window puts in their place, ">plane" is the menu with the key "plane", which opens
-/// beside it and is none of the bar.
+/// beside it and is none of the bar. Those with "context.…" as their key open in the view.
 struct MenuRow
 {
     const char *title;

@@ -1,5 +1,6 @@
 #include "ui/files/document_files.h"
 
+#include "core/interaction/section_editing.h"
 #include "core/io/document_file.h"
 #include "core/io/error_text.h"
 #include "core/session/journal.h"
@@ -57,6 +58,32 @@ bool DocumentFiles::open()
     if (dialog.exec() != QDialog::Accepted)
         return false;
     Q_EMIT chosen(dialog.selectedFiles());
+    return true;
+}
+
+bool DocumentFiles::insert()
+{
+    QFileDialog dialog(&m_window, tr("Insert a model"), folder(),
+                       tr("Models (*.fff *.txt);;All files (*)"));
+    dialog.setPalette(theme().palette());
+    dialog.setFileMode(QFileDialog::ExistingFile);
+    return dialog.exec() == QDialog::Accepted && insertFile(dialog.selectedFiles().constFirst());
+}
+
+bool DocumentFiles::insertFile(const QString &path)
+{
+    const std::optional<io::LoadedDocument> loaded = read(path);
+    if (!loaded)
+        return false;
+    const QString name = QFileInfo(path).fileName();
+    if (loaded->document.sections.empty()) {
+        m_status.say(tr("Nothing inserted: %1 has no sections.").arg(name));
+        return false;
+    }
+    showWarnings(*loaded);
+    const Model &model = m_bench.session().committed();
+    m_bench.editSections(added(model, loaded->document, wayBeside(model, loaded->document),
+                               {Step::Kind::InsertModel, {name.toStdString()}}));
     return true;
 }
 
@@ -161,12 +188,17 @@ std::optional<io::LoadedDocument> DocumentFiles::read(const QString &path)
     return std::move(**loaded);
 }
 
-void DocumentFiles::show(const io::LoadedDocument &loaded, const QString &path, bool asCopy)
+void DocumentFiles::showWarnings(const io::LoadedDocument &loaded)
 {
     QStringList warnings;
     for (const Warning &warning : loaded.warnings)
         warnings += io::warningText(warning);
     m_messages.show(MessageBar::Severity::Warning, warnings); // hides without any
+}
+
+void DocumentFiles::show(const io::LoadedDocument &loaded, const QString &path, bool asCopy)
+{
+    showWarnings(loaded);
     m_bench.session().reset(loaded.document);
     m_bench.showAll("iso1");
     if (asCopy) {

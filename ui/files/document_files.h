@@ -47,8 +47,12 @@ public:
     bool revert();
     bool canRevert() const;
 
+    /// Another model beside what is there, as a step that can be taken back.
+    bool insert();
+
     /// Without a question. A copy is named like the file, but saving it asks where to.
     bool openFile(const QString &path, bool asCopy = false);
+    bool insertFile(const QString &path);
     bool saveFile(const QString &path);
     bool exportFile(const QString &path);
     /// A file for each sheet; asks only before it replaces some.
@@ -76,6 +80,7 @@ Q_SIGNALS:
     void pathChanged();
 
 private:
+    void showWarnings(const io::LoadedDocument &loaded);
     QString folder() const;
     QString baseName() const;
     QString askForTarget(const QString &title, const QString &filter, const QString &suffix);
