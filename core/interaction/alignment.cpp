@@ -25,40 +25,47 @@ void addPoints(const Section &section, std::vector<Vec3> &points)
 
 } // namespace
 
-Alignment::Alignment(const Model &model, const ViewState &view, const std::set<SectionRef> &moved)
+Alignment::Alignment(const Model &model, const ViewState &view, const std::set<SectionRef> &moved,
+                     const std::set<SectionRef> &along)
 {
     m_others.push_back(Vec3::Zero());
     for (const SectionPointer &section : model.sections()) {
         const SectionRef ref = section->ref();
         if (moved.contains(ref))
             addPoints(*section, m_own);
-        else if (view.isPicked(ref) && m_others.size() < kMostOthers)
+        else if (!along.contains(ref) && view.isPicked(ref) && m_others.size() < kMostOthers)
             addPoints(*section, m_others);
     }
     if (m_own.size() > kMostOwn)
         m_own.resize(kMostOwn);
 }
 
-std::optional<Alignment::Caught> Alignment::nearest(const Vec3 &axis, double way, double reach,
-                                                    const Vec3 &before) const
+Alignment::Line::Line(const Alignment &alignment, const Vec3 &axis)
+    : m_axis(axis), m_own(alignment.m_own)
 {
-    std::vector<std::pair<double, std::size_t>> places;
-    places.reserve(m_others.size());
-    for (std::size_t i = 0; i < m_others.size(); ++i)
-        places.emplace_back(axis.dot(m_others[i]), i);
-    std::sort(places.begin(), places.end());
+    m_others.reserve(alignment.m_others.size());
+    for (const Vec3 &other : alignment.m_others)
+        m_others.emplace_back(axis.dot(other), other);
+    std::sort(m_others.begin(), m_others.end(),
+              [](const auto &a, const auto &b) { return a.first < b.first; });
+}
+
+std::optional<Alignment::Caught> Alignment::Line::nearest(double way, double reach,
+                                                          const Vec3 &before) const
+{
     std::optional<Caught> best;
     for (const Vec3 &own : m_own) {
         const Vec3 from = own + before;
-        const double at = axis.dot(from) + way;
-        auto next = std::lower_bound(places.begin(), places.end(), std::pair(at, std::size_t(0)));
-        if (next != places.begin())
+        const double at = m_axis.dot(from) + way;
+        auto next = std::lower_bound(m_others.begin(), m_others.end(), at,
+                                     [](const auto &a, double b) { return a.first < b; });
+        if (next != m_others.begin())
             --next;
-        for (int i = 0; i < 2 && next != places.end(); ++i, ++next) {
+        for (int i = 0; i < 2 && next != m_others.end(); ++i, ++next) {
             const double caught = way + next->first - at;
             if (std::abs(caught - way) <= reach &&
                 (!best || std::abs(caught - way) < std::abs(best->way - way)))
-                best = Caught{caught, from + caught * axis, m_others[next->second]};
+                best = Caught{caught, from + caught * m_axis, next->second};
         }
     }
     return best;

@@ -1,8 +1,8 @@
 #include "core/interaction/gizmo.h"
 
 #include "core/interaction/snapping.h"
-#include "core/model/moving.h"
 #include "core/model/origin.h"
+#include "core/operations/moving_model.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,13 +20,6 @@ constexpr double kOnEnd = 0.97, kRingOnEdge = 0.12;
 constexpr double kLeans = 1e-3;
 /// Where the box for both ways is between those of the axes, of their distance.
 constexpr double kDiagonal = 0.72;
-
-/// The section that holds it, as it is shown; null when nothing does.
-const Section *holder(const Model &model, const Section &section)
-{
-    return section.parent && !section.parent->isFree ? model.find(section.parent->section)
-                                                     : nullptr;
-}
 
 Frame ownFrame(const Section &section, const Section *host, const Eigen::Quaterniond &orientation)
 {
@@ -121,7 +114,7 @@ Gizmo gizmoOf(const Model &model, const std::vector<SectionRef> &sections, bool 
     using enum GizmoPart;
     const bool isSingle = sections.size() == 1;
     const Section &first = *model.find(sections.front());
-    const Section *host = isSingle ? holder(model, first) : nullptr;
+    const Section *host = isSingle ? holderOf(model, first) : nullptr;
     gizmo.isInSpace = isInSpace || !isSingle;
     gizmo.frame = isSingle ? ownFrame(first, host, orientation) : Frame{box.center()};
     gizmo.parts = {MoveX, MoveY, MoveZ, MoveFree, ScaleAll, TurnY, TurnZ};

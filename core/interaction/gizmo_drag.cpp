@@ -54,14 +54,18 @@ bool Transform::isNothing() const
 }
 
 GizmoDrag::GizmoDrag(Gizmo gizmo, GizmoPart part, const Vec2 &press, const GestureContext &context,
-                     std::optional<Alignment> snaps)
-    : m_gizmo(std::move(gizmo)), m_part(part), m_press(press), m_snaps(std::move(snaps)),
+                     const std::optional<Alignment> &snaps)
+    : m_gizmo(std::move(gizmo)), m_part(part), m_press(press), m_snaps(snaps.has_value()),
       m_plane(m_gizmo.frame)
 {
     m_transform.pivot = m_gizmo.frame.origin;
     const Vec3 eye = context.camera.towardsEye(m_transform.pivot, context.viewport);
     if (m_gizmo.isInSpace || std::abs(eye.dot(m_plane.normal())) < kSteepPlane)
         m_plane = {m_plane.origin, context.camera.right(), context.camera.up()};
+    if (snaps && part == GizmoPart::MoveFree)
+        m_lines = {Alignment::Line(*snaps, m_plane.x), Alignment::Line(*snaps, m_plane.y)};
+    else if (snaps && !isTurn(part) && !isScale(part))
+        m_lines = {Alignment::Line(*snaps, m_gizmo.axis(axisOf(part)))};
     if (isTurn(part)) {
         m_transform.axis = m_gizmo.axis(axisOf(part));
         m_lastAngle = angleAt(press, context).value_or(0.0);
@@ -101,11 +105,11 @@ std::optional<double> GizmoDrag::angleAt(const Vec2 &position, const GestureCont
 }
 
 /// To a place where points are level, or by the grid's step.
-double GizmoDrag::snappedAlong(const Vec3 &axis, double way, const Vec3 &before, double scale)
+double GizmoDrag::snappedAlong(std::size_t line, double way, const Vec3 &before, double scale)
 {
     if (!m_snaps)
         return way;
-    if (const auto caught = m_snaps->nearest(axis, way, kSnapReach * scale, before)) {
+    if (const auto caught = m_lines[line].nearest(way, kSnapReach * scale, before)) {
         m_guides.emplace_back(caught->own, caught->other);
         return caught->way;
     }
@@ -125,7 +129,7 @@ void GizmoDrag::move(const Vec2 &position, bool holds, const GestureContext &con
     if (m_part != GizmoPart::MoveFree) {
         const Vec3 axis = m_gizmo.axis(axisOf(m_part));
         const double way = along(axis, position, context) - along(axis, m_press, context);
-        m_transform.way = snappedAlong(axis, way, Vec3::Zero(), scale) * axis;
+        m_transform.way = snappedAlong(0, way, Vec3::Zero(), scale) * axis;
         return;
     }
     const Vec3 way = freeWay(position, context);
@@ -134,10 +138,10 @@ void GizmoDrag::move(const Vec2 &position, bool holds, const GestureContext &con
         (std::abs(x) < std::abs(y) ? x : y) = 0.0;
     const double asked = y;
     if (!holds || x != 0.0)
-        x = snappedAlong(m_plane.x, x, y * m_plane.y, scale);
+        x = snappedAlong(0, x, y * m_plane.y, scale);
     const std::size_t count = m_guides.size();
     if (!holds || y != 0.0)
-        y = snappedAlong(m_plane.y, y, x * m_plane.x, scale);
+        y = snappedAlong(1, y, x * m_plane.x, scale);
     for (std::size_t i = 0; i < count; ++i) // to where its point comes to lie in the end
         m_guides[i].first += (y - asked) * m_plane.y;
     m_transform.way = x * m_plane.x + y * m_plane.y;

@@ -34,7 +34,7 @@ class GizmoDrag
 public:
     /// snaps: what to align with; null: to nothing, and values are not rounded. refs: that move.
     GizmoDrag(Gizmo gizmo, GizmoPart part, const Vec2 &press, const GestureContext &context,
-              std::optional<Alignment> snaps);
+              const std::optional<Alignment> &snaps);
 
     GizmoPart part() const { return m_part; }
     /// holds: of a way that may go anywhere, only along the nearest of its axes.
@@ -51,7 +51,7 @@ private:
     double along(const Vec3 &axis, const Vec2 &position, const GestureContext &context) const;
     std::optional<double> angleAt(const Vec2 &position, const GestureContext &context) const;
     Vec3 freeWay(const Vec2 &position, const GestureContext &context) const;
-    double snappedAlong(const Vec3 &axis, double way, const Vec3 &before, double scale);
+    double snappedAlong(std::size_t line, double way, const Vec3 &before, double scale);
     void move(const Vec2 &position, bool holds, const GestureContext &context);
     void turn(const Vec2 &position, const GestureContext &context);
     void scale(const Vec2 &position, const GestureContext &context);
@@ -59,8 +59,9 @@ private:
     const Gizmo m_gizmo;
     const GizmoPart m_part;
     const Vec2 m_press;
-    const std::optional<Alignment> m_snaps;
-    Frame m_plane; // of a way that may go anywhere
+    const bool m_snaps;
+    std::vector<Alignment::Line> m_lines; // along which it moves; none without snapping
+    Frame m_plane;                        // of a way that may go anywhere
     double m_turned = 0.0, m_lastAngle = 0.0;
     Transform m_transform;
     std::vector<std::pair<Vec3, Vec3>> m_guides;

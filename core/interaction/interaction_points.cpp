@@ -90,14 +90,8 @@ bool Interaction::Private::isEdited(const EditedPoints &edit) const
 
 void Interaction::Private::carryOut(PointEdit edit)
 {
-    cancelGesture();
-    if (!edit) {
-        note = Note{edit.error(), now + kNoteTime};
+    if (!isTaken(edit))
         return;
-    }
-    note.reset();
-    if (edit->note)
-        note = Note{*edit->note, now + kNoteTime};
     if (isEdited(*edit)) {
         document = edit->document;
         host.commit(edit->step, std::move(edit->document));

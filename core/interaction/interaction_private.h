@@ -99,6 +99,18 @@ public:
     Document documentOfPoints() const;
     PointRules rulesOfPoints() const;
     bool isEdited(const EditedPoints &edit) const;
+    /// Says why it was refused, or what became of it; false: it was refused.
+    template <class Edit>
+    bool isTaken(const Edit &edit)
+    {
+        cancelGesture();
+        note.reset();
+        if (!edit)
+            note = Note{edit.error(), now + kNoteTime};
+        else if (edit->note)
+            note = Note{*edit->note, now + kNoteTime};
+        return edit.has_value();
+    }
     void carryOut(PointEdit edit);
     void carryOut(SectionEdit edit);
 

@@ -8,14 +8,8 @@ namespace fff {
 /// A tool in the hand goes on with what comes of it.
 void Interaction::Private::carryOut(SectionEdit edit)
 {
-    cancelGesture();
-    if (!edit) {
-        note = Note{edit.error(), now + kNoteTime};
+    if (!isTaken(edit))
         return;
-    }
-    note.reset();
-    if (edit->note)
-        note = Note{*edit->note, now + kNoteTime};
     if (!edit->document.isSame(document))
         host.commit(edit->step, std::move(edit->document));
     if (edit->select) {

@@ -47,13 +47,6 @@ SectionEdit edited(Result<Document> document, Step step)
     return EditedSections{*std::move(document), std::move(step)};
 }
 
-/// The section that it is on, and has to keep its angle to; null: none.
-const Section *holder(const Model &model, const Section &section)
-{
-    return section.parent && !section.parent->isFree ? model.find(section.parent->section)
-                                                     : nullptr;
-}
-
 /// Each moved in its own way; a refusal ends it.
 SectionEdit movedEach(
     const Model &model, const std::vector<SectionRef> &sections, Step::Kind kind,
@@ -197,7 +190,7 @@ SectionEdit withNormal(const Model &model, const std::vector<SectionRef> &sectio
     for (const SectionRef &ref : sections) {
         const Section *section = model.find(ref);
         const Section *after = edit ? edit->document.find(ref.drawn) : nullptr;
-        const Section *host = holder(model, *section);
+        const Section *host = holderOf(model, *section);
         if (after && host && after->frame.normal().cross(normalFor(*section)).norm() > kSameNormal)
             edit->note = Hint{Hint::Kind::HeldByParent, section->name, false, host->name};
     }
@@ -240,7 +233,7 @@ SectionEdit alignedToAxis(const Model &model, const std::vector<SectionRef> &sec
     SectionEdit edit = movedEach(
         model, sections, Step::Kind::AlignSection, takesChildren,
         [&](const Section &section, const SectionRef &ref) -> tl::expected<RefMove, Hint> {
-            const Section *host = holder(model, section);
+            const Section *host = holderOf(model, section);
             const Vec3 normal = section.frame.normal();
             std::optional<Vec3> best;
             for (int axis : {0, 1, 2}) {

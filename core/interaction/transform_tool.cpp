@@ -8,13 +8,6 @@
 
 namespace fff {
 
-namespace {
-
-/// More copies than this are no slip of the hand's, but of the keyboard's.
-constexpr double kMostCopies = 500.0;
-
-} // namespace
-
 /// What is selected, and the gizmo of it.
 void TransformTool::follow(const GestureContext &context)
 {
@@ -25,6 +18,11 @@ void TransformTool::follow(const GestureContext &context)
         m_typed.reset();
         m_copies.reset();
     }
+    take(std::move(sections), context);
+}
+
+void TransformTool::take(std::vector<SectionRef> sections, const GestureContext &context)
+{
     m_sections = std::move(sections);
     m_refusal = whyNotEdited(context.model, m_sections);
     m_gizmo = m_refusal ? Gizmo()
@@ -136,20 +134,13 @@ void TransformTool::beginDrag(const PointerEvent &event, GestureContext &context
         if (!over)
             return;
         if (std::find(m_sections.begin(), m_sections.end(), *over) == m_sections.end()) {
-            m_sections = {*over};
+            take({*over}, context);
             reply.select = m_sections;
-            m_refusal = whyNotEdited(context.model, m_sections);
-            m_gizmo = m_refusal ? Gizmo()
-                                : gizmoOf(context.model, m_sections, context.settings.movesInSpace,
-                                          context.camera.orientation);
         }
         part = GizmoPart::MoveFree;
     }
     if (m_refusal || !m_gizmo.has(part)) {
-        if (m_refusal)
-            reply.note = m_refusal;
-        if (reply.note)
-            reply.note->isRefusal = true;
+        reply.note = m_refusal;
         m_press.reset();
         return;
     }
@@ -158,9 +149,10 @@ void TransformTool::beginDrag(const PointerEvent &event, GestureContext &context
     std::optional<Alignment> snaps;
     if (context.settings.snaps) {
         const std::set<SectionRef> moved(m_sections.begin(), m_sections.end());
-        snaps.emplace(context.model, context.view, moved);
+        snaps.emplace(context.model, context.view, moved,
+                      movingWith(context.model, m_sections, context.settings.takesChildren));
     }
-    m_drag.emplace(m_gizmo, part, m_press->position, context, std::move(snaps));
+    m_drag.emplace(m_gizmo, part, m_press->position, context, snaps);
     m_leavesCopy = event.modifiers.control;
     m_press.reset();
 }
@@ -267,7 +259,7 @@ GestureReply TransformTool::handle(const PointerEvent &event, GestureContext &co
     m_hovered = partAt(event, context);
     GestureReply reply;
     if (m_typed) // they stay shown while the mouse is elsewhere
-        reply = shown(editOf(typedTransform(), m_typed->copies, context));
+        reply.preview = m_typedShown;
     return reply;
 }
 
@@ -369,7 +361,9 @@ GestureReply TransformTool::setNumbers(const std::vector<ToolNumber> &numbers,
         }
     }
     m_typed = typed;
-    return shown(editOf(typedTransform(), typed.copies, context));
+    GestureReply reply = shown(editOf(typedTransform(), typed.copies, context));
+    m_typedShown = reply.preview;
+    return reply;
 }
 
 GestureReply TransformTool::dropNumbers(GestureContext &)

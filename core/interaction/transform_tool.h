@@ -13,6 +13,7 @@
 #include "core/interaction/section_editing.h"
 #include "core/interaction/tool.h"
 #include "core/operations/copies.h"
+#include "core/operations/moving_model.h"
 
 #include <optional>
 
@@ -54,6 +55,7 @@ private:
     };
 
     void follow(const GestureContext &context);
+    void take(std::vector<SectionRef> sections, const GestureContext &context);
     std::optional<SectionRef> sectionAt(const Vec2 &position, const GestureContext &context) const;
     GizmoPart partAt(const PointerEvent &event, const GestureContext &context) const;
     GestureReply press(const PointerEvent &event, GestureContext &context);
@@ -74,6 +76,7 @@ private:
     bool m_leavesCopy = false;      // Ctrl, while dragging
     std::optional<Copies> m_copies; // of the sections, so many of them
     std::optional<Typed> m_typed;
+    std::optional<Document> m_typedShown; // what they make
     GizmoPart m_hovered = GizmoPart::None;
     Vec2 m_position = Vec2::Zero(); // of the cursor, px
     Pointer m_pointer = Pointer::Mouse;

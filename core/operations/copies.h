@@ -9,6 +9,9 @@
 
 namespace fff {
 
+/// More copies than this are a slip of the keyboard's.
+inline constexpr double kMostCopies = 500.0;
+
 struct Copies
 {
     Document document;                         // with all of them, where the originals are

@@ -98,4 +98,31 @@ Result<Document> stretchedSection(const Model &model, const SectionRef &section,
     });
 }
 
+std::set<SectionRef> movingWith(const Model &model, std::span<const SectionRef> sections,
+                                bool takesChildren)
+{
+    // Found by moving them: nothing else knows what operations make of it.
+    std::vector<RefMove> moves;
+    for (const SectionRef &ref : sections)
+        if (originOf(model, ref))
+            moves.push_back({ref, Similarity::moved(Vec3::Ones())});
+    std::set<SectionRef> moving;
+    const Result<Document> moved = movedSections(model, moves, takesChildren);
+    if (!moved)
+        return moving;
+    const Model after = evaluate(*moved, model);
+    for (const SectionPointer &section : model.sections()) {
+        const Section *now = after.find(section->ref());
+        if (!now || !(now->frame == section->frame))
+            moving.insert(section->ref());
+    }
+    return moving;
+}
+
+const Section *holderOf(const Model &model, const Section &section)
+{
+    return section.parent && !section.parent->isFree ? model.find(section.parent->section)
+                                                     : nullptr;
+}
+
 } // namespace fff

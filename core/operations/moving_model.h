@@ -5,6 +5,7 @@
 #include "core/model/model.h"
 #include "core/model/moving.h"
 
+#include <set>
 #include <span>
 
 namespace fff {
@@ -26,5 +27,14 @@ Result<Document> movedSections(const Model &model, std::span<const RefMove> move
 Result<Document> stretchedSection(const Model &model, const SectionRef &section,
                                   const Eigen::Matrix2d &matrix, const Vec2 &about,
                                   bool takesChildren = true);
+
+/// All sections of the model that would move with these: they themselves, what is on them, and what
+/// operations make of all that. Sections without an origin count as none.
+std::set<SectionRef> movingWith(const Model &model, std::span<const SectionRef> sections,
+                                bool takesChildren = true);
+
+/// The section that it is on and keeps its angle to, as it is shown; null: none
+/// (core/model/moving.h).
+const Section *holderOf(const Model &model, const Section &section);
 
 } // namespace fff

@@ -5,6 +5,7 @@
 #include "core/interaction/section_editing.h"
 #include "core/interaction/transform_tool.h"
 #include "core/model/origin.h"
+#include "core/operations/evaluate.h"
 #include "core/operations/operation_kind.h"
 #include "core/session/operation_script.h"
 
@@ -14,8 +15,6 @@
 namespace fff {
 
 namespace {
-
-constexpr double kMostCopies = 500.0;
 
 class SectionCommands
 {
@@ -82,24 +81,32 @@ public:
         return carryOut(transform, gizmo, parameters, time);
     }
 
-    /// What is not said stays.
+    /// What is not said stays. One step, whatever is said.
     Result<void> place(const CommandParameters &parameters, double time) const
     {
+        const Result<double> angle = numberOf(parameters, "angle", 90.0);
+        if (!angle)
+            return tl::unexpected(angle.error());
+        Model now = model();
+        SectionEdit edit = tl::unexpected(Hint{Hint::Kind::EditFailed, {}, true});
+        const auto go = [&](SectionEdit next) {
+            edit = std::move(next);
+            if (edit)
+                now = evaluate(edit->document, now);
+            return edit.has_value();
+        };
+        const std::vector<SectionRef> moved = sections();
+        bool goesOn = !parameters.contains("angle") ||
+                      go(withAngle(now, moved, radians(*angle), takesChildren()));
         const char *names[] = {"x", "y", "z"};
         for (int axis : {0, 1, 2}) {
             const Result<double> value = numberOf(parameters, names[axis], 0.0);
             if (!value)
                 return tl::unexpected(value.error());
-            if (parameters.contains(names[axis]))
-                m_interaction.carryOut(
-                    withPosition(model(), sections(), axis, *value, takesChildren()), time);
+            if (goesOn && parameters.contains(names[axis]))
+                goesOn = go(withPosition(now, moved, axis, *value, takesChildren()));
         }
-        const Result<double> angle = numberOf(parameters, "angle", 90.0);
-        if (!angle)
-            return tl::unexpected(angle.error());
-        if (parameters.contains("angle"))
-            m_interaction.carryOut(withAngle(model(), sections(), radians(*angle), takesChildren()),
-                                   time);
+        m_interaction.carryOut(std::move(edit), time);
         return {};
     }
 

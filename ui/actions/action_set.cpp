@@ -63,7 +63,10 @@ ActionSet::ActionSet(Workbench &bench, QObject *parent) : QObject(parent), m_ben
     connect(&settings(), &Settings::drawingChanged, this, &ActionSet::refresh);
     connect(&bench, &Workbench::selectionChanged, this, &ActionSet::refresh);
     connect(&bench, &Workbench::viewStateChanged, this, &ActionSet::refresh);
-    connect(&bench.session(), &Session::modelChanged, this, &ActionSet::refresh);
+    connect(&bench.session(), &Session::modelChanged, this, [this] {
+        if (!m_bench.session().hasPreview()) // in a drag nothing else can be done
+            refresh();
+    });
     connect(bench.session().history(), &QUndoStack::indexChanged, this, &ActionSet::refresh);
     applyShortcuts();
     refresh();

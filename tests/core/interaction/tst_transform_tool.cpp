@@ -91,6 +91,9 @@ private Q_SLOTS:
     void numbersAreShownAndDone();
     void typedCopiesGoOnAndOn();
     void pointsAreDrawnToOthers();
+    void notToWhatGoesAlong();
+    void typedNumbersAreShownOnce();
+    void placedInOneStep();
     void anglesAreRound();
     void lockedIsRefused();
     void madeOnesSayTheirSource();
@@ -356,6 +359,47 @@ void TestTransformTool::pointsAreDrawnToOthers()
     desk.drag({again, desk.further(again, Vec3(13.1, 0, 0))});
     const double x = desk.section(desk.fin).frame.origin.x() - 40.0;
     QVERIFY(std::abs(x - std::round(x)) < kNear);
+}
+
+// Wrong: a body would stick to where its own fin was before the drag.
+void TestTransformTool::notToWhatGoesAlong()
+{
+    CrossDesk desk;
+    desk.interaction.settings().snaps = true;
+    desk.hold(desk.body);
+    desk.run("transform.inSpace", {{"on", "true"}});
+    desk.wait(10.0);
+    // The body's upper edge, 30 mm up, would be level with the fin's: which is there no more.
+    const Vec2 from = desk.tip(1);
+    desk.moveTo(from);
+    desk.press(from);
+    desk.moveTo(desk.further(from, Vec3(0, 30.4, 0)));
+    QVERIFY(desk.interaction.overlay().gizmo->guides.empty());
+    desk.release(desk.cursor);
+}
+
+// Wrong: each move of the mouse would work out again what numbers have made long since.
+void TestTransformTool::typedNumbersAreShownOnce()
+{
+    CrossDesk desk;
+    desk.hold(desk.body);
+    desk.interaction.setNumbers({{ToolNumber::Kind::MoveUp, 12.5}}, desk.time += 8);
+    const SectionPointer shown = desk.session.model().document.sections.front();
+    desk.moveTo({600, 300});
+    QVERIFY(desk.session.hasPreview());
+    QCOMPARE(desk.session.model().document.sections.front(), shown);
+}
+
+// Wrong: one command would have to be taken back four times.
+void TestTransformTool::placedInOneStep()
+{
+    CrossDesk desk;
+    desk.interaction.select({desk.fin});
+    desk.run("section.place", {{"x", "10"}, {"y", "130"}, {"z", "5"}, {"angle", "75"}});
+    QCOMPARE(desk.steps(), 1);
+    QVERIFY((positionOf(desk.section(desk.fin)) - Vec3(10, 130, 5)).norm() < kNear);
+    QVERIFY(std::abs(angleToParent(desk.section(desk.fin), desk.section(desk.body).frame) -
+                     radians(75)) < 1e-9);
 }
 
 // Wrong: nobody could turn anything by exactly 45°.
