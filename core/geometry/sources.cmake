@@ -10,15 +10,19 @@ target_sources(fff_core PRIVATE
     geometry/contour_points.cpp
     geometry/convex_hull.cpp
     geometry/curve_crossing.cpp
+    geometry/curve_path.cpp
     geometry/curve_recovery.cpp
+    geometry/figure.cpp
     geometry/fit.cpp
     geometry/fit_span.cpp
     geometry/frame.cpp
     geometry/halfplane_clip.cpp
+    geometry/line_clip.cpp
     geometry/mapped_contour.cpp
     geometry/moments.cpp
     geometry/notch.cpp
     geometry/offset.cpp
+    geometry/outlines.cpp
     geometry/point_removal.cpp
     geometry/polygon.cpp
     geometry/radial_contour.cpp
