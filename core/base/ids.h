@@ -21,6 +21,7 @@ using SectionId = Id<struct SectionTag>;
 using StockId = Id<struct StockTag>;
 using WeightId = Id<struct WeightTag>;
 using OperationId = Id<struct OperationTag>;
+using DimensionId = Id<struct DimensionTag>;
 
 } // namespace fff
 

@@ -81,6 +81,7 @@ bool Document::isSame(const Document &other) const
 {
     return sections == other.sections && stocks == other.stocks && operations == other.operations &&
            weights == other.weights && jointOverrides == other.jointOverrides &&
+           dimensions == other.dimensions && numbers == other.numbers &&
            currentStock == other.currentStock;
 }
 
@@ -88,8 +89,8 @@ bool Document::operator==(const Document &other) const
 {
     return equalValues(sections, other.sections) && equalValues(stocks, other.stocks) &&
            equalValues(operations, other.operations) && weights == other.weights &&
-           equalValues(jointOverrides, other.jointOverrides) &&
-           currentStock == other.currentStock && nextId == other.nextId;
+           equalValues(jointOverrides, other.jointOverrides) && dimensions == other.dimensions &&
+           numbers == other.numbers && currentStock == other.currentStock && nextId == other.nextId;
 }
 
 Document newDocument()

@@ -1,7 +1,9 @@
 // The document: a value, cheap to copy, never changed in place (edits.h makes the next one).
 #pragma once
 
+#include "core/model/dimension.h"
 #include "core/model/joint_override.h"
+#include "core/model/named_number.h"
 #include "core/model/operation.h"
 #include "core/model/section.h"
 #include "core/model/stock.h"
@@ -35,6 +37,8 @@ struct Document
     std::vector<OperationPointer> operations; // in the order in which they work
     std::vector<Weight> weights;
     std::vector<JointOverridePointer> jointOverrides; // ascending in (a, b), none of them empty
+    std::vector<Dimension> dimensions;
+    std::vector<NamedNumber> numbers; // by which numbers can be called in fields
     StockId currentStock;
     std::int64_t nextId = 1;
 

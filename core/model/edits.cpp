@@ -1,6 +1,8 @@
 #include "core/model/edits.h"
 
 #include "core/base/tolerances.h"
+#include "core/model/dimensions.h"
+#include "core/model/figures.h"
 #include "core/model/naming.h"
 
 #include <algorithm>
@@ -26,6 +28,12 @@ Result<Document> changeSection(Document document, SectionId id, Change change)
     SectionPointer &pointer = document.sections[static_cast<std::size_t>(index)];
     Section next = *pointer;
     change(next);
+    if (next.shape != pointer->shape) {
+        followPoints(document, id, *pointer->shape, *next.shape);
+        std::erase_if(next.figures, [&next](const Figure &figure) {
+            return boundaryOf(*next.shape, figure) < 0;
+        });
+    }
     if (next.shape != pointer->shape || !(next == *pointer))
         pointer = std::make_shared<const Section>(std::move(next));
     return document;
@@ -111,6 +119,9 @@ Result<Document> removeSections(Document document, std::span<const SectionId> id
     noteNames(document, ids);
     std::erase_if(document.sections, [&](const SectionPointer &s) { return isRemoved(s->id); });
     std::erase_if(document.weights, [&](const Weight &w) { return isRemoved(w.section.drawn); });
+    std::erase_if(document.dimensions, [&](const Dimension &dimension) {
+        return isRemoved(dimension.from.section.drawn) || isRemoved(dimension.to.section.drawn);
+    });
     std::erase_if(document.jointOverrides, [&](const JointOverridePointer &joint) {
         return isRemoved(joint->a.drawn) || isRemoved(joint->b.drawn);
     });

@@ -21,8 +21,8 @@ struct NewSection
 /// Appends a section; its id is the document's nextId. Errors also: UnknownReference of its stock,
 /// EmptyContour without a shape.
 Result<Document> addSection(Document document, NewSection section);
-/// Removes sections; children of a removed one stay, as sections without a parent; weights on it
-/// and what was wanted of its joints go. Operations that read it keep its name.
+/// Removes sections; children of a removed one stay, as sections without a parent; weights on it,
+/// dimensions and what was wanted of its joints go. Operations that read it keep its name.
 Result<Document> removeSections(Document document, std::span<const SectionId> ids);
 Result<Document> moveSection(Document document, SectionId id, const Frame &frame);
 /// All sections by the same way in the world, mm.

@@ -8,8 +8,8 @@
 namespace fff {
 
 /// The order in which an operation lists what it makes: part by part, numbers by their value, also
-/// those that a word ends with, and before words; what begins alike and is shorter comes first. A strict weak order, total for
-/// different keys.
+/// those that a word ends with, and before words; what begins alike and is shorter comes first. A
+/// strict weak order, total for different keys.
 bool isKeyBefore(std::string_view a, std::string_view b);
 
 /// One key below another.

@@ -95,7 +95,7 @@ private:
     Result<void> carryOut();
     Result<void> put(int index, const Similarity &placement);
     void follow(Section &next, const Section &before, const Similarity &placement);
-    void scaleMarks(const SectionRef &ref, const Eigen::Matrix2d &matrix, const Vec2 &about);
+    void mapPlaces(const SectionRef &ref, const Eigen::Matrix2d &matrix, const Vec2 &about);
 
     Document m_document;
     std::vector<std::pair<int, SectionPointer>> m_moved; // where they go in
@@ -210,11 +210,15 @@ void Mover::follow(Section &next, const Section &before, const Similarity &place
 }
 
 /// What is at places of a section whose shape is mapped so.
-void Mover::scaleMarks(const SectionRef &ref, const Eigen::Matrix2d &matrix, const Vec2 &about)
+void Mover::mapPlaces(const SectionRef &ref, const Eigen::Matrix2d &matrix, const Vec2 &about)
 {
     for (Weight &weight : m_document.weights)
         if (weight.section == ref)
             weight.position = about + matrix * (weight.position - about);
+    for (Dimension &dimension : m_document.dimensions)
+        for (Anchor *anchor : {&dimension.from, &dimension.to})
+            if (anchor->section == ref)
+                anchor->at.head<2>() = about + matrix * (anchor->at.head<2>() - about);
     for (JointOverridePointer &pointer : m_document.jointOverrides) {
         if (pointer->a != ref || pointer->shares.empty())
             continue;
@@ -242,13 +246,18 @@ Result<void> Mover::put(int index, const Similarity &placement)
         if (!shape)
             return failure(shape.error().code, before.name);
         next.shape = *shape;
+        next.figures.clear();
+        for (const Figure &figure : before.figures)
+            if (std::optional<Figure> moved = fff::mapped(figure, matrix, about))
+                next.figures.push_back(*std::move(moved));
+        next.marks = fff::mapped(before.marks, matrix, about);
     }
     const Box3 box = worldBounds(*next.shape, next.frame);
     if (!(box.min.cwiseAbs().cwiseMax(box.max.cwiseAbs()).maxCoeff() <= kMaxCoordinate))
         return failure(ErrorCode::NonFinite, before.name);
     follow(next, before, placement);
     if (matrix != Eigen::Matrix2d::Identity())
-        scaleMarks(before.id, matrix, about);
+        mapPlaces(before.id, matrix, about);
     m_moved.emplace_back(index, std::make_shared<const Section>(std::move(next)));
     return {};
 }

@@ -272,6 +272,13 @@ Result<ShapePointer> withKind(const Shape &shape, std::span<const PointAddress> 
     });
 }
 
+Result<ShapePointer> withBoundary(const Shape &shape, int boundary, Contour contour)
+{
+    if (boundary < 0 || boundary >= boundaryCount(shape))
+        return unknownPoint({boundary, 0});
+    return withBoundaries(shape, {{boundary, std::move(contour)}});
+}
+
 Result<ShapePointer> withoutHoles(const Shape &shape)
 {
     return Shape::make(shape.contour());

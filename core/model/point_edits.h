@@ -59,6 +59,8 @@ Result<ShapePointer> insertedPoint(const Shape &shape, int boundary, const Curve
 Result<ShapePointer> withoutPoints(const Shape &shape, std::span<const PointAddress> points);
 Result<ShapePointer> withKind(const Shape &shape, std::span<const PointAddress> points,
                               PointKind kind);
+/// Another contour in place of a boundary.
+Result<ShapePointer> withBoundary(const Shape &shape, int boundary, Contour contour);
 Result<ShapePointer> withoutHoles(const Shape &shape);
 
 } // namespace fff

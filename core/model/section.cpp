@@ -2,6 +2,8 @@
 
 #include "core/model/instance_key.h"
 
+#include <algorithm>
+
 namespace fff {
 
 std::strong_ordering SectionRef::operator<=>(const SectionRef &other) const
@@ -21,6 +23,10 @@ bool Section::operator==(const Section &other) const
 {
     return id == other.id && made == other.made && name == other.name && parent == other.parent &&
            frame == other.frame && stock == other.stock && isLocked == other.isLocked &&
+           figures == other.figures &&
+           std::equal(
+               marks.begin(), marks.end(), other.marks.begin(), other.marks.end(),
+               [](const MarkPointer &a, const MarkPointer &b) { return a == b || *a == *b; }) &&
            (shape == other.shape || *shape == *other.shape);
 }
 

@@ -2,13 +2,16 @@
 #pragma once
 
 #include "core/base/ids.h"
+#include "core/geometry/figure.h"
 #include "core/geometry/frame.h"
+#include "core/model/mark.h"
 #include "core/model/shape.h"
 
 #include <compare>
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace fff {
 
@@ -56,6 +59,10 @@ struct Section
     Frame frame;
     StockId stock;
     bool isLocked = false; // a person wants it to stay as it is
+    /// That boundaries of its shape were made of. Those that have been edited since are left out by
+    /// the edits of the shape (core/model/figures.h).
+    std::vector<Figure> figures = {};
+    std::vector<MarkPointer> marks = {}; // never null; on the side that the normal points to
 
     SectionRef ref() const { return id.isValid() ? SectionRef(id) : made; }
     /// Same values; shapes are compared by their curves.

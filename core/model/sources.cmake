@@ -1,14 +1,21 @@
 target_sources(fff_core PRIVATE
     model/changes.cpp
+    model/dimensions.cpp
     model/document.cpp
     model/edits.cpp
+    model/figures.cpp
     model/ground.cpp
     model/instance_key.cpp
+    model/letter_shapes.cpp
+    model/lettering.cpp
     model/mapped_shape.cpp
+    model/mark.cpp
+    model/marks.cpp
     model/materials.cpp
     model/mended_shape.cpp
     model/model.cpp
     model/moving.cpp
+    model/named_numbers.cpp
     model/naming.cpp
     model/origin.cpp
     model/operation_edits.cpp

@@ -1,7 +1,7 @@
 #include "core/operations/array.h"
 
+#include "core/base/text.h"
 #include "core/operations/images.h"
-#include "core/operations/text.h"
 
 namespace fff {
 

@@ -63,6 +63,9 @@ void followInDocument(Document &document, const Model &model, const Replacements
     }
     for (Weight &weight : document.weights)
         weight.section = follow(replacements, weight.section);
+    for (Dimension &dimension : document.dimensions)
+        for (Anchor *anchor : {&dimension.from, &dimension.to})
+            anchor->section = follow(replacements, anchor->section);
     std::vector<JointOverridePointer> joints;
     joints.swap(document.jointOverrides);
     for (const JointOverridePointer &joint : joints) {

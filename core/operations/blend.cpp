@@ -1,13 +1,13 @@
 #include "core/operations/blend.h"
 
 #include "core/base/easing.h"
+#include "core/base/text.h"
 #include "core/geometry/arc_length.h"
 #include "core/geometry/contour_blend.h"
 #include "core/model/instance_key.h"
 #include "core/model/mended_shape.h"
 #include "core/operations/copying.h"
 #include "core/operations/root_edge.h"
-#include "core/operations/text.h"
 
 #include <algorithm>
 #include <cmath>
@@ -199,6 +199,7 @@ private:
         Section section = *from.section;
         section.name = copiedName(from.section->name, between.number);
         section.shape = m_context.kept(between.key, shape);
+        section.marks.clear(); // there is nothing half way between two drawings
         section.frame = {m_root.frame.toWorld(point), axes.col(0), axes.col(1)};
         const double depth =
             (1.0 - between.share) * from.source.depth() + between.share * to.source.depth();

@@ -1,10 +1,10 @@
 #include "core/operations/branch.h"
 
+#include "core/base/text.h"
 #include "core/model/instance_key.h"
 #include "core/operations/copying.h"
 #include "core/operations/root_edge.h"
 #include "core/operations/seeded.h"
-#include "core/operations/text.h"
 
 #include <algorithm>
 #include <deque>
@@ -197,6 +197,7 @@ private:
         section.shape = scaled(section.shape, replica.placement.scale);
         if (!section.shape)
             return false;
+        section.marks = scaledMarks(section.marks, replica.placement.scale);
         section.frame = placed(section.frame, replica.placement);
         section.name = copiedName(section.name, std::to_string(number + 1));
         if (index == 0)

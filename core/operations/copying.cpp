@@ -106,6 +106,11 @@ ShapePointer scaledShape(OperationContext &context, const std::string &key,
     return mappedShape(context, key, *shape, scale * Eigen::Matrix2d::Identity(), Vec2::Zero());
 }
 
+std::vector<MarkPointer> scaledMarks(const std::vector<MarkPointer> &marks, double scale)
+{
+    return mapped(marks, scale * Eigen::Matrix2d::Identity(), Vec2::Zero());
+}
+
 bool addCopy(OperationContext &context, const Branch &branch, const Copy &copy)
 {
     const std::size_t count = branch.members.size();
@@ -122,6 +127,7 @@ bool addCopy(OperationContext &context, const Branch &branch, const Copy &copy)
         section.name = copiedName(section.name, copy.number);
         if (i == 0) {
             section.shape = copy.section.shape;
+            section.marks = copy.section.marks;
             section.frame = copy.section.frame;
             section.parent = copy.section.parent;
         } else {
@@ -130,6 +136,7 @@ bool addCopy(OperationContext &context, const Branch &branch, const Copy &copy)
                          : Vec3(copy.stretch * (attachedAt(section, *branch.members[0].section) -
                                                 copy.stretchedFrom));
             section.shape = scaledShape(context, key, section.shape, copy.placement.scale);
+            section.marks = scaledMarks(section.marks, copy.placement.scale);
             section.frame = placed(section.frame, copy.placement * Similarity::moved(carried[i]));
             if (section.parent) {
                 const std::string &below = branch.members[host].key;

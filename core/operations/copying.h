@@ -32,7 +32,7 @@ struct Copy
 {
     std::string key;           // of the section's copy
     std::string number;        // which names end with
-    Section section;           // the section's copy: its shape, frame and parent count
+    Section section;           // the section's copy: its shape, marks, frame and parent count
     Similarity placement = {}; // of all others
     /// Besides, what is on the section goes along where that was stretched: a point p of it by
     /// stretch · (p − stretchedFrom), before it is placed.
@@ -52,6 +52,8 @@ ShapePointer mappedShape(OperationContext &context, const std::string &key, cons
 /// any more.
 ShapePointer scaledShape(OperationContext &context, const std::string &key,
                          const ShapePointer &shape, double scale);
+/// What is drawn on a shape that is scaled so.
+std::vector<MarkPointer> scaledMarks(const std::vector<MarkPointer> &marks, double scale);
 
 /// What a copy is called: "Rib" gives "Rib 2", "Rib 1" gives "Rib 1.2".
 std::string copiedName(const std::string &name, const std::string &number);

@@ -174,6 +174,12 @@ void Excerpt::addMarks()
         m_result.weights.push_back(weight);
         m_result.weights.back().section = on;
     }
+    for (Dimension dimension : m_model.document.dimensions) {
+        dimension.from.section = newRef(dimension.from.section);
+        dimension.to.section = newRef(dimension.to.section);
+        if (dimension.from.section != SectionRef() && dimension.to.section != SectionRef())
+            m_result.dimensions.push_back(dimension);
+    }
     // Those of sections that became drawn ones would speak of another order.
     for (const JointOverridePointer &joint : m_model.document.jointOverrides)
         if (newRef(joint->a) == joint->a && newRef(joint->b) == joint->b)

@@ -1,6 +1,7 @@
 #include "core/operations/grid.h"
 
 #include "core/assembly/intervals.h"
+#include "core/base/text.h"
 #include "core/base/tolerances.h"
 #include "core/geometry/boolean.h"
 #include "core/geometry/offset.h"
@@ -8,7 +9,6 @@
 #include "core/model/instance_key.h"
 #include "core/operations/copying.h"
 #include "core/operations/grid_cells.h"
-#include "core/operations/text.h"
 
 #include <algorithm>
 #include <cmath>
@@ -212,6 +212,7 @@ private:
         connector.name = copiedName(m_section.name, key);
         std::replace(connector.name.begin(), connector.name.end(), '/', '.');
         connector.shape = shape;
+        connector.marks.clear();
         connector.frame = {frame.toWorld(at), seam.axis == 0 ? frame.x : frame.y, frame.normal()};
         Vec2 half = Vec2::Zero();
         half[seam.axis] = 0.5 * m_size;

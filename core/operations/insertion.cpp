@@ -1,5 +1,6 @@
 #include "core/operations/insertion.h"
 
+#include "core/model/named_numbers.h"
 #include "core/operations/evaluate.h"
 
 #include <algorithm>
@@ -175,6 +176,7 @@ void Inserter::addOperations()
     Document here = m_other;
     here.operations.clear();
     here.weights.clear();
+    here.dimensions.clear();
     here.jointOverrides.clear();
     Document there = newDocument();
     there.stocks = m_result.document.stocks;
@@ -220,6 +222,17 @@ void Inserter::addMarks()
         weight.section = moved(weight.section);
         document.weights.push_back(std::move(weight));
     }
+    for (Dimension dimension : m_other.dimensions) {
+        dimension.id = moved(dimension.id);
+        for (Anchor *anchor : {&dimension.from, &dimension.to})
+            if (anchor->section != SectionRef())
+                anchor->section = moved(anchor->section);
+        document.dimensions.push_back(std::move(dimension));
+    }
+    // What is called so here already means what it means here.
+    for (const NamedNumber &number : m_other.numbers)
+        if (!findNumber(document, number.name))
+            document.numbers.push_back(number);
     for (const JointOverridePointer &joint : m_other.jointOverrides) {
         JointOverride next = *joint;
         next.a = moved(joint->a);

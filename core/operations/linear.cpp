@@ -1,9 +1,9 @@
 #include "core/operations/linear.h"
 
+#include "core/base/text.h"
 #include "core/operations/copying.h"
 #include "core/operations/repeat_parameters.h"
 #include "core/operations/source_crossing.h"
-#include "core/operations/text.h"
 
 #include <algorithm>
 
@@ -136,7 +136,11 @@ private:
         const Vec3 held = source.axis.at(inner);
         Similarity size;
         if (scale != 1.0) {
-            copy.section.shape = scaledAbout(copy.key, scale, inner);
+            const Eigen::Matrix2d matrix = scaling(scale);
+            const Vec2 about = m_axisInSection.at(inner);
+            copy.section.shape =
+                mappedShape(m_context, copy.key, *m_row.section.shape, matrix, about);
+            copy.section.marks = mapped(m_row.section.marks, matrix, about);
             if (!copy.section.shape)
                 return false;
             // Its end on the axis is that of its chords, and as deep as it is large.
@@ -159,13 +163,12 @@ private:
         return addCopy(m_context, m_branch, copy);
     }
 
-    ShapePointer scaledAbout(const std::string &key, double scale, double inner)
+    Eigen::Matrix2d scaling(double scale) const
     {
         const Vec2 u = m_axisInSection.direction;
-        Eigen::Matrix2d matrix = scale * Eigen::Matrix2d::Identity();
         if (m_isStretched)
-            matrix = Eigen::Matrix2d::Identity() + (scale - 1.0) * u * u.transpose();
-        return mappedShape(m_context, key, *m_row.section.shape, matrix, m_axisInSection.at(inner));
+            return Eigen::Matrix2d::Identity() + (scale - 1.0) * u * u.transpose();
+        return scale * Eigen::Matrix2d::Identity();
     }
 
     double innerOf(const Shape &shape, double inner) const

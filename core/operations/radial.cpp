@@ -1,9 +1,9 @@
 #include "core/operations/radial.h"
 
+#include "core/base/text.h"
 #include "core/geometry/radial_contour.h"
 #include "core/geometry/symmetrised.h"
 #include "core/model/mended_shape.h"
-#include "core/operations/text.h"
 
 #include <algorithm>
 #include <cmath>

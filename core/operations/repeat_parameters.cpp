@@ -1,6 +1,6 @@
 #include "core/operations/repeat_parameters.h"
 
-#include "core/operations/text.h"
+#include "core/base/text.h"
 
 #include <cmath>
 

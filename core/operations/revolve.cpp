@@ -1,11 +1,11 @@
 #include "core/operations/revolve.h"
 
+#include "core/base/text.h"
 #include "core/geometry/arc_length.h"
 #include "core/model/instance_key.h"
 #include "core/operations/copying.h"
 #include "core/operations/repeat_parameters.h"
 #include "core/operations/root_edge.h"
-#include "core/operations/text.h"
 
 #include <algorithm>
 #include <numbers>
@@ -139,6 +139,7 @@ private:
         const Vec3 about = m_root.frame.toWorld(m_edge.point);
         if (!m_isStretched) {
             copy.section.shape = scaledShape(m_context, copy.key, m_section.shape, scale);
+            copy.section.marks = scaledMarks(m_section.marks, scale);
             const Similarity size = Similarity::scaled(scale, about);
             copy.placement = copy.placement * size;
             return copy.section.shape != nullptr;
@@ -147,8 +148,9 @@ private:
         const Vec2 v = m_section.frame.directionToLocal(u);
         const Eigen::Matrix2d matrix =
             Eigen::Matrix2d::Identity() + (scale - 1.0) * v * v.transpose();
-        copy.section.shape = mappedShape(m_context, copy.key, *m_section.shape, matrix,
-                                         m_section.frame.toLocal(about));
+        const Vec2 fixed = m_section.frame.toLocal(about);
+        copy.section.shape = mappedShape(m_context, copy.key, *m_section.shape, matrix, fixed);
+        copy.section.marks = mapped(m_section.marks, matrix, fixed);
         copy.stretch = (scale - 1.0) * u * u.transpose();
         copy.stretchedFrom = about;
         return copy.section.shape != nullptr;

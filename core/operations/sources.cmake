@@ -21,6 +21,7 @@ target_sources(fff_core PRIVATE
     operations/revolve.cpp
     operations/root_edge.cpp
     operations/row.cpp
+    operations/scaled_model.cpp
     operations/section_lookup.cpp
     operations/source_crossing.cpp
     operations/symmetry.cpp

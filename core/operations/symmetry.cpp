@@ -1,12 +1,12 @@
 #include "core/operations/symmetry.h"
 
+#include "core/base/text.h"
 #include "core/base/tolerances.h"
 #include "core/geometry/contour_points.h"
 #include "core/geometry/symmetrised.h"
 #include "core/operations/copying.h"
 #include "core/operations/images.h"
 #include "core/operations/source_crossing.h"
-#include "core/operations/text.h"
 
 #include <algorithm>
 #include <cmath>
