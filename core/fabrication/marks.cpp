@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <optional>
 
 namespace fff {
@@ -106,9 +107,27 @@ bool engraveNumber(const Part &part, const MarkOptions &options, const Room &roo
     return true;
 }
 
+/// Boxes along the line, none of them much larger than what they hold.
+void takeLine(const CurvePath &path, Room &room)
+{
+    constexpr double kStep = 4.0; // mm
+    const Polygon line = path.flatten(kDrawChord);
+    for (std::size_t i = 1; i < line.size(); ++i) {
+        const Vec2 way = line[i] - line[i - 1];
+        const int count = std::max(1, static_cast<int>(std::ceil(way.norm() / kStep)));
+        for (int k = 0; k < count; ++k) {
+            Box2 box;
+            box.extend(line[i - 1] + k * way / count);
+            box.extend(line[i - 1] + (k + 1) * way / count);
+            room.take(box);
+        }
+    }
+}
+
 } // namespace
 
-Engraving engrave(const Part &part, const MarkOptions &options)
+Engraving engrave(const Part &part, const std::vector<MarkPointer> &drawn,
+                  const MarkOptions &options)
 {
     Region region;
     region.outer = part.outline.outer.polygon(kDrawChord);
@@ -118,6 +137,10 @@ Engraving engrave(const Part &part, const MarkOptions &options)
     if (region.outer.size() < 3)
         return engraving;
     Room room(region);
+    engraving.lines = linesOn(part, drawn);
+    for (const auto *lines : {&engraving.lines.engraved, &engraving.lines.scored})
+        for (const CurvePath &path : *lines)
+            takeLine(path, room);
     // Joints first: their places are few, the part's number can go anywhere.
     for (const Part::JointMark &mark : part.joints) {
         if (!engraveJoint(mark, options, room, engraving))

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/fabrication/digits.h"
+#include "core/fabrication/marked_lines.h"
 #include "core/fabrication/part.h"
 
 namespace fff {
@@ -20,12 +21,15 @@ struct Engraving
     Strokes strokes;         // in the part's coordinates, mm
     std::vector<Box2> boxes; // one a mark: what it takes up
     bool hasNumber = false;
+    MarkedLines lines;              // that a person drew there
     std::vector<int> jointsLeftOut; // joints' numbers for which there was no room
 };
 
 /// Joint numbers stand just beyond their slits' bottoms, or beside the slits where that is taken;
 /// the part's number stands where it then fits in full size, or where is most room. Upright in the
-/// part's frame. Every mark's box lies inside the material and apart from the others.
-Engraving engrave(const Part &part, const MarkOptions &options = {});
+/// part's frame. Every mark's box lies inside the material and apart from the others and from what
+/// is drawn on the section.
+Engraving engrave(const Part &part, const std::vector<MarkPointer> &drawn,
+                  const MarkOptions &options = {});
 
 } // namespace fff

@@ -3,6 +3,7 @@ target_sources(fff_core PRIVATE
     fabrication/digits.cpp
     fabrication/kerf.cpp
     fabrication/layout.cpp
+    fabrication/marked_lines.cpp
     fabrication/marks.cpp
     fabrication/outline_size.cpp
     fabrication/parts.cpp

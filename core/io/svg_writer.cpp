@@ -15,7 +15,9 @@ namespace {
 constexpr double kSheetGap = 10.0;
 const Vec2 kReferenceSize(100.0, 10.0);
 constexpr std::string_view kCut = "#ff0000";
-constexpr std::string_view kEngraving = "#0000ff";
+constexpr std::string_view kNumbers = "#0000ff";
+constexpr std::string_view kEngraved = "#000000";
+constexpr std::string_view kScored = "#00ff00";
 constexpr std::string_view kGuide = "#ffcc00";
 
 bool isPlainText(const std::string &text)
@@ -68,6 +70,14 @@ private:
     double m_bottom; // y of the sheet's lower edge in the drawing
 };
 
+/// A segment of a path from where the one before ended.
+void addCurve(const CubicBezier &curve, const Transform &transform, DrawingText &out)
+{
+    out.addPoint<Decimals::Six>(" C ", transform(curve.p1));
+    out.addPoint<Decimals::Six>(" ", transform(curve.p2));
+    out.addPoint<Decimals::Six>(" ", transform(curve.p3));
+}
+
 void addClosed(const Contour &contour, const Transform &transform, DrawingText &out)
 {
     out.addPoint<Decimals::Six>("M ", transform(contour.points().front()));
@@ -75,14 +85,26 @@ void addClosed(const Contour &contour, const Transform &transform, DrawingText &
     for (int i = 0; i < count; ++i) {
         const CubicBezier curve = contour.segment(i);
         if (!curve.isStraight(kClipGrid)) {
-            out.addPoint<Decimals::Six>(" C ", transform(curve.p1));
-            out.addPoint<Decimals::Six>(" ", transform(curve.p2));
-            out.addPoint<Decimals::Six>(" ", transform(curve.p3));
+            addCurve(curve, transform, out);
         } else if (i + 1 < count) { // Z draws the last one
             out.addPoint<Decimals::Six>(" L ", transform(curve.p3));
         }
     }
     out << " Z";
+}
+
+void addLine(const CurvePath &path, const Transform &transform, DrawingText &out)
+{
+    out.addPoint<Decimals::Six>("M ", transform(path.points().front()));
+    for (int i = 0; i < path.segmentCount(); ++i) {
+        const CubicBezier curve = path.segment(i);
+        if (curve.isStraight(kClipGrid))
+            out.addPoint<Decimals::Six>(" L ", transform(curve.p3));
+        else
+            addCurve(curve, transform, out);
+    }
+    if (path.isClosed())
+        out << " Z";
 }
 
 void addOpen(const Strokes &strokes, const Transform &transform, DrawingText &out)
@@ -113,7 +135,13 @@ void addPart(const Part &part, const Engraving *engraving, const Transform &tran
     out << "    <g id=\"part-" << std::to_string(part.number) << "\">\n      <title>"
         << escaped(section.name) << "</title>\n";
     if (engraving && !engraving->strokes.isEmpty())
-        path(kEngraving, [&] { addOpen(engraving->strokes, transform, out); });
+        path(kNumbers, [&] { addOpen(engraving->strokes, transform, out); });
+    if (engraving) {
+        for (const CurvePath &line : engraving->lines.engraved)
+            path(kEngraved, [&] { addLine(line, transform, out); });
+        for (const CurvePath &line : engraving->lines.scored)
+            path(kScored, [&] { addLine(line, transform, out); });
+    }
     for (const Contour &hole : part.outline.holes)
         path(kCut, [&] { addClosed(hole, transform, out); });
     path(kCut, [&] { addClosed(part.outline.outer, transform, out); });
@@ -167,14 +195,19 @@ Vec2 drawingSize(const Layout &layout, const SvgOptions &options)
 std::size_t estimatedLength(const Layout &layout, const std::vector<Part> &parts,
                             const std::vector<Engraving> &engravings)
 {
-    constexpr std::size_t kHead = 2000, kPart = 200, kCutPoint = 24, kStrokePoint = 18;
+    constexpr std::size_t kHead = 2000, kPart = 200, kCutPoint = 24, kStrokePoint = 18, kLine = 40;
     std::size_t length = kHead;
     for (const Sheet &sheet : layout.sheets) {
         for (const Placement &placement : sheet.placements) {
             const auto part = static_cast<std::size_t>(placement.part);
             length += kPart + kCutPoint * pointCount(parts[part].outline);
-            if (!engravings.empty())
-                length += kStrokePoint * engravings[part].strokes.pointCount();
+            if (engravings.empty())
+                continue;
+            const Engraving &engraving = engravings[part];
+            length += kStrokePoint * engraving.strokes.pointCount();
+            for (const auto *lines : {&engraving.lines.engraved, &engraving.lines.scored})
+                for (const CurvePath &line : *lines)
+                    length += kLine + kCutPoint * line.points().size();
         }
     }
     return length;

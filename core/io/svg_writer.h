@@ -21,13 +21,15 @@ struct SvgOptions
 ///   cuts       red (#ff0000), 0.05 mm wide, no fill, every boundary a path of its own closed by Z,
 ///              holes of a part before its outside, as they are to be cut; curves as C, straight
 ///              edges as L
-///   engraving  blue (#0000ff), one path a part of open subpaths
+///   numbers    blue (#0000ff), one path a part of open subpaths
+///   marks      what people drew on sections, a path a line: engraved black (#000000), scored green
+///              (#00ff00)
 ///   guides     yellow (#ffcc00): frames of the sheets when there are several, the reference bar
 ///   groups     <g id="sheet-1"> holds <g id="part-7">, whose <title> is its section's name
 ///   metadata   the program's version, each stock with its thickness, clearance and kerf, and
 ///              whether the kerf is applied already
 ///
-/// Coordinates of cuts are rounded to 1e-6 mm, those of engravings to 1e-3 mm; y downwards.
+/// Coordinates of cuts are rounded to 1e-6 mm, those of numbers to 1e-3 mm; y downwards.
 /// `layout` and `parts` belong to `model`; `engravings` to the parts, one each, or none at all.
 /// UTF-8, same bytes for same input. Colours and the rest follow what laser programs read; see
 /// core/README.md.

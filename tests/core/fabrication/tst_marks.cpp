@@ -130,7 +130,7 @@ void TestMarks::numberLiesInTheMaterial()
     QFETCH(int, shape);
     const Part part =
         partOf(regionOf(simpleContours()[static_cast<std::size_t>(shape)].contour), 108);
-    const Engraving engraving = engrave(part);
+    const Engraving engraving = engrave(part, {});
     QCOMPARE(whatIsWrong(engraving, part, {}), QString());
     QCOMPARE(engraving.hasNumber, !engraving.strokes.isEmpty());
     // Only the needle is too slim.
@@ -141,9 +141,10 @@ void TestMarks::numberLiesInTheMaterial()
 // Wrong: small parts would get no number, or one as large as the part.
 void TestMarks::numberShrinksToFit()
 {
-    const Engraving large = engrave(partOf(regionOf(polygonContour(rectangleAt(0, 0, 40, 40)))));
+    const Engraving large =
+        engrave(partOf(regionOf(polygonContour(rectangleAt(0, 0, 40, 40)))), {});
     QVERIFY(std::abs(height(large.boxes.at(0)) - 6.0) < 1e-9);
-    const Engraving small = engrave(partOf(regionOf(polygonContour(rectangleAt(0, 0, 40, 4)))));
+    const Engraving small = engrave(partOf(regionOf(polygonContour(rectangleAt(0, 0, 40, 4)))), {});
     QVERIFY(small.hasNumber);
     QVERIFY(height(small.boxes.at(0)) < 4.0 - 2.0 * 0.4 + 1e-9);
     QVERIFY(height(small.boxes.at(0)) > 2.8);
@@ -152,7 +153,8 @@ void TestMarks::numberShrinksToFit()
 // Wrong: a blot would be burnt on tiny parts, and nobody told.
 void TestMarks::numberIsLeftOutWhereNoneCanBeRead()
 {
-    const Engraving none = engrave(partOf(regionOf(polygonContour(rectangleAt(0, 0, 40, 1.8)))));
+    const Engraving none =
+        engrave(partOf(regionOf(polygonContour(rectangleAt(0, 0, 40, 1.8)))), {});
     QVERIFY(!none.hasNumber);
     QVERIFY(none.strokes.isEmpty());
 }
@@ -163,7 +165,7 @@ void TestMarks::jointStandsBeyondItsSlit()
     Part part = partOf(
         regionOf(polygonContour(rectangleAt(0, 0, 60, 40)), {}, {rectangleAt(28.5, 20, 3, 30)}));
     part.joints.push_back({7, {30, 20}, {0, -1}, 3.0});
-    const Engraving engraving = engrave(part);
+    const Engraving engraving = engrave(part, {});
     QCOMPARE(whatIsWrong(engraving, part, {}), QString());
     QVERIFY(engraving.jointsLeftOut.empty());
     QCOMPARE(engraving.boxes.size(), 2U);
@@ -179,7 +181,7 @@ void TestMarks::jointMovesAsideWhereThereIsNoRoomBeyond()
     Part part = partOf(
         regionOf(polygonContour(rectangleAt(0, 0, 60, 40)), {}, {rectangleAt(28.5, 1.5, 3, 50)}));
     part.joints.push_back({7, {30, 1.5}, {0, -1}, 3.0});
-    const Engraving engraving = engrave(part);
+    const Engraving engraving = engrave(part, {});
     QCOMPARE(whatIsWrong(engraving, part, {}), QString());
     QVERIFY(engraving.jointsLeftOut.empty());
     QVERIFY(std::abs(engraving.boxes[0].center().x() - 30.0) < 5.0);
@@ -199,7 +201,7 @@ void TestMarks::manyJointsKeepApart()
     QCOMPARE(parts.size(), 12U);
     for (const Part &part : parts) {
         QCOMPARE(part.joints.size(), 6U);
-        const Engraving engraving = engrave(part);
+        const Engraving engraving = engrave(part, {});
         QCOMPARE(whatIsWrong(engraving, part, {}), QString());
         QVERIFY(engraving.jointsLeftOut.empty());
         QVERIFY(engraving.hasNumber);
