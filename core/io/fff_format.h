@@ -9,7 +9,12 @@
 //       "sections":   [ { "id", "name", "stock": id, "shape": index in shapes, "locked",
 //                         "parent": { "section": ref, "slitFrom": [x, y], "slitTo": [x, y],
 //                                     "free" },
-//                         "frame": { "origin": [x, y, z], "x": [...], "y": [...] } } ],
+//                         "frame": { "origin": [x, y, z], "x": [...], "y": [...] },
+//                         "figures": [ { "kind", "centre": [x, y], "turn",
+//                                        "numbers": { "key": number } } ],
+//                         "marks": [ { "kind": "engraved|scored", "paths": [ [[x, y], ...], ... ],
+//                                      "lettering": { "text", "height", "at": [x, y],
+//                                                     "turn" } } ] } ],
 //       "operations": [ { "id", "kind", "version", "name", "on",
 //                         "inputs": { "role": [ { "section": ref, "name" } ] },
 //                         "parameters": { "key": number, true, false or "choice" },
@@ -18,15 +23,19 @@
 //       "weights":    [ { "id", "section": ref, "position": [x, y], "mass" } ],
 //       "joints":     [ { "a": ref, "b": ref, "kind": "crossLap|mortise|tabs|none", "opens": [x,
 //       y],
-//                         "shares": [ { "at": [x, y], "ofA" } ] } ] }
+//                         "shares": [ { "at": [x, y], "ofA" } ] } ],
+//       "dimensions": [ { "id", "from": { "section": ref, "at": [x, y, z] }, "to": … } ],
+//       "numbers":    [ { "name", "expression", "value" } ] }
 //
 // Strengths and modulus are null when not rated; "parent", "holes", "weights", "joints", and of a
 // joint all but its two sections, may be missing; of a section "locked", and of a parent "free"
-// (then false); of a stock "slitEnd" (then square),
-// "toolDiameter" (3.175), "leadIn" and "bumps" (0); of an operation "on" (then true) and
-// "exceptions". Kinds of operations, their roles and parameters: core/operations; a file keeps
-// also those that do not count. `joints` are those of which something is
-// wanted (core/model/joint_override.h). A contour has three control points a segment, p0 h h, a
+// (then false), of a section "figures" (core/geometry/figure.h), which say what boundaries were
+// made of, as far as they are as those still, "marks" (core/model/mark.h), of a mark "lettering";
+// "dimensions" and "numbers" (core/model/dimension.h, named_number.h), of an anchor "section"; of a
+// stock "slitEnd" (then square), "toolDiameter" (3.175), "leadIn" and "bumps" (0); of an operation
+// "on" (then true) and "exceptions". Kinds of operations, their roles and parameters:
+// core/operations; a file keeps also those that do not count. `joints` are those of which something
+// is wanted (core/model/joint_override.h). A contour has three control points a segment, p0 h h, a
 // segment on each line; the last closes onto the first. A ref is the id of a drawn section, or
 // { "operation": id, "instance": "key" } for one that an operation makes; the latter may name
 // nothing now (dormant). `shapes` stand in the order of their first use; sections that name the

@@ -1,4 +1,5 @@
 #include "core/base/tolerances.h"
+#include "core/io/fff_annotations.h"
 #include "core/io/fff_format.h"
 #include "core/io/fff_migration.h"
 #include "core/io/fff_operations.h"
@@ -235,6 +236,8 @@ SectionPointer FffReader::readSection(const JsonCursor &cursor,
         section->isLocked = locked.truth();
     section->parent = readParent(cursor.member("parent"));
     section->frame = readFrame(cursor.member("frame"), section->name);
+    section->figures = readFigures(cursor.member("figures"), section->shape);
+    section->marks = readMarks(cursor.member("marks"));
     return section;
 }
 
@@ -379,6 +382,11 @@ Document FffReader::read(const JsonCursor &root)
             document.weights.push_back(readWeight(item));
     }
     readJoints(root.member("joints"), document.jointOverrides);
+    document.dimensions =
+        readDimensions(root.member("dimensions"),
+                       {.readRef = [this](const JsonCursor &item) { return readRef(item); },
+                        .readId = [this](const JsonCursor &item) { return readId(item); }});
+    document.numbers = readNumbers(root.member("numbers"));
     return document;
 }
 

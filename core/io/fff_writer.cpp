@@ -1,3 +1,4 @@
+#include "core/io/fff_annotations.h"
 #include "core/io/fff_format.h"
 #include "core/io/fff_operations.h"
 #include "core/io/json_writer.h"
@@ -122,6 +123,8 @@ void writeSection(JsonWriter &json, const Section &section, std::size_t shapeInd
     json.member("x", section.frame.x);
     json.member("y", section.frame.y);
     json.endObject();
+    writeFigures(json, section);
+    writeMarks(json, section);
     json.endObject();
 }
 
@@ -219,6 +222,8 @@ Result<std::string> writeFff(const Document &document)
     for (const JointOverridePointer &joint : document.jointOverrides)
         writeJoint(json, *joint);
     json.endArray();
+    writeDimensions(json, document);
+    writeNumbers(json, document);
     json.endObject();
     // A file with a null for a number could not be read again.
     if (json.sawNonFinite())

@@ -2,6 +2,7 @@ target_sources(fff_io PRIVATE
     document_file.cpp
     drawing_text.cpp
     error_text.cpp
+    fff_annotations.cpp
     fff_migration.cpp
     fff_operations.cpp
     fff_reader.cpp
@@ -14,5 +15,8 @@ target_sources(fff_io PRIVATE
     json_writer.cpp
     loaded_document.cpp
     obj_writer.cpp
+    svg_path.cpp
+    svg_reader.cpp
+    svg_values.cpp
     svg_writer.cpp
 )

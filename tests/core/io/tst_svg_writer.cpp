@@ -87,7 +87,7 @@ struct Drawing
         std::vector<Engraving> engravings;
         for (const Part &part : parts)
             if (hasMarks)
-                engravings.push_back(engrave(part));
+                engravings.push_back(engrave(part, {}));
         return io::writeSvg(layout, parts, engravings, model, options);
     }
 };

@@ -1,0 +1,43 @@
+// Drawings of other programs: the lines of an SVG file in true size.
+#pragma once
+
+#include "core/base/result.h"
+#include "core/geometry/curve_path.h"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace fff::io {
+
+struct SvgDrawing
+{
+    struct Line
+    {
+        CurvePath path;     // mm, y upwards, the drawing's lower left at 0
+        std::string stroke; // as written, lower case ("#ff0000"); empty: none is said
+        bool isFilled = false;
+    };
+    std::vector<Line> lines;     // in the order of the file
+    int texts = 0, pictures = 0; // that were passed over
+    bool isCuttingFile = false;  // one of ours (core/io/svg_writer.h)
+};
+
+/// Reads paths (all commands), rectangles, circles, ellipses, lines, polylines and polygons, in
+/// groups, nested drawings, `use` and symbols, under transforms; what is clipped is clipped; what
+/// is not displayed is left out.
+///
+/// Units  width and height of the root say how long a user unit is; without a unit, or in px, 96 of
+///        them are an inch, in files of Illustrator 72 and of Inkscape before 0.92 90, as those
+///        programs mean it. Percentages are of the drawing's size.
+/// name   how errors call the file; empty: places are without it
+/// Errors  BadSyntax at name:line for what is no XML, or no svg; BadValue at name:line for a path or
+///         number that cannot be read, and without a line when there is nothing in it that could be
+///         drawn; BadCount for more than kMostSvgPoints points and elements.
+/// Source  W3C, Scalable Vector Graphics (SVG) 1.1, second edition, 2011.
+Result<SvgDrawing> readSvg(std::string_view bytes, const std::string &name = {});
+
+/// Control points of a drawing, so that a file with a thousand copies of copies ends soon.
+inline constexpr std::size_t kMostSvgPoints = 1'000'000;
+
+} // namespace fff::io
