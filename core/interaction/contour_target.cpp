@@ -3,6 +3,7 @@
 #include "core/base/tolerances.h"
 #include "core/geometry/boolean.h"
 #include "core/model/edits.h"
+#include "core/model/figures.h"
 #include "core/model/ground.h"
 #include "core/model/mended_shape.h"
 
@@ -203,6 +204,21 @@ tl::expected<DrawnContour, Hint> drawContour(const Document &document, const Con
         drawn->note = Hint{Hint::Kind::LargestPiece, drawn->step.names.front(), false};
     else if (drawn->isCutAtGround && !drawn->note)
         drawn->note = Hint{Hint::Kind::CutAtGround, drawn->step.names.front(), false};
+    return drawn;
+}
+
+tl::expected<DrawnContour, Hint> drawFigure(const Document &document, const ContourTarget &target,
+                                            const Figure &figure, const DrawingRules &rules)
+{
+    const Result<Contour> contour = contourOf(figure);
+    if (!contour)
+        return refused(Hint::Kind::EditFailed);
+    tl::expected<DrawnContour, Hint> drawn = drawContour(document, target, *contour, rules);
+    if (!drawn)
+        return drawn;
+    Result<Document> with = addFigure(drawn->document, drawn->section.drawn, figure);
+    if (with)
+        drawn->document = *std::move(with);
     return drawn;
 }
 

@@ -55,7 +55,7 @@ struct DrawnContour
 struct DrawingRules
 {
     bool cutsAtGround = true; // contours end at Y = 0; holes are not cut
-    Naming naming;            // of a new section
+    Naming naming = {};       // of a new section
 };
 
 /// The committed document with this contour (canvas coordinates, mm, not crossing itself) in its
@@ -66,5 +66,9 @@ struct DrawingRules
 /// HoleOutside, Failed.
 tl::expected<DrawnContour, Hint> drawContour(const Document &document, const ContourTarget &target,
                                              const Contour &contour, const DrawingRules &rules);
+/// The same of a figure (canvas coordinates), whose numbers the section keeps as long as the
+/// boundary stays as it makes it.
+tl::expected<DrawnContour, Hint> drawFigure(const Document &document, const ContourTarget &target,
+                                            const Figure &figure, const DrawingRules &rules);
 
 } // namespace fff

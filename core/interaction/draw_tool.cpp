@@ -3,6 +3,7 @@
 #include "core/base/tolerances.h"
 #include "core/base/units.h"
 #include "core/interaction/facing.h"
+#include "core/interaction/snapping.h"
 
 #include <cmath>
 #include <utility>
@@ -135,6 +136,7 @@ void DrawTool::mark(GestureContext &context, bool)
     const Vec3 &origin = m_canvas.target.canvas.origin;
     m_isOnEdge = std::abs(m_canvas.target.canvas.normal().dot(context.camera.towardsEye(
                      origin, context.viewport))) < std::sin(kMinDrawAngle);
+    context.overlay.rulers = canvasGrid(m_canvas.target.canvas, context.camera.orientation);
     context.overlay.plane.reset();
     if (m_canvas.distance && !m_stroke)
         context.overlay.plane = planeMark(m_canvas.target.canvas, context);

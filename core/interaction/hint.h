@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 namespace fff {
 
@@ -78,6 +79,17 @@ struct Hint
         Transforming,     // dragging it
         LeavingCopy,      // the same while Ctrl is held; number: of copies
         TransformNumbers, // they are typed; number: of copies
+        PickMarked,       // the section to engrave
+        DrawMark,         // on section; a line is dragged, words are clicked
+        DrawingMark,      // dragging it
+        PlaceFigure,      // section: that it will be a hole in, or empty; other: its kind
+        SizeFigure,       // dragging it
+        MeasureFrom,      // the first place
+        MeasureTo,        // the second one
+        Measured,         // it is shown
+        DimensionFrom,    // the first place of a length that shall become another one
+        DimensionTo,
+        DimensionType, // type what it shall be
         // Notes and refusals
         NeverLeft,
         TooShort,
@@ -112,6 +124,12 @@ struct Hint
         CannotBeOn,      // section, since it carries other
         DoNotMeet,       // section and other
         NothingToPaste,  // the clipboard has no sections
+        DrawingRead,     // section: the file; number: of lines, counts: of texts and pictures left
+        DrawingOpen,     // section: the file, in which nothing is enclosed
+        DrawingLeft,     // section: the file; number: of outlines that were left out
+        LetterUnknown,   // other: the letter
+        MarkOutside,     // it would lie beside section
+        NotScaled,       // other: what would be out of its range
         MadeByOperation, // section: which one, other: by which; it cannot be edited by itself
         AlreadySymmetric,
         EditFailed,
@@ -122,6 +140,7 @@ struct Hint
     bool isRefusal = false; // amber, stays for 6 s or until the next press
     std::string other = {}; // a second name
     int number = 0;
+    std::vector<int> counts = {};
     bool operator==(const Hint &) const = default;
 };
 

@@ -198,6 +198,9 @@ void Interaction::handle(const PointerEvent &event)
     case PointerEvent::Type::Zoom:
         d->zoom(event, event.zoomFactor);
         break;
+    case PointerEvent::Type::Twist:
+        d->twist(event);
+        break;
     case PointerEvent::Type::Scroll:
         d->scroll(event);
         break;

@@ -106,6 +106,17 @@ struct Overlay
         std::vector<JointLook> lit;   // what is hovered and what is selected
         bool operator==(const Joints &) const = default;
     };
+    /// A length between two places, in the hand of a tool.
+    struct Measure
+    {
+        Vec3 from, to;
+        bool isWanted = false; // it can be made another length
+
+        bool operator==(const Measure &other) const
+        {
+            return from == other.from && to == other.to && isWanted == other.isWanted;
+        }
+    };
     std::optional<Points> points;
     std::optional<Joints> joints;
     std::optional<OperationMarks> operation; // that is selected
@@ -116,6 +127,11 @@ struct Overlay
     std::optional<PenMarks> pen;
     std::optional<GroundLine> ground;
     std::optional<Plane> plane;
+    std::optional<Measure> measure;
+    std::optional<Vec3> measuredPlace; // under the cursor
+    DimensionId dimension;             // that is under the cursor, or in the hand
+    /// Rulers along the axes of this frame: what is drawn is counted there.
+    std::optional<Frame> rulers;
     std::optional<Box2> band;      // of a rubber band, px
     std::optional<Vec3> slitStart; // hovering: where a slit would begin
     int hovered = -1;              // index of the section under the cursor
@@ -153,12 +169,14 @@ struct InteractionSettings
     bool cutsAtGround = true;  // contours end at Y = 0
     bool snaps = true;         // points that the pen sets or moves, and sections that are moved
     bool takesChildren = true; // what was drawn on a section goes along with it
-    bool movesInSpace = false; // along the world's axes rather than in the section's plane
-    double deadZoneFraction = 0.025; // of the viewport's width
-    double dragThreshold = 4.0;      // px
-    double nameDelay = 400.0;        // ms that the cursor rests before a name is shown
-    double fitTolerance = 2.0;       // px that the fitted contour may be off the samples
-    Naming naming;                   // of what is drawn
+    std::string figure = "rectangle"; // kind of the next one that is drawn
+    bool scores = false;              // marks are scored, not engraved
+    bool movesInSpace = false;        // along the world's axes rather than in the section's plane
+    double deadZoneFraction = 0.025;  // of the viewport's width
+    double dragThreshold = 4.0;       // px
+    double nameDelay = 400.0;         // ms that the cursor rests before a name is shown
+    double fitTolerance = 2.0;        // px that the fitted contour may be off the samples
+    Naming naming;                    // of what is drawn
 };
 
 class Tool;

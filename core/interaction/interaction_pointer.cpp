@@ -115,6 +115,16 @@ void Interaction::Private::scroll(const PointerEvent &event)
     });
 }
 
+/// About the upright through what is under it, as on a turntable.
+void Interaction::Private::twist(const PointerEvent &event)
+{
+    const Vec3 pivot = sight().pivotAt(event.position);
+    roll(event, [&](const Camera &camera) {
+        const double perRadian = motion.viewport.minCoeff() / std::numbers::pi;
+        return orbited(camera, Vec2(-perRadian * event.angle, 0.0), pivot, motion.viewport);
+    });
+}
+
 void Interaction::Private::leave()
 {
     hovering.leave();

@@ -76,6 +76,7 @@ public:
     void roll(const PointerEvent &event, const std::function<Camera(const Camera &)> &moved);
     void zoom(const PointerEvent &event, double factor);
     void scroll(const PointerEvent &event);
+    void twist(const PointerEvent &event);
     void leave();
 
     void beginWithSecondButton(std::unique_ptr<Gesture> next);

@@ -12,6 +12,7 @@ void PenTool::mark(GestureContext &context, bool hasCursor)
     overlay.slit.reset();
     overlay.ground.reset();
     overlay.plane.reset();
+    overlay.rulers.reset();
     m_over.reset();
     if (m_slit) {
         if (m_press && m_press->isDrag)
@@ -41,6 +42,7 @@ void PenTool::mark(GestureContext &context, bool hasCursor)
     if (canvas.choice.distance && m_path.isEmpty())
         overlay.plane = planeMark(target.canvas, context);
 
+    overlay.rulers = canvas.targets.grid();
     PenMarks &marks = overlay.pen.emplace();
     marks.purpose = target.purpose;
     marks.canvas = target.canvas;

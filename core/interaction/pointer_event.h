@@ -19,7 +19,18 @@ struct Modifiers
 struct PointerEvent
 {
     /// Modifiers: a key was pressed or let go, the cursor stays where it is.
-    enum class Type { Press, Move, Release, Wheel, Zoom, Scroll, DoubleClick, Leave, Modifiers };
+    enum class Type {
+        Press,
+        Move,
+        Release,
+        Wheel,
+        Zoom,
+        Scroll,
+        Twist,
+        DoubleClick,
+        Leave,
+        Modifiers
+    };
     Type type = Type::Move;
     Vec2 position = Vec2::Zero(); // px
     Button button = Button::None; // that was pressed or released
@@ -28,6 +39,7 @@ struct PointerEvent
     double wheelSteps = 0.0;    // notches, positive away from the person
     double zoomFactor = 1.0;    // Zoom: two fingers apart; above 1 is nearer
     Vec2 scroll = Vec2::Zero(); // Scroll: px that two fingers push the picture
+    double angle = 0.0;         // Twist: radians that two fingers turn the picture, clockwise
     double time = 0.0;          // ms, the only clock
     /// More moves are at hand and follow at once: this one is taken in, nothing is shown for it.
     bool isFollowed = false;

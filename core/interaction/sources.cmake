@@ -7,7 +7,10 @@ target_sources(fff_core PRIVATE
     interaction/commands.cpp
     interaction/contour_target.cpp
     interaction/draw_tool.cpp
+    interaction/drawing_editing.cpp
     interaction/facing.cpp
+    interaction/figure_editing.cpp
+    interaction/figure_tool.cpp
     interaction/gizmo.cpp
     interaction/gizmo_drag.cpp
     interaction/hovering.cpp
@@ -22,6 +25,10 @@ target_sources(fff_core PRIVATE
     interaction/joint_editing.cpp
     interaction/joint_gesture.cpp
     interaction/joint_marks.cpp
+    interaction/mark_editing.cpp
+    interaction/mark_tool.cpp
+    interaction/measure_tool.cpp
+    interaction/measuring.cpp
     interaction/navigation.cpp
     interaction/operation_gesture.cpp
     interaction/operation_handles.cpp

@@ -26,7 +26,16 @@ struct Step
         MirrorSections, // copies of them
         PasteSections,
         CutSections,
-        InsertModel, // names: of its file
+        InsertModel,   // names: of its file
+        ImportDrawing, // names: of its file
+        AddMark,       // names: of the section, as for the next two
+        ChangeMark,
+        DeleteMark,
+        AddDimension,
+        DeleteDimension,
+        ScaleModel, // count: percent
+        SetNumber,  // names: of the number, as for the next one
+        DeleteNumber,
         MakeOrthogonal,
         AlignSection, // to an axis
         PutOn,        // another section, or nothing
@@ -42,6 +51,7 @@ struct Step
         BendContour,
         AddPoint,
         DeletePoints,
+        ChangeFigure, // its numbers
         ChangePoints, // their kind, or their handles
         RemoveHoles,
         SetStock,

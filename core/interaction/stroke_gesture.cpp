@@ -3,6 +3,7 @@
 #include "core/base/tolerances.h"
 #include "core/base/units.h"
 #include "core/interaction/pick.h"
+#include "core/interaction/snapping.h"
 #include "core/model/ground.h"
 
 #include <cmath>
@@ -254,6 +255,8 @@ void StrokeGesture::updateOverlay(GestureContext &context) const
     }
     if (state == Stroke::State::Contour || state == Stroke::State::DeadZone)
         overlay.ground = groundLineOf(m_target.canvas);
+    if (overlay.stroke)
+        overlay.rulers = canvasGrid(m_target.canvas, context.camera.orientation);
     context.overlay = std::move(overlay);
 }
 

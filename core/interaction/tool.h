@@ -31,8 +31,9 @@ struct ToolNumber
         MoveUp,
         MoveOut,
         Turn,
-        Size,  // a factor
-        Copies // a count
+        Size,   // a factor
+        Copies, // a count
+        Wanted  // length of a dimension
     };
     Kind kind = Kind::X;
     double value = 0.0;

@@ -49,7 +49,8 @@ Result<CuttingFile> makeCuttingFile(const Analysis &analysis, const CuttingFileO
     measureSlits(analysis, options.compensatesKerf, file);
     std::vector<Engraving> engravings;
     for (const Part &part : parts) {
-        engravings.push_back(engrave(part));
+        const Section &section = *analysis.model.section(static_cast<std::size_t>(part.section));
+        engravings.push_back(engrave(part, section.marks));
         if (!engravings.back().hasNumber)
             addOnce(file.unmarked, nameOf(analysis, part));
     }

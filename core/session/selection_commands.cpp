@@ -99,7 +99,26 @@ public:
         return {};
     }
 
+    void selectNext() const { step(1); }
+    void selectPrevious() const { step(-1); }
+
 private:
+    /// To the next one that is seen, in the order of the Outline; after the last one the first.
+    void step(int way) const
+    {
+        const auto count = static_cast<int>(model().sectionCount());
+        const std::vector<SectionRef> now = m_interaction.sectionsInFocus();
+        int index = now.empty() ? (way > 0 ? -1 : count) : model().indexOf(now.back());
+        for (int tried = 0; tried < count; ++tried) {
+            index = (index + way + count) % count;
+            const SectionRef ref = model().ref(static_cast<std::size_t>(index));
+            if (!m_interaction.view().isPicked(ref))
+                continue;
+            m_interaction.select({ref});
+            return;
+        }
+    }
+
     const Model &model() const { return m_session.committed(); }
 
     /// What is not seen is not worked on.
@@ -131,6 +150,8 @@ void registerSelectionCommands(CommandRegistry &registry, Session &session,
                           [commands, isEnabled] { return (commands.*isEnabled)(); }});
     };
     add("edit.selectAll", &SelectionCommands::selectAll, &SelectionCommands::hasSections);
+    add("edit.selectNext", &SelectionCommands::selectNext, &SelectionCommands::hasSections);
+    add("edit.selectPrevious", &SelectionCommands::selectPrevious, &SelectionCommands::hasSections);
     add("edit.selectConnected", &SelectionCommands::selectConnected,
         &SelectionCommands::hasSelection);
     add("edit.selectParallel", &SelectionCommands::selectParallel,

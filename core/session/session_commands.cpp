@@ -6,7 +6,11 @@
 #include "core/interaction/facing.h"
 #include "core/interaction/section_editing.h"
 #include "core/session/copy_commands.h"
+#include "core/session/drawing_commands.h"
+#include "core/session/figure_commands.h"
 #include "core/session/joint_commands.h"
+#include "core/session/mark_commands.h"
+#include "core/session/measure_commands.h"
 #include "core/session/operation_commands.h"
 #include "core/session/point_commands.h"
 #include "core/session/section_commands.h"
@@ -292,6 +296,10 @@ void registerSessionCommands(CommandRegistry &registry, Session &session, Intera
     registerSelectionCommands(registry, session, interaction);
     registerToolCommands(registry, session, interaction);
     registerSectionCommands(registry, session, interaction);
+    registerFigureCommands(registry, session, interaction);
+    registerMarkCommands(registry, session, interaction);
+    registerDrawingCommands(registry, session, interaction);
+    registerMeasureCommands(registry, session, interaction);
     registerCopyCommands(registry, session, interaction, memoryClipboard());
     registerPointCommands(registry, session, interaction);
     registerJointCommands(registry, session, interaction);

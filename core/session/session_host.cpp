@@ -145,6 +145,9 @@ QString SessionHost::undoText(const Step &step)
         //: %1 is the name of a section
         return step.count == 1 ? tr("Change point of %1").arg(name)
                                : tr("Change %n points of %1", nullptr, step.count).arg(name);
+    case Step::Kind::ChangeFigure:
+        //: %1 is the name of a section
+        return tr("Change shape of %1").arg(name);
     case Step::Kind::RemoveHoles:
         //: %1 is the name of a section
         return count == 1 ? tr("Remove holes of %1").arg(name)
@@ -179,6 +182,31 @@ QString SessionHost::undoText(const Step &step)
     case Step::Kind::CutSections:
         //: %1 is the name of a section
         return count == 1 ? tr("Cut %1").arg(name) : tr("Cut %n sections", nullptr, count);
+    case Step::Kind::ImportDrawing:
+        //: %1 is the name of a file
+        return tr("Import %1").arg(name);
+    case Step::Kind::AddMark:
+        //: %1 is the name of a section
+        return tr("Mark %1").arg(name);
+    case Step::Kind::ChangeMark:
+        //: %1 is the name of a section
+        return tr("Change mark of %1").arg(name);
+    case Step::Kind::DeleteMark:
+        //: %1 is the name of a section
+        return tr("Delete mark of %1").arg(name);
+    case Step::Kind::AddDimension:
+        return tr("Keep dimension");
+    case Step::Kind::DeleteDimension:
+        return tr("Delete dimension");
+    case Step::Kind::ScaleModel:
+        //: %1 is a number of percent
+        return tr("Scale the model to %1 %").arg(step.count);
+    case Step::Kind::SetNumber:
+        //: %1 is the name of a number
+        return tr("Set %1").arg(name);
+    case Step::Kind::DeleteNumber:
+        //: %1 is the name of a number
+        return tr("Delete %1", "a number").arg(name);
     case Step::Kind::InsertModel:
         //: %1 is the name of a file
         return tr("Insert %1").arg(name);

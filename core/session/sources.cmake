@@ -10,12 +10,16 @@ target_sources(fff_session PRIVATE
     checks.cpp
     copy_commands.cpp
     cutting_file.cpp
+    drawing_commands.cpp
     dropping.cpp
+    figure_commands.cpp
     flips.cpp
     gap.cpp
     joining_move.cpp
     joint_commands.cpp
     journal.cpp
+    mark_commands.cpp
+    measure_commands.cpp
     narrow_slits.cpp
     operation_commands.cpp
     operation_script.cpp

@@ -290,7 +290,7 @@ void TestSlitEnds::numbersStandOnMaterial()
         for (const Stock &stock : options()) {
             const Analysis analysis = analysed(like(document, stock));
             for (const Part &part : makeParts(analysis.model, analysis.assembly, analysis.cuts)) {
-                const Engraving engraving = engrave(part);
+                const Engraving engraving = engrave(part, {});
                 QVERIFY(engraving.hasNumber);
                 QVERIFY(engraving.jointsLeftOut.empty());
                 const Region &region = part.outline.region;

@@ -1,0 +1,150 @@
+#include "core/interaction/figure_editing.h"
+
+#include "core/interaction/section_editing.h"
+#include "core/model/figures.h"
+#include "core/model/origin.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace fff {
+
+namespace {
+
+/// A section that rises by less (sine) counts as level.
+constexpr double kLevel = 0.02;
+/// Between sections that stand beside each other, mm.
+constexpr double kBeside = 20.0;
+/// Of a hole that nobody gave a place: of the section's size, and how many places are tried along
+/// each of its sides.
+constexpr double kShare = 1.0 / 3.0;
+constexpr int kPlaces = 9;
+/// Sizes that nobody gave are multiples of this, mm.
+constexpr double kRound = 0.5;
+/// Of what is set down on the ground, mm.
+constexpr double kFineChord = 1e-3;
+
+tl::unexpected<Hint> refused(Hint::Kind kind, const std::string &section = {})
+{
+    return tl::unexpected<Hint>(Hint{kind, section, true});
+}
+
+SectionEdit edited(tl::expected<DrawnContour, Hint> drawn)
+{
+    if (!drawn)
+        return tl::unexpected(drawn.error());
+    EditedSections result{std::move(drawn->document), std::move(drawn->step)};
+    result.note = std::move(drawn->note);
+    return result;
+}
+
+Hint::Kind reasonOf(const Error &error)
+{
+    switch (error.code) {
+    case ErrorCode::SelfCrossing:
+        return Hint::Kind::WouldCrossItself;
+    case ErrorCode::BoundariesMeet:
+        return Hint::Kind::WouldMeetHole;
+    default:
+        return Hint::Kind::EditFailed;
+    }
+}
+
+} // namespace
+
+double uprightTurn(const Frame &frame)
+{
+    const Vec2 up = frame.directionToLocal(Vec3::UnitY());
+    return up.norm() <= kLevel ? 0.0 : std::atan2(up.y(), up.x()) - 0.5 * std::numbers::pi;
+}
+
+SectionEdit addedFigure(const Model &model, Figure figure, const DrawingRules &rules)
+{
+    figure.centre = Vec2::Zero();
+    const Result<Contour> contour = contourOf(figure);
+    if (!contour)
+        return refused(Hint::Kind::EditFailed);
+    Box2 box;
+    for (const Vec2 &p : contour->flatten(kFineChord).points)
+        box.extend(p);
+    const Box3 there = model.bounds();
+    Frame frame;
+    frame.origin.y() = kFineChord - box.min.y(); // or the ground would cut off a hair of it
+    if (!there.isEmpty())
+        frame.origin.x() = there.max.x() + kBeside - box.min.x();
+    SectionEdit edit =
+        edited(drawFigure(model.document, ContourTarget::newSection(frame), figure, rules));
+    if (edit)
+        edit->select = {{edit->document.sections.back()->id}};
+    return edit;
+}
+
+SectionEdit figureHole(const Model &model, const SectionRef &ref, const Figure &figure)
+{
+    if (std::optional<Hint> why = whyNotEdited(model, {ref}))
+        return tl::unexpected(*std::move(why));
+    const Section &section = *originOf(model, ref)->section;
+    return edited(drawFigure(model.document, ContourTarget::hole(section), figure, {}));
+}
+
+SectionEdit figureHoleInside(const Model &model, const SectionRef &ref, Figure figure)
+{
+    if (std::optional<Hint> why = whyNotEdited(model, {ref}))
+        return tl::unexpected(*std::move(why));
+    const Section &section = *originOf(model, ref)->section;
+    const Box2 box = section.shape->bounds();
+    const Vec2 most = Vec2::Constant(kShare * box.size().minCoeff());
+    const Vec2 size = sizeOf(figure);
+    const double factor = std::min(1.0, most.x() / size.maxCoeff());
+    if (factor < 1.0) // to sizes that people say
+        figure = sized(figure, (size * factor / kRound).array().floor().max(1.0) * kRound);
+    figure.turn = uprightTurn(section.frame);
+    // From the middle outwards.
+    std::vector<Vec2> places{section.shape->centroid(), box.center()};
+    for (int i = 1; i < kPlaces; ++i)
+        for (int j = 1; j < kPlaces; ++j)
+            places.push_back(box.min + box.size().cwiseProduct(Vec2(i, j)) / kPlaces);
+    std::stable_sort(places.begin() + 2, places.end(), [&box](const Vec2 &a, const Vec2 &b) {
+        return (a - box.center()).squaredNorm() < (b - box.center()).squaredNorm();
+    });
+    for (const Vec2 &place : places) {
+        figure.centre = place;
+        SectionEdit edit = figureHole(model, ref, figure);
+        const Section *now = edit ? edit->document.find(section.id) : nullptr;
+        if (now && now->shape->holes().size() == section.shape->holes().size() + 1 &&
+            boundaryOf(*now->shape, figure) > 0)
+            return edit;
+    }
+    return refused(Hint::Kind::HoleOutside, section.name);
+}
+
+SectionEdit figureContour(const Model &model, const SectionRef &ref, const FigureKind &kind)
+{
+    if (std::optional<Hint> why = whyNotEdited(model, {ref}))
+        return tl::unexpected(*std::move(why));
+    const Section &section = *originOf(model, ref)->section;
+    Figure figure = sized(newFigure(kind), section.shape->bounds().size());
+    figure.centre = section.shape->bounds().center();
+    return edited(drawFigure(model.document, ContourTarget::redraw(section), figure,
+                             {.cutsAtGround = false}));
+}
+
+SectionEdit changedFigure(const Model &model, const SectionRef &ref, int boundary,
+                          const Figure &figure)
+{
+    if (std::optional<Hint> why = whyNotEdited(model, {ref}))
+        return tl::unexpected(*std::move(why));
+    const Section &section = *originOf(model, ref)->section;
+    Result<Document> next = setFigure(model.document, section.id, boundary, figure);
+    if (!next)
+        return refused(reasonOf(next.error()), section.name);
+    Step step{Step::Kind::ChangeFigure, {section.name}};
+    step.merges = "figure ";
+    step.merges.append(std::to_string(section.id.value))
+        .append("/")
+        .append(std::to_string(boundary));
+    return EditedSections{*std::move(next), std::move(step)};
+}
+
+} // namespace fff

@@ -1,0 +1,101 @@
+#include "core/interaction/mark_editing.h"
+
+#include "core/interaction/section_editing.h"
+#include "core/model/lettering.h"
+#include "core/model/marks.h"
+#include "core/model/origin.h"
+
+namespace fff {
+
+namespace {
+
+tl::unexpected<Hint> refused(const Error &error, const std::string &section)
+{
+    const bool isLetter =
+        error.code == ErrorCode::BadValue && error.place == "text" && !error.args.empty();
+    return tl::unexpected<Hint>(isLetter
+                                    ? Hint{Hint::Kind::LetterUnknown, section, true, error.args[0]}
+                                    : Hint{Hint::Kind::EditFailed, section, true});
+}
+
+template <class Edit>
+SectionEdit edited(const Model &model, const SectionRef &ref, Step::Kind kind, Edit edit)
+{
+    if (std::optional<Hint> why = whyNotEdited(model, {ref}))
+        return tl::unexpected(*std::move(why));
+    const Section &section = *originOf(model, ref)->section;
+    Result<Document> next = edit(section);
+    if (!next)
+        return refused(next.error(), section.name);
+    return EditedSections{*std::move(next), {kind, {section.name}}};
+}
+
+tl::unexpected<Error> noMark(std::size_t index)
+{
+    return failure(ErrorCode::BadValue, "mark", {std::to_string(index), "a mark"});
+}
+
+} // namespace
+
+SectionEdit markAdded(const Model &model, const SectionRef &ref, MarkPointer mark)
+{
+    return edited(model, ref, Step::Kind::AddMark, [&](const Section &section) {
+        return addMark(model.document, section.id, std::move(mark));
+    });
+}
+
+SectionEdit markRemoved(const Model &model, const SectionRef &ref, std::size_t index)
+{
+    return edited(model, ref, Step::Kind::DeleteMark, [&](const Section &section) {
+        return removeMark(model.document, section.id, index);
+    });
+}
+
+SectionEdit markKindChanged(const Model &model, const SectionRef &ref, std::size_t index,
+                            Mark::Kind kind)
+{
+    return edited(model, ref, Step::Kind::ChangeMark,
+                  [&](const Section &section) -> Result<Document> {
+                      if (index >= section.marks.size())
+                          return noMark(index);
+                      Mark next = *section.marks[index];
+                      next.kind = kind;
+                      return setMark(model.document, section.id, index,
+                                     std::make_shared<const Mark>(std::move(next)));
+                  });
+}
+
+SectionEdit letteringAdded(const Model &model, const SectionRef &ref, const Lettering &lettering,
+                           Mark::Kind kind)
+{
+    return edited(model, ref, Step::Kind::AddMark, [&](const Section &section) -> Result<Document> {
+        Result<MarkPointer> mark = letteredMark(lettering, kind);
+        if (!mark)
+            return tl::unexpected(mark.error());
+        return addMark(model.document, section.id, *std::move(mark));
+    });
+}
+
+SectionEdit letteringChanged(const Model &model, const SectionRef &ref, std::size_t index,
+                             const Lettering &lettering)
+{
+    SectionEdit edit =
+        edited(model, ref, Step::Kind::ChangeMark, [&](const Section &section) -> Result<Document> {
+            if (index >= section.marks.size() || !section.marks[index]->lettering)
+                return noMark(index);
+            Result<MarkPointer> mark = letteredMark(lettering, section.marks[index]->kind);
+            if (!mark)
+                return tl::unexpected(mark.error());
+            return setMark(model.document, section.id, index, *std::move(mark));
+        });
+    if (edit) {
+        const auto origin = originOf(model, ref);
+        edit->step.merges = "mark ";
+        edit->step.merges.append(std::to_string(origin->section->id.value))
+            .append("/")
+            .append(std::to_string(index));
+    }
+    return edit;
+}
+
+} // namespace fff

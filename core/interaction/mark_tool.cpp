@@ -1,0 +1,245 @@
+#include "core/interaction/mark_tool.h"
+
+#include "core/base/tolerances.h"
+#include "core/geometry/fit.h"
+#include "core/geometry/line_clip.h"
+#include "core/interaction/draw_tool.h"
+#include "core/interaction/facing.h"
+#include "core/interaction/figure_editing.h"
+#include "core/interaction/mark_editing.h"
+#include "core/interaction/section_editing.h"
+#include "core/model/origin.h"
+
+#include <algorithm>
+#include <numbers>
+#include <utility>
+
+namespace fff {
+
+namespace {
+
+/// What stands where somebody clicked, until other words are typed.
+constexpr const char *kFirstWords = "Abc";
+/// Height of a capital of new words, mm.
+constexpr double kLetterHeight = 10.0;
+
+Hint why(const Hint &hint)
+{
+    Hint refusal = hint;
+    refusal.isRefusal = true;
+    return refusal;
+}
+
+} // namespace
+
+GestureReply MarkTool::begin(GestureContext &context, double)
+{
+    const std::vector<SectionRef> &selected = context.selection.sections();
+    if (selected.size() != 1 || !context.model.find(selected.front()))
+        return {};
+    return take(selected.front(), context);
+}
+
+/// The view turns to look at the section's front.
+GestureReply MarkTool::take(const SectionRef &ref, GestureContext &context)
+{
+    GestureReply reply;
+    if (const std::optional<Hint> refusal = whyNotEdited(context.model, {ref})) {
+        reply.note = why(*refusal);
+        return reply;
+    }
+    const Section &section = *context.model.find(ref);
+    m_section = ref;
+    m_name = section.name;
+    m_canvas = section.frame;
+    m_before = context.camera;
+    m_solo.begin(ref, context.view);
+    const Vec3 middle = section.frame.toWorld(section.shape->bounds().center());
+    Eigen::Quaterniond facing =
+        facingOrientation(context.camera.orientation, section.frame.normal());
+    if ((facing * Vec3::UnitZ()).dot(section.frame.normal()) < 0.0)
+        facing = Eigen::AngleAxisd(std::numbers::pi, facing * Vec3::UnitY()) * facing;
+    const Camera camera = turned(context.camera, facing, middle, context.viewport);
+    reply.turnTo = pinned(camera, middle, 0.5 * context.viewport, context.viewport);
+    reply.select = {{ref}};
+    return reply;
+}
+
+std::optional<SectionRef> MarkTool::sectionAt(const Vec2 &position,
+                                              const GestureContext &context) const
+{
+    const std::vector<Hit> hits =
+        pick(context.model, context.camera.rayThrough(position, context.viewport), context.view);
+    if (hits.empty())
+        return std::nullopt;
+    return context.model.ref(static_cast<std::size_t>(hits.front().section));
+}
+
+bool MarkTool::takes(const PointerEvent &press, GestureContext &context) const
+{
+    if (!m_section)
+        return sectionAt(press.position, context).has_value();
+    return true;
+}
+
+GestureReply MarkTool::handle(const PointerEvent &event, GestureContext &context)
+{
+    const bool presses =
+        event.type == PointerEvent::Type::Press || event.type == PointerEvent::Type::DoubleClick;
+    GestureReply reply;
+    if (presses && !m_section) {
+        if (const std::optional<SectionRef> ref = sectionAt(event.position, context))
+            return take(*ref, context);
+        return reply;
+    }
+    const std::optional<Vec2> at =
+        pointOnPlane(context.camera, context.viewport, m_canvas, event.position);
+    if (presses) {
+        if (!at) {
+            reply.note = Hint{Hint::Kind::CanvasOnEdge, {}, true};
+            return reply;
+        }
+        m_press = event.position;
+        m_isDrag = false;
+        m_samples = {*at};
+        return reply;
+    }
+    if (!m_press)
+        return reply;
+    m_isStraight = event.modifiers.shift;
+    m_isDrag = m_isDrag || (event.position - *m_press).norm() > context.settings.dragThreshold;
+    if (at && event.type == PointerEvent::Type::Move)
+        m_samples.push_back(*at);
+    if (event.type == PointerEvent::Type::Release)
+        return release(context);
+    if (m_isDrag)
+        if (const MarkPointer mark = drawn(context))
+            if (SectionEdit edit = markAdded(context.model, *m_section, mark))
+                reply.preview = std::move(edit->document);
+    return reply;
+}
+
+/// Null while it is no line yet.
+MarkPointer MarkTool::drawn(const GestureContext &context) const
+{
+    const double scale =
+        context.camera.scaleAt(m_canvas.toWorld(m_samples.front()), context.viewport);
+    Mark mark;
+    mark.kind = context.settings.scores ? Mark::Kind::Scored : Mark::Kind::Engraved;
+    Result<CurvePath> path = tl::unexpected(Error{});
+    if (m_isStraight) {
+        const SnapTargets none(m_canvas, context.camera.orientation);
+        const Vec2 end = held(m_samples.back(), m_samples.front(), none, scale, false).point;
+        if ((end - m_samples.front()).norm() > scale)
+            path = CurvePath::fromLine({m_samples.front(), end});
+    } else {
+        FitOptions options;
+        options.tolerance = context.settings.fitTolerance * scale;
+        std::vector<Vec2> points;
+        for (const CubicBezier &curve : fitCurve(m_samples, options)) {
+            if (points.empty())
+                points.push_back(curve.p0);
+            points.insert(points.end(), {curve.p1, curve.p2, curve.p3});
+        }
+        if (!points.empty())
+            path = CurvePath::fromPoints(std::move(points));
+    }
+    if (!path)
+        return nullptr;
+    mark.paths.push_back(*std::move(path));
+    return std::make_shared<const Mark>(std::move(mark));
+}
+
+GestureReply MarkTool::release(GestureContext &context)
+{
+    GestureReply reply;
+    m_press.reset();
+    const std::vector<Vec2> samples = m_samples;
+    SectionEdit edit = tl::unexpected(Hint{Hint::Kind::TooShort, {}, true});
+    if (!m_isDrag) {
+        Lettering lettering;
+        lettering.text = kFirstWords;
+        lettering.height = kLetterHeight;
+        lettering.at = samples.front();
+        lettering.turn = uprightTurn(m_canvas);
+        edit = letteringAdded(context.model, *m_section, lettering,
+                              context.settings.scores ? Mark::Kind::Scored : Mark::Kind::Engraved);
+    } else if (const MarkPointer mark = drawn(context)) {
+        edit = markAdded(context.model, *m_section, mark);
+    }
+    m_samples.clear();
+    if (!edit)
+        reply.note = edit.error();
+    else if (const Section *now =
+                 edit->document.find(originOf(context.model, *m_section)->section->id);
+             !now || !isOnSection(*now->marks.back(), context))
+        reply.note = Hint{Hint::Kind::MarkOutside, m_name, true};
+    else
+        reply.commit = {std::move(edit->step), std::move(edit->document)};
+    return reply;
+}
+
+/// Some of it is.
+bool MarkTool::isOnSection(const Mark &mark, const GestureContext &context) const
+{
+    const Section *section = context.model.find(*m_section);
+    return section &&
+           std::any_of(mark.paths.begin(), mark.paths.end(), [section](const CurvePath &path) {
+               return !clippedLine(path.flatten(kDrawChord), section->shape->region()).empty();
+           });
+}
+
+void MarkTool::mark(GestureContext &context, bool)
+{
+    context.overlay.rulers.reset();
+    if (m_section)
+        context.overlay.rulers = canvasGrid(m_canvas, context.camera.orientation);
+}
+
+GestureReply MarkTool::interrupt(GestureContext &)
+{
+    m_press.reset();
+    m_samples.clear();
+    return {};
+}
+
+GestureReply MarkTool::cancel(GestureContext &context)
+{
+    if (m_press)
+        return interrupt(context);
+    m_solo.end(context.view);
+    GestureReply reply;
+    reply.state = GestureReply::State::Over;
+    reply.returnTo = m_before;
+    return reply;
+}
+
+GestureReply MarkTool::modelChanged(GestureContext &context)
+{
+    GestureReply reply = interrupt(context);
+    if (!m_section)
+        return reply;
+    if (const Section *section = context.model.find(*m_section)) {
+        m_canvas = section->frame;
+        m_name = section->name;
+        return reply;
+    }
+    m_solo.end(context.view);
+    reply.state = GestureReply::State::Over;
+    reply.note = Hint{Hint::Kind::CanvasGone, {}, true};
+    return reply;
+}
+
+std::vector<std::string_view> MarkTool::commands() const
+{
+    return {"mark.engrave", "mark.score"};
+}
+
+Hint MarkTool::hint() const
+{
+    if (!m_section)
+        return {Hint::Kind::PickMarked, {}, false};
+    return {m_press && m_isDrag ? Hint::Kind::DrawingMark : Hint::Kind::DrawMark, m_name, false};
+}
+
+} // namespace fff

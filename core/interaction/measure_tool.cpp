@@ -1,0 +1,244 @@
+#include "core/interaction/measure_tool.h"
+
+#include "core/base/tolerances.h"
+#include "core/operations/scaled_model.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace fff {
+
+namespace {
+
+/// A line shorter than this says nothing about the size of anything, mm.
+constexpr double kShortest = 1e-3;
+
+const Dimension *find(const Document &document, DimensionId id)
+{
+    const auto found = std::find_if(document.dimensions.begin(), document.dimensions.end(),
+                                    [id](const Dimension &d) { return d.id == id; });
+    return found == document.dimensions.end() ? nullptr : &*found;
+}
+
+bool presses(const PointerEvent &event)
+{
+    return event.type == PointerEvent::Type::Press || event.type == PointerEvent::Type::DoubleClick;
+}
+
+} // namespace
+
+bool MeasureTool::takes(const PointerEvent &press, GestureContext &context) const
+{
+    return dimensionAt(press.position, context).isValid() ||
+           measuredPlaceAt(press.position, !press.modifiers.control, context).has_value();
+}
+
+bool MeasureTool::takesControl(const PointerEvent &press, GestureContext &context) const
+{
+    return takes(press, context);
+}
+
+GestureReply MeasureTool::press(const PointerEvent &event, GestureContext &context)
+{
+    m_wanted.reset();
+    if (!m_from) {
+        if (const DimensionId id = dimensionAt(event.position, context); id.isValid()) {
+            m_dimension = id;
+            follow(context);
+            return {};
+        }
+    }
+    if (!m_place)
+        return {};
+    if (m_from) { // the second of two clicks
+        if ((m_place->point - m_from->point).norm() >= kShortest)
+            m_line = Ends{*m_from, *m_place};
+        m_from.reset();
+        return {};
+    }
+    m_dimension = {};
+    m_line.reset();
+    m_from = m_place;
+    m_press = event.position;
+    m_isDrag = false;
+    return {};
+}
+
+GestureReply MeasureTool::handle(const PointerEvent &event, GestureContext &context)
+{
+    m_place = measuredPlaceAt(event.position, !event.modifiers.control, context);
+    m_hovered = m_from ? DimensionId() : dimensionAt(event.position, context);
+    if (presses(event)) {
+        press(event, context);
+        return shown(context);
+    }
+    if (m_press && !m_isDrag)
+        m_isDrag = (event.position - *m_press).norm() > context.settings.dragThreshold;
+    if (event.type == PointerEvent::Type::Release && m_press) {
+        m_press.reset();
+        if (m_isDrag && m_place && m_from) {
+            if ((m_place->point - m_from->point).norm() >= kShortest)
+                m_line = Ends{*m_from, *m_place};
+            m_from.reset();
+        }
+    }
+    return shown(context);
+}
+
+/// The line that stays is where its sections are.
+void MeasureTool::follow(const GestureContext &context)
+{
+    if (const Dimension *dimension = find(context.model.document, m_dimension)) {
+        const auto from = placeOf(context.model, dimension->from);
+        const auto to = placeOf(context.model, dimension->to);
+        m_line.reset();
+        if (from && to && (*to - *from).norm() >= kShortest)
+            m_line = Ends{{*from, dimension->from}, {*to, dimension->to}};
+        return;
+    }
+    m_dimension = {};
+    if (!m_line)
+        return;
+    const auto from = placeOf(context.model, m_line->from.anchor);
+    const auto to = placeOf(context.model, m_line->to.anchor);
+    if (!from || !to || (*to - *from).norm() < kShortest) {
+        m_line.reset();
+        return;
+    }
+    m_line->from.point = *from;
+    m_line->to.point = *to;
+}
+
+GestureReply MeasureTool::shown(const GestureContext &context)
+{
+    GestureReply reply;
+    if (!m_wanted || !m_line)
+        return reply;
+    Result<Document> scaled = scaledModel(context.model.document, *m_wanted / m_line->length());
+    if (scaled)
+        reply.preview = *std::move(scaled);
+    return reply;
+}
+
+void MeasureTool::mark(GestureContext &context, bool hasCursor)
+{
+    Overlay &overlay = context.overlay;
+    overlay.measure.reset();
+    overlay.measuredPlace.reset();
+    if (hasCursor && m_place)
+        overlay.measuredPlace = m_place->point;
+    overlay.dimension = m_dimension.isValid() ? m_dimension : m_hovered;
+    if (m_from && m_place)
+        overlay.measure = Overlay::Measure{m_from->point, m_place->point, m_isDimension};
+    else if (m_line && m_wanted)
+        overlay.measure =
+            Overlay::Measure{m_line->from.point * (*m_wanted / m_line->length()),
+                             m_line->to.point * (*m_wanted / m_line->length()), m_isDimension};
+    else if (m_line)
+        overlay.measure = Overlay::Measure{m_line->from.point, m_line->to.point, m_isDimension};
+}
+
+GestureReply MeasureTool::interrupt(GestureContext &context)
+{
+    m_from.reset();
+    m_press.reset();
+    return shown(context);
+}
+
+GestureReply MeasureTool::cancel(GestureContext &)
+{
+    GestureReply reply;
+    if (m_wanted) {
+        m_wanted.reset();
+    } else if (m_from || m_line) {
+        m_from.reset();
+        m_press.reset();
+        m_line.reset();
+        m_dimension = {};
+    } else {
+        reply.state = GestureReply::State::Over;
+    }
+    return reply;
+}
+
+GestureReply MeasureTool::modelChanged(GestureContext &context)
+{
+    m_from.reset();
+    m_press.reset();
+    m_place.reset();
+    m_wanted.reset();
+    follow(context);
+    return {};
+}
+
+std::vector<ToolNumber> MeasureTool::numbers() const
+{
+    if (!m_isDimension || !m_line)
+        return {};
+    return {{ToolNumber::Kind::Wanted, m_wanted.value_or(m_line->length())}};
+}
+
+GestureReply MeasureTool::setNumbers(const std::vector<ToolNumber> &numbers,
+                                     GestureContext &context)
+{
+    for (const ToolNumber &number : numbers)
+        if (number.kind == ToolNumber::Kind::Wanted && m_line && m_isDimension &&
+            number.value >= kShortest && number.value <= kMaxCoordinate)
+            m_wanted = number.value;
+    return shown(context);
+}
+
+GestureReply MeasureTool::dropNumbers(GestureContext &)
+{
+    m_wanted.reset();
+    return {};
+}
+
+GestureReply MeasureTool::key(ToolKey key, GestureContext &context)
+{
+    GestureReply reply;
+    if (key != ToolKey::Enter || !m_wanted || !m_line)
+        return reply;
+    const double factor = *m_wanted / m_line->length();
+    Result<Document> scaled = scaledModel(context.model.document, factor);
+    m_wanted.reset();
+    if (!scaled) {
+        reply.note = Hint{Hint::Kind::NotScaled, {}, true, scaled.error().place};
+        return reply;
+    }
+    for (MeasuredPlace *end : {&m_line->from, &m_line->to}) {
+        end->point *= factor;
+        end->anchor.at *= factor;
+    }
+    Step step{Step::Kind::ScaleModel, {}};
+    step.count = static_cast<int>(std::lround(100.0 * factor));
+    reply.commit = {std::move(step), *std::move(scaled)};
+    return reply;
+}
+
+std::vector<std::string_view> MeasureTool::commands() const
+{
+    if (!m_line)
+        return {};
+    if (m_dimension.isValid())
+        return {"measure.remove"};
+    return {"measure.keep"};
+}
+
+std::optional<MeasureTool::Line> MeasureTool::line() const
+{
+    if (!m_line || m_dimension.isValid())
+        return std::nullopt;
+    return Line{m_line->from.anchor, m_line->to.anchor};
+}
+
+Hint MeasureTool::hint() const
+{
+    if (m_from)
+        return {m_isDimension ? Hint::Kind::DimensionTo : Hint::Kind::MeasureTo, {}, false};
+    if (m_line)
+        return {m_isDimension ? Hint::Kind::DimensionType : Hint::Kind::Measured, {}, false};
+    return {m_isDimension ? Hint::Kind::DimensionFrom : Hint::Kind::MeasureFrom, {}, false};
+}
+
+} // namespace fff

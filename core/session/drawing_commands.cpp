@@ -1,0 +1,124 @@
+#include "core/session/drawing_commands.h"
+
+#include "core/interaction/drawing_editing.h"
+#include "core/io/svg_reader.h"
+#include "core/session/operation_script.h"
+
+#include <QFile>
+#include <QFileInfo>
+
+namespace fff {
+
+namespace {
+
+/// A drawing that is larger is none that a person made.
+constexpr qint64 kLargestFile = 256LL * 1024 * 1024;
+
+Result<io::SvgDrawing> readDrawing(const QString &path)
+{
+    const std::string name = QFileInfo(path).fileName().toStdString();
+    QFile file(path);
+    if (!file.open(QIODevice::ReadOnly))
+        return failure(ErrorCode::CannotOpen, name, {file.errorString().toStdString()});
+    if (file.size() > kLargestFile)
+        return failure(ErrorCode::BadCount, name,
+                       {std::to_string(file.size()), std::to_string(kLargestFile), "bytes"});
+    const QByteArray bytes = file.readAll();
+    return io::readSvg({bytes.constData(), static_cast<std::size_t>(bytes.size())}, name);
+}
+
+/// The lines that count: of a file of ours no reference bars, and of its colours those that are
+/// wanted.
+std::vector<CurvePath> linesOf(const io::SvgDrawing &drawing, bool areMarks)
+{
+    std::vector<CurvePath> lines;
+    for (const io::SvgDrawing::Line &line : drawing.lines) {
+        const bool isCut = line.stroke == "#ff0000";
+        const bool isGuide = line.stroke == "#ffcc00";
+        if (!drawing.isCuttingFile || (areMarks ? !isCut && !isGuide : isCut))
+            lines.push_back(line.path);
+    }
+    return lines;
+}
+
+class DrawingCommands
+{
+public:
+    enum class As { Sections, Contour, Holes, Marks };
+
+    DrawingCommands(Session &session, Interaction &interaction)
+        : m_session(session), m_interaction(interaction)
+    {
+    }
+
+    Result<void> read(As as, const CommandParameters &parameters, double time) const
+    {
+        const std::string *path = textOf(parameters, "path");
+        if (!path)
+            return failure(ErrorCode::BadValue, "path", {"", "the path of a drawing"});
+        const QString file = QString::fromStdString(*path);
+        const Result<io::SvgDrawing> read = readDrawing(file);
+        if (!read)
+            return tl::unexpected(read.error());
+        const Drawing drawing{linesOf(*read, as == As::Marks),
+                              QFileInfo(file).fileName().toStdString()};
+        SectionEdit edit = tl::unexpected(Hint{Hint::Kind::DrawingOpen, drawing.name, true});
+        if (!drawing.lines.empty())
+            edit = editOf(as, drawing);
+        const bool isPassedOver = read->texts > 0 || read->pictures > 0;
+        if (edit && isPassedOver && !edit->note)
+            edit->note = Hint{Hint::Kind::DrawingRead,
+                              drawing.name,
+                              false,
+                              {},
+                              static_cast<int>(drawing.lines.size()),
+                              {read->texts, read->pictures}};
+        m_interaction.layDown(time);
+        m_interaction.carryOut(std::move(edit), time);
+        return {};
+    }
+
+    bool hasSection() const { return m_interaction.sectionsInFocus().size() == 1; }
+
+private:
+    SectionEdit editOf(As as, const Drawing &drawing) const
+    {
+        const Model &model = m_session.committed();
+        const InteractionSettings &settings = m_interaction.settings();
+        if (as == As::Sections)
+            return drawingSections(model, drawing, settings.naming);
+        const SectionRef section = m_interaction.sectionsInFocus().front();
+        if (as == As::Contour)
+            return drawingContour(model, section, drawing);
+        if (as == As::Holes)
+            return drawingHoles(model, section, drawing);
+        return drawingMark(model, section, drawing,
+                           settings.scores ? Mark::Kind::Scored : Mark::Kind::Engraved);
+    }
+
+    Session &m_session;
+    Interaction &m_interaction;
+};
+
+} // namespace
+
+void registerDrawingCommands(CommandRegistry &registry, Session &session, Interaction &interaction)
+{
+    using As = DrawingCommands::As;
+    const DrawingCommands commands(session, interaction);
+    const auto add = [&](const char *id, As as) {
+        std::function<bool()> isEnabled;
+        if (as != As::Sections)
+            isEnabled = [commands] { return commands.hasSection(); };
+        registry.add(id, {[commands, as](const CommandParameters &parameters, double time) {
+                              return commands.read(as, parameters, time);
+                          },
+                          isEnabled});
+    };
+    add("section.importSections", As::Sections);
+    add("section.importContour", As::Contour);
+    add("section.importHoles", As::Holes);
+    add("section.importMarks", As::Marks);
+}
+
+} // namespace fff

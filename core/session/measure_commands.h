@@ -1,0 +1,21 @@
+// Commands of lengths.
+//
+//   measure.ruler       picks up the tool that measures
+//   measure.dimension   picks up the one that says how long a line shall be
+//   measure.keep        the measured line stays as a dimension
+//   measure.remove      the dimension in the hand, or number `dimension` (from 0), goes
+//   measure.scale       factor; or dimension and length (mm): the whole model is scaled
+//   numbers.set         name, value, expression: a number that can be called by its name
+//   numbers.remove      name
+//   numbers.rename      name, to
+#pragma once
+
+#include "core/interaction/commands.h"
+#include "core/interaction/interaction.h"
+#include "core/session/session.h"
+
+namespace fff {
+
+void registerMeasureCommands(CommandRegistry &registry, Session &session, Interaction &interaction);
+
+} // namespace fff

@@ -1,0 +1,174 @@
+// Drawings of other programs as sections, contours, holes and marks.
+#include <QTest> // first: moc cannot read some of the standard library before it
+
+#include "core/interaction/section_editing.h"
+#include "core/session/cutting_file.h"
+#include "tests/core/interaction/desk.h"
+
+#include <QFile>
+#include <QTemporaryDir>
+#include <QUndoStack>
+
+using namespace fff;
+using namespace fff::test;
+
+namespace {
+
+std::string drawing(const char *name)
+{
+    return (QStringLiteral(FFF_TEST_DATA "/drawings/") + QLatin1String(name) +
+            QStringLiteral(".svg"))
+        .toStdString();
+}
+
+} // namespace
+
+class TestDrawings : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void aSectionForEveryOutline();
+    void besideWhatIsThere();
+    void theLargestOutlineAsContour();
+    void aHoleForEveryOutline();
+    void linesAsMarks();
+    void whatWasSkippedIsSaid();
+    void openLinesAreRefused();
+    void brokenFilesChangeNothing();
+    void uprightOnATurnedSection();
+    void ourOwnFileComesBack();
+};
+
+// Wrong: what was drawn elsewhere had to be drawn again.
+void TestDrawings::aSectionForEveryOutline()
+{
+    Desk desk;
+    desk.run("section.importSections", {{"path", drawing("path-island-in-hole")}});
+    QCOMPARE(desk.sections().size(), std::size_t(2));
+    QCOMPARE(desk.sections()[0]->shape->holes().size(), std::size_t(1));
+    QVERIFY(std::abs(desk.sections()[0]->shape->area() - (3600.0 - 1600.0)) < 1e-6);
+    QVERIFY(std::abs(desk.session.committed().bounds().min.y()) < 0.01); // on the ground
+    QCOMPARE(desk.interaction.selection().size(), std::size_t(2));
+    QCOMPARE(desk.lastStep(), QStringLiteral("Import path-island-in-hole.svg"));
+    desk.session.history()->undo();
+    QVERIFY(desk.sections().empty());
+}
+
+void TestDrawings::besideWhatIsThere()
+{
+    Desk desk;
+    desk.addPlate();
+    desk.run("section.importSections", {{"path", drawing("circle")}});
+    const Section &circle = *desk.sections()[1];
+    QVERIFY(worldBounds(*circle.shape, circle.frame).min.x() > 119.0);
+}
+
+void TestDrawings::theLargestOutlineAsContour()
+{
+    Desk desk;
+    desk.addPlate();
+    desk.interaction.select({desk.sections().front()->id});
+    const Vec3 before = positionOf(*desk.sections().front());
+    desk.run("section.importContour", {{"path", drawing("path-two-subpaths")}});
+    const Section &section = *desk.sections().front();
+    QVERIFY(std::abs(section.shape->area() - 1500.0) < 1e-6);
+    QVERIFY((positionOf(section) - before).norm() < 1e-6);
+    desk.run("section.importContour", {{"path", drawing("path-island-in-hole")}});
+    QCOMPARE(desk.hint(), Hint::Kind::DrawingLeft);
+    QCOMPARE(desk.interaction.hint().number, 1);
+}
+
+void TestDrawings::aHoleForEveryOutline()
+{
+    Desk desk;
+    desk.addPlate();
+    desk.interaction.select({desk.sections().front()->id});
+    desk.run("section.importHoles", {{"path", drawing("use-and-defs")}});
+    QCOMPARE(desk.sections().front()->shape->holes().size(), std::size_t(3));
+    desk.run("section.importHoles", {{"path", drawing("units-inch")}});
+    QVERIFY(desk.sections().front()->shape->isPlain());
+}
+
+void TestDrawings::linesAsMarks()
+{
+    Desk desk;
+    desk.addPlate();
+    desk.interaction.select({desk.sections().front()->id});
+    desk.run("mark.score");
+    desk.run("section.importMarks", {{"path", drawing("cad-loose-edges")}});
+    const Mark &mark = *desk.sections().front()->marks.front();
+    QCOMPARE(mark.paths.size(), std::size_t(4));
+    QCOMPARE(mark.kind, Mark::Kind::Scored);
+}
+
+// Wrong: texts would be missing and nobody would know why.
+void TestDrawings::whatWasSkippedIsSaid()
+{
+    Desk desk;
+    desk.run("section.importSections", {{"path", drawing("text-and-picture")}});
+    QCOMPARE(desk.hint(), Hint::Kind::DrawingRead);
+    QCOMPARE(desk.interaction.hint().counts, (std::vector<int>{3, 1}));
+    QCOMPARE(desk.interaction.hint().number, 1);
+    QCOMPARE(desk.sections().size(), std::size_t(1));
+}
+
+void TestDrawings::openLinesAreRefused()
+{
+    Desk desk;
+    for (const char *name : {"polyline-open", "only-text"}) {
+        desk.run("section.importSections", {{"path", drawing(name)}});
+        QCOMPARE(desk.hint(), Hint::Kind::DrawingOpen);
+    }
+    desk.run("section.importSections", {{"path", drawing("cad-loose-edges")}});
+    QCOMPARE(desk.sections().size(), std::size_t(1)); // its edges meet
+}
+
+void TestDrawings::brokenFilesChangeNothing()
+{
+    Desk desk;
+    for (const char *name : {"broken-path", "use-bomb", "not-xml", "there-is-none"})
+        QVERIFY(!desk.commands.run("section.importSections", {{"path", drawing(name)}}, 0.0));
+    QCOMPARE(desk.steps(), 0);
+    QVERIFY(!desk.commands.run("section.importSections", {}, 0.0));
+}
+
+// Wrong: on a section whose frame lies otherwise, the drawing would lie on its side.
+void TestDrawings::uprightOnATurnedSection()
+{
+    Desk desk;
+    Frame frame{Vec3(0, 100, 0), Vec3::UnitY(), -Vec3::UnitX()}; // a quarter turn
+    desk.session.commit(QStringLiteral("Draw"),
+                        withSection(desk.session.committed().document,
+                                    polygonShape(rectangle(-60, -60, 60, 60)), frame));
+    desk.interaction.select({desk.sections().front()->id});
+    desk.run("section.importContour", {{"path", drawing("units-cm")}}); // 100 x 50
+    const Box3 box = worldBounds(*desk.sections().front()->shape, desk.sections().front()->frame);
+    QVERIFY(std::abs(box.size().x() - 100.0) < 1e-6);
+    QVERIFY(std::abs(box.size().y() - 50.0) < 1e-6);
+}
+
+// Wrong: from our own cutting file the 100 mm bar would come as a part, and numbers as holes.
+void TestDrawings::ourOwnFileComesBack()
+{
+    Desk desk;
+    desk.addPlate();
+    CuttingFileOptions options;
+    options.compensatesKerf = false;
+    AnalysisCaches caches;
+    const Result<CuttingFile> file =
+        makeCuttingFile(analyse(desk.session.committed(), caches), options);
+    QVERIFY(file);
+    QTemporaryDir folder;
+    QFile svg(folder.filePath(QStringLiteral("plate.svg")));
+    QVERIFY(svg.open(QIODevice::WriteOnly));
+    svg.write(QByteArray::fromStdString(file->svg));
+    svg.close();
+    desk.run("section.importSections", {{"path", svg.fileName().toStdString()}});
+    QCOMPARE(desk.sections().size(), std::size_t(2));
+    QVERIFY(desk.sections()[1]->shape->holes().empty());
+    QVERIFY(std::abs(desk.sections()[1]->shape->area() - 24000.0) < 1e-3);
+}
+
+QTEST_GUILESS_MAIN(TestDrawings)
+#include "tst_drawings.moc"

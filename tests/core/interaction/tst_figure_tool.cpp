@@ -1,0 +1,177 @@
+// Shapes that are dragged out of their middle.
+#include <QTest> // first: moc cannot read some of the standard library before it
+
+#include "core/interaction/figure_tool.h"
+#include "core/model/figures.h"
+#include "tests/core/interaction/desk.h"
+
+#include <QUndoStack>
+
+using namespace fff;
+using namespace fff::test;
+
+namespace {
+
+const Figure *lastFigure(const Desk &desk, int boundary)
+{
+    return desk.sections().empty() ? nullptr : figureOf(*desk.sections().back(), boundary);
+}
+
+} // namespace
+
+class TestFigureTool : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void theFirstSection();
+    void aHoleInTheSelectedSection();
+    void shiftKeepsBothSidesAlike();
+    void aClickMakesTheUsualSize();
+    void theMiddleSnaps();
+    void theKindIsChosen_data();
+    void theKindIsChosen();
+    void besideTheSectionItIsRefused();
+    void escTakesItBack();
+    void onAPlaneThatIsPicked();
+};
+
+// Wrong: an exact rectangle could not be the beginning of a model.
+void TestFigureTool::theFirstSection()
+{
+    Desk desk;
+    desk.run("section.addShape", {{"figure", "rectangle"}});
+    const double y = kFirstPlaneHeight;
+    desk.drag({desk.front(0, y), desk.front(40, y + 30)});
+    QCOMPARE(desk.sections().size(), std::size_t(1));
+    const Figure *figure = lastFigure(desk, 0);
+    QVERIFY(figure);
+    QCOMPARE(figure->kind, std::string("rectangle"));
+    QVERIFY((fff::sizeOf(*figure) - Vec2(80, 60)).norm() < 1.1); // the grid's steps
+    QVERIFY(desk.interaction.tool());
+    desk.session.history()->undo();
+    QVERIFY(desk.sections().empty());
+}
+
+void TestFigureTool::aHoleInTheSelectedSection()
+{
+    Desk desk;
+    desk.addPlate();
+    desk.interaction.select({desk.sections().front()->id});
+    desk.run("section.addShape", {{"figure", "ellipse"}});
+    desk.wait(2000.0);
+    QCOMPARE(desk.hint(), Hint::Kind::PlaceFigure);
+    desk.drag({desk.plate(20, 10), desk.plate(50, 30)});
+    QCOMPARE(desk.sections().size(), std::size_t(1));
+    const Figure *hole = lastFigure(desk, 1);
+    QVERIFY(hole);
+    QVERIFY((hole->centre - Vec2(20, 10)).norm() < 1.1);
+    QVERIFY((fff::sizeOf(*hole) - Vec2(60, 40)).norm() < 2.1);
+}
+
+void TestFigureTool::shiftKeepsBothSidesAlike()
+{
+    Desk desk;
+    desk.addPlate();
+    desk.interaction.select({desk.sections().front()->id});
+    desk.run("section.addShape", {{"figure", "rectangle"}});
+    desk.wait(2000.0);
+    desk.drag({desk.plate(0, 0), desk.plate(30, 10)}, Button::Left, kShift);
+    const Vec2 size = fff::sizeOf(*lastFigure(desk, 1));
+    QCOMPARE(size.x(), size.y());
+}
+
+void TestFigureTool::aClickMakesTheUsualSize()
+{
+    Desk desk;
+    desk.addPlate(0.0, {200, 160});
+    desk.interaction.select({desk.sections().front()->id});
+    desk.run("section.addShape", {{"figure", "circle"}});
+    desk.wait(2000.0);
+    desk.click(desk.plate(0, 0));
+    QCOMPARE(lastFigure(desk, 1)->numbers, newFigure(*figureKind("circle")).numbers);
+}
+
+// Wrong: a hole could not be set exactly at a corner's distance.
+void TestFigureTool::theMiddleSnaps()
+{
+    Desk desk;
+    desk.addPlate();
+    desk.interaction.select({desk.sections().front()->id});
+    desk.run("section.addShape", {{"figure", "circle"}});
+    desk.wait(2000.0);
+    desk.moveTo(desk.plate(20.2, 9.7));
+    QVERIFY(desk.interaction.overlay().measuredPlace.has_value());
+    QVERIFY(desk.interaction.overlay().rulers.has_value());
+    desk.drag({desk.plate(20.2, 9.7), desk.plate(30, 9.7)});
+    const Frame &frame = desk.sections().front()->frame;
+    const Vec3 middle = frame.toWorld(lastFigure(desk, 1)->centre);
+    QVERIFY(std::abs(middle.x() - std::round(middle.x())) < 1e-9);
+    QVERIFY(std::abs(middle.y() - std::round(middle.y())) < 1e-9);
+}
+
+void TestFigureTool::theKindIsChosen_data()
+{
+    QTest::addColumn<QString>("kind");
+    for (const FigureKind &kind : figureKinds())
+        QTest::newRow(kind.key) << QString::fromLatin1(kind.key);
+}
+
+// Wrong: with the tool in the hand its buttons would add shapes in the middle, one after the other.
+void TestFigureTool::theKindIsChosen()
+{
+    QFETCH(QString, kind);
+    Desk desk;
+    desk.run("section.addShape");
+    std::string command = kind.toStdString();
+    command.front() = static_cast<char>(std::toupper(command.front()));
+    desk.run("section.add" + command);
+    QVERIFY(desk.sections().empty());
+    QCOMPARE(desk.interaction.hint().other, kind.toStdString());
+    desk.drag({desk.front(0, kFirstPlaneHeight), desk.front(40, kFirstPlaneHeight + 30)});
+    QCOMPARE(lastFigure(desk, 0)->kind, kind.toStdString());
+    QVERIFY(!desk.commands.run("section.addShape", {{"figure", "blob"}}, desk.time));
+}
+
+void TestFigureTool::besideTheSectionItIsRefused()
+{
+    Desk desk;
+    desk.addPlate();
+    desk.interaction.select({desk.sections().front()->id});
+    desk.run("section.addShape", {{"figure", "circle"}});
+    desk.wait(2000.0);
+    desk.drag({desk.plate(160, 0), desk.plate(170, 0)});
+    QCOMPARE(desk.hint(), Hint::Kind::HoleOutside);
+    QCOMPARE(desk.steps(), 1);
+}
+
+void TestFigureTool::escTakesItBack()
+{
+    Desk desk;
+    desk.run("section.addShape", {{"figure", "star"}});
+    desk.moveTo(desk.front(0, 100));
+    desk.press(desk.front(0, 100));
+    desk.moveTo(desk.front(40, 130));
+    QCOMPARE(desk.session.model().sectionCount(), std::size_t(1)); // shown
+    desk.interaction.escape(desk.time);
+    QCOMPARE(desk.session.model().sectionCount(), std::size_t(0));
+    QVERIFY(desk.interaction.tool());
+    desk.interaction.escape(desk.time);
+    QVERIFY(!desk.interaction.tool());
+}
+
+void TestFigureTool::onAPlaneThatIsPicked()
+{
+    Desk desk;
+    desk.addPlate();
+    desk.run("section.addShape", {{"figure", "circle"}});
+    desk.run("section.planeGround");
+    desk.wait(2000.0);
+    const Vec3 middle(150, 1.5, 80);
+    desk.drag({desk.screen(middle), desk.screen(middle + Vec3(30, 0, 0))});
+    QCOMPARE(desk.sections().size(), std::size_t(2));
+    QVERIFY(std::abs(std::abs(desk.sections()[1]->frame.normal().y()) - 1.0) < 1e-9);
+}
+
+QTEST_GUILESS_MAIN(TestFigureTool)
+#include "tst_figure_tool.moc"
