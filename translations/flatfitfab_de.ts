@@ -914,6 +914,125 @@
         <source>true or false</source>
         <translation>true oder false</translation>
     </message>
+    <message>
+        <source>engraved or scored</source>
+        <translation>engraved oder scored</translation>
+    </message>
+    <message>
+        <source>three control points a segment and one</source>
+        <translation>drei Stützpunkte je Abschnitt und einen</translation>
+    </message>
+    <message>
+        <source>at least one line</source>
+        <translation>wenigstens eine Linie</translation>
+    </message>
+    <message>
+        <source>two different places</source>
+        <translation>zwei verschiedene Orte</translation>
+    </message>
+    <message>
+        <source>a word of letters and digits, once</source>
+        <translation>ein Wort aus Buchstaben und Ziffern, einmal</translation>
+    </message>
+    <message>
+        <source>a length</source>
+        <translation>eine Länge</translation>
+    </message>
+    <message>
+        <source>a transform</source>
+        <translation>eine Transformation</translation>
+    </message>
+    <message>
+        <source>groups in groups</source>
+        <translation>Gruppen in Gruppen</translation>
+    </message>
+    <message>
+        <source>pairs of numbers</source>
+        <translation>Zahlenpaare</translation>
+    </message>
+    <message>
+        <source>path data</source>
+        <translation>Pfaddaten</translation>
+    </message>
+    <message>
+        <source>points</source>
+        <translation>Punkte</translation>
+    </message>
+    <message>
+        <source>places within a kilometre</source>
+        <translation>Orte innerhalb eines Kilometers</translation>
+    </message>
+    <message>
+        <source>XML</source>
+        <translation>XML</translation>
+    </message>
+    <message>
+        <source>an SVG drawing</source>
+        <translation>eine SVG-Zeichnung</translation>
+    </message>
+    <message>
+        <source>lines, shapes or paths</source>
+        <translation>Linien, Formen oder Pfade</translation>
+    </message>
+</context>
+<context>
+    <name>Figure</name>
+    <message>
+        <source>Circle</source>
+        <translation>Kreis</translation>
+    </message>
+    <message>
+        <source>Diameter</source>
+        <translation>Durchmesser</translation>
+    </message>
+    <message>
+        <source>Ellipse</source>
+        <translation>Ellipse</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Breite</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Höhe</translation>
+    </message>
+    <message>
+        <source>Rectangle</source>
+        <translation>Rechteck</translation>
+    </message>
+    <message>
+        <source>Corner radius</source>
+        <translation>Eckradius</translation>
+    </message>
+    <message>
+        <source>Polygon</source>
+        <translation>Vieleck</translation>
+    </message>
+    <message>
+        <source>Sides</source>
+        <translation>Seiten</translation>
+    </message>
+    <message>
+        <source>Star</source>
+        <translation>Stern</translation>
+    </message>
+    <message>
+        <source>Inner diameter</source>
+        <translation>Innendurchmesser</translation>
+    </message>
+    <message>
+        <source>Tips</source>
+        <translation>Spitzen</translation>
+    </message>
+    <message>
+        <source>Slot</source>
+        <translation>Langloch</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Länge</translation>
+    </message>
 </context>
 <context>
     <name>Operation</name>
@@ -1941,6 +2060,55 @@
         <extracomment>%1 is the name of a file</extracomment>
         <translation>%1 einfügen</translation>
     </message>
+    <message>
+        <source>Change shape of %1</source>
+        <extracomment>%1 is the name of a section</extracomment>
+        <translation>Form von %1 ändern</translation>
+    </message>
+    <message>
+        <source>Import %1</source>
+        <extracomment>%1 is the name of a file</extracomment>
+        <translation>%1 einlesen</translation>
+    </message>
+    <message>
+        <source>Mark %1</source>
+        <extracomment>%1 is the name of a section</extracomment>
+        <translation>%1 beschriften</translation>
+    </message>
+    <message>
+        <source>Change mark of %1</source>
+        <extracomment>%1 is the name of a section</extracomment>
+        <translation>Markierung von %1 ändern</translation>
+    </message>
+    <message>
+        <source>Delete mark of %1</source>
+        <extracomment>%1 is the name of a section</extracomment>
+        <translation>Markierung von %1 löschen</translation>
+    </message>
+    <message>
+        <source>Keep dimension</source>
+        <translation>Maß behalten</translation>
+    </message>
+    <message>
+        <source>Delete dimension</source>
+        <translation>Maß löschen</translation>
+    </message>
+    <message>
+        <source>Scale the model to %1 %</source>
+        <extracomment>%1 is a number of percent</extracomment>
+        <translation>Modell auf %1 % skalieren</translation>
+    </message>
+    <message>
+        <source>Set %1</source>
+        <extracomment>%1 is the name of a number</extracomment>
+        <translation>%1 festlegen</translation>
+    </message>
+    <message>
+        <source>Delete %1</source>
+        <comment>a number</comment>
+        <extracomment>%1 is the name of a number</extracomment>
+        <translation>%1 löschen</translation>
+    </message>
 </context>
 <context>
     <name>fff::cli</name>
@@ -2242,6 +2410,10 @@
     <message>
         <source>Results that may be errors</source>
         <translation>Ergebnisse, die Fehler sein können</translation>
+    </message>
+    <message>
+        <source>Reading drawings</source>
+        <translation>Zeichnungen lesen</translation>
     </message>
 </context>
 <context>
@@ -3538,6 +3710,262 @@
         <source>What is selected has no holes</source>
         <translation>Was ausgewählt ist, hat keine Löcher</translation>
     </message>
+    <message>
+        <source>&amp;Circle</source>
+        <translation>&amp;Kreis</translation>
+    </message>
+    <message>
+        <source>Circle</source>
+        <translation>Kreis</translation>
+    </message>
+    <message>
+        <source>By numbers: a hole in the selected section, or a section of its own</source>
+        <translation>Mit Zahlen: ein Loch in der ausgewählten Scheibe oder eine eigene Scheibe</translation>
+    </message>
+    <message>
+        <source>&amp;Ellipse</source>
+        <translation>&amp;Ellipse</translation>
+    </message>
+    <message>
+        <source>Ellipse</source>
+        <translation>Ellipse</translation>
+    </message>
+    <message>
+        <source>&amp;Rectangle</source>
+        <translation>&amp;Rechteck</translation>
+    </message>
+    <message>
+        <source>Rectangle</source>
+        <translation>Rechteck</translation>
+    </message>
+    <message>
+        <source>&amp;Polygon</source>
+        <translation>&amp;Vieleck</translation>
+    </message>
+    <message>
+        <source>Polygon</source>
+        <translation>Vieleck</translation>
+    </message>
+    <message>
+        <source>&amp;Star</source>
+        <translation>&amp;Stern</translation>
+    </message>
+    <message>
+        <source>Star</source>
+        <translation>Stern</translation>
+    </message>
+    <message>
+        <source>S&amp;lot</source>
+        <translation>&amp;Langloch</translation>
+    </message>
+    <message>
+        <source>Slot</source>
+        <translation>Langloch</translation>
+    </message>
+    <message>
+        <source>Nothing is measured</source>
+        <translation>Nichts ist gemessen</translation>
+    </message>
+    <message>
+        <source>No dimension is picked: click one with the tool that measures</source>
+        <translation>Kein Maß ist gewählt: eines mit dem Messwerkzeug anklicken</translation>
+    </message>
+    <message>
+        <source>&amp;Draw a shape</source>
+        <translation>Form &amp;zeichnen</translation>
+    </message>
+    <message>
+        <source>Shape</source>
+        <translation>Form</translation>
+    </message>
+    <message>
+        <source>Drag a circle, rectangle or the like out of its middle</source>
+        <translation>Kreis, Rechteck und dergleichen aus der Mitte aufziehen</translation>
+    </message>
+    <message>
+        <source>&amp;New sections…</source>
+        <translation>&amp;Neue Scheiben…</translation>
+    </message>
+    <message>
+        <source>From SVG</source>
+        <translation>Aus SVG</translation>
+    </message>
+    <message>
+        <source>A section for every outline of a drawing</source>
+        <translation>Eine Scheibe für jeden Umriss einer Zeichnung</translation>
+    </message>
+    <message>
+        <source>&amp;Contour…</source>
+        <translation>&amp;Kontur…</translation>
+    </message>
+    <message>
+        <source>Contour from SVG</source>
+        <translation>Kontur aus SVG</translation>
+    </message>
+    <message>
+        <source>The largest outline of a drawing in place of the selected section&apos;s</source>
+        <translation>Der größte Umriss einer Zeichnung anstelle dessen der gewählten Scheibe</translation>
+    </message>
+    <message>
+        <source>&amp;Holes…</source>
+        <translation>&amp;Löcher…</translation>
+    </message>
+    <message>
+        <source>Holes from SVG</source>
+        <translation>Löcher aus SVG</translation>
+    </message>
+    <message>
+        <source>A hole of the selected section for every outline of a drawing</source>
+        <translation>Ein Loch der gewählten Scheibe für jeden Umriss einer Zeichnung</translation>
+    </message>
+    <message>
+        <source>&amp;Marks…</source>
+        <translation>&amp;Markierungen…</translation>
+    </message>
+    <message>
+        <source>Marks from SVG</source>
+        <translation>Markierungen aus SVG</translation>
+    </message>
+    <message>
+        <source>The lines of a drawing, engraved or scored on the selected section</source>
+        <translation>Die Linien einer Zeichnung, auf die gewählte Scheibe graviert oder geritzt</translation>
+    </message>
+    <message>
+        <source>Add te&amp;xt or lines to engrave</source>
+        <translation>Te&amp;xt oder Linien gravieren</translation>
+    </message>
+    <message>
+        <source>Engrave</source>
+        <translation>Gravieren</translation>
+    </message>
+    <message>
+        <source>Write or draw on a section, to be engraved or scored</source>
+        <translation>Auf eine Scheibe schreiben oder zeichnen, zum Gravieren oder Ritzen</translation>
+    </message>
+    <message>
+        <source>&amp;Engrave</source>
+        <translation>&amp;Gravieren</translation>
+    </message>
+    <message>
+        <source>What is drawn next is engraved</source>
+        <translation>Was als Nächstes gezeichnet wird, wird graviert</translation>
+    </message>
+    <message>
+        <source>&amp;Score</source>
+        <translation>&amp;Ritzen</translation>
+    </message>
+    <message>
+        <source>Score</source>
+        <translation>Ritzen</translation>
+    </message>
+    <message>
+        <source>What is drawn next is scored, to fold or break along</source>
+        <translation>Was als Nächstes gezeichnet wird, wird geritzt, zum Falten oder Brechen</translation>
+    </message>
+    <message>
+        <source>Measure</source>
+        <translation>Messen</translation>
+    </message>
+    <message>
+        <source>Measure from one place to another</source>
+        <translation>Von einem Ort zum anderen messen</translation>
+    </message>
+    <message>
+        <source>D&amp;imension</source>
+        <translation>Ma&amp;ß</translation>
+    </message>
+    <message>
+        <source>Dimension</source>
+        <translation>Maß</translation>
+    </message>
+    <message>
+        <source>Say how long something shall be; the whole model follows</source>
+        <translation>Sagen, wie lang etwas sein soll; das ganze Modell folgt</translation>
+    </message>
+    <message>
+        <source>Keep</source>
+        <translation>Behalten</translation>
+    </message>
+    <message>
+        <source>Show this length from now on</source>
+        <translation>Diese Länge von nun an zeigen</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Show this length no more</source>
+        <translation>Diese Länge nicht mehr zeigen</translation>
+    </message>
+    <message>
+        <source>From S&amp;VG</source>
+        <translation>Aus SVG</translation>
+    </message>
+    <message>
+        <source>Add to the &amp;library</source>
+        <translation>In &amp;die Bibliothek aufnehmen</translation>
+    </message>
+    <message>
+        <source>To library</source>
+        <translation>In Bibliothek</translation>
+    </message>
+    <message>
+        <source>Keep what is selected in the library, for other models</source>
+        <translation>Die Auswahl für andere Modelle in der Bibliothek aufheben</translation>
+    </message>
+    <message>
+        <source>Select ne&amp;xt</source>
+        <translation>Näc&amp;hste wählen</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Nächste</translation>
+    </message>
+    <message>
+        <source>Select the next section</source>
+        <translation>Die nächste Scheibe wählen</translation>
+    </message>
+    <message>
+        <source>Select pre&amp;vious</source>
+        <translation>Vori&amp;ge wählen</translation>
+    </message>
+    <message>
+        <source>Select the section before this one</source>
+        <translation>Die Scheibe davor wählen</translation>
+    </message>
+    <message>
+        <source>Properties</source>
+        <translation>Eigenschaften</translation>
+    </message>
+    <message>
+        <source>Go to Properties</source>
+        <translation>Zu den Eigenschaften</translation>
+    </message>
+    <message>
+        <source>M&amp;easure</source>
+        <translation>&amp;Messen</translation>
+    </message>
+    <message>
+        <source>Keep t&amp;he dimension</source>
+        <translation>Maß &amp;behalten</translation>
+    </message>
+    <message>
+        <source>Rem&amp;ove the dimension</source>
+        <translation>Maß ent&amp;fernen</translation>
+    </message>
+    <message>
+        <source>&amp;Text and marks</source>
+        <translation>Text und Mar&amp;kierungen</translation>
+    </message>
+    <message>
+        <source>Shape b&amp;y numbers</source>
+        <translation>F&amp;ormen nach Zahlen</translation>
+    </message>
+    <message>
+        <source>To the first field of what is selected; in the view, Enter does so</source>
+        <translation>Zum ersten Feld dessen, was gewählt ist; in der Ansicht tut das Eingabe</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::AgoText</name>
@@ -3834,6 +4262,26 @@
     </message>
 </context>
 <context>
+    <name>fff::ui::DimensionGroup</name>
+    <message>
+        <source>Dimensions</source>
+        <translation>Maße</translation>
+    </message>
+    <message>
+        <source>Dimension %1</source>
+        <extracomment>%1 is a number</extracomment>
+        <translation>Maß %1</translation>
+    </message>
+    <message>
+        <source>Another length here scales the whole model</source>
+        <translation>Eine andere Länge hier skaliert das ganze Modell</translation>
+    </message>
+    <message>
+        <source>Delete this dimension</source>
+        <translation>Dieses Maß löschen</translation>
+    </message>
+</context>
+<context>
     <name>fff::ui::DocumentFiles</name>
     <message>
         <source>Open a model</source>
@@ -3938,6 +4386,14 @@
     <message>
         <source>Nothing inserted: %1 has no sections.</source>
         <translation>Nichts eingefügt: %1 hat keine Scheiben.</translation>
+    </message>
+    <message>
+        <source>Import a drawing</source>
+        <translation>Zeichnung einlesen</translation>
+    </message>
+    <message>
+        <source>Drawings (*.svg);;All files (*)</source>
+        <translation>Zeichnungen (*.svg);;Alle Dateien (*)</translation>
     </message>
 </context>
 <context>
@@ -4235,6 +4691,10 @@
         <source>“t” is the thickness of the stock; there is not one stock here.</source>
         <translation>„t“ ist die Dicke des Materials; hier gibt es nicht ein einziges.</translation>
     </message>
+    <message>
+        <source>No number is called “%1”.</source>
+        <translation>Keine Zahl heißt „%1“.</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::Failures</name>
@@ -4275,6 +4735,50 @@
         <source>Could not save %1: %2. %3</source>
         <extracomment>%1 a file&apos;s name, %2 the reason, %3 a sentence</extracomment>
         <translation>%1 konnte nicht gespeichert werden: %2. %3</translation>
+    </message>
+</context>
+<context>
+    <name>fff::ui::FigureGroup</name>
+    <message>
+        <source>Shape</source>
+        <translation>Form</translation>
+    </message>
+    <message>
+        <source>Contour</source>
+        <translation>Kontur</translation>
+    </message>
+    <message>
+        <source>Drawn by hand</source>
+        <translation>Von Hand gezeichnet</translation>
+    </message>
+    <message>
+        <source>Move one of its points, and it is</source>
+        <translation>Einen ihrer Punkte verschieben, dann ist sie es</translation>
+    </message>
+    <message>
+        <source>Of its middle, in the coordinates of the section</source>
+        <translation>Von seiner Mitte, in den Koordinaten der Scheibe</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>Turned by</source>
+        <translation>Gedreht um</translation>
+    </message>
+    <message>
+        <source>Hole %1</source>
+        <extracomment>%1 is a number</extracomment>
+        <translation>Loch %1</translation>
+    </message>
+    <message>
+        <source>X</source>
+        <translation>X</translation>
+    </message>
+    <message>
+        <source>Y</source>
+        <translation>Y</translation>
     </message>
 </context>
 <context>
@@ -4789,6 +5293,110 @@
         <source>Nothing pasted: nothing that was copied has sections in it.</source>
         <translation>Nichts eingefügt: Was kopiert wurde, enthält keine Scheiben.</translation>
     </message>
+    <message numerus="yes">
+        <source>%n texts</source>
+        <translation>
+            <numerusform>%n Text</numerusform>
+            <numerusform>%n Texte</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pictures</source>
+        <translation>
+            <numerusform>%n Bild</numerusform>
+            <numerusform>%n Bilder</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n lines were read</source>
+        <translation>
+            <numerusform>%n Linie wurde gelesen</numerusform>
+            <numerusform>%n Linien wurden gelesen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1: %2 skipped; %3.</source>
+        <extracomment>%1 is a file, %2 &quot;3 texts&quot;, %3 &quot;5 lines were read&quot;</extracomment>
+        <translation>%1: %2 übergangen; %3.</translation>
+    </message>
+    <message>
+        <source>%1: %2 and %3 skipped; %4.</source>
+        <extracomment>%1 is a file, %2 &quot;3 texts&quot;, %3 &quot;1 picture&quot;, %4 &quot;5 lines were read&quot;</extracomment>
+        <translation>%1: %2 und %3 übergangen; %4.</translation>
+    </message>
+    <message>
+        <source>Click the section to engrave. &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
+        <translation>Die Scheibe anklicken, die graviert wird. &lt;kbd&gt;Esc&lt;/kbd&gt; bricht ab.</translation>
+    </message>
+    <message>
+        <source>Drag to draw a line on %1; &lt;kbd&gt;Shift&lt;/kbd&gt; keeps it straight. Click to set words.</source>
+        <translation>Ziehen zeichnet eine Linie auf %1, mit &lt;kbd&gt;Umschalt&lt;/kbd&gt; gerade. Ein Klick setzt Text.</translation>
+    </message>
+    <message>
+        <source>Release to leave the line so. &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
+        <translation>Loslassen lässt die Linie so. &lt;kbd&gt;Esc&lt;/kbd&gt; bricht ab.</translation>
+    </message>
+    <message>
+        <source>%1: drag from its middle outwards; a click makes one of the usual size.</source>
+        <extracomment>%1 is a shape (&quot;Circle&quot;)</extracomment>
+        <translation>%1: von der Mitte nach außen ziehen; ein Klick setzt die übliche Größe.</translation>
+    </message>
+    <message>
+        <source>%1: drag from its middle outwards to cut it out of %2.</source>
+        <extracomment>%1 is a shape (&quot;Circle&quot;), %2 the name of a section</extracomment>
+        <translation>%1: von der Mitte nach außen ziehen, um es aus %2 auszuschneiden.</translation>
+    </message>
+    <message>
+        <source>Release to make it so large; &lt;kbd&gt;Shift&lt;/kbd&gt; keeps both sides alike. &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
+        <translation>Loslassen lässt es so groß; &lt;kbd&gt;Umschalt&lt;/kbd&gt; hält beide Seiten gleich. &lt;kbd&gt;Esc&lt;/kbd&gt; bricht ab.</translation>
+    </message>
+    <message>
+        <source>Drag from one place to another to measure; &lt;kbd&gt;Ctrl&lt;/kbd&gt; snaps to nothing. &lt;kbd&gt;Esc&lt;/kbd&gt; ends.</source>
+        <translation>Zum Messen von einem Ort zum anderen ziehen; &lt;kbd&gt;Strg&lt;/kbd&gt; fängt nichts. &lt;kbd&gt;Esc&lt;/kbd&gt; beendet.</translation>
+    </message>
+    <message>
+        <source>Go to the second place. &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
+        <translation>Zum zweiten Ort gehen. &lt;kbd&gt;Esc&lt;/kbd&gt; bricht ab.</translation>
+    </message>
+    <message>
+        <source>Drag again to measure something else. &lt;kbd&gt;Esc&lt;/kbd&gt; puts it away.</source>
+        <translation>Erneut ziehen misst etwas anderes. &lt;kbd&gt;Esc&lt;/kbd&gt; legt es weg.</translation>
+    </message>
+    <message>
+        <source>Drag along something whose length you know; the whole model follows. &lt;kbd&gt;Esc&lt;/kbd&gt; ends.</source>
+        <translation>Entlang von etwas ziehen, dessen Länge bekannt ist; das ganze Modell folgt. &lt;kbd&gt;Esc&lt;/kbd&gt; beendet.</translation>
+    </message>
+    <message>
+        <source>Type how long this shall be; &lt;kbd&gt;Enter&lt;/kbd&gt; scales the whole model. &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
+        <translation>Eintippen, wie lang dies sein soll; &lt;kbd&gt;Eingabe&lt;/kbd&gt; skaliert das ganze Modell. &lt;kbd&gt;Esc&lt;/kbd&gt; bricht ab.</translation>
+    </message>
+    <message>
+        <source>Nothing imported: no line of %1 closes to an outline. It can be engraved.</source>
+        <translation>Nichts eingelesen: Keine Linie von %1 schließt sich zu einem Umriss. Gravieren geht.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n outlines of %1 did not fit and were left out.</source>
+        <translation>
+            <numerusform>%n Umriss von %1 passte nicht und wurde ausgelassen.</numerusform>
+            <numerusform>%n Umrisse von %1 passten nicht und wurden ausgelassen.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>There is no letter “%1” to engrave.</source>
+        <translation>Der Buchstabe „%1“ lässt sich nicht gravieren.</translation>
+    </message>
+    <message>
+        <source>Nothing engraved: that lies beside %1.</source>
+        <translation>Nichts graviert: Das liegt neben %1.</translation>
+    </message>
+    <message>
+        <source>The model cannot be made that large or small.</source>
+        <translation>So groß oder klein kann das Modell nicht werden.</translation>
+    </message>
+    <message>
+        <source>The model cannot be scaled so far: %1 would leave its bounds.</source>
+        <translation>So weit lässt sich das Modell nicht skalieren: %1 käme aus seinem Bereich.</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::HistoryDock</name>
@@ -5169,6 +5777,76 @@
     </message>
 </context>
 <context>
+    <name>fff::ui::LibraryDock</name>
+    <message>
+        <source>Part</source>
+        <translation>Teil</translation>
+    </message>
+    <message>
+        <source>Library</source>
+        <translation>Bibliothek</translation>
+    </message>
+    <message>
+        <source>Add selection</source>
+        <translation>Auswahl aufnehmen</translation>
+    </message>
+    <message>
+        <source>Put what is selected into the library; without a selection, the model</source>
+        <translation>Die Auswahl in die Bibliothek aufnehmen; ohne Auswahl das Modell</translation>
+    </message>
+    <message>
+        <source>Folder…</source>
+        <translation>Ordner…</translation>
+    </message>
+    <message>
+        <source>Choose the folder whose models are shown here</source>
+        <translation>Den Ordner wählen, dessen Modelle hier stehen</translation>
+    </message>
+    <message>
+        <source>Parts that you keep appear here: select some sections, then click Add selection.</source>
+        <translation>Hier erscheint, was aufgehoben wird: Scheiben wählen, dann „Auswahl aufnehmen“ anklicken.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n section(s)</source>
+        <translation>
+            <numerusform>%n Scheibe</numerusform>
+            <numerusform>%n Scheiben</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The folder of your library</source>
+        <translation>Der Ordner der Bibliothek</translation>
+    </message>
+    <message>
+        <source>Nothing added: nothing is drawn yet.</source>
+        <translation>Nichts aufgenommen: Noch ist nichts gezeichnet.</translation>
+    </message>
+    <message>
+        <source>The folder of the library, %1, cannot be made.</source>
+        <translation>Der Ordner der Bibliothek, %1, lässt sich nicht anlegen.</translation>
+    </message>
+    <message>
+        <source>%1 is in the library now.</source>
+        <translation>%1 ist nun in der Bibliothek.</translation>
+    </message>
+    <message>
+        <source>%1 is in the wastebasket.</source>
+        <translation>%1 ist im Papierkorb.</translation>
+    </message>
+    <message>
+        <source>%1 could not be moved to the wastebasket.</source>
+        <translation>%1 ließ sich nicht in den Papierkorb legen.</translation>
+    </message>
+    <message>
+        <source>Add it to the model</source>
+        <translation>Zum Modell hinzufügen</translation>
+    </message>
+    <message>
+        <source>Move to the wastebasket</source>
+        <translation>In den Papierkorb legen</translation>
+    </message>
+</context>
+<context>
     <name>fff::ui::MainToolBar</name>
     <message>
         <source>Tool bar</source>
@@ -5228,6 +5906,62 @@
     <message>
         <source>Begin a model of your own, go on with one, or look at a sample.</source>
         <translation>Ein eigenes Modell beginnen, an einem weiterarbeiten oder ein Beispiel ansehen.</translation>
+    </message>
+</context>
+<context>
+    <name>fff::ui::MarkGroup</name>
+    <message>
+        <source>Marks</source>
+        <translation>Markierungen</translation>
+    </message>
+    <message>
+        <source>Words</source>
+        <translation>Text</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>Turned by</source>
+        <translation>Gedreht um</translation>
+    </message>
+    <message>
+        <source>Mark %1</source>
+        <extracomment>%1 is a number</extracomment>
+        <translation>Markierung %1</translation>
+    </message>
+    <message>
+        <source>Engraved</source>
+        <translation>Graviert</translation>
+    </message>
+    <message>
+        <source>Scored</source>
+        <translation>Geritzt</translation>
+    </message>
+    <message>
+        <source>Delete this mark</source>
+        <translation>Diese Markierung löschen</translation>
+    </message>
+    <message>
+        <source>Letter height</source>
+        <translation>Buchstabenhöhe</translation>
+    </message>
+    <message>
+        <source>X</source>
+        <translation>X</translation>
+    </message>
+    <message>
+        <source>Y</source>
+        <translation>Y</translation>
+    </message>
+</context>
+<context>
+    <name>fff::ui::MeasureMarks</name>
+    <message>
+        <source>%1   X %2  Y %3  Z %4</source>
+        <extracomment>a length, and how far it goes along X, Y and Z</extracomment>
+        <translation>%1   X %2  Y %3  Z %4</translation>
     </message>
 </context>
 <context>
@@ -5308,6 +6042,42 @@
     <message>
         <source>Edit the stock</source>
         <translation>Material bearbeiten</translation>
+    </message>
+</context>
+<context>
+    <name>fff::ui::NamedNumberGroup</name>
+    <message>
+        <source>Numbers</source>
+        <translation>Zahlen</translation>
+    </message>
+    <message>
+        <source>A name is a word of letters and digits, other than “t” and the units.</source>
+        <translation>Ein Name ist ein Wort aus Buchstaben und Ziffern, außer „t“ und den Einheiten.</translation>
+    </message>
+    <message>
+        <source>Delete this number</source>
+        <translation>Diese Zahl löschen</translation>
+    </message>
+    <message>
+        <source>gap = 12 mm</source>
+        <comment>an example of a number with a name</comment>
+        <translation>abstand = 12 mm</translation>
+    </message>
+    <message>
+        <source>A name and what it stands for; number fields take the name, also in sums: 2*gap</source>
+        <translation>Ein Name und wofür er steht; Zahlenfelder nehmen den Namen, auch in Rechnungen: 2*abstand</translation>
+    </message>
+    <message>
+        <source>Write a name, “=” and a number.</source>
+        <translation>Einen Namen, „=“ und eine Zahl schreiben.</translation>
+    </message>
+    <message>
+        <source>There is a number of this name already.</source>
+        <translation>Eine Zahl dieses Namens gibt es schon.</translation>
+    </message>
+    <message>
+        <source>New</source>
+        <translation>Neu</translation>
     </message>
 </context>
 <context>
@@ -6286,6 +7056,49 @@
     <message>
         <source>Height of a small bump on each wall of a slit, which presses on the section in it. It has to be more than half of the clearance; 0: none.</source>
         <translation>Höhe einer kleinen Noppe an jeder Wand eines Schlitzes, die auf die Scheibe darin drückt. Sie muss mehr als das halbe Spiel betragen; 0: keine.</translation>
+    </message>
+</context>
+<context>
+    <name>fff::ui::SpokenSelection</name>
+    <message>
+        <source>section</source>
+        <translation>Scheibe</translation>
+    </message>
+    <message>
+        <source>generated section</source>
+        <translation>erzeugte Scheibe</translation>
+    </message>
+    <message>
+        <source>on %1</source>
+        <extracomment>%1 is the name of a section</extracomment>
+        <translation>auf %1</translation>
+    </message>
+    <message>
+        <source>locked</source>
+        <translation>gesperrt</translation>
+    </message>
+    <message>
+        <source>has a problem</source>
+        <translation>hat ein Problem</translation>
+    </message>
+    <message>
+        <source>no problem</source>
+        <translation>kein Problem</translation>
+    </message>
+    <message>
+        <source>Joint of %1 and %2</source>
+        <translation>Verbindung von %1 und %2</translation>
+    </message>
+    <message>
+        <source>%1, operation</source>
+        <translation>%1, Operation</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n sections selected</source>
+        <translation>
+            <numerusform>%n Scheibe gewählt</numerusform>
+            <numerusform>%n Scheiben gewählt</numerusform>
+        </translation>
     </message>
 </context>
 <context>

@@ -329,6 +329,44 @@
             <numerusform>&lt;kbd&gt;Enter&lt;/kbd&gt; makes %n copies like this, each a step further. &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n texts</source>
+        <translation>
+            <numerusform>%n text</numerusform>
+            <numerusform>%n texts</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pictures</source>
+        <translation>
+            <numerusform>%n picture</numerusform>
+            <numerusform>%n pictures</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n lines were read</source>
+        <translation>
+            <numerusform>%n line was read</numerusform>
+            <numerusform>%n lines were read</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n outlines of %1 did not fit and were left out.</source>
+        <translation>
+            <numerusform>%n outline of %1 did not fit and was left out.</numerusform>
+            <numerusform>%n outlines of %1 did not fit and were left out.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>fff::ui::LibraryDock</name>
+    <message numerus="yes">
+        <source>%n section(s)</source>
+        <translation>
+            <numerusform>%n section</numerusform>
+            <numerusform>%n sections</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::MainWindow</name>
@@ -384,6 +422,16 @@
         <translation>
             <numerusform>Replace %n existing file?</numerusform>
             <numerusform>Replace %n existing files?</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>fff::ui::SpokenSelection</name>
+    <message numerus="yes">
+        <source>%n sections selected</source>
+        <translation>
+            <numerusform>%n section selected</numerusform>
+            <numerusform>%n sections selected</numerusform>
         </translation>
     </message>
 </context>

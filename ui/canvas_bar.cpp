@@ -26,6 +26,7 @@ constexpr int kScaleBar = 160; // px that the scale bar takes at its left end
 constexpr int kOverScale = 48; // px to the lower edge where the bar would lie on that
 constexpr NumberEdit::Range kPlace{-10000.0, 10000.0, 0.1, 1, 3};
 constexpr NumberEdit::Range kLength{0.0, 10000.0, 0.1, 1, 3};
+constexpr NumberEdit::Range kWanted{0.001, 1000000.0, 0.5, 1, 2};
 constexpr NumberEdit::Range kAngle{-360.0, 360.0, 0.5, 1, 3};
 
 constexpr NumberEdit::Range kPercent{1.0, 10000.0, 5.0, 0, 2};
@@ -94,6 +95,7 @@ CanvasBar::CanvasBar(Workbench &bench, const ActionSet &actions, QWidget *view)
     addField(Kind::Turn, new NumberEdit(kAngle, tr("°"), this), tr("Turn"), "canvasTurn");
     addField(Kind::Size, new NumberEdit(kPercent, tr("%"), this), tr("Size"), "canvasSize");
     addField(Kind::Copies, new NumberEdit(kCopies, QString(), this), tr("Copies"), "canvasCopies");
+    addField(Kind::Wanted, new LengthEdit(kWanted, this), tr("Length"), "canvasWanted");
     m_buttons = new QWidget(this);
     auto *row = new QHBoxLayout(m_buttons);
     row->setContentsMargins(0, 0, 0, 0);
@@ -135,10 +137,10 @@ void CanvasBar::begin(const QString &text)
 {
     using Kind = ToolNumber::Kind;
     const bool isFromLast = text == QStringLiteral("@");
-    m_isOpen = field(Kind::Distance) == nullptr;
+    m_isOpen = field(Kind::Distance) == nullptr && field(Kind::Wanted) == nullptr;
     refresh();
     Field *first = field(isFromLast ? Kind::Length : Kind::X);
-    for (const Kind kind : {Kind::X, Kind::MoveX, Kind::MoveRight, Kind::Distance}) {
+    for (const Kind kind : {Kind::X, Kind::MoveX, Kind::MoveRight, Kind::Distance, Kind::Wanted}) {
         if (!first || !first->edit->isVisibleTo(this))
             first = field(kind);
     }

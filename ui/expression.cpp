@@ -44,13 +44,17 @@ struct Quantity
 struct Grammar
 {
     std::vector<Unit> units;
-    bool isLength = false;
+    enum class Wanted { Number, Length, Any };
+    Wanted wanted = Wanted::Number;
     double ownUnit = 1.0; // mm, of numbers without one, where lengths are meant
     std::optional<double> t;
+    NumberNames names;
+
+    bool hasLengths() const { return wanted != Wanted::Number; }
 };
 
 /// Recursive descent over: sum = term {± term}, term = factor {×÷ factor}, factor = [±] (number |
-/// t | "(" sum ")") [unit]. The first fault ends it.
+/// t | name | "(" sum ")") [unit]. The first fault ends it.
 class Parser
 {
 public:
@@ -69,13 +73,16 @@ public:
             const bool isLoose = m_text[m_at] == u')';
             all = fail(isLoose ? Fault::LooseParenthesis : Fault::Unreadable, pieceHere());
         }
-        if (all && m_grammar.isLength)
+        if (all && m_grammar.wanted == Grammar::Wanted::Length)
             all = asLength(*all);
+        if (all && (all->power < 0 || all->power > 1 ||
+                    (all->power == 1 && m_grammar.wanted == Grammar::Wanted::Number)))
+            all = fail(Fault::NotALength);
         if (!all)
             return m_failed;
         if (!std::isfinite(all->value))
             return {{}, Fault::Unreadable, m_text.trimmed()};
-        return {all->value};
+        return {all->value, Fault::None, {}, all->power == 1};
     }
 
 private:
@@ -102,7 +109,7 @@ private:
     QString pieceHere() const
     {
         qsizetype end = m_at;
-        while (end < m_text.size() && m_text[end].isLetterOrNumber())
+        while (end < m_text.size() && (m_text[end].isLetterOrNumber() || m_text[end] == u'_'))
             ++end;
         return m_text.mid(m_at, std::max<qsizetype>(1, end - m_at));
     }
@@ -176,9 +183,13 @@ private:
                 return m_at == m_text.size() ? fail(Fault::OpenParenthesis)
                                              : fail(Fault::Unreadable, pieceHere());
             q->unit = 0.0;
-        } else if (m_grammar.isLength && takeThickness()) {
+        } else if (m_grammar.hasLengths() && takeThickness()) {
             return m_grammar.t ? std::optional(Quantity{*m_grammar.t, 1, 0.0})
                                : fail(Fault::NoThickness);
+        } else if (const QString name = takeName(); !name.isEmpty()) {
+            const std::optional<NamedValue> named = m_grammar.names(name);
+            return named ? std::optional(Quantity{named->value, named->isLength ? 1 : 0, 0.0})
+                         : fail(Fault::UnknownName, name);
         } else {
             q = number();
         }
@@ -193,6 +204,23 @@ private:
             return false;
         ++m_at;
         return true;
+    }
+
+    /// A word, where there are names; empty: none begins here.
+    QString takeName()
+    {
+        skip();
+        qsizetype end = m_at;
+        const auto isLetter = [this](qsizetype at) {
+            return m_text[at].isLetter() || m_text[at] == u'_';
+        };
+        if (!m_grammar.names || end == m_text.size() || !isLetter(end))
+            return {};
+        while (end < m_text.size() && (isLetter(end) || m_text[end].isDigit()))
+            ++end;
+        const QString name = m_text.mid(m_at, end - m_at);
+        m_at = end;
+        return name;
     }
 
     std::optional<Quantity> withUnit(Quantity q)
@@ -268,15 +296,22 @@ private:
 } // namespace
 
 Expression readLength(const QString &text, LengthUnit unit, const QLocale &locale,
-                      std::optional<double> t)
+                      std::optional<double> t, const NumberNames &names)
 {
-    const Grammar grammar{lengthUnits(), true, millimetresPer(unit), t};
+    const Grammar grammar{lengthUnits(), Grammar::Wanted::Length, millimetresPer(unit), t, names};
     return Parser(text, grammar, locale).read();
 }
 
-Expression readNumber(const QString &text, const QString &sign, const QLocale &locale)
+Expression readNumber(const QString &text, const QString &sign, const QLocale &locale,
+                      const NumberNames &names)
 {
-    const Grammar grammar{{{sign}}, false, 1.0, {}};
+    const Grammar grammar{{{sign}}, Grammar::Wanted::Number, 1.0, {}, names};
+    return Parser(text, grammar, locale).read();
+}
+
+Expression readAny(const QString &text, const QLocale &locale, const NumberNames &names)
+{
+    const Grammar grammar{lengthUnits(), Grammar::Wanted::Any, 1.0, {}, names};
     return Parser(text, grammar, locale).read();
 }
 
@@ -298,6 +333,8 @@ QString refusalText(const Expression &expression)
         return Words::tr("There is one closing parenthesis too many.");
     case Fault::DivisionByZero:
         return Words::tr("Nothing can be divided by 0.");
+    case Fault::UnknownName:
+        return Words::tr("No number is called \u201c%1\u201d.").arg(piece);
     case Fault::NotALength:
         return Words::tr("This makes no length; multiply a length by a plain number.");
     case Fault::NoThickness:

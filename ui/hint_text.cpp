@@ -1,5 +1,6 @@
 #include "ui/hint_text.h"
 
+#include "core/geometry/figure.h"
 #include "core/session/operation_text.h"
 
 #include <QCoreApplication>
@@ -42,6 +43,29 @@ QString drawOn(const QString &plane)
     if (plane == QLatin1String("front"))
         return HintText::tr("Draw a section on the front plane in one go. <kbd>Esc</kbd> cancels.");
     return HintText::tr("Draw a section on the side plane in one go. <kbd>Esc</kbd> cancels.");
+}
+
+QString figureName(const std::string &key)
+{
+    const FigureKind *kind = figureKind(key);
+    return kind ? QCoreApplication::translate("Figure", kind->name) : QString();
+}
+
+/// What of a drawing came, and what was left out of it.
+QString drawingRead(const Hint &hint, const QString &name)
+{
+    const int texts = hint.counts.empty() ? 0 : hint.counts[0];
+    const int pictures = hint.counts.size() < 2 ? 0 : hint.counts[1];
+    const QString skippedTexts = HintText::tr("%n texts", nullptr, texts);
+    const QString skippedPictures = HintText::tr("%n pictures", nullptr, pictures);
+    const QString lines = HintText::tr("%n lines were read", nullptr, hint.number);
+    if (texts == 0 || pictures == 0)
+        //: %1 is a file, %2 "3 texts", %3 "5 lines were read"
+        return HintText::tr("%1: %2 skipped; %3.")
+            .arg(name, texts > 0 ? skippedTexts : skippedPictures, lines);
+    //: %1 is a file, %2 "3 texts", %3 "1 picture", %4 "5 lines were read"
+    return HintText::tr("%1: %2 and %3 skipped; %4.")
+        .arg(name, skippedTexts, skippedPictures, lines);
 }
 
 /// What an operation asks for; of a list that is long enough, how to end it.
@@ -301,6 +325,59 @@ QString hintSentence(const Hint &hint, const QString &undoKeys)
                                   "further. <kbd>Esc</kbd> cancels.",
                                   nullptr, hint.number)
                    : HintText::tr("<kbd>Enter</kbd> leaves it like this. <kbd>Esc</kbd> cancels.");
+    case Hint::Kind::PickMarked:
+        return HintText::tr("Click the section to engrave. <kbd>Esc</kbd> cancels.");
+    case Hint::Kind::DrawMark:
+        return HintText::tr("Drag to draw a line on %1; <kbd>Shift</kbd> keeps it straight. Click "
+                            "to set words.")
+            .arg(name);
+    case Hint::Kind::DrawingMark:
+        return HintText::tr("Release to leave the line so. <kbd>Esc</kbd> cancels.");
+    case Hint::Kind::PlaceFigure:
+        return hint.section.empty()
+                   //: %1 is a shape ("Circle")
+                   ? HintText::tr("%1: drag from its middle outwards; a click makes one of the "
+                                  "usual size.")
+                         .arg(figureName(hint.other))
+                   //: %1 is a shape ("Circle"), %2 the name of a section
+                   : HintText::tr("%1: drag from its middle outwards to cut it out of %2.")
+                         .arg(figureName(hint.other), name);
+    case Hint::Kind::SizeFigure:
+        return HintText::tr("Release to make it so large; <kbd>Shift</kbd> keeps both sides alike. "
+                            "<kbd>Esc</kbd> cancels.");
+    case Hint::Kind::MeasureFrom:
+        return HintText::tr("Drag from one place to another to measure; <kbd>Ctrl</kbd> snaps to "
+                            "nothing. <kbd>Esc</kbd> ends.");
+    case Hint::Kind::MeasureTo:
+    case Hint::Kind::DimensionTo:
+        return HintText::tr("Go to the second place. <kbd>Esc</kbd> cancels.");
+    case Hint::Kind::Measured:
+        return HintText::tr("Drag again to measure something else. <kbd>Esc</kbd> puts it away.");
+    case Hint::Kind::DimensionFrom:
+        return HintText::tr("Drag along something whose length you know; the whole model follows. "
+                            "<kbd>Esc</kbd> ends.");
+    case Hint::Kind::DimensionType:
+        return HintText::tr("Type how long this shall be; <kbd>Enter</kbd> scales the whole model. "
+                            "<kbd>Esc</kbd> cancels.");
+    case Hint::Kind::DrawingRead:
+        return drawingRead(hint, name);
+    case Hint::Kind::DrawingOpen:
+        return HintText::tr("Nothing imported: no line of %1 closes to an outline. It can be "
+                            "engraved.")
+            .arg(name);
+    case Hint::Kind::DrawingLeft:
+        return HintText::tr("%n outlines of %1 did not fit and were left out.", nullptr,
+                            hint.number)
+            .arg(name);
+    case Hint::Kind::LetterUnknown:
+        return HintText::tr("There is no letter \u201c%1\u201d to engrave.").arg(other);
+    case Hint::Kind::MarkOutside:
+        return HintText::tr("Nothing engraved: that lies beside %1.").arg(name);
+    case Hint::Kind::NotScaled:
+        return hint.other.empty()
+                   ? HintText::tr("The model cannot be made that large or small.")
+                   : HintText::tr("The model cannot be scaled so far: %1 would leave its bounds.")
+                         .arg(other);
     case Hint::Kind::Locked:
         return HintText::tr("%1 is locked. Unlock it in the Outline to change it.").arg(name);
     case Hint::Kind::HeldByParent:

@@ -13,6 +13,7 @@
 #include "ui/dialogs/stock_editor.h"
 #include "ui/docks/checks_dock.h"
 #include "ui/docks/history_dock.h"
+#include "ui/docks/library_dock.h"
 #include "ui/docks/outline_dock.h"
 #include "ui/docks/properties_dock.h"
 #include "ui/files/document_files.h"
@@ -22,11 +23,13 @@
 #include "ui/icon.h"
 #include "ui/main_tool_bar.h"
 #include "ui/message_bar.h"
+#include "ui/number_names.h"
 #include "ui/operation_notices.h"
 #include "ui/panes.h"
 #include "ui/properties/open_editor.h"
 #include "ui/settings/check_rules.h"
 #include "ui/settings/settings.h"
+#include "ui/spoken_selection.h"
 #include "ui/start/start_page.h"
 #include "ui/status_line.h"
 #include "ui/steps/steps_export.h"
@@ -42,6 +45,7 @@
 #include <QGuiApplication>
 #include <QLabel>
 #include <QMenuBar>
+#include <QPointer>
 #include <QScreen>
 #include <QStackedWidget>
 #include <QTabBar>
@@ -160,12 +164,14 @@ void MainWindow::makeDocks()
     followRules();
     m_outline = new OutlineDock(*m_bench, *m_checkList, this);
     m_history = new HistoryDock(*m_bench, this);
+    m_library = new LibraryDock(*m_bench, this);
     m_checks = new ChecksDock(*m_bench, *m_checkList, this);
     m_properties = new PropertiesDock(*m_bench, *m_checkList, this);
     m_badges = new Badges(*m_bench, *m_checkList, m_view);
     m_bar = new CanvasBar(*m_bench, *m_actions, m_view);
     if (auto *viewport = qobject_cast<Viewport *>(m_view)) {
         auto *menu = new ContextMenu(*m_bench, *m_actions, m_view);
+        connect(viewport, &Viewport::enterPressed, this, [this] { goInto(*m_properties); });
         connect(viewport, &Viewport::numberBegun, m_bar, &CanvasBar::begin);
         connect(viewport, &Viewport::menuWanted, menu, &ContextMenu::openAt);
         connect(viewport, &Viewport::menuKeyPressed, menu, &ContextMenu::openForSelection);
@@ -178,6 +184,7 @@ void MainWindow::makeDocks()
     m_layout->add(m_outline, WindowLayout::Place::Left);
     m_layout->add(m_checks, WindowLayout::Place::LeftBelow);
     m_layout->add(m_history, WindowLayout::Place::Left);
+    m_layout->add(m_library, WindowLayout::Place::Left, false);
     connect(m_layout, &WindowLayout::hiddenChanged, m_actions->action("view.docks"),
             &QAction::setChecked);
 
@@ -189,6 +196,20 @@ void MainWindow::makeDocks()
     connect(m_steps, &StepsView::said, m_status, &StatusLine::sayMarked);
     connect(m_steps, &StepsView::waitingChanged, m_actions,
             [this](bool waits) { m_actions->setWaiting("check.showAssembly", waits); });
+    const auto speak = [this] {
+        const QString selected = spokenSelection(*m_bench, *m_checkList);
+        m_view->setAccessibleDescription(selected.isEmpty() ? Viewport::plainDescription()
+                                                            : selected);
+    };
+    connect(m_bench, &Workbench::selectionChanged, m_view, speak);
+    connect(m_checkList, &CheckList::changed, m_view, speak);
+    connect(m_library, &LibraryDock::said, m_status, &StatusLine::say);
+    connect(m_library, &LibraryDock::failed, m_messages,
+            [this](const QString &text) { m_messages->show(MessageBar::Severity::Error, {text}); });
+    connect(m_library, &LibraryDock::insertWanted, this, [this](const QString &path) {
+        if (m_files->insertFile(path))
+            showDocument();
+    });
     connect(m_history, &HistoryDock::said, m_status, &StatusLine::sayMarked);
     connect(m_checks, &ChecksDock::stockWanted, this, &MainWindow::showStocks);
     connect(m_properties, &PropertiesDock::stockWanted, this, &MainWindow::showStocks);
@@ -226,6 +247,15 @@ void MainWindow::resetLayout()
 /// What needs a window or asks a question; the rest is the session's.
 void MainWindow::addCommands()
 {
+    new NumberNameSource(
+        // Fields may still read while the window goes.
+        [bench = QPointer<Workbench>(m_bench)](const QString &name) -> std::optional<NamedValue> {
+            if (!bench)
+                return std::nullopt;
+            const Document &document = bench->session().committed().document;
+            return namedValue(document, name, document.numbers.size());
+        },
+        this);
     const auto add = [this](const char *id, std::function<void()> act) {
         m_bench->commands().add(id, {[act = std::move(act)](const CommandParameters &, double) {
                                          act();
@@ -239,6 +269,7 @@ void MainWindow::addCommands()
         if (m_files->insert())
             showDocument();
     });
+    add("file.addToLibrary", [this] { m_library->addSelection(); });
     add("file.save", [this] { m_files->save(); });
     add("file.saveAs", [this] { m_files->saveAs(); });
     add("file.export", [this] { m_files->exportCuttingFile(); });
@@ -255,6 +286,7 @@ void MainWindow::addCommands()
     add("help.about", [this] { AboutDialog(this).exec(); });
     add("view.nextPane", [this] { goToPane(*this, m_toolBar, m_view, 1); });
     add("view.previousPane", [this] { goToPane(*this, m_toolBar, m_view, -1); });
+    add("view.properties", [this] { goInto(*m_properties); });
     add("check.nextProblem", [this] { m_checks->goToProblem(1); });
     add("check.previousProblem", [this] { m_checks->goToProblem(-1); });
     add("check.showAssembly", [this] { m_steps->toggle(); });
@@ -280,6 +312,8 @@ void MainWindow::run(const QString &id)
     const int before = history.index();
     if (m_steps->isOpen() && id == QStringLiteral("view.fitAll"))
         m_steps->fit(); // what is shown, not what is drawn
+    else if (id.startsWith(QStringLiteral("section.import")))
+        importDrawing(id);
     else
         m_bench->run(id);
     m_actions->refresh(); // what is checked says what is so, not what was clicked
@@ -290,6 +324,16 @@ void MainWindow::run(const QString &id)
         m_status->sayUndone(undone);
     else if (id == QStringLiteral("edit.redo") && history.index() > before)
         m_status->sayRedone(redone);
+}
+
+/// Asks which one.
+void MainWindow::importDrawing(const QString &command)
+{
+    const QString path = m_files->askForDrawing();
+    if (path.isEmpty())
+        return;
+    showDocument();
+    m_bench->run(command, {{"path", path.toStdString()}});
 }
 
 void MainWindow::openFiles(const QStringList &paths)

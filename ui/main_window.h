@@ -19,6 +19,7 @@ class CanvasBar;
 class ChecksDock;
 class DocumentFiles;
 class HistoryDock;
+class LibraryDock;
 class MainToolBar;
 class MessageBar;
 class OutlineDock;
@@ -70,6 +71,7 @@ private:
     void makeDocks();
     void makeMenus();
     void addCommands();
+    void importDrawing(const QString &command);
     void run(const QString &id);
     void openFiles(const QStringList &paths);
     /// The stock editor with this stock; an invalid one: that of the next section.
@@ -83,6 +85,7 @@ private:
     CheckList *m_checkList = nullptr;
     OutlineDock *m_outline = nullptr;
     HistoryDock *m_history = nullptr;
+    LibraryDock *m_library = nullptr;
     ChecksDock *m_checks = nullptr;
     PropertiesDock *m_properties = nullptr;
     Badges *m_badges = nullptr;

@@ -88,4 +88,12 @@ void goToPane(QMainWindow &window, QWidget *toolBar, QWidget *view, int step)
     }
 }
 
+void goInto(QDockWidget &dock)
+{
+    dock.show();
+    dock.raise();
+    if (QWidget *field = dock.widget() ? firstField(dock.widget()) : nullptr)
+        field->setFocus(Qt::ShortcutFocusReason);
+}
+
 } // namespace fff::ui

@@ -1,6 +1,7 @@
 // Going round the window by key: tool bar, left docks, view, right docks.
 #pragma once
 
+class QDockWidget;
 class QMainWindow;
 class QWidget;
 
@@ -12,5 +13,8 @@ void goToPane(QMainWindow &window, QWidget *toolBar, QWidget *view, int step);
 
 /// False also for what lies in a dock behind another tab, which says that it is visible.
 bool isSeen(const QWidget *widget);
+
+/// To the first field of a dock, which is opened for it.
+void goInto(QDockWidget &dock);
 
 } // namespace fff::ui

@@ -26,6 +26,7 @@ target_sources(fff_ui PRIVATE
     docks/drawing_page.cpp
     docks/history_dock.cpp
     docks/joint_page.cpp
+    docks/library_dock.cpp
     docks/model_page.cpp
     docks/problem_box.cpp
     docks/operation_page.cpp
@@ -55,17 +56,22 @@ target_sources(fff_ui PRIVATE
     measures.cpp
     message_bar.cpp
     naming.cpp
+    number_names.cpp
     operation_notices.cpp
     panes.cpp
     properties/choice_box.cpp
+    properties/dimension_group.cpp
     properties/drawing_group.cpp
     properties/exception_rows.cpp
+    properties/figure_group.cpp
     properties/input_row.cpp
     properties/instance_group.cpp
     properties/joint_rows.cpp
     properties/joint_words.cpp
     properties/length_edit.cpp
     properties/link_row.cpp
+    properties/mark_group.cpp
+    properties/named_number_group.cpp
     properties/number_edit.cpp
     properties/open_editor.cpp
     properties/parameter_row.cpp
@@ -77,6 +83,7 @@ target_sources(fff_ui PRIVATE
     properties/stock_box.cpp
     properties/stock_choice.cpp
     properties/thickness_field.cpp
+    properties/varying_rows.cpp
     script_player.cpp
     sentence_label.cpp
     settings/check_rules.cpp
@@ -88,12 +95,14 @@ target_sources(fff_ui PRIVATE
     start/samples.cpp
     start/start_page.cpp
     start/thumbnails.cpp
+    spoken_selection.cpp
     status_line.cpp
     steps/steps_bar.cpp
     steps/steps_export.cpp
     steps/steps_view.cpp
     theme.cpp
     translations.cpp
+    touch_input.cpp
     view_input.cpp
     viewport.cpp
     window_layout.cpp

@@ -5,7 +5,7 @@
 
 #include <QKeyEvent>
 #include <QLineF>
-#include <QMouseEvent>
+#include <QTabletEvent>
 #include <QWheelEvent>
 
 #include <algorithm>
@@ -79,7 +79,7 @@ ViewInput::ViewInput(Workbench &bench, QObject *parent) : QObject(parent), m_ben
     connect(&m_burst, &QTimer::timeout, this, &ViewInput::flush);
 }
 
-void ViewInput::press(QMouseEvent *event)
+void ViewInput::press(QSinglePointEvent *event)
 {
     flush();
     m_held |= event->button();
@@ -92,7 +92,7 @@ void ViewInput::press(QMouseEvent *event)
 
 /// A hand's line needs every sample, but what they make needs showing once a frame only: moves are
 /// gathered for as long as more of them are at hand.
-void ViewInput::move(QMouseEvent *event)
+void ViewInput::move(QSinglePointEvent *event)
 {
     letGo(event->buttons());
     const double threshold = m_bench.interaction().settings().dragThreshold;
@@ -113,13 +113,37 @@ void ViewInput::flush()
     }
 }
 
-void ViewInput::release(QMouseEvent *event)
+void ViewInput::release(QSinglePointEvent *event)
 {
     m_held &= ~Qt::MouseButtons(event->button());
     flush();
     m_bench.handle(pointer(PointerEvent::Type::Release, event));
     if (event->button() == Qt::RightButton && std::exchange(m_menuPress, std::nullopt))
         Q_EMIT menuWanted(event->position().toPoint());
+}
+
+void ViewInput::tablet(QTabletEvent *event)
+{
+    event->accept();
+    if (event->pointerType() == QPointingDevice::PointerType::Eraser)
+        erase(event);
+    else if (event->type() == QEvent::TabletPress)
+        press(event);
+    else if (event->type() == QEvent::TabletRelease)
+        release(event);
+    else
+        move(event);
+}
+
+/// Every control point that it comes over while it is pressed.
+void ViewInput::erase(QTabletEvent *event)
+{
+    flush();
+    PointerEvent moved = pointer(PointerEvent::Type::Move, event);
+    moved.pointer = Pointer::Pen;
+    m_bench.handle(moved);
+    if (event->buttons() != Qt::NoButton)
+        m_bench.eraseHoveredPoint();
 }
 
 void ViewInput::letGo(Qt::MouseButtons stillHeld)
@@ -232,6 +256,10 @@ bool ViewInput::keyPress(QKeyEvent *event)
     }
     if (takesNumber(event)) {
         Q_EMIT numberBegun(event->text());
+        return true;
+    }
+    if (toolKey(event) == ToolKey::Enter && event->modifiers() == Qt::NoModifier) {
+        Q_EMIT enterPressed();
         return true;
     }
     return nudge(event) || tellOfModifiers(event);

@@ -14,7 +14,7 @@
 #include <vector>
 
 class QKeyEvent;
-class QMouseEvent;
+class QTabletEvent;
 class QWheelEvent;
 
 namespace fff::ui {
@@ -28,9 +28,11 @@ public:
     /// The workbench outlives it.
     ViewInput(Workbench &bench, QObject *parent);
 
-    void press(QMouseEvent *event);
-    void move(QMouseEvent *event);
-    void release(QMouseEvent *event);
+    void press(QSinglePointEvent *event);
+    void move(QSinglePointEvent *event);
+    void release(QSinglePointEvent *event);
+    /// A pen draws as the mouse does; its other end takes control points away.
+    void tablet(QTabletEvent *event);
     void wheel(QWheelEvent *event);
     /// Two fingers apart or together zoom, two fingers sideways push the picture. False for other
     /// gestures.
@@ -55,6 +57,8 @@ public:
 Q_SIGNALS:
     /// This was typed, and begins a number for the tool in the hand.
     void numberBegun(const QString &text);
+    /// Enter, and the tool has no use for it.
+    void enterPressed();
     /// The right button was pressed and released in one place.
     void menuWanted(const QPoint &inView);
 
@@ -65,6 +69,7 @@ private:
     bool takesNumber(const QKeyEvent *event) const;
     bool tellOfModifiers(QKeyEvent *event);
     bool nudge(QKeyEvent *event);
+    void erase(QTabletEvent *event);
 
     Workbench &m_bench;
     bool m_isSpaceHeld = false;

@@ -37,6 +37,12 @@ bool isOfKeys(Qt::FocusReason reason)
 }
 
 /// A path is begun: as with a stroke, the rest stands back.
+bool isTouch(QEvent::Type type)
+{
+    return type == QEvent::TouchBegin || type == QEvent::TouchUpdate || type == QEvent::TouchEnd ||
+           type == QEvent::TouchCancel;
+}
+
 bool hasPath(const Overlay &overlay)
 {
     return overlay.pen && !overlay.pen->points.empty();
@@ -51,7 +57,7 @@ bool Viewport::Seen::isSamePicture(const Seen &other) const
 }
 
 Viewport::Viewport(Workbench &bench, QWidget *parent)
-    : QOpenGLWidget(parent), m_bench(bench), m_input(bench, nullptr)
+    : QOpenGLWidget(parent), m_bench(bench), m_input(bench, nullptr), m_touch(bench, nullptr)
 {
     // The renderer smooths edges by itself, and marks are painted smoothly.
     QSurfaceFormat plain = QSurfaceFormat::defaultFormat();
@@ -62,14 +68,18 @@ Viewport::Viewport(Workbench &bench, QWidget *parent)
 
     setObjectName(QStringLiteral("viewport"));
     setAccessibleName(tr("View of the model"));
-    setAccessibleDescription(tr("Draw with the left mouse button, turn with the right one."));
+    setAccessibleDescription(plainDescription());
     setMinimumSize(480, 360);
     setMouseTracking(true);
+    setAttribute(Qt::WA_AcceptTouchEvents);
+    setTabletTracking(true);
     setFocusPolicy(Qt::StrongFocus);
     FocusFrame::leaveTo(this);
 
     connect(&m_input, &ViewInput::numberBegun, this, &Viewport::numberBegun);
+    connect(&m_input, &ViewInput::enterPressed, this, &Viewport::enterPressed);
     connect(&m_input, &ViewInput::menuWanted, this, &Viewport::menuWanted);
+    connect(&m_touch, &TouchInput::menuWanted, this, &Viewport::menuWanted);
     m_frames.setInterval(kFrameTime);
     connect(&m_frames, &QTimer::timeout, this, &Viewport::advance);
     const auto once = [this](QTimer &timer, auto act) {
@@ -191,6 +201,8 @@ void Viewport::paintMarks()
         const Operation *operation = model.document.find(interaction.selectedOperation());
         scene.operation = operation ? operationKind(operation->kind) : nullptr;
     }
+    if (!m_steps)
+        scene.dimensions = dimensionMarks(model, overlay.dimension);
     if (m_busyTurn.isActive())
         scene.busy = m_busyTurns;
     QPainter painter(&m_marks);
@@ -276,6 +288,15 @@ void Viewport::wheelEvent(QWheelEvent *event)
     m_input.wheel(event);
 }
 
+void Viewport::tabletEvent(QTabletEvent *event)
+{
+    showFocus(false);
+    if (event->type() == QEvent::TabletPress)
+        setFocus(Qt::MouseFocusReason);
+    m_touch.penIsNear(event->timestamp());
+    m_input.tablet(event);
+}
+
 void Viewport::keyPressEvent(QKeyEvent *event)
 {
     if (!m_input.keyPress(event))
@@ -296,6 +317,11 @@ void Viewport::keyReleaseEvent(QKeyEvent *event)
         QOpenGLWidget::keyReleaseEvent(event);
 }
 
+QString Viewport::plainDescription()
+{
+    return tr("Draw with the left mouse button, turn with the right one.");
+}
+
 bool Viewport::event(QEvent *event)
 {
     if (event->type() == QEvent::ShortcutOverride &&
@@ -306,6 +332,14 @@ bool Viewport::event(QEvent *event)
     if (event->type() == QEvent::NativeGesture &&
         m_input.pinch(static_cast<QNativeGestureEvent *>(event)))
         return true;
+    if (isTouch(event->type())) {
+        showFocus(false);
+        if (event->type() == QEvent::TouchBegin)
+            setFocus(Qt::MouseFocusReason);
+        m_input.flush();
+        m_touch.handle(static_cast<QTouchEvent *>(event));
+        return true;
+    }
     if (event->type() == QEvent::Leave)
         m_input.leave();
     else if (event->type() == QEvent::WindowBlocked)
@@ -389,7 +423,11 @@ Viewport::Seen Viewport::seen() const
             m_bench.problemLook(),
             overlay.pen,
             overlay.plane ? std::optional(overlay.plane->canvas) : std::nullopt,
-            overlay.gizmo};
+            overlay.gizmo,
+            overlay.measure,
+            overlay.measuredPlace,
+            overlay.dimension,
+            overlay.rulers};
 }
 
 /// Something that is seen may have changed: paints only if it has.

@@ -4,6 +4,7 @@
 
 #include "core/interaction/interaction.h"
 #include "core/interaction/problem_look.h"
+#include "ui/touch_input.h"
 #include "ui/view/frame_pace.h"
 #include "ui/view/renderer.h"
 #include "ui/view/scene.h"
@@ -29,6 +30,9 @@ public:
     explicit Viewport(Workbench &bench, QWidget *parent = nullptr);
     ~Viewport() override;
 
+    /// What it is for, said while nothing is selected.
+    static QString plainDescription();
+
     /// Frames painted so far: a test sees that nothing is painted when nothing changed.
     int paintCount() const { return m_paintCount; }
     const Renderer &renderer() const { return m_renderer; }
@@ -43,6 +47,7 @@ public:
 Q_SIGNALS:
     /// The first key of a number, while the tool in the hand takes some.
     void numberBegun(const QString &text);
+    void enterPressed();
     /// A menu of what lies there is asked for; and of what is selected, by a key.
     void menuWanted(const QPoint &inView);
     void menuKeyPressed();
@@ -58,6 +63,7 @@ protected:
     void mouseReleaseEvent(QMouseEvent *event) override;
     void mouseDoubleClickEvent(QMouseEvent *event) override;
     void wheelEvent(QWheelEvent *event) override;
+    void tabletEvent(QTabletEvent *event) override;
     void keyPressEvent(QKeyEvent *event) override;
     void keyReleaseEvent(QKeyEvent *event) override;
     void contextMenuEvent(QContextMenuEvent *event) override;
@@ -85,6 +91,10 @@ private:
         std::optional<PenMarks> pen;
         std::optional<Frame> plane;
         std::optional<GizmoMarks> gizmo;
+        std::optional<Overlay::Measure> measure;
+        std::optional<Vec3> measuredPlace;
+        DimensionId dimension;
+        std::optional<Frame> rulers;
 
         bool isSamePicture(const Seen &other) const;
         bool operator==(const Seen &other) const = default;
@@ -105,6 +115,7 @@ private:
 
     Workbench &m_bench;
     ViewInput m_input;
+    TouchInput m_touch;
     Renderer m_renderer;
     SceneBuilder m_builder;
     Scene m_scene;

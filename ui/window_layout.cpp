@@ -20,14 +20,15 @@ constexpr int kTabBorders = 30;   // px beside a tab's name (resources/style/win
 constexpr int kBelowHeight = 272; // px
 constexpr int kTwoColumns = 1280; // px; a narrower window has all docks at the right
 /// Of what saveState() writes. Counted up when docks change so that an old state makes no sense.
-constexpr int kVersion = 2;
+constexpr int kVersion = 3;
 
 /// All names of the tabs can be read, also long ones.
 int narrowWidth(const std::vector<QDockWidget *> &docks)
 {
     int tabs = 0;
     for (const QDockWidget *dock : docks)
-        tabs += dock->fontMetrics().horizontalAdvance(dock->windowTitle()) + kTabBorders;
+        if (!dock->isHidden())
+            tabs += dock->fontMetrics().horizontalAdvance(dock->windowTitle()) + kTabBorders;
     return std::clamp(tabs, kNarrowRightWidth, kMostNarrowRightWidth);
 }
 
@@ -54,8 +55,9 @@ WindowLayout::WindowLayout(QMainWindow &window) : QObject(&window), m_window(win
     window.setTabPosition(Qt::LeftDockWidgetArea, QTabWidget::South);
 }
 
-void WindowLayout::add(QDockWidget *dock, Place place)
+void WindowLayout::add(QDockWidget *dock, Place place, bool isShown)
 {
+    m_areShown.push_back(isShown ? 1 : 0);
     m_docks.push_back(dock);
     m_places.push_back(place);
     // Opening one of them from the menu ends the hiding of all.
@@ -91,7 +93,7 @@ void WindowLayout::reset()
         QDockWidget *leader = first[static_cast<int>(placeOf(i))];
         if (m_docks[i] != leader)
             m_window.tabifyDockWidget(leader, m_docks[i]);
-        m_docks[i]->show();
+        m_docks[i]->setVisible(m_areShown[i] != 0);
     }
     for (QDockWidget *leader : {right, left, below}) {
         if (leader)

@@ -21,7 +21,8 @@ public:
 
     explicit WindowLayout(QMainWindow &window);
 
-    void add(QDockWidget *dock, Place place);
+    /// isShown: before the person has arranged the window.
+    void add(QDockWidget *dock, Place place, bool isShown = true);
     const std::vector<QDockWidget *> &docks() const { return m_docks; }
 
     /// Every dock where it is at first, for the window's present width.
@@ -49,7 +50,8 @@ private:
 
     QMainWindow &m_window;
     std::vector<QDockWidget *> m_docks;
-    std::vector<Place> m_places; // one a dock
+    std::vector<Place> m_places;  // one a dock
+    std::vector<char> m_areShown; // at first
     QByteArray m_beforeHiding;
     bool m_isHidden = false;
 };

@@ -170,6 +170,15 @@ void Workbench::editPoints(PointEdit edit)
     announceChanges();
 }
 
+void Workbench::eraseHoveredPoint()
+{
+    const std::optional<PointTarget> target = m_interaction->hoveredPoint();
+    if (!target || target->kind != PointTarget::Kind::Anchor)
+        return;
+    m_interaction->selectPoints({target->point});
+    run(QStringLiteral("point.delete"));
+}
+
 void Workbench::editSections(SectionEdit edit)
 {
     m_interaction->carryOut(std::move(edit), m_clock.now());
@@ -289,13 +298,17 @@ void Workbench::announceChanges()
     const Tool *tool = m_interaction->tool();
     const std::string toolCommand = tool ? std::string(tool->command()) : std::string();
     const Tool::Asked asked = tool ? tool->asksFor() : Tool::Asked();
-    if (!(m_view == m_interaction->view()) || m_projection != projection ||
+    // What goes with it says what can be done with it now.
+    std::vector<std::string_view> offered =
+        tool ? tool->commands() : std::vector<std::string_view>();
+    if (!(m_view == m_interaction->view()) || m_offered != offered || m_projection != projection ||
         m_couldGoBack != canGoBack || m_toolCommand != toolCommand || !(m_asked == asked) ||
         m_couldUndoInTool != m_interaction->canUndoInTool() ||
         m_couldRedoInTool != m_interaction->canRedoInTool()) {
         m_couldUndoInTool = m_interaction->canUndoInTool();
         m_couldRedoInTool = m_interaction->canRedoInTool();
         m_toolCommand = toolCommand;
+        m_offered = std::move(offered);
         m_asked = asked;
         m_view = m_interaction->view();
         m_projection = projection;

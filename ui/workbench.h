@@ -87,6 +87,8 @@ public:
 
     /// Commits an edit of control points, or says in the status line why it was refused.
     void editPoints(PointEdit edit);
+    /// The control point under the cursor goes, if there is one.
+    void eraseHoveredPoint();
     /// The same of whole sections.
     void editSections(SectionEdit edit);
     /// Commits an edit of a joint, or says in the status line why it cannot be had.
@@ -136,8 +138,9 @@ private:
     int m_litProblem = 0, m_hoveredProblem = 0;
     Projection m_projection = Projection::Orthographic;
     bool m_couldGoBack = false;
-    std::string m_toolCommand; // of the tool in the hand
-    Tool::Asked m_asked;       // by it
+    std::string m_toolCommand;               // of the tool in the hand
+    Tool::Asked m_asked;                     // by it
+    std::vector<std::string_view> m_offered; // commands that go with it
     bool m_couldUndoInTool = false, m_couldRedoInTool = false;
     EventClock m_clock;
     CommandRegistry m_commands;

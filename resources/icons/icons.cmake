@@ -20,13 +20,22 @@ set(icon_names
     cut_open
     detach
     docks
+    dimension
     drop_to_ground
     duplicate
+    engrave
     err
     export
     eye
     eye_off
     face_section
+    figure_circle
+    figure_draw
+    figure_ellipse
+    figure_polygon
+    figure_rectangle
+    figure_slot
+    figure_star
     fit
     fit_selection
     float
@@ -37,16 +46,19 @@ set(icon_names
     hide
     hole
     holes_remove
+    import_drawing
     in_space
     insert_model
     isolate
     joint
     joint_flip
     joint_reset
+    keep
     keyboard
     linear
     lock
     lock_open
+    measure
     mirror
     mirror_copy
     mouse
@@ -87,6 +99,7 @@ set(icon_names
     rotational
     save
     save_as
+    score
     search
     section
     select_all

@@ -40,6 +40,12 @@ set_tests_properties(ui/tst_operations_window PROPERTIES LABELS gl ENVIRONMENT "
 fff_test(ui/tst_transform_window fff::ui)
 set_tests_properties(ui/tst_transform_window PROPERTIES LABELS gl ENVIRONMENT "QT_QPA_PLATFORM=xcb")
 
+fff_test(ui/tst_making_window fff::ui)
+set_tests_properties(ui/tst_making_window PROPERTIES LABELS gl ENVIRONMENT "QT_QPA_PLATFORM=xcb")
+
+fff_test(ui/tst_pens_and_fingers fff::ui)
+set_tests_properties(ui/tst_pens_and_fingers PROPERTIES LABELS gl ENVIRONMENT "QT_QPA_PLATFORM=xcb")
+
 fff_test(ui/tst_context_menu fff::ui)
 set_tests_properties(ui/tst_context_menu PROPERTIES LABELS gl ENVIRONMENT "QT_QPA_PLATFORM=xcb")
 
@@ -67,7 +73,7 @@ add_dependencies(tst_killed flatfitfab)
 set_tests_properties(ui/tst_killed PROPERTIES LABELS gl ENVIRONMENT "QT_QPA_PLATFORM=xcb" TIMEOUT 600)
 
 # Windows of two programs on one display take the focus from each other.
-set_tests_properties(ui/tst_main_window ui/tst_drawing ui/tst_joints ui/tst_operations_window ui/tst_transform_window ui/tst_context_menu ui/tst_pen_window ui/tst_point_editing ui/tst_script_player ui/steps/tst_steps_view ui/tst_killed PROPERTIES RESOURCE_LOCK focus)
+set_tests_properties(ui/tst_main_window ui/tst_drawing ui/tst_joints ui/tst_operations_window ui/tst_transform_window ui/tst_making_window ui/tst_pens_and_fingers ui/tst_context_menu ui/tst_pen_window ui/tst_point_editing ui/tst_script_player ui/steps/tst_steps_view ui/tst_killed PROPERTIES RESOURCE_LOCK focus)
 
 if(FFF_SANITIZE)
     # Graphics drivers keep some memory, and are unloaded before it could be told from ours.

@@ -1,5 +1,6 @@
 #include "ui/actions/action_set.h"
 
+#include "core/interaction/measure_tool.h"
 #include "core/interaction/tool.h"
 #include "ui/actions/action_table.h"
 #include "ui/icon.h"
@@ -22,7 +23,8 @@ constexpr const char *kTools[] = {
     "section.redraw",      "section.addHole",    "section.pen",       "check.showAssembly",
     "operation.linear",    "operation.revolve",  "operation.blend",   "operation.branch",
     "operation.grid",      "operation.radial",   "operation.mirror",  "operation.rotational",
-    "operation.array",     "section.transform",  "section.putOn",     "edit.mirrorCopySection"};
+    "operation.array",     "section.transform",  "section.putOn",     "edit.mirrorCopySection",
+    "section.addShape",    "section.mark",       "measure.ruler",     "measure.dimension"};
 
 const ActionRow &rowOf(const QString &id)
 {
@@ -267,7 +269,17 @@ void ActionSet::refresh()
                            "edit.mirrorCopyY", "edit.mirrorCopyZ", "edit.mirrorCopySection",
                            "edit.selectConnected", "edit.selectParallel", "edit.selectSameStock"})
         setAble(id, hasSelection || held == id, nothingSelected);
-    setAble("section.transform", hasSections, nothingThere);
+    for (const char *id :
+         {"section.transform", "section.mark", "measure.ruler", "measure.dimension"})
+        setAble(id, hasSections || held == id, nothingThere);
+    for (const char *id : {"section.importContour", "section.importHoles", "section.importMarks"})
+        setAble(id, hasOne, selectOne);
+    const auto *measuring = dynamic_cast<const MeasureTool *>(tool);
+    setAble("measure.keep", measuring && measuring->line(), tr("Nothing is measured"));
+    setAble("measure.remove", measuring && measuring->dimension().isValid(),
+            tr("No dimension is picked: click one with the tool that measures"));
+    action("mark.engrave")->setChecked(!interaction.settings().scores);
+    action("mark.score")->setChecked(interaction.settings().scores);
     setAble("section.putOn", hasOne || held == "section.putOn", selectOne);
     const auto setAsCommand = [this](const char *id, const QString &whyNot) {
         setAble(id, m_bench.commands().isEnabled(id), whyNot);

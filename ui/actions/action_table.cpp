@@ -24,6 +24,8 @@ std::span<const ActionRow> Texts::actions()
          QT_TR_NOOP("Open a model, also one of FlatFab")},
         {"file.insert", QT_TR_NOOP("&Insert model…"), QT_TR_NOOP("Insert"), "Ctrl+Shift+I",
          "insert_model", QT_TR_NOOP("Add the sections of another model to this one")},
+        {"file.addToLibrary", QT_TR_NOOP("Add to the &library"), QT_TR_NOOP("To library"), "",
+         "keep", QT_TR_NOOP("Keep what is selected in the library, for other models")},
         {"file.save", QT_TR_NOOP("&Save"), QT_TR_NOOP("Save"), "Ctrl+S", "save",
          QT_TR_NOOP("Save the model")},
         {"file.saveAs", QT_TR_NOOP("Save &as…"), QT_TR_NOOP("Save as"), "Ctrl+Shift+S", "save_as",
@@ -54,6 +56,13 @@ std::span<const ActionRow> Texts::actions()
          QT_TR_NOOP("Delete the selected sections")},
         {"edit.selectAll", QT_TR_NOOP("Select &all"), QT_TR_NOOP("Select all"), "Ctrl+A",
          "select_all", QT_TR_NOOP("Select all sections")},
+        {"edit.selectNext", QT_TR_NOOP("Select ne&xt"), QT_TR_NOOP("Next"), "PgDown", "move_down",
+         QT_TR_NOOP("Select the next section"), true},
+        {"edit.selectPrevious", QT_TR_NOOP("Select pre&vious"), QT_TR_NOOP("Previous"), "PgUp",
+         "move_up", QT_TR_NOOP("Select the section before this one"), true},
+        {"view.properties", QT_TR_NOOP("Go to Properties"), QT_TR_NOOP("Properties"), "",
+         "settings",
+         QT_TR_NOOP("To the first field of what is selected; in the view, Enter does so")},
         {"edit.mirrorCopyX", QT_TR_NOOP("Across &X"), QT_TR_NOOP("Mirror X"), "", "mirror_copy",
          QT_TR_NOOP("Put a mirror image of the selected sections on the other side of the plane "
                     "where X is 0")},
@@ -148,6 +157,22 @@ std::span<const ActionRow> Texts::actions()
          QT_TR_NOOP("Draw a new contour for the selected section"), true, true},
         {"section.addHole", QT_TR_NOOP("Draw a &hole"), QT_TR_NOOP("Hole"), "O", "hole",
          QT_TR_NOOP("Draw a hole in the selected section"), true, true},
+        {"section.addShape", QT_TR_NOOP("&Draw a shape"), QT_TR_NOOP("Shape"), "Shift+A",
+         "figure_draw", QT_TR_NOOP("Drag a circle, rectangle or the like out of its middle"), true,
+         true},
+        {"section.addCircle", QT_TR_NOOP("&Circle"), QT_TR_NOOP("Circle"), "", "figure_circle",
+         QT_TR_NOOP("By numbers: a hole in the selected section, or a section of its own")},
+        {"section.addEllipse", QT_TR_NOOP("&Ellipse"), QT_TR_NOOP("Ellipse"), "", "figure_ellipse",
+         QT_TR_NOOP("By numbers: a hole in the selected section, or a section of its own")},
+        {"section.addRectangle", QT_TR_NOOP("&Rectangle"), QT_TR_NOOP("Rectangle"), "",
+         "figure_rectangle",
+         QT_TR_NOOP("By numbers: a hole in the selected section, or a section of its own")},
+        {"section.addPolygon", QT_TR_NOOP("&Polygon"), QT_TR_NOOP("Polygon"), "", "figure_polygon",
+         QT_TR_NOOP("By numbers: a hole in the selected section, or a section of its own")},
+        {"section.addStar", QT_TR_NOOP("&Star"), QT_TR_NOOP("Star"), "", "figure_star",
+         QT_TR_NOOP("By numbers: a hole in the selected section, or a section of its own")},
+        {"section.addSlot", QT_TR_NOOP("S&lot"), QT_TR_NOOP("Slot"), "", "figure_slot",
+         QT_TR_NOOP("By numbers: a hole in the selected section, or a section of its own")},
         {"section.removeHoles", QT_TR_NOOP("Re&move holes"), QT_TR_NOOP("No holes"), "",
          "holes_remove", QT_TR_NOOP("Close all holes of the selected sections"), true},
         {"point.insert", QT_TR_NOOP("&Add point"), QT_TR_NOOP("Add point"), "+", "point_add",
@@ -162,6 +187,31 @@ std::span<const ActionRow> Texts::actions()
          "point_corner", QT_TR_NOOP("Make the selected points corners")},
         {"joint.flip", QT_TR_NOOP("Flip the slits of the &joint"), QT_TR_NOOP("Flip the slits"), "",
          "joint_flip", QT_TR_NOOP("Let the slits of the selected joint open to the other side")},
+        {"section.importSections", QT_TR_NOOP("&New sections…"), QT_TR_NOOP("From SVG"), "",
+         "import_drawing", QT_TR_NOOP("A section for every outline of a drawing")},
+        {"section.importContour", QT_TR_NOOP("&Contour…"), QT_TR_NOOP("Contour from SVG"), "",
+         "import_drawing",
+         QT_TR_NOOP("The largest outline of a drawing in place of the selected section's")},
+        {"section.importHoles", QT_TR_NOOP("&Holes…"), QT_TR_NOOP("Holes from SVG"), "",
+         "import_drawing",
+         QT_TR_NOOP("A hole of the selected section for every outline of a drawing")},
+        {"section.importMarks", QT_TR_NOOP("&Marks…"), QT_TR_NOOP("Marks from SVG"), "",
+         "import_drawing",
+         QT_TR_NOOP("The lines of a drawing, engraved or scored on the selected section")},
+        {"section.mark", QT_TR_NOOP("Add te&xt or lines to engrave"), QT_TR_NOOP("Engrave"), "E",
+         "engrave", QT_TR_NOOP("Write or draw on a section, to be engraved or scored"), true, true},
+        {"mark.engrave", QT_TR_NOOP("&Engrave"), QT_TR_NOOP("Engrave"), "", "engrave",
+         QT_TR_NOOP("What is drawn next is engraved"), false, true},
+        {"mark.score", QT_TR_NOOP("&Score"), QT_TR_NOOP("Score"), "", "score",
+         QT_TR_NOOP("What is drawn next is scored, to fold or break along"), false, true},
+        {"measure.ruler", QT_TR_NOOP("M&easure"), QT_TR_NOOP("Measure"), "M", "measure",
+         QT_TR_NOOP("Measure from one place to another"), true, true},
+        {"measure.dimension", QT_TR_NOOP("D&imension"), QT_TR_NOOP("Dimension"), "D", "dimension",
+         QT_TR_NOOP("Say how long something shall be; the whole model follows"), true, true},
+        {"measure.keep", QT_TR_NOOP("Keep t&he dimension"), QT_TR_NOOP("Keep"), "", "keep",
+         QT_TR_NOOP("Show this length from now on")},
+        {"measure.remove", QT_TR_NOOP("Rem&ove the dimension"), QT_TR_NOOP("Remove"), "", "trash",
+         QT_TR_NOOP("Show this length no more")},
         {"joint.reset", QT_TR_NOOP("Reset the joint to a&utomatic"), QT_TR_NOOP("Reset joint"), "",
          "joint_reset",
          QT_TR_NOOP("Let the selected joint be as it is by itself: kind, direction and share")},
@@ -246,23 +296,29 @@ std::span<const ActionRow> Texts::actions()
 std::span<const MenuRow> Texts::menus()
 {
     static const MenuRow kMenus[] = {
-        {QT_TR_NOOP("&File"), "file.new file.open @recent file.insert | file.save file.saveAs "
-                              "file.revert | file.export | "
-                              "file.settings | file.close file.quit"},
+        {QT_TR_NOOP("&File"),
+         "file.new file.open @recent file.insert file.addToLibrary | file.save file.saveAs "
+         "file.revert | file.export | "
+         "file.settings | file.close file.quit"},
         {QT_TR_NOOP("&Edit"),
          "edit.undo edit.redo | edit.cut edit.copy edit.paste edit.duplicate edit.delete | "
          ">mirrorCopy | "
-         "edit.selectAll edit.selectConnected edit.selectParallel edit.selectSameStock"},
+         "edit.selectAll edit.selectConnected edit.selectParallel edit.selectSameStock "
+         "edit.selectNext edit.selectPrevious | "
+         "measure.ruler measure.dimension measure.keep measure.remove"},
         {QT_TR_NOOP("&View"),
          "view.front view.top view.right view.back view.bottom view.left view.iso "
          "view.faceSelection | view.fitAll view.fitSelection "
          "view.previous | view.perspective view.xray view.clip view.shadow | "
          "view.isolate view.hide view.showAll | "
-         "@docks view.docks view.resetWindow | view.nextPane view.previousPane | "
+         "@docks view.docks view.resetWindow | view.properties view.nextPane "
+         "view.previousPane | "
          "view.fullScreen"},
         {QT_TR_NOOP("&Section"),
          "section.symmetry section.ground section.snap | section.pen >plane | section.redraw "
-         "section.addHole section.removeHoles >points | section.transform transform.inSpace "
+         "section.addHole section.removeHoles >shapes >points >drawing >marks | "
+         "section.transform "
+         "transform.inSpace "
          "transform.withChildren | section.putOn section.free section.makeOrthogonal "
          "section.snapNormal section.dropToGround section.lock | joint.flip joint.reset"},
         {QT_TR_NOOP("&Operation"),
@@ -278,10 +334,19 @@ std::span<const MenuRow> Texts::menus()
          "edit.mirrorCopyX edit.mirrorCopyY edit.mirrorCopyZ edit.mirrorCopySection", "mirrorCopy"},
         {QT_TR_NOOP("Draw on a p&lane"),
          "section.planeGround section.planeFront section.planeSide section.planeParallel", "plane"},
+        {QT_TR_NOOP("&Text and marks"), "section.mark | mark.engrave mark.score", "marks"},
+        {QT_TR_NOOP("From S&VG"),
+         "section.importSections section.importContour section.importHoles section.importMarks",
+         "drawing"},
+        {QT_TR_NOOP("Shape b&y numbers"),
+         "section.addShape | section.addCircle section.addEllipse section.addRectangle "
+         "section.addPolygon "
+         "section.addStar section.addSlot",
+         "shapes"},
         {QT_TR_NOOP("P&oints"),
          "point.insert point.delete | point.smooth point.symmetric point.corner", "points"},
         {"",
-         "section.transform section.redraw section.addHole section.removeHoles | edit.cut "
+         "section.transform section.redraw section.addHole section.removeHoles >shapes | edit.cut "
          "edit.copy "
          "edit.paste edit.duplicate >mirrorCopy edit.delete | section.putOn section.free "
          "section.makeOrthogonal section.snapNormal section.lock | view.faceSelection "
@@ -301,10 +366,14 @@ std::span<const MenuRow> Texts::menus()
          "context.operation"},
         {"", "point.smooth point.symmetric point.corner | point.insert point.delete",
          "context.point"},
-        {"", "point.insert", "context.contour"},
+        {"",
+         "point.insert | section.transform section.redraw section.addHole >shapes | edit.copy "
+         "edit.duplicate edit.delete",
+         "context.contour"},
         {"", "joint.flip joint.reset | view.fitSelection", "context.joint"},
         {"",
-         "edit.paste | edit.selectAll view.showAll | >plane section.pen | view.fitAll view.iso "
+         "edit.paste | edit.selectAll view.showAll | >plane section.pen >shapes | view.fitAll "
+         "view.iso "
          "view.front view.top view.right view.previous | view.perspective view.xray view.clip",
          "context.empty"},
     };

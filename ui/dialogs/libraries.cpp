@@ -32,6 +32,8 @@ const Library kLibraries[] = {
     {"OpenMesh", QT_TRANSLATE_NOOP("fff::ui::AboutDialog", "Meshes"),
      "© RWTH Aachen, Computer Graphics and Multimedia", "BSD licence with three clauses",
      "bsd-3-clause", "https://www.graphics.rwth-aachen.de/software/openmesh"},
+    {"pugixml", QT_TRANSLATE_NOOP("fff::ui::AboutDialog", "Reading drawings"),
+     "© Arseny Kapoulkine", "MIT licence", "mit", "https://pugixml.org"},
     {"Boost", QT_TRANSLATE_NOOP("fff::ui::AboutDialog", "Parts that CGAL uses"),
      "© The authors of Boost", "Boost Software License, version 1.0", "bsl-1.0",
      "https://www.boost.org"},

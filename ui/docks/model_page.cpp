@@ -1,7 +1,9 @@
 #include "ui/docks/model_page.h"
 
 #include "ui/measures.h"
+#include "ui/properties/dimension_group.h"
 #include "ui/properties/drawing_group.h"
+#include "ui/properties/named_number_group.h"
 #include "ui/properties/property_rows.h"
 #include "ui/properties/stock_choice.h"
 #include "ui/workbench.h"
@@ -76,13 +78,19 @@ ModelPage::ModelPage(Workbench &bench, QWidget *parent) : QWidget(parent), m_ben
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
     column->addWidget(model);
+    m_dimensions = new DimensionGroup(m_bench, this);
+    m_numbers = new NamedNumberGroup(m_bench, this);
+    column->addWidget(m_dimensions);
     column->addWidget(drawing);
+    column->addWidget(m_numbers);
 }
 
 void ModelPage::refresh()
 {
     for (PropertyRow *row : m_rows)
         row->refresh();
+    m_dimensions->refresh();
+    m_numbers->refresh();
 }
 
 } // namespace fff::ui

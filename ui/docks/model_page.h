@@ -10,6 +10,8 @@
 
 namespace fff::ui {
 
+class DimensionGroup;
+class NamedNumberGroup;
 class PropertyRow;
 class Workbench;
 
@@ -28,6 +30,8 @@ Q_SIGNALS:
 private:
     Workbench &m_bench;
     std::vector<PropertyRow *> m_rows;
+    DimensionGroup *m_dimensions = nullptr;
+    NamedNumberGroup *m_numbers = nullptr;
 };
 
 } // namespace fff::ui

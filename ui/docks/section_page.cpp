@@ -5,9 +5,11 @@
 #include "core/model/origin.h"
 #include "ui/docks/properties_header.h"
 #include "ui/measures.h"
+#include "ui/properties/figure_group.h"
 #include "ui/properties/instance_group.h"
 #include "ui/properties/joint_rows.h"
 #include "ui/properties/joint_words.h"
+#include "ui/properties/mark_group.h"
 #include "ui/properties/place_group.h"
 #include "ui/properties/point_rows.h"
 #include "ui/properties/property_rows.h"
@@ -80,6 +82,8 @@ SectionPage::SectionPage(Workbench &bench, QWidget *parent) : QWidget(parent), m
     m_instanceGroup = new InstanceGroup(m_bench, this);
     auto *stock = new PropertyGroup(tr("Stock"), this);
     m_placeGroup = new PlaceGroup(m_bench, this);
+    m_figureGroup = new FigureGroup(m_bench, this);
+    m_markGroup = new MarkGroup(m_bench, this);
     auto *contour = new PropertyGroup(tr("Contour"), this);
     m_jointGroup = new PropertyGroup(tr("Joints"), this);
     addStockRows(stock);
@@ -102,8 +106,10 @@ SectionPage::SectionPage(Workbench &bench, QWidget *parent) : QWidget(parent), m
     column->setSpacing(0);
     column->addWidget(m_pointGroup);
     column->addWidget(m_instanceGroup);
-    for (QWidget *group : {static_cast<QWidget *>(stock), static_cast<QWidget *>(m_placeGroup),
-                           static_cast<QWidget *>(contour), static_cast<QWidget *>(m_jointGroup)})
+    for (QWidget *group :
+         {static_cast<QWidget *>(stock), static_cast<QWidget *>(m_placeGroup),
+          static_cast<QWidget *>(m_figureGroup), static_cast<QWidget *>(m_markGroup),
+          static_cast<QWidget *>(contour), static_cast<QWidget *>(m_jointGroup)})
         column->addWidget(group);
 }
 
@@ -230,6 +236,8 @@ void SectionPage::refresh()
     m_pointGroup->refresh();
     m_instanceGroup->refresh();
     m_placeGroup->refresh();
+    m_figureGroup->refresh();
+    m_markGroup->refresh();
     refreshJoints();
 }
 

@@ -11,6 +11,8 @@
 
 namespace fff::ui {
 
+class FigureGroup;
+class MarkGroup;
 class InstanceGroup;
 class JointRows;
 class PlaceGroup;
@@ -44,6 +46,8 @@ private:
     Workbench &m_bench;
     InstanceGroup *m_instanceGroup = nullptr;
     PlaceGroup *m_placeGroup = nullptr;
+    MarkGroup *m_markGroup = nullptr;
+    FigureGroup *m_figureGroup = nullptr;
     PointGroup *m_pointGroup = nullptr;
     PropertyGroup *m_jointGroup = nullptr;
     JointRows *m_joints = nullptr;

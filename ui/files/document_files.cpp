@@ -70,6 +70,15 @@ bool DocumentFiles::insert()
     return dialog.exec() == QDialog::Accepted && insertFile(dialog.selectedFiles().constFirst());
 }
 
+QString DocumentFiles::askForDrawing()
+{
+    QFileDialog dialog(&m_window, tr("Import a drawing"), folder(),
+                       tr("Drawings (*.svg);;All files (*)"));
+    dialog.setPalette(theme().palette());
+    dialog.setFileMode(QFileDialog::ExistingFile);
+    return dialog.exec() == QDialog::Accepted ? dialog.selectedFiles().constFirst() : QString();
+}
+
 bool DocumentFiles::insertFile(const QString &path)
 {
     const std::optional<io::LoadedDocument> loaded = read(path);

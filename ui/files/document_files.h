@@ -49,6 +49,8 @@ public:
 
     /// Another model beside what is there, as a step that can be taken back.
     bool insert();
+    /// The path of a drawing; empty: none was chosen.
+    QString askForDrawing();
 
     /// Without a question. A copy is named like the file, but saving it asks where to.
     bool openFile(const QString &path, bool asCopy = false);

@@ -1,6 +1,7 @@
 #include "ui/properties/length_edit.h"
 
 #include "ui/lengths.h"
+#include "ui/number_names.h"
 
 #include <cmath>
 
@@ -44,7 +45,7 @@ QString LengthEdit::textFromValue(double value) const
 Expression LengthEdit::read(const QString &text) const
 {
     return readLength(text, settings().unit(), locale(),
-                      m_thickness ? m_thickness() : std::optional<double>());
+                      m_thickness ? m_thickness() : std::optional<double>(), numberNamesFor(this));
 }
 
 } // namespace fff::ui

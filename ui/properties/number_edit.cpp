@@ -1,6 +1,7 @@
 #include "ui/properties/number_edit.h"
 
 #include "ui/lengths.h"
+#include "ui/number_names.h"
 
 #include <QFocusEvent>
 #include <QKeyEvent>
@@ -110,7 +111,7 @@ QString NumberEdit::textFromValue(double value) const
 
 Expression NumberEdit::read(const QString &text) const
 {
-    return readNumber(text, m_suffix.trimmed(), locale());
+    return readNumber(text, m_suffix.trimmed(), locale(), numberNamesFor(this));
 }
 
 /// A unit that was typed before the field's own one counts.

@@ -39,12 +39,11 @@ const void *offset(std::size_t bytes)
 
 } // namespace
 
-CapBuffers::CapBuffers(Gl &gl) : m_gl(gl), m_program(loadProgram("cap", "cap"))
+CapBuffers::CapBuffers(Gl &gl)
+    : m_gl(gl), m_program(loadProgram("cap", "cap")), m_edges(makeEdgeArray(gl))
 {
     m_gl.glGenVertexArrays(1, &m_fillArray);
-    m_gl.glGenVertexArrays(1, &m_edgeArray);
     m_gl.glGenBuffers(1, &m_vertices);
-    m_gl.glGenBuffers(1, &m_edges);
 
     m_gl.glBindVertexArray(m_fillArray);
     m_gl.glBindBuffer(GL_ARRAY_BUFFER, m_vertices);
@@ -55,28 +54,14 @@ CapBuffers::CapBuffers(Gl &gl) : m_gl(gl), m_program(loadProgram("cap", "cap"))
     m_gl.glEnableVertexAttribArray(0);
     m_gl.glEnableVertexAttribArray(1);
 
-    m_gl.glBindVertexArray(m_edgeArray);
-    m_gl.glBindBuffer(GL_ARRAY_BUFFER, m_edges);
-    const std::size_t floats[] = {offsetof(SlabEdge, from), offsetof(SlabEdge, to)};
-    const std::size_t normals[] = {offsetof(SlabEdge, normalA), offsetof(SlabEdge, normalB)};
-    for (GLuint i = 0; i < 2; ++i) {
-        m_gl.glVertexAttribPointer(i, 3, GL_FLOAT, GL_FALSE, sizeof(SlabEdge), offset(floats[i]));
-        m_gl.glVertexAttribPointer(2 + i, 4, GL_BYTE, GL_TRUE, sizeof(SlabEdge),
-                                   offset(normals[i]));
-    }
-    for (GLuint i = 0; i < 4; ++i) {
-        m_gl.glEnableVertexAttribArray(i);
-        m_gl.glVertexAttribDivisor(i, 1);
-    }
     m_gl.glBindVertexArray(0);
 }
 
 CapBuffers::~CapBuffers()
 {
-    const GLuint arrays[] = {m_fillArray, m_edgeArray};
-    m_gl.glDeleteVertexArrays(2, arrays);
-    const GLuint buffers[] = {m_vertices, m_edges};
-    m_gl.glDeleteBuffers(2, buffers);
+    m_gl.glDeleteVertexArrays(1, &m_fillArray);
+    m_gl.glDeleteBuffers(1, &m_vertices);
+    freeEdgeArray(m_gl, m_edges);
 }
 
 void CapBuffers::update(const Scene &scene, const ClipPlane &plane, const ViewStyle &style)
@@ -96,14 +81,11 @@ void CapBuffers::update(const Scene &scene, const ClipPlane &plane, const ViewSt
                                  static_cast<float>(c.blueF())}});
     }
     m_vertexCount = static_cast<int>(vertices.size());
-    m_edgeCount = static_cast<int>(caps.edges.size());
-    const auto upload = [&](GLuint buffer, const auto &data) {
-        m_gl.glBindBuffer(GL_ARRAY_BUFFER, buffer);
-        m_gl.glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(data.size() * sizeof(data[0])),
-                          data.data(), GL_STREAM_DRAW);
-    };
-    upload(m_vertices, vertices);
-    upload(m_edges, caps.edges);
+    m_gl.glBindBuffer(GL_ARRAY_BUFFER, m_vertices);
+    m_gl.glBufferData(GL_ARRAY_BUFFER,
+                      static_cast<GLsizeiptr>(vertices.size() * sizeof(vertices[0])),
+                      vertices.data(), GL_STREAM_DRAW);
+    fillEdgeArray(m_gl, m_edges, caps.edges, GL_STREAM_DRAW);
 }
 
 void CapBuffers::fill(const FrameView &view)

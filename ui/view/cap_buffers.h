@@ -1,6 +1,7 @@
 // The caps of a view that is cut open, on the graphics card; made anew when plane or slabs changed.
 #pragma once
 
+#include "ui/view/edge_array.h"
 #include "ui/view/frame_view.h"
 #include "ui/view/gl.h"
 #include "ui/view/scene.h"
@@ -21,14 +22,14 @@ public:
     /// Ghosts and hidden sections have none.
     void update(const Scene &scene, const ClipPlane &plane, const ViewStyle &style);
     void fill(const FrameView &view);
-    GLuint edgeArray() const { return m_edgeArray; }
-    int edgeCount() const { return m_edgeCount; }
+    const EdgeArray &edges() const { return m_edges; }
 
 private:
     Gl &m_gl;
     std::unique_ptr<QOpenGLShaderProgram> m_program;
-    GLuint m_fillArray = 0, m_edgeArray = 0, m_vertices = 0, m_edges = 0;
-    int m_vertexCount = 0, m_edgeCount = 0;
+    GLuint m_fillArray = 0, m_vertices = 0;
+    EdgeArray m_edges;
+    int m_vertexCount = 0;
 };
 
 } // namespace fff::ui

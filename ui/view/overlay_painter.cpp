@@ -55,6 +55,16 @@ public:
         if (m_scene.overlay.gizmo)
             paintGizmo(m_pen, *m_scene.overlay.gizmo, m_scene.unit, m_locale);
     }
+    void lengths()
+    {
+        paintDimensions(m_pen, m_scene.dimensions, m_scene.unit, m_locale);
+        paintMeasure(m_pen, m_scene.overlay, m_scene.unit, m_locale);
+    }
+    void rulers()
+    {
+        if (m_scene.overlay.rulers && !m_scene.isAnimating)
+            paintRulers(m_pen, *m_scene.overlay.rulers, m_scene.unit, m_locale);
+    }
     void band();
     void ghosts();
     void cutHandle();
@@ -343,8 +353,10 @@ void paintOverlay(QPainter &painter, const OverlayScene &scene, const ViewStyle 
     drawing.points();
     drawing.joints();
     drawing.handles();
+    drawing.rulers();
     drawing.stroke();
     drawing.path();
+    drawing.lengths();
     drawing.gizmo();
     drawing.band();
     drawing.steps();

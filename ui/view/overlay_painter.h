@@ -8,6 +8,7 @@
 #include "core/interaction/view_state.h"
 #include "core/operations/operation_kind.h"
 #include "ui/view/length_unit.h"
+#include "ui/view/measure_marks.h"
 #include "ui/view/step_marks.h"
 #include "ui/view/view_style.h"
 
@@ -40,6 +41,7 @@ struct OverlayScene
     SectionPointer edited = {};              // whose points are shown, as it is shown
     std::optional<OperationMarks> handles = {};
     const OperationKind *operation = nullptr; // whose handles they are
+    std::vector<DimensionMark> dimensions = {};
 };
 
 /// Leaves the painter's state changed. Lengths are written as the locale has them.

@@ -11,8 +11,8 @@ namespace fff::ui {
 
 bool SceneSection::looksTheSame(const SceneSection &other) const
 {
-    return cut == other.cut && shape == other.shape && frame == other.frame &&
-           thickness == other.thickness && look.face == other.look.face &&
+    return cut == other.cut && shape == other.shape && marks == other.marks &&
+           frame == other.frame && thickness == other.thickness && look.face == other.look.face &&
            look.side == other.look.side && look.alpha == other.look.alpha &&
            covers == other.covers && guests == other.guests && isGhost == other.isGhost &&
            isHidden == other.isHidden && isProblem == other.isProblem &&
@@ -133,6 +133,7 @@ Scene SceneBuilder::build(const Model &model) const
         const Stock &stock = model.stockOf(i);
         SceneSection item;
         item.shape = section.shape;
+        item.marks = section.marks;
         item.frame = section.frame;
         item.thickness = stock.thickness;
         auto look = looks.find(&stock);

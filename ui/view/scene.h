@@ -19,6 +19,7 @@ struct SceneSection
     // What its mesh is made of: the cut section, or the bare shape while no cut of it is known.
     CutSectionPointer cut; // may be null
     ShapePointer shape;
+    std::vector<MarkPointer> marks;
     Frame frame;
     double thickness = 3.0; // mm
     StockLook look;

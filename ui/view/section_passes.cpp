@@ -12,6 +12,7 @@ namespace {
 constexpr double kGhostFace = 0.26, kGhostEdge = 0.40; // opacity
 constexpr double kXrayFace = 0.20, kXrayEdge = 0.60;
 constexpr double kHiddenOutline = 0.4; // opacity
+constexpr double kMarkNearer = 0.02;   // mm towards the eye, to lie on the face
 /// Layers of what lets light through: behind so many, next to nothing is seen.
 constexpr int kAcrylicLayers = 4, kXrayLayers = 6;
 
@@ -24,7 +25,7 @@ QColor scaled(const QColor &c, double factor)
 } // namespace
 
 SectionPasses::SectionPasses(Gl &gl, ScreenPass &pass, const SlabBuffers &slabs)
-    : m_gl(gl), m_painter(gl, slabs), m_layers(gl, pass), m_caps(gl)
+    : m_gl(gl), m_painter(gl, slabs), m_layers(gl, pass), m_caps(gl), m_marks(gl)
 {
 }
 
@@ -41,6 +42,7 @@ void SectionPasses::begin(const Scene &scene, const FrameView &view, const ViewS
     m_options = &options;
     m_view = view;
     m_painter.begin(view, scene);
+    m_marks.update(scene);
 }
 
 SectionPasses::Kind SectionPasses::kindOf(std::size_t index) const
@@ -79,6 +81,20 @@ EdgeLook SectionPasses::edgesOf(std::size_t index, double alpha) const
     const bool isRed = section.isProblem || section.isFaulty;
     return {premultiplied(isRed ? m_style->problem : m_style->edge, alpha), m_style->edgeWidth,
             section.isFaulty ? m_style->problemWidth : m_style->silhouetteWidth, 0.02};
+}
+
+/// Its own, and what is drawn on it.
+void SectionPasses::drawEdges(std::size_t index, double alpha)
+{
+    m_painter.edges(index, edgesOf(index, alpha));
+    const MarkBuffers::Lines *lines = m_marks.lines(index);
+    if (!lines)
+        return;
+    const auto look = [&](double width) {
+        return EdgeLook{premultiplied(m_style->edge, alpha), width, width, kMarkNearer};
+    };
+    m_painter.edges(index, lines->engraved, look(m_style->engravedWidth));
+    m_painter.edges(index, lines->scored, look(m_style->scoredWidth));
 }
 
 /// Pixels that a line reaches over its surface: so many slopes the surface is set back.
@@ -125,11 +141,10 @@ void SectionPasses::drawOpaqueEdges()
     m_gl.glDepthMask(GL_FALSE);
     setClipped(true);
     for (const std::size_t i : sectionsOf(Kind::Opaque))
-        m_painter.edges(i, edgesOf(i, 1.0));
-    if (m_options->clip && m_caps.edgeCount() > 0)
-        m_painter.edges(m_caps.edgeArray(), m_caps.edgeCount(),
-                        {premultiplied(m_style->edge), m_style->silhouetteWidth,
-                         m_style->silhouetteWidth, 0.05});
+        drawEdges(i, 1.0);
+    if (m_options->clip)
+        m_painter.edges(m_caps.edges(), {premultiplied(m_style->edge), m_style->silhouetteWidth,
+                                         m_style->silhouetteWidth, 0.05});
     setClipped(false);
     m_gl.glDepthMask(GL_TRUE);
     m_gl.glDisable(GL_BLEND);
@@ -162,7 +177,7 @@ void SectionPasses::drawTranslucent(RenderTarget &image)
             m_painter.fill(i, lookOf(i, isXray ? kXrayFace : m_scene->sections[i].look.alpha));
         m_gl.glDisable(GL_CULL_FACE);
         for (const std::size_t i : sections)
-            m_painter.edges(i, edgesOf(i, isXray ? kXrayEdge : 1.0));
+            drawEdges(i, isXray ? kXrayEdge : 1.0);
         setClipped(false);
     };
     if (m_options->quality == FrameQuality::Full) {
@@ -213,7 +228,7 @@ void SectionPasses::drawGhosts(RenderTarget &image)
     m_gl.glDisable(GL_POLYGON_OFFSET_FILL);
     m_gl.glDisable(GL_CULL_FACE);
     for (const std::size_t i : ghosts)
-        m_painter.edges(i, edgesOf(i, kGhostEdge));
+        drawEdges(i, kGhostEdge);
     setClipped(false);
     m_gl.glDepthMask(GL_TRUE);
     m_gl.glDisable(GL_BLEND);

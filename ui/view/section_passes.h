@@ -4,6 +4,7 @@
 
 #include "ui/view/cap_buffers.h"
 #include "ui/view/layers.h"
+#include "ui/view/mark_buffers.h"
 
 namespace fff::ui {
 
@@ -35,6 +36,7 @@ private:
     std::vector<std::size_t> sectionsOf(Kind kind) const;
     SlabLook lookOf(std::size_t section, double alpha) const;
     EdgeLook edgesOf(std::size_t section, double alpha) const;
+    void drawEdges(std::size_t section, double alpha);
     float setBack() const;
     void setClipped(bool on);
     void drawTranslucent(RenderTarget &image);
@@ -45,6 +47,7 @@ private:
     SlabPainter m_painter;
     Layers m_layers;
     CapBuffers m_caps;
+    MarkBuffers m_marks;
 
     const Scene *m_scene = nullptr;
     const ViewStyle *m_style = nullptr;

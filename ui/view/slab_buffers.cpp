@@ -55,7 +55,6 @@ SlabBuffers::Slab SlabBuffers::upload(const SceneSection &section)
     slab.covers = section.covers;
     slab.coverStarts = mesh.coverStarts;
     ++m_uploadCount;
-    slab.edgeCount = static_cast<int>(mesh.edges.size());
     const auto fill = [this](GLenum target, GLuint &buffer, const auto &data) {
         m_gl.glGenBuffers(1, &buffer);
         m_gl.glBindBuffer(target, buffer);
@@ -74,31 +73,18 @@ SlabBuffers::Slab SlabBuffers::upload(const SceneSection &section)
     m_gl.glEnableVertexAttribArray(0);
     m_gl.glEnableVertexAttribArray(1);
 
-    m_gl.glGenVertexArrays(1, &slab.edgeArray);
-    m_gl.glBindVertexArray(slab.edgeArray);
-    fill(GL_ARRAY_BUFFER, slab.edges, mesh.edges);
-    m_gl.glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, sizeof(SlabEdge),
-                               offset(offsetof(SlabEdge, from)));
-    m_gl.glVertexAttribPointer(1, 3, GL_FLOAT, GL_FALSE, sizeof(SlabEdge),
-                               offset(offsetof(SlabEdge, to)));
-    m_gl.glVertexAttribPointer(2, 4, GL_BYTE, GL_TRUE, sizeof(SlabEdge),
-                               offset(offsetof(SlabEdge, normalA)));
-    m_gl.glVertexAttribPointer(3, 4, GL_BYTE, GL_TRUE, sizeof(SlabEdge),
-                               offset(offsetof(SlabEdge, normalB)));
-    for (GLuint i = 0; i < 4; ++i) {
-        m_gl.glEnableVertexAttribArray(i);
-        m_gl.glVertexAttribDivisor(i, 1);
-    }
     m_gl.glBindVertexArray(0);
+    slab.edges = makeEdgeArray(m_gl);
+    fillEdgeArray(m_gl, slab.edges, mesh.edges, GL_STATIC_DRAW);
     return slab;
 }
 
 void SlabBuffers::free(const Slab &slab)
 {
-    const GLuint arrays[] = {slab.fillArray, slab.edgeArray};
-    m_gl.glDeleteVertexArrays(2, arrays);
-    const GLuint buffers[] = {slab.vertices, slab.triangles, slab.edges};
-    m_gl.glDeleteBuffers(3, buffers);
+    m_gl.glDeleteVertexArrays(1, &slab.fillArray);
+    const GLuint buffers[] = {slab.vertices, slab.triangles};
+    m_gl.glDeleteBuffers(2, buffers);
+    freeEdgeArray(m_gl, slab.edges);
 }
 
 } // namespace fff::ui

@@ -2,6 +2,7 @@
 // by all sections that look alike. Only what changed is uploaded.
 #pragma once
 
+#include "ui/view/edge_array.h"
 #include "ui/view/gl.h"
 #include "ui/view/scene.h"
 
@@ -15,9 +16,9 @@ class SlabBuffers
 public:
     struct Slab
     {
-        GLuint fillArray = 0, edgeArray = 0; // vertex array objects
-        GLuint vertices = 0, triangles = 0, edges = 0;
-        int edgeCount = 0;
+        GLuint fillArray = 0; // vertex array object
+        GLuint vertices = 0, triangles = 0;
+        EdgeArray edges;
         std::vector<std::size_t> coverStarts; // indices, see SlabMesh
         CutSectionPointer cut;                // keep the key's addresses from being used again
         ShapePointer shape;

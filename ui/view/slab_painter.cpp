@@ -198,21 +198,25 @@ void SlabPainter::fill(std::size_t index, const SlabLook &look)
 
 void SlabPainter::edges(std::size_t index, const EdgeLook &look)
 {
-    if (!m_isSeen[index])
-        return;
-    const SceneSection &section = m_scene->sections[index];
-    const SlabBuffers::Slab &slab = m_slabs.slab(index);
-    drawEdges(look, slabMatrix(section), 0.5 * section.thickness, section.frame, slab.edgeArray,
-              slab.edgeCount);
+    edges(index, m_slabs.slab(index).edges, look);
 }
 
-void SlabPainter::edges(GLuint edgeArray, int count, const EdgeLook &look)
+void SlabPainter::edges(std::size_t index, const EdgeArray &edges, const EdgeLook &look)
 {
-    drawEdges(look, Eigen::Matrix4d::Identity(), 1.0, Frame(), edgeArray, count);
+    if (!m_isSeen[index] || edges.count == 0)
+        return;
+    const SceneSection &section = m_scene->sections[index];
+    drawEdges(look, slabMatrix(section), 0.5 * section.thickness, section.frame, edges);
+}
+
+void SlabPainter::edges(const EdgeArray &edges, const EdgeLook &look)
+{
+    if (edges.count > 0)
+        drawEdges(look, Eigen::Matrix4d::Identity(), 1.0, Frame(), edges);
 }
 
 void SlabPainter::drawEdges(const EdgeLook &look, const Eigen::Matrix4d &place,
-                            double halfThickness, const Frame &frame, GLuint array, int count)
+                            double halfThickness, const Frame &frame, const EdgeArray &edges)
 {
     EdgeProgram &p = m_edge[m_layer ? 1 : 0];
     use(p);
@@ -232,8 +236,8 @@ void SlabPainter::drawEdges(const EdgeLook &look, const Eigen::Matrix4d &place,
     p.program->setUniformValue(p.overhang, look.colour.w() < 1.0f ? 0.0f : 0.5f);
     p.program->setUniformValue(p.cutRow, cutRow(m_view.clip, place));
     p.program->setUniformValue(p.line, look.colour);
-    m_gl.glBindVertexArray(array);
-    m_gl.glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, count);
+    m_gl.glBindVertexArray(edges.array);
+    m_gl.glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, edges.count);
 }
 
 } // namespace fff::ui

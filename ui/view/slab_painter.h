@@ -48,8 +48,10 @@ public:
     /// Without the walls that other slabs hide.
     void fill(std::size_t section, const SlabLook &look);
     void edges(std::size_t section, const EdgeLook &look);
-    /// The same for edges of the world, in a vertex array with SlabEdge's layout.
-    void edges(GLuint edgeArray, int count, const EdgeLook &look);
+    /// Other lines on a section.
+    void edges(std::size_t section, const EdgeArray &edges, const EdgeLook &look);
+    /// Lines in the world.
+    void edges(const EdgeArray &edges, const EdgeLook &look);
 
     /// Seen at all: not hidden, and not beyond the picture's border.
     bool isSeen(std::size_t section) const { return m_isSeen[section]; }
@@ -73,7 +75,7 @@ private:
     template <class Program>
     void use(Program &program);
     void drawEdges(const EdgeLook &look, const Eigen::Matrix4d &place, double halfThickness,
-                   const Frame &frame, GLuint array, int count);
+                   const Frame &frame, const EdgeArray &edges);
     bool hidesWalls(int guest) const;
 
     Gl &m_gl;

@@ -1,6 +1,7 @@
 target_sources(fff_view PRIVATE
     view/cap_buffers.cpp
     view/cut_caps.cpp
+    view/edge_array.cpp
     view/frame_pace.cpp
     view/gizmo_marks.cpp
     view/gl.cpp
@@ -10,6 +11,8 @@ target_sources(fff_view PRIVATE
     view/layers.cpp
     view/occlusion.cpp
     view/length_unit.cpp
+    view/mark_buffers.cpp
+    view/measure_marks.cpp
     view/mark_pen.cpp
     view/offscreen_image.cpp
     view/operation_marks.cpp

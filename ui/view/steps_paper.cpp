@@ -1,5 +1,6 @@
 #include "ui/view/steps_paper.h"
 
+#include "core/base/tolerances.h"
 #include "core/fabrication/layout.h"
 #include "core/fabrication/marks.h"
 
@@ -9,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <span>
 
 namespace fff::ui {
 
@@ -53,6 +55,14 @@ QString sheetsText(int count)
 QString stepsText(int count)
 {
     return count == 1 ? Words::tr("1 step") : Words::tr("%n steps", nullptr, count);
+}
+
+QPolygonF polylineOf(std::span<const Vec2> points)
+{
+    QPolygonF line;
+    for (const Vec2 &p : points)
+        line += QPointF(p.x(), p.y());
+    return line;
 }
 
 QPainterPath ringPath(const Polygon &ring)
@@ -275,12 +285,12 @@ void StepsPaper::outline(const QRectF &box, int index)
     m_painter.setPen(pen(kText, 0.25));
     m_painter.drawPath(path);
     m_painter.setPen(pen(kAccent, 0.2));
-    const Engraving engraving = engrave(part);
+    const Engraving engraving = engrave(part, m_steps.sectionOf(index).marks);
+    for (const auto *lines : {&engraving.lines.engraved, &engraving.lines.scored})
+        for (const CurvePath &line : *lines)
+            m_painter.drawPolyline(polylineOf(line.flatten(kDrawChord)));
     for (std::size_t i = 0; i < engraving.strokes.size(); ++i) {
-        QPolygonF stroke;
-        for (const Vec2 &p : engraving.strokes[i])
-            stroke += QPointF(p.x(), p.y());
-        m_painter.drawPolyline(stroke);
+        m_painter.drawPolyline(polylineOf(engraving.strokes[i]));
     }
     m_painter.restore();
 

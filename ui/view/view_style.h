@@ -35,6 +35,7 @@ struct ViewStyle
     double faceBrightness = 1.0; // of the stocks' faces
 
     double edgeWidth = 1.0, silhouetteWidth = 1.4; // px
+    double engravedWidth = 1.8, scoredWidth = 0.9; // px, of lines that are drawn on sections
     double problemWidth = 2.2;                     // px, of the outline of what has a problem
     double hoverWidth = 2.0, selectionWidth = 2.4; // px
 

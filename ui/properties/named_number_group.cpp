@@ -1,0 +1,139 @@
+#include "ui/properties/named_number_group.h"
+
+#include "core/model/named_numbers.h"
+#include "ui/number_names.h"
+#include "ui/workbench.h"
+
+#include <QCoreApplication>
+#include <QLineEdit>
+#include <QLocale>
+#include <QToolTip>
+
+namespace fff::ui {
+
+namespace {
+
+struct Texts
+{
+    Q_DECLARE_TR_FUNCTIONS(fff::ui::NamedNumberGroup)
+};
+
+constexpr int kRefusalTime = 6000; // ms that a reason is said
+
+void refuse(QWidget *field, const QString &reason)
+{
+    QToolTip::showText(field->mapToGlobal(QPoint(0, field->height())), reason, field, {},
+                       kRefusalTime);
+    field->setAccessibleDescription(reason);
+}
+
+} // namespace
+
+NamedNumberGroup::NamedNumberGroup(Workbench &bench, QWidget *parent)
+    : PropertyGroup(Texts::tr("Numbers"), parent), m_bench(bench), m_rows(*this)
+{
+}
+
+/// Those behind it that are made of it follow; all is one step.
+bool NamedNumberGroup::set(const QString &name, const QString &expression, QWidget *field)
+{
+    Document document = m_bench.session().committed().document;
+    if (!isNumberName(name.toStdString())) {
+        refuse(field, Texts::tr("A name is a word of letters and digits, other than “t” and the "
+                                "units."));
+        return false;
+    }
+    const NamedNumber *known = findNumber(document, name.toStdString());
+    const auto index =
+        known ? static_cast<std::size_t>(known - document.numbers.data()) : document.numbers.size();
+    const Expression read = readAny(expression, field->locale(), namesBefore(document, index));
+    if (!read.value) {
+        refuse(field, refusalText(read));
+        return false;
+    }
+    Result<Document> next =
+        setNumber(std::move(document), {known ? known->name : name.toStdString(),
+                                        expression.trimmed().toStdString(), *read.value});
+    for (std::size_t i = index + 1; next && i < next->numbers.size(); ++i) {
+        NamedNumber later = next->numbers[i];
+        const Expression again = readAny(QString::fromStdString(later.expression), field->locale(),
+                                         namesBefore(*next, i));
+        if (again.value) {
+            later.value = *again.value;
+            next = setNumber(*std::move(next), std::move(later));
+        }
+    }
+    m_bench.commit(Step{Step::Kind::SetNumber, {name.toStdString()}}, std::move(next));
+    return true;
+}
+
+void NamedNumberGroup::add(std::size_t index)
+{
+    const NamedNumber &number = m_bench.session().model().document.numbers[index];
+    const QString name = QString::fromStdString(number.name);
+    auto *edit = new QLineEdit(this);
+    const auto read = [this, index]() -> QString {
+        const auto &numbers = m_bench.session().model().document.numbers;
+        return index < numbers.size() ? QString::fromStdString(numbers[index].expression)
+                                      : QString();
+    };
+    connect(edit, &QLineEdit::editingFinished, this, [this, edit, name, read] {
+        if (edit->isModified() && edit->text() != read() && !set(name, edit->text(), edit))
+            edit->setText(read());
+        edit->setModified(false);
+    });
+    const QString id = QStringLiteral("number.%1").arg(name);
+    auto *row = new EditorRow(
+        name, id.toLatin1().constData(), edit,
+        [edit, read] {
+            if (!(edit->hasFocus() && edit->isModified()) && edit->text() != read())
+                edit->setText(read());
+        },
+        this);
+    row->addButton(
+        QStringLiteral("trash"), (id + QStringLiteral(".delete")).toLatin1().constData(),
+        Texts::tr("Delete this number"), [this, name] {
+            m_bench.run(QStringLiteral("numbers.remove"), {{"name", name.toStdString()}});
+        });
+    m_rows.add(row);
+}
+
+/// "gap = 12 mm"
+void NamedNumberGroup::addNew()
+{
+    auto *edit = new QLineEdit(this);
+    edit->setPlaceholderText(Texts::tr("gap = 12 mm", "an example of a number with a name"));
+    edit->setToolTip(
+        Texts::tr("A name and what it stands for; number fields take the name, also in "
+                  "sums: 2*gap"));
+    connect(edit, &QLineEdit::returnPressed, this, [this, edit] {
+        const QString text = edit->text();
+        const qsizetype equals = text.indexOf(u'=');
+        if (equals < 0) {
+            refuse(edit, Texts::tr("Write a name, “=” and a number."));
+            return;
+        }
+        const QString name = text.left(equals).trimmed();
+        if (findNumber(m_bench.session().committed().document, name.toStdString()))
+            refuse(edit, Texts::tr("There is a number of this name already."));
+        else if (set(name, text.mid(equals + 1), edit))
+            edit->clear();
+    });
+    m_rows.add(new EditorRow(
+        Texts::tr("New"), "number.new", edit, [] {}, this));
+}
+
+void NamedNumberGroup::refresh()
+{
+    QString names;
+    for (const NamedNumber &number : m_bench.session().model().document.numbers)
+        names += QString::fromStdString(number.name) + u' ';
+    if (m_rows.become(names + u'.')) {
+        for (std::size_t i = 0; i < m_bench.session().model().document.numbers.size(); ++i)
+            add(i);
+        addNew();
+    }
+    m_rows.refresh();
+}
+
+} // namespace fff::ui

@@ -1,0 +1,96 @@
+#include "ui/view/mark_buffers.h"
+
+#include "core/base/tolerances.h"
+#include "core/geometry/line_clip.h"
+
+namespace fff::ui {
+
+namespace {
+
+constexpr PackedNormal kUpwards{0, 0, 127, 127};
+
+std::array<float, 3> onTop(const Vec2 &p)
+{
+    return {static_cast<float>(p.x()), static_cast<float>(p.y()), 1.0f};
+}
+
+void addEdges(const Polygon &line, std::vector<SlabEdge> &edges)
+{
+    for (std::size_t i = 1; i < line.size(); ++i)
+        edges.push_back({onTop(line[i - 1]), onTop(line[i]), kUpwards, kUpwards});
+}
+
+} // namespace
+
+std::vector<SlabEdge> markEdges(const SceneSection &section, Mark::Kind kind)
+{
+    std::vector<SlabEdge> edges;
+    std::vector<const Region *> regions;
+    if (section.cut)
+        for (const CurvedRegion &part : section.cut->parts())
+            regions.push_back(&part.region);
+    else
+        regions.push_back(&section.shape->region());
+    for (const MarkPointer &mark : section.marks) {
+        if (mark->kind != kind)
+            continue;
+        for (const CurvePath &path : mark->paths) {
+            const Polygon line = path.flatten(kDrawChord);
+            for (const Region *region : regions)
+                for (const Polygon &piece : clippedLine(line, *region))
+                    addEdges(piece, edges);
+        }
+    }
+    return edges;
+}
+
+MarkBuffers::~MarkBuffers()
+{
+    for (const auto &[key, entry] : m_entries)
+        free(entry);
+}
+
+void MarkBuffers::update(const Scene &scene)
+{
+    for (auto &[key, entry] : m_entries)
+        entry.isUsed = false;
+    m_ofSection.assign(scene.sections.size(), nullptr);
+    for (std::size_t i = 0; i < scene.sections.size(); ++i) {
+        const SceneSection &section = scene.sections[i];
+        if (section.marks.empty())
+            continue;
+        const Key key(section.cut ? static_cast<const void *>(section.cut.get())
+                                  : static_cast<const void *>(section.shape.get()),
+                      section.marks);
+        auto found = m_entries.find(key);
+        if (found == m_entries.end())
+            found = m_entries.emplace(key, upload(section)).first;
+        found->second.isUsed = true;
+        m_ofSection[i] = &found->second.lines;
+    }
+    for (auto it = m_entries.begin(); it != m_entries.end();) {
+        if (it->second.isUsed) {
+            ++it;
+        } else {
+            free(it->second);
+            it = m_entries.erase(it);
+        }
+    }
+}
+
+MarkBuffers::Entry MarkBuffers::upload(const SceneSection &section)
+{
+    Entry entry{{makeEdgeArray(m_gl), makeEdgeArray(m_gl)}, section.cut, section.shape};
+    fillEdgeArray(m_gl, entry.lines.engraved, markEdges(section, Mark::Kind::Engraved),
+                  GL_STATIC_DRAW);
+    fillEdgeArray(m_gl, entry.lines.scored, markEdges(section, Mark::Kind::Scored), GL_STATIC_DRAW);
+    return entry;
+}
+
+void MarkBuffers::free(const Entry &entry)
+{
+    freeEdgeArray(m_gl, entry.lines.engraved);
+    freeEdgeArray(m_gl, entry.lines.scored);
+}
+
+} // namespace fff::ui

@@ -1,0 +1,52 @@
+// What is drawn on sections (core/model/mark.h) as lines on the graphics card, as far as there is
+// material below it.
+#pragma once
+
+#include "ui/view/edge_array.h"
+#include "ui/view/scene.h"
+
+#include <map>
+#include <utility>
+
+namespace fff::ui {
+
+class MarkBuffers
+{
+public:
+    struct Lines
+    {
+        EdgeArray engraved, scored;
+    };
+
+    explicit MarkBuffers(Gl &gl) : m_gl(gl) {}
+    ~MarkBuffers(); // context current
+    MarkBuffers(const MarkBuffers &) = delete;
+    MarkBuffers &operator=(const MarkBuffers &) = delete;
+
+    /// Uploads what is new in the scene and frees what is no longer in it.
+    void update(const Scene &scene);
+    /// Null for a section without marks.
+    const Lines *lines(std::size_t section) const { return m_ofSection[section]; }
+
+private:
+    /// What it is made of; the addresses are kept alive beside it.
+    using Key = std::pair<const void *, std::vector<MarkPointer>>; // cut or shape, marks
+    struct Entry
+    {
+        Lines lines;
+        CutSectionPointer cut;
+        ShapePointer shape;
+        bool isUsed = false;
+    };
+    Entry upload(const SceneSection &section);
+    void free(const Entry &entry);
+
+    Gl &m_gl;
+    std::map<Key, Entry> m_entries;
+    std::vector<const Lines *> m_ofSection;
+};
+
+/// The lines of marks of one kind on what is left of a section. Knows no OpenGL.
+std::vector<SlabEdge> markEdges(const SceneSection &section, Mark::Kind kind);
+
+} // namespace fff::ui

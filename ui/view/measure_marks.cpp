@@ -1,0 +1,221 @@
+#include "ui/view/measure_marks.h"
+
+#include "core/interaction/pick.h"
+#include "core/interaction/snapping.h"
+#include "core/model/dimensions.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace fff::ui {
+
+namespace {
+
+struct Texts
+{
+    Q_DECLARE_TR_FUNCTIONS(fff::ui::MeasureMarks)
+};
+
+constexpr double kEnd = 6.0;                   // px, half of the tick at an end
+constexpr double kLabelGap = 62.0;             // px, between labels of a ruler
+constexpr double kRulerMargin = 44.0;          // px to the view's edge
+constexpr double kTick = 4.0, kLongTick = 8.0; // px
+constexpr int kMostTicks = 2000;
+
+/// A line with a tick across each end.
+QPainterPath lineWithEnds(const QPointF &from, const QPointF &to)
+{
+    QPainterPath path(from);
+    path.lineTo(to);
+    const QPointF way = to - from;
+    const double length = std::hypot(way.x(), way.y());
+    if (length < 1.0)
+        return path;
+    const QPointF across = kEnd / length * QPointF(-way.y(), way.x());
+    for (const QPointF &end : {from, to}) {
+        path.moveTo(end - across);
+        path.lineTo(end + across);
+    }
+    return path;
+}
+
+QString lengthOf(const Vec3 &from, const Vec3 &to, LengthUnit unit, const QLocale &locale)
+{
+    return lengthText((to - from).norm(), unit, 1, 2, locale);
+}
+
+/// The length, and how far it goes along each axis where it goes along several.
+QString measuredText(const Vec3 &from, const Vec3 &to, LengthUnit unit, const QLocale &locale)
+{
+    constexpr double kNothing = 0.005; // mm, of what is shown
+    const QString length = lengthOf(from, to, unit, locale);
+    const Vec3 way = (to - from).cwiseAbs();
+    if ((way.array() > kNothing).count() < 2)
+        return length;
+    const auto number = [&](int axis) { return lengthNumber(way[axis], unit, 1, 2, locale); };
+    //: a length, and how far it goes along X, Y and Z
+    return Texts::tr("%1   X %2  Y %3  Z %4").arg(length, number(0), number(1), number(2));
+}
+
+/// 1, 2 or 5 times a power of ten, in the unit's own numbers.
+double roundStep(double least)
+{
+    const double power = std::pow(10.0, std::floor(std::log10(least)));
+    for (const double factor : {1.0, 2.0, 5.0})
+        if (factor * power >= least)
+            return factor * power;
+    return 10.0 * power;
+}
+
+class Rulers
+{
+public:
+    Rulers(MarkPen &pen, const Frame &grid, LengthUnit unit, const QLocale &locale)
+        : m_pen(pen), m_grid(grid), m_unit(unit), m_locale(locale)
+    {
+    }
+
+    void paint()
+    {
+        const std::optional<Box2> seen = visible();
+        if (!seen)
+            return;
+        QFont font = m_pen.painter().font();
+        font.setPixelSize(11);
+        m_pen.painter().setFont(font);
+        for (const int axis : {0, 1})
+            ruler(axis, *seen);
+    }
+
+private:
+    /// What is seen of the canvas' plane for certain, grid coordinates; nothing where it is seen
+    /// on edge.
+    std::optional<Box2> visible() const
+    {
+        const Vec2 &viewport = m_pen.viewport();
+        std::array<double, 4> x{}, y{};
+        for (std::size_t i = 0; i < 4; ++i) {
+            const Vec2 corner((i & 1U) != 0 ? viewport.x() - kRulerMargin : kRulerMargin,
+                              (i & 2U) != 0 ? viewport.y() - kRulerMargin : kRulerMargin);
+            const auto at = pointOnPlane(m_pen.camera(), viewport, m_grid, corner);
+            if (!at)
+                return std::nullopt;
+            x[i] = at->x();
+            y[i] = at->y();
+        }
+        std::sort(x.begin(), x.end());
+        std::sort(y.begin(), y.end());
+        Box2 box;
+        box.extend(Vec2(x[1], y[1]));
+        box.extend(Vec2(x[2], y[2]));
+        return box;
+    }
+
+    void ruler(int axis, const Box2 &seen)
+    {
+        const int other = 1 - axis;
+        Vec2 at = Vec2::Zero();
+        at[other] = std::clamp(0.0, seen.min[other], seen.max[other]);
+        at[axis] = 0.5 * (seen.min[axis] + seen.max[axis]);
+        const double pixel = m_pen.camera().scaleAt(m_grid.toWorld(at), m_pen.viewport());
+        const double perUnit = millimetresPer(m_unit);
+        const double labels = roundStep(kLabelGap * pixel / perUnit) * perUnit;
+        const double step =
+            labels / 10.0 >= kGridPixels * 0.5 * pixel ? labels / 10.0 : labels / 5.0;
+        const auto first = static_cast<long long>(std::ceil(seen.min[axis] / step));
+        const auto last = static_cast<long long>(std::floor(seen.max[axis] / step));
+        if (!(step > 0.0) || last - first > kMostTicks)
+            return;
+        const auto place = [&](double along, double ticks) {
+            Vec2 p = at;
+            p[axis] = along;
+            p[other] -= ticks * pixel;
+            return m_pen.screen(m_grid.toWorld(p));
+        };
+        QPainterPath lines(place(seen.min[axis], 0.0));
+        lines.lineTo(place(seen.max[axis], 0.0));
+        const long long perLabel = std::llround(labels / step);
+        std::vector<std::pair<QPointF, QString>> texts;
+        for (long long i = first; i <= last; ++i) {
+            const bool isLong = i % perLabel == 0;
+            const double along = static_cast<double>(i) * step;
+            lines.moveTo(place(along, 0.0));
+            lines.lineTo(place(along, isLong ? kLongTick : kTick));
+            if (isLong)
+                texts.emplace_back(place(along, kLongTick + 8.0),
+                                   lengthNumber(along, m_unit, 0, 2, m_locale));
+        }
+        QPainter &painter = m_pen.painter();
+        painter.setBrush(Qt::NoBrush);
+        painter.strokePath(lines, roundPen(faded(m_pen.style().panel, 0.7), 2.6));
+        painter.strokePath(lines, QPen(m_pen.style().muted, 1.0));
+        for (const auto &[centre, text] : texts)
+            label(centre, text);
+    }
+
+    void label(const QPointF &centre, const QString &text)
+    {
+        QPainter &painter = m_pen.painter();
+        const QFontMetricsF metrics(painter.font());
+        QPainterPath words;
+        words.addText(centre.x() - 0.5 * metrics.horizontalAdvance(text),
+                      centre.y() + 0.36 * metrics.ascent(), painter.font(), text);
+        painter.strokePath(words, roundPen(faded(m_pen.style().panel, 0.85), 3.0));
+        painter.fillPath(words, m_pen.style().muted);
+    }
+
+    MarkPen &m_pen;
+    const Frame &m_grid;
+    LengthUnit m_unit;
+    const QLocale &m_locale;
+};
+
+} // namespace
+
+std::vector<DimensionMark> dimensionMarks(const Model &model, DimensionId lit)
+{
+    std::vector<DimensionMark> marks;
+    for (const Dimension &dimension : model.document.dimensions) {
+        const auto from = placeOf(model, dimension.from), to = placeOf(model, dimension.to);
+        if (from && to)
+            marks.push_back({*from, *to, lit.isValid() && dimension.id == lit});
+    }
+    return marks;
+}
+
+void paintDimensions(MarkPen &pen, const std::vector<DimensionMark> &marks, LengthUnit unit,
+                     const QLocale &locale)
+{
+    for (const DimensionMark &mark : marks) {
+        const QPointF from = pen.screen(mark.from), to = pen.screen(mark.to);
+        const QColor &colour = mark.isLit ? pen.style().accent : pen.style().text;
+        pen.cased(lineWithEnds(from, to), roundPen(colour, mark.isLit ? 2.0 : 1.2));
+        pen.chip(0.5 * (from + to), MarkPen::Anchor::Middle,
+                 lengthOf(mark.from, mark.to, unit, locale), colour);
+    }
+}
+
+void paintMeasure(MarkPen &pen, const Overlay &overlay, LengthUnit unit, const QLocale &locale)
+{
+    if (overlay.measure) {
+        const Overlay::Measure &measure = *overlay.measure;
+        const QPointF from = pen.screen(measure.from), to = pen.screen(measure.to);
+        pen.cased(lineWithEnds(from, to), roundPen(pen.style().accent, 2.0));
+        pen.chip(0.5 * (from + to), MarkPen::Anchor::Middle,
+                 measure.isWanted ? lengthOf(measure.from, measure.to, unit, locale)
+                                  : measuredText(measure.from, measure.to, unit, locale),
+                 pen.style().accent);
+    }
+    if (overlay.measuredPlace)
+        pen.ring(pen.screen(*overlay.measuredPlace), 4.0, pen.style().guide);
+}
+
+void paintRulers(MarkPen &pen, const Frame &grid, LengthUnit unit, const QLocale &locale)
+{
+    Rulers(pen, grid, unit, locale).paint();
+}
+
+} // namespace fff::ui
