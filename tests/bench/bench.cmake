@@ -6,6 +6,7 @@ add_executable(flatfitfab-bench
     ${CMAKE_CURRENT_LIST_DIR}/kernel.cpp
     ${CMAKE_CURRENT_LIST_DIR}/measure.cpp
     ${CMAKE_CURRENT_LIST_DIR}/peer.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/gizmo_event.cpp
     ${CMAKE_CURRENT_LIST_DIR}/point_event.cpp
     ${CMAKE_CURRENT_LIST_DIR}/report.cpp)
 target_link_libraries(flatfitfab-bench PRIVATE fff::session)

@@ -10,6 +10,7 @@
 #include "core/session/cutting_file.h"
 #include "core/session/plan_checks.h"
 #include "tests/bench/counted_memory.h"
+#include "tests/bench/gizmo_event.h"
 #include "tests/bench/stopwatch.h"
 
 #include <memory>
@@ -154,7 +155,7 @@ double drawingTime(const Analysis &analysis)
     std::vector<Part> parts = makeParts(analysis.model, analysis.assembly, analysis.cuts);
     std::vector<Engraving> engravings;
     for (const Part &part : parts)
-        engravings.push_back(engrave(part));
+        engravings.push_back(engrave(part, {}));
     parts = compensateKerf(std::move(parts), analysis.model, analysis.cuts);
     const Layout layout = layOut(parts, analysis.model, LayoutOptions());
     double milliseconds = 0.0;
@@ -206,6 +207,7 @@ Result<Measurement> measure(const std::string &name, const QString &path, int ru
         result.step = memoryOfStep(model, id);
         measureEdits(model, id, caches, offset, edits);
         measureVerdicts(model, id, caches, t);
+        t.gizmo = gizmoMove(model->document, id);
         all.push_back(t);
         points.push_back(worstPointEvent(model));
     }
@@ -217,7 +219,7 @@ Result<Measurement> measure(const std::string &name, const QString &path, int ru
     };
     for (double Timings::*field :
          {&Timings::load, &Timings::evaluate, &Timings::slits, &Timings::parts, &Timings::svg,
-          &Timings::drawing, &Timings::check, &Timings::plan, &Timings::again})
+          &Timings::drawing, &Timings::gizmo, &Timings::check, &Timings::plan, &Timings::again})
         result.milliseconds.*field = middle(field);
     result.milliseconds.drag = median(edits.drag);
     result.milliseconds.edit = median(edits.edit);

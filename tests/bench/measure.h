@@ -28,6 +28,7 @@ struct Timings
     double edit = 0.0;     // the same with all joints, slits, cuts and triangles that follow
     double undo = 0.0;     // back, with all of that
     double point = 0.0;    // the worst move of a control point, with all that follows
+    double gizmo = 0.0;    // a move of the gizmo: event, snapping, edit, model
     double check = 0.0;    // all checks but planning, nothing known from before
     double plan = 0.0;  // the plan of the assembly, and what is said of it; kPlanningTime at most
     double again = 0.0; // both after an edit, with what is known from before

@@ -18,7 +18,7 @@ struct Column
     double Timings::*field;
 };
 
-constexpr std::array<Column, 13> kColumns{{{"load", &Timings::load},
+constexpr std::array<Column, 14> kColumns{{{"load", &Timings::load},
                                            {"evaluate", &Timings::evaluate},
                                            {"slits", &Timings::slits},
                                            {"parts", &Timings::parts},
@@ -28,6 +28,7 @@ constexpr std::array<Column, 13> kColumns{{{"load", &Timings::load},
                                            {"edit", &Timings::edit},
                                            {"undo", &Timings::undo},
                                            {"point", &Timings::point},
+                                           {"gizmo", &Timings::gizmo},
                                            {"check", &Timings::check},
                                            {"plan", &Timings::plan},
                                            {"again", &Timings::again}}};
