@@ -165,7 +165,8 @@ std::vector<Blocking::Obstacle> &Blocking::obstaclesOf(int part, Way &way)
     const Shadow &own = way.shadows[static_cast<std::size_t>(part)];
     for (int other = 0; other < static_cast<int>(partCount()); ++other) {
         if (other != part &&
-            own.meetsOnItsWay(way.shadows[static_cast<std::size_t>(other)], m_collisions.depth(part, other)) &&
+            own.meetsOnItsWay(way.shadows[static_cast<std::size_t>(other)],
+                              m_collisions.depth(part, other)) &&
             !isIgnored(part, other))
             known->push_back({other, {}});
     }

@@ -23,8 +23,8 @@ struct WebCaches
 };
 
 /// Whether it can be assembled, which sections are in each other without a slit between them, which
-/// form rings, and where slits leave too little; the verdict first, the others in the order of the sections.
-/// Nothing for a model without parts.
+/// form rings, and where slits leave too little; the verdict first, the others in the order of the
+/// sections. Nothing for a model without parts.
 std::vector<Check> planChecks(const Analysis &analysis, const ModelPlan &plan);
 /// The same, with any caches.
 std::vector<Check> planChecks(const Analysis &analysis, const ModelPlan &plan, WebCaches &caches);

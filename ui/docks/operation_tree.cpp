@@ -53,7 +53,7 @@ protected:
                                                          const QEvent *event) const override
     {
         return isOnButton(index, event, kEye) ? QItemSelectionModel::NoUpdate
-                                           : QTreeWidget::selectionCommand(index, event);
+                                              : QTreeWidget::selectionCommand(index, event);
     }
     /// The model is told; the rows follow it.
     void dropEvent(QDropEvent *event) override

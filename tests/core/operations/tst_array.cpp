@@ -74,9 +74,9 @@ void TestArray::anEditOfACopyIsOneOfAll()
     const RefMove move{shoal.model.ref(4), Similarity::moved(Vec3(0, 7, 0))};
     const Model after = evaluate(movedSections(shoal.model, {&move, 1}).value(), shoal.model);
     for (std::size_t i = 0; i < after.sectionCount(); i += 2)
-        QVERIFY((after.section(i)->frame.origin - shoal.model.section(i)->frame.origin -
-                 Vec3(0, 7, 0))
-                    .norm() < 1e-12);
+        QVERIFY(
+            (after.section(i)->frame.origin - shoal.model.section(i)->frame.origin - Vec3(0, 7, 0))
+                .norm() < 1e-12);
 }
 
 // Wrong: all copies would lie in one place, unseen.
