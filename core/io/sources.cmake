@@ -15,8 +15,11 @@ target_sources(fff_io PRIVATE
     json_writer.cpp
     loaded_document.cpp
     obj_writer.cpp
+    svg_clip.cpp
     svg_path.cpp
     svg_reader.cpp
+    svg_shapes.cpp
+    svg_source.cpp
     svg_values.cpp
     svg_writer.cpp
 )

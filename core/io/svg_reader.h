@@ -31,9 +31,9 @@ struct SvgDrawing
 ///        them are an inch, in files of Illustrator 72 and of Inkscape before 0.92 90, as those
 ///        programs mean it. Percentages are of the drawing's size.
 /// name   how errors call the file; empty: places are without it
-/// Errors  BadSyntax at name:line for what is no XML, or no svg; BadValue at name:line for a path or
-///         number that cannot be read, and without a line when there is nothing in it that could be
-///         drawn; BadCount for more than kMostSvgPoints points and elements.
+/// Errors  BadSyntax at name:line for what is no XML, or no svg; BadValue at name:line for a path
+///         or number that cannot be read, and without a line when there is nothing in it that could
+///         be drawn; BadCount for more than kMostSvgPoints points and elements.
 /// Source  W3C, Scalable Vector Graphics (SVG) 1.1, second edition, 2011.
 Result<SvgDrawing> readSvg(std::string_view bytes, const std::string &name = {});
 

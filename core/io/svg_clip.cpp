@@ -1,0 +1,69 @@
+#include "core/io/svg_clip.h"
+
+#include "core/base/tolerances.h"
+#include "core/geometry/boolean.h"
+#include "core/geometry/line_clip.h"
+
+#include <algorithm>
+
+namespace fff::io {
+
+namespace {
+
+/// What of the contour lies in the clip: the contour without what is outside, and what of the clip
+/// is a hole in that.
+std::vector<Contour> clippedContour(const Contour &contour, const std::vector<Contour> &clip)
+{
+    std::vector<Contour> outside, inside;
+    for (const CurvedRegion &region : subtractContours(contour, {}, clip, kCutChord)) {
+        outside.push_back(region.outer);
+        for (const Contour &hole : region.holes)
+            inside.push_back(hole.reversed());
+    }
+    if (outside.empty())
+        return {contour};
+    for (const CurvedRegion &region : subtractContours(contour, {}, outside, kCutChord)) {
+        inside.push_back(region.outer);
+        inside.insert(inside.end(), region.holes.begin(), region.holes.end());
+    }
+    return inside;
+}
+
+bool contains(const std::vector<Contour> &clip, const Box2 &box)
+{
+    return std::any_of(clip.begin(), clip.end(), [&box](const Contour &contour) {
+        const Polygon corners = contour.polygon(kCutChord);
+        Region region{corners, {}};
+        if (corners.size() != 4)
+            return false;
+        return locate(box.min, region) != Side::Outside &&
+               locate(box.max, region) != Side::Outside &&
+               locate({box.min.x(), box.max.y()}, region) != Side::Outside &&
+               locate({box.max.x(), box.min.y()}, region) != Side::Outside;
+    });
+}
+
+} // namespace
+
+std::vector<CurvePath> clippedPath(const CurvePath &path, const std::vector<Contour> &clip)
+{
+    if (contains(clip, path.bounds()))
+        return {path};
+    std::vector<CurvePath> left;
+    if (!path.isClosed()) {
+        for (const Contour &contour : clip)
+            for (const Polygon &piece :
+                 clippedLine(path.flatten(kCutChord), {contour.polygon(kCutChord), {}}))
+                if (Result<CurvePath> cut = CurvePath::fromLine(piece))
+                    left.push_back(*std::move(cut));
+        return left;
+    }
+    std::vector<Vec2> points = path.points();
+    points.pop_back();
+    if (const Result<Contour> contour = Contour::fromPoints(std::move(points)))
+        for (const Contour &piece : clippedContour(*contour, clip))
+            left.push_back(CurvePath::around(piece));
+    return left;
+}
+
+} // namespace fff::io
