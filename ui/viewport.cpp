@@ -427,7 +427,8 @@ Viewport::Seen Viewport::seen() const
             overlay.measure,
             overlay.measuredPlace,
             overlay.dimension,
-            overlay.rulers};
+            overlay.rulers,
+            overlay.figure};
 }
 
 /// Something that is seen may have changed: paints only if it has.

@@ -95,6 +95,7 @@ private:
         std::optional<Vec3> measuredPlace;
         DimensionId dimension;
         std::optional<Frame> rulers;
+        std::optional<Overlay::FigureLine> figure;
 
         bool isSamePicture(const Seen &other) const;
         bool operator==(const Seen &other) const = default;

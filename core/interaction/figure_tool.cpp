@@ -1,5 +1,6 @@
 #include "core/interaction/figure_tool.h"
 
+#include "core/base/tolerances.h"
 #include "core/interaction/draw_tool.h"
 #include "core/interaction/figure_editing.h"
 #include "core/interaction/section_editing.h"
@@ -18,6 +19,21 @@ const FigureKind &kindOf(const GestureContext &context)
 {
     const FigureKind *kind = figureKind(context.settings.figure);
     return kind ? *kind : figureKinds().front();
+}
+
+/// Of the drawn sections whose slab the canvas runs along, the one with material at this place: a
+/// second section in there could only be in its way.
+const Section *sectionIn(const Frame &canvas, const Vec3 &place, const GestureContext &context)
+{
+    for (const SectionPointer &section : context.model.document.sections) {
+        const Frame &frame = section->frame;
+        const double half = 0.5 * context.model.document.stockOf(*section).thickness;
+        if (frame.normal().cross(canvas.normal()).norm() < kPracticallyParallel &&
+            std::abs(frame.height(place)) < half && context.view.isPicked(section->ref()) &&
+            locate(frame.toLocal(place), section->shape->region()) == Side::Inside)
+            return section.get();
+    }
+    return nullptr;
 }
 
 } // namespace
@@ -48,6 +64,7 @@ void FigureTool::setCanvas(CanvasChoice canvas, const GestureContext &context)
     m_targets.emplace(canvas.target.canvas, context.camera.orientation);
     m_targets->addModel(context.model, context.view, {});
     m_canvas = std::move(canvas);
+    m_target = m_canvas.target;
     m_middle.reset();
 }
 
@@ -82,6 +99,16 @@ bool FigureTool::takes(const PointerEvent &press, GestureContext &context) const
         .has_value();
 }
 
+/// Onto a section that is in the canvas a shape is a hole, as if the section had been picked.
+ContourTarget FigureTool::targetAt(const Vec3 &middle, const GestureContext &context) const
+{
+    const ContourTarget &target = m_canvas.target;
+    const Section *below = target.purpose == ContourTarget::Purpose::NewSection
+                               ? sectionIn(target.canvas, middle, context)
+                               : nullptr;
+    return below ? ContourTarget::hole(*below) : target;
+}
+
 Figure FigureTool::figureTo(const Vec2 &corner, bool isEven, const GestureContext &context) const
 {
     const Vec2 way = m_targets->toGrid(corner) - m_targets->toGrid(m_middle->point);
@@ -91,19 +118,20 @@ Figure FigureTool::figureTo(const Vec2 &corner, bool isEven, const GestureContex
     Figure figure = newFigure(kindOf(context));
     if (m_isDrag && size.minCoeff() > 0.0)
         figure = sized(figure, size);
-    figure.centre = m_middle->point;
-    const Frame &grid = m_targets->grid();
-    const Vec2 right = m_canvas.target.canvas.directionToLocal(grid.x);
+    figure.centre = m_target.canvas.toLocal(m_canvas.target.canvas.toWorld(m_middle->point));
+    const Vec2 right = m_target.canvas.directionToLocal(m_targets->grid().x);
     figure.turn = std::atan2(right.y(), right.x());
     return figure;
 }
 
-GestureReply FigureTool::made(const Figure &figure, bool isOver, GestureContext &context) const
+GestureReply FigureTool::made(const Figure &figure, bool isOver, GestureContext &context)
 {
     GestureReply reply;
     tl::expected<DrawnContour, Hint> drawn =
-        drawFigure(context.model.document, m_canvas.target, figure,
+        drawFigure(context.model.document, m_target, figure,
                    {context.settings.cutsAtGround, context.settings.naming});
+    m_figure = isOver ? std::optional<Figure>() : figure;
+    m_isPossible = drawn.has_value();
     if (!drawn) {
         if (isOver)
             reply.note = drawn.error();
@@ -141,6 +169,7 @@ GestureReply FigureTool::handle(const PointerEvent &event, GestureContext &conte
         if (presses) {
             m_press = event.position;
             m_isDrag = false;
+            m_target = targetAt(m_canvas.target.canvas.toWorld(m_middle->point), context);
         }
         return {};
     }
@@ -157,8 +186,12 @@ void FigureTool::mark(GestureContext &context, bool hasCursor)
     m_kind = kindOf(context).key;
     context.overlay.rulers.reset();
     context.overlay.measuredPlace.reset();
+    context.overlay.figure.reset();
     if (!m_targets)
         return;
+    if (m_figure)
+        if (const Result<Contour> contour = contourOf(*m_figure))
+            context.overlay.figure = Overlay::FigureLine{m_target.canvas, *contour, m_isPossible};
     context.overlay.rulers = m_targets->grid();
     if (m_middle && (hasCursor || m_press))
         context.overlay.measuredPlace = m_canvas.target.canvas.toWorld(m_middle->point);
@@ -167,6 +200,7 @@ void FigureTool::mark(GestureContext &context, bool hasCursor)
 GestureReply FigureTool::interrupt(GestureContext &)
 {
     m_press.reset();
+    m_figure.reset();
     return {};
 }
 

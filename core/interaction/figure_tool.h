@@ -1,6 +1,7 @@
 // Draws a circle, rectangle and so on (core/geometry/figure.h) by a drag from its middle outwards:
-// in the section that is selected as a hole, else as a new section on the canvas that was picked or
-// faces the view. Which kind says InteractionSettings::figure, which buttons of the bar change.
+// as a hole in the section that is selected or lies in the canvas there, else as a new section on
+// the canvas that was picked or faces the view. Which kind says InteractionSettings::figure, which
+// buttons of the bar change.
 //
 //     waiting     the middle snaps to points, lines and the grid, as the pen's points do
 //     dragging    half the size to either side, in steps of the grid; Shift: as wide as high.
@@ -35,18 +36,22 @@ public:
 private:
     void setCanvas(CanvasChoice canvas, const GestureContext &context);
     void faceFirstCanvas(const GestureContext &context);
+    ContourTarget targetAt(const Vec3 &middle, const GestureContext &context) const;
     Figure figureTo(const Vec2 &corner, bool isEven, const GestureContext &context) const;
-    GestureReply made(const Figure &figure, bool isOver, GestureContext &context) const;
+    GestureReply made(const Figure &figure, bool isOver, GestureContext &context);
 
     CanvasChoice m_canvas{ContourTarget{}, std::string(kCommand), {}, {}};
+    ContourTarget m_target; // what a press draws: of the canvas, or a hole in what lies in it
     std::optional<SnapTargets> m_targets;
     SoloView m_solo;         // the section that is cut
     bool m_isPicked = false; // the canvas; else it faces the view
     std::optional<Camera> m_before;
     std::optional<Vec2> m_press; // px
     bool m_isDrag = false;
-    std::optional<Snap> m_middle; // of the figure, or under the cursor
-    std::string m_kind;           // as of the last look
+    std::optional<Figure> m_figure; // that a release would make
+    bool m_isPossible = false;      // there
+    std::optional<Snap> m_middle;   // of the figure, or under the cursor
+    std::string m_kind;             // as of the last look
 };
 
 } // namespace fff

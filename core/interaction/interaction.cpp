@@ -395,7 +395,7 @@ void Interaction::carryOut(SectionEdit edit, double time)
 bool Interaction::nudge(const Vec2 &arrow, double distance, double time)
 {
     advance(time);
-    if (d->tool)
+    if (d->tool && !d->tool->leavesArrows())
         return false; // it has the keys
     if (const std::optional<JointRef> joint = d->selection.joint()) {
         const bool isMoved = d->nudgeMeetingPoints(*joint, arrow, distance);

@@ -117,6 +117,15 @@ struct Overlay
             return from == other.from && to == other.to && isWanted == other.isWanted;
         }
     };
+    /// What a figure would be, while it is dragged.
+    struct FigureLine
+    {
+        Frame canvas;
+        Contour contour;         // canvas coordinates
+        bool isPossible = false; // there; else it would be refused
+
+        bool operator==(const FigureLine &) const = default;
+    };
     std::optional<Points> points;
     std::optional<Joints> joints;
     std::optional<OperationMarks> operation; // that is selected
@@ -128,6 +137,7 @@ struct Overlay
     std::optional<GroundLine> ground;
     std::optional<Plane> plane;
     std::optional<Measure> measure;
+    std::optional<FigureLine> figure;
     std::optional<Vec3> measuredPlace; // under the cursor
     DimensionId dimension;             // that is under the cursor, or in the hand
     /// Rulers along the axes of this frame: what is drawn is counted there.

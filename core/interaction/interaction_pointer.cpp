@@ -221,7 +221,9 @@ void Interaction::Private::markPoints()
 
 void Interaction::Private::update()
 {
-    const bool isOnMark = overlay.cubePart || overlay.mark > 0 || overlay.isHandleHovered;
+    // What a tool holds passes over them.
+    const bool isOnMark =
+        !isToolPressed && (overlay.cubePart || overlay.mark > 0 || overlay.isHandleHovered);
     if (tool) {
         if (!tool->marksSections() && !isOnMark)
             hovering.unmark(overlay);

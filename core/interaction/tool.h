@@ -64,6 +64,8 @@ public:
     {
         return false;
     }
+    /// Arrow keys move what is selected, as without it.
+    virtual bool leavesArrows() const { return false; }
     /// It works with clicks: also with those while Ctrl is held, whose drags turn the view.
     virtual bool takesClicks() const { return false; }
     /// Of one that asks for an input of an operation that there is: of which, and its role.

@@ -28,6 +28,7 @@ public:
     bool takes(const PointerEvent &press, GestureContext &context) const override;
     bool takesControl(const PointerEvent &press, GestureContext &context) const override;
     bool marksSections() const override { return !m_drag; }
+    bool leavesArrows() const override { return !m_drag && !m_typed; }
     GestureReply begin(GestureContext &context, double time) override;
     GestureReply handle(const PointerEvent &event, GestureContext &context) override;
     void mark(GestureContext &context, bool hasCursor) override;

@@ -118,7 +118,15 @@ private:
     {
         const int other = 1 - axis;
         Vec2 at = Vec2::Zero();
-        at[other] = std::clamp(0.0, seen.min[other], seen.max[other]);
+        // Both below and left of what is drawn, as it is seen.
+        const bool isUpright =
+            std::abs(m_pen.camera().up().dot(axis == 0 ? m_grid.x : m_grid.y)) >
+            std::abs(m_pen.camera().right().dot(axis == 0 ? m_grid.x : m_grid.y));
+        const Vec3 &across = other == 0 ? m_grid.x : m_grid.y;
+        const bool isFlipped = m_pen.camera().right().dot(across) < 0.0;
+        at[other] = !isUpright  ? std::clamp(0.0, seen.min[other], seen.max[other])
+                    : isFlipped ? seen.max[other]
+                                : seen.min[other];
         at[axis] = 0.5 * (seen.min[axis] + seen.max[axis]);
         const double pixel = m_pen.camera().scaleAt(m_grid.toWorld(at), m_pen.viewport());
         const double perUnit = millimetresPer(m_unit);
@@ -196,6 +204,14 @@ void paintDimensions(MarkPen &pen, const std::vector<DimensionMark> &marks, Leng
         pen.chip(0.5 * (from + to), MarkPen::Anchor::Middle,
                  lengthOf(mark.from, mark.to, unit, locale), colour);
     }
+}
+
+void paintFigure(MarkPen &pen, const Overlay::FigureLine &figure)
+{
+    QPen line = roundPen(figure.isPossible ? pen.style().accent : pen.style().warning, 2.0);
+    if (!figure.isPossible)
+        line.setDashPattern({4.0, 3.0});
+    pen.cased(pen.path(figure.contour, figure.canvas), line);
 }
 
 void paintMeasure(MarkPen &pen, const Overlay &overlay, LengthUnit unit, const QLocale &locale)

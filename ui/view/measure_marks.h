@@ -21,8 +21,11 @@ std::vector<DimensionMark> dimensionMarks(const Model &model, DimensionId lit);
 
 void paintDimensions(MarkPen &pen, const std::vector<DimensionMark> &marks, LengthUnit unit,
                      const QLocale &locale);
+/// The outline of a figure that is dragged; broken where it could not be.
+void paintFigure(MarkPen &pen, const Overlay::FigureLine &figure);
 void paintMeasure(MarkPen &pen, const Overlay &overlay, LengthUnit unit, const QLocale &locale);
-/// Along both axes of the grid, where they are seen, else at the view's edge.
+/// The level one along the ground, where that is seen, else at the lower edge; the upright one at
+/// the left edge, where it is in nobody's way.
 void paintRulers(MarkPen &pen, const Frame &grid, LengthUnit unit, const QLocale &locale);
 
 } // namespace fff::ui

@@ -59,6 +59,8 @@ public:
     {
         paintDimensions(m_pen, m_scene.dimensions, m_scene.unit, m_locale);
         paintMeasure(m_pen, m_scene.overlay, m_scene.unit, m_locale);
+        if (m_scene.overlay.figure)
+            paintFigure(m_pen, *m_scene.overlay.figure);
     }
     void rulers()
     {

@@ -26,12 +26,15 @@ class TestFigureTool : public QObject
 private Q_SLOTS:
     void theFirstSection();
     void aHoleInTheSelectedSection();
+    void aHoleInTheSectionOfTheCanvas();
+    void whatIsHiddenIsNotCut();
     void shiftKeepsBothSidesAlike();
     void aClickMakesTheUsualSize();
     void theMiddleSnaps();
     void theKindIsChosen_data();
     void theKindIsChosen();
     void besideTheSectionItIsRefused();
+    void itsLineIsSeenWhileDragged();
     void escTakesItBack();
     void onAPlaneThatIsPicked();
 };
@@ -67,6 +70,39 @@ void TestFigureTool::aHoleInTheSelectedSection()
     QVERIFY(hole);
     QVERIFY((hole->centre - Vec2(20, 10)).norm() < 1.1);
     QVERIFY((fff::sizeOf(*hole) - Vec2(60, 40)).norm() < 2.1);
+}
+
+// Wrong: the second shape would be a section inside the first, which could never be cut.
+void TestFigureTool::aHoleInTheSectionOfTheCanvas()
+{
+    Desk desk;
+    desk.run("section.addShape", {{"figure", "rectangle"}});
+    const double y = kFirstPlaneHeight;
+    desk.drag({desk.front(0, y), desk.front(60, y + 60)});
+    desk.interaction.settings().figure = "circle";
+    desk.drag({desk.front(20, y + 10), desk.front(30, y + 10)});
+    QCOMPARE(desk.sections().size(), std::size_t(1));
+    const Figure *hole = lastFigure(desk, 1);
+    QVERIFY(hole);
+    QCOMPARE(hole->kind, std::string("circle"));
+    const Vec3 middle = desk.sections().front()->frame.toWorld(hole->centre);
+    QVERIFY((middle - Vec3(20, y + 10, 0)).norm() < 1.1);
+    // Beside it there is nothing to cut.
+    desk.drag({desk.front(-100, y), desk.front(-90, y + 10)});
+    QCOMPARE(desk.sections().size(), std::size_t(2));
+}
+
+void TestFigureTool::whatIsHiddenIsNotCut()
+{
+    Desk desk;
+    desk.run("section.addShape", {{"figure", "rectangle"}});
+    const double y = kFirstPlaneHeight;
+    desk.drag({desk.front(0, y), desk.front(60, y + 60)});
+    ViewState view = desk.interaction.view();
+    view.hidden.insert(desk.sections().front()->ref());
+    desk.interaction.setView(view);
+    desk.drag({desk.front(20, y + 10), desk.front(30, y + 20)});
+    QCOMPARE(desk.sections().size(), std::size_t(2));
 }
 
 void TestFigureTool::shiftKeepsBothSidesAlike()
@@ -143,6 +179,31 @@ void TestFigureTool::besideTheSectionItIsRefused()
     desk.drag({desk.plate(160, 0), desk.plate(170, 0)});
     QCOMPARE(desk.hint(), Hint::Kind::HoleOutside);
     QCOMPARE(desk.steps(), 1);
+}
+
+// Wrong: where it cannot be, one would drag nothing, and not know why.
+void TestFigureTool::itsLineIsSeenWhileDragged()
+{
+    Desk desk;
+    desk.addPlate();
+    desk.interaction.select({desk.sections().front()->id});
+    desk.run("section.addShape", {{"figure", "circle"}});
+    desk.wait(2000.0);
+    const auto line = [&desk] { return desk.interaction.overlay().figure; };
+    desk.moveTo(desk.plate(0, 0));
+    QVERIFY(!line());
+    desk.press(desk.plate(0, 0));
+    desk.moveTo(desk.plate(20, 0));
+    QVERIFY(line() && line()->isPossible);
+    desk.interaction.escape(desk.time);
+    QVERIFY(!line());
+    desk.release(desk.plate(20, 0));
+    desk.moveTo(desk.plate(160, 0));
+    desk.press(desk.plate(160, 0));
+    desk.moveTo(desk.plate(175, 0));
+    QVERIFY(line() && !line()->isPossible);
+    desk.release(desk.plate(175, 0));
+    QVERIFY(!line());
 }
 
 void TestFigureTool::escTakesItBack()
