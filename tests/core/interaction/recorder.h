@@ -87,12 +87,19 @@ public:
             at = end;
         }
     }
+    /// An event a line.
     QByteArray script() const
     {
-        const QJsonObject object{
-            {QStringLiteral("viewport"), QJsonArray{kViewport.x(), kViewport.y()}},
-            {QStringLiteral("events"), m_events}};
-        return QJsonDocument(object).toJson(QJsonDocument::Indented);
+        QByteArray text = QStringLiteral("{\"viewport\": [%1, %2], \"events\": [")
+                              .arg(kViewport.x())
+                              .arg(kViewport.y())
+                              .toUtf8();
+        QByteArray before = "\n    ";
+        for (const QJsonValue &event : m_events) {
+            text += before + QJsonDocument(event.toObject()).toJson(QJsonDocument::Compact);
+            before = ",\n    ";
+        }
+        return text + "\n]}\n";
     }
 
 private:

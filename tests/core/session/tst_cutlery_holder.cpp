@@ -1,6 +1,7 @@
 // A cutlery holder drawn from nothing with the mouse and a few keys, as in the paper's first
 // figure: two human shapes through each other whose arms hold spoons. The script that is replayed,
-// tests/data/replays/cutlery_holder.json, is what this hand draws; FFF_RECORD=1 writes it anew.
+// tests/data/replays/cutlery_holder.json, is what this hand draws; FFF_RECORD=1 writes it anew, with
+// the model that it makes beside it.
 #include <QTest> // first: moc cannot read some of the standard library before it
 
 #include "core/io/fff_format.h"
@@ -19,6 +20,7 @@ using namespace fff::test;
 namespace {
 
 const QString kScript = QStringLiteral(FFF_TEST_DATA "/replays/cutlery_holder.json");
+const QString kHolder = QStringLiteral(FFF_TEST_DATA "/replays/cutlery_holder.fff");
 
 /// The right half of a person with spread arms, mm beside and above the ground, from the top of the
 /// head down to between the feet. The hands turn up, so that what hangs there stays.
@@ -125,6 +127,27 @@ void TestCutleryHolder::theScriptMakesAHolder()
     // A file of it says the same.
     const Result<io::LoadedDocument> read = io::readFff(*io::writeFff(document));
     QVERIFY(read && read->document == document);
+    if (qEnvironmentVariableIsSet("FFF_RECORD")) {
+        QFile made(kHolder);
+        QVERIFY(made.open(QIODevice::WriteOnly));
+        made.write(QByteArray::fromStdString(*io::writeFff(document)));
+    }
+    // And it is the holder that is kept, of which cutlery_holder.png is a picture.
+    QFile kept(kHolder);
+    QVERIFY(kept.open(QIODevice::ReadOnly));
+    const Result<io::LoadedDocument> holder = io::readFff(kept.readAll().toStdString());
+    QVERIFY(holder);
+    QCOMPARE(holder->document.sections.size(), document.sections.size());
+    for (std::size_t i = 0; i < document.sections.size(); ++i) {
+        const Section &drawn = *document.sections[i], &before = *holder->document.sections[i];
+        QCOMPARE(drawn.shape->controlPointCount(), before.shape->controlPointCount());
+        const auto &points = drawn.shape->contour().points();
+        for (std::size_t k = 0; k < points.size(); ++k) {
+            const Vec3 is = drawn.frame.toWorld(points[k]);
+            const Vec3 was = before.frame.toWorld(before.shape->contour().points()[k]);
+            QVERIFY((is - was).norm() < 1e-6);
+        }
+    }
 }
 
 QTEST_GUILESS_MAIN(TestCutleryHolder)
