@@ -3,6 +3,7 @@
 #include "core/interaction/transform_tool.h"
 #include "core/model/origin.h"
 #include "ui/actions/action_set.h"
+#include "ui/theme.h"
 #include "ui/workbench.h"
 
 #include <QMenu>
@@ -105,6 +106,9 @@ void ContextMenu::open(const char *key, const QPoint &inView)
     menu->setObjectName(QStringLiteral("contextMenu"));
     menu->setAttribute(Qt::WA_DeleteOnClose);
     m_actions.fill(menu, key);
+    dress(menu);
+    for (QMenu *deeper : menu->findChildren<QMenu *>())
+        dress(deeper);
     menu->popup(m_view->mapToGlobal(inView));
 }
 

@@ -53,7 +53,8 @@ void FieldStyle::drawPrimitive(PrimitiveElement element, const QStyleOption *opt
         return;
     }
     QProxyStyle::drawPrimitive(element, option, painter, widget);
-    if (element == PE_FrameLineEdit)
+    if (element == PE_FrameLineEdit || element == PE_IndicatorCheckBox ||
+        element == PE_IndicatorItemViewItemCheck)
         drawBorder(painter, option);
 }
 

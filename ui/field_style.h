@@ -1,5 +1,6 @@
-// Fusion, but fields have the border that the theme gives them (three to one against the window,
-// which Fusion's own is not in dark), and a frame in the accent's colour while they have the focus.
+// Fusion, but fields and check boxes have the border that the theme gives them (three to one
+// against the window, which Fusion's own is not in dark), and a frame in the accent's colour while
+// they have the focus.
 // A selected row is of one colour from edge to edge. The frame of FocusFrame lies over the edge of
 // its widget.
 #pragma once

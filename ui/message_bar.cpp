@@ -10,6 +10,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include <initializer_list>
 #include <utility>
 
 namespace fff::ui {
@@ -33,13 +34,13 @@ MessageBar::MessageBar(QWidget *parent) : QFrame(parent)
     m_unfold->setObjectName(QStringLiteral("messageUnfold"));
     m_unfold->setCheckable(true);
     connect(m_unfold, &QPushButton::toggled, m_details, &QWidget::setVisible);
-    auto *close = new QToolButton(this);
-    close->setObjectName(QStringLiteral("closeMessage"));
-    close->setIcon(themedIcon(QStringLiteral("close")));
-    close->setIconSize({16, 16});
-    close->setToolTip(tr("Close this message"));
-    close->setAccessibleName(tr("Close this message"));
-    connect(close, &QToolButton::clicked, this, &MessageBar::close);
+    m_close = new QToolButton(this);
+    m_close->setObjectName(QStringLiteral("closeMessage"));
+    m_close->setIcon(themedIcon(QStringLiteral("close")));
+    m_close->setIconSize({16, 16});
+    m_close->setToolTip(tr("Close this message"));
+    m_close->setAccessibleName(tr("Close this message"));
+    connect(m_close, &QToolButton::clicked, this, &MessageBar::close);
 
     auto *words = new QVBoxLayout;
     words->setSpacing(4);
@@ -58,7 +59,7 @@ MessageBar::MessageBar(QWidget *parent) : QFrame(parent)
     row->addWidget(m_icon, 0, Qt::AlignTop);
     row->addLayout(words, 1);
     row->addLayout(verbs);
-    row->addWidget(close, 0, Qt::AlignTop);
+    row->addWidget(m_close, 0, Qt::AlignTop);
     hide();
 }
 
@@ -121,6 +122,9 @@ void MessageBar::setVerbs(std::vector<Verb> verbs)
 
 void MessageBar::refresh()
 {
+    // A single line stands level with the buttons beside it.
+    for (QWidget *inFirstLine : std::initializer_list<QWidget *>{m_icon, m_text, m_close})
+        inFirstLine->setMinimumHeight(m_unfold->sizeHint().height());
     struct Look
     {
         QString name, icon;

@@ -10,6 +10,7 @@
 class QHBoxLayout;
 class QLabel;
 class QPushButton;
+class QToolButton;
 
 namespace fff::ui {
 
@@ -52,6 +53,7 @@ private:
     QLabel *m_text = nullptr;
     QLabel *m_details = nullptr;
     QPushButton *m_unfold = nullptr;
+    QToolButton *m_close = nullptr;
     QHBoxLayout *m_verbRow = nullptr;
     std::vector<QPushButton *> m_verbs;
 };

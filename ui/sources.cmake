@@ -41,6 +41,7 @@ target_sources(fff_ui PRIVATE
     files/document_files.cpp
     files/exporting.cpp
     files/failures.cpp
+    files/file_dialog.cpp
     files/file_drop.cpp
     files/file_stamp.cpp
     files/progress.cpp

@@ -6,6 +6,7 @@
 #include "tests/ui/view_hand.h"
 #include "tests/ui/window_program.h"
 #include "ui/files/document_files.h"
+#include "ui/theme.h"
 
 #include <QMenu>
 
@@ -33,6 +34,7 @@ private Q_SLOTS:
     void onWhatIsSelectedAllStays();
     void onAPoint();
     void onASectionThatIsMade();
+    void inTheColoursOfTheTheme();
     void besideEverything();
     void aDragTurnsTheView();
     void byKey();
@@ -101,6 +103,22 @@ void TestContextMenu::onASection()
     choose("edit.duplicate");
     QTRY_COMPARE(count(), std::size_t(3));
     QVERIFY(!menu());
+}
+
+// Wrong: in dark its icons, which are light then, would lie on white.
+void TestContextMenu::inTheColoursOfTheTheme()
+{
+    settings().setColourScheme(ColourScheme::Dark);
+    rightClick(placeOf(0));
+    QTRY_VERIFY(menu());
+    QCOMPARE(menu()->palette().color(QPalette::Window), theme().palette().color(QPalette::Window));
+    const QList<QMenu *> deeper = menu()->findChildren<QMenu *>();
+    QVERIFY(!deeper.isEmpty());
+    for (const QMenu *one : deeper)
+        QCOMPARE(one->palette().color(QPalette::Window), theme().palette().color(QPalette::Window));
+    menu()->close();
+    QTRY_VERIFY(!menu());
+    settings().setColourScheme(ColourScheme::System);
 }
 
 // Wrong: a menu on one of several would leave only that one selected.

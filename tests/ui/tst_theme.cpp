@@ -2,10 +2,14 @@
 #include <QTest>
 
 #include "tests/ui/contrast.h"
+#include "ui/field_style.h"
 #include "ui/settings/settings.h"
 #include "ui/theme.h"
 
 #include <QApplication>
+#include <QImage>
+#include <QPainter>
+#include <QStyleOptionButton>
 #include <QTemporaryDir>
 #include <QWidget>
 
@@ -105,6 +109,36 @@ private Q_SLOTS:
         QVERIFY(contrast(v.accent, v.casing) >= 7.0);
         QCOMPARE(v.hoverAlpha, 1.0);
         QCOMPARE(v.top, v.bottom); // no gradient
+    }
+
+    void aCheckBoxIsSeenUnchecked_data() { everyTextCanBeRead_data(); }
+
+    /// Wrong: in dark, what could be checked would be a shade of the window.
+    void aCheckBoxIsSeenUnchecked()
+    {
+        QFETCH(int, scheme);
+        QFETCH(bool, isSystemDark);
+        const QPalette before = QApplication::palette();
+        QApplication::setPalette(
+            QPalette(isSystemDark ? QColor(0x30, 0x30, 0x30) : QColor(0xf0, 0xf0, 0xf0)));
+        settings().setColourScheme(static_cast<ColourScheme>(scheme));
+        QWidget window;
+        applyTheme(&window);
+        QApplication::setPalette(before);
+        FieldStyle style;
+        QStyleOptionButton option;
+        option.rect = {4, 4, 14, 14};
+        option.palette = theme().palette();
+        option.state = QStyle::State_Enabled | QStyle::State_Off;
+        QImage image(22, 22, QImage::Format_RGB32);
+        image.fill(theme().window);
+        QPainter painter(&image);
+        style.drawPrimitive(QStyle::PE_IndicatorCheckBox, &option, &painter, nullptr);
+        painter.end();
+        for (int i = 8; i < 14; ++i) { // between the corners
+            QVERIFY(contrast(image.pixelColor(i, 4), theme().window) >= 3.0 - 1e-9);
+            QVERIFY(contrast(image.pixelColor(4, i), theme().window) >= 3.0 - 1e-9);
+        }
     }
 
 private:

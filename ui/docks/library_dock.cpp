@@ -5,6 +5,7 @@
 #include "core/io/file_set.h"
 #include "core/operations/excerpt.h"
 #include "ui/docks/dock_title.h"
+#include "ui/files/file_dialog.h"
 #include "ui/icon.h"
 #include "ui/settings/settings.h"
 #include "ui/start/card_grid.h"
@@ -16,7 +17,6 @@
 #include <QDir>
 #include <QEvent>
 #include <QFile>
-#include <QFileDialog>
 #include <QLabel>
 #include <QPushButton>
 #include <QRegularExpression>
@@ -123,10 +123,11 @@ void LibraryDock::setFolder(const QString &folder)
 
 void LibraryDock::chooseFolder()
 {
-    const QString chosen =
-        QFileDialog::getExistingDirectory(window(), tr("The folder of your library"), folder());
-    if (!chosen.isEmpty())
-        setFolder(chosen);
+    FileDialog dialog(window(), tr("The folder of your library"), folder());
+    dialog.setFileMode(QFileDialog::Directory);
+    dialog.setOption(QFileDialog::ShowDirsOnly);
+    if (dialog.exec() == QDialog::Accepted)
+        setFolder(dialog.selectedFiles().constFirst());
 }
 
 void LibraryDock::addSelection()

@@ -6,6 +6,7 @@
 #include "core/session/journal.h"
 #include "ui/files/exporting.h"
 #include "ui/files/failures.h"
+#include "ui/files/file_dialog.h"
 #include "ui/files/progress.h"
 #include "ui/message_bar.h"
 #include "ui/naming.h"
@@ -15,7 +16,6 @@
 #include "ui/theme.h"
 #include "ui/workbench.h"
 
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QMessageBox>
 #include <QPushButton>
@@ -51,9 +51,8 @@ bool DocumentFiles::startNew()
 
 bool DocumentFiles::open()
 {
-    QFileDialog dialog(&m_window, tr("Open a model"), folder(),
-                       tr("Models (*.fff *.txt);;All files (*)"));
-    dialog.setPalette(theme().palette());
+    FileDialog dialog(&m_window, tr("Open a model"), folder(),
+                      tr("Models (*.fff *.txt);;All files (*)"));
     dialog.setFileMode(QFileDialog::ExistingFiles);
     if (dialog.exec() != QDialog::Accepted)
         return false;
@@ -63,18 +62,16 @@ bool DocumentFiles::open()
 
 bool DocumentFiles::insert()
 {
-    QFileDialog dialog(&m_window, tr("Insert a model"), folder(),
-                       tr("Models (*.fff *.txt);;All files (*)"));
-    dialog.setPalette(theme().palette());
+    FileDialog dialog(&m_window, tr("Insert a model"), folder(),
+                      tr("Models (*.fff *.txt);;All files (*)"));
     dialog.setFileMode(QFileDialog::ExistingFile);
     return dialog.exec() == QDialog::Accepted && insertFile(dialog.selectedFiles().constFirst());
 }
 
 QString DocumentFiles::askForDrawing()
 {
-    QFileDialog dialog(&m_window, tr("Import a drawing"), folder(),
-                       tr("Drawings (*.svg);;All files (*)"));
-    dialog.setPalette(theme().palette());
+    FileDialog dialog(&m_window, tr("Import a drawing"), folder(),
+                      tr("Drawings (*.svg);;All files (*)"));
     dialog.setFileMode(QFileDialog::ExistingFile);
     return dialog.exec() == QDialog::Accepted ? dialog.selectedFiles().constFirst() : QString();
 }
@@ -294,8 +291,7 @@ QString DocumentFiles::baseName() const
 QString DocumentFiles::askForTarget(const QString &title, const QString &filter,
                                     const QString &suffix)
 {
-    QFileDialog dialog(&m_window, title, folder(), filter);
-    dialog.setPalette(theme().palette());
+    FileDialog dialog(&m_window, title, folder(), filter);
     dialog.setAcceptMode(QFileDialog::AcceptSave);
     dialog.setDefaultSuffix(suffix);
     dialog.selectFile(baseName() + u'.' + suffix);

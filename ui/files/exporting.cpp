@@ -6,15 +6,14 @@
 #include "core/io/obj_writer.h"
 #include "core/session/cutting_file.h"
 #include "ui/files/failures.h"
+#include "ui/files/file_dialog.h"
 #include "ui/files/progress.h"
 #include "ui/files/replace_question.h"
 #include "ui/lengths.h"
 #include "ui/message_bar.h"
 #include "ui/status_line.h"
-#include "ui/theme.h"
 #include "ui/workbench.h"
 
-#include <QFileDialog>
 #include <QFileInfo>
 
 namespace fff::ui {
@@ -35,9 +34,8 @@ bool Exporting::ask(const QString &suggestion)
     const QString drawings = tr("Drawings for cutters (*.svg)"),
                   sheets = tr("Drawings for cutters, one for each sheet (*.svg)"),
                   solids = tr("Solids for other programs (*.obj)");
-    QFileDialog dialog(&m_window, tr("Export cutting files"), QFileInfo(suggestion).absolutePath(),
-                       QStringList{drawings, sheets, solids}.join(QStringLiteral(";;")));
-    dialog.setPalette(theme().palette());
+    FileDialog dialog(&m_window, tr("Export cutting files"), QFileInfo(suggestion).absolutePath(),
+                      QStringList{drawings, sheets, solids}.join(QStringLiteral(";;")));
     dialog.setAcceptMode(QFileDialog::AcceptSave);
     dialog.setDefaultSuffix(kDrawing);
     dialog.selectFile(QFileInfo(suggestion).fileName() + u'.' + kDrawing);

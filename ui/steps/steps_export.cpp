@@ -3,15 +3,14 @@
 #include "core/io/document_file.h"
 #include "core/io/file_set.h"
 #include "ui/files/failures.h"
+#include "ui/files/file_dialog.h"
 #include "ui/files/progress.h"
 #include "ui/files/replace_question.h"
 #include "ui/message_bar.h"
 #include "ui/properties/stock_choice.h"
 #include "ui/settings/settings.h"
 #include "ui/status_line.h"
-#include "ui/theme.h"
 
-#include <QFileDialog>
 #include <QFileInfo>
 
 namespace fff::ui {
@@ -47,10 +46,9 @@ bool StepsExport::ask(const Subject &subject, const QString &suggestion)
 {
     const QString paper = tr("All steps, to print (*.pdf)"),
                   pictures = tr("Pictures, one for each step (*.png)");
-    QFileDialog dialog(&m_window, tr("Export steps"), QFileInfo(suggestion).absolutePath(),
-                       QStringList{paper, pictures}.join(QStringLiteral(";;")));
+    FileDialog dialog(&m_window, tr("Export steps"), QFileInfo(suggestion).absolutePath(),
+                      QStringList{paper, pictures}.join(QStringLiteral(";;")));
     dialog.setObjectName(QStringLiteral("stepsExportDialog"));
-    dialog.setPalette(theme().palette());
     dialog.setAcceptMode(QFileDialog::AcceptSave);
     dialog.setDefaultSuffix(kPaper);
     dialog.selectFile(QFileInfo(suggestion).fileName() + u'.' + kPaper);

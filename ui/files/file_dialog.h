@@ -1,0 +1,19 @@
+// A file dialog in the theme's colours, with all its parts. Where the desktop has one of its own,
+// that is shown instead.
+#pragma once
+
+#include <QFileDialog>
+
+namespace fff::ui {
+
+class FileDialog : public QFileDialog
+{
+public:
+    FileDialog(QWidget *parent, const QString &title, const QString &folder,
+               const QString &filter = {});
+
+protected:
+    void showEvent(QShowEvent *event) override;
+};
+
+} // namespace fff::ui
