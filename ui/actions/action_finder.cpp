@@ -10,8 +10,8 @@ namespace fff::ui {
 
 namespace {
 
-constexpr int kWordStart = 8, kInName = 5, kElsewhere = 2; // points a word
-constexpr int kLeastScattered = 3; // letters; fewer are scattered in every name
+constexpr int kWordStart = 8, kInName = 5, kElsewhere = 2, kInSentence = 1; // points a word
+constexpr int kLeastScattered = 3; // letters; fewer are in every name and sentence
 
 QString withoutMarks(QString text)
 {
@@ -42,7 +42,7 @@ void list(const QMenu &menu, const QString &path, QList<ListedAction> *result)
         if (action->menu())
             list(*action->menu(), path + QStringLiteral(" › ") + name, result);
         else
-            result->append({action, name, path, action->objectName()});
+            result->append({action, name, path, action->objectName(), action->whatsThis()});
     }
 }
 
@@ -85,6 +85,7 @@ int matchScore(const QString &query, const ListedAction &action)
 {
     static const QRegularExpression blanks(QStringLiteral("\\s+"));
     const QString name = folded(action.name), other = folded(action.menuPath) + u' ' + action.id;
+    const QString sentence = folded(action.does);
     const QStringList words = folded(query).split(blanks, Qt::SkipEmptyParts);
     int score = !words.isEmpty() && name.startsWith(words.join(u' ')) ? kWordStart : 0;
     bool isGuess = false;
@@ -95,6 +96,8 @@ int matchScore(const QString &query, const ListedAction &action)
             score += kInName;
         else if (other.contains(word, Qt::CaseInsensitive))
             score += kElsewhere;
+        else if (word.size() >= kLeastScattered && startsAWord(sentence, word))
+            score += kInSentence;
         else if (isScattered(name, word))
             isGuess = true;
         else

@@ -1,5 +1,6 @@
 #include "ui/actions/action_set.h"
 
+#include "core/geometry/figure.h"
 #include "core/interaction/measure_tool.h"
 #include "core/interaction/tool.h"
 #include "ui/actions/action_table.h"
@@ -50,6 +51,7 @@ ActionSet::ActionSet(Workbench &bench, QObject *parent) : QObject(parent), m_ben
         action->setIconText(tr(row.shortText));
         action->setIcon(themedIcon(QLatin1String(row.icon)));
         action->setCheckable(row.isCheckable);
+        action->setWhatsThis(tr(row.tip)); // also while the tooltip says why it cannot be done
         if (row.isForView)
             action->setShortcutContext(Qt::WidgetShortcut);
         const QString id = action->objectName();
@@ -278,6 +280,14 @@ void ActionSet::refresh()
     setAble("measure.keep", measuring && measuring->line(), tr("Nothing is measured"));
     setAble("measure.remove", measuring && measuring->dimension().isValid(),
             tr("No dimension is picked: click one with the tool that measures"));
+    const bool drawsShapes = held == "section.addShape";
+    for (const FigureKind &kind : figureKinds()) {
+        QString id = QString::fromLatin1(kind.key);
+        id = QStringLiteral("section.add") + id.front().toUpper() + id.mid(1);
+        QAction *of = action(id.toLatin1().constData());
+        of->setCheckable(drawsShapes); // of the tool, which one it draws
+        of->setChecked(drawsShapes && interaction.settings().figure == kind.key);
+    }
     action("mark.engrave")->setChecked(!interaction.settings().scores);
     action("mark.score")->setChecked(interaction.settings().scores);
     setAble("section.putOn", hasOne || held == "section.putOn", selectOne);

@@ -127,7 +127,9 @@ void CommandSearch::fill(const QString &query)
         const QString keys = found.action->shortcut().toString(QKeySequence::NativeText);
         const QString mark = found.action->isChecked() ? QStringLiteral("\u2713\u2002") : QString();
         row->setData(NameRole, QString(mark + found.name));
-        row->setData(PathRole, why.isEmpty() ? found.menuPath : why);
+        //: where an action is in the menus, and why it cannot be done now
+        row->setData(PathRole,
+                     why.isEmpty() ? found.menuPath : tr("%1: %2", "why").arg(found.menuPath, why));
         row->setData(KeysRole, keys);
         row->setData(EnabledRole, isEnabled);
         row->setData(ActionRole, QVariant::fromValue<QObject *>(found.action.data()));

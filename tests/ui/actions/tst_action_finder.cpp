@@ -27,15 +27,16 @@ private:
 
 QList<ListedAction> TestActionFinder::some()
 {
-    const auto listed = [](const char *name, const char *menu, const char *id) {
+    const auto listed = [](const char *name, const char *menu, const char *id,
+                           const char *does = "") {
         return ListedAction{nullptr, QString::fromUtf8(name), QString::fromUtf8(menu),
-                            QLatin1String(id)};
+                            QLatin1String(id), QString::fromUtf8(does)};
     };
     return {listed("New", "File", "file.new"),
             listed("Open…", "File", "file.open"),
             listed("Export cutting files…", "File", "file.export"),
             listed("Front", "View", "view.front"),
-            listed("Fit everything", "View", "view.fitAll"),
+            listed("Fit everything", "View", "view.fitAll", "Show the whole model"),
             listed("Fit selection", "View", "view.fitSelection"),
             listed("Rückgängig", "Bearbeiten", "edit.undo")};
 }
@@ -77,6 +78,7 @@ void TestActionFinder::wordsFindActions_data()
     QTest::newRow("upper case") << QStringLiteral("FRONT") << QStringLiteral("view.front");
     QTest::newRow("menu and name") << QStringLiteral("file new") << QStringLiteral("file.new");
     QTest::newRow("letters left out") << QStringLiteral("evrthng") << QStringLiteral("view.fitAll");
+    QTest::newRow("what it does") << QStringLiteral("whole") << QStringLiteral("view.fitAll");
     QTest::newRow("nothing typed yet") << QString() << QStringLiteral("file.new");
 }
 
