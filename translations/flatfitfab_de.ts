@@ -4260,6 +4260,12 @@
         <source>Try another word for it</source>
         <translation>Ein anderes Wort dafür versuchen</translation>
     </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>why</comment>
+        <extracomment>where an action is in the menus, and why it cannot be done now</extracomment>
+        <translation>%1: %2</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::DimensionGroup</name>

@@ -43,6 +43,7 @@
 #include <QCloseEvent>
 #include <QFileInfo>
 #include <QGuiApplication>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QMenuBar>
 #include <QPointer>
@@ -105,7 +106,17 @@ MainWindow::MainWindow(QWidget *parent) : QMainWindow(parent), m_bench(new Workb
             m_view->setFocus();
     });
     connect(m_files, &DocumentFiles::chosen, this, &MainWindow::openFiles);
-    connect(new FileDrop(*this), &FileDrop::dropped, this, &MainWindow::openFiles);
+    connect(new FileDrop(*this), &FileDrop::dropped, this, [this](const QStringList &paths) {
+        QStringList models;
+        for (const QString &path : paths) {
+            if (path.endsWith(QStringLiteral(".svg"), Qt::CaseInsensitive))
+                readDrawing(QStringLiteral("section.importSections"), path);
+            else
+                models += path;
+        }
+        if (!models.isEmpty())
+            openFiles(models);
+    });
     connect(&settings(), &Settings::colourSchemeChanged, this, &MainWindow::refreshTheme);
     const auto tellOfRevert = [this] {
         m_actions->setAble("file.revert", m_files->canRevert(),
@@ -329,9 +340,12 @@ void MainWindow::run(const QString &id)
 /// Asks which one.
 void MainWindow::importDrawing(const QString &command)
 {
-    const QString path = m_files->askForDrawing();
-    if (path.isEmpty())
-        return;
+    if (const QString path = m_files->askForDrawing(); !path.isEmpty())
+        readDrawing(command, path);
+}
+
+void MainWindow::readDrawing(const QString &command, const QString &path)
+{
     showDocument();
     m_bench->run(command, {{"path", path.toStdString()}});
 }
@@ -461,6 +475,14 @@ void MainWindow::closeEvent(QCloseEvent *event)
         return;
     m_layout->save();
     m_unsaved->discard();
+}
+
+/// Esc, where a panel has no use for it, goes back to the view: one step back here as well.
+void MainWindow::keyPressEvent(QKeyEvent *event)
+{
+    QMainWindow::keyPressEvent(event);
+    if (event->key() == Qt::Key_Escape && !event->isAccepted() && isInDock(focusWidget()))
+        m_view->setFocus(Qt::OtherFocusReason);
 }
 
 /// Passes over what lies in docks behind other tabs: Qt goes there too.

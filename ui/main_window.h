@@ -61,6 +61,7 @@ public:
 protected:
     void changeEvent(QEvent *event) override;
     void closeEvent(QCloseEvent *event) override;
+    void keyPressEvent(QKeyEvent *event) override;
     void resizeEvent(QResizeEvent *event) override;
     bool focusNextPrevChild(bool next) override;
     void showEvent(QShowEvent *event) override;
@@ -72,6 +73,7 @@ private:
     void makeMenus();
     void addCommands();
     void importDrawing(const QString &command);
+    void readDrawing(const QString &command, const QString &path);
     void run(const QString &id);
     void openFiles(const QStringList &paths);
     /// The stock editor with this stock; an invalid one: that of the next section.

@@ -88,6 +88,13 @@ void goToPane(QMainWindow &window, QWidget *toolBar, QWidget *view, int step)
     }
 }
 
+bool isInDock(const QWidget *widget)
+{
+    while (widget && !qobject_cast<const QDockWidget *>(widget))
+        widget = widget->parentWidget();
+    return widget != nullptr;
+}
+
 void goInto(QDockWidget &dock)
 {
     dock.show();

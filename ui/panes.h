@@ -14,6 +14,8 @@ void goToPane(QMainWindow &window, QWidget *toolBar, QWidget *view, int step);
 /// False also for what lies in a dock behind another tab, which says that it is visible.
 bool isSeen(const QWidget *widget);
 
+bool isInDock(const QWidget *widget);
+
 /// To the first field of a dock, which is opened for it.
 void goInto(QDockWidget &dock);
 

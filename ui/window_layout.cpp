@@ -60,10 +60,12 @@ void WindowLayout::add(QDockWidget *dock, Place place, bool isShown)
     m_areShown.push_back(isShown ? 1 : 0);
     m_docks.push_back(dock);
     m_places.push_back(place);
-    // Opening one of them from the menu ends the hiding of all.
+    // Opening one of them from the menu ends the hiding of all, and it is in front of its tabs.
     connect(dock->toggleViewAction(), &QAction::triggered, this, [this, dock](bool shows) {
         if (shows && m_isHidden)
             show(dock);
+        if (shows)
+            dock->raise();
     });
 }
 

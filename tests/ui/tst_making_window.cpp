@@ -2,19 +2,27 @@
 #include <QTest> // first: moc cannot read some of the standard library before it
 
 #include "core/interaction/tool.h"
+#include "core/io/document_file.h"
+#include "core/io/svg_reader.h"
 #include "core/model/figures.h"
 #include "tests/ui/view_hand.h"
 #include "tests/ui/window_program.h"
 #include "ui/docks/library_dock.h"
+#include "ui/panes.h"
 #include "ui/start/model_card.h"
 
 #include <QAccessible>
 #include <QComboBox>
 #include <QDoubleSpinBox>
+#include <QFile>
+#include <QFileDialog>
 #include <QLineEdit>
 #include <QPlainTextEdit>
 #include <QPushButton>
+#include <QTemporaryDir>
+#include <QTimer>
 #include <QToolButton>
+#include <algorithm>
 
 using namespace fff;
 using namespace fff::ui;
@@ -38,8 +46,11 @@ private Q_SLOTS:
     void namesThatFollow();
     void laterRowsHaveTheColours();
     void aPartOfTheLibrary();
+    void theLibraryComesToTheFront();
     void theViewSaysWhatIsSelected();
     void everythingHasAName();
+    void escLeadsBackToTheView_data();
+    void escLeadsBackToTheView();
     void byKeysAlone();
 
 private:
@@ -261,6 +272,16 @@ void TestMakingWindow::aPartOfTheLibrary()
     QVERIFY(session().committed().section(1)->shape->bounds().size().isApprox(size()));
 }
 
+// Wrong: who opens it would see a new tab, and what was in front before.
+void TestMakingWindow::theLibraryComesToTheFront()
+{
+    auto *dock = m_window->findChild<LibraryDock *>();
+    QVERIFY(dock);
+    QVERIFY(!isSeen(dock));
+    dock->toggleViewAction()->trigger();
+    QTRY_VERIFY(isSeen(dock));
+}
+
 // Wrong: who does not see the view would not know what is selected in it.
 void TestMakingWindow::theViewSaysWhatIsSelected()
 {
@@ -309,6 +330,32 @@ void TestMakingWindow::everythingHasAName()
 }
 
 // New, a first section by typed points, a second one across it, moved by numbers: no mouse.
+void TestMakingWindow::escLeadsBackToTheView_data()
+{
+    QTest::addColumn<QString>("field");
+    QTest::newRow("a number") << QStringLiteral("sectionThickness");
+    QTest::newRow("the name") << QStringLiteral("propertiesName");
+}
+
+// Wrong: keys of tools would be typed into a field until one clicks elsewhere, or what was typed
+// and given up would be entered.
+void TestMakingWindow::escLeadsBackToTheView()
+{
+    QFETCH(QString, field);
+    addPlate();
+    bench().select({session().committed().section(0)->ref()});
+    auto *edit = m_window->findChild<QWidget *>(field);
+    QVERIFY(edit);
+    edit->setFocus();
+    QTRY_VERIFY(edit->hasFocus());
+    const int before = steps();
+    QTest::keyClick(edit, Qt::Key_A, Qt::ControlModifier);
+    QTest::keyClicks(edit, QStringLiteral("7"));
+    QTest::keyClick(edit, Qt::Key_Escape);
+    QTRY_VERIFY(m_view->hasFocus());
+    QCOMPARE(steps(), before);
+}
+
 void TestMakingWindow::byKeysAlone()
 {
     const auto send = [](Qt::Key which, Qt::KeyboardModifiers keys = {}) {
@@ -362,6 +409,27 @@ void TestMakingWindow::byKeysAlone()
     QTRY_VERIFY(m_view->hasFocus());
     QVERIFY(std::abs((session().committed().section(1)->frame.origin - before).norm() - 40.0) <
             1e-6);
+    // The cutting file, named in the dialog.
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("cross.svg"));
+    QTimer dialogs;
+    connect(&dialogs, &QTimer::timeout, &dialogs, [&] {
+        if (!qobject_cast<QFileDialog *>(QApplication::activeModalWidget()))
+            return;
+        dialogs.stop();
+        send(Qt::Key_A, Qt::ControlModifier);
+        type(qPrintable(path));
+        QTest::keyPress(QApplication::focusWidget(), Qt::Key_Return);
+    });
+    dialogs.start(20);
+    send(Qt::Key_E, Qt::ControlModifier | Qt::ShiftModifier);
+    QTRY_VERIFY(QFile::exists(path));
+    const Result<std::string> file = io::readFile(path);
+    QVERIFY(file);
+    const Result<io::SvgDrawing> drawing = io::readSvg(*file);
+    QVERIFY(drawing && drawing->isCuttingFile);
+    const auto isCut = [](const io::SvgDrawing::Line &line) { return line.stroke == "#ff0000"; };
+    QCOMPARE(std::count_if(drawing->lines.begin(), drawing->lines.end(), isCut), 2); // the parts
 }
 
 QTEST_MAIN(TestMakingWindow)

@@ -346,7 +346,8 @@ std::span<const MenuRow> Texts::menus()
         {QT_TR_NOOP("P&oints"),
          "point.insert point.delete | point.smooth point.symmetric point.corner", "points"},
         {"",
-         "section.transform section.redraw section.addHole section.removeHoles >shapes | edit.cut "
+         "section.transform section.redraw section.addHole section.removeHoles >shapes >drawing "
+         "section.mark | edit.cut "
          "edit.copy "
          "edit.paste edit.duplicate >mirrorCopy edit.delete | section.putOn section.free "
          "section.makeOrthogonal section.snapNormal section.lock | view.faceSelection "
@@ -372,7 +373,8 @@ std::span<const MenuRow> Texts::menus()
          "context.contour"},
         {"", "joint.flip joint.reset | view.fitSelection", "context.joint"},
         {"",
-         "edit.paste | edit.selectAll view.showAll | >plane section.pen >shapes | view.fitAll "
+         "edit.paste | edit.selectAll view.showAll | >plane section.pen >shapes >drawing | "
+         "measure.ruler measure.dimension | view.fitAll "
          "view.iso "
          "view.front view.top view.right view.previous | view.perspective view.xray view.clip",
          "context.empty"},

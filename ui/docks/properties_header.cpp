@@ -11,6 +11,7 @@
 
 #include <QCheckBox>
 #include <QGridLayout>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
 
@@ -65,7 +66,18 @@ PropertiesHeader::PropertiesHeader(Workbench &bench, QWidget *parent)
         m_bench.run(QStringLiteral("operation.switch"), {{"on", isOn ? "true" : "false"}});
     });
     connect(m_name, &QLineEdit::editingFinished, this, &PropertiesHeader::rename);
+    m_name->installEventFilter(this);
     refresh();
+}
+
+/// Esc takes back what was typed, before the field loses the focus and renames.
+bool PropertiesHeader::eventFilter(QObject *watched, QEvent *event)
+{
+    if (event->type() == QEvent::KeyPress &&
+        static_cast<QKeyEvent *>(event)->key() == Qt::Key_Escape)
+        while (m_name->isUndoAvailable())
+            m_name->undo();
+    return QWidget::eventFilter(watched, event);
 }
 
 void PropertiesHeader::refresh()

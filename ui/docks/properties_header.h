@@ -30,6 +30,9 @@ public:
     /// Reads everything again; also for another theme.
     void refresh();
 
+protected:
+    bool eventFilter(QObject *watched, QEvent *event) override;
+
 private:
     QString kindOf(int section) const;
     QString kindOf(const Operation &operation) const;

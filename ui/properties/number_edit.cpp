@@ -81,6 +81,14 @@ void NumberEdit::setNumber(std::optional<double> number)
     m_isSetting = false;
 }
 
+/// What was typed and not entered.
+void NumberEdit::takeBack()
+{
+    m_settled.stop();
+    lineEdit()->setModified(false);
+    setNumber(m_shown);
+}
+
 void NumberEdit::announce()
 {
     m_settled.stop();
@@ -182,6 +190,8 @@ void NumberEdit::keyPressEvent(QKeyEvent *event)
     }
     if (QToolTip::isVisible())
         QToolTip::hideText();
+    if (event->key() == Qt::Key_Escape && lineEdit()->isModified())
+        takeBack();
     QDoubleSpinBox::keyPressEvent(event);
 }
 

@@ -57,6 +57,7 @@ protected:
 
 private:
     void announce();
+    void takeBack();
     void showNothing();
     bool isSpecial(const QString &text) const;
     Expression readWithUnit(const QString &text) const;
