@@ -2,6 +2,7 @@
 
 #include "core/base/tolerances.h"
 #include "core/geometry/boolean.h"
+#include "core/geometry/convex_hull.h"
 #include "core/geometry/line_clip.h"
 
 #include <algorithm>
@@ -29,17 +30,18 @@ std::vector<Contour> clippedContour(const Contour &contour, const std::vector<Co
     return inside;
 }
 
+/// Whether a convex contour of the clip has all of the box: nothing is cut then, and what is in it
+/// stays exactly what it is. False where that is not known.
 bool contains(const std::vector<Contour> &clip, const Box2 &box)
 {
     return std::any_of(clip.begin(), clip.end(), [&box](const Contour &contour) {
         const Polygon corners = contour.polygon(kCutChord);
-        Region region{corners, {}};
-        if (corners.size() != 4)
-            return false;
-        return locate(box.min, region) != Side::Outside &&
-               locate(box.max, region) != Side::Outside &&
-               locate({box.min.x(), box.max.y()}, region) != Side::Outside &&
-               locate({box.max.x(), box.min.y()}, region) != Side::Outside;
+        const auto has = [&corners](double x, double y) {
+            return locate(Vec2(x, y), corners) != Side::Outside;
+        };
+        return convexHull(corners).size() == corners.size() && has(box.min.x(), box.min.y()) &&
+               has(box.max.x(), box.min.y()) && has(box.max.x(), box.max.y()) &&
+               has(box.min.x(), box.max.y());
     });
 }
 

@@ -166,7 +166,7 @@ private:
     {
         SvgSubpath &path = m_data.subpaths.back();
         if (!path.isClosed) {
-            line(path.points.front());
+            line(Vec2(path.points.front())); // a copy: the points grow
             path.isClosed = true;
         }
         m_at = path.points.front();

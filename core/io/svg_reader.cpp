@@ -130,7 +130,7 @@ void Reader::enter(const pugi::xml_node &node, State &state)
             state.transform = state.transform * *own;
         else
             m_source.fail(ErrorCode::BadValue, node,
-                          {transform, QT_TRANSLATE_NOOP("Error", "a transform")});
+                          {quoted(transform), QT_TRANSLATE_NOOP("Error", "a transform")});
     }
     clip(node, state);
 }
@@ -139,7 +139,10 @@ void Reader::clip(const pugi::xml_node &node, State &state)
 {
     const std::string target = urlTarget(m_source.property(node, "clip-path"));
     const pugi::xml_node found = m_source.named(target);
-    if (target.empty() || !found || m_clipped || m_source.error())
+    // In units of a box that is known only when all is drawn: what is there is better than nothing.
+    const bool isOfBox =
+        std::strcmp(found.attribute("clipPathUnits").value(), "objectBoundingBox") == 0;
+    if (target.empty() || !found || isOfBox || m_clipped || m_source.error())
         return;
     std::vector<Contour> contours;
     m_clipped = &contours;

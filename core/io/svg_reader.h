@@ -24,8 +24,8 @@ struct SvgDrawing
 };
 
 /// Reads paths (all commands), rectangles, circles, ellipses, lines, polylines and polygons, in
-/// groups, nested drawings, `use` and symbols, under transforms; what is clipped is clipped; what
-/// is not displayed is left out.
+/// groups, nested drawings, `use` and symbols, under transforms; what is clipped is clipped, except
+/// by clip paths in units of a box; what is not displayed is left out.
 ///
 /// Units  width and height of the root say how long a user unit is; without a unit, or in px, 96 of
 ///        them are an inch, in files of Illustrator 72 and of Inkscape before 0.92 90, as those

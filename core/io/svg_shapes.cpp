@@ -1,6 +1,7 @@
 #include "core/io/svg_shapes.h"
 
 #include "core/geometry/bezier.h"
+#include "core/io/loaded_document.h"
 
 #include <QtCore/QCoreApplication>
 #include <algorithm>
@@ -85,8 +86,7 @@ std::vector<SvgSubpath> corners(SvgSource &source, const pugi::xml_node &node, b
         const std::optional<double> y = x ? numbers.number() : std::nullopt;
         if (!y) {
             source.fail(ErrorCode::BadValue, node,
-                        {std::string(numbers.rest().substr(0, 20)),
-                         QT_TRANSLATE_NOOP("Error", "pairs of numbers")});
+                        {quoted(numbers.rest()), QT_TRANSLATE_NOOP("Error", "pairs of numbers")});
             return {};
         }
         lineTo(path.points, {*x, *y});
@@ -120,7 +120,7 @@ std::vector<SvgSubpath> svgShape(SvgSource &source, const pugi::xml_node &node, 
     SvgPathData path = svgPath(data);
     if (!path.isWhole)
         source.fail(ErrorCode::BadValue, node,
-                    {path.rest.substr(0, 20), QT_TRANSLATE_NOOP("Error", "path data")});
+                    {quoted(path.rest), QT_TRANSLATE_NOOP("Error", "path data")});
     return std::move(path.subpaths);
 }
 

@@ -1,5 +1,6 @@
 #include "core/io/svg_source.h"
 
+#include "core/io/loaded_document.h"
 #include "core/io/svg_reader.h"
 #include "core/io/svg_values.h"
 
@@ -14,10 +15,9 @@ namespace {
 /// What stands there, on that line, short.
 std::string shownAt(std::string_view bytes, std::ptrdiff_t offset)
 {
-    constexpr std::size_t kShown = 20;
     const auto from = static_cast<std::size_t>(std::max<std::ptrdiff_t>(offset, 0));
-    const std::string_view rest = bytes.substr(std::min(from, bytes.size()), kShown);
-    return std::string(rest.substr(0, rest.find_first_of("\r\n")));
+    const std::string_view rest = bytes.substr(std::min(from, bytes.size()));
+    return quoted(rest.substr(0, rest.find_first_of("\r\n")));
 }
 
 } // namespace
@@ -78,7 +78,7 @@ bool SvgSource::parse()
                         {shownAt(m_bytes, parsed.offset), QT_TRANSLATE_NOOP("Error", "XML")}};
     else if (localName(root()) != "svg")
         fail(ErrorCode::BadSyntax, root(),
-             {root().name(), QT_TRANSLATE_NOOP("Error", "an SVG drawing")});
+             {quoted(root().name()), QT_TRANSLATE_NOOP("Error", "an SVG drawing")});
     else
         index();
     return !m_error;
@@ -127,7 +127,7 @@ double SvgSource::length(const pugi::xml_node &node, const char *name, double pe
     const std::optional<double> value = svgLength(attribute.value(), percentOf);
     if (!value)
         fail(ErrorCode::BadValue, node,
-             {attribute.value(), QT_TRANSLATE_NOOP("Error", "a length")});
+             {quoted(attribute.value()), QT_TRANSLATE_NOOP("Error", "a length")});
     return value.value_or(otherwise);
 }
 
