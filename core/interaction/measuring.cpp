@@ -106,11 +106,14 @@ std::optional<MeasuredPlace> measuredPlaceAt(const Vec2 &position, bool snaps,
         return MeasuredPlace{hits.front().point, anchorOn(&section, hits.front().point)};
     }
     const Frame ground{Vec3::Zero(), Vec3::UnitX(), -Vec3::UnitZ()};
-    const std::optional<Vec2> at = pointOnPlane(context.camera, context.viewport, ground, position);
-    if (!at)
-        return std::nullopt;
-    const Vec3 point = ground.toWorld(*at);
-    return MeasuredPlace{point, anchorOn(nullptr, point)};
+    const Frame facing{Vec3::Zero(), context.camera.right(), context.camera.up()};
+    for (const Frame &plane : {ground, facing})
+        if (const std::optional<Vec2> at =
+                pointOnPlane(context.camera, context.viewport, plane, position)) {
+            const Vec3 point = plane.toWorld(*at);
+            return MeasuredPlace{point, anchorOn(nullptr, point)};
+        }
+    return std::nullopt;
 }
 
 DimensionId dimensionAt(const Vec2 &position, const GestureContext &context)

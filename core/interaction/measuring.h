@@ -16,8 +16,9 @@ struct MeasuredPlace
 };
 
 /// What is meant at a place of the screen: a control point or a corner of a slit nearby, else the
-/// nearest place of a contour nearby, else the section under it, else the ground. With `snaps`
-/// false what is under it to the pixel. Nothing in the air.
+/// nearest place of a contour nearby, else the section under it, else the ground, and where that
+/// cannot be seen, the plane through the origin that faces the view. With `snaps` false what is
+/// under it to the pixel.
 std::optional<MeasuredPlace> measuredPlaceAt(const Vec2 &position, bool snaps,
                                              const GestureContext &context);
 
