@@ -32,6 +32,7 @@ constexpr NumberEdit::Range kAngle{-360.0, 360.0, 0.5, 1, 3};
 constexpr NumberEdit::Range kPercent{1.0, 10000.0, 5.0, 0, 2};
 constexpr NumberEdit::Range kCopies{0.0, 500.0, 1.0, 0, 0};
 constexpr int kFieldWidth = 104, kNarrowField = 88; // px
+constexpr int kFewFields = 3;                       // in a row of a view that is not wide
 
 /// Numbers of points come and go with what is typed; others stay with their tool.
 bool isOfPoint(ToolNumber::Kind kind)
@@ -292,7 +293,7 @@ bool CanvasBar::eventFilter(QObject *object, QEvent *event)
     return QFrame::eventFilter(object, event);
 }
 
-/// The commands stand below the fields.
+/// The commands stand below the fields, beside a single one where there is room.
 void CanvasBar::arrange(int fieldsInRow)
 {
     int shown = 0;
@@ -302,14 +303,17 @@ void CanvasBar::arrange(int fieldsInRow)
         m_grid->addWidget(field.edit, row, column + 1);
         shown += field.edit->isVisibleTo(this) ? 1 : 0;
     }
-    m_grid->addWidget(m_buttons, (shown + fieldsInRow - 1) / fieldsInRow, 0, 1,
-                      std::max(1, 2 * std::min(shown, fieldsInRow)), Qt::AlignLeft);
+    if (shown == 1 && fieldsInRow > kFewFields)
+        m_grid->addWidget(m_buttons, 0, 2);
+    else
+        m_grid->addWidget(m_buttons, (shown + fieldsInRow - 1) / fieldsInRow, 0, 1,
+                          std::max(1, 2 * std::min(shown, fieldsInRow)), Qt::AlignLeft);
     m_grid->activate();
 }
 
 void CanvasBar::place()
 {
-    for (const int fieldsInRow : {static_cast<int>(m_fields.size()), 3, 2}) {
+    for (const int fieldsInRow : {static_cast<int>(m_fields.size()), kFewFields, 2}) {
         arrange(fieldsInRow);
         if (sizeHint().width() <= parentWidget()->width() - 2 * kBelow)
             break;
