@@ -53,9 +53,11 @@ std::vector<CurvePath> clippedPath(const CurvePath &path, const std::vector<Cont
         return {path};
     std::vector<CurvePath> left;
     if (!path.isClosed()) {
+        std::vector<Contour> alike; // running the same way, so that they unite
         for (const Contour &contour : clip)
-            for (const Polygon &piece :
-                 clippedLine(path.flatten(kCutChord), {contour.polygon(kCutChord), {}}))
+            alike.push_back(contour.signedArea() < 0.0 ? contour.reversed() : contour);
+        for (const CurvedRegion &region : windingRegions(alike, WindingRule::NonZero, kCutChord))
+            for (const Polygon &piece : clippedLine(path.flatten(kCutChord), region.region))
                 if (Result<CurvePath> cut = CurvePath::fromLine(piece))
                     left.push_back(*std::move(cut));
         return left;
