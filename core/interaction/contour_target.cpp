@@ -14,11 +14,6 @@ namespace fff {
 
 namespace {
 
-tl::unexpected<Hint> refused(Hint::Kind kind, const std::string &section = {})
-{
-    return tl::unexpected<Hint>(Hint{kind, section, true});
-}
-
 /// The document after a step that changed one section; nothing when that could not be done.
 tl::expected<DrawnContour, Hint> changed(Result<Document> next, Step::Kind kind,
                                          const Section &section)

@@ -56,15 +56,13 @@ GestureReply DrawTool::begin(GestureContext &context, double)
 
 GestureReply DrawTool::handle(const PointerEvent &event, GestureContext &context)
 {
-    const bool presses =
-        event.type == PointerEvent::Type::Press || event.type == PointerEvent::Type::DoubleClick;
-    if (presses &&
+    if (event.isPress() &&
         !pointOnPlane(context.camera, context.viewport, m_canvas.target.canvas, event.position)) {
         GestureReply refused;
         refused.note = Hint{Hint::Kind::CanvasOnEdge, {}, true};
         return refused;
     }
-    if (presses) {
+    if (event.isPress()) {
         context.camera =
             retargeted(context.camera, m_canvas.target.canvas.origin, context.viewport);
         m_stroke = std::make_unique<StrokeGesture>(event, m_canvas.target, context);

@@ -8,7 +8,6 @@
 #include "core/model/marks.h"
 #include "core/model/mended_shape.h"
 #include "core/model/naming.h"
-#include "core/model/origin.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -17,15 +16,8 @@ namespace fff {
 
 namespace {
 
-/// Between what is there and what comes, mm.
-constexpr double kBeside = 20.0;
 /// Of what is set down on the ground, mm.
 constexpr double kFineChord = 1e-3;
-
-tl::unexpected<Hint> refused(Hint::Kind kind, const std::string &name)
-{
-    return tl::unexpected<Hint>(Hint{kind, name, true});
-}
 
 Box2 boundsOf(const std::vector<CurvePath> &lines)
 {
@@ -76,9 +68,10 @@ template <class Change>
 SectionEdit onSection(const Model &model, const SectionRef &ref, const Drawing &drawing,
                       Change change)
 {
-    if (std::optional<Hint> why = whyNotEdited(model, {ref}))
-        return tl::unexpected(*std::move(why));
-    const Section &section = *originOf(model, ref)->section;
+    const auto drawn = drawnSection(model, ref);
+    if (!drawn)
+        return tl::unexpected(drawn.error());
+    const Section &section = **drawn;
     return change(section, placedOn(section, drawing));
 }
 

@@ -1,8 +1,8 @@
 #include "core/interaction/figure_editing.h"
 
+#include "core/interaction/point_editing.h"
 #include "core/interaction/section_editing.h"
 #include "core/model/figures.h"
-#include "core/model/origin.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,8 +14,6 @@ namespace {
 
 /// A section that rises by less (sine) counts as level.
 constexpr double kLevel = 0.02;
-/// Between sections that stand beside each other, mm.
-constexpr double kBeside = 20.0;
 /// Of a hole that nobody gave a place: of the section's size, and how many places are tried along
 /// each of its sides.
 constexpr double kShare = 1.0 / 3.0;
@@ -25,11 +23,6 @@ constexpr double kRound = 0.5;
 /// Of what is set down on the ground, mm.
 constexpr double kFineChord = 1e-3;
 
-tl::unexpected<Hint> refused(Hint::Kind kind, const std::string &section = {})
-{
-    return tl::unexpected<Hint>(Hint{kind, section, true});
-}
-
 SectionEdit edited(tl::expected<DrawnContour, Hint> drawn)
 {
     if (!drawn)
@@ -37,18 +30,6 @@ SectionEdit edited(tl::expected<DrawnContour, Hint> drawn)
     EditedSections result{std::move(drawn->document), std::move(drawn->step)};
     result.note = std::move(drawn->note);
     return result;
-}
-
-Hint::Kind reasonOf(const Error &error)
-{
-    switch (error.code) {
-    case ErrorCode::SelfCrossing:
-        return Hint::Kind::WouldCrossItself;
-    case ErrorCode::BoundariesMeet:
-        return Hint::Kind::WouldMeetHole;
-    default:
-        return Hint::Kind::EditFailed;
-    }
 }
 
 } // namespace
@@ -82,17 +63,19 @@ SectionEdit addedFigure(const Model &model, Figure figure, const DrawingRules &r
 
 SectionEdit figureHole(const Model &model, const SectionRef &ref, const Figure &figure)
 {
-    if (std::optional<Hint> why = whyNotEdited(model, {ref}))
-        return tl::unexpected(*std::move(why));
-    const Section &section = *originOf(model, ref)->section;
+    const auto drawn = drawnSection(model, ref);
+    if (!drawn)
+        return tl::unexpected(drawn.error());
+    const Section &section = **drawn;
     return edited(drawFigure(model.document, ContourTarget::hole(section), figure, {}));
 }
 
 SectionEdit figureHoleInside(const Model &model, const SectionRef &ref, Figure figure)
 {
-    if (std::optional<Hint> why = whyNotEdited(model, {ref}))
-        return tl::unexpected(*std::move(why));
-    const Section &section = *originOf(model, ref)->section;
+    const auto drawn = drawnSection(model, ref);
+    if (!drawn)
+        return tl::unexpected(drawn.error());
+    const Section &section = **drawn;
     const Box2 box = section.shape->bounds();
     const Vec2 most = Vec2::Constant(kShare * box.size().minCoeff());
     const Vec2 size = sizeOf(figure);
@@ -121,9 +104,10 @@ SectionEdit figureHoleInside(const Model &model, const SectionRef &ref, Figure f
 
 SectionEdit figureContour(const Model &model, const SectionRef &ref, const FigureKind &kind)
 {
-    if (std::optional<Hint> why = whyNotEdited(model, {ref}))
-        return tl::unexpected(*std::move(why));
-    const Section &section = *originOf(model, ref)->section;
+    const auto drawn = drawnSection(model, ref);
+    if (!drawn)
+        return tl::unexpected(drawn.error());
+    const Section &section = **drawn;
     Figure figure = sized(newFigure(kind), section.shape->bounds().size());
     figure.centre = section.shape->bounds().center();
     return edited(drawFigure(model.document, ContourTarget::redraw(section), figure,
@@ -133,12 +117,13 @@ SectionEdit figureContour(const Model &model, const SectionRef &ref, const Figur
 SectionEdit changedFigure(const Model &model, const SectionRef &ref, int boundary,
                           const Figure &figure)
 {
-    if (std::optional<Hint> why = whyNotEdited(model, {ref}))
-        return tl::unexpected(*std::move(why));
-    const Section &section = *originOf(model, ref)->section;
+    const auto drawn = drawnSection(model, ref);
+    if (!drawn)
+        return tl::unexpected(drawn.error());
+    const Section &section = **drawn;
     Result<Document> next = setFigure(model.document, section.id, boundary, figure);
     if (!next)
-        return refused(reasonOf(next.error()), section.name);
+        return refused(whyNoShape(next.error()), section.name);
     Step step{Step::Kind::ChangeFigure, {section.name}};
     step.merges = "figure ";
     step.merges.append(std::to_string(section.id.value))

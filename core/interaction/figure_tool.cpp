@@ -151,8 +151,6 @@ GestureReply FigureTool::handle(const PointerEvent &event, GestureContext &conte
 {
     m_kind = kindOf(context).key;
     faceFirstCanvas(context);
-    const bool presses =
-        event.type == PointerEvent::Type::Press || event.type == PointerEvent::Type::DoubleClick;
     const std::optional<Vec2> at =
         pointOnPlane(context.camera, context.viewport, m_canvas.target.canvas, event.position);
     if (!at)
@@ -166,7 +164,7 @@ GestureReply FigureTool::handle(const PointerEvent &event, GestureContext &conte
     };
     if (!m_press) {
         m_middle = snap(m_middle.value_or(Snap()));
-        if (presses) {
+        if (event.isPress()) {
             m_press = event.position;
             m_isDrag = false;
             m_target = targetAt(m_canvas.target.canvas.toWorld(m_middle->point), context);

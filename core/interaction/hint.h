@@ -1,6 +1,8 @@
 // What the next click or drag does, or why one came to nothing.
 #pragma once
 
+#include "core/base/result.h"
+
 #include <string>
 #include <vector>
 
@@ -143,5 +145,12 @@ struct Hint
     std::vector<int> counts = {};
     bool operator==(const Hint &) const = default;
 };
+
+/// Why an edit is not made: of which section, and which other one.
+inline tl::unexpected<Hint> refused(Hint::Kind kind, const std::string &section = {},
+                                    const std::string &other = {})
+{
+    return tl::unexpected<Hint>(Hint{kind, section, true, other});
+}
 
 } // namespace fff

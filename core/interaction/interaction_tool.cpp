@@ -34,9 +34,7 @@ bool Interaction::Private::toolTakes(const PointerEvent &event)
 
 void Interaction::Private::feedTool(const PointerEvent &event)
 {
-    const bool presses =
-        event.type == PointerEvent::Type::Press || event.type == PointerEvent::Type::DoubleClick;
-    if (presses) {
+    if (event.isPress()) {
         motion.finish();
         motion.history.interrupt();
         note.reset();

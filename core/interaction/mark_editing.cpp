@@ -21,9 +21,10 @@ tl::unexpected<Hint> refused(const Error &error, const std::string &section)
 template <class Edit>
 SectionEdit edited(const Model &model, const SectionRef &ref, Step::Kind kind, Edit edit)
 {
-    if (std::optional<Hint> why = whyNotEdited(model, {ref}))
-        return tl::unexpected(*std::move(why));
-    const Section &section = *originOf(model, ref)->section;
+    const auto drawn = drawnSection(model, ref);
+    if (!drawn)
+        return tl::unexpected(drawn.error());
+    const Section &section = **drawn;
     Result<Document> next = edit(section);
     if (!next)
         return refused(next.error(), section.name);

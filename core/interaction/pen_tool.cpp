@@ -151,12 +151,10 @@ bool PenTool::takes(const PointerEvent &press, GestureContext &context) const
 GestureReply PenTool::handle(const PointerEvent &event, GestureContext &context)
 {
     m_event = event;
-    const bool presses =
-        event.type == PointerEvent::Type::Press || event.type == PointerEvent::Type::DoubleClick;
     if (m_slit)
         return followSlit(event, context);
     faceFirstCanvas(context);
-    if (presses)
+    if (event.isPress())
         return press(event, context);
     if (!m_canvas)
         return {};
@@ -175,7 +173,7 @@ GestureReply PenTool::handle(const PointerEvent &event, GestureContext &context)
 GestureReply PenTool::followSlit(const PointerEvent &event, GestureContext &context)
 {
     const bool wasTurned = m_slit->isTurned();
-    if (event.type == PointerEvent::Type::Press || event.type == PointerEvent::Type::DoubleClick) {
+    if (event.isPress()) {
         // Where the view stands by now, if it has turned; in the turn nobody can aim.
         const bool isInTurn = m_slit->state() == SlitTurn::State::Turn;
         finish(context);

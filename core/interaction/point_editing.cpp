@@ -13,27 +13,6 @@ namespace fff {
 
 namespace {
 
-tl::unexpected<Hint> refused(Hint::Kind kind, const std::string &section = {})
-{
-    return tl::unexpected<Hint>(Hint{kind, section, true});
-}
-
-Hint::Kind reasonOf(const Error &error)
-{
-    switch (error.code) {
-    case ErrorCode::SelfCrossing:
-        return Hint::Kind::WouldCrossItself;
-    case ErrorCode::BoundariesMeet:
-        return Hint::Kind::WouldMeetHole;
-    case ErrorCode::EmptyContour:
-        return Hint::Kind::WouldBeEmpty;
-    case ErrorCode::TooFewPoints:
-        return Hint::Kind::TooFewPoints;
-    default:
-        return Hint::Kind::EditFailed;
-    }
-}
-
 std::vector<Vec2> placesOf(const Shape &shape, const PointSelection &points,
                            const Vec2 &by = Vec2::Zero())
 {
@@ -84,6 +63,22 @@ ShapePointer withImage(const Shape &before, const Shape &after, const Halfplane 
 
 } // namespace
 
+Hint::Kind whyNoShape(const Error &error)
+{
+    switch (error.code) {
+    case ErrorCode::SelfCrossing:
+        return Hint::Kind::WouldCrossItself;
+    case ErrorCode::BoundariesMeet:
+        return Hint::Kind::WouldMeetHole;
+    case ErrorCode::EmptyContour:
+        return Hint::Kind::WouldBeEmpty;
+    case ErrorCode::TooFewPoints:
+        return Hint::Kind::TooFewPoints;
+    default:
+        return Hint::Kind::EditFailed;
+    }
+}
+
 PointEdit withEditedShape(const Document &document, SectionId id, const Result<ShapePointer> &shape,
                           std::span<const Vec2> places, Step step, const PointRules &rules)
 {
@@ -93,7 +88,7 @@ PointEdit withEditedShape(const Document &document, SectionId id, const Result<S
     if (section->isLocked)
         return refused(Hint::Kind::Locked, section->name);
     if (!shape)
-        return refused(reasonOf(shape.error()), section->name);
+        return refused(whyNoShape(shape.error()), section->name);
     EditedPoints edited;
     ShapePointer kept = *shape;
     if (rules.mirror && !(*kept == *section->shape))

@@ -25,6 +25,9 @@ struct EditedPoints
 /// The document, or the refusal that says why there is none.
 using PointEdit = tl::expected<EditedPoints, Hint>;
 
+/// What a shape that could not be made is refused with.
+Hint::Kind whyNoShape(const Error &error);
+
 struct PointRules
 {
     bool cutsAtGround = true; // what is below Y = 0 goes

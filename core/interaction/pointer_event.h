@@ -43,6 +43,9 @@ struct PointerEvent
     double time = 0.0;          // ms, the only clock
     /// More moves are at hand and follow at once: this one is taken in, nothing is shown for it.
     bool isFollowed = false;
+
+    /// The second press of two quick ones comes as a double click.
+    bool isPress() const { return type == Type::Press || type == Type::DoubleClick; }
 };
 
 /// Keys that a tool may use besides the buttons.

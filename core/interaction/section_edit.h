@@ -10,6 +10,9 @@
 
 namespace fff {
 
+/// Between a model and what comes beside it, mm.
+inline constexpr double kBeside = 20.0;
+
 struct EditedSections
 {
     Document document;

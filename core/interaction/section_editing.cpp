@@ -21,14 +21,6 @@ namespace {
 
 /// Two normals that differ by less are the same to whoever typed one (no unit).
 constexpr double kSameNormal = 1e-6;
-/// Between a model and another one that comes beside it, mm.
-constexpr double kBeside = 20.0;
-
-tl::unexpected<Hint> refused(Hint::Kind kind, const std::string &section = {},
-                             const std::string &other = {})
-{
-    return tl::unexpected<Hint>(Hint{kind, section, true, other});
-}
 
 std::vector<std::string> namesOf(const Model &model, const std::vector<SectionRef> &sections)
 {
@@ -111,6 +103,13 @@ std::optional<Hint> whyNotEdited(const Model &model, const std::vector<SectionRe
             return Hint{Hint::Kind::Locked, origin->section->name, true};
     }
     return std::nullopt;
+}
+
+tl::expected<const Section *, Hint> drawnSection(const Model &model, const SectionRef &ref)
+{
+    if (std::optional<Hint> why = whyNotEdited(model, {ref}))
+        return tl::unexpected(*std::move(why));
+    return originOf(model, ref)->section;
 }
 
 SectionEdit transformed(const Model &model, const std::vector<SectionRef> &sections,

@@ -15,6 +15,8 @@ namespace fff {
 
 /// Of these sections the first that cannot be edited, and why.
 std::optional<Hint> whyNotEdited(const Model &model, const std::vector<SectionRef> &sections);
+/// The section of the document that is edited with this one (core/model/origin.h), or why not.
+tl::expected<const Section *, Hint> drawnSection(const Model &model, const SectionRef &ref);
 
 /// All moved by the transform. Steps of the same kind and sections after each other are one with
 /// `merges` (an arrow key pressed again). With a stretch only the first section is, along the axes

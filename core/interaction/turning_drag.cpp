@@ -4,7 +4,7 @@ namespace fff {
 
 bool TurningDrag::handle(const PointerEvent &event, GestureContext &context, GestureReply &reply)
 {
-    if (event.type == PointerEvent::Type::Press || event.type == PointerEvent::Type::DoubleClick) {
+    if (event.isPress()) {
         m_press = event;
         return false;
     }
