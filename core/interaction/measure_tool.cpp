@@ -20,11 +20,6 @@ const Dimension *find(const Document &document, DimensionId id)
     return found == document.dimensions.end() ? nullptr : &*found;
 }
 
-bool presses(const PointerEvent &event)
-{
-    return event.type == PointerEvent::Type::Press || event.type == PointerEvent::Type::DoubleClick;
-}
-
 } // namespace
 
 bool MeasureTool::takes(const PointerEvent &press, GestureContext &context) const
@@ -68,9 +63,9 @@ GestureReply MeasureTool::handle(const PointerEvent &event, GestureContext &cont
 {
     m_place = measuredPlaceAt(event.position, !event.modifiers.control, context);
     m_hovered = m_from ? DimensionId() : dimensionAt(event.position, context);
-    if (presses(event)) {
+    if (event.isPress()) {
         press(event, context);
-        return shown(context);
+        return shown();
     }
     if (m_press && !m_isDrag)
         m_isDrag = (event.position - *m_press).norm() > context.settings.dragThreshold;
@@ -82,7 +77,7 @@ GestureReply MeasureTool::handle(const PointerEvent &event, GestureContext &cont
             m_from.reset();
         }
     }
-    return shown(context);
+    return shown();
 }
 
 /// The line that stays is where its sections are.
@@ -109,14 +104,11 @@ void MeasureTool::follow(const GestureContext &context)
     m_line->to.point = *to;
 }
 
-GestureReply MeasureTool::shown(const GestureContext &context)
+GestureReply MeasureTool::shown() const
 {
     GestureReply reply;
-    if (!m_wanted || !m_line)
-        return reply;
-    Result<Document> scaled = scaledModel(context.model.document, *m_wanted / m_line->length());
-    if (scaled)
-        reply.preview = *std::move(scaled);
+    if (m_wanted && m_wanted->scaled)
+        reply.preview = *m_wanted->scaled;
     return reply;
 }
 
@@ -131,18 +123,17 @@ void MeasureTool::mark(GestureContext &context, bool hasCursor)
     if (m_from && m_place)
         overlay.measure = Overlay::Measure{m_from->point, m_place->point, m_isDimension};
     else if (m_line && m_wanted)
-        overlay.measure =
-            Overlay::Measure{m_line->from.point * (*m_wanted / m_line->length()),
-                             m_line->to.point * (*m_wanted / m_line->length()), m_isDimension};
+        overlay.measure = Overlay::Measure{factor() * m_line->from.point,
+                                           factor() * m_line->to.point, m_isDimension};
     else if (m_line)
         overlay.measure = Overlay::Measure{m_line->from.point, m_line->to.point, m_isDimension};
 }
 
-GestureReply MeasureTool::interrupt(GestureContext &context)
+GestureReply MeasureTool::interrupt(GestureContext &)
 {
     m_from.reset();
     m_press.reset();
-    return shown(context);
+    return shown();
 }
 
 GestureReply MeasureTool::cancel(GestureContext &)
@@ -175,7 +166,7 @@ std::vector<ToolNumber> MeasureTool::numbers() const
 {
     if (!m_isDimension || !m_line)
         return {};
-    return {{ToolNumber::Kind::Wanted, m_wanted.value_or(m_line->length())}};
+    return {{ToolNumber::Kind::Wanted, m_wanted ? m_wanted->length : m_line->length()}};
 }
 
 GestureReply MeasureTool::setNumbers(const std::vector<ToolNumber> &numbers,
@@ -184,8 +175,9 @@ GestureReply MeasureTool::setNumbers(const std::vector<ToolNumber> &numbers,
     for (const ToolNumber &number : numbers)
         if (number.kind == ToolNumber::Kind::Wanted && m_line && m_isDimension &&
             number.value >= kShortest && number.value <= kMaxCoordinate)
-            m_wanted = number.value;
-    return shown(context);
+            m_wanted = Wanted{number.value,
+                              scaledModel(context.model.document, number.value / m_line->length())};
+    return shown();
 }
 
 GestureReply MeasureTool::dropNumbers(GestureContext &)
@@ -194,13 +186,13 @@ GestureReply MeasureTool::dropNumbers(GestureContext &)
     return {};
 }
 
-GestureReply MeasureTool::key(ToolKey key, GestureContext &context)
+GestureReply MeasureTool::key(ToolKey key, GestureContext &)
 {
     GestureReply reply;
     if (key != ToolKey::Enter || !m_wanted || !m_line)
         return reply;
-    const double factor = *m_wanted / m_line->length();
-    Result<Document> scaled = scaledModel(context.model.document, factor);
+    const double factor = this->factor();
+    Result<Document> scaled = std::move(m_wanted->scaled);
     m_wanted.reset();
     if (!scaled) {
         reply.note = Hint{Hint::Kind::NotScaled, {}, true, scaled.error().place};

@@ -57,8 +57,15 @@ private:
         MeasuredPlace from, to;
         double length() const { return (to.point - from.point).norm(); }
     };
+    /// Typed, and made of the model once: the cursor may pass by meanwhile.
+    struct Wanted
+    {
+        double length; // mm
+        Result<Document> scaled;
+    };
     GestureReply press(const PointerEvent &event, GestureContext &context);
-    GestureReply shown(const GestureContext &context);
+    GestureReply shown() const;
+    double factor() const { return m_wanted->length / m_line->length(); }
     void follow(const GestureContext &context);
 
     bool m_isDimension;
@@ -68,7 +75,7 @@ private:
     bool m_isDrag = false;
     std::optional<Ends> m_line; // measured
     DimensionId m_dimension, m_hovered;
-    std::optional<double> m_wanted; // typed, mm
+    std::optional<Wanted> m_wanted;
 };
 
 } // namespace fff

@@ -60,6 +60,7 @@ private Q_SLOTS:
     void aDimensionFollowsItsPoint();
     void aDimensionGoesWithItsSection();
     void typingALengthScalesTheModel();
+    void theCursorMayPassByWhileTyped();
     void escDropsWhatIsTyped();
     void aKeptOneIsPickedUp();
     void scalingBackIsTheIdentity_data();
@@ -203,6 +204,21 @@ void TestMeasureTool::typingALengthScalesTheModel()
     QVERIFY(std::abs(desk.measured() - 300.0) < 1e-9); // still in the hand
     desk.session.history()->undo();
     QVERIFY(desk.session.committed().document.isSame(before));
+}
+
+// Wrong: with every move of the mouse the whole model would be scaled, cut and checked anew.
+void TestMeasureTool::theCursorMayPassByWhileTyped()
+{
+    MeasureDesk desk("measure.dimension");
+    desk.drag({desk.plate(-100, -60), desk.plate(100, -60)});
+    desk.interaction.setNumbers({{ToolNumber::Kind::Wanted, 50.0}}, desk.time);
+    QVERIFY(desk.session.hasPreview());
+    const Document shown = desk.session.model().document;
+    desk.moveTo(desk.plate(10, 10));
+    desk.moveTo(desk.plate(30, 20));
+    QVERIFY(desk.session.model().document.isSame(shown));
+    desk.interaction.key(ToolKey::Enter, desk.time);
+    QVERIFY(desk.session.committed().document.isSame(shown));
 }
 
 void TestMeasureTool::escDropsWhatIsTyped()
