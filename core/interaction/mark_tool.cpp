@@ -84,17 +84,15 @@ bool MarkTool::takes(const PointerEvent &press, GestureContext &context) const
 
 GestureReply MarkTool::handle(const PointerEvent &event, GestureContext &context)
 {
-    const bool presses =
-        event.type == PointerEvent::Type::Press || event.type == PointerEvent::Type::DoubleClick;
     GestureReply reply;
-    if (presses && !m_section) {
+    if (event.isPress() && !m_section) {
         if (const std::optional<SectionRef> ref = sectionAt(event.position, context))
             return take(*ref, context);
         return reply;
     }
     const std::optional<Vec2> at =
         pointOnPlane(context.camera, context.viewport, m_canvas, event.position);
-    if (presses) {
+    if (event.isPress()) {
         if (!at) {
             reply.note = Hint{Hint::Kind::CanvasOnEdge, {}, true};
             return reply;
@@ -113,14 +111,15 @@ GestureReply MarkTool::handle(const PointerEvent &event, GestureContext &context
     if (event.type == PointerEvent::Type::Release)
         return release(context);
     if (m_isDrag)
-        if (const MarkPointer mark = drawn(context))
+        if (const MarkPointer mark = drawn(context, false))
             if (SectionEdit edit = markAdded(context.model, *m_section, mark))
                 reply.preview = std::move(edit->document);
     return reply;
 }
 
-/// Null while it is no line yet.
-MarkPointer MarkTool::drawn(const GestureContext &context) const
+/// Null while it is no line yet. Smooth once it is whole: till then all of it would be fitted anew
+/// with every move.
+MarkPointer MarkTool::drawn(const GestureContext &context, bool isWhole) const
 {
     const double scale =
         context.camera.scaleAt(m_canvas.toWorld(m_samples.front()), context.viewport);
@@ -132,6 +131,8 @@ MarkPointer MarkTool::drawn(const GestureContext &context) const
         const Vec2 end = held(m_samples.back(), m_samples.front(), none, scale, false).point;
         if ((end - m_samples.front()).norm() > scale)
             path = CurvePath::fromLine({m_samples.front(), end});
+    } else if (!isWhole) {
+        path = CurvePath::fromLine(m_samples);
     } else {
         FitOptions options;
         options.tolerance = context.settings.fitTolerance * scale;
@@ -164,7 +165,7 @@ GestureReply MarkTool::release(GestureContext &context)
         lettering.turn = uprightTurn(m_canvas);
         edit = letteringAdded(context.model, *m_section, lettering,
                               context.settings.scores ? Mark::Kind::Scored : Mark::Kind::Engraved);
-    } else if (const MarkPointer mark = drawn(context)) {
+    } else if (const MarkPointer mark = drawn(context, true)) {
         edit = markAdded(context.model, *m_section, mark);
     }
     m_samples.clear();

@@ -35,7 +35,7 @@ public:
 private:
     GestureReply take(const SectionRef &section, GestureContext &context);
     std::optional<SectionRef> sectionAt(const Vec2 &position, const GestureContext &context) const;
-    MarkPointer drawn(const GestureContext &context) const;
+    MarkPointer drawn(const GestureContext &context, bool isWhole) const;
     GestureReply release(GestureContext &context);
     bool isOnSection(const Mark &mark, const GestureContext &context) const;
 

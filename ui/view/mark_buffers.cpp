@@ -22,7 +22,7 @@ void addEdges(const Polygon &line, std::vector<SlabEdge> &edges)
 
 } // namespace
 
-std::vector<SlabEdge> markEdges(const SceneSection &section, Mark::Kind kind)
+std::vector<SlabEdge> markEdges(const SceneSection &section, const Mark &mark)
 {
     std::vector<SlabEdge> edges;
     std::vector<const Region *> regions;
@@ -31,15 +31,11 @@ std::vector<SlabEdge> markEdges(const SceneSection &section, Mark::Kind kind)
             regions.push_back(&part.region);
     else
         regions.push_back(&section.shape->region());
-    for (const MarkPointer &mark : section.marks) {
-        if (mark->kind != kind)
-            continue;
-        for (const CurvePath &path : mark->paths) {
-            const Polygon line = path.flatten(kDrawChord);
-            for (const Region *region : regions)
-                for (const Polygon &piece : clippedLine(line, *region))
-                    addEdges(piece, edges);
-        }
+    for (const CurvePath &path : mark.paths) {
+        const Polygon line = path.flatten(kDrawChord);
+        for (const Region *region : regions)
+            for (const Polygon &piece : clippedLine(line, *region))
+                addEdges(piece, edges);
     }
     return edges;
 }
@@ -54,19 +50,19 @@ void MarkBuffers::update(const Scene &scene)
 {
     for (auto &[key, entry] : m_entries)
         entry.isUsed = false;
-    m_ofSection.assign(scene.sections.size(), nullptr);
+    m_ofSection.assign(scene.sections.size(), {});
     for (std::size_t i = 0; i < scene.sections.size(); ++i) {
         const SceneSection &section = scene.sections[i];
-        if (section.marks.empty())
-            continue;
-        const Key key(section.cut ? static_cast<const void *>(section.cut.get())
-                                  : static_cast<const void *>(section.shape.get()),
-                      section.marks);
-        auto found = m_entries.find(key);
-        if (found == m_entries.end())
-            found = m_entries.emplace(key, upload(section)).first;
-        found->second.isUsed = true;
-        m_ofSection[i] = &found->second.lines;
+        const void *ground = section.cut ? static_cast<const void *>(section.cut.get())
+                                         : static_cast<const void *>(section.shape.get());
+        for (const MarkPointer &mark : section.marks) {
+            const Key key(ground, mark);
+            auto found = m_entries.find(key);
+            if (found == m_entries.end())
+                found = m_entries.emplace(key, upload(section, *mark)).first;
+            found->second.isUsed = true;
+            m_ofSection[i].push_back(&found->second.lines);
+        }
     }
     for (auto it = m_entries.begin(); it != m_entries.end();) {
         if (it->second.isUsed) {
@@ -78,19 +74,16 @@ void MarkBuffers::update(const Scene &scene)
     }
 }
 
-MarkBuffers::Entry MarkBuffers::upload(const SceneSection &section)
+MarkBuffers::Entry MarkBuffers::upload(const SceneSection &section, const Mark &mark)
 {
-    Entry entry{{makeEdgeArray(m_gl), makeEdgeArray(m_gl)}, section.cut, section.shape};
-    fillEdgeArray(m_gl, entry.lines.engraved, markEdges(section, Mark::Kind::Engraved),
-                  GL_STATIC_DRAW);
-    fillEdgeArray(m_gl, entry.lines.scored, markEdges(section, Mark::Kind::Scored), GL_STATIC_DRAW);
+    Entry entry{{mark.kind, makeEdgeArray(m_gl)}, section.cut, section.shape};
+    fillEdgeArray(m_gl, entry.lines.edges, markEdges(section, mark), GL_STATIC_DRAW);
     return entry;
 }
 
 void MarkBuffers::free(const Entry &entry)
 {
-    freeEdgeArray(m_gl, entry.lines.engraved);
-    freeEdgeArray(m_gl, entry.lines.scored);
+    freeEdgeArray(m_gl, entry.lines.edges);
 }
 
 } // namespace fff::ui

@@ -15,7 +15,8 @@ class MarkBuffers
 public:
     struct Lines
     {
-        EdgeArray engraved, scored;
+        Mark::Kind kind = Mark::Kind::Engraved;
+        EdgeArray edges;
     };
 
     explicit MarkBuffers(Gl &gl) : m_gl(gl) {}
@@ -25,12 +26,16 @@ public:
 
     /// Uploads what is new in the scene and frees what is no longer in it.
     void update(const Scene &scene);
-    /// Null for a section without marks.
-    const Lines *lines(std::size_t section) const { return m_ofSection[section]; }
+    /// One for each of its marks.
+    const std::vector<const Lines *> &lines(std::size_t section) const
+    {
+        return m_ofSection[section];
+    }
 
 private:
-    /// What it is made of; the addresses are kept alive beside it.
-    using Key = std::pair<const void *, std::vector<MarkPointer>>; // cut or shape, marks
+    /// What it is made of; the address is kept alive beside it. A mark by itself: one that is being
+    /// drawn costs nothing of those that are there.
+    using Key = std::pair<const void *, MarkPointer>; // cut or shape, mark
     struct Entry
     {
         Lines lines;
@@ -38,15 +43,15 @@ private:
         ShapePointer shape;
         bool isUsed = false;
     };
-    Entry upload(const SceneSection &section);
+    Entry upload(const SceneSection &section, const Mark &mark);
     void free(const Entry &entry);
 
     Gl &m_gl;
     std::map<Key, Entry> m_entries;
-    std::vector<const Lines *> m_ofSection;
+    std::vector<std::vector<const Lines *>> m_ofSection;
 };
 
-/// The lines of marks of one kind on what is left of a section. Knows no OpenGL.
-std::vector<SlabEdge> markEdges(const SceneSection &section, Mark::Kind kind);
+/// The lines of a mark on what is left of a section. Knows no OpenGL.
+std::vector<SlabEdge> markEdges(const SceneSection &section, const Mark &mark);
 
 } // namespace fff::ui

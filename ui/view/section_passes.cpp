@@ -87,14 +87,12 @@ EdgeLook SectionPasses::edgesOf(std::size_t index, double alpha) const
 void SectionPasses::drawEdges(std::size_t index, double alpha)
 {
     m_painter.edges(index, edgesOf(index, alpha));
-    const MarkBuffers::Lines *lines = m_marks.lines(index);
-    if (!lines)
-        return;
-    const auto look = [&](double width) {
-        return EdgeLook{premultiplied(m_style->edge, alpha), width, width, kMarkNearer};
-    };
-    m_painter.edges(index, lines->engraved, look(m_style->engravedWidth));
-    m_painter.edges(index, lines->scored, look(m_style->scoredWidth));
+    for (const MarkBuffers::Lines *lines : m_marks.lines(index)) {
+        const double width =
+            lines->kind == Mark::Kind::Scored ? m_style->scoredWidth : m_style->engravedWidth;
+        m_painter.edges(index, lines->edges,
+                        {premultiplied(m_style->edge, alpha), width, width, kMarkNearer});
+    }
 }
 
 /// Pixels that a line reaches over its surface: so many slopes the surface is set back.
