@@ -46,7 +46,6 @@
 #include <QKeyEvent>
 #include <QLabel>
 #include <QMenuBar>
-#include <QPointer>
 #include <QScreen>
 #include <QStackedWidget>
 #include <QTabBar>
@@ -106,16 +105,10 @@ MainWindow::MainWindow(QWidget *parent) : QMainWindow(parent), m_bench(new Workb
             m_view->setFocus();
     });
     connect(m_files, &DocumentFiles::chosen, this, &MainWindow::openFiles);
-    connect(new FileDrop(*this), &FileDrop::dropped, this, [this](const QStringList &paths) {
-        QStringList models;
-        for (const QString &path : paths) {
-            if (path.endsWith(QStringLiteral(".svg"), Qt::CaseInsensitive))
-                readDrawing(QStringLiteral("section.importSections"), path);
-            else
-                models += path;
-        }
-        if (!models.isEmpty())
-            openFiles(models);
+    auto *drop = new FileDrop(*this);
+    connect(drop, &FileDrop::dropped, this, &MainWindow::openFiles);
+    connect(drop, &FileDrop::drawingDropped, this, [this](const QString &path) {
+        readDrawing(QStringLiteral("section.importSections"), path);
     });
     connect(&settings(), &Settings::colourSchemeChanged, this, &MainWindow::refreshTheme);
     const auto tellOfRevert = [this] {
@@ -207,13 +200,7 @@ void MainWindow::makeDocks()
     connect(m_steps, &StepsView::said, m_status, &StatusLine::sayMarked);
     connect(m_steps, &StepsView::waitingChanged, m_actions,
             [this](bool waits) { m_actions->setWaiting("check.showAssembly", waits); });
-    const auto speak = [this] {
-        const QString selected = spokenSelection(*m_bench, *m_checkList);
-        m_view->setAccessibleDescription(selected.isEmpty() ? Viewport::plainDescription()
-                                                            : selected);
-    };
-    connect(m_bench, &Workbench::selectionChanged, m_view, speak);
-    connect(m_checkList, &CheckList::changed, m_view, speak);
+    speakSelection(*m_view, *m_bench, *m_checkList);
     connect(m_library, &LibraryDock::said, m_status, &StatusLine::say);
     connect(m_library, &LibraryDock::failed, m_messages,
             [this](const QString &text) { m_messages->show(MessageBar::Severity::Error, {text}); });
@@ -258,15 +245,7 @@ void MainWindow::resetLayout()
 /// What needs a window or asks a question; the rest is the session's.
 void MainWindow::addCommands()
 {
-    new NumberNameSource(
-        // Fields may still read while the window goes.
-        [bench = QPointer<Workbench>(m_bench)](const QString &name) -> std::optional<NamedValue> {
-            if (!bench)
-                return std::nullopt;
-            const Document &document = bench->session().committed().document;
-            return namedValue(document, name, document.numbers.size());
-        },
-        this);
+    new NumberNameSource(*m_bench, this);
     const auto add = [this](const char *id, std::function<void()> act) {
         m_bench->commands().add(id, {[act = std::move(act)](const CommandParameters &, double) {
                                          act();

@@ -1,10 +1,26 @@
 #include "ui/number_names.h"
 
+#include "ui/workbench.h"
+
+#include <QHash>
 #include <QWidget>
 
 #include <algorithm>
 
 namespace fff::ui {
+
+NumberNameSource::NumberNameSource(const Workbench &bench, QObject *window)
+    : QObject(window), m_bench(&bench)
+{
+}
+
+NumberNames NumberNameSource::names() const
+{
+    if (!m_bench)
+        return {};
+    const Document &document = m_bench->session().committed().document;
+    return namesBefore(document, document.numbers.size());
+}
 
 NumberNames numberNamesFor(const QWidget *field)
 {
@@ -15,23 +31,24 @@ NumberNames numberNamesFor(const QWidget *field)
     return {};
 }
 
-std::optional<NamedValue> namedValue(const Document &document, const QString &name,
-                                     std::size_t before)
-{
-    for (std::size_t i = 0; i < std::min(before, document.numbers.size()); ++i) {
-        const NamedNumber &number = document.numbers[i];
-        if (name.compare(QString::fromStdString(number.name), Qt::CaseInsensitive) != 0)
-            continue;
-        const Expression read = readAny(QString::fromStdString(number.expression), QLocale::c(),
-                                        namesBefore(document, i));
-        return NamedValue{number.value, read.isLength};
-    }
-    return std::nullopt;
-}
-
 NumberNames namesBefore(const Document &document, std::size_t index)
 {
-    return [&document, index](const QString &name) { return namedValue(document, name, index); };
+    QHash<QString, NamedValue> known; // by the name in lower case
+    const auto valueOf = [](const QHash<QString, NamedValue> &values, const QString &name) {
+        const auto found = values.constFind(name.toLower());
+        return found == values.cend() ? std::optional<NamedValue>() : *found;
+    };
+    for (std::size_t i = 0; i < std::min(index, document.numbers.size()); ++i) {
+        const NamedNumber &number = document.numbers[i];
+        // Whether it is a length follows from those before.
+        const Expression read = readAny(QString::fromStdString(number.expression), QLocale::c(),
+                                        [&](const QString &name) { return valueOf(known, name); });
+        const QString name = QString::fromStdString(number.name).toLower();
+        if (!known.contains(name))
+            known.insert(name, {number.value, read.isLength});
+    }
+    return
+        [known = std::move(known), valueOf](const QString &name) { return valueOf(known, name); };
 }
 
 } // namespace fff::ui

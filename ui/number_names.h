@@ -6,30 +6,30 @@
 #include "core/model/document.h"
 #include "ui/expression.h"
 
+#include <QPointer>
+
 class QWidget;
 
 namespace fff::ui {
+
+class Workbench;
 
 /// A child of the window; fields find it there, also in docks that float.
 class NumberNameSource : public QObject
 {
 public:
-    NumberNameSource(NumberNames names, QObject *window)
-        : QObject(window), m_names(std::move(names))
-    {
-    }
-    const NumberNames &names() const { return m_names; }
+    NumberNameSource(const Workbench &bench, QObject *window);
+    /// Of the document as it is now.
+    NumberNames names() const;
 
 private:
-    NumberNames m_names;
+    QPointer<const Workbench> m_bench; // fields may still read while the window goes
 };
 
 /// Those of the window that the field is in; null: none.
 NumberNames numberNamesFor(const QWidget *field);
 
-/// The names of a document, or of those numbers alone that stand before one.
-std::optional<NamedValue> namedValue(const Document &document, const QString &name,
-                                     std::size_t before);
+/// The names of those numbers of a document that stand before one. Reads each of them once.
 NumberNames namesBefore(const Document &document, std::size_t index);
 
 } // namespace fff::ui

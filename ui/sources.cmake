@@ -54,6 +54,7 @@ target_sources(fff_ui PRIVATE
     lengths.cpp
     main_tool_bar.cpp
     main_window.cpp
+    marked_scene.cpp
     measures.cpp
     message_bar.cpp
     naming.cpp

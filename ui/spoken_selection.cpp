@@ -61,4 +61,14 @@ QString spokenSelection(const Workbench &bench, const CheckList &checks)
     return selected.empty() ? QString() : sectionText(model, selected.front(), checks);
 }
 
+void speakSelection(QWidget &view, const Workbench &bench, const CheckList &checks)
+{
+    const auto speak = [&view, &bench, &checks, otherwise = view.accessibleDescription()] {
+        const QString selected = spokenSelection(bench, checks);
+        view.setAccessibleDescription(selected.isEmpty() ? otherwise : selected);
+    };
+    QObject::connect(&bench, &Workbench::selectionChanged, &view, speak);
+    QObject::connect(&checks, &CheckList::changed, &view, speak);
+}
+
 } // namespace fff::ui

@@ -3,6 +3,7 @@
 #include "core/model/origin.h"
 #include "ui/cursors.h"
 #include "ui/focus_frame.h"
+#include "ui/marked_scene.h"
 #include "ui/settings/settings.h"
 #include "ui/theme.h"
 #include "ui/view/overlay_painter.h"
@@ -18,7 +19,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 #include <utility>
 
 namespace fff::ui {
@@ -36,16 +36,10 @@ bool isOfKeys(Qt::FocusReason reason)
            reason == Qt::ShortcutFocusReason;
 }
 
-/// A path is begun: as with a stroke, the rest stands back.
 bool isTouch(QEvent::Type type)
 {
     return type == QEvent::TouchBegin || type == QEvent::TouchUpdate || type == QEvent::TouchEnd ||
            type == QEvent::TouchCancel;
-}
-
-bool hasPath(const Overlay &overlay)
-{
-    return overlay.pen && !overlay.pen->points.empty();
 }
 
 } // namespace
@@ -68,7 +62,7 @@ Viewport::Viewport(Workbench &bench, QWidget *parent)
 
     setObjectName(QStringLiteral("viewport"));
     setAccessibleName(tr("View of the model"));
-    setAccessibleDescription(plainDescription());
+    setAccessibleDescription(tr("Draw with the left mouse button, turn with the right one."));
     setMinimumSize(480, 360);
     setMouseTracking(true);
     setAttribute(Qt::WA_AcceptTouchEvents);
@@ -317,11 +311,6 @@ void Viewport::keyReleaseEvent(QKeyEvent *event)
         QOpenGLWidget::keyReleaseEvent(event);
 }
 
-QString Viewport::plainDescription()
-{
-    return tr("Draw with the left mouse button, turn with the right one.");
-}
-
 bool Viewport::event(QEvent *event)
 {
     if (event->type() == QEvent::ShortcutOverride &&
@@ -455,63 +444,16 @@ void Viewport::refresh()
     if (!now.isSamePicture(m_seen))
         m_isPictureChanged = true;
     m_seen = std::move(now);
-    markScene();
+    markScene(m_scene, m_bench);
     update();
 }
 
 void Viewport::rebuildScene()
 {
     m_scene = m_builder.build(m_bench.session().model());
-    markScene();
+    markScene(m_scene, m_bench);
     m_isPictureChanged = true;
     update();
-}
-
-/// Which sections are hovered, selected, or stand back.
-void Viewport::markScene()
-{
-    const Interaction &interaction = m_bench.interaction();
-    const Model &model = m_bench.session().model();
-    if (model.sectionCount() != m_scene.sections.size())
-        return; // rebuilt at once after this
-    const std::set<SectionRef> selected(interaction.selection().begin(),
-                                        interaction.selection().end());
-    const auto &outlined = m_bench.outlined();
-    const OperationId inFocus = interaction.operationInFocus();
-    const int hovered = interaction.overlay().hovered;
-    OperationId hoveredOperation;
-    if (hovered >= 0 && static_cast<std::size_t>(hovered) < model.sectionCount())
-        hoveredOperation = model.ref(static_cast<std::size_t>(hovered)).operation;
-    applyView(m_scene, model, interaction.view());
-    const bool isDrawing =
-        interaction.overlay().stroke.has_value() || hasPath(interaction.overlay());
-    // All stand back for the section that is being drawn: the one that is not as it was.
-    const Model &committed = m_bench.session().committed();
-    // What the operation made or changed; one that is not committed yet is about to be.
-    std::set<SectionRef> made;
-    for (const OperationResultPointer &result : model.evaluation.results) {
-        const OperationId id = result->operation->id;
-        if (id != inFocus && committed.document.find(id))
-            continue;
-        for (const SectionPointer &section : result->sections)
-            made.insert(section->ref());
-        for (const auto &[ref, section] : result->changed)
-            if (section)
-                made.insert(ref);
-    }
-    const auto isAsItWas = [&](std::size_t i) {
-        return i < committed.sectionCount() && committed.section(i) == model.section(i);
-    };
-    for (std::size_t i = 0; i < m_scene.sections.size(); ++i) {
-        SceneSection &section = m_scene.sections[i];
-        const SectionRef ref = model.ref(i);
-        section.isHovered = hovered == static_cast<int>(i) ||
-                            std::binary_search(outlined.begin(), outlined.end(), ref);
-        section.isSelected = !selected.empty() && selected.contains(ref);
-        section.isSibling = hoveredOperation.isValid() && ref.operation == hoveredOperation;
-        section.isMade = !made.empty() && made.contains(ref);
-        section.isGhost = isDrawing ? isAsItWas(i) : section.isGhost;
-    }
 }
 
 } // namespace fff::ui

@@ -30,9 +30,6 @@ public:
     explicit Viewport(Workbench &bench, QWidget *parent = nullptr);
     ~Viewport() override;
 
-    /// What it is for, said while nothing is selected.
-    static QString plainDescription();
-
     /// Frames painted so far: a test sees that nothing is painted when nothing changed.
     int paintCount() const { return m_paintCount; }
     const Renderer &renderer() const { return m_renderer; }
@@ -105,7 +102,6 @@ private:
     void advance();
     void refresh();
     void rebuildScene();
-    void markScene();
     Seen seen() const;
     std::optional<OperationMarks> handles() const;
     std::vector<SectionRef> presentlyOutlined() const;

@@ -46,13 +46,7 @@ private Q_SLOTS:
         QFETCH(int, scheme);
         QFETCH(bool, isSystemDark);
         QFETCH(double, least);
-        const QPalette before = QApplication::palette();
-        QApplication::setPalette(
-            QPalette(isSystemDark ? QColor(0x30, 0x30, 0x30) : QColor(0xf0, 0xf0, 0xf0)));
-        settings().setColourScheme(static_cast<ColourScheme>(scheme));
-        QWidget window;
-        applyTheme(&window);
-        QApplication::setPalette(before);
+        use(scheme, isSystemDark);
         const Theme &t = theme();
         const bool isContrast = least > 5.0;
         QCOMPARE(t.isHighContrast, isContrast);
@@ -118,13 +112,7 @@ private Q_SLOTS:
     {
         QFETCH(int, scheme);
         QFETCH(bool, isSystemDark);
-        const QPalette before = QApplication::palette();
-        QApplication::setPalette(
-            QPalette(isSystemDark ? QColor(0x30, 0x30, 0x30) : QColor(0xf0, 0xf0, 0xf0)));
-        settings().setColourScheme(static_cast<ColourScheme>(scheme));
-        QWidget window;
-        applyTheme(&window);
-        QApplication::setPalette(before);
+        use(scheme, isSystemDark);
         FieldStyle style;
         QStyleOptionButton option;
         option.rect = {4, 4, 14, 14};
@@ -142,6 +130,17 @@ private Q_SLOTS:
     }
 
 private:
+    static void use(int scheme, bool isSystemDark)
+    {
+        const QPalette before = QApplication::palette();
+        QApplication::setPalette(
+            QPalette(isSystemDark ? QColor(0x30, 0x30, 0x30) : QColor(0xf0, 0xf0, 0xf0)));
+        settings().setColourScheme(static_cast<ColourScheme>(scheme));
+        QWidget window;
+        applyTheme(&window);
+        QApplication::setPalette(before);
+    }
+
     QTemporaryDir m_folder;
 };
 

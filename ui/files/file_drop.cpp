@@ -43,9 +43,22 @@ bool FileDrop::eventFilter(QObject *watched, QEvent *event)
     drop->accept();
     if (event->type() == QEvent::Drop) {
         // Later: the other program waits until the drop is over.
-        QTimer::singleShot(0, this, [this, paths] { Q_EMIT dropped(paths); });
+        QTimer::singleShot(0, this, [this, paths] { tell(paths); });
     }
     return true;
+}
+
+void FileDrop::tell(const QStringList &paths)
+{
+    QStringList models;
+    for (const QString &path : paths) {
+        if (path.endsWith(QStringLiteral(".svg"), Qt::CaseInsensitive))
+            Q_EMIT drawingDropped(path);
+        else
+            models += path;
+    }
+    if (!models.isEmpty())
+        Q_EMIT dropped(models);
 }
 
 } // namespace fff::ui

@@ -17,9 +17,14 @@ public:
 
 Q_SIGNALS:
     void dropped(const QStringList &paths);
+    /// A drawing of another program (.svg).
+    void drawingDropped(const QString &path);
 
 protected:
     bool eventFilter(QObject *watched, QEvent *event) override;
+
+private:
+    void tell(const QStringList &paths);
 };
 
 } // namespace fff::ui

@@ -1,0 +1,18 @@
+// How the sections of a picture look besides what they are: what the hand and the tools do to them.
+#pragma once
+
+#include "core/interaction/overlay.h"
+#include "ui/view/scene.h"
+
+namespace fff::ui {
+
+class Workbench;
+
+/// A path is begun: as with a stroke, the rest stands back.
+bool hasPath(const Overlay &overlay);
+
+/// Which sections are hovered, selected, or stand back. Nothing for a scene that is older than the
+/// model: another one comes at once.
+void markScene(Scene &scene, const Workbench &bench);
+
+} // namespace fff::ui
