@@ -1,8 +1,11 @@
 // How the sections of a picture look besides what they are: what the hand and the tools do to them.
 #pragma once
 
-#include "core/interaction/overlay.h"
 #include "ui/view/scene.h"
+
+namespace fff {
+struct Overlay;
+}
 
 namespace fff::ui {
 
