@@ -1,6 +1,7 @@
 #include "app/cli/info.h"
 
 #include "core/assembly/cycles.h"
+#include "core/assembly/step_groups.h"
 #include "core/base/units.h"
 #include "core/fabrication/summary.h"
 #include "core/geometry/convex_hull.h"
@@ -201,14 +202,16 @@ void writeAssemblability(JsonWriter &json, const Model &model, const ModelPlan &
     json.endArray();
 }
 
-/// Parts by their numbers. Nothing where there is no order.
+/// Parts by their numbers, steps counted from 0. Nothing where there is no order.
 void writeAssembly(JsonWriter &json, const AssemblyPlan &plan)
 {
     if (plan.verdict != AssemblyPlan::Verdict::Possible)
         return;
     json.key("assembly");
     json.beginArray();
-    for (const AssemblyStep &step : plan.steps) {
+    const std::vector<StepGroup> groups = stepGroups(plan);
+    for (std::size_t i = 0; i < plan.steps.size(); ++i) {
+        const AssemblyStep &step = plan.steps[i];
         const Move last = step.moves.empty() ? Move() : step.moves.back();
         json.beginObject();
         json.key("parts");
@@ -221,12 +224,20 @@ void writeAssembly(JsonWriter &json, const AssemblyPlan &plan)
         if (step.moves.size() > 1) {
             json.key("before"); // what brings them to where that begins
             json.beginArray();
-            for (std::size_t i = 0; i + 1 < step.moves.size(); ++i) {
+            for (std::size_t m = 0; m + 1 < step.moves.size(); ++m) {
                 json.beginObject();
-                json.member("direction", step.moves[i].direction);
-                json.member("distance", step.moves[i].distance);
+                json.member("direction", step.moves[m].direction);
+                json.member("distance", step.moves[m].distance);
                 json.endObject();
             }
+            json.endArray();
+        }
+        json.member("group", groups[i].group);
+        if (!groups[i].joins.empty()) {
+            json.key("joins");
+            json.beginArray(JsonWriter::Layout::Line);
+            for (const int joined : groups[i].joins)
+                json.value(joined);
             json.endArray();
         }
         json.endObject();

@@ -1,5 +1,6 @@
 #include "app/cli/info.h"
 
+#include "core/assembly/step_groups.h"
 #include "core/fabrication/summary.h"
 #include "core/session/check_text.h"
 #include "core/session/plan_checks.h"
@@ -30,6 +31,27 @@ QString sizeText(const Vec2 &size)
 QString nameOf(const Model &model, int section)
 {
     return QString::fromStdString(model.section(static_cast<std::size_t>(section))->name);
+}
+
+/// Steps are counted from 1 for people.
+QString stepLine(const AssemblyPlan &plan, const std::vector<StepGroup> &groups, std::size_t index)
+{
+    const auto named = [](int step) { return QString::number(step + 1); };
+    const AssemblyStep &step = plan.steps[index];
+    QStringList numbers;
+    for (const int part : step.parts)
+        numbers += QString::number(part + 1);
+    const QString number = named(static_cast<int>(index));
+    const QString which = numbers.join(QStringLiteral(", "));
+    if (index == 0)
+        return tr("Step %1: begin with part %2").arg(number, which);
+    if (step.onto.empty())
+        return tr("Step %1: begin aside with part %2").arg(number, which);
+    const std::vector<int> &joins = groups[index].joins;
+    return joins.empty()
+               ? tr("Step %1: part %2").arg(number, which)
+               : tr("Step %1: parts %2 as one, which joins what steps %3 and %4 have put together")
+                     .arg(number, which, named(joins.front()), named(joins.back()));
 }
 
 } // namespace
@@ -96,16 +118,9 @@ std::string partsText(const std::vector<Part> &parts, const Model &model, const 
     }
     if (lines.isEmpty())
         lines += tr("Nothing to cut: the model has no section.");
-    for (std::size_t i = 0; i < plan.steps.size() && plan.steps.size() > 1; ++i) {
-        QStringList numbers;
-        for (const int part : plan.steps[i].parts)
-            numbers += QString::number(part + 1);
-        const QString step = QString::number(i + 1), which = numbers.join(QStringLiteral(", "));
-        lines += i == 0 ? tr("Step %1: begin with part %2").arg(step, which)
-                 : numbers.size() == 1
-                     ? tr("Step %1: part %2").arg(step, which)
-                     : tr("Step %1: parts %2, put together before").arg(step, which);
-    }
+    const std::vector<StepGroup> groups = stepGroups(plan);
+    for (std::size_t i = 0; i < plan.steps.size() && plan.steps.size() > 1; ++i)
+        lines += stepLine(plan, groups, i);
     return lines.join(u'\n').toStdString() + '\n';
 }
 

@@ -28,7 +28,7 @@ int runParts(const QStringList &arguments)
     const auto tr = [](const char *text) {
         return QCoreApplication::translate("CommandLine", text);
     };
-    parser.addOption({QStringLiteral("json"), tr("For machines.")});
+    parser.addOption({QStringLiteral("json"), tr("For machines; steps are counted from 0.")});
     parser.addOption({QStringLiteral("tolerance"),
                       tr("Largest distance of the chords from the curves (0.01)."),
                       QStringLiteral("MM")});

@@ -18,6 +18,7 @@ target_sources(fff_core PRIVATE
     assembly/slits.cpp
     assembly/solid.cpp
     assembly/stability.cpp
+    assembly/step_groups.cpp
     assembly/tabs.cpp
     assembly/trim.cpp
     assembly/webs.cpp

@@ -50,6 +50,21 @@ QString namesOf(const AssemblySteps &steps, const std::vector<int> &parts)
     return listed(names);
 }
 
+/// Of a group that was put together aside, when that was done: a person looks for it on the table.
+QString movedNames(const AssemblySteps &steps, int index)
+{
+    const auto &all = steps.playback.plan().steps;
+    const QString names = namesOf(steps, all[static_cast<std::size_t>(index)].parts);
+    const auto groupOf = [&](int step) -> const StepGroup & {
+        return steps.groups[static_cast<std::size_t>(step)];
+    };
+    for (const int joined : groupOf(index).joins)
+        if (groupOf(joined).group != groupOf(index).group)
+            //: %1 is what is moved, %2 the number of the step that completed it
+            return Words::tr("%1 (together since step %2)").arg(names, QString::number(joined + 1));
+    return names;
+}
+
 QString matesOf(const AssemblySteps &steps, int step)
 {
     const std::vector<int> &mates = steps.mates[static_cast<std::size_t>(step)];
@@ -117,6 +132,7 @@ AssemblyStepsPointer assemblySteps(AnalysisPointer analysis, const ModelPlan &pl
         boxes.push_back(boundsOf(Slab{steps->outlineOf(part).region, steps->sectionOf(part).frame,
                                       steps->thicknessOf(part)}));
     steps->playback = Playback(plan.plan, std::move(boxes));
+    steps->groups = stepGroups(plan.plan);
     for (const AssemblyStep &step : plan.plan.steps)
         steps->mates.push_back(matesOf(*steps, step));
     return steps;
@@ -163,7 +179,7 @@ QString stepTitle(const AssemblySteps &steps, int step)
 QString stepText(const AssemblySteps &steps, int index)
 {
     const AssemblyStep &step = steps.playback.plan().steps[static_cast<std::size_t>(index)];
-    const QString names = namesOf(steps, step.parts);
+    const QString names = movedNames(steps, index);
     const std::optional<Vec3> direction = steps.playback.lastDirection(index);
     if (!direction) {
         if (index == 0)

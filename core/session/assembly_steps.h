@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/assembly/playback.h"
+#include "core/assembly/step_groups.h"
 #include "core/session/assembly_plan.h"
 
 #include <QString>
@@ -21,6 +22,7 @@ struct AssemblySteps
     /// Of each step: the sections, of what its parts are brought to, that joints connect them with;
     /// ascending.
     std::vector<std::vector<int>> mates;
+    std::vector<StepGroup> groups; // of each step
 
     /// As engraved (core/fabrication/part.h): 1 … n.
     static int numberOf(int part) { return part + 1; }

@@ -1,6 +1,9 @@
 fff_test(app/tst_cli fff::io)
 target_compile_definitions(tst_cli PRIVATE FFF_CLI="$<TARGET_FILE:flatfitfab-cli>")
 add_dependencies(tst_cli flatfitfab-cli)
+fff_test(app/tst_cli_assembly fff::session)
+target_compile_definitions(tst_cli_assembly PRIVATE FFF_CLI="$<TARGET_FILE:flatfitfab-cli>")
+add_dependencies(tst_cli_assembly flatfitfab-cli)
 if(FFF_BUILD_WINDOW)
     # Pictures need a display's OpenGL.
     fff_test(app/tst_cli_steps fff::io)

@@ -274,6 +274,9 @@ private Q_SLOTS:
             texts += stepText(*group.steps, i);
         QVERIFY2(texts.filter(QStringLiteral("begin aside with")).size() == 1,
                  qPrintable(texts.join(u'\n')));
+        // Wrong: nobody would know which parts on the table are meant.
+        QVERIFY2(texts.filter(QStringLiteral("(together since step ")).size() == 1,
+                 qPrintable(texts.join(u'\n')));
     }
 
     /// Nothing false may be shown of what cannot be assembled, and a person wants to know why.
