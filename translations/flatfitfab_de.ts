@@ -125,6 +125,11 @@
         <extracomment>%1 is &quot;Step 4 of 38&quot;, %2 what is done in it</extracomment>
         <translation>%1: %2</translation>
     </message>
+    <message>
+        <source>%1 (together since step %2)</source>
+        <extracomment>%1 is what is moved, %2 the number of the step that completed it</extracomment>
+        <translation>%1 (seit Schritt %2 beisammen)</translation>
+    </message>
 </context>
 <context>
     <name>Checks</name>
@@ -2327,6 +2332,30 @@
     <message>
         <source>a4 or letter (as is usual where you are).</source>
         <translation>a4 oder letter (wie es am Ort üblich ist).</translation>
+    </message>
+    <message>
+        <source>Step %1: begin with part %2</source>
+        <translation>Schritt %1: mit Teil %2 beginnen</translation>
+    </message>
+    <message>
+        <source>Step %1: begin aside with part %2</source>
+        <translation>Schritt %1: daneben mit Teil %2 beginnen</translation>
+    </message>
+    <message>
+        <source>Step %1: part %2</source>
+        <translation>Schritt %1: Teil %2</translation>
+    </message>
+    <message>
+        <source>Step %1: parts %2 as one, which joins what steps %3 and %4 have put together</source>
+        <translation>Schritt %1: die Teile %2 zusammen; das verbindet, was mit den Schritten %3 und %4 zusammengesetzt ist</translation>
+    </message>
+    <message>
+        <source>No room for the numbers of all joints: %1</source>
+        <translation>Kein Platz für die Nummern aller Verbindungen: %1</translation>
+    </message>
+    <message>
+        <source>For machines; steps are counted from 0.</source>
+        <translation>Für Programme; Schritte zählen ab 0.</translation>
     </message>
 </context>
 <context>
@@ -4661,6 +4690,10 @@
     <message>
         <source>Exported %1 on %2 to %3; slits are drawn %4 wide.</source>
         <translation>%1 auf %2 nach %3 ausgegeben; Schlitze sind %4 breit gezeichnet.</translation>
+    </message>
+    <message>
+        <source>%1 has no room for the numbers of all its joints.</source>
+        <translation>%1 hat keinen Platz für die Nummern aller seiner Verbindungen.</translation>
     </message>
 </context>
 <context>
@@ -7374,16 +7407,16 @@
         <extracomment>%1 is &quot;38 parts&quot;, %2 &quot;2 sheets&quot;, %3 &quot;38 steps&quot;</extracomment>
         <translation>%1, aus %2, in %3.</translation>
     </message>
-    <message>
-        <source>The numbers are those engraved on the parts. At every slit stands the number of its joint, the same on both of its parts.</source>
-        <translation>Die Nummern sind die, die auf den Teilen eingraviert sind. An jedem Schlitz steht die Nummer seiner Verbindung, auf beiden Teilen dieselbe.</translation>
-    </message>
     <message numerus="yes">
         <source>and %n more</source>
         <translation>
             <numerusform>und %n weiteres</numerusform>
             <numerusform>und %n weitere</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>The numbers are those engraved on the parts. At every slit stands the number of its joint behind a short bar, the same on both of its parts.</source>
+        <translation>Die Nummern sind die, die auf den Teilen eingraviert sind. An jedem Schlitz steht hinter einem kurzen Strich die Nummer seiner Verbindung, auf beiden Teilen dieselbe.</translation>
     </message>
 </context>
 <context>
@@ -7845,18 +7878,6 @@
     <message>
         <source>Nothing to cut: the model has no section.</source>
         <translation>Nichts zu schneiden: Das Modell hat keine Scheibe.</translation>
-    </message>
-    <message>
-        <source>Step %1: begin with part %2</source>
-        <translation>Schritt %1: mit Teil %2 beginnen</translation>
-    </message>
-    <message>
-        <source>Step %1: part %2</source>
-        <translation>Schritt %1: Teil %2</translation>
-    </message>
-    <message>
-        <source>Step %1: parts %2, put together before</source>
-        <translation>Schritt %1: die Teile %2, vorher zusammengesetzt</translation>
     </message>
     <message>
         <source>The model has no operations.</source>

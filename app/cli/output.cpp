@@ -117,6 +117,9 @@ int writeCuttingFile(const QCommandLineParser &parser, const Document &document,
             << Qt::endl;
     if (!file->unmarked.empty())
         err << tr("Too slim to carry a number: %1").arg(joined(file->unmarked)) << Qt::endl;
+    if (!file->unmarkedJoints.empty())
+        err << tr("No room for the numbers of all joints: %1").arg(joined(file->unmarkedJoints))
+            << Qt::endl;
     return Done;
 }
 

@@ -13,6 +13,7 @@ using Stroke = std::vector<Vec2>;
 constexpr double kDigitWidth = 0.6;
 constexpr double kDigitGap = 0.25;
 constexpr double kUnderline = 0.25; // below the digits
+constexpr double kBar = 0.45;       // length of what a joint's number begins with
 
 // Each in a box of kDigitWidth x 1. A 1 has a foot and a 7 a bar, so that they differ also when
 // turned and when badly burnt.
@@ -141,6 +142,20 @@ void appendNumber(int number, const Vec2 &corner, double scale, Strokes &strokes
         strokes.add(corner);
         strokes.add(corner + Vec2(scale * sizeOf(text).x(), 0.0));
     }
+}
+
+Vec2 strokedJointSize(int number)
+{
+    return strokedSize(number) + Vec2(kBar + kDigitGap, 0.0);
+}
+
+void appendJointNumber(int number, const Vec2 &corner, double scale, Strokes &strokes)
+{
+    const double middle = bottomOf(textOf(number)) + 0.5;
+    strokes.start();
+    strokes.add(corner + scale * Vec2(0.0, middle));
+    strokes.add(corner + scale * Vec2(kBar, middle));
+    appendNumber(number, corner + scale * Vec2(kBar + kDigitGap, 0.0), scale, strokes);
 }
 
 } // namespace fff

@@ -38,4 +38,10 @@ Vec2 strokedSize(int number);
 /// corner   the box's lower left
 void appendNumber(int number, const Vec2 &corner, double scale, Strokes &strokes);
 
+/// The same for the number of a joint, which begins with a short bar: one stroke more for the
+/// laser, and like no digit. So it is never taken for a part's number, nor for one more digit of
+/// it.
+Vec2 strokedJointSize(int number);
+void appendJointNumber(int number, const Vec2 &corner, double scale, Strokes &strokes);
+
 } // namespace fff

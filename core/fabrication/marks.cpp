@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 namespace fff {
 
@@ -24,11 +25,46 @@ double reach(const Vec2 &half, const Vec2 &direction)
     return half.dot(direction.cwiseAbs());
 }
 
-void draw(int number, const Vec2 &center, double height, Engraving &engraving)
+/// A number that has its place.
+struct Mark
 {
-    const Vec2 half = 0.5 * height * strokedSize(number);
-    appendNumber(number, center - half, height, engraving.strokes);
-    engraving.boxes.push_back({center - half, center + half});
+    int number = 0;
+    Vec2 center = Vec2::Zero();
+    double height = 0.0;
+    Vec2 half = Vec2::Zero(); // of its box
+
+    /// With so much about it.
+    Box2 box(double around = 0.0) const
+    {
+        const Vec2 reaching = half + Vec2::Constant(around);
+        return {center - reaching, center + reaching};
+    }
+};
+
+struct Marks
+{
+    std::vector<Mark> joints;
+    std::vector<int> leftOut; // joints' numbers
+    std::optional<Mark> number;
+
+    bool isComplete() const { return number && leftOut.empty(); }
+};
+
+Engraving drawn(const Marks &marks)
+{
+    Engraving engraving;
+    for (const Mark &joint : marks.joints) {
+        appendJointNumber(joint.number, joint.box().min, joint.height, engraving.strokes);
+        engraving.boxes.push_back(joint.box());
+    }
+    engraving.jointsLeftOut = marks.leftOut;
+    engraving.hasNumber = marks.number.has_value();
+    if (marks.number) {
+        appendNumber(marks.number->number, marks.number->box().min, marks.number->height,
+                     engraving.strokes);
+        engraving.boxes.push_back(marks.number->box());
+    }
+    return engraving;
 }
 
 /// Middles of the places for a joint's number whose box, with the clearance, has this half size:
@@ -51,33 +87,46 @@ std::array<Vec2, 11> placesAt(const Part::JointMark &mark, const Vec2 &half)
     return places;
 }
 
-bool engraveJoint(const Part::JointMark &mark, const MarkOptions &options, Room &room,
-                  Engraving &engraving)
+std::optional<Mark> placeJoint(const Part::JointMark &mark, double largest,
+                               const MarkOptions &options, const Room &room)
 {
-    const Vec2 size = strokedSize(mark.joint);
-    for (double height = options.jointHeight; height >= options.minHeight; height *= kShrink) {
-        const Vec2 half = 0.5 * height * size + Vec2::Constant(options.clearance);
-        for (const Vec2 &center : placesAt(mark, half)) {
-            if (!room.fits(center, half))
-                continue;
-            draw(mark.joint, center, height, engraving);
-            room.take(engraving.boxes.back());
-            return true;
-        }
+    const Vec2 size = strokedJointSize(mark.joint);
+    for (double height = largest; height >= options.minHeight; height *= kShrink) {
+        const Vec2 half = 0.5 * height * size;
+        const Vec2 needed = half + Vec2::Constant(options.clearance);
+        for (const Vec2 &center : placesAt(mark, needed))
+            if (room.fits(center, needed))
+                return Mark{mark.joint, center, height, half};
     }
-    return false;
+    return std::nullopt;
+}
+
+/// Their places are few, so they come before the part's number.
+void placeJoints(const Part &part, double largest, const MarkOptions &options, Room &room,
+                 Marks &marks)
+{
+    for (const Part::JointMark &mark : part.joints) {
+        const std::optional<Mark> placed = placeJoint(mark, largest, options, room);
+        if (!placed) {
+            marks.leftOut.push_back(mark.joint);
+            continue;
+        }
+        room.take(placed->box(placed->height - options.clearance));
+        marks.joints.push_back(*placed);
+    }
 }
 
 /// A place for the part's number in full size that is soon found: in one of a few rows, or beside
-/// the slits and the joints' numbers there, since parts that are slim elsewhere are wide at slits.
-std::optional<Vec2> handyPlace(const Part &part, const Vec2 &half, const MarkOptions &options,
-                               const Room &room)
+/// the slits beyond the joints' numbers there, since parts that are slim elsewhere are wide at
+/// slits.
+std::optional<Vec2> handyPlace(const Part &part, double height, const Vec2 &half,
+                               const MarkOptions &options, const Room &room)
 {
     if (const std::optional<Vec2> place = room.findInRows(half))
         return place;
     for (const Part::JointMark &mark : part.joints) {
         Part::JointMark beyond = mark;
-        beyond.inner += options.jointHeight * mark.direction;
+        beyond.inner += (options.jointHeight + kHeightsApart * height) * mark.direction;
         for (const Vec2 &center : placesAt(beyond, half)) {
             if (room.fits(center, half))
                 return center;
@@ -86,25 +135,71 @@ std::optional<Vec2> handyPlace(const Part &part, const Vec2 &half, const MarkOpt
     return std::nullopt;
 }
 
-bool engraveNumber(const Part &part, const MarkOptions &options, const Room &room,
-                   Engraving &engraving)
+std::optional<Mark> placeNumber(const Part &part, double largest, double smallest,
+                                const MarkOptions &options, const Room &room)
 {
-    const int value = part.number;
-    const Vec2 size = strokedSize(value);
+    const Vec2 size = strokedSize(part.number);
     const Vec2 clearance = Vec2::Constant(options.clearance);
-    const Vec2 half = 0.5 * options.numberHeight * size + clearance;
-    if (const std::optional<Vec2> place = handyPlace(part, half, options, room)) {
-        draw(value, *place, options.numberHeight, engraving);
-        return true;
-    }
+    const Vec2 whole = 0.5 * largest * size, half = whole + clearance;
+    if (const std::optional<Vec2> place = handyPlace(part, largest, half, options, room))
+        return Mark{part.number, *place, largest, whole};
     const Vec2 center = room.roomiest(half, kAmpleRoom);
+    const double scale = room.scaleAt(center, half);
+    if (scale >= 1.0)
+        return Mark{part.number, center, largest, whole};
     // The clearance does not shrink with the number.
-    const Vec2 left = std::min(room.scaleAt(center, half), 1.0) * half - clearance;
+    const Vec2 left = scale * half - clearance;
     const double height = 2.0 * left.cwiseQuotient(size).minCoeff();
-    if (height < options.minHeight)
-        return false;
-    draw(value, center, height, engraving);
-    return true;
+    if (height < smallest)
+        return std::nullopt;
+    return Mark{part.number, center, height, 0.5 * height * size};
+}
+
+/// All marks, the part's number in this height and no joint's larger.
+Marks placeAll(const Part &part, double height, const MarkOptions &options, Room &room)
+{
+    const std::size_t taken = room.takenCount();
+    Marks marks;
+    placeJoints(part, std::min(options.jointHeight, height), options, room, marks);
+    if (marks.leftOut.empty()) {
+        room.giveBack(taken);
+        for (const Mark &joint : marks.joints)
+            room.take(joint.box(kHeightsApart * height - options.clearance));
+        marks.number = placeNumber(part, height, height, options, room);
+    }
+    room.giveBack(taken);
+    return marks;
+}
+
+/// Where there is no room for all: the part's number, and of the joints' what keeps away from it.
+Marks placeNumberFirst(const Part &part, double largest, const MarkOptions &options, Room &room)
+{
+    const std::size_t taken = room.takenCount();
+    Marks marks;
+    marks.number = placeNumber(part, largest, options.minHeight, options, room);
+    double height = options.jointHeight;
+    if (marks.number) {
+        height = std::min(height, marks.number->height);
+        room.take(marks.number->box(kHeightsApart * marks.number->height - options.clearance));
+    }
+    placeJoints(part, height, options, room, marks);
+    room.giveBack(taken);
+    return marks;
+}
+
+Marks place(const Part &part, const MarkOptions &options, Room &room)
+{
+    if (part.joints.empty())
+        return placeNumberFirst(part, options.numberHeight, options, room);
+    for (double height = options.numberHeight; height >= options.minHeight; height *= kShrink) {
+        Marks marks = placeAll(part, height, options, room);
+        if (marks.isComplete())
+            return marks;
+    }
+    // The smaller the number, the less it keeps from the joints.
+    Marks best = placeNumberFirst(part, options.minHeight, options, room);
+    const Marks larger = placeNumberFirst(part, options.jointHeight, options, room);
+    return larger.leftOut.size() <= best.leftOut.size() ? larger : best;
 }
 
 /// Boxes along the line, none of them much larger than what they hold.
@@ -126,27 +221,22 @@ void takeLine(const CurvePath &path, Room &room)
 
 } // namespace
 
-Engraving engrave(const Part &part, const std::vector<MarkPointer> &drawn,
+Engraving engrave(const Part &part, const std::vector<MarkPointer> &onSection,
                   const MarkOptions &options)
 {
     Region region;
     region.outer = part.outline.outer.polygon(kDrawChord);
     for (const Contour &hole : part.outline.holes)
         region.holes.push_back(hole.polygon(kDrawChord));
-    Engraving engraving;
     if (region.outer.size() < 3)
-        return engraving;
+        return {};
     Room room(region);
-    engraving.lines = linesOn(part, drawn);
-    for (const auto *lines : {&engraving.lines.engraved, &engraving.lines.scored})
-        for (const CurvePath &path : *lines)
+    MarkedLines lines = linesOn(part, onSection);
+    for (const auto *paths : {&lines.engraved, &lines.scored})
+        for (const CurvePath &path : *paths)
             takeLine(path, room);
-    // Joints first: their places are few, the part's number can go anywhere.
-    for (const Part::JointMark &mark : part.joints) {
-        if (!engraveJoint(mark, options, room, engraving))
-            engraving.jointsLeftOut.push_back(mark.joint);
-    }
-    engraving.hasNumber = engraveNumber(part, options, room, engraving);
+    Engraving engraving = drawn(place(part, options, room));
+    engraving.lines = std::move(lines);
     return engraving;
 }
 

@@ -1,5 +1,6 @@
 // What is engraved on a part, so that a heap of them can be put together: its number, and beside
-// every slit the number of the joint, which its mate bears too.
+// every slit the number of the joint, which its mate bears too. That one begins with a short bar
+// (digits.h) and stands so far away that the two are not read as one.
 #pragma once
 
 #include "core/fabrication/digits.h"
@@ -16,6 +17,9 @@ struct MarkOptions
     double clearance = 0.4;    // mm, from a mark's box to the nearest cut or mark
 };
 
+/// Between the part's number and a joint's, in heights of the larger one.
+inline constexpr double kHeightsApart = 2.0;
+
 struct Engraving
 {
     Strokes strokes;         // in the part's coordinates, mm
@@ -28,7 +32,9 @@ struct Engraving
 /// Joint numbers stand just beyond their slits' bottoms, or beside the slits where that is taken;
 /// the part's number stands where it then fits in full size, or where is most room. Upright in the
 /// part's frame. Every mark's box lies inside the material and apart from the others and from what
-/// is drawn on the section.
+/// is drawn on the section: the part's number by kHeightsApart of the larger of the two, joint
+/// numbers by the height of one of them. Where that is too much, all become smaller; where it still
+/// is, joint numbers are left out rather than set closer.
 Engraving engrave(const Part &part, const std::vector<MarkPointer> &drawn,
                   const MarkOptions &options = {});
 

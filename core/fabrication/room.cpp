@@ -102,6 +102,12 @@ void Room::take(const Box2 &box)
     m_takenBoxes.add(box);
 }
 
+void Room::giveBack(std::size_t count)
+{
+    m_taken.resize(count);
+    m_takenBoxes.fill(count, [this](std::size_t i) { return m_taken[i]; });
+}
+
 bool Room::isInside(const Vec2 &point) const
 {
     // Rounding does not matter: who asks has found no edge close by.

@@ -18,6 +18,9 @@ public:
 
     /// Takes a box: nothing else goes there.
     void take(const Box2 &box);
+    /// How many have been taken, and to give back all but the first so many.
+    std::size_t takenCount() const { return m_taken.size(); }
+    void giveBack(std::size_t count);
 
     /// Whether the box of this half size about the point lies inside, touching at most. Looks at
     /// what lies near it only.

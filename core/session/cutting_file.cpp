@@ -53,6 +53,8 @@ Result<CuttingFile> makeCuttingFile(const Analysis &analysis, const CuttingFileO
         engravings.push_back(engrave(part, section.marks));
         if (!engravings.back().hasNumber)
             addOnce(file.unmarked, nameOf(analysis, part));
+        if (!engravings.back().jointsLeftOut.empty())
+            addOnce(file.unmarkedJoints, nameOf(analysis, part));
     }
     if (options.compensatesKerf)
         parts = compensateKerf(std::move(parts), analysis.model, analysis.cuts);

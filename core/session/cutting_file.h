@@ -28,8 +28,9 @@ struct CuttingFile
     double usedShare = 0.0;             // of the sheets' area that parts cover, 0 … 1
     std::vector<std::string> oversized; // names of sections with a part that fits no sheet
     std::vector<std::string> unmarked; // names of sections with a part too slim to carry its number
-    std::vector<std::string> closedSlits; // names of sections whose slits the kerf closes
-    std::optional<double> slitWidth;      // mm, the narrowest slit as drawn, kerf taken off; of any
+    std::vector<std::string> unmarkedJoints; // the same for the numbers of all its joints
+    std::vector<std::string> closedSlits;    // names of sections whose slits the kerf closes
+    std::optional<double> slitWidth; // mm, the narrowest slit as drawn, kerf taken off; of any
 };
 
 /// Errors  NothingToExport for a model without sections.

@@ -167,6 +167,10 @@ QStringList Exporting::warningsOf(const CuttingFile &file)
     }
     for (const std::string &section : file.unmarked)
         warnings += tr("%1 is too slim to carry its number.").arg(QString::fromStdString(section));
+    for (const std::string &section : file.unmarkedJoints) {
+        warnings += tr("%1 has no room for the numbers of all its joints.")
+                        .arg(QString::fromStdString(section));
+    }
     for (const std::string &section : file.closedSlits) {
         warnings += tr("The kerf is as wide as the slits of %1: they would be closed.")
                         .arg(QString::fromStdString(section));

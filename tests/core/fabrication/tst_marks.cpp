@@ -2,6 +2,7 @@
 #include "core/fabrication/marks.h"
 #include "core/fabrication/room.h"
 #include "tests/core/assembly/plates.h"
+#include "tests/core/fabrication/mark_distances.h"
 #include "tests/core/fabrication/parts_of.h"
 #include "tests/core/geometry/curve_distance.h"
 #include "tests/core/shapes.h"
@@ -71,6 +72,8 @@ private Q_SLOTS:
     void jointStandsBeyondItsSlit();
     void jointMovesAsideWhereThereIsNoRoomBeyond();
     void manyJointsKeepApart();
+    void smallPartsAreReadNumberByNumber();
+    void aJointsNumberIsNoPartsNumber();
     void roomiestPlaceOfAnL();
     void whatFitsIsWhatCanGrow();
     void rowsLeadToAPlaceThatFits();
@@ -206,6 +209,56 @@ void TestMarks::manyJointsKeepApart()
         QVERIFY(engraving.jointsLeftOut.empty());
         QVERIFY(engraving.hasNumber);
         QCOMPARE(engraving.boxes.size(), 7U);
+    }
+}
+
+// Wrong: on small and slim parts "1" beside "2" would be read as twelve.
+void TestMarks::smallPartsAreReadNumberByNumber()
+{
+    constexpr unsigned kSeed = 9;
+    std::mt19937 random(kSeed);
+    std::uniform_real_distribution<double> share(0.0, 1.0);
+    int complete = 0, reduced = 0;
+    for (int round = 0; round < 400; ++round) {
+        const double width = 4.0 + 56.0 * share(random), height = 2.0 + 18.0 * share(random);
+        const int count = static_cast<int>(6.0 * share(random));
+        std::vector<Polygon> slits;
+        Part part = partOf({}, 1 + static_cast<int>(200.0 * share(random)));
+        for (int i = 0; i < count; ++i) {
+            const double x = width * (i + 0.2 + 0.6 * share(random)) / count;
+            const double bottom = height * (0.2 + 0.6 * share(random));
+            slits.push_back(rectangleAt(x - 0.5, bottom, 1.0, height));
+            part.joints.push_back({1 + 10 * round + i, {x, bottom}, {0, -1}, 1.0});
+        }
+        part.outline = regionOf(polygonContour(rectangleAt(0, 0, width, height)), {}, slits);
+        const Engraving engraving = engrave(part, {});
+        const QString wrong = misread(engraving, part);
+        QVERIFY2(wrong.isEmpty(), qPrintable(QStringLiteral("%1: %2").arg(round).arg(wrong)));
+        const bool isComplete = engraving.hasNumber && engraving.jointsLeftOut.empty();
+        (isComplete ? complete : reduced) += 1;
+    }
+    qInfo("%d with all numbers, %d without some", complete, reduced);
+    QVERIFY(complete > 100);
+}
+
+// Wrong: the number of a joint could be taken for that of a part.
+void TestMarks::aJointsNumberIsNoPartsNumber()
+{
+    for (const int number : {1, 4, 6, 7, 12, 69, 108}) {
+        Strokes plain, barred;
+        appendNumber(number, {0, 0}, 1.0, plain);
+        appendJointNumber(number, {0, 0}, 1.0, barred);
+        QCOMPARE(barred.size(), plain.size() + 1);
+        // One level stroke, at half the digits' height, before all of them.
+        QCOMPARE(barred[0].size(), 2U);
+        QCOMPARE(barred[0][0].y(), barred[0][1].y());
+        double firstDigit = strokedJointSize(number).x();
+        for (std::size_t i = 1; i < barred.size(); ++i)
+            for (const Vec2 &p : barred[i]) {
+                firstDigit = std::min(firstDigit, p.x());
+                QVERIFY(p.minCoeff() >= 0.0 && (strokedJointSize(number) - p).minCoeff() >= -1e-12);
+            }
+        QVERIFY(firstDigit > std::max(barred[0][0].x(), barred[0][1].x()) + 0.2);
     }
 }
 
