@@ -1,11 +1,11 @@
 #include "core/io/document_file.h"
 
 #include "core/io/fff_format.h"
+#include "core/io/replacement.h"
 
 #include <QtCore/QCoreApplication>
 #include <QtCore/QFile>
 #include <QtCore/QFileInfo>
-#include <QtCore/QSaveFile>
 #include <cerrno>
 #include <cstdio>
 #ifdef Q_OS_UNIX
@@ -22,16 +22,8 @@ tl::unexpected<Error> cannot(ErrorCode code, const QString &path, const QString 
     return failure(code, path.toStdString(), {reason.toStdString()});
 }
 
-/// The system's error as it would be shown, in words of ours where a person can do something.
-QString inWords(int number)
-{
-    return number == ENOSPC ? QString(QLatin1String(QT_TRANSLATE_NOOP("Error", "the disk is full")))
-                            : qt_error_string(number);
-}
-
-/// Why a file could not be made beside `target` and put in its place. number: the system's errno
-/// after it; QSaveFile forgets it where a write fails.
-QString whyNot(const QFileDevice &file, int number, const QString &target)
+/// Why a file could not be written to `target`, or made beside it and put in its place.
+QString whyNot(int number, const QString &target)
 {
     const QFileInfo info(target);
     if (info.exists() && !info.isWritable())
@@ -39,31 +31,7 @@ QString whyNot(const QFileDevice &file, int number, const QString &target)
     const bool isRefused = number == EACCES || number == EPERM || number == EROFS;
     if (isRefused && QFileInfo(info.path()).isDir())
         return QLatin1String(QT_TRANSLATE_NOOP("Error", "this folder is read-only"));
-    return number == 0 ? file.errorString() : inWords(number);
-}
-
-/// What a chain of symbolic links ends at, there or not.
-QString behindLinks(const QString &path)
-{
-    constexpr int kLongestChain = 40; // as the system has it
-    QString target = path;
-    for (int i = 0; i < kLongestChain && QFileInfo(target).isSymLink(); ++i)
-        target = QFileInfo(target).symLinkTarget();
-    return target;
-}
-
-/// Empty, or why the bytes are not there for good: a power cut after the rename must not leave an
-/// empty file.
-QString putOnDisk(int handle)
-{
-#ifdef Q_OS_UNIX
-    // Some file systems know no such thing.
-    if (fsync(handle) != 0 && errno != EINVAL && errno != ENOTSUP && errno != EROFS)
-        return inWords(errno);
-#else
-    Q_UNUSED(handle)
-#endif
-    return {};
+    return systemReason(number);
 }
 
 /// So that the rename itself outlasts a power cut. Nothing is lost where it cannot be.
@@ -95,11 +63,8 @@ void keepBackup(const QString &path)
     }
 #endif
     QFile old(path);
-    QSaveFile copy(backup);
-    if (!old.open(QIODevice::ReadOnly) || !copy.open(QIODevice::WriteOnly))
-        return;
-    const QByteArray bytes = old.readAll();
-    if (copy.write(bytes) == bytes.size() && copy.flush())
+    Replacement copy(backup);
+    if (old.open(QIODevice::ReadOnly) && copy.write(old.readAll().toStdString()) == 0)
         copy.commit();
 }
 
@@ -110,7 +75,8 @@ Result<void> writeStraight(const QString &path, const std::string &bytes)
     errno = 0;
     if (!file.open(QIODevice::WriteOnly | QIODevice::Unbuffered) ||
         file.write(bytes.data(), size) != size)
-        return cannot(ErrorCode::CannotWrite, path, whyNot(file, errno, path));
+        return cannot(ErrorCode::CannotWrite, path,
+                      errno == 0 ? file.errorString() : whyNot(errno, path));
     return {};
 }
 
@@ -210,20 +176,22 @@ Result<void> writeFile(const QString &path, const std::string &bytes, const Writ
                       QLatin1String(QT_TRANSLATE_NOOP("Error", "it is a folder")));
     if (there.exists() && !there.isFile())
         return writeStraight(path, bytes);
-    const QString target = behindLinks(path);
-    QSaveFile file(target);
-    const auto size = static_cast<qint64>(bytes.size());
-    errno = 0;
-    // Flushed by hand: commit() puts the new file in place although its own flush failed.
-    if (!file.open(QIODevice::WriteOnly) || file.write(bytes.data(), size) != size || !file.flush())
-        return cannot(ErrorCode::CannotWrite, path, whyNot(file, errno, target));
-    if (const QString reason = putOnDisk(file.handle()); !reason.isEmpty())
-        return cannot(ErrorCode::CannotWrite, path, reason);
+    Replacement file(path);
+    const QString &target = file.target();
+    const auto failed = [&](int number) {
+        return cannot(ErrorCode::CannotWrite, path, whyNot(number, target));
+    };
+    if (const int number = file.write(bytes))
+        return failed(number);
+    const bool isNamedFirst = options.isThereAtOnce && !there.exists();
+    if (const int number = isNamedFirst ? 0 : file.putOnDisk())
+        return failed(number);
     if (options.keepsBackup && there.exists())
         keepBackup(target);
-    errno = 0;
-    if (!file.commit())
-        return cannot(ErrorCode::CannotWrite, path, whyNot(file, errno, target));
+    if (const int number = file.commit())
+        return failed(number);
+    if (const int number = isNamedFirst ? file.putOnDisk() : 0)
+        return failed(number);
     putFolderOnDisk(QFileInfo(target).path());
     return {};
 }

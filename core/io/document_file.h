@@ -31,6 +31,9 @@ Result<LoadedDocument> readDocument(const QString &path, const ReadOptions &opti
 struct WriteOptions
 {
     bool keepsBackup = false; // what the file was before goes to backupPath()
+    // Where there was no file before, it is there before it is on the disk: a disk that is busy
+    // for seconds must not keep it from those who would read it after a crash of the program.
+    bool isThereAtOnce = false;
 };
 
 /// Where the version before the last save is kept: "fish.fff~" beside "fish.fff".

@@ -1,8 +1,9 @@
 #include "core/io/file_set.h"
 
+#include "core/io/replacement.h"
+
 #include <QtCore/QFile>
 #include <QtCore/QFileInfo>
-#include <QtCore/QSaveFile>
 
 #include <algorithm>
 #include <memory>
@@ -31,9 +32,8 @@ void restore(const std::vector<Before> &done)
             QFile::remove(before.path);
             continue;
         }
-        QSaveFile file(before.path);
-        if (file.open(QIODevice::WriteOnly) && file.write(*before.bytes) == before.bytes->size() &&
-            file.flush())
+        Replacement file(before.path);
+        if (file.write(before.bytes->toStdString()) == 0)
             file.commit();
     }
 }
@@ -62,13 +62,11 @@ std::vector<NamedBytes> numberedFiles(const QString &path, const std::vector<std
 
 Result<void> writeFiles(const std::vector<NamedBytes> &files)
 {
-    std::vector<std::unique_ptr<QSaveFile>> waiting;
+    std::vector<std::unique_ptr<Replacement>> waiting;
     for (const NamedBytes &named : files) {
-        auto file = std::make_unique<QSaveFile>(named.path);
-        const auto size = static_cast<qint64>(named.bytes.size());
-        if (!file->open(QIODevice::WriteOnly) || file->write(named.bytes.data(), size) != size ||
-            !file->flush())
-            return cannotWrite(named.path, file->errorString());
+        auto file = std::make_unique<Replacement>(named.path);
+        if (const int number = file->write(named.bytes))
+            return cannotWrite(named.path, systemReason(number));
         waiting.push_back(std::move(file));
     }
     std::vector<Before> done;
@@ -76,10 +74,9 @@ Result<void> writeFiles(const std::vector<NamedBytes> &files)
         Before before{files[i].path, std::nullopt};
         if (QFile old(before.path); old.open(QIODevice::ReadOnly))
             before.bytes = old.readAll();
-        if (!waiting[i]->commit()) {
-            const QString reason = waiting[i]->errorString();
+        if (const int number = waiting[i]->commit()) {
             restore(done);
-            return cannotWrite(files[i].path, reason);
+            return cannotWrite(files[i].path, systemReason(number));
         }
         done.push_back(std::move(before));
     }

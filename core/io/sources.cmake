@@ -15,6 +15,7 @@ target_sources(fff_io PRIVATE
     json_writer.cpp
     loaded_document.cpp
     obj_writer.cpp
+    replacement.cpp
     svg_clip.cpp
     svg_path.cpp
     svg_reader.cpp
