@@ -87,9 +87,15 @@ void Autosave::Private::changed()
         clear();
         return;
     }
-    if (due || (requested && requested->isSame(session.committed().document)))
-        return;
     const qint64 now = clock.elapsed();
+    if (due) {
+        // Edits that come thick and fast may not leave the timer its turn.
+        if (now >= *due)
+            write();
+        return;
+    }
+    if (requested && requested->isSame(session.committed().document))
+        return;
     due = lastWrite ? std::max(now, *lastWrite + interval)
                     : now + std::min<qint64>(interval, kFirstDelay);
     timer.start(static_cast<int>(*due - now));
@@ -210,7 +216,9 @@ Result<void> Autosave::adopt(const RecoveryEntry &entry)
     std::unique_ptr<RecoverySlot> slot = RecoverySlot::take(entry.slot);
     if (!slot)
         return failure(ErrorCode::CannotOpen, entry.name.toStdString(),
-                       {QT_TRANSLATE_NOOP("Error", "it is open in another window")});
+                       {RecoverySlot::isHeld(entry.slot)
+                            ? QT_TRANSLATE_NOOP("Error", "it is open in another window")
+                            : QT_TRANSLATE_NOOP("Error", "the folder cannot be used")});
     Result<io::LoadedDocument> loaded = readRecoverable(entry);
     if (!loaded)
         return tl::unexpected(loaded.error());

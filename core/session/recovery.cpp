@@ -85,11 +85,23 @@ QStringList slotsIn(const QString &folder)
     return paths;
 }
 
+/// Holds no document that any program could read. One that cannot be read now may be later.
+bool isWaste(const QString &slot)
+{
+    if (!QFile::exists(documentPath(slot)))
+        return true;
+    const Result<std::string> bytes = io::readFile(documentPath(slot));
+    if (!bytes)
+        return false;
+    const Result<io::LoadedDocument> document = io::readFff(*bytes);
+    return !document && document.error().code != ErrorCode::NewerVersion;
+}
+
 } // namespace
 
-RecoverySlot::RecoverySlot(const QString &path) : m_path(path), m_lock(path + kLockSuffix)
+RecoverySlot::RecoverySlot(const QString &path)
+    : m_path(path), m_lock(std::make_unique<SlotLock>(path + kLockSuffix))
 {
-    m_lock.setStaleLockTime(0); // stale when its program is gone, however long it runs
 }
 
 RecoverySlot::~RecoverySlot() = default;
@@ -97,7 +109,12 @@ RecoverySlot::~RecoverySlot() = default;
 std::unique_ptr<RecoverySlot> RecoverySlot::take(const QString &slot)
 {
     std::unique_ptr<RecoverySlot> taken(new RecoverySlot(slot));
-    return taken->m_lock.tryLock(0) ? std::move(taken) : nullptr;
+    return taken->m_lock->tryLock() ? std::move(taken) : nullptr;
+}
+
+bool RecoverySlot::isHeld(const QString &slot)
+{
+    return SlotLock::isHeld(slot + kLockSuffix);
 }
 
 std::unique_ptr<RecoverySlot> RecoverySlot::make(const QString &folder)
@@ -112,31 +129,36 @@ Result<void> RecoverySlot::write(const Document &document, const RecoveryEntry &
     const Result<std::string> bytes = io::writeFff(document);
     if (!bytes)
         return tl::unexpected(bytes.error());
-    return io::writeFile(documentPath(m_path), withEntry(*bytes, entry));
+    const std::string text = withEntry(*bytes, entry);
+    // Nothing that could not be opened again replaces a copy that can.
+    if (const auto again = io::readFff(text); !again)
+        return tl::unexpected(again.error());
+    io::WriteOptions options;
+    options.isThereAtOnce = true;
+    return io::writeFile(documentPath(m_path), text, options);
 }
 
 void RecoverySlot::remove()
 {
     removeFiles(m_path);
-    m_lock.unlock();
+    m_lock.reset();
 }
 
 QList<RecoveryEntry> listRecoverable(const QString &folder)
 {
     QList<RecoveryEntry> entries;
     for (const QString &path : slotsIn(folder)) {
-        const std::unique_ptr<RecoverySlot> slot = RecoverySlot::take(path);
-        if (!slot)
+        if (RecoverySlot::isHeld(path))
             continue; // its program runs
         const Result<std::string> bytes = io::readFile(documentPath(path));
-        const Result<io::LoadedDocument> document =
-            bytes ? io::readFff(*bytes) : Result<io::LoadedDocument>(tl::unexpected(bytes.error()));
-        if (document)
+        if (bytes && io::readFff(*bytes)) {
             entries.append(entryOf(path, *bytes));
-        else if (!QFile::exists(documentPath(path)) ||
-                 (document.error().code != ErrorCode::NewerVersion &&
-                  document.error().code != ErrorCode::CannotOpen))
-            slot->remove();
+        } else if (isWaste(path)) {
+            // It may have become another program's slot by now, and a document.
+            const std::unique_ptr<RecoverySlot> slot = RecoverySlot::take(path);
+            if (slot && isWaste(path))
+                slot->remove();
+        }
     }
     std::stable_sort(
         entries.begin(), entries.end(),

@@ -2,15 +2,16 @@
 // were edited (core/session/autosave.h). For the start page's "Recovered" rows; holds no widget.
 //
 // A recovery folder has two files a slot: "NAME.fff", the document (a file of that format, with an
-// object "recovery" that says what it is), and "NAME.lock", held by the program that writes it. The
-// document is replaced as a whole, so that it is complete at any moment.
+// object "recovery" that says what it is), and "NAME.lock", held by the program that writes it
+// (core/session/slot_lock.h). The document is replaced as a whole, so that it is complete at any
+// moment, and by none that could not be opened again.
 #pragma once
 
 #include "core/io/loaded_document.h"
+#include "core/session/slot_lock.h"
 
 #include <QDateTime>
 #include <QList>
-#include <QLockFile>
 #include <QString>
 
 #include <memory>
@@ -47,6 +48,7 @@ public:
     static std::unique_ptr<RecoverySlot> make(const QString &folder);
     /// A slot that is there. Null when somebody holds it.
     static std::unique_ptr<RecoverySlot> take(const QString &slot);
+    static bool isHeld(const QString &slot);
     ~RecoverySlot(); // lets go of it; what was written stays
 
     /// slot is that of this object, whatever the entry says.
@@ -59,7 +61,7 @@ private:
     explicit RecoverySlot(const QString &path);
 
     QString m_path;
-    QLockFile m_lock;
+    std::unique_ptr<SlotLock> m_lock;
 };
 
 } // namespace fff

@@ -36,6 +36,7 @@ target_sources(fff_session PRIVATE
     session.cpp
     session_commands.cpp
     session_host.cpp
+    slot_lock.cpp
     stretching.cpp
     tool_commands.cpp
     touching.cpp

@@ -86,6 +86,7 @@ private Q_SLOTS:
 
     void theFirstStepIsKeptSoon();
     void laterStepsAreKeptWithinTheInterval();
+    void editsThickAndFastPostponeNothing();
     void anEditDuringAWriteLeadsToAnother();
     void aLoweredIntervalCountsAtOnce();
     void intervalsHaveALimit();
@@ -97,6 +98,8 @@ private Q_SLOTS:
     void recoveredWorkGoesOn();
     void aSlotOpensOnce();
     void anotherDocumentLeavesNoSlot();
+    void whatACrashLeftIsOffered_data();
+    void whatACrashLeftIsOffered();
     void brokenSlots_data();
     void brokenSlots();
     void aFullFolderIsToldOnceAndTriedAgain();
@@ -133,6 +136,21 @@ void TestAutosave::laterStepsAreKeptWithinTheInterval()
     program.pass(1);
     QTRY_COMPARE(program.kept.size(), 2u);
     QVERIFY2(program.kept.back() == program.document(), "both steps, in one write");
+}
+
+// Wrong: who draws faster than the timer gets its turn has no copy at all.
+void TestAutosave::editsThickAndFastPostponeNothing()
+{
+    Program program(folder());
+    for (int i = 0; i < 40; ++i) {
+        program.draw(10 * i);
+        program.elapsed += 300; // no timer in all this time
+    }
+    program.autosave->flush();
+    QVERIFY(program.kept.size() >= 2);
+    QVERIFY2(program.kept.front().sections.size() <= 1 + Autosave::kFirstDelay / 300 + 1,
+             "the first steps are kept at once");
+    QVERIFY(program.kept.back() == program.document());
 }
 
 void TestAutosave::anEditDuringAWriteLeadsToAnother()
@@ -315,6 +333,30 @@ void TestAutosave::anotherDocumentLeavesNoSlot()
     QVERIFY2(second.session.isClean(), "a new document is no recovered one");
     second.die();
     QVERIFY(filesIn(folder()).isEmpty());
+}
+
+void TestAutosave::whatACrashLeftIsOffered_data()
+{
+    QTest::addColumn<QByteArray>("lock");
+    QTest::newRow("killed before it had written its number") << QByteArray();
+    const QByteArray number = QByteArray::number(QCoreApplication::applicationPid());
+    QTest::newRow("another program has its number now")
+        << number + "\n" + QCoreApplication::applicationName().toUtf8() + "\n\n";
+}
+
+// Wrong: a copy is there, and nobody is told.
+void TestAutosave::whatACrashLeftIsOffered()
+{
+    QFETCH(QByteArray, lock);
+    Program program(folder());
+    program.draw();
+    program.die();
+    const QString slot = listRecoverable(folder()).front().slot;
+    put(slot + QStringLiteral(".lock"), lock);
+    const QList<RecoveryEntry> entries = listRecoverable(folder());
+    QCOMPARE(entries.size(), 1);
+    Program next(folder());
+    QVERIFY(next.autosave->adopt(entries.front()).has_value());
 }
 
 void TestAutosave::brokenSlots_data()
