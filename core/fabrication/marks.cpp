@@ -189,12 +189,21 @@ Marks placeNumberFirst(const Part &part, double largest, const MarkOptions &opti
 
 Marks place(const Part &part, const MarkOptions &options, Room &room)
 {
-    if (part.joints.empty())
-        return placeNumberFirst(part, options.numberHeight, options, room);
-    for (double height = options.numberHeight; height >= options.minHeight; height *= kShrink) {
+    // Without regard to joints: larger it will not be.
+    const std::optional<Mark> alone =
+        placeNumber(part, options.numberHeight, options.minHeight, options, room);
+    if (!alone || part.joints.empty()) {
+        Marks marks;
+        marks.number = alone;
+        placeJoints(part, options.jointHeight, options, room, marks);
+        return marks;
+    }
+    for (double height = alone->height;; height = std::max(height * kShrink, options.minHeight)) {
         Marks marks = placeAll(part, height, options, room);
         if (marks.isComplete())
             return marks;
+        if (height <= options.minHeight)
+            break;
     }
     // The smaller the number, the less it keeps from the joints.
     Marks best = placeNumberFirst(part, options.minHeight, options, room);

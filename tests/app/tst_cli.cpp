@@ -72,6 +72,7 @@ private Q_SLOTS:
     void partsComeInTheirOrder();
     void exportIsTrueToSize();
     void kerfThatClosesSlitsIsSaid();
+    void jointsWithoutANumberAreSaid();
     void exportKeepsTheOldFileWhenItCannotWrite();
     void nativeExportReadsBackEqual();
     void optionsOverrideTheDocument();
@@ -269,6 +270,20 @@ void TestCli::kerfThatClosesSlitsIsSaid()
     QCOMPARE(result.status, 0);
     QVERIFY(result.err.contains("closes them: Section 1, Section 2"));
     QVERIFY(result.err.contains("0.00 mm"));
+}
+
+// Who looks for a joint's number that is not there thinks that the part is the wrong one.
+void TestCli::jointsWithoutANumberAreSaid()
+{
+    Document document = withSection(newDocument(), polygonShape(rectangle(0, 0, 7, 3.5)), front());
+    document =
+        withSection(std::move(document), polygonShape(rectangle(-3.5, 0, 3.5, 3.5)), side(3.5));
+    QVERIFY(io::writeDocument(path("tiny.fff"), document));
+    const Run result =
+        run({QStringLiteral("export"), path("tiny.fff"), QStringLiteral("-o"), path("tiny.svg")});
+    QCOMPARE(result.status, 0);
+    QVERIFY2(result.err.contains("No room for the numbers of all joints: Section 1, Section 2"),
+             result.err);
 }
 
 void TestCli::exportKeepsTheOldFileWhenItCannotWrite()

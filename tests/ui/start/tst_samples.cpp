@@ -67,6 +67,7 @@ void TestSamples::eachHoldsAndCanBeMade()
     QCOMPARE(file->partCount, static_cast<int>(analysis.model.sectionCount()));
     QVERIFY(file->oversized.empty());
     QVERIFY(file->unmarked.empty());
+    QVERIFY(file->unmarkedJoints.empty());
     QVERIFY(file->closedSlits.empty());
 }
 
