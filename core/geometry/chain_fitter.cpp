@@ -29,10 +29,20 @@ ChainFitter::ChainFitter(const SampledLine &line, double tolerance, double reach
 {
 }
 
+std::vector<ChainFitter::Link> ChainFitter::takeLinks()
+{
+    std::erase_if(m_chain, [](const Link &link) {
+        return link.curve.p0 == link.curve.p3 && link.curve.isStraight(0.0);
+    });
+    return std::move(m_chain);
+}
+
 std::vector<CubicBezier> ChainFitter::takeChain()
 {
-    std::erase_if(m_chain, [](const CubicBezier &s) { return s.p0 == s.p3 && s.isStraight(0.0); });
-    return std::move(m_chain);
+    std::vector<CubicBezier> chain;
+    for (const Link &link : takeLinks())
+        chain.push_back(link.curve);
+    return chain;
 }
 
 const CurveEnd &ChainFitter::joint(std::size_t at)
@@ -248,7 +258,8 @@ void ChainFitter::fitSmooth(const Stretch &stretch)
     std::vector<Piece> pieces = forwards();
     const std::optional<std::size_t> forced = firstForced(pieces);
     if (forced && stretch.to - stretch.from == 1) {
-        m_chain.push_back(CubicBezier::line(stretch.start.position, stretch.end.position));
+        m_chain.push_back({CubicBezier::line(stretch.start.position, stretch.end.position),
+                           stretch.from, stretch.to});
         return;
     }
     if (forced) {
@@ -281,7 +292,7 @@ void ChainFitter::fitSmooth(const Stretch &stretch)
     std::size_t from = stretch.from;
     for (const Piece &p : pieces) {
         const auto best = m_spans.best(from, p.to, joint(from), joint(p.to));
-        m_chain.push_back(best.value_or(p.curve));
+        m_chain.push_back({best.value_or(p.curve), from, p.to});
         from = p.to;
     }
 }
@@ -290,7 +301,8 @@ void ChainFitter::fit(const Stretch &stretch)
 {
     if (!stretch.isStartGiven && !stretch.isEndGiven &&
         m_line.isStraight(stretch.from, stretch.to, m_tolerance)) {
-        m_chain.push_back(CubicBezier::line(stretch.start.position, stretch.end.position));
+        m_chain.push_back({CubicBezier::line(stretch.start.position, stretch.end.position),
+                           stretch.from, stretch.to});
         return;
     }
     Stretch rest = stretch;
@@ -326,7 +338,8 @@ void ChainFitter::fit(const Stretch &stretch)
             before.isEndGiven = true;
             fitSmooth(before);
         }
-        m_chain.push_back(CubicBezier::line(run.start.position, run.end.position));
+        m_chain.push_back(
+            {CubicBezier::line(run.start.position, run.end.position), run.from, run.to});
         rest.from = run.to;
         rest.start = run.end;
         rest.isStartGiven = true;

@@ -39,8 +39,19 @@ public:
     static void smoothen(Stretch &before, Stretch &after);
     static constexpr double kLeastCorner = 0.35; // radians
 
+    /// A segment of the chain, and the samples of the line that it runs from and to.
+    struct Link
+    {
+        CubicBezier curve;
+        std::size_t from = 0, to = 0;
+    };
+
     /// Without segments of no length.
+    std::vector<Link> takeLinks();
     std::vector<CubicBezier> takeChain();
+
+    /// What was done so far, for those who count: samples that a cubic was held against.
+    std::size_t samplesLookedAt() const { return m_spans.samplesLookedAt(); }
 
 private:
     struct Piece
@@ -69,7 +80,7 @@ private:
     SpanFitter m_spans;
     std::vector<std::optional<CurveEnd>> m_joints; // that were asked for
     Stretch m_stretch;
-    std::vector<CubicBezier> m_chain;
+    std::vector<Link> m_chain;
 };
 
 } // namespace fff

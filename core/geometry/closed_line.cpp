@@ -75,20 +75,35 @@ void lead(std::vector<Vec2> &line, const Vec2 &offset, double over, bool isAtEnd
     }
 }
 
+/// A gap that nothing below makes small enough. Saves looking at the line, at most of its samples.
+bool isFarFromClosed(const std::vector<Vec2> &samples, double tolerance, double reach,
+                     double between)
+{
+    if (samples.empty() || !samples.front().allFinite() || !samples.back().allFinite())
+        return false;
+    double drawn = between; // not less than what is measured on the simplified line
+    for (std::size_t i = 0; i + 1 < samples.size(); ++i)
+        drawn += (samples[i + 1] - samples[i]).norm();
+    const double cutOff = (kCornerGap + 1.0) * reach + tolerance; // the end, by passing the start
+    return (samples.back() - samples.front()).norm() > kLargestGap * drawn + cutOff;
+}
+
 } // namespace
 
 std::optional<std::vector<Vec2>> closedLine(const std::vector<Vec2> &samples, double tolerance,
-                                            double reach)
+                                            double reach, double between)
 {
-    const SampledLine sampled(samples, tolerance, reach);
-    if (sampled.size() < 4 || sampled.length() < kLeastLength * reach)
+    if (isFarFromClosed(samples, tolerance, reach, between))
         return {};
-    const double length = sampled.length();
+    const SampledLine sampled(samples, tolerance, reach);
+    if (sampled.size() < 4 || sampled.length() + between < kLeastLength * reach)
+        return {};
+    const double length = sampled.length() + between;
     std::vector<Vec2> line = SampledLine::usable(samples);
 
     // Beyond the start, the end runs beside what is there already.
     const double overlap = std::min(kLargestOverlap * length, kCornerGap * reach);
-    const std::size_t first = sampled.drawnBefore(sampled.indexAt(length - overlap));
+    const std::size_t first = sampled.drawnBefore(sampled.indexAt(sampled.length() - overlap));
     const Place passing = nearestPlace(line, line.front(), first);
     const bool isBeyond = passing.index + 2 < line.size() || passing.share < 1.0;
     if (isBeyond && passing.distance <= kSmoothOffset * tolerance)

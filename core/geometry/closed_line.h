@@ -18,7 +18,11 @@ namespace fff {
 /// tolerances (three at a corner), and by nothing elsewhere. None for all other strokes.
 ///
 /// tolerance, reach: as in FitOptions, mm
+/// between           mm of the line that were left out of `samples`, somewhere between its ends,
+///                   beyond the straight way over the gap that this makes. What is looked at lies
+///                   within kEndReaches of the ends.
 std::optional<std::vector<Vec2>> closedLine(const std::vector<Vec2> &samples, double tolerance,
-                                            double reach);
+                                            double reach, double between = 0.0);
+inline constexpr double kEndReaches = 24.0;
 
 } // namespace fff

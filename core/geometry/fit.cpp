@@ -12,6 +12,8 @@ namespace {
 
 /// The closing piece's handles are halved so often at most to take a loop out of it.
 constexpr int kHandleHalvings = 8;
+/// Directions at a joint that differ by less, in radians, are one: corners turn by far more.
+constexpr double kSameDirectionOfJoints = 1e-6;
 /// A closed line is continued by so many reaches at both ends, so that it is judged as without any.
 constexpr double kOverlap = 8.0;
 
@@ -115,6 +117,8 @@ public:
         ChainFitter::Stretch stretch{from, to, joint, joint, 0, m_line.size() - 1};
         stretch.isStartGiven = stretch.isEndGiven = true;
         fitter.fit(stretch);
+        if (options.work)
+            *options.work += m_line.size() + fitter.samplesLookedAt();
         return fitter.takeChain();
     }
 
@@ -145,9 +149,10 @@ private:
 
 } // namespace
 
-std::vector<CubicBezier> fitCurve(const std::vector<Vec2> &samples, const FitOptions &options)
+namespace {
+
+std::vector<ChainFitter::Link> fitLinks(const SampledLine &line, const FitOptions &options)
 {
-    const SampledLine line(samples, options.tolerance, options.reach * options.tolerance);
     if (line.size() < 2)
         return {};
     std::vector<std::size_t> stops = line.corners(options.cornerAngle);
@@ -172,7 +177,36 @@ std::vector<CubicBezier> fitCurve(const std::vector<Vec2> &samples, const FitOpt
     }
     for (const ChainFitter::Stretch &stretch : stretches)
         fitter.fit(stretch);
-    return fitter.takeChain();
+    if (options.work)
+        *options.work += line.size() + fitter.samplesLookedAt();
+    return fitter.takeLinks();
+}
+
+} // namespace
+
+std::vector<CubicBezier> fitCurve(const std::vector<Vec2> &samples, const FitOptions &options)
+{
+    const SampledLine line(samples, options.tolerance, options.reach * options.tolerance);
+    std::vector<CubicBezier> chain;
+    for (const ChainFitter::Link &link : fitLinks(line, options))
+        chain.push_back(link.curve);
+    return chain;
+}
+
+std::vector<FittedPiece> fitPieces(const std::vector<Vec2> &samples, const FitOptions &options)
+{
+    const SampledLine line(samples, options.tolerance, options.reach * options.tolerance);
+    std::vector<FittedPiece> pieces;
+    for (const ChainFitter::Link &link : fitLinks(line, options)) {
+        const std::size_t from = line.drawnBefore(link.from), to = line.drawnBefore(link.to);
+        pieces.push_back({link.curve, from, to});
+        pieces.back().isStartBetween = line.indexOfDrawn(from) != link.from;
+    }
+    for (std::size_t i = 0; i + 1 < pieces.size(); ++i)
+        pieces[i].isEndSmooth = pieces[i + 1].isStartSmooth =
+            turnBetween(endDirection(pieces[i].curve), startDirection(pieces[i + 1].curve)) <
+            kSameDirectionOfJoints;
+    return pieces;
 }
 
 std::vector<CubicBezier> fitClosedCurve(const std::vector<Vec2> &samples, const FitOptions &options)

@@ -18,6 +18,18 @@ struct FitOptions
     double reach = 4.0;
     /// The way at the first (at the last) sample, unit; none: that of the line there.
     std::optional<Vec2> startDirection = {}, endDirection = {};
+    /// Counts the samples that cubics were held against: what a fit costs, on any machine.
+    std::size_t *work = nullptr;
+};
+
+/// A segment of a chain, and the samples that it runs from and to.
+struct FittedPiece
+{
+    CubicBezier curve;
+    std::size_t from = 0, to = 0;
+    /// The chain passes its start (its end) in one direction.
+    bool isStartSmooth = false, isEndSmooth = false;
+    bool isStartBetween = false; // it starts after the sample `from`, before the next one
 };
 
 /// An open chain of cubic Béziers along the polyline through the samples, from the first to the
@@ -38,6 +50,11 @@ struct FitOptions
 /// Schneider 1990, "An Algorithm for Automatically Fitting Digitized Curves", Graphics Gems, pp.
 /// 612-626: corners first, then directions, then handles by least squares.
 std::vector<CubicBezier> fitCurve(const std::vector<Vec2> &samples, const FitOptions &options = {});
+
+/// The same with the samples that each segment runs along. Of samples that are all looked at
+/// (SampledLine::usable).
+std::vector<FittedPiece> fitPieces(const std::vector<Vec2> &samples,
+                                   const FitOptions &options = {});
 
 /// The same for a closed line: the first sample follows the last. The chain ends where it starts,
 /// G1 there as well, or at a corner when there is one.

@@ -108,7 +108,7 @@ bool SpanFitter::isWithin(const CubicBezier &curve, std::size_t from, std::size_
     double s1 = m_feet.empty() ? m_line.along(to) : m_line.along(m_feet.front().sample);
     double u1 = m_feet.empty() ? 1.0 : m_feet.front().u;
     double before = 0.0; // parameter of the sample before
-    for (std::size_t i = from; i < to; ++i) {
+    for (std::size_t i = from; i < to; ++i, ++m_lookedAt) {
         // The foot of the next sample, starting between those that are known.
         double u = 1.0;
         const Vec2 &a = m_line.point(i), &b = m_line.point(i + 1);
@@ -173,6 +173,7 @@ std::optional<CubicBezier> SpanFitter::fit(std::size_t from, std::size_t to, con
     for (int step = 0;; ++step) {
         const CubicBezier curve = withHandles(start, end, first, second);
         const Polynomial p(curve);
+        m_lookedAt += m_feet.size();
         double j00 = 0.0, j01 = 0.0, j11 = 0.0, r0 = 0.0, r1 = 0.0, error = 0.0;
         for (Foot &foot : m_feet) {
             const Vec2 &sample = m_line.point(foot.sample);

@@ -39,6 +39,9 @@ public:
     CubicBezier shortestPiece(std::size_t from, std::size_t to, const CurveEnd &start,
                               const CurveEnd &end);
 
+    /// Samples that a cubic was held against so far: what the fits cost.
+    std::size_t samplesLookedAt() const { return m_lookedAt; }
+
     /// Radians. Three cubics go round a circle: with fewer, one sees that they are none.
     static constexpr double kLargestTurn = 2.6;
 
@@ -57,6 +60,7 @@ private:
     const SampledLine &m_line;
     const double m_limit; // mm
     std::vector<Foot> m_feet;
+    mutable std::size_t m_lookedAt = 0;
 };
 
 } // namespace fff

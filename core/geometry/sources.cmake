@@ -28,6 +28,7 @@ target_sources(fff_core PRIVATE
     geometry/radial_contour.cpp
     geometry/region_tree.cpp
     geometry/sampled_line.cpp
+    geometry/settled_fit.cpp
     geometry/side_of_line.cpp
     geometry/similarity.cpp
     geometry/simple_ring.cpp

@@ -99,7 +99,8 @@ GestureReply MarkTool::handle(const PointerEvent &event, GestureContext &context
         }
         m_press = event.position;
         m_isDrag = false;
-        m_samples = {*at};
+        const double scale = context.camera.scaleAt(m_canvas.toWorld(*at), context.viewport);
+        m_drawn.emplace(*at, FitOptions{.tolerance = context.settings.fitTolerance * scale});
         return reply;
     }
     if (!m_press)
@@ -107,7 +108,7 @@ GestureReply MarkTool::handle(const PointerEvent &event, GestureContext &context
     m_isStraight = event.modifiers.shift;
     m_isDrag = m_isDrag || (event.position - *m_press).norm() > context.settings.dragThreshold;
     if (at && event.type == PointerEvent::Type::Move)
-        m_samples.push_back(*at);
+        m_drawn->add(*at);
     if (event.type == PointerEvent::Type::Release)
         return release(context);
     if (m_isDrag)
@@ -117,27 +118,38 @@ GestureReply MarkTool::handle(const PointerEvent &event, GestureContext &context
     return reply;
 }
 
+MarkTool::Drawn::Drawn(const Vec2 &from, const FitOptions &fit)
+    : options(fit), line(Stroke::kThinning * fit.tolerance), settled(fit), start(from), end(from)
+{
+    line.add(from);
+}
+
+void MarkTool::Drawn::add(const Vec2 &p)
+{
+    end = p;
+    if (line.add(p))
+        settled.follow(line.points());
+}
+
 /// Null while it is no line yet. Smooth once it is whole: till then all of it would be fitted anew
 /// with every move.
 MarkPointer MarkTool::drawn(const GestureContext &context, bool isWhole) const
 {
-    const double scale =
-        context.camera.scaleAt(m_canvas.toWorld(m_samples.front()), context.viewport);
+    const double scale = context.camera.scaleAt(m_canvas.toWorld(m_drawn->start), context.viewport);
     Mark mark;
     mark.kind = context.settings.scores ? Mark::Kind::Scored : Mark::Kind::Engraved;
     Result<CurvePath> path = tl::unexpected(Error{});
     if (m_isStraight) {
         const SnapTargets none(m_canvas, context.camera.orientation);
-        const Vec2 end = held(m_samples.back(), m_samples.front(), none, scale, false).point;
-        if ((end - m_samples.front()).norm() > scale)
-            path = CurvePath::fromLine({m_samples.front(), end});
+        const Vec2 end = held(m_drawn->end, m_drawn->start, none, scale, false).point;
+        if ((end - m_drawn->start).norm() > scale)
+            path = CurvePath::fromLine({m_drawn->start, end});
     } else if (!isWhole) {
-        path = CurvePath::fromLine(m_samples);
+        path = CurvePath::fromLine(m_drawn->line.points());
     } else {
-        FitOptions options;
-        options.tolerance = context.settings.fitTolerance * scale;
         std::vector<Vec2> points;
-        for (const CubicBezier &curve : fitCurve(m_samples, options)) {
+        for (const CubicBezier &curve :
+             fitAround(m_drawn->line.points(), m_drawn->settled.pieces(), m_drawn->options)) {
             if (points.empty())
                 points.push_back(curve.p0);
             points.insert(points.end(), {curve.p1, curve.p2, curve.p3});
@@ -155,20 +167,19 @@ GestureReply MarkTool::release(GestureContext &context)
 {
     GestureReply reply;
     m_press.reset();
-    const std::vector<Vec2> samples = m_samples;
     SectionEdit edit = tl::unexpected(Hint{Hint::Kind::TooShort, {}, true});
     if (!m_isDrag) {
         Lettering lettering;
         lettering.text = kFirstWords;
         lettering.height = kLetterHeight;
-        lettering.at = samples.front();
+        lettering.at = m_drawn->start;
         lettering.turn = uprightTurn(m_canvas);
         edit = letteringAdded(context.model, *m_section, lettering,
                               context.settings.scores ? Mark::Kind::Scored : Mark::Kind::Engraved);
     } else if (const MarkPointer mark = drawn(context, true)) {
         edit = markAdded(context.model, *m_section, mark);
     }
-    m_samples.clear();
+    m_drawn.reset();
     if (!edit)
         reply.note = edit.error();
     else if (const Section *now =
@@ -200,7 +211,7 @@ void MarkTool::mark(GestureContext &context, bool)
 GestureReply MarkTool::interrupt(GestureContext &)
 {
     m_press.reset();
-    m_samples.clear();
+    m_drawn.reset();
     return {};
 }
 

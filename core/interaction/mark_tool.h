@@ -11,6 +11,7 @@
 #include "core/interaction/snapping.h"
 #include "core/interaction/solo_view.h"
 #include "core/interaction/tool.h"
+#include "core/stroke/stroke.h"
 
 namespace fff {
 
@@ -46,7 +47,17 @@ private:
     std::optional<Camera> m_before; // the turn
     std::optional<Vec2> m_press;    // px
     bool m_isDrag = false, m_isStraight = false;
-    std::vector<Vec2> m_samples; // canvas coordinates, mm
+    struct Drawn // canvas coordinates, mm
+    {
+        Drawn(const Vec2 &from, const FitOptions &fit);
+        void add(const Vec2 &p);
+
+        FitOptions options;
+        ThinnedLine line;
+        SettledFit settled;
+        Vec2 start, end; // as they were pressed and moved to
+    };
+    std::optional<Drawn> m_drawn; // since the press
 };
 
 } // namespace fff

@@ -1,7 +1,9 @@
 target_sources(fff_core PRIVATE
+    stroke/closed_fit.cpp
     stroke/leaving.cpp
     stroke/pen_path.cpp
     stroke/stroke.cpp
     stroke/stroke_contour.cpp
     stroke/symmetry.cpp
+    stroke/thinned_line.cpp
 )

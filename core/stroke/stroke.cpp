@@ -117,7 +117,7 @@ double Stroke::turnProgress(double time) const
 const StrokeContour &Stroke::contour() const
 {
     if (!m_contour)
-        m_contour = strokeContour(m_samples, m_options.contour);
+        m_contour = strokeContour(m_line.points(), m_settled, m_options.contour);
     return *m_contour;
 }
 
@@ -157,9 +157,9 @@ void Stroke::moveInDeadZone(const Vec2 &point)
 
 void Stroke::addSample(const Vec2 &point)
 {
-    if (!m_samples.empty() && (point - m_samples.back()).norm() <= kClipGrid)
+    if (!m_line.add(point))
         return;
-    m_samples.push_back(point);
+    m_settled.follow(m_line.points());
     m_contour.reset();
 }
 

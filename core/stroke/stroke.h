@@ -4,6 +4,7 @@
 
 #include "core/stroke/leaving.h"
 #include "core/stroke/stroke_contour.h"
+#include "core/stroke/thinned_line.h"
 
 namespace fff {
 
@@ -41,7 +42,14 @@ public:
         StrokeContourOptions contour;
     };
 
-    explicit Stroke(const Options &options) : m_options(options) {}
+    /// Of the tolerance, what a sample has to add to be kept: a third of a pixel where that is two.
+    static constexpr double kThinning = 0.15;
+
+    explicit Stroke(const Options &options)
+        : m_options(options), m_line(kThinning * options.contour.tolerance),
+          m_settled(settledFit(options.contour))
+    {
+    }
 
     void beginOnCanvas(const Sample &sample);
     /// The sample's point lies inside the shape.
@@ -70,9 +78,14 @@ public:
     /// How far the turn has come at a time, eased, 0 … 1.
     double turnProgress(double time) const;
 
-    /// Canvas coordinates, finite, no two equal in a row.
-    const std::vector<Vec2> &samples() const { return m_samples; }
-    /// What a release would make now. Kept until the next sample.
+    /// Those that say something new (thinned_line.h). Canvas coordinates, finite, no two equal in a
+    /// row.
+    const std::vector<Vec2> &samples() const { return m_line.points(); }
+    /// Changes with them.
+    std::uint64_t revision() const { return m_line.revision(); }
+    /// What of the fit stays as it is, whatever is drawn next.
+    const SettledFit &settled() const { return m_settled; }
+    /// What a release would make now. Kept until the next sample that adds something.
     const StrokeContour &contour() const;
 
 private:
@@ -89,7 +102,8 @@ private:
     Vec2 m_slitFrom = Vec2::Zero(), m_slitTo = Vec2::Zero();
     double m_turnStart = 0.0; // ms
     Vec2 m_last = Vec2::Zero();
-    std::vector<Vec2> m_samples;
+    ThinnedLine m_line;
+    SettledFit m_settled;
     mutable std::optional<StrokeContour> m_contour;
 };
 

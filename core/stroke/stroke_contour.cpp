@@ -2,8 +2,10 @@
 
 #include "core/base/tolerances.h"
 #include "core/geometry/boolean.h"
-#include "core/geometry/closed_line.h"
 #include "core/geometry/fit.h"
+#include "core/geometry/sampled_line.h"
+#include "core/stroke/closed_fit.h"
+#include "core/stroke/settled_half.h"
 
 #include <algorithm>
 
@@ -15,6 +17,10 @@ using Refusal = StrokeContour::Refusal;
 
 /// What is smaller than this many tolerances is a slip of the hand, not a shape.
 constexpr double kSmallestExtent = 5.0;
+
+/// What it takes to close a segment, and to take one apart where the contour crosses itself, in
+/// samples.
+constexpr std::size_t kSegmentWork = 100, kCrossingWork = 1000;
 
 double extentOf(const std::vector<CubicBezier> &chain)
 {
@@ -37,9 +43,12 @@ void close(std::vector<CubicBezier> chain, double tolerance, StrokeContour &stro
     const Result<Contour> closed = Contour::fromSegments(chain);
     if (!closed)
         return;
+    stroke.work += kSegmentWork * chain.size();
     Result<ResolvedContour> resolved = resolveCrossings(*closed);
     if (!resolved)
         return;
+    if (resolved->wasCrossing)
+        stroke.work += kCrossingWork * chain.size();
     const double extent = bounds(resolved->contour.flatten(tolerance).points).size().maxCoeff();
     const double area = std::abs(resolved->contour.signedArea());
     if (extent < kSmallestExtent * tolerance || area < std::max(kMinArea, tolerance * extent)) {
@@ -52,15 +61,16 @@ void close(std::vector<CubicBezier> chain, double tolerance, StrokeContour &stro
     stroke.refusal = Refusal::None;
 }
 
-void closePlain(const std::vector<Vec2> &samples, double tolerance, StrokeContour &stroke)
+void closePlain(const std::vector<Vec2> &samples, const SettledFit &settled, double tolerance,
+                StrokeContour &stroke)
 {
-    const FitOptions options{.tolerance = tolerance};
-    if (const auto loop = closedLine(samples, tolerance, options.reach * tolerance)) {
-        stroke.fitted = fitClosedCurve(*loop, options);
+    const FitOptions options{.tolerance = tolerance, .work = &stroke.work};
+    if (auto loop = closedFit(samples, settled.pieces(), options)) {
+        stroke.fitted = *std::move(loop);
         close(stroke.fitted, tolerance, stroke);
         return;
     }
-    stroke.fitted = fitCurve(samples, options);
+    stroke.fitted = fitAround(samples, settled.pieces(), options);
     if (stroke.fitted.empty())
         return;
     CubicBezier &last = stroke.fitted.back();
@@ -76,10 +86,11 @@ void closePlain(const std::vector<Vec2> &samples, double tolerance, StrokeContou
 }
 
 /// False when the halves would not meet; then nothing is changed.
-bool closeMirrored(const std::vector<Vec2> &samples, double tolerance, StrokeContour &stroke)
+bool closeMirrored(const std::vector<Vec2> &samples, const SettledFit &settled, double tolerance,
+                   StrokeContour &stroke)
 {
-    std::optional<MirroredHalf> half =
-        mirroredHalf(samples, *stroke.axis, *stroke.symmetry, tolerance);
+    std::optional<MirroredHalf> half = mirroredHalf(samples, *stroke.axis, *stroke.symmetry,
+                                                    tolerance, settled.pieces(), &stroke.work);
     if (!half)
         return false;
     std::vector<CubicBezier> chain = std::move(half->outline);
@@ -96,27 +107,40 @@ bool closeMirrored(const std::vector<Vec2> &samples, double tolerance, StrokeCon
 
 } // namespace
 
+SettledFit settledFit(const StrokeContourOptions &options)
+{
+    return SettledFit({.tolerance = options.tolerance});
+}
+
 StrokeContour strokeContour(const std::vector<Vec2> &samples, const StrokeContourOptions &options)
+{
+    const std::vector<Vec2> usable = SampledLine::usable(samples);
+    SettledFit settled = settledFit(options);
+    settled.follow(usable);
+    return strokeContour(usable, settled, options);
+}
+
+StrokeContour strokeContour(const std::vector<Vec2> &samples, const SettledFit &settled,
+                            const StrokeContourOptions &options)
 {
     StrokeContour stroke;
     stroke.refusal = Refusal::TooShort;
     stroke.axis = options.axis;
-    Box2 drawn;
-    for (const Vec2 &p : samples)
-        drawn.extend(p);
+    const Box2 drawn = bounds(samples);
     // Joins to the axis would make something even of a slip of the hand.
     if (drawn.isEmpty() || drawn.size().maxCoeff() < kSmallestExtent * options.tolerance) {
-        stroke.fitted = fitCurve(samples, {.tolerance = options.tolerance});
+        const FitOptions plain{.tolerance = options.tolerance, .work = &stroke.work};
+        stroke.fitted = fitAround(samples, settled.pieces(), plain);
         return stroke;
     }
     if (options.axis)
         stroke.symmetry = judgeSymmetry(samples, *options.axis, options.mirrorRatio);
     stroke.isMirrored = stroke.symmetry && stroke.symmetry->isOneSided && options.isSymmetryOn;
-    if (stroke.isMirrored && closeMirrored(samples, options.tolerance, stroke))
+    if (stroke.isMirrored && closeMirrored(samples, settled, options.tolerance, stroke))
         return stroke;
     stroke.doHalvesMeet = !stroke.isMirrored;
     stroke.isMirrored = false;
-    closePlain(samples, options.tolerance, stroke);
+    closePlain(samples, settled, options.tolerance, stroke);
     return stroke;
 }
 

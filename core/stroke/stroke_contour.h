@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/geometry/contour.h"
+#include "core/geometry/settled_fit.h"
 #include "core/stroke/symmetry.h"
 
 #include <optional>
@@ -47,10 +48,20 @@ struct StrokeContour
     std::optional<SymmetryVerdict> symmetry; // of the samples, where there is an axis
     bool isMirrored = false;                 // one-sided, symmetry is on, and the halves meet
     bool doHalvesMeet = true;                // false: not mirrored for this, it would be two pieces
+
+    /// What it took, in samples that were looked at: the same on every machine.
+    std::size_t work = 0;
 };
 
 /// samples: canvas coordinates, mm. A function of all samples, so that nothing jumps at the
 /// release.
 StrokeContour strokeContour(const std::vector<Vec2> &samples, const StrokeContourOptions &options);
+/// The same while it is drawn: `settled` follows the samples, all of which are looked at
+/// (SampledLine::usable), with the options of settledFit().
+StrokeContour strokeContour(const std::vector<Vec2> &samples, const SettledFit &settled,
+                            const StrokeContourOptions &options);
+
+/// What follows the samples of such a stroke.
+SettledFit settledFit(const StrokeContourOptions &options);
 
 } // namespace fff

@@ -2,11 +2,15 @@
 
 #include "core/base/tolerances.h"
 #include "core/geometry/boolean.h"
+#include "core/geometry/closed_line.h"
 #include "core/geometry/fit.h"
 #include "core/geometry/halfplane_clip.h"
+#include "core/stroke/closed_fit.h"
+#include "core/stroke/settled_half.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <span>
 
@@ -28,6 +32,8 @@ constexpr double kClosingGap = 0.15;
 constexpr double kLongestJoin = 2.0;
 /// Reaches along the axis by which a half that runs beside it is longer than where it crosses.
 constexpr double kAlongAxis = 4.0;
+/// Samples of the stroke that are looked at for the next point of a half.
+constexpr std::size_t kStrangers = 3;
 /// A closed stroke is opened where it is within so many times its least distance from the axis.
 constexpr double kNeckHeight = 2.0;
 
@@ -54,6 +60,10 @@ public:
     CubicBezier toCanvas(const CubicBezier &s) const
     {
         return {toCanvas(s.p0), toCanvas(s.p1), toCanvas(s.p2), toCanvas(s.p3)};
+    }
+    CubicBezier toLocal(const CubicBezier &s) const
+    {
+        return {toLocal(s.p0), toLocal(s.p1), toLocal(s.p2), toLocal(s.p3)};
     }
     std::vector<CubicBezier> toCanvas(const std::vector<CubicBezier> &chain) const
     {
@@ -291,6 +301,48 @@ std::vector<CubicBezier> withoutCrossings(const std::vector<CubicBezier> &chain,
     return outline;
 }
 
+/// What of the settled pieces is part of the half, in its coordinates and by its points: those
+/// whose samples all are, one after the other, away from the half's ends.
+std::vector<FittedPiece> settledIn(const Line &half, const Line &samples, const AxisFrame &frame,
+                                   const std::vector<FittedPiece> &settled, double atEnds)
+{
+    std::vector<FittedPiece> pieces;
+    if (settled.empty())
+        return pieces;
+    // The half goes the stroke's way; its samples are the very same, with others between runs.
+    constexpr std::size_t kNowhere = std::numeric_limits<std::size_t>::max();
+    std::vector<std::size_t> placeOf(samples.size(), kNowhere);
+    std::size_t next = 0;
+    bool isFound = false;
+    for (std::size_t k = 0; k < half.size(); ++k) {
+        const std::size_t most = isFound ? kStrangers : samples.size();
+        std::size_t i = next, passed = 0;
+        for (; passed < most && samples[i] != half[k]; ++passed)
+            i = i + 1 < samples.size() ? i + 1 : 0;
+        if (passed == most)
+            continue; // a place on the axis
+        isFound = true;
+        placeOf[i] = k;
+        next = i + 1 < samples.size() ? i + 1 : 0;
+    }
+    for (const FittedPiece &piece : settled) {
+        const std::size_t from = placeOf[piece.from], to = placeOf[piece.to];
+        if (from == kNowhere || to == kNowhere || from + piece.to != to + piece.from ||
+            piece.isStartBetween)
+            continue;
+        pieces.push_back(piece);
+        pieces.back().from = from;
+        pieces.back().to = to;
+        pieces.back().curve = frame.toLocal(piece.curve);
+    }
+    std::sort(pieces.begin(), pieces.end(),
+              [](const FittedPiece &a, const FittedPiece &b) { return a.from < b.from; });
+    const PieceRange kept = awayFromEnds(pieces, atEnds);
+    const auto at = [&](std::size_t k) { return pieces.begin() + static_cast<std::ptrdiff_t>(k); };
+    return kept.isEmpty() ? std::vector<FittedPiece>()
+                          : std::vector<FittedPiece>(at(kept.begin), at(kept.end));
+}
+
 } // namespace
 
 Vec2 MirrorAxis::mirrored(const Vec2 &p) const
@@ -321,6 +373,13 @@ SymmetryVerdict judgeSymmetry(const std::vector<Vec2> &samples, const MirrorAxis
 std::optional<MirroredHalf> mirroredHalf(const std::vector<Vec2> &samples, const MirrorAxis &axis,
                                          const SymmetryVerdict &verdict, double tolerance)
 {
+    return mirroredHalf(samples, axis, verdict, tolerance, {}, nullptr);
+}
+
+std::optional<MirroredHalf> mirroredHalf(const std::vector<Vec2> &samples, const MirrorAxis &axis,
+                                         const SymmetryVerdict &verdict, double tolerance,
+                                         const std::vector<FittedPiece> &settled, std::size_t *work)
+{
     const AxisFrame frame(axis, verdict.isLeft());
     Line line;
     for (const Vec2 &p : samples) {
@@ -333,10 +392,11 @@ std::optional<MirroredHalf> mirroredHalf(const std::vector<Vec2> &samples, const
     const double largest = std::max(verdict.left, verdict.right);
     if (line.size() < 2 || !(largest > kClipGrid))
         return {};
-    HalfLine half = halfLine(std::move(line), tolerance, largest);
+    HalfLine half = halfLine(line, tolerance, largest);
 
     FitOptions options;
     options.tolerance = tolerance;
+    options.work = work;
     const double reach = options.reach * tolerance;
     options.startDirection = prepareStart(half.line, reach);
     std::reverse(half.line.begin(), half.line.end());
@@ -344,7 +404,9 @@ std::optional<MirroredHalf> mirroredHalf(const std::vector<Vec2> &samples, const
         options.endDirection = -Vec2::UnitY();
     std::reverse(half.line.begin(), half.line.end());
 
-    std::vector<CubicBezier> fitted = fitCurve(half.line, options);
+    const std::vector<FittedPiece> known =
+        settledIn(half.line, line, frame, settled, kEndReaches * reach);
+    std::vector<CubicBezier> fitted = fitAround(half.line, known, options);
     if (fitted.empty())
         return {};
     // What looked like a tip over the reach may turn towards the axis at the very end.
@@ -360,7 +422,7 @@ std::optional<MirroredHalf> mirroredHalf(const std::vector<Vec2> &samples, const
     if (isEndBlunt)
         options.endDirection = -Vec2::UnitY();
     if (isStartBlunt || isEndBlunt)
-        fitted = fitCurve(half.line, options);
+        fitted = fitAround(half.line, known, options);
     MirroredHalf result;
     std::vector<CubicBezier> chain;
     if (fitted.front().p0.y() > 0.0) {
