@@ -21,6 +21,7 @@ public:
     GestureReply begin(GestureContext &context, double time) override;
     GestureReply handle(const PointerEvent &event, GestureContext &context) override;
     void advance(double time, GestureContext &context) override;
+    bool isAnimating() const override { return m_stroke && m_stroke->isAnimating(); }
     GestureReply interrupt(GestureContext &context) override;
     bool isSame(const Tool &other) const override;
     /// It stays in the hand as long as what it is for is there.

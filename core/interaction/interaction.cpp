@@ -171,7 +171,7 @@ void Interaction::handle(const PointerEvent &event)
 {
     if (!event.position.allFinite())
         return;
-    advance(event.time);
+    d->moveOn(event.time);
     if (event.type != PointerEvent::Type::Leave && event.type != PointerEvent::Type::Modifiers)
         d->hovering.moveTo(event.position);
     d->modifiers = event.modifiers;
@@ -246,22 +246,49 @@ bool Interaction::escape(double time)
     return hadGesture || hadPoints || hadSelection || hadView || hadNote;
 }
 
+/// To where an event finds everything.
+void Interaction::Private::moveOn(double time)
+{
+    now = std::max(now, time);
+    if (gesture) {
+        GestureContext with = context();
+        gesture->advance(now, with);
+    } else if (tool && !motion.animation) {
+        GestureContext with = context();
+        tool->advance(now, with);
+    }
+    if (motion.advance(now)) {
+        hovering.disturb();
+        hover();
+    }
+    hovering.advance(now, overlay);
+    update();
+}
+
+/// A frame is about to be seen: what a stroke has taken in and not shown yet is shown. To it this
+/// is an event that changes nothing.
+void Interaction::Private::showLate()
+{
+    const bool isDrawn = gesture ? gesture->isAnimating() : isToolPressed && tool->isAnimating();
+    if (!overlay.stroke || !isDrawn || !hovering.position())
+        return;
+    PointerEvent event;
+    event.type = PointerEvent::Type::Modifiers;
+    event.position = *hovering.position();
+    event.modifiers = modifiers;
+    event.pointer = pointer;
+    event.time = now;
+    if (gesture)
+        feed(event);
+    else
+        feedTool(event);
+    update();
+}
+
 bool Interaction::advance(double time)
 {
-    d->now = std::max(d->now, time);
-    if (d->gesture) {
-        GestureContext with = d->context();
-        d->gesture->advance(d->now, with);
-    } else if (d->tool && !d->motion.animation) {
-        GestureContext with = d->context();
-        d->tool->advance(d->now, with);
-    }
-    if (d->motion.advance(d->now)) {
-        d->hovering.disturb();
-        d->hover();
-    }
-    d->hovering.advance(d->now, d->overlay);
-    d->update();
+    d->moveOn(time);
+    d->showLate();
     return isAnimating();
 }
 

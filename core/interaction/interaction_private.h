@@ -70,6 +70,9 @@ public:
     }
     Sight sight() const { return {host.model(), motion.camera, motion.viewport, view, marks}; }
 
+    void moveOn(double time);
+    void showLate();
+
     void press(const PointerEvent &event);
     void move(const PointerEvent &event);
     void release(const PointerEvent &event);

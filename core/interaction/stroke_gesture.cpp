@@ -6,6 +6,7 @@
 #include "core/interaction/snapping.h"
 #include "core/model/ground.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -14,6 +15,8 @@ namespace fff {
 
 namespace {
 
+/// What showing a contour costs besides its fit, in samples that are looked at.
+constexpr std::size_t kLeastPrice = 2000;
 /// Largest part of the viewport's width that the view moves in a turn's time to make room.
 constexpr double kRoomPerTurn = 0.5;
 
@@ -85,7 +88,7 @@ Frame firstCanvas(const Camera &camera)
 StrokeGesture::StrokeGesture(const PointerEvent &press, ContourTarget target,
                              const GestureContext &context)
     : m_stroke({}), m_target(std::move(target)), m_before(context.camera), m_cursor(press.position),
-      m_now(press.time)
+      m_now(press.time), m_credit(kFirstCredit)
 {
     const Vec2 start = pointAt(press.position, context)
                            .value_or(Vec2::Constant(std::numeric_limits<double>::quiet_NaN()));
@@ -102,7 +105,7 @@ StrokeGesture::StrokeGesture(const PointerEvent &press, const Hit &hit,
                              const GestureContext &context)
     : m_stroke(strokeOptions(context, MirrorAxis(), context.settings.mirrors)),
       m_mirrors(context.settings.mirrors), m_before(context.camera), m_cursor(press.position),
-      m_now(press.time)
+      m_now(press.time), m_credit(kFirstCredit)
 {
     const auto index = static_cast<std::size_t>(hit.section);
     m_ground = Ground{context.model.ref(index), context.model.section(index)};
@@ -135,9 +138,27 @@ GestureReply StrokeGesture::handle(const PointerEvent &event, GestureContext &co
     }
     if (event.type == PointerEvent::Type::Release)
         m_stroke.release();
-    else if (event.isFollowed && m_stroke.state() == Stroke::State::Contour)
-        return running(); // a sample; the last move of the burst shows what they make together
+    else if (event.type == PointerEvent::Type::Move && m_stroke.state() == Stroke::State::Contour &&
+             (event.isFollowed || !canShow())) {
+        // A sample; what they make together is shown by the last move of a burst, or later.
+        m_isBehind = m_isBehind || m_stroke.revision() != m_drawnRevision;
+        followSamples(context);
+        return running();
+    }
     return reply(context);
+}
+
+/// Pays for what there is to show.
+bool StrokeGesture::canShow()
+{
+    m_credit = std::min(m_credit + kCreditOfMove, kFirstCredit);
+    if (m_stroke.revision() == m_drawnRevision)
+        return true;
+    if (m_price > m_credit)
+        return false;
+    m_price = m_stroke.contour().work + kLeastPrice;
+    m_credit -= std::min(m_price, m_credit);
+    return true;
 }
 
 void StrokeGesture::advance(double time, GestureContext &context)
@@ -156,7 +177,7 @@ void StrokeGesture::advance(double time, GestureContext &context)
 
 bool StrokeGesture::isAnimating() const
 {
-    return m_stroke.state() == Stroke::State::Turn || m_isMovingToRoom;
+    return m_stroke.state() == Stroke::State::Turn || m_isMovingToRoom || m_isBehind;
 }
 
 void StrokeGesture::beginTurn(GestureContext &context)
@@ -186,6 +207,7 @@ void StrokeGesture::makeRoom(double time, GestureContext &context)
 
 GestureReply StrokeGesture::reply(GestureContext &context)
 {
+    m_isBehind = false;
     if (m_stroke.state() != Stroke::State::DeadZone)
         m_isMovingToRoom = false;
     switch (m_stroke.state()) {
@@ -260,14 +282,28 @@ void StrokeGesture::updateOverlay(GestureContext &context) const
     context.overlay = std::move(overlay);
 }
 
+/// The line of the cursor alone; all but its last samples are there already.
+void StrokeGesture::followSamples(GestureContext &context) const
+{
+    const std::vector<Vec2> &samples = m_stroke.samples();
+    if (!context.overlay.stroke || context.overlay.stroke->samples.size() > samples.size()) {
+        updateOverlay(context);
+        return;
+    }
+    std::vector<Vec2> &shown = context.overlay.stroke->samples;
+    if (!shown.empty())
+        shown.pop_back();
+    shown.insert(shown.end(), samples.begin() + std::ssize(shown), samples.end());
+}
+
 /// Each time from the committed document; kept while no sample is added, so that the release
 /// commits the very section that was shown.
 void StrokeGesture::updateDrawn(const GestureContext &context)
 {
     const StrokeContour &contour = m_stroke.contour();
-    if (m_stroke.samples().size() == m_drawnSamples && contour.isMirrored == m_drawnMirrored)
+    if (m_stroke.revision() == m_drawnRevision && contour.isMirrored == m_drawnMirrored)
         return;
-    m_drawnSamples = m_stroke.samples().size();
+    m_drawnRevision = m_stroke.revision();
     m_drawnMirrored = contour.isMirrored;
     m_drawn.reset();
     if (contour.contour)

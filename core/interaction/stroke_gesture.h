@@ -12,9 +12,16 @@ namespace fff {
 /// The plane of the first section: through (0, kFirstPlaneHeight, 0), facing the camera.
 Frame firstCanvas(const Camera &camera);
 
+/// The contour is shown with every move as long as the moves pay for it: each adds kCreditOfMove
+/// to what there is from the beginning, which is enough for all of a usual stroke. Of a long one,
+/// moves show the line of the cursor alone until it is paid for; a frame (Interaction::advance) or
+/// the release shows all of it in any case.
 class StrokeGesture : public Gesture
 {
 public:
+    /// In samples that are looked at (StrokeContour::work).
+    static constexpr std::size_t kFirstCredit = 3'000'000, kCreditOfMove = 400;
+
     // The camera's target lies at the depth of what was pressed, so that pixels count there.
     // Shift, while it is held, switches local symmetry over.
     /// On a canvas that the view looks at: the contour begins where it was pressed.
@@ -42,7 +49,9 @@ private:
     Hint releaseHint(const std::string &section) const;
     void beginTurn(GestureContext &context);
     void makeRoom(double time, GestureContext &context);
+    bool canShow();
     void updateOverlay(GestureContext &context) const;
+    void followSamples(GestureContext &context) const;
     void updateDrawn(const GestureContext &context);
     GestureReply reply(GestureContext &context);
     GestureReply running() const;
@@ -60,9 +69,12 @@ private:
     Vec2 m_cursor;      // px
     double m_now = 0.0; // ms
     bool m_isMovingToRoom = false;
-    std::size_t m_drawnSamples = 0;                          // that m_drawn belongs to
+    std::uint64_t m_drawnRevision = 0;                       // of the samples of m_drawn
     bool m_drawnMirrored = false;                            // and whether it was mirrored
     std::optional<tl::expected<DrawnContour, Hint>> m_drawn; // none: nothing is enclosed yet
+    // What showing the contour may cost, and cost the last time, in samples looked at.
+    std::size_t m_credit, m_price = 0;
+    bool m_isBehind = false; // samples are not in what is shown yet
 };
 
 } // namespace fff
