@@ -8,7 +8,8 @@ add_executable(flatfitfab-bench
     ${CMAKE_CURRENT_LIST_DIR}/peer.cpp
     ${CMAKE_CURRENT_LIST_DIR}/gizmo_event.cpp
     ${CMAKE_CURRENT_LIST_DIR}/point_event.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/report.cpp)
+    ${CMAKE_CURRENT_LIST_DIR}/report.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/stroke_event.cpp)
 target_link_libraries(flatfitfab-bench PRIVATE fff::session)
 if(TARGET fff::view) # its arrays need no display
     target_link_libraries(flatfitfab-bench PRIVATE fff::view)

@@ -4,6 +4,7 @@
 #include "tests/bench/generated_models.h"
 #include "tests/bench/kernel.h"
 #include "tests/bench/report.h"
+#include "tests/bench/stroke_event.h"
 
 #include <QCommandLineParser>
 #include <QCoreApplication>
@@ -81,6 +82,25 @@ std::vector<Case> generatedCases(const QString &folder)
     return cases;
 }
 
+/// Strokes of so many samples, by each kind of hand that is wanted.
+std::vector<StrokeTiming> drawnStrokes(const QStringList &sizes, const QStringList &only,
+                                       const std::optional<Kernel> &kernel)
+{
+    std::vector<StrokeTiming> rows;
+    for (const std::string &hand : strokeHands()) {
+        if (!only.isEmpty() && !only.contains(QString::fromStdString(hand)))
+            continue;
+        for (const QString &size : sizes) {
+            const double before = kernel ? kernel->run() : 0.0;
+            StrokeTiming row = drawStroke(hand, size.toInt());
+            row.kernel = kernel ? 0.5 * (before + kernel->run()) : 0.0;
+            QTextStream(stderr) << QString::fromStdString(hand) << ' ' << size << Qt::endl;
+            rows.push_back(std::move(row));
+        }
+    }
+    return rows;
+}
+
 } // namespace
 
 int main(int argc, char **argv)
@@ -103,6 +123,10 @@ int main(int argc, char **argv)
     parser.addOption({QStringLiteral("only"),
                       QStringLiteral("Models whose name contains this; may be repeated."),
                       QStringLiteral("TEXT")});
+    parser.addOption({QStringLiteral("strokes"),
+                      QStringLiteral("Strokes of so many samples instead, separated by commas; "
+                                     "--only names hands."),
+                      QStringLiteral("N,…")});
     parser.addPositionalArgument(QStringLiteral("FOLDER"), QStringLiteral("Models to measure."),
                                  QStringLiteral("[FOLDER…]"));
     parser.process(application);
@@ -113,6 +137,13 @@ int main(int argc, char **argv)
         if (!opened)
             return fail(io::errorText(opened.error()));
         kernel = *opened;
+    }
+    const QStringList only = parser.values(QStringLiteral("only"));
+    if (parser.isSet(QStringLiteral("strokes"))) {
+        const QStringList sizes = parser.value(QStringLiteral("strokes")).split(QLatin1Char(','));
+        QTextStream(stdout) << QString::fromStdString(
+            strokeTable(drawnStrokes(sizes, only, kernel)));
+        return 0;
     }
     std::optional<Peer> peer;
     if (parser.isSet(QStringLiteral("peer"))) {
@@ -129,7 +160,6 @@ int main(int argc, char **argv)
     const QTemporaryDir folder;
     const std::vector<Case> generated = generatedCases(folder.path());
     cases.insert(cases.end(), generated.begin(), generated.end());
-    const QStringList only = parser.values(QStringLiteral("only"));
     const auto isWanted = [&](const std::string &name) {
         return only.isEmpty() || std::any_of(only.begin(), only.end(), [&](const QString &text) {
                    return QString::fromStdString(name).contains(text);
