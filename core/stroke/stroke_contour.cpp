@@ -20,7 +20,9 @@ constexpr double kSmallestExtent = 5.0;
 
 /// What it takes to close a segment, and to take one apart where the contour crosses itself, in
 /// samples.
-constexpr std::size_t kSegmentWork = 100, kCrossingWork = 1000;
+constexpr std::size_t kSegmentWork = 150, kCrossingWork = 2000;
+/// Segments of a contour that is looked at closely where it crosses itself.
+constexpr int kCloselyResolved = 100;
 
 double extentOf(const std::vector<CubicBezier> &chain)
 {
@@ -29,6 +31,20 @@ double extentOf(const std::vector<CubicBezier> &chain)
         for (const double t : {0.0, 0.25, 0.5, 0.75, 1.0})
             box.extend(s.at(t));
     return box.size().maxCoeff();
+}
+
+/// A long scribble is taken apart on the chords that it will be cut on: looking closer, as is done
+/// for what has a few crossings, would take longer than the hand from one place to the next.
+Result<ResolvedContour> withoutCrossings(const Contour &contour)
+{
+    if (contour.segmentCount() <= kCloselyResolved)
+        return resolveCrossings(contour);
+    if (isPlain(contour, {}, kCutChord))
+        return ResolvedContour{contour, false, {}, false};
+    std::vector<CurvedRegion> regions = windingRegions({contour}, WindingRule::NonZero, kCutChord);
+    if (regions.empty())
+        return failure(ErrorCode::EmptyContour);
+    return ResolvedContour{std::move(regions.front().outer), true, {}, false};
 }
 
 /// The largest region of the closed chain, if it is one to speak of.
@@ -44,7 +60,7 @@ void close(std::vector<CubicBezier> chain, double tolerance, StrokeContour &stro
     if (!closed)
         return;
     stroke.work += kSegmentWork * chain.size();
-    Result<ResolvedContour> resolved = resolveCrossings(*closed);
+    Result<ResolvedContour> resolved = withoutCrossings(*closed);
     if (!resolved)
         return;
     if (resolved->wasCrossing)

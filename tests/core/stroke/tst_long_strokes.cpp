@@ -1,5 +1,7 @@
 #include <QTest> // first: moc cannot read some of the standard library before it
 
+#include "core/base/tolerances.h"
+#include "core/geometry/boolean.h"
 #include "core/geometry/settled_fit.h"
 #include "core/stroke/stroke.h"
 #include "tests/core/geometry/polyline_distance.h"
@@ -136,6 +138,7 @@ private Q_SLOTS:
     void shortStrokesAreFittedAsOne();
     void closedLongStrokesHaveNoDent();
     void mirroredHalvesKeepWhatIsSettled();
+    void scribblesComeApart();
 
 private:
     void rows();
@@ -368,6 +371,18 @@ void TestLongStrokes::mirroredHalvesKeepWhatIsSettled()
             hasImage = hasImage || (Vec2(p.x(), -p.y()) - q).norm() < 1e-9;
         QVERIFY(hasImage);
     }
+}
+
+/// A scribble across itself a thousand times still makes one contour that crosses itself nowhere.
+void TestLongStrokes::scribblesComeApart()
+{
+    const Stroke stroke = drawn(scribble(12000));
+    const StrokeContour &contour = stroke.contour();
+    QVERIFY(contour.contour && contour.wasCrossing);
+    QVERIFY(contour.fitted.size() > 100);
+    QVERIFY(isPlain(*contour.contour, {}, kCutChord));
+    const Result<ResolvedContour> again = resolveCrossings(*contour.contour);
+    QVERIFY(again && !again->wasCrossing);
 }
 
 QTEST_APPLESS_MAIN(TestLongStrokes)
