@@ -49,7 +49,7 @@ std::vector<CubicBezier> fitAround(const std::vector<Vec2> &line,
                                    const std::vector<FittedPiece> &known,
                                    const FitOptions &options);
 
-/// How long the chords of the pieces are together, mm. For ranges, so that both ends can be left.
+/// Of its chord, mm.
 double lengthOf(const FittedPiece &piece);
 
 } // namespace fff
