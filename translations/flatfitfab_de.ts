@@ -130,6 +130,11 @@
         <extracomment>%1 is what is moved, %2 the number of the step that completed it</extracomment>
         <translation>%1 (seit Schritt %2 beisammen)</translation>
     </message>
+    <message>
+        <source>No steps to show: %1.</source>
+        <extracomment>%1 is a sentence such as &quot;the solid of &quot;Rib&quot; could not be worked out&quot;</extracomment>
+        <translation>Keine Schritte: %1.</translation>
+    </message>
 </context>
 <context>
     <name>Checks</name>
@@ -463,6 +468,28 @@
     <message>
         <source>The lowest points of %1 are up to %2 above the ground.</source>
         <translation>Die tiefsten Punkte von %1 liegen bis zu %2 über dem Boden.</translation>
+    </message>
+    <message>
+        <source>%1 could not be cut out: what its slits leave of it could not be worked out. Nothing can be exported; its mass counts without slits.</source>
+        <translation>%1 konnte nicht ausgeschnitten werden: was die Schlitze davon übrig lassen, ließ sich nicht berechnen. Nichts kann exportiert werden; die Masse zählt ohne Schlitze.</translation>
+    </message>
+    <message>
+        <source>%1 could not be worked out: sections of it are missing. Nothing can be exported.</source>
+        <extracomment>%1 is the name of an operation</extracomment>
+        <translation>%1 ließ sich nicht berechnen: Scheiben davon fehlen. Nichts kann exportiert werden.</translation>
+    </message>
+    <message>
+        <source>Order not found: %1.</source>
+        <extracomment>%1 is a sentence such as &quot;the solid of &quot;Rib&quot; could not be worked out&quot;</extracomment>
+        <translation>Reihenfolge nicht gefunden: %1.</translation>
+    </message>
+    <message>
+        <source>Not cut out</source>
+        <translation>Nicht ausgeschnitten</translation>
+    </message>
+    <message>
+        <source>Operation failed</source>
+        <translation>Operation gescheitert</translation>
     </message>
 </context>
 <context>
@@ -978,6 +1005,42 @@
     <message>
         <source>lines, shapes or paths</source>
         <translation>Linien, Formen oder Pfade</translation>
+    </message>
+    <message>
+        <source>this could not be worked out</source>
+        <translation>das ließ sich nicht berechnen</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; could not be cut out: what its slits leave of it could not be worked out</source>
+        <translation>„%1“ konnte nicht ausgeschnitten werden: was die Schlitze davon übrig lassen, ließ sich nicht berechnen</translation>
+    </message>
+    <message>
+        <source>a section could not be cut out</source>
+        <translation>eine Scheibe konnte nicht ausgeschnitten werden</translation>
+    </message>
+    <message>
+        <source>the solid of &quot;%1&quot; could not be worked out</source>
+        <translation>der Körper von „%1“ ließ sich nicht berechnen</translation>
+    </message>
+    <message>
+        <source>a solid could not be worked out</source>
+        <translation>ein Körper ließ sich nicht berechnen</translation>
+    </message>
+    <message>
+        <source>what is drawn on &quot;%1&quot; could not be cut off at its edge</source>
+        <translation>was auf „%1“ gezeichnet ist, ließ sich nicht am Rand abschneiden</translation>
+    </message>
+    <message>
+        <source>what is drawn on a section could not be cut off at its edge</source>
+        <translation>was auf einer Scheibe gezeichnet ist, ließ sich nicht am Rand abschneiden</translation>
+    </message>
+    <message>
+        <source>the sections of the operation &quot;%1&quot; could not be worked out</source>
+        <translation>die Scheiben der Operation „%1“ ließen sich nicht berechnen</translation>
+    </message>
+    <message>
+        <source>the sections of an operation could not be worked out</source>
+        <translation>die Scheiben einer Operation ließen sich nicht berechnen</translation>
     </message>
 </context>
 <context>
@@ -1607,6 +1670,11 @@
     <message>
         <source>%1°</source>
         <translation>%1°</translation>
+    </message>
+    <message>
+        <source>%1 could not be worked out: its sections are missing.</source>
+        <extracomment>%1 is the name of an operation</extracomment>
+        <translation>%1 ließ sich nicht berechnen: Scheiben davon fehlen.</translation>
     </message>
 </context>
 <context>

@@ -271,6 +271,12 @@ int report(const Error &error)
     }
 }
 
+int report(Error error, const QString &file)
+{
+    error.place = file.toStdString();
+    return report(error);
+}
+
 int print(const std::string &text)
 {
     const bool isWritten =

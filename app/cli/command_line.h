@@ -86,6 +86,8 @@ std::optional<Vec2> sizeOf(const QString &text);
 void printError(const QString &line);
 /// Prints one line on standard error and gives the status that fits the error's code.
 int report(const Error &error);
+/// The same of an error that is about all of a file.
+int report(Error error, const QString &file);
 int wrongUse(const Verb &verb, const QString &reason);
 /// Writes text to standard output. CannotWrite when it was closed.
 int print(const std::string &text);

@@ -73,8 +73,10 @@ int writeSolids(const QCommandLineParser &parser, const Document &document, cons
     const Result<Analysis> analysis = analysed(document, input);
     if (!analysis)
         return report(analysis.error());
-    const Result<void> written = io::writeFile(parser.value(QStringLiteral("output")),
-                                               io::writeObj(analysis->model, analysis->cuts));
+    const Result<std::string> solids = io::writeObj(analysis->model, analysis->cuts);
+    if (!solids)
+        return report(solids.error(), input);
+    const Result<void> written = io::writeFile(parser.value(QStringLiteral("output")), *solids);
     return written ? Done : report(written.error());
 }
 
@@ -87,11 +89,8 @@ int writeCuttingFile(const QCommandLineParser &parser, const Document &document,
     QString why; // nothing: whyNoOutput has looked
     const CuttingFileOptions options = cuttingOptions(parser, why).value_or(CuttingFileOptions());
     const Result<CuttingFile> file = makeCuttingFile(*analysis, options);
-    if (!file) {
-        Error error = file.error();
-        error.place = input.toStdString();
-        return report(error);
-    }
+    if (!file)
+        return report(file.error(), input);
     const QString path = parser.value(QStringLiteral("output"));
     const Result<void> written = options.isFilePerSheet
                                      ? io::writeFiles(io::numberedFiles(path, file->sheets))

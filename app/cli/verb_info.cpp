@@ -1,5 +1,6 @@
 #include "app/cli/analysed_file.h"
 #include "app/cli/info.h"
+#include "core/fabrication/wholeness.h"
 #include "core/session/plan_checks.h"
 
 namespace fff::cli {
@@ -10,7 +11,12 @@ int runInfo(const QStringList &arguments)
     if (model.status)
         return *model.status;
     const InfoContext context{model.file.toStdString(), model.format};
+    // What of the rest a missing solid leaves untouched is told.
+    if (const auto known = haveParts(model.analysis.model, model.analysis.cuts); !known)
+        return report(known.error(), model.file);
     const ModelPlan plan = planOf(model.analysis, timeLimit(kPlanningTime));
+    if (plan.failure)
+        report(*plan.failure, model.file);
     return print(model.asJson ? infoJson(model.analysis, plan, context)
                               : infoText(model.analysis, plan, context));
 }

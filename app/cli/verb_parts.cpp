@@ -8,14 +8,16 @@ namespace fff::cli {
 
 namespace {
 
-/// The cut sections on chords of another tolerance than the analysis keeps.
-std::vector<CutSectionPointer> cutsOnChords(const Analysis &analysis, double chord)
+/// The cut sections on chords of another tolerance than the analysis keeps. Errors  NotCutOut.
+Result<std::vector<CutSectionPointer>> cutsOnChords(const Analysis &analysis, double chord)
 {
     std::vector<CutSectionPointer> cuts;
     for (std::size_t i = 0; i < analysis.model.sectionCount(); ++i) {
-        const Shape &shape = *analysis.model.section(i)->shape;
-        cuts.push_back(
-            std::make_shared<const CutSection>(cutShape(shape, analysis.assembly.slits[i], chord)));
+        const Section &section = *analysis.model.section(i);
+        auto parts = cutShape(*section.shape, analysis.assembly.slits[i], chord);
+        if (!parts)
+            return failure(ErrorCode::NotCutOut, {}, {section.name});
+        cuts.push_back(std::make_shared<const CutSection>(*std::move(parts)));
     }
     return cuts;
 }
@@ -51,9 +53,16 @@ int runParts(const QStringList &arguments)
         return *loaded.status;
     AnalysisCaches caches;
     Analysis analysis = analyse(evaluate(std::move(loaded.document)), caches);
-    const AssemblyPlan plan = planOf(analysis, timeLimit(kPlanningTime)).plan;
-    if (chord != kCutChord)
-        analysis.cuts = cutsOnChords(analysis, chord);
+    const ModelPlan known = planOf(analysis, timeLimit(kPlanningTime));
+    if (known.failure)
+        return report(*known.failure, parsed.files.first());
+    const AssemblyPlan &plan = known.plan;
+    if (chord != kCutChord) {
+        Result<std::vector<CutSectionPointer>> cuts = cutsOnChords(analysis, chord);
+        if (!cuts)
+            return report(cuts.error(), parsed.files.first());
+        analysis.cuts = *std::move(cuts);
+    }
     const std::vector<Part> parts = makeParts(analysis.model, analysis.assembly, analysis.cuts);
     return print(parser.isSet(QStringLiteral("json")) ? partsJson(parts, analysis.model, plan)
                                                       : partsText(parts, analysis.model, plan));

@@ -1,6 +1,7 @@
 #include "app/cli/command_line.h"
 #include "app/cli/output.h"
 #include "app/cli/picture_options.h"
+#include "core/fabrication/wholeness.h"
 #include "core/operations/evaluate.h"
 #include "core/session/checks.h"
 #include "ui/view/offscreen_image.h"
@@ -133,6 +134,9 @@ int runRender(const QStringList &arguments)
 
     AnalysisCaches caches;
     const Analysis analysis = analyse(evaluate(std::move(loaded.document)), caches);
+    // What could not be worked out is shown as far as it is known.
+    if (const auto known = haveSolids(analysis.model, analysis.cuts); !known)
+        report(known.error(), parsed.files.first());
     ui::Scene scene = ui::sceneOf(analysis);
     ui::ViewStyle style;
     if (picture.showsChecks) {

@@ -132,6 +132,8 @@ int runSteps(const QStringList &arguments)
     const AnalysisPointer analysis = analyseNext(evaluate(std::move(loaded.document)), caches);
     const ModelPlan plan = planOf(*analysis, timeLimit(kPlanningTime));
     const AssemblyStepsPointer steps = assemblySteps(analysis, plan);
+    if (!steps && plan.failure)
+        return report(*plan.failure, input);
     if (!steps) {
         printError(whyNoSteps(*analysis, plan));
         return analysis->model.sectionCount() == 0 ? BadInput : ProblemsFound;

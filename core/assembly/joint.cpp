@@ -63,7 +63,7 @@ std::vector<Contour> Slit::cuts() const
     if (role == SlitRole::Tab)
         return {};
     if (!form)
-        return {Contour::fromPolygon(outline()).value_or(Contour())};
+        return {Contour::ofPolygon(outline())};
     const double length = (mouth - inner).norm();
     const Vec2 along = (mouth - inner) / length, left = perpendicular(along);
     std::vector<Contour> cuts;
@@ -72,7 +72,7 @@ std::vector<Contour> Slit::cuts() const
         points.reserve(cut.points().size());
         for (const Vec2 &p : cut.points())
             points.push_back(inner + p.x() * along + p.y() * left);
-        cuts.push_back(Contour::fromPoints(std::move(points)).value_or(Contour()));
+        cuts.push_back(Contour::ofPoints(std::move(points)));
     }
     return cuts;
 }

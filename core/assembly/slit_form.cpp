@@ -168,16 +168,14 @@ Contour closed(const Chain &left, const Chain &right)
     Chain chain = right.mapped(mirrored);
     chain.append(left.reversed([](const Vec2 &p) { return p; }));
     chain.lineTo(chain.start);
-    auto contour = Contour::fromSegments(chain.segments);
-    return contour ? *std::move(contour) : Contour();
+    return Contour::ofSegments(chain.segments);
 }
 
 Contour disc(const Vec2 &centre, double r)
 {
     Chain chain(centre + Vec2(r, 0.0));
     chain.arcTo(centre, r, 0.0, 2.0 * kPi, chain.start);
-    auto contour = Contour::fromSegments(chain.segments);
-    return contour ? *std::move(contour) : Contour();
+    return Contour::ofSegments(chain.segments);
 }
 
 /// The discs of which the arcs are a part, of a slit that is too short for them.

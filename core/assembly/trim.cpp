@@ -27,13 +27,16 @@ Result<ShapePointer> trimmed(const JointSide &section, const JointSide &to)
         cuts.push_back({line.at(s.from) - half, line.at(s.to) - half, line.at(s.to) + half,
                         line.at(s.from) + half});
     const Shape &shape = *section.section.shape;
-    std::vector<CurvedRegion> pieces = subtract(shape.contour(), shape.holes(), cuts, kCutChord);
-    if (pieces.empty())
+    Result<std::vector<CurvedRegion>> pieces =
+        subtract(shape.contour(), shape.holes(), cuts, kCutChord);
+    if (!pieces)
+        return tl::unexpected(pieces.error());
+    if (pieces->empty())
         return failure(ErrorCode::EmptyContour);
     const double before = shape.contour().signedArea();
-    if (before - pieces.front().outer.signedArea() < kMinArea)
+    if (before - pieces->front().outer.signedArea() < kMinArea)
         return failure(ErrorCode::BadValue, "section", {"", "a section that goes into the other"});
-    return Shape::make(std::move(pieces.front().outer), std::move(pieces.front().holes));
+    return Shape::make(std::move(pieces->front().outer), std::move(pieces->front().holes));
 }
 
 } // namespace fff

@@ -11,6 +11,7 @@ namespace fff {
 /// Errors  NearlyParallel for planes that meet at less than kMinJointAngle; EmptyContour when
 ///         nothing stays; BadValue, place "section", when nothing of it is in the other's slab, or
 ///         only what would make a slot inside of it: there the other one is what could be trimmed.
+///         As subtract().
 /// O(n log n)
 Result<ShapePointer> trimmed(const JointSide &section, const JointSide &to);
 

@@ -34,6 +34,11 @@ enum class ErrorCode {
     UnknownCommand,   // args: the command's id
     BadEvent,         // an event that makes no sense here; args: what, what was expected
     Unsupported,      // args: what
+    NotWorkedOut,     // a geometric construction failed on input that is in order
+    NotCutOut,        // a section whose parts cannot be told; args: its name
+    NotSolid,         // a section whose solid cannot be told; args: its name
+    MarksNotCut,      // marks that cannot be cut off at the section's edge; args: its name
+    OperationFailed,  // an operation whose sections cannot be told; args: its name
 };
 
 /// place: where it went wrong: "file:line", a JSON path, a section's name, or empty.

@@ -126,13 +126,13 @@ std::vector<Contour> cutsOf(const std::vector<Slit> &slits)
 }
 
 /// Pieces that do not overlap, and the tabs that are added to them.
-std::vector<CurvedRegion> withTabs(std::vector<CurvedRegion> pieces, const std::vector<Slit> &slits,
-                                   double chord)
+Result<std::vector<CurvedRegion>> withTabs(std::vector<CurvedRegion> pieces,
+                                           const std::vector<Slit> &slits, double chord)
 {
     std::vector<Contour> all;
     for (const Slit &slit : slits)
         if (slit.role == SlitRole::Tab)
-            all.push_back(Contour::fromPolygon(slit.outline()).value_or(Contour()));
+            all.push_back(Contour::ofPolygon(slit.outline()));
     if (all.empty())
         return pieces;
     for (CurvedRegion &piece : pieces) {
@@ -144,10 +144,12 @@ std::vector<CurvedRegion> withTabs(std::vector<CurvedRegion> pieces, const std::
 
 } // namespace
 
-std::vector<CurvedRegion> cutShape(const Shape &shape, const std::vector<Slit> &slits, double chord)
+Result<std::vector<CurvedRegion>> cutShape(const Shape &shape, const std::vector<Slit> &slits,
+                                           double chord)
 {
-    return withTabs(subtractContours(shape.contour(), shape.holes(), cutsOf(slits), chord), slits,
-                    chord);
+    Result<std::vector<CurvedRegion>> pieces =
+        subtractContours(shape.contour(), shape.holes(), cutsOf(slits), chord);
+    return pieces ? withTabs(*std::move(pieces), slits, chord) : pieces;
 }
 
 CutSection::CutSection(const Shape &shape, const std::vector<Slit> &slits, const CutSection *before)
@@ -167,14 +169,26 @@ CutSection::CutSection(const Shape &shape, const std::vector<Slit> &slits, const
             }
         }
     }
-    m_parts = cutShape(shape, slits, kCutChord);
+    Result<std::vector<CurvedRegion>> parts = cutShape(shape, slits, kCutChord);
+    if (parts) {
+        m_parts = *std::move(parts);
+    } else {
+        m_failure = parts.error();
+        m_parts.push_back({shape.contour(), shape.holes(), shape.region()});
+    }
 }
 
-const std::vector<Triangulation> &CutSection::triangulations() const
+const Result<std::vector<Triangulation>> &CutSection::triangulations() const
 {
     std::call_once(m_once, [this] {
-        for (const CurvedRegion &part : m_parts)
-            m_triangulations.push_back(triangulate(part.region));
+        for (const CurvedRegion &part : m_parts) {
+            Result<Triangulation> triangles = triangulate(part.region);
+            if (!triangles) {
+                m_triangulations = tl::unexpected(triangles.error());
+                return;
+            }
+            m_triangulations->push_back(*std::move(triangles));
+        }
     });
     return m_triangulations;
 }

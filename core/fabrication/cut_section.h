@@ -10,6 +10,7 @@
 #include <array>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -31,9 +32,9 @@ struct SlitKey
 };
 
 /// What slits leave of a shape, and the tabs among them: connected pieces, largest first.
-/// chord: see subtractContours().
-std::vector<CurvedRegion> cutShape(const Shape &shape, const std::vector<Slit> &slits,
-                                   double chord);
+/// chord, errors: see subtractContours().
+Result<std::vector<CurvedRegion>> cutShape(const Shape &shape, const std::vector<Slit> &slits,
+                                           double chord);
 
 struct SlitNotch
 {
@@ -52,11 +53,15 @@ public:
     ///          not looked for again
     CutSection(const Shape &shape, const std::vector<Slit> &slits, const CutSection *before);
 
+    /// Why it could not be cut out; mostly nothing. Its one part is then the shape without its
+    /// slits: something to see and to weigh, but nothing to cut (core/fabrication/wholeness.h).
+    const std::optional<Error> &failure() const { return m_failure; }
     /// Connected pieces of contour − holes − slits + tabs, largest first; usually one. Frame
     /// coordinates, mm.
     const std::vector<CurvedRegion> &parts() const { return m_parts; }
-    /// Of each part's region, computed at first use, once, from any thread.
-    const std::vector<Triangulation> &triangulations() const;
+    /// Of each part's region, computed at first use, once, from any thread. Errors  as
+    /// triangulate().
+    const Result<std::vector<Triangulation>> &triangulations() const;
     /// Of each part's region, the same way.
     const std::vector<RegionTree> &trees() const;
     double area() const;
@@ -75,8 +80,9 @@ private:
     mutable std::shared_ptr<const std::vector<CurvedRegion>> m_compensated;
     mutable std::once_flag m_once, m_treesOnce, m_momentsOnce;
     mutable Moments m_moments;
-    mutable std::vector<Triangulation> m_triangulations;
+    mutable Result<std::vector<Triangulation>> m_triangulations;
     mutable std::vector<RegionTree> m_trees;
+    std::optional<Error> m_failure;
 };
 
 using CutSectionPointer = std::shared_ptr<const CutSection>;

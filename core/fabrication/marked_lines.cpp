@@ -15,22 +15,30 @@ double lengthOf(const Polygon &line)
     return length;
 }
 
-void addOnPart(const CurvePath &path, const Region &region, std::vector<CurvePath> &lines)
+Result<void> addOnPart(const CurvePath &path, const Region &region, std::vector<CurvePath> &lines)
 {
     const Polygon line = path.flatten(kDrawChord);
-    const std::vector<Polygon> pieces = clippedLine(line, region);
+    const Result<std::vector<Polygon>> pieces = clippedLine(line, region);
+    if (!pieces) {
+        lines.push_back(path);
+        return tl::unexpected(pieces.error());
+    }
     double left = 0.0;
-    for (const Polygon &piece : pieces)
+    for (const Polygon &piece : *pieces)
         left += lengthOf(piece);
     // Snapping to the grid of booleans moves every vertex by half a step.
     const double rounding = static_cast<double>(line.size()) * kClipGrid;
     if (left >= lengthOf(line) - rounding) {
         lines.push_back(path);
-        return;
+        return {};
     }
-    for (const Polygon &piece : pieces)
-        if (Result<CurvePath> cut = CurvePath::fromLine(piece))
-            lines.push_back(*std::move(cut));
+    for (const Polygon &piece : *pieces) {
+        Result<CurvePath> cut = CurvePath::fromLine(piece);
+        if (!cut)
+            return tl::unexpected(cut.error());
+        lines.push_back(*std::move(cut));
+    }
+    return {};
 }
 
 } // namespace
@@ -45,9 +53,12 @@ MarkedLines linesOn(const Part &part, const std::vector<MarkPointer> &marks)
     for (const Contour &hole : part.outline.holes)
         region.holes.push_back(hole.polygon(kDrawChord));
     for (const MarkPointer &mark : marks)
-        for (const CurvePath &path : mark->paths)
-            addOnPart(path, region,
-                      mark->kind == Mark::Kind::Scored ? lines.scored : lines.engraved);
+        for (const CurvePath &path : mark->paths) {
+            std::vector<CurvePath> &kind =
+                mark->kind == Mark::Kind::Scored ? lines.scored : lines.engraved;
+            if (const Result<void> added = addOnPart(path, region, kind); !added)
+                lines.error = added.error();
+        }
     return lines;
 }
 

@@ -4,11 +4,14 @@
 #include "core/fabrication/part.h"
 #include "core/model/mark.h"
 
+#include <optional>
+
 namespace fff {
 
 struct MarkedLines
 {
     std::vector<CurvePath> engraved, scored; // the part's coordinates, mm
+    std::optional<Error> error; // of one that could not be cut off at the edge: it is whole
 
     bool isEmpty() const { return engraved.empty() && scored.empty(); }
 };

@@ -10,4 +10,5 @@ target_sources(fff_core PRIVATE
     fabrication/room.cpp
     fabrication/skyline.cpp
     fabrication/summary.cpp
+    fabrication/wholeness.cpp
 )

@@ -15,6 +15,8 @@ namespace {
 /// kResolveChord as a fraction of a contour's extent, where that is more than a metre: chords that
 /// fine along hundreds of metres would be millions, and Clipper needs their square.
 constexpr double kResolveFraction = 1e-7;
+/// What is cut at the edge of what a document may hold may reach this far, mm.
+constexpr double kFarthest = 8.0 * kMaxCoordinate;
 
 GridRing counterClockwise(GridRing ring)
 {
@@ -24,25 +26,30 @@ GridRing counterClockwise(GridRing ring)
 }
 
 /// Regions as chords to regions with curves, largest first, without dust.
-std::vector<CurvedRegion> withCurves(const std::vector<SourceRing> &sources, const ClipGrid &grid,
-                                     const std::vector<GridRegion> &regions)
+Result<std::vector<CurvedRegion>> withCurves(const std::vector<SourceRing> &sources,
+                                             const ClipGrid &grid,
+                                             const Result<std::vector<GridRegion>> &regions)
 {
+    if (!regions)
+        return tl::unexpected(regions.error());
     std::vector<GridRing> rings;
-    for (const GridRegion &region : regions) {
+    for (const GridRegion &region : *regions) {
         rings.push_back(region.outer);
         rings.insert(rings.end(), region.holes.begin(), region.holes.end());
     }
-    std::vector<RecoveredRing> recovered = recoverCurves(sources, grid, rings);
+    Result<std::vector<RecoveredRing>> recovered = recoverCurves(sources, grid, rings);
+    if (!recovered)
+        return tl::unexpected(recovered.error());
 
     std::vector<CurvedRegion> result;
     std::size_t next = 0;
-    for (const GridRegion &region : regions) {
+    for (const GridRegion &region : *regions) {
         CurvedRegion curved;
-        RecoveredRing &outer = recovered[next++];
+        RecoveredRing &outer = (*recovered)[next++];
         curved.outer = std::move(outer.contour);
         curved.region.outer = std::move(outer.chords);
         for (std::size_t i = 0; i < region.holes.size(); ++i) {
-            RecoveredRing &hole = recovered[next++];
+            RecoveredRing &hole = (*recovered)[next++];
             if (std::abs(signedArea(hole.chords)) < kMinArea)
                 continue;
             curved.holes.push_back(std::move(hole.contour));
@@ -92,13 +99,33 @@ double perimeter(const GridRing &ring)
 
 /// Whether the ring winds round something twice or the wrong way. A ring that only touches itself
 /// winds once round everything inside; what rounding to the grid adds is a sliver along the ring.
-bool windsOddly(GridRing ring)
+Result<bool> windsOddly(GridRing ring)
 {
     ring = counterClockwise(std::move(ring));
     const double sliver = perimeter(ring) * kClipSlack / kClipGrid;
-    if (areaOf(clip({ring}, Winding::Negative, {})) > sliver)
+    const Result<std::vector<GridRegion>> against = clip({ring}, Winding::Negative, {});
+    if (!against)
+        return tl::unexpected(against.error());
+    if (areaOf(*against) > sliver)
         return true;
-    return std::abs(areaOf(clip({ring}, Winding::Positive, {})) - signedArea(ring)) > sliver;
+    const Result<std::vector<GridRegion>> along = clip({ring}, Winding::Positive, {});
+    if (!along)
+        return tl::unexpected(along.error());
+    return std::abs(areaOf(*along) - signedArea(ring)) > sliver;
+}
+
+/// A grid has a place for each of its points.
+bool isSomewhere(const Contour &contour)
+{
+    const std::vector<Vec2> &points = contour.points();
+    return std::all_of(points.begin(), points.end(), [](const Vec2 &p) {
+        return std::abs(p.x()) <= kFarthest && std::abs(p.y()) <= kFarthest;
+    });
+}
+
+bool areSomewhere(const std::vector<Contour> &contours)
+{
+    return std::all_of(contours.begin(), contours.end(), isSomewhere);
 }
 
 bool isPolygon(const Contour &contour)
@@ -112,23 +139,25 @@ bool isPolygon(const Contour &contour)
 
 } // namespace
 
-std::vector<CurvedRegion> subtract(const Contour &contour, const std::vector<Contour> &holes,
-                                   const std::vector<Polygon> &cuts, double chord)
+Result<std::vector<CurvedRegion>> subtract(const Contour &contour,
+                                           const std::vector<Contour> &holes,
+                                           const std::vector<Polygon> &cuts, double chord)
 {
     std::vector<Contour> contours;
     contours.reserve(cuts.size());
     for (const Polygon &cut : cuts) {
-        // What is no polygon cuts nothing.
-        if (auto polygon = Contour::fromPolygon(cut))
-            contours.push_back(*std::move(polygon));
+        if (cut.size() > 2) // else it encloses nothing
+            contours.push_back(Contour::ofPolygon(cut));
     }
     return subtractContours(contour, holes, contours, chord);
 }
 
-std::vector<CurvedRegion> subtractContours(const Contour &contour,
-                                           const std::vector<Contour> &holes,
-                                           const std::vector<Contour> &cuts, double chord)
+Result<std::vector<CurvedRegion>> subtractContours(const Contour &contour,
+                                                   const std::vector<Contour> &holes,
+                                                   const std::vector<Contour> &cuts, double chord)
 {
+    if (!isSomewhere(contour) || !areSomewhere(holes) || !areSomewhere(cuts))
+        return failure(ErrorCode::NonFinite);
     const ClipGrid grid(contour.bounds());
     std::vector<SourceRing> sources;
     sources.reserve(1 + holes.size() + cuts.size());
@@ -144,9 +173,11 @@ std::vector<CurvedRegion> subtractContours(const Contour &contour,
     return withCurves(sources, grid, clip({sources.front().snapped}, Winding::NonZero, clips));
 }
 
-std::vector<CurvedRegion> windingRegions(const std::vector<Contour> &contours, WindingRule rule,
-                                         double chord)
+Result<std::vector<CurvedRegion>> windingRegions(const std::vector<Contour> &contours,
+                                                 WindingRule rule, double chord)
 {
+    if (!areSomewhere(contours))
+        return failure(ErrorCode::NonFinite);
     Box2 box;
     for (const Contour &contour : contours)
         box.extend(contour.bounds());
@@ -169,17 +200,22 @@ Result<ResolvedContour> resolveCrossings(const Contour &contour)
     if (ring.size() < 3)
         return failure(ErrorCode::EmptyContour);
     const bool isPlain = isSimple(ring);
-    const bool isCrossing = !isPlain && windsOddly(ring);
-    if (!isCrossing && std::abs(signedArea(ring)) * (kClipGrid * kClipGrid) >= kMinArea)
+    const Result<bool> isCrossing = isPlain ? Result<bool>(false) : windsOddly(ring);
+    if (!isCrossing)
+        return tl::unexpected(isCrossing.error());
+    if (!*isCrossing && std::abs(signedArea(ring)) * (kClipGrid * kClipGrid) >= kMinArea)
         return ResolvedContour{contour, false, std::move(chords), isPlain};
     // Sharp tips carry loops smaller than the usual chords: a contour that crosses itself anywhere
     // is looked at closely once, so that none stays in it.
     const double chord =
         std::max(kResolveChord, kResolveFraction * contour.bounds().size().maxCoeff());
-    std::vector<CurvedRegion> regions = windingRegions({contour}, WindingRule::NonZero, chord);
-    if (regions.empty())
+    Result<std::vector<CurvedRegion>> regions =
+        windingRegions({contour}, WindingRule::NonZero, chord);
+    if (!regions)
+        return tl::unexpected(regions.error());
+    if (regions->empty())
         return failure(ErrorCode::EmptyContour);
-    return ResolvedContour{std::move(regions.front().outer), true, {}, false};
+    return ResolvedContour{std::move(regions->front().outer), true, {}, false};
 }
 
 Nesting nesting(const Contour &first, const Contour &second, double chord)

@@ -27,21 +27,24 @@ struct CurvedRegion
 /// chord     largest distance of the chords from the curves, mm
 /// Where a cut crosses a curve, the vertex lies on both to 1e-9 mm or the chord tolerance allows no
 /// better; the edges that cuts leave are straight. Adjacent pieces of one straight segment are one.
-std::vector<CurvedRegion> subtract(const Contour &contour, const std::vector<Contour> &holes,
-                                   const std::vector<Polygon> &cuts, double chord);
+/// Errors  NonFinite for points that are nowhere, NotWorkedOut when Clipper fails. Empty is only
+///         what nothing is left of.
+Result<std::vector<CurvedRegion>> subtract(const Contour &contour,
+                                           const std::vector<Contour> &holes,
+                                           const std::vector<Polygon> &cuts, double chord);
 
 /// The same with cuts of any curves, which are kept where they bound what stays.
-std::vector<CurvedRegion> subtractContours(const Contour &contour,
-                                           const std::vector<Contour> &holes,
-                                           const std::vector<Contour> &cuts, double chord);
+Result<std::vector<CurvedRegion>> subtractContours(const Contour &contour,
+                                                   const std::vector<Contour> &holes,
+                                                   const std::vector<Contour> &cuts, double chord);
 
 enum class WindingRule { NonZero, Positive };
 
 /// What the contours together wind round, by that rule (counter-clockwise counts up), as connected
 /// pieces, largest first, without dust. Contours may cross themselves and each other; curves are
-/// kept as `subtract` keeps them.
-std::vector<CurvedRegion> windingRegions(const std::vector<Contour> &contours, WindingRule rule,
-                                         double chord);
+/// kept as `subtract` keeps them. Errors  as there.
+Result<std::vector<CurvedRegion>> windingRegions(const std::vector<Contour> &contours,
+                                                 WindingRule rule, double chord);
 
 struct ResolvedContour
 {
@@ -53,7 +56,7 @@ struct ResolvedContour
 
 /// The largest region that the contour winds round (non-zero), its outer boundary. A contour that
 /// does not cross itself comes back as it is, bit for bit. Errors  EmptyContour when no region of
-/// at least kMinArea is there.
+/// at least kMinArea is there; as windingRegions().
 Result<ResolvedContour> resolveCrossings(const Contour &contour);
 
 /// How two contours lie to each other, as chords within `chord` mm on the grid. Meeting: they

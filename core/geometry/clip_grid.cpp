@@ -1,5 +1,6 @@
 #include "core/geometry/clip_grid.h"
 
+#include "core/base/fault_point.h"
 #include "core/base/tolerances.h"
 #include "core/geometry/grid_predicates.h"
 
@@ -189,15 +190,18 @@ std::vector<GridRegion> execute(const std::vector<GridRing> &subjects, Winding r
     ClipperLib::Clipper clipper;
     // Corners along a straight edge are where a curve's segments meet: they must survive.
     clipper.PreserveCollinear(true);
+    bool hasSubject = false; // rings that are flat are none
     for (const GridRing &ring : subjects)
-        clipper.AddPath(toPath(ring), ClipperLib::ptSubject, true);
+        hasSubject |= clipper.AddPath(toPath(ring), ClipperLib::ptSubject, true);
     for (const GridRing &ring : clips)
         clipper.AddPath(toPath(ring), ClipperLib::ptClip, true);
     // Not as a tree: Clipper's own nesting takes seconds where edges lie on each other a
     // thousand times, as those of a contour that goes to and fro on one curve.
     ClipperLib::Paths paths;
-    if (!clipper.Execute(ClipperLib::ctDifference, paths, fillType(rule), ClipperLib::pftNonZero))
+    if (!hasSubject)
         return {};
+    if (!clipper.Execute(ClipperLib::ctDifference, paths, fillType(rule), ClipperLib::pftNonZero))
+        throw ClipperLib::clipperException("it says that it did not succeed");
     std::vector<GridRing> rings;
     rings.reserve(paths.size());
     for (const ClipperLib::Path &path : paths)
@@ -248,17 +252,19 @@ double area(const GridRegion &region)
     return result;
 }
 
-std::vector<GridRegion> clip(const std::vector<GridRing> &subjects, Winding rule,
-                             const std::vector<GridRing> &clips)
+Result<std::vector<GridRegion>> clip(const std::vector<GridRing> &subjects, Winding rule,
+                                     const std::vector<GridRing> &clips)
 {
     try {
+        if (failsHere(FaultPoint::Boolean))
+            throw ClipperLib::clipperException("asked for");
         std::vector<GridRegion> regions = execute(subjects, rule, clips);
         // Clipper's own separation of loops that touch is quadratic.
         const bool touches = std::any_of(regions.begin(), regions.end(),
                                          [](const GridRegion &r) { return touchesItself(r); });
-        return touches ? separated(regions) : regions;
+        return touches ? separated(regions) : std::move(regions);
     } catch (const ClipperLib::clipperException &) {
-        return {};
+        return failure(ErrorCode::NotWorkedOut);
     }
 }
 

@@ -2,6 +2,7 @@
 // public functions are in boolean.h and offset.h.
 #pragma once
 
+#include "core/base/result.h"
 #include "core/base/tolerances.h"
 #include "core/geometry/polygon.h"
 
@@ -71,9 +72,9 @@ double area(const GridRegion &region);
 enum class Winding { NonZero, Positive, Negative };
 
 /// (what `subjects` wind round, by that rule) minus (what any of `clips` encloses, non-zero).
-/// Rings that touch themselves at a corner come back as several. Empty when Clipper fails, as it
-/// does for coordinates beyond 2^62 steps.
-std::vector<GridRegion> clip(const std::vector<GridRing> &subjects, Winding rule,
-                             const std::vector<GridRing> &clips);
+/// Rings that touch themselves at a corner come back as several. Errors  NotWorkedOut when Clipper
+/// fails, as it does for coordinates beyond 2^62 steps.
+Result<std::vector<GridRegion>> clip(const std::vector<GridRing> &subjects, Winding rule,
+                                     const std::vector<GridRing> &clips);
 
 } // namespace fff

@@ -1,10 +1,34 @@
 #include "core/geometry/contour.h"
 
+#include "core/base/fault_point.h"
 #include "core/base/tolerances.h"
 
 #include <algorithm>
+#include <cassert>
 
 namespace fff {
+
+namespace {
+
+std::vector<Vec2> pointsOf(const std::vector<CubicBezier> &segments)
+{
+    std::vector<Vec2> points;
+    points.reserve(3 * segments.size());
+    for (const CubicBezier &s : segments)
+        points.insert(points.end(), {s.p0, s.p1, s.p2});
+    return points;
+}
+
+std::vector<CubicBezier> edgesOf(const Polygon &polygon)
+{
+    std::vector<CubicBezier> segments;
+    segments.reserve(polygon.size());
+    for (std::size_t i = 0; i < polygon.size(); ++i)
+        segments.push_back(CubicBezier::line(polygon[i], polygon[(i + 1) % polygon.size()]));
+    return segments;
+}
+
+} // namespace
 
 Polyline reversed(const Polyline &chords, int segments)
 {
@@ -26,6 +50,8 @@ Result<Contour> Contour::fromPoints(std::vector<Vec2> points)
 {
     if (points.size() % 3 != 0 || points.size() < 6)
         return failure(ErrorCode::BadContour, {}, {std::to_string(points.size()), "3k, k >= 2"});
+    if (failsHere(FaultPoint::Contour))
+        return failure(ErrorCode::NotWorkedOut);
     for (const Vec2 &p : points) {
         if (!p.allFinite())
             return failure(ErrorCode::NonFinite);
@@ -34,27 +60,35 @@ Result<Contour> Contour::fromPoints(std::vector<Vec2> points)
                 ErrorCode::BadValue, {},
                 {std::to_string(p.cwiseAbs().maxCoeff()), std::to_string(kMaxCoordinate)});
     }
+    return ofPoints(std::move(points));
+}
+
+Result<Contour> Contour::fromSegments(const std::vector<CubicBezier> &segments)
+{
+    return fromPoints(pointsOf(segments));
+}
+
+Result<Contour> Contour::fromPolygon(const Polygon &polygon)
+{
+    return fromSegments(edgesOf(polygon));
+}
+
+Contour Contour::ofPoints(std::vector<Vec2> points)
+{
+    assert(points.size() % 3 == 0 && points.size() >= 6 && "these make no contour");
     Contour contour;
     contour.m_points = std::move(points);
     return contour;
 }
 
-Result<Contour> Contour::fromSegments(const std::vector<CubicBezier> &segments)
+Contour Contour::ofSegments(const std::vector<CubicBezier> &segments)
 {
-    std::vector<Vec2> points;
-    points.reserve(3 * segments.size());
-    for (const CubicBezier &s : segments)
-        points.insert(points.end(), {s.p0, s.p1, s.p2});
-    return fromPoints(std::move(points));
+    return ofPoints(pointsOf(segments));
 }
 
-Result<Contour> Contour::fromPolygon(const Polygon &polygon)
+Contour Contour::ofPolygon(const Polygon &polygon)
 {
-    std::vector<CubicBezier> segments;
-    segments.reserve(polygon.size());
-    for (std::size_t i = 0; i < polygon.size(); ++i)
-        segments.push_back(CubicBezier::line(polygon[i], polygon[(i + 1) % polygon.size()]));
-    return fromSegments(segments);
+    return ofSegments(edgesOf(polygon));
 }
 
 CubicBezier Contour::segment(int index) const

@@ -43,6 +43,12 @@ public:
     /// Straight edges between these corners. At least 3 (2 are taken too: a contour without area).
     static Result<Contour> fromPolygon(const Polygon &polygon);
 
+    /// The same of what is known to be a contour by how it was made, and cannot fail. Whoever makes
+    /// one of less than two segments has a bug. What is too large for booleans fails there.
+    static Contour ofPoints(std::vector<Vec2> points);
+    static Contour ofSegments(const std::vector<CubicBezier> &segments);
+    static Contour ofPolygon(const Polygon &polygon);
+
     int segmentCount() const { return static_cast<int>(m_points.size() / 3); }
     CubicBezier segment(int index) const;
     const std::vector<Vec2> &points() const { return m_points; }

@@ -191,7 +191,7 @@ Contour ContourBlend::at(double share) const
     for (std::size_t i = 0; i < m_p.size(); ++i)
         for (const auto point : {&CubicBezier::p0, &CubicBezier::p1, &CubicBezier::p2})
             points.push_back(mix(m_p[i].*point, m_q[i].*point));
-    return Contour::fromPoints(std::move(points)).value_or(Contour());
+    return Contour::ofPoints(std::move(points));
 }
 
 } // namespace fff

@@ -1,5 +1,6 @@
 #include "core/geometry/curve_recovery.h"
 
+#include "core/base/fault_point.h"
 #include "core/base/tolerances.h"
 #include "core/geometry/curve_crossing.h"
 #include "core/geometry/source_edges.h"
@@ -30,7 +31,7 @@ public:
     {
     }
 
-    Contour contour();
+    Result<Contour> contour();
 
 private:
     /// Where a vertex really is, and its parameter on the curves before and after it.
@@ -232,7 +233,7 @@ void RingRecovery::joinLines(std::vector<Piece> &pieces)
     pieces = std::move(joined);
 }
 
-Contour RingRecovery::contour()
+Result<Contour> RingRecovery::contour()
 {
     for (std::size_t i = 0; i < count(); ++i)
         place(i);
@@ -260,9 +261,11 @@ Contour RingRecovery::contour()
     segments.reserve(pieces.size());
     for (const Piece &p : pieces)
         segments.push_back(p.curve);
-    if (auto result = Contour::fromSegments(segments))
-        return std::move(*result);
-    return Contour::fromPolygon(m_grid.positions(m_ring)).value_or(Contour());
+    if (segments.size() == 1) // a contour has two at least
+        segments = {segments.front().piece(0.0, 0.5), segments.front().piece(0.5, 1.0)};
+    if (segments.empty())
+        return Contour::fromPolygon(m_grid.positions(m_ring));
+    return Contour::fromSegments(segments);
 }
 
 /// Crossings that all but meet a corner leave splinters of the grid's size beside it; the corner
@@ -356,9 +359,12 @@ SourceRing makeSourceRing(const Contour &contour, const Polyline &polyline, cons
     return ring;
 }
 
-std::vector<RecoveredRing> recoverCurves(const std::vector<SourceRing> &sources,
-                                         const ClipGrid &grid, const std::vector<GridRing> &rings)
+Result<std::vector<RecoveredRing>> recoverCurves(const std::vector<SourceRing> &sources,
+                                                 const ClipGrid &grid,
+                                                 const std::vector<GridRing> &rings)
 {
+    if (failsHere(FaultPoint::Curves))
+        return failure(ErrorCode::NotWorkedOut);
     const SourceIndex index(sources);
     std::vector<GridRing> clean;
     clean.reserve(rings.size());
@@ -370,7 +376,10 @@ std::vector<RecoveredRing> recoverCurves(const std::vector<SourceRing> &sources,
         if (clean[i].size() < 3)
             continue;
         result[i].chords = grid.positions(clean[i]);
-        result[i].contour = RingRecovery(sources, index, grid, clean[i], edges[i]).contour();
+        Result<Contour> contour = RingRecovery(sources, index, grid, clean[i], edges[i]).contour();
+        if (!contour)
+            return tl::unexpected(contour.error());
+        result[i].contour = *std::move(contour);
     }
     return result;
 }

@@ -49,8 +49,11 @@ struct RecoveredRing
 };
 
 /// In the order of `rings`, each keeping its winding. Where an edge cannot be traced to a source it
-/// is a straight line. A ring that the grid's rounding made of nothing has an empty contour.
-std::vector<RecoveredRing> recoverCurves(const std::vector<SourceRing> &sources,
-                                         const ClipGrid &grid, const std::vector<GridRing> &rings);
+/// is a straight line. A ring that the grid's rounding made of nothing has neither contour nor
+/// chords; one whose curves fall together has its chords as contour, which are as near to them as
+/// they were asked for. Errors  as Contour::fromSegments().
+Result<std::vector<RecoveredRing>> recoverCurves(const std::vector<SourceRing> &sources,
+                                                 const ClipGrid &grid,
+                                                 const std::vector<GridRing> &rings);
 
 } // namespace fff

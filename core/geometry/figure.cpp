@@ -49,7 +49,7 @@ public:
                 centre + q - handle * Vec2(-q.y(), q.x()));
         }
     }
-    Contour closed() { return Contour::fromPoints(std::move(m_points)).value_or(Contour()); }
+    Contour closed() { return Contour::ofPoints(std::move(m_points)); }
 
 private:
     void add(const Vec2 &p0, const Vec2 &p1, const Vec2 &p2)
@@ -66,7 +66,7 @@ Contour ellipse(double width, double height)
     std::vector<Vec2> points = chain.closed().points();
     for (Vec2 &p : points)
         p = Vec2(0.5 * width * p.x(), 0.5 * height * p.y());
-    return Contour::fromPoints(std::move(points)).value_or(Contour());
+    return Contour::ofPoints(std::move(points));
 }
 
 Contour makeCircle(std::span<const double> n)
@@ -106,7 +106,7 @@ Contour tips(double outer, double inner, int count)
         if (inner > 0.0)
             corners.push_back(onCircle(0.5 * inner, 0.25 * kTurn + (2 * i + 1) * half));
     }
-    return Contour::fromPolygon(corners).value_or(Contour());
+    return Contour::ofPolygon(corners);
 }
 
 Contour makePolygon(std::span<const double> n)

@@ -151,8 +151,10 @@ std::optional<std::vector<Contour>> joinRuns(const std::vector<Run> &runs)
             if (runs[next[i]].entry - runs[i].exit > kOnLine)
                 segments.push_back(CubicBezier::line(from, to));
         }
-        if (auto contour = Contour::fromSegments(segments))
-            contours.push_back(std::move(*contour));
+        if (segments.size() == 1) // a loop: a contour has two segments at least
+            segments = {segments.front().piece(0.0, 0.5), segments.front().piece(0.5, 1.0)};
+        if (!segments.empty())
+            contours.push_back(Contour::ofSegments(segments));
     }
     return contours;
 }
@@ -205,8 +207,8 @@ void sortBySize(std::vector<ClippedPiece> &pieces)
 }
 
 /// The same by the general boolean, for boundaries that touch where the line cuts them.
-std::vector<ClippedPiece> clipByBoolean(const Contour &contour, const std::vector<Contour> &holes,
-                                        const Halfplane &halfplane)
+Result<std::vector<ClippedPiece>>
+clipByBoolean(const Contour &contour, const std::vector<Contour> &holes, const Halfplane &halfplane)
 {
     const Box2 box = contour.bounds();
     const Vec2 along = halfplane.along();
@@ -216,15 +218,17 @@ std::vector<ClippedPiece> clipByBoolean(const Contour &contour, const std::vecto
                          foot - reach * along - reach * halfplane.inward,
                          foot + reach * along - reach * halfplane.inward};
     std::vector<ClippedPiece> pieces;
-    for (CurvedRegion &region : subtract(contour, holes, {beyond}, kCutChord)) {
+    Result<std::vector<CurvedRegion>> regions = subtract(contour, holes, {beyond}, kCutChord);
+    if (!regions)
+        return tl::unexpected(regions.error());
+    for (CurvedRegion &region : *regions) {
         // Its grid is coarser than what is asked for here.
         std::vector<Vec2> points = region.outer.points();
         for (std::size_t i = 0; i < points.size(); i += 3) {
             if (std::abs(halfplane.height(points[i])) <= kClipSlack)
                 points[i] = ontoLine(points[i], halfplane);
         }
-        pieces.push_back({Contour::fromPoints(std::move(points)).value_or(region.outer),
-                          std::move(region.holes)});
+        pieces.push_back({Contour::ofPoints(std::move(points)), std::move(region.holes)});
     }
     return pieces;
 }
@@ -249,8 +253,8 @@ bool isInside(const Contour &contour, const Halfplane &halfplane)
     return true;
 }
 
-std::vector<ClippedPiece> clip(const Contour &contour, const std::vector<Contour> &holes,
-                               const Halfplane &halfplane)
+Result<std::vector<ClippedPiece>> clip(const Contour &contour, const std::vector<Contour> &holes,
+                                       const Halfplane &halfplane)
 {
     // Holes lie in the contour.
     if (isInside(contour, halfplane)) {
@@ -273,7 +277,10 @@ std::vector<ClippedPiece> clip(const Contour &contour, const std::vector<Contour
         if (!contours->empty())
             pieces = withHoles(std::move(*contours), std::move(whole));
     } else {
-        pieces = clipByBoolean(contour, holes, halfplane);
+        Result<std::vector<ClippedPiece>> cut = clipByBoolean(contour, holes, halfplane);
+        if (!cut)
+            return cut;
+        pieces = *std::move(cut);
     }
     sortBySize(pieces);
     return pieces;

@@ -37,9 +37,10 @@ struct ClippedPiece
 ///           edges are straight, their ends lie on the line to kOnLine, and nothing reaches further
 ///           beyond it. Empty when nothing is left.
 /// Edges that lie in the line bound a piece only where the inside is on their inner side.
+/// Errors    as subtract(), which is asked where boundaries touch in the line.
 /// O(n log n) of the segments; without a cut one pass over the control points.
-std::vector<ClippedPiece> clip(const Contour &contour, const std::vector<Contour> &holes,
-                               const Halfplane &halfplane);
+Result<std::vector<ClippedPiece>> clip(const Contour &contour, const std::vector<Contour> &holes,
+                                       const Halfplane &halfplane);
 
 /// Whether clip() would leave it as it is.
 bool isInside(const Contour &contour, const Halfplane &halfplane);

@@ -1,5 +1,6 @@
 #include "core/geometry/line_clip.h"
 
+#include "core/base/fault_point.h"
 #include "core/geometry/clip_grid.h"
 
 #include <algorithm>
@@ -22,7 +23,7 @@ ClipperLib::Path toPath(const Polygon &line, const ClipGrid &grid)
 
 } // namespace
 
-std::vector<Polygon> clippedLine(const Polygon &line, const Region &region)
+Result<std::vector<Polygon>> clippedLine(const Polygon &line, const Region &region)
 {
     Box2 box = bounds(region.outer);
     for (const Vec2 &p : line)
@@ -32,14 +33,18 @@ std::vector<Polygon> clippedLine(const Polygon &line, const Region &region)
     ClipperLib::PolyTree found;
     std::vector<Polygon> pieces;
     try {
-        clipper.AddPath(toPath(line, grid), ClipperLib::ptSubject, false);
+        if (failsHere(FaultPoint::Line))
+            throw ClipperLib::clipperException("asked for");
+        if (!clipper.AddPath(toPath(line, grid), ClipperLib::ptSubject, false))
+            return pieces; // a point
         clipper.AddPath(toPath(region.outer, grid), ClipperLib::ptClip, true);
         for (const Polygon &hole : region.holes)
             clipper.AddPath(toPath(hole, grid), ClipperLib::ptClip, true);
-        clipper.Execute(ClipperLib::ctIntersection, found, ClipperLib::pftEvenOdd,
-                        ClipperLib::pftEvenOdd);
+        if (!clipper.Execute(ClipperLib::ctIntersection, found, ClipperLib::pftEvenOdd,
+                             ClipperLib::pftEvenOdd))
+            return failure(ErrorCode::NotWorkedOut);
     } catch (const ClipperLib::clipperException &) {
-        return pieces; // beyond what its numbers hold: so far away is nothing of a part
+        return failure(ErrorCode::NotWorkedOut);
     }
     ClipperLib::Paths paths;
     ClipperLib::OpenPathsFromPolyTree(found, paths);

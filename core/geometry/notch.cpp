@@ -154,6 +154,8 @@ bool NotchFinder::Data::complete(Notch &notch) const
     GridRing snapped;
     snapped.reserve(notch.corners.size());
     for (const Vec2 &corner : notch.corners) {
+        if (!corner.allFinite())
+            return false;
         snapped.push_back(grid.snap(corner));
         notch.box.extend(corner);
     }
@@ -398,8 +400,8 @@ CurvedRegion NotchCutter::region() const
     }
     if (!startsInside)
         addRun(here, nullptr, points, chords);
-    if (auto outer = Contour::fromPoints(std::move(points)))
-        result.outer = *std::move(outer);
+    if (points.size() >= 6)
+        result.outer = Contour::ofPoints(std::move(points));
     return result;
 }
 

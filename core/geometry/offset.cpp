@@ -188,8 +188,9 @@ CurvedRegion grow(const CurvedRegion &region, double distance)
     std::vector<Contour> boundaries{rawOffset(region.outer, distance)};
     for (const Contour &hole : region.holes)
         boundaries.push_back(rawOffset(hole, distance));
-    std::vector<CurvedRegion> grown = windingRegions(boundaries, WindingRule::Positive, kCutChord);
-    return grown.empty() ? region : std::move(grown.front());
+    Result<std::vector<CurvedRegion>> grown =
+        windingRegions(boundaries, WindingRule::Positive, kCutChord);
+    return !grown || grown->empty() ? region : std::move(grown->front());
 }
 
 } // namespace fff

@@ -34,7 +34,7 @@ void appendArc(std::vector<CubicBezier> &chain, const Vec2 &centre, double radiu
 
 Contour closed(std::vector<CubicBezier> chain)
 {
-    return Contour::fromSegments(chain).value_or(Contour());
+    return Contour::ofSegments(chain);
 }
 
 } // namespace
@@ -54,7 +54,7 @@ Contour starContour(const Vec2 &centre, double outer, double inner, int count, d
         polygon.push_back(at(centre, outer, phase + 2 * i * half));
         polygon.push_back(at(centre, inner, phase + (2 * i + 1) * half));
     }
-    return Contour::fromPolygon(polygon).value_or(Contour());
+    return Contour::ofPolygon(polygon);
 }
 
 Contour gearContour(const Vec2 &centre, double outer, double inner, int count, double phase,

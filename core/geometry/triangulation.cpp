@@ -1,5 +1,6 @@
 #include "core/geometry/triangulation.h"
 
+#include "core/base/fault_point.h"
 #include "core/geometry/sweep_triangulation.h"
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
@@ -149,16 +150,18 @@ Triangulation constrainedDelaunay(const Region &region)
 
 } // namespace
 
-Triangulation triangulate(const Region &region)
+Result<Triangulation> triangulate(const Region &region)
 {
-    if (std::optional<Triangulation> plain = sweepTriangles(region))
-        return *std::move(plain);
     try {
+        if (failsHere(FaultPoint::Triangles))
+            throw CGAL::Failure_exception("CGAL", "asked for", __FILE__, __LINE__, "", "");
+        if (std::optional<Triangulation> plain = sweepTriangles(region))
+            return *std::move(plain);
         return constrainedDelaunay(region);
     } catch (const CGAL::Failure_exception &) {
-        return {};
+        return failure(ErrorCode::NotWorkedOut);
     } catch (const CGAL::Uncertain_conversion_exception &) {
-        return {};
+        return failure(ErrorCode::NotWorkedOut);
     }
 }
 

@@ -1,6 +1,7 @@
 // Triangles of a region, for drawing and for solids.
 #pragma once
 
+#include "core/base/result.h"
 #include "core/geometry/polygon.h"
 
 #include <array>
@@ -15,8 +16,8 @@ struct Triangulation
 };
 
 /// Constrained Delaunay triangulation of the region (even-odd where edges cross). Touching corners,
-/// collinear and repeated points are fine. Empty for a region without area, and when CGAL fails.
-/// O(n log n).
-Triangulation triangulate(const Region &region);
+/// collinear and repeated points are fine. Empty for a region without area. Errors  NotWorkedOut
+/// when CGAL fails. O(n log n).
+Result<Triangulation> triangulate(const Region &region);
 
 } // namespace fff

@@ -181,21 +181,23 @@ tl::expected<DrawnContour, Hint> drawContour(const Document &document, const Con
         return tl::unexpected(Hint{Hint::Kind::Locked, section->name, true});
     if (target.purpose == ContourTarget::Purpose::Hole)
         return withHole(document, target.section, contour);
-    std::vector<ClippedPiece> pieces;
+    Result<std::vector<ClippedPiece>> pieces;
     if (rules.cutsAtGround)
         pieces = clippedAtGround(contour, target.canvas);
     else
-        pieces.push_back({contour, {}});
-    if (pieces.empty())
+        pieces->push_back({contour, {}});
+    if (!pieces)
+        return refused(Hint::Kind::EditFailed);
+    if (pieces->empty())
         return refused(Hint::Kind::BelowGround);
-    const Contour &kept = pieces.front().outer;
+    const Contour &kept = pieces->front().outer;
     tl::expected<DrawnContour, Hint> drawn = target.purpose == ContourTarget::Purpose::Redraw
                                                  ? redrawn(document, target.section, kept)
                                                  : newSection(document, target, kept, rules.naming);
     if (!drawn)
         return drawn;
     drawn->isCutAtGround = !(kept == contour);
-    if (pieces.size() > 1)
+    if (pieces->size() > 1)
         drawn->note = Hint{Hint::Kind::LargestPiece, drawn->step.names.front(), false};
     else if (drawn->isCutAtGround && !drawn->note)
         drawn->note = Hint{Hint::Kind::CutAtGround, drawn->step.names.front(), false};

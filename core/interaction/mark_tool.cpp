@@ -197,7 +197,8 @@ bool MarkTool::isOnSection(const Mark &mark, const GestureContext &context) cons
     const Section *section = context.model.find(*m_section);
     return section &&
            std::any_of(mark.paths.begin(), mark.paths.end(), [section](const CurvePath &path) {
-               return !clippedLine(path.flatten(kDrawChord), section->shape->region()).empty();
+               const auto pieces = clippedLine(path.flatten(kDrawChord), section->shape->region());
+               return !pieces || !pieces->empty(); // what cannot be told is not thrown away
            });
 }
 

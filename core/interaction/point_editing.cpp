@@ -43,8 +43,8 @@ std::vector<std::pair<double, double>> pointsOf(const Shape &shape)
     return points;
 }
 
-/// The shape with the side on which it was changed, and the image of that. Null: nothing is left.
-ShapePointer withImage(const Shape &before, const Shape &after, const Halfplane &mirror)
+/// The shape with the side on which it was changed, and the image of that.
+Result<ShapePointer> withImage(const Shape &before, const Shape &after, const Halfplane &mirror)
 {
     const auto was = pointsOf(before), is = pointsOf(after);
     std::vector<std::pair<double, double>> changed;
@@ -55,10 +55,11 @@ ShapePointer withImage(const Shape &before, const Shape &after, const Halfplane 
         side += mirror.height({x, y}) >= 0.0 ? 1 : -1;
     const Halfplane half{mirror.point, side >= 0 ? mirror.inward : Vec2(-mirror.inward)};
     const auto pieces = mirroredHalf(after.contour(), after.holes(), half);
-    if (pieces.empty())
-        return nullptr;
-    const Result<ShapePointer> made = Shape::make(pieces.front().outer, pieces.front().holes);
-    return made ? *made : nullptr;
+    if (!pieces)
+        return tl::unexpected(pieces.error());
+    if (pieces->empty())
+        return failure(ErrorCode::EmptyContour);
+    return Shape::make(pieces->front().outer, pieces->front().holes);
 }
 
 } // namespace
@@ -91,19 +92,23 @@ PointEdit withEditedShape(const Document &document, SectionId id, const Result<S
         return refused(whyNoShape(shape.error()), section->name);
     EditedPoints edited;
     ShapePointer kept = *shape;
-    if (rules.mirror && !(*kept == *section->shape))
-        kept = withImage(*section->shape, *kept, *rules.mirror);
-    if (!kept)
-        return refused(Hint::Kind::WouldBeEmpty, section->name);
+    if (rules.mirror && !(*kept == *section->shape)) {
+        const Result<ShapePointer> whole = withImage(*section->shape, *kept, *rules.mirror);
+        if (!whole)
+            return refused(whyNoShape(whole.error()), section->name);
+        kept = *whole;
+    }
     if (rules.cutsAtGround) {
-        const std::vector<ShapePointer> pieces = clippedAtGround(kept, section->frame);
-        if (pieces.empty())
+        const Result<std::vector<ShapePointer>> pieces = clippedAtGround(kept, section->frame);
+        if (!pieces)
+            return refused(whyNoShape(pieces.error()), section->name);
+        if (pieces->empty())
             return refused(Hint::Kind::WouldBeBelowGround, section->name);
-        if (pieces.front() != kept)
+        if (pieces->front() != kept)
             edited.note =
-                Hint{pieces.size() > 1 ? Hint::Kind::LargestPiece : Hint::Kind::CutAtGround,
+                Hint{pieces->size() > 1 ? Hint::Kind::LargestPiece : Hint::Kind::CutAtGround,
                      section->name, false};
-        kept = pieces.front();
+        kept = pieces->front();
     }
     edited.points = pointsAt(*kept, places);
     // A shape that is the same as before is the same object: no step.

@@ -150,6 +150,24 @@ QString errorSentence(const Error &error)
     case ErrorCode::Unsupported:
         return hasArg ? Words::tr("\"%1\" is not supported by this version").arg(phrase(args, 0))
                       : Words::tr("this is not supported by this version");
+    case ErrorCode::NotWorkedOut:
+        return Words::tr("this could not be worked out");
+    case ErrorCode::NotCutOut:
+        return ofSection(args,
+                         Words::tr("\"%1\" could not be cut out: what its slits leave of it could "
+                                   "not be worked out"),
+                         Words::tr("a section could not be cut out"));
+    case ErrorCode::NotSolid:
+        return ofSection(args, Words::tr("the solid of \"%1\" could not be worked out"),
+                         Words::tr("a solid could not be worked out"));
+    case ErrorCode::MarksNotCut:
+        return ofSection(args,
+                         Words::tr("what is drawn on \"%1\" could not be cut off at its edge"),
+                         Words::tr("what is drawn on a section could not be cut off at its edge"));
+    case ErrorCode::OperationFailed:
+        return ofSection(args,
+                         Words::tr("the sections of the operation \"%1\" could not be worked out"),
+                         Words::tr("the sections of an operation could not be worked out"));
     }
     return {}; // not reached: every code is above
 }

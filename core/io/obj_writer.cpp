@@ -1,5 +1,7 @@
 #include "core/io/obj_writer.h"
 
+#include "core/fabrication/wholeness.h"
+
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -150,15 +152,17 @@ std::string uniqueName(const std::string &name, std::set<std::string> &taken)
 
 } // namespace
 
-std::string writeObj(const Model &model, const std::vector<CutSectionPointer> &cuts)
+Result<std::string> writeObj(const Model &model, const std::vector<CutSectionPointer> &cuts)
 {
+    if (const Result<void> known = haveSolids(model, cuts); !known)
+        return tl::unexpected(known.error());
     ObjText text;
     text.out = "# FlatFitFab " FFF_VERSION ", millimetres, Y up\n";
     std::set<std::string> names;
     for (std::size_t i = 0; i < cuts.size(); ++i) {
         const Section &section = *model.section(i);
         const Stock &stock = model.stockOf(i);
-        for (const Triangulation &triangulation : cuts[i]->triangulations()) {
+        for (const Triangulation &triangulation : *cuts[i]->triangulations()) {
             text.out += "# " + safeName(stock.name) + ',';
             append(text.out, stock.thickness);
             text.out += " mm\n";

@@ -20,7 +20,7 @@ namespace fff::io {
 ///   numbers   to 1e-7 mm, a tenth of the grid that outlines are cut on, so that none fall together
 ///
 /// Stocks stand in comments: OBJ knows no thickness, and looks are not the model's. `cuts` belong
-/// to the model, one a section. UTF-8, same bytes for same input.
-std::string writeObj(const Model &model, const std::vector<CutSectionPointer> &cuts);
+/// to the model, one a section. UTF-8, same bytes for same input. Errors  as haveSolids().
+Result<std::string> writeObj(const Model &model, const std::vector<CutSectionPointer> &cuts);
 
 } // namespace fff::io

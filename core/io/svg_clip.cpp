@@ -13,17 +13,24 @@ namespace {
 
 /// What of the contour lies in the clip: the contour without what is outside, and what of the clip
 /// is a hole in that.
-std::vector<Contour> clippedContour(const Contour &contour, const std::vector<Contour> &clip)
+Result<std::vector<Contour>> clippedContour(const Contour &contour,
+                                            const std::vector<Contour> &clip)
 {
     std::vector<Contour> outside, inside;
-    for (const CurvedRegion &region : subtractContours(contour, {}, clip, kCutChord)) {
+    const auto beyond = subtractContours(contour, {}, clip, kCutChord);
+    if (!beyond)
+        return tl::unexpected(beyond.error());
+    for (const CurvedRegion &region : *beyond) {
         outside.push_back(region.outer);
         for (const Contour &hole : region.holes)
             inside.push_back(hole.reversed());
     }
     if (outside.empty())
-        return {contour};
-    for (const CurvedRegion &region : subtractContours(contour, {}, outside, kCutChord)) {
+        return std::vector<Contour>{contour};
+    const auto within = subtractContours(contour, {}, outside, kCutChord);
+    if (!within)
+        return tl::unexpected(within.error());
+    for (const CurvedRegion &region : *within) {
         inside.push_back(region.outer);
         inside.insert(inside.end(), region.holes.begin(), region.holes.end());
     }
@@ -47,26 +54,40 @@ bool contains(const std::vector<Contour> &clip, const Box2 &box)
 
 } // namespace
 
-std::vector<CurvePath> clippedPath(const CurvePath &path, const std::vector<Contour> &clip)
+Result<std::vector<CurvePath>> clippedPath(const CurvePath &path, const std::vector<Contour> &clip)
 {
     if (contains(clip, path.bounds()))
-        return {path};
+        return std::vector<CurvePath>{path};
     std::vector<CurvePath> left;
     if (!path.isClosed()) {
         std::vector<Contour> alike; // running the same way, so that they unite
         for (const Contour &contour : clip)
             alike.push_back(contour.signedArea() < 0.0 ? contour.reversed() : contour);
-        for (const CurvedRegion &region : windingRegions(alike, WindingRule::NonZero, kCutChord))
-            for (const Polygon &piece : clippedLine(path.flatten(kCutChord), region.region))
+        const auto regions = windingRegions(alike, WindingRule::NonZero, kCutChord);
+        if (!regions)
+            return tl::unexpected(regions.error());
+        for (const CurvedRegion &region : *regions) {
+            const auto pieces = clippedLine(path.flatten(kCutChord), region.region);
+            if (!pieces)
+                return tl::unexpected(pieces.error());
+            for (const Polygon &piece : *pieces)
                 if (Result<CurvePath> cut = CurvePath::fromLine(piece))
                     left.push_back(*std::move(cut));
+        }
         return left;
     }
     std::vector<Vec2> points = path.points();
     points.pop_back();
-    if (const Result<Contour> contour = Contour::fromPoints(std::move(points)))
-        for (const Contour &piece : clippedContour(*contour, clip))
-            left.push_back(CurvePath::around(piece));
+    if (points.size() < 6)
+        return left;
+    const Result<Contour> contour = Contour::fromPoints(std::move(points));
+    if (!contour)
+        return tl::unexpected(contour.error());
+    const auto pieces = clippedContour(*contour, clip);
+    if (!pieces)
+        return tl::unexpected(pieces.error());
+    for (const Contour &piece : *pieces)
+        left.push_back(CurvePath::around(piece));
     return left;
 }
 

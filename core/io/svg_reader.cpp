@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <iterator>
 #include <optional>
 #include <pugixml.hpp>
 #include <set>
@@ -290,9 +291,12 @@ void Reader::addLine(std::vector<Vec2> points, const State &state)
     std::vector<CurvePath> paths{*std::move(path)};
     for (const std::vector<Contour> &clip : state.clips) {
         std::vector<CurvePath> left;
-        for (const CurvePath &one : paths)
-            for (CurvePath &piece : clippedPath(one, clip))
-                left.push_back(std::move(piece));
+        for (const CurvePath &one : paths) {
+            Result<std::vector<CurvePath>> pieces = clippedPath(one, clip);
+            if (!pieces)
+                return m_source.fail(pieces.error().code, {}, pieces.error().args);
+            std::move(pieces->begin(), pieces->end(), std::back_inserter(left));
+        }
         paths = std::move(left);
     }
     for (CurvePath &one : paths)

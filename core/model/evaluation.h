@@ -22,7 +22,8 @@ struct OperationNotice
         InputsApart,  // the sections do not meet where they have to; it makes nothing
         NothingFits,  // within its range nothing can be made
         StoppedAtMost, // the number of sections that may be made was reached; count: that number
-        LeftOut        // count: of sections that could not be made
+        LeftOut,       // count: of sections that could not be made
+        Failed         // what it would make could not be worked out: the model is not whole
     };
     Kind kind = Kind::InputMissing;
     std::string role = {}; // InputMissing: of the input

@@ -24,24 +24,28 @@ std::optional<Halfplane> groundLine(const Frame &frame)
     return Halfplane{-(frame.origin.y() / rise) * inward, inward};
 }
 
-std::vector<ClippedPiece> clippedAtGround(const Contour &contour, const Frame &frame)
+Result<std::vector<ClippedPiece>> clippedAtGround(const Contour &contour, const Frame &frame)
 {
     if (const std::optional<Halfplane> above = groundLine(frame))
         return clip(contour, {}, *above);
     if (isBelow(frame))
-        return {};
-    return {{contour, {}}};
+        return std::vector<ClippedPiece>{};
+    return std::vector<ClippedPiece>{{contour, {}}};
 }
 
-std::vector<ShapePointer> clippedAtGround(const ShapePointer &shape, const Frame &frame)
+Result<std::vector<ShapePointer>> clippedAtGround(const ShapePointer &shape, const Frame &frame)
 {
     const std::optional<Halfplane> above = groundLine(frame);
     if (above ? isInside(shape->contour(), *above) : !isBelow(frame))
-        return {shape};
+        return std::vector<ShapePointer>{shape};
     std::vector<ShapePointer> shapes;
     if (!above)
         return shapes;
-    for (ClippedPiece &piece : clip(shape->contour(), shape->holes(), *above)) {
+    Result<std::vector<ClippedPiece>> pieces = clip(shape->contour(), shape->holes(), *above);
+    if (!pieces)
+        return tl::unexpected(pieces.error());
+    for (ClippedPiece &piece : *pieces) {
+        // What is dust is not kept.
         if (Result<ShapePointer> made = Shape::make(std::move(piece.outer), std::move(piece.holes)))
             shapes.push_back(std::move(*made));
     }

@@ -17,8 +17,9 @@ std::optional<Halfplane> groundLine(const Frame &frame);
 
 /// The contour, or the shape, without what lies below the ground: connected pieces, largest first.
 /// The very pointer (the contour bit for bit) where nothing is below; empty where nothing is above.
-/// A level plane is above or below as a whole; on the ground is above. See clip() for the rest.
-std::vector<ClippedPiece> clippedAtGround(const Contour &contour, const Frame &frame);
-std::vector<ShapePointer> clippedAtGround(const ShapePointer &shape, const Frame &frame);
+/// A level plane is above or below as a whole; on the ground is above. See clip() for the rest, and
+/// the errors.
+Result<std::vector<ClippedPiece>> clippedAtGround(const Contour &contour, const Frame &frame);
+Result<std::vector<ShapePointer>> clippedAtGround(const ShapePointer &shape, const Frame &frame);
 
 } // namespace fff

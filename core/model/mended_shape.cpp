@@ -27,35 +27,6 @@ double areaOf(const std::vector<CurvedRegion> &regions)
     return sum;
 }
 
-/// What reaches beyond the contour is no more than a rim of the width of kCutChord.
-bool liesInside(const Contour &hole, const Contour &contour)
-{
-    // Nearly all holes are well inside, and that is soon seen.
-    if (nesting(hole, contour, kCutChord) == Nesting::FirstInside)
-        return true;
-    return areaOf(subtract(hole, {contour}, {}, kCutChord)) <=
-           kMinArea + kCutChord * perimeter(hole.flatten(kCutChord).points);
-}
-
-/// They share more than a rim of the width of kResolveChord, or the dust that booleans leave out.
-bool overlap(const Contour &a, const Contour &b)
-{
-    if (nesting(a, b, kResolveChord) == Nesting::Apart)
-        return false;
-    const Polygon whole = a.flatten(kResolveChord).points;
-    const double shared = std::abs(signedArea(whole)) - areaOf(subtract(a, {b}, {}, kResolveChord));
-    return shared > 2.0 * kMinArea + kResolveChord * perimeter(whole);
-}
-
-/// The contour without the hole, when that is one piece and less than the contour.
-std::optional<Contour> notched(const Contour &contour, const Contour &hole)
-{
-    std::vector<CurvedRegion> pieces = subtract(contour, {hole}, {}, kResolveChord);
-    if (pieces.size() != 1 || !pieces.front().holes.empty() || !overlap(contour, hole))
-        return std::nullopt;
-    return std::move(pieces.front().outer);
-}
-
 /// The same curve, begun at another of its anchors.
 bool isTurned(const Contour &a, const Contour &b)
 {
@@ -105,6 +76,10 @@ public:
 
 private:
     void warn(WarningCode code, const std::string &where);
+    std::vector<CurvedRegion> known(Result<std::vector<CurvedRegion>> regions);
+    bool liesInside(const Contour &hole, const Contour &contour);
+    bool overlap(const Contour &a, const Contour &b);
+    std::optional<Contour> notched(const Contour &contour, const Contour &hole);
     void addHole(const PlacedContour &drawn);
     bool unite(std::size_t i, std::size_t j);
     void uniteOverlapping();
@@ -112,6 +87,7 @@ private:
 
     const std::string m_name;
     std::vector<Warning> &m_warnings;
+    std::optional<Error> m_error; // of the first boolean that failed: then nothing can be told
     struct Hole
     {
         Contour contour;
@@ -130,10 +106,54 @@ void Mender::warn(WarningCode code, const std::string &where)
         {code, where, m_name.empty() ? std::vector<std::string>{} : std::vector{m_name}});
 }
 
+/// What a boolean came to. Where it failed nothing, and mend() says so in the end.
+std::vector<CurvedRegion> Mender::known(Result<std::vector<CurvedRegion>> regions)
+{
+    if (regions)
+        return *std::move(regions);
+    if (!m_error)
+        m_error = std::move(regions.error());
+    return {};
+}
+
+/// What reaches beyond the contour is no more than a rim of the width of kCutChord.
+bool Mender::liesInside(const Contour &hole, const Contour &contour)
+{
+    // Nearly all holes are well inside, and that is soon seen.
+    if (nesting(hole, contour, kCutChord) == Nesting::FirstInside)
+        return true;
+    return areaOf(known(subtract(hole, {contour}, {}, kCutChord))) <=
+           kMinArea + kCutChord * perimeter(hole.flatten(kCutChord).points);
+}
+
+/// They share more than a rim of the width of kResolveChord, or the dust that booleans leave out.
+bool Mender::overlap(const Contour &a, const Contour &b)
+{
+    if (nesting(a, b, kResolveChord) == Nesting::Apart)
+        return false;
+    const Polygon whole = a.flatten(kResolveChord).points;
+    const double shared =
+        std::abs(signedArea(whole)) - areaOf(known(subtract(a, {b}, {}, kResolveChord)));
+    return shared > 2.0 * kMinArea + kResolveChord * perimeter(whole);
+}
+
+/// The contour without the hole, when that is one piece and less than the contour.
+std::optional<Contour> Mender::notched(const Contour &contour, const Contour &hole)
+{
+    std::vector<CurvedRegion> pieces = known(subtract(contour, {hole}, {}, kResolveChord));
+    if (pieces.size() != 1 || !pieces.front().holes.empty() || !overlap(contour, hole))
+        return std::nullopt;
+    return std::move(pieces.front().outer);
+}
+
 /// A hole that cannot be one is left out with a warning.
 void Mender::addHole(const PlacedContour &drawn)
 {
     Result<ResolvedContour> hole = resolvedInPlace(drawn.contour);
+    if (!hole && hole.error().code != ErrorCode::EmptyContour) {
+        m_error = hole.error();
+        return;
+    }
     if (!hole || std::abs(hole->contour.signedArea()) < kMinArea) {
         warn(WarningCode::DegenerateHole, drawn.where);
         return;
@@ -156,7 +176,8 @@ bool Mender::unite(std::size_t i, std::size_t j)
         if (hole.signedArea() < 0.0)
             hole = hole.reversed();
     }
-    std::vector<CurvedRegion> united = windingRegions(both, WindingRule::NonZero, kResolveChord);
+    std::vector<CurvedRegion> united =
+        known(windingRegions(both, WindingRule::NonZero, kResolveChord));
     if (united.empty())
         return false;
     warn(WarningCode::MergedHoles, m_holes[std::max(i, j)].where);
@@ -212,6 +233,8 @@ Result<ShapePointer> Mender::mend(const PlacedContour &contour,
         addHole(hole);
     uniteOverlapping();
     cutOut();
+    if (m_error)
+        return tl::unexpected(*m_error);
     std::vector<Contour> mended;
     for (Hole &hole : m_holes)
         mended.push_back(std::move(hole.contour));
@@ -244,6 +267,8 @@ Result<ShapePointer> makeMendedShape(const PlacedContour &contour,
         return shape;
     for (int pass = 0; shape && pass < kMaxPasses; ++pass) {
         Result<ShapePointer> again = mendedAgain(**shape);
+        if (!again && again.error().code != ErrorCode::EmptyContour)
+            return again;
         if (!again || **again == **shape)
             break;
         shape = std::move(again);

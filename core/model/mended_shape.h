@@ -19,7 +19,7 @@ struct PlacedContour
 /// What needs no mending comes back bit for bit, but for the winding that Shape::make gives.
 ///
 /// name      the section's, for the warnings; may be empty
-/// Errors    EmptyContour, without a place
+/// Errors    EmptyContour, or as resolveCrossings() and subtract(), without a place
 /// Warnings  SelfCrossingContour: the largest region of that contour or hole was kept (non-zero
 ///           winding). DegenerateHole, HoleOutside: that hole was left out; the latter also when it
 ///           would take the contour apart. MergedHoles: this hole and others overlap and are one

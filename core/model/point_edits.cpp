@@ -39,11 +39,15 @@ bool isNested(const Shape &shape)
     return true;
 }
 
-/// A ring that only touches itself is not said to cross.
-bool crossesItself(const Contour &contour)
+/// Errors  SelfCrossing: a ring that only touches itself is not said to; as resolveCrossings().
+Result<void> isUncrossed(const Contour &contour)
 {
     const auto resolved = resolveCrossings(contour);
-    return !resolved || resolved->wasCrossing;
+    if (!resolved && resolved.error().code != ErrorCode::EmptyContour)
+        return tl::unexpected(resolved.error());
+    if (!resolved || resolved->wasCrossing)
+        return failure(ErrorCode::SelfCrossing);
+    return {};
 }
 
 /// The two lie to each other as they must; where they touched before, they may.
@@ -70,8 +74,8 @@ Result<ShapePointer> whole(const Shape &before, ShapePointer shape,
                            [index](const Changed &item) { return item.boundary == index; });
     };
     for (const Changed &item : changed)
-        if (crossesItself(boundary(*shape, item.boundary)))
-            return failure(ErrorCode::SelfCrossing);
+        if (const auto uncrossed = isUncrossed(boundary(*shape, item.boundary)); !uncrossed)
+            return tl::unexpected(uncrossed.error());
     for (int a = 0; a < boundaryCount(*shape); ++a)
         for (int b = a + 1; b < boundaryCount(*shape); ++b)
             if ((isChanged(a) || isChanged(b)) && !areApart(*shape, before, a, b))

@@ -3,7 +3,23 @@
 #include "core/base/tolerances.h"
 #include "core/geometry/boolean.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace fff {
+
+namespace {
+
+/// The largest coordinate.
+double reachOf(const Contour &contour)
+{
+    double reach = 0.0;
+    for (const Vec2 &p : contour.points())
+        reach = std::max({reach, std::abs(p.x()), std::abs(p.y())});
+    return reach;
+}
+
+} // namespace
 
 Result<ShapePointer> Shape::make(Contour contour, std::vector<Contour> holes)
 {
@@ -11,6 +27,10 @@ Result<ShapePointer> Shape::make(Contour contour, std::vector<Contour> holes)
     const double contourArea = contour.signedArea();
     if (!(std::abs(contourArea) >= kMinArea))
         return failure(ErrorCode::EmptyContour);
+    const double farthest = reachOf(contour);
+    if (farthest > kMaxCoordinate)
+        return failure(ErrorCode::BadValue, {},
+                       {std::to_string(farthest), std::to_string(kMaxCoordinate)});
     shape->m_contour = contourArea > 0.0 ? std::move(contour) : contour.reversed();
     shape->m_moments = fff::moments(shape->m_contour);
     for (Contour &hole : holes) {
@@ -78,7 +98,7 @@ const Box2 &Shape::bounds() const
     return m_bounds;
 }
 
-const Triangulation &Shape::triangulation() const
+const Result<Triangulation> &Shape::triangulation() const
 {
     std::call_once(m_triangulationOnce, [this] { m_triangulation = triangulate(region()); });
     return m_triangulation;

@@ -18,7 +18,8 @@ class Shape
 public:
     /// Turns the contour counter-clockwise and the holes clockwise. Crossings are the caller's
     /// matter (core/geometry/boolean.h mends them). Errors  EmptyContour when the contour, or what
-    /// the holes leave of it, has less than kMinArea.
+    /// the holes leave of it, has less than kMinArea; BadValue where it reaches beyond
+    /// kMaxCoordinate.
     static Result<std::shared_ptr<const Shape>> make(Contour contour,
                                                      std::vector<Contour> holes = {});
     /// The same where it has been seen before: `chords` are those of the contour to kCutChord, or
@@ -39,8 +40,8 @@ public:
     const Region &region() const;
     /// Contour and holes neither touch themselves nor each other, on the chords of region().
     bool isPlain() const;
-    /// Of `region()`.
-    const Triangulation &triangulation() const;
+    /// Of `region()`. Errors  as triangulate().
+    const Result<Triangulation> &triangulation() const;
     /// Exact for the curves.
     const Moments &moments() const { return m_moments; }
     double area() const { return m_moments.area; }
@@ -64,7 +65,7 @@ private:
     mutable bool m_isPlain = false;
     mutable Region m_region;
     mutable Box2 m_bounds;
-    mutable Triangulation m_triangulation;
+    mutable Result<Triangulation> m_triangulation;
 };
 
 using ShapePointer = std::shared_ptr<const Shape>;

@@ -45,7 +45,7 @@ Contour inFrame(const Contour &contour, const Frame &from, const Frame &to)
     points.reserve(contour.points().size());
     for (const Vec2 &p : contour.points())
         points.push_back(to.toLocal(from.toWorld(p)));
-    return Contour::fromPoints(std::move(points)).value_or(Contour());
+    return Contour::ofPoints(std::move(points));
 }
 
 Station stationOf(const Section &root, const SectionPointer &section, const SourceCrossing &source,
@@ -119,15 +119,13 @@ public:
         }
     }
 
-    ShapePointer at(double share) const
+    Result<ShapePointer> at(double share) const
     {
         std::vector<PlacedContour> holes;
         for (const ContourBlend &hole : m_holes)
             holes.push_back({hole.at(share), {}});
         std::vector<Warning> mended; // between two contours anything may be
-        const Result<ShapePointer> shape =
-            makeMendedShape({m_contour.at(share), {}}, holes, {}, mended);
-        return shape ? *shape : nullptr;
+        return makeMendedShape({m_contour.at(share), {}}, holes, {}, mended);
     }
 
 private:
@@ -168,13 +166,13 @@ public:
         for (int i = 1; i <= m_count; ++i) {
             const double even = static_cast<double>(i) / (m_count + 1);
             const double share = m_isEased ? easeInOutCubic(even) : even;
-            const ShapePointer shape = blend.at(share);
+            const std::optional<ShapePointer> shape = m_context.made(blend.at(share));
             const std::string key = keyBelow(std::to_string(gap), i);
             if (!shape) {
                 ++leftOut;
                 continue;
             }
-            add(from, to, {key, std::to_string(i), start + share * way, share}, shape);
+            add(from, to, {key, std::to_string(i), start + share * way, share}, *shape);
         }
         return leftOut;
     }

@@ -235,11 +235,8 @@ private:
             return shape;
         ShapePointer &known = m_shapes[{shape.get(), scale}];
         if (!known) {
-            const Result<Curves> curves =
-                mapped(*shape, scale * Eigen::Matrix2d::Identity(), Vec2::Zero());
-            const Result<ShapePointer> made =
-                curves ? Shape::make(curves->contour, curves->holes)
-                       : Result<ShapePointer>(tl::unexpected(curves.error()));
+            const std::optional<ShapePointer> made =
+                m_context.made(mapped(shape, scale * Eigen::Matrix2d::Identity(), Vec2::Zero()));
             known = made ? m_context.keptOfAny(*made) : nullptr;
         }
         return known;

@@ -91,11 +91,10 @@ std::string copiedName(const std::string &name, const std::string &number)
 ShapePointer mappedShape(OperationContext &context, const std::string &key, const Shape &shape,
                          const Eigen::Matrix2d &matrix, const Vec2 &about)
 {
-    const Result<Curves> curves = mapped(shape, matrix, about);
+    const std::optional<Curves> curves = context.made(mapped(shape, matrix, about));
     if (!curves)
         return nullptr;
-    const Result<ShapePointer> made = context.shape(key, curves->contour, curves->holes);
-    return made ? *made : nullptr;
+    return context.made(context.shape(key, curves->contour, curves->holes)).value_or(nullptr);
 }
 
 ShapePointer scaledShape(OperationContext &context, const std::string &key,

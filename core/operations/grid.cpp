@@ -71,9 +71,9 @@ std::string seamKey(const Seam &seam, int stretch)
 class GridMaker
 {
 public:
-    GridMaker(OperationContext &context, const Section &section, const CellGrid &grid)
-        : m_context(context), m_section(section), m_grid(grid),
-          m_cells(cutIntoCells(*section.shape, grid, context.number("sliver"))),
+    GridMaker(OperationContext &context, const Section &section, const CellGrid &grid,
+              GridCells cells)
+        : m_context(context), m_section(section), m_grid(grid), m_cells(std::move(cells)),
           m_size(context.number("connectorSize")), m_clearance(context.number("clearance"))
     {
     }
@@ -82,12 +82,9 @@ public:
 
     void addConnectors(int perEdge)
     {
-        const Contour square = Contour::fromPolygon({{-0.5 * m_size, -0.5 * m_size},
-                                                     {0.5 * m_size, -0.5 * m_size},
-                                                     {0.5 * m_size, 0.5 * m_size},
-                                                     {-0.5 * m_size, 0.5 * m_size}})
-                                   .value_or(Contour());
-        const Result<ShapePointer> shape = Shape::make(square);
+        const double half = 0.5 * m_size;
+        const std::optional<ShapePointer> shape = m_context.made(Shape::make(
+            Contour::ofPolygon({{-half, -half}, {half, -half}, {half, half}, {-half, half}})));
         if (!shape)
             return;
         const ShapePointer shared = m_context.keptOfAny(*shape);
@@ -149,11 +146,11 @@ public:
         }
         for (std::size_t i = 0; i < cuts.size(); ++i) {
             GridCell &one = m_cells.cells[i];
-            const auto left = subtract(one.outer, one.holes, cuts[i], kCutChord);
-            if (left.empty())
+            const auto left = m_context.made(subtract(one.outer, one.holes, cuts[i], kCutChord));
+            if (!left || left->empty())
                 continue;
-            one.outer = left.front().outer;
-            one.holes = left.front().holes;
+            one.outer = left->front().outer;
+            one.holes = left->front().holes;
         }
     }
 
@@ -162,7 +159,8 @@ public:
         int number = 0;
         for (const GridCell &one : m_cells.cells) {
             const std::string key = keyOf(one);
-            const Result<ShapePointer> shape = m_context.shape(key, one.outer, one.holes);
+            const std::optional<ShapePointer> shape =
+                m_context.made(m_context.shape(key, one.outer, one.holes));
             if (!shape)
                 continue;
             Section part = m_section;
@@ -229,14 +227,13 @@ private:
         const auto p = [&](double x, double y) { return Vec2(at + x * r * side + y * r * way); };
         // From below the seam, so that it is one with its cell.
         const Contour knob =
-            Contour::fromSegments({CubicBezier::line(p(0.6, -0.2), p(0.6, 0.0)),
-                                   {p(0.6, 0.0), p(0.5, 0.35), p(1.0, 0.6), p(1.0, 1.0)},
-                                   {p(1.0, 1.0), p(1.0, 1.55), p(0.55, 1.9), p(0.0, 1.9)},
-                                   {p(0.0, 1.9), p(-0.55, 1.9), p(-1.0, 1.55), p(-1.0, 1.0)},
-                                   {p(-1.0, 1.0), p(-1.0, 0.6), p(-0.5, 0.35), p(-0.6, 0.0)},
-                                   CubicBezier::line(p(-0.6, 0.0), p(-0.6, -0.2)),
-                                   CubicBezier::line(p(-0.6, -0.2), p(0.6, -0.2))})
-                .value_or(Contour());
+            Contour::ofSegments({CubicBezier::line(p(0.6, -0.2), p(0.6, 0.0)),
+                                 {p(0.6, 0.0), p(0.5, 0.35), p(1.0, 0.6), p(1.0, 1.0)},
+                                 {p(1.0, 1.0), p(1.0, 1.55), p(0.55, 1.9), p(0.0, 1.9)},
+                                 {p(0.0, 1.9), p(-0.55, 1.9), p(-1.0, 1.55), p(-1.0, 1.0)},
+                                 {p(-1.0, 1.0), p(-1.0, 0.6), p(-0.5, 0.35), p(-0.6, 0.0)},
+                                 CubicBezier::line(p(-0.6, 0.0), p(-0.6, -0.2)),
+                                 CubicBezier::line(p(-0.6, -0.2), p(0.6, -0.2))});
         return knob.signedArea() < 0.0 ? knob.reversed() : knob;
     }
 
@@ -258,17 +255,18 @@ private:
     {
         std::vector<Contour> outline{giver.outer, knob};
         outline.insert(outline.end(), giver.holes.begin(), giver.holes.end());
-        const auto with = windingRegions(outline, WindingRule::Positive, kCutChord);
+        const auto with = m_context.made(windingRegions(outline, WindingRule::Positive, kCutChord));
         CurvedRegion room{knob, {}, {}};
         if (m_clearance > 0.0)
             room = grow(room, m_clearance);
-        const auto without = subtractContours(taker.outer, taker.holes, {room.outer}, kCutChord);
-        if (with.empty() || without.empty())
+        const auto without =
+            m_context.made(subtractContours(taker.outer, taker.holes, {room.outer}, kCutChord));
+        if (!with || !without || with->empty() || without->empty())
             return;
-        giver.outer = with.front().outer;
-        giver.holes = with.front().holes;
-        taker.outer = without.front().outer;
-        taker.holes = without.front().holes;
+        giver.outer = with->front().outer;
+        giver.holes = with->front().holes;
+        taker.outer = without->front().outer;
+        taker.holes = without->front().holes;
     }
 
     OperationContext &m_context;
@@ -289,7 +287,11 @@ void make(OperationContext &context)
         context.notice({.kind = OperationNotice::Kind::StoppedAtMost, .count = kMostCells});
         return;
     }
-    GridMaker maker(context, *section, grid);
+    std::optional<GridCells> cells =
+        context.made(cutIntoCells(*section->shape, grid, context.number("sliver")));
+    if (!cells)
+        return;
+    GridMaker maker(context, *section, grid, *std::move(cells));
     if (maker.cells().cells.size() < 2)
         return; // it fits as it is
     context.change(section->ref(), nullptr);

@@ -6,6 +6,7 @@
 #include "core/geometry/halfplane_clip.h"
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <numeric>
 #include <tuple>
@@ -30,8 +31,8 @@ double areaOf(const ClippedPiece &piece)
 }
 
 /// The pieces between two lines of one axis.
-std::vector<ClippedPiece> between(const std::vector<ClippedPiece> &pieces, int axis, double from,
-                                  double to)
+Result<std::vector<ClippedPiece>> between(const std::vector<ClippedPiece> &pieces, int axis,
+                                          double from, double to)
 {
     Vec2 inward = Vec2::Zero(), at = Vec2::Zero();
     inward[axis] = 1.0;
@@ -39,24 +40,32 @@ std::vector<ClippedPiece> between(const std::vector<ClippedPiece> &pieces, int a
     for (const auto &[line, side] : {std::pair(from, 1.0), std::pair(to, -1.0)}) {
         at[axis] = line;
         std::vector<ClippedPiece> next;
-        for (const ClippedPiece &piece : result)
-            for (ClippedPiece &part : clip(piece.outer, piece.holes, {at, side * inward}))
-                next.push_back(std::move(part));
+        for (const ClippedPiece &piece : result) {
+            Result<std::vector<ClippedPiece>> parts =
+                clip(piece.outer, piece.holes, {at, side * inward});
+            if (!parts)
+                return parts;
+            std::move(parts->begin(), parts->end(), std::back_inserter(next));
+        }
         result = std::move(next);
     }
     return result;
 }
 
-std::vector<Piece> piecesOf(const Shape &shape, const CellGrid &grid)
+Result<std::vector<Piece>> piecesOf(const Shape &shape, const CellGrid &grid)
 {
     std::vector<Piece> pieces;
     const std::vector<ClippedPiece> all{{shape.contour(), shape.holes()}};
     for (int column = 0; column < grid.columns; ++column) {
         const auto strip = between(all, 0, grid.line(0, column), grid.line(0, column + 1));
+        if (!strip)
+            return tl::unexpected(strip.error());
         for (int row = 0; row < grid.rows; ++row) {
+            auto cell = between(*strip, 1, grid.line(1, row), grid.line(1, row + 1));
+            if (!cell)
+                return tl::unexpected(cell.error());
             int part = 0;
-            for (ClippedPiece &piece :
-                 between(strip, 1, grid.line(1, row), grid.line(1, row + 1))) {
+            for (ClippedPiece &piece : *cell) {
                 const double area = areaOf(piece);
                 pieces.push_back({column, row, part++, std::move(piece), area});
             }
@@ -190,22 +199,26 @@ Contour withoutSeams(const Contour &contour)
         segments.front() = CubicBezier::line(segments.back().p0, segments.front().p3);
         segments.pop_back();
     }
-    return Contour::fromSegments(segments).value_or(contour);
+    // What is nothing but one line there and back.
+    return segments.size() < 2 ? contour : Contour::ofSegments(segments);
 }
 
 /// The outlines of several pieces of which each touches another: one, or several where they do at
 /// a corner only; the largest first.
-std::vector<ClippedPiece> together(const std::vector<const Piece *> &pieces)
+Result<std::vector<ClippedPiece>> together(const std::vector<const Piece *> &pieces)
 {
     if (pieces.size() == 1)
-        return {pieces.front()->outline};
+        return std::vector<ClippedPiece>{pieces.front()->outline};
     std::vector<Contour> contours;
     for (const Piece *piece : pieces) {
         contours.push_back(piece->outline.outer);
         contours.insert(contours.end(), piece->outline.holes.begin(), piece->outline.holes.end());
     }
     std::vector<ClippedPiece> outlines;
-    for (CurvedRegion &region : windingRegions(contours, WindingRule::Positive, kCutChord)) {
+    const auto regions = windingRegions(contours, WindingRule::Positive, kCutChord);
+    if (!regions)
+        return tl::unexpected(regions.error());
+    for (const CurvedRegion &region : *regions) {
         outlines.push_back({withoutSeams(region.outer), {}});
         for (const Contour &hole : region.holes)
             outlines.back().holes.push_back(withoutSeams(hole));
@@ -226,9 +239,12 @@ ClippedPiece wound(ClippedPiece piece)
 
 } // namespace
 
-GridCells cutIntoCells(const Shape &shape, const CellGrid &grid, double sliver)
+Result<GridCells> cutIntoCells(const Shape &shape, const CellGrid &grid, double sliver)
 {
-    std::vector<Piece> pieces = piecesOf(shape, grid);
+    Result<std::vector<Piece>> found = piecesOf(shape, grid);
+    if (!found)
+        return tl::unexpected(found.error());
+    std::vector<Piece> &pieces = *found;
     for (Piece &piece : pieces)
         piece.outline = wound(std::move(piece.outline));
     const std::vector<Seam> seams = seamsOf(pieces, grid);
@@ -245,8 +261,11 @@ GridCells cutIntoCells(const Shape &shape, const CellGrid &grid, double sliver)
                 cellOf[j] = static_cast<int>(result.cells.size());
             }
         }
+        auto outlines = together(members);
+        if (!outlines)
+            return tl::unexpected(outlines.error());
         int part = pieces[i].part;
-        for (ClippedPiece &outline : together(members)) {
+        for (ClippedPiece &outline : *outlines) {
             result.cells.push_back({pieces[i].column, pieces[i].row, part, std::move(outline.outer),
                                     std::move(outline.holes)});
             part += static_cast<int>(pieces.size()); // a number that no other part has

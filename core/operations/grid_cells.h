@@ -43,7 +43,7 @@ struct GridCells
 };
 
 /// sliver: share of a whole cell's area below which a piece goes to a neighbour. The cells' areas
-/// sum up to the shape's.
-GridCells cutIntoCells(const Shape &shape, const CellGrid &grid, double sliver);
+/// sum up to the shape's. Errors  as clip() and windingRegions().
+Result<GridCells> cutIntoCells(const Shape &shape, const CellGrid &grid, double sliver);
 
 } // namespace fff

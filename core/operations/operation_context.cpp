@@ -185,6 +185,16 @@ void OperationContext::notice(OperationNotice notice)
     m_result.notices.push_back(std::move(notice));
 }
 
+void OperationContext::noticeFailure(const Error &error)
+{
+    if (error.code == ErrorCode::EmptyContour || error.code == ErrorCode::BadValue)
+        return;
+    const OperationNotice failed{.kind = OperationNotice::Kind::Failed};
+    if (std::find(m_result.notices.begin(), m_result.notices.end(), failed) ==
+        m_result.notices.end())
+        m_result.notices.push_back(failed);
+}
+
 void OperationContext::found(std::string_view key, double value)
 {
     m_result.found.insert_or_assign(std::string(key), value);

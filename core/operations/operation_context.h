@@ -60,6 +60,16 @@ public:
     /// Makes another section of one from above; null: takes it away.
     void change(const SectionRef &ref, SectionPointer section);
     void notice(OperationNotice notice);
+    /// What could be made; else nothing. Where it is not that it would be too small or too large,
+    /// it is noted that the operation failed.
+    template <class T>
+    std::optional<T> made(Result<T> result)
+    {
+        if (result)
+            return *std::move(result);
+        noticeFailure(result.error());
+        return std::nullopt;
+    }
     /// A free parameter's value.
     void found(std::string_view key, double value);
     /// Where handles of parameters go: points in the world and the values there, ascending.
@@ -68,6 +78,7 @@ public:
     OperationResult take();
 
 private:
+    void noticeFailure(const Error &error);
     ParameterValue value(std::string_view key) const;
     SectionPointer previous(const std::string &key) const;
 

@@ -15,14 +15,15 @@ namespace {
 
 using Unit = ParameterSpec::Unit;
 
-/// The largest piece of what the sectors together are. Null when nothing is.
-ShapePointer sectorAllRound(const Shape &shape, const Vec2 &centre, int count, double phase)
+/// The largest piece of what the sectors together are.
+Result<ShapePointer> sectorAllRound(const Shape &shape, const Vec2 &centre, int count, double phase)
 {
     const auto pieces = repeatedSector(shape.contour(), shape.holes(), centre, count, phase);
-    if (pieces.empty())
-        return nullptr;
-    const Result<ShapePointer> made = Shape::make(pieces.front().outer, pieces.front().holes);
-    return made ? *made : nullptr;
+    if (!pieces)
+        return tl::unexpected(pieces.error());
+    if (pieces->empty())
+        return failure(ErrorCode::EmptyContour);
+    return Shape::make(pieces->front().outer, pieces->front().holes);
 }
 
 ToothShape toothOf(const std::string &key)
@@ -49,7 +50,7 @@ std::vector<Contour> askedContours(const OperationContext &context, const Vec2 &
 }
 
 /// In place of the contour, or as holes.
-ShapePointer withContours(const Shape &shape, std::vector<Contour> contours, bool asHoles)
+Result<ShapePointer> withContours(const Shape &shape, std::vector<Contour> contours, bool asHoles)
 {
     std::vector<PlacedContour> holes;
     for (const Contour &hole : shape.holes())
@@ -61,8 +62,7 @@ ShapePointer withContours(const Shape &shape, std::vector<Contour> contours, boo
     else
         outer.contour = std::move(contours.front());
     std::vector<Warning> mended; // what no longer fits is left out
-    const Result<ShapePointer> made = makeMendedShape(outer, holes, {}, mended);
-    return made ? *made : nullptr;
+    return makeMendedShape(outer, holes, {}, mended);
 }
 
 void make(OperationContext &context)
@@ -74,20 +74,20 @@ void make(OperationContext &context)
     const Vec2 centre = shape.centroid();
     const std::string kind = context.choice("kind");
     const bool asHoles = kind == "holes" || context.choice("applyTo") == "holes";
-    ShapePointer next;
+    Result<ShapePointer> next;
     if (kind == "sector") {
         next = sectorAllRound(shape, centre, context.count("sectors"), context.number("phase"));
         if (next && context.choice("applyTo") == "holes")
-            next = withContours(shape, {next->contour()}, true);
+            next = withContours(shape, {(*next)->contour()}, true);
     } else {
         next = withContours(shape, askedContours(context, centre), asHoles);
     }
-    if (!next) {
+    if (!context.made(next)) {
         context.notice({OperationNotice::Kind::NothingFits});
         return;
     }
     Section changed = *section;
-    changed.shape = std::move(next);
+    changed.shape = *std::move(next);
     context.change(section->ref(), std::make_shared<const Section>(std::move(changed)));
 }
 

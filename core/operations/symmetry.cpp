@@ -76,18 +76,22 @@ bool reachesAcross(const Shape &shape, const PlaneLine &line)
     return least < -kSameImage && most > kSameImage && !intervalsOn(line, shape.region()).empty();
 }
 
-/// The larger half and its image; null when nothing is left.
-ShapePointer mirrored(const Shape &shape, const PlaneLine &line)
+/// The larger half and its image.
+Result<ShapePointer> mirrored(const Shape &shape, const PlaneLine &line)
 {
     const Vec2 left = perpendicular(line.direction);
     double areas[2] = {};
-    for (const int side : {0, 1})
-        for (const ClippedPiece &piece :
-             clip(shape.contour(), shape.holes(), {line.point, side == 0 ? left : Vec2(-left)})) {
+    for (const int side : {0, 1}) {
+        const Result<std::vector<ClippedPiece>> pieces =
+            clip(shape.contour(), shape.holes(), {line.point, side == 0 ? left : Vec2(-left)});
+        if (!pieces)
+            return tl::unexpected(pieces.error());
+        for (const ClippedPiece &piece : *pieces) {
             areas[side] += std::abs(piece.outer.signedArea());
             for (const Contour &hole : piece.holes)
                 areas[side] -= std::abs(hole.signedArea());
         }
+    }
     // A shape that is symmetric stays bit for bit what it is.
     if (std::abs(areas[0] - areas[1]) <= kSameImage) {
         const Eigen::Matrix2d mirror =
@@ -98,19 +102,20 @@ ShapePointer mirrored(const Shape &shape, const PlaneLine &line)
             curves ? Shape::make(curves->contour, curves->holes)
                    : Result<ShapePointer>(tl::unexpected(curves.error()));
         const Result<ShapePointer> same = Shape::make(shape.contour(), shape.holes());
-        if (other && same) {
-            own.shape = *same;
-            image.shape = *other;
-            if (isSameImage(own, image))
-                return own.shape;
-        }
+        if (!other || !same)
+            return other ? same : other;
+        own.shape = *same;
+        image.shape = *other;
+        if (isSameImage(own, image))
+            return own.shape;
     }
     const Halfplane half{line.point, areas[0] >= areas[1] ? left : Vec2(-left)};
     const auto pieces = mirroredHalf(shape.contour(), shape.holes(), half);
-    if (pieces.empty())
-        return nullptr;
-    const Result<ShapePointer> made = Shape::make(pieces.front().outer, pieces.front().holes);
-    return made ? *made : nullptr;
+    if (!pieces)
+        return tl::unexpected(pieces.error());
+    if (pieces->empty())
+        return failure(ErrorCode::EmptyContour);
+    return Shape::make(pieces->front().outer, pieces->front().holes);
 }
 
 class SymmetryMaker : public ImageMaker
@@ -118,13 +123,14 @@ class SymmetryMaker : public ImageMaker
 public:
     using ImageMaker::ImageMaker;
 
-    /// It is of this shape from now on, as are its copies.
-    void reshape(const SectionPointer &section, const ShapePointer &shape)
+    /// It is of this shape from now on, as are its copies; of its own where that is none.
+    void reshape(const SectionPointer &section, const Result<ShapePointer> &shape)
     {
-        if (!shape || *shape == *section->shape)
+        const std::optional<ShapePointer> made = context().made(shape);
+        if (!made || **made == *section->shape)
             return;
         Section next = *section;
-        next.shape = shape;
+        next.shape = *made;
         change(section, std::make_shared<const Section>(std::move(next)));
     }
     /// Its larger half across the line, and the image of that.
@@ -254,11 +260,11 @@ bool keepTurned(SymmetryMaker &maker, const SectionPointer &section, const TurnA
         return false;
     const auto pieces =
         repeatedSector(section->shape->contour(), section->shape->holes(), centre, times, 0.0);
-    const Result<ShapePointer> shape =
-        pieces.empty() ? Result<ShapePointer>(section->shape)
-                       : Shape::make(pieces.front().outer, pieces.front().holes);
     maker.leave(section);
-    maker.reshape(section, shape ? *shape : section->shape);
+    if (!pieces)
+        maker.reshape(section, tl::unexpected(pieces.error()));
+    else if (!pieces->empty())
+        maker.reshape(section, Shape::make(pieces->front().outer, pieces->front().holes));
     return true;
 }
 

@@ -2,6 +2,7 @@
 
 #include "core/assembly/crossing.h"
 #include "core/base/tolerances.h"
+#include "core/fabrication/wholeness.h"
 
 #include <algorithm>
 #include <cmath>
@@ -154,7 +155,7 @@ std::vector<SolidPointer> solidsOf(const Analysis &analysis, std::vector<PartRef
         const double thickness = analysis.model.stockOf(i).thickness;
         if (known.cut != cut || known.frame != frame || known.thickness != thickness) {
             known = {cut, frame, thickness, {}};
-            for (const Triangulation &piece : cut->triangulations())
+            for (const Triangulation &piece : *cut->triangulations())
                 known.solids.push_back(
                     std::make_shared<const Solid>(makeSolid(piece, frame, thickness)));
         }
@@ -215,6 +216,11 @@ ModelPlan planOf(const Analysis &analysis, PlanCaches &caches,
                  const std::function<bool()> &isOutOfTime)
 {
     ModelPlan result;
+    if (const Result<void> known = haveSolids(analysis.model, analysis.cuts); !known) {
+        result.plan.verdict = AssemblyPlan::Verdict::NotFound;
+        result.failure = known.error();
+        return result;
+    }
     Collisions &collisions = caches.collisions;
     std::vector<SolidPointer> solids = solidsOf(analysis, result.parts, caches);
     collisions.use(std::move(solids), pressedDepths(analysis, FirstParts(analysis, result.parts)));

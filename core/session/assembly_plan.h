@@ -32,7 +32,8 @@ struct ModelPlan
     std::vector<PartRef> parts;        // the plan's indices
     std::vector<PartOverlap> overlaps; // in the order of (a, b); the plan passes them over
     AssemblyPlan plan;
-    std::optional<Stop> stop; // of two that are locked
+    std::optional<Stop> stop;     // of two that are locked
+    std::optional<Error> failure; // why nothing is known: haveSolids(); then there are no parts
 };
 
 /// What is known from the time before. Not for several threads at once.
@@ -52,6 +53,7 @@ struct PlanCaches
 };
 
 /// The parts as solids, in the sections' order; those that are as before are the same objects.
+/// Every section has to have one (haveSolids).
 std::vector<SolidPointer> solidsOf(const Analysis &analysis, std::vector<PartRef> &parts,
                                    PlanCaches &caches);
 /// Which way the parts of a joint's sections come off each other; of all joints that hold.

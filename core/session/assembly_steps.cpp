@@ -1,6 +1,7 @@
 #include "core/session/assembly_steps.h"
 
 #include "core/assembly/slab.h"
+#include "core/io/error_text.h"
 #include "core/session/section_names.h"
 
 #include <QCoreApplication>
@@ -150,6 +151,9 @@ QString whyNoSteps(const Analysis &analysis, const ModelPlan &plan)
     case AssemblyPlan::Verdict::Impossible:
         break;
     case AssemblyPlan::Verdict::NotFound:
+        if (plan.failure)
+            //: %1 is a sentence such as "the solid of "Rib" could not be worked out"
+            return Words::tr("No steps to show: %1.").arg(io::errorSentence(*plan.failure));
         return Words::tr("No steps to show: the order of assembly was not found in the time.");
     }
     std::set<int> locked;

@@ -2,6 +2,7 @@
 
 #include "core/base/tolerances.h"
 #include "core/base/units.h"
+#include "core/io/error_text.h"
 #include "core/session/section_names.h"
 
 #include <QCoreApplication>
@@ -267,6 +268,15 @@ QString jointText(const Check &check, const Model &model, const CheckUnits &unit
     case CheckCode::Divided:
         return Words::tr("The slits of %1 divide it into %2.")
             .arg(first, Words::tr("%n parts", nullptr, check.count));
+    case CheckCode::NotCutOut:
+        return Words::tr("%1 could not be cut out: what its slits leave of it could not be worked "
+                         "out. Nothing can be exported; its mass counts without slits.")
+            .arg(first);
+    case CheckCode::NotMade:
+        //: %1 is the name of an operation
+        return Words::tr("%1 could not be worked out: sections of it are missing. Nothing can be "
+                         "exported.")
+            .arg(QString::fromStdString(check.failure->args.front()));
     default:
         return Words::tr("The slits of %1 leave nothing of it.").arg(first);
     }
@@ -281,6 +291,9 @@ QString assemblyText(const Check &check, const Model &model, const CheckUnits &u
     case CheckCode::CannotAssemble:
         break;
     default:
+        if (check.failure)
+            //: %1 is a sentence such as "the solid of "Rib" could not be worked out"
+            return Words::tr("Order not found: %1.").arg(io::errorSentence(*check.failure));
         return Words::tr("Order not found. The search took too long; that says nothing about the "
                          "model.");
     }
@@ -349,6 +362,10 @@ QString checkName(CheckCode code)
         return QStringLiteral("divided");
     case CheckCode::NothingLeft:
         return QStringLiteral("nothingLeft");
+    case CheckCode::NotCutOut:
+        return QStringLiteral("notCutOut");
+    case CheckCode::NotMade:
+        return QStringLiteral("notMade");
     }
     return {}; // not reached: every code is above
 }
@@ -435,6 +452,10 @@ QString checkTitle(const Check &check)
         return Words::tr("Divided by slits");
     case CheckCode::NothingLeft:
         return Words::tr("Nothing left");
+    case CheckCode::NotCutOut:
+        return Words::tr("Not cut out");
+    case CheckCode::NotMade:
+        return Words::tr("Operation failed");
     }
     return {}; // not reached: every code is above
 }

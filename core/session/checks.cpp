@@ -2,6 +2,7 @@
 
 #include "core/assembly/found_joint.h"
 #include "core/base/tolerances.h"
+#include "core/fabrication/wholeness.h"
 #include "core/session/gap.h"
 #include "core/session/narrow_slits.h"
 #include "core/session/stretching.h"
@@ -247,6 +248,25 @@ void addSize(const Analysis &analysis, const LayoutOptions &options, const Check
 
 // --- joints
 
+/// What could not be worked out.
+void addFailures(const Analysis &analysis, std::vector<Check> &all)
+{
+    const Model &model = analysis.model;
+    for (const Operation *operation : failedOperations(model)) {
+        Check check = makeCheck(CheckCode::NotMade, CheckSeverity::Error);
+        check.failure = Error{ErrorCode::OperationFailed, {}, {operation->name}};
+        all.push_back(std::move(check));
+    }
+    for (const int index : uncutSections(analysis.cuts)) {
+        const Section &section = *model.section(static_cast<std::size_t>(index));
+        Check check = makeCheck(CheckCode::NotCutOut, CheckSeverity::Error);
+        check.sections = {section.ref()};
+        check.at = section.frame.toWorld(section.shape->centroid());
+        check.failure = Error{ErrorCode::NotCutOut, {}, {section.name}};
+        all.push_back(std::move(check));
+    }
+}
+
 void addJoints(const Analysis &analysis, const CheckRules &rules, std::vector<Check> &all)
 {
     const Model &model = analysis.model;
@@ -270,6 +290,7 @@ void addJoints(const Analysis &analysis, const CheckRules &rules, std::vector<Ch
             check.noSlit = whyNoSlit(model, joint);
         all.push_back(std::move(check));
     }
+    addFailures(analysis, all);
     for (std::size_t i = 0; i < model.sectionCount(); ++i) {
         const std::size_t parts = analysis.cuts[i]->parts().size();
         if (parts == 1)
@@ -317,6 +338,8 @@ CheckSubject subjectOf(CheckCode code)
     case CheckCode::NarrowSlit:
     case CheckCode::Divided:
     case CheckCode::NothingLeft:
+    case CheckCode::NotCutOut:
+    case CheckCode::NotMade:
         return CheckSubject::Joints;
     }
     return CheckSubject::Joints; // not reached: every code is above

@@ -46,6 +46,8 @@ enum class CheckCode {
     NarrowSlit,  // narrower than the tool that is to cut it (narrow_slits.h)
     Divided,     // its slits divide a section into several parts
     NothingLeft, // its slits leave nothing of a section
+    NotCutOut,   // what they leave could not be worked out; all else counts it without them
+    NotMade,     // an operation's sections could not be worked out
 };
 
 /// A badge speaks about a subject; its severity is the worst of that subject's checks.
@@ -94,6 +96,7 @@ struct Check
     std::vector<SectionRef> guests; // SlitsMeet, ThinWeb: whom the section's one or two slits hold
     std::optional<Vec3> at;         // where to look, world, mm
     std::optional<JointRef> joint;  // that it is about, where it is about one
+    std::optional<Error> failure;   // NotCutOut, NotMade, and OrderUnknown where it is not for time
     std::vector<CheckLink> links;   // CannotAssemble, Cycle: who blocks whom
     std::vector<HighFoot> feet;     // Topples, LineSupport: who would hold it up on the ground, if
                                     // there are such (stretching.h)

@@ -1,6 +1,7 @@
 #include "core/session/cutting_file.h"
 
 #include "core/fabrication/kerf.h"
+#include "core/fabrication/wholeness.h"
 #include "core/io/svg_writer.h"
 #include "core/session/narrow_slits.h"
 
@@ -41,6 +42,8 @@ void measureSlits(const Analysis &analysis, bool compensatesKerf, CuttingFile &f
 
 Result<CuttingFile> makeCuttingFile(const Analysis &analysis, const CuttingFileOptions &options)
 {
+    if (const Result<void> known = haveParts(analysis.model, analysis.cuts); !known)
+        return tl::unexpected(known.error());
     std::vector<Part> parts = makeParts(analysis.model, analysis.assembly, analysis.cuts);
     if (parts.empty())
         return failure(ErrorCode::NothingToExport);
@@ -51,6 +54,8 @@ Result<CuttingFile> makeCuttingFile(const Analysis &analysis, const CuttingFileO
     for (const Part &part : parts) {
         const Section &section = *analysis.model.section(static_cast<std::size_t>(part.section));
         engravings.push_back(engrave(part, section.marks));
+        if (engravings.back().lines.error)
+            return failure(ErrorCode::MarksNotCut, {}, {section.name});
         if (!engravings.back().hasNumber)
             addOnce(file.unmarked, nameOf(analysis, part));
         if (!engravings.back().jointsLeftOut.empty())

@@ -33,7 +33,7 @@ struct CuttingFile
     std::optional<double> slitWidth; // mm, the narrowest slit as drawn, kerf taken off; of any
 };
 
-/// Errors  NothingToExport for a model without sections.
+/// Errors  NothingToExport for a model without sections; as haveParts(); MarksNotCut.
 Result<CuttingFile> makeCuttingFile(const Analysis &analysis,
                                     const CuttingFileOptions &options = {});
 

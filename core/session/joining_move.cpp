@@ -308,7 +308,7 @@ Document moved(Document document, const JoiningMove &move)
             continue;
         Frame frame = section->frame;
         frame.origin += move.way;
-        document = moveSection(std::move(document), id, frame).value_or(document);
+        document = *moveSection(std::move(document), id, frame); // it is there
     }
     return document;
 }

@@ -85,6 +85,9 @@ QString noticeText(const OperationNotice &notice, const Operation &operation)
     case Kind::NothingFits:
         //: %1 is the name of an operation
         return Texts::tr("%1 makes nothing: there is no room within its range.").arg(name);
+    case Kind::Failed:
+        //: %1 is the name of an operation
+        return Texts::tr("%1 could not be worked out: its sections are missing.").arg(name);
     case Kind::StoppedAtMost:
         //: %1 is the name of an operation
         return (notice.count == 1 ? Texts::tr("%1 stopped at 1 section.")

@@ -2,6 +2,7 @@
 
 #include "core/assembly/cycles.h"
 #include "core/base/tolerances.h"
+#include "core/fabrication/wholeness.h"
 
 #include <algorithm>
 #include <cmath>
@@ -95,6 +96,10 @@ Check verdict(const Analysis &analysis, const ModelPlan &plan)
     case AssemblyPlan::Verdict::NotFound:
         check.code = CheckCode::OrderUnknown;
         check.severity = CheckSeverity::Unknown;
+        if (plan.failure) {
+            check.failure = plan.failure;
+            check.sections = analysis.model.refs(sectionsWithoutSolid(analysis.cuts));
+        }
         break;
     }
     return check;
@@ -197,7 +202,7 @@ std::vector<Check> planChecks(const Analysis &analysis, const ModelPlan &plan, W
 {
     std::vector<Check> all;
     refresh(analysis, caches);
-    if (plan.parts.empty())
+    if (plan.parts.empty() && !plan.failure)
         return all;
     all.push_back(verdict(analysis, plan));
     // Of all pieces of two sections the deepest.

@@ -274,10 +274,10 @@ std::vector<CubicBezier> withoutCrossings(const std::vector<CubicBezier> &chain,
         return chain;
     }
     wasCrossing = resolved->wasCrossing;
-    const std::vector<ClippedPiece> pieces = clip(resolved->contour, {}, over);
-    if (pieces.empty())
+    const Result<std::vector<ClippedPiece>> pieces = clip(resolved->contour, {}, over);
+    if (!pieces || pieces->empty())
         return {};
-    Contour outer = pieces.front().outer;
+    Contour outer = pieces->front().outer;
     if (outer.signedArea() < 0.0)
         outer = outer.reversed();
     std::optional<int> first, last; // segments that start on the axis, by u

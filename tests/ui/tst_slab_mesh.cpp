@@ -33,7 +33,7 @@ SlabMesh meshOf(const std::vector<Region> &regions)
 {
     std::vector<Triangulation> triangulations;
     for (const Region &region : regions)
-        triangulations.push_back(triangulate(region));
+        triangulations.push_back(*triangulate(region));
     return buildSlab(regions, triangulations);
 }
 

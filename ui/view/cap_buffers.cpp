@@ -22,14 +22,14 @@ void addCapOf(CutCaps &caps, const SceneSection &section, const ClipPlane &plane
     if (std::abs(plane.height(middle)) > plane.normal.cwiseAbs().dot(half))
         return;
     if (!section.cut) {
-        addCap(caps, {&section.shape->region(), 1}, {&section.shape->triangulation(), 1},
-               section.frame, section.thickness, plane);
+        addCap(caps, {&section.shape->region(), 1}, trianglesOf(*section.shape), section.frame,
+               section.thickness, plane);
         return;
     }
     std::vector<Region> regions;
     for (const CurvedRegion &part : section.cut->parts())
         regions.push_back(part.region);
-    addCap(caps, regions, section.cut->triangulations(), section.frame, section.thickness, plane);
+    addCap(caps, regions, trianglesOf(*section.cut), section.frame, section.thickness, plane);
 }
 
 const void *offset(std::size_t bytes)

@@ -33,9 +33,14 @@ std::vector<SlabEdge> markEdges(const SceneSection &section, const Mark &mark)
         regions.push_back(&section.shape->region());
     for (const CurvePath &path : mark.paths) {
         const Polygon line = path.flatten(kDrawChord);
-        for (const Region *region : regions)
-            for (const Polygon &piece : clippedLine(line, *region))
-                addEdges(piece, edges);
+        for (const Region *region : regions) {
+            const auto pieces = clippedLine(line, *region);
+            if (!pieces) // then it is drawn as it is
+                addEdges(line, edges);
+            else
+                for (const Polygon &piece : *pieces)
+                    addEdges(piece, edges);
+        }
     }
     return edges;
 }

@@ -19,14 +19,26 @@ bool SceneSection::looksTheSame(const SceneSection &other) const
            isFaulty == other.isFaulty && isMade == other.isMade;
 }
 
+std::span<const Triangulation> trianglesOf(const Shape &shape)
+{
+    const Result<Triangulation> &known = shape.triangulation();
+    return known ? std::span(&*known, 1) : std::span<const Triangulation>();
+}
+
+std::span<const Triangulation> trianglesOf(const CutSection &cut)
+{
+    const Result<std::vector<Triangulation>> &known = cut.triangulations();
+    return known ? std::span<const Triangulation>(*known) : std::span<const Triangulation>();
+}
+
 SlabMesh meshOf(const SceneSection &section)
 {
     if (!section.cut)
-        return buildSlab({&section.shape->region(), 1}, {&section.shape->triangulation(), 1});
+        return buildSlab({&section.shape->region(), 1}, trianglesOf(*section.shape));
     std::vector<Region> regions;
     for (const CurvedRegion &part : section.cut->parts())
         regions.push_back(part.region);
-    return buildSlab(regions, section.cut->triangulations(),
+    return buildSlab(regions, trianglesOf(*section.cut),
                      section.covers ? std::span<const SlitCover>(*section.covers)
                                     : std::span<const SlitCover>());
 }

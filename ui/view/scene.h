@@ -8,6 +8,7 @@
 #include "ui/view/view_style.h"
 
 #include <memory>
+#include <span>
 #include <vector>
 
 namespace fff::ui {
@@ -37,6 +38,10 @@ struct SceneSection
     /// But for the outlines of what is selected and hovered.
     bool looksTheSame(const SceneSection &other) const;
 };
+
+/// Of a region each; none where they could not be worked out: then what is seen are the walls.
+std::span<const Triangulation> trianglesOf(const Shape &shape);
+std::span<const Triangulation> trianglesOf(const CutSection &cut);
 
 struct SlabMesh;
 /// The arrays that are uploaded for it: of its cut with its covers, else of its shape.

@@ -83,7 +83,7 @@ StepsScene::StepsScene(AssemblyStepsPointer steps) : m_steps(std::move(steps))
         const Vec3 half = 0.5 * item.section.thickness * section.frame.normal().cwiseAbs();
         item.section.bounds.min -= half;
         item.section.bounds.max += half;
-        item.numberPlaces = numberPlaces(outline, cut->triangulations()[piece]);
+        item.numberPlaces = numberPlaces(outline, cut->triangulations()->at(piece));
         item.tree = &cut->trees()[piece];
         m_items.push_back(std::move(item));
     }

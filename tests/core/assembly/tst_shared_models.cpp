@@ -160,8 +160,8 @@ void TestSharedModels::laws()
         }
         const double fineChord = 0.5e-6 * shape->area() / widths;
         double taken = area(shape->flatten(fineChord));
-        for (const CurvedRegion &part :
-             subtract(shape->contour(), shape->holes(), outlines, fineChord))
+        const auto parts = *subtract(shape->contour(), shape->holes(), outlines, fineChord);
+        for (const CurvedRegion &part : parts)
             taken -= area(part.region);
         QVERIFY2(std::abs(shape->area() - curved - taken) <= 1e-6 * curved,
                  qPrintable(QStringLiteral("section %1: %2 against %3")

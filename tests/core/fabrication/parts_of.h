@@ -24,7 +24,7 @@ inline std::vector<Part> partsOf(const Model &model)
 inline CurvedRegion regionOf(const Contour &contour, const std::vector<Contour> &holes = {},
                              const std::vector<Polygon> &cuts = {})
 {
-    return subtract(contour, holes, cuts, 0.01).at(0);
+    return subtract(contour, holes, cuts, 0.01)->at(0);
 }
 
 } // namespace fff::test

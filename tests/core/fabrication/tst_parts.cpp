@@ -78,7 +78,7 @@ void TestParts::piecesOfASectionAreNumberedBySize()
     Assembly assembly;
     assembly.slits.resize(1);
     const auto cut = std::make_shared<const CutSection>(
-        subtract(model.section(0)->shape->contour(), {}, {rectangle(30, -5, 33, 25)}, 0.01));
+        *subtract(model.section(0)->shape->contour(), {}, {rectangle(30, -5, 33, 25)}, 0.01));
     const std::vector<Part> parts = makeParts(model, assembly, {cut});
     QCOMPARE(parts.size(), 2U);
     QCOMPARE(parts[0].number, 1);
@@ -111,7 +111,7 @@ void TestParts::markGoesToThePieceAtTheBottom()
     slit.joint = 5;
     Assembly assembly;
     assembly.slits = {{slit}};
-    const auto cut = std::make_shared<const CutSection>(subtract(
+    const auto cut = std::make_shared<const CutSection>(*subtract(
         model.section(0)->shape->contour(), {}, {rectangle(30, -5, 33, 25), slit.outline()}, 0.01));
     const std::vector<Part> parts = makeParts(model, assembly, {cut});
     QCOMPARE(parts.size(), 2U);

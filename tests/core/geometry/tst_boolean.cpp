@@ -117,7 +117,7 @@ class TestBoolean : public QObject
     Q_OBJECT
 
 private Q_SLOTS:
-    void failureOfClipperIsEmpty();
+    void failureOfClipperIsAnError();
     void contourWithoutCutsComesBack_data();
     void contourWithoutCutsComesBack();
     void touchingContourFallsApart();
@@ -143,14 +143,14 @@ private Q_SLOTS:
 };
 
 /// Clipper throws for coordinates beyond 2^62.
-void TestBoolean::failureOfClipperIsEmpty()
+void TestBoolean::failureOfClipperIsAnError()
 {
     constexpr std::int64_t far = std::int64_t(1) << 62;
     const GridRing huge = {{0, 0}, {far, 0}, {far, far}};
     const GridRing small = {{0, 0}, {9, 0}, {9, 9}};
-    QVERIFY(clip({huge}, Winding::NonZero, {}).empty());
-    QVERIFY(clip({small}, Winding::NonZero, {huge}).empty());
-    QCOMPARE(clip({small}, Winding::NonZero, {}).size(), std::size_t(1));
+    QCOMPARE(clip({huge}, Winding::NonZero, {}).error().code, ErrorCode::NotWorkedOut);
+    QCOMPARE(clip({small}, Winding::NonZero, {huge}).error().code, ErrorCode::NotWorkedOut);
+    QCOMPARE(clip({small}, Winding::NonZero, {})->size(), std::size_t(1));
 }
 
 void TestBoolean::contourWithoutCutsComesBack_data()
@@ -167,7 +167,7 @@ void TestBoolean::contourWithoutCutsComesBack_data()
 void TestBoolean::contourWithoutCutsComesBack()
 {
     QFETCH(Contour, contour);
-    const auto result = subtract(contour, {}, {}, kCutChord);
+    const auto result = *subtract(contour, {}, {}, kCutChord);
     QCOMPARE(result.size(), 1U);
     QVERIFY(result[0].holes.empty());
     QVERIFY(isSameUpToStart(result[0].outer,
@@ -181,7 +181,7 @@ void TestBoolean::touchingContourFallsApart()
 {
     const Contour two =
         polygonContour({{0, 0}, {20, -10}, {20, 10}, {0, 0}, {-20, 10}, {-20, -10}});
-    const auto result = subtract(two, {}, {}, kCutChord);
+    const auto result = *subtract(two, {}, {}, kCutChord);
     QCOMPARE(result.size(), 2U);
     QCOMPARE(curvedArea(result), 400.0);
     QCOMPARE(whatIsWrong(result, {two}, {}, kCutChord), QString());
@@ -209,7 +209,7 @@ void TestBoolean::crossingsLieOnCurveAndCut()
     QFETCH(double, angle);
     const Vec2 along(-std::sin(angle), std::cos(angle));
     const Polygon cut = turnedRectangle(35.0 * along, 3.0, 60.0, angle);
-    const auto result = subtract(contour, {}, {cut}, kCutChord);
+    const auto result = *subtract(contour, {}, {cut}, kCutChord);
     QVERIFY(!result.empty());
     int onBoth = 0;
     for (const CurvedRegion &r : result) {
@@ -231,7 +231,7 @@ void TestBoolean::crossingsLieOnCurveAndCut()
 void TestBoolean::curvesAreKept()
 {
     const Contour contour = circle({0, 0}, 30);
-    const auto result = subtract(contour, {}, {rectangleAt(-1.5, 10, 3, 40)}, kCutChord);
+    const auto result = *subtract(contour, {}, {rectangleAt(-1.5, 10, 3, 40)}, kCutChord);
     QCOMPARE(result.size(), 1U);
     // Four quarters, of which the slit splits off the ends of two, and its three sides.
     QCOMPARE(result[0].outer.segmentCount(), 7);
@@ -247,7 +247,7 @@ void TestBoolean::curvesAreKept()
 void TestBoolean::slitAcrossMakesTwoParts()
 {
     const Contour plate = polygonContour(rectangleAt(0, 0, 40, 20));
-    const auto result = subtract(plate, {}, {rectangleAt(10, -5, 3, 30)}, kCutChord);
+    const auto result = *subtract(plate, {}, {rectangleAt(10, -5, 3, 30)}, kCutChord);
     QCOMPARE(result.size(), 2U);
     QCOMPARE(result[0].outer.signedArea(), 27.0 * 20.0);
     QCOMPARE(result[1].outer.signedArea(), 10.0 * 20.0);
@@ -259,11 +259,11 @@ void TestBoolean::holeStaysUnlessASlitOpensIt()
 {
     const Contour plate = polygonContour(rectangleAt(0, 0, 60, 40));
     const Contour hole = circle({30, 20}, 10);
-    const auto closed = subtract(plate, {hole}, {}, kCutChord);
+    const auto closed = *subtract(plate, {hole}, {}, kCutChord);
     QCOMPARE(closed.size(), 1U);
     QCOMPARE(closed[0].holes.size(), 1U);
     QVERIFY(isSameUpToStart(closed[0].holes[0], hole.reversed()));
-    const auto open = subtract(plate, {hole}, {rectangleAt(28, 25, 4, 20)}, kCutChord);
+    const auto open = *subtract(plate, {hole}, {rectangleAt(28, 25, 4, 20)}, kCutChord);
     QCOMPARE(open.size(), 1U);
     QVERIFY(open[0].holes.empty());
     QCOMPARE(whatIsWrong(open, {plate, hole}, {rectangleAt(28, 25, 4, 20)}, kCutChord), QString());
@@ -275,7 +275,7 @@ void TestBoolean::holesThatCrossAreCutOnTheirCurves()
     const Contour plate = circle({0, 0}, 30);
     const std::vector<Contour> holes{circle({-4, 1}, 9), circle({6, 0}, 8).reversed(),
                                      circle({0, 28}, 6)};
-    const auto result = subtract(plate, holes, {}, kCutChord);
+    const auto result = *subtract(plate, holes, {}, kCutChord);
     QCOMPARE(result.size(), 1U);
     QCOMPARE(result[0].holes.size(), 1U);
     std::vector<Contour> all = holes;
@@ -320,7 +320,7 @@ void TestBoolean::cutsThatShareEdgesAndCorners()
     QFETCH(Polygon, cut);
     QFETCH(double, expected);
     const Contour square = polygonContour(rectangleAt(0, 0, 40, 40));
-    const auto result = subtract(square, {}, {cut}, kCutChord);
+    const auto result = *subtract(square, {}, {cut}, kCutChord);
     QVERIFY2(std::abs(curvedArea(result) - expected) < 1e-3,
              qPrintable(QString::number(curvedArea(result), 'g', 12)));
     QVERIFY(std::abs(curvedArea(result) - chordArea(result)) < 1e-3);
@@ -332,7 +332,7 @@ void TestBoolean::cutEdgesInOneLineAreOne()
 {
     const Contour plate = polygonContour(rectangleAt(0, 0, 40, 20));
     const auto result =
-        subtract(plate, {}, {rectangleAt(10, 8, 3, 20), rectangleAt(12, 8, 3, 20)}, kCutChord);
+        *subtract(plate, {}, {rectangleAt(10, 8, 3, 20), rectangleAt(12, 8, 3, 20)}, kCutChord);
     QCOMPARE(result.size(), 1U);
     QCOMPARE(result[0].outer.segmentCount(), 8);
     QCOMPARE(result[0].outer.signedArea(), 800.0 - 60.0);
@@ -343,18 +343,18 @@ void TestBoolean::whatIsNoPolygonCutsNothing()
 {
     const Contour plate = circle({0, 0}, 20);
     const double nan = std::numeric_limits<double>::quiet_NaN();
-    const auto result = subtract(
-        plate, {}, {{}, {{1, 1}}, {{0, 0}, {0, 0}, {0, 0}}, {{nan, 0}, {1, 0}, {1, 1}}}, kCutChord);
+    const auto result = *subtract(plate, {}, {{}, {{1, 1}}, {{0, 0}, {0, 0}, {0, 0}}}, kCutChord);
     QCOMPARE(result.size(), 1U);
     QVERIFY(isSameUpToStart(result[0].outer, plate));
+    QVERIFY(!subtract(plate, {}, {{{nan, 0}, {1, 0}, {1, 1}}}, kCutChord));
 }
 
 // Wrong: a part of no area would be sent to the machine.
 void TestBoolean::nothingIsLeftUnderACover()
 {
-    QVERIFY(subtract(circle({0, 0}, 20), {}, {rectangleAt(-30, -30, 60, 60)}, kCutChord).empty());
-    QVERIFY(subtract(circle({0, 0}, 20), {circle({0, 0}, 20)}, {}, kCutChord).empty());
-    QVERIFY(subtract(Contour(), {}, {}, kCutChord).empty());
+    QVERIFY(subtract(circle({0, 0}, 20), {}, {rectangleAt(-30, -30, 60, 60)}, kCutChord)->empty());
+    QVERIFY(subtract(circle({0, 0}, 20), {circle({0, 0}, 20)}, {}, kCutChord)->empty());
+    QVERIFY(subtract(Contour(), {}, {}, kCutChord)->empty());
 }
 
 // Wrong: the same model turned would be cut differently.
@@ -363,7 +363,7 @@ void TestBoolean::turningEverythingTurnsTheResult()
     std::mt19937 random(99);
     const Contour contour = blob(random, 12, 40);
     const Polygon cut = turnedRectangle({20, 20}, 3.0, 50.0, -0.8);
-    const double expected = curvedArea(subtract(contour, {}, {cut}, kCutChord));
+    const double expected = curvedArea(*subtract(contour, {}, {cut}, kCutChord));
     for (double angle : {0.1, 1.0, 2.0, std::numbers::pi / 2.0}) {
         const auto turn = [&](const Vec2 &p) {
             return Vec2(std::cos(angle) * p + std::sin(angle) * perpendicular(p) + Vec2(300, -70));
@@ -375,7 +375,7 @@ void TestBoolean::turningEverythingTurnsTheResult()
         for (const Vec2 &p : cut)
             turnedCut.push_back(turn(p));
         const Contour turned = Contour::fromPoints(points).value();
-        QVERIFY(std::abs(curvedArea(subtract(turned, {}, {turnedCut}, kCutChord)) - expected) <
+        QVERIFY(std::abs(curvedArea(*subtract(turned, {}, {turnedCut}, kCutChord)) - expected) <
                 1e-6 * expected);
     }
 }
@@ -400,7 +400,7 @@ void TestBoolean::randomCutsLeaveSoundRegions()
             cuts.push_back(i % 2 ? turnedRectangle(at, 3.0, size(random), 0.0)
                                  : turnedRectangle(at, size(random), size(random), turn(random)));
         }
-        const auto result = subtract(shape.contour, {}, cuts, kCutChord);
+        const auto result = *subtract(shape.contour, {}, cuts, kCutChord);
         const QString wrong = whatIsWrong(result, {shape.contour}, cuts, kCutChord);
         const double gap = std::abs(curvedArea(result) - chordArea(result));
         if (!wrong.isEmpty() || gap > kCutChord * totalPerimeter(result))
@@ -477,7 +477,7 @@ void TestBoolean::fiveHundredVerticesTwentySlits()
     std::vector<CurvedRegion> result;
     QBENCHMARK
     {
-        result = subtract(contour, {}, cuts, chord);
+        result = *subtract(contour, {}, cuts, chord);
     }
     QCOMPARE(result.size(), 1U);
     QCOMPARE(whatIsWrong(result, {contour}, cuts, chord), QString());

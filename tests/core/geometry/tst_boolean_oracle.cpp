@@ -85,7 +85,7 @@ void compare(const Contour &contour, const std::vector<Contour> &holes, const Cu
     for (const Contour &hole : holes)
         taken.push_back(hole.flatten(kCutChord).points);
     const ExactAnswer expected = exactDifference(contour.flatten(kCutChord).points, taken);
-    const auto actual = subtract(contour, holes, cuts.polygons, kCutChord);
+    const auto actual = *subtract(contour, holes, cuts.polygons, kCutChord);
     double sum = 0.0;
     std::size_t holeCount = 0;
     for (const CurvedRegion &r : actual) {

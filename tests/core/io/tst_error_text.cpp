@@ -48,6 +48,9 @@ void TestErrorText::sentences_data()
         "a.txt: found 9 bytes, expected at most 8 bytes");
     row("part too large", {TooLarge, "", {"7", "700 × 20", "600 × 400"}},
         "part 7 is too large: it measures 700 × 20, its sheet 600 × 400");
+    row("a section that is not cut out", {NotCutOut, "fish.fff", {"Rib 3"}},
+        "fish.fff: \"Rib 3\" could not be cut out: what its slits leave of it could not be worked "
+        "out");
     row("umlauts", {UnknownCommand, "Tür", {"öffnen"}}, "Tür: there is no command \"öffnen\"");
 }
 
@@ -61,7 +64,7 @@ void TestErrorText::sentences()
 /// With any number of args, and different for every code.
 void TestErrorText::everyErrorHasASentence()
 {
-    const int last = static_cast<int>(ErrorCode::Unsupported);
+    const int last = static_cast<int>(ErrorCode::OperationFailed);
     for (const int count : {0, 1, 2, 3}) {
         std::set<QString> sentences;
         for (int code = 0; code <= last; ++code) {

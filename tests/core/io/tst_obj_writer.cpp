@@ -101,7 +101,7 @@ std::vector<Piece> piecesOf(const Mesh &mesh)
 /// Empty when the file is closed slabs, one a part, of the volume that is cut.
 QString whatIsWrong(const Cut &cut, bool touches = false)
 {
-    const std::string obj = io::writeObj(cut.model, cut.cuts);
+    const std::string obj = *io::writeObj(cut.model, cut.cuts);
     const QTemporaryDir folder;
     const QString path = folder.filePath(QStringLiteral("model.obj"));
     if (!io::writeFile(path, obj))
@@ -270,7 +270,7 @@ void TestObjWriter::verticesAreThereOnce()
                                       polygonShape(rectangle(-50, 0, 50, 50)), side()));
     std::set<QByteArray> seen;
     for (const QByteArray &line :
-         QByteArray::fromStdString(io::writeObj(cut.model, cut.cuts)).split('\n')) {
+         QByteArray::fromStdString(*io::writeObj(cut.model, cut.cuts)).split('\n')) {
         if (line.startsWith("o "))
             seen.clear();
         if (line.startsWith("v "))
@@ -294,7 +294,7 @@ void TestObjWriter::namesAreSafeAndUnique()
     const Cut cut = cutOf(evaluate(document));
     QList<QByteArray> groups;
     for (const QByteArray &line :
-         QByteArray::fromStdString(io::writeObj(cut.model, cut.cuts)).split('\n'))
+         QByteArray::fromStdString(*io::writeObj(cut.model, cut.cuts)).split('\n'))
         if (line.startsWith("g "))
             groups += line.mid(2);
     QCOMPARE(groups, (QList<QByteArray>{"Rippe_3", "Rippe_3_2", "Flügel__2", "section"}));
@@ -311,7 +311,7 @@ void TestObjWriter::sameBytesForSameInput()
 void TestObjWriter::emptyModel()
 {
     const Cut cut = cutOf(evaluate(newDocument()));
-    QVERIFY(io::writeObj(cut.model, cut.cuts).starts_with("# FlatFitFab"));
+    QVERIFY(io::writeObj(cut.model, cut.cuts)->starts_with("# FlatFitFab"));
 }
 
 QTEST_GUILESS_MAIN(TestObjWriter)

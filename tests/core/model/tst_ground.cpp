@@ -68,10 +68,10 @@ void TestGround::levelPlanes()
         const Frame level{{0, height, 0}, Vec3::UnitX(), -Vec3::UnitZ()};
         QVERIFY(!groundLine(level));
         const ShapePointer shape = disc();
-        const auto pieces = clippedAtGround(shape, level);
+        const auto pieces = *clippedAtGround(shape, level);
         QCOMPARE(pieces.size(), std::size_t(height < 0.0 ? 0 : 1));
         QVERIFY(pieces.empty() || pieces.front() == shape);
-        QCOMPARE(clippedAtGround(shape->contour(), level).size(), pieces.size());
+        QCOMPARE(clippedAtGround(shape->contour(), level)->size(), pieces.size());
     }
 }
 
@@ -79,17 +79,17 @@ void TestGround::whatStandsAboveKeepsItsPointer()
 {
     const ShapePointer shape = disc();
     const Frame upright{{0, 20, 0}, Vec3::UnitX(), Vec3::UnitY()};
-    const auto pieces = clippedAtGround(shape, upright);
+    const auto pieces = *clippedAtGround(shape, upright);
     QCOMPARE(pieces.size(), std::size_t(1));
     QVERIFY(pieces.front() == shape);
-    QVERIFY(clippedAtGround(shape->contour(), upright).front().outer == shape->contour());
+    QVERIFY(clippedAtGround(shape->contour(), upright)->front().outer == shape->contour());
 }
 
 void TestGround::whatLiesBelowIsGone()
 {
     const Frame sunk{{0, -21, 0}, Vec3::UnitX(), Vec3::UnitY()};
-    QVERIFY(clippedAtGround(disc(), sunk).empty());
-    QVERIFY(clippedAtGround(disc()->contour(), sunk).empty());
+    QVERIFY(clippedAtGround(disc(), sunk)->empty());
+    QVERIFY(clippedAtGround(disc()->contour(), sunk)->empty());
 }
 
 void TestGround::feetAreFlat_data()
@@ -108,12 +108,12 @@ void TestGround::feetAreFlat_data()
 void TestGround::feetAreFlat()
 {
     QFETCH(Frame, frame);
-    const auto pieces = clippedAtGround(disc(), frame);
+    const auto pieces = *clippedAtGround(disc(), frame);
     QVERIFY(!pieces.empty());
     for (const ShapePointer &piece : pieces) {
         QVERIFY2(lowestY(*piece, frame) >= -1e-9,
                  qPrintable(QString::number(lowestY(*piece, frame))));
-        const auto again = clippedAtGround(piece, frame);
+        const auto again = *clippedAtGround(piece, frame);
         QVERIFY(again.size() == 1 && again.front() == piece);
     }
     QVERIFY(std::abs(lowestY(*pieces.front(), frame)) < 1e-9);

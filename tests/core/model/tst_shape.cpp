@@ -96,7 +96,7 @@ void TestShape::derivedValuesAreMadeOnceFromAnyThread()
     std::vector<const Triangulation *> seen(4);
     std::vector<std::thread> threads;
     for (std::size_t i = 0; i < seen.size(); ++i)
-        threads.emplace_back([&, i] { seen[i] = &shape->triangulation(); });
+        threads.emplace_back([&, i] { seen[i] = &*shape->triangulation(); });
     for (std::thread &thread : threads)
         thread.join();
     for (const Triangulation *t : seen) {

@@ -307,12 +307,14 @@ void TestSymmetry::halvesAndSectorsOfNastyShapes()
         const Vec2 inward(std::cos(angle), std::sin(angle));
         const Halfplane half{middle, inward};
         double area = 0.0, sum = 0.0;
-        for (const ClippedPiece &piece : clip(contour, {}, half)) {
+        const auto halves = *clip(contour, {}, half);
+        for (const ClippedPiece &piece : halves) {
             area += std::abs(piece.outer.signedArea());
             for (const Contour &hole : piece.holes)
                 area -= std::abs(hole.signedArea());
         }
-        for (const ClippedPiece &piece : mirroredHalf(contour, {}, half)) {
+        const auto mirrored = *mirroredHalf(contour, {}, half);
+        for (const ClippedPiece &piece : mirrored) {
             sum += std::abs(piece.outer.signedArea());
             for (const Contour &hole : piece.holes)
                 sum -= std::abs(hole.signedArea());
@@ -332,13 +334,13 @@ void TestSymmetry::halvesAndSectorsOfNastyShapes()
         return sum;
     };
     const double rounding = 0.01 + 1e-4 * contour.bounds().size().norm();
-    QVERIFY(std::abs(areaOf(repeatedSector(contour, {}, middle, 1, 0.7)) -
+    QVERIFY(std::abs(areaOf(*repeatedSector(contour, {}, middle, 1, 0.7)) -
                      std::abs(contour.signedArea())) < rounding);
     for (const int count : {2, 3, 12}) {
         const double turn = 2.0 * std::numbers::pi / count;
         double all = 0.0; // of each sector in its turn, repeated, the mean is the contour
         for (int i = 0; i < count; ++i)
-            all += areaOf(repeatedSector(contour, {}, middle, count, 0.7 + i * turn));
+            all += areaOf(*repeatedSector(contour, {}, middle, count, 0.7 + i * turn));
         QVERIFY(std::abs(all / count - std::abs(contour.signedArea())) < rounding);
     }
 }
@@ -348,7 +350,7 @@ void TestSymmetry::sectorsMeetWithoutSplinters()
 {
     for (const int count : {2, 3, 4, 5, 6, 7, 12}) {
         for (const double radius : {38.0, 47.0, 60.0}) {
-            const auto pieces = repeatedSector(circle({0, 0}, radius), {}, {0, 0}, count, 0.0);
+            const auto pieces = *repeatedSector(circle({0, 0}, radius), {}, {0, 0}, count, 0.0);
             QCOMPARE(pieces.size(), 1U);
             const Contour &outer = pieces.front().outer;
             for (int i = 0; i < outer.segmentCount(); ++i) {

@@ -171,7 +171,7 @@ void TestGrid::jigsawCovers()
     QVERIFY(knobs >= 4);
     for (std::size_t i = 0; i < 6; ++i)
         for (std::size_t j = 0; j < i; ++j) {
-            const auto both = windingRegions(
+            const auto both = *windingRegions(
                 {model.section(i)->shape->contour(), model.section(j)->shape->contour()},
                 WindingRule::NonZero, 0.01);
             double area = 0.0;

@@ -63,8 +63,8 @@ std::array<double, 2> areas(const Shape &shape, const Vec2 &up, double level)
 {
     std::array<double, 2> sums{};
     for (const double side : {1.0, -1.0}) {
-        for (const ClippedPiece &piece :
-             clip(shape.contour(), shape.holes(), {level * up, side * up})) {
+        const auto pieces = *clip(shape.contour(), shape.holes(), {level * up, side * up});
+        for (const ClippedPiece &piece : pieces) {
             double &sum = sums[side > 0.0 ? 0 : 1];
             sum += piece.outer.signedArea();
             for (const Contour &hole : piece.holes)

@@ -44,7 +44,7 @@ constexpr double kThickness = 6.0;
 CutCaps capOf(const ClipPlane &plane)
 {
     const Region region = ringRegion();
-    const Triangulation triangles = triangulate(region);
+    const Triangulation triangles = *triangulate(region);
     CutCaps caps;
     addCap(caps, {&region, 1}, {&triangles, 1}, kAskew, kThickness, plane);
     return caps;

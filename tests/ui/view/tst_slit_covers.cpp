@@ -21,7 +21,7 @@ SlabMesh meshOf(const Analysis &analysis, std::size_t i, const std::vector<SlitC
     std::vector<Region> regions;
     for (const CurvedRegion &part : analysis.cuts[i]->parts())
         regions.push_back(part.region);
-    return buildSlab(regions, analysis.cuts[i]->triangulations(), covers);
+    return buildSlab(regions, *analysis.cuts[i]->triangulations(), covers);
 }
 
 double wallArea(const SlabMesh &mesh, std::size_t from, std::size_t to)

@@ -1,0 +1,27 @@
+// Whether all of a model could be worked out: what is asked before anything is written that speaks
+// for all of it.
+#pragma once
+
+#include "core/fabrication/cut_section.h"
+#include "core/model/model.h"
+
+#include <vector>
+
+namespace fff {
+
+/// Whose sections could not be worked out.
+std::vector<const Operation *> failedOperations(const Model &model);
+/// The model's sections that could not be cut out, by their indices. `cuts` belong to it, one a
+/// section.
+std::vector<int> uncutSections(const std::vector<CutSectionPointer> &cuts);
+/// Those without a solid: these, and those that have no triangles. Computes what is not known yet.
+std::vector<int> sectionsWithoutSolid(const std::vector<CutSectionPointer> &cuts);
+
+/// Errors  OperationFailed, NotCutOut: one that could not be worked out, by its name. Then the
+/// parts
+///         are not those of the model.
+Result<void> haveParts(const Model &model, const std::vector<CutSectionPointer> &cuts);
+/// Errors  the same, and NotSolid.
+Result<void> haveSolids(const Model &model, const std::vector<CutSectionPointer> &cuts);
+
+} // namespace fff
