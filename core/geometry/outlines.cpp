@@ -1,11 +1,15 @@
 #include "core/geometry/outlines.h"
 
-#include "core/base/tolerances.h"
 #include "core/geometry/boolean.h"
+#include "core/geometry/ring_nesting.h"
+#include "core/geometry/tangle.h"
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
 #include <map>
+#include <optional>
+#include <unordered_map>
 #include <utility>
 
 namespace fff {
@@ -28,9 +32,16 @@ public:
 
     std::vector<CurvePath> join()
     {
-        for (std::size_t i = 0; i < m_lines.size(); ++i)
+        for (std::size_t i = 0; i < m_lines.size(); ++i) {
+            if (!isOpen(i))
+                continue;
+            m_growing.assign(m_lines[i].begin(), m_lines[i].end());
+            m_grown = i;
             while (isOpen(i) && (extend(i, true) || extend(i, false)))
                 ;
+            m_grown = kNone;
+            m_lines[i].assign(m_growing.begin(), m_growing.end());
+        }
         std::vector<CurvePath> result;
         for (std::vector<Vec2> &points : m_lines)
             if (Result<CurvePath> path = CurvePath::fromPoints(std::move(points)))
@@ -49,10 +60,12 @@ private:
 
     bool isOpen(std::size_t i) const
     {
-        return !m_lines[i].empty() && m_lines[i].front() != m_lines[i].back();
+        return (i == m_grown || !m_lines[i].empty()) && end({i, false}) != end({i, true});
     }
     const Vec2 &end(const End &e) const
     {
+        if (e.line == m_grown)
+            return e.isLast ? m_growing.back() : m_growing.front();
         return e.isLast ? m_lines[e.line].back() : m_lines[e.line].front();
     }
     Cell cellOf(const Vec2 &p) const
@@ -60,17 +73,22 @@ private:
         return {static_cast<std::int64_t>(std::floor(p.x() / m_gap)),
                 static_cast<std::int64_t>(std::floor(p.y() / m_gap))};
     }
-    std::vector<End> near(const End &of) const
+    /// The one other end that is near; nothing for none, or for several.
+    std::optional<End> near(const End &of) const
     {
-        std::vector<End> found;
+        std::optional<End> found;
         const Vec2 &p = end(of);
         const Cell cell = cellOf(p);
         for (std::int64_t x = cell.first - 1; x <= cell.first + 1; ++x)
             for (std::int64_t y = cell.second - 1; y <= cell.second + 1; ++y)
                 if (const auto it = m_ends.find({x, y}); it != m_ends.end())
-                    for (const End &e : it->second)
-                        if (!(e == of) && (end(e) - p).norm() <= m_gap)
-                            found.push_back(e);
+                    for (const End &e : it->second) {
+                        if (e == of || (end(e) - p).norm() > m_gap)
+                            continue;
+                        if (found)
+                            return std::nullopt;
+                        found = e;
+                    }
         return found;
     }
     void forget(const End &e) { std::erase(m_ends[cellOf(end(e))], e); }
@@ -79,14 +97,14 @@ private:
     bool extend(std::size_t i, bool isLast)
     {
         const End here{i, isLast};
-        const std::vector<End> others = near(here);
-        if (others.size() != 1)
+        const std::optional<End> found = near(here);
+        if (!found)
             return false;
-        const End other = others.front();
+        const End other = *found;
         forget(here);
         forget(other);
         if (other.line == i) { // its own other end
-            m_lines[i].back() = m_lines[i].front();
+            m_growing.back() = m_growing.front();
             return false;
         }
         const End far{other.line, !other.isLast};
@@ -94,79 +112,76 @@ private:
         std::vector<Vec2> more = std::exchange(m_lines[other.line], {});
         if (other.isLast == isLast)
             std::reverse(more.begin(), more.end());
-        std::vector<Vec2> &points = m_lines[i];
         if (isLast) {
-            points.insert(points.end(), more.begin() + 1, more.end());
+            m_growing.insert(m_growing.end(), more.begin() + 1, more.end());
         } else {
-            more.insert(more.end(), points.begin() + 1, points.end());
-            points = std::move(more);
+            m_growing.pop_front();
+            m_growing.insert(m_growing.begin(), more.begin(), more.end());
         }
         m_ends[cellOf(end(here))].push_back(here);
         return true;
     }
 
+    static constexpr auto kNone = static_cast<std::size_t>(-1);
+
     double m_gap;
     std::vector<std::vector<Vec2>> m_lines;
+    std::size_t m_grown = kNone;             // the line that is being joined, whose points are in:
+    std::deque<Vec2> m_growing;              // both ends grow for what is added to them
     std::map<Cell, std::vector<End>> m_ends; // of open lines
 };
 
 struct Ring
 {
-    Contour contour;
-    Box2 box;
+    Contour contour; // counter-clockwise
     double area = 0.0;
-    int around = -1; // index of the smallest ring that it lies in
-    bool isHole = false;
 };
 
-bool isIn(const Ring &inner, const Ring &outer)
+std::size_t hashOf(const Contour &contour)
 {
-    const bool canBe = (inner.box.min.array() >= outer.box.min.array()).all() &&
-                       (inner.box.max.array() <= outer.box.max.array()).all();
-    if (!canBe)
-        return false;
-    switch (nesting(inner.contour, outer.contour, kCutChord)) {
-    case Nesting::FirstInside:
-        return true;
-    case Nesting::Meeting: {
-        // Where they touch, the most of it says where it lies.
-        const Polygon corners = inner.contour.polygon(kCutChord),
-                      ring = outer.contour.polygon(kCutChord);
-        const auto inside = std::count_if(corners.begin(), corners.end(), [&ring](const Vec2 &p) {
-            return locate(p, ring) != Side::Outside;
-        });
-        return 2 * inside > std::ssize(corners);
-    }
-    default:
-        return false;
-    }
+    constexpr std::size_t kSpread = 0x9e3779b97f4a7c15ull;
+    std::size_t hash = contour.points().size();
+    for (const Vec2 &p : contour.points())
+        for (const double value : {p.x(), p.y()})
+            hash = (hash ^ std::hash<double>()(value)) * kSpread + (hash >> 29);
+    return hash;
 }
 
-std::vector<Ring> ringsOf(const std::vector<CurvePath> &lines)
+/// What closed lines wind round, each once, largest first.
+std::vector<Contour> ringsOf(const std::vector<CurvePath> &lines)
 {
     std::vector<Ring> rings;
+    std::unordered_multimap<std::size_t, std::size_t> known; // by hash
     for (const CurvePath &line : lines) {
         if (!line.isClosed())
             continue;
         std::vector<Vec2> points = line.points();
         points.pop_back();
         const Result<Contour> contour = Contour::fromPoints(std::move(points));
+        if (contour && crossingWork(*contour) > kMostCrossingWork)
+            continue;
         const Result<ResolvedContour> whole =
             contour ? resolveCrossings(*contour) : Result<ResolvedContour>(ResolvedContour{});
         if (!contour || !whole)
             continue;
         const double area = whole->contour.signedArea();
-        Ring ring{area < 0.0 ? whole->contour.reversed() : whole->contour, {}, std::abs(area)};
-        ring.box = ring.contour.bounds();
-        const bool isRepeated = std::any_of(rings.begin(), rings.end(), [&ring](const Ring &other) {
-            return other.contour == ring.contour;
-        });
-        if (!isRepeated)
-            rings.push_back(std::move(ring));
+        Ring ring{area < 0.0 ? whole->contour.reversed() : whole->contour, std::abs(area)};
+        const std::size_t hash = hashOf(ring.contour);
+        const auto [from, to] = known.equal_range(hash);
+        if (std::any_of(from, to, [&](const auto &item) {
+                return rings[item.second].contour == ring.contour;
+            }))
+            continue;
+        known.emplace(hash, rings.size());
+        rings.push_back(std::move(ring));
     }
     std::stable_sort(rings.begin(), rings.end(),
                      [](const Ring &a, const Ring &b) { return a.area > b.area; });
-    return rings;
+    std::vector<Contour> contours;
+    contours.reserve(rings.size());
+    for (Ring &ring : rings)
+        contours.push_back(std::move(ring.contour));
+    return contours;
 }
 
 } // namespace
@@ -176,25 +191,34 @@ std::vector<CurvePath> joined(std::vector<CurvePath> lines, double gap)
     return Joiner(std::move(lines), gap).join();
 }
 
+double largestTangle(const std::vector<CurvePath> &lines)
+{
+    double most = 0.0;
+    for (const CurvePath &line : lines) {
+        std::vector<Vec2> points = line.points();
+        points.pop_back();
+        const bool isRing = line.isClosed();
+        if (const auto contour = Contour::fromPoints(std::move(points)); isRing && contour)
+            most = std::max(most, crossingWork(*contour));
+    }
+    return most;
+}
+
 std::vector<Outline> outlinesOf(const std::vector<CurvePath> &lines)
 {
-    std::vector<Ring> rings = ringsOf(lines);
+    const std::vector<Contour> rings = ringsOf(lines);
+    const std::vector<int> around = ringsAround(rings);
     std::vector<Outline> outlines;
     std::vector<std::size_t> places(rings.size()); // of outer rings, in the outlines
+    std::vector<bool> areHoles(rings.size());
     for (std::size_t i = 0; i < rings.size(); ++i) {
-        Ring &ring = rings[i];
-        for (std::size_t j = 0; j < i; ++j) {
-            if (!isIn(ring, rings[j]))
-                continue;
-            ring.around = static_cast<int>(j); // smaller ones come later
-        }
-        ring.isHole = ring.around >= 0 && !rings[static_cast<std::size_t>(ring.around)].isHole;
-        if (!ring.isHole) {
-            places[i] = outlines.size();
-            outlines.push_back({ring.contour, {}});
+        const auto outer = static_cast<std::size_t>(around[i]);
+        areHoles[i] = around[i] >= 0 && !areHoles[outer];
+        if (areHoles[i]) {
+            outlines[places[outer]].holes.push_back(rings[i].reversed());
         } else {
-            outlines[places[static_cast<std::size_t>(ring.around)]].holes.push_back(
-                ring.contour.reversed());
+            places[i] = outlines.size();
+            outlines.push_back({rings[i], {}});
         }
     }
     return outlines;

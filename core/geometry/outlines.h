@@ -21,9 +21,15 @@ std::vector<CurvePath> joined(std::vector<CurvePath> lines, double gap);
 
 /// What closed lines enclose: those in no other one are outer contours, those in one are holes,
 /// those in holes outer ones again, and so on. A line that crosses itself is the largest region
-/// that it winds round; open ones, repeated ones and those without area are left out. In the order
-/// of their outer contours' areas, largest first. O(lines²) boxes, O(n log n) for those that meet.
+/// that it winds round; open ones, repeated ones, those without area and those that cross
+/// themselves too often (largestTangle) are left out. In the order
+/// of their outer contours' areas, largest first. O(n log n) for n lines and points, as a rule
+/// (ring_nesting.h).
 std::vector<Outline> outlinesOf(const std::vector<CurvePath> &lines);
+
+/// The most work (tangle.h) that taking apart any closed line is; outlinesOf() does it up to
+/// kMostCrossingWork.
+double largestTangle(const std::vector<CurvePath> &lines);
 
 /// Ends of lines that are drawn to meet are this near, mm: what three decimals leave of inches.
 inline constexpr double kDrawnGap = 0.05;

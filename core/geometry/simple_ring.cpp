@@ -3,6 +3,7 @@
 #include "core/geometry/grid_predicates.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace fff {
 
@@ -35,14 +36,21 @@ bool turnsBack(const Edge &first, const Edge &second)
     return along < 0;
 }
 
-/// Which way the edges of a ring are swept: along the longer side of its box.
-bool isWide(const GridRing &ring)
+/// Which way the edges of a ring are swept: along that side of its box of which an edge takes the
+/// smaller part, so that fewer are beside each other.
+bool isSweptAlongX(const GridRing &ring)
 {
-    const auto [minX, maxX] = std::minmax_element(
-        ring.begin(), ring.end(), [](const auto &a, const auto &b) { return a.x < b.x; });
-    const auto [minY, maxY] = std::minmax_element(
-        ring.begin(), ring.end(), [](const auto &a, const auto &b) { return a.y < b.y; });
-    return maxX->x - minX->x >= maxY->y - minY->y;
+    GridPoint min = ring.front(), max = ring.front(), before = ring.back();
+    double width = 0.0, height = 0.0; // of all edges
+    for (const GridPoint &p : ring) {
+        min = {std::min(min.x, p.x), std::min(min.y, p.y)};
+        max = {std::max(max.x, p.x), std::max(max.y, p.y)};
+        width += std::abs(static_cast<double>(p.x - before.x));
+        height += std::abs(static_cast<double>(p.y - before.y));
+        before = p;
+    }
+    return width * static_cast<double>(max.y - min.y) <=
+           height * static_cast<double>(max.x - min.x);
 }
 
 void addEdges(const GridRing &ring, int number, bool alongX, std::vector<Edge> &edges)
@@ -105,7 +113,7 @@ bool areSimpleAndApart(std::span<const GridRing> rings)
     std::vector<Edge> edges;
     edges.reserve(count);
     for (std::size_t i = 0; i < rings.size(); ++i)
-        addEdges(rings[i], static_cast<int>(i), isWide(rings.front()), edges);
+        addEdges(rings[i], static_cast<int>(i), isSweptAlongX(rings.front()), edges);
     return !anyPair(edges, [&rings](const Edge &a, const Edge &b) {
         if (a.ring != b.ring)
             return edgesMeet(a, b);
@@ -124,7 +132,7 @@ bool meet(const GridRing &a, const GridRing &b)
         return false;
     std::vector<Edge> edges;
     edges.reserve(a.size() + b.size());
-    const bool alongX = isWide(a);
+    const bool alongX = isSweptAlongX(a);
     addEdges(a, 0, alongX, edges);
     addEdges(b, 1, alongX, edges);
     return anyPair(edges, [](const Edge &first, const Edge &second) {

@@ -10,8 +10,8 @@ namespace fff {
 /// True only when no two edges of the ring have more in common than the vertex between neighbours:
 /// then it winds once round what is inside. Exact. False also for rings that merely touch
 /// themselves. At least 3 vertices, none followed by its equal.
-/// O(n log n) for what people draw: edges sorted along the longer side of the ring's box, each
-/// compared with those that reach beside it.
+/// O(n log n) for what people draw: edges sorted along one side of the ring's box, each compared
+/// with those that reach beside it.
 bool isSimple(const GridRing &ring);
 
 /// The same of each of several rings, and that no two of them have a point in common.

@@ -27,6 +27,7 @@ target_sources(fff_core PRIVATE
     geometry/polygon.cpp
     geometry/radial_contour.cpp
     geometry/region_tree.cpp
+    geometry/ring_nesting.cpp
     geometry/sampled_line.cpp
     geometry/settled_fit.cpp
     geometry/side_of_line.cpp
@@ -38,6 +39,7 @@ target_sources(fff_core PRIVATE
     geometry/stretch.cpp
     geometry/sweep_triangulation.cpp
     geometry/symmetrised.cpp
+    geometry/tangle.cpp
     geometry/triangulation.cpp
     geometry/turning.cpp
 )

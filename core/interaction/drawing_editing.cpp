@@ -111,22 +111,25 @@ SectionEdit drawingSections(const Model &model, const Drawing &drawing, const Na
     frame.origin = {(there.isEmpty() ? -0.5 * box.size().x() : there.max.x() + kBeside) -
                         box.min.x(),
                     -box.min.y(), 0.0};
-    EditedSections edit{model.document, {Step::Kind::ImportDrawing, {drawing.name}}};
-    edit.select.emplace();
+    SectionNames names(model.document, naming);
+    std::vector<NewSection> sections;
     for (const Outline &outline : outlines) {
         const Result<ShapePointer> shape = Shape::make(outline.outer, outline.holes);
         if (!shape)
             continue;
         NewSection section;
-        section.name = freeSectionName(edit.document, naming);
+        section.name = names.next();
         section.shape = *shape;
         section.frame = frame;
-        Result<Document> next = addSection(std::move(edit.document), std::move(section));
-        if (!next)
-            return refused(Hint::Kind::EditFailed, drawing.name);
-        edit.document = *std::move(next);
-        edit.select->push_back(edit.document.sections.back()->id);
+        sections.push_back(std::move(section));
     }
+    Result<Document> next = addSections(model.document, std::move(sections));
+    if (!next)
+        return refused(Hint::Kind::EditFailed, drawing.name);
+    EditedSections edit{*std::move(next), {Step::Kind::ImportDrawing, {drawing.name}}};
+    edit.select.emplace();
+    for (std::size_t i = model.document.sections.size(); i < edit.document.sections.size(); ++i)
+        edit.select->push_back(edit.document.sections[i]->id);
     return edit;
 }
 

@@ -89,21 +89,30 @@ const char *invalidField(const Stock &s)
 
 Result<Document> addSection(Document document, NewSection section)
 {
-    if (!section.shape)
-        return failure(ErrorCode::EmptyContour, section.name);
-    const StockId stock = section.stock.isValid() ? section.stock : document.currentStock;
-    if (!document.find(stock))
-        return unknown(stock);
-    Section next;
-    next.id = SectionId{document.nextId++};
-    next.name = section.name.empty() ? freeSectionName(document) : std::move(section.name);
-    next.parent = std::move(section.parent);
-    next.shape = std::move(section.shape);
-    next.frame = section.frame;
-    next.stock = stock;
+    std::vector<NewSection> one;
+    one.push_back(std::move(section));
+    return addSections(std::move(document), std::move(one));
+}
+
+Result<Document> addSections(Document document, std::vector<NewSection> sections)
+{
     // A list that grew by itself would take up twice the room, in every undo step.
-    document.sections.reserve(document.sections.size() + 1);
-    document.sections.push_back(std::make_shared<const Section>(std::move(next)));
+    document.sections.reserve(document.sections.size() + sections.size());
+    for (NewSection &section : sections) {
+        if (!section.shape)
+            return failure(ErrorCode::EmptyContour, section.name);
+        const StockId stock = section.stock.isValid() ? section.stock : document.currentStock;
+        if (!document.find(stock))
+            return unknown(stock);
+        Section next;
+        next.id = SectionId{document.nextId++};
+        next.name = section.name.empty() ? freeSectionName(document) : std::move(section.name);
+        next.parent = std::move(section.parent);
+        next.shape = std::move(section.shape);
+        next.frame = section.frame;
+        next.stock = stock;
+        document.sections.push_back(std::make_shared<const Section>(std::move(next)));
+    }
     return document;
 }
 

@@ -6,6 +6,7 @@
 #include "core/model/document.h"
 
 #include <span>
+#include <vector>
 
 namespace fff {
 
@@ -21,6 +22,8 @@ struct NewSection
 /// Appends a section; its id is the document's nextId. Errors also: UnknownReference of its stock,
 /// EmptyContour without a shape.
 Result<Document> addSection(Document document, NewSection section);
+/// The same of many, in their order. Those without a name cost a look at all names each.
+Result<Document> addSections(Document document, std::vector<NewSection> sections);
 /// Removes sections; children of a removed one stay, as sections without a parent; weights on it,
 /// dimensions and what was wanted of its joints go. Operations that read it keep its name.
 Result<Document> removeSections(Document document, std::span<const SectionId> ids);

@@ -2,9 +2,11 @@
 
 #include "core/base/tolerances.h"
 #include "core/geometry/boolean.h"
+#include "core/geometry/ring_nesting.h"
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <optional>
 
 namespace fff {
@@ -77,12 +79,12 @@ public:
 private:
     void warn(WarningCode code, const std::string &where);
     std::vector<CurvedRegion> known(Result<std::vector<CurvedRegion>> regions);
-    bool liesInside(const Contour &hole, const Contour &contour);
+    bool liesInside(const Contour &hole);
     bool overlap(const Contour &a, const Contour &b);
     std::optional<Contour> notched(const Contour &contour, const Contour &hole);
     void addHole(const PlacedContour &drawn);
-    bool unite(std::size_t i, std::size_t j);
-    void uniteOverlapping();
+    std::vector<std::size_t> groups();
+    bool uniteOverlapping();
     void cutOut();
 
     const std::string m_name;
@@ -96,7 +98,8 @@ private:
     };
 
     Contour m_contour;
-    Polyline m_chords; // of the contour, until it is notched
+    std::optional<RingInterior> m_interior; // of the contour, once it is asked for
+    Polyline m_chords;                      // of the contour, until it is notched
     std::vector<Hole> m_holes;
 };
 
@@ -117,13 +120,14 @@ std::vector<CurvedRegion> Mender::known(Result<std::vector<CurvedRegion>> region
 }
 
 /// What reaches beyond the contour is no more than a rim of the width of kCutChord.
-bool Mender::liesInside(const Contour &hole, const Contour &contour)
+bool Mender::liesInside(const Contour &hole)
 {
+    if (!m_interior)
+        m_interior.emplace(m_contour);
     // Nearly all holes are well inside, and that is soon seen.
-    if (nesting(hole, contour, kCutChord) == Nesting::FirstInside)
-        return true;
-    return areaOf(known(subtract(hole, {contour}, {}, kCutChord))) <=
-           kMinArea + kCutChord * perimeter(hole.flatten(kCutChord).points);
+    return m_interior->hasAll(RingInterior(hole)) ||
+           areaOf(known(subtract(hole, {m_contour}, {}, kCutChord))) <=
+               kMinArea + kCutChord * perimeter(hole.flatten(kCutChord).points);
 }
 
 /// They share more than a rim of the width of kResolveChord, or the dust that booleans leave out.
@@ -158,7 +162,7 @@ void Mender::addHole(const PlacedContour &drawn)
         warn(WarningCode::DegenerateHole, drawn.where);
         return;
     }
-    if (!liesInside(hole->contour, m_contour) && !notched(m_contour, hole->contour)) {
+    if (!liesInside(hole->contour) && !notched(m_contour, hole->contour)) {
         warn(WarningCode::HoleOutside, drawn.where);
         return;
     }
@@ -168,36 +172,77 @@ void Mender::addHole(const PlacedContour &drawn)
     m_holes.push_back({std::move(hole->contour), drawn.where, box});
 }
 
-/// Hole j becomes part of hole i. What they enclose between them falls out, too.
-bool Mender::unite(std::size_t i, std::size_t j)
+/// Which holes overlap, directly or by way of others: for each the first one of its group.
+std::vector<std::size_t> Mender::groups()
 {
-    std::vector<Contour> both = {m_holes[i].contour, m_holes[j].contour};
-    for (Contour &hole : both) {
-        if (hole.signedArea() < 0.0)
-            hole = hole.reversed();
+    std::vector<std::size_t> first(m_holes.size());
+    std::iota(first.begin(), first.end(), 0);
+    const auto firstOf = [&first](std::size_t i) {
+        while (first[i] != i)
+            i = first[i] = first[first[i]];
+        return i;
+    };
+    // Along the side of the page that the holes take less of, few of them stand beside each other.
+    Vec2 widths = Vec2::Zero();
+    Box2 all;
+    for (const Hole &hole : m_holes) {
+        widths += hole.bounds.size();
+        all.extend(hole.bounds);
     }
-    std::vector<CurvedRegion> united =
-        known(windingRegions(both, WindingRule::NonZero, kResolveChord));
-    if (united.empty())
-        return false;
-    warn(WarningCode::MergedHoles, m_holes[std::max(i, j)].where);
-    const Box2 box = united.front().outer.bounds();
-    m_holes[i] = {std::move(united.front().outer), m_holes[std::min(i, j)].where, box};
-    m_holes.erase(m_holes.begin() + static_cast<std::ptrdiff_t>(j));
-    return true;
-}
-
-void Mender::uniteOverlapping()
-{
-    for (std::size_t i = 0; i < m_holes.size(); ++i) {
-        for (std::size_t j = i + 1; j < m_holes.size(); ++j) {
-            if (j == i || !m_holes[i].bounds.intersects(m_holes[j].bounds) ||
-                !overlap(m_holes[i].contour, m_holes[j].contour) || !unite(i, j))
-                continue;
-            i -= j < i ? 1 : 0;
-            j = std::size_t(-1); // it has grown: all others again
+    const int axis = widths.x() * all.size().y() <= widths.y() * all.size().x() ? 0 : 1;
+    std::vector<std::size_t> order = first;
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+        return m_holes[a].bounds.min[axis] < m_holes[b].bounds.min[axis];
+    });
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        const Hole &hole = m_holes[order[i]];
+        for (std::size_t j = i + 1; j < order.size(); ++j) {
+            const Hole &other = m_holes[order[j]];
+            if (other.bounds.min[axis] > hole.bounds.max[axis])
+                break;
+            const std::size_t a = firstOf(order[i]), b = firstOf(order[j]);
+            if (a != b && hole.bounds.intersects(other.bounds) &&
+                overlap(hole.contour, other.contour))
+                first[std::max(a, b)] = std::min(a, b);
         }
     }
+    for (std::size_t i = 0; i < first.size(); ++i)
+        first[i] = firstOf(i);
+    return first;
+}
+
+/// Holes that overlap become one. What they enclose between them falls out, too. Whether there were
+/// any.
+bool Mender::uniteOverlapping()
+{
+    const std::vector<std::size_t> first = groups();
+    std::vector<std::vector<std::size_t>> members(m_holes.size());
+    for (std::size_t i = 0; i < first.size(); ++i)
+        members[first[i]].push_back(i);
+    std::vector<Hole> united;
+    bool isAny = false;
+    for (const std::vector<std::size_t> &group : members) {
+        std::vector<Contour> contours;
+        for (const std::size_t i : group)
+            contours.push_back(m_holes[i].contour.signedArea() < 0.0 ? m_holes[i].contour.reversed()
+                                                                     : m_holes[i].contour);
+        std::vector<CurvedRegion> regions;
+        if (group.size() > 1)
+            regions = known(windingRegions(contours, WindingRule::NonZero, kResolveChord));
+        for (std::size_t i = 1; i < group.size() && !regions.empty(); ++i)
+            warn(WarningCode::MergedHoles, m_holes[group[i]].where);
+        if (regions.empty()) {
+            for (const std::size_t i : group)
+                united.push_back(std::move(m_holes[i]));
+            continue;
+        }
+        isAny = true;
+        const Box2 box = regions.front().outer.bounds();
+        united.push_back(
+            {std::move(regions.front().outer), std::move(m_holes[group.front()].where), box});
+    }
+    m_holes = std::move(united);
+    return isAny;
 }
 
 /// Holes that cross the contour become notches of it. Holes do not meet each other by now, so that
@@ -206,10 +251,11 @@ void Mender::cutOut()
 {
     std::vector<Hole> inside;
     for (Hole &hole : m_holes) {
-        if (liesInside(hole.contour, m_contour)) {
+        if (liesInside(hole.contour)) {
             inside.push_back(std::move(hole));
         } else if (std::optional<Contour> rest = notched(m_contour, hole.contour)) {
             m_contour = *std::move(rest);
+            m_interior.reset();
             m_chords = {};
             warn(WarningCode::NotchedContour, hole.where);
         } else {
@@ -231,7 +277,9 @@ Result<ShapePointer> Mender::mend(const PlacedContour &contour,
     m_chords = std::move(resolved->chords);
     for (const PlacedContour &hole : holes)
         addHole(hole);
-    uniteOverlapping();
+    // One that has grown may reach others.
+    while (uniteOverlapping())
+        ;
     cutOut();
     if (m_error)
         return tl::unexpected(*m_error);

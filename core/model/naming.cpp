@@ -1,7 +1,7 @@
 #include "core/model/naming.h"
 
 #include <algorithm>
-#include <unordered_set>
+#include <utility>
 
 namespace fff {
 
@@ -15,20 +15,33 @@ std::string numberedName(const std::string &pattern, std::size_t number)
     return std::string(pattern).replace(at, kPlace.size(), digits);
 }
 
+SectionNames::SectionNames(const Document &document, Naming naming)
+    : m_naming(std::move(naming)), m_count(document.sections.size())
+{
+    for (const SectionPointer &section : document.sections)
+        m_names.insert(section->name);
+}
+
+bool SectionNames::isTaken(const std::string &pattern, std::size_t number) const
+{
+    return m_names.contains(numberedName(pattern, number));
+}
+
+std::string SectionNames::next()
+{
+    for (std::size_t number = m_count + 1;; ++number) {
+        const bool isOthers = std::any_of(m_naming.others.begin(), m_naming.others.end(),
+                                          [&](const auto &p) { return isTaken(p, number); });
+        if (isOthers || isTaken(m_naming.section, number))
+            continue;
+        ++m_count;
+        return *m_names.insert(numberedName(m_naming.section, number)).first;
+    }
+}
+
 std::string freeSectionName(const Document &document, const Naming &naming)
 {
-    std::unordered_set<std::string_view> names;
-    for (const SectionPointer &section : document.sections)
-        names.insert(section->name);
-    const auto isTaken = [&](const std::string &pattern, std::size_t number) {
-        return names.count(numberedName(pattern, number)) > 0;
-    };
-    for (std::size_t number = document.sections.size() + 1;; ++number) {
-        const bool isOthers = std::any_of(naming.others.begin(), naming.others.end(),
-                                          [&](const auto &p) { return isTaken(p, number); });
-        if (!isOthers && !isTaken(naming.section, number))
-            return numberedName(naming.section, number);
-    }
+    return SectionNames(document, naming).next();
 }
 
 } // namespace fff

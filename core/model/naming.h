@@ -5,6 +5,7 @@
 #include "core/model/document.h"
 
 #include <string>
+#include <unordered_set>
 #include <vector>
 
 namespace fff {
@@ -19,6 +20,24 @@ struct Naming
 
 /// The pattern with this number in it; one without a place for it gets it behind a blank.
 std::string numberedName(const std::string &pattern, std::size_t number);
+
+/// Gives names to sections that come to a document one after the other: each costs the same,
+/// however many there are.
+class SectionNames
+{
+public:
+    SectionNames(const Document &document, Naming naming);
+
+    /// As freeSectionName() gives it to the document with all that were named here.
+    std::string next();
+
+private:
+    bool isTaken(const std::string &pattern, std::size_t number) const;
+
+    Naming m_naming;
+    std::unordered_set<std::string> m_names;
+    std::size_t m_count; // of sections
+};
 
 /// The section's pattern with the smallest number above the number of sections that no section has
 /// by this pattern or one of the others.
