@@ -99,6 +99,17 @@ std::optional<int> applyStock(Document &document, const QString &name, const Ver
     return std::nullopt;
 }
 
+/// Of an option that was given: what stands in a file has been looked at when it was read.
+QString whyNotStock(const std::string &field, const Stock &stock, const DocumentOptions &options)
+{
+    const QString name = QString::fromStdString(stock.name);
+    if (field == "clearance" && !options.clearance)
+        return tr("--thickness %1 leaves no slit in the stock %2: its clearance is %3 mm.")
+            .arg(QString::number(stock.thickness), name, QString::number(stock.clearance));
+    return tr("--%1 does not go with the stock %2, %3 mm thick.")
+        .arg(QString::fromStdString(field), name, QString::number(stock.thickness));
+}
+
 } // namespace
 
 std::optional<Vec2> sizeOf(const QString &text)
@@ -232,10 +243,7 @@ std::optional<int> applyOptions(Document &document, const DocumentOptions &optio
         stock.sheet = options.sheet.value_or(stock.sheet);
         Result<Document> next = setStock(document, stock);
         if (!next)
-            return wrongUse(verb, tr("--%1 does not go with the stock %2, %3 mm thick.")
-                                      .arg(QString::fromStdString(next.error().place),
-                                           QString::fromStdString(stock.name),
-                                           QString::number(stock.thickness)));
+            return wrongUse(verb, whyNotStock(next.error().place, stock, options));
         document = std::move(*next);
     }
     return std::nullopt;

@@ -113,7 +113,11 @@ Stock FffReader::readStock(const JsonCursor &cursor)
     stock.flexuralStrength = readRated(cursor.member("flexuralStrength"));
     stock.modulus = readRated(cursor.member("modulus"));
     stock.kerf = cursor.member("kerf").notNegative();
-    stock.clearance = cursor.member("clearance").coordinate();
+    const JsonCursor clearance = cursor.member("clearance");
+    stock.clearance = clearance.coordinate();
+    // A slit needs a width, also where it presses.
+    if (!m_problems.failed() && !(stock.clearance > -stock.thickness))
+        clearance.failExpected(QT_TRANSLATE_NOOP("Error", "more than minus the thickness"));
     readSlitForm(cursor, stock);
     const JsonCursor sheet = cursor.member("sheet");
     stock.sheet = sheet.point2();

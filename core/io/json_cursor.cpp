@@ -101,15 +101,15 @@ double JsonCursor::number() const
 
 double JsonCursor::positive() const
 {
-    if (!(m_value.toDouble() > 0.0))
-        failExpected(QT_TRANSLATE_NOOP("Error", "a number above 0"));
+    if (!(m_value.toDouble() > 0.0 && m_value.toDouble() <= kMaxCoordinate))
+        failExpected(QT_TRANSLATE_NOOP("Error", "a number above 0, at most 1000000"));
     return m_value.toDouble();
 }
 
 double JsonCursor::notNegative() const
 {
-    if (!(m_value.toDouble(-1.0) >= 0.0))
-        failExpected(QT_TRANSLATE_NOOP("Error", "a number, 0 or more"));
+    if (!(m_value.toDouble(-1.0) >= 0.0 && m_value.toDouble() <= kMaxCoordinate))
+        failExpected(QT_TRANSLATE_NOOP("Error", "a number from 0 to 1000000"));
     return m_value.toDouble();
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cctype>
 #include <charconv>
+#include <optional>
 
 namespace fff::io {
 
@@ -86,7 +87,60 @@ bool endsInToken(std::string_view rest)
     return std::all_of(rest.begin(), rest.end(), isTokenCharacter);
 }
 
+/// The four digits behind "\\u" at this place, if that is what stands there.
+std::optional<unsigned> escapedUnit(std::string_view text, std::size_t at)
+{
+    unsigned unit = 0;
+    const std::string_view digits = text.substr(std::min(at + 2, text.size()), 4);
+    const bool isEscape = text.substr(std::min(at, text.size()), 2) == "\\u" && digits.size() == 4;
+    const auto [end, error] =
+        std::from_chars(digits.data(), digits.data() + digits.size(), unit, 16);
+    return isEscape && error == std::errc() && end == digits.data() + digits.size()
+               ? std::optional(unit)
+               : std::nullopt;
+}
+
+/// Where an escape sequence is one half of a character without the other; npos: nowhere. Of what is
+/// JSON otherwise: backslashes stand in texts only.
+std::size_t halfCharacter(std::string_view text)
+{
+    std::size_t at = text.find('\\');
+    while (at != std::string_view::npos) {
+        const std::optional<unsigned> unit = escapedUnit(text, at);
+        std::size_t length = unit ? 6 : 2;
+        const bool isFirst = unit && *unit >= 0xD800u && *unit < 0xDC00u;
+        const bool isSecond = unit && *unit >= 0xDC00u && *unit < 0xE000u;
+        if (isFirst) {
+            const std::optional<unsigned> other = escapedUnit(text, at + length);
+            if (!other || *other < 0xDC00u || *other >= 0xE000u)
+                return at;
+            length *= 2;
+        }
+        if (isSecond)
+            return at;
+        at = text.find('\\', at + length);
+    }
+    return at;
+}
+
+std::string lineAt(std::string_view text, std::size_t offset)
+{
+    const auto end = text.begin() + static_cast<std::ptrdiff_t>(offset);
+    return std::to_string(1 + std::count(text.begin(), end, '\n'));
+}
+
 } // namespace
+
+bool checkCharacters(std::string_view json, Problems &problems)
+{
+    const std::size_t half = halfCharacter(json);
+    if (half == std::string_view::npos)
+        return true;
+    problems.fail(
+        ErrorCode::BadSyntax, lineAt(json, half),
+        {quoted(json.substr(half, 6)), QT_TRANSLATE_NOOP("Error", "both halves of a character")});
+    return false;
+}
 
 QJsonDocument parseJson(std::string_view bytes, Problems &problems)
 {
@@ -98,13 +152,11 @@ QJsonDocument parseJson(std::string_view bytes, Problems &problems)
     const QJsonDocument json = QJsonDocument::fromJson(
         QByteArray::fromRawData(text.data(), static_cast<qsizetype>(text.size())), &error);
     if (error.error == QJsonParseError::NoError)
-        return json;
+        return checkCharacters(text, problems) ? json : QJsonDocument();
 
     const std::size_t offset =
         std::min(static_cast<std::size_t>(std::max(error.offset, 0)), text.size());
-    const auto line =
-        1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(offset), '\n');
-    const std::string where = std::to_string(line);
+    const std::string where = lineAt(text, offset);
     const std::string_view token = tokenAt(text, offset);
     const char *expected = expectedBy(error.error);
     if (isNonFinite(token))

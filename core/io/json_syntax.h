@@ -1,5 +1,5 @@
 // Parses JSON with errors that name the line, what was found there and what was expected. Internal
-// to the readers of core/io.
+// to the readers of core/io and of scripts.
 #pragma once
 
 #include "core/io/problems.h"
@@ -9,7 +9,12 @@
 namespace fff::io {
 
 /// A null document, and an error in `problems` (Truncated, BadSyntax, NonFinite), when the text is
-/// not JSON. A byte-order mark at the start is passed over.
+/// not JSON, or has an escape sequence for half a character. A byte-order mark at the start is
+/// passed over.
 QJsonDocument parseJson(std::string_view bytes, Problems &problems);
+
+/// False, with the same error (BadSyntax), for an escape sequence for half a character in what is
+/// JSON otherwise, which Qt lets pass: the text could be neither written nor shown.
+bool checkCharacters(std::string_view json, Problems &problems);
 
 } // namespace fff::io

@@ -1,5 +1,6 @@
 #include "core/session/replay_script.h"
 
+#include "core/io/json_syntax.h"
 #include "core/io/loaded_document.h"
 
 #include <QJsonDocument>
@@ -285,6 +286,9 @@ Result<QJsonObject> readScript(const QByteArray &script)
         return failure(ErrorCode::BadSyntax, std::to_string(line),
                        {error.errorString().toStdString(), "JSON"});
     }
+    io::Problems problems;
+    if (!io::checkCharacters({text.constData(), static_cast<std::size_t>(text.size())}, problems))
+        return tl::unexpected(*problems.error);
     if (!document.isObject())
         return failure(ErrorCode::BadSyntax, "1", {"an array", "an object"});
     return document.object();
@@ -310,9 +314,14 @@ Result<ReplayScript> ReplayScript::read(const QByteArray &text)
     return script;
 }
 
+std::string ReplayScript::placeOf(int index)
+{
+    return "events[" + std::to_string(index) + "]";
+}
+
 tl::unexpected<Error> ReplayScript::wrong(int index, const QString &what, const QString &expected)
 {
-    return failure(ErrorCode::BadEvent, "events[" + std::to_string(index) + "]",
+    return failure(ErrorCode::BadEvent, placeOf(index),
                    {what.toStdString(), expected.toStdString()});
 }
 

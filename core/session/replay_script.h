@@ -40,6 +40,8 @@ public:
     int count() const { return static_cast<int>(m_events.size()); }
     /// Errors  BadEvent, place "events[7]", for one that makes no sense by itself
     Result<ReplayEvent> event(int index) const;
+    /// How errors call an event: "events[7]".
+    static std::string placeOf(int index);
     /// For what is wrong with it where it stands, such as a release without a press.
     static tl::unexpected<Error> wrong(int index, const QString &what, const QString &expected);
 

@@ -64,6 +64,14 @@ std::string edited(const std::string &from, const std::string &to)
     return test::replacedOnce(golden(), from, to);
 }
 
+/// Where the text stands first in the golden file, from 1.
+std::ptrdiff_t lineOf(const std::string &text)
+{
+    const std::string whole = golden();
+    const auto end = whole.begin() + static_cast<std::ptrdiff_t>(whole.find(text));
+    return 1 + std::count(whole.begin(), end, '\n');
+}
+
 /// With an operation of this in place of what a whole one has.
 std::string withOperation(const std::string &from, const std::string &to)
 {
@@ -467,8 +475,38 @@ void TestFffFormat::malformed_data()
     row("an error behind a byte-order mark", "\xEF\xBB\xBF" + edited("83.82", "nan"), NonFinite,
         "a.fff:64");
     row("a byte-order mark alone", "\xEF\xBB\xBF", Truncated, "a.fff:1");
-    row("half a surrogate pair", edited("\"version\": 3", "\"version\": \"\\ud83d\""), BadValue,
-        "a.fff:$.version");
+    // Wrong: it would be written as another text, and no two programs would agree which.
+    row("the first half of a character", edited("Rückwand", "R\\ud83dckwand"), BadSyntax,
+        "a.fff:60");
+    row("the second half of a character", edited("Rückwand", "R\\uDE00ckwand"), BadSyntax,
+        "a.fff:60");
+    row("two first halves", edited("Rückwand", "\\ud83d\\ud83d\\ude00"), BadSyntax, "a.fff:60");
+    row("half a character in a key", edited("\"version\": 3", "\"\\udc00\": 1, \"version\": 3"),
+        BadSyntax, "a.fff:3");
+    row("half a character as bytes", edited("Rückwand", "R\xED\xA0\x80"), BadSyntax, "a.fff:60");
+    // Wrong: a model would open that nothing can be made of, or with words about an option.
+    for (const auto &[key, was] :
+         {std::pair("thickness", "2"), std::pair("density", "640.5"),
+          std::pair("tensileStrength", "null"), std::pair("flexuralStrength", "null"),
+          std::pair("modulus", "null"), std::pair("kerf", "0.15"),
+          std::pair("clearance", "-0.05")}) {
+        const std::string field = std::string("\"") + key + "\": ";
+        for (const char *value : {"1e9", "1e308", "-1e9", "\"2\"", "true"})
+            row(qPrintable(
+                    QStringLiteral("%1 of %2").arg(QLatin1String(key), QLatin1String(value))),
+                edited(field + was, field + value), BadValue,
+                std::string("a.fff:$.stocks[1].") + key);
+        row(qPrintable(QStringLiteral("%1 of NaN").arg(QLatin1String(key))),
+            edited(field + was, field + "NaN"), NonFinite,
+            "a.fff:" + std::to_string(lineOf(field + was)));
+    }
+    for (const char *key : {"thickness", "density"})
+        row(qPrintable(QStringLiteral("no %1").arg(QLatin1String(key))),
+            edited(std::string("\"") + key + "\": " + (key[0] == 't' ? "2" : "640.5"),
+                   std::string("\"") + key + "\": 0"),
+            BadValue, std::string("a.fff:$.stocks[1].") + key);
+    row("a clearance that leaves no slit", edited("-0.05", "-2"), BadValue,
+        "a.fff:$.stocks[1].clearance");
     row("steering characters in a value",
         edited("\"version\": 3", "\"version\": \"\\u001b[31m\\n\\u0085\\u2028\""), BadValue,
         "a.fff:$.version");
