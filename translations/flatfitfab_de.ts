@@ -795,14 +795,6 @@
         <translation>eine Liste</translation>
     </message>
     <message>
-        <source>a number above 0</source>
-        <translation>eine Zahl über 0</translation>
-    </message>
-    <message>
-        <source>a number, 0 or more</source>
-        <translation>eine Zahl, 0 oder mehr</translation>
-    </message>
-    <message>
         <source>a whole number in its range</source>
         <translation>eine ganze Zahl in ihrem Bereich</translation>
     </message>
@@ -1041,6 +1033,62 @@
     <message>
         <source>the sections of an operation could not be worked out</source>
         <translation>die Scheiben einer Operation ließen sich nicht berechnen</translation>
+    </message>
+    <message>
+        <source>data packed with gzip, undamaged</source>
+        <translation>mit gzip gepackte Daten, unbeschädigt</translation>
+    </message>
+    <message>
+        <source>the rest of what is packed with gzip</source>
+        <translation>der Rest dessen, was mit gzip gepackt ist</translation>
+    </message>
+    <message>
+        <source>a file needs a name</source>
+        <translation>eine Datei braucht einen Namen</translation>
+    </message>
+    <message>
+        <source>more than minus the thickness</source>
+        <translation>mehr als minus die Dicke</translation>
+    </message>
+    <message>
+        <source>a number above 0, at most 1000000</source>
+        <translation>eine Zahl über 0, höchstens 1000000</translation>
+    </message>
+    <message>
+        <source>a number from 0 to 1000000</source>
+        <translation>eine Zahl von 0 bis 1000000</translation>
+    </message>
+    <message>
+        <source>both halves of a character</source>
+        <translation>beide Hälften eines Zeichens</translation>
+    </message>
+    <message>
+        <source>nothing writes into this pipe</source>
+        <translation>niemand schreibt in diese Pipe</translation>
+    </message>
+    <message>
+        <source>nothing came out of it for 10 seconds</source>
+        <translation>10 Sekunden lang kam nichts heraus</translation>
+    </message>
+    <message>
+        <source>lines; text must be turned into paths first</source>
+        <translation>Linien; Text muss zuerst in Pfade umgewandelt werden</translation>
+    </message>
+    <message>
+        <source>lines; a picture must be traced first</source>
+        <translation>Linien; ein Bild muss zuerst nachgezeichnet werden</translation>
+    </message>
+    <message>
+        <source>elements and attributes</source>
+        <translation>Elemente und Attribute</translation>
+    </message>
+    <message>
+        <source>nothing reads this pipe</source>
+        <translation>niemand liest diese Pipe</translation>
+    </message>
+    <message>
+        <source>places where a line may cross itself</source>
+        <translation>Stellen, an denen eine Linie sich kreuzen kann</translation>
     </message>
 </context>
 <context>
@@ -2425,6 +2473,14 @@
         <source>For machines; steps are counted from 0.</source>
         <translation>Für Programme; Schritte zählen ab 0.</translation>
     </message>
+    <message>
+        <source>--thickness %1 leaves no slit in the stock %2: its clearance is %3 mm.</source>
+        <translation>--thickness %1 lässt im Material %2 keinen Schlitz: Sein Spiel ist %3 mm.</translation>
+    </message>
+    <message>
+        <source>-o: a file needs a name.</source>
+        <translation>-o: Eine Datei braucht einen Namen.</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::AboutDialog</name>
@@ -2511,6 +2567,10 @@
     <message>
         <source>Reading drawings</source>
         <translation>Zeichnungen lesen</translation>
+    </message>
+    <message>
+        <source>Unpacking drawings</source>
+        <translation>Zeichnungen auspacken</translation>
     </message>
 </context>
 <context>
@@ -4495,8 +4555,8 @@
         <translation>Zeichnung einlesen</translation>
     </message>
     <message>
-        <source>Drawings (*.svg);;All files (*)</source>
-        <translation>Zeichnungen (*.svg);;Alle Dateien (*)</translation>
+        <source>Drawings (*.svg *.svgz);;All files (*)</source>
+        <translation>Zeichnungen (*.svg *.svgz);;Alle Dateien (*)</translation>
     </message>
 </context>
 <context>

@@ -1,6 +1,7 @@
 #include "core/io/document_file.h"
 
 #include "core/io/fff_format.h"
+#include "core/io/pipes.h"
 #include "core/io/replacement.h"
 
 #include <QtCore/QCoreApplication>
@@ -16,6 +17,8 @@
 namespace fff::io {
 
 namespace {
+
+constexpr const char *kNoNameReason = QT_TRANSLATE_NOOP("Error", "a file needs a name");
 
 tl::unexpected<Error> cannot(ErrorCode code, const QString &path, const QString &reason)
 {
@@ -70,11 +73,12 @@ void keepBackup(const QString &path)
 
 Result<void> writeStraight(const QString &path, const std::string &bytes)
 {
-    QFile file(path);
+    QFile file;
+    if (const Result<void> opened = openForWriting(path, file); !opened)
+        return opened;
     const auto size = static_cast<qint64>(bytes.size());
     errno = 0;
-    if (!file.open(QIODevice::WriteOnly | QIODevice::Unbuffered) ||
-        file.write(bytes.data(), size) != size)
+    if (file.write(bytes.data(), size) != size)
         return cannot(ErrorCode::CannotWrite, path,
                       errno == 0 ? file.errorString() : whyNot(errno, path));
     return {};
@@ -110,25 +114,35 @@ Result<ModelFormat> detectFormat(std::string_view bytes, const std::string &name
 Result<std::string> readFile(const QString &path, const std::string &name)
 {
     const std::string place = name.empty() ? path.toStdString() : name;
-    if (QFileInfo(path).isDir())
+    const QFileInfo info(path);
+    if (path.isEmpty())
+        return failure(ErrorCode::CannotOpen, place, {kNoNameReason});
+    if (info.isDir())
         return failure(ErrorCode::CannotOpen, place,
                        {QT_TRANSLATE_NOOP("Error", "it is a folder")});
-    QFile file(path);
-    if (!file.open(QIODevice::ReadOnly))
-        return failure(ErrorCode::CannotOpen, place, {file.errorString().toStdString()});
-    const auto tooLarge = [&](qint64 size) {
+    const auto tooLarge = [&](std::size_t size) {
         return failure(ErrorCode::BadCount, place,
                        {std::to_string(size), std::to_string(kMaxFileSize),
                         QT_TRANSLATE_NOOP("Error", "bytes")});
     };
+    constexpr auto kMost = static_cast<std::size_t>(kMaxFileSize);
+    if (info.exists() && !info.isFile()) {
+        Result<std::string> bytes = readPipe(path, kMaxFileSize, place);
+        if (bytes && bytes->size() > kMost)
+            return tooLarge(bytes->size());
+        return bytes;
+    }
+    QFile file(path);
+    if (!file.open(QIODevice::ReadOnly))
+        return failure(ErrorCode::CannotOpen, place, {file.errorString().toStdString()});
     if (file.size() > kMaxFileSize)
-        return tooLarge(file.size());
-    // One byte more than allowed: devices and pipes do not tell their size.
+        return tooLarge(static_cast<std::size_t>(file.size()));
+    // One byte more than allowed: files of /proc do not tell their size.
     const QByteArray bytes = file.read(kMaxFileSize + 1);
     if (file.error() != QFileDevice::NoError)
         return failure(ErrorCode::CannotOpen, place, {file.errorString().toStdString()});
     if (bytes.size() > kMaxFileSize)
-        return tooLarge(bytes.size());
+        return tooLarge(static_cast<std::size_t>(bytes.size()));
     return bytes.toStdString();
 }
 
@@ -170,6 +184,8 @@ Result<void> writeFile(const QString &path, const std::string &bytes, const Writ
 {
     if (path == QLatin1String("-"))
         return writeStandardOutput(bytes);
+    if (path.isEmpty())
+        return failure(ErrorCode::CannotWrite, {}, {kNoNameReason});
     const QFileInfo there(path);
     if (there.isDir())
         return cannot(ErrorCode::CannotWrite, path,

@@ -21,8 +21,8 @@ Result<ModelFormat> detectFormat(std::string_view bytes, const std::string &name
 /// Largest file that is read, bytes: a hundred times the largest model anyone drew.
 inline constexpr std::int64_t kMaxFileSize = std::int64_t(256) * 1024 * 1024;
 
-/// The bytes of a file. Errors  CannotOpen (also for a folder) with the system's reason, BadCount
-/// above kMaxFileSize.
+/// The bytes of a file, or of a pipe or device until it ends (pipes.h). Errors  CannotOpen,
+/// with the reason, also for a folder and for no name; BadCount above kMaxFileSize.
 Result<std::string> readFile(const QString &path, const std::string &name = {});
 
 /// Reads `.fff` and FlatFab's `.txt`. Errors  those of readFile, detectFormat and of the format.

@@ -1,4 +1,5 @@
 target_sources(fff_io PRIVATE
+    compressed.cpp
     document_file.cpp
     drawing_text.cpp
     error_text.cpp
@@ -16,7 +17,9 @@ target_sources(fff_io PRIVATE
     loaded_document.cpp
     obj_writer.cpp
     replacement.cpp
+    pipes.cpp
     svg_clip.cpp
+    svg_file.cpp
     svg_path.cpp
     svg_reader.cpp
     svg_shapes.cpp

@@ -4,6 +4,7 @@
 #include "core/geometry/bezier.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -14,6 +15,9 @@ namespace {
 /// An eighth of a circle: off by 4e-6 of the radius.
 constexpr double kLongestArc = std::numbers::pi / 4.0;
 
+/// Bytes of what could not be read that are kept, more than any sentence quotes.
+constexpr std::size_t kShownRest = 256;
+
 class PathReader
 {
 public:
@@ -22,11 +26,11 @@ public:
     SvgPathData read()
     {
         while (!m_numbers.isAtEnd()) {
-            const std::string rest(m_numbers.rest());
+            const std::string_view rest = m_numbers.rest();
             if (step())
                 continue;
             m_data.isWhole = false;
-            m_data.rest = rest;
+            m_data.rest = rest.substr(0, kShownRest);
             break;
         }
         std::erase_if(m_data.subpaths,
@@ -35,8 +39,6 @@ public:
     }
 
 private:
-    using Numbers = std::optional<std::vector<double>>;
-
     /// One command, or once more the last one.
     bool step()
     {
@@ -67,20 +69,20 @@ private:
         case 'M':
             return move();
         case 'L':
-            return withPoints(1, [this](const auto &p) { line(p[0]); });
+            return withPoints<1>([this](const auto &p) { line(p[0]); });
         case 'H':
         case 'V':
             return straight(kind == 'H' ? 0 : 1);
         case 'C':
-            return withPoints(3, [this](const auto &p) { cubic(p[0], p[1], p[2]); });
+            return withPoints<3>([this](const auto &p) { cubic(p[0], p[1], p[2]); });
         case 'S':
-            return withPoints(2, [this](const auto &p) {
+            return withPoints<2>([this](const auto &p) {
                 cubic(m_cubic ? Vec2(2.0 * m_at - *m_cubic) : m_at, p[0], p[1]);
             });
         case 'Q':
-            return withPoints(2, [this](const auto &p) { quadratic(p[0], p[1]); });
+            return withPoints<2>([this](const auto &p) { quadratic(p[0], p[1]); });
         case 'T':
-            return withPoints(1, [this](const auto &p) {
+            return withPoints<1>([this](const auto &p) {
                 quadratic(m_quadratic ? Vec2(2.0 * m_at - *m_quadratic) : m_at, p[0]);
             });
         case 'A':
@@ -99,15 +101,15 @@ private:
             return std::nullopt;
         return m_isRelative ? Vec2(m_at + Vec2(*x, *y)) : Vec2(*x, *y);
     }
-    template <class Draw>
-    bool withPoints(int count, Draw draw)
+    template <std::size_t count, class Draw>
+    bool withPoints(Draw draw)
     {
-        std::vector<Vec2> points;
-        for (int i = 0; i < count; ++i) {
+        std::array<Vec2, count> points;
+        for (Vec2 &each : points) {
             const std::optional<Vec2> p = point();
             if (!p)
                 return false;
-            points.push_back(*p);
+            each = *p;
         }
         resume();
         draw(points);

@@ -13,6 +13,7 @@
 #include <cmath>
 #include <cstring>
 #include <iterator>
+#include <memory>
 #include <optional>
 #include <pugixml.hpp>
 #include <set>
@@ -32,8 +33,8 @@ struct State
     SvgTransform transform = SvgTransform::Identity(); // to the root's user units
     std::string fill, stroke;
     bool isVisible = true;
-    Vec2 viewport = Vec2::Zero();            // what percentages are of
-    std::vector<std::vector<Contour>> clips; // mm; all of them clip
+    Vec2 viewport = Vec2::Zero();                      // what percentages are of
+    std::vector<std::shared_ptr<const SvgClip>> clips; // in mm; all of them clip
     int depth = 0;
 };
 
@@ -48,16 +49,20 @@ private:
     SvgTransform rootTransform(const pugi::xml_node &svg, State &state) const;
     void enter(const pugi::xml_node &node, State &state);
     void clip(const pugi::xml_node &node, State &state);
+    std::optional<Box2> boxOf(const pugi::xml_node &node, const State &state);
     void children(const pugi::xml_node &node, const State &state);
     void element(const pugi::xml_node &node, State state);
+    void draw(const pugi::xml_node &node, State state);
     void nested(const pugi::xml_node &node, State state, const Vec2 &size);
     void use(const pugi::xml_node &node, State state);
+    void measurePicture(const pugi::xml_node &node, const State &state);
     void add(const pugi::xml_node &node, const State &state, const SvgSubpath &path);
     void addLine(std::vector<Vec2> points, const State &state);
 
     SvgSource m_source;
     SvgDrawing m_drawing;
     std::vector<Contour> *m_clipped = nullptr;   // where shapes go while a clip path is read
+    Box2 *m_measured = nullptr;                  // the same while an element's box is looked for
     double m_millimetres = kMillimetresPerPixel; // of the root's user unit
 };
 
@@ -72,6 +77,54 @@ std::string lower(std::string text)
 bool isPaint(const std::string &paint, bool otherwise)
 {
     return paint.empty() ? otherwise : paint != "none" && paint != "transparent";
+}
+
+const std::set<std::string> kShapes{"path", "rect",     "circle", "ellipse",
+                                    "line", "polyline", "polygon"};
+
+bool isText(const std::string &name)
+{
+    return name == "text" || name == "flowRoot" || name == "foreignObject";
+}
+
+/// Of a drawing without lines, which may have what is passed over.
+const char *whatIsMissing(const SvgDrawing &drawing)
+{
+    if (drawing.texts > 0)
+        return QT_TRANSLATE_NOOP("Error", "lines; text must be turned into paths first");
+    if (drawing.pictures > 0)
+        return QT_TRANSLATE_NOOP("Error", "lines; a picture must be traced first");
+    return QT_TRANSLATE_NOOP("Error", "lines, shapes or paths");
+}
+
+/// Where a cubic with these values turns back, between its ends.
+std::vector<double> turnsOf(double v0, double v1, double v2, double v3)
+{
+    const double a = v3 - 3.0 * v2 + 3.0 * v1 - v0, b = 2.0 * (v2 - 2.0 * v1 + v0), c = v1 - v0;
+    const double root = std::sqrt(std::max(b * b - 4.0 * a * c, 0.0));
+    const double q = -0.5 * (b + std::copysign(root, b)); // loses no digits
+    std::vector<double> turns;
+    for (const double t : {q / a, c / q})
+        if (t > 0.0 && t < 1.0) // neither for what is not finite
+            turns.push_back(t);
+    return turns;
+}
+
+/// Of the curves themselves, not of their handles.
+Box2 boundsOf(const SvgSubpath &path, const SvgTransform &transform)
+{
+    Box2 box;
+    for (std::size_t i = 0; i + 3 < path.points.size(); i += 3) {
+        const CubicBezier curve{transform * path.points[i], transform * path.points[i + 1],
+                                transform * path.points[i + 2], transform * path.points[i + 3]};
+        box.extend(curve.p0);
+        box.extend(curve.p3);
+        for (const int axis : {0, 1})
+            for (const double t :
+                 turnsOf(curve.p0[axis], curve.p1[axis], curve.p2[axis], curve.p3[axis]))
+                box.extend(curve.at(t));
+    }
+    return box;
 }
 
 /// The id in "url(#id)".
@@ -140,10 +193,12 @@ void Reader::clip(const pugi::xml_node &node, State &state)
 {
     const std::string target = urlTarget(m_source.property(node, "clip-path"));
     const pugi::xml_node found = m_source.named(target);
-    // In units of a box that is known only when all is drawn: what is there is better than nothing.
+    if (target.empty() || !found || m_clipped || m_measured || m_source.error())
+        return;
     const bool isOfBox =
         std::strcmp(found.attribute("clipPathUnits").value(), "objectBoundingBox") == 0;
-    if (target.empty() || !found || isOfBox || m_clipped || m_source.error())
+    const std::optional<Box2> box = isOfBox ? boxOf(node, state) : std::nullopt;
+    if (isOfBox && !box)
         return;
     std::vector<Contour> contours;
     m_clipped = &contours;
@@ -153,9 +208,30 @@ void Reader::clip(const pugi::xml_node &node, State &state)
     inside.clips.clear();
     ++inside.depth;
     enter(found, inside);
+    if (box) {
+        inside.transform.translate(box->min).scale(box->size());
+        inside.viewport = Vec2::Ones();
+    }
     children(found, inside);
     m_clipped = nullptr;
-    state.clips.push_back(std::move(contours));
+    state.clips.push_back(std::make_shared<const SvgClip>(std::move(contours)));
+}
+
+/// Of what the element draws, in its own user units, before anything is cut off. Nothing where it
+/// has no width or no height: what is in units of such a box does not count (SVG 1.1, 7.11).
+std::optional<Box2> Reader::boxOf(const pugi::xml_node &node, const State &state)
+{
+    Box2 box;
+    m_measured = &box;
+    State inside = state;
+    inside.transform = SvgTransform::Identity();
+    if (node == m_source.root())
+        children(node, inside);
+    else
+        draw(node, inside);
+    m_measured = nullptr;
+    const bool isFlat = box.isEmpty() || !(box.size().minCoeff() > 0.0);
+    return isFlat ? std::nullopt : std::optional(box);
 }
 
 void Reader::children(const pugi::xml_node &node, const State &state)
@@ -167,28 +243,34 @@ void Reader::children(const pugi::xml_node &node, const State &state)
 
 void Reader::element(const pugi::xml_node &node, State state)
 {
-    static const std::set<std::string> kShapes{"path", "rect",     "circle", "ellipse",
-                                               "line", "polyline", "polygon"};
     if (++state.depth > kDeepest) {
         m_source.fail(ErrorCode::BadCount, node,
                       {std::to_string(state.depth), std::to_string(kDeepest),
                        QT_TRANSLATE_NOOP("Error", "groups in groups")});
         return;
     }
+    static const std::set<std::string> kGroups{"image", "g", "a", "switch", "svg", "use"};
     const std::string name = localName(node);
     m_source.count(node, 1);
-    const bool isText = name == "text" || name == "flowRoot" || name == "foreignObject";
-    const bool isDrawn = kShapes.contains(name) || isText || name == "image" || name == "g" ||
-                         name == "a" || name == "switch" || name == "svg" || name == "use";
+    const bool isDrawn = kShapes.contains(name) || isText(name) || kGroups.contains(name);
     if (!isDrawn || m_source.property(node, "display") == "none")
         return;
     enter(node, state);
-    if (m_source.error())
-        return;
-    if (isText) {
-        m_drawing.texts += state.isVisible && !m_clipped ? 1 : 0;
+    if (!m_source.error())
+        draw(node, std::move(state));
+}
+
+/// What the element is, when what it says of itself is known.
+void Reader::draw(const pugi::xml_node &node, State state)
+{
+    const std::string name = localName(node);
+    const bool isPassedOver = state.isVisible && !m_clipped && !m_measured;
+    if (isText(name)) {
+        m_drawing.texts += isPassedOver ? 1 : 0;
     } else if (name == "image") {
-        m_drawing.pictures += state.isVisible && !m_clipped ? 1 : 0;
+        m_drawing.pictures += isPassedOver ? 1 : 0;
+        if (m_measured)
+            measurePicture(node, state);
     } else if (name == "use") {
         use(node, state);
     } else if (name == "svg") {
@@ -249,10 +331,25 @@ void Reader::use(const pugi::xml_node &node, State state)
             m_source.length(node, "height", all.y(), all.y())});
 }
 
+void Reader::measurePicture(const pugi::xml_node &node, const State &state)
+{
+    const Vec2 &all = state.viewport;
+    const Vec2 at(m_source.length(node, "x", all.x()), m_source.length(node, "y", all.y()));
+    const Vec2 size(m_source.length(node, "width", all.x()),
+                    m_source.length(node, "height", all.y()));
+    if (size.minCoeff() > 0.0)
+        for (const Vec2 &corner : {Vec2(0.0, 0.0), Vec2(1.0, 0.0), Vec2(0.0, 1.0), Vec2(1.0, 1.0)})
+            m_measured->extend(state.transform * Vec2(at + corner.cwiseProduct(size)));
+}
+
 /// Of closed lines what is enclosed by all clips, of open ones what lies in them.
 void Reader::add(const pugi::xml_node &node, const State &state, const SvgSubpath &path)
 {
     m_source.count(node, path.points.size());
+    if (m_measured && !m_source.error()) {
+        m_measured->extend(boundsOf(path, state.transform));
+        return;
+    }
     const bool isFilled = isPaint(state.fill, true), isStroked = isPaint(state.stroke, false);
     if (m_source.error() || !state.isVisible || !(isFilled || isStroked || m_clipped))
         return;
@@ -289,10 +386,10 @@ void Reader::addLine(std::vector<Vec2> points, const State &state)
     if (!path)
         return;
     std::vector<CurvePath> paths{*std::move(path)};
-    for (const std::vector<Contour> &clip : state.clips) {
+    for (const std::shared_ptr<const SvgClip> &clip : state.clips) {
         std::vector<CurvePath> left;
         for (const CurvePath &one : paths) {
-            Result<std::vector<CurvePath>> pieces = clippedPath(one, clip);
+            Result<std::vector<CurvePath>> pieces = clip->clipped(one);
             if (!pieces)
                 return m_source.fail(pieces.error().code, {}, pieces.error().args);
             std::move(pieces->begin(), pieces->end(), std::back_inserter(left));
@@ -319,9 +416,8 @@ Result<SvgDrawing> Reader::read()
         children(svg, inside);
     if (m_source.error())
         return tl::unexpected(*m_source.error());
-    if (m_drawing.lines.empty() && m_drawing.texts == 0 && m_drawing.pictures == 0)
-        return failure(ErrorCode::BadValue, m_source.name(),
-                       {"", QT_TRANSLATE_NOOP("Error", "lines, shapes or paths")});
+    if (m_drawing.lines.empty())
+        return failure(ErrorCode::BadValue, m_source.name(), {"", whatIsMissing(m_drawing)});
     Box2 box;
     for (const SvgDrawing::Line &line : m_drawing.lines)
         for (const Vec2 &p : line.path.flatten(kCutChord))

@@ -5,6 +5,7 @@
 #include "core/io/svg_values.h"
 
 #include <QtCore/QCoreApplication>
+#include <QtCore/QStringDecoder>
 #include <algorithm>
 #include <cstring>
 
@@ -20,6 +21,20 @@ std::string shownAt(std::string_view bytes, std::ptrdiff_t offset)
     return quoted(rest.substr(0, rest.find_first_of("\r\n")));
 }
 
+/// Of a file in UTF-16, which its first bytes tell; empty for all others.
+std::string fromUtf16(std::string_view bytes)
+{
+    using namespace std::string_view_literals;
+    const bool isLittle = bytes.starts_with("\xff\xfe"sv) || bytes.starts_with("<\0"sv);
+    const bool isBig = bytes.starts_with("\xfe\xff"sv) || bytes.starts_with("\0<"sv);
+    if (!isLittle && !isBig)
+        return {};
+    QStringDecoder decoder(isLittle ? QStringDecoder::Utf16LE : QStringDecoder::Utf16BE);
+    const QString text =
+        decoder(QByteArrayView(bytes.data(), static_cast<qsizetype>(bytes.size())));
+    return text.toStdString();
+}
+
 } // namespace
 
 std::string localName(const pugi::xml_node &node)
@@ -29,6 +44,12 @@ std::string localName(const pugi::xml_node &node)
     return colon == std::string::npos || name.substr(0, colon) == "svg"
                ? name.substr(colon == std::string::npos ? 0 : colon + 1)
                : name;
+}
+
+SvgSource::SvgSource(std::string_view bytes, std::string name)
+    : m_converted(fromUtf16(bytes)), m_bytes(m_converted.empty() ? bytes : m_converted),
+      m_name(std::move(name))
+{
 }
 
 std::string SvgSource::placeAt(std::ptrdiff_t offset) const
@@ -70,8 +91,20 @@ void SvgSource::index()
 
 bool SvgSource::parse()
 {
-    const pugi::xml_parse_result parsed = m_document.load_buffer(
-        m_bytes.data(), m_bytes.size(), pugi::parse_default | pugi::parse_ws_pcdata_single);
+    const auto marks = static_cast<std::size_t>(
+        std::count_if(m_bytes.begin(), m_bytes.end(), [](char c) { return c == '<' || c == '='; }));
+    if (marks > kMostSvgMarks) {
+        m_error = Error{ErrorCode::BadCount,
+                        m_name,
+                        {std::to_string(marks), std::to_string(kMostSvgMarks),
+                         QT_TRANSLATE_NOOP("Error", "elements and attributes")}};
+        return false;
+    }
+    const unsigned options = pugi::parse_default | pugi::parse_ws_pcdata_single;
+    const pugi::xml_parse_result parsed =
+        m_converted.empty()
+            ? m_document.load_buffer(m_bytes.data(), m_bytes.size(), options)
+            : m_document.load_buffer(m_bytes.data(), m_bytes.size(), options, pugi::encoding_utf8);
     if (!parsed)
         m_error = Error{ErrorCode::BadSyntax,
                         placeAt(parsed.offset),

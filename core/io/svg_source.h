@@ -20,7 +20,7 @@ class SvgSource
 {
 public:
     /// bytes outlive this; name: how places call the file, may be empty.
-    SvgSource(std::string_view bytes, std::string name) : m_bytes(bytes), m_name(std::move(name)) {}
+    SvgSource(std::string_view bytes, std::string name);
 
     /// False, with an error, for what is no XML or no drawing.
     bool parse();
@@ -52,7 +52,8 @@ private:
     std::string placeAt(std::ptrdiff_t offset) const;
     void index();
 
-    std::string_view m_bytes;
+    std::string m_converted;  // of a file in UTF-16
+    std::string_view m_bytes; // UTF-8
     std::string m_name;
     pugi::xml_document m_document;
     std::map<std::string, pugi::xml_node> m_byId;

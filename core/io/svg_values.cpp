@@ -86,7 +86,11 @@ std::optional<double> SvgNumbers::number()
         return std::nullopt; // from_chars would take "inf" and "nan"
     double value = 0.0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc() || !std::isfinite(value))
+    // What is too small for a double is 0, what is too large is nothing.
+    const std::string_view read = text.substr(0, static_cast<std::size_t>(end - text.data()));
+    const bool isTiny = error == std::errc::result_out_of_range &&
+                        (read.find("e-") != read.npos || read.find("E-") != read.npos);
+    if ((error != std::errc() && !isTiny) || !std::isfinite(value))
         return std::nullopt;
     m_rest = text.substr(static_cast<std::size_t>(end - text.data()));
     return value;

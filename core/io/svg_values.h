@@ -62,7 +62,7 @@ struct SvgPathData
 {
     std::vector<SvgSubpath> subpaths;
     bool isWhole = true;
-    std::string rest; // from the place of the error
+    std::string rest; // from the place of the error, its beginning
 };
 SvgPathData svgPath(std::string_view text);
 /// An arc of an ellipse round 0, from angle `from` over `sweep` radians: control points without the

@@ -1,31 +1,17 @@
 #include "core/session/drawing_commands.h"
 
+#include "core/geometry/outlines.h"
+#include "core/geometry/tangle.h"
 #include "core/interaction/drawing_editing.h"
-#include "core/io/svg_reader.h"
+#include "core/io/loaded_document.h"
+#include "core/io/svg_file.h"
 #include "core/session/operation_script.h"
 
-#include <QFile>
 #include <QFileInfo>
 
 namespace fff {
 
 namespace {
-
-/// A drawing that is larger is none that a person made.
-constexpr qint64 kLargestFile = 256LL * 1024 * 1024;
-
-Result<io::SvgDrawing> readDrawing(const QString &path)
-{
-    const std::string name = QFileInfo(path).fileName().toStdString();
-    QFile file(path);
-    if (!file.open(QIODevice::ReadOnly))
-        return failure(ErrorCode::CannotOpen, name, {file.errorString().toStdString()});
-    if (file.size() > kLargestFile)
-        return failure(ErrorCode::BadCount, name,
-                       {std::to_string(file.size()), std::to_string(kLargestFile), "bytes"});
-    const QByteArray bytes = file.readAll();
-    return io::readSvg({bytes.constData(), static_cast<std::size_t>(bytes.size())}, name);
-}
 
 /// The lines that count: of a file of ours no reference bars, and of its colours those that are
 /// wanted.
@@ -57,11 +43,18 @@ public:
         if (!path)
             return failure(ErrorCode::BadValue, "path", {"", "the path of a drawing"});
         const QString file = QString::fromStdString(*path);
-        const Result<io::SvgDrawing> read = readDrawing(file);
+        const Result<io::SvgDrawing> read = io::readSvgFile(file);
         if (!read)
             return tl::unexpected(read.error());
         const Drawing drawing{linesOf(*read, as == As::Marks),
                               QFileInfo(file).fileName().toStdString()};
+        if (as != As::Marks)
+            if (const double work = largestTangle(joined(drawing.lines, kDrawnGap));
+                work > kMostCrossingWork)
+                return failure(
+                    ErrorCode::BadCount, drawing.name,
+                    {io::shortNumber(work), io::shortNumber(kMostCrossingWork),
+                     QT_TRANSLATE_NOOP("Error", "places where a line may cross itself")});
         SectionEdit edit = tl::unexpected(Hint{Hint::Kind::DrawingOpen, drawing.name, true});
         if (!drawing.lines.empty())
             edit = editOf(as, drawing);

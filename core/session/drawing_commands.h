@@ -1,4 +1,5 @@
-// Commands that read drawings of other programs (core/io/svg_reader.h), with the parameter "path":
+// Commands that read drawings of other programs (core/io/svg_file.h), with the parameter "path";
+// their errors are in that file, line by line:
 //
 //   section.importSections   a section for every outline
 //   section.importContour    the largest outline in place of the selected section's contour

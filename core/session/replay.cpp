@@ -4,6 +4,9 @@
 #include "core/session/replay_script.h"
 #include "core/session/session_commands.h"
 
+#include <QFileInfo>
+
+#include <algorithm>
 #include <utility>
 
 namespace fff {
@@ -14,6 +17,16 @@ QString shown(const QString &text)
 {
     return QLatin1Char('"') + QString::fromStdString(io::quoted(text.toStdString())) +
            QLatin1Char('"');
+}
+
+/// Whether the place is in a file that is one of the parameters: its name, or that and a line.
+bool isInFile(const std::string &place, const CommandParameters &parameters)
+{
+    return std::any_of(parameters.begin(), parameters.end(), [&place](const auto &parameter) {
+        const std::string name =
+            QFileInfo(QString::fromStdString(parameter.second)).fileName().toStdString();
+        return !name.empty() && (place == name || place.starts_with(name + ":"));
+    });
 }
 
 class Player
@@ -158,6 +171,12 @@ Result<void> Player::runCommand(const std::string &name, const CommandParameters
     const Result<void> run = m_commands.run(name, parameters, m_time);
     if (run)
         return {};
+    // In a file that the event names, what is wrong stands there.
+    if (isInFile(run.error().place, parameters)) {
+        Error error = run.error();
+        error.place = ReplayScript::placeOf(m_index) + ": " + error.place;
+        return tl::unexpected(std::move(error));
+    }
     const QString quotedName = QString::fromStdString(io::quoted(name));
     if (run.error().code == ErrorCode::UnknownCommand)
         return wrong(QStringLiteral("name: \"") + quotedName + QLatin1Char('"'),

@@ -8,4 +8,5 @@ qt_add_resources(fff_ui licences PREFIX /licences BASE ${licence_folder} FILES
     ${licence_folder}/cc0-1.0.txt
     ${licence_folder}/lgpl-3.0.txt
     ${licence_folder}/mit.txt
-    ${licence_folder}/mpl-2.0.txt)
+    ${licence_folder}/mpl-2.0.txt
+    ${licence_folder}/zlib.txt)

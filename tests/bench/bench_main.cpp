@@ -1,6 +1,7 @@
 // flatfitfab-bench: what loading, slits, parts, cutting file, an edit and its undo cost.
 #include "core/io/document_file.h"
 #include "core/io/error_text.h"
+#include "tests/bench/drawing_growth.h"
 #include "tests/bench/generated_models.h"
 #include "tests/bench/kernel.h"
 #include "tests/bench/report.h"
@@ -182,7 +183,8 @@ int main(int argc, char **argv)
         QTextStream(stderr) << QString::fromStdString(row->name) << Qt::endl;
         rows.push_back(*std::move(row));
     }
-    QTextStream(stdout) << QString::fromStdString(tables(rows, peer));
+    const std::vector<DrawingCost> drawings = drawingCosts(isWanted, kernel);
+    QTextStream(stdout) << QString::fromStdString(tables(rows, peer) + growthTable(drawings));
     if (parser.isSet(QStringLiteral("json"))) {
         const auto written = io::writeFile(parser.value(QStringLiteral("json")), json(rows, peer));
         if (!written)

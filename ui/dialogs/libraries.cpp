@@ -34,6 +34,8 @@ const Library kLibraries[] = {
      "bsd-3-clause", "https://www.graphics.rwth-aachen.de/software/openmesh"},
     {"pugixml", QT_TRANSLATE_NOOP("fff::ui::AboutDialog", "Reading drawings"),
      "© Arseny Kapoulkine", "MIT licence", "mit", "https://pugixml.org"},
+    {"zlib", QT_TRANSLATE_NOOP("fff::ui::AboutDialog", "Unpacking drawings"),
+     "© Jean-loup Gailly and Mark Adler", "zlib licence", "zlib", "https://zlib.net"},
     {"Boost", QT_TRANSLATE_NOOP("fff::ui::AboutDialog", "Parts that CGAL uses"),
      "© The authors of Boost", "Boost Software License, version 1.0", "bsl-1.0",
      "https://www.boost.org"},

@@ -71,7 +71,7 @@ bool DocumentFiles::insert()
 QString DocumentFiles::askForDrawing()
 {
     FileDialog dialog(&m_window, tr("Import a drawing"), folder(),
-                      tr("Drawings (*.svg);;All files (*)"));
+                      tr("Drawings (*.svg *.svgz);;All files (*)"));
     dialog.setFileMode(QFileDialog::ExistingFile);
     return dialog.exec() == QDialog::Accepted ? dialog.selectedFiles().constFirst() : QString();
 }

@@ -52,7 +52,8 @@ void FileDrop::tell(const QStringList &paths)
 {
     QStringList models;
     for (const QString &path : paths) {
-        if (path.endsWith(QStringLiteral(".svg"), Qt::CaseInsensitive))
+        if (path.endsWith(QStringLiteral(".svg"), Qt::CaseInsensitive) ||
+            path.endsWith(QStringLiteral(".svgz"), Qt::CaseInsensitive))
             Q_EMIT drawingDropped(path);
         else
             models += path;

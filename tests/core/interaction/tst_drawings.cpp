@@ -9,6 +9,8 @@
 #include <QTemporaryDir>
 #include <QUndoStack>
 
+#include <set>
+
 using namespace fff;
 using namespace fff::test;
 
@@ -36,6 +38,8 @@ private Q_SLOTS:
     void whatWasSkippedIsSaid();
     void openLinesAreRefused();
     void brokenFilesChangeNothing();
+    void manySectionsAreOneStep();
+    void tangledLinesAreRefusedButEngraved();
     void uprightOnATurnedSection();
     void ourOwnFileComesBack();
 };
@@ -116,10 +120,8 @@ void TestDrawings::whatWasSkippedIsSaid()
 void TestDrawings::openLinesAreRefused()
 {
     Desk desk;
-    for (const char *name : {"polyline-open", "only-text"}) {
-        desk.run("section.importSections", {{"path", drawing(name)}});
-        QCOMPARE(desk.hint(), Hint::Kind::DrawingOpen);
-    }
+    desk.run("section.importSections", {{"path", drawing("polyline-open")}});
+    QCOMPARE(desk.hint(), Hint::Kind::DrawingOpen);
     desk.run("section.importSections", {{"path", drawing("cad-loose-edges")}});
     QCOMPARE(desk.sections().size(), std::size_t(1)); // its edges meet
 }
@@ -127,10 +129,71 @@ void TestDrawings::openLinesAreRefused()
 void TestDrawings::brokenFilesChangeNothing()
 {
     Desk desk;
-    for (const char *name : {"broken-path", "use-bomb", "not-xml", "there-is-none"})
+    for (const char *name : {"broken-path", "use-bomb", "not-xml", "only-text", "there-is-none"})
         QVERIFY(!desk.commands.run("section.importSections", {{"path", drawing(name)}}, 0.0));
     QCOMPARE(desk.steps(), 0);
     QVERIFY(!desk.commands.run("section.importSections", {}, 0.0));
+}
+
+// Wrong: names would be given twice, or the sections would come in steps of their own.
+void TestDrawings::manySectionsAreOneStep()
+{
+    const QTemporaryDir folder;
+    QFile file(folder.filePath(QStringLiteral("many.svg")));
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    QByteArray text = "<svg width=\"400mm\" height=\"400mm\" viewBox=\"0 0 400 400\">";
+    for (int i = 0; i < 900; ++i)
+        text += QStringLiteral("<rect x=\"%1\" y=\"%2\" width=\"8\" height=\"8\"/>")
+                    .arg(i % 30 * 10)
+                    .arg(i / 30 * 10)
+                    .toLatin1();
+    file.write(text + "</svg>");
+    file.close();
+    Desk desk;
+    desk.addPlate(); // has the first name
+    const int before = desk.steps();
+    desk.run("section.importSections", {{"path", file.fileName().toStdString()}});
+    QCOMPARE(desk.steps(), before + 1);
+    QCOMPARE(desk.sections().size(), std::size_t(901));
+    QCOMPARE(desk.interaction.selection().size(), std::size_t(900));
+    std::set<std::string> names;
+    for (const SectionPointer &section : desk.sections())
+        names.insert(section->name);
+    QCOMPARE(names.size(), std::size_t(901));
+    QVERIFY(names.contains("Section 901"));
+}
+
+// Wrong: it would be busy for hours with what nobody can cut out, or refuse what can be engraved.
+void TestDrawings::tangledLinesAreRefusedButEngraved()
+{
+    const QTemporaryDir folder;
+    QFile file(folder.filePath(QStringLiteral("tangle.svg")));
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    QByteArray text =
+        "<svg width=\"999mm\" height=\"999mm\" viewBox=\"0 0 999 999\"><path d=\"M0 0";
+    unsigned place = 1;
+    for (int i = 0; i < 30'000; ++i) {
+        place = place * 1'664'525u + 1'013'904'223u;
+        text += QStringLiteral("L%1 %2").arg(place / 65'536 % 997).arg(0.03 * i).toLatin1();
+        place = place * 1'664'525u + 1'013'904'223u;
+        text +=
+            QStringLiteral("L%1 %2").arg(place / 65'536 % 991).arg(place / 4'096 % 983).toLatin1();
+    }
+    file.write(text + "Z\"/></svg>");
+    file.close();
+    Desk desk;
+    desk.addPlate();
+    desk.interaction.select({desk.sections().front()->id});
+    const CommandParameters path{{"path", file.fileName().toStdString()}};
+    const int before = desk.steps();
+    const Result<void> run = desk.commands.run("section.importSections", path, 0.0);
+    QVERIFY(!run);
+    QCOMPARE(run.error().code, ErrorCode::BadCount);
+    QCOMPARE(run.error().place, std::string("tangle.svg"));
+    QVERIFY(!desk.commands.run("section.importHoles", path, 0.0));
+    QCOMPARE(desk.steps(), before);
+    QVERIFY(desk.commands.run("section.importMarks", path, 0.0));
+    QCOMPARE(desk.steps(), before + 1);
 }
 
 // Wrong: on a section whose frame lies otherwise, the drawing would lie on its side.

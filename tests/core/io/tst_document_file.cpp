@@ -12,6 +12,8 @@
 #include <QtCore/QProcess>
 #include <QtCore/QTemporaryDir>
 
+#include <thread>
+
 #ifdef Q_OS_UNIX
 #include <csignal>
 #include <fcntl.h>
@@ -34,6 +36,10 @@ private Q_SLOTS:
     void notReadable_data();
     void notReadable();
     void endlessFileIsAnError();
+    void aPipeIsReadToItsEnd();
+    void aPipeThatNobodyWritesIntoIsGivenUp();
+    void aPipeThatNobodyReadsIsGivenUp();
+    void aFileNeedsAName();
     void hugeFileIsAnError();
     void documentComesBack();
     void placesUseTheGivenName();
@@ -152,6 +158,67 @@ void TestDocumentFile::notReadable()
     QVERIFY(!loaded);
     QVERIFY2(loaded.error().code == code, qPrintable(io::errorText(loaded.error())));
     QCOMPARE(QString::fromStdString(loaded.error().place), place);
+}
+
+// Wrong: what another program makes could not be handed over without a file.
+void TestDocumentFile::aPipeIsReadToItsEnd()
+{
+#ifdef Q_OS_UNIX
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("pipe"));
+    QCOMPARE(mkfifo(QFile::encodeName(path).constData(), 0600), 0);
+    const std::string bytes(300'000, 'x'); // more than a pipe holds
+    std::thread writer([&] {
+        QFile file(path);
+        if (file.open(QIODevice::WriteOnly))
+            file.write(bytes.data(), static_cast<qint64>(bytes.size()));
+    });
+    const Result<std::string> read = io::readFile(path);
+    writer.join();
+    QVERIFY2(read, read ? "" : qPrintable(io::errorText(read.error())));
+    QVERIFY(*read == bytes);
+#endif
+}
+
+// Wrong: the program would hang until it is killed.
+void TestDocumentFile::aPipeThatNobodyWritesIntoIsGivenUp()
+{
+#ifdef Q_OS_UNIX
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("pipe"));
+    QCOMPARE(mkfifo(QFile::encodeName(path).constData(), 0600), 0);
+    const Result<std::string> read = io::readFile(path, "pipe");
+    QVERIFY(!read);
+    QCOMPARE(io::errorText(read.error()),
+             QStringLiteral("pipe: could not be opened: nothing writes into this pipe"));
+#endif
+}
+
+// Wrong: an export into it would hang until it is killed.
+void TestDocumentFile::aPipeThatNobodyReadsIsGivenUp()
+{
+#ifdef Q_OS_UNIX
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("pipe"));
+    QCOMPARE(mkfifo(QFile::encodeName(path).constData(), 0600), 0);
+    const Result<void> written = io::writeFile(path, "x");
+    QVERIFY(!written);
+    QCOMPARE(io::errorSentence(written.error()),
+             QStringLiteral("could not be written: nothing reads this pipe"));
+#endif
+}
+
+// Wrong: an empty variable in a script would end in words about engines of the file system.
+void TestDocumentFile::aFileNeedsAName()
+{
+    const Result<std::string> read = io::readFile({});
+    QVERIFY(!read);
+    QCOMPARE(io::errorText(read.error()),
+             QStringLiteral("could not be opened: a file needs a name"));
+    const Result<void> written = io::writeFile({}, "x");
+    QVERIFY(!written);
+    QCOMPARE(io::errorText(written.error()),
+             QStringLiteral("could not be written: a file needs a name"));
 }
 
 void TestDocumentFile::endlessFileIsAnError()

@@ -8,7 +8,9 @@
 #include "core/fabrication/layout.h"
 #include "core/geometry/figure.h"
 #include "core/geometry/outlines.h"
+#include "core/io/compressed.h"
 #include "core/io/error_text.h"
+#include "core/io/svg_file.h"
 #include "core/io/svg_reader.h"
 #include "core/io/svg_writer.h"
 #include "core/model/edits.h"
@@ -73,6 +75,11 @@ private Q_SLOTS:
     void otherProgramsFiles();
     void whatWeWroteComesBackAsItWas();
     void aCuttingFileIsKnown();
+    void packedAndOtherwiseEncodedFiles_data();
+    void packedAndOtherwiseEncodedFiles();
+    void aPackedFileEndsAtItsLimit();
+    void errorsOfOtherEncodingsNameTheLine();
+    void whatIsReadIsNotCopiedForEveryCommand();
 };
 
 void TestSvgReader::otherProgramsFiles_data()
@@ -101,6 +108,8 @@ void TestSvgReader::otherProgramsFiles()
         const QString sentence = io::errorText(drawing.error());
         QVERIFY2(sentence.startsWith(QString::fromStdString(name)), qPrintable(sentence));
         QCOMPARE(sentence.count(u'\n'), 0);
+        const QString words = expected.value(QStringLiteral("says")).replace(u'.', u' ');
+        QVERIFY2(sentence.contains(words), qPrintable(sentence));
         return;
     }
     QVERIFY2(drawing, drawing ? "" : qPrintable(io::errorText(drawing.error())));
@@ -188,6 +197,67 @@ void TestSvgReader::whatWeWroteComesBackAsItWas()
         box.extend(p);
     compare(outlines[0].outer, (*shape)->contour(), box.min);
     compare(outlines[0].holes[0], (*shape)->holes()[0], box.min);
+}
+
+void TestSvgReader::packedAndOtherwiseEncodedFiles_data()
+{
+    QTest::addColumn<QString>("path");
+    const QDir folder(QStringLiteral(FFF_TEST_DATA "/packed"));
+    for (const QString &name : folder.entryList(QDir::Files, QDir::Name))
+        QTest::newRow(qPrintable(name)) << folder.filePath(name);
+}
+
+// Wrong: a drawing that another program packed would have to be unpacked by hand, or a damaged one
+// would come in halves. All of them hold a rectangle of 10 mm x 20 mm.
+void TestSvgReader::packedAndOtherwiseEncodedFiles()
+{
+    QFETCH(QString, path);
+    const Result<io::SvgDrawing> drawing = io::readSvgFile(path);
+    const QString name = QFileInfo(path).fileName();
+    if (name.startsWith(QStringLiteral("broken"))) {
+        QVERIFY(!drawing);
+        QVERIFY(io::errorText(drawing.error()).startsWith(name));
+        return;
+    }
+    QVERIFY2(drawing, drawing ? "" : qPrintable(io::errorText(drawing.error())));
+    QCOMPARE(drawing->lines.size(), std::size_t(1));
+    QVERIFY((sizeOf(*drawing) - Vec2(10.0, 20.0)).norm() < 1e-9);
+}
+
+// Wrong: a few kilobytes that stand for gigabytes would take all of the memory.
+void TestSvgReader::aPackedFileEndsAtItsLimit()
+{
+    const std::string packed =
+        contentOf(QStringLiteral(FFF_TEST_DATA "/packed/in-two.svgz")).toStdString();
+    QVERIFY(io::isCompressed(packed));
+    const Result<std::string> whole = io::uncompressed(packed, 10'000, "in-two.svgz");
+    QVERIFY(whole);
+    QVERIFY(io::uncompressed(packed, whole->size(), "in-two.svgz"));
+    const Result<std::string> tooLarge = io::uncompressed(packed, whole->size() - 1, "in-two.svgz");
+    QVERIFY(!tooLarge);
+    QCOMPARE(tooLarge.error().code, ErrorCode::BadCount);
+}
+
+void TestSvgReader::errorsOfOtherEncodingsNameTheLine()
+{
+    const QString text =
+        QStringLiteral("<svg>\n<title>Flügel</title>\n<path d=\"M0 0L1 x\"/></svg>");
+    const QByteArray utf16(reinterpret_cast<const char *>(text.utf16()), 2 * text.size());
+    const Result<io::SvgDrawing> drawing = io::readSvg(utf16.toStdString(), "wing.svg");
+    QVERIFY(!drawing);
+    QCOMPARE(drawing.error().place, std::string("wing.svg:3"));
+}
+
+// Wrong: each command of a path would cost the rest of the path. This one would take minutes.
+void TestSvgReader::whatIsReadIsNotCopiedForEveryCommand()
+{
+    std::string text = "<svg width=\"9mm\" height=\"9mm\" viewBox=\"0 0 9 9\"><path d=\"M0 0";
+    constexpr int kCommands = 300'000;
+    for (int i = 1; i < kCommands; ++i)
+        text += "L" + std::to_string(i) + " " + std::to_string(i % 7);
+    const Result<io::SvgDrawing> drawing = io::readSvg(text + "\" stroke=\"red\"/></svg>");
+    QVERIFY(drawing);
+    QCOMPARE(drawing->lines.front().path.segmentCount(), kCommands - 1);
 }
 
 void TestSvgReader::aCuttingFileIsKnown()
