@@ -3,8 +3,11 @@
 #include "app/cli/command_line.h"
 
 #include <QGuiApplication>
+#include <QLocale>
 #include <QTextStream>
 
+#include <algorithm>
+#include <clocale>
 #include <memory>
 
 namespace {
@@ -36,7 +39,13 @@ constexpr const char *kPlatforms = "xcb;wayland;offscreen"; // the first that ca
 /// missing OpenGL the verb then speaks about, instead of an end without words.
 std::unique_ptr<QCoreApplication> makeApplication(int &argc, char *argv[])
 {
-    if (argc < 2 || (qstrcmp(argv[1], "render") != 0 && qstrcmp(argv[1], "steps") != 0))
+    const bool asksForHelp =
+        std::any_of(argv + std::min(argc, 1), argv + argc, [](const char *text) {
+            return qstrcmp(text, "--help") == 0 || qstrcmp(text, "-h") == 0;
+        });
+    const bool isPicture =
+        argc >= 2 && (qstrcmp(argv[1], "render") == 0 || qstrcmp(argv[1], "steps") == 0);
+    if (!isPicture || asksForHelp)
         return std::make_unique<QCoreApplication>(argc, argv);
     if (!qEnvironmentVariableIsSet("QT_QPA_PLATFORM"))
         qputenv("QT_QPA_PLATFORM", kPlatforms);
@@ -53,6 +62,12 @@ std::unique_ptr<QCoreApplication> makeApplication(int &argc, char *argv[])
 int main(int argc, char *argv[])
 {
     const std::unique_ptr<QCoreApplication> app = makeApplication(argc, argv);
+    // Its sentences are English, so are the numbers in them and the reasons that the system gives.
+    QLocale::setDefault(QLocale::c());
+    std::setlocale(LC_NUMERIC, "C");
+#ifdef LC_MESSAGES
+    std::setlocale(LC_MESSAGES, "C");
+#endif
     QCoreApplication::setApplicationName(QStringLiteral("flatfitfab-cli"));
     QCoreApplication::setApplicationVersion(QStringLiteral(FFF_VERSION));
     const QStringList arguments = QCoreApplication::arguments().mid(1);

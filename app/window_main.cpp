@@ -14,7 +14,12 @@
 #include <QSurfaceFormat>
 #include <QTextStream>
 
+#include <algorithm>
+#include <clocale>
+
 namespace {
+
+const QString kCopy = QStringLiteral("copy"), kPlay = QStringLiteral("play");
 
 void complain(const fff::Error &error)
 {
@@ -37,10 +42,60 @@ void playScript(fff::ui::MainWindow &window, const QString &path)
     player->start();
 }
 
+void nameProgram()
+{
+    QCoreApplication::setApplicationName(QStringLiteral("flatfitfab"));
+    QCoreApplication::setApplicationVersion(QStringLiteral(FFF_VERSION));
+}
+
+/// The options, which --help lists.
+void describe(QCommandLineParser &parser)
+{
+    parser.setApplicationDescription(
+        QCoreApplication::translate("main", "Draws flat parts in 3D and cuts them."));
+    parser.addHelpOption();
+    parser.addVersionOption();
+    parser.addPositionalArgument(
+        QStringLiteral("FILE"),
+        QCoreApplication::translate("main", "The models to open, each in a window."),
+        QStringLiteral("[FILE…]"));
+    parser.addOption({kCopy, QCoreApplication::translate(
+                                 "main", "Opens FILE as a copy: saving asks for a name.")});
+    parser.addOption({kPlay,
+                      QCoreApplication::translate("main", "Plays a script of presses and moves."),
+                      QCoreApplication::translate("main", "SCRIPT")});
+}
+
+/// Whether it is only asked what there is, which needs no display.
+bool asksForHelp(int argc, char *argv[])
+{
+    return std::any_of(argv + std::min(argc, 1), argv + argc, [](const char *text) {
+        const QLatin1String word(text);
+        return word == QLatin1String("--help") || word == QLatin1String("-h") ||
+               word == QLatin1String("--help-all") || word == QLatin1String("--version") ||
+               word == QLatin1String("-v");
+    });
+}
+
+/// Prints the answer and ends the program.
+[[noreturn]] void help(int argc, char *argv[])
+{
+    QCoreApplication application(argc, argv);
+    nameProgram();
+    fff::ui::installTranslations(application);
+    QCommandLineParser parser;
+    describe(parser);
+    if (parser.parse(QCoreApplication::arguments()) && parser.isSet(QStringLiteral("version")))
+        parser.showVersion();
+    parser.showHelp();
+}
+
 } // namespace
 
 int main(int argc, char *argv[])
 {
+    if (asksForHelp(argc, argv))
+        help(argc, argv);
     // Before the application: contexts share this format.
     QSurfaceFormat format;
     format.setVersion(3, 3);
@@ -58,40 +113,24 @@ int main(int argc, char *argv[])
     QCoreApplication::setAttribute(Qt::AA_CompressHighFrequencyEvents, false);
     QApplication::setStyle(new fff::ui::FieldStyle);
     new fff::ui::FocusFrame(application);
-    QApplication::setApplicationName(QStringLiteral("flatfitfab"));
+    nameProgram();
     QApplication::setApplicationDisplayName(QString()); // the window's title names the program
-    QApplication::setApplicationVersion(QStringLiteral(FFF_VERSION));
 
     fff::ui::installTranslations(application);
+    std::setlocale(LC_NUMERIC, "C"); // Qt's numbers follow QLocale; what is C's reads files
 
     QCommandLineParser parser;
-    parser.setApplicationDescription(
-        QApplication::translate("main", "Draws flat parts in 3D and cuts them."));
-    parser.addHelpOption();
-    parser.addVersionOption();
-    parser.addPositionalArgument(
-        QStringLiteral("FILE"),
-        QApplication::translate("main", "The models to open, each in a window."),
-        QStringLiteral("[FILE…]"));
-    const QCommandLineOption copy(
-        QStringLiteral("copy"),
-        QApplication::translate("main", "Opens FILE as a copy: saving asks for a name."));
-    parser.addOption(copy);
-    const QCommandLineOption play(
-        QStringLiteral("play"),
-        QApplication::translate("main", "Plays a script of presses and moves."),
-        QApplication::translate("main", "SCRIPT"));
-    parser.addOption(play);
+    describe(parser);
     parser.process(application);
 
     fff::ui::MainWindow *window = fff::ui::openWindow();
     const QStringList files = parser.positionalArguments();
     if (!files.isEmpty())
-        fff::ui::openFiles(*window, files, parser.isSet(copy));
+        fff::ui::openFiles(*window, files, parser.isSet(kCopy));
     else if (fff::ui::settings().showsStartPage())
         window->showStartPage();
     window->offerRecovered();
-    if (parser.isSet(play))
-        playScript(*window, parser.value(play));
+    if (parser.isSet(kPlay))
+        playScript(*window, parser.value(kPlay));
     return QApplication::exec();
 }

@@ -158,6 +158,8 @@ QString whyNoOutput(const QCommandLineParser &parser)
     if (!parser.isSet(QStringLiteral("output")))
         return tr("-o is missing: the file to write.");
     const QString output = parser.value(QStringLiteral("output"));
+    if (output.isEmpty())
+        return tr("-o: a file needs a name.");
     if (output == QStringLiteral("-") && !parser.isSet(QStringLiteral("format")))
         return tr("With -o - the kind is missing: --format svg, obj or fff.");
     const QString format = formatOf(parser);

@@ -36,6 +36,8 @@ QString readPicture(const QCommandLineParser &parser, Picture &picture)
     if (!parser.isSet(QStringLiteral("output")))
         return tr("-o is missing: the file to write.");
     const QString output = parser.value(QStringLiteral("output"));
+    if (output.isEmpty())
+        return tr("-o: a file needs a name.");
     if (output != QStringLiteral("-") &&
         QFileInfo(output).suffix().toLower() != QStringLiteral("png"))
         return tr("%1 is of no kind that can be written; expected .png.").arg(output);

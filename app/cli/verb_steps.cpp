@@ -41,6 +41,8 @@ QString read(const QCommandLineParser &parser, Wish &wish)
     if (!parser.isSet(QStringLiteral("output")))
         return tr("-o is missing: the file to write.");
     const QString output = parser.value(QStringLiteral("output"));
+    if (output.isEmpty())
+        return tr("-o: a file needs a name.");
     const QString suffix =
         output == QStringLiteral("-") ? kPaper : QFileInfo(output).suffix().toLower();
     if (suffix != kPaper && suffix != kPictures)
@@ -53,7 +55,7 @@ QString read(const QCommandLineParser &parser, Wish &wish)
         return tr("--paper is for .pdf.");
     if (!paper.isEmpty() && paper != QStringLiteral("a4") && paper != QStringLiteral("letter"))
         return tr("--paper: found \"%1\", expected a4 or letter.").arg(paper);
-    wish.files.paper.size = paper.isEmpty()                 ? ui::StepsPaper::usualSize(QLocale())
+    wish.files.paper.size = paper.isEmpty() ? ui::StepsPaper::usualSize(QLocale::system())
                             : paper == QStringLiteral("a4") ? QPageSize::A4
                                                             : QPageSize::Letter;
     const QString reason = readPictureOptions(parser, wish.picture);

@@ -4,8 +4,8 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <charconv>
 #include <cmath>
-#include <cstdlib>
 #include <optional>
 #include <string>
 
@@ -89,10 +89,11 @@ public:
 private:
     double number()
     {
-        const std::string rest(m_at.substr(0, m_at.find_first_of("mlhvc")));
-        char *end = nullptr;
-        const double value = std::strtod(rest.c_str(), &end);
-        m_at.remove_prefix(static_cast<std::size_t>(end - rest.c_str()));
+        m_at.remove_prefix(std::min(m_at.find_first_not_of(' '), m_at.size()));
+        double value = 0.0; // with a point in it, whatever the person's country writes
+        const auto [end, error] = std::from_chars(m_at.data(), m_at.data() + m_at.size(), value);
+        if (error == std::errc())
+            m_at.remove_prefix(static_cast<std::size_t>(end - m_at.data()));
         return value;
     }
     Vec2 point()

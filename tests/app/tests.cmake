@@ -9,7 +9,12 @@ if(UNIX) # what the verbs print is caught
     target_compile_definitions(tst_faults PRIVATE
         FFF_SAMPLES="${CMAKE_SOURCE_DIR}/resources/samples")
 endif()
+fff_test(app/tst_cli_input fff::io)
+target_compile_definitions(tst_cli_input PRIVATE FFF_CLI="$<TARGET_FILE:flatfitfab-cli>")
+add_dependencies(tst_cli_input flatfitfab-cli)
 if(FFF_BUILD_WINDOW)
+    target_compile_definitions(tst_cli_input PRIVATE FFF_PROGRAM="$<TARGET_FILE:flatfitfab>")
+    add_dependencies(tst_cli_input flatfitfab)
     if(UNIX)
         fff_test(app/tst_faults_in_pictures fff_cli)
         set_tests_properties(app/tst_faults_in_pictures PROPERTIES LABELS gl
