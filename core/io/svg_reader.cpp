@@ -25,6 +25,9 @@ namespace {
 /// `use` inside `use`, and groups inside groups, so deep.
 constexpr int kDeepest = 256;
 
+/// An element takes as long as so many points, if it draws nothing.
+constexpr std::size_t kElementPoints = 4;
+
 constexpr double kMillimetresPerPixel = 25.4 / 96.0;
 
 /// What goes on from an element to those in it.
@@ -251,7 +254,7 @@ void Reader::element(const pugi::xml_node &node, State state)
     }
     static const std::set<std::string> kGroups{"image", "g", "a", "switch", "svg", "use"};
     const std::string name = localName(node);
-    m_source.count(node, 1);
+    m_source.count(node, kElementPoints);
     const bool isDrawn = kShapes.contains(name) || isText(name) || kGroups.contains(name);
     if (!isDrawn || m_source.property(node, "display") == "none")
         return;
