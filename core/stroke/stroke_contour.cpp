@@ -41,10 +41,13 @@ Result<ResolvedContour> withoutCrossings(const Contour &contour)
         return resolveCrossings(contour);
     if (isPlain(contour, {}, kCutChord))
         return ResolvedContour{contour, false, {}, false};
-    std::vector<CurvedRegion> regions = windingRegions({contour}, WindingRule::NonZero, kCutChord);
-    if (regions.empty())
+    Result<std::vector<CurvedRegion>> regions =
+        windingRegions({contour}, WindingRule::NonZero, kCutChord);
+    if (!regions)
+        return tl::unexpected(regions.error());
+    if (regions->empty())
         return failure(ErrorCode::EmptyContour);
-    return ResolvedContour{std::move(regions.front().outer), true, {}, false};
+    return ResolvedContour{std::move(regions->front().outer), true, {}, false};
 }
 
 /// The largest region of the closed chain, if it is one to speak of.
