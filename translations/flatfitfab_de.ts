@@ -491,6 +491,10 @@
         <source>Operation failed</source>
         <translation>Operation gescheitert</translation>
     </message>
+    <message>
+        <source>Slit %1 is closed by the kerf of %2. Give the stock&apos;s slits more clearance, or less kerf.</source>
+        <translation>Schlitz %1 wird von der Schnittfuge von %2 geschlossen. Geben Sie den Schlitzen des Materials mehr Spiel oder eine schmalere Schnittfuge.</translation>
+    </message>
 </context>
 <context>
     <name>CommandLine</name>
@@ -1089,6 +1093,22 @@
     <message>
         <source>places where a line may cross itself</source>
         <translation>Stellen, an denen eine Linie sich kreuzen kann</translation>
+    </message>
+    <message>
+        <source>no path runs round this outline at half the kerf everywhere</source>
+        <translation>um diesen Umriss führt kein Weg überall im Abstand der halben Schnittfuge</translation>
+    </message>
+    <message>
+        <source>no path runs round %1 at half the kerf of %2 mm everywhere; smooth what is finest in its contour, or give its stock another kerf</source>
+        <translation>um %1 führt kein Weg überall im Abstand der halben Schnittfuge von %2 mm; glätten Sie das Feinste an der Kontur, oder geben Sie dem Material eine andere Schnittfuge</translation>
+    </message>
+    <message>
+        <source>the kerf closes a slit</source>
+        <translation>die Schnittfuge schließt einen Schlitz</translation>
+    </message>
+    <message>
+        <source>a slit of %1 is %2 mm wide and would be closed, expected more than the kerf of %3 mm</source>
+        <translation>ein Schlitz von %1 ist %2 mm breit und würde geschlossen, erwartet wird mehr als die Schnittfuge von %3 mm</translation>
     </message>
 </context>
 <context>
@@ -2348,10 +2368,6 @@
     <message>
         <source>Parts: %1, sheets: %2, %3 % used.</source>
         <translation>Teile: %1, Platten: %2, %3 % genutzt.</translation>
-    </message>
-    <message>
-        <source>The kerf is as wide as the slits and closes them: %1</source>
-        <translation>Die Schnittfuge ist so breit wie die Schlitze und schließt sie: %1</translation>
     </message>
     <message>
         <source>svg, obj or fff, where the file&apos;s name does not tell.</source>
@@ -4802,10 +4818,6 @@
     <message>
         <source>%1 is too slim to carry its number.</source>
         <translation>%1 ist zu schmal für seine Nummer.</translation>
-    </message>
-    <message>
-        <source>The kerf is as wide as the slits of %1: they would be closed.</source>
-        <translation>Die Schnittfuge ist so breit wie die Schlitze von %1: Sie wären zu.</translation>
     </message>
     <message>
         <source>Drawings for cutters, one for each sheet (*.svg)</source>

@@ -110,10 +110,6 @@ int writeCuttingFile(const QCommandLineParser &parser, const Document &document,
         err << tr("Too large for the sheet, on sheets of their own: %1")
                    .arg(joined(file->oversized))
             << Qt::endl;
-    if (!file->closedSlits.empty())
-        err << tr("The kerf is as wide as the slits and closes them: %1")
-                   .arg(joined(file->closedSlits))
-            << Qt::endl;
     if (!file->unmarked.empty())
         err << tr("Too slim to carry a number: %1").arg(joined(file->unmarked)) << Qt::endl;
     if (!file->unmarkedJoints.empty())

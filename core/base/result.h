@@ -29,6 +29,9 @@ enum class ErrorCode {
     SelfCrossing,     // a contour crosses itself where that is not allowed
     BoundariesMeet,   // a hole meets the contour or another hole, or leaves the contour
     TooFewPoints,     // a contour would keep too few control points to enclose anything
+    CannotOffset,     // no path runs round an outline at the kerf's half everywhere; args: section,
+                      // kerf
+    ClosedSlit,       // a slit that the kerf closes; args: section, the slit's width, the kerf
     TooLarge,         // a part that fits no sheet; args: part, its size, the sheet's size
     NothingToExport,  // no section, so no part
     UnknownCommand,   // args: the command's id

@@ -11,6 +11,8 @@ inline constexpr double kResolveChord = 4e-4;
 inline constexpr double kDrawChord = 0.05;
 /// Largest distance of a fitted curve from the offset curve that it stands for.
 inline constexpr double kOffsetError = 0.002;
+/// By how much a tool that follows its path may enter a part, or stay away from it.
+inline constexpr double kSweepError = 0.005;
 
 /// Booleans snap their input to this grid: 1 nm.
 inline constexpr double kClipGrid = 1e-6;

@@ -142,6 +142,19 @@ Result<std::vector<CurvedRegion>> withTabs(std::vector<CurvedRegion> pieces,
     return windingRegions(all, WindingRule::Positive, chord);
 }
 
+Result<CutSection::Paths> compensatedParts(const std::vector<CurvedRegion> &parts, double kerf)
+{
+    std::vector<CurvedRegion> paths;
+    paths.reserve(parts.size());
+    for (const CurvedRegion &part : parts) {
+        Result<CurvedRegion> path = compensateKerf(part, kerf);
+        if (!path)
+            return tl::unexpected(std::move(path.error()));
+        paths.push_back(std::move(*path));
+    }
+    return std::make_shared<const std::vector<CurvedRegion>>(std::move(paths));
+}
+
 } // namespace
 
 Result<std::vector<CurvedRegion>> cutShape(const Shape &shape, const std::vector<Slit> &slits,
@@ -225,15 +238,11 @@ const Moments &CutSection::moments() const
     return m_moments;
 }
 
-std::shared_ptr<const std::vector<CurvedRegion>> CutSection::compensated(double kerf) const
+Result<CutSection::Paths> CutSection::compensated(double kerf) const
 {
     const std::lock_guard lock(m_compensatedMutex);
-    if (!m_compensated || m_compensatedKerf != kerf) {
-        std::vector<CurvedRegion> parts;
-        parts.reserve(m_parts.size());
-        for (const CurvedRegion &part : m_parts)
-            parts.push_back(compensateKerf(part, kerf));
-        m_compensated = std::make_shared<const std::vector<CurvedRegion>>(std::move(parts));
+    if ((m_compensated && !*m_compensated) || m_compensatedKerf != kerf) {
+        m_compensated = compensatedParts(m_parts, kerf);
         m_compensatedKerf = kerf;
     }
     return m_compensated;

@@ -67,17 +67,17 @@ public:
     double area() const;
     /// Of all parts together, exact for the curves. Computed at first use, as the triangles.
     const Moments &moments() const;
-    /// The parts as compensateKerf makes them, in the same order. Kept for the kerf that was asked
-    /// for last, for checks, export and every edit elsewhere; from any thread.
-    /// kerf   above 0, mm
-    std::shared_ptr<const std::vector<CurvedRegion>> compensated(double kerf) const;
+    /// The parts as compensateKerf makes them, in the same order, or why one cannot be. Kept for
+    /// the kerf that was asked for last; from any thread. kerf   above 0, mm
+    using Paths = std::shared_ptr<const std::vector<CurvedRegion>>;
+    Result<Paths> compensated(double kerf) const;
 
 private:
     std::vector<CurvedRegion> m_parts;
     std::vector<SlitNotch> m_notches; // of all slits, or empty
     mutable std::mutex m_compensatedMutex;
     mutable double m_compensatedKerf = 0.0;
-    mutable std::shared_ptr<const std::vector<CurvedRegion>> m_compensated;
+    mutable Result<Paths> m_compensated; // null: not asked for yet
     mutable std::once_flag m_once, m_treesOnce, m_momentsOnce;
     mutable Moments m_moments;
     mutable Result<std::vector<Triangulation>> m_triangulations;

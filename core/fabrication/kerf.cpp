@@ -2,24 +2,43 @@
 
 #include "core/geometry/offset.h"
 
+#include <array>
+#include <charconv>
+
 namespace fff {
 
-CurvedRegion compensateKerf(const CurvedRegion &region, double kerf)
+Result<CurvedRegion> compensateKerf(const CurvedRegion &region, double kerf)
 {
     return kerf > 0.0 ? grow(region, 0.5 * kerf) : region;
 }
 
-std::vector<Part> compensateKerf(std::vector<Part> parts, const Model &model,
-                                 const std::vector<CutSectionPointer> &cuts)
+Result<std::vector<Part>> compensateKerf(std::vector<Part> parts, const Model &model,
+                                         const std::vector<CutSectionPointer> &cuts)
 {
     std::size_t ofSection = 0;
     for (std::size_t i = 0; i < parts.size(); ++i) {
         const auto section = static_cast<std::size_t>(parts[i].section);
         ofSection = i > 0 && parts[i - 1].section == parts[i].section ? ofSection + 1 : 0;
-        if (const double kerf = model.stockOf(section).kerf; kerf > 0.0)
-            parts[i].outline = (*cuts[section]->compensated(kerf))[ofSection];
+        const double kerf = model.stockOf(section).kerf;
+        if (!(kerf > 0.0))
+            continue;
+        const auto outlines = cuts[section]->compensated(kerf);
+        if (!outlines) {
+            Error error = outlines.error();
+            error.args = {model.section(section)->name, millimetres(kerf)};
+            return tl::unexpected(std::move(error));
+        }
+        parts[i].outline = (**outlines)[ofSection];
     }
     return parts;
+}
+
+std::string millimetres(double length)
+{
+    std::array<char, 32> text{};
+    const auto end =
+        std::to_chars(text.data(), text.data() + text.size(), length, std::chars_format::fixed, 2);
+    return std::string(text.data(), end.ptr);
 }
 
 } // namespace fff

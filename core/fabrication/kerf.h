@@ -9,11 +9,16 @@ namespace fff {
 /// by half the kerf, holes inwards. A slit is part of the outer boundary and becomes narrower by
 /// the kerf.
 /// kerf   full width of the cut, mm; 0 (or less) gives the region back untouched
-CurvedRegion compensateKerf(const CurvedRegion &region, double kerf);
+/// Errors  CannotOffset, see grow().
+Result<CurvedRegion> compensateKerf(const CurvedRegion &region, double kerf);
 
 /// The parts with their outlines compensated for the kerf of each one's stock. Marks stay.
 /// parts   all that makeParts makes of these cuts, in its order; the cuts keep the outlines
-std::vector<Part> compensateKerf(std::vector<Part> parts, const Model &model,
-                                 const std::vector<CutSectionPointer> &cuts);
+/// Errors  CannotOffset, with the name of the first section that has a part without a path.
+Result<std::vector<Part>> compensateKerf(std::vector<Part> parts, const Model &model,
+                                         const std::vector<CutSectionPointer> &cuts);
+
+/// A length for the arguments of an error: millimetres to two digits.
+std::string millimetres(double length);
 
 } // namespace fff

@@ -1,196 +1,221 @@
 #include "core/geometry/offset.h"
 
 #include "core/base/tolerances.h"
+#include "core/geometry/curve_recovery.h"
+#include "core/geometry/raw_offset.h"
+#include "core/geometry/swept_disc.h"
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 namespace fff {
 
 namespace {
 
-// Halvings of one segment before what is left of it is bridged by a straight line; what is left is
-// then a cusp.
-constexpr int kMaxHalvings = 10;
-// A mitre reaches at most this many distances from its corner (SVG and Clipper cut off at a like
-// ratio); a right angle needs 1.41.
-constexpr double kMitreLimit = 2.5;
-// Sine of the angle below which a boundary that turns back is a cusp, and the share of the curve's
-// parameter from its tip at which its sides are told apart.
-constexpr double kCuspSine = 1e-6;
-constexpr double kBesideTip = 1.0 / 64.0;
+// Each refines what the one before left faulty, and goes a little farther out: walls that lie as
+// far from each other as the disc is wide are no way in then.
+constexpr int kMaxTries = 6;
+constexpr double kFartherOut = 1e-4; // mm, after the second try
+constexpr double kRefinement = 0.25;
+// Voids that the disc goes into with less play, in mm, have no path of their own; those of less
+// than the second one have chords.
+constexpr double kLeastPlay = 5e-4, kLeastCurved = 0.02;
+// Curves this near to a fault, beyond the distance, in mm, are taken to have a share in it.
+constexpr double kBesideFault = 0.1;
 
-/// Right of the direction: away from the material.
-Vec2 rightOf(const Vec2 &direction)
+Box2 boxOf(const CubicBezier &curve)
 {
-    return -perpendicular(direction);
+    Box2 box;
+    for (const Vec2 &p : {curve.p0, curve.p1, curve.p2, curve.p3})
+        box.extend(p);
+    return box;
 }
 
-/// Unit tangent, also where the handle lies on the end point: there the next derivative that does
-/// not vanish has it. Nothing for a segment that is a point.
-std::optional<Vec2> tangent(const CubicBezier &curve, double t)
+std::vector<const Contour *> boundariesOf(const CurvedRegion &region)
 {
-    const double size = std::max(
-        {(curve.p1 - curve.p0).norm(), (curve.p2 - curve.p0).norm(), (curve.p3 - curve.p0).norm()});
-    if (const Vec2 d = curve.derivative(t); d.norm() > kParallelSine * size)
-        return d.normalized();
-    // Towards the inside of the parameter range, and always forwards.
-    const double side = t < 0.5 ? 1.0 : -1.0;
-    if (const Vec2 d = side * curve.secondDerivative(t); d.norm() > kParallelSine * size)
-        return d.normalized();
-    const Vec2 chord = curve.p3 - curve.p0;
-    if (chord.isZero())
-        return std::nullopt;
-    return chord.normalized();
+    std::vector<const Contour *> all{&region.outer};
+    for (const Contour &hole : region.holes)
+        all.push_back(&hole);
+    return all;
 }
 
-/// Appends cubics for the offset of the curve between two parameters: Hermite pieces with the exact
-/// ends and derivatives o' = c' (1 + distance · curvature). The curve itself is reproduced, so the
-/// error is only that of the normal, times the distance.
-void appendOffset(std::vector<CubicBezier> &pieces, const CubicBezier &curve, double distance,
-                  double from, double to, int halvings)
+/// How far a point may move in the ring, mm, at most: what lies in a ring is as wide as that or
+/// half of it.
+double playOf(const Polygon &ring)
 {
-    const auto direction = [&](double t) { return tangent(curve, t).value_or(Vec2::UnitX()); };
-    const auto point = [&](double t) -> Vec2 {
-        return curve.at(t) + distance * rightOf(direction(t));
-    };
-    const auto derivative = [&](double t) -> Vec2 {
-        const Vec2 d = curve.derivative(t);
-        const double speed = d.norm();
-        const double turn = cross(d, curve.secondDerivative(t)) / (speed * speed * speed);
-        return d * (1.0 + distance * (std::isfinite(turn) ? turn : 0.0));
-    };
-    const double step = (to - from) / 3.0;
-    const Vec2 start = point(from), end = point(to);
-    const CubicBezier piece{start, start + step * derivative(from), end - step * derivative(to),
-                            end};
-    bool isNear = true;
-    for (double u : {0.2, 0.4, 0.6, 0.8})
-        isNear = isNear && (piece.at(u) - point(from + u * (to - from))).norm() <= kOffsetError;
-    if (isNear) {
-        pieces.push_back(piece);
-    } else if (halvings == kMaxHalvings) {
-        pieces.push_back(CubicBezier::line(start, end));
-    } else {
-        const double middle = 0.5 * (from + to);
-        appendOffset(pieces, curve, distance, from, middle, halvings + 1);
-        appendOffset(pieces, curve, distance, middle, to, halvings + 1);
+    double length = 0.0;
+    for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++)
+        length += (ring[i] - ring[j]).norm();
+    return length > 0.0 ? 2.0 * std::abs(signedArea(ring)) / length : 0.0;
+}
+
+class Grower
+{
+public:
+    Grower(const CurvedRegion &region, double distance)
+        : m_region(region), m_distance(distance), m_error(std::min(kOffsetError, 0.1 * distance)),
+          m_chord(0.5 * m_error), m_boundaries(boundariesOf(region))
+    {
+        for (const Contour *boundary : m_boundaries) {
+            const auto count = static_cast<std::size_t>(boundary->segmentCount());
+            m_styles.push_back({std::vector<double>(count, 0.0), std::vector<char>(count, 0)});
+        }
     }
-}
 
-/// A segment's offset with the directions in which it begins and ends.
-struct OffsetSegment
-{
-    CubicBezier source;
-    std::vector<CubicBezier> pieces;
-    Vec2 first = Vec2::UnitX(), last = Vec2::UnitX();
-    bool isStraight = false;
+    Result<CurvedRegion> grown()
+    {
+        for (int i = 0; i < kMaxTries; ++i) {
+            m_farther = std::max(0, i - 1) * std::min(kFartherOut, 0.01 * m_distance);
+            Result<CurvedRegion> result = attempt();
+            if (!result)
+                return result;
+            const std::vector<SweepFault> faults = sweepFaults(m_region, *result, m_distance);
+            if (faults.empty())
+                return result;
+            for (const SweepFault &fault : faults)
+                giveWay(fault);
+            m_chord *= kRefinement;
+        }
+        return failure(ErrorCode::CannotOffset);
+    }
+
+private:
+    Result<CurvedRegion> attempt();
+    static Result<CurvedRegion> withCurves(const std::vector<SourceRing> &sources, const ClipGrid &grid,
+                                   const GridRegion &region);
+    void giveWay(const SweepFault &fault);
+    bool makeRound(const Vec2 &at);
+    void refine(const Vec2 &at);
+
+    const CurvedRegion &m_region;
+    double m_distance, m_error, m_chord, m_farther = 0.0;
+    std::vector<const Contour *> m_boundaries;
+    std::vector<OffsetStyle> m_styles; // of each
+    std::vector<RawOffset> m_offsets;  // of each, of the last attempt
 };
 
-std::vector<OffsetSegment> offsetSegments(const Contour &contour, double distance)
+Result<CurvedRegion> Grower::attempt()
 {
-    std::vector<OffsetSegment> result;
-    for (int i = 0; i < contour.segmentCount(); ++i) {
-        const CubicBezier curve = contour.segment(i);
-        OffsetSegment next;
-        next.source = curve;
-        next.isStraight = curve.isStraight(kClipGrid);
-        const Vec2 chord = curve.p3 - curve.p0;
-        if (next.isStraight) {
-            if (chord.norm() <= kClipGrid)
-                continue;
-            next.first = next.last = chord.normalized();
-            const Vec2 shift = distance * rightOf(next.first);
-            next.pieces.push_back(CubicBezier::line(curve.p0 + shift, curve.p3 + shift));
-        } else {
-            next.first = tangent(curve, 0.0).value_or(Vec2::UnitX());
-            next.last = tangent(curve, 1.0).value_or(Vec2::UnitX());
-            appendOffset(next.pieces, curve, distance, 0.0, 1.0, 0);
+    m_offsets.clear();
+    Box2 box;
+    for (std::size_t i = 0; i < m_boundaries.size(); ++i) {
+        Result<RawOffset> offset =
+            rawOffset(*m_boundaries[i], m_distance + m_farther, m_error, m_styles[i]);
+        if (!offset)
+            return tl::unexpected(offset.error());
+        box.extend(offset->contour.bounds());
+        m_offsets.push_back(std::move(*offset));
+    }
+    const ClipGrid grid(box);
+    std::vector<SourceRing> sources;
+    std::vector<GridRing> rings;
+    for (const RawOffset &offset : m_offsets) {
+        sources.push_back(makeSourceRing(offset.contour, m_chord, grid, false));
+        rings.push_back(sources.back().snapped);
+    }
+    const Result<std::vector<GridRegion>> regions = clip(rings, Winding::Positive, {});
+    if (!regions)
+        return tl::unexpected(regions.error());
+    if (regions->empty())
+        return failure(ErrorCode::CannotOffset);
+    return withCurves(sources, grid,
+                      *std::max_element(regions->begin(), regions->end(),
+                                        [](const GridRegion &a, const GridRegion &b) {
+                                            return area(a) < area(b);
+                                        }));
+}
+
+Result<CurvedRegion> Grower::withCurves(const std::vector<SourceRing> &sources,
+                                        const ClipGrid &grid, const GridRegion &region)
+{
+    std::vector<GridRing> rings{region.outer};
+    for (const GridRing &hole : region.holes)
+        if (playOf(grid.positions(hole)) >= kLeastPlay)
+            rings.push_back(hole);
+    Result<std::vector<RecoveredRing>> recovered = recoverCurves(sources, grid, rings);
+    if (!recovered)
+        return tl::unexpected(recovered.error());
+    CurvedRegion result;
+    for (RecoveredRing &ring : *recovered) {
+        if (const double play = playOf(ring.chords); play < kLeastCurved) {
+            if (auto chords = Contour::fromPolygon(ring.contour.polygon(play / 16.0)))
+                ring.contour = std::move(*chords);
         }
-        result.push_back(std::move(next));
+        if (result.outer.segmentCount() == 0) {
+            result.outer = std::move(ring.contour);
+            result.region.outer = std::move(ring.chords);
+        } else {
+            result.holes.push_back(std::move(ring.contour));
+            result.region.holes.push_back(std::move(ring.chords));
+        }
     }
     return result;
 }
 
-/// Whether the boundary turns left from a to b. Where it turns back on itself, at the tip of a
-/// cusp, the tangents do not tell; points a little away from the tip do.
-bool turnsLeft(const OffsetSegment &a, const OffsetSegment &b)
+void Grower::giveWay(const SweepFault &fault)
 {
-    const double sine = cross(a.last, b.first);
-    if (a.last.dot(b.first) > 0.0 || std::abs(sine) > kCuspSine)
-        return sine > 0.0;
-    const Vec2 tip = a.source.p3;
-    return cross(tip - a.source.at(1.0 - kBesideTip), b.source.at(kBesideTip) - tip) >= 0.0;
+    if (fault.kind != SweepFault::Kind::NotReached || !makeRound(fault.at))
+        refine(fault.at);
 }
 
-/// Corners of the mitre on the way round a corner that turns left, in order; none where the
-/// boundary turns right or goes smoothly on.
-std::vector<Vec2> mitre(const OffsetSegment &a, const OffsetSegment &b, double distance)
+/// Mitres that may cover the place. Whether there are any, or were.
+bool Grower::makeRound(const Vec2 &at)
 {
-    if (!turnsLeft(a, b))
-        return {};
-    const double sine = std::abs(cross(a.last, b.first)), cosine = a.last.dot(b.first);
-    const Vec2 end = a.pieces.back().p3, start = b.pieces.front().p0;
-    const double half = 0.5 * std::atan2(sine, cosine);
-    if (std::cos(half) * kMitreLimit >= 1.0)
-        return {end + distance * std::tan(half) * a.last};
-    const double reach = distance * std::tan(0.5 * half);
-    return {end + reach * a.last, start - reach * b.first};
+    bool isCovered = false;
+    for (std::size_t i = 0; i < m_offsets.size(); ++i) {
+        for (const RawOffset::Mitre &mitre : m_offsets[i].mitres) {
+            if ((mitre.corner - at).norm() > kMitreLimit * m_distance + kSweepError)
+                continue;
+            m_styles[i].isRound[static_cast<std::size_t>(mitre.segment)] = 1;
+            isCovered = true;
+        }
+    }
+    return isCovered;
 }
 
-/// Straight edges from the end of a's offset to the start of b's. A straight neighbour goes on to
-/// the mitre's corner instead.
-std::vector<CubicBezier> joinSegments(OffsetSegment &a, OffsetSegment &b, double distance)
+/// Chords in place of curves, or finer ones.
+void Grower::refine(const Vec2 &at)
 {
-    Vec2 &start = b.pieces.front().p0;
-    Vec2 &end = a.pieces.back().p3;
-    if ((start - end).norm() <= kClipGrid)
-        return {};
-    std::vector<Vec2> way = mitre(a, b, distance);
-    if (!way.empty()) {
-        const Vec2 first = way.front(), last = way.back();
-        if (a.isStraight)
-            a.pieces.back() = CubicBezier::line(a.pieces.back().p0, first);
-        if (b.isStraight)
-            b.pieces.front() = CubicBezier::line(last, b.pieces.front().p3);
+    const double reach = kMitreLimit * m_distance + kBesideFault;
+    for (std::size_t i = 0; i < m_boundaries.size(); ++i) {
+        for (int k = 0; k < m_boundaries[i]->segmentCount(); ++k) {
+            Box2 box = boxOf(m_boundaries[i]->segment(k));
+            box.min.array() -= reach;
+            box.max.array() += reach;
+            // As fine as everything else in the next attempt, so that no fault refines it twice.
+            if (!box.contains(at))
+                continue;
+            m_styles[i].chords[static_cast<std::size_t>(k)] = kRefinement * m_chord;
+            m_styles[i].arcChord = kRefinement * m_chord;
+        }
     }
-    way.insert(way.begin(), end);
-    way.push_back(start);
-    std::vector<CubicBezier> join;
-    for (std::size_t i = 1; i < way.size(); ++i) {
-        if ((way[i] - way[i - 1]).norm() > kClipGrid)
-            join.push_back(CubicBezier::line(way[i - 1], way[i]));
-    }
-    return join;
-}
-
-Contour rawOffset(const Contour &contour, double distance)
-{
-    std::vector<OffsetSegment> segments = offsetSegments(contour, distance);
-    std::vector<std::vector<CubicBezier>> joins;
-    for (std::size_t i = 0; i < segments.size(); ++i)
-        joins.push_back(joinSegments(segments[i], segments[(i + 1) % segments.size()], distance));
-    std::vector<CubicBezier> chain;
-    for (std::size_t i = 0; i < segments.size(); ++i) {
-        chain.insert(chain.end(), segments[i].pieces.begin(), segments[i].pieces.end());
-        chain.insert(chain.end(), joins[i].begin(), joins[i].end());
-    }
-    return Contour::fromSegments(chain).value_or(Contour());
 }
 
 } // namespace
 
-CurvedRegion grow(const CurvedRegion &region, double distance)
+Result<CurvedRegion> grow(const CurvedRegion &region, double distance)
 {
     if (distance == 0.0)
         return region;
-    std::vector<Contour> boundaries{rawOffset(region.outer, distance)};
-    for (const Contour &hole : region.holes)
-        boundaries.push_back(rawOffset(hole, distance));
-    Result<std::vector<CurvedRegion>> grown =
-        windingRegions(boundaries, WindingRule::Positive, kCutChord);
-    return !grown || grown->empty() ? region : std::move(grown->front());
+    return Grower(region, distance).grown();
+}
+
+Result<CurvedRegion> growLoosely(const CurvedRegion &region, double distance)
+{
+    if (distance == 0.0)
+        return region;
+    const double error = std::min(kOffsetError, 0.1 * distance);
+    CurvedRegion result;
+    for (const Contour *boundary : boundariesOf(region)) {
+        Result<RawOffset> offset = rawOffset(*boundary, distance, error);
+        if (!offset)
+            return tl::unexpected(offset.error());
+        if (result.outer.segmentCount() == 0)
+            result.outer = std::move(offset->contour);
+        else if (offset->contour.signedArea() < 0.0)
+            result.holes.push_back(std::move(offset->contour));
+    }
+    return result;
 }
 
 } // namespace fff

@@ -95,6 +95,19 @@ bool anyPair(const std::vector<Edge> &edges, Test test)
     return false;
 }
 
+/// Beyond what neighbours have in common.
+bool doMeet(const Edge &a, const Edge &b, std::span<const GridRing> rings)
+{
+    if (a.ring != b.ring)
+        return edgesMeet(a, b);
+    const std::size_t size = rings[static_cast<std::size_t>(a.ring)].size();
+    const std::size_t afterA = a.index + 1 < size ? a.index + 1 : 0;
+    const std::size_t afterB = b.index + 1 < size ? b.index + 1 : 0;
+    if (afterA == b.index)
+        return turnsBack(a, b);
+    return afterB == a.index ? turnsBack(b, a) : edgesMeet(a, b);
+}
+
 } // namespace
 
 bool isSimple(const GridRing &ring)
@@ -104,26 +117,28 @@ bool isSimple(const GridRing &ring)
 
 bool areSimpleAndApart(std::span<const GridRing> rings)
 {
+    return !firstMeeting(rings);
+}
+
+std::optional<GridPoint> firstMeeting(std::span<const GridRing> rings)
+{
     std::size_t count = 0;
     for (const GridRing &ring : rings) {
         if (ring.size() < 3)
-            return false;
+            return ring.empty() ? GridPoint() : ring.front();
         count += ring.size();
     }
     std::vector<Edge> edges;
     edges.reserve(count);
     for (std::size_t i = 0; i < rings.size(); ++i)
         addEdges(rings[i], static_cast<int>(i), isSweptAlongX(rings.front()), edges);
-    return !anyPair(edges, [&rings](const Edge &a, const Edge &b) {
-        if (a.ring != b.ring)
-            return edgesMeet(a, b);
-        const std::size_t size = rings[static_cast<std::size_t>(a.ring)].size();
-        const std::size_t afterA = a.index + 1 < size ? a.index + 1 : 0;
-        const std::size_t afterB = b.index + 1 < size ? b.index + 1 : 0;
-        if (afterA == b.index)
-            return turnsBack(a, b);
-        return afterB == a.index ? turnsBack(b, a) : edgesMeet(a, b);
+    std::optional<GridPoint> meeting;
+    anyPair(edges, [&](const Edge &a, const Edge &b) {
+        if (doMeet(a, b, rings))
+            meeting = a.high - a.low < b.high - b.low ? a.from : b.from; // of the shorter one
+        return meeting.has_value();
     });
+    return meeting;
 }
 
 bool meet(const GridRing &a, const GridRing &b)

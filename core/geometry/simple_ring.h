@@ -3,6 +3,7 @@
 
 #include "core/geometry/clip_grid.h"
 
+#include <optional>
 #include <span>
 
 namespace fff {
@@ -16,6 +17,9 @@ bool isSimple(const GridRing &ring);
 
 /// The same of each of several rings, and that no two of them have a point in common.
 bool areSimpleAndApart(std::span<const GridRing> rings);
+
+/// A place where that is not so, near enough to look there; nothing where it is.
+std::optional<GridPoint> firstMeeting(std::span<const GridRing> rings);
 
 /// Whether edges of two rings have a point in common. Exact; the same cost.
 bool meet(const GridRing &a, const GridRing &b);

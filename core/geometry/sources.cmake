@@ -26,6 +26,7 @@ target_sources(fff_core PRIVATE
     geometry/point_removal.cpp
     geometry/polygon.cpp
     geometry/radial_contour.cpp
+    geometry/raw_offset.cpp
     geometry/region_tree.cpp
     geometry/ring_nesting.cpp
     geometry/sampled_line.cpp
@@ -38,6 +39,7 @@ target_sources(fff_core PRIVATE
     geometry/source_edges.cpp
     geometry/stretch.cpp
     geometry/sweep_triangulation.cpp
+    geometry/swept_disc.cpp
     geometry/symmetrised.cpp
     geometry/tangle.cpp
     geometry/triangulation.cpp

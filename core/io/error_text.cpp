@@ -86,6 +86,24 @@ QString tooLarge(const Args &args)
         .arg(verbatim(args, 0), verbatim(args, 1), verbatim(args, 2));
 }
 
+QString cannotOffset(const Args &args)
+{
+    if (args.size() < 2)
+        return Words::tr("no path runs round this outline at half the kerf everywhere");
+    return Words::tr("no path runs round %1 at half the kerf of %2 mm everywhere; smooth what is "
+                     "finest in its contour, or give its stock another kerf")
+        .arg(verbatim(args, 0), verbatim(args, 1));
+}
+
+QString closedSlit(const Args &args)
+{
+    if (args.size() < 3)
+        return Words::tr("the kerf closes a slit");
+    return Words::tr("a slit of %1 is %2 mm wide and would be closed, expected more than the kerf "
+                     "of %3 mm")
+        .arg(verbatim(args, 0), verbatim(args, 1), verbatim(args, 2));
+}
+
 QString ofSection(const Args &args, const QString &withName, const QString &without)
 {
     return args.empty() || args[0].empty() ? without : withName.arg(verbatim(args, 0));
@@ -138,6 +156,10 @@ QString errorSentence(const Error &error)
         return Words::tr("a hole would not lie inside the contour by itself");
     case ErrorCode::TooFewPoints:
         return Words::tr("too few points would be left to enclose anything");
+    case ErrorCode::CannotOffset:
+        return cannotOffset(args);
+    case ErrorCode::ClosedSlit:
+        return closedSlit(args);
     case ErrorCode::TooLarge:
         return tooLarge(args);
     case ErrorCode::NothingToExport:

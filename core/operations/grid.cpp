@@ -257,8 +257,12 @@ private:
         outline.insert(outline.end(), giver.holes.begin(), giver.holes.end());
         const auto with = m_context.made(windingRegions(outline, WindingRule::Positive, kCutChord));
         CurvedRegion room{knob, {}, {}};
-        if (m_clearance > 0.0)
-            room = grow(room, m_clearance);
+        if (m_clearance > 0.0) {
+            auto grown = m_context.made(grow(room, m_clearance));
+            if (!grown)
+                return;
+            room = *std::move(grown);
+        }
         const auto without =
             m_context.made(subtractContours(taker.outer, taker.holes, {room.outer}, kCutChord));
         if (!with || !without || with->empty() || without->empty())

@@ -1,5 +1,6 @@
 #include "core/session/check_caches.h"
 
+#include "core/geometry/offset.h"
 #include "core/session/gap.h"
 
 namespace fff {
@@ -32,15 +33,12 @@ bool refresh(const Analysis &analysis, int section, const LayoutOptions &options
         now.contacts.push_back(contactOf(slab));
         now.box.extend(boundsOf(slab));
     }
-    const auto addSizes = [&](const std::vector<CurvedRegion> &outlines) {
-        for (const CurvedRegion &outline : outlines)
-            now.sizes.push_back(
-                std::make_shared<const OutlineSize>(sizeOf(outline, now.room, now.turnsFreely)));
-    };
-    if (now.kerf > 0.0)
-        addSizes(*now.cut->compensated(now.kerf));
-    else
-        addSizes(now.cut->parts());
+    for (const CurvedRegion &part : now.cut->parts()) {
+        // What has no offset is too near to the largest coordinate to have a size of its own.
+        const CurvedRegion outline = growLoosely(part, 0.5 * now.kerf).value_or(part);
+        now.sizes.push_back(
+            std::make_shared<const OutlineSize>(sizeOf(outline, now.room, now.turnsFreely)));
+    }
     known = std::move(now);
     return true;
 }

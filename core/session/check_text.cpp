@@ -262,6 +262,10 @@ QString jointText(const Check &check, const Model &model, const CheckUnits &unit
                                      .arg(first, stays, guests);
     }
     case CheckCode::NarrowSlit:
+        if (check.severity == CheckSeverity::Error)
+            return Words::tr("Slit %1 is closed by the kerf of %2. Give the stock's slits more "
+                             "clearance, or less kerf.")
+                .arg(units.width(check.distance), units.width(check.tool));
         return Words::tr("Slit %1 is narrower than the %2 tool. Give the stock's slits more "
                          "clearance, or choose a thinner tool.")
             .arg(units.width(check.distance), units.width(check.tool));

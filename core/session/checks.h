@@ -43,7 +43,8 @@ enum class CheckCode {
     Cycle,       // sections form rings of joints that slide in different directions (plan_checks.h)
     SlitsMeet,   // two slits of a section run into each other (plan_checks.h)
     ThinWeb,     // less than the stock's thickness stays beside a slit (plan_checks.h)
-    NarrowSlit,  // narrower than the tool that is to cut it (narrow_slits.h)
+    NarrowSlit,  // narrower than the tool that is to cut it, or, as an error, closed by the
+                 // kerf (narrow_slits.h)
     Divided,     // its slits divide a section into several parts
     NothingLeft, // its slits leave nothing of a section
     NotCutOut,   // what they leave could not be worked out; all else counts it without them
@@ -114,7 +115,7 @@ struct Check
                               // CannotAssemble: how far the first section comes out of the second
                               // one, 0: it is not that; ThinWeb: what stays;
                               // NarrowSlit: its width
-    double tool = 0.0;        // NarrowSlit: the tool's diameter, mm
+    double tool = 0.0;        // NarrowSlit: the tool's diameter, or the kerf, mm
     double angle = 0.0;       // ShallowAngle: radians
     double leastAngle = 0.0;  // ShallowAngle: below which it is said, radians
     Vec2 size = Vec2::Zero(); // TooLarge: the part as designed, its longer side first, mm

@@ -1,5 +1,6 @@
 #include "core/session/cutting_file.h"
 
+#include "core/base/tolerances.h"
 #include "core/fabrication/kerf.h"
 #include "core/fabrication/wholeness.h"
 #include "core/io/svg_writer.h"
@@ -22,20 +23,59 @@ void addOnce(std::vector<std::string> &names, std::string name)
         names.push_back(std::move(name));
 }
 
-/// The narrowest slit as it will be drawn, and whose slits would have no width.
-void measureSlits(const Analysis &analysis, bool compensatesKerf, CuttingFile &file)
+/// The narrowest slit as it will be drawn. Errors  ClosedSlit when one would have no width.
+Result<std::optional<double>> narrowestDrawn(const Analysis &analysis, bool compensatesKerf)
 {
+    std::optional<double> least;
     for (std::size_t i = 0; i < analysis.assembly.slits.size(); ++i) {
         const double kerf = compensatesKerf ? analysis.model.stockOf(i).kerf : 0.0;
         for (const Slit &slit : analysis.assembly.slits[i]) {
             if (slit.role != SlitRole::Slit)
                 continue;
-            const double width = narrowest(slit) - kerf;
-            file.slitWidth = std::min(width, file.slitWidth.value_or(width));
-            if (width <= 0.0)
-                addOnce(file.closedSlits, analysis.model.section(i)->name);
+            const double width = narrowest(slit);
+            if (isClosedBy(kerf, width))
+                return failure(
+                    ErrorCode::ClosedSlit, {},
+                    {analysis.model.section(i)->name, millimetres(width), millimetres(kerf)});
+            least = std::min(width - kerf, least.value_or(width - kerf));
         }
     }
+    return least;
+}
+
+/// As the file will have it: where it lies on its sheet, rounded as it is written.
+Contour written(const Contour &contour, const Placement &placement)
+{
+    std::vector<Vec2> points;
+    points.reserve(contour.points().size());
+    for (const Vec2 &p : contour.points())
+        points.push_back((placement.apply(p) / kClipGrid).array().round() * kClipGrid);
+    return Contour::ofPoints(std::move(points));
+}
+
+/// Whether rounding leaves the path as plain as it is.
+bool isPlainAsWritten(const CurvedRegion &outline, const Placement &placement)
+{
+    std::vector<Contour> holes;
+    for (const Contour &hole : outline.holes)
+        holes.push_back(written(hole, placement));
+    return isPlain(written(outline.outer, placement), holes, kSweepError / 8.0);
+}
+
+/// Errors  CannotOffset for the first path that rounding makes touch itself.
+Result<void> judgeWritten(const Analysis &analysis, const Layout &layout,
+                          const std::vector<Part> &parts)
+{
+    for (const Sheet &sheet : layout.sheets) {
+        for (const Placement &placement : sheet.placements) {
+            const Part &part = parts[static_cast<std::size_t>(placement.part)];
+            const double kerf = analysis.model.stockOf(static_cast<std::size_t>(part.section)).kerf;
+            if (kerf > 0.0 && !isPlainAsWritten(part.outline, placement))
+                return failure(ErrorCode::CannotOffset, {},
+                               {nameOf(analysis, part), millimetres(kerf)});
+        }
+    }
+    return {};
 }
 
 } // namespace
@@ -49,7 +89,10 @@ Result<CuttingFile> makeCuttingFile(const Analysis &analysis, const CuttingFileO
         return failure(ErrorCode::NothingToExport);
     CuttingFile file;
     file.partCount = static_cast<int>(parts.size());
-    measureSlits(analysis, options.compensatesKerf, file);
+    const auto slitWidth = narrowestDrawn(analysis, options.compensatesKerf);
+    if (!slitWidth)
+        return tl::unexpected(slitWidth.error());
+    file.slitWidth = *slitWidth;
     std::vector<Engraving> engravings;
     for (const Part &part : parts) {
         const Section &section = *analysis.model.section(static_cast<std::size_t>(part.section));
@@ -61,9 +104,17 @@ Result<CuttingFile> makeCuttingFile(const Analysis &analysis, const CuttingFileO
         if (!engravings.back().jointsLeftOut.empty())
             addOnce(file.unmarkedJoints, nameOf(analysis, part));
     }
-    if (options.compensatesKerf)
-        parts = compensateKerf(std::move(parts), analysis.model, analysis.cuts);
+    if (options.compensatesKerf) {
+        auto paths = compensateKerf(std::move(parts), analysis.model, analysis.cuts);
+        if (!paths)
+            return tl::unexpected(paths.error());
+        parts = std::move(*paths);
+    }
     const Layout layout = layOut(parts, analysis.model, options.layout);
+    if (options.compensatesKerf) {
+        if (const auto judged = judgeWritten(analysis, layout, parts); !judged)
+            return tl::unexpected(judged.error());
+    }
     file.sheetCount = static_cast<int>(layout.sheets.size());
     file.usedShare = usedShare(layout, parts);
     for (const int index : layout.oversized)

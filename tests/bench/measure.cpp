@@ -156,7 +156,8 @@ double drawingTime(const Analysis &analysis)
     std::vector<Engraving> engravings;
     for (const Part &part : parts)
         engravings.push_back(engrave(part, {}));
-    parts = compensateKerf(std::move(parts), analysis.model, analysis.cuts);
+    if (auto paths = compensateKerf(parts, analysis.model, analysis.cuts))
+        parts = std::move(*paths);
     const Layout layout = layOut(parts, analysis.model, LayoutOptions());
     double milliseconds = 0.0;
     timed(milliseconds, [&] { return io::writeSvg(layout, parts, engravings, analysis.model); });

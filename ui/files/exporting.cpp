@@ -122,11 +122,10 @@ void Exporting::tellDone(const CuttingFile &file, const QString &name)
 {
     const QString parts = tr("%n part(s)", nullptr, file.partCount);
     const QString sheets = tr("%n sheet(s)", nullptr, file.sheetCount);
-    m_status.say(
-        file.slitWidth && *file.slitWidth > 0.0
-            ? tr("Exported %1 on %2 to %3; slits are drawn %4 wide.")
-                  .arg(parts, sheets, name, lengthText(*file.slitWidth, 2, 2, m_window.locale()))
-            : tr("Exported %1 on %2 to %3.").arg(parts, sheets, name));
+    m_status.say(file.slitWidth ? tr("Exported %1 on %2 to %3; slits are drawn %4 wide.")
+                                      .arg(parts, sheets, name,
+                                           lengthText(*file.slitWidth, 2, 2, m_window.locale()))
+                                : tr("Exported %1 on %2 to %3.").arg(parts, sheets, name));
 }
 
 bool Exporting::writeSolids(const QString &path)
@@ -168,14 +167,9 @@ QStringList Exporting::warningsOf(const CuttingFile &file)
     }
     for (const std::string &section : file.unmarked)
         warnings += tr("%1 is too slim to carry its number.").arg(QString::fromStdString(section));
-    for (const std::string &section : file.unmarkedJoints) {
+    for (const std::string &section : file.unmarkedJoints)
         warnings += tr("%1 has no room for the numbers of all its joints.")
                         .arg(QString::fromStdString(section));
-    }
-    for (const std::string &section : file.closedSlits) {
-        warnings += tr("The kerf is as wide as the slits of %1: they would be closed.")
-                        .arg(QString::fromStdString(section));
-    }
     return warnings;
 }
 

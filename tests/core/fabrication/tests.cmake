@@ -1,5 +1,6 @@
 fff_test(core/fabrication/tst_cut_section fff::core)
 fff_test(core/fabrication/tst_kerf fff::core)
+fff_test(core/fabrication/tst_kerf_oracle fff::session)
 fff_test(core/fabrication/tst_layout fff::core)
 fff_test(core/fabrication/tst_marks fff::core)
 fff_test(core/fabrication/tst_parts fff::core)

@@ -49,8 +49,8 @@ std::vector<Part> partsOf(const QString &file)
     Result<io::LoadedDocument> read = io::readDocument(kFolder + u'/' + file);
     AnalysisCaches caches;
     const Analysis analysis = analyse(evaluate(std::move(read->document)), caches);
-    return compensateKerf(makeParts(analysis.model, analysis.assembly, analysis.cuts),
-                          analysis.model, analysis.cuts);
+    return *compensateKerf(makeParts(analysis.model, analysis.assembly, analysis.cuts),
+                           analysis.model, analysis.cuts);
 }
 
 } // namespace

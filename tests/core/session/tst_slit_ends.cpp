@@ -8,6 +8,7 @@
 #include "core/fabrication/kerf.h"
 #include "core/fabrication/marks.h"
 #include "core/session/check_text.h"
+#include "core/session/cutting_file.h"
 #include "core/session/narrow_slits.h"
 #include "core/session/plan_checks.h"
 #include "tests/core/assembly/known_models.h"
@@ -26,6 +27,7 @@ Document like(Document document, const Stock &options)
     stock.leadIn = options.leadIn;
     stock.bumps = options.bumps;
     stock.clearance = options.clearance;
+    stock.kerf = options.kerf;
     return *setStock(std::move(document), stock);
 }
 
@@ -84,6 +86,7 @@ private Q_SLOTS:
     void bumpsPressAndNothingElse();
     void partsSeatAtTheSquareBottom();
     void slitNarrowerThanItsTool();
+    void slitThatTheKerfCloses();
     void reliefThatBreaksThroughIsAThinWeb();
     void reliefsThatMergeAreSaid();
     void undoneIsAsBefore();
@@ -211,6 +214,31 @@ void TestSlitEnds::slitNarrowerThanItsTool()
                 .empty());
 }
 
+// What would be wrong: a cutting file without the slits that hold the model together.
+void TestSlitEnds::slitThatTheKerfCloses()
+{
+    Stock stock;
+    stock.kerf = 3.0 + stock.clearance; // as wide as they are
+    const Analysis closed = analysed(like(eggCrate(2, 3), stock));
+    const std::vector<Check> found = narrowSlits(closed);
+    QCOMPARE(found.size(), std::size_t(1));
+    QCOMPARE(found[0].severity, CheckSeverity::Error);
+    QCOMPARE(found[0].sections.size(), std::size_t(5));
+    QVERIFY(checkText(found[0], closed.model).contains(QStringLiteral("closed by the kerf")));
+    const auto file = makeCuttingFile(closed);
+    QVERIFY(!file);
+    QCOMPARE(file.error().code, ErrorCode::ClosedSlit);
+    QCOMPARE(file.error().args.front(), closed.model.section(0)->name);
+    // As designed there is nothing to close.
+    CuttingFileOptions asDesigned;
+    asDesigned.compensatesKerf = false;
+    QVERIFY(makeCuttingFile(closed, asDesigned));
+    stock.kerf -= 0.05;
+    const Analysis open = analysed(like(eggCrate(2, 3), stock));
+    QVERIFY(narrowSlits(open).empty());
+    QVERIFY(makeCuttingFile(open));
+}
+
 // What would be wrong: a corner that falls off, since only the square slit was looked at.
 void TestSlitEnds::reliefThatBreaksThroughIsAThinWeb()
 {
@@ -314,7 +342,7 @@ void TestSlitEnds::aToolAsWideAsTheKerfGoesRound()
         stock.toolDiameter = 2.5;
         const Analysis analysis = analysed(like(eggCrate(2, 2), stock));
         const CurvedRegion &part = analysis.cuts[0]->parts()[0];
-        const CurvedRegion path = compensateKerf(part, stock.toolDiameter);
+        const CurvedRegion path = *compensateKerf(part, stock.toolDiameter);
         // The tool's middle comes to its radius from each corner of the guest.
         for (const Slit &slit : analysis.assembly.slits[0]) {
             const Polygon corners = slit.outline();

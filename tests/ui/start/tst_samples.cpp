@@ -68,7 +68,6 @@ void TestSamples::eachHoldsAndCanBeMade()
     QVERIFY(file->oversized.empty());
     QVERIFY(file->unmarked.empty());
     QVERIFY(file->unmarkedJoints.empty());
-    QVERIFY(file->closedSlits.empty());
 }
 
 // Wrong: an operation that nobody sees at work before trying it.
