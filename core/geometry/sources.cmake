@@ -2,6 +2,8 @@ target_sources(fff_core PRIVATE
     geometry/arc_length.cpp
     geometry/bezier.cpp
     geometry/boolean.cpp
+    geometry/box_tree.cpp
+    geometry/cells.cpp
     geometry/chain_fitter.cpp
     geometry/clip_grid.cpp
     geometry/closed_line.cpp
