@@ -1,5 +1,7 @@
 #include "core/assembly/blocking.h"
 
+#include "core/assembly/smallest_sink.h"
+
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -17,131 +19,208 @@ constexpr double kSameWay = 1e-6;
 constexpr double kEndless = std::numeric_limits<double>::infinity();
 /// What is out of its slits is moved on by so much before it turns, where there is room. mm
 constexpr double kRoom = 1.0;
+/// A sine that no way has.
+constexpr double kNeverHeld = 2.0;
 
-bool has(const Group &group, int part)
+/// Directions are looked up by how far they reach along this one, which is square to none that
+/// people draw by.
+double reach(const Vec3 &direction)
 {
-    return std::binary_search(group.begin(), group.end(), part);
+    static const Vec3 kOdd = Vec3(0.5377, 0.6123, 0.5796).normalized();
+    return kOdd.dot(direction);
 }
+
+/// A box that moves on and on: whether it shares more than `depth` with another one on its way.
+class SweptBox
+{
+public:
+    SweptBox(Box3 box, const Vec3 &direction, double depth)
+        : m_box(std::move(box)), m_direction(direction), m_depth(depth)
+    {
+    }
+    bool operator()(const Box3 &other) const
+    {
+        double from = 0.0, to = kEndless;
+        for (int i = 0; i < 3; ++i) {
+            const double low = other.min[i] + m_depth - m_box.max[i];
+            const double high = other.max[i] - m_depth - m_box.min[i];
+            const double speed = m_direction[i];
+            if (speed == 0.0) {
+                if (low >= 0.0 || high <= 0.0)
+                    return false;
+                continue;
+            }
+            from = std::max(from, std::min(low / speed, high / speed));
+            to = std::min(to, std::max(low / speed, high / speed));
+        }
+        return from < to;
+    }
+
+private:
+    Box3 m_box;
+    Vec3 m_direction;
+    double m_depth;
+};
 
 } // namespace
 
-Group without(const Group &group, const Group &parts)
-{
-    Group rest;
-    std::set_difference(group.begin(), group.end(), parts.begin(), parts.end(),
-                        std::back_inserter(rest));
-    return rest;
-}
-
 Blocking::Blocking(Collisions &collisions, const std::vector<Slide> &slides,
                    const PlanOptions &options)
-    : m_collisions(collisions), m_slides(slides), m_options(options), m_mates(collisions.size())
+    : m_collisions(collisions), m_options(options), m_mates(collisions.size()),
+      m_obstacles(collisions.size()), m_isThere(collisions.size(), char(false)),
+      m_holding(collisions.size()), m_waiting(collisions.size())
 {
     for (const Vec3 &free : {Vec3(Vec3::UnitY()), Vec3(Vec3::UnitX()), Vec3(-Vec3::UnitX()),
                              Vec3(Vec3::UnitZ()), Vec3(-Vec3::UnitZ()), Vec3(-Vec3::UnitY())})
-        m_ways.push_back({free, m_collisions.way(free), {}, {}, {}});
+        indexOf(free);
     m_freeWays = static_cast<int>(m_ways.size());
     for (const Slide &slide : slides) {
         const int there = indexOf(slide.direction), back = indexOf(-slide.direction);
-        Mate ofA{slide.b, slide.length, {back}}, ofB{slide.a, slide.length, {there}};
-        if (slide.goesBothWays) {
-            ofA.directions.push_back(there);
-            ofB.directions.push_back(back);
-        }
-        m_mates[static_cast<std::size_t>(slide.a)].push_back(std::move(ofA));
-        m_mates[static_cast<std::size_t>(slide.b)].push_back(std::move(ofB));
+        const bool isHeld = slide.play < 0.5 * std::numbers::pi && !isIgnored(slide.a, slide.b);
+        const double sine = isHeld ? std::sin(slide.play) : kNeverHeld;
+        const double heldFrom = sine * sine;
+        const std::array<int, 2> ofA{back, slide.goesBothWays ? there : -1};
+        const std::array<int, 2> ofB{there, slide.goesBothWays ? back : -1};
+        m_mates[static_cast<std::size_t>(slide.a)].push_back(
+            {slide.b, ofA, ofB, slide.direction, heldFrom, slide.length});
+        m_mates[static_cast<std::size_t>(slide.b)].push_back(
+            {slide.a, ofB, ofA, slide.direction, heldFrom, slide.length});
     }
+    std::vector<Box3> boxes;
+    for (std::size_t i = 0; i < partCount(); ++i)
+        boxes.push_back(m_collisions.solid(static_cast<int>(i)).box);
+    m_boxes = BoxTree(boxes);
 }
 
+/// The first one that is the same.
 int Blocking::indexOf(const Vec3 &direction)
 {
-    const auto same = std::find_if(m_ways.begin(), m_ways.end(), [&](const Way &way) {
-        return (way.along - direction).norm() < kSameWay;
-    });
-    if (same != m_ways.end())
-        return static_cast<int>(same - m_ways.begin());
-    m_ways.push_back({direction, m_collisions.way(direction), {}, {}, {}});
-    return static_cast<int>(m_ways.size()) - 1;
+    const double at = reach(direction);
+    int same = static_cast<int>(m_ways.size());
+    const auto end = m_waysAlong.upper_bound(at + kSameWay);
+    for (auto known = m_waysAlong.lower_bound(at - kSameWay); known != end; ++known)
+        if (known->second < same && (way(known->second).along - direction).norm() < kSameWay)
+            same = known->second;
+    if (same == static_cast<int>(m_ways.size())) {
+        m_ways.push_back({direction, m_collisions.way(direction), m_collisions.way(-direction)});
+        m_waysAlong.emplace(at, same);
+    }
+    return same;
 }
 
-Blocking::Way &Blocking::opened(int direction)
+void Blocking::begin(const Group &parts)
 {
-    Way &way = m_ways[static_cast<std::size_t>(direction)];
-    if (!way.shadows.empty())
-        return way;
-    const Vec3 u = way.along.unitOrthogonal(), v = way.along.cross(u);
-    for (std::size_t i = 0; i < partCount(); ++i) {
-        const Solid &solid = m_collisions.solid(static_cast<int>(i));
-        const Extent across = solid.along(u), up = solid.along(v), on = solid.along(way.along);
-        way.shadows.push_back({across.min, across.max, up.min, up.max, on.min, on.max});
+    for (const int part : m_group) {
+        m_isThere[static_cast<std::size_t>(part)] = false;
+        m_waiting[static_cast<std::size_t>(part)].clear();
     }
-    way.held.resize(partCount());
-    way.obstacles.resize(partCount());
-    for (const Slide &slide : m_slides) {
-        const bool isHeld = slide.play < 0.5 * std::numbers::pi &&
-                            way.along.cross(slide.direction).norm() > std::sin(slide.play);
-        if (!isHeld || isIgnored(slide.a, slide.b))
-            continue;
-        way.held[static_cast<std::size_t>(slide.a)].push_back(slide.b);
-        way.held[static_cast<std::size_t>(slide.b)].push_back(slide.a);
+    m_group = parts;
+    m_count = parts.size();
+    ++m_run;
+    for (const int part : parts)
+        m_isThere[static_cast<std::size_t>(part)] = true;
+    std::vector<int> directions;
+    for (const int part : parts) {
+        Holding &holding = m_holding[static_cast<std::size_t>(part)];
+        holding = {};
+        directions.clear();
+        for (const Mate &mate : m_mates[static_cast<std::size_t>(part)]) {
+            if (!has(mate.part))
+                continue;
+            ++holding.count;
+            for (const int direction : mate.directions)
+                if (direction >= 0)
+                    directions.push_back(direction);
+        }
+        std::sort(directions.begin(), directions.end());
+        for (const int direction : directions) {
+            if (holding.ways.empty() || holding.ways.back().first != direction)
+                holding.ways.emplace_back(direction, 0);
+            ++holding.ways.back().second;
+        }
     }
-    return way;
 }
 
-std::vector<int> Blocking::waysOff(int part, const Group &others) const
+void Blocking::remove(const Group &parts, std::vector<int> &woken)
+{
+    for (const int part : parts)
+        m_isThere[static_cast<std::size_t>(part)] = false;
+    m_count -= parts.size();
+    for (const int part : parts) {
+        std::vector<int> &waiting = m_waiting[static_cast<std::size_t>(part)];
+        std::copy_if(waiting.begin(), waiting.end(), std::back_inserter(woken),
+                     [&](int other) { return has(other); });
+        waiting.clear();
+        for (const Mate &mate : m_mates[static_cast<std::size_t>(part)]) {
+            if (!has(mate.part))
+                continue;
+            // It had to come off this one as well.
+            Holding &holding = m_holding[static_cast<std::size_t>(mate.part)];
+            --holding.count;
+            bool hasMore = holding.count == 0;
+            for (auto &[direction, count] : holding.ways) {
+                if (direction == mate.itsOwn[0] || direction == mate.itsOwn[1])
+                    --count;
+                else
+                    hasMore = hasMore || count == holding.count;
+            }
+            if (hasMore)
+                woken.push_back(mate.part);
+        }
+    }
+}
+
+Group Blocking::there() const
+{
+    Group there;
+    std::copy_if(m_group.begin(), m_group.end(), std::back_inserter(there),
+                 [&](int part) { return has(part); });
+    return there;
+}
+
+/// Those in which all mates let it go, in the order of the first one's.
+std::vector<int> Blocking::waysOff(int part)
 {
     std::vector<int> ways;
-    bool isHeld = false;
-    for (const Mate &mate : m_mates[static_cast<std::size_t>(part)]) {
-        if (!has(others, mate.part))
-            continue;
-        if (!std::exchange(isHeld, true)) {
-            ways = mate.directions;
-            continue;
-        }
-        std::erase_if(ways, [&](int way) {
-            return std::find(mate.directions.begin(), mate.directions.end(), way) ==
-                   mate.directions.end();
-        });
-        if (ways.empty())
-            return ways;
+    Holding &holding = m_holding[static_cast<std::size_t>(part)];
+    if (holding.count == 0) {
+        for (int i = 0; i < m_freeWays; ++i)
+            ways.push_back(i);
+        return ways;
     }
-    for (int i = 0; !isHeld && i < m_freeWays; ++i)
-        ways.push_back(i);
+    const std::vector<Mate> &mates = m_mates[static_cast<std::size_t>(part)];
+    while (!has(mates[holding.first].part))
+        ++holding.first;
+    for (const int direction : mates[holding.first].directions) {
+        const auto known =
+            std::lower_bound(holding.ways.begin(), holding.ways.end(), std::pair(direction, 0));
+        if (direction >= 0 && known->second == holding.count)
+            ways.push_back(direction);
+    }
     return ways;
 }
 
-std::optional<Blocking::Removal> Blocking::partOff(int part, const Group &others, Path path)
+std::optional<Blocking::Removal> Blocking::straightOff(int part)
 {
-    for (const int direction : waysOff(part, others)) {
-        if (path == Path::Bent) {
-            if (std::optional<Removal> found = bent(part, others, direction))
-                return found;
-            continue;
-        }
-        Way &way = opened(direction);
-        std::vector<Obstacle> &obstacles = obstaclesOf(part, way);
-        if (std::none_of(obstacles.begin(), obstacles.end(), [&](Obstacle &obstacle) {
-                return has(others, obstacle.part) && isInTheWay(obstacle, part, way);
-            }))
-            return Removal{{part}, {{way.along, 0.0}}};
+    for (const int direction : waysOff(part)) {
+        const std::optional<int> obstacle = firstObstacle(part, direction);
+        if (!obstacle)
+            return Removal{{part}, {{way(direction).along, 0.0}}};
+        m_waiting[static_cast<std::size_t>(*obstacle)].push_back(part);
     }
     return {};
 }
 
-/// In which directions groups of these parts could come off the rest.
-std::vector<int> Blocking::waysApart(const Group &parts) const
+/// In which directions groups of what is there could come off the rest.
+std::vector<int> Blocking::waysApart() const
 {
     std::vector<char> isUsed(m_ways.size(), char(false));
     std::fill_n(isUsed.begin(), m_freeWays, char(true));
-    for (const int part : parts) {
-        for (const Mate &mate : m_mates[static_cast<std::size_t>(part)]) {
-            if (!has(parts, mate.part))
-                continue;
-            for (const int direction : mate.directions)
-                isUsed[static_cast<std::size_t>(direction)] = true;
-        }
-    }
+    for (const int part : m_group)
+        if (has(part))
+            for (const auto &[direction, count] : m_holding[static_cast<std::size_t>(part)].ways)
+                if (count > 0)
+                    isUsed[static_cast<std::size_t>(direction)] = true;
     std::vector<int> ways;
     for (std::size_t i = 0; i < isUsed.size(); ++i) {
         if (isUsed[i])
@@ -156,31 +235,48 @@ bool Blocking::isIgnored(int a, int b) const
                               std::pair(std::min(a, b), std::max(a, b)));
 }
 
-std::vector<Blocking::Obstacle> &Blocking::obstaclesOf(int part, Way &way)
+Blocking::Obstacles &Blocking::obstaclesOf(int part, int direction)
 {
-    std::optional<std::vector<Obstacle>> &known = way.obstacles[static_cast<std::size_t>(part)];
-    if (known)
-        return *known;
-    known.emplace();
-    const Shadow &own = way.shadows[static_cast<std::size_t>(part)];
-    for (int other = 0; other < static_cast<int>(partCount()); ++other) {
-        if (other != part &&
-            own.meetsOnItsWay(way.shadows[static_cast<std::size_t>(other)],
-                              m_collisions.depth(part, other)) &&
-            !isIgnored(part, other))
-            known->push_back({other, {}});
-    }
-    return *known;
+    const auto [known, isNew] = m_obstacles[static_cast<std::size_t>(part)].try_emplace(direction);
+    Obstacles &obstacles = known->second;
+    if (!isNew)
+        return obstacles;
+    const SweptBox swept(m_collisions.solid(part).box, way(direction).along, kTouchingDepth);
+    m_boxes.any(swept, [&](int other) {
+        if (other != part && !isIgnored(part, other))
+            obstacles.all.push_back({other, {}});
+        return false;
+    });
+    std::sort(obstacles.all.begin(), obstacles.all.end(),
+              [](const Obstacle &a, const Obstacle &b) { return a.part < b.part; });
+    return obstacles;
 }
 
-bool Blocking::isInTheWay(Obstacle &obstacle, int part, const Way &way)
+bool Blocking::isInTheWay(Obstacle &obstacle, int part, int direction)
 {
     if (!obstacle.isInTheWay) {
         if (isOutOfTime())
             return true;
-        obstacle.isInTheWay = !m_collisions.comesFree(part, obstacle.part, way.number);
+        // One question, whichever of the two moves.
+        const Way &asked = way(direction);
+        obstacle.isInTheWay = part < obstacle.part
+                                  ? !m_collisions.comesFree(part, obstacle.part, asked.number)
+                                  : !m_collisions.comesFree(obstacle.part, part, asked.opposite);
     }
     return *obstacle.isInTheWay;
+}
+
+std::optional<int> Blocking::firstObstacle(int part, int direction)
+{
+    Obstacles &obstacles = obstaclesOf(part, direction);
+    if (std::exchange(obstacles.run, m_run) != m_run)
+        obstacles.passed = 0;
+    for (; obstacles.passed < obstacles.all.size(); ++obstacles.passed) {
+        Obstacle &obstacle = obstacles.all[obstacles.passed];
+        if (has(obstacle.part) && isInTheWay(obstacle, part, direction))
+            return obstacle.part;
+    }
+    return {};
 }
 
 bool Blocking::isOutOfTime()
@@ -189,100 +285,103 @@ bool Blocking::isOutOfTime()
     return m_isOutOfTime;
 }
 
-std::pair<std::vector<int>, int> Blocking::heaps(const Group &parts, int direction)
+template <class Visit>
+void Blocking::forEachHeld(int part, const Vec3 &along, Visit visit) const
 {
-    const Way &way = opened(direction);
-    constexpr int kAway = -2, kNone = -1;
-    std::vector<int> heapOf(partCount(), kAway);
-    for (const int part : parts)
-        heapOf[static_cast<std::size_t>(part)] = kNone;
+    for (const Mate &mate : m_mates[static_cast<std::size_t>(part)])
+        if (has(mate.part) && along.cross(mate.slide).squaredNorm() > mate.heldFrom)
+            visit(mate.part);
+}
+
+std::pair<std::vector<int>, int> Blocking::heaps(const Group &parts, int direction) const
+{
+    const Vec3 &along = way(direction).along;
+    constexpr int kNone = -1;
+    std::vector<int> heapOf(partCount(), kNone);
     int count = 0;
     std::vector<int> open;
-    for (const int part : parts) {
-        if (heapOf[static_cast<std::size_t>(part)] != kNone)
+    for (auto part = parts.rbegin(); part != parts.rend(); ++part) {
+        if (heapOf[static_cast<std::size_t>(*part)] != kNone)
             continue;
-        open.assign(1, part);
-        heapOf[static_cast<std::size_t>(part)] = count;
+        open.assign(1, *part);
+        heapOf[static_cast<std::size_t>(*part)] = count;
         while (!open.empty()) {
             const int next = open.back();
             open.pop_back();
-            for (const int mate : way.held[static_cast<std::size_t>(next)]) {
+            forEachHeld(next, along, [&](int mate) {
                 int &heap = heapOf[static_cast<std::size_t>(mate)];
                 if (heap == kNone) {
                     heap = count;
                     open.push_back(mate);
                 }
-            }
+            });
         }
         ++count;
     }
-    std::vector<int> found;
-    found.reserve(parts.size());
-    for (const int part : parts)
-        found.push_back(heapOf[static_cast<std::size_t>(part)]);
-    return {std::move(found), count};
+    return {std::move(heapOf), count};
 }
 
-std::optional<Group> Blocking::movedWith(int part, const Group &parts, int direction,
-                                         std::size_t fewerThan)
+std::optional<Group> Blocking::smallestOff(const Group &parts, int direction, std::size_t fewerThan)
 {
-    Way &way = opened(direction);
-    std::vector<char> isResting(partCount(), char(false));
-    for (const int other : parts)
-        isResting[static_cast<std::size_t>(other)] = true;
-    Group moved;
-    const auto move = [&](int next) {
-        isResting[static_cast<std::size_t>(next)] = false;
-        moved.push_back(next);
-    };
-    move(part);
-    std::size_t held = 0; // so many of the moved ones have taken along what they hold
-    for (std::size_t next = 0; next < moved.size() && moved.size() < fewerThan; ++next) {
-        for (; held < moved.size(); ++held) // costs nothing: before any look
-            for (const int mate : way.held[static_cast<std::size_t>(moved[held])])
-                if (isResting[static_cast<std::size_t>(mate)])
-                    move(mate);
-        const int mover = moved[next];
-        for (Obstacle &obstacle : obstaclesOf(mover, way)) {
-            if (moved.size() >= fewerThan)
-                break;
-            if (isResting[static_cast<std::size_t>(obstacle.part)] &&
-                isInTheWay(obstacle, mover, way))
-                move(obstacle.part);
-        }
-    }
-    if (moved.size() >= fewerThan)
+    const auto [heapOf, count] = heaps(parts, direction);
+    if (count < 2)
         return {};
-    std::sort(moved.begin(), moved.end());
-    return moved;
+    std::vector<Group> heaps(static_cast<std::size_t>(count));
+    for (const int part : parts)
+        heaps[static_cast<std::size_t>(heapOf[static_cast<std::size_t>(part)])].push_back(part);
+    std::vector<std::size_t> sizes;
+    for (const Group &heap : heaps)
+        sizes.push_back(heap.size());
+    // On to the next heap that is in the way of this one.
+    const auto next = [&, &heapOf = heapOf](int heap, EdgeCursor &cursor) -> std::optional<int> {
+        const Group &own = heaps[static_cast<std::size_t>(heap)];
+        for (; cursor.first < own.size(); ++cursor.first, cursor.second = 0) {
+            const int part = own[cursor.first];
+            std::vector<Obstacle> &obstacles = obstaclesOf(part, direction).all;
+            while (cursor.second < obstacles.size()) {
+                Obstacle &obstacle = obstacles[cursor.second++];
+                if (!has(obstacle.part))
+                    continue;
+                const int other = heapOf[static_cast<std::size_t>(obstacle.part)];
+                if (other != heap && isInTheWay(obstacle, part, direction))
+                    return other;
+            }
+        }
+        return {};
+    };
+    const auto moved = smallestSink(sizes, fewerThan, next);
+    if (!moved)
+        return {};
+    Group together;
+    for (const int heap : *moved) {
+        const Group &own = heaps[static_cast<std::size_t>(heap)];
+        together.insert(together.end(), own.begin(), own.end());
+    }
+    std::sort(together.begin(), together.end());
+    return together;
 }
 
-std::optional<Blocking::Removal> Blocking::smallestOff(const Group &parts)
+std::optional<Blocking::Removal> Blocking::smallestOff()
 {
+    const Group parts = there();
     std::optional<Group> smallest;
     int along = 0;
-    for (const int direction : waysApart(parts)) {
-        const auto [heapOf, count] = heaps(parts, direction);
-        if (count < 2)
-            continue;
-        std::vector<char> isTried(static_cast<std::size_t>(count), char(false));
-        for (std::size_t i = parts.size(); i-- > 0;) {
-            if (std::exchange(isTried[static_cast<std::size_t>(heapOf[i])], char(true)))
-                continue;
-            std::optional<Group> moved =
-                movedWith(parts[i], parts, direction, smallest ? smallest->size() : parts.size());
-            if (moved) {
-                smallest = std::move(moved);
-                along = direction;
-            }
+    for (const int direction : waysApart()) {
+        if (isOutOfTime())
+            return {};
+        std::optional<Group> moved =
+            smallestOff(parts, direction, smallest ? smallest->size() : parts.size());
+        if (moved) {
+            smallest = std::move(moved);
+            along = direction;
         }
     }
     if (!smallest)
         return {};
-    return Removal{*std::move(smallest), {{m_ways[static_cast<std::size_t>(along)].along, 0.0}}};
+    return Removal{*std::move(smallest), {{way(along).along, 0.0}}};
 }
 
-std::vector<Move> Blocking::measured(const Removal &removal, const Group &rest)
+std::vector<Move> Blocking::measured(const Removal &removal, const std::function<bool(int)> &isRest)
 {
     std::vector<Move> moves = removal.moves;
     Move &last = moves.back();
@@ -293,14 +392,19 @@ std::vector<Move> Blocking::measured(const Removal &removal, const Group &rest)
     const int lift = moves.size() > 1 ? m_collisions.lift(by) : Collisions::kNotLifted;
     last.distance = 0.0;
     for (const int part : removal.parts) {
-        const double first = m_collisions.solid(part).along(last.direction).min +
-                             by.dot(last.direction) - Collisions::kNearParts;
-        for (const int other : rest) {
+        const Solid &solid = m_collisions.solid(part);
+        const double first =
+            solid.along(last.direction).min + by.dot(last.direction) - Collisions::kNearParts;
+        const SweptBox swept({solid.box.min + by, solid.box.max + by}, last.direction,
+                             -Collisions::kNearParts);
+        m_boxes.any(swept, [&](int other) {
             // It does not take longer than others.
-            if (m_collisions.solid(other).along(last.direction).max > first + last.distance)
+            if (other != part && isRest(other) &&
+                m_collisions.solid(other).along(last.direction).max > first + last.distance)
                 last.distance =
                     std::max(last.distance, m_collisions.wayToClear(part, other, way, lift));
-        }
+            return false;
+        });
     }
     return moves;
 }
@@ -314,21 +418,41 @@ std::vector<Vec3> Blocking::turnsOf(int part) const
     return turns;
 }
 
-std::optional<Blocking::Removal> Blocking::bent(int part, const Group &others, int direction)
+bool Blocking::comesFree(int part, const Vec3 &by, const Vec3 &direction)
 {
-    double held = 0.0, until = kEndless;
+    const int way = m_collisions.way(direction), lift = m_collisions.lift(by);
+    const Box3 &box = m_collisions.solid(part).box;
+    const SweptBox swept({box.min + by, box.max + by}, direction, kTouchingDepth);
+    return !m_boxes.any(swept, [&](int other) {
+        return other != part && has(other) && !isIgnored(part, other) &&
+               !m_collisions.comesFree(part, other, way, lift);
+    });
+}
+
+std::optional<Blocking::Removal> Blocking::bentOff(int part)
+{
+    double held = 0.0;
     for (const Mate &mate : m_mates[static_cast<std::size_t>(part)])
-        if (has(others, mate.part))
+        if (has(mate.part))
             held = std::max(held, mate.length);
     if (held == 0.0 || std::isinf(held))
         return {}; // nothing to come out of
-    Way &way = opened(direction);
-    for (Obstacle &obstacle : obstaclesOf(part, way)) {
-        if (!has(others, obstacle.part) || !isInTheWay(obstacle, part, way))
+    for (const int direction : waysOff(part))
+        if (std::optional<Removal> found = bentOff(part, direction, held))
+            return found;
+    return {};
+}
+
+std::optional<Blocking::Removal> Blocking::bentOff(int part, int direction, double held)
+{
+    const Vec3 &along = way(direction).along;
+    double until = kEndless;
+    for (Obstacle &obstacle : obstaclesOf(part, direction).all) {
+        if (!has(obstacle.part) || !isInTheWay(obstacle, part, direction))
             continue;
         if (isOutOfTime())
             return {};
-        until = std::min(until, m_collisions.wayUntil(part, obstacle.part, way.number));
+        until = std::min(until, m_collisions.wayUntil(part, obstacle.part, way(direction).number));
         if (until < kRoom)
             return {};
     }
@@ -338,16 +462,10 @@ std::optional<Blocking::Removal> Blocking::bent(int part, const Group &others, i
     if (held + kRoom < until)
         places.insert(places.begin(), held + kRoom);
     for (const double place : places) {
-        const Move first{way.along, place};
-        const int lift = m_collisions.lift(place * way.along);
-        for (const Vec3 &turn : turnsOf(part)) {
-            const int next = m_collisions.way(turn);
-            if (std::all_of(others.begin(), others.end(), [&](int other) {
-                    return other == part || isIgnored(part, other) ||
-                           m_collisions.comesFree(part, other, next, lift);
-                }))
+        const Move first{along, place};
+        for (const Vec3 &turn : turnsOf(part))
+            if (comesFree(part, place * along, turn))
                 return Removal{{part}, {first, {turn, 0.0}}};
-        }
     }
     return {};
 }

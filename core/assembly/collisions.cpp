@@ -1,5 +1,7 @@
 #include "core/assembly/collisions.h"
 
+#include "core/assembly/encounter.h"
+
 #include <algorithm>
 #include <bit>
 #include <utility>
@@ -8,7 +10,7 @@ namespace fff {
 
 namespace {
 
-/// Answers kept at most; some 64 bytes each.
+/// Answers kept at most; some 80 bytes each.
 constexpr std::size_t kMostAnswers = 1'000'000;
 
 } // namespace
@@ -47,32 +49,50 @@ std::size_t Collisions::Hash::operator()(const Question &question) const
     return static_cast<std::size_t>(mixed ^ (mixed >> 29));
 }
 
+/// A solid that is still there keeps its name; a new one takes that of the one that is gone from
+/// its place among them. Who is whom is a guess that costs time alone where it is wrong.
+void Collisions::name(const std::vector<SolidPointer> &solids)
+{
+    std::unordered_map<const Solid *, std::size_t> before;
+    for (std::size_t i = 0; i < m_solids.size(); ++i)
+        before.emplace(m_solids[i].get(), i);
+    std::vector<char> isTaken(m_solids.size(), char(false));
+    for (const SolidPointer &solid : solids)
+        if (const auto known = before.find(solid.get()); known != before.end())
+            isTaken[known->second] = true;
+    std::vector<Name> names;
+    std::size_t place = 0; // among those before
+    for (const SolidPointer &solid : solids) {
+        if (const auto known = before.find(solid.get()); known != before.end()) {
+            names.push_back(m_names[known->second]);
+            place = known->second + 1;
+        } else if (place < m_solids.size() && !isTaken[place]) {
+            isTaken[place] = true;
+            names.push_back({m_names[place++].number, m_nextVersion++});
+        } else {
+            names.push_back({m_nextNumber++, m_nextVersion++});
+        }
+    }
+    m_names = std::move(names);
+}
+
 void Collisions::use(std::vector<SolidPointer> solids, Depths depths)
 {
-    std::unordered_map<const Solid *, int> before;
-    for (std::size_t i = 0; i < m_solids.size(); ++i)
-        before.emplace(m_solids[i].get(), m_numbers[i]);
-    m_numbers.clear();
-    for (const SolidPointer &solid : solids) {
-        const auto known = before.find(solid.get());
-        m_numbers.push_back(known != before.end() ? known->second : m_nextNumber++);
-    }
+    name(solids);
     m_solids = std::move(solids); // addresses of those before are free from here on
-    m_lifted.solid = -1;
     m_ways.forgetOld();
     m_lifts.forgetOld();
 
-    std::vector<int> there = m_numbers;
-    std::sort(there.begin(), there.end());
-    const auto isThere = [&](int number) {
-        return std::binary_search(there.begin(), there.end(), number);
-    };
+    std::vector<char> isThere(static_cast<std::size_t>(m_nextNumber), char(false));
+    for (const Name &name : m_names)
+        isThere[static_cast<std::size_t>(name.number)] = true;
     const auto forget = [&](auto &answers) {
         if (answers.size() > kMostAnswers)
             answers.clear();
         std::erase_if(answers, [&](const auto &answer) {
             const Question &asked = answer.first;
-            return !isThere(asked.a) || !isThere(asked.b) ||
+            return !isThere[static_cast<std::size_t>(asked.a)] ||
+                   !isThere[static_cast<std::size_t>(asked.b)] ||
                    (asked.way >= 0 && !m_ways.isInUse(asked.way)) ||
                    (asked.lift >= 0 && !m_lifts.isInUse(asked.lift));
         });
@@ -81,13 +101,14 @@ void Collisions::use(std::vector<SolidPointer> solids, Depths depths)
     forget(m_until);
     forget(m_clear);
     forget(m_overlaps);
+    forget(m_measured);
     m_depths = std::move(depths);
 }
 
 Collisions::Question Collisions::question(int a, int b, int way, int lift) const
 {
-    return {m_numbers[static_cast<std::size_t>(a)], m_numbers[static_cast<std::size_t>(b)], way,
-            lift, depth(a, b)};
+    return {m_names[static_cast<std::size_t>(a)].number,
+            m_names[static_cast<std::size_t>(b)].number, way, lift, depth(a, b)};
 }
 
 double Collisions::pressed(int a, int b) const
@@ -96,51 +117,82 @@ double Collisions::pressed(int a, int b) const
     return known == m_depths.end() ? kTouchingDepth : known->second;
 }
 
-const Solid &Collisions::lifted(int a, int lift)
+Vec3 Collisions::liftedBy(int lift) const
 {
-    if (lift == kNotLifted)
-        return solid(a);
-    if (m_lifted.solid != a || m_lifted.lift != lift) {
-        m_lifted.moved = movedBy(solid(a), m_lifts.vector(lift));
-        m_lifted.solid = a;
-        m_lifted.lift = lift;
+    return lift == kNotLifted ? Vec3(Vec3::Zero()) : m_lifts.vector(lift);
+}
+
+template <typename Answer, typename Meet, typename Find>
+const Answer &Collisions::answer(Answers<Answer> &all, const Question &question, int a, int b,
+                                 const Meet &meet, const Find &find)
+{
+    Known<Answer> &known = all[question];
+    const int versionA = m_names[static_cast<std::size_t>(a)].version;
+    const int versionB = m_names[static_cast<std::size_t>(b)].version;
+    if (known.versionA == versionA && known.versionB == versionB)
+        return known.answer;
+    ++m_work.encounters;
+    Encounter encounter = meet();
+    const std::uint64_t signature = encounter.signature();
+    if (known.versionA < 0 || known.signature != signature) {
+        ++m_work.answers;
+        known.answer = find(encounter);
+        known.signature = signature;
+        m_work.prismPairs += encounter.pairsLookedAt();
     }
-    return m_lifted.moved;
+    known.versionA = versionA;
+    known.versionB = versionB;
+    return known.answer;
 }
 
 bool Collisions::comesFree(int a, int b, int way, int lift)
 {
-    const auto [known, isNew] = m_isFree.try_emplace(question(a, b, way, lift), false);
-    if (isNew)
-        known->second = fff::comesFree(lifted(a, lift), solid(b), m_ways.vector(way), depth(a, b));
-    return known->second;
+    return answer(
+        m_isFree, question(a, b, way, lift), a, b,
+        [&] {
+            return Encounter(solid(a), solid(b), m_ways.vector(way), depth(a, b), liftedBy(lift));
+        },
+        [](Encounter &encounter) { return encounter.isFree(); });
 }
 
 double Collisions::wayUntil(int a, int b, int way)
 {
-    const auto [known, isNew] = m_until.try_emplace(question(a, b, way, kNotLifted),
-                                                    std::numeric_limits<double>::infinity());
-    if (isNew) {
-        if (const auto met = collisionAlong(solid(a), solid(b), m_ways.vector(way), depth(a, b)))
-            known->second = met->from;
-    }
-    return known->second;
+    return answer(
+        m_until, question(a, b, way, kNotLifted), a, b,
+        [&] { return Encounter(solid(a), solid(b), m_ways.vector(way), depth(a, b)); },
+        [](Encounter &encounter) {
+            const std::optional<Travel> met = encounter.first();
+            return met ? met->from : std::numeric_limits<double>::infinity();
+        });
 }
 
 double Collisions::wayToClear(int a, int b, int way, int lift)
 {
-    const auto [known, isNew] = m_clear.try_emplace(question(a, b, way, lift), 0.0);
-    if (isNew)
-        known->second = fff::wayToClear(lifted(a, lift), solid(b), m_ways.vector(way), kNearParts);
-    return known->second;
+    return answer(
+        m_clear, question(a, b, way, lift), a, b,
+        [&] {
+            return Encounter(solid(a), solid(b), m_ways.vector(way), -kNearParts, liftedBy(lift));
+        },
+        [](Encounter &encounter) { return encounter.wayToClear(); });
 }
 
 const std::optional<Interpenetration> &Collisions::overlap(int a, int b)
 {
-    const auto [known, isNew] = m_overlaps.try_emplace(question(a, b, -1, kNotLifted));
-    if (isNew)
-        known->second = interpenetration(solid(a), solid(b), depth(a, b));
-    return known->second;
+    const auto deepest = [](Encounter &encounter) { return encounter.deepest(); };
+    const Question asked = question(a, b, -1, kNotLifted);
+    const auto &found = answer(
+        m_overlaps, asked, a, b, [&] { return Encounter(solid(a), solid(b), depth(a, b)); },
+        deepest);
+    const std::shared_ptr<const Solid> &wholeA = solid(a).whole, &wholeB = solid(b).whole;
+    if (!found || (!wholeA && !wholeB))
+        return found;
+    const auto &measured = answer(
+        m_measured, asked, a, b,
+        [&] {
+            return Encounter(wholeA ? *wholeA : solid(a), wholeB ? *wholeB : solid(b), depth(a, b));
+        },
+        deepest);
+    return measured ? measured : found;
 }
 
 } // namespace fff

@@ -1,5 +1,5 @@
 // What was found out about solids that move past each other, kept for as long as they stay the
-// same: who plans again after an edit asks mostly what has been asked before.
+// same where they may meet: who plans again after an edit asks mostly what has been asked before.
 #pragma once
 
 #include "core/assembly/solid.h"
@@ -15,6 +15,8 @@
 
 namespace fff {
 
+class Encounter;
+
 using SolidPointer = std::shared_ptr<const Solid>;
 
 /// Solids are named by their places in the list, directions by numbers from way(). Every answer is
@@ -27,7 +29,8 @@ public:
     using Depths = std::map<std::pair<int, int>, double>;
 
     /// From now on about these, of which none may be null. What is known of pairs that were there
-    /// before stays known, as far as it was of use since then. O(what is known).
+    /// before stays known, as far as it was of use since then; of a solid that has changed, where
+    /// its pair does not meet the change. O(what is known).
     void use(std::vector<SolidPointer> solids, Depths depths = {});
 
     std::size_t size() const { return m_solids.size(); }
@@ -43,13 +46,23 @@ public:
     bool comesFree(int a, int b, int way, int lift = kNotLifted);
     /// How far a comes along the way before it is in b, mm; endless: it comes free.
     double wayUntil(int a, int b, int way);
-    /// See fff::wayToClear(), mm, for a gap of kNearParts.
+    /// How far a has to go until it is nowhere nearer to b than kNearParts, mm, from then on; 0
+    /// when it is not on all the way.
     double wayToClear(int a, int b, int way, int lift = kNotLifted);
     /// As they are; a < b.
     const std::optional<Interpenetration> &overlap(int a, int b);
 
     /// So near they still touch; beyond, a way is over. mm
     static constexpr double kNearParts = 0.02;
+
+    /// What has been done since it was made.
+    struct Work
+    {
+        std::size_t encounters = 0; // pairs of solids that were looked at
+        std::size_t answers = 0;    // of these, so many whose prisms were not known
+        std::size_t prismPairs = 0; // for these
+    };
+    const Work &work() const { return m_work; }
 
 private:
     /// Numbers of vectors, by their very bits.
@@ -72,10 +85,15 @@ private:
         std::unordered_map<int, Vec3> m_vectors;
         int m_next = 0;
     };
-    /// By numbers that are never given twice.
+    /// A solid that stays the same one while it changes. Numbers are never given twice.
+    struct Name
+    {
+        int number = 0;
+        int version = 0; // of what it looks like
+    };
     struct Question
     {
-        int a = 0, b = 0, way = -1, lift = kNotLifted;
+        int a = 0, b = 0, way = -1, lift = kNotLifted; // a and b: Name::number
         double depth = 0.0;
         bool operator==(const Question &) const = default;
     };
@@ -84,26 +102,33 @@ private:
         std::size_t operator()(const Question &question) const;
     };
     template <typename Answer>
-    using Known = std::unordered_map<Question, Answer, Hash>;
+    struct Known
+    {
+        int versionA = -1, versionB = -1; // that it was last found right for
+        std::uint64_t signature = 0;      // Encounter::signature()
+        Answer answer{};
+    };
+    template <typename Answer>
+    using Answers = std::unordered_map<Question, Known<Answer>, Hash>;
 
     double pressed(int a, int b) const;
+    void name(const std::vector<SolidPointer> &solids);
     Question question(int a, int b, int way, int lift) const;
-    /// Solid a where it goes from.
-    const Solid &lifted(int a, int lift);
+    Vec3 liftedBy(int lift) const;
+    /// What is known, or else what `work` finds out of the encounter that `meet` makes.
+    template <typename Answer, typename Meet, typename Find>
+    const Answer &answer(Answers<Answer> &known, const Question &question, int a, int b,
+                         const Meet &meet, const Find &find);
 
     std::vector<SolidPointer> m_solids;
-    std::vector<int> m_numbers; // of the solids
-    int m_nextNumber = 0;
+    std::vector<Name> m_names; // of the solids
+    int m_nextNumber = 0, m_nextVersion = 0;
     Depths m_depths;
     Numbers m_ways, m_lifts;
-    Known<bool> m_isFree;
-    Known<double> m_until, m_clear;
-    Known<std::optional<Interpenetration>> m_overlaps;
-    struct
-    {
-        int solid = -1, lift = kNotLifted;
-        Solid moved;
-    } m_lifted; // the last one
+    Answers<bool> m_isFree;
+    Answers<double> m_until, m_clear;
+    Answers<std::optional<Interpenetration>> m_overlaps, m_measured; // m_measured: of whole ones
+    Work m_work;
 };
 
 } // namespace fff

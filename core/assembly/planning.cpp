@@ -3,13 +3,36 @@
 #include "core/assembly/blocking.h"
 
 #include <algorithm>
+#include <iterator>
 #include <numeric>
 #include <optional>
+#include <set>
 #include <utility>
 
 namespace fff {
 
 namespace {
+
+/// Parts that may come off, the last one first.
+class Open
+{
+public:
+    explicit Open(const Group &parts) : m_parts(parts.begin(), parts.end()) {}
+
+    void add(const std::vector<int> &parts) { m_parts.insert(parts.begin(), parts.end()); }
+    std::optional<int> next()
+    {
+        if (m_parts.empty())
+            return {};
+        const auto last = std::prev(m_parts.end());
+        const int part = *last;
+        m_parts.erase(last);
+        return part;
+    }
+
+private:
+    std::set<int> m_parts;
+};
 
 class Planner
 {
@@ -20,7 +43,7 @@ public:
     }
 
     /// Appends the steps that put the parts together. False when some of them are locked.
-    bool putTogether(Group parts, std::vector<AssemblyStep> &steps);
+    bool putTogether(const Group &parts, std::vector<AssemblyStep> &steps);
     /// Of the parts that were found to be locked last, as few as stay locked.
     Group fewestLocked();
     bool isOutOfTime() { return m_blocking.isOutOfTime(); }
@@ -28,14 +51,14 @@ public:
 private:
     using Removal = Blocking::Removal;
 
-    std::optional<Removal> nextOff(const Group &parts);
+    std::optional<Removal> nextOff(Open &open);
     /// Removals, the first one first; nothing when parts are locked, which it keeps.
     struct Apart
     {
         std::vector<Removal> removals;
         Group last;
     };
-    std::optional<Apart> takeApart(Group parts);
+    std::optional<Apart> takeApart(const Group &parts);
     bool isLocked(const Group &parts);
 
     Blocking m_blocking;
@@ -43,35 +66,41 @@ private:
 };
 
 /// A single part before any group, and straight before bent.
-std::optional<Blocking::Removal> Planner::nextOff(const Group &parts)
+std::optional<Blocking::Removal> Planner::nextOff(Open &open)
 {
-    const auto partOff = [&](Blocking::Path path) -> std::optional<Removal> {
-        for (auto part = parts.rbegin(); part != parts.rend(); ++part)
-            if (std::optional<Removal> removal = m_blocking.partOff(*part, parts, path))
-                return removal;
-        return {};
-    };
-    std::optional<Removal> removal = partOff(Blocking::Path::Straight);
-    if (!removal)
-        removal = m_blocking.smallestOff(parts);
-    if (!removal)
-        removal = partOff(Blocking::Path::Bent);
-    return removal;
+    while (const std::optional<int> part = open.next()) {
+        if (!m_blocking.has(*part))
+            continue;
+        if (std::optional<Removal> removal = m_blocking.straightOff(*part))
+            return removal;
+    }
+    if (std::optional<Removal> removal = m_blocking.smallestOff())
+        return removal;
+    const Group parts = m_blocking.there();
+    for (auto part = parts.rbegin(); part != parts.rend(); ++part)
+        if (std::optional<Removal> removal = m_blocking.bentOff(*part))
+            return removal;
+    return {};
 }
 
-std::optional<Planner::Apart> Planner::takeApart(Group parts)
+std::optional<Planner::Apart> Planner::takeApart(const Group &parts)
 {
     Apart apart;
-    while (parts.size() > 1) {
-        std::optional<Removal> removal = nextOff(parts);
+    m_blocking.begin(parts);
+    Open open(parts);
+    std::vector<int> woken;
+    while (m_blocking.count() > 1) {
+        std::optional<Removal> removal = nextOff(open);
         if (!removal) {
-            m_locked = std::move(parts);
+            m_locked = m_blocking.there();
             return {};
         }
-        parts = without(parts, removal->parts);
+        woken.clear();
+        m_blocking.remove(removal->parts, woken);
+        open.add(woken);
         apart.removals.push_back(*std::move(removal));
     }
-    apart.last = std::move(parts);
+    apart.last = m_blocking.there();
     return apart;
 }
 
@@ -82,26 +111,39 @@ bool Planner::isLocked(const Group &parts)
                                  [&](const Removal &removal) { return isLocked(removal.parts); });
 }
 
-bool Planner::putTogether(Group parts, std::vector<AssemblyStep> &steps)
+bool Planner::putTogether(const Group &parts, std::vector<AssemblyStep> &steps)
 {
-    const std::optional<Apart> apart = takeApart(std::move(parts));
+    const std::optional<Apart> apart = takeApart(parts);
     if (!apart)
         return false;
-    Group there = apart->last;
-    steps.push_back({there, {}, {}});
+    JoinedParts::List list;
+    list.add(apart->last);
+    for (auto removal = apart->removals.rbegin(); removal != apart->removals.rend(); ++removal)
+        list.add(removal->parts);
+    const std::vector<JoinedParts> there = std::move(list).perStep();
+    steps.push_back({apart->last, {}, {}});
+    std::size_t step = 1;
     for (auto removal = apart->removals.rbegin(); removal != apart->removals.rend(); ++removal) {
         if (removal->parts.size() > 1 && !putTogether(removal->parts, steps))
             return false;
-        std::vector<Move> moves = m_blocking.measured(*removal, there);
+        const JoinedParts &rest = there[step++];
+        std::vector<Move> moves =
+            m_blocking.measured(*removal, [&](int part) { return rest.contains(part); });
         std::reverse(moves.begin(), moves.end());
         for (Move &move : moves)
             move.direction = -move.direction;
-        steps.push_back({removal->parts, there, std::move(moves)});
-        const auto middle = static_cast<std::ptrdiff_t>(there.size());
-        there.insert(there.end(), removal->parts.begin(), removal->parts.end());
-        std::inplace_merge(there.begin(), there.begin() + middle, there.end());
+        steps.push_back({removal->parts, rest, std::move(moves)});
     }
     return true;
+}
+
+/// Of the first group what is not in the second one.
+Group without(const Group &group, const Group &parts)
+{
+    Group rest;
+    std::set_difference(group.begin(), group.end(), parts.begin(), parts.end(),
+                        std::back_inserter(rest));
+    return rest;
 }
 
 /// Leaves out runs of parts as long as the rest stays locked, long runs first.
@@ -138,7 +180,8 @@ AssemblyPlan planAssembly(Collisions &collisions, const std::vector<Slide> &slid
     if (planner.putTogether(all, plan.steps))
         return plan;
     plan.steps.clear();
-    plan.locked = planner.fewestLocked();
+    if (!planner.isOutOfTime())
+        plan.locked = planner.fewestLocked();
     plan.verdict = AssemblyPlan::Verdict::Impossible;
     if (planner.isOutOfTime()) {
         plan.locked.clear();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/assembly/collisions.h"
+#include "core/assembly/joined_parts.h"
 
 #include <functional>
 #include <limits>
@@ -40,7 +41,7 @@ struct Move
 struct AssemblyStep
 {
     std::vector<int> parts; // that are moved as one, ascending
-    std::vector<int> onto;  // what they are brought to, ascending; empty: put down first
+    JoinedParts onto;       // what they are brought to; empty: put down first
     /// From clear of the others to their place, the last one into the slits; of what is put down
     /// first none.
     std::vector<Move> moves;
@@ -88,7 +89,9 @@ struct PlanOptions
 /// slides   those of all joints; parts that no slide connects are brought together last
 /// Result   deterministic: parts that come later in the list are taken off first, so that the
 ///          first one is mostly what is begun with. Each pair is looked at once for each direction
-///          at most, and pairs that slits hold not at all.
+///          at most, and only where one is in the sweep of the other; pairs that slits hold are not
+///          looked at for what moves as one. Who does not come off is not tried again before
+///          what was in its way has gone.
 /// Source   R. Wilson, J. Latombe 1994, Geometric reasoning about mechanical assembly (blocking
 ///          graphs; a group comes off where they are not strongly connected).
 AssemblyPlan planAssembly(Collisions &collisions, const std::vector<Slide> &slides,

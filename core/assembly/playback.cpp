@@ -74,6 +74,10 @@ Playback::Playback(AssemblyPlan plan, std::vector<Box3> boxes)
 {
     if (m_plan.verdict != AssemblyPlan::Verdict::Possible)
         m_plan.steps.clear();
+    Box3 all;
+    for (const Box3 &box : m_boxes)
+        all.extend(box);
+    m_diagonal = all.size().norm();
     for (std::size_t i = 0; i < m_plan.steps.size(); ++i) {
         const AssemblyStep &step = m_plan.steps[i];
         std::vector<Vec3> way{Vec3::Zero()}; // from its end
@@ -104,7 +108,7 @@ Vec3 Playback::asideOf(std::size_t index) const
     for (std::size_t i = 0; i < index; ++i) {
         for (const int part : m_plan.steps[i].parts) {
             const bool isInside = contains(step.parts, part);
-            if (!isInside && !contains(step.onto, part))
+            if (!isInside && !step.onto.contains(part))
                 continue;
             Vec3 later = Vec3::Zero();
             for (std::size_t k = i + 1; k < index; ++k)
@@ -131,9 +135,6 @@ void Playback::drawApart(std::size_t index)
     for (const Move &move : step.moves)
         offset -= move.distance * move.direction;
     const Vec3 back = -step.moves.front().direction;
-    Box3 all;
-    for (const Box3 &box : m_boxes)
-        all.extend(box);
     double further = 0.0;
     for (const int part : step.parts) {
         const auto p = static_cast<std::size_t>(part);
@@ -143,7 +144,7 @@ void Playback::drawApart(std::size_t index)
             further = std::max(further, wayToClear(box, shifted(m_boxes[o], m_apart[o]), back));
         }
     }
-    offset += (further + kApartGap * all.size().norm()) * back;
+    offset += (further + kApartGap * m_diagonal) * back;
     for (const int part : step.parts)
         m_apart[static_cast<std::size_t>(part)] += offset;
 }

@@ -65,6 +65,7 @@ private:
     std::vector<Box3> m_boxes;
     std::vector<std::vector<Vec3>> m_ways; // of each step
     std::vector<int> m_first;              // of each part: the step that it comes with
+    double m_diagonal = 0.0;               // of the model, mm
     std::vector<Vec3> m_apart;             // of each part: where it is when all are drawn apart
 };
 

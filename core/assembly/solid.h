@@ -1,11 +1,13 @@
 // A part as a solid that moves: whether it runs into another one, and when.
 #pragma once
 
+#include "core/geometry/box_runs.h"
 #include "core/geometry/frame.h"
 #include "core/geometry/triangulation.h"
 
 #include <array>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -27,8 +29,12 @@ struct Solid
     Vec3 normal = Vec3::UnitZ();
     double half = 0.0;                          // of the thickness, mm
     std::vector<std::array<Vec3, 3>> triangles; // in the frame's plane, world
+    BoxRuns runs;                               // of these, in the frame
     std::vector<Vec3> hull;                     // of these, world
     Box3 box;                                   // world
+    /// The same in triangles between its corners alone, by which depths are measured; null: these
+    /// are.
+    std::shared_ptr<const Solid> whole;
 
     /// axis: unit, through the world's origin. O(hull).
     Extent along(const Vec3 &axis) const;
@@ -53,18 +59,13 @@ struct Travel
 /// the other. A contact, and two faces that slide on each other, are none.
 /// Source  separating axes of convex polytopes, each with the stretch of the way in which it does
 ///         not separate (C. Ericson 2005, Real-Time Collision Detection, 5.5.8).
+///
+/// These and more about the same two are in encounter.h.
 std::optional<Travel> collisionAlong(const Solid &a, const Solid &b, const Vec3 &direction,
                                      double depth);
 
-/// Whether there is no such stretch. Faster than finding the first one.
-bool comesFree(const Solid &a, const Solid &b, const Vec3 &direction, double depth);
-
-/// How far `a` has to be moved along `direction` until it is nowhere nearer to b than `gap` (mm,
-/// from then on); 0 when it is not to begin with.
-double wayToClear(const Solid &a, const Solid &b, const Vec3 &direction, double gap);
-
 /// How deep two solids are in each other as they are (mm, see above), and where; nothing when they
-/// only touch, to `depth`.
+/// only touch, to `depth`. Of a solid that is cut up measured where it is whole.
 struct Interpenetration
 {
     double depth = 0.0;

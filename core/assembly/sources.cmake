@@ -4,6 +4,7 @@ target_sources(fff_core PRIVATE
     assembly/collisions.cpp
     assembly/crossing.cpp
     assembly/cycles.cpp
+    assembly/encounter.cpp
     assembly/found_joint.cpp
     assembly/intervals.cpp
     assembly/joint.cpp

@@ -245,16 +245,16 @@ std::vector<Region> cellsOf(const Region &region)
     return cells;
 }
 
-Triangulation triangulateCells(const Region &region)
+Result<Triangulation> triangulateCells(const Region &region)
 {
     Triangulation all;
     for (const Region &cell : cellsOf(region)) {
-        const Triangulation own = triangulate(cell);
-        if (own.triangles.empty())
+        const Result<Triangulation> own = triangulate(cell);
+        if (!own || own->triangles.empty())
             return triangulate(region);
         const int first = static_cast<int>(all.points.size());
-        all.points.insert(all.points.end(), own.points.begin(), own.points.end());
-        for (const auto &t : own.triangles)
+        all.points.insert(all.points.end(), own->points.begin(), own->points.end());
+        for (const auto &t : own->triangles)
             all.triangles.push_back({first + t[0], first + t[1], first + t[2]});
     }
     return all.triangles.empty() ? triangulate(region) : all;

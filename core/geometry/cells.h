@@ -18,6 +18,7 @@ namespace fff {
 std::vector<Region> cellsOf(const Region &region);
 
 /// Their triangles, in the cells' order; those of the whole region when it has no cells.
-Triangulation triangulateCells(const Region &region);
+/// Errors  as triangulate().
+Result<Triangulation> triangulateCells(const Region &region);
 
 } // namespace fff

@@ -3,6 +3,7 @@
 #include "core/assembly/crossing.h"
 #include "core/base/tolerances.h"
 #include "core/fabrication/wholeness.h"
+#include "core/geometry/cells.h"
 
 #include <algorithm>
 #include <cmath>
@@ -43,19 +44,53 @@ private:
     std::vector<int> m_first; // and behind the last one their number
 };
 
-/// The unit direction in which b comes off a.
-Vec3 slideOf(const Analysis &analysis, const Joint &joint)
+/// The slits of each joint, in their sections' order and within each in that of its row.
+class SlitsOfJoints
 {
-    const auto slitOf = [&](int host) -> const Slit * {
-        const auto &slits = analysis.assembly.slits[static_cast<std::size_t>(host)];
-        const auto found = std::find_if(slits.begin(), slits.end(),
-                                        [&](const Slit &s) { return s.joint == joint.id; });
-        return found == slits.end() ? nullptr : &*found;
-    };
+public:
+    explicit SlitsOfJoints(const Analysis &analysis)
+        : m_first(analysis.assembly.joints.size() + 2, 0)
+    {
+        const auto forEach = [&](auto visit) {
+            for (std::size_t i = 0; i < analysis.model.sectionCount(); ++i)
+                for (const Slit &slit : analysis.assembly.slits[i])
+                    visit(static_cast<int>(i), slit);
+        };
+        forEach(
+            [&](int, const Slit &slit) { ++m_first[static_cast<std::size_t>(slit.joint) + 1]; });
+        std::partial_sum(m_first.begin(), m_first.end(), m_first.begin());
+        m_all.resize(m_first.back());
+        std::vector<std::size_t> next = m_first;
+        forEach([&](int section, const Slit &slit) {
+            m_all[next[static_cast<std::size_t>(slit.joint)]++] = {section, &slit};
+        });
+    }
+
+    /// Calls visit(section, slit) for each of them.
+    template <class Visit>
+    void forEach(const Joint &joint, Visit visit) const
+    {
+        const auto id = static_cast<std::size_t>(joint.id);
+        for (std::size_t i = m_first[id]; i < m_first[id + 1]; ++i)
+            visit(m_all[i].first, *m_all[i].second);
+    }
+
+private:
+    std::vector<std::size_t> m_first; // of each joint, by its id
+    std::vector<std::pair<int, const Slit *>> m_all;
+};
+
+/// The unit direction in which b comes off a.
+Vec3 slideOf(const Analysis &analysis, const Joint &joint, const SlitsOfJoints &slits)
+{
+    const Slit *inA = nullptr, *inB = nullptr;
+    slits.forEach(joint, [&](int section, const Slit &slit) {
+        const Slit *&first = section == joint.a ? inA : inB;
+        first = first ? first : &slit;
+    });
     const auto frameOf = [&](int section) -> const Frame & {
         return analysis.model.section(static_cast<std::size_t>(section))->frame;
     };
-    const Slit *inA = slitOf(joint.a), *inB = slitOf(joint.b);
     if (!slidesAlongAxis(joint.kind)) {
         const int guest = inA && inA->role == SlitRole::Slit ? joint.b : joint.a;
         return frameOf(guest).normal().cross(joint.crossing->axis.direction).normalized();
@@ -71,7 +106,7 @@ struct Hold
     double play = std::numbers::pi, length = 0.0; // see Slide
 };
 
-Hold holdOf(const Analysis &analysis, const Joint &joint)
+Hold holdOf(const Analysis &analysis, const Joint &joint, const SlitsOfJoints &slits)
 {
     Hold hold;
     double surest = 0.0; // mm: of what both slits hold longest
@@ -81,14 +116,13 @@ Hold holdOf(const Analysis &analysis, const Joint &joint)
     for (const int section : {joint.a, joint.b}) {
         const Stock &stock = analysis.model.stockOf(static_cast<std::size_t>(section));
         clearance = std::max(clearance, stock.clearance);
-        for (const Slit &slit : analysis.assembly.slits[static_cast<std::size_t>(section)])
-            if (slit.joint == joint.id) {
-                const double length = (slit.mouth - slit.inner).norm();
-                hold.length = std::max(hold.length, length);
-                if (slit.form)
-                    loose = std::max(loose, looseWall(*slit.form, {length, 0.5 * slit.width}));
-            }
     }
+    slits.forEach(joint, [&](int, const Slit &slit) {
+        const double length = (slit.mouth - slit.inner).norm();
+        hold.length = std::max(hold.length, length);
+        if (slit.form)
+            loose = std::max(loose, looseWall(*slit.form, {length, 0.5 * slit.width}));
+    });
     // One of the two slits holds the other section by its faces, and least where the way turns to
     // the middle between both planes' normals.
     constexpr double kCertain = 2.0;
@@ -140,6 +174,26 @@ std::optional<Stop> stopOf(Collisions &collisions, const std::vector<Slide> &sli
                                                : Stop{slide->b, slide->a, met};
 }
 
+/// Parts of more triangles than this are cut up into cells: an edit of a long spine, and who asks
+/// about one of its ribs, has to do with a few of them.
+constexpr std::size_t kManyTriangles = 256;
+
+SolidPointer solidOf(const CutSection &cut, std::size_t piece, const Frame &frame, double thickness)
+{
+    const Triangulation &triangles = (*cut.triangulations())[piece];
+    auto whole = std::make_shared<const Solid>(makeSolid(triangles, frame, thickness));
+    if (triangles.triangles.size() <= kManyTriangles)
+        return whole;
+    const Result<Triangulation> cells = triangulateCells(cut.parts()[piece].region);
+    if (!cells)
+        return whole; // the same, only slower
+    Solid solid = makeSolid(*cells, frame, thickness);
+    solid.hull = whole->hull;
+    solid.box = whole->box;
+    solid.whole = std::move(whole);
+    return std::make_shared<const Solid>(std::move(solid));
+}
+
 } // namespace
 
 std::vector<SolidPointer> solidsOf(const Analysis &analysis, std::vector<PartRef> &parts,
@@ -155,9 +209,8 @@ std::vector<SolidPointer> solidsOf(const Analysis &analysis, std::vector<PartRef
         const double thickness = analysis.model.stockOf(i).thickness;
         if (known.cut != cut || known.frame != frame || known.thickness != thickness) {
             known = {cut, frame, thickness, {}};
-            for (const Triangulation &piece : *cut->triangulations())
-                known.solids.push_back(
-                    std::make_shared<const Solid>(makeSolid(piece, frame, thickness)));
+            for (std::size_t k = 0; k < cut->parts().size(); ++k)
+                known.solids.push_back(solidOf(*cut, k, frame, thickness));
         }
         for (const SolidPointer &solid : known.solids) {
             parts.push_back({static_cast<int>(i), static_cast<int>(&solid - known.solids.data())});
@@ -170,6 +223,7 @@ std::vector<SolidPointer> solidsOf(const Analysis &analysis, std::vector<PartRef
 std::vector<Slide> slidesOf(const Analysis &analysis, const std::vector<PartRef> &parts)
 {
     const FirstParts first(analysis, parts);
+    const SlitsOfJoints slits(analysis);
     std::vector<Slide> slides;
     for (const Joint &joint : analysis.assembly.joints) {
         if (joint.kind == JointKind::None)
@@ -177,10 +231,10 @@ std::vector<Slide> slidesOf(const Analysis &analysis, const std::vector<PartRef>
         // Of a divided section it is not known which piece it holds: one direction more to try.
         const bool isWhole = first.count(joint.a) == 1 && first.count(joint.b) == 1;
         Slide slide;
-        slide.direction = slideOf(analysis, joint);
+        slide.direction = slideOf(analysis, joint, slits);
         slide.goesBothWays = !slidesAlongAxis(joint.kind);
         if (!slide.goesBothWays) {
-            const Hold hold = holdOf(analysis, joint);
+            const Hold hold = holdOf(analysis, joint, slits);
             slide.length = hold.length;
             slide.play = isWhole ? hold.play : slide.play;
         }

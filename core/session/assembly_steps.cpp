@@ -97,26 +97,42 @@ QString wayWord(const Vec3 &direction)
     return Words::tr("along the arrow", "direction of a way");
 }
 
-std::vector<int> matesOf(const AssemblySteps &steps, const AssemblyStep &step)
+/// Of each section those that joints connect it with.
+std::vector<std::vector<int>> connected(const Analysis &analysis)
 {
-    const auto sectionsOf = [&](const std::vector<int> &parts) {
-        std::set<int> sections;
-        for (const int part : parts)
-            sections.insert(steps.parts[static_cast<std::size_t>(part)].section);
-        return sections;
-    };
-    const std::set<int> moved = sectionsOf(step.parts), there = sectionsOf(step.onto);
-    std::vector<int> mates;
-    for (const int section : there) {
-        const bool isMate = std::any_of(moved.begin(), moved.end(), [&](int other) {
-            const Joint *joint = steps.analysis->assembly.joints.find(std::min(section, other),
-                                                                      std::max(section, other));
-            return section != other && joint && joint->kind != JointKind::None;
-        });
-        if (isMate)
-            mates.push_back(section);
+    std::vector<std::vector<int>> sections(analysis.model.sectionCount());
+    for (const Joint &joint : analysis.assembly.joints) {
+        if (joint.kind == JointKind::None)
+            continue;
+        sections[static_cast<std::size_t>(joint.a)].push_back(joint.b);
+        sections[static_cast<std::size_t>(joint.b)].push_back(joint.a);
     }
-    return mates;
+    return sections;
+}
+
+/// Of each step.
+std::vector<std::vector<int>> matesOf(const AssemblySteps &steps, const AssemblyPlan &plan)
+{
+    const std::vector<std::vector<int>> neighbours = connected(*steps.analysis);
+    std::vector<std::vector<int>> partsOf(neighbours.size());
+    for (int part = 0; part < static_cast<int>(steps.parts.size()); ++part)
+        partsOf[static_cast<std::size_t>(steps.parts[static_cast<std::size_t>(part)].section)]
+            .push_back(part);
+    std::vector<std::vector<int>> all;
+    for (const AssemblyStep &step : plan.steps) {
+        std::set<int> mates;
+        for (const int part : step.parts) {
+            const int moved = steps.parts[static_cast<std::size_t>(part)].section;
+            for (const int section : neighbours[static_cast<std::size_t>(moved)]) {
+                const std::vector<int> &pieces = partsOf[static_cast<std::size_t>(section)];
+                if (std::any_of(pieces.begin(), pieces.end(),
+                                [&](int piece) { return step.onto.contains(piece); }))
+                    mates.insert(section);
+            }
+        }
+        all.emplace_back(mates.begin(), mates.end());
+    }
+    return all;
 }
 
 } // namespace
@@ -134,8 +150,7 @@ AssemblyStepsPointer assemblySteps(AnalysisPointer analysis, const ModelPlan &pl
                                       steps->thicknessOf(part)}));
     steps->playback = Playback(plan.plan, std::move(boxes));
     steps->groups = stepGroups(plan.plan);
-    for (const AssemblyStep &step : plan.plan.steps)
-        steps->mates.push_back(matesOf(*steps, step));
+    steps->mates = matesOf(*steps, plan.plan);
     return steps;
 }
 

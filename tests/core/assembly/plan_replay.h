@@ -20,7 +20,7 @@ inline QString fault(const Analysis &analysis, const ModelPlan &plan)
     for (const PartOverlap &overlap : plan.overlaps)
         ignored.emplace(overlap.a, overlap.b);
     std::vector<std::set<int>> heaps; // of parts that are together
-    const auto heapOf = [&](const std::vector<int> &parts) {
+    const auto heapOf = [&](const auto &parts) {
         return std::find(heaps.begin(), heaps.end(), std::set(parts.begin(), parts.end()));
     };
     for (std::size_t s = 0; s < plan.plan.steps.size(); ++s) {

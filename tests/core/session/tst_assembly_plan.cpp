@@ -179,7 +179,7 @@ void TestAssemblyPlan::whatIsKnownFromBeforeChangesNothing()
     Document document = eggCrate(3, 4);
     AnalysisCaches analyses;
     PlanCaches caches;
-    for (int i = 0; i < 60; ++i) {
+    for (int i = 0; i < 340; ++i) {
         // To and fro, so that what was forgotten is asked for again.
         const Document next = edits.next(document);
         for (const Document *shown :
