@@ -50,6 +50,7 @@ public:
         }
         m_from.resize(2 * sectionCount);
         m_via.resize(2 * sectionCount);
+        leaveOutEnds();
     }
 
     /// From one of its sections to the other without it, as few joints as possible, with an axis
@@ -57,6 +58,8 @@ public:
     std::vector<int> through(const Joint &joint)
     {
         constexpr int kUnseen = -1;
+        if (isEnd(joint.a) || isEnd(joint.b))
+            return {};
         std::fill(m_from.begin(), m_from.end(), kUnseen);
         // A section is passed once before and once after the first axis of another direction.
         const auto state = [](int section, bool isOther) {
@@ -73,6 +76,8 @@ public:
             for (const Edge &edge : m_edges[static_cast<std::size_t>(here / 2)]) {
                 if (edge.joint == &joint || edge.joint == m_via[static_cast<std::size_t>(here)])
                     continue; // no ring goes back the way it came
+                if (isEnd(edge.to))
+                    continue;
                 const int there = state(edge.to, here % 2 == 1 || !areParallel(*edge.joint, joint));
                 int &from = m_from[static_cast<std::size_t>(there)];
                 if (from == kUnseen) {
@@ -92,6 +97,27 @@ private:
         const Joint *joint;
     };
 
+    bool isEnd(int section) const { return m_degrees[static_cast<std::size_t>(section)] < 2; }
+
+    /// Sections that one joint holds are in no ring, and then neither are those which only such
+    /// ones hold besides: without them the ribs of a spine cost nothing.
+    void leaveOutEnds()
+    {
+        std::vector<int> ends;
+        for (const std::vector<Edge> &edges : m_edges) {
+            m_degrees.push_back(static_cast<int>(edges.size()));
+            if (edges.size() == 1)
+                ends.push_back(static_cast<int>(m_degrees.size()) - 1);
+        }
+        while (!ends.empty()) {
+            const int end = ends.back();
+            ends.pop_back();
+            for (const Edge &edge : m_edges[static_cast<std::size_t>(end)])
+                if (--m_degrees[static_cast<std::size_t>(edge.to)] == 1)
+                    ends.push_back(edge.to);
+        }
+    }
+
     /// Empty when a section is in it twice.
     std::vector<int> ringTo(int goal) const
     {
@@ -105,6 +131,7 @@ private:
     }
 
     std::vector<std::vector<Edge>> m_edges; // of each section
+    std::vector<int> m_degrees;             // of each section: joints to those that are no ends
     std::vector<int> m_from;                // of each state the one before it
     std::vector<const Joint *> m_via;       // and the joint between them
 };

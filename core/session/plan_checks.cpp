@@ -48,17 +48,20 @@ void explain(const Analysis &analysis, const ModelPlan &plan, const std::vector<
              Check &check)
 {
     std::vector<Vec3> ways;
-    for (std::size_t i = 0; i < sections.size(); ++i) {
-        for (std::size_t k = i + 1; k < sections.size(); ++k) {
-            const Joint *joint = analysis.assembly.joints.find(sections[i], sections[k]);
-            if (!joint || joint->kind == JointKind::None)
+    const auto isLocked = [&](int section) {
+        return std::binary_search(sections.begin(), sections.end(), section);
+    };
+    const SharedRows<Joint> &rows = analysis.assembly.joints.rows();
+    for (const int section : sections) {
+        for (const Joint &joint : rows[static_cast<std::size_t>(section)]) {
+            if (joint.kind == JointKind::None || !isLocked(joint.b))
                 continue;
             ++check.count;
-            check.links.push_back(linkOf(analysis.model, *joint));
+            check.links.push_back(linkOf(analysis.model, joint));
             if (!check.at)
-                check.at = placeOf(*joint);
-            const Vec3 &way = joint->crossing->axis.direction;
-            if (slidesAlongAxis(joint->kind) &&
+                check.at = placeOf(joint);
+            const Vec3 &way = joint.crossing->axis.direction;
+            if (slidesAlongAxis(joint.kind) &&
                 std::none_of(ways.begin(), ways.end(),
                              [&](const Vec3 &other) { return areParallel(way, other); }))
                 ways.push_back(way);

@@ -57,7 +57,7 @@ std::vector<Case> generatedCases(const QString &folder)
     const auto square = [](const char *name, int n) {
         return std::string(name) + ' ' + std::to_string(n) + " × " + std::to_string(n);
     };
-    for (int n : {5, 10, 20, 25, 40, 100})
+    for (int n : {5, 10, 20, 25, 40, 50, 100})
         add(square("lattice", n), lattice(n));
     for (int n : {5, 10, 20, 40}) {
         const Document document = latticeWithShort(n);

@@ -148,6 +148,41 @@ std::string pointTable(const std::vector<Measurement> &rows)
     return aligned("The worst move of a control point, milliseconds", table);
 }
 
+/// What the name of a generated model says before its size.
+std::string familyOf(const std::string &name)
+{
+    const std::size_t size = name.find_first_of("0123456789");
+    const bool isSized = size != 0 && size != std::string::npos && name[size - 1] == ' ';
+    return isSized ? name.substr(0, size) : std::string();
+}
+
+/// Of models that differ in size alone, each beside the one before it.
+std::string growthTable(const std::vector<Measurement> &rows)
+{
+    std::vector<Row> table{{"model", "sections", "joints", "first", "after an edit", "joints ×",
+                            "first ×", "after an edit ×"}};
+    const auto first = [](const Measurement &row) {
+        return row.milliseconds.check + row.milliseconds.plan;
+    };
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        const Measurement &row = rows[i];
+        const std::string family = familyOf(row.name);
+        if (family.empty() || !(row.kernel > 0.0))
+            continue;
+        Row cells{row.name, std::to_string(row.sections), std::to_string(row.joints),
+                  fixed(first(row) / row.kernel, 3), fixed(row.milliseconds.again / row.kernel, 3)};
+        if (i > 0 && familyOf(rows[i - 1].name) == family && rows[i - 1].kernel > 0.0) {
+            const Measurement &before = rows[i - 1];
+            const double kernels = row.kernel / before.kernel;
+            cells.push_back(fixed(static_cast<double>(row.joints) / before.joints, 1));
+            cells.push_back(fixed(first(row) / first(before) / kernels, 1));
+            cells.push_back(fixed(row.milliseconds.again / before.milliseconds.again / kernels, 1));
+        }
+        table.push_back(std::move(cells));
+    }
+    return aligned("Growth of the verdicts with the plan, kernels (× the model before)", table);
+}
+
 std::string memoryTable(const std::vector<Measurement> &rows)
 {
     std::vector<Row> table{{"model", "sections", "counted", "expected"}};
@@ -168,6 +203,8 @@ std::string tables(const std::vector<Measurement> &rows, const std::optional<Pee
         out += timeTable(rows, true);
     if (hasKernels && peer)
         out += peerTable(rows, *peer);
+    if (hasKernels)
+        out += growthTable(rows);
     return out + pointTable(rows) + memoryTable(rows);
 }
 
