@@ -14,6 +14,8 @@ constexpr double kEndless = std::numeric_limits<double>::infinity();
 constexpr double kParallel = 1e-18;
 /// A way so short that nothing moves, mm.
 constexpr double kStill = 1e-9;
+/// Prisms of a part that come near another one's slit.
+constexpr std::size_t kMostlyFewer = 16;
 /// Boxes around many triangles may be wrong by less, mm.
 constexpr double kBoxRounding = 1e-6;
 
@@ -224,6 +226,8 @@ std::vector<Encounter::Candidate> Encounter::candidates(const Solid &solid, cons
         candidate.corners = corners;
         all.from = std::min(all.from, own.from);
         all.to = std::max(all.to, own.to);
+        if (found.empty())
+            found.reserve(kMostlyFewer);
         found.push_back(candidate);
         return false;
     });
