@@ -176,7 +176,7 @@ std::optional<Stop> stopOf(Collisions &collisions, const std::vector<Slide> &sli
 
 /// Parts of more triangles than this are cut up into cells: an edit of a long spine, and who asks
 /// about one of its ribs, has to do with a few of them.
-constexpr std::size_t kManyTriangles = 256;
+constexpr std::size_t kManyTriangles = 192;
 
 SolidPointer solidOf(const CutSection &cut, std::size_t piece, const Frame &frame, double thickness)
 {
