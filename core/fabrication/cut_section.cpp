@@ -14,9 +14,38 @@ namespace fff {
 
 namespace {
 
-// Each costs some 100 kB with its triangles; a model of a few hundred sections and its undo steps
-// fit.
-constexpr std::size_t kMaxCutSections = 1024;
+// A model of a few hundred sections and its undo steps fit.
+constexpr std::size_t kMostCuts = 1024;
+// Weighing all is worth it when there is so much new, or half as much as there was.
+constexpr std::size_t kManyCuts = 256;
+
+// What an entry, a shared object, and where a slit goes through a boundary, take besides vectors.
+constexpr std::size_t kEntryBytes = 256, kNotchBytes = 640;
+
+template <class T>
+std::size_t bytesOf(const std::vector<T> &values)
+{
+    return values.size() * sizeof(T);
+}
+
+std::size_t bytesOf(const CurvedRegion &part)
+{
+    std::size_t bytes = sizeof(CurvedRegion) + bytesOf(part.outer.points());
+    for (const Contour &hole : part.holes)
+        bytes += sizeof(Contour) + bytesOf(hole.points());
+    bytes += bytesOf(part.region.outer);
+    for (const Polygon &hole : part.region.holes)
+        bytes += sizeof(Polygon) + bytesOf(hole);
+    return bytes;
+}
+
+std::size_t bytesOf(const std::vector<CurvedRegion> &parts)
+{
+    std::size_t bytes = 0;
+    for (const CurvedRegion &part : parts)
+        bytes += bytesOf(part);
+    return bytes;
+}
 
 struct CutKey
 {
@@ -194,14 +223,17 @@ CutSection::CutSection(const Shape &shape, const std::vector<Slit> &slits, const
 const Result<std::vector<Triangulation>> &CutSection::triangulations() const
 {
     std::call_once(m_once, [this] {
+        std::size_t bytes = 0;
         for (const CurvedRegion &part : m_parts) {
-            Result<Triangulation> triangles = triangulate(part.region);
-            if (!triangles) {
-                m_triangulations = tl::unexpected(triangles.error());
+            Result<Triangulation> made = triangulate(part.region);
+            if (!made) {
+                m_triangulations = tl::unexpected(made.error());
                 return;
             }
-            m_triangulations->push_back(*std::move(triangles));
+            bytes += sizeof(*made) + bytesOf(made->points) + bytesOf(made->triangles);
+            m_triangulations->push_back(*std::move(made));
         }
+        m_triangleBytes = bytes;
     });
     return m_triangulations;
 }
@@ -211,6 +243,8 @@ const std::vector<RegionTree> &CutSection::trees() const
     std::call_once(m_treesOnce, [this] {
         for (const CurvedRegion &part : m_parts)
             m_trees.emplace_back(part.region);
+        // A box for every eight edges, and for every eight of these.
+        m_treeBytes = bytesOf(m_parts) / sizeof(Vec2) * sizeof(Box2) / 7;
     });
     return m_trees;
 }
@@ -243,9 +277,16 @@ Result<CutSection::Paths> CutSection::compensated(double kerf) const
     const std::lock_guard lock(m_compensatedMutex);
     if ((m_compensated && !*m_compensated) || m_compensatedKerf != kerf) {
         m_compensated = compensatedParts(m_parts, kerf);
+        m_compensatedBytes = m_compensated ? bytesOf(**m_compensated) : 0;
         m_compensatedKerf = kerf;
     }
     return m_compensated;
+}
+
+std::size_t CutSection::bytes() const
+{
+    return sizeof(*this) + bytesOf(m_parts) + m_notches.size() * (sizeof(SlitNotch) + kNotchBytes) +
+           m_triangleBytes + m_treeBytes + m_compensatedBytes;
 }
 
 struct CutCache::Data
@@ -257,6 +298,8 @@ struct CutCache::Data
         CutSectionPointer cut;
     };
 
+    std::size_t room = kRoom, most = kMostCuts;
+    std::size_t added = 0;    // since it was trimmed
     std::list<Entry> entries; // most recently used first
     std::unordered_map<const CutKey *, std::list<Entry>::iterator, CutKeyHash, CutKeyEqual> byKey;
 
@@ -267,9 +310,7 @@ struct CutCache::Data
         if (found == byKey.end())
             return nullptr;
         if (found->second->shape.expired()) {
-            const auto entry = found->second;
-            byKey.erase(found);
-            entries.erase(entry);
+            drop(found->second);
             return nullptr;
         }
         entries.splice(entries.begin(), entries, found->second);
@@ -278,19 +319,48 @@ struct CutCache::Data
 
     void insert(Entry entry)
     {
-        while (entries.size() >= kMaxCutSections) {
-            byKey.erase(&entries.back().key);
-            entries.pop_back();
-        }
+        while (entries.size() >= most)
+            drop(std::prev(entries.end()));
+        if (++added > std::max(kManyCuts, entries.size() / 2))
+            trim();
         entries.push_front(std::move(entry));
         byKey.emplace(&entries.front().key, entries.begin());
     }
+
+    void trim()
+    {
+        added = 0;
+        std::size_t bytes = 0;
+        for (auto entry = entries.begin(); entry != entries.end();) {
+            bytes += kEntryBytes + bytesOf(entry->key.slits);
+            if (!entry->shape.expired() && (bytes += entry->cut->bytes()) <= room) {
+                ++entry;
+                continue;
+            }
+            entry = drop(entry);
+        }
+    }
+
+    std::list<Entry>::iterator drop(std::list<Entry>::iterator entry)
+    {
+        byKey.erase(&entry->key);
+        return entries.erase(entry);
+    }
 };
 
-CutCache::CutCache() : m_data(std::make_unique<Data>()) {}
+CutCache::CutCache(std::size_t room) : m_data(std::make_unique<Data>())
+{
+    m_data->room = room;
+}
 CutCache::~CutCache() = default;
 CutCache::CutCache(CutCache &&) noexcept = default;
 CutCache &CutCache::operator=(CutCache &&) noexcept = default;
+
+void CutCache::trim(std::size_t sections)
+{
+    m_data->most = std::max(kMostCuts, 2 * sections);
+    m_data->trim();
+}
 
 CutSectionPointer cutSection(const ShapePointer &shape, const std::vector<Slit> &slits,
                              CutCache &cache, const CutSection *before)

@@ -8,6 +8,8 @@
 #include "core/model/shape.h"
 
 #include <array>
+#include <atomic>
+#include <cstddef>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -72,12 +74,16 @@ public:
     using Paths = std::shared_ptr<const std::vector<CurvedRegion>>;
     Result<Paths> compensated(double kerf) const;
 
+    /// What it takes by now, with all that was worked out of it; from any thread.
+    std::size_t bytes() const;
+
 private:
     std::vector<CurvedRegion> m_parts;
     std::vector<SlitNotch> m_notches; // of all slits, or empty
     mutable std::mutex m_compensatedMutex;
     mutable double m_compensatedKerf = 0.0;
     mutable Result<Paths> m_compensated; // null: not asked for yet
+    mutable std::atomic<std::size_t> m_triangleBytes = 0, m_treeBytes = 0, m_compensatedBytes = 0;
     mutable std::once_flag m_once, m_treesOnce, m_momentsOnce;
     mutable Moments m_moments;
     mutable Result<std::vector<Triangulation>> m_triangulations;
@@ -87,15 +93,23 @@ private:
 
 using CutSectionPointer = std::shared_ptr<const CutSection>;
 
-/// Keeps cut sections by (Shape, slits). Holds shapes weakly; bounded (least recently used goes
-/// first). Not for several threads at once.
+/// Keeps cut sections by (Shape, slits). Holds shapes weakly, and no cuts of shapes that are gone;
+/// bounded in bytes (least recently used goes first). Not for several threads at once.
 class CutCache
 {
 public:
-    CutCache();
+    /// Of the cuts, with all that was worked out of them.
+    static constexpr std::size_t kRoom = 64u << 20; // bytes
+
+    explicit CutCache(std::size_t room = kRoom);
     ~CutCache();
     CutCache(CutCache &&) noexcept;
     CutCache &operator=(CutCache &&) noexcept;
+
+    /// Leaves what there is room for. Is done now and then by itself; here for who has worked much
+    /// out of the cuts.
+    /// sections   of the model: the cuts of twice as many are kept, if they fit
+    void trim(std::size_t sections);
 
     struct Data;
     Data &data() { return *m_data; }

@@ -8,6 +8,13 @@ namespace fff {
 
 namespace {
 
+/// Whether the model has the section as it is: what operations made anew is another object.
+bool hasEqual(const Model &model, const Section &section)
+{
+    const Section *own = model.find(section.ref());
+    return own && *own == section;
+}
+
 /// Those of `after` that are not in `before`, by pointer; what both begin and end with is passed
 /// over, since an edit adds at the end or changes in place.
 template <class T, class Pointer, class Found>
@@ -38,7 +45,10 @@ std::vector<SectionRef> changedSections(const Model &before, const Model &after)
     std::vector<SectionRef> changed;
     eachNew(
         before.sections(), after.sections(), [](const SectionPointer &s) { return s.get(); },
-        [&](const SectionPointer &s) { changed.push_back(s->ref()); });
+        [&](const SectionPointer &s) {
+            if (!hasEqual(before, *s))
+                changed.push_back(s->ref());
+        });
 
     std::vector<StockId> stocks;
     eachNew(
@@ -80,6 +90,9 @@ std::vector<SectionPointer> missingSections(const Model &before, const Model &af
     const std::vector<SectionPointer> present = sorted(now);
     std::set_difference(touched.begin(), touched.end(), present.begin(), present.end(),
                         std::back_inserter(missing));
+    std::erase_if(missing, [&](const SectionPointer &s) {
+        return hasEqual(now, *s) || (hasEqual(before, *s) && hasEqual(after, *s));
+    });
     return missing;
 }
 

@@ -9,12 +9,12 @@
 namespace fff {
 
 /// The sections of `after`, drawn and generated, that `before` does not have as they are: added or
-/// changed ones, and those whose stock was changed. Sorted. Compares pointers: what an edit leaves
-/// alone costs one comparison.
+/// changed ones, and those whose stock was changed. Sorted. Compares pointers, and values where
+/// those differ: what an edit leaves alone costs one comparison.
 std::vector<SectionRef> changedSections(const Model &before, const Model &after);
 
 /// The sections, as they stand in either of the models, that `now` does not have: what a step
-/// between them takes away or would bring back. Compares pointers.
+/// between them takes away or would bring back. Compares as changedSections().
 std::vector<SectionPointer> missingSections(const Model &before, const Model &after,
                                             const Model &now);
 

@@ -2,6 +2,7 @@
 
 #include "core/operations/evaluate.h"
 #include "core/session/journal.h"
+#include "core/session/kept_models.h"
 #include "core/session/latest_job.h"
 
 #include <QScopedValueRollback>
@@ -10,12 +11,6 @@
 
 namespace fff {
 
-namespace {
-
-using ModelPointer = std::shared_ptr<const Model>;
-
-} // namespace
-
 class Session::Private
 {
 public:
@@ -23,11 +18,16 @@ public:
 
     void show(ModelPointer next);
     void indexChanged();
+    /// After so many steps. Null when there are not so many.
+    KeptModelPointer keptAfter(int steps) const;
 
     Session *q;
     QUndoStack *stack;
+    KeptModels models;
     ModelPointer committed = std::make_shared<const Model>(evaluate(newDocument()));
-    ModelPointer shown = committed; // what was announced last
+    KeptModelPointer at = models.keep(committed); // where the stack stands: what is committed, once
+                                                  // it has arrived
+    ModelPointer shown = committed;               // what was announced last
     std::uint64_t revision = 0;
     bool isResetting = false; // the stack's own signals say nothing then
 
@@ -39,15 +39,16 @@ public:
 
 namespace {
 
-/// The one undo command: swaps the very Model objects, so that nothing is computed again. Silent;
-/// the session announces when the stack has arrived at its new index, once for a jump over many.
+/// The one undo command: says which model it is. Silent; the session has it made, where it is not
+/// there any more, and announces it when the stack has arrived at its new index, once for a jump
+/// over many.
 class ModelStep : public QUndoCommand
 {
 public:
-    ModelStep(const QString &text, ModelPointer *committed, ModelPointer before, ModelPointer after,
-              std::string merges)
-        : QUndoCommand(text), m_committed(committed), m_before(std::move(before)),
-          m_after(std::move(after)), m_merges(std::move(merges))
+    ModelStep(const QString &text, KeptModelPointer *at, KeptModelPointer before,
+              KeptModelPointer after, std::string merges)
+        : QUndoCommand(text), m_at(at), m_before(std::move(before)), m_after(std::move(after)),
+          m_merges(std::move(merges))
     {
     }
     int id() const override { return m_merges.empty() ? -1 : 1; }
@@ -59,14 +60,14 @@ public:
         m_after = step->m_after;
         return true;
     }
-    void undo() override { *m_committed = m_before; }
-    void redo() override { *m_committed = m_after; }
-    const Model *before() const { return m_before.get(); }
-    const Model *after() const { return m_after.get(); }
+    void undo() override { *m_at = m_before; }
+    void redo() override { *m_at = m_after; }
+    const KeptModelPointer &before() const { return m_before; }
+    const KeptModelPointer &after() const { return m_after; }
 
 private:
-    ModelPointer *m_committed;
-    ModelPointer m_before, m_after;
+    KeptModelPointer *m_at;
+    KeptModelPointer m_before, m_after;
     std::string m_merges;
 };
 
@@ -107,9 +108,22 @@ void Session::Private::indexChanged()
 {
     if (isResetting)
         return;
+    committed = models.get(*at, *committed);
     qCDebug(journal, "step %s", digestOf(committed->document).constData());
     show(committed);
     Q_EMIT q->committedChanged();
+}
+
+KeptModelPointer Session::Private::keptAfter(int steps) const
+{
+    const auto step = [this](int index) {
+        return static_cast<const ModelStep *>(stack->command(index));
+    };
+    if (steps < 0 || steps > stack->count())
+        return nullptr;
+    if (stack->count() == 0)
+        return at;
+    return steps == 0 ? step(0)->before() : step(steps - 1)->after();
 }
 
 Session::Session(QObject *parent) : QObject(parent), d(std::make_unique<Private>(this))
@@ -144,6 +158,8 @@ void Session::reset(Document document)
     Q_EMIT replaced();
     d->isResetting = true;
     d->committed = std::make_shared<const Model>(evaluate(std::move(document)));
+    d->models.clear();
+    d->at = d->models.keep(d->committed);
     d->stack->clear();
     d->stack->setClean(); // an empty history is not cleared, and may be of an unsaved document
     d->isResetting = false;
@@ -178,7 +194,7 @@ void Session::commit(const QString &text, Document document, const std::string &
         document.isSame(d->shown->document)
             ? d->shown
             : std::make_shared<const Model>(evaluate(std::move(document), *d->committed));
-    d->stack->push(new ModelStep(text, &d->committed, d->committed, after, merges));
+    d->stack->push(new ModelStep(text, &d->at, d->at, d->models.keep(after), merges));
 }
 
 QUndoStack *Session::history() const
@@ -186,16 +202,10 @@ QUndoStack *Session::history() const
     return d->stack;
 }
 
-const Model *Session::modelAfter(int steps) const
+std::shared_ptr<const Model> Session::modelAfter(int steps) const
 {
-    const auto step = [this](int index) {
-        return static_cast<const ModelStep *>(d->stack->command(index));
-    };
-    if (steps < 0 || steps > d->stack->count())
-        return nullptr;
-    if (d->stack->count() == 0)
-        return d->committed.get();
-    return steps == 0 ? step(0)->before() : step(steps - 1)->after();
+    const KeptModelPointer kept = d->keptAfter(steps);
+    return kept ? d->models.get(*kept, *d->committed) : nullptr;
 }
 
 bool Session::isClean() const
@@ -217,7 +227,7 @@ void Session::setSaved(const Document &document)
     }
     const int index = stack.index();
     int saved = stack.count();
-    while (saved >= 0 && !document.isSame(modelAfter(saved)->document))
+    while (saved >= 0 && !document.isSame(d->keptAfter(saved)->document()))
         --saved;
     {
         // The stack marks only the step that it stands at.

@@ -40,8 +40,8 @@ public:
     /// Undo, redo, jump: every change of index is announced once, from where it was to where it is.
     QUndoStack *history() const;
     /// What was committed after so many steps of the history: 0 before the first one. Null when
-    /// there are not so many.
-    const Model *modelAfter(int steps) const;
+    /// there are not so many. What operations made of it may be made anew for that.
+    std::shared_ptr<const Model> modelAfter(int steps) const;
     bool isClean() const;
     void setClean(); // saved
     /// This document is on disk now. It may be an earlier or later step than what is committed by

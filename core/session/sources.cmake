@@ -18,6 +18,7 @@ target_sources(fff_session PRIVATE
     joining_move.cpp
     joint_commands.cpp
     journal.cpp
+    kept_models.cpp
     mark_commands.cpp
     measure_commands.cpp
     narrow_slits.cpp

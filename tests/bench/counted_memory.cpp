@@ -1,12 +1,30 @@
 #include "tests/bench/counted_memory.h"
 
+#include <algorithm>
+#include <array>
+#include <atomic>
 #include <cstddef>
 #include <cstdlib>
 #include <new>
 
 namespace {
 
-thread_local std::int64_t live = 0;
+// One a thread, which alone writes it. Pools begin and end threads all day.
+constexpr std::size_t kThreads = 1u << 16;
+std::array<std::atomic<std::int64_t>, kThreads> counts;
+std::atomic<std::size_t> threads = 0;
+
+std::atomic<std::int64_t> &ownCount()
+{
+    thread_local std::atomic<std::int64_t> &count = counts[threads++ % kThreads];
+    return count;
+}
+
+void add(std::int64_t bytes)
+{
+    std::atomic<std::int64_t> &count = ownCount();
+    count.store(count.load(std::memory_order_relaxed) + bytes, std::memory_order_relaxed);
+}
 
 // Before each block stands its size, in as many bytes as keep the block's alignment.
 constexpr std::size_t kHeader = alignof(std::max_align_t);
@@ -16,7 +34,15 @@ static_assert(kHeader >= sizeof(std::size_t));
 
 std::int64_t fff::bench::liveBytes()
 {
-    return live;
+    return ownCount().load(std::memory_order_relaxed);
+}
+
+std::int64_t fff::bench::liveBytesOfAll()
+{
+    std::int64_t sum = 0;
+    for (std::size_t i = 0; i < std::min(threads.load(), kThreads); ++i)
+        sum += counts[i].load(std::memory_order_relaxed);
+    return sum;
 }
 
 void *operator new(std::size_t size)
@@ -25,7 +51,7 @@ void *operator new(std::size_t size)
     if (!block)
         throw std::bad_alloc();
     *static_cast<std::size_t *>(block) = size;
-    live += static_cast<std::int64_t>(size);
+    add(static_cast<std::int64_t>(size));
     return static_cast<char *>(block) + kHeader;
 }
 
@@ -48,7 +74,7 @@ void operator delete(void *pointer) noexcept
     if (!pointer)
         return;
     void *block = static_cast<char *>(pointer) - kHeader;
-    live -= static_cast<std::int64_t>(*static_cast<std::size_t *>(block));
+    add(-static_cast<std::int64_t>(*static_cast<std::size_t *>(block)));
     std::free(block);
 }
 

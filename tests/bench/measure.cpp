@@ -8,6 +8,7 @@
 #include "core/operations/evaluate.h"
 #include "core/session/checks.h"
 #include "core/session/cutting_file.h"
+#include "core/session/kept_models.h"
 #include "core/session/plan_checks.h"
 #include "tests/bench/counted_memory.h"
 #include "tests/bench/gizmo_event.h"
@@ -22,8 +23,6 @@ namespace {
 constexpr double kDragStep = 0.01; // mm; every move is one that no cache has seen
 constexpr int kMoves = 9;          // a run
 constexpr double kStretch = 3.0;   // mm between which a dragged section goes to and fro
-
-using ModelPointer = std::shared_ptr<const Model>;
 
 ModelPointer modelOf(Document document, const Model &previous = {})
 {
@@ -62,8 +61,13 @@ Document moved(const Document &document, SectionId id, double by)
 StepMemory memoryOfStep(const ModelPointer &model, SectionId id)
 {
     const std::int64_t before = liveBytes();
-    const ModelPointer after = modelOf(moved(model->document, id, kDragStep), *model);
+    ModelPointer after = modelOf(moved(model->document, id, kDragStep), *model);
     StepMemory memory;
+    memory.held = liveBytes() - before;
+    KeptModels models(0);
+    const KeptModelPointer kept = models.keep(std::move(after));
+    after = kept->drawn;
+    models.clear();
     memory.counted = liveBytes() - before;
     // Objects made shared carry two counters and a table of functions.
     constexpr std::int64_t kShared = 16;
@@ -75,14 +79,14 @@ StepMemory memoryOfStep(const ModelPointer &model, SectionId id)
     };
     memory.expected =
         static_cast<std::int64_t>(16 * (model->sectionCount() + model->document.stocks.size()) +
-                                  sizeof(Section) + sizeof(Model)) +
-        2 * kShared + size(changed.name);
+                                  sizeof(Section) + sizeof(Model) + sizeof(KeptModel)) +
+        3 * kShared + size(changed.name);
     return memory;
 }
 
 struct Edits
 {
-    std::vector<double> drag, edit, undo;
+    std::vector<double> drag, edit, undo, anew;
 };
 
 /// A drag: each move starts from the committed model, as previews do, and follows the move before.
@@ -105,6 +109,10 @@ void measureEdits(const ModelPointer &committed, SectionId id, AnalysisCaches &c
         edits.drag.push_back(drag);
         edits.edit.push_back(drag + follow);
         edits.undo.push_back(undo);
+        analysis = analysed(next);
+        analysis = timed(edits.anew.emplace_back(),
+                         [&] { return analysed(modelOf(committed->document, *next)); });
+        analysis = analysed(committed);
     }
 }
 
@@ -225,6 +233,7 @@ Result<Measurement> measure(const std::string &name, const QString &path, int ru
     result.milliseconds.drag = median(edits.drag);
     result.milliseconds.edit = median(edits.edit);
     result.milliseconds.undo = median(edits.undo);
+    result.milliseconds.anew = median(edits.anew);
     // Of the runs the one in the middle, with the shares of its steps.
     const auto run = points.begin() + (std::ssize(points) - 1) / 2;
     std::nth_element(points.begin(), run, points.end(),

@@ -27,6 +27,7 @@ struct Timings
     double drag = 0.0;     // a section moved, and the model of that; no slits
     double edit = 0.0;     // the same with all joints, slits, cuts and triangles that follow
     double undo = 0.0;     // back, with all of that
+    double anew = 0.0;     // the same where what operations made is not kept any more
     double point = 0.0;    // the worst move of a control point, with all that follows
     double gizmo = 0.0;    // a move of the gizmo: event, snapping, edit, model
     double check = 0.0;    // all checks but planning, nothing known from before
@@ -43,6 +44,7 @@ struct StepMemory
 {
     std::int64_t counted = 0;
     std::int64_t expected = 0;
+    std::int64_t held = 0; // with what operations made of it, while it is one of the last steps
 };
 
 struct Measurement

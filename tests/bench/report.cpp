@@ -18,7 +18,7 @@ struct Column
     double Timings::*field;
 };
 
-constexpr std::array<Column, 14> kColumns{{{"load", &Timings::load},
+constexpr std::array<Column, 15> kColumns{{{"load", &Timings::load},
                                            {"evaluate", &Timings::evaluate},
                                            {"slits", &Timings::slits},
                                            {"parts", &Timings::parts},
@@ -27,6 +27,7 @@ constexpr std::array<Column, 14> kColumns{{{"load", &Timings::load},
                                            {"drag", &Timings::drag},
                                            {"edit", &Timings::edit},
                                            {"undo", &Timings::undo},
+                                           {"anew", &Timings::anew},
                                            {"point", &Timings::point},
                                            {"gizmo", &Timings::gizmo},
                                            {"check", &Timings::check},
@@ -185,10 +186,10 @@ std::string growthTable(const std::vector<Measurement> &rows)
 
 std::string memoryTable(const std::vector<Measurement> &rows)
 {
-    std::vector<Row> table{{"model", "sections", "counted", "expected"}};
+    std::vector<Row> table{{"model", "sections", "counted", "expected", "with operations"}};
     for (const Measurement &row : rows)
         table.push_back({row.name, std::to_string(row.sections), std::to_string(row.step.counted),
-                         std::to_string(row.step.expected)});
+                         std::to_string(row.step.expected), std::to_string(row.step.held)});
     return aligned("Bytes of one undo step (16 a section + the changed objects)", table);
 }
 

@@ -121,7 +121,7 @@ void HistoryDock::refresh()
 {
     QUndoStack &history = *m_bench.session().history();
     m_empty->setVisible(history.count() == 0);
-    const Model *first = m_bench.session().modelAfter(0);
+    const auto first = m_bench.session().modelAfter(0);
     m_view->setEmptyLabel(first && first->sectionCount() > 0 ? tr("As it was opened")
                                                              : tr("New model"));
     m_view->viewport()->update(); // also rows whose index is the old one
@@ -142,8 +142,8 @@ void HistoryDock::hoverStep(int row)
 {
     const Session &session = m_bench.session();
     m_view->setToolTip(row == session.history()->cleanIndex() ? tr("Saved here") : QString());
-    const Model *before = row > 0 ? session.modelAfter(row - 1) : nullptr;
-    const Model *after = session.modelAfter(row);
+    const auto before = row > 0 ? session.modelAfter(row - 1) : nullptr;
+    const auto after = session.modelAfter(row);
     if (!before || !after) {
         m_bench.setOutlined({});
         return;
