@@ -70,8 +70,10 @@ double parameterAfter(const CubicBezier &curve, double length, double total)
 ArcLength::ArcLength(Contour contour) : m_contour(std::move(contour))
 {
     m_starts.push_back(0.0);
-    for (int i = 0; i < m_contour.segmentCount(); ++i)
-        m_starts.push_back(m_starts.back() + lengthTo(m_contour.segment(i), 1.0));
+    for (int i = 0; i < m_contour.segmentCount(); ++i) {
+        m_lengths.push_back(lengthTo(m_contour.segment(i), 1.0));
+        m_starts.push_back(m_starts.back() + m_lengths.back());
+    }
 }
 
 double ArcLength::of(const CurvePoint &place) const
@@ -92,6 +94,26 @@ CurvePoint ArcLength::at(double length) const
     const double own = m_starts[segment + 1] - m_starts[segment];
     const int index = static_cast<int>(segment);
     return {index, parameterAfter(m_contour.segment(index), rest - m_starts[segment], own)};
+}
+
+CurvePoint ArcLength::after(const CurvePoint &from, double length) const
+{
+    if (!(total() > 0.0))
+        return from;
+    const auto count = m_lengths.size();
+    auto segment = static_cast<std::size_t>(from.segment);
+    // From the segment's start.
+    double rest = lengthTo(m_contour.segment(from.segment), from.t) + std::fmod(length, total());
+    while (rest < 0.0) {
+        segment = (segment + count - 1) % count;
+        rest += m_lengths[segment];
+    }
+    while (rest >= m_lengths[segment]) {
+        rest -= m_lengths[segment];
+        segment = (segment + 1) % count;
+    }
+    const int index = static_cast<int>(segment);
+    return {index, parameterAfter(m_contour.segment(index), rest, m_lengths[segment])};
 }
 
 Vec2 positionAt(const Contour &contour, const CurvePoint &place)

@@ -21,9 +21,13 @@ public:
     double of(const CurvePoint &place) const;
     /// Where one is after `length`, which is taken modulo the total.
     CurvePoint at(double length) const;
+    /// Where one is after so much from there, backwards where it is negative. To the last bit it
+    /// follows from what lies in between alone.
+    CurvePoint after(const CurvePoint &from, double length) const;
 
 private:
     Contour m_contour;
+    std::vector<double> m_lengths; // of each segment
     std::vector<double> m_starts; // of each segment, then the total
 };
 

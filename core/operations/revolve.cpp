@@ -84,7 +84,7 @@ public:
 
     bool add(const RowPlace &place, bool isOutside)
     {
-        const CurvePoint at = m_edge.boundary.at(m_edge.source + place.at);
+        const CurvePoint at = m_edge.boundary.after(m_edge.at, place.at);
         const Contour &contour = m_edge.boundary.contour();
         const Vec2 point = positionAt(contour, at), tangent = directionAt(contour, at);
         Eigen::Matrix2d turn = turnBetween(m_edge.tangent, tangent) * turnOfAngle();

@@ -16,6 +16,8 @@ class TestEvaluate : public QObject
 private Q_SLOTS:
     void unrelatedEditsKeepTheObjects();
     void movedInputsKeepTheShape();
+    void ribsBeforeAMovedPointStayTheVeryOnes_data();
+    void ribsBeforeAMovedPointStayTheVeryOnes();
     void laterOperationsFollowEarlierOnes();
     void missingInputsAreNamedAndComeBack();
     void offMakesNothing();
@@ -73,6 +75,55 @@ void TestEvaluate::movedInputsKeepTheShape()
     QCOMPARE(after.sectionCount(), before.sectionCount());
     for (std::size_t i = 1; i < after.sectionCount(); ++i)
         QCOMPARE(after.section(i)->shape, before.section(1)->shape);
+}
+
+void TestEvaluate::ribsBeforeAMovedPointStayTheVeryOnes_data()
+{
+    QTest::addColumn<QByteArray>("kind");
+    QTest::addColumn<QByteArray>("scale");
+    QTest::addColumn<double>("from");
+    QTest::addColumn<double>("to");
+    QTest::addColumn<int>("moved"); // of the spine's points, one that the row does not come to
+    for (const char *scale : {"no", "thickness"}) {
+        QTest::addRow("linear %s", scale)
+            << QByteArray("linear") << QByteArray(scale) << 0.4 << 1.0 << 6;
+        QTest::addRow("revolve %s", scale)
+            << QByteArray("revolve") << QByteArray(scale) << 0.0 << 0.15 << 7;
+    }
+    QTest::newRow("revolve back") << QByteArray("revolve") << QByteArray("no") << 0.8 << 0.2 << 7;
+}
+
+// Wrong: the far end of a spine could not be dragged without making, cutting and drawing all ribs
+// anew.
+void TestEvaluate::ribsBeforeAMovedPointStayTheVeryOnes()
+{
+    QFETCH(QByteArray, kind);
+    QFETCH(QByteArray, scale);
+    QFETCH(double, from);
+    QFETCH(double, to);
+    QFETCH(int, moved);
+    FishBones bones;
+    add(bones.document,
+        operation(kind.constData(), {{"section", {bones.rib}}, {"along", {bones.spine}}},
+                  {{"side", std::string(kind == QByteArray("linear") ? "both" : "outside")},
+                   {"repeatBy", std::string("spacing")},
+                   {"spacing", 7.0},
+                   {"scale", std::string(scale.constData())},
+                   {"from", from},
+                   {"to", to}}));
+    const Model before = evaluate(bones.document);
+    const ShapePointer shape = bones.document.find(bones.spine)->shape;
+    std::vector<Vec2> points = shape->contour().points();
+    points[static_cast<std::size_t>(moved)].x() += 3.0;
+    const ShapePointer other = shapeOf(Contour::fromPoints(points).value());
+    const Model after = evaluate(setShape(bones.document, bones.spine, other).value(), before);
+    int made = 0, kept = 0;
+    for (const SectionPointer &section : before.sections()) {
+        made += section->made.operation.isValid() ? 1 : 0;
+        const Section *now = after.find(section->ref());
+        kept += section->made.operation.isValid() && now == section.get() ? 1 : 0;
+    }
+    QVERIFY2(made > 4 && kept > made / 2, qPrintable(QStringLiteral("%1 %2").arg(made).arg(kept)));
 }
 
 // Wrong: what stands on a rib would stay in the air when the ribs are moved.
