@@ -2,10 +2,12 @@
 
 #include "core/assembly/crossing.h"
 #include "core/assembly/found_joint.h"
+#include "core/assembly/kept_joint.h"
 #include "core/assembly/realigned.h"
 #include "core/model/changes.h"
 
 #include <algorithm>
+#include <map>
 #include <numeric>
 #include <optional>
 #include <unordered_map>
@@ -94,10 +96,21 @@ public:
         const auto i = static_cast<std::size_t>(index);
         return i >= m_isChanged.size() || m_isChanged[i];
     }
+    /// Of a section that has another shape and all else as it was; null: it has not, or nobody has
+    /// looked where.
+    const ShapeChange *reshaped(int index) const
+    {
+        const auto it = m_reshaped.find(index);
+        return it == m_reshaped.end() ? nullptr : &it->second;
+    }
 
 private:
+    void findReshaped(const Model &model, const Model &previous, const Places &places,
+                      const std::vector<char> &isWantedOtherwise);
+
     std::vector<int> m_changed; // ascending
     std::vector<char> m_isChanged;
+    std::map<int, ShapeChange> m_reshaped;
 };
 
 Difference::Difference(const Model &model, const Model &previous, const Places &places)
@@ -124,17 +137,42 @@ Difference::Difference(const Model &model, const Model &previous, const Places &
             m_changed.push_back(static_cast<int>(i));
         }
     }
+    if (!isLarge() && hasSameStocks)
+        findReshaped(model, previous, places, isWantedOtherwise);
 }
 
-/// The joints of those pairs that have one.
-std::vector<FoundJoint> findJoints(const Model &model,
+void Difference::findReshaped(const Model &model, const Model &previous, const Places &places,
+                              const std::vector<char> &isWantedOtherwise)
+{
+    for (const int index : m_changed) {
+        const auto i = static_cast<std::size_t>(index);
+        const std::size_t place = places ? static_cast<std::size_t>((*places)[i]) : i;
+        if (place >= previous.sectionCount() || isWantedOtherwise[i])
+            continue;
+        const Section &now = *model.section(i), &before = *previous.section(place);
+        if (now.ref() == before.ref() && now.stock == before.stock && now.frame == before.frame)
+            m_reshaped.emplace(index, ShapeChange(*now.shape, *before.shape));
+    }
+}
+
+/// The joints of those pairs that have one; those that the edit does not come near as they were.
+std::vector<FoundJoint> findJoints(const Model &model, const Assembly &before,
+                                   const Difference &difference,
                                    const std::vector<std::pair<int, int>> &pairs)
 {
     std::vector<FoundJoint> found;
     found.reserve(pairs.size());
-    for (const auto &[a, b] : pairs)
-        if (std::optional<FoundJoint> joint = findJoint(model, a, b))
+    for (const auto &[a, b] : pairs) {
+        const ShapeChange *ofA = difference.reshaped(a), *ofB = difference.reshaped(b);
+        const bool mayBeKept =
+            (ofA || !difference.isChanged(a)) && (ofB || !difference.isChanged(b));
+        std::optional<FoundJoint> joint =
+            mayBeKept ? keptJoint(model, before, a, b, ofA, ofB) : std::nullopt;
+        if (!joint)
+            joint = findJoint(model, a, b);
+        if (joint)
             found.push_back(*std::move(joint));
+    }
     return found;
 }
 
@@ -317,7 +355,7 @@ Assembly assemble(const Model &model, const Model &previous, const Assembly &las
     for (const int i : difference.changed())
         assembly.boxes[static_cast<std::size_t>(i)] = boxes.of(static_cast<std::size_t>(i));
     const std::vector<FoundJoint> found =
-        findJoints(model, pairsToLookAt(difference, assembly.boxes));
+        findJoints(model, before, difference, pairsToLookAt(difference, assembly.boxes));
     const std::vector<int> concerned = concernedSections(difference, before, count, found);
     const bool hasNewIds =
         renewJoints(difference, concerned, found, count, assembly.joints) || moved.hasNewIds;

@@ -4,9 +4,26 @@
 #include "core/base/tolerances.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 namespace fff {
+
+namespace {
+
+/// Steps of a mm. Two slits meet in the middle of their overlap to half of a µm: where is a matter
+/// of choice, and so an edit of one section leaves slits of many equal mates alike, which are cut
+/// once.
+constexpr double kMeetingSteps = 1e3;
+
+/// The middle of an overlap, a whole number of steps from where b ends.
+double meetingPoint(double from, double to, const Interval &b)
+{
+    const double middle = 0.5 * (from + to);
+    return b.to.at - std::round(kMeetingSteps * (b.to.at - middle)) / kMeetingSteps;
+}
+
+} // namespace
 
 Crossing findCrossing(const Shape &shapeA, const Frame &frameA, const Shape &shapeB,
                       const Frame &frameB)
@@ -27,10 +44,16 @@ Crossing findCrossing(const Shape &shapeA, const Frame &frameA, const Shape &sha
         const double from = std::max(inA[i].from.at, inB[j].from.at);
         const double to = std::min(inA[i].to.at, inB[j].to.at);
         if (to - from >= kMinOverlap)
-            crossing.overlaps.push_back({from, to, 0.5 * (from + to), inA[i], inB[j]});
+            crossing.overlaps.push_back({from, to, meetingPoint(from, to, inB[j]), inA[i], inB[j]});
         (inA[i].to.at < inB[j].to.at) ? ++i : ++j;
     }
     return crossing;
+}
+
+bool meetsInMiddle(const Overlap &overlap)
+{
+    const double middle = 0.5 * (overlap.from + overlap.to);
+    return std::abs(overlap.meet - middle) <= 0.5 / kMeetingSteps + kClipGrid;
 }
 
 std::vector<std::pair<int, int>> meetingPairs(const std::vector<Box3> &boxes)

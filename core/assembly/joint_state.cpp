@@ -150,7 +150,7 @@ void readShares(JointState &state)
         state.shares.emplace_back();
         if (hasSlit(state.slitsOfA, overlap) && hasSlit(state.slitsOfB, overlap)) {
             const double length = state.sign > 0 ? o.to - o.meet : o.meet - o.from;
-            state.shares.back() = length / (o.to - o.from);
+            state.shares.back() = meetsInMiddle(o) ? 0.5 : length / (o.to - o.from);
         }
     }
 }

@@ -134,11 +134,27 @@ std::shared_ptr<const SlitForm> openForm(const Host &host, const AxisEnd &end, d
     return std::make_shared<const SlitForm>(form);
 }
 
+// Slits lie on a grid in their host: those that are equal but for rounding, as in the ribs of a
+// row, are equal bit for bit then, and cut once. Steps of a mm.
+constexpr double kSlitSteps = 1e10;
+
+Vec2 onGrid(const Vec2 &p)
+{
+    return (kSlitSteps * p).array().round() / kSlitSteps;
+}
+
+/// So that the angle's rounding makes no other width.
+double withoutRounding(double width)
+{
+    constexpr double kWidthSteps = 1e12; // of a mm
+    return std::round(kWidthSteps * width) / kWidthSteps;
+}
+
 Slit slitFrom(const Host &host, double inner, double end, int sign, int overlap)
 {
     Slit slit;
-    slit.inner = host.line.at(inner);
-    slit.mouth = host.line.at(end + sign * kMouthOvershoot);
+    slit.inner = onGrid(host.line.at(inner));
+    slit.mouth = onGrid(host.line.at(end + sign * kMouthOvershoot));
     slit.width = host.width;
     slit.overlap = overlap;
     return slit;
@@ -360,7 +376,8 @@ JointSlits cutSlits(Crossing &crossing, const JointSide &a, const JointSide &b, 
     const double sine = std::sin(crossing.angle), cosine = std::cos(crossing.angle);
     const double traceA = widthAt(a.stock.thickness, b.stock.thickness, sine, cosine);
     const double traceB = widthAt(b.stock.thickness, a.stock.thickness, sine, cosine);
-    const double widthA = traceA + a.stock.clearance, widthB = traceB + b.stock.clearance;
+    const double widthA = withoutRounding(traceA + a.stock.clearance);
+    const double widthB = withoutRounding(traceB + b.stock.clearance);
     if (crossing.angle < kMinJointAngle || !(widthA > 0.0 && widthB > 0.0) ||
         crossing.overlaps.empty())
         return result;

@@ -10,6 +10,7 @@ target_sources(fff_core PRIVATE
     assembly/joint.cpp
     assembly/joint_state.cpp
     assembly/joint_wish.cpp
+    assembly/kept_joint.cpp
     assembly/lobes.cpp
     assembly/planning.cpp
     assembly/playback.cpp

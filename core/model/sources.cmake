@@ -22,5 +22,6 @@ target_sources(fff_core PRIVATE
     model/point_edits.cpp
     model/section.cpp
     model/shape.cpp
+    model/shape_change.cpp
     model/stock.cpp
 )

@@ -54,6 +54,8 @@ std::vector<Case> generatedCases(const QString &folder)
     };
     for (int sections : {50, 200, 800, 3200})
         add("comb of " + std::to_string(sections), comb(sections));
+    for (int sections : {800, 3200, 12800})
+        add("jointed comb of " + std::to_string(sections), jointedComb(sections));
     const auto square = [](const char *name, int n) {
         return std::string(name) + ' ' + std::to_string(n) + " × " + std::to_string(n);
     };

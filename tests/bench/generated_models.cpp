@@ -121,6 +121,25 @@ Document comb(int sections)
     return document;
 }
 
+Document jointedComb(int sections)
+{
+    Document document = newDocument();
+    // Every tenth rib has a corner above and below it, which stand out by turns.
+    constexpr int kRibsAnEdge = 10;
+    const int edges = (sections + kRibsAnEdge - 1) / kRibsAnEdge;
+    Polygon outline;
+    for (int i = 0; i <= edges; ++i)
+        outline.push_back({kRibPitch * kRibsAnEdge * i, i % 2 == 0 ? 0.0 : -1.0});
+    for (int i = edges; i >= 0; --i)
+        outline.push_back({kRibPitch * kRibsAnEdge * i, kHeight + (i % 2 == 0 ? 0.0 : 1.0)});
+    add(document, *Shape::make(*Contour::fromPolygon(outline)), alongX(0, 0));
+    const ShapePointer rib = *Shape::make(
+        *Contour::fromPolygon({{0, 0.5 * kHeight}, {60, 0.5 * kHeight}, {60, 60}, {0, 60}}));
+    for (int i = 1; i < sections; ++i)
+        add(document, rib, alongZ(kRibPitch * i, 30.0));
+    return document;
+}
+
 Document lattice(int n)
 {
     Document document = newDocument();

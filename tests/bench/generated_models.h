@@ -9,6 +9,9 @@ namespace fff::bench {
 
 /// A spine of `sections` − 1 ribs that stand across it, 10 mm apart: as many joints as ribs.
 Document comb(int sections);
+/// The same on a spine with corners at every tenth rib, which hang on its upper edge: a point that
+/// is moved changes what is near it.
+Document jointedComb(int sections);
 
 /// n × n strips across each other, 20 mm apart: 2n sections, n² joints.
 Document lattice(int n);
