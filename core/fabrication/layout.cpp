@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <memory>
 
 namespace fff {
 
@@ -108,10 +109,13 @@ double sortKey(const Pose &lying, Order order)
 /// The ways in which each item may lie, and the order in which they are put.
 struct Plan
 {
-    std::vector<Poses> poses; // of each item
+    std::shared_ptr<const std::vector<Poses>> poses; // of each item
     std::vector<std::size_t> order;
 
-    bool operator==(const Plan &) const = default;
+    bool operator==(const Plan &other) const
+    {
+        return order == other.order && (poses == other.poses || *poses == *other.poses);
+    }
 };
 
 std::vector<std::size_t> sorted(const std::vector<Poses> &poses, Order by)
@@ -148,7 +152,7 @@ std::optional<Packing> pack(const std::vector<Item> &items, const Plan &plan, co
                 packing.heights.push_back(0.0);
             }
             lowest.top = std::numeric_limits<double>::infinity();
-            for (const Pose &candidate : plan.poses[index]) {
+            for (const Pose &candidate : (*plan.poses)[index]) {
                 const Skyline::Place place = skylines[sheet].find(candidate.size() + gap);
                 if (place.top < lowest.top) {
                     lowest = place;
@@ -175,9 +179,10 @@ std::vector<Plan> plansFor(const std::vector<Item> &items, Turning turning, cons
     poses.reserve(items.size());
     for (const Item &item : items)
         poses.push_back(posesOf(*item.size, turning, room));
+    const auto shared = std::make_shared<const std::vector<Poses>>(std::move(poses));
     std::vector<Plan> plans;
     for (const Order by : {Order::Tallest, Order::Largest, Order::Longest}) {
-        Plan plan{poses, sorted(poses, by)};
+        Plan plan{shared, sorted(*shared, by)};
         if (std::find(plans.begin(), plans.end(), plan) == plans.end())
             plans.push_back(std::move(plan));
     }

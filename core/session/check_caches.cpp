@@ -3,6 +3,8 @@
 #include "core/geometry/offset.h"
 #include "core/session/gap.h"
 
+#include <unordered_map>
+
 namespace fff {
 
 namespace {
@@ -14,9 +16,47 @@ bool isOf(const CheckCaches::OfSection &known, const CheckCaches::OfSection &now
            known.kerf == now.kerf && known.room == now.room && known.turnsFreely == now.turnsFreely;
 }
 
+/// The sizes of cuts that many sections share, each worked out once.
+class SharedSizes
+{
+public:
+    /// `now` has all that they follow from.
+    const std::vector<std::shared_ptr<const OutlineSize>> &of(const CheckCaches::OfSection &now)
+    {
+        Entry &entry = m_entries[now.cut.get()];
+        if (entry.sizes.empty() || !isSame(entry, now)) {
+            entry = {now.kerf, now.room, now.turnsFreely, {}};
+            for (const CurvedRegion &part : now.cut->parts()) {
+                // What has no offset is too near to the largest coordinate to have a size of its
+                // own.
+                const CurvedRegion outline = growLoosely(part, 0.5 * now.kerf).value_or(part);
+                entry.sizes.push_back(std::make_shared<const OutlineSize>(
+                    sizeOf(outline, now.room, now.turnsFreely)));
+            }
+        }
+        return entry.sizes;
+    }
+
+private:
+    struct Entry
+    {
+        double kerf = 0.0; // mm
+        Vec2 room = Vec2::Zero();
+        bool turnsFreely = true;
+        std::vector<std::shared_ptr<const OutlineSize>> sizes;
+    };
+    static bool isSame(const Entry &entry, const CheckCaches::OfSection &now)
+    {
+        return entry.kerf == now.kerf && entry.room == now.room &&
+               entry.turnsFreely == now.turnsFreely;
+    }
+
+    std::unordered_map<const CutSection *, Entry> m_entries;
+};
+
 /// Works out what is not known of this section. Whether there was something.
 bool refresh(const Analysis &analysis, int section, const LayoutOptions &options,
-             CheckCaches::OfSection &known)
+             SharedSizes &sizes, CheckCaches::OfSection &known)
 {
     const auto index = static_cast<std::size_t>(section);
     const Stock &stock = analysis.model.stockOf(index);
@@ -33,12 +73,7 @@ bool refresh(const Analysis &analysis, int section, const LayoutOptions &options
         now.contacts.push_back(contactOf(slab));
         now.box.extend(boundsOf(slab));
     }
-    for (const CurvedRegion &part : now.cut->parts()) {
-        // What has no offset is too near to the largest coordinate to have a size of its own.
-        const CurvedRegion outline = growLoosely(part, 0.5 * now.kerf).value_or(part);
-        now.sizes.push_back(
-            std::make_shared<const OutlineSize>(sizeOf(outline, now.room, now.turnsFreely)));
-    }
+    now.sizes = sizes.of(now);
     known = std::move(now);
     return true;
 }
@@ -51,9 +86,10 @@ void refreshCaches(const Analysis &analysis, const LayoutOptions &options, Check
     if (caches.sections.size() != count)
         caches.gaps.clear(); // indices mean other sections, and there are others to be near
     caches.sections.resize(count);
+    SharedSizes sizes;
     for (std::size_t i = 0; i < count; ++i) {
         const Box3 before = caches.sections[i].box;
-        if (!refresh(analysis, static_cast<int>(i), options, caches.sections[i]))
+        if (!refresh(analysis, static_cast<int>(i), options, sizes, caches.sections[i]))
             continue;
         const Box3 &now = caches.sections[i].box;
         std::erase_if(caches.gaps, [&](const CheckCaches::OfGroup &gap) {

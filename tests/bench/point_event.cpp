@@ -34,13 +34,15 @@ public:
         m_builder.setAnalysis(*analysis);
         ui::Scene scene = m_builder.build(analysis->model);
         ui::applyView(scene, analysis->model, {});
-        std::set<std::pair<const void *, const void *>> used;
-        for (const ui::SceneSection &section : scene.sections) {
-            const std::pair<const void *, const void *> key(section.cut.get(),
-                                                            section.covers.get());
-            if (used.insert(key).second && m_uploaded.count(key) == 0)
-                m_vertices += ui::meshOf(section).vertices.size();
-        }
+        std::vector<Uploaded> used;
+        used.reserve(scene.sections.size());
+        for (const ui::SceneSection &section : scene.sections)
+            used.push_back({section.cut.get(), section.covers.get(), &section});
+        std::sort(used.begin(), used.end(), isBefore);
+        used.erase(std::unique(used.begin(), used.end(), isSame), used.end());
+        for (const Uploaded &item : used)
+            if (!std::binary_search(m_uploaded.begin(), m_uploaded.end(), item, isBefore))
+                m_vertices += ui::meshOf(*item.section).vertices.size();
         m_uploaded = std::move(used);
         m_shown = std::move(scene);
 #else
@@ -50,9 +52,24 @@ public:
 
 private:
 #ifdef FFF_BENCH_VIEW
+    /// Sections that look alike share it.
+    struct Uploaded
+    {
+        const void *cut = nullptr, *covers = nullptr;
+        const ui::SceneSection *section = nullptr; // one of them, in the newest scene
+    };
+    static bool isSame(const Uploaded &a, const Uploaded &b)
+    {
+        return a.cut == b.cut && a.covers == b.covers;
+    }
+    static bool isBefore(const Uploaded &a, const Uploaded &b)
+    {
+        return std::pair(a.cut, a.covers) < std::pair(b.cut, b.covers);
+    }
+
     ui::SceneBuilder m_builder;
     ui::Scene m_shown; // keeps what its addresses say
-    std::set<std::pair<const void *, const void *>> m_uploaded;
+    std::vector<Uploaded> m_uploaded;
     std::size_t m_vertices = 0; // so that the work is not left out
 #else
     AnalysisPointer m_shown;

@@ -84,28 +84,54 @@ bool SceneBuilder::hasSameSections(const Analysis &analysis) const
     return true;
 }
 
+/// Covers that are there already, by the cut that they are of.
+class SceneBuilder::SharedCovers
+{
+public:
+    explicit SharedCovers(const std::vector<KnownPointer> &known) : m_known(known) {}
+
+    CoversPointer of(const CutSectionPointer &cut, std::vector<SlitCover> covers)
+    {
+        if (m_byHash.empty()) // nobody has asked before
+            for (const KnownPointer &known : m_known)
+                m_byHash.emplace(hashOf(*known->cut, *known->covers),
+                                 std::pair(known->cut, known->covers));
+        const std::size_t hash = hashOf(*cut, covers);
+        const auto [begin, end] = m_byHash.equal_range(hash);
+        for (auto it = begin; it != end; ++it)
+            if (it->second.first == cut && *it->second.second == covers)
+                return it->second.second;
+        auto made = std::make_shared<const std::vector<SlitCover>>(std::move(covers));
+        m_byHash.emplace(hash, std::pair(cut, made));
+        return made;
+    }
+
+private:
+    static std::size_t hashOf(const CutSection &cut, const std::vector<SlitCover> &covers)
+    {
+        constexpr std::size_t kMixer = 0x9e3779b97f4a7c15u; // 2^64 over the golden ratio
+        std::size_t hash = std::hash<const void *>()(&cut);
+        for (const SlitCover &cover : covers)
+            hash = (hash ^ std::hash<double>()(cover.length)) * kMixer;
+        return hash;
+    }
+
+    const std::vector<KnownPointer> &m_known;
+    std::unordered_multimap<std::size_t, std::pair<CutSectionPointer, CoversPointer>> m_byHash;
+};
+
 void SceneBuilder::setAnalysis(const Analysis &analysis)
 {
     std::vector<KnownPointer> next;
-    std::unordered_multimap<const CutSection *, CoversPointer> shared;
-    for (const KnownPointer &known : m_known)
-        shared.emplace(known->cut.get(), known->covers);
-    const auto sharedCovers = [&](const CutSection *cut, std::vector<SlitCover> covers) {
-        // Not to the end of the range: thousands of ribs may share a cut, and the first will do.
-        for (auto it = shared.find(cut); it != shared.end() && it->first == cut; ++it)
-            if (*it->second == covers)
-                return it->second;
-        return shared
-            .emplace(cut, std::make_shared<const std::vector<SlitCover>>(std::move(covers)))
-            ->second;
-    };
+    SharedCovers shared(m_known);
     const std::size_t count = std::min(analysis.model.sectionCount(), analysis.cuts.size());
     next.reserve(count);
     std::optional<CoverUpdate> update;
     if (hasSameSections(analysis))
         update.emplace(analysis, m_analysis);
     for (std::size_t i = 0; i < count; ++i) {
-        const bool isSame = isAsBefore(analysis, i);
+        const bool isSame = update ? m_known[i]->cut == analysis.cuts[i] && update->isKept(i)
+                                   : isAsBefore(analysis, i);
         if (isSame && update) {
             next.push_back(m_known[i]);
             continue;
@@ -123,7 +149,7 @@ void SceneBuilder::setAnalysis(const Analysis &analysis)
         } else {
             SectionCovers covers = update ? update->of(i, *m_known[i]->covers, m_known[i]->guestsAt)
                                           : slitCovers(analysis, i);
-            known->covers = sharedCovers(known->cut.get(), std::move(covers.covers));
+            known->covers = shared.of(known->cut, std::move(covers.covers));
             known->guests.reserve(covers.guests.size());
             for (const int guest : covers.guests)
                 known->guests.push_back(analysis.model.ref(static_cast<std::size_t>(guest)));

@@ -76,6 +76,7 @@ private:
     bool isAsBefore(const Analysis &analysis, std::size_t index) const;
     bool hasSameSections(const Analysis &analysis) const;
     using KnownPointer = std::shared_ptr<const Known>;
+    class SharedCovers;
 
     Analysis m_analysis;               // the newest
     std::vector<KnownPointer> m_known; // in the order of its sections

@@ -1,6 +1,8 @@
 #include "ui/view/slit_covers.h"
 
 #include "core/base/tolerances.h"
+#include "core/geometry/box_runs.h"
+#include "core/model/shape_change.h"
 
 #include <algorithm>
 #include <cmath>
@@ -25,8 +27,8 @@ struct Stretch
     Vec2 at(const Vec2 &p) const { return {along.dot(p - origin), across.dot(p - origin)}; }
 };
 
-/// Where the edges near the strip first come into it, at most `length` along it.
-double firstIntrusion(const RegionTree &part, const Stretch &stretch, double half, double length)
+/// Round a strip, `half` to both sides, and its border.
+Box2 stripOf(const Stretch &stretch, double half, double length)
 {
     Box2 strip;
     for (const double along : {0.0, length})
@@ -34,6 +36,13 @@ double firstIntrusion(const RegionTree &part, const Stretch &stretch, double hal
             strip.extend(Vec2(stretch.origin + along * stretch.along + across * stretch.across));
     strip.min.array() -= kOnBorder;
     strip.max.array() += kOnBorder;
+    return strip;
+}
+
+/// Where the edges near the strip first come into it, at most `length` along it.
+double firstIntrusion(const RegionTree &part, const Stretch &stretch, double half, double length)
+{
+    const Box2 strip = stripOf(stretch, half, length);
     part.visitNear(strip, [&](const Vec2 &from, const Vec2 &to) {
         const Vec2 begin = stretch.at(from), end = stretch.at(to);
         const bool rises = begin.y() <= end.y();
@@ -150,23 +159,19 @@ SectionCovers slitCovers(const Analysis &analysis, std::size_t section)
 struct CoverUpdate::Change
 {
     bool isPlaced = true;            // frame and thickness are
-    bool isWhole = false;            // its shape is another one
     std::vector<const Slit *> added; // new slits
-    std::vector<Polygon> outlines;   // of these and of those that went
+    std::vector<Box2> boxes; // round these, those that went, and where its shape is another one
+    BoxRuns runs;            // of the boxes
 
+    bool isNothing() const { return isPlaced && boxes.empty(); }
     /// Whether something of its parts may differ near the stretch.
     bool reaches(const CoveredSlit &covered) const
     {
-        if (isWhole || !isPlaced)
+        if (!isPlaced)
             return true;
-        return std::any_of(outlines.begin(), outlines.end(), [&](const Polygon &outline) {
-            Box2 box;
-            for (const Vec2 &corner : outline)
-                box.extend(covered.stretch.at(corner));
-            return box.max.x() >= -kOnBorder && box.min.x() <= covered.length + kOnBorder &&
-                   box.max.y() >= -covered.half - kOnBorder &&
-                   box.min.y() <= covered.half + kOnBorder;
-        });
+        const Box2 strip = stripOf(covered.stretch, covered.half, covered.length);
+        const auto isNear = [&strip](const Box2 &box) { return box.intersects(strip); };
+        return runs.any(isNear, [&](std::size_t i) { return isNear(boxes[i]); });
     }
 };
 
@@ -176,22 +181,40 @@ CoverUpdate::CoverUpdate(const Analysis &now, const Analysis &before)
     for (std::size_t i = 0; i < m_changes.size(); ++i) {
         const Section &a = *now.model.section(i), &b = *before.model.section(i);
         Change &change = m_changes[i];
-        change.isPlaced = a.frame == b.frame &&
-                          now.model.stockOf(i).thickness == before.model.stockOf(i).thickness;
-        change.isWhole = a.shape != b.shape;
-        if (now.assembly.slits.pointer(i) == before.assembly.slits.pointer(i))
-            continue;
-        addOthers(now.assembly.slits[i], before.assembly.slits[i], change.added);
-        std::vector<const Slit *> others = change.added;
-        addOthers(before.assembly.slits[i], now.assembly.slits[i], others);
-        for (const Slit *slit : others) {
-            std::vector<Polygon> outlines = slit->outlines(kDrawChord);
-            std::move(outlines.begin(), outlines.end(), std::back_inserter(change.outlines));
+        if (&a != &b || &now.model.stockOf(i) != &before.model.stockOf(i))
+            change.isPlaced = a.frame == b.frame &&
+                              now.model.stockOf(i).thickness == before.model.stockOf(i).thickness;
+        if (a.shape != b.shape)
+            change.boxes.push_back(ShapeChange(*a.shape, *b.shape).box());
+        if (now.assembly.slits.pointer(i) != before.assembly.slits.pointer(i)) {
+            addOthers(now.assembly.slits[i], before.assembly.slits[i], change.added);
+            std::vector<const Slit *> others = change.added;
+            addOthers(before.assembly.slits[i], now.assembly.slits[i], others);
+            for (const Slit *slit : others)
+                for (const Polygon &outline : slit->outlines(kDrawChord))
+                    change.boxes.push_back(bounds(outline));
         }
+        if (!change.boxes.empty())
+            change.runs.fill(change.boxes.size(),
+                             [&change](std::size_t k) { return change.boxes[k]; });
     }
 }
 
 CoverUpdate::~CoverUpdate() = default;
+
+bool CoverUpdate::isKept(std::size_t section) const
+{
+    if (!m_changes[section].isNothing())
+        return false;
+    const std::vector<Slit> &slits = m_now.assembly.slits[section];
+    return std::all_of(slits.begin(), slits.end(), [&](const Slit &slit) {
+        const Change &guest = m_changes[static_cast<std::size_t>(slit.guest)];
+        if (guest.isNothing())
+            return true;
+        const auto covered = guest.isPlaced ? coveredSlit(m_now, section, slit) : std::nullopt;
+        return guest.isPlaced && (!covered || !guest.reaches(*covered));
+    });
+}
 
 SectionCovers CoverUpdate::of(std::size_t section, const std::vector<SlitCover> &known,
                               const std::vector<int> &guests) const
@@ -208,7 +231,7 @@ SectionCovers CoverUpdate::of(std::size_t section, const std::vector<SlitCover> 
         const Change &guest = m_changes[static_cast<std::size_t>(slit.guest)];
         const bool isNew = added != own.added.end() && *added == &slit;
         added += isNew ? 1 : 0;
-        if (isNew || guest.isWhole || !guest.isPlaced || !guest.outlines.empty()) {
+        if (isNew || !guest.isNothing()) {
             const auto covered = coveredSlit(m_now, section, slit);
             if (!covered)
                 continue;

@@ -25,8 +25,9 @@ struct SlitCover
     }
 };
 
-/// So that sections that look alike have equal covers in spite of rounding, mm.
-inline constexpr double kCoverStep = 1e-5;
+/// So that sections that look alike have equal covers in spite of rounding, and of an oblique edge
+/// of what they stand on; what is not covered of it is too short to be seen. mm.
+inline constexpr double kCoverStep = 5e-3;
 
 struct SectionCovers
 {
@@ -47,6 +48,9 @@ public:
     CoverUpdate(const Analysis &now, const Analysis &before);
     ~CoverUpdate();
 
+    /// Whether nothing of the section, nor of what fills its slits, is other than it was: then its
+    /// covers are the same.
+    bool isKept(std::size_t section) const;
     /// known, guests: the covers of the section before and whom they are for.
     SectionCovers of(std::size_t section, const std::vector<SlitCover> &known,
                      const std::vector<int> &guests) const;
