@@ -359,7 +359,9 @@ CutCache &CutCache::operator=(CutCache &&) noexcept = default;
 void CutCache::trim(std::size_t sections)
 {
     m_data->most = std::max(kMostCuts, 2 * sections);
-    m_data->trim();
+    // Looking at each costs more than a small edit of a large model.
+    if (m_data->added > std::max(kManyCuts, m_data->entries.size() / 2))
+        m_data->trim();
 }
 
 CutSectionPointer cutSection(const ShapePointer &shape, const std::vector<Slit> &slits,
