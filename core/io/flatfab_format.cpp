@@ -7,8 +7,10 @@
 #include <Eigen/Geometry>
 #include <QtCore/QCoreApplication>
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
+#include <map>
 
 namespace fff::io {
 
@@ -136,6 +138,22 @@ std::shared_ptr<Section> SectionBuilder::build()
     return section;
 }
 
+/// Shapes that sections share where they are equal: the format writes each down.
+class SharedShapes
+{
+public:
+    ShapePointer of(const ShapePointer &shape)
+    {
+        const Vec2 start = shape->contour().points().front();
+        const auto [known, isNew] =
+            m_shapes.try_emplace({shape->area(), start.x(), start.y()}, shape);
+        return isNew || *known->second == *shape ? known->second : shape;
+    }
+
+private:
+    std::map<std::array<double, 3>, ShapePointer> m_shapes;
+};
+
 } // namespace
 
 bool looksLikeFlatfab(std::string_view bytes)
@@ -160,6 +178,7 @@ Result<LoadedDocument> readFlatfab(std::string_view bytes, const std::string &na
     document.currentStock = stock.id;
     document.stocks.push_back(std::make_shared<const Stock>(std::move(stock)));
     document.sections.reserve(sources.size());
+    SharedShapes shapes;
     for (const FlatfabSection &source : sources) {
         const std::string sectionName =
             numberedName(options.naming.section, document.sections.size() + 1);
@@ -168,6 +187,7 @@ Result<LoadedDocument> readFlatfab(std::string_view bytes, const std::string &na
             return tl::unexpected(*problems.error);
         section->id = SectionId{document.nextId++};
         section->stock = document.currentStock;
+        section->shape = shapes.of(section->shape);
         document.sections.push_back(section);
     }
     // Trailing lines were found before the sections were made: back into file order.
