@@ -97,8 +97,8 @@ public:
                 m_byHash.emplace(hashOf(*known->cut, *known->covers),
                                  std::pair(known->cut, known->covers));
         const std::size_t hash = hashOf(*cut, covers);
-        const auto [begin, end] = m_byHash.equal_range(hash);
-        for (auto it = begin; it != end; ++it)
+        // Not to the end of the range: thousands of ribs may look alike, and the first will do.
+        for (auto it = m_byHash.find(hash); it != m_byHash.end() && it->first == hash; ++it)
             if (it->second.first == cut && *it->second.second == covers)
                 return it->second.second;
         auto made = std::make_shared<const std::vector<SlitCover>>(std::move(covers));
