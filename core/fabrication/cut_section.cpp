@@ -16,8 +16,8 @@ namespace {
 
 // A model of a few hundred sections and its undo steps fit.
 constexpr std::size_t kMostCuts = 1024;
-// Weighing all is worth it when there is so much new, or half as much as there was.
-constexpr std::size_t kManyCuts = 256;
+// Weighing all is worth it when there is so much new, or a quarter of what there was.
+constexpr std::size_t kManyCuts = 64;
 
 // What an entry, a shared object, and where a slit goes through a boundary, take besides vectors.
 constexpr std::size_t kEntryBytes = 256, kNotchBytes = 640;
@@ -321,7 +321,7 @@ struct CutCache::Data
     {
         while (entries.size() >= most)
             drop(std::prev(entries.end()));
-        if (++added > std::max(kManyCuts, entries.size() / 2))
+        if (++added > std::max(kManyCuts, entries.size() / 4))
             trim();
         entries.push_front(std::move(entry));
         byKey.emplace(&entries.front().key, entries.begin());
@@ -360,7 +360,7 @@ void CutCache::trim(std::size_t sections)
 {
     m_data->most = std::max(kMostCuts, 2 * sections);
     // Looking at each costs more than a small edit of a large model.
-    if (m_data->added > std::max(kManyCuts, m_data->entries.size() / 2))
+    if (m_data->added > std::max(kManyCuts, m_data->entries.size() / 4))
         m_data->trim();
 }
 

@@ -188,9 +188,8 @@ void TestHistory::tenThousandEditsAndBack()
 void TestHistory::generatedSectionsAreNoneOfAStep_data()
 {
     QTest::addColumn<QByteArray>("kind");
-    for (const char *kind :
-         {"linear", "linear scaled", "linear branches", "revolve", "revolve scaled", "blend",
-          "branch", "grid", "radial", "mirror", "rotational", "array"})
+    for (const char *kind : {"linear", "linear scaled", "linear branches", "revolve",
+                             "revolve scaled", "branch", "radial", "mirror", "rotational", "array"})
         QTest::newRow(kind) << QByteArray(kind);
 }
 
@@ -211,7 +210,7 @@ void TestHistory::generatedSectionsAreNoneOfAStep()
     };
     edit(300); // as much as is kept of the last ones is there
     const std::int64_t before = bench::liveBytesOfAll();
-    constexpr int kSteps = 300;
+    constexpr int kSteps = 1000; // so many that one model more or less in the caches does not count
     edit(kSteps);
     const std::int64_t grown = (bench::liveBytesOfAll() - before) / kSteps;
     QVERIFY2(grown < 4'000, qPrintable(QString::number(grown)));
