@@ -16,7 +16,7 @@ std::vector<StepGroup> stepGroups(const AssemblyPlan &plan)
             made.group = static_cast<int>(lastOf.size());
             lastOf.push_back(0);
         } else {
-            made.group = groupOf.at(step.onto.front());
+            made.group = groupOf.at(*step.onto.begin());
         }
         const auto moved = groupOf.find(step.parts.front());
         if (moved != groupOf.end() && moved->second != made.group)

@@ -110,7 +110,7 @@ inline std::vector<NamedDocument> faultModels()
     return {{"to be mended", toBeMended()},
             {"joined", joined()},
             {"divided straight", divided("straight", 0.2)},
-            {"divided as a jigsaw", divided("jigsaw", 0.0)},
+            {"divided as a jigsaw", divided("jigsaw", 0.2)},
             {"repeated", repeated()}};
 }
 

@@ -104,8 +104,7 @@ void TestFaults::neverAWrongFile_data()
         files += m_folder.filePath(QString::fromStdString(model.name) + QStringLiteral(".fff"));
     for (const char *sample : {"fish", "gears", "glass_four_legs"})
         files += QStringLiteral(FFF_SAMPLES "/%1.fff").arg(QLatin1String(sample));
-    const QString json = QStringLiteral("--json"), kerf = QStringLiteral("--kerf");
-    const QString none = QStringLiteral("0");
+    const QString json = QStringLiteral("--json");
     for (const QString &file : files) {
         const auto row = [&](const char *verb, const QStringList &options, const char *output) {
             const QString name = QStringLiteral("%1 of %2 %3%4")
@@ -115,13 +114,13 @@ void TestFaults::neverAWrongFile_data()
                 << file << (QStringList{QLatin1String(verb), file} + options)
                 << QString::fromLatin1(output);
         };
-        row("export", {kerf, none}, "out.svg");
+        row("export", {}, "out.svg");
         row("export", {}, "out.obj");
         row("export", {}, "out.fff");
         row("parts", {json}, "");
         row("parts", {json, QStringLiteral("--tolerance"), QStringLiteral("0.05")}, "");
         row("info", {json}, "");
-        row("check", {json, kerf, none}, "");
+        row("check", {json}, "");
     }
 }
 
