@@ -25,10 +25,10 @@ inline std::optional<CurvedRegion> outlineOf(const Contour &contour,
         return std::nullopt;
     const Contour outer =
         whole->contour.signedArea() < 0.0 ? whole->contour.reversed() : whole->contour;
-    const std::vector<CurvedRegion> pieces = subtract(outer, holes, cuts, 0.01);
-    if (pieces.empty() || area(pieces.front().region) < 1.0)
+    const Result<std::vector<CurvedRegion>> pieces = subtract(outer, holes, cuts, 0.01);
+    if (!pieces || pieces->empty() || area(pieces->front().region) < 1.0)
         return std::nullopt;
-    return pieces.front();
+    return pieces->front();
 }
 
 class SpikyOutlines
