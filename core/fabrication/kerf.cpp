@@ -23,11 +23,9 @@ Result<std::vector<Part>> compensateKerf(std::vector<Part> parts, const Model &m
         if (!(kerf > 0.0))
             continue;
         const auto outlines = cuts[section]->compensated(kerf);
-        if (!outlines) {
-            Error error = outlines.error();
-            error.args = {model.section(section)->name, millimetres(kerf)};
-            return tl::unexpected(std::move(error));
-        }
+        if (!outlines)
+            return failure(ErrorCode::CannotOffset, {},
+                           {model.section(section)->name, millimetres(kerf)});
         parts[i].outline = (**outlines)[ofSection];
     }
     return parts;
