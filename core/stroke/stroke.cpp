@@ -157,7 +157,7 @@ void Stroke::moveInDeadZone(const Vec2 &point)
 
 void Stroke::addSample(const Vec2 &point)
 {
-    if (!m_line.add(point))
+    if (!m_line.add(m_hand.follow(point)))
         return;
     m_settled.follow(m_line.points());
     m_contour.reset();

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/stroke/leaving.h"
+#include "core/stroke/steady_hand.h"
 #include "core/stroke/stroke_contour.h"
 #include "core/stroke/thinned_line.h"
 
@@ -46,8 +47,8 @@ public:
     static constexpr double kThinning = 0.15;
 
     explicit Stroke(const Options &options)
-        : m_options(options), m_line(kThinning * options.contour.tolerance),
-          m_settled(settledFit(options.contour))
+        : m_options(options), m_hand(options.contour.tolerance),
+          m_line(kThinning * options.contour.tolerance), m_settled(settledFit(options.contour))
     {
     }
 
@@ -102,6 +103,7 @@ private:
     Vec2 m_slitFrom = Vec2::Zero(), m_slitTo = Vec2::Zero();
     double m_turnStart = 0.0; // ms
     Vec2 m_last = Vec2::Zero();
+    SteadyHand m_hand;
     ThinnedLine m_line;
     SettledFit m_settled;
     mutable std::optional<StrokeContour> m_contour;

@@ -132,6 +132,9 @@ private Q_SLOTS:
     void settledPiecesStay();
     void looksChangeNothing_data() { rows(); }
     void looksChangeNothing();
+    void aTrembleIsNoLine_data();
+    void aTrembleIsNoLine();
+    void steadyHandsAreFollowed();
     void anEventCostsTheSame_data();
     void anEventCostsTheSame();
     void aHandThatRestsAddsNothing();
@@ -148,7 +151,7 @@ void TestLongStrokes::rows()
 {
     QTest::addColumn<Line>("line");
     QTest::newRow("a mouse of 1,000 Hz") << along(bays, 10000);
-    QTest::newRow("a hand that trembles by a pixel") << shaken(along(bays, 6000), 1.0);
+    QTest::newRow("a hand that trembles a little") << shaken(along(bays, 2000), 0.3);
     QTest::newRow("jitter of a tenth of a pixel") << shaken(along(bays, 10000), 0.1);
     QTest::newRow("a scribble") << scribble(6000);
     QTest::newRow("a spiral") << spiral(6000);
@@ -239,6 +242,66 @@ void TestLongStrokes::looksChangeNothing()
             QVERIFY(isSame(other->fitted[k], once.contour().fitted[k]));
         QCOMPARE(other->contour.has_value(), once.contour().contour.has_value());
         QVERIFY(!other->contour || *other->contour == *once.contour().contour);
+    }
+}
+
+void TestLongStrokes::aTrembleIsNoLine_data()
+{
+    QTest::addColumn<int>("samples");
+    QTest::addColumn<double>("by");
+    for (const int samples : {2500, 10000, 40000, 100000})
+        for (const double by : {1.0, 1.5, 2.0})
+            QTest::addRow("%d samples, %g px", samples, by) << samples << by;
+}
+
+/// What a hand means that trembles by up to a fit's tolerance is what it would draw without: no
+/// scribble, as many pieces, and within the tolerance of it.
+void TestLongStrokes::aTrembleIsNoLine()
+{
+    QFETCH(int, samples);
+    QFETCH(double, by);
+    const auto meant = [](double u) { return bays(0.995 * u); };
+    const Stroke stroke = drawn(shaken(along(meant, samples), by));
+    const StrokeContour &contour = stroke.contour(), steady = drawn(along(meant, 400)).contour();
+    QVERIFY(contour.contour && steady.contour);
+    QVERIFY(!contour.wasCrossing);
+    QVERIFY(contour.contour->segmentCount() <= steady.contour->segmentCount() + 6);
+    const Line flat = flattened(contour.fitted), line = along(meant, 4000);
+    const Line closed = along(bays, 4000);
+    const PolylineDistance toMeant(closed), toCurve(flat);
+    double off = 0.0;
+    for (const Vec2 &p : flat)
+        off = std::max(off, toMeant(p));
+    for (const Vec2 &p : line)
+        off = std::max(off, toCurve(p));
+    QVERIFY2(off <= 1.5 * kTolerance, qPrintable(QString::number(off)));
+    QVERIFY2(stroke.samples().size() < 4000, qPrintable(QString::number(stroke.samples().size())));
+}
+
+/// Corners, hairs, teeth and pixels are drawn on purpose: each sample is where the hand is.
+void TestLongStrokes::steadyHandsAreFollowed()
+{
+    const auto hair = [](double u) -> Vec2 { return Vec2(100.0 * std::abs(u - 0.5), 0.5 * u); };
+    const auto teeth = [](double u) -> Vec2 {
+        const double tooth = 50.0 * u - std::floor(50.0 * u);
+        return Vec2(300.0 * u, 14.0 * std::abs(tooth - 0.5));
+    };
+    Line pixels = along(bays, 10000);
+    for (Vec2 &p : pixels)
+        p = p.array().round();
+    Line resting = along(bays, 300);
+    resting.insert(resting.begin() + 100, 5000, resting[100]);
+    const std::vector<Line> lines = {
+        along(bays, 300),  along(bays, 30000), along(hair, 400), along(hair, 20),
+        along(teeth, 500), along(teeth, 5000), pixels,           resting,
+        scribble(20000),   leaping(3000)};
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        SteadyHand hand(kTolerance);
+        for (const Vec2 &p : lines[i]) {
+            const double off = (hand.follow(p) - p).norm();
+            QVERIFY2(off <= 1e-12 * p.norm(),
+                     qPrintable(QStringLiteral("line %1: %2").arg(i).arg(off)));
+        }
     }
 }
 
