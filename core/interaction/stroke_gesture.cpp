@@ -138,14 +138,24 @@ GestureReply StrokeGesture::handle(const PointerEvent &event, GestureContext &co
     }
     if (event.type == PointerEvent::Type::Release)
         m_stroke.release();
-    else if (event.type == PointerEvent::Type::Move && m_stroke.state() == Stroke::State::Contour &&
-             (event.isFollowed || !canShow())) {
+    else if (m_stroke.state() == Stroke::State::Contour && !isToShow(event)) {
         // A sample; what they make together is shown by the last move of a burst, or later.
-        m_isBehind = m_isBehind || m_stroke.revision() != m_drawnRevision;
+        m_isBehind = m_isBehind || m_stroke.revision() != m_drawnRevision ||
+                     event.type == PointerEvent::Type::Modifiers;
         followSamples(context);
         return running();
     }
     return reply(context);
+}
+
+/// A move shows what it is paid for, a frame what it has time for.
+bool StrokeGesture::isToShow(const PointerEvent &event)
+{
+    if (event.type == PointerEvent::Type::Move) {
+        m_sampled = event.time;
+        return !event.isFollowed && canShow();
+    }
+    return !isDear() || event.time >= m_sampled + kRest;
 }
 
 /// Pays for what there is to show.
@@ -154,10 +164,9 @@ bool StrokeGesture::canShow()
     m_credit = std::min(m_credit + kCreditOfMove, kFirstCredit);
     if (m_stroke.revision() == m_drawnRevision)
         return true;
-    if (m_price > m_credit)
+    if (m_price > m_credit || isDear())
         return false;
-    m_price = m_stroke.contour().work + kLeastPrice;
-    m_credit -= std::min(m_price, m_credit);
+    m_credit -= std::min(m_stroke.contour().work + kLeastPrice, m_credit);
     return true;
 }
 
@@ -305,6 +314,7 @@ void StrokeGesture::updateDrawn(const GestureContext &context)
         return;
     m_drawnRevision = m_stroke.revision();
     m_drawnMirrored = contour.isMirrored;
+    m_price = contour.work + kLeastPrice;
     m_drawn.reset();
     if (contour.contour)
         m_drawn = drawContour(context.model.document, m_target, *contour.contour,

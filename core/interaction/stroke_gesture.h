@@ -15,12 +15,15 @@ Frame firstCanvas(const Camera &camera);
 /// The contour is shown with every move as long as the moves pay for it: each adds kCreditOfMove
 /// to what there is from the beginning, which is enough for all of a usual stroke. Of a long one,
 /// moves show the line of the cursor alone until it is paid for; a frame (Interaction::advance) or
-/// the release shows all of it in any case.
+/// the release shows all of it in any case. What takes too long even for a frame, as a scribble of
+/// thousands of samples does, waits until the hand rests or releases.
 class StrokeGesture : public Gesture
 {
 public:
     /// In samples that are looked at (StrokeContour::work).
     static constexpr std::size_t kFirstCredit = 3'000'000, kCreditOfMove = 400;
+    static constexpr std::size_t kMostOfFrame = 80'000;
+    static constexpr double kRest = 120.0; // ms
 
     // The camera's target lies at the depth of what was pressed, so that pixels count there.
     // Shift, while it is held, switches local symmetry over.
@@ -49,7 +52,9 @@ private:
     Hint releaseHint(const std::string &section) const;
     void beginTurn(GestureContext &context);
     void makeRoom(double time, GestureContext &context);
+    bool isToShow(const PointerEvent &event);
     bool canShow();
+    bool isDear() const { return m_price > kMostOfFrame; }
     void updateOverlay(GestureContext &context) const;
     void followSamples(GestureContext &context) const;
     void updateDrawn(const GestureContext &context);
@@ -75,6 +80,7 @@ private:
     // What showing the contour may cost, and cost the last time, in samples looked at.
     std::size_t m_credit, m_price = 0;
     bool m_isBehind = false; // samples are not in what is shown yet
+    double m_sampled = 0.0;  // ms, when the last of them came
 };
 
 } // namespace fff

@@ -22,7 +22,7 @@ constexpr double kSmallestExtent = 5.0;
 /// samples.
 constexpr std::size_t kSegmentWork = 150, kCrossingWork = 2000;
 /// Segments of a contour that is looked at closely where it crosses itself.
-constexpr int kCloselyResolved = 100;
+constexpr int kCloselyResolved = 50;
 
 double extentOf(const std::vector<CubicBezier> &chain)
 {

@@ -82,7 +82,8 @@ StrokeTiming drawStroke(const std::string &hand, int samples)
             return 0;
         });
         timing.total += milliseconds;
-        timing.dearest = std::max(timing.dearest, milliseconds);
+        double &dearest = type == PointerEvent::Type::Release ? timing.release : timing.dearest;
+        dearest = std::max(dearest, milliseconds);
     };
     send(PointerEvent::Type::Press, sampleOf(hand, 0, samples, random));
     for (int i = 1; i <= samples; ++i)
@@ -97,16 +98,17 @@ std::string strokeTable(const std::vector<StrokeTiming> &rows)
 {
     std::string text =
         "\nA stroke, all of its events\n"
-        "hand        samples    kept        ms  kernels  growth  dearest ms  kernels\n";
+        "hand        samples    kept        ms  kernels  growth  dearest ms  kernels  release\n";
     const StrokeTiming *before = nullptr;
     for (const StrokeTiming &row : rows) {
         const bool grows = before && before->hand == row.hand;
         const double unit = row.kernel > 0.0 ? row.kernel : 0.0;
         char line[160];
-        std::snprintf(line, sizeof line, "%-10s %8d %7d %9.1f %8.3f %7.2f %11.3f %8.4f\n",
+        std::snprintf(line, sizeof line, "%-10s %8d %7d %9.1f %8.3f %7.2f %11.3f %8.4f %8.4f\n",
                       row.hand.c_str(), row.samples, row.kept, row.total,
                       unit > 0.0 ? row.total / unit : 0.0, grows ? row.total / before->total : 0.0,
-                      row.dearest, unit > 0.0 ? row.dearest / unit : 0.0);
+                      row.dearest, unit > 0.0 ? row.dearest / unit : 0.0,
+                      unit > 0.0 ? row.release / unit : 0.0);
         text += line;
         before = &row;
     }

@@ -1,3 +1,4 @@
+#include "core/interaction/stroke_gesture.h"
 #include "tests/core/interaction/desk.h"
 
 #include <cmath>
@@ -21,6 +22,13 @@ Vec2 bays(double u)
     return 0.5 * kViewport + radius * Vec2(std::cos(a), std::sin(a));
 }
 
+Vec2 scribble(int i)
+{
+    const double a = i / 160.0;
+    return 0.5 * kViewport + Vec2(420.0 * std::cos(0.311 * a) * std::cos(a),
+                                  300.0 * std::sin(0.277 * a + 0.3) * std::sin(1.37 * a));
+}
+
 /// All of it but the release.
 void draw(Desk &desk, int burst)
 {
@@ -42,6 +50,7 @@ class TestLongStrokesShown : public QObject
 private Q_SLOTS:
     void aFrameShowsAllOfIt();
     void burstsChangeNothing();
+    void aScribbleWaitsForTheHandToRest();
 };
 
 /// The line of the cursor is there with every move, the section with those that it is paid for by;
@@ -74,6 +83,31 @@ void TestLongStrokesShown::burstsChangeNothing()
     many.release(bays(1.0));
     QCOMPARE(one.steps(), 1);
     QVERIFY(*one.sections().back()->shape == *many.sections().back()->shape);
+}
+
+/// What takes longer than a frame would hold up the line of the cursor.
+void TestLongStrokesShown::aScribbleWaitsForTheHandToRest()
+{
+    Desk desk;
+    desk.interaction.settings().mirrorsFirst = false;
+    desk.press(scribble(0));
+    std::uint64_t half = 0;
+    for (int i = 1; i <= 20000; ++i) {
+        if (i == 10000)
+            half = desk.session.revision();
+        desk.send(Desk::Type::Move, scribble(i));
+    }
+    QCOMPARE(desk.session.revision(), half);
+    QVERIFY(desk.interaction.isAnimating());
+    desk.wait(16.0);
+    QCOMPARE(desk.session.revision(), half);
+    desk.wait(StrokeGesture::kRest);
+    QVERIFY(!desk.interaction.isAnimating());
+    QVERIFY(desk.session.revision() > half);
+    const ShapePointer shown = desk.session.model().document.sections.back()->shape;
+    desk.release(scribble(20000));
+    QCOMPARE(desk.steps(), 1);
+    QVERIFY(*desk.sections().back()->shape == *shown);
 }
 
 QTEST_GUILESS_MAIN(TestLongStrokesShown)
