@@ -119,15 +119,16 @@ GestureReply MarkTool::handle(const PointerEvent &event, GestureContext &context
 }
 
 MarkTool::Drawn::Drawn(const Vec2 &from, const FitOptions &fit)
-    : options(fit), line(Stroke::kThinning * fit.tolerance), settled(fit), start(from), end(from)
+    : options(fit), hand(fit.tolerance), line(Stroke::kThinning * fit.tolerance), settled(fit),
+      start(from), end(from)
 {
-    line.add(from);
+    line.add(hand.follow(from));
 }
 
 void MarkTool::Drawn::add(const Vec2 &p)
 {
     end = p;
-    if (line.add(p))
+    if (line.add(hand.follow(p)))
         settled.follow(line.points());
 }
 

@@ -53,6 +53,7 @@ private:
         void add(const Vec2 &p);
 
         FitOptions options;
+        SteadyHand hand;
         ThinnedLine line;
         SettledFit settled;
         Vec2 start, end; // as they were pressed and moved to
