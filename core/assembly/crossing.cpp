@@ -36,10 +36,10 @@ Crossing findCrossing(const Shape &shapeA, const Frame &frameA, const Shape &sha
     const Vec3 na = frameA.normal(), nb = frameB.normal();
     crossing.angle = std::atan2(na.cross(nb).norm(), std::abs(na.dot(nb)));
 
-    const auto inA = intervalsOn(lineInFrame(*axis, frameA), shapeA.region());
+    const auto inA = intervalsOn(lineInFrame(*axis, frameA), shapeA);
     if (inA.empty())
         return crossing;
-    const auto inB = intervalsOn(lineInFrame(*axis, frameB), shapeB.region());
+    const auto inB = intervalsOn(lineInFrame(*axis, frameB), shapeB);
     for (std::size_t i = 0, j = 0; i < inA.size() && j < inB.size();) {
         const double from = std::max(inA[i].from.at, inB[j].from.at);
         const double to = std::min(inA[i].to.at, inB[j].to.at);

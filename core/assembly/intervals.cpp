@@ -1,5 +1,6 @@
 #include "core/assembly/intervals.h"
 
+#include "core/assembly/rings_near.h"
 #include "core/base/tolerances.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -276,6 +277,16 @@ std::vector<Interval> intervalsOn(const PlaneLine &line, const Region &region)
         return paired(std::move(crossings));
     };
     return intersected(insideWhenZeroIs(1), insideWhenZeroIs(-1));
+}
+
+std::vector<Interval> intervalsOn(const PlaneLine &line, const Shape &shape)
+{
+    const RingsNear rings(line, shape, 0.0);
+    std::vector<Interval> intervals = intervalsOn(line, rings.region());
+    for (Interval &interval : intervals)
+        for (AxisEnd *end : {&interval.from, &interval.to})
+            *end = rings.inShape(*end);
+    return intervals;
 }
 
 double mouthReach(const PlaneLine &line, const Region &region, const AxisEnd &end, double halfWidth,

@@ -8,6 +8,8 @@
 
 namespace fff {
 
+class Shape;
+
 /// A directed line in a section's plane: `point` is where the axis counts from, `direction` a unit
 /// vector.
 struct PlaneLine
@@ -31,6 +33,8 @@ PlaneLine lineInFrame(const Axis &axis, const Frame &frame);
 /// the line a vertex lies is decided exactly; a vertex on the line counts once for each side and
 /// only what both agree on is inside, so an edge that runs along the line is not. O(vertices).
 std::vector<Interval> intervalsOn(const PlaneLine &line, const Region &region);
+/// The same of a shape's region, in the time of the edges near the line.
+std::vector<Interval> intervalsOn(const PlaneLine &line, const Shape &shape);
 
 /// How far along the line, towards `sign` (±1), the boundary reaches that closes the strip |across|
 /// ≤ halfWidth at `end`: the largest sign·along on the boundary from `end` to where it leaves the

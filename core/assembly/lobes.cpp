@@ -1,5 +1,7 @@
 #include "core/assembly/lobes.h"
 
+#include "core/assembly/rings_near.h"
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -166,6 +168,16 @@ std::vector<Stretch> lobesIn(const PlaneLine &line, const Region &region, double
     for (const Polygon &hole : region.holes)
         arcs.addRing(line, hole, false);
     return arcs.joined();
+}
+
+std::vector<Stretch> lobesIn(const PlaneLine &line, const Shape &shape, double halfWidth)
+{
+    return lobesIn(line, RingsNear(line, shape, halfWidth).region(), halfWidth);
+}
+
+bool isOneLobe(const PlaneLine &line, const Shape &shape, double halfWidth)
+{
+    return isOneLobe(line, RingsNear(line, shape, halfWidth).region(), halfWidth);
 }
 
 bool isOneLobe(const PlaneLine &line, const Region &region, double halfWidth)

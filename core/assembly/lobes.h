@@ -19,11 +19,15 @@ struct Stretch
 /// is made of arcs of the region's rings and of stretches of the strip's two edges: the arcs and
 /// stretches that meet are one piece. O(vertices + crossings of the edges · log of that).
 std::vector<Stretch> lobesIn(const PlaneLine &line, const Region &region, double halfWidth);
+/// The same of a shape's region, in the time of the edges near the strip.
+std::vector<Stretch> lobesIn(const PlaneLine &line, const Shape &shape, double halfWidth);
 
 /// Whether that is one piece, across which the region's outer ring goes from one edge of the strip
 /// to the other exactly twice: nearly every section is so, and there is no more to know.
 /// O(vertices).
 bool isOneLobe(const PlaneLine &line, const Region &region, double halfWidth);
+/// The same of a shape's region, in the time of the edges near the strip.
+bool isOneLobe(const PlaneLine &line, const Shape &shape, double halfWidth);
 
 /// What is left of the lobes where the line is cut.
 std::vector<Stretch> leftOf(const std::vector<Stretch> &lobes, std::vector<Stretch> cuts);

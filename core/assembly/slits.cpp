@@ -249,7 +249,7 @@ std::vector<Stretch> leftBy(const std::vector<Slit> &slits, const Host &host)
         const double inner = host.line.along(slit.inner), mouth = host.line.along(slit.mouth);
         cuts.push_back({std::min(inner, mouth), std::max(inner, mouth)});
     }
-    return leftOf(lobesIn(host.line, host.section.shape->region(), host.needed()), std::move(cuts));
+    return leftOf(lobesIn(host.line, *host.section.shape, host.needed()), std::move(cuts));
 }
 
 /// The first two that are in each other.
@@ -298,9 +298,8 @@ void cutBesides(const Host &a, const Host &b, int sign, Laps &laps)
 /// Whether nothing can meet beside the axis: nearly all pairs are so.
 bool isPlain(const Crossing &crossing, const Host &a, const Host &b)
 {
-    return crossing.overlaps.size() == 1 &&
-           isOneLobe(a.line, a.section.shape->region(), a.needed()) &&
-           isOneLobe(b.line, b.section.shape->region(), b.needed());
+    return crossing.overlaps.size() == 1 && isOneLobe(a.line, *a.section.shape, a.needed()) &&
+           isOneLobe(b.line, *b.section.shape, b.needed());
 }
 
 /// hasBesides: something may meet beside the axis (isPlain).

@@ -15,6 +15,7 @@ target_sources(fff_core PRIVATE
     assembly/planning.cpp
     assembly/playback.cpp
     assembly/realigned.cpp
+    assembly/rings_near.cpp
     assembly/slab.cpp
     assembly/slit_form.cpp
     assembly/slits.cpp

@@ -22,10 +22,10 @@ PlaneLine shifted(const PlaneLine &line, double across)
     return {line.point + across * perpendicular(line.direction), line.direction};
 }
 
-std::vector<Stretch> inside(const PlaneLine &line, const Region &region)
+std::vector<Stretch> inside(const PlaneLine &line, const Shape &shape)
 {
     std::vector<Stretch> stretches;
-    for (const Interval &interval : intervalsOn(line, region))
+    for (const Interval &interval : intervalsOn(line, shape))
         stretches.push_back({interval.from.at, interval.to.at});
     return stretches;
 }
@@ -56,43 +56,43 @@ std::vector<Stretch> merged(std::vector<Stretch> all)
     return result;
 }
 
-/// Whether the region fills a rectangle along the line: no edge of it comes in.
-bool fills(const Region &region, const PlaneLine &line, const Stretch &along, double half)
+/// Whether the shape fills a rectangle along the line: no edge of it comes in.
+bool fills(const Shape &shape, const PlaneLine &line, const Stretch &along, double half)
 {
-    if (locate(line.at(0.5 * (along.from + along.to)), region) != Side::Inside)
+    if (shape.boundaries().locate(line.at(0.5 * (along.from + along.to))) != Side::Inside)
         return false;
-    const auto staysOut = [&](const Polygon &ring) {
-        Vec2 before(line.along(ring.back()), line.across(ring.back()));
-        for (const Vec2 &point : ring) {
-            const Vec2 here(line.along(point), line.across(point));
-            // What of the edge lies in the strip, as its share of the edge.
-            double from = 0.0, to = 1.0;
-            const Vec2 way = here - before;
-            const auto clip = [&](double start, double speed, double low, double high) {
-                if (speed == 0.0) {
-                    if (start <= low || start >= high)
-                        to = -1.0;
-                    return;
-                }
-                const double p = (low - start) / speed, q = (high - start) / speed;
-                from = std::max(from, std::min(p, q));
-                to = std::min(to, std::max(p, q));
-            };
-            clip(before.x(), way.x(), along.from, along.to);
-            clip(before.y(), way.y(), -half, half);
-            if (from < to)
-                return false;
-            before = here;
-        }
-        return true;
-    };
-    return staysOut(region.outer) &&
-           std::all_of(region.holes.begin(), region.holes.end(), staysOut);
+    Box2 around;
+    for (const double at : {along.from, along.to})
+        for (const double across : {-half, half})
+            around.extend(line.at(at) + across * perpendicular(line.direction));
+    around.min.array() -= kTouchingDepth; // more than rounding
+    around.max.array() += kTouchingDepth;
+    bool staysOut = true;
+    shape.boundaries().visitNear(around, [&](const Vec2 &a, const Vec2 &b) {
+        const Vec2 begin(line.along(a), line.across(a)), end(line.along(b), line.across(b));
+        // What of the edge lies in the strip, as its share of the edge.
+        double from = 0.0, to = 1.0;
+        const Vec2 way = end - begin;
+        const auto clip = [&](double start, double speed, double low, double high) {
+            if (speed == 0.0) {
+                if (start <= low || start >= high)
+                    to = -1.0;
+                return;
+            }
+            const double p = (low - start) / speed, q = (high - start) / speed;
+            from = std::max(from, std::min(p, q));
+            to = std::min(to, std::max(p, q));
+        };
+        clip(begin.x(), way.x(), along.from, along.to);
+        clip(begin.y(), way.y(), -half, half);
+        staysOut = staysOut && from >= to;
+    });
+    return staysOut;
 }
 
 struct Plate
 {
-    const Region &region;
+    const Shape &shape;
     const Stock &stock;
     PlaneLine line; // the axis
 };
@@ -109,7 +109,7 @@ public:
     /// Empty, or why there are no tabs.
     std::optional<NoTabs> find()
     {
-        m_reached = merged(lobesIn(m_host.line, m_host.region, 0.5 * m_slot));
+        m_reached = merged(lobesIn(m_host.line, m_host.shape, 0.5 * m_slot));
         const std::vector<Stretch> left = beyond(1), right = beyond(-1);
         if (left.empty() == right.empty())
             return NoTabs::EndsNowhere;
@@ -141,7 +141,7 @@ private:
     std::vector<Stretch> beyond(int side) const
     {
         const PlaneLine line = shifted(m_guest.line, side * (m_half + kEdgeReach));
-        return common(inside(line, m_guest.region), m_reached);
+        return common(inside(line, m_guest.shape), m_reached);
     }
     void placeTabs();
     Slit shoulder(const Stretch &span) const;
@@ -158,9 +158,9 @@ void Ending::placeTabs()
 {
     const double margin = kRoundSlot * m_host.stock.thickness;
     const double around = 0.5 * m_slot + margin;
-    std::vector<Stretch> solid = inside(m_host.line, m_host.region);
+    std::vector<Stretch> solid = inside(m_host.line, m_host.shape);
     for (const int side : {-1, 1})
-        solid = common(solid, inside(shifted(m_host.line, side * around), m_host.region));
+        solid = common(solid, inside(shifted(m_host.line, side * around), m_host.shape));
     for (Stretch &stretch : solid)
         stretch = {stretch.from + margin, stretch.to - margin};
     const double thickness = m_guest.stock.thickness;
@@ -174,7 +174,7 @@ void Ending::placeTabs()
             for (int k = 0; k < static_cast<int>(count); ++k) {
                 const double from = room.from + k * share + 0.5 * (share - width);
                 const Stretch needed{from - margin, from + width + margin};
-                if (fills(m_host.region, m_host.line, needed, around))
+                if (fills(m_host.shape, m_host.line, needed, around))
                     m_tabs.push_back({{from, from + width}, static_cast<int>(i)});
             }
         }
@@ -233,7 +233,7 @@ std::vector<Slit> Ending::tabsAndShoulders() const
         slits.push_back(slit);
     }
     // Where it ends it may be wider in the strip than beyond it.
-    const std::vector<Stretch> inStrip = lobesIn(m_guest.line, m_guest.region, m_half + kEdgeReach);
+    const std::vector<Stretch> inStrip = lobesIn(m_guest.line, m_guest.shape, m_half + kEdgeReach);
     for (std::size_t i = 0; i < m_stretches.size(); ++i) {
         Stretch span = m_stretches[i];
         for (const Stretch &lobe : inStrip)
@@ -262,8 +262,8 @@ tl::expected<TabJoint, NoTabs> cutTabs(const JointSide &a, const JointSide &b)
     const auto stripInA = slitWidth(ta, tb, angle, 0.0), stripInB = slitWidth(tb, ta, angle, 0.0);
     if (!slotInA || !slotInB || !stripInA || !stripInB)
         return tl::unexpected(NoTabs::NoWidth);
-    const Plate plateA{a.section.shape->region(), a.stock, lineInFrame(*axis, a.section.frame)};
-    const Plate plateB{b.section.shape->region(), b.stock, lineInFrame(*axis, b.section.frame)};
+    const Plate plateA{*a.section.shape, a.stock, lineInFrame(*axis, a.section.frame)};
+    const Plate plateB{*b.section.shape, b.stock, lineInFrame(*axis, b.section.frame)};
     Ending ofA(plateA, plateB, 0.5 * *stripInA, *slotInB);
     Ending ofB(plateB, plateA, 0.5 * *stripInB, *slotInA);
     const std::optional<NoTabs> whyNotA = ofA.find(), whyNotB = ofB.find();

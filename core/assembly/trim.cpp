@@ -22,8 +22,7 @@ Result<ShapePointer> trimmed(const JointSide &section, const JointSide &to)
     const PlaneLine line = lineInFrame(*axis, frame);
     const Vec2 half = 0.5 * *strip * perpendicular(line.direction);
     std::vector<Polygon> cuts;
-    for (const Stretch &s :
-         lobesIn(lineInFrame(*axis, other), to.section.shape->region(), 0.5 * *reach))
+    for (const Stretch &s : lobesIn(lineInFrame(*axis, other), *to.section.shape, 0.5 * *reach))
         cuts.push_back({line.at(s.from) - half, line.at(s.to) - half, line.at(s.to) + half,
                         line.at(s.from) + half});
     const Shape &shape = *section.section.shape;

@@ -2,6 +2,8 @@
 
 #include "core/geometry/side_of_line.h"
 
+#include <cmath>
+
 namespace fff {
 
 PolygonTree::PolygonTree(const Polygon &polygon) : m_polygon(&polygon)
@@ -35,6 +37,47 @@ Side PolygonTree::locate(const Vec2 &point) const
     if (isOn)
         return Side::Boundary;
     return isInside ? Side::Inside : Side::Outside;
+}
+
+namespace {
+
+bool liesBeside(const Box2 &box, const Vec2 &point, const Vec2 &normal, double reach)
+{
+    const double across = std::abs(normal.dot(0.5 * (box.min + box.max) - point));
+    return across > reach + normal.cwiseAbs().dot(0.5 * (box.max - box.min));
+}
+
+} // namespace
+
+bool PolygonTree::isBeside(const Vec2 &point, const Vec2 &direction, double reach) const
+{
+    return liesBeside(m_edges.bounds(), point, perpendicular(direction), reach);
+}
+
+ThinnedRing PolygonTree::thinned(const Vec2 &point, const Vec2 &direction, double reach) const
+{
+    constexpr std::size_t kMostly = 64;
+    ThinnedRing ring;
+    ring.points.reserve(kMostly);
+    ring.indices.reserve(kMostly);
+    const auto add = [&](std::size_t index) {
+        ring.points.push_back((*m_polygon)[index]);
+        ring.indices.push_back(static_cast<int>(index));
+    };
+    const Vec2 normal = perpendicular(direction);
+    const auto isNear = [&](const Box2 &box, std::size_t first, std::size_t end) {
+        if (!liesBeside(box, point, normal, reach))
+            return true;
+        add(first);
+        if (end - first > 1)
+            add(end - 1);
+        return false;
+    };
+    m_edges.walk(isNear, [&](std::size_t edge) {
+        add(edge);
+        return false;
+    });
+    return ring;
 }
 
 RegionTree::RegionTree(const Region &region)

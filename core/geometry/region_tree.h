@@ -9,6 +9,15 @@
 
 namespace fff {
 
+/// A ring as a line sees it that goes through a point along a unit vector: of runs of edges that
+/// lie more than `reach` mm beside it, on one side, the first and the last vertex are left, edges
+/// that come nearer are there as they were.
+struct ThinnedRing
+{
+    Polygon points;
+    std::vector<int> indices; // of the points in the ring, ascending
+};
+
 /// Copies nothing: the polygon outlives it and stays where it is.
 class PolygonTree
 {
@@ -17,6 +26,12 @@ public:
 
     /// The same as locate(point, polygon).
     Side locate(const Vec2 &point) const;
+
+    const Polygon &polygon() const { return *m_polygon; }
+    /// All of it lies more than `reach` mm beside the line, on one side.
+    bool isBeside(const Vec2 &point, const Vec2 &direction, double reach) const;
+    /// What the line comes near to.
+    ThinnedRing thinned(const Vec2 &point, const Vec2 &direction, double reach) const;
 
     /// Calls visit(a, b) for the edges that come into the box, and for some near it, in the order
     /// of the polygon.
@@ -49,6 +64,9 @@ public:
 
     /// The same as locate(point, region).
     Side locate(const Vec2 &point) const;
+
+    /// The outer ring, then the holes.
+    const std::vector<PolygonTree> &rings() const { return m_rings; }
 
     template <class Visit>
     void visitNear(const Box2 &box, Visit visit) const

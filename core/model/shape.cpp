@@ -92,6 +92,12 @@ const Region &Shape::region() const
     return m_region;
 }
 
+const RegionTree &Shape::boundaries() const
+{
+    std::call_once(m_boundariesOnce, [this] { m_boundaries.emplace(region()); });
+    return *m_boundaries;
+}
+
 const Box2 &Shape::bounds() const
 {
     region();

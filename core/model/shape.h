@@ -5,10 +5,12 @@
 #include "core/base/result.h"
 #include "core/geometry/contour.h"
 #include "core/geometry/moments.h"
+#include "core/geometry/region_tree.h"
 #include "core/geometry/triangulation.h"
 
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <vector>
 
 namespace fff {
@@ -38,6 +40,8 @@ public:
     const Polyline &chords() const;
     /// The region on these chords and those of the holes.
     const Region &region() const;
+    /// Of the region's rings.
+    const RegionTree &boundaries() const;
     /// Contour and holes neither touch themselves nor each other, on the chords of region().
     bool isPlain() const;
     /// Of `region()`. Errors  as triangulate().
@@ -61,10 +65,12 @@ private:
     std::vector<Contour> m_holes;
     Moments m_moments;
     mutable Polyline m_chords;
-    mutable std::once_flag m_chordsOnce, m_regionOnce, m_triangulationOnce, m_plainOnce;
+    mutable std::once_flag m_chordsOnce, m_regionOnce, m_triangulationOnce, m_plainOnce,
+        m_boundariesOnce;
     mutable bool m_isPlain = false;
     mutable Region m_region;
     mutable Box2 m_bounds;
+    mutable std::optional<RegionTree> m_boundaries;
     mutable Result<Triangulation> m_triangulation;
 };
 

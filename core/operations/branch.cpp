@@ -55,7 +55,7 @@ Growth growthFromBelow(const Section &section)
     Vec2 up = frame.directionToLocal(Vec3::UnitY());
     up = up.norm() > 0.0 ? up.normalized() : Vec2::UnitY();
     const PlaneLine line{section.shape->centroid(), up};
-    const std::vector<Interval> inside = intervalsOn(line, section.shape->region());
+    const std::vector<Interval> inside = intervalsOn(line, *section.shape);
     const double low = inside.empty() ? 0.0 : inside.front().from.at;
     return growth(frame.toWorld(line.at(low)), frame.directionToWorld(up), frame.normal());
 }

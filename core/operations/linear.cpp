@@ -113,8 +113,7 @@ private:
         double scale = 1.0, shift = 0.0;
         std::optional<Interval> root;
         if (source.isMeeting) {
-            root =
-                continued(intervalsOn(m_row.lineAt(place.at), m_row.root.shape->region()), m_last);
+            root = continued(intervalsOn(m_row.lineAt(place.at), *m_row.root.shape), m_last);
             if (!root)
                 return false;
             m_last = *root;
@@ -175,7 +174,7 @@ private:
     {
         if (m_row.source.hold == Hold::Middle)
             return inner;
-        const auto all = intervalsOn(m_axisInSection, shape.region());
+        const auto all = intervalsOn(m_axisInSection, shape);
         const auto it =
             std::min_element(all.begin(), all.end(), [&](const Interval &a, const Interval &b) {
                 return std::abs(innerAt(m_row.source, a) - inner) <

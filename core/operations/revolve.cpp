@@ -120,7 +120,7 @@ private:
     std::optional<double> scaleAt(const Vec2 &point, const Eigen::Matrix2d &turn) const
     {
         const PlaneLine line{point, turn * m_source.line.direction};
-        const auto all = intervalsOn(line, m_root.shape->region());
+        const auto all = intervalsOn(line, *m_root.shape);
         const bool isHigh = leavesHigh(m_source);
         const auto off = [isHigh](const Interval &i) {
             return std::abs(isHigh ? i.to.at : i.from.at);

@@ -1,6 +1,7 @@
 #include "core/assembly/crossing.h"
 #include "core/assembly/intervals.h"
-#include "tests/core/assembly/plates.h"
+#include "core/assembly/rings_near.h"
+#include "tests/core/assembly/many_corners.h"
 
 #include <QTest>
 
@@ -22,6 +23,8 @@ private Q_SLOTS:
     void horizontalLine_data();
     void horizontalLine();
     void agreesWithPointLocation();
+    void shapesAnswerAsTheirRegions();
+    void fewCornersAreNearALine();
     void mouthReach_data();
     void mouthReach();
     void axisLiesInBothPlanes();
@@ -118,6 +121,45 @@ void TestIntervals::agreesWithPointLocation()
                 const double gap = 0.5 * (intervals[i - 1].to.at + intervals[i].from.at);
                 QCOMPARE(locate(line.at(gap), region), Side::Outside);
             }
+        }
+    }
+}
+
+// Wrong: ribs on a long spine would have other slits than on a short one.
+void TestIntervals::shapesAnswerAsTheirRegions()
+{
+    std::mt19937_64 random(411);
+    int found = 0;
+    for (const ShapePointer &shape :
+         {spineOf(300), jaggedDisc(random, 500), jaggedDisc(random, 2000)}) {
+        for (const PlaneLine &line : linesAcross(random, *shape)) {
+            const auto all = intervalsOn(line, shape->region());
+            const auto ours = intervalsOn(line, *shape);
+            QCOMPARE(ours.size(), all.size());
+            for (std::size_t i = 0; i < all.size(); ++i) {
+                for (const auto &[a, b] :
+                     {std::pair(&ours[i].from, &all[i].from), std::pair(&ours[i].to, &all[i].to)}) {
+                    QVERIFY(a->at == b->at);
+                    QCOMPARE(a->ring, b->ring);
+                    QCOMPARE(a->edge, b->edge);
+                }
+                ++found;
+            }
+        }
+    }
+    QVERIFY(found > 300);
+}
+
+// Wrong: slits would cost the square of what a spine is long.
+void TestIntervals::fewCornersAreNearALine()
+{
+    for (const int corners : {500, 5000, 50000}) {
+        const ShapePointer spine = spineOf(corners);
+        for (const double x : {5.0, 3000.0, 4996.0}) {
+            const PlaneLine line{{x, 0.0}, Vec2::UnitY()};
+            const RingsNear near(line, *spine, 2.0);
+            QVERIFY(near.region().outer.size() <= 150);
+            QCOMPARE(intervalsOn(line, near.region()).size(), std::size_t(1));
         }
     }
 }

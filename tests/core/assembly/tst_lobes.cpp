@@ -3,7 +3,7 @@
 #include <QTest> // first: moc cannot read some of the standard library before it
 
 #include "core/assembly/lobes.h"
-#include "tests/core/assembly/plates.h"
+#include "tests/core/assembly/many_corners.h"
 
 #include <polyclipping/clipper.hpp>
 
@@ -66,6 +66,7 @@ class TestLobes : public QObject
 private Q_SLOTS:
     void piecesAreThoseOfTheBoolean();
     void whatLiesInsideIsOnePiece();
+    void shapesAnswerAsTheirRegions();
     void cutsLeaveTheRest();
 };
 
@@ -117,6 +118,30 @@ void TestLobes::whatLiesInsideIsOnePiece()
     QCOMPARE(pieces[0].from, 2.0);
     QCOMPARE(pieces[0].to, 8.0);
     QVERIFY(lobesIn({Vec2(0, 9), Vec2::UnitX()}, region, 1.5).empty());
+}
+
+// Wrong: sections on a long spine would meet beside their axis and nobody cuts them.
+void TestLobes::shapesAnswerAsTheirRegions()
+{
+    std::mt19937_64 random(412);
+    int one = 0, several = 0;
+    for (const ShapePointer &shape :
+         {spineOf(300), jaggedDisc(random, 500), jaggedDisc(random, 2000)}) {
+        for (const PlaneLine &line : linesAcross(random, *shape)) {
+            for (const double halfWidth : {1e-3, 1.5, 12.0}) {
+                const bool isOne = isOneLobe(line, shape->region(), halfWidth);
+                QCOMPARE(isOneLobe(line, *shape, halfWidth), isOne);
+                const auto all = lobesIn(line, shape->region(), halfWidth);
+                const auto ours = lobesIn(line, *shape, halfWidth);
+                QCOMPARE(ours.size(), all.size());
+                for (std::size_t i = 0; i < all.size(); ++i)
+                    QVERIFY(ours[i].from == all[i].from && ours[i].to == all[i].to);
+                one += isOne ? 1 : 0;
+                several += all.size() > 1 ? 1 : 0;
+            }
+        }
+    }
+    QVERIFY(one > 50 && several > 50);
 }
 
 void TestLobes::cutsLeaveTheRest()
