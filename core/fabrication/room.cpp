@@ -82,7 +82,8 @@ Room::Room(const Region &region)
     for (const Polygon &hole : region.holes)
         count += hole.size();
     m_edges.resize(count);
-    auto addRing = [next = m_edges.begin()](const Polygon &ring) mutable {
+    auto addRing = [this, next = m_edges.begin()](const Polygon &ring) mutable {
+        m_ringStarts.push_back(static_cast<std::size_t>(next - m_edges.begin()));
         for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++)
             *next++ = {ring[j], ring[i]};
     };
@@ -112,9 +113,21 @@ bool Room::isInside(const Vec2 &point) const
 {
     // Rounding does not matter: who asks has found no edge close by.
     bool inside = false;
-    m_edgeBoxes.any(
-        [&](const Box2 &box) {
-            return box.min.y() <= point.y() && point.y() < box.max.y() && point.x() <= box.max.x();
+    const auto isOneRing = [this](std::size_t first, std::size_t end) {
+        const auto next = std::upper_bound(m_ringStarts.begin(), m_ringStarts.end(), first);
+        return next == m_ringStarts.end() || *next >= end;
+    };
+    m_edgeBoxes.walk(
+        [&](const Box2 &box, std::size_t first, std::size_t end) {
+            if (!(box.min.y() <= point.y() && point.y() < box.max.y() && point.x() <= box.max.x()))
+                return false;
+            if (point.x() >= box.min.x() || !isOneRing(first, end))
+                return true;
+            // All to the right: crossed an odd number of times where its ends are on different
+            // sides.
+            inside ^=
+                (m_edges[first].from.y() > point.y()) != (m_edges[end - 1].to.y() > point.y());
+            return false;
         },
         [&](std::size_t i) {
             inside ^= rayCrosses(point, m_edges[i].from, m_edges[i].to);

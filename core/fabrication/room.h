@@ -55,7 +55,8 @@ private:
     double clearScale(const Vec2 &center, const Vec2 &toScale, double least,
                       std::size_t &nearest) const;
 
-    std::vector<Edge> m_edges;
+    std::vector<Edge> m_edges; // of all rings, which follow each other
+    std::vector<std::size_t> m_ringStarts;
     BoxRuns m_edgeBoxes;
     std::vector<Box2> m_taken;
     BoxRuns m_takenBoxes;

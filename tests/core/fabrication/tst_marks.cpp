@@ -77,6 +77,7 @@ private Q_SLOTS:
     void roomiestPlaceOfAnL();
     void whatFitsIsWhatCanGrow();
     void rowsLeadToAPlaceThatFits();
+    void insideIsBetweenTheRings();
 };
 
 // Wrong: two numbers would look the same.
@@ -316,6 +317,29 @@ void TestMarks::rowsLeadToAPlaceThatFits()
     QVERIFY(legs.findInRows(half).has_value());
     QVERIFY(legs.fits(*legs.findInRows(half), half));
     QVERIFY(!Room({rectangleAt(0, 0, 40, 7), {}}).findInRows(half).has_value());
+}
+
+// Wrong: numbers would stand in holes, or nowhere on a part of many slits.
+void TestMarks::insideIsBetweenTheRings()
+{
+    Region comb{{{0, 0}, {2000, 0}}, {}};
+    for (int i = 199; i >= 0; --i) {
+        const double x = 10.0 * i;
+        for (const Vec2 &p : {Vec2(x + 10, 40), Vec2(x + 3, 40), Vec2(x + 3, 20), Vec2(x, 20)})
+            comb.outer.push_back(p);
+        comb.holes.push_back({{x + 4, 25}, {x + 4, 30}, {x + 6, 35}, {x + 8, 27}});
+    }
+    const Room room(comb);
+    std::mt19937 random(18);
+    std::uniform_real_distribution<double> along(-20.0, 2020.0), across(-5.0, 45.0);
+    int inside = 0;
+    for (int i = 0; i < 4000; ++i) {
+        const Vec2 point(along(random), across(random));
+        const Side side = locate(point, comb);
+        QCOMPARE(room.scaleAt(point, Vec2(1, 1)) > 0.0, side == Side::Inside);
+        inside += side == Side::Inside ? 1 : 0;
+    }
+    QVERIFY(inside > 500);
 }
 
 QTEST_GUILESS_MAIN(TestMarks)
