@@ -17,6 +17,8 @@ struct GroundContact
     double lowest = 0.0;       // Y of the lowest point of the slabs
     Vec3 lowestPoint = Vec3::Zero();
     double lowestMiddle = 0.0; // Y of the lowest point of the mid-planes
+
+    bool operator==(const GroundContact &) const = default;
 };
 
 /// Of one slab: what is low of it, whether or not something else hangs lower. Of its corners those

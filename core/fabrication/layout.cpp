@@ -1,7 +1,7 @@
 #include "core/fabrication/layout.h"
 
 #include "core/base/tolerances.h"
-#include "core/fabrication/skyline.h"
+#include "core/fabrication/open_sheets.h"
 
 #include <algorithm>
 #include <array>
@@ -28,10 +28,13 @@ struct Item
 class Poses
 {
 public:
+    static constexpr std::size_t kMost = 2;
+
     void add(const Pose &pose) { m_poses[m_count++] = pose; }
     const Pose *begin() const { return m_poses.data(); }
     const Pose *end() const { return m_poses.data() + m_count; }
     bool isEmpty() const { return m_count == 0; }
+    std::size_t count() const { return m_count; }
     const Pose &lying() const { return m_poses[0]; }
     void putLyingFirst()
     {
@@ -45,7 +48,7 @@ public:
     }
 
 private:
-    std::array<Pose, 2> m_poses;
+    std::array<Pose, kMost> m_poses;
     std::size_t m_count = 0;
 };
 
@@ -141,33 +144,23 @@ std::optional<Packing> pack(const std::vector<Item> &items, const Plan &plan, co
     const Vec2 room = size - Vec2::Constant(2.0 * options.margin) + gap;
     Packing packing;
     packing.puts.reserve(items.size());
-    std::vector<Skyline> skylines;
+    OpenSheets sheets(room);
     for (const std::size_t index : plan.order) {
-        const Pose *pose = nullptr;
-        Skyline::Place lowest;
-        std::size_t sheet = 0;
-        for (; !pose; ++sheet) {
-            if (sheet == skylines.size()) {
-                skylines.emplace_back(room);
-                packing.heights.push_back(0.0);
-            }
-            lowest.top = std::numeric_limits<double>::infinity();
-            for (const Pose &candidate : (*plan.poses)[index]) {
-                const Skyline::Place place = skylines[sheet].find(candidate.size() + gap);
-                if (place.top < lowest.top) {
-                    lowest = place;
-                    pose = &candidate;
-                }
-            }
-        }
-        --sheet;
-        skylines[sheet].put(pose->size() + gap, lowest);
-        packing.height += std::max(0.0, lowest.top - packing.heights[sheet]);
-        packing.heights[sheet] = std::max(packing.heights[sheet], lowest.top);
+        const Poses &poses = (*plan.poses)[index];
+        std::array<Vec2, Poses::kMost> boxes;
+        std::transform(poses.begin(), poses.end(), boxes.begin(),
+                       [&gap](const Pose &pose) -> Vec2 { return pose.size() + gap; });
+        const OpenSheets::Place place = sheets.put({boxes.data(), poses.count()});
+        packing.heights.resize(sheets.count(), 0.0);
+        double &height = packing.heights[place.sheet];
+        packing.height += std::max(0.0, place.on.top - height);
+        height = std::max(height, place.on.top);
         if (best && !packing.isBetterThan(*best))
             return std::nullopt;
-        const Vec2 corner = Vec2::Constant(options.margin) + lowest.corner;
-        packing.puts.push_back({sheet, {items[index].part, pose->turn, corner - pose->box.min}});
+        const Vec2 corner = Vec2::Constant(options.margin) + place.on.corner;
+        const Pose &pose = poses.begin()[place.box];
+        packing.puts.push_back(
+            {place.sheet, {items[index].part, pose.turn, corner - pose.box.min}});
     }
     return packing;
 }
@@ -219,6 +212,31 @@ std::vector<Sheet> pack(const std::vector<Item> &items, const Sheet &empty,
     return sheetsOf(*best, empty);
 }
 
+/// Whether the same items were laid out on the same sheets.
+bool isOf(const LayoutCache::OfStock &known, const std::vector<Item> &items, const Sheet &empty,
+          const LayoutOptions &options)
+{
+    if (!known.sheets || known.stock != empty.stock || known.sheet != empty.size ||
+        known.options != options || known.parts.size() != items.size())
+        return false;
+    for (std::size_t i = 0; i < items.size(); ++i)
+        if (known.parts[i] != items[i].part || !haveSamePoses(*known.sizes[i], *items[i].size))
+            return false;
+    return true;
+}
+
+LayoutCache::OfStock laidOut(const std::vector<Item> &items, const std::vector<SizedPart> &parts,
+                             const Sheet &empty, const LayoutOptions &options)
+{
+    LayoutCache::OfStock made{empty.stock, empty.size, options, {}, {}, {}};
+    for (const Item &item : items) {
+        made.parts.push_back(item.part);
+        made.sizes.push_back(parts[static_cast<std::size_t>(item.part)].size);
+    }
+    made.sheets = std::make_shared<const std::vector<Sheet>>(pack(items, empty, options));
+    return made;
+}
+
 } // namespace
 
 Vec2 roomOf(const Vec2 &sheet, const LayoutOptions &options)
@@ -229,28 +247,39 @@ Vec2 roomOf(const Vec2 &sheet, const LayoutOptions &options)
 Layout layOutBySize(const std::vector<SizedPart> &parts, const Model &model,
                     const LayoutOptions &options)
 {
+    LayoutCache cache;
+    return layOutBySize(parts, model, options, cache);
+}
+
+Layout layOutBySize(const std::vector<SizedPart> &parts, const Model &model,
+                    const LayoutOptions &options, LayoutCache &cache)
+{
     Layout layout;
-    for (const auto &stock : model.document.stocks) {
-        const Sheet empty{stock->id, options.sheet.value_or(stock->sheet), {}};
+    cache.stocks.resize(model.document.stocks.size());
+    for (std::size_t k = 0; k < cache.stocks.size(); ++k) {
+        const Stock &stock = *model.document.stocks[k];
+        const Sheet empty{stock.id, options.sheet.value_or(stock.sheet), {}};
         std::vector<Item> items;
         std::vector<Sheet> oversized;
         for (std::size_t i = 0; i < parts.size(); ++i) {
-            if (parts[i].stock != stock->id)
+            if (parts[i].stock != stock.id)
                 continue;
             const OutlineSize &size = *parts[i].size;
             if (!size.isTooLarge) {
                 items.push_back({static_cast<int>(i), &size});
                 continue;
             }
-            Sheet own{stock->id, size.drawn.size() + Vec2::Constant(2.0 * options.margin), {}};
+            Sheet own{stock.id, size.drawn.size() + Vec2::Constant(2.0 * options.margin), {}};
             own.placements.push_back({static_cast<int>(i), size.drawn.turn,
                                       Vec2::Constant(options.margin) - size.drawn.box.min});
             oversized.push_back(std::move(own));
             layout.oversized.push_back(static_cast<int>(i));
         }
         if (!items.empty()) {
-            std::vector<Sheet> sheets = pack(items, empty, options);
-            std::move(sheets.begin(), sheets.end(), std::back_inserter(layout.sheets));
+            if (!isOf(cache.stocks[k], items, empty, options))
+                cache.stocks[k] = laidOut(items, parts, empty, options);
+            const std::vector<Sheet> &sheets = *cache.stocks[k].sheets;
+            layout.sheets.insert(layout.sheets.end(), sheets.begin(), sheets.end());
         }
         std::move(oversized.begin(), oversized.end(), std::back_inserter(layout.sheets));
     }

@@ -12,6 +12,8 @@ struct LayoutOptions
     double spacing = 2.0;      // mm, between neighbouring cuts
     std::optional<Vec2> sheet; // instead of the stock's, mm
     bool turnsFreely = true;   // false: quarter turns only, for sheets that have a grain
+
+    bool operator==(const LayoutOptions &) const = default;
 };
 
 /// A part's place: sheet coordinates (mm, origin at the sheet's lower left, y up) = turned(p) +
@@ -47,8 +49,8 @@ struct Layout
 ///
 /// All parts of a stock on its own sheets, in the order of the document's stocks; oversized ones
 /// last. No two parts are nearer than the spacing, none is nearer to the edge than the margin.
-/// Deterministic. O(parts · sheets · parts of a sheet) for each try, O(v log v) for the hull of a
-/// part with v vertices.
+/// Deterministic. O(parts · parts of a sheet) for each try where parts have a few sizes
+/// (OpenSheets), O(v log v) for the hull of a part with v vertices.
 Layout layOut(const std::vector<Part> &parts, const Model &model, const LayoutOptions &options);
 
 /// A part by its size alone, in the room of its stock's sheet.
@@ -64,6 +66,28 @@ Vec2 roomOf(const Vec2 &sheet, const LayoutOptions &options);
 /// The same where the sizes are at hand: each worked out for roomOf() its sheet.
 Layout layOutBySize(const std::vector<SizedPart> &parts, const Model &model,
                     const LayoutOptions &options);
+
+/// How the parts of each stock lay when they were laid out last.
+struct LayoutCache
+{
+    struct OfStock
+    {
+        // What the rest was made of.
+        StockId stock;
+        Vec2 sheet = Vec2::Zero(); // mm
+        LayoutOptions options;
+        std::vector<int> parts;                                // that fit the sheet
+        std::vector<std::shared_ptr<const OutlineSize>> sizes; // of these
+
+        std::shared_ptr<const std::vector<Sheet>> sheets;
+    };
+    std::vector<OfStock> stocks;
+};
+
+/// The same, where the parts of a stock may lie as they lay last that are as they were but for
+/// their areas.
+Layout layOutBySize(const std::vector<SizedPart> &parts, const Model &model,
+                    const LayoutOptions &options, LayoutCache &cache);
 double usedShare(const Layout &layout, const std::vector<SizedPart> &parts);
 
 /// How much of the sheets' area the parts cover, 0 … 1; 0 without sheets.

@@ -49,6 +49,12 @@ bool fits(const Vec2 &size, const Vec2 &room)
     return (size.array() <= room.array() + kClipGrid).all();
 }
 
+bool haveSamePoses(const OutlineSize &a, const OutlineSize &b)
+{
+    return &a == &b || (a.drawn == b.drawn && a.smallest == b.smallest && a.lowest == b.lowest &&
+                        a.isTooLarge == b.isTooLarge && a.fitting == b.fitting);
+}
+
 OutlineSize sizeOf(const CurvedRegion &outline, const Vec2 &room, bool turnsFreely)
 {
     OutlineSize result;

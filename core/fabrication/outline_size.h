@@ -16,6 +16,10 @@ struct Pose
     Box2 box;
 
     Vec2 size() const { return box.size(); }
+    bool operator==(const Pose &other) const
+    {
+        return turn == other.turn && box.min == other.box.min && box.max == other.box.max;
+    }
 };
 
 /// The same a quarter turn further.
@@ -32,6 +36,9 @@ struct OutlineSize
     bool isTooLarge = false;
     std::optional<Pose> fitting; // where it fits neither as drawn nor by a quarter turn
 };
+
+/// Whether they may lie in the same ways; their areas may differ.
+bool haveSamePoses(const OutlineSize &a, const OutlineSize &b);
 
 /// room         mm, of a sheet without its margins
 /// turnsFreely  false: quarter turns only

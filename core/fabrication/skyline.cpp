@@ -1,8 +1,7 @@
 #include "core/fabrication/skyline.h"
 
-#include "core/base/tolerances.h"
-
 #include <algorithm>
+#include <limits>
 
 namespace fff {
 
@@ -22,7 +21,7 @@ Skyline::Place Skyline::find(const Vec2 &box) const
                 break;
         }
         const double top = y + box.y();
-        if (top < best.top && top <= m_size.y() + kClipGrid)
+        if (top < best.top && isWithin(top, m_size))
             best = {{left, y}, top};
     }
     return best;
@@ -48,6 +47,9 @@ void Skyline::put(const Vec2 &box, const Place &place)
         append({std::max(segment.from, to), segment.to, segment.y});
     }
     m_segments.swap(next);
+    m_lowest = std::numeric_limits<double>::infinity();
+    for (const Segment &segment : m_segments)
+        m_lowest = std::min(m_lowest, segment.y);
 }
 
 } // namespace fff

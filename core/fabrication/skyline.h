@@ -1,6 +1,7 @@
 // Boxes on sheets of one size: each as low as it goes on what is there already.
 #pragma once
 
+#include "core/base/tolerances.h"
 #include "core/geometry/vector.h"
 
 #include <vector>
@@ -23,6 +24,11 @@ public:
     /// O(segments).
     Place find(const Vec2 &box) const;
     void put(const Vec2 &box, const Place &place);
+    /// How low the lowest place is, however narrow.
+    double lowest() const { return m_lowest; }
+
+    /// Whether something whose upper edge is there stays on a sheet of the size.
+    static bool isWithin(double top, const Vec2 &size) { return top <= size.y() + kClipGrid; }
 
 private:
     struct Segment
@@ -32,6 +38,7 @@ private:
     };
 
     Vec2 m_size;
+    double m_lowest = 0.0;
     std::vector<Segment> m_segments; // from left to right, touching
     std::vector<Segment> m_next;     // space for those after a box is put
 };

@@ -5,6 +5,7 @@ target_sources(fff_core PRIVATE
     fabrication/layout.cpp
     fabrication/marked_lines.cpp
     fabrication/marks.cpp
+    fabrication/open_sheets.cpp
     fabrication/outline_size.cpp
     fabrication/parts.cpp
     fabrication/room.cpp

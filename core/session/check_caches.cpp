@@ -16,6 +16,30 @@ bool isOf(const CheckCaches::OfSection &known, const CheckCaches::OfSection &now
            known.kerf == now.kerf && known.room == now.room && known.turnsFreely == now.turnsFreely;
 }
 
+// Steps of a mm and of a turn's cosine.
+constexpr double kSizeSteps = 1e9;
+
+Vec2 onGrid(const Vec2 &v)
+{
+    return (kSizeSteps * v).array().round() / kSizeSteps;
+}
+
+Pose onGrid(const Pose &pose)
+{
+    return {onGrid(pose.turn), Box2{onGrid(pose.box.min), onGrid(pose.box.max)}};
+}
+
+/// A slit that is cut deeper leaves the part as large as it was, but for rounding: on a grid it is
+/// as large, and all parts may lie where they lay.
+OutlineSize withoutRounding(OutlineSize size)
+{
+    for (Pose *pose : {&size.drawn, &size.smallest, &size.lowest})
+        *pose = onGrid(*pose);
+    if (size.fitting)
+        size.fitting = onGrid(*size.fitting);
+    return size;
+}
+
 /// The sizes of cuts that many sections share, each worked out once.
 class SharedSizes
 {
@@ -31,7 +55,7 @@ public:
                 // own.
                 const CurvedRegion outline = growLoosely(part, 0.5 * now.kerf).value_or(part);
                 entry.sizes.push_back(std::make_shared<const OutlineSize>(
-                    sizeOf(outline, now.room, now.turnsFreely)));
+                    withoutRounding(sizeOf(outline, now.room, now.turnsFreely))));
             }
         }
         return entry.sizes;
@@ -56,9 +80,10 @@ private:
 
 /// Works out what is not known of this section. Whether there was something.
 bool refresh(const Analysis &analysis, int section, const LayoutOptions &options,
-             SharedSizes &sizes, CheckCaches::OfSection &known)
+             SharedSizes &sizes, CheckCaches &caches)
 {
     const auto index = static_cast<std::size_t>(section);
+    CheckCaches::OfSection &known = caches.sections[index];
     const Stock &stock = analysis.model.stockOf(index);
     CheckCaches::OfSection now;
     now.cut = analysis.cuts[index];
@@ -73,6 +98,8 @@ bool refresh(const Analysis &analysis, int section, const LayoutOptions &options
         now.contacts.push_back(contactOf(slab));
         now.box.extend(boundsOf(slab));
     }
+    const bool touchesAsBefore = known.cut && now.contacts == known.contacts;
+    now.contactsSince = touchesAsBefore ? known.contactsSince : caches.count;
     now.sizes = sizes.of(now);
     known = std::move(now);
     return true;
@@ -86,10 +113,11 @@ void refreshCaches(const Analysis &analysis, const LayoutOptions &options, Check
     if (caches.sections.size() != count)
         caches.gaps.clear(); // indices mean other sections, and there are others to be near
     caches.sections.resize(count);
+    ++caches.count;
     SharedSizes sizes;
     for (std::size_t i = 0; i < count; ++i) {
         const Box3 before = caches.sections[i].box;
-        if (!refresh(analysis, static_cast<int>(i), options, sizes, caches.sections[i]))
+        if (!refresh(analysis, static_cast<int>(i), options, sizes, caches))
             continue;
         const Box3 &now = caches.sections[i].box;
         std::erase_if(caches.gaps, [&](const CheckCaches::OfGroup &gap) {

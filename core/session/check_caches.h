@@ -24,6 +24,7 @@ struct CheckCaches
         bool turnsFreely = true;
 
         std::vector<GroundContact> contacts;                   // of each slab
+        int contactsSince = 0;                                 // number of the check they are of
         Box3 box;                                              // of all of them
         std::vector<std::shared_ptr<const OutlineSize>> sizes; // of each part, with the kerf
     };
@@ -38,8 +39,20 @@ struct CheckCaches
         Vec3 at = Vec3::Zero();                                    // of the group, nearest to it
     };
 
+    /// What of a group is on the ground.
+    struct OfStance
+    {
+        std::vector<int> group; // indices into the model
+        int since = 0;          // number of the check
+
+        GroundContact contact; // with the corners of the hull only
+    };
+
     std::vector<OfSection> sections; // by index in the model
+    std::vector<OfStance> stances;   // in the order of the groups
+    int count = 0;                   // of checks
     std::vector<OfGroup> gaps;       // of loose groups
+    LayoutCache layout;
 };
 
 /// Works out what is not known of the sections of this model, and forgets of groups what they may

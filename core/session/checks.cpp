@@ -3,6 +3,7 @@
 #include "core/assembly/found_joint.h"
 #include "core/base/tolerances.h"
 #include "core/fabrication/wholeness.h"
+#include "core/geometry/convex_hull.h"
 #include "core/session/gap.h"
 #include "core/session/narrow_slits.h"
 #include "core/session/stretching.h"
@@ -111,31 +112,50 @@ std::vector<SectionRef> sunkSections(const Analysis &analysis, const Group &grou
     return analysis.model.refs(sunk);
 }
 
-Stability stabilityOf(const Analysis &analysis, const Group &group, const MassProperties &mass,
-                      const CheckCaches &caches)
+/// The same as long as its sections' contacts are.
+const GroundContact &refreshedContact(const Group &group, int count,
+                                      const std::vector<CheckCaches::OfSection> &sections,
+                                      CheckCaches::OfStance &stance)
 {
+    const auto isAsBefore = [&](int section) {
+        return sections[static_cast<std::size_t>(section)].contactsSince <= stance.since;
+    };
+    if (stance.group == group && std::all_of(group.begin(), group.end(), isAsBefore))
+        return stance.contact;
     std::vector<const GroundContact *> contacts;
+    for (const int section : group)
+        for (const GroundContact &contact : sections[static_cast<std::size_t>(section)].contacts)
+            contacts.push_back(&contact);
+    stance = {group, count, together(contacts)};
+    stance.contact.corners = convexHull(stance.contact.corners);
+    return stance.contact;
+}
+
+Stability stabilityOf(const Analysis &analysis, const Group &group, const MassProperties &mass,
+                      const std::vector<CheckCaches::OfSection> &sections,
+                      const GroundContact &contact)
+{
     Box3 box;
     double thinnest = std::numeric_limits<double>::infinity();
     for (const int section : group) {
         const auto index = static_cast<std::size_t>(section);
-        const CheckCaches::OfSection &known = caches.sections[index];
-        if (known.contacts.empty())
+        if (sections[index].contacts.empty())
             continue;
-        for (const GroundContact &contact : known.contacts)
-            contacts.push_back(&contact);
-        box.extend(known.box);
+        box.extend(sections[index].box);
         thinnest = std::min(thinnest, analysis.model.stockOf(index).thickness);
     }
-    if (contacts.empty())
+    if (box.isEmpty())
         return {};
-    return stability(together(contacts), mass.centre, thinnest, box.size().maxCoeff());
+    return stability(contact, mass.centre, thinnest, box.size().maxCoeff());
 }
 
-Check stabilityCheck(const Analysis &analysis, const Group &group, const CheckCaches &caches)
+Check stabilityCheck(const Analysis &analysis, const Group &group, const CheckCaches &caches,
+                     CheckCaches::OfStance &stance)
 {
     const MassProperties mass = loadedMass(analysis, group);
-    const Stability stability = stabilityOf(analysis, group, mass, caches);
+    const Stability stability =
+        stabilityOf(analysis, group, mass, caches.sections,
+                    refreshedContact(group, caches.count, caches.sections, stance));
     Check check = makeCheck(codeOf(stability), CheckSeverity::Error);
     check.mass = mass;
     check.margin = stability.margin;
@@ -163,14 +183,15 @@ Check stabilityCheck(const Analysis &analysis, const Group &group, const CheckCa
     return check;
 }
 
-void addStability(const Analysis &analysis, const std::vector<Group> &groups,
-                  const CheckCaches &caches, std::vector<Check> &all)
+void addStability(const Analysis &analysis, const std::vector<Group> &groups, CheckCaches &caches,
+                  std::vector<Check> &all)
 {
+    caches.stances.resize(groups.size());
     std::optional<Check> standing; // of all groups that stand, the one that falls first
     std::vector<Check> bad;
     int standingSections = 0;
     for (std::size_t g = 0; g < groups.size(); ++g) {
-        Check check = stabilityCheck(analysis, groups[g], caches);
+        Check check = stabilityCheck(analysis, groups[g], caches, caches.stances[g]);
         if (check.code == CheckCode::BelowGround)
             check.sections = sunkSections(analysis, groups[g], caches);
         else if (groups.size() > 1)
@@ -199,7 +220,7 @@ struct PartIndex
     std::size_t section = 0, part = 0;
 };
 
-void addSize(const Analysis &analysis, const LayoutOptions &options, const CheckCaches &caches,
+void addSize(const Analysis &analysis, const LayoutOptions &options, CheckCaches &caches,
              std::vector<Check> &all)
 {
     const Model &model = analysis.model;
@@ -212,7 +233,7 @@ void addSize(const Analysis &analysis, const LayoutOptions &options, const Check
             places.push_back({i, k});
         }
     }
-    const Layout layout = layOutBySize(parts, model, options);
+    const Layout layout = layOutBySize(parts, model, options, caches.layout);
     std::vector<int> oversized = layout.oversized;
     std::sort(oversized.begin(), oversized.end());
     std::optional<std::size_t> last;
@@ -380,7 +401,9 @@ Stability stabilityOf(const Analysis &analysis, const std::vector<int> &sections
             known.box.extend(boundsOf(slab));
         }
     }
-    return stabilityOf(analysis, sections, loadedMass(analysis, sections), caches);
+    CheckCaches::OfStance stance;
+    return stabilityOf(analysis, sections, loadedMass(analysis, sections), caches.sections,
+                       refreshedContact(sections, 0, caches.sections, stance));
 }
 
 std::vector<Check> checks(const Analysis &analysis, const LayoutOptions &layout,

@@ -1,5 +1,6 @@
 #include "core/base/tolerances.h"
 #include "core/fabrication/layout.h"
+#include "core/fabrication/open_sheets.h"
 #include "tests/core/assembly/plates.h"
 #include "tests/core/fabrication/parts_of.h"
 #include "tests/core/shapes.h"
@@ -78,6 +79,9 @@ private Q_SLOTS:
     void partsLieApartOnTheirSheets_data();
     void partsLieApartOnTheirSheets();
     void partsTurnToFit();
+    void boxesGoOnTheFirstSheetWithRoom();
+    void equalBoxesSearchEachSheetOnce();
+    void whatLayLiesWhereItLay();
     void diagonalPartsAreTurned();
     void partsThatFitOnlyAtAnAngle();
     void tooLargePartGetsItsOwnSheet();
@@ -232,6 +236,109 @@ void TestLayout::sameInputSameLayout()
 void TestLayout::nothingGivesNoSheet()
 {
     QVERIFY(layOut({}, Model{newDocument(), {}}, {}).sheets.empty());
+}
+
+/// On all sheets from the first on.
+std::pair<std::size_t, Skyline::Place>
+putBySearching(std::vector<Skyline> &sheets, const Vec2 &size, const std::vector<Vec2> &boxes)
+{
+    for (std::size_t sheet = 0;; ++sheet) {
+        if (sheet == sheets.size())
+            sheets.emplace_back(size);
+        Skyline::Place best{Vec2::Zero(), std::numeric_limits<double>::infinity()};
+        std::size_t which = 0;
+        for (std::size_t i = 0; i < boxes.size(); ++i) {
+            const Skyline::Place place = sheets[sheet].find(boxes[i]);
+            if (place.top < best.top) {
+                best = place;
+                which = i;
+            }
+        }
+        if (best.top < std::numeric_limits<double>::infinity()) {
+            sheets[sheet].put(boxes[which], best);
+            return {sheet, best};
+        }
+    }
+}
+
+// Wrong: what is known of full sheets would leave out one that has room, and more would be cut.
+void TestLayout::boxesGoOnTheFirstSheetWithRoom()
+{
+    std::mt19937 random(91);
+    const Vec2 size(100.0, 80.0);
+    for (const int sizes : {3, 20, 100000}) {
+        std::uniform_int_distribution<int> step(1, 78 * sizes);
+        OpenSheets ours(size);
+        std::vector<Skyline> theirs;
+        for (int i = 0; i < 600; ++i) {
+            // Few sizes come often, and larger ones behind smaller ones.
+            const Vec2 box = Vec2(1 + step(random) % (40 * sizes), 1 + step(random)) / sizes;
+            std::vector<Vec2> boxes{box};
+            if (i % 3 > 0)
+                boxes.push_back({box.y(), box.x()});
+            const OpenSheets::Place place = ours.put(boxes);
+            const auto [sheet, on] = putBySearching(theirs, size, boxes);
+            QCOMPARE(place.sheet, sheet);
+            QVERIFY(place.on.corner == on.corner && place.on.top == on.top);
+            QCOMPARE(ours.count(), theirs.size());
+        }
+        QVERIFY(ours.count() > 20);
+    }
+}
+
+// Wrong: laying out would cost the parts times the sheets.
+void TestLayout::equalBoxesSearchEachSheetOnce()
+{
+    for (const std::size_t count : {1000, 16000}) {
+        OpenSheets sheets({600.0, 400.0});
+        const std::array<Vec2, 2> lying{Vec2(60, 40), Vec2(40, 60)}, large{Vec2(90, 45)};
+        for (std::size_t i = 0; i < count; ++i) {
+            sheets.put(lying);
+            sheets.put({large.data(), 1});
+        }
+        QVERIFY(sheets.searches() <= 3 * count + 3 * sheets.count());
+    }
+}
+
+// Wrong: every edit would lay out all parts anew, or parts that grew would lie on others.
+void TestLayout::whatLayLiesWhereItLay()
+{
+    const Document document = newDocument();
+    const Model model = evaluate(document);
+    const StockId stock = document.stocks.front()->id;
+    const auto sized = [&](double width, double area) {
+        OutlineSize size;
+        size.area = area;
+        size.drawn.box.extend(Vec2::Zero());
+        size.drawn.box.extend(Vec2(width, 30.0));
+        size.smallest = size.lowest = size.drawn;
+        return SizedPart{stock, std::make_shared<const OutlineSize>(size)};
+    };
+    std::vector<SizedPart> parts(40, sized(70.0, 2000.0));
+    LayoutCache cache;
+    const Layout first = layOutBySize(parts, model, {}, cache);
+    const auto sheets = cache.stocks.front().sheets;
+    parts[7] = sized(70.0, 1500.0); // cut deeper
+    const Layout second = layOutBySize(parts, model, {}, cache);
+    QVERIFY(cache.stocks.front().sheets == sheets);
+    QVERIFY(usedShare(second, parts) < usedShare(first, std::vector<SizedPart>(40, parts[0])));
+
+    LayoutOptions wider;
+    wider.spacing = 9.0;
+    std::vector<SizedPart> grown = parts;
+    grown[7] = sized(90.0, 1500.0);
+    for (const auto &[now, options] : {std::pair(grown, LayoutOptions()), {parts, wider}}) {
+        const Layout ours = layOutBySize(now, model, options, cache);
+        const Layout theirs = layOutBySize(now, model, options);
+        QVERIFY(cache.stocks.front().sheets != sheets);
+        QCOMPARE(ours.sheets.size(), theirs.sheets.size());
+        for (std::size_t i = 0; i < ours.sheets.size(); ++i) {
+            QCOMPARE(ours.sheets[i].placements.size(), theirs.sheets[i].placements.size());
+            for (std::size_t k = 0; k < ours.sheets[i].placements.size(); ++k)
+                QVERIFY(ours.sheets[i].placements[k].offset ==
+                        theirs.sheets[i].placements[k].offset);
+        }
+    }
 }
 
 QTEST_GUILESS_MAIN(TestLayout)

@@ -83,6 +83,7 @@ private Q_SLOTS:
     void tooLargeParts();
     void jointsThatCannotSlide();
     void slitsThatDivide();
+    void whatAnEditLeavesIsKept();
     void turnedModelsHaveTurnedAnswers();
     void mechanicsCases();
     void sharedModels_data();
@@ -306,6 +307,57 @@ void TestChecks::slitsThatDivide()
 }
 
 // A verdict must not hang on where the model stands or how it is turned about the vertical.
+// Wrong: an edit of a spine would lay out all ribs and go round all feet anew, or what is kept of
+// them would not be what there is.
+void TestChecks::whatAnEditLeavesIsKept()
+{
+    constexpr int kRibs = 12;
+    const auto comb = [](double top, double foot) {
+        const double length = 30.0 * (kRibs + 1);
+        Document document = withSection(
+            newDocument(), polygonShape({{0, 0}, {length + foot, 0}, {length, 40}, {0, 40 + top}}),
+            front());
+        const ShapePointer rib = polygonShape(rectangle(-30, 0, 30, 50));
+        for (int i = 1; i <= kRibs; ++i)
+            document = withSection(std::move(document), rib, side(30.0 * i));
+        return document;
+    };
+    AnalysisCaches caches;
+    CheckCaches known;
+    const auto check = [&](const Document &document) {
+        const AnalysisPointer analysis = analyseNext(evaluate(document), caches);
+        const std::vector<Check> ours = checks(*analysis, known), all = checks(*analysis);
+        if (ours.size() != all.size())
+            return false;
+        for (std::size_t i = 0; i < all.size(); ++i)
+            if (checkText(ours[i], analysis->model) != checkText(all[i], analysis->model) ||
+                ours[i].share != all[i].share || ours[i].support != all[i].support ||
+                ours[i].margin != all[i].margin)
+                return false;
+        return true;
+    };
+    QVERIFY(check(comb(0.0, 0.0)));
+    // All slits a little deeper: other parts, as large and on the same feet.
+    const Document first = onSheets(comb(0.0, 0.0), {300, 200});
+    const Document deeper = onSheets(comb(0.3, 0.0), {300, 200});
+    QVERIFY(check(first));
+    const auto before = caches.last->cuts;
+    const auto sheets = known.layout.stocks.front().sheets;
+    const int since = known.stances.front().since;
+    QVERIFY(check(deeper));
+    QVERIFY(caches.last->cuts[kRibs / 2] != before[kRibs / 2]);
+    QVERIFY(known.layout.stocks.front().sheets == sheets);
+    QCOMPARE(known.stances.front().since, since);
+    // A longer foot carries farther out; another sheet holds fewer.
+    QVERIFY(check(onSheets(comb(0.3, 8.0), {300, 200})));
+    QVERIFY(known.stances.front().since != since);
+    QVERIFY(check(onSheets(comb(0.3, 8.0), {250, 160})));
+    QVERIFY(known.layout.stocks.front().sheets != sheets);
+    // Gone, and back again.
+    QVERIFY(check(cross()));
+    QVERIFY(check(deeper));
+}
+
 void TestChecks::turnedModelsHaveTurnedAnswers()
 {
     const Document document = cross();
