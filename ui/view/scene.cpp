@@ -6,6 +6,7 @@
 #include <map>
 #include <optional>
 #include <unordered_map>
+#include <unordered_set>
 
 namespace fff::ui {
 
@@ -93,11 +94,8 @@ public:
     CoversPointer of(const CutSectionPointer &cut, std::vector<SlitCover> covers)
     {
         if (m_byHash.empty()) // nobody has asked before
-            for (const KnownPointer &known : m_known)
-                m_byHash.emplace(hashOf(*known->cut, *known->covers),
-                                 std::pair(known->cut, known->covers));
+            addKnown();
         const std::size_t hash = hashOf(*cut, covers);
-        // Not to the end of the range: thousands of ribs may look alike, and the first will do.
         for (auto it = m_byHash.find(hash); it != m_byHash.end() && it->first == hash; ++it)
             if (it->second.first == cut && *it->second.second == covers)
                 return it->second.second;
@@ -107,6 +105,14 @@ public:
     }
 
 private:
+    void addKnown()
+    {
+        std::unordered_set<const void *> seen; // thousands of ribs may look alike
+        for (const KnownPointer &known : m_known)
+            if (seen.insert(known->covers.get()).second)
+                m_byHash.emplace(hashOf(*known->cut, *known->covers),
+                                 std::pair(known->cut, known->covers));
+    }
     static std::size_t hashOf(const CutSection &cut, const std::vector<SlitCover> &covers)
     {
         constexpr std::size_t kMixer = 0x9e3779b97f4a7c15u; // 2^64 over the golden ratio
@@ -119,6 +125,16 @@ private:
     const std::vector<KnownPointer> &m_known;
     std::unordered_multimap<std::size_t, std::pair<CutSectionPointer, CoversPointer>> m_byHash;
 };
+
+SceneBuilder::GuestsPointer SceneBuilder::guestsAt(const Model &model, std::vector<int> at)
+{
+    Guests guests;
+    guests.sections.reserve(at.size());
+    for (const int guest : at)
+        guests.sections.push_back(model.ref(static_cast<std::size_t>(guest)));
+    guests.at = std::move(at);
+    return std::make_shared<const Guests>(std::move(guests));
+}
 
 void SceneBuilder::setAnalysis(const Analysis &analysis)
 {
@@ -143,17 +159,19 @@ void SceneBuilder::setAnalysis(const Analysis &analysis)
         if (isSame) {
             const Known &before = *knownOf(analysis.model, i);
             known->covers = before.covers;
-            known->guests = before.guests;
-            for (const SectionRef &guest : known->guests)
-                known->guestsAt.push_back(analysis.model.indexOf(guest));
+            Guests guests;
+            guests.sections = before.guests->sections;
+            for (const SectionRef &guest : guests.sections)
+                guests.at.push_back(analysis.model.indexOf(guest));
+            known->guests = std::make_shared<const Guests>(std::move(guests));
         } else {
-            SectionCovers covers = update ? update->of(i, *m_known[i]->covers, m_known[i]->guestsAt)
-                                          : slitCovers(analysis, i);
+            SectionCovers covers = update
+                                       ? update->of(i, *m_known[i]->covers, m_known[i]->guests->at)
+                                       : slitCovers(analysis, i);
             known->covers = shared.of(known->cut, std::move(covers.covers));
-            known->guests.reserve(covers.guests.size());
-            for (const int guest : covers.guests)
-                known->guests.push_back(analysis.model.ref(static_cast<std::size_t>(guest)));
-            known->guestsAt = std::move(covers.guests);
+            known->guests = update && m_known[i]->guests->at == covers.guests
+                                ? m_known[i]->guests
+                                : guestsAt(analysis.model, std::move(covers.guests));
         }
         next.push_back(std::move(known));
     }
@@ -184,11 +202,11 @@ Scene SceneBuilder::build(const Model &model) const
         if (known && (known->shape == section.shape || known->frame == section.frame)) {
             item.cut = known->cut;
             item.covers = known->covers;
-            item.guests = known->guestsAt;
+            item.guests = known->guests->at;
             for (std::size_t k = 0; k < item.guests.size(); ++k) {
                 const auto at = static_cast<std::size_t>(item.guests[k]);
-                if (at >= model.sectionCount() || !(model.ref(at) == known->guests[k]))
-                    item.guests[k] = model.indexOf(known->guests[k]);
+                if (at >= model.sectionCount() || !(model.ref(at) == known->guests->sections[k]))
+                    item.guests[k] = model.indexOf(known->guests->sections[k]);
             }
         }
         item.bounds = worldBounds(*section.shape, section.frame);

@@ -63,15 +63,22 @@ public:
     Scene build(const Model &model) const;
 
 private:
+    /// Of a section's covers.
+    struct Guests
+    {
+        std::vector<SectionRef> sections;
+        std::vector<int> at; // in the model of the analysis
+    };
+    using GuestsPointer = std::shared_ptr<const Guests>;
     struct Known
     {
         ShapePointer shape;
         Frame frame;
         CutSectionPointer cut;
         CoversPointer covers;
-        std::vector<SectionRef> guests;
-        std::vector<int> guestsAt; // in the model of the analysis
+        GuestsPointer guests;
     };
+    static GuestsPointer guestsAt(const Model &model, std::vector<int> at);
     const Known *knownOf(const Model &model, std::size_t index) const;
     bool isAsBefore(const Analysis &analysis, std::size_t index) const;
     bool hasSameSections(const Analysis &analysis) const;

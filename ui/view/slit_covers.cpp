@@ -128,6 +128,22 @@ bool cutsTheSame(const Slit &a, const Slit &b)
            a.role == b.role && (a.form == b.form || (a.form && b.form && *a.form == *b.form));
 }
 
+/// Round all that the slit cuts.
+void addBoxes(const Slit &slit, std::vector<Box2> &boxes)
+{
+    if (slit.form) {
+        for (const Polygon &outline : slit.outlines(kDrawChord))
+            boxes.push_back(bounds(outline));
+        return;
+    }
+    const Vec2 half = 0.5 * slit.width * perpendicular((slit.mouth - slit.inner).normalized());
+    Box2 box;
+    for (const Vec2 &end : {slit.inner, slit.mouth})
+        for (const double side : {-1.0, 1.0})
+            box.extend(Vec2(end + side * half));
+    boxes.push_back(box);
+}
+
 /// Slits of one list that the other does not have; both are in the order of their guests.
 void addOthers(const std::vector<Slit> &list, const std::vector<Slit> &other,
                std::vector<const Slit *> &result)
@@ -158,10 +174,12 @@ SectionCovers slitCovers(const Analysis &analysis, std::size_t section)
 /// What of a section is not as it was before.
 struct CoverUpdate::Change
 {
+    static constexpr std::size_t kFewBoxes = 8;
+
     bool isPlaced = true;            // frame and thickness are
     std::vector<const Slit *> added; // new slits
     std::vector<Box2> boxes; // round these, those that went, and where its shape is another one
-    BoxRuns runs;            // of the boxes
+    BoxRuns runs;            // of the boxes, where they are many
 
     bool isNothing() const { return isPlaced && boxes.empty(); }
     /// Whether something of its parts may differ near the stretch.
@@ -171,6 +189,8 @@ struct CoverUpdate::Change
             return true;
         const Box2 strip = stripOf(covered.stretch, covered.half, covered.length);
         const auto isNear = [&strip](const Box2 &box) { return box.intersects(strip); };
+        if (boxes.size() <= kFewBoxes)
+            return std::any_of(boxes.begin(), boxes.end(), isNear);
         return runs.any(isNear, [&](std::size_t i) { return isNear(boxes[i]); });
     }
 };
@@ -190,11 +210,11 @@ CoverUpdate::CoverUpdate(const Analysis &now, const Analysis &before)
             addOthers(now.assembly.slits[i], before.assembly.slits[i], change.added);
             std::vector<const Slit *> others = change.added;
             addOthers(before.assembly.slits[i], now.assembly.slits[i], others);
+            change.boxes.reserve(change.boxes.size() + others.size());
             for (const Slit *slit : others)
-                for (const Polygon &outline : slit->outlines(kDrawChord))
-                    change.boxes.push_back(bounds(outline));
+                addBoxes(*slit, change.boxes);
         }
-        if (!change.boxes.empty())
+        if (change.boxes.size() > Change::kFewBoxes)
             change.runs.fill(change.boxes.size(),
                              [&change](std::size_t k) { return change.boxes[k]; });
     }
