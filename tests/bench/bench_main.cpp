@@ -52,7 +52,7 @@ std::vector<Case> generatedCases(const QString &folder)
         if (io::writeFile(path, flatfabText(document)))
             cases.push_back({name, path, edited});
     };
-    for (int sections : {50, 200, 800, 3200})
+    for (int sections : {50, 200, 800, 3200, 12800})
         add("comb of " + std::to_string(sections), comb(sections));
     for (int sections : {800, 3200, 12800})
         add("jointed comb of " + std::to_string(sections), jointedComb(sections));
