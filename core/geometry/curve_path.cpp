@@ -3,6 +3,7 @@
 #include "core/base/tolerances.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 namespace fff {
@@ -46,6 +47,16 @@ CubicBezier CurvePath::segment(int index) const
 {
     const auto first = 3 * static_cast<std::size_t>(index);
     return {m_points[first], m_points[first + 1], m_points[first + 2], m_points[first + 3]};
+}
+
+Result<Contour> CurvePath::ring() const
+{
+    assert(isClosed());
+    if (segmentCount() == 1) {
+        const CubicBezier loop = segment(0);
+        return Contour::fromSegments({loop.piece(0.0, 0.5), loop.piece(0.5, 1.0)});
+    }
+    return Contour::fromPoints({m_points.begin(), m_points.end() - 1});
 }
 
 Box2 CurvePath::bounds() const

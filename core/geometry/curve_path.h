@@ -28,6 +28,9 @@ public:
     const std::vector<Vec2> &points() const { return m_points; }
     /// It ends where it begins.
     bool isClosed() const { return !m_points.empty() && m_points.front() == m_points.back(); }
+    /// What a closed one runs round; a loop of one segment is cut in its middle. Errors  as
+    /// Contour::fromPoints().
+    Result<Contour> ring() const;
     /// Of the control points: contains the curve.
     Box2 bounds() const;
     /// Chords within `tolerance` mm of the curve, from its first to its last point.

@@ -148,22 +148,23 @@ std::size_t hashOf(const Contour &contour)
 }
 
 /// What closed lines wind round, each once, largest first.
-std::vector<Contour> ringsOf(const std::vector<CurvePath> &lines)
+Result<std::vector<Contour>> ringsOf(const std::vector<CurvePath> &lines)
 {
     std::vector<Ring> rings;
     std::unordered_multimap<std::size_t, std::size_t> known; // by hash
     for (const CurvePath &line : lines) {
         if (!line.isClosed())
             continue;
-        std::vector<Vec2> points = line.points();
-        points.pop_back();
-        const Result<Contour> contour = Contour::fromPoints(std::move(points));
-        if (contour && crossingWork(*contour) > kMostCrossingWork)
+        const Result<Contour> contour = line.ring();
+        if (!contour)
+            return tl::unexpected(contour.error());
+        if (crossingWork(*contour) > kMostCrossingWork)
             continue;
-        const Result<ResolvedContour> whole =
-            contour ? resolveCrossings(*contour) : Result<ResolvedContour>(ResolvedContour{});
-        if (!contour || !whole)
+        const Result<ResolvedContour> whole = resolveCrossings(*contour);
+        if (!whole && whole.error().code == ErrorCode::EmptyContour)
             continue;
+        if (!whole)
+            return tl::unexpected(whole.error());
         const double area = whole->contour.signedArea();
         Ring ring{area < 0.0 ? whole->contour.reversed() : whole->contour, std::abs(area)};
         const std::size_t hash = hashOf(ring.contour);
@@ -195,18 +196,20 @@ double largestTangle(const std::vector<CurvePath> &lines)
 {
     double most = 0.0;
     for (const CurvePath &line : lines) {
-        std::vector<Vec2> points = line.points();
-        points.pop_back();
-        const bool isRing = line.isClosed();
-        if (const auto contour = Contour::fromPoints(std::move(points)); isRing && contour)
+        if (!line.isClosed())
+            continue;
+        if (const Result<Contour> contour = line.ring())
             most = std::max(most, crossingWork(*contour));
     }
     return most;
 }
 
-std::vector<Outline> outlinesOf(const std::vector<CurvePath> &lines)
+Result<std::vector<Outline>> outlinesOf(const std::vector<CurvePath> &lines)
 {
-    const std::vector<Contour> rings = ringsOf(lines);
+    const Result<std::vector<Contour>> found = ringsOf(lines);
+    if (!found)
+        return tl::unexpected(found.error());
+    const std::vector<Contour> &rings = *found;
     const std::vector<int> around = ringsAround(rings);
     std::vector<Outline> outlines;
     std::vector<std::size_t> places(rings.size()); // of outer rings, in the outlines

@@ -24,8 +24,8 @@ std::vector<CurvePath> joined(std::vector<CurvePath> lines, double gap);
 /// that it winds round; open ones, repeated ones, those without area and those that cross
 /// themselves too often (largestTangle) are left out. In the order
 /// of their outer contours' areas, largest first. O(n log n) for n lines and points, as a rule
-/// (ring_nesting.h).
-std::vector<Outline> outlinesOf(const std::vector<CurvePath> &lines);
+/// (ring_nesting.h). Errors  NotWorkedOut, as resolveCrossings().
+Result<std::vector<Outline>> outlinesOf(const std::vector<CurvePath> &lines);
 
 /// The most work (tangle.h) that taking apart any closed line is; outlinesOf() does it up to
 /// kMostCrossingWork.

@@ -58,9 +58,15 @@ Placing placedOn(const Section &section, const Drawing &drawing)
             boundsOf(drawing.lines).center(), section.shape->bounds().center()};
 }
 
-std::vector<Outline> outlinesIn(const Drawing &drawing)
+/// At least one.
+tl::expected<std::vector<Outline>, Hint> outlinesIn(const Drawing &drawing)
 {
-    return outlinesOf(joined(drawing.lines, kDrawnGap));
+    Result<std::vector<Outline>> outlines = outlinesOf(joined(drawing.lines, kDrawnGap));
+    if (!outlines)
+        return refused(Hint::Kind::EditFailed, drawing.name);
+    if (outlines->empty())
+        return refused(Hint::Kind::DrawingOpen, drawing.name);
+    return *std::move(outlines);
 }
 
 /// The drawn section that it is about, and what comes to it.
@@ -102,9 +108,9 @@ SectionEdit withShape(const Model &model, const Section &section, const Contour 
 
 SectionEdit drawingSections(const Model &model, const Drawing &drawing, const Naming &naming)
 {
-    const std::vector<Outline> outlines = outlinesIn(drawing);
-    if (outlines.empty())
-        return refused(Hint::Kind::DrawingOpen, drawing.name);
+    const auto outlines = outlinesIn(drawing);
+    if (!outlines)
+        return tl::unexpected(outlines.error());
     const Box2 box = boundsOf(drawing.lines);
     const Box3 there = model.bounds();
     Frame frame;
@@ -113,10 +119,13 @@ SectionEdit drawingSections(const Model &model, const Drawing &drawing, const Na
                     -box.min.y(), 0.0};
     SectionNames names(model.document, naming);
     std::vector<NewSection> sections;
-    for (const Outline &outline : outlines) {
+    int left = 0;
+    for (const Outline &outline : *outlines) {
         const Result<ShapePointer> shape = Shape::make(outline.outer, outline.holes);
-        if (!shape)
+        if (!shape) {
+            ++left;
             continue;
+        }
         NewSection section;
         section.name = names.next();
         section.shape = *shape;
@@ -130,6 +139,8 @@ SectionEdit drawingSections(const Model &model, const Drawing &drawing, const Na
     edit.select.emplace();
     for (std::size_t i = model.document.sections.size(); i < edit.document.sections.size(); ++i)
         edit.select->push_back(edit.document.sections[i]->id);
+    if (left > 0)
+        edit.note = Hint{Hint::Kind::DrawingLeft, drawing.name, false, {}, left};
     return edit;
 }
 
@@ -137,10 +148,10 @@ SectionEdit drawingContour(const Model &model, const SectionRef &ref, const Draw
 {
     return onSection(
         model, ref, drawing, [&](const Section &section, Placing placing) -> SectionEdit {
-            const std::vector<Outline> outlines = outlinesIn(drawing);
-            if (outlines.empty())
-                return refused(Hint::Kind::DrawingOpen, drawing.name);
-            const Outline &outline = outlines.front();
+            const auto outlines = outlinesIn(drawing);
+            if (!outlines)
+                return tl::unexpected(outlines.error());
+            const Outline &outline = outlines->front();
             placing.from = boundsOf({CurvePath::around(outline.outer)}).center();
             const Result<Contour> contour = placing(outline.outer);
             std::vector<Contour> holes;
@@ -150,7 +161,7 @@ SectionEdit drawingContour(const Model &model, const SectionRef &ref, const Draw
             if (!contour)
                 return refused(Hint::Kind::EditFailed, section.name);
             SectionEdit edit = withShape(model, section, *contour, holes, drawing);
-            const int left = static_cast<int>(outlines.size()) - 1;
+            const int left = static_cast<int>(outlines->size()) - 1;
             if (edit && left > 0)
                 edit->note = Hint{Hint::Kind::DrawingLeft, drawing.name, false, {}, left};
             return edit;
@@ -161,11 +172,11 @@ SectionEdit drawingHoles(const Model &model, const SectionRef &ref, const Drawin
 {
     return onSection(model, ref, drawing,
                      [&](const Section &section, const Placing &placing) -> SectionEdit {
-                         const std::vector<Outline> outlines = outlinesIn(drawing);
-                         if (outlines.empty())
-                             return refused(Hint::Kind::DrawingOpen, drawing.name);
+                         const auto outlines = outlinesIn(drawing);
+                         if (!outlines)
+                             return tl::unexpected(outlines.error());
                          std::vector<Contour> holes = section.shape->holes();
-                         for (const Outline &outline : outlines)
+                         for (const Outline &outline : *outlines)
                              if (Result<Contour> placed = placing(outline.outer))
                                  holes.push_back(*std::move(placed));
                          return withShape(model, section, section.shape->contour(), holes, drawing);

@@ -168,11 +168,7 @@ Result<std::vector<CurvePath>> SvgClip::clipped(const CurvePath &path) const
         }
         return left;
     }
-    std::vector<Vec2> points = path.points();
-    points.pop_back();
-    if (points.size() < 6)
-        return left;
-    const Result<Contour> contour = Contour::fromPoints(std::move(points));
+    const Result<Contour> contour = path.ring();
     if (!contour)
         return tl::unexpected(contour.error());
     const auto pieces = clippedContour(*contour, clip);

@@ -375,9 +375,11 @@ void Reader::add(const pugi::xml_node &node, const State &state, const SvgSubpat
             const CubicBezier closing = CubicBezier::line(points.back(), points.front());
             points.insert(points.end(), {closing.p1, closing.p2, closing.p3});
         }
-        points.pop_back();
-        if (Result<Contour> contour = Contour::fromPoints(std::move(points)))
-            m_clipped->push_back(*std::move(contour));
+        const Result<CurvePath> path = CurvePath::fromPoints(std::move(points));
+        Result<Contour> contour = path ? path->ring() : tl::unexpected(path.error());
+        if (!contour)
+            return m_source.fail(contour.error().code, {}, contour.error().args);
+        m_clipped->push_back(*std::move(contour));
         return;
     }
     addLine(std::move(points), state);

@@ -25,7 +25,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size
     constexpr std::size_t kMostLines = 60;
     if (lines.size() > kMostLines)
         return 0;
-    for (const Outline &outline : outlinesOf(joined(std::move(lines), kDrawnGap))) {
+    const Result<std::vector<Outline>> outlines = outlinesOf(joined(std::move(lines), kDrawnGap));
+    fuzz::require(outlines.has_value(), "outlines are found");
+    for (const Outline &outline : *outlines) {
         fuzz::require(outline.outer.signedArea() > 0.0, "outlines run counter-clockwise");
         for (const Contour &hole : outline.holes)
             fuzz::require(hole.signedArea() < 0.0, "holes run clockwise");

@@ -6,6 +6,7 @@
 #include "core/geometry/boolean.h"
 #include "core/geometry/halfplane_clip.h"
 #include "core/geometry/line_clip.h"
+#include "core/geometry/outlines.h"
 #include "core/geometry/symmetrised.h"
 #include "core/geometry/triangulation.h"
 #include "core/model/mended_shape.h"
@@ -76,6 +77,8 @@ void TestGeometryFaults::everyCallThatFailsSaysSo_data()
         std::vector<Warning> warnings;
         return codeOf(makeMendedShape({disc, {}}, {{other, {}}}, {}, warnings));
     });
+    row("outlinesOf",
+        [contour = figureEight()] { return codeOf(outlinesOf({CurvePath::around(contour)})); });
     row("a contour", [=] { return codeOf(Contour::fromPoints(disc.points())); });
 }
 

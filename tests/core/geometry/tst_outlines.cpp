@@ -75,6 +75,7 @@ private Q_SLOTS:
     void repeatedLinesCountOnce();
     void edgesAreJoinedInAnyOrder_data();
     void edgesAreJoinedInAnyOrder();
+    void aLoopOfOneSegmentIsAnOutline();
     void tanglesAreLeftOut();
 };
 
@@ -104,7 +105,7 @@ void TestOutlines::nestingIsThatOfEveryPair()
     std::vector<CurvePath> lines;
     for (const Rectangle &rectangle : rectangles)
         lines.push_back(around(rectangle));
-    const std::vector<Outline> outlines = outlinesOf(lines);
+    const std::vector<Outline> outlines = *outlinesOf(lines);
     QCOMPARE(static_cast<int>(outlines.size()), outer);
     double found = 0.0;
     int foundHoles = 0;
@@ -128,7 +129,7 @@ void TestOutlines::ringsLieInEachOtherThousandsDeep()
         const double inset = 0.02 * ((i * 7'919) % kRings); // in no order
         lines.push_back(around({inset, inset, 500.0 - inset, 400.0 - inset}));
     }
-    const std::vector<Outline> outlines = outlinesOf(lines);
+    const std::vector<Outline> outlines = *outlinesOf(lines);
     QCOMPARE(outlines.size(), std::size_t(kRings / 2));
     for (const Outline &outline : outlines)
         QCOMPARE(outline.holes.size(), std::size_t(1));
@@ -140,7 +141,7 @@ void TestOutlines::whatOnlyLiesInTheBoxIsNotInside()
     const CurvePath corner = closed({{0, 0}, {50, 0}, {50, 10}, {10, 10}, {10, 50}, {0, 50}});
     const CurvePath larger = closed({{-5, -5}, {60, -5}, {60, -1}, {-1, -1}, {-1, 60}, {-5, 60}});
     const std::vector<Outline> outlines =
-        outlinesOf({around({20, 20, 30, 30}), corner, larger, around({2, 2, 8, 8})});
+        *outlinesOf({around({20, 20, 30, 30}), corner, larger, around({2, 2, 8, 8})});
     QCOMPARE(outlines.size(), std::size_t(3));
     for (const Outline &outline : outlines)
         QCOMPARE(outline.holes.size(),
@@ -151,7 +152,7 @@ void TestOutlines::repeatedLinesCountOnce()
 {
     std::vector<CurvePath> lines(500, around({0, 0, 10, 10}));
     lines.push_back(around({2, 2, 4, 4}));
-    const std::vector<Outline> outlines = outlinesOf(lines);
+    const std::vector<Outline> outlines = *outlinesOf(lines);
     QCOMPARE(outlines.size(), std::size_t(1));
     QCOMPARE(outlines.front().holes.size(), std::size_t(1));
 }
@@ -191,7 +192,18 @@ void TestOutlines::edgesAreJoinedInAnyOrder()
     QVERIFY(whole.front().isClosed());
     QCOMPARE(whole.front().segmentCount(), kEdges);
     const double area = 0.5 * kEdges * 1e6 * std::sin(2.0 * M_PI / kEdges);
-    QVERIFY(std::abs(outlinesOf(whole).front().outer.signedArea() - area) < 1e-3);
+    QVERIFY(std::abs(outlinesOf(whole)->front().outer.signedArea() - area) < 1e-3);
+}
+
+// Wrong: a drop of a single curve would be left out.
+void TestOutlines::aLoopOfOneSegmentIsAnOutline()
+{
+    const Result<CurvePath> drop = CurvePath::fromPoints({{0, 0}, {40, 40}, {-40, 40}, {0, 0}});
+    QVERIFY(drop && drop->isClosed());
+    const auto outlines = outlinesOf({*drop});
+    QCOMPARE(outlines->size(), std::size_t(1));
+    // 3 |p1 x p2| / 10 (1 + 2) / 2 of a loop from the origin.
+    QVERIFY(std::abs(outlines->front().outer.signedArea() - 480.0) < 1e-6);
 }
 
 // Wrong: a path of places at random would keep the program busy for hours.
@@ -204,7 +216,7 @@ void TestOutlines::tanglesAreLeftOut()
         corner = {place(random), place(random)};
     const std::vector<CurvePath> lines{closed(corners), around({0, 0, 10, 10})};
     QVERIFY(largestTangle(lines) > kMostCrossingWork);
-    QCOMPARE(outlinesOf(lines).size(), std::size_t(1));
+    QCOMPARE(outlinesOf(lines)->size(), std::size_t(1));
     // As many corners of what does not cross itself are nothing.
     for (std::size_t i = 0; i < corners.size(); ++i) {
         const double angle =
@@ -212,7 +224,7 @@ void TestOutlines::tanglesAreLeftOut()
         corners[i] = (i % 2 == 0 ? 900.0 : 1'000.0) * Vec2(std::cos(angle), std::sin(angle));
     }
     QVERIFY(largestTangle({closed(corners)}) <= kMostCrossingWork);
-    QCOMPARE(outlinesOf({closed(corners)}).size(), std::size_t(1));
+    QCOMPARE(outlinesOf({closed(corners)})->size(), std::size_t(1));
 }
 
 QTEST_GUILESS_MAIN(TestOutlines)

@@ -131,7 +131,7 @@ void TestSvgReader::otherProgramsFiles()
     const std::vector<CurvePath> lines = joined(pathsOf(*drawing), kDrawnGap);
     if (expected.contains(QStringLiteral("joined")))
         QCOMPARE(std::ssize(lines), number("joined", 0));
-    const std::vector<Outline> outlines = outlinesOf(lines);
+    const std::vector<Outline> outlines = *outlinesOf(lines);
     if (expected.contains(QStringLiteral("pieces")))
         QCOMPARE(std::ssize(outlines), number("pieces", 0));
     if (expected.contains(QStringLiteral("holes")))
@@ -175,7 +175,7 @@ void TestSvgReader::whatWeWroteComesBackAsItWas()
 
     const Result<io::SvgDrawing> drawing = io::readSvg(svg);
     QVERIFY(drawing);
-    const std::vector<Outline> outlines = outlinesOf(pathsOf(*drawing));
+    const std::vector<Outline> outlines = *outlinesOf(pathsOf(*drawing));
     QCOMPARE(outlines.size(), std::size_t(1));
     QCOMPARE(outlines[0].holes.size(), std::size_t(1));
     const auto compare = [](const Contour &read, const Contour &written, const Vec2 &shift) {
