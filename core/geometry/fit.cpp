@@ -12,6 +12,9 @@ namespace {
 
 /// The closing piece's handles are halved so often at most to take a loop out of it.
 constexpr int kHandleHalvings = 8;
+/// What an open end points at is within this angle of its direction, and what it meets there at a
+/// corner turns by at least that; radians.
+constexpr double kPointsAt = 0.26, kClosingCorner = 0.79;
 /// Directions at a joint that differ by less, in radians, are one: corners turn by far more.
 constexpr double kSameDirectionOfJoints = 1e-6;
 /// A closed line is continued by so many reaches at both ends, so that it is judged as without any.
@@ -236,6 +239,9 @@ CubicBezier closingSegment(const std::vector<CubicBezier> &chain)
 {
     const Vec2 &from = chain.back().p3, &to = chain.front().p0;
     const Vec2 out = endDirection(chain.back()), in = startDirection(chain.front());
+    const double leaving = turnBetween(out, to - from), coming = turnBetween(in, to - from);
+    if (std::min(leaving, coming) <= kPointsAt && std::max(leaving, coming) >= kClosingCorner)
+        return CubicBezier::line(from, to);
     double handle = (to - from).norm() / 3.0;
     CubicBezier closing{from, from + handle * out, to - handle * in, to};
     for (int i = 0; i < kHandleHalvings && crossesItself(closing); ++i) {

@@ -61,7 +61,8 @@ std::vector<CubicBezier> fitClosedCurve(const std::vector<Vec2> &samples,
                                         const FitOptions &options = {});
 
 /// The piece that closes an open chain (not empty), tangent to both of its ends. Its handles are a
-/// third of its chord, less where that would make it loop.
+/// third of its chord, less where that would make it loop. Straight where one end points to the
+/// other, which lies at a corner: an edge that was not drawn to its end.
 CubicBezier closingSegment(const std::vector<CubicBezier> &chain);
 
 /// Unit direction at the start (end) of a segment, also when a handle has no length. Zero for a
