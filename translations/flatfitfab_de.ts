@@ -1107,8 +1107,8 @@
         <translation>die Schnittfuge schließt einen Schlitz</translation>
     </message>
     <message>
-        <source>a slit of %1 is %2 mm wide and would be closed, expected more than the kerf of %3 mm</source>
-        <translation>ein Schlitz von %1 ist %2 mm breit und würde geschlossen, erwartet wird mehr als die Schnittfuge von %3 mm</translation>
+        <source>%1 has a slit %2 mm wide, which a kerf of %3 mm would close</source>
+        <translation>%1 hat einen %2 mm breiten Schlitz, den eine Schnittfuge von %3 mm schließen würde</translation>
     </message>
 </context>
 <context>

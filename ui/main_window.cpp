@@ -211,6 +211,7 @@ void MainWindow::makeDocks()
     connect(m_history, &HistoryDock::said, m_status, &StatusLine::sayMarked);
     connect(m_checks, &ChecksDock::stockWanted, this, &MainWindow::showStocks);
     connect(m_properties, &PropertiesDock::stockWanted, this, &MainWindow::showStocks);
+    connect(m_files, &DocumentFiles::stocksWanted, this, [this] { showStocks({}); });
 }
 
 void MainWindow::showStocks(StockId stock)

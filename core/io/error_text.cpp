@@ -99,8 +99,7 @@ QString closedSlit(const Args &args)
 {
     if (args.size() < 3)
         return Words::tr("the kerf closes a slit");
-    return Words::tr("a slit of %1 is %2 mm wide and would be closed, expected more than the kerf "
-                     "of %3 mm")
+    return Words::tr("%1 has a slit %2 mm wide, which a kerf of %3 mm would close")
         .arg(verbatim(args, 0), verbatim(args, 1), verbatim(args, 2));
 }
 

@@ -34,6 +34,7 @@ DocumentFiles::DocumentFiles(Workbench &bench, MessageBar &messages, StatusLine 
     : QObject(&window), m_bench(bench), m_messages(messages), m_status(status), m_window(window),
       m_exporting(new Exporting(bench, messages, status, window))
 {
+    connect(m_exporting, &Exporting::stocksWanted, this, &DocumentFiles::stocksWanted);
     connect(&bench.session(), &Session::cleanChanged, this, &DocumentFiles::refreshTitle);
     refreshTitle();
 }

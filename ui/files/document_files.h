@@ -80,6 +80,7 @@ Q_SIGNALS:
     void chosen(const QStringList &paths);
     /// path() or name() is another one now, or the same file was read or written again.
     void pathChanged();
+    void stocksWanted();
 
 private:
     void showWarnings(const io::LoadedDocument &loaded);

@@ -152,8 +152,12 @@ bool Exporting::writeSolids(const QString &path)
 bool Exporting::tellFailure(const QString &path, const Error &error)
 {
     const QString base = QFileInfo(path).absolutePath() + u'/' + QFileInfo(path).completeBaseName();
-    m_messages.show(MessageBar::Severity::Error, {saveFailure(path, error)},
-                    {{tr("Export somewhere else…"), [this, base] { ask(base); }}},
+    const bool isOfStock =
+        error.code == ErrorCode::ClosedSlit || error.code == ErrorCode::CannotOffset;
+    const MessageBar::Verb mend =
+        isOfStock ? MessageBar::Verb{tr("Stocks…"), [this] { Q_EMIT stocksWanted(); }}
+                  : MessageBar::Verb{tr("Export somewhere else…"), [this, base] { ask(base); }};
+    m_messages.show(MessageBar::Severity::Error, {saveFailure(path, error)}, {mend},
                     failureDetails(path, error));
     return false;
 }

@@ -33,6 +33,10 @@ public:
     /// files.
     bool writeSheets(const QString &path);
 
+Q_SIGNALS:
+    /// To change what cannot be cut as it is.
+    void stocksWanted();
+
 private:
     bool prepare(const QString &path);
     bool writeDrawing(const QString &path, bool isFilePerSheet);
