@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <iterator>
 #include <utility>
 
 namespace fff {
@@ -12,6 +13,8 @@ namespace {
 
 /// Answers kept at most; some 80 bytes each.
 constexpr std::size_t kMostAnswers = 1'000'000;
+/// Prisms of a pair that are kept.
+constexpr std::size_t kMostMet = 4;
 
 } // namespace
 
@@ -102,6 +105,7 @@ void Collisions::use(std::vector<SolidPointer> solids, Depths depths)
     forget(m_clear);
     forget(m_overlaps);
     forget(m_measured);
+    m_met.clear();
     m_depths = std::move(depths);
 }
 
@@ -122,22 +126,57 @@ Vec3 Collisions::liftedBy(int lift) const
     return lift == kNotLifted ? Vec3(Vec3::Zero()) : m_lifts.vector(lift);
 }
 
+std::pair<int, int> Collisions::versions(int a, int b) const
+{
+    return {m_names[static_cast<std::size_t>(a)].version,
+            m_names[static_cast<std::size_t>(b)].version};
+}
+
+/// Whether two prisms meet that did so on another way.
+bool Collisions::haveMet(const Question &question, int a, int b)
+{
+    const auto [first, second] = std::minmax(a, b);
+    const auto known = m_met.find({first, second});
+    if (known == m_met.end())
+        return false;
+    std::vector<PrismIndices> &met = known->second;
+    const Vec3 &along = m_ways.vector(question.way);
+    const Vec3 by = liftedBy(question.lift);
+    const auto meets = std::find_if(met.begin(), met.end(), [&](const PrismIndices &prisms) {
+        return prismsMeet(solid(a), solid(b), a == first ? prisms : prisms.swapped(), along,
+                          question.depth, by);
+    });
+    if (meets == met.end())
+        return false;
+    std::rotate(met.begin(), meets, std::next(meets));
+    return true;
+}
+
+void Collisions::keepMet(int a, int b, const PrismIndices &prisms)
+{
+    const auto [first, second] = std::minmax(a, b);
+    std::vector<PrismIndices> &met = m_met[{first, second}];
+    if (met.size() == kMostMet)
+        met.pop_back();
+    met.insert(met.begin(), a == first ? prisms : prisms.swapped());
+}
+
 template <typename Answer, typename Meet, typename Find>
 const Answer &Collisions::answer(Answers<Answer> &all, const Question &question, int a, int b,
                                  const Meet &meet, const Find &find)
 {
     Known<Answer> &known = all[question];
-    const int versionA = m_names[static_cast<std::size_t>(a)].version;
-    const int versionB = m_names[static_cast<std::size_t>(b)].version;
+    const auto [versionA, versionB] = versions(a, b);
     if (known.versionA == versionA && known.versionB == versionB)
         return known.answer;
     ++m_work.encounters;
     Encounter encounter = meet();
-    const std::uint64_t signature = encounter.signature();
-    if (known.versionA < 0 || known.signature != signature) {
+    if (!known.signature || *known.signature != encounter.signature()) {
         ++m_work.answers;
         known.answer = find(encounter);
-        known.signature = signature;
+        known.signature.reset();
+        if (encounter.isComplete())
+            known.signature = encounter.signature();
         m_work.prismPairs += encounter.pairsLookedAt();
     }
     known.versionA = versionA;
@@ -147,12 +186,26 @@ const Answer &Collisions::answer(Answers<Answer> &all, const Question &question,
 
 bool Collisions::comesFree(int a, int b, int way, int lift)
 {
+    const Question asked = question(a, b, way, lift);
+    Known<bool> &known = m_isFree[asked];
+    const auto [versionA, versionB] = versions(a, b);
+    if (known.versionA == versionA && known.versionB == versionB)
+        return known.answer;
+    if (haveMet(asked, a, b)) {
+        known = {versionA, versionB, {}, false};
+        return false;
+    }
     return answer(
-        m_isFree, question(a, b, way, lift), a, b,
+        m_isFree, asked, a, b,
         [&] {
-            return Encounter(solid(a), solid(b), m_ways.vector(way), depth(a, b), liftedBy(lift));
+            return Encounter(solid(a), solid(b), m_ways.vector(way), asked.depth, liftedBy(lift));
         },
-        [](Encounter &encounter) { return encounter.isFree(); });
+        [&](Encounter &encounter) {
+            const std::optional<PrismIndices> meeting = encounter.meeting();
+            if (meeting)
+                keepMet(a, b, *meeting);
+            return !meeting;
+        });
 }
 
 double Collisions::wayUntil(int a, int b, int way)

@@ -2,7 +2,7 @@
 // same where they may meet: who plans again after an edit asks mostly what has been asked before.
 #pragma once
 
-#include "core/assembly/solid.h"
+#include "core/assembly/prism_pair.h"
 #include "core/base/tolerances.h"
 
 #include <array>
@@ -104,8 +104,8 @@ private:
     template <typename Answer>
     struct Known
     {
-        int versionA = -1, versionB = -1; // that it was last found right for
-        std::uint64_t signature = 0;      // Encounter::signature()
+        int versionA = -1, versionB = -1;       // that it was last found right for
+        std::optional<std::uint64_t> signature; // Encounter::signature(); none: never the same
         Answer answer{};
     };
     template <typename Answer>
@@ -115,6 +115,9 @@ private:
     void name(const std::vector<SolidPointer> &solids);
     Question question(int a, int b, int way, int lift) const;
     Vec3 liftedBy(int lift) const;
+    std::pair<int, int> versions(int a, int b) const;
+    bool haveMet(const Question &question, int a, int b);
+    void keepMet(int a, int b, const PrismIndices &prisms);
     /// What is known, or else what `work` finds out of the encounter that `meet` makes.
     template <typename Answer, typename Meet, typename Find>
     const Answer &answer(Answers<Answer> &known, const Question &question, int a, int b,
@@ -128,6 +131,9 @@ private:
     Answers<bool> m_isFree;
     Answers<double> m_until, m_clear;
     Answers<std::optional<Interpenetration>> m_overlaps, m_measured; // m_measured: of whole ones
+    /// Prisms of two solids (a < b) that met on some way, the last ones first. They are asked first
+    /// when the two go another way: mostly the same ones hold them.
+    std::map<std::pair<int, int>, std::vector<PrismIndices>> m_met;
     Work m_work;
 };
 

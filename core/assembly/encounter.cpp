@@ -10,75 +10,12 @@ namespace fff {
 namespace {
 
 constexpr double kEndless = std::numeric_limits<double>::infinity();
-/// Squared sine below which two edges are parallel: their common normal is rounding.
-constexpr double kParallel = 1e-18;
 /// A way so short that nothing moves, mm.
 constexpr double kStill = 1e-9;
 /// Prisms of a part that come near another one's slit.
 constexpr std::size_t kMostlyFewer = 16;
 /// Boxes around many triangles may be wrong by less, mm.
 constexpr double kBoxRounding = 1e-6;
-
-Extent extentOf(const std::array<Vec3, 3> &triangle, const Vec3 &axis)
-{
-    const double a = axis.dot(triangle[0]), b = axis.dot(triangle[1]), c = axis.dot(triangle[2]);
-    return {std::min({a, b, c}), std::max({a, b, c})};
-}
-
-/// Leaves of `way` where the extent of a, moved on by `speed` each mm, and that of b share more
-/// than `depth`. False when nothing is left.
-bool keepShared(const Extent &a, const Extent &b, double speed, double depth, Travel &way)
-{
-    // a.max + t speed > b.min + depth  and  a.min + t speed < b.max − depth
-    const double low = b.min + depth - a.max, high = b.max - depth - a.min;
-    if (speed == 0.0)
-        return low < 0.0 && high > 0.0;
-    const double first = low / speed, second = high / speed;
-    way.from = std::max(way.from, std::min(first, second));
-    way.to = std::min(way.to, std::max(first, second));
-    // A product of negative depths can turn the two around; then there is nothing.
-    return low < high && way.from < way.to;
-}
-
-/// One of the prisms of a solid, as its axes need it.
-struct Prism
-{
-    const std::array<Vec3, 3> &corners;
-    const Vec3 &normal;
-    double half;
-
-    Extent along(const Vec3 &axis) const
-    {
-        const double more = half * std::abs(axis.dot(normal));
-        const Extent flat = extentOf(corners, axis);
-        return {flat.min - more, flat.max + more};
-    }
-    Vec3 edge(std::size_t i) const { return corners[(i + 1) % 3] - corners[i]; }
-};
-
-/// Calls `look` with each axis that can separate two prisms (unit) until it answers false.
-template <typename Look>
-bool forEachAxis(const Prism &a, const Prism &b, const Look &look)
-{
-    if (!look(a.normal) || !look(b.normal))
-        return false;
-    const auto lookAcross = [&](const Vec3 &u, const Vec3 &v) {
-        const Vec3 axis = u.cross(v);
-        const double length = axis.squaredNorm();
-        return !(length > kParallel * u.squaredNorm() * v.squaredNorm()) ||
-               look(Vec3(axis / std::sqrt(length)));
-    };
-    for (std::size_t i = 0; i < 3; ++i) {
-        const Vec3 edge = a.edge(i);
-        if (!lookAcross(edge, a.normal) || !lookAcross(b.edge(i), b.normal) ||
-            !lookAcross(edge, b.normal) || !lookAcross(a.normal, b.edge(i)))
-            return false;
-        for (std::size_t k = 0; k < 3; ++k)
-            if (!lookAcross(edge, b.edge(k)))
-                return false;
-    }
-    return lookAcross(a.normal, b.normal);
-}
 
 /// Two unit vectors square to a direction and to each other.
 std::array<Vec3, 2> across(const Vec3 &direction)
@@ -120,17 +57,13 @@ void extend(Extent &extent, const Extent &by)
     extent.max = std::max(extent.max, by.max);
 }
 
-Extent wider(const Extent &extent, double by)
-{
-    return {extent.min - by, extent.max + by};
-}
-
 /// The middle of what the boxes of two prisms share.
-Vec3 middleOf(const Prism &a, const Prism &b)
+Vec3 middleOf(const PrismPairs &pairs, const PairedPrism &a, const PairedPrism &b)
 {
     Vec3 middle;
     for (int i = 0; i < 3; ++i) {
-        const Extent first = a.along(Vec3::Unit(i)), second = b.along(Vec3::Unit(i));
+        const Extent first = pairs.mover().extent(a.corners, Vec3::Unit(i));
+        const Extent second = pairs.other().extent(b.corners, Vec3::Unit(i));
         middle[i] = 0.5 * (std::max(first.min, second.min) + std::min(first.max, second.max));
     }
     return middle;
@@ -150,46 +83,82 @@ bool keepBoxes(const Box3 &a, const Box3 &b, const Vec3 &direction, double depth
 
 Encounter::Encounter(const Solid &a, const Solid &b, const Vec3 &direction, double depth,
                      const Vec3 &by)
-    : m_depth(depth), m_way{0.0, kEndless}, m_normalA(a.normal), m_normalB(b.normal),
-      m_halfA(a.half), m_halfB(b.half)
+    : m_a(a), m_b(b), m_by(by), m_depth(depth), m_way{0.0, kEndless},
+      m_pairs({a.normal, a.half}, {b.normal, b.half}, direction)
 {
     const auto [u, v] = across(direction);
     m_axes = {direction, u, v};
-    findCandidates(a, b, by);
+    findMovers();
 }
 
 Encounter::Encounter(const Solid &a, const Solid &b, double depth)
-    : m_depth(depth), m_way{-kStill, kStill}, m_normalA(a.normal), m_normalB(b.normal),
-      m_halfA(a.half), m_halfB(b.half)
+    : m_a(a), m_b(b), m_by(Vec3::Zero()), m_depth(depth), m_way{-kStill, kStill},
+      m_pairs({a.normal, a.half}, {b.normal, b.half}, a.normal)
 {
     const auto [u, v] = across(a.normal);
     m_axes = {a.normal, u, v};
-    findCandidates(a, b, Vec3::Zero());
+    findMovers();
 }
 
-void Encounter::findCandidates(const Solid &a, const Solid &b, const Vec3 &by)
+void Encounter::findMovers()
 {
     Travel way = m_way;
-    const Box3 from{a.box.min + by, a.box.max + by};
-    if (!keepBoxes(from, b.box, m_axes.along, m_depth - kBoxRounding, way))
+    const Box3 from{m_a.box.min + m_by, m_a.box.max + m_by};
+    if (!keepBoxes(from, m_b.box, m_axes.along, m_depth - kBoxRounding, way))
         return;
-    const Box2 all = b.runs.bounds();
-    Window window{Seen(b, Vec3::Zero(), m_axes.u).of(all), Seen(b, Vec3::Zero(), m_axes.v).of(all),
-                  Seen(b, Vec3::Zero(), m_axes.along).of(all)};
-    m_movers = candidates(a, by, b, Vec3::Zero(), 1.0, window);
-    if (m_movers.empty())
+    const Box2 all = m_b.runs.bounds();
+    const auto seen = [&](const Vec3 &axis) { return Seen(m_b, Vec3::Zero(), axis).of(all); };
+    m_window = {seen(m_axes.u), seen(m_axes.v), seen(m_axes.along)};
+    m_way = forEachCandidate(m_a, m_by, m_b, Vec3::Zero(), 1.0, [&](const Candidate &candidate) {
+        if (m_movers.empty())
+            m_movers.reserve(kMostlyFewer);
+        m_movers.push_back(candidate);
+        return false;
+    });
+    m_window = {};
+    for (const Candidate &candidate : m_movers) {
+        extend(m_window.u, candidate.u);
+        extend(m_window.v, candidate.v);
+        extend(m_window.along, candidate.along);
+    }
+    m_isComplete = m_movers.empty();
+}
+
+/// Until `visit` says true, which it is asked with each that is found.
+template <typename Visit>
+void Encounter::findOthers(const Visit &visit)
+{
+    if (m_isComplete)
         return;
-    m_others = candidates(b, Vec3::Zero(), a, by, -1.0, window);
+    m_others.clear();
+    bool hasEnded = false;
+    const Travel way =
+        forEachCandidate(m_b, Vec3::Zero(), m_a, m_by, -1.0, [&](const Candidate &candidate) {
+            if (m_others.empty())
+                m_others.reserve(kMostlyFewer);
+            m_others.push_back(candidate);
+            return hasEnded = visit(m_others.back());
+        });
+    if (hasEnded)
+        return;
+    m_isComplete = true;
+    m_way = way;
     std::sort(m_others.begin(), m_others.end(),
               [](const Candidate &x, const Candidate &y) { return x.u.min < y.u.min; });
 }
 
+void Encounter::complete()
+{
+    findOthers([](Candidate &) { return false; });
+}
+
 /// Of `solid`, what comes as deep as the depth into the slab of the other's plane on the way, and
-/// is seen in the window; which is that of the result then.
+/// is seen in the window: calls visit(candidate) until it says true.
 /// sense   1: the solid moves, −1: the other one does
-std::vector<Encounter::Candidate> Encounter::candidates(const Solid &solid, const Vec3 &by,
-                                                        const Solid &other, const Vec3 &otherBy,
-                                                        double sense, Window &window)
+/// Result  what there is of the way in those slabs
+template <typename Visit>
+Travel Encounter::forEachCandidate(const Solid &solid, const Vec3 &by, const Solid &other,
+                                   const Vec3 &otherBy, double sense, const Visit &visit) const
 {
     const double middle = other.normal.dot(other.frame.origin + otherBy);
     const Extent slab{middle - other.half, middle + other.half};
@@ -197,61 +166,54 @@ std::vector<Encounter::Candidate> Encounter::candidates(const Solid &solid, cons
     const Seen inSlab(solid, by, other.normal), inU(solid, by, m_axes.u), inV(solid, by, m_axes.v),
         inAlong(solid, by, m_axes.along);
     const double depth = m_depth - kBoxRounding;
-    std::vector<Candidate> found;
     Travel all{kEndless, -kEndless};
     const auto isBoxNear = [&](const Box2 &box) {
         Travel way = m_way;
-        return share(inU.of(box), window.u, depth) && share(inV.of(box), window.v, depth) &&
+        return share(inU.of(box), m_window.u, depth) && share(inV.of(box), m_window.v, depth) &&
                keepShared(inSlab.of(box), slab, speed, depth, way) &&
-               keepShared(inAlong.of(box), window.along, sense, depth, way);
+               keepShared(inAlong.of(box), m_window.along, sense, depth, way);
     };
     solid.runs.any(isBoxNear, [&](std::size_t i) {
-        std::array<Vec3, 3> corners = solid.triangles[i];
+        Candidate candidate{{solid.triangles[i]}, i, {}, {}, {}};
+        std::array<Vec3, 3> &corners = candidate.prism.corners;
         for (Vec3 &corner : corners)
             corner += by;
-        const Extent extent = wider(extentOf(corners, other.normal), inSlab.more());
-        Travel own = m_way, way = m_way;
-        if (!keepShared(extent, slab, speed, m_depth, own))
-            return false;
-        Candidate candidate;
         candidate.u = wider(extentOf(corners, m_axes.u), inU.more());
-        if (!share(candidate.u, window.u, depth))
+        if (!share(candidate.u, m_window.u, depth))
             return false;
         candidate.v = wider(extentOf(corners, m_axes.v), inV.more());
-        if (!share(candidate.v, window.v, depth))
+        if (!share(candidate.v, m_window.v, depth))
+            return false;
+        Travel own = m_way, way = m_way;
+        const Extent extent = wider(extentOf(corners, other.normal), inSlab.more());
+        if (!keepShared(extent, slab, speed, m_depth, own))
             return false;
         candidate.along = wider(extentOf(corners, m_axes.along), inAlong.more());
-        if (!keepShared(candidate.along, window.along, sense, depth, way))
+        if (!keepShared(candidate.along, m_window.along, sense, depth, way))
             return false;
-        candidate.corners = corners;
         all.from = std::min(all.from, own.from);
         all.to = std::max(all.to, own.to);
-        if (found.empty())
-            found.reserve(kMostlyFewer);
-        found.push_back(candidate);
-        return false;
+        return visit(candidate);
     });
-    if (found.empty())
-        return found;
-    m_way = all;
-    window = {};
-    for (const Candidate &candidate : found) {
-        extend(window.u, candidate.u);
-        extend(window.v, candidate.v);
-        extend(window.along, candidate.along);
-    }
-    return found;
+    return all;
 }
 
 /// Calls `meet` with two prisms and the stretch in which they share more than the depth, for each
-/// pair that has one on the way and may matter, until it answers false.
-template <typename MayMatter, typename Meet>
-void Encounter::forEachMeeting(const MayMatter &mayMatter, const Meet &meet)
+/// pair that has one on the way and may matter, until it answers false; movers of a low rank first.
+template <typename Rank, typename MayMatter, typename Meet>
+void Encounter::forEachMeeting(const Rank &rank, const MayMatter &mayMatter, const Meet &meet)
 {
+    complete();
+    std::vector<std::pair<double, Candidate *>> movers;
+    movers.reserve(m_movers.size());
+    for (Candidate &mover : m_movers)
+        movers.emplace_back(rank(mover), &mover);
+    std::sort(movers.begin(), movers.end());
     double widest = 0.0;
     for (const Candidate &other : m_others)
         widest = std::max(widest, other.u.max - other.u.min);
-    for (const Candidate &mover : m_movers) {
+    for (const auto &ranked : movers) {
+        Candidate &mover = *ranked.second;
         auto other = std::lower_bound(
             m_others.begin(), m_others.end(), mover.u.min + m_depth - widest,
             [](const Candidate &candidate, double value) { return candidate.u.min < value; });
@@ -259,52 +221,54 @@ void Encounter::forEachMeeting(const MayMatter &mayMatter, const Meet &meet)
             if (!(other->u.max > mover.u.min + m_depth && share(other->v, mover.v, m_depth)) ||
                 !mayMatter(mover, *other))
                 continue;
-            ++m_pairs;
-            const Prism p{mover.corners, m_normalA, m_halfA}, q{other->corners, m_normalB, m_halfB};
+            ++m_pairCount;
             Travel shared = m_way;
-            const bool meets = forEachAxis(p, q, [&](const Vec3 &axis) {
-                return keepShared(p.along(axis), q.along(axis), axis.dot(m_axes.along), m_depth,
-                                  shared);
-            });
-            if (meets && !meet(p, q, shared))
+            if (m_pairs.keepMeeting(mover.prism, other->prism, m_depth, shared) &&
+                !meet(mover, *other, shared))
                 return;
         }
     }
 }
 
-std::uint64_t Encounter::signature() const
+std::uint64_t Encounter::signature()
 {
-    // Odd numbers whose products mix the bits well (D. Lemire, M. Thorup: multiply-shift).
-    std::uint64_t mixed = m_movers.size() * 0x9E3779B97F4A7C15ull + m_others.size();
-    const auto add = [&](double value) {
-        mixed =
-            (std::rotl(mixed, 23) ^ std::bit_cast<std::uint64_t>(value)) * 0xC2B2AE3D27D4EB4Full;
-        mixed ^= mixed >> 29;
-    };
-    const auto addVector = [&](const Vec3 &vector) {
-        for (int i = 0; i < 3; ++i)
-            add(vector[i]);
-    };
+    complete();
     if (isEmpty())
         return 0;
-    for (const auto &[normal, half] : {std::pair(m_normalA, m_halfA), {m_normalB, m_halfB}}) {
-        addVector(normal);
-        add(half);
+    // Odd numbers whose products mix the bits well (D. Lemire, M. Thorup: multiply-shift). One sum
+    // for each coordinate, which do not wait for each other.
+    std::array<std::uint64_t, 3> mixed{m_movers.size(), m_others.size(), 0};
+    const auto add = [](std::uint64_t &sum, double value) {
+        sum = (std::rotl(sum, 23) ^ std::bit_cast<std::uint64_t>(value)) * 0xC2B2AE3D27D4EB4Full;
+        sum ^= sum >> 29;
+    };
+    const auto addVector = [&](const Vec3 &vector) {
+        for (std::size_t i = 0; i < 3; ++i)
+            add(mixed[i], vector[static_cast<int>(i)]);
+    };
+    for (const Plate *plate : {&m_pairs.mover(), &m_pairs.other()}) {
+        addVector(plate->normal);
+        add(mixed[0], plate->half);
     }
     for (const std::vector<Candidate> *side : {&m_movers, &m_others})
         for (const Candidate &candidate : *side)
-            for (const Vec3 &corner : candidate.corners)
+            for (const Vec3 &corner : candidate.prism.corners)
                 addVector(corner);
-    return mixed;
+    for (std::size_t i = 1; i < 3; ++i)
+        mixed[0] = (std::rotl(mixed[0], 23) ^ mixed[i]) * 0x9E3779B97F4A7C15ull;
+    return mixed[0];
 }
 
 std::optional<Travel> Encounter::first()
 {
+    // Those that are ahead, which leaves little to look at of the rest.
+    const auto rank = [](const Candidate &mover) { return -mover.along.max; };
     std::optional<Travel> found;
     const auto mayBeEarlier = [&](const Candidate &mover, const Candidate &other) {
-        return !found || other.along.min + m_depth - mover.along.max < found->from;
+        return other.along.max - m_depth > mover.along.min &&
+               (!found || other.along.min + m_depth - mover.along.max < found->from);
     };
-    forEachMeeting(mayBeEarlier, [&](auto &, auto &, const Travel &meeting) {
+    forEachMeeting(rank, mayBeEarlier, [&](auto &, auto &, const Travel &meeting) {
         if (!found || meeting.from < found->from)
             found = meeting;
         return meeting.from > 0.0; // nothing is earlier than that
@@ -312,21 +276,51 @@ std::optional<Travel> Encounter::first()
     return found;
 }
 
-bool Encounter::isFree()
+std::optional<PrismIndices> Encounter::meeting()
 {
-    bool isFree = true;
-    const auto all = [](const Candidate &, const Candidate &) { return true; };
-    forEachMeeting(all, [&](auto &, auto &, const Travel &) { return isFree = false; });
-    return isFree;
+    // Each that is found is looked at before the next one is.
+    std::vector<std::pair<double, Candidate *>> movers; // by where they begin
+    movers.reserve(m_movers.size());
+    double widest = 0.0;
+    for (Candidate &mover : m_movers) {
+        movers.emplace_back(mover.u.min, &mover);
+        widest = std::max(widest, mover.u.max - mover.u.min);
+    }
+    std::sort(movers.begin(), movers.end());
+    std::optional<PrismIndices> found;
+    const auto meets = [&](Candidate &other) {
+        auto next =
+            std::lower_bound(movers.begin(), movers.end(), other.u.min + m_depth - widest,
+                             [](const auto &mover, double value) { return mover.first < value; });
+        for (; next != movers.end() && next->first + m_depth < other.u.max; ++next) {
+            Candidate &mover = *next->second;
+            if (!(mover.u.max > other.u.min + m_depth && share(other.v, mover.v, m_depth) &&
+                  other.along.max - m_depth > mover.along.min))
+                continue;
+            ++m_pairCount;
+            Travel shared = m_way;
+            if (!m_pairs.keepMeeting(mover.prism, other.prism, m_depth, shared))
+                continue;
+            found = PrismIndices{mover.triangle, other.triangle};
+            return true;
+        }
+        return false;
+    };
+    if (m_isComplete)
+        static_cast<void>(std::any_of(m_others.begin(), m_others.end(), meets));
+    else
+        findOthers(meets);
+    return found;
 }
 
 double Encounter::wayToClear()
 {
     double last = 0.0;
+    const auto rank = [](const Candidate &mover) { return mover.along.min; };
     const auto mayBeLater = [&](const Candidate &mover, const Candidate &other) {
         return other.along.max - m_depth - mover.along.min > last;
     };
-    forEachMeeting(mayBeLater, [&](auto &, auto &, const Travel &meeting) {
+    forEachMeeting(rank, mayBeLater, [&](auto &, auto &, const Travel &meeting) {
         last = std::max(last, meeting.to);
         return true;
     });
@@ -336,19 +330,26 @@ double Encounter::wayToClear()
 std::optional<Interpenetration> Encounter::deepest()
 {
     std::optional<Interpenetration> deepest;
+    const auto rank = [](const Candidate &) { return 0.0; };
     const auto all = [](const Candidate &, const Candidate &) { return true; };
-    forEachMeeting(all, [&](const Prism &p, const Prism &q, const Travel &) {
-        double least = kEndless;
-        forEachAxis(p, q, [&](const Vec3 &axis) {
-            const Extent ofP = p.along(axis), ofQ = q.along(axis);
-            least = std::min({least, ofP.max - ofQ.min, ofQ.max - ofP.min});
-            return true;
-        });
-        if (least > m_depth && (!deepest || least > deepest->depth))
-            deepest = Interpenetration{least, middleOf(p, q)};
+    forEachMeeting(rank, all, [&](Candidate &p, Candidate &q, const Travel &) {
+        const double depth = m_pairs.depthOf(p.prism, q.prism);
+        if (depth > m_depth && (!deepest || depth > deepest->depth))
+            deepest = Interpenetration{depth, middleOf(m_pairs, p.prism, q.prism)};
         return true;
     });
     return deepest;
+}
+
+bool prismsMeet(const Solid &a, const Solid &b, const PrismIndices &prisms, const Vec3 &direction,
+                double depth, const Vec3 &by)
+{
+    PrismPairs pairs({a.normal, a.half}, {b.normal, b.half}, direction);
+    PairedPrism mover{a.triangles[prisms.mover]}, other{b.triangles[prisms.other]};
+    for (Vec3 &corner : mover.corners)
+        corner += by;
+    Travel way{0.0, kEndless};
+    return pairs.keepMeeting(mover, other, depth, way);
 }
 
 } // namespace fff

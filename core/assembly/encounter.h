@@ -2,13 +2,18 @@
 // follows from that. Internal to assembly.
 #pragma once
 
-#include "core/assembly/solid.h"
+#include "core/assembly/prism_pair.h"
 
 #include <cstdint>
 
 namespace fff {
 
+/// Whether these two meet on the way of an Encounter.
+bool prismsMeet(const Solid &a, const Solid &b, const PrismIndices &prisms, const Vec3 &direction,
+                double depth, const Vec3 &by);
+
 /// Holds those prisms alone that may meet, so that it costs the work of the places where they do.
+/// Both solids have to outlive it.
 /// All answers follow from these prisms, to the last bit.
 class Encounter
 {
@@ -21,14 +26,22 @@ public:
     Encounter(const Solid &a, const Solid &b, double depth);
 
     /// Nothing of them may meet.
-    bool isEmpty() const { return m_movers.empty() || m_others.empty(); }
+    bool isEmpty()
+    {
+        complete();
+        return m_movers.empty() || m_others.empty();
+    }
+    /// All prisms that may meet are known. Who found two that do has not looked for the rest.
+    bool isComplete() const { return m_isComplete; }
     /// Of the prisms: who has the same and asks the same gets the same answer.
-    std::uint64_t signature() const;
+    std::uint64_t signature();
 
     /// See collisionAlong().
     std::optional<Travel> first();
     /// Whether there is no such stretch. Faster than finding the first one.
-    bool isFree();
+    bool isFree() { return !meeting(); }
+    /// Two that meet.
+    std::optional<PrismIndices> meeting();
     /// How far a has to go until they are nowhere so near any more (mm, from then on); 0 when they
     /// are not on all the way.
     double wayToClear();
@@ -36,13 +49,14 @@ public:
     std::optional<Interpenetration> deepest();
 
     /// So many pairs of prisms were looked at.
-    std::size_t pairsLookedAt() const { return m_pairs; }
+    std::size_t pairsLookedAt() const { return m_pairCount; }
 
 private:
     /// A prism that may meet the other solid, and how it is seen along the direction.
     struct Candidate
     {
-        std::array<Vec3, 3> corners;
+        PairedPrism prism;
+        std::size_t triangle = 0; // of its solid
         Extent u, v, along;
     };
     /// Of what the candidates of one solid take up, seen along the direction.
@@ -55,19 +69,26 @@ private:
         Vec3 along, u, v;
     };
 
-    void findCandidates(const Solid &a, const Solid &b, const Vec3 &by);
-    std::vector<Candidate> candidates(const Solid &solid, const Vec3 &by, const Solid &other,
-                                      const Vec3 &otherBy, double sense, Window &window);
-    template <typename MayMatter, typename Meet>
-    void forEachMeeting(const MayMatter &mayMatter, const Meet &meet);
+    void findMovers();
+    template <typename Visit>
+    void findOthers(const Visit &visit);
+    void complete();
+    template <typename Visit>
+    Travel forEachCandidate(const Solid &solid, const Vec3 &by, const Solid &other,
+                            const Vec3 &otherBy, double sense, const Visit &visit) const;
+    template <typename Rank, typename MayMatter, typename Meet>
+    void forEachMeeting(const Rank &rank, const MayMatter &mayMatter, const Meet &meet);
 
+    const Solid &m_a, &m_b;
+    Vec3 m_by;
     Axes m_axes;
     double m_depth;
     Travel m_way;
-    Vec3 m_normalA, m_normalB;
-    double m_halfA, m_halfB;
+    PrismPairs m_pairs;
     std::vector<Candidate> m_movers, m_others;
-    std::size_t m_pairs = 0;
+    Window m_window;          // in which the next ones are looked for
+    bool m_isComplete = true; // as long as nothing of them may meet
+    std::size_t m_pairCount = 0;
 };
 
 } // namespace fff

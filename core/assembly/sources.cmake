@@ -14,6 +14,7 @@ target_sources(fff_core PRIVATE
     assembly/lobes.cpp
     assembly/planning.cpp
     assembly/playback.cpp
+    assembly/prism_pair.cpp
     assembly/realigned.cpp
     assembly/rings_near.cpp
     assembly/slab.cpp
