@@ -19,8 +19,7 @@ constexpr double kSameWay = 1e-6;
 constexpr double kEndless = std::numeric_limits<double>::infinity();
 /// What is out of its slits is moved on by so much before it turns, where there is room. mm
 constexpr double kRoom = 1.0;
-/// A sine that no way has.
-constexpr double kNeverHeld = 2.0;
+constexpr int kNone = -1;
 
 /// Directions are looked up by how far they reach along this one, which is square to none that
 /// people draw by.
@@ -68,7 +67,8 @@ Blocking::Blocking(Collisions &collisions, const std::vector<Slide> &slides,
                    const PlanOptions &options)
     : m_collisions(collisions), m_options(options), m_mates(collisions.size()),
       m_obstacles(collisions.size()), m_isThere(collisions.size(), char(false)),
-      m_holding(collisions.size()), m_waiting(collisions.size())
+      m_holding(collisions.size()), m_waiting(collisions.size()), m_stops(collisions.size()),
+      m_placeOf(collisions.size(), kNone)
 {
     for (const Vec3 &free : {Vec3(Vec3::UnitY()), Vec3(Vec3::UnitX()), Vec3(-Vec3::UnitX()),
                              Vec3(Vec3::UnitZ()), Vec3(-Vec3::UnitZ()), Vec3(-Vec3::UnitY())})
@@ -77,15 +77,18 @@ Blocking::Blocking(Collisions &collisions, const std::vector<Slide> &slides,
     for (const Slide &slide : slides) {
         const int there = indexOf(slide.direction), back = indexOf(-slide.direction);
         const bool isHeld = slide.play < 0.5 * std::numbers::pi && !isIgnored(slide.a, slide.b);
-        const double sine = isHeld ? std::sin(slide.play) : kNeverHeld;
-        const double heldFrom = sine * sine;
+        const double sine = std::sin(slide.play);
+        const int hold = isHeld ? static_cast<int>(m_holds.size()) : kNone;
+        if (isHeld)
+            m_holds.push_back({slide.direction, sine * sine});
         const std::array<int, 2> ofA{back, slide.goesBothWays ? there : -1};
         const std::array<int, 2> ofB{there, slide.goesBothWays ? back : -1};
         m_mates[static_cast<std::size_t>(slide.a)].push_back(
-            {slide.b, ofA, ofB, slide.direction, heldFrom, slide.length});
+            {slide.b, ofA, ofB, hold, slide.length});
         m_mates[static_cast<std::size_t>(slide.b)].push_back(
-            {slide.a, ofB, ofA, slide.direction, heldFrom, slide.length});
+            {slide.a, ofB, ofA, hold, slide.length});
     }
+    m_isLoose.assign(m_holds.size(), char(false));
     std::vector<Box3> boxes;
     for (std::size_t i = 0; i < partCount(); ++i)
         boxes.push_back(m_collisions.solid(static_cast<int>(i)).box);
@@ -113,6 +116,7 @@ void Blocking::begin(const Group &parts)
     for (const int part : m_group) {
         m_isThere[static_cast<std::size_t>(part)] = false;
         m_waiting[static_cast<std::size_t>(part)].clear();
+        m_stops[static_cast<std::size_t>(part)].clear();
     }
     m_group = parts;
     m_count = parts.size();
@@ -285,64 +289,96 @@ bool Blocking::isOutOfTime()
     return m_isOutOfTime;
 }
 
-template <class Visit>
-void Blocking::forEachHeld(int part, const Vec3 &along, Visit visit) const
+const std::vector<int> &Blocking::looseSlides(int direction)
 {
-    for (const Mate &mate : m_mates[static_cast<std::size_t>(part)])
-        if (has(mate.part) && along.cross(mate.slide).squaredNorm() > mate.heldFrom)
-            visit(mate.part);
-}
-
-std::pair<std::vector<int>, int> Blocking::heaps(const Group &parts, int direction) const
-{
-    const Vec3 &along = way(direction).along;
-    constexpr int kNone = -1;
-    std::vector<int> heapOf(partCount(), kNone);
-    int count = 0;
-    std::vector<int> open;
-    for (auto part = parts.rbegin(); part != parts.rend(); ++part) {
-        if (heapOf[static_cast<std::size_t>(*part)] != kNone)
-            continue;
-        open.assign(1, *part);
-        heapOf[static_cast<std::size_t>(*part)] = count;
-        while (!open.empty()) {
-            const int next = open.back();
-            open.pop_back();
-            forEachHeld(next, along, [&](int mate) {
-                int &heap = heapOf[static_cast<std::size_t>(mate)];
-                if (heap == kNone) {
-                    heap = count;
-                    open.push_back(mate);
-                }
-            });
-        }
-        ++count;
+    const auto [known, isNew] = m_loose.try_emplace(direction);
+    if (isNew) {
+        const Vec3 &along = way(direction).along;
+        for (std::size_t i = 0; i < m_holds.size(); ++i)
+            if (along.cross(m_holds[i].slide).squaredNorm() <= m_holds[i].from)
+                known->second.push_back(static_cast<int>(i));
     }
-    return {std::move(heapOf), count};
+    return known->second;
 }
 
-std::optional<Group> Blocking::smallestOff(const Group &parts, int direction, std::size_t fewerThan)
+Blocking::HeldParts Blocking::heldParts()
 {
-    const auto [heapOf, count] = heaps(parts, direction);
-    if (count < 2)
+    HeldParts held;
+    held.parts = there();
+    std::reverse(held.parts.begin(), held.parts.end());
+    for (std::size_t i = 0; i < held.parts.size(); ++i)
+        m_placeOf[static_cast<std::size_t>(held.parts[i])] = static_cast<int>(i);
+    for (const int part : held.parts) {
+        held.begins.push_back(held.mates.size());
+        for (const Mate &mate : m_mates[static_cast<std::size_t>(part)])
+            if (mate.slide != kNone && has(mate.part))
+                held.mates.push_back({m_placeOf[static_cast<std::size_t>(mate.part)], mate.slide});
+    }
+    held.begins.push_back(held.mates.size());
+    return held;
+}
+
+std::optional<Blocking::Heaps> Blocking::heaps(const HeldParts &held, int direction)
+{
+    const std::vector<int> &loose = looseSlides(direction);
+    for (const int slide : loose)
+        m_isLoose[static_cast<std::size_t>(slide)] = true;
+    Heaps heaps;
+    heaps.heapOf.assign(held.parts.size(), kNone);
+    heaps.places.reserve(held.parts.size());
+    for (std::size_t i = 0; i < held.parts.size(); ++i) {
+        if (heaps.heapOf[i] != kNone)
+            continue;
+        const int heap = static_cast<int>(heaps.begins.size());
+        heaps.begins.push_back(heaps.places.size());
+        heaps.places.push_back(static_cast<int>(i));
+        heaps.heapOf[i] = heap;
+        for (std::size_t next = heaps.begins.back(); next < heaps.places.size(); ++next) {
+            const auto place = static_cast<std::size_t>(heaps.places[next]);
+            for (std::size_t k = held.begins[place]; k < held.begins[place + 1]; ++k) {
+                const HeldParts::Mate &mate = held.mates[k];
+                int &ofMate = heaps.heapOf[static_cast<std::size_t>(mate.place)];
+                if (ofMate != kNone || m_isLoose[static_cast<std::size_t>(mate.slide)])
+                    continue;
+                ofMate = heap;
+                heaps.places.push_back(mate.place);
+            }
+        }
+    }
+    for (const int slide : loose)
+        m_isLoose[static_cast<std::size_t>(slide)] = false;
+    if (heaps.begins.size() < 2)
         return {};
-    std::vector<Group> heaps(static_cast<std::size_t>(count));
-    for (const int part : parts)
-        heaps[static_cast<std::size_t>(heapOf[static_cast<std::size_t>(part)])].push_back(part);
+    heaps.begins.push_back(heaps.places.size());
+    return heaps;
+}
+
+std::optional<Group> Blocking::smallestOff(const HeldParts &held, int direction,
+                                           std::size_t fewerThan)
+{
+    const std::optional<Heaps> heaps = this->heaps(held, direction);
+    if (!heaps)
+        return {};
     std::vector<std::size_t> sizes;
-    for (const Group &heap : heaps)
-        sizes.push_back(heap.size());
+    for (std::size_t i = 0; i < heaps->count(); ++i)
+        sizes.push_back(heaps->size(i));
+    std::vector<std::vector<Obstacle> *> known(held.parts.size(), nullptr);
     // On to the next heap that is in the way of this one.
-    const auto next = [&, &heapOf = heapOf](int heap, EdgeCursor &cursor) -> std::optional<int> {
-        const Group &own = heaps[static_cast<std::size_t>(heap)];
-        for (; cursor.first < own.size(); ++cursor.first, cursor.second = 0) {
-            const int part = own[cursor.first];
-            std::vector<Obstacle> &obstacles = obstaclesOf(part, direction).all;
+    const auto next = [&](int heap, EdgeCursor &cursor) -> std::optional<int> {
+        const std::size_t begin = heaps->begins[static_cast<std::size_t>(heap)];
+        for (; cursor.first < sizes[static_cast<std::size_t>(heap)];
+             ++cursor.first, cursor.second = 0) {
+            const auto place = static_cast<std::size_t>(heaps->places[begin + cursor.first]);
+            const int part = held.parts[place];
+            if (!known[place])
+                known[place] = &obstaclesOf(part, direction).all;
+            std::vector<Obstacle> &obstacles = *known[place];
             while (cursor.second < obstacles.size()) {
                 Obstacle &obstacle = obstacles[cursor.second++];
                 if (!has(obstacle.part))
                     continue;
-                const int other = heapOf[static_cast<std::size_t>(obstacle.part)];
+                const int placeOfOther = m_placeOf[static_cast<std::size_t>(obstacle.part)];
+                const int other = heaps->heapOf[static_cast<std::size_t>(placeOfOther)];
                 if (other != heap && isInTheWay(obstacle, part, direction))
                     return other;
             }
@@ -354,8 +390,9 @@ std::optional<Group> Blocking::smallestOff(const Group &parts, int direction, st
         return {};
     Group together;
     for (const int heap : *moved) {
-        const Group &own = heaps[static_cast<std::size_t>(heap)];
-        together.insert(together.end(), own.begin(), own.end());
+        const auto i = static_cast<std::size_t>(heap);
+        for (std::size_t k = heaps->begins[i]; k < heaps->begins[i + 1]; ++k)
+            together.push_back(held.parts[static_cast<std::size_t>(heaps->places[k])]);
     }
     std::sort(together.begin(), together.end());
     return together;
@@ -363,14 +400,14 @@ std::optional<Group> Blocking::smallestOff(const Group &parts, int direction, st
 
 std::optional<Blocking::Removal> Blocking::smallestOff()
 {
-    const Group parts = there();
+    const HeldParts held = heldParts();
     std::optional<Group> smallest;
     int along = 0;
     for (const int direction : waysApart()) {
         if (isOutOfTime())
             return {};
         std::optional<Group> moved =
-            smallestOff(parts, direction, smallest ? smallest->size() : parts.size());
+            smallestOff(held, direction, smallest ? smallest->size() : held.parts.size());
         if (moved) {
             smallest = std::move(moved);
             along = direction;
@@ -418,54 +455,82 @@ std::vector<Vec3> Blocking::turnsOf(int part) const
     return turns;
 }
 
-bool Blocking::comesFree(int part, const Vec3 &by, const Vec3 &direction)
+std::optional<int> Blocking::stopBeyond(int part, const Vec3 &by, const Vec3 &direction)
 {
     const int way = m_collisions.way(direction), lift = m_collisions.lift(by);
     const Box3 &box = m_collisions.solid(part).box;
     const SweptBox swept({box.min + by, box.max + by}, direction, kTouchingDepth);
-    return !m_boxes.any(swept, [&](int other) {
-        return other != part && has(other) && !isIgnored(part, other) &&
-               !m_collisions.comesFree(part, other, way, lift);
+    std::optional<int> stop;
+    m_boxes.any(swept, [&](int other) {
+        if (other == part || !has(other) || isIgnored(part, other) ||
+            m_collisions.comesFree(part, other, way, lift))
+            return false;
+        stop = other;
+        return true;
     });
+    return stop;
 }
 
 std::optional<Blocking::Removal> Blocking::bentOff(int part)
 {
+    // As long as all of these are there, all that was found out is as it was.
+    Group &stops = m_stops[static_cast<std::size_t>(part)];
+    if (!stops.empty() && std::all_of(stops.begin(), stops.end(), [&](int i) { return has(i); }))
+        return {};
+    stops.clear();
     double held = 0.0;
-    for (const Mate &mate : m_mates[static_cast<std::size_t>(part)])
-        if (has(mate.part))
-            held = std::max(held, mate.length);
+    for (const Mate &mate : m_mates[static_cast<std::size_t>(part)]) {
+        if (!has(mate.part))
+            continue;
+        held = std::max(held, mate.length);
+        stops.push_back(mate.part);
+    }
     if (held == 0.0 || std::isinf(held))
         return {}; // nothing to come out of
     for (const int direction : waysOff(part))
-        if (std::optional<Removal> found = bentOff(part, direction, held))
+        if (std::optional<Removal> found = bentOff(part, direction, held, stops))
             return found;
+    std::sort(stops.begin(), stops.end());
+    stops.erase(std::unique(stops.begin(), stops.end()), stops.end());
     return {};
 }
 
-std::optional<Blocking::Removal> Blocking::bentOff(int part, int direction, double held)
+std::optional<Blocking::Removal> Blocking::bentOff(int part, int direction, double held,
+                                                   Group &stops)
 {
     const Vec3 &along = way(direction).along;
     double until = kEndless;
+    int first = kNone;
     for (Obstacle &obstacle : obstaclesOf(part, direction).all) {
         if (!has(obstacle.part) || !isInTheWay(obstacle, part, direction))
             continue;
         if (isOutOfTime())
             return {};
-        until = std::min(until, m_collisions.wayUntil(part, obstacle.part, way(direction).number));
+        const double met = m_collisions.wayUntil(part, obstacle.part, way(direction).number);
+        if (met < until) {
+            until = met;
+            first = obstacle.part;
+        }
         if (until < kRoom)
-            return {};
+            break;
     }
+    if (first != kNone)
+        stops.push_back(first);
+    if (until < kRoom)
+        return {};
     // A little out of the slits, as far as it goes, or half of that: some come free of a slit long
     // before its end.
     std::vector<double> places{until - kRoom, 0.5 * until};
     if (held + kRoom < until)
         places.insert(places.begin(), held + kRoom);
     for (const double place : places) {
-        const Move first{along, place};
-        for (const Vec3 &turn : turnsOf(part))
-            if (comesFree(part, place * along, turn))
-                return Removal{{part}, {first, {turn, 0.0}}};
+        const Move move{along, place};
+        for (const Vec3 &turn : turnsOf(part)) {
+            const std::optional<int> stop = stopBeyond(part, place * along, turn);
+            if (!stop)
+                return Removal{{part}, {move, {turn, 0.0}}};
+            stops.push_back(*stop);
+        }
     }
     return {};
 }

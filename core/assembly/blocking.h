@@ -75,9 +75,14 @@ private:
         int part;
         std::array<int, 2> directions; // in which one comes off it; −1: none
         std::array<int, 2> itsOwn;     // in which it comes off that one
+        int slide;                     // which one holds them; −1: none does
+        double length;                 // mm that they are held
+    };
+    /// Two parts that cannot but move together, unless along a way that hardly turns from this one.
+    struct Hold
+    {
         Vec3 slide;
-        double heldFrom; // squared sine: ways that turn from the slide by more move both
-        double length;   // mm that they are held
+        double from; // squared sine: ways that turn by more move both
     };
     /// What of a part's mates is there.
     struct Holding
@@ -98,27 +103,49 @@ private:
     bool isInTheWay(Obstacle &obstacle, int part, int direction);
     /// The first one that is in the way.
     std::optional<int> firstObstacle(int part, int direction);
-    /// Calls visit(part) for those that cannot but move with it in this direction.
-    template <class Visit>
-    void forEachHeld(int part, const Vec3 &along, Visit visit) const;
-    /// Which of those there the slits hold together in this direction: of each part the number of
-    /// its heap, that of the last part first; and how many heaps there are.
-    std::pair<std::vector<int>, int> heaps(const Group &parts, int direction) const;
+    /// The slides that hold nothing together in this direction.
+    const std::vector<int> &looseSlides(int direction);
+    /// What of the parts there the slits hold together, whichever way they go but one's own.
+    struct HeldParts
+    {
+        struct Mate
+        {
+            int place, slide;
+        };
+        Group parts;                     // the last one first
+        std::vector<std::size_t> begins; // of each one's mates, and behind the last ones
+        std::vector<Mate> mates;
+    };
+    HeldParts heldParts();
+    /// The same that move as one in some direction: heap by heap, that of the last part first.
+    struct Heaps
+    {
+        std::vector<int> places;         // in HeldParts::parts
+        std::vector<std::size_t> begins; // of each heap, and behind the last one
+        std::vector<int> heapOf;         // of each place
+        std::size_t count() const { return begins.size() - 1; }
+        std::size_t size(std::size_t heap) const { return begins[heap + 1] - begins[heap]; }
+    };
+    /// None when all of them are one. O(parts and what holds them).
+    std::optional<Heaps> heaps(const HeldParts &held, int direction);
     /// Of those that nothing is in the way of, the smallest; of equal ones that of the last part.
-    std::optional<Group> smallestOff(const Group &parts, int direction, std::size_t fewerThan);
-    std::optional<Removal> bentOff(int part, int direction, double held);
-    /// Whether nothing that is there is in its way from `by` on.
-    bool comesFree(int part, const Vec3 &by, const Vec3 &direction);
+    std::optional<Group> smallestOff(const HeldParts &held, int direction, std::size_t fewerThan);
+    /// Appends to `stops` who would have to go, one of them at least, before it does come off.
+    std::optional<Removal> bentOff(int part, int direction, double held, Group &stops);
+    /// One that is there and in its way from `by` on.
+    std::optional<int> stopBeyond(int part, const Vec3 &by, const Vec3 &direction);
     /// Across the part to both sides, and along the axes of the world.
     std::vector<Vec3> turnsOf(int part) const;
 
     Collisions &m_collisions;
     const PlanOptions &m_options;
     std::vector<Way> m_ways;
-    std::multimap<double, int> m_waysAlong; // by how far they reach along one odd direction
-    int m_freeWays = 0;                     // so many of them, the first ones, are the world's
-    std::vector<std::vector<Mate>> m_mates; // of each part
-    BoxTree m_boxes;                        // of all parts
+    std::multimap<double, int> m_waysAlong;  // by how far they reach along one odd direction
+    int m_freeWays = 0;                      // so many of them, the first ones, are the world's
+    std::vector<std::vector<Mate>> m_mates;  // of each part
+    std::vector<Hold> m_holds;               // by the slides that hold
+    std::map<int, std::vector<int>> m_loose; // of them, by direction
+    BoxTree m_boxes;                         // of all parts
     std::vector<std::map<int, Obstacles>> m_obstacles; // of each part, by direction
 
     Group m_group; // of which some are there
@@ -127,6 +154,9 @@ private:
     int m_run = 0;
     std::vector<Holding> m_holding;
     std::vector<std::vector<int>> m_waiting; // for each part to go
+    std::vector<Group> m_stops;              // of each part that did not come off bent
+    std::vector<int> m_placeOf;              // of each part in the last HeldParts
+    std::vector<char> m_isLoose;             // of each slide, in the direction that is looked at
     bool m_isOutOfTime = false;
 };
 

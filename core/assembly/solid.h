@@ -43,6 +43,9 @@ struct Solid
 /// thickness: mm.
 Solid makeSolid(const Triangulation &triangulation, const Frame &frame, double thickness);
 
+/// The same solid, in other triangles of its region.
+Solid cutUp(std::shared_ptr<const Solid> whole, const Triangulation &cells);
+
 Solid movedBy(Solid solid, const Vec3 &by);
 
 /// A stretch of a way along a straight line, mm from where it begins.

@@ -187,11 +187,7 @@ SolidPointer solidOf(const CutSection &cut, std::size_t piece, const Frame &fram
     const Result<Triangulation> cells = triangulateCells(cut.parts()[piece].region);
     if (!cells)
         return whole; // the same, only slower
-    Solid solid = makeSolid(*cells, frame, thickness);
-    solid.hull = whole->hull;
-    solid.box = whole->box;
-    solid.whole = std::move(whole);
-    return std::make_shared<const Solid>(std::move(solid));
+    return std::make_shared<const Solid>(cutUp(std::move(whole), *cells));
 }
 
 } // namespace
