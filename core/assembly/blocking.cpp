@@ -34,7 +34,8 @@ class SweptBox
 {
 public:
     SweptBox(Box3 box, const Vec3 &direction, double depth)
-        : m_box(std::move(box)), m_direction(direction), m_depth(depth)
+        : m_box(std::move(box)), m_direction(direction), m_inverse(direction.cwiseInverse()),
+          m_depth(depth)
     {
     }
     bool operator()(const Box3 &other) const
@@ -43,21 +44,21 @@ public:
         for (int i = 0; i < 3; ++i) {
             const double low = other.min[i] + m_depth - m_box.max[i];
             const double high = other.max[i] - m_depth - m_box.min[i];
-            const double speed = m_direction[i];
-            if (speed == 0.0) {
+            if (m_direction[i] == 0.0) {
                 if (low >= 0.0 || high <= 0.0)
                     return false;
                 continue;
             }
-            from = std::max(from, std::min(low / speed, high / speed));
-            to = std::min(to, std::max(low / speed, high / speed));
+            const double first = low * m_inverse[i], second = high * m_inverse[i];
+            from = std::max(from, std::min(first, second));
+            to = std::min(to, std::max(first, second));
         }
         return from < to;
     }
 
 private:
     Box3 m_box;
-    Vec3 m_direction;
+    Vec3 m_direction, m_inverse;
     double m_depth;
 };
 
@@ -353,22 +354,19 @@ std::optional<Blocking::Heaps> Blocking::heaps(const HeldParts &held, int direct
     return heaps;
 }
 
-std::optional<Group> Blocking::smallestOff(const HeldParts &held, int direction,
+std::optional<Group> Blocking::smallestOff(const HeldParts &held, const Heaps &heaps, int direction,
                                            std::size_t fewerThan)
 {
-    const std::optional<Heaps> heaps = this->heaps(held, direction);
-    if (!heaps)
-        return {};
     std::vector<std::size_t> sizes;
-    for (std::size_t i = 0; i < heaps->count(); ++i)
-        sizes.push_back(heaps->size(i));
+    for (std::size_t i = 0; i < heaps.count(); ++i)
+        sizes.push_back(heaps.size(i));
     std::vector<std::vector<Obstacle> *> known(held.parts.size(), nullptr);
     // On to the next heap that is in the way of this one.
     const auto next = [&](int heap, EdgeCursor &cursor) -> std::optional<int> {
-        const std::size_t begin = heaps->begins[static_cast<std::size_t>(heap)];
+        const std::size_t begin = heaps.begins[static_cast<std::size_t>(heap)];
         for (; cursor.first < sizes[static_cast<std::size_t>(heap)];
              ++cursor.first, cursor.second = 0) {
-            const auto place = static_cast<std::size_t>(heaps->places[begin + cursor.first]);
+            const auto place = static_cast<std::size_t>(heaps.places[begin + cursor.first]);
             const int part = held.parts[place];
             if (!known[place])
                 known[place] = &obstaclesOf(part, direction).all;
@@ -378,7 +376,7 @@ std::optional<Group> Blocking::smallestOff(const HeldParts &held, int direction,
                 if (!has(obstacle.part))
                     continue;
                 const int placeOfOther = m_placeOf[static_cast<std::size_t>(obstacle.part)];
-                const int other = heaps->heapOf[static_cast<std::size_t>(placeOfOther)];
+                const int other = heaps.heapOf[static_cast<std::size_t>(placeOfOther)];
                 if (other != heap && isInTheWay(obstacle, part, direction))
                     return other;
             }
@@ -391,8 +389,8 @@ std::optional<Group> Blocking::smallestOff(const HeldParts &held, int direction,
     Group together;
     for (const int heap : *moved) {
         const auto i = static_cast<std::size_t>(heap);
-        for (std::size_t k = heaps->begins[i]; k < heaps->begins[i + 1]; ++k)
-            together.push_back(held.parts[static_cast<std::size_t>(heaps->places[k])]);
+        for (std::size_t k = heaps.begins[i]; k < heaps.begins[i + 1]; ++k)
+            together.push_back(held.parts[static_cast<std::size_t>(heaps.places[k])]);
     }
     std::sort(together.begin(), together.end());
     return together;
@@ -403,11 +401,18 @@ std::optional<Blocking::Removal> Blocking::smallestOff()
     const HeldParts held = heldParts();
     std::optional<Group> smallest;
     int along = 0;
+    std::optional<Heaps> heaps;
+    Vec3 before = Vec3::Zero(); // the direction that they are of
     for (const int direction : waysApart()) {
         if (isOutOfTime())
             return {};
+        if (before != -way(direction).along) // there and back they are the same
+            heaps = this->heaps(held, direction);
+        before = way(direction).along;
+        if (!heaps)
+            continue;
         std::optional<Group> moved =
-            smallestOff(held, direction, smallest ? smallest->size() : held.parts.size());
+            smallestOff(held, *heaps, direction, smallest ? smallest->size() : held.parts.size());
         if (moved) {
             smallest = std::move(moved);
             along = direction;

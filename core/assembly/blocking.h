@@ -129,7 +129,8 @@ private:
     /// None when all of them are one. O(parts and what holds them).
     std::optional<Heaps> heaps(const HeldParts &held, int direction);
     /// Of those that nothing is in the way of, the smallest; of equal ones that of the last part.
-    std::optional<Group> smallestOff(const HeldParts &held, int direction, std::size_t fewerThan);
+    std::optional<Group> smallestOff(const HeldParts &held, const Heaps &heaps, int direction,
+                                     std::size_t fewerThan);
     /// Appends to `stops` who would have to go, one of them at least, before it does come off.
     std::optional<Removal> bentOff(int part, int direction, double held, Group &stops);
     /// One that is there and in its way from `by` on.

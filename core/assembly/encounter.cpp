@@ -13,7 +13,7 @@ constexpr double kEndless = std::numeric_limits<double>::infinity();
 /// A way so short that nothing moves, mm.
 constexpr double kStill = 1e-9;
 /// Prisms of a part that come near another one's slit.
-constexpr std::size_t kMostlyFewer = 16;
+constexpr std::size_t kMostlyFewer = 64;
 /// Boxes around many triangles may be wrong by less, mm.
 constexpr double kBoxRounding = 1e-6;
 
@@ -167,11 +167,17 @@ Travel Encounter::forEachCandidate(const Solid &solid, const Vec3 &by, const Sol
         inAlong(solid, by, m_axes.along);
     const double depth = m_depth - kBoxRounding;
     Travel all{kEndless, -kEndless};
+    // Both move past each other by a mm each mm.
+    const auto isOnTheWay = [&](const Extent &extent) {
+        const double low = m_window.along.min + depth - extent.max;
+        const double high = m_window.along.max - depth - extent.min;
+        return low < high && std::max(m_way.from, std::min(sense * low, sense * high)) <
+                                 std::min(m_way.to, std::max(sense * low, sense * high));
+    };
     const auto isBoxNear = [&](const Box2 &box) {
         Travel way = m_way;
         return share(inU.of(box), m_window.u, depth) && share(inV.of(box), m_window.v, depth) &&
-               keepShared(inSlab.of(box), slab, speed, depth, way) &&
-               keepShared(inAlong.of(box), m_window.along, sense, depth, way);
+               isOnTheWay(inAlong.of(box)) && keepShared(inSlab.of(box), slab, speed, depth, way);
     };
     solid.runs.any(isBoxNear, [&](std::size_t i) {
         Candidate candidate{{solid.triangles[i]}, i, {}, {}, {}};
@@ -184,12 +190,12 @@ Travel Encounter::forEachCandidate(const Solid &solid, const Vec3 &by, const Sol
         candidate.v = wider(extentOf(corners, m_axes.v), inV.more());
         if (!share(candidate.v, m_window.v, depth))
             return false;
-        Travel own = m_way, way = m_way;
+        candidate.along = wider(extentOf(corners, m_axes.along), inAlong.more());
+        if (!isOnTheWay(candidate.along))
+            return false;
+        Travel own = m_way;
         const Extent extent = wider(extentOf(corners, other.normal), inSlab.more());
         if (!keepShared(extent, slab, speed, m_depth, own))
-            return false;
-        candidate.along = wider(extentOf(corners, m_axes.along), inAlong.more());
-        if (!keepShared(candidate.along, m_window.along, sense, depth, way))
             return false;
         all.from = std::min(all.from, own.from);
         all.to = std::max(all.to, own.to);
@@ -200,6 +206,7 @@ Travel Encounter::forEachCandidate(const Solid &solid, const Vec3 &by, const Sol
 
 /// Calls `meet` with two prisms and the stretch in which they share more than the depth, for each
 /// pair that has one on the way and may matter, until it answers false; movers of a low rank first.
+/// `meet` may narrow what of the way is still wanted.
 template <typename Rank, typename MayMatter, typename Meet>
 void Encounter::forEachMeeting(const Rank &rank, const MayMatter &mayMatter, const Meet &meet)
 {
@@ -212,6 +219,7 @@ void Encounter::forEachMeeting(const Rank &rank, const MayMatter &mayMatter, con
     double widest = 0.0;
     for (const Candidate &other : m_others)
         widest = std::max(widest, other.u.max - other.u.min);
+    Travel wanted = m_way;
     for (const auto &ranked : movers) {
         Candidate &mover = *ranked.second;
         auto other = std::lower_bound(
@@ -222,9 +230,14 @@ void Encounter::forEachMeeting(const Rank &rank, const MayMatter &mayMatter, con
                 !mayMatter(mover, *other))
                 continue;
             ++m_pairCount;
-            Travel shared = m_way;
-            if (m_pairs.keepMeeting(mover.prism, other->prism, m_depth, shared) &&
-                !meet(mover, *other, shared))
+            Travel shared = wanted;
+            if (!m_pairs.keepMeeting(mover.prism, other->prism, m_depth, shared))
+                continue;
+            if (wanted.from != m_way.from || wanted.to != m_way.to) {
+                shared = m_way; // all of the stretch
+                m_pairs.keepMeeting(mover.prism, other->prism, m_depth, shared);
+            }
+            if (!meet(mover, *other, shared, wanted))
                 return;
         }
     }
@@ -268,9 +281,10 @@ std::optional<Travel> Encounter::first()
         return other.along.max - m_depth > mover.along.min &&
                (!found || other.along.min + m_depth - mover.along.max < found->from);
     };
-    forEachMeeting(rank, mayBeEarlier, [&](auto &, auto &, const Travel &meeting) {
+    forEachMeeting(rank, mayBeEarlier, [&](auto &, auto &, const Travel &meeting, Travel &wanted) {
         if (!found || meeting.from < found->from)
             found = meeting;
+        wanted.to = found->from;
         return meeting.from > 0.0; // nothing is earlier than that
     });
     return found;
@@ -320,8 +334,9 @@ double Encounter::wayToClear()
     const auto mayBeLater = [&](const Candidate &mover, const Candidate &other) {
         return other.along.max - m_depth - mover.along.min > last;
     };
-    forEachMeeting(rank, mayBeLater, [&](auto &, auto &, const Travel &meeting) {
+    forEachMeeting(rank, mayBeLater, [&](auto &, auto &, const Travel &meeting, Travel &wanted) {
         last = std::max(last, meeting.to);
+        wanted.from = std::max(wanted.from, last);
         return true;
     });
     return last;
@@ -332,7 +347,7 @@ std::optional<Interpenetration> Encounter::deepest()
     std::optional<Interpenetration> deepest;
     const auto rank = [](const Candidate &) { return 0.0; };
     const auto all = [](const Candidate &, const Candidate &) { return true; };
-    forEachMeeting(rank, all, [&](Candidate &p, Candidate &q, const Travel &) {
+    forEachMeeting(rank, all, [&](Candidate &p, Candidate &q, const Travel &, Travel &) {
         const double depth = m_pairs.depthOf(p.prism, q.prism);
         if (depth > m_depth && (!deepest || depth > deepest->depth))
             deepest = Interpenetration{depth, middleOf(m_pairs, p.prism, q.prism)};

@@ -193,7 +193,7 @@ SolidPointer solidOf(const CutSection &cut, std::size_t piece, const Frame &fram
 } // namespace
 
 std::vector<SolidPointer> solidsOf(const Analysis &analysis, std::vector<PartRef> &parts,
-                                   PlanCaches &caches)
+                                   PlanCaches &caches, const std::function<bool()> &isOutOfTime)
 {
     std::vector<SolidPointer> solids;
     parts.clear();
@@ -204,6 +204,10 @@ std::vector<SolidPointer> solidsOf(const Analysis &analysis, std::vector<PartRef
         const Frame &frame = analysis.model.section(i)->frame;
         const double thickness = analysis.model.stockOf(i).thickness;
         if (known.cut != cut || known.frame != frame || known.thickness != thickness) {
+            if (isOutOfTime && isOutOfTime()) {
+                parts.clear();
+                return {};
+            }
             known = {cut, frame, thickness, {}};
             for (std::size_t k = 0; k < cut->parts().size(); ++k)
                 known.solids.push_back(solidOf(*cut, k, frame, thickness));
@@ -243,13 +247,16 @@ std::vector<Slide> slidesOf(const Analysis &analysis, const std::vector<PartRef>
     return slides;
 }
 
-std::vector<PartOverlap> overlapsOf(Collisions &collisions)
+std::vector<PartOverlap> overlapsOf(Collisions &collisions,
+                                    const std::function<bool()> &isOutOfTime)
 {
     std::vector<Box3> boxes;
     for (std::size_t i = 0; i < collisions.size(); ++i)
         boxes.push_back(collisions.solid(static_cast<int>(i)).box);
     std::vector<PartOverlap> overlaps;
     for (const auto &[a, b] : meetingPairs(boxes)) {
+        if (isOutOfTime && isOutOfTime())
+            break;
         if (const auto &how = collisions.overlap(a, b))
             overlaps.push_back({a, b, *how});
     }
@@ -272,11 +279,13 @@ ModelPlan planOf(const Analysis &analysis, PlanCaches &caches,
         return result;
     }
     Collisions &collisions = caches.collisions;
-    std::vector<SolidPointer> solids = solidsOf(analysis, result.parts, caches);
+    std::vector<SolidPointer> solids = solidsOf(analysis, result.parts, caches, isOutOfTime);
+    if (solids.empty() && analysis.model.sectionCount() > 0)
+        return result; // NotFound
     collisions.use(std::move(solids), pressedDepths(analysis, FirstParts(analysis, result.parts)));
     PlanOptions options;
     options.isOutOfTime = isOutOfTime;
-    result.overlaps = overlapsOf(collisions);
+    result.overlaps = overlapsOf(collisions, isOutOfTime);
     for (const PartOverlap &overlap : result.overlaps)
         options.ignored.emplace_back(overlap.a, overlap.b);
     const std::vector<Slide> slides = slidesOf(analysis, result.parts);

@@ -53,13 +53,15 @@ struct PlanCaches
 };
 
 /// The parts as solids, in the sections' order; those that are as before are the same objects.
-/// Every section has to have one (haveSolids).
+/// Every section has to have one (haveSolids). None, and no parts, when the time is over before.
 std::vector<SolidPointer> solidsOf(const Analysis &analysis, std::vector<PartRef> &parts,
-                                   PlanCaches &caches);
+                                   PlanCaches &caches,
+                                   const std::function<bool()> &isOutOfTime = {});
 /// Which way the parts of a joint's sections come off each other; of all joints that hold.
 std::vector<Slide> slidesOf(const Analysis &analysis, const std::vector<PartRef> &parts);
-/// Pairs of parts that are in each other, wherever they are.
-std::vector<PartOverlap> overlapsOf(Collisions &collisions);
+/// Pairs of parts that are in each other, wherever they are; those that are found in the time.
+std::vector<PartOverlap> overlapsOf(Collisions &collisions,
+                                    const std::function<bool()> &isOutOfTime = {});
 
 /// A pure function of the analysis, but for the time. A part that a press fit holds may be as deep
 /// in its mate as the clearance is negative and as bumps press into it from both sides.

@@ -205,7 +205,8 @@ std::vector<Check> planChecks(const Analysis &analysis, const ModelPlan &plan, W
 {
     std::vector<Check> all;
     refresh(analysis, caches);
-    if (plan.parts.empty() && !plan.failure)
+    const bool isEmpty = plan.parts.empty() && plan.plan.verdict == AssemblyPlan::Verdict::Possible;
+    if (isEmpty)
         return all;
     all.push_back(verdict(analysis, plan));
     // Of all pieces of two sections the deepest.

@@ -1,8 +1,10 @@
 // What planning costs as models grow, counted and not timed: pairs of solids that are looked at.
 #include <QTest> // first: moc cannot read some of the standard library before it
 
+#include "core/io/document_file.h"
 #include "core/model/edits.h"
 #include "core/operations/evaluate.h"
+#include "core/session/plan_checks.h"
 #include "tests/bench/generated_models.h"
 #include "tests/core/assembly/plan_replay.h"
 
@@ -49,6 +51,9 @@ private Q_SLOTS:
     void plansCanBeCarriedOut();
     void editsOfLongPartsChangeNothingElse();
     void theTimeIsKept();
+    void theTimeIsKeptWhereverItEnds_data();
+    void theTimeIsKeptWhereverItEnds();
+    void whatHoldsIsFoundAtOnce();
 };
 
 void TestPlanGrowth::simpleModelsOfAnySizeAreDecided_data()
@@ -188,6 +193,51 @@ void TestPlanGrowth::theTimeIsKept()
     // Asked again without a limit, what was left unsaid is found out.
     QCOMPARE(static_cast<int>(planOf(analysis, caches).plan.verdict),
              static_cast<int>(Verdict::Possible));
+}
+
+void TestPlanGrowth::theTimeIsKeptWhereverItEnds_data()
+{
+    QTest::addColumn<int>("asked"); // before it is over
+    QTest::newRow("at once") << 0;
+    QTest::newRow("while solids are made") << 30;
+    QTest::newRow("while overlaps are looked for") << 500;
+    QTest::newRow("while parts are taken off") << 1000;
+}
+
+// Wrong: solids are made, or overlaps looked for, after the time is over; or what was left out then
+// is taken to be known the next time.
+void TestPlanGrowth::theTimeIsKeptWhereverItEnds()
+{
+    QFETCH(int, asked);
+    AnalysisCaches analyses;
+    const Analysis analysis = analyse(evaluate(bench::lattice(30)), analyses);
+    PlanCaches caches;
+    int left = asked;
+    const ModelPlan plan = planOf(analysis, caches, [&] { return left-- <= 0; });
+    QCOMPARE(static_cast<int>(plan.plan.verdict), static_cast<int>(Verdict::NotFound));
+    QVERIFY(caches.collisions.work().encounters <= static_cast<std::size_t>(asked));
+    QVERIFY(!planChecks(analysis, plan).empty()); // says that it is not known
+    const ModelPlan next = planOf(analysis, caches);
+    QCOMPARE(static_cast<int>(next.plan.verdict), static_cast<int>(Verdict::Possible));
+    QVERIFY(next.plan.steps == planOf(analysis).plan.steps);
+}
+
+// Wrong: of parts that hold each other every two prisms are looked at before it is said that they
+// do, or the same two again and again for each way that is tried.
+void TestPlanGrowth::whatHoldsIsFoundAtOnce()
+{
+    const auto loaded = io::readDocument(QStringLiteral(FFF_SHARED_MODELS "/bridge.txt"));
+    if (!loaded)
+        QSKIP("the shared models are not here");
+    AnalysisCaches analyses;
+    const Analysis analysis = analyse(evaluate(loaded->document), analyses);
+    PlanCaches caches;
+    const ModelPlan plan = planOf(analysis, caches);
+    QCOMPARE(static_cast<int>(plan.plan.verdict), static_cast<int>(Verdict::Impossible));
+    const Collisions::Work &work = caches.collisions.work();
+    QVERIFY2(work.prismPairs <= 20 * work.encounters,
+             QByteArray::number(qulonglong(work.prismPairs)) + " of " +
+                 QByteArray::number(qulonglong(work.encounters)));
 }
 
 QTEST_APPLESS_MAIN(TestPlanGrowth)
