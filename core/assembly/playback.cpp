@@ -217,12 +217,15 @@ std::optional<Vec3> Playback::lastDirection(int step) const
 Box3 Playback::reach(double drawnApart) const
 {
     Box3 reach;
-    for (int step = 0; step < stepCount(); ++step) {
-        const std::vector<PartPlace> places = placesDuring(step, 1.0, drawnApart);
-        for (const int part : m_plan.steps[static_cast<std::size_t>(step)].parts) {
+    // What is to be brought on later as one is where those ways begin.
+    std::vector<Vec3> later(m_boxes.size(), Vec3::Zero());
+    for (std::size_t step = m_ways.size(); step-- > 0;) {
+        for (const int part : m_plan.steps[step].parts) {
             const auto p = static_cast<std::size_t>(part);
-            for (const Vec3 &corner : m_ways[static_cast<std::size_t>(step)])
-                reach.extend(shifted(m_boxes[p], places[p].offset + corner));
+            const Vec3 offset = drawnApart * m_apart[p] + m_ways[step].back() + later[p];
+            for (const Vec3 &corner : m_ways[step])
+                reach.extend(shifted(m_boxes[p], offset + corner));
+            later[p] += m_ways[step].front();
         }
     }
     return reach;

@@ -136,6 +136,30 @@ private Q_SLOTS:
             QVERIFY((half[i].offset - 0.5 * whole[i].offset).norm() < 1e-9);
     }
 
+    /// Else the camera leaves out parts that wait aside, or those that are drawn apart.
+    void allThatIsEverShownIsInReach()
+    {
+        const std::vector<std::pair<Playback, std::vector<Box3>>> all{
+            {straightAndBent(), {cube({0, 0, 0}), cube({0, 8, 0}), cube({8, 0, 0})}},
+            {group(), {cube({-30, 0, 0}), cube({0, 5, 0}), cube({8, 5, 0})}}};
+        for (const auto &[playback, boxes] : all) {
+            for (const double drawnApart : {0.0, 0.5, 1.0}) {
+                Box3 seen;
+                for (int i = 1; i <= 400 * playback.stepCount(); ++i) {
+                    const auto places = playback.at(i / 400.0, drawnApart);
+                    for (std::size_t p = 0; p < places.size(); ++p)
+                        if (places[p].isThere) {
+                            seen.extend(Vec3(boxes[p].min + places[p].offset));
+                            seen.extend(Vec3(boxes[p].max + places[p].offset));
+                        }
+                }
+                const Box3 reach = playback.reach(drawnApart);
+                QVERIFY((reach.min - seen.min).norm() < 1e-9);
+                QVERIFY((reach.max - seen.max).norm() < 1e-9);
+            }
+        }
+    }
+
     /// Of a plan that is none nothing may be shown.
     void withoutAPlanNothingIsThere()
     {
