@@ -327,6 +327,7 @@ void MainWindow::importDrawing(const QString &command)
 void MainWindow::readDrawing(const QString &command, const QString &path)
 {
     showDocument();
+    m_messages->hide(); // of the drawing before
     m_bench->run(command, {{"path", path.toStdString()}});
 }
 
