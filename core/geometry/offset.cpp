@@ -70,8 +70,11 @@ public:
             if (!result)
                 return result;
             const std::vector<SweepFault> faults = sweepFaults(m_region, *result, m_distance);
-            if (faults.empty())
-                return result;
+            if (faults.empty()) {
+                if (m_isUnmitred || i + 1 == kMaxTries || !unmitre(*result))
+                    return result;
+                continue;
+            }
             for (const SweepFault &fault : faults)
                 giveWay(fault);
             m_chord *= kRefinement;
@@ -81,14 +84,16 @@ public:
 
 private:
     Result<CurvedRegion> attempt();
-    static Result<CurvedRegion> withCurves(const std::vector<SourceRing> &sources, const ClipGrid &grid,
-                                   const GridRegion &region);
+    static Result<CurvedRegion> withCurves(const std::vector<SourceRing> &sources,
+                                           const ClipGrid &grid, const GridRegion &region);
     void giveWay(const SweepFault &fault);
+    bool unmitre(const CurvedRegion &path);
     bool makeRound(const Vec2 &at);
     void refine(const Vec2 &at);
 
     const CurvedRegion &m_region;
     double m_distance, m_error, m_chord, m_farther = 0.0;
+    bool m_isUnmitred = false;
     std::vector<const Contour *> m_boundaries;
     std::vector<OffsetStyle> m_styles; // of each
     std::vector<RawOffset> m_offsets;  // of each, of the last attempt
@@ -158,6 +163,16 @@ void Grower::giveWay(const SweepFault &fault)
         refine(fault.at);
 }
 
+/// Where the disc fits by less than rounding, no mitre has to be in its way. Whether one was.
+bool Grower::unmitre(const CurvedRegion &path)
+{
+    m_isUnmitred = true;
+    bool wasCovered = false;
+    for (const SweepFault &fault : placesLeft(m_region, path, m_distance))
+        wasCovered = makeRound(fault.at) || wasCovered;
+    return wasCovered;
+}
+
 /// Mitres that may cover the place. Whether there are any, or were.
 bool Grower::makeRound(const Vec2 &at)
 {
@@ -195,14 +210,14 @@ void Grower::refine(const Vec2 &at)
 
 Result<CurvedRegion> grow(const CurvedRegion &region, double distance)
 {
-    if (distance == 0.0)
+    if (distance < kLeastGrowth)
         return region;
     return Grower(region, distance).grown();
 }
 
 Result<CurvedRegion> growLoosely(const CurvedRegion &region, double distance)
 {
-    if (distance == 0.0)
+    if (distance < kLeastGrowth)
         return region;
     const double error = std::min(kOffsetError, 0.1 * distance);
     CurvedRegion result;

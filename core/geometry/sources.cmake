@@ -46,4 +46,5 @@ target_sources(fff_core PRIVATE
     geometry/tangle.cpp
     geometry/triangulation.cpp
     geometry/turning.cpp
+    geometry/uncut.cpp
 )

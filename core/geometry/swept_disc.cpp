@@ -167,8 +167,16 @@ class SweepJudge
 public:
     SweepJudge(const CurvedRegion &part, const CurvedRegion &path, double radius)
         : m_curves(path), m_radius(radius), m_error(std::min(kSweepError, 0.5 * radius)),
-          m_part(part, chord()), m_path(path, chord())
+          m_slack(m_error / 5.0), m_part(part, chord()), m_path(path, chord())
     {
+    }
+
+    std::vector<SweepFault> placesLeft()
+    {
+        m_slack = 0.0;
+        m_stopped = m_error / 5.0;
+        judgeReach();
+        return std::move(m_faults);
     }
 
     std::vector<SweepFault> faults()
@@ -188,9 +196,6 @@ private:
     /// What is left of the error for what is compared on chords of both.
     double error() const { return m_error - 2.0 * chord(); }
 
-    /// By how much a disc must be stopped elsewhere.
-    double slack() const { return m_error / 5.0; }
-
     void add(SweepFault::Kind kind, const Vec2 &at)
     {
         if (m_faults.size() < kMaxFaults)
@@ -209,6 +214,8 @@ private:
 
     const CurvedRegion &m_curves;
     double m_radius, m_error;
+    double m_slack;              // by how much larger a disc has to fit, mm
+    double m_stopped = kStopped; // it may enter the part by, mm
     FlatOutline m_part, m_path;
     std::vector<Stretch> m_stretches; // kept between edges, for their memory
     std::vector<SweepFault> m_faults;
@@ -298,7 +305,7 @@ void SweepJudge::judgeReachOf(const Edge &edge)
 /// A gap is none where discs beside the edge would enter the part elsewhere.
 void SweepJudge::judgeGap(const Edge &edge, const Stretch &gap)
 {
-    const double radius = m_radius + slack(), stopped = radius - kStopped;
+    const double radius = m_radius + m_slack, stopped = radius - m_stopped;
     const Vec2 way = edge.to - edge.from, middle = radius * normalOf(edge);
     const Vec2 start = edge.from + gap.from * way + middle, along = (gap.to - gap.from) * way;
     std::vector<Stretch> stops;
@@ -348,7 +355,7 @@ void SweepJudge::judgeFan(const Edge &before, const Edge &after)
 
 void SweepJudge::judgeFan(const Vec2 &corner, double from, double to, int halvings)
 {
-    const double radius = m_radius + slack(), angle = 0.5 * (from + to);
+    const double radius = m_radius + m_slack, angle = 0.5 * (from + to);
     const Vec2 middle = corner + radius * Vec2(std::cos(angle), std::sin(angle));
     double nearest = radius * radius;
     m_part.anyNear(FlatOutline::boxOf(middle, middle, radius), [&](const Edge &other) {
@@ -356,7 +363,7 @@ void SweepJudge::judgeFan(const Vec2 &corner, double from, double to, int halvin
         return false;
     });
     const double inside = radius - std::sqrt(nearest), half = 0.5 * radius * (to - from);
-    if (inside <= kStopped) {
+    if (inside <= m_stopped) {
         if (!isInPart(middle))
             add(SweepFault::Kind::NotReached, middle);
     } else if (inside <= half && halvings < kMaxFanHalvings) {
@@ -390,6 +397,12 @@ std::vector<SweepFault> sweepFaults(const CurvedRegion &part, const CurvedRegion
                                     double radius)
 {
     return SweepJudge(part, path, radius).faults();
+}
+
+std::vector<SweepFault> placesLeft(const CurvedRegion &part, const CurvedRegion &path,
+                                   double radius)
+{
+    return SweepJudge(part, path, radius).placesLeft();
 }
 
 } // namespace fff

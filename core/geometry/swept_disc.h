@@ -36,4 +36,9 @@ struct SweepFault
 std::vector<SweepFault> sweepFaults(const CurvedRegion &part, const CurvedRegion &path,
                                     double radius);
 
+/// Places that the disc comes to, or all but comes to: where it would enter the part by no more
+/// than kSweepError / 5, and the path lets none come near. NotReached, all of them.
+std::vector<SweepFault> placesLeft(const CurvedRegion &part, const CurvedRegion &path,
+                                   double radius);
+
 } // namespace fff

@@ -44,14 +44,15 @@ double crossingWork(const Contour &contour)
     // Which of the two ways is looked for crossings, whichever is less; they are taken apart
     // upwards.
     const double upwards = workAlong(corners, 1), least = std::min(workAlong(corners, 0), upwards);
-    if (least > kMostCrossingWork)
+    // Looking is that much cheaper than taking apart.
+    if (least > 40.0 * kMostCrossingWork)
         return least;
     const ClipGrid grid(bounds(corners));
     GridRing ring;
     for (const Vec2 &corner : corners)
         if (const GridPoint point = grid.snap(corner); ring.empty() || ring.back() != point)
             ring.push_back(point);
-    return isSimple(ring) ? least : upwards;
+    return isSimple(ring) ? 0.0 : upwards;
 }
 
 } // namespace fff

@@ -12,6 +12,6 @@ namespace fff {
 double crossingWork(const Contour &contour);
 
 /// What a person waits for: more than this is refused. No unit.
-inline constexpr double kMostCrossingWork = 2e8;
+inline constexpr double kMostCrossingWork = 5e6;
 
 } // namespace fff

@@ -3,6 +3,8 @@
 #include "core/base/tolerances.h"
 #include "core/fabrication/kerf.h"
 #include "core/fabrication/wholeness.h"
+#include "core/geometry/offset.h"
+#include "core/geometry/uncut.h"
 #include "core/io/svg_writer.h"
 #include "core/session/narrow_slits.h"
 
@@ -11,6 +13,10 @@
 namespace fff {
 
 namespace {
+
+/// Corners of an outline that the tool's middle keeps away from by this much, in kerfs and mm, lie
+/// in what it is too wide for; acute corners are left by less.
+constexpr double kMissedKerfs = 2.0, kMissed = 0.5;
 
 std::string nameOf(const Analysis &analysis, const Part &part)
 {
@@ -41,6 +47,20 @@ Result<std::optional<double>> narrowestDrawn(const Analysis &analysis, bool comp
         }
     }
     return least;
+}
+
+/// Names of sections with a hole or a notch that the kerf is too wide for.
+std::vector<std::string> withUncutPlaces(const Analysis &analysis, const std::vector<Part> &parts,
+                                         const std::vector<Part> &paths)
+{
+    std::vector<std::string> names;
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        const double kerf = analysis.model.stockOf(static_cast<std::size_t>(parts[i].section)).kerf;
+        if (kerf >= 2.0 * kLeastGrowth &&
+            !comesEverywhere(parts[i].outline, paths[i].outline, kMissedKerfs * kerf + kMissed))
+            addOnce(names, nameOf(analysis, parts[i]));
+    }
+    return names;
 }
 
 /// As the file will have it: where it lies on its sheet, rounded as it is written.
@@ -105,9 +125,10 @@ Result<CuttingFile> makeCuttingFile(const Analysis &analysis, const CuttingFileO
             addOnce(file.unmarkedJoints, nameOf(analysis, part));
     }
     if (options.compensatesKerf) {
-        auto paths = compensateKerf(std::move(parts), analysis.model, analysis.cuts);
+        auto paths = compensateKerf(parts, analysis.model, analysis.cuts);
         if (!paths)
             return tl::unexpected(paths.error());
+        file.uncut = withUncutPlaces(analysis, parts, *paths);
         parts = std::move(*paths);
     }
     const Layout layout = layOut(parts, analysis.model, options.layout);

@@ -29,11 +29,13 @@ struct CuttingFile
     std::vector<std::string> oversized; // names of sections with a part that fits no sheet
     std::vector<std::string> unmarked; // names of sections with a part too slim to carry its number
     std::vector<std::string> unmarkedJoints; // the same for the numbers of all its joints
+    std::vector<std::string> uncut;  // with a hole or a notch that is narrower than the kerf
     std::optional<double> slitWidth; // mm, the narrowest slit as drawn, kerf taken off; of any
 };
 
 /// Errors  NothingToExport for a model without sections; as haveParts(); MarksNotCut; ClosedSlit
-/// for a slit that the kerf closes, CannotOffset for a part without a path, with the section's name.
+/// for a slit that the kerf closes, CannotOffset for a part without a path, with the section's
+/// name.
 Result<CuttingFile> makeCuttingFile(const Analysis &analysis,
                                     const CuttingFileOptions &options = {});
 

@@ -39,10 +39,10 @@ public:
     /// One of a dozen kinds. clearance widens its slits, mm.
     std::optional<NamedOutline> next(double clearance)
     {
-        const int kind = static_cast<int>(number(0, 8));
+        const int kind = static_cast<int>(number(0, 9));
         static const char *const names[] = {"star",      "star of curves", "blob",
                                             "wild",      "hairs",          "tiny segments",
-                                            "near miss", "rounded cracks"};
+                                            "near miss", "rounded cracks", "jagged"};
         const Contour contour = contourOf(kind);
         std::vector<Polygon> cuts;
         std::vector<Contour> holes;
@@ -181,6 +181,21 @@ private:
         return Contour::fromSegments(chain).value();
     }
 
+    /// An edge of teeth, finer than the tool or coarser.
+    Contour jagged()
+    {
+        const double height = std::pow(10.0, number(-3.0, 0.7));
+        const int count = number(0, 1) < 0.5 ? 50 : 300;
+        Polygon polygon{{0, -30}, {200, -30}, {200, 0}};
+        double y = 0.0;
+        for (int i = count; i-- > 0;) {
+            y = std::clamp(0.9 * y + number(-2 * height, 2 * height), -25.0, 60.0);
+            polygon.emplace_back(5.0 + (190.0 * i + number(0, 180)) / count, y);
+        }
+        polygon.emplace_back(0, 0);
+        return polygonContour(polygon);
+    }
+
     Contour contourOf(int kind)
     {
         const double size = number(0, 1) < 0.1 ? number(200, 500) : number(15, 60);
@@ -203,8 +218,10 @@ private:
             return tinySegments();
         case 6:
             return nearMiss();
-        default:
+        case 7:
             return roundedCracks();
+        default:
+            return jagged();
         }
     }
 

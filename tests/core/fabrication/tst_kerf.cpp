@@ -1,5 +1,6 @@
 #include "core/base/tolerances.h"
 #include "core/fabrication/kerf.h"
+#include "core/geometry/offset.h"
 #include "tests/core/assembly/plates.h"
 #include "tests/core/fabrication/parts_of.h"
 #include "tests/core/geometry/curve_distance.h"
@@ -38,6 +39,7 @@ class TestKerf : public QObject
 
 private Q_SLOTS:
     void noKerfChangesNothing();
+    void aKerfOfNothingIsNone();
     void rectangleGrowsToARectangle();
     void holeShrinks();
     void slitNarrowsAndStaysSquare();
@@ -63,6 +65,22 @@ void TestKerf::noKerfChangesNothing()
     const CurvedRegion same = *compensateKerf(region, 0.0);
     QVERIFY(same.outer == region.outer);
     QVERIFY(same.holes == region.holes);
+}
+
+// Wrong: a kerf that rounding swallows would be looked for until the person gives up.
+void TestKerf::aKerfOfNothingIsNone()
+{
+    std::mt19937 random(3);
+    const CurvedRegion region = regionOf(blob(random, 8, 30), {circle({0, 0}, 5)});
+    for (const double kerf : {5e-324, 1e-300, 1e-13, 1e-6, 1e-4, 9e-4}) {
+        const auto same = compensateKerf(region, kerf);
+        QVERIFY(same && same->outer == region.outer);
+        QVERIFY(growLoosely(region, 0.5 * kerf)->outer == region.outer);
+    }
+    for (const double kerf : {1.1e-3, 2e-3, 1e-2}) {
+        const auto path = compensateKerf(region, kerf);
+        QVERIFY(path && totalArea(*path) > totalArea(region));
+    }
 }
 
 // Wrong: straight edges would get bends, corners would be rounded or beveled.

@@ -217,6 +217,10 @@ void TestOutlines::tanglesAreLeftOut()
     const std::vector<CurvePath> lines{closed(corners), around({0, 0, 10, 10})};
     QVERIFY(largestTangle(lines) > kMostCrossingWork);
     QCOMPARE(outlinesOf(lines)->size(), std::size_t(1));
+    // A quarter of them would still be a minute.
+    corners.resize(10'000);
+    QVERIFY(largestTangle({closed(corners)}) > kMostCrossingWork);
+    corners.resize(40'000);
     // As many corners of what does not cross itself are nothing.
     for (std::size_t i = 0; i < corners.size(); ++i) {
         const double angle =

@@ -86,6 +86,7 @@ private Q_SLOTS:
     void bumpsPressAndNothingElse();
     void partsSeatAtTheSquareBottom();
     void slitNarrowerThanItsTool();
+    void holesThatTheKerfSwallows();
     void slitThatTheKerfCloses();
     void reliefThatBreaksThroughIsAThinWeb();
     void reliefsThatMergeAreSaid();
@@ -212,6 +213,32 @@ void TestSlitEnds::slitNarrowerThanItsTool()
                                                   turned(radians(40.0))),
                                       stock)))
                 .empty());
+}
+
+// What would be wrong: a hole that was drawn is not in the file, and nobody says so.
+void TestSlitEnds::holesThatTheKerfSwallows()
+{
+    const Contour plate = Contour::ofPolygon(rectangle(0, 0, 80, 60));
+    const auto uncutOf = [&](const Contour &outer, const std::vector<Contour> &holes, double kerf) {
+        Stock stock;
+        stock.kerf = kerf;
+        const ShapePointer shape = *Shape::make(outer, holes);
+        const auto file =
+            makeCuttingFile(analysed(like(withSection(newDocument(), shape, front()), stock)));
+        return file ? static_cast<int>(file->uncut.size()) : -1;
+    };
+    const auto hole = [](double width, double height) {
+        return Contour::ofPolygon(rectangle(20, 20, 20 + width, 20 + height)).reversed();
+    };
+    const Contour notched = Contour::ofPolygon(
+        {{0, 0}, {80, 0}, {80, 60}, {40.4, 60}, {40.4, 40}, {40, 40}, {40, 60}, {0, 60}});
+    QCOMPARE(uncutOf(plate, {hole(20, 10)}, 0.5), 0);
+    QCOMPARE(uncutOf(plate, {hole(0.3, 0.3)}, 0.5), 1);
+    QCOMPARE(uncutOf(plate, {hole(0.3, 0.3)}, 0.2), 0);
+    QCOMPARE(uncutOf(plate, {hole(10, 0.4)}, 0.5), 1);
+    QCOMPARE(uncutOf(notched, {}, 0.5), 1);
+    QCOMPARE(uncutOf(notched, {}, 0.2), 0);
+    QCOMPARE(uncutOf(notched, {hole(0.3, 0.3)}, 0.0), 0);
 }
 
 // What would be wrong: a cutting file without the slits that hold the model together.
