@@ -2497,6 +2497,10 @@
         <source>-o: a file needs a name.</source>
         <translation>-o: Eine Datei braucht einen Namen.</translation>
     </message>
+    <message>
+        <source>A hole or a notch narrower than the kerf is not cut: %1</source>
+        <translation>Ein Loch oder eine Kerbe, schmaler als die Schnittfuge, wird nicht geschnitten: %1</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::AboutDialog</name>
@@ -4834,6 +4838,14 @@
     <message>
         <source>%1 has no room for the numbers of all its joints.</source>
         <translation>%1 hat keinen Platz für die Nummern aller seiner Verbindungen.</translation>
+    </message>
+    <message>
+        <source>Stocks…</source>
+        <translation>Materialien …</translation>
+    </message>
+    <message>
+        <source>%1 has a hole or a notch that is narrower than the kerf and is not cut.</source>
+        <translation>%1 hat ein Loch oder eine Kerbe, schmaler als die Schnittfuge; sie werden nicht geschnitten.</translation>
     </message>
 </context>
 <context>

@@ -112,6 +112,10 @@ int writeCuttingFile(const QCommandLineParser &parser, const Document &document,
             << Qt::endl;
     if (!file->unmarked.empty())
         err << tr("Too slim to carry a number: %1").arg(joined(file->unmarked)) << Qt::endl;
+    if (!file->uncut.empty())
+        err << tr("A hole or a notch narrower than the kerf is not cut: %1")
+                   .arg(joined(file->uncut))
+            << Qt::endl;
     if (!file->unmarkedJoints.empty())
         err << tr("No room for the numbers of all joints: %1").arg(joined(file->unmarkedJoints))
             << Qt::endl;

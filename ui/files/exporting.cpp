@@ -171,6 +171,9 @@ QStringList Exporting::warningsOf(const CuttingFile &file)
     }
     for (const std::string &section : file.unmarked)
         warnings += tr("%1 is too slim to carry its number.").arg(QString::fromStdString(section));
+    for (const std::string &section : file.uncut)
+        warnings += tr("%1 has a hole or a notch that is narrower than the kerf and is not cut.")
+                        .arg(QString::fromStdString(section));
     for (const std::string &section : file.unmarkedJoints)
         warnings += tr("%1 has no room for the numbers of all its joints.")
                         .arg(QString::fromStdString(section));
