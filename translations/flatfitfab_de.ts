@@ -4927,6 +4927,11 @@
         <extracomment>%1 a file&apos;s name, %2 the reason, %3 a sentence</extracomment>
         <translation>%1 konnte nicht gespeichert werden: %2. %3</translation>
     </message>
+    <message>
+        <source>Not exported: %1. %2</source>
+        <extracomment>%1 the reason, %2 a sentence</extracomment>
+        <translation>Nicht exportiert: %1. %2</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::FigureGroup</name>

@@ -331,8 +331,10 @@ GestureReply StrokeGesture::done()
     DrawnContour &drawn = **m_drawn;
     GestureReply reply;
     reply.state = GestureReply::State::Over;
-    reply.note = std::move(drawn.note);
     const StrokeContour &contour = m_stroke.contour();
+    // What is lost of the stroke comes before what became of the rest.
+    if (!contour.wasCrossing)
+        reply.note = std::move(drawn.note);
     const auto tell = [&](bool applies, Hint::Kind kind) {
         if (applies && !reply.note)
             reply.note = Hint{kind, drawn.step.names.front(), false};

@@ -1,6 +1,7 @@
 #include "core/io/error_text.h"
 
 #include <QtCore/QCoreApplication>
+#include <QtCore/QLocale>
 
 namespace fff::io {
 
@@ -86,13 +87,19 @@ QString tooLarge(const Args &args)
         .arg(verbatim(args, 0), verbatim(args, 1), verbatim(args, 2));
 }
 
+/// As the language writes it.
+QString millimetres(const Args &args, std::size_t index)
+{
+    return QLocale().toString(verbatim(args, index).toDouble(), 'f', 2);
+}
+
 QString cannotOffset(const Args &args)
 {
     if (args.size() < 2)
         return Words::tr("no path runs round this outline at half the kerf everywhere");
     return Words::tr("no path runs round %1 at half the kerf of %2 mm everywhere; smooth what is "
                      "finest in its contour, or give its stock another kerf")
-        .arg(verbatim(args, 0), verbatim(args, 1));
+        .arg(verbatim(args, 0), millimetres(args, 1));
 }
 
 QString closedSlit(const Args &args)
@@ -100,7 +107,7 @@ QString closedSlit(const Args &args)
     if (args.size() < 3)
         return Words::tr("the kerf closes a slit");
     return Words::tr("%1 has a slit %2 mm wide, which a kerf of %3 mm would close")
-        .arg(verbatim(args, 0), verbatim(args, 1), verbatim(args, 2));
+        .arg(verbatim(args, 0), millimetres(args, 1), millimetres(args, 2));
 }
 
 QString ofSection(const Args &args, const QString &withName, const QString &without)

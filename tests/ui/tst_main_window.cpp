@@ -433,6 +433,9 @@ void TestMainWindow::exportRefusesClosedSlits()
     QVERIFY(messages->isVisible());
     QVERIFY2(messages->text().contains(QString::fromStdString(first().name)),
              qPrintable(messages->text()));
+    // Gone with its cause.
+    m_window->bench().run(QStringLiteral("edit.undo"));
+    QVERIFY(!messages->isVisible());
 }
 
 void TestMainWindow::aSelectedRowIsOfOneColour_data()

@@ -157,8 +157,18 @@ bool Exporting::tellFailure(const QString &path, const Error &error)
     const MessageBar::Verb mend =
         isOfStock ? MessageBar::Verb{tr("Stocks…"), [this] { Q_EMIT stocksWanted(); }}
                   : MessageBar::Verb{tr("Export somewhere else…"), [this, base] { ask(base); }};
-    m_messages.show(MessageBar::Severity::Error, {saveFailure(path, error)}, {mend},
-                    failureDetails(path, error));
+    const QString failure = saveFailure(path, error);
+    m_messages.show(MessageBar::Severity::Error, {failure}, {mend}, failureDetails(path, error));
+    // What is changed then may have mended it.
+    if (isOfStock)
+        connect(
+            &m_bench.session(), &Session::committedChanged, this,
+            [this] {
+                if (m_messages.text() == m_refusal)
+                    m_messages.hide();
+            },
+            Qt::SingleShotConnection);
+    m_refusal = failure;
     return false;
 }
 

@@ -50,6 +50,7 @@ private:
     MessageBar &m_messages;
     StatusLine &m_status;
     QWidget &m_window;
+    QString m_refusal; // said last
 };
 
 } // namespace fff::ui

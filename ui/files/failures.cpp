@@ -61,6 +61,9 @@ QString saveFailure(const QString &path, const Error &error)
         why = QCoreApplication::translate("Error", error.args[0].c_str());
     else
         why = io::errorSentence(error);
+    if (error.code == ErrorCode::ClosedSlit || error.code == ErrorCode::CannotOffset)
+        //: %1 the reason, %2 a sentence
+        return Words::tr("Not exported: %1. %2").arg(why, kept);
     //: %1 a file's name, %2 the reason, %3 a sentence
     return Words::tr("Could not save %1: %2. %3").arg(name, why, kept);
 }
