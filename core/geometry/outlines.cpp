@@ -221,7 +221,7 @@ Result<std::vector<Outline>> outlinesOf(const std::vector<CurvePath> &lines)
             outlines[places[outer]].holes.push_back(rings[i].reversed());
         } else {
             places[i] = outlines.size();
-            outlines.push_back({rings[i], {}});
+            outlines.push_back({rings[i], {}, around[i] >= 0});
         }
     }
     return outlines;

@@ -13,6 +13,7 @@ struct Outline
 {
     Contour outer;              // counter-clockwise
     std::vector<Contour> holes; // clockwise
+    bool isInHole = false;      // of another one
 };
 
 /// Lines made one where their ends are within `gap` mm of each other and no third line ends there:

@@ -176,9 +176,15 @@ SectionEdit drawingHoles(const Model &model, const SectionRef &ref, const Drawin
                          if (!outlines)
                              return tl::unexpected(outlines.error());
                          std::vector<Contour> holes = section.shape->holes();
-                         for (const Outline &outline : *outlines)
-                             if (Result<Contour> placed = placing(outline.outer))
-                                 holes.push_back(*std::move(placed));
+                         // What lies in a hole is gone with it.
+                         for (const Outline &outline : *outlines) {
+                             if (outline.isInHole)
+                                 continue;
+                             Result<Contour> placed = placing(outline.outer);
+                             if (!placed)
+                                 return refused(Hint::Kind::EditFailed, section.name);
+                             holes.push_back(*std::move(placed));
+                         }
                          return withShape(model, section, section.shape->contour(), holes, drawing);
                      });
 }

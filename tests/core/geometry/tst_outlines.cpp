@@ -133,6 +133,9 @@ void TestOutlines::ringsLieInEachOtherThousandsDeep()
     QCOMPARE(outlines.size(), std::size_t(kRings / 2));
     for (const Outline &outline : outlines)
         QCOMPARE(outline.holes.size(), std::size_t(1));
+    QVERIFY(!outlines.front().isInHole);
+    for (std::size_t i = 1; i < outlines.size(); ++i)
+        QVERIFY(outlines[i].isInHole);
 }
 
 // Wrong: what stands in the corner of an L would be a hole of it.
