@@ -95,10 +95,10 @@ Viewport::Viewport(Workbench &bench, QWidget *parent)
     });
     connect(&bench.session(), &Session::analysisChanged, this, [this] {
         watchAnalysis();
-        m_builder.setAnalysis(m_bench.session().analysis());
+        m_builder.setAnalysis(m_bench.session().analysisPointer());
         rebuildScene();
     });
-    m_builder.setAnalysis(bench.session().analysis());
+    m_builder.setAnalysis(bench.session().analysisPointer());
     rebuildScene();
 }
 

@@ -31,7 +31,7 @@ public:
     void show(const AnalysisPointer &analysis)
     {
 #ifdef FFF_BENCH_VIEW
-        m_builder.setAnalysis(*analysis);
+        m_builder.setAnalysis(analysis);
         ui::Scene scene = m_builder.build(analysis->model);
         ui::applyView(scene, analysis->model, {});
         std::vector<Uploaded> used;

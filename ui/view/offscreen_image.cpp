@@ -119,7 +119,7 @@ QImage OffscreenPainter::paint(const Scene &scene, const Camera &camera, const V
 Scene sceneOf(const Analysis &analysis)
 {
     SceneBuilder builder;
-    builder.setAnalysis(analysis);
+    builder.setAnalysis(std::make_shared<const Analysis>(analysis));
     return builder.build(analysis.model);
 }
 

@@ -48,9 +48,9 @@ SlabMesh meshOf(const SceneSection &section)
 const SceneBuilder::Known *SceneBuilder::knownOf(const Model &model, std::size_t index) const
 {
     const bool isThere =
-        index < m_known.size() && (m_analysis.model.section(index) == model.section(index) ||
-                                   m_analysis.model.ref(index) == model.ref(index));
-    const int at = isThere ? static_cast<int>(index) : m_analysis.model.indexOf(model.ref(index));
+        index < m_known.size() && (m_analysis->model.section(index) == model.section(index) ||
+                                   m_analysis->model.ref(index) == model.ref(index));
+    const int at = isThere ? static_cast<int>(index) : m_analysis->model.indexOf(model.ref(index));
     return at >= 0 && at < static_cast<int>(m_known.size())
                ? m_known[static_cast<std::size_t>(at)].get()
                : nullptr;
@@ -75,7 +75,7 @@ bool SceneBuilder::isAsBefore(const Analysis &analysis, std::size_t index) const
 /// Whether all sections are where they were in the list, however they may look.
 bool SceneBuilder::hasSameSections(const Analysis &analysis) const
 {
-    const Model &now = analysis.model, &before = m_analysis.model;
+    const Model &now = analysis.model, &before = m_analysis->model;
     if (now.sectionCount() != before.sectionCount() || m_known.size() != now.sectionCount() ||
         analysis.cuts.size() != m_known.size())
         return false;
@@ -136,15 +136,16 @@ SceneBuilder::GuestsPointer SceneBuilder::guestsAt(const Model &model, std::vect
     return std::make_shared<const Guests>(std::move(guests));
 }
 
-void SceneBuilder::setAnalysis(const Analysis &analysis)
+void SceneBuilder::setAnalysis(AnalysisPointer newest)
 {
+    const Analysis &analysis = *newest;
     std::vector<KnownPointer> next;
     SharedCovers shared(m_known);
     const std::size_t count = std::min(analysis.model.sectionCount(), analysis.cuts.size());
     next.reserve(count);
     std::optional<CoverUpdate> update;
     if (hasSameSections(analysis))
-        update.emplace(analysis, m_analysis);
+        update.emplace(analysis, *m_analysis);
     for (std::size_t i = 0; i < count; ++i) {
         const bool isSame = update ? m_known[i]->cut == analysis.cuts[i] && update->isKept(i)
                                    : isAsBefore(analysis, i);
@@ -175,7 +176,7 @@ void SceneBuilder::setAnalysis(const Analysis &analysis)
         }
         next.push_back(std::move(known));
     }
-    m_analysis = analysis;
+    m_analysis = std::move(newest);
     m_known = std::move(next);
 }
 

@@ -59,7 +59,7 @@ struct Scene
 class SceneBuilder
 {
 public:
-    void setAnalysis(const Analysis &analysis);
+    void setAnalysis(AnalysisPointer newest);
     Scene build(const Model &model) const;
 
 private:
@@ -85,8 +85,8 @@ private:
     using KnownPointer = std::shared_ptr<const Known>;
     class SharedCovers;
 
-    Analysis m_analysis;               // the newest
-    std::vector<KnownPointer> m_known; // in the order of its sections
+    AnalysisPointer m_analysis = std::make_shared<const Analysis>(); // the newest
+    std::vector<KnownPointer> m_known;                               // in the order of its sections
 };
 
 /// Hides, ghosts and reddens the sections as the view's state says. The scene is of this model.

@@ -30,7 +30,7 @@ ShapePointer plate(double half = 40.0)
 
 Scene sceneOf(const Model &model, AnalysisCaches &caches, SceneBuilder &builder)
 {
-    builder.setAnalysis(analyse(model, caches));
+    builder.setAnalysis(std::make_shared<const Analysis>(analyse(model, caches)));
     return builder.build(model);
 }
 

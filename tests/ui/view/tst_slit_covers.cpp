@@ -116,12 +116,12 @@ void TestSlitCovers::anEditLeavesTheRestAsItIs()
     AnalysisCaches caches;
     SceneBuilder builder;
     const Model before = evaluate(document);
-    builder.setAnalysis(analyse(before, caches));
+    builder.setAnalysis(std::make_shared<const Analysis>(analyse(before, caches)));
     const Scene first = builder.build(before);
     Frame moved = document.sections[0]->frame;
     moved.origin.z() += 2.0;
     const Model after = evaluate(*moveSection(document, document.sections[0]->id, moved), before);
-    builder.setAnalysis(analyse(after, caches));
+    builder.setAnalysis(std::make_shared<const Analysis>(analyse(after, caches)));
     const Scene second = builder.build(after);
     for (std::size_t i = 2; i < 6; ++i) {
         QCOMPARE(first.sections[i].cut, second.sections[i].cut);
@@ -143,7 +143,7 @@ void TestSlitCovers::updatedEqualsFromScratch()
             document = edits.next(document);
             const Model model = evaluate(document);
             const Analysis analysis = analyse(model, caches);
-            builder.setAnalysis(analysis);
+            builder.setAnalysis(std::make_shared<const Analysis>(analysis));
             const Scene scene = builder.build(model);
             for (std::size_t i = 0; i < scene.sections.size(); ++i) {
                 const SectionCovers expected = slitCovers(analysis, i);
