@@ -135,15 +135,14 @@ std::pair<int, int> Collisions::versions(int a, int b) const
 /// Whether two prisms meet that did so on another way.
 bool Collisions::haveMet(const Question &question, int a, int b)
 {
-    const auto [first, second] = std::minmax(a, b);
-    const auto known = m_met.find({first, second});
+    const auto known = m_met.find(std::minmax(a, b));
     if (known == m_met.end())
         return false;
     std::vector<PrismIndices> &met = known->second;
     const Vec3 &along = m_ways.vector(question.way);
     const Vec3 by = liftedBy(question.lift);
     const auto meets = std::find_if(met.begin(), met.end(), [&](const PrismIndices &prisms) {
-        return prismsMeet(solid(a), solid(b), a == first ? prisms : prisms.swapped(), along,
+        return prismsMeet(solid(a), solid(b), a < b ? prisms : prisms.swapped(), along,
                           question.depth, by);
     });
     if (meets == met.end())
@@ -154,11 +153,10 @@ bool Collisions::haveMet(const Question &question, int a, int b)
 
 void Collisions::keepMet(int a, int b, const PrismIndices &prisms)
 {
-    const auto [first, second] = std::minmax(a, b);
-    std::vector<PrismIndices> &met = m_met[{first, second}];
+    std::vector<PrismIndices> &met = m_met[std::minmax(a, b)];
     if (met.size() == kMostMet)
         met.pop_back();
-    met.insert(met.begin(), a == first ? prisms : prisms.swapped());
+    met.insert(met.begin(), a < b ? prisms : prisms.swapped());
 }
 
 template <typename Answer, typename Meet, typename Find>
