@@ -83,7 +83,10 @@ void SpanFitter::chooseSamples(std::size_t from, std::size_t to)
     m_feet.clear();
     const double length = m_line.lengthBetween(from, to);
     const auto add = [&](std::size_t i) {
-        m_feet.push_back({i, m_line.lengthBetween(from, i) / length});
+        // A hand that slips back gets on by nothing: its samples are spread by their number.
+        m_feet.push_back({i, length > 0.0 ? m_line.lengthBetween(from, i) / length
+                                          : static_cast<double>(i - from) /
+                                                static_cast<double>(to - from)});
     };
     if (to - from <= kFewSamples) {
         for (std::size_t i = from + 1; i < to; ++i)
