@@ -111,9 +111,10 @@ void TestPlanChecks::whatOtherJointsArePressedByHidesNothing()
         tight.bumps = 0.3;
         return tight;
     }());
+    const StockId usual = document.stocks[0]->id, tight = document.stocks[1]->id;
     for (const SectionPointer &section : std::vector(document.sections))
-        document = *setSectionStock(std::move(document), section->id, document.stocks[1]->id);
-    document = *setCurrentStock(std::move(document), document.stocks[0]->id);
+        document = *setSectionStock(std::move(document), section->id, tight);
+    document = *setCurrentStock(std::move(document), usual);
     const auto isInterference = [](const Check &c) { return c.code == CheckCode::Interference; };
     const Said before = saidOf(document);
     QVERIFY(std::none_of(before.checks.begin(), before.checks.end(), isInterference));
