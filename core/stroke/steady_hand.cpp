@@ -21,13 +21,26 @@ constexpr std::size_t kStepsBack = 3;
 Vec2 SteadyHand::follow(const Vec2 &sample)
 {
     m_recent[m_count++ % kMost] = sample;
+    const bool trembled = m_window > 0;
     m_window = trembling();
+    m_beginsAnew = !trembled && m_window > 0 && hasJustBegun();
     if (m_window == 0)
         return sample;
     Vec2 sum = Vec2::Zero();
     for (std::size_t k = 0; k < m_window; ++k)
         sum += back(k);
     return sum / static_cast<double>(m_window);
+}
+
+/// All samples lie on the spot where a tremble is looked for.
+bool SteadyHand::hasJustBegun() const
+{
+    if (m_count > 2 * kFewest)
+        return false;
+    Box2 spot;
+    for (std::size_t k = 0; k < m_count; ++k)
+        spot.extend(back(k));
+    return spot.size().norm() <= kWideSpot * m_tolerance;
 }
 
 /// Samples of the window; 0 for none.
@@ -39,11 +52,13 @@ std::size_t SteadyHand::trembling() const
     Box2 spot;
     Vec2 after = Vec2::Zero();
     double way = 0.0;
-    std::size_t window = 0, stepsBack = 0;
+    std::size_t window = 0, held = 0, stepsBack = 0;
     for (std::size_t k = 0; k < most; ++k) {
         spot.extend(back(k));
         const double size = spot.size().norm() / m_tolerance;
-        if (size > (window > 0 ? kSpot : widest))
+        if (size <= widest && k + 1 < m_window)
+            held = k + 1;
+        else if (size > (window > 0 ? kSpot : widest))
             break;
         if (k == 0)
             continue;
@@ -53,10 +68,11 @@ std::size_t SteadyHand::trembling() const
             ++stepsBack;
         after = step;
         const bool isJitter = oneIn * stepsBack >= k && way >= kJitterWay * size;
-        if (k + 1 >= kFewest && (isJitter || (size <= kSpot && way >= kWay * size)))
+        if (k + 1 >= kFewest && way > 0.0 && (isJitter || (size <= kSpot && way >= kWay * size)))
             window = k + 1;
     }
-    return window;
+    // It fades, so that the line does not jump; and what looks calm for a few samples is none.
+    return std::max(window, held);
 }
 
 } // namespace fff

@@ -157,7 +157,10 @@ void Stroke::moveInDeadZone(const Vec2 &point)
 
 void Stroke::addSample(const Vec2 &point)
 {
-    if (!m_line.add(m_hand.follow(point)))
+    const Vec2 meant = m_hand.follow(point);
+    if (m_hand.beginsAnew())
+        m_line.clear();
+    if (!m_line.add(meant))
         return;
     m_settled.follow(m_line.points());
     m_contour.reset();

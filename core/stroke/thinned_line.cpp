@@ -80,4 +80,11 @@ bool ThinnedLine::add(const Vec2 &p)
     return true;
 }
 
+void ThinnedLine::clear()
+{
+    m_points.clear();
+    m_leftOut.clear();
+    ++m_revision;
+}
+
 } // namespace fff

@@ -27,6 +27,8 @@ public:
 
     /// True when the line changed.
     bool add(const Vec2 &p);
+    /// Leaves nothing of it.
+    void clear();
 
     /// No two equal in a row. All but the last stay where they are.
     const std::vector<Vec2> &points() const { return m_points; }
