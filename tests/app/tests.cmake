@@ -1,37 +1,20 @@
-fff_test(app/tst_cli fff::io)
-target_compile_definitions(tst_cli PRIVATE FFF_CLI="$<TARGET_FILE:flatfitfab-cli>")
-add_dependencies(tst_cli flatfitfab-cli)
-fff_test(app/tst_cli_assembly fff::session)
-target_compile_definitions(tst_cli_assembly PRIVATE FFF_CLI="$<TARGET_FILE:flatfitfab-cli>")
-add_dependencies(tst_cli_assembly flatfitfab-cli)
+fff_tests(tests_app LIBRARIES fff::session TESTS
+    app/tst_cli
+    app/tst_cli_assembly
+    app/tst_cli_input)
+target_compile_definitions(tests_app PRIVATE FFF_CLI="$<TARGET_FILE:flatfitfab-cli>")
+add_dependencies(tests_app flatfitfab-cli)
 if(UNIX) # what the verbs print is caught
-    fff_test(app/tst_faults fff_cli)
-    target_compile_definitions(tst_faults PRIVATE
+    fff_tests(tests_faults LIBRARIES fff_cli TESTS app/tst_faults)
+    target_compile_definitions(tests_faults PRIVATE
         FFF_SAMPLES="${CMAKE_SOURCE_DIR}/resources/samples")
 endif()
-fff_test(app/tst_cli_input fff::io)
-target_compile_definitions(tst_cli_input PRIVATE FFF_CLI="$<TARGET_FILE:flatfitfab-cli>")
-add_dependencies(tst_cli_input flatfitfab-cli)
 if(FFF_BUILD_WINDOW)
-    target_compile_definitions(tst_cli_input PRIVATE FFF_PROGRAM="$<TARGET_FILE:flatfitfab>")
-    add_dependencies(tst_cli_input flatfitfab)
-    if(UNIX)
-        fff_test(app/tst_faults_in_pictures fff_cli)
-        set_tests_properties(app/tst_faults_in_pictures PROPERTIES LABELS gl
-            ENVIRONMENT "QT_QPA_PLATFORM=xcb")
-        if(FFF_SANITIZE)
-            set_tests_properties(app/tst_faults_in_pictures PROPERTIES
-                ENVIRONMENT_MODIFICATION "ASAN_OPTIONS=set:detect_leaks=0")
-        endif()
-    endif()
+    target_compile_definitions(tests_app PRIVATE FFF_PROGRAM="$<TARGET_FILE:flatfitfab>")
+    add_dependencies(tests_app flatfitfab)
     # Pictures need a display's OpenGL.
-    fff_test(app/tst_cli_steps fff::io)
-    target_link_libraries(tst_cli_steps PRIVATE Qt6::Gui)
-    target_compile_definitions(tst_cli_steps PRIVATE FFF_CLI="$<TARGET_FILE:flatfitfab-cli>")
-    add_dependencies(tst_cli_steps flatfitfab-cli)
-    set_tests_properties(app/tst_cli_steps PROPERTIES LABELS gl ENVIRONMENT "QT_QPA_PLATFORM=xcb")
-    if(FFF_SANITIZE) # as for the other tests that draw (ui/tests.cmake)
-        set_tests_properties(app/tst_cli_steps PROPERTIES
-            ENVIRONMENT_MODIFICATION "ASAN_OPTIONS=set:detect_leaks=0")
+    fff_add_tests(tests_app ON_A_DISPLAY app/tst_cli_steps)
+    if(UNIX)
+        fff_add_tests(tests_faults ON_A_DISPLAY app/tst_faults_in_pictures)
     endif()
 endif()

@@ -4,6 +4,7 @@
 #include "core/io/document_file.h"
 #include "tests/app/cli_run.h"
 #include "tests/core/assembly/plates.h"
+#include "tests/test_program.h"
 
 #include <QDir>
 #include <QFile>
@@ -537,5 +538,5 @@ void TestCli::onlyRenderNeedsADisplay()
         QCOMPARE(run(arguments, false).status, 0);
 }
 
-QTEST_GUILESS_MAIN(TestCli)
+FFF_TEST(TestCli)
 #include "tst_cli.moc"

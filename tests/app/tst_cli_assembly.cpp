@@ -7,6 +7,7 @@
 #include "tests/app/cli_run.h"
 #include "tests/core/assembly/known_models.h"
 #include "tests/core/assembly/line_oracle.h"
+#include "tests/test_program.h"
 
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -183,5 +184,5 @@ private:
     QTemporaryDir m_folder;
 };
 
-QTEST_GUILESS_MAIN(tst_cli_assembly)
+FFF_TEST(tst_cli_assembly)
 #include "tst_cli_assembly.moc"

@@ -6,6 +6,7 @@
 #include "core/model/edits.h"
 #include "tests/app/cli_run.h"
 #include "tests/core/assembly/plates.h"
+#include "tests/test_program.h"
 
 #include <QDir>
 #include <QFile>
@@ -305,5 +306,5 @@ void TestCliInput::anotherCountryChangesNothing()
     }
 }
 
-QTEST_GUILESS_MAIN(TestCliInput)
+FFF_TEST(TestCliInput)
 #include "tst_cli_input.moc"

@@ -4,6 +4,7 @@
 #include "core/io/document_file.h"
 #include "tests/app/cli_run.h"
 #include "tests/core/assembly/known_models.h"
+#include "tests/test_program.h"
 
 #include <QDir>
 #include <QFile>
@@ -183,5 +184,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(tst_cli_steps)
+FFF_TEST(tst_cli_steps)
 #include "tst_cli_steps.moc"

@@ -7,6 +7,7 @@
 #include "core/operations/evaluate.h"
 #include "tests/app/fault_models.h"
 #include "tests/app/fault_run.h"
+#include "tests/test_program.h"
 
 #include <QFileInfo>
 #include <QJsonArray>
@@ -166,5 +167,5 @@ void TestFaults::allKindsWereMadeToFail()
     }
 }
 
-QTEST_GUILESS_MAIN(TestFaults)
+FFF_TEST(TestFaults)
 #include "tst_faults.moc"

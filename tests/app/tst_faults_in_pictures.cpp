@@ -1,10 +1,12 @@
 // The same as tst_faults of pictures: one of the model shows what is known and says what is not, of
 // the steps there are none then.
+#include <QGuiApplication>
 #include <QTest> // first: moc stumbles over some standard headers
 
 #include "core/io/document_file.h"
 #include "tests/app/fault_models.h"
 #include "tests/app/fault_run.h"
+#include "tests/test_program.h"
 
 #include <QGuiApplication>
 #include <QImage>
@@ -94,5 +96,5 @@ void TestFaultsInPictures::someHadSteps()
     QVERIFY(m_withSteps > 0);
 }
 
-QTEST_MAIN(TestFaultsInPictures)
+FFF_TEST_WITH(TestFaultsInPictures, fff::testing::runWithin<TestFaultsInPictures, QGuiApplication>)
 #include "tst_faults_in_pictures.moc"

@@ -3,6 +3,7 @@
 
 #include "core/io/document_file.h"
 #include "core/model/origin.h"
+#include "tests/test_program.h"
 #include "tests/ui/view_hand.h"
 #include "tests/ui/window_program.h"
 #include "ui/files/document_files.h"
@@ -265,8 +266,5 @@ void TestContextMenu::whatCannotBeInserted()
     QCOMPARE(steps(), before);
 }
 
-int main(int argc, char **argv)
-{
-    return runInWindowProgram<TestContextMenu>(argc, argv);
-}
+FFF_TEST_WITH(TestContextMenu, runInWindowProgram<TestContextMenu>)
 #include "tst_context_menu.moc"

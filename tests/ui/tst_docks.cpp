@@ -5,6 +5,7 @@
 #include "core/model/edits.h"
 #include "core/session/check_list.h"
 #include "tests/core/assembly/known_models.h"
+#include "tests/test_program.h"
 #include "ui/badge.h"
 #include "ui/docks/check_row.h"
 #include "ui/docks/outline_dock.h"
@@ -925,12 +926,11 @@ void TestDocks::f6GoesRoundTheWindow()
         QVERIFY2(panes.contains(part), qPrintable(panes.join(u' ')));
 }
 
-int main(int argc, char *argv[])
-{
+FFF_TEST_WITH(TestDocks, [](int argc, char *argv[]) {
     QLocale::setDefault(QLocale(QLocale::English, QLocale::UnitedKingdom));
     QApplication application(argc, argv);
     QApplication::setStyle(new FieldStyle);
     TestDocks test;
     return QTest::qExec(&test, argc, argv);
-}
+})
 #include "tst_docks.moc"

@@ -4,6 +4,7 @@
 #include <QTest>
 
 #include "core/interaction/tool.h"
+#include "tests/test_program.h"
 #include "tests/ui/view_hand.h"
 #include "tests/ui/window_program.h"
 #include "ui/docks/drawing_page.h"
@@ -343,8 +344,5 @@ void TestDrawing::thePenTellsWhatItChanges()
     QTRY_COMPARE(text("drawnKind"), QStringLiteral("A hole, while you draw it"));
 }
 
-int main(int argc, char *argv[])
-{
-    return runInWindowProgram<TestDrawing>(argc, argv);
-}
+FFF_TEST_WITH(TestDrawing, runInWindowProgram<TestDrawing>)
 #include "tst_drawing.moc"

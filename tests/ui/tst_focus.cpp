@@ -3,6 +3,7 @@
 
 #include "core/model/edits.h"
 #include "tests/core/assembly/plates.h"
+#include "tests/test_program.h"
 #include "tests/ui/contrast.h"
 #include "ui/dialogs/settings_dialog.h"
 #include "ui/field_style.h"
@@ -157,12 +158,11 @@ private:
     std::unique_ptr<MainWindow> m_window;
 };
 
-int main(int argc, char *argv[])
-{
+FFF_TEST_WITH(TestFocus, [](int argc, char *argv[]) {
     QApplication application(argc, argv);
     QApplication::setStyle(new FieldStyle);
     new FocusFrame(application);
     TestFocus test;
     return QTest::qExec(&test, argc, argv);
-}
+})
 #include "tst_focus.moc"

@@ -3,6 +3,7 @@
 
 #include "core/assembly/joint_state.h"
 #include "tests/core/assembly/plates.h"
+#include "tests/test_program.h"
 #include "tests/ui/view_hand.h"
 #include "tests/ui/window_fixture.h"
 #include "tests/ui/window_program.h"
@@ -447,8 +448,5 @@ void TestJoints::anAmpersandIsPartOfAName()
     QCOMPARE(labelOf("jointSlitsB")->textFormat(), Qt::PlainText);
 }
 
-int main(int argc, char *argv[])
-{
-    return runInWindowProgram<TestJoints>(argc, argv);
-}
+FFF_TEST_WITH(TestJoints, runInWindowProgram<TestJoints>)
 #include "tst_joints.moc"

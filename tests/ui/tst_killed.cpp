@@ -1,10 +1,12 @@
 // The program killed with SIGKILL at random moments of editing, saving and keeping. If this fails,
 // a crash or a power cut costs somebody a file, or more work than the last seconds.
+#include <QApplication>
 #include <QTest>
 
 #include "core/io/document_file.h"
 #include "core/session/journal.h"
 #include "core/session/recovery.h"
+#include "tests/test_program.h"
 
 #include <QDeadlineTimer>
 #include <QDir>
@@ -331,5 +333,5 @@ void TestKilled::look(const Program &program, const QByteArray &round)
     }
 }
 
-QTEST_MAIN(TestKilled)
+FFF_TEST_WITH(TestKilled, fff::testing::runWithin<TestKilled, QApplication>)
 #include "tst_killed.moc"

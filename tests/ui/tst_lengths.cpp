@@ -1,6 +1,7 @@
 // Lengths as people read and type them.
 #include <QTest> // first: moc stumbles over some standard headers
 
+#include "tests/test_program.h"
 #include "ui/expression.h"
 #include "ui/lengths.h"
 #include "ui/measures.h"
@@ -196,5 +197,5 @@ void TestLengths::sizesFollowTheUnit()
     QCOMPARE(lengthText(3.175, 2, 3, english), QStringLiteral("0.125\u202fin"));
 }
 
-QTEST_GUILESS_MAIN(TestLengths)
+FFF_TEST(TestLengths)
 #include "tst_lengths.moc"

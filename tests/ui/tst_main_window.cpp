@@ -7,6 +7,7 @@
 #include "core/io/document_file.h"
 #include "core/model/edits.h"
 #include "tests/core/assembly/known_models.h"
+#include "tests/test_program.h"
 #include "tests/ui/view_hand.h"
 #include "tests/ui/window_fixture.h"
 #include "tests/ui/window_program.h"
@@ -681,8 +682,5 @@ void TestMainWindow::narrowWindowsHaveOneColumn()
     QTRY_VERIFY(m_view->width() >= 700);
 }
 
-int main(int argc, char *argv[])
-{
-    return runInWindowProgram<TestMainWindow>(argc, argv);
-}
+FFF_TEST_WITH(TestMainWindow, runInWindowProgram<TestMainWindow>)
 #include "tst_main_window.moc"

@@ -1,10 +1,13 @@
 // Shapes by numbers, marks, lengths and named numbers in a real window.
 #include <QTest> // first: moc cannot read some of the standard library before it
 
+#include <QApplication>
+
 #include "core/interaction/tool.h"
 #include "core/io/document_file.h"
 #include "core/io/svg_reader.h"
 #include "core/model/figures.h"
+#include "tests/test_program.h"
 #include "tests/ui/view_hand.h"
 #include "tests/ui/window_program.h"
 #include "ui/docks/library_dock.h"
@@ -434,5 +437,5 @@ void TestMakingWindow::byKeysAlone()
     QCOMPARE(std::count_if(drawing->lines.begin(), drawing->lines.end(), isCut), 2); // the parts
 }
 
-QTEST_MAIN(TestMakingWindow)
+FFF_TEST_WITH(TestMakingWindow, fff::testing::runWithin<TestMakingWindow, QApplication>)
 #include "tst_making_window.moc"

@@ -2,6 +2,7 @@
 
 #include "core/fabrication/summary.h"
 #include "tests/core/assembly/plates.h"
+#include "tests/test_program.h"
 #include "ui/measures.h"
 
 using namespace fff;
@@ -41,5 +42,5 @@ void TestMeasures::massIsThatOfTheParts()
             1e-6);
 }
 
-QTEST_GUILESS_MAIN(TestMeasures)
+FFF_TEST(TestMeasures)
 #include "tst_measures.moc"

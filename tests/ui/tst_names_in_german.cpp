@@ -1,8 +1,10 @@
 // What is drawn and opened in a German window has German names; what was stored keeps its own.
+#include <QApplication>
 #include <QTest>
 
 #include "core/io/document_file.h"
 #include "core/model/materials.h"
+#include "tests/test_program.h"
 #include "ui/naming.h"
 #include "ui/properties/stock_choice.h"
 #include "ui/settings/settings.h"
@@ -162,5 +164,5 @@ private:
     QTemporaryDir m_folder;
 };
 
-QTEST_MAIN(TestNamesInGerman)
+FFF_TEST_WITH(TestNamesInGerman, fff::testing::runWithin<TestNamesInGerman, QApplication>)
 #include "tst_names_in_german.moc"

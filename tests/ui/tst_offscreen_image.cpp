@@ -1,8 +1,10 @@
+#include <QGuiApplication>
 #include <QTest>
 
 #include "core/operations/evaluate.h"
 #include "core/session/analysis.h"
 #include "tests/core/assembly/plates.h"
+#include "tests/test_program.h"
 #include "ui/view/offscreen_image.h"
 
 #include <QOffscreenSurface>
@@ -128,5 +130,5 @@ void TestOffscreenImage::emptyModelHasAPicture()
     QVERIFY(!painter.paint(scene, cameraFor(scene, "iso1", {64, 64}), {64, 64}).isNull());
 }
 
-QTEST_MAIN(TestOffscreenImage)
+FFF_TEST_WITH(TestOffscreenImage, fff::testing::runWithin<TestOffscreenImage, QGuiApplication>)
 #include "tst_offscreen_image.moc"

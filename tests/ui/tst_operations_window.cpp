@@ -4,6 +4,7 @@
 
 #include "core/interaction/pick.h"
 #include "core/operations/operation_kind.h"
+#include "tests/test_program.h"
 #include "tests/ui/view_hand.h"
 #include "tests/ui/window_program.h"
 
@@ -140,8 +141,5 @@ void TestOperationsWindow::whatIsMadeIsViolet()
     QTRY_VERIFY(violet() < made / 10);
 }
 
-int main(int argc, char *argv[])
-{
-    return runInWindowProgram<TestOperationsWindow>(argc, argv);
-}
+FFF_TEST_WITH(TestOperationsWindow, runInWindowProgram<TestOperationsWindow>)
 #include "tst_operations_window.moc"

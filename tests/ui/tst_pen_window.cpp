@@ -2,6 +2,7 @@
 #include <QTest> // first: moc cannot read some of the standard library before it
 
 #include "core/interaction/tool.h"
+#include "tests/test_program.h"
 #include "tests/ui/view_hand.h"
 #include "tests/ui/window_program.h"
 #include "ui/canvas_bar.h"
@@ -261,8 +262,5 @@ void TestPenWindow::restingPaintsNothing()
     QCOMPARE(m_view->paintCount(), before);
 }
 
-int main(int argc, char *argv[])
-{
-    return runInWindowProgram<TestPenWindow>(argc, argv);
-}
+FFF_TEST_WITH(TestPenWindow, runInWindowProgram<TestPenWindow>)
 #include "tst_pen_window.moc"

@@ -2,7 +2,10 @@
 // cannot draw, or draws with the ball of the hand.
 #include <QTest> // first: moc cannot read some of the standard library before it
 
+#include <QApplication>
+
 #include "core/model/point_edits.h"
+#include "tests/test_program.h"
 #include "tests/ui/view_hand.h"
 
 #include <QPointingDevice>
@@ -235,5 +238,5 @@ void TestPensAndFingers::aPalmBesideThePenDrawsNothing()
     QCOMPARE(count(), std::size_t(0));
 }
 
-QTEST_MAIN(TestPensAndFingers)
+FFF_TEST_WITH(TestPensAndFingers, fff::testing::runWithin<TestPensAndFingers, QApplication>)
 #include "tst_pens_and_fingers.moc"

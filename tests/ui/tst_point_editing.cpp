@@ -1,6 +1,7 @@
 // Control points in a real window: with mouse, keys and the fields of the Properties dock.
 #include <QTest> // first: moc cannot read some of the standard library before it
 
+#include "tests/test_program.h"
 #include "tests/ui/view_hand.h"
 #include "tests/ui/window_fixture.h"
 #include "tests/ui/window_program.h"
@@ -189,8 +190,5 @@ void TestPointEditing::aDragIsShownInTheNumbers()
     QTRY_COMPARE(steps(), 1);
 }
 
-int main(int argc, char *argv[])
-{
-    return runInWindowProgram<TestPointEditing>(argc, argv);
-}
+FFF_TEST_WITH(TestPointEditing, runInWindowProgram<TestPointEditing>)
 #include "tst_point_editing.moc"

@@ -3,6 +3,7 @@
 #include <QTest>
 
 #include "core/session/replay_script.h"
+#include "tests/test_program.h"
 #include "tests/ui/window_program.h"
 #include "ui/main_window.h"
 #include "ui/script_player.h"
@@ -107,8 +108,5 @@ void TestScriptPlayer::aWrongEventStopsIt()
     QTRY_COMPARE(place, QStringLiteral("events[1]"));
 }
 
-int main(int argc, char *argv[])
-{
-    return runInWindowProgram<TestScriptPlayer>(argc, argv);
-}
+FFF_TEST_WITH(TestScriptPlayer, runInWindowProgram<TestScriptPlayer>)
 #include "tst_script_player.moc"

@@ -1,4 +1,5 @@
 // A wrong mesh would show holes in the sheet, or light from inside.
+#include "tests/test_program.h"
 #include "ui/view/slab_mesh.h"
 
 #include <QTest>
@@ -168,5 +169,5 @@ void TestSlabMesh::nothing()
     QVERIFY(mesh.vertices.empty() && mesh.triangles.empty() && mesh.edges.empty());
 }
 
-QTEST_APPLESS_MAIN(TestSlabMesh)
+FFF_TEST(TestSlabMesh)
 #include "tst_slab_mesh.moc"

@@ -1,6 +1,7 @@
 // What stands on what can be read: contrasts as WCAG 2.1 reckons them.
 #include <QTest>
 
+#include "tests/test_program.h"
 #include "tests/ui/contrast.h"
 #include "ui/field_style.h"
 #include "ui/settings/settings.h"
@@ -144,5 +145,5 @@ private:
     QTemporaryDir m_folder;
 };
 
-QTEST_MAIN(TestTheme)
+FFF_TEST_WITH(TestTheme, fff::testing::runWithin<TestTheme, QApplication>)
 #include "tst_theme.moc"

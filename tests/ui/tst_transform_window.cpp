@@ -3,6 +3,7 @@
 
 #include "core/interaction/tool.h"
 #include "core/io/fff_format.h"
+#include "tests/test_program.h"
 #include "tests/ui/view_hand.h"
 #include "tests/ui/window_program.h"
 
@@ -254,8 +255,5 @@ void TestTransformWindow::lockedInTheOutline()
     QCOMPARE(session().history()->undoText(), QStringLiteral("Move Section 1"));
 }
 
-int main(int argc, char **argv)
-{
-    return runInWindowProgram<TestTransformWindow>(argc, argv);
-}
+FFF_TEST_WITH(TestTransformWindow, runInWindowProgram<TestTransformWindow>)
 #include "tst_transform_window.moc"

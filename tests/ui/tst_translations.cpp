@@ -1,7 +1,9 @@
 // Every text of the program is in German, says the same places and has a key of its own in its
 // menu.
+#include <QApplication>
 #include <QTest>
 
+#include "tests/test_program.h"
 #include "ui/main_window.h"
 
 #include <QDir>
@@ -153,5 +155,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_MAIN(TestTranslations)
+FFF_TEST_WITH(TestTranslations, fff::testing::runWithin<TestTranslations, QApplication>)
 #include "tst_translations.moc"

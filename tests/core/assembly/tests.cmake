@@ -1,15 +1,16 @@
-fff_test(core/assembly/tst_playback fff::core)
-fff_test(core/assembly/tst_slab fff::core)
-fff_test(core/assembly/tst_joint_override fff::core)
-fff_test(core/assembly/tst_joint_state fff::core)
-fff_test(core/assembly/tst_stability fff::core)
-fff_test(core/assembly/tst_intervals fff::core)
-fff_test(core/assembly/tst_webs fff::core)
-fff_test(core/assembly/tst_slit_form fff::core)
-fff_test(core/assembly/tst_slits fff::core)
-fff_test(core/assembly/tst_assembly fff::core)
-fff_test(core/assembly/tst_shared_models fff::io)
-fff_test(core/assembly/tst_lobes fff::core Polyclipping::Polyclipping)
-fff_test(core/assembly/tst_tabs fff::session)
-fff_test(core/assembly/tst_trim fff::session)
-fff_test(core/assembly/tst_smallest_sink fff::core)
+fff_tests(tests_assembly LIBRARIES fff::session Polyclipping::Polyclipping TESTS
+    core/assembly/tst_assembly
+    core/assembly/tst_intervals
+    core/assembly/tst_joint_override
+    core/assembly/tst_joint_state
+    core/assembly/tst_lobes
+    core/assembly/tst_playback
+    core/assembly/tst_shared_models
+    core/assembly/tst_slab
+    core/assembly/tst_slit_form
+    core/assembly/tst_slits
+    core/assembly/tst_smallest_sink
+    core/assembly/tst_stability
+    core/assembly/tst_tabs
+    core/assembly/tst_trim
+    core/assembly/tst_webs)

@@ -1,5 +1,6 @@
 #include "core/assembly/assembly.h"
 #include "tests/core/assembly/plates.h"
+#include "tests/test_program.h"
 
 #include <QTest>
 
@@ -108,5 +109,5 @@ void TestAssembly::emptyModel()
     QVERIFY(connectedGroups(0, JointList()).empty());
 }
 
-QTEST_APPLESS_MAIN(TestAssembly)
+FFF_TEST(TestAssembly)
 #include "tst_assembly.moc"

@@ -2,6 +2,7 @@
 #include "core/assembly/intervals.h"
 #include "core/assembly/rings_near.h"
 #include "tests/core/assembly/many_corners.h"
+#include "tests/test_program.h"
 
 #include <QTest>
 
@@ -233,5 +234,5 @@ void TestIntervals::meetingPairsAreThoseOfBruteForce()
     QVERIFY(meetingPairs(boxes) == expected);
 }
 
-QTEST_APPLESS_MAIN(TestIntervals)
+FFF_TEST(TestIntervals)
 #include "tst_intervals.moc"

@@ -2,6 +2,7 @@
 
 #include "core/assembly/assembly.h"
 #include "tests/core/assembly/plates.h"
+#include "tests/test_program.h"
 
 using namespace fff;
 using namespace fff::test;
@@ -209,5 +210,5 @@ void TestJointOverride::theyGoWithTheirSections()
     QVERIFY(without.jointOverrides.empty());
 }
 
-QTEST_APPLESS_MAIN(TestJointOverride)
+FFF_TEST(TestJointOverride)
 #include "tst_joint_override.moc"

@@ -3,6 +3,7 @@
 #include "core/assembly/assembly.h"
 #include "core/assembly/joint_state.h"
 #include "tests/core/assembly/known_models.h"
+#include "tests/test_program.h"
 
 using namespace fff;
 using namespace fff::test;
@@ -308,5 +309,5 @@ void TestJointState::aDirectionSquareToTheAxisIsDormant()
     }
 }
 
-QTEST_APPLESS_MAIN(TestJointState)
+FFF_TEST(TestJointState)
 #include "tst_joint_state.moc"

@@ -4,6 +4,7 @@
 
 #include "core/assembly/lobes.h"
 #include "tests/core/assembly/many_corners.h"
+#include "tests/test_program.h"
 
 #include <polyclipping/clipper.hpp>
 
@@ -154,5 +155,5 @@ void TestLobes::cutsLeaveTheRest()
     QVERIFY(leftOf({{0, 10}}, {{-1, 11}}).empty());
 }
 
-QTEST_APPLESS_MAIN(TestLobes)
+FFF_TEST(TestLobes)
 #include "tst_lobes.moc"

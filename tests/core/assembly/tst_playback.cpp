@@ -1,6 +1,7 @@
 #include <QTest> // first: moc cannot read some of the standard library before it
 
 #include "core/assembly/playback.h"
+#include "tests/test_program.h"
 
 using namespace fff;
 
@@ -172,5 +173,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_APPLESS_MAIN(tst_playback)
+FFF_TEST(tst_playback)
 #include "tst_playback.moc"

@@ -4,6 +4,7 @@
 #include "core/fabrication/cut_section.h"
 #include "core/io/document_file.h"
 #include "core/operations/evaluate.h"
+#include "tests/test_program.h"
 
 #include <QDir>
 #include <QTest>
@@ -171,5 +172,5 @@ void TestSharedModels::laws()
     }
 }
 
-QTEST_APPLESS_MAIN(TestSharedModels)
+FFF_TEST(TestSharedModels)
 #include "tst_shared_models.moc"

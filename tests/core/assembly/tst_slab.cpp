@@ -2,6 +2,7 @@
 #include "core/model/shape.h"
 #include "tests/core/assembly/plates.h"
 #include "tests/core/shapes.h"
+#include "tests/test_program.h"
 
 #include <QTest>
 
@@ -144,5 +145,5 @@ void TestSlab::limitIsKept()
     QCOMPARE(distanceBetween(boundsOf({plate, one, 3.0}), boundsOf({plate, two, 3.0})), 10.0);
 }
 
-QTEST_APPLESS_MAIN(TestSlab)
+FFF_TEST(TestSlab)
 #include "tst_slab.moc"

@@ -4,6 +4,7 @@
 #include "core/base/tolerances.h"
 #include "core/base/units.h"
 #include "tests/core/assembly/plates.h"
+#include "tests/test_program.h"
 
 #include <random>
 
@@ -427,5 +428,5 @@ void TestSlitForm::everyStockNumberCounts()
     }
 }
 
-QTEST_APPLESS_MAIN(TestSlitForm)
+FFF_TEST(TestSlitForm)
 #include "tst_slit_form.moc"

@@ -3,6 +3,7 @@
 #include "core/base/tolerances.h"
 #include "core/base/units.h"
 #include "tests/core/assembly/plates.h"
+#include "tests/test_program.h"
 
 #include <QTest>
 
@@ -315,5 +316,5 @@ void TestSlits::slitsWithoutWidthAreNone()
     QCOMPARE(refused.error().place, std::string("clearance"));
 }
 
-QTEST_APPLESS_MAIN(TestSlits)
+FFF_TEST(TestSlits)
 #include "tst_slits.moc"

@@ -1,6 +1,7 @@
 #include <QTest> // first: moc cannot read some of the standard library before it
 
 #include "core/assembly/smallest_sink.h"
+#include "tests/test_program.h"
 
 #include <random>
 #include <set>
@@ -63,5 +64,5 @@ void TestSmallestSink::asFoundByTryingAll()
     }
 }
 
-QTEST_APPLESS_MAIN(TestSmallestSink)
+FFF_TEST(TestSmallestSink)
 #include "tst_smallest_sink.moc"

@@ -3,6 +3,7 @@
 #include "core/base/units.h"
 #include "core/geometry/convex_hull.h"
 #include "tests/core/assembly/plates.h"
+#include "tests/test_program.h"
 
 #include <QTest>
 
@@ -163,5 +164,5 @@ void TestStability::marginIsTheDepthInTheHull()
     }
 }
 
-QTEST_APPLESS_MAIN(TestStability)
+FFF_TEST(TestStability)
 #include "tst_stability.moc"

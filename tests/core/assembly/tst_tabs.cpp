@@ -7,6 +7,7 @@
 #include "tests/core/assembly/line_oracle.h"
 #include "tests/core/assembly/plan_replay.h"
 #include "tests/core/assembly/plates.h"
+#include "tests/test_program.h"
 
 #include <numbers>
 #include <random>
@@ -299,5 +300,5 @@ void TestTabs::theyAreOnlyHadWhereTheyAreWanted()
              JointObstacle::DoNotCross);
 }
 
-QTEST_GUILESS_MAIN(TestTabs)
+FFF_TEST(TestTabs)
 #include "tst_tabs.moc"

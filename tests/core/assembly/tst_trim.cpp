@@ -7,6 +7,7 @@
 #include "core/session/assembly_plan.h"
 #include "tests/core/assembly/line_oracle.h"
 #include "tests/core/assembly/plates.h"
+#include "tests/test_program.h"
 
 #include <numbers>
 #include <random>
@@ -165,5 +166,5 @@ void TestTrim::aTrimmedSectionCanHaveTabs()
     QCOMPARE(analysis.assembly.joints.front().kind, JointKind::Tabs);
 }
 
-QTEST_GUILESS_MAIN(TestTrim)
+FFF_TEST(TestTrim)
 #include "tst_trim.moc"

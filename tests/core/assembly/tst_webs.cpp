@@ -2,6 +2,7 @@
 
 #include "core/assembly/webs.h"
 #include "tests/core/assembly/plates.h"
+#include "tests/test_program.h"
 
 using namespace fff;
 using namespace fff::test;
@@ -146,5 +147,5 @@ void TestWebs::manyCostTheirNeighbours()
         QCOMPARE(web.other, web.slit + 1);
 }
 
-QTEST_APPLESS_MAIN(TestWebs)
+FFF_TEST(TestWebs)
 #include "tst_webs.moc"

@@ -1,7 +1,8 @@
-fff_test(core/fabrication/tst_cut_section fff::core)
-fff_test(core/fabrication/tst_kerf fff::core)
-fff_test(core/fabrication/tst_kerf_oracle fff::session)
-fff_test(core/fabrication/tst_layout fff::core)
-fff_test(core/fabrication/tst_marks fff::core)
-fff_test(core/fabrication/tst_parts fff::core)
-fff_test(core/fabrication/tst_summary fff::core)
+fff_tests(tests_fabrication LIBRARIES fff::session TESTS
+    core/fabrication/tst_cut_section
+    core/fabrication/tst_kerf
+    core/fabrication/tst_kerf_oracle
+    core/fabrication/tst_layout
+    core/fabrication/tst_marks
+    core/fabrication/tst_parts
+    core/fabrication/tst_summary)

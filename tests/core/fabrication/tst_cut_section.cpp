@@ -1,6 +1,7 @@
 #include "core/base/tolerances.h"
 #include "core/fabrication/cut_section.h"
 #include "tests/core/shapes.h"
+#include "tests/test_program.h"
 
 #include <QTest>
 
@@ -335,5 +336,5 @@ void TestCutSection::whatWasCutBeforeDoesNotMatter()
     }
 }
 
-QTEST_GUILESS_MAIN(TestCutSection)
+FFF_TEST(TestCutSection)
 #include "tst_cut_section.moc"

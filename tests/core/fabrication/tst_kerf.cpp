@@ -5,6 +5,7 @@
 #include "tests/core/fabrication/parts_of.h"
 #include "tests/core/geometry/curve_distance.h"
 #include "tests/core/shapes.h"
+#include "tests/test_program.h"
 
 #include <QTest>
 
@@ -323,5 +324,5 @@ void TestKerf::sectionsKeepWhatWasCompensatedLast()
     QVERIFY(std::abs(totalArea((**cut.compensated(1.0))[1]) - 21.0 * 21.0) < kRounding);
 }
 
-QTEST_GUILESS_MAIN(TestKerf)
+FFF_TEST(TestKerf)
 #include "tst_kerf.moc"

@@ -4,6 +4,7 @@
 #include "core/session/cutting_file.h"
 #include "tests/core/fabrication/spiky_outlines.h"
 #include "tests/core/fabrication/swept_disc_oracle.h"
+#include "tests/test_program.h"
 
 #include <QDir>
 #include <QTest>
@@ -156,5 +157,5 @@ void TestKerfOracle::models()
     QVERIFY(file || (!file.error().args.empty() && !file.error().args[0].empty()));
 }
 
-QTEST_GUILESS_MAIN(TestKerfOracle)
+FFF_TEST(TestKerfOracle)
 #include "tst_kerf_oracle.moc"

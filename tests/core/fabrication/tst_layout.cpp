@@ -4,6 +4,7 @@
 #include "tests/core/assembly/plates.h"
 #include "tests/core/fabrication/parts_of.h"
 #include "tests/core/shapes.h"
+#include "tests/test_program.h"
 
 #include <QTest>
 
@@ -341,5 +342,5 @@ void TestLayout::whatLayLiesWhereItLay()
     }
 }
 
-QTEST_GUILESS_MAIN(TestLayout)
+FFF_TEST(TestLayout)
 #include "tst_layout.moc"

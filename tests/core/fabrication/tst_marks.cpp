@@ -6,6 +6,7 @@
 #include "tests/core/fabrication/parts_of.h"
 #include "tests/core/geometry/curve_distance.h"
 #include "tests/core/shapes.h"
+#include "tests/test_program.h"
 
 #include <QTest>
 
@@ -342,5 +343,5 @@ void TestMarks::insideIsBetweenTheRings()
     QVERIFY(inside > 500);
 }
 
-QTEST_GUILESS_MAIN(TestMarks)
+FFF_TEST(TestMarks)
 #include "tst_marks.moc"

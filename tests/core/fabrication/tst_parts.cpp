@@ -1,6 +1,7 @@
 #include "core/fabrication/part.h"
 #include "tests/core/assembly/plates.h"
 #include "tests/core/fabrication/parts_of.h"
+#include "tests/test_program.h"
 
 #include <QTest>
 
@@ -136,5 +137,5 @@ void TestParts::emptyModelHasNone()
     QVERIFY(partsOf(evaluate(newDocument())).empty());
 }
 
-QTEST_GUILESS_MAIN(TestParts)
+FFF_TEST(TestParts)
 #include "tst_parts.moc"

@@ -1,6 +1,7 @@
 #include "core/assembly/assembly.h"
 #include "core/fabrication/summary.h"
 #include "tests/core/assembly/plates.h"
+#include "tests/test_program.h"
 
 #include <QTest>
 
@@ -80,5 +81,5 @@ void TestSummary::emptyModel()
     QVERIFY(slabBounds(model).isEmpty());
 }
 
-QTEST_APPLESS_MAIN(TestSummary)
+FFF_TEST(TestSummary)
 #include "tst_summary.moc"

@@ -1,5 +1,6 @@
 #include "core/geometry/arc_length.h"
 #include "tests/core/shapes.h"
+#include "tests/test_program.h"
 
 #include <QTest>
 
@@ -90,5 +91,5 @@ void TestArcLength::directionsOfNastyPlaces()
     QVERIFY((directionAt(withPoint, {0, 0.3}) - Vec2::UnitX()).norm() < 1e-12);
 }
 
-QTEST_APPLESS_MAIN(TestArcLength)
+FFF_TEST(TestArcLength)
 #include "tst_arc_length.moc"

@@ -1,5 +1,6 @@
 #include "core/base/tolerances.h"
 #include "core/geometry/bezier.h"
+#include "tests/test_program.h"
 
 #include <QTest>
 
@@ -130,5 +131,5 @@ void TestBezier::straightness()
     QVERIFY(CubicBezier::line({0, 0}, {3, 4}).isStraight(kClipGrid));
 }
 
-QTEST_GUILESS_MAIN(TestBezier)
+FFF_TEST(TestBezier)
 #include "tst_bezier.moc"

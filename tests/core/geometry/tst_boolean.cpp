@@ -3,6 +3,7 @@
 #include "core/geometry/clip_grid.h"
 #include "tests/core/geometry/curve_distance.h"
 #include "tests/core/shapes.h"
+#include "tests/test_program.h"
 
 #include <QTest>
 
@@ -483,5 +484,5 @@ void TestBoolean::fiveHundredVerticesTwentySlits()
     QCOMPARE(whatIsWrong(result, {contour}, cuts, chord), QString());
 }
 
-QTEST_GUILESS_MAIN(TestBoolean)
+FFF_TEST(TestBoolean)
 #include "tst_boolean.moc"

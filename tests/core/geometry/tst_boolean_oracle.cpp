@@ -2,6 +2,7 @@
 #include "core/base/tolerances.h"
 #include "core/geometry/boolean.h"
 #include "tests/core/shapes.h"
+#include "tests/test_program.h"
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Polygon_set_2.h>
@@ -173,5 +174,5 @@ void TestBooleanOracle::agreesOnRandomCuts()
     }
 }
 
-QTEST_GUILESS_MAIN(TestBooleanOracle)
+FFF_TEST(TestBooleanOracle)
 #include "tst_boolean_oracle.moc"

@@ -2,6 +2,7 @@
 
 #include "core/geometry/box_tree.h"
 #include "core/geometry/cells.h"
+#include "tests/test_program.h"
 
 #include <cmath>
 #include <numbers>
@@ -147,5 +148,5 @@ void TestCells::aTreeFindsWhatAllBoxesTell()
     QVERIFY(!BoxTree().any([](const Box3 &) { return true; }, [](int) { return true; }));
 }
 
-QTEST_APPLESS_MAIN(TestCells)
+FFF_TEST(TestCells)
 #include "tst_cells.moc"

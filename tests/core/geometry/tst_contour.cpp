@@ -2,6 +2,7 @@
 #include "core/geometry/contour.h"
 #include "tests/core/geometry/curve_distance.h"
 #include "tests/core/shapes.h"
+#include "tests/test_program.h"
 
 #include <QTest>
 
@@ -151,5 +152,5 @@ void TestContour::chordsReversedAreThoseOfTheContourReversed()
     }
 }
 
-QTEST_GUILESS_MAIN(TestContour)
+FFF_TEST(TestContour)
 #include "tst_contour.moc"

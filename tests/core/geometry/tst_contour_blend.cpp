@@ -2,6 +2,7 @@
 #include "core/geometry/contour_blend.h"
 #include "core/geometry/contour_points.h"
 #include "tests/core/shapes.h"
+#include "tests/test_program.h"
 
 #include <QTest>
 
@@ -140,5 +141,5 @@ void TestContourBlend::cornersMeetCorners()
     QVERIFY(std::abs(half.signedArea() - 1600.0) < 1e-9);
 }
 
-QTEST_APPLESS_MAIN(TestContourBlend)
+FFF_TEST(TestContourBlend)
 #include "tst_contour_blend.moc"

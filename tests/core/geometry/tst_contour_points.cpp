@@ -2,6 +2,7 @@
 
 #include "core/geometry/contour_points.h"
 #include "tests/core/shapes.h"
+#include "tests/test_program.h"
 
 using namespace fff;
 using namespace fff::test;
@@ -348,5 +349,5 @@ void TestContourPoints::theNearestPlaceIsNearest()
     }
 }
 
-QTEST_GUILESS_MAIN(TestContourPoints)
+FFF_TEST(TestContourPoints)
 #include "tst_contour_points.moc"

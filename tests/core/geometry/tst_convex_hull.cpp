@@ -2,6 +2,7 @@
 #include "core/geometry/convex_hull.h"
 #include "core/geometry/turning.h"
 #include "tests/core/shapes.h"
+#include "tests/test_program.h"
 
 #include <QTest>
 
@@ -177,5 +178,5 @@ void TestConvexHull::nothingFitsNoRoom()
     QVERIFY(!findFittingTurn(part, {-5, 100}).has_value());
 }
 
-QTEST_APPLESS_MAIN(TestConvexHull)
+FFF_TEST(TestConvexHull)
 #include "tst_convex_hull.moc"

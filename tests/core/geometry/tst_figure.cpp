@@ -2,6 +2,7 @@
 
 #include "core/geometry/figure.h"
 #include "core/geometry/mapped_contour.h"
+#include "tests/test_program.h"
 
 #include <cmath>
 #include <numbers>
@@ -212,5 +213,5 @@ void TestFigure::asLargeAsABox()
     QVERIFY(contourOf(sized(newFigure(*figureKind("ellipse")), {0, 0})).has_value());
 }
 
-QTEST_APPLESS_MAIN(TestFigure)
+FFF_TEST(TestFigure)
 #include "tst_figure.moc"

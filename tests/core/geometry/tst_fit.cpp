@@ -4,6 +4,7 @@
 #include "core/geometry/fit.h"
 #include "tests/core/geometry/polyline_distance.h"
 #include "tests/core/geometry/samples.h"
+#include "tests/test_program.h"
 
 #include <cmath>
 #include <numbers>
@@ -362,5 +363,5 @@ void TestFit::closingSegmentIsTangentAndDoesNotLoop()
     }
 }
 
-QTEST_APPLESS_MAIN(TestFit)
+FFF_TEST(TestFit)
 #include "tst_fit.moc"

@@ -11,6 +11,7 @@
 #include "core/geometry/triangulation.h"
 #include "core/model/mended_shape.h"
 #include "tests/core/shapes.h"
+#include "tests/test_program.h"
 
 #include <functional>
 #include <limits>
@@ -166,5 +167,5 @@ void TestGeometryFaults::aLoopOfOneCurveIsKept()
     QCOMPARE(resolved->contour.segmentCount(), 2);
 }
 
-QTEST_GUILESS_MAIN(TestGeometryFaults)
+FFF_TEST(TestGeometryFaults)
 #include "tst_geometry_faults.moc"

@@ -4,6 +4,7 @@
 #include "core/geometry/boolean.h"
 #include "core/geometry/halfplane_clip.h"
 #include "tests/core/shapes.h"
+#include "tests/test_program.h"
 
 #include <random>
 
@@ -246,5 +247,5 @@ void TestHalfplaneClip::lawsHold()
                          areaOf(oracle[i].outer, oracle[i].holes)) < 0.05);
 }
 
-QTEST_APPLESS_MAIN(TestHalfplaneClip)
+FFF_TEST(TestHalfplaneClip)
 #include "tst_halfplane_clip.moc"

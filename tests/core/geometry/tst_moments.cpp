@@ -1,5 +1,6 @@
 #include "core/geometry/moments.h"
 #include "tests/core/shapes.h"
+#include "tests/test_program.h"
 
 #include <QTest>
 
@@ -77,5 +78,5 @@ void TestMoments::farAwayLosesNoDigits()
     QVERIFY((m.centroid() - Vec2(900004, -899998)).norm() < 1e-3);
 }
 
-QTEST_GUILESS_MAIN(TestMoments)
+FFF_TEST(TestMoments)
 #include "tst_moments.moc"

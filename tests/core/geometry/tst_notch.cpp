@@ -1,6 +1,7 @@
 #include "core/base/tolerances.h"
 #include "core/geometry/notch.h"
 #include "tests/core/shapes.h"
+#include "tests/test_program.h"
 
 #include <QTest>
 
@@ -164,5 +165,5 @@ void TestNotch::whatIsNotPlainIsLeft()
     QVERIFY(!cutNotches(plate, {}, cuts, kCutChord));
 }
 
-QTEST_APPLESS_MAIN(TestNotch)
+FFF_TEST(TestNotch)
 #include "tst_notch.moc"

@@ -2,6 +2,7 @@
 // many lines takes minutes.
 #include "core/geometry/outlines.h"
 #include "core/geometry/tangle.h"
+#include "tests/test_program.h"
 
 #include <QtTest/QtTest>
 #include <cmath>
@@ -234,5 +235,5 @@ void TestOutlines::tanglesAreLeftOut()
     QCOMPARE(outlinesOf({closed(corners)})->size(), std::size_t(1));
 }
 
-QTEST_GUILESS_MAIN(TestOutlines)
+FFF_TEST(TestOutlines)
 #include "tst_outlines.moc"

@@ -1,5 +1,6 @@
 #include "core/geometry/polygon.h"
 #include "tests/core/shapes.h"
+#include "tests/test_program.h"
 
 #include <QTest>
 
@@ -92,5 +93,5 @@ void TestPolygon::pointsBesideAnObliqueEdgeAreToldApart()
     QVERIFY(locate({x, std::nextafter(down, -1e9)}, triangle) == Side::Outside);
 }
 
-QTEST_GUILESS_MAIN(TestPolygon)
+FFF_TEST(TestPolygon)
 #include "tst_polygon.moc"

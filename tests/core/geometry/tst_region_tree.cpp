@@ -2,6 +2,7 @@
 
 #include "core/geometry/region_tree.h"
 #include "tests/core/shapes.h"
+#include "tests/test_program.h"
 
 using namespace fff;
 using namespace fff::test;
@@ -120,5 +121,5 @@ void TestRegionTree::visitsLittleElse()
     QVERIFY(visited > 2 && visited <= 32);
 }
 
-QTEST_APPLESS_MAIN(TestRegionTree)
+FFF_TEST(TestRegionTree)
 #include "tst_region_tree.moc"

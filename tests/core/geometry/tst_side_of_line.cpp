@@ -1,6 +1,7 @@
 #include <QTest> // first: moc cannot read some of the standard library before it
 
 #include "core/geometry/side_of_line.h"
+#include "tests/test_program.h"
 
 #include <limits>
 
@@ -52,5 +53,5 @@ void TestSideOfLine::swappingTurnsItOver()
     QVERIFY(sideOfLine(a, b, a) == 0.0 && sideOfLine(a, b, b) == 0.0);
 }
 
-QTEST_APPLESS_MAIN(TestSideOfLine)
+FFF_TEST(TestSideOfLine)
 #include "tst_side_of_line.moc"

@@ -1,5 +1,6 @@
 #include "core/geometry/sweep_triangulation.h"
 #include "tests/core/shapes.h"
+#include "tests/test_program.h"
 
 #include <QTest>
 
@@ -160,5 +161,5 @@ void TestTriangulation::nothingForNoArea()
     QVERIFY(triangulate({polygon, {}})->triangles.empty());
 }
 
-QTEST_GUILESS_MAIN(TestTriangulation)
+FFF_TEST(TestTriangulation)
 #include "tst_triangulation.moc"

@@ -3,6 +3,7 @@
 #include "core/base/units.h"
 #include "core/interaction/camera.h"
 #include "core/interaction/facing.h"
+#include "tests/test_program.h"
 
 #include <numbers>
 #include <random>
@@ -410,5 +411,5 @@ void TestCamera::fartherIsSmallerInPerspective()
     QVERIFY(camera.toScreen(near, kViewport).x() > camera.toScreen(far, kViewport).x() + 1.0);
 }
 
-QTEST_APPLESS_MAIN(TestCamera)
+FFF_TEST(TestCamera)
 #include "tst_camera.moc"

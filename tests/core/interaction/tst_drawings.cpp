@@ -4,6 +4,7 @@
 #include "core/interaction/section_editing.h"
 #include "core/session/cutting_file.h"
 #include "tests/core/interaction/desk.h"
+#include "tests/test_program.h"
 
 #include <QFile>
 #include <QTemporaryDir>
@@ -233,5 +234,5 @@ void TestDrawings::ourOwnFileComesBack()
     QVERIFY(std::abs(desk.sections()[1]->shape->area() - 24000.0) < 1e-3);
 }
 
-QTEST_GUILESS_MAIN(TestDrawings)
+FFF_TEST(TestDrawings)
 #include "tst_drawings.moc"

@@ -4,6 +4,7 @@
 #include "core/interaction/figure_tool.h"
 #include "core/model/figures.h"
 #include "tests/core/interaction/desk.h"
+#include "tests/test_program.h"
 
 #include <QUndoStack>
 
@@ -234,5 +235,5 @@ void TestFigureTool::onAPlaneThatIsPicked()
     QVERIFY(std::abs(std::abs(desk.sections()[1]->frame.normal().y()) - 1.0) < 1e-9);
 }
 
-QTEST_GUILESS_MAIN(TestFigureTool)
+FFF_TEST(TestFigureTool)
 #include "tst_figure_tool.moc"

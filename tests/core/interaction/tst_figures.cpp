@@ -5,6 +5,7 @@
 #include "core/model/figures.h"
 #include "core/model/origin.h"
 #include "tests/core/interaction/desk.h"
+#include "tests/test_program.h"
 
 #include <QUndoStack>
 
@@ -253,5 +254,5 @@ void TestFigures::lockedIsRefused()
     QVERIFY(desk.session.committed().document.isSame(before));
 }
 
-QTEST_GUILESS_MAIN(TestFigures)
+FFF_TEST(TestFigures)
 #include "tst_figures.moc"

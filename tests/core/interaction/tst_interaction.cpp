@@ -3,6 +3,7 @@
 #include "core/base/units.h"
 #include "core/model/edits.h"
 #include "tests/core/interaction/desk.h"
+#include "tests/test_program.h"
 
 #include <cmath>
 
@@ -984,5 +985,5 @@ void TestInteraction::buttonsOfOtherPrograms()
     QVERIFY(desk.interaction.camera().orientation.angularDistance(before.orientation) > 1e-3);
 }
 
-QTEST_GUILESS_MAIN(TestInteraction)
+FFF_TEST(TestInteraction)
 #include "tst_interaction.moc"

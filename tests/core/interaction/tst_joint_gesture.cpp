@@ -2,6 +2,7 @@
 
 #include "core/session/replay.h"
 #include "tests/core/interaction/desk.h"
+#include "tests/test_program.h"
 
 using namespace fff;
 using namespace fff::test;
@@ -433,5 +434,5 @@ void TestJointGesture::aScriptDoesTheSame()
     QCOMPARE(desk.document().jointOverrides.size(), std::size_t(1));
 }
 
-QTEST_GUILESS_MAIN(TestJointGesture)
+FFF_TEST(TestJointGesture)
 #include "tst_joint_gesture.moc"

@@ -1,5 +1,6 @@
 #include "core/interaction/stroke_gesture.h"
 #include "tests/core/interaction/desk.h"
+#include "tests/test_program.h"
 
 #include <cmath>
 #include <numbers>
@@ -110,5 +111,5 @@ void TestLongStrokesShown::aScribbleWaitsForTheHandToRest()
     QVERIFY(*desk.sections().back()->shape == *shown);
 }
 
-QTEST_GUILESS_MAIN(TestLongStrokesShown)
+FFF_TEST(TestLongStrokesShown)
 #include "tst_long_strokes_shown.moc"

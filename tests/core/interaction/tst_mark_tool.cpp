@@ -8,6 +8,7 @@
 #include "core/operations/moving_model.h"
 #include "core/session/cutting_file.h"
 #include "tests/core/interaction/desk.h"
+#include "tests/test_program.h"
 
 #include <QUndoStack>
 
@@ -403,5 +404,5 @@ void TestMarkTool::lockedIsRefused()
     QVERIFY(desk.sections().front()->marks.empty());
 }
 
-QTEST_GUILESS_MAIN(TestMarkTool)
+FFF_TEST(TestMarkTool)
 #include "tst_mark_tool.moc"

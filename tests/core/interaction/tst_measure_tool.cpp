@@ -8,6 +8,7 @@
 #include "core/model/point_edits.h"
 #include "core/operations/scaled_model.h"
 #include "tests/core/interaction/desk.h"
+#include "tests/test_program.h"
 
 #include <QDir>
 #include <QUndoStack>
@@ -356,5 +357,5 @@ void TestMeasureTool::savedAndRead()
     QVERIFY(read->document == document);
 }
 
-QTEST_GUILESS_MAIN(TestMeasureTool)
+FFF_TEST(TestMeasureTool)
 #include "tst_measure_tool.moc"

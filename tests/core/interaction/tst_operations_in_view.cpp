@@ -1,3 +1,4 @@
+#include <QGuiApplication>
 #include <QTest> // first: moc cannot read some of the standard library before it
 
 #include "core/geometry/contour_points.h"
@@ -5,6 +6,7 @@
 #include "core/model/origin.h"
 #include "tests/core/interaction/desk.h"
 #include "tests/core/operations/operation_models.h"
+#include "tests/test_program.h"
 
 #include <QUndoStack>
 
@@ -518,5 +520,5 @@ void TestOperationsInView::whatIsMadeSaysSo()
     QCOMPARE(desk.session.history()->count(), steps);
 }
 
-QTEST_MAIN(TestOperationsInView)
+FFF_TEST_WITH(TestOperationsInView, fff::testing::runWithin<TestOperationsInView, QGuiApplication>)
 #include "tst_operations_in_view.moc"

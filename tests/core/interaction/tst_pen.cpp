@@ -3,6 +3,7 @@
 #include "core/geometry/fit.h"
 #include "core/interaction/pen_tool.h"
 #include "tests/core/interaction/desk.h"
+#include "tests/test_program.h"
 
 #include <cmath>
 
@@ -620,5 +621,5 @@ void TestPen::strokesAreAsEverWithoutThePen()
     QCOMPARE(desk.sections().size(), std::size_t(1));
 }
 
-QTEST_APPLESS_MAIN(TestPen)
+FFF_TEST(TestPen)
 #include "tst_pen.moc"

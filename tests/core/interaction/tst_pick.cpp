@@ -1,6 +1,7 @@
 #include "core/interaction/pick.h"
 #include "core/model/edits.h"
 #include "core/operations/evaluate.h"
+#include "tests/test_program.h"
 
 #include <QTest>
 
@@ -142,5 +143,5 @@ void TestPick::agreesWithASolid()
     QVERIFY(found > 50);
 }
 
-QTEST_APPLESS_MAIN(TestPick)
+FFF_TEST(TestPick)
 #include "tst_pick.moc"

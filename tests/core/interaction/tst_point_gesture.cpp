@@ -1,6 +1,7 @@
 #include <QTest> // first: moc cannot read some of the standard library before it
 
 #include "tests/core/interaction/desk.h"
+#include "tests/test_program.h"
 
 using namespace fff;
 using namespace fff::test;
@@ -408,5 +409,5 @@ void TestPointGesture::partnersFollowTheDrag()
     QCOMPARE(desk.session.history()->count(), 1);
 }
 
-QTEST_GUILESS_MAIN(TestPointGesture)
+FFF_TEST(TestPointGesture)
 #include "tst_point_gesture.moc"

@@ -5,6 +5,7 @@
 #include "core/interaction/view_cube.h"
 #include "core/operations/evaluate.h"
 #include "tests/core/assembly/plates.h"
+#include "tests/test_program.h"
 
 using namespace fff;
 using namespace fff::test;
@@ -161,5 +162,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_APPLESS_MAIN(TestProblemMarks)
+FFF_TEST(TestProblemMarks)
 #include "tst_problem_marks.moc"

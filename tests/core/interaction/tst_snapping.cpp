@@ -5,6 +5,7 @@
 #include "core/model/edits.h"
 #include "tests/core/assembly/plates.h"
 #include "tests/core/shapes.h"
+#include "tests/test_program.h"
 
 #include <cmath>
 #include <numbers>
@@ -337,5 +338,5 @@ void TestSnapping::endsOfSlitsCatch()
     QVERIFY(hasPoint(targets, {40, 140, 0}));
 }
 
-QTEST_APPLESS_MAIN(TestSnapping)
+FFF_TEST(TestSnapping)
 #include "tst_snapping.moc"

@@ -5,6 +5,7 @@
 #include "core/session/session.h"
 #include "core/session/session_host.h"
 #include "tests/core/assembly/known_models.h"
+#include "tests/test_program.h"
 
 using namespace fff;
 using namespace fff::test;
@@ -181,5 +182,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(tst_steps_player)
+FFF_TEST(tst_steps_player)
 #include "tst_steps_player.moc"

@@ -5,6 +5,7 @@
 #include "core/model/moving.h"
 #include "core/model/origin.h"
 #include "tests/core/interaction/desk.h"
+#include "tests/test_program.h"
 
 #include <QUndoStack>
 
@@ -599,5 +600,5 @@ void TestTransformTool::alignedFreedAndHeld()
     QVERIFY(desk.section(desk.fin).frame.normal().cwiseAbs().maxCoeff() > 1.0 - 1e-12);
 }
 
-QTEST_GUILESS_MAIN(TestTransformTool)
+FFF_TEST(TestTransformTool)
 #include "tst_transform_tool.moc"

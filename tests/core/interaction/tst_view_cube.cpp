@@ -2,6 +2,7 @@
 
 #include "core/interaction/camera.h"
 #include "core/interaction/view_cube.h"
+#include "tests/test_program.h"
 
 #include <map>
 #include <random>
@@ -170,5 +171,5 @@ void TestViewCube::staysInItsRoom()
     }
 }
 
-QTEST_APPLESS_MAIN(TestViewCube)
+FFF_TEST(TestViewCube)
 #include "tst_view_cube.moc"

@@ -1,6 +1,7 @@
 #include <QTest> // first: moc cannot read some of the standard library before it
 
 #include "core/interaction/view_history.h"
+#include "tests/test_program.h"
 
 using namespace fff;
 using Change = ViewHistory::Change;
@@ -99,5 +100,5 @@ void TestViewHistory::isBounded()
     QCOMPARE(count, ViewHistory::kCapacity);
 }
 
-QTEST_APPLESS_MAIN(TestViewHistory)
+FFF_TEST(TestViewHistory)
 #include "tst_view_history.moc"

@@ -1,14 +1,15 @@
-fff_test(core/io/tst_json_writer fff::io)
-fff_test(core/io/tst_fff_format fff::io)
-fff_test(core/io/tst_flatfab_format fff::io)
-fff_test(core/io/tst_flatfab_models fff::io)
-fff_test(core/io/tst_document_file fff::io)
-fff_test(core/io/tst_error_text fff::io)
-fff_test(core/io/tst_svg_reader fff::io)
-fff_test(core/io/tst_svg_writer fff::io)
-fff_test(core/io/tst_obj_writer fff::io OpenMeshCore)
-fff_test(core/io/tst_file_set fff::io)
-fff_test(core/io/tst_fff_migration fff::io)
+fff_tests(tests_io LIBRARIES fff::io OpenMeshCore TESTS
+    core/io/tst_document_file
+    core/io/tst_error_text
+    core/io/tst_fff_format
+    core/io/tst_fff_migration
+    core/io/tst_file_set
+    core/io/tst_flatfab_format
+    core/io/tst_flatfab_models
+    core/io/tst_json_writer
+    core/io/tst_obj_writer
+    core/io/tst_svg_reader
+    core/io/tst_svg_writer)
 
 # The schema and the reader agree, on all documents that are here and on thousands of changed ones.
 add_executable(fff_verdicts core/io/fff_verdicts.cpp)

@@ -6,6 +6,7 @@
 #include "core/io/error_text.h"
 #include "core/io/fff_format.h"
 #include "tests/core/io/io_samples.h"
+#include "tests/test_program.h"
 
 #include <QtCore/QDir>
 #include <QtCore/QFile>
@@ -392,7 +393,7 @@ void TestDocumentFile::aFullDiskSaysSo()
     QVERIFY(QDir().mkpath(disk));
     const QString commands = QStringLiteral("mount -t tmpfs -o size=64k none '%1' || exit 77\n"
                                             "printf old >'%1/a.fff'\n"
-                                            "'%2' --write '%1/a.fff' %3\n"
+                                            "'%2' tst_document_file --write '%1/a.fff' %3\n"
                                             "cat '%1/a.fff'; ls '%1'")
                                  .arg(disk, QCoreApplication::applicationFilePath())
                                  .arg(size);
@@ -626,8 +627,7 @@ void TestDocumentFile::fullStandardOutputIsAnError()
 }
 
 /// "--write FILE SIZE" writes so many bytes and says how it went: for aFullDiskSaysSo.
-int main(int argc, char *argv[])
-{
+FFF_TEST_WITH(TestDocumentFile, [](int argc, char *argv[]) {
     QCoreApplication application(argc, argv);
     const QStringList arguments = QCoreApplication::arguments();
     if (arguments.value(1) == QStringLiteral("--write")) {
@@ -638,5 +638,5 @@ int main(int argc, char *argv[])
     }
     TestDocumentFile test;
     return QTest::qExec(&test, argc, argv);
-}
+})
 #include "tst_document_file.moc"

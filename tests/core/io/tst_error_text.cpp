@@ -1,5 +1,6 @@
 // The sentences of errors and warnings. If this fails, a person reads gaps or nothing.
 #include "core/io/error_text.h"
+#include "tests/test_program.h"
 
 #include <QtTest/QtTest>
 #include <set>
@@ -103,5 +104,5 @@ void TestErrorText::argsAreNotMarkers()
              QStringLiteral("%1%2.txt:1: found \"%2\", expected %1"));
 }
 
-QTEST_APPLESS_MAIN(TestErrorText)
+FFF_TEST(TestErrorText)
 #include "tst_error_text.moc"

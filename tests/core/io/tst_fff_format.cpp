@@ -5,6 +5,7 @@
 #include "core/io/fff_format.h"
 #include "core/operations/operation_kind.h"
 #include "tests/core/io/io_samples.h"
+#include "tests/test_program.h"
 
 #include <QtCore/QFile>
 #include <QtTest/QtTest>
@@ -734,5 +735,5 @@ void TestFffFormat::flippedBytesNeverCrash()
     QVERIFY(errors > 1000);
 }
 
-QTEST_APPLESS_MAIN(TestFffFormat)
+FFF_TEST(TestFffFormat)
 #include "tst_fff_format.moc"

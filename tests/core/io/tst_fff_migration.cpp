@@ -7,6 +7,7 @@
 #include "core/io/fff_format.h"
 #include "core/io/fff_migration.h"
 #include "tests/core/io/io_samples.h"
+#include "tests/test_program.h"
 
 #include <QtCore/QFile>
 
@@ -105,5 +106,5 @@ void TestFffMigration::aNewerVersionIsNamed()
     QVERIFY2(sentence.contains(QString::number(io::kFffVersion)), qPrintable(sentence));
 }
 
-QTEST_APPLESS_MAIN(TestFffMigration)
+FFF_TEST(TestFffMigration)
 #include "tst_fff_migration.moc"

@@ -2,6 +2,7 @@
 
 #include "core/io/document_file.h"
 #include "core/io/file_set.h"
+#include "tests/test_program.h"
 
 #include <QDir>
 #include <QTemporaryDir>
@@ -56,5 +57,5 @@ void TestFileSet::noneIsWrittenWhenOneCannotBe()
     QCOMPARE(QDir(folder.path()).entryList(QDir::Files).size(), 1);
 }
 
-QTEST_GUILESS_MAIN(TestFileSet)
+FFF_TEST(TestFileSet)
 #include "tst_file_set.moc"

@@ -6,6 +6,7 @@
 #include "core/io/error_text.h"
 #include "core/io/flatfab_format.h"
 #include "tests/core/io/io_samples.h"
+#include "tests/test_program.h"
 
 #include <random>
 
@@ -450,5 +451,5 @@ void TestFlatfabFormat::flippedBytesNeverCrash()
     QVERIFY(errors > 300);
 }
 
-QTEST_APPLESS_MAIN(TestFlatfabFormat)
+FFF_TEST(TestFlatfabFormat)
 #include "tst_flatfab_format.moc"

@@ -8,6 +8,7 @@
 #include "core/io/error_text.h"
 #include "core/io/fff_format.h"
 #include "core/io/flatfab_text.h"
+#include "tests/test_program.h"
 
 #include <QtCore/QDir>
 
@@ -148,5 +149,5 @@ void TestFlatfabModels::largestModelLoadsQuickly()
     }
 }
 
-QTEST_APPLESS_MAIN(TestFlatfabModels)
+FFF_TEST(TestFlatfabModels)
 #include "tst_flatfab_models.moc"

@@ -1,5 +1,6 @@
 // JSON text: layout, numbers and characters. If this fails, files do not read back as written.
 #include "core/io/json_writer.h"
+#include "tests/test_program.h"
 
 #include <QtCore/QJsonArray>
 #include <QtCore/QJsonDocument>
@@ -196,5 +197,5 @@ void TestJsonWriter::nonFiniteIsNull()
 #endif
 }
 
-QTEST_APPLESS_MAIN(TestJsonWriter)
+FFF_TEST(TestJsonWriter)
 #include "tst_json_writer.moc"

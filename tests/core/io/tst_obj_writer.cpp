@@ -5,6 +5,7 @@
 #include "core/io/obj_writer.h"
 #include "tests/core/assembly/plates.h"
 #include "tests/core/shapes.h"
+#include "tests/test_program.h"
 
 #include <OpenMesh/Core/IO/MeshIO.hh>
 #include <OpenMesh/Core/Mesh/PolyMesh_ArrayKernelT.hh>
@@ -314,5 +315,5 @@ void TestObjWriter::emptyModel()
     QVERIFY(io::writeObj(cut.model, cut.cuts)->starts_with("# FlatFitFab"));
 }
 
-QTEST_GUILESS_MAIN(TestObjWriter)
+FFF_TEST(TestObjWriter)
 #include "tst_obj_writer.moc"

@@ -15,6 +15,7 @@
 #include "core/io/svg_writer.h"
 #include "core/model/edits.h"
 #include "core/operations/evaluate.h"
+#include "tests/test_program.h"
 
 #include <QDir>
 #include <QFile>
@@ -272,5 +273,5 @@ void TestSvgReader::aCuttingFileIsKnown()
     QVERIFY(!ours->lines[0].isFilled);
 }
 
-QTEST_GUILESS_MAIN(TestSvgReader)
+FFF_TEST(TestSvgReader)
 #include "tst_svg_reader.moc"

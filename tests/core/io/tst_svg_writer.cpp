@@ -3,6 +3,7 @@
 #include "tests/core/assembly/plates.h"
 #include "tests/core/fabrication/parts_of.h"
 #include "tests/core/shapes.h"
+#include "tests/test_program.h"
 
 #include <QCoreApplication>
 #include <QFile>
@@ -353,5 +354,5 @@ void TestSvgWriter::goldenFile()
     }
 }
 
-QTEST_GUILESS_MAIN(TestSvgWriter)
+FFF_TEST(TestSvgWriter)
 #include "tst_svg_writer.moc"

@@ -1,8 +1,9 @@
-fff_test(core/model/tst_changes fff::core)
-fff_test(core/model/tst_document fff::core)
-fff_test(core/model/tst_edits fff::core)
-fff_test(core/model/tst_ground fff::core)
-fff_test(core/model/tst_moving fff::core)
-fff_test(core/model/tst_naming fff::core)
-fff_test(core/model/tst_point_edits fff::core)
-fff_test(core/model/tst_shape fff::core)
+fff_tests(tests_model LIBRARIES fff::core TESTS
+    core/model/tst_changes
+    core/model/tst_document
+    core/model/tst_edits
+    core/model/tst_ground
+    core/model/tst_moving
+    core/model/tst_naming
+    core/model/tst_point_edits
+    core/model/tst_shape)

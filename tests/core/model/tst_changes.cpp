@@ -3,6 +3,7 @@
 #include "core/model/changes.h"
 #include "core/model/edits.h"
 #include "tests/core/shapes.h"
+#include "tests/test_program.h"
 
 #include <functional>
 
@@ -106,5 +107,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_APPLESS_MAIN(TestChanges)
+FFF_TEST(TestChanges)
 #include "tst_changes.moc"

@@ -2,6 +2,7 @@
 #include "core/model/edits.h"
 #include "core/model/model.h"
 #include "tests/core/shapes.h"
+#include "tests/test_program.h"
 
 #include <QTest>
 
@@ -142,5 +143,5 @@ void TestDocument::emptyModelHasNoBounds()
     QVERIFY(box.size().z() < 1e-9);
 }
 
-QTEST_GUILESS_MAIN(TestDocument)
+FFF_TEST(TestDocument)
 #include "tst_document.moc"

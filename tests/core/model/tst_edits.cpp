@@ -1,6 +1,7 @@
 #include "core/geometry/contour.h"
 #include "core/model/edits.h"
 #include "tests/core/shapes.h"
+#include "tests/test_program.h"
 
 #include <QTest>
 
@@ -249,5 +250,5 @@ void TestEdits::weightsAreChecked()
     QVERIFY(addWeight(d, weight));
 }
 
-QTEST_GUILESS_MAIN(TestEdits)
+FFF_TEST(TestEdits)
 #include "tst_edits.moc"

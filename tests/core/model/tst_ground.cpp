@@ -3,6 +3,7 @@
 #include "core/base/tolerances.h"
 #include "core/model/ground.h"
 #include "tests/core/shapes.h"
+#include "tests/test_program.h"
 
 #include <random>
 
@@ -120,5 +121,5 @@ void TestGround::feetAreFlat()
     QVERIFY(pieces.front()->area() < disc()->area() - 1.0);
 }
 
-QTEST_APPLESS_MAIN(TestGround)
+FFF_TEST(TestGround)
 #include "tst_ground.moc"

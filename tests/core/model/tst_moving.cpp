@@ -4,6 +4,7 @@
 #include "core/model/edits.h"
 #include "core/model/moving.h"
 #include "tests/core/shapes.h"
+#include "tests/test_program.h"
 
 #include <random>
 
@@ -398,5 +399,5 @@ void TestMoving::badMovesAreRefused()
                               Vec2::Zero()));
 }
 
-QTEST_APPLESS_MAIN(TestMoving)
+FFF_TEST(TestMoving)
 #include "tst_moving.moc"

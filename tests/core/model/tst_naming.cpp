@@ -3,6 +3,7 @@
 #include "core/model/edits.h"
 #include "core/model/naming.h"
 #include "tests/core/shapes.h"
+#include "tests/test_program.h"
 
 using namespace fff;
 using namespace fff::test;
@@ -66,5 +67,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_APPLESS_MAIN(TestNaming)
+FFF_TEST(TestNaming)
 #include "tst_naming.moc"

@@ -3,6 +3,7 @@
 #include "core/model/point_edits.h"
 #include "tests/core/assembly/plates.h"
 #include "tests/core/shapes.h"
+#include "tests/test_program.h"
 
 using namespace fff;
 using namespace fff::test;
@@ -135,5 +136,5 @@ void TestPointEdits::holesGoAllAtOnce()
     QVERIFY(after->contour() == plate()->contour());
 }
 
-QTEST_GUILESS_MAIN(TestPointEdits)
+FFF_TEST(TestPointEdits)
 #include "tst_point_edits.moc"

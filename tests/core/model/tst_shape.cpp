@@ -2,6 +2,7 @@
 #include "core/geometry/contour.h"
 #include "core/model/section.h"
 #include "tests/core/shapes.h"
+#include "tests/test_program.h"
 
 #include <QTest>
 
@@ -118,5 +119,5 @@ void TestShape::worldBoundsHoldTheSection()
     }
 }
 
-QTEST_GUILESS_MAIN(TestShape)
+FFF_TEST(TestShape)
 #include "tst_shape.moc"

@@ -1,13 +1,14 @@
-fff_test(core/operations/tst_row fff::core)
-fff_test(core/operations/tst_linear fff::core)
-fff_test(core/operations/tst_revolve fff::core)
-fff_test(core/operations/tst_evaluate fff::io)
-fff_test(core/operations/tst_baking fff::core)
-fff_test(core/operations/tst_blend fff::core)
-fff_test(core/operations/tst_branch fff::core)
-fff_test(core/operations/tst_grid fff::core)
-fff_test(core/operations/tst_radial fff::core)
-fff_test(core/operations/tst_global_symmetry fff::core)
-fff_test(core/operations/tst_moving_model fff::core)
-fff_test(core/operations/tst_excerpt fff::io)
-fff_test(core/operations/tst_array fff::core)
+fff_tests(tests_operations LIBRARIES fff::io TESTS
+    core/operations/tst_array
+    core/operations/tst_baking
+    core/operations/tst_blend
+    core/operations/tst_branch
+    core/operations/tst_evaluate
+    core/operations/tst_excerpt
+    core/operations/tst_global_symmetry
+    core/operations/tst_grid
+    core/operations/tst_linear
+    core/operations/tst_moving_model
+    core/operations/tst_radial
+    core/operations/tst_revolve
+    core/operations/tst_row)

@@ -3,6 +3,7 @@
 #include "core/operations/baking.h"
 #include "core/operations/moving_model.h"
 #include "tests/core/operations/operation_models.h"
+#include "tests/test_program.h"
 
 using namespace fff;
 using namespace fff::test;
@@ -100,5 +101,5 @@ void TestArray::bakedNothingChanges()
     }
 }
 
-QTEST_APPLESS_MAIN(TestArray)
+FFF_TEST(TestArray)
 #include "tst_array.moc"

@@ -1,6 +1,7 @@
 #include "core/assembly/assembly.h"
 #include "core/operations/baking.h"
 #include "tests/core/operations/operation_models.h"
+#include "tests/test_program.h"
 
 #include <QTest>
 
@@ -169,5 +170,5 @@ void TestBaking::nothingToBake()
     QVERIFY(!detached(model, SectionRef(bones.rib)));
 }
 
-QTEST_APPLESS_MAIN(TestBaking)
+FFF_TEST(TestBaking)
 #include "tst_baking.moc"

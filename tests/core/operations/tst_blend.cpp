@@ -1,6 +1,7 @@
 #include "core/geometry/contour_blend.h"
 #include "core/geometry/contour_points.h"
 #include "tests/core/operations/operation_models.h"
+#include "tests/test_program.h"
 
 #include <QTest>
 
@@ -190,5 +191,5 @@ void TestBlend::apartMakesNothing()
              OperationNotice::Kind::InputMissing);
 }
 
-QTEST_APPLESS_MAIN(TestBlend)
+FFF_TEST(TestBlend)
 #include "tst_blend.moc"

@@ -1,6 +1,7 @@
 #include "core/assembly/assembly.h"
 #include "core/operations/seeded.h"
 #include "tests/core/operations/operation_models.h"
+#include "tests/test_program.h"
 
 #include <QTest>
 
@@ -247,5 +248,5 @@ void TestBranch::notAChild()
     QCOMPARE(model.evaluation.results[0]->notices.front().kind, OperationNotice::Kind::InputsApart);
 }
 
-QTEST_APPLESS_MAIN(TestBranch)
+FFF_TEST(TestBranch)
 #include "tst_branch.moc"

@@ -1,6 +1,7 @@
 #include "core/assembly/assembly.h"
 #include "core/io/fff_format.h"
 #include "tests/core/operations/operation_models.h"
+#include "tests/test_program.h"
 
 #include <QTest>
 
@@ -301,5 +302,5 @@ void TestEvaluate::assemblyFollowsByWhatItTouches()
     step(removeOperation(document, document.operations[0]->id).value());
 }
 
-QTEST_APPLESS_MAIN(TestEvaluate)
+FFF_TEST(TestEvaluate)
 #include "tst_evaluate.moc"

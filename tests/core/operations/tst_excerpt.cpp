@@ -5,6 +5,7 @@
 #include "core/operations/excerpt.h"
 #include "core/operations/insertion.h"
 #include "tests/core/operations/operation_models.h"
+#include "tests/test_program.h"
 
 #include <QDir>
 
@@ -306,5 +307,5 @@ void TestExcerpt::nothing()
     QCOMPARE(inserted(bones.document, none).document.sections, bones.document.sections);
 }
 
-QTEST_APPLESS_MAIN(TestExcerpt)
+FFF_TEST(TestExcerpt)
 #include "tst_excerpt.moc"

@@ -2,6 +2,7 @@
 #include "core/geometry/symmetrised.h"
 #include "core/operations/baking.h"
 #include "tests/core/operations/operation_models.h"
+#include "tests/test_program.h"
 
 #include <QTest>
 
@@ -362,5 +363,5 @@ void TestSymmetry::sectorsMeetWithoutSplinters()
     }
 }
 
-QTEST_APPLESS_MAIN(TestSymmetry)
+FFF_TEST(TestSymmetry)
 #include "tst_global_symmetry.moc"

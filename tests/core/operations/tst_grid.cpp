@@ -3,6 +3,7 @@
 #include "core/geometry/boolean.h"
 #include "core/operations/baking.h"
 #include "tests/core/operations/operation_models.h"
+#include "tests/test_program.h"
 
 #include <QTest>
 
@@ -224,5 +225,5 @@ void TestGrid::bakedItStays()
     QVERIFY(!next.sections[0]->parent);
 }
 
-QTEST_APPLESS_MAIN(TestGrid)
+FFF_TEST(TestGrid)
 #include "tst_grid.moc"

@@ -1,5 +1,6 @@
 #include "core/assembly/crossing.h"
 #include "tests/core/operations/operation_models.h"
+#include "tests/test_program.h"
 
 #include <QTest>
 
@@ -294,5 +295,5 @@ void TestLinear::rangeBeyondTheSource()
     }
 }
 
-QTEST_APPLESS_MAIN(TestLinear)
+FFF_TEST(TestLinear)
 #include "tst_linear.moc"

@@ -2,6 +2,7 @@
 
 #include "core/operations/moving_model.h"
 #include "tests/core/operations/operation_models.h"
+#include "tests/test_program.h"
 
 using namespace fff;
 using namespace fff::test;
@@ -156,5 +157,5 @@ void TestMovingModel::replicasAreNotMoved()
     QVERIFY(!after.error().place.empty());
 }
 
-QTEST_APPLESS_MAIN(TestMovingModel)
+FFF_TEST(TestMovingModel)
 #include "tst_moving_model.moc"

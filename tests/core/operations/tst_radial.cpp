@@ -2,6 +2,7 @@
 #include "core/geometry/radial_contour.h"
 #include "core/operations/baking.h"
 #include "tests/core/operations/operation_models.h"
+#include "tests/test_program.h"
 
 #include <QTest>
 
@@ -197,5 +198,5 @@ void TestRadial::nothingThatFits()
     QVERIFY(model.section(0)->shape->holes().empty());
 }
 
-QTEST_APPLESS_MAIN(TestRadial)
+FFF_TEST(TestRadial)
 #include "tst_radial.moc"

@@ -2,6 +2,7 @@
 #include "core/geometry/arc_length.h"
 #include "core/geometry/contour_points.h"
 #include "tests/core/operations/operation_models.h"
+#include "tests/test_program.h"
 
 #include <QTest>
 
@@ -236,5 +237,5 @@ void TestRevolve::apartMakesNothing()
     QCOMPARE(model.evaluation.results[0]->notices.front().kind, OperationNotice::Kind::InputsApart);
 }
 
-QTEST_APPLESS_MAIN(TestRevolve)
+FFF_TEST(TestRevolve)
 #include "tst_revolve.moc"

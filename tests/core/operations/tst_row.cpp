@@ -1,4 +1,5 @@
 #include "core/operations/row.h"
+#include "tests/test_program.h"
 
 #include <QTest>
 
@@ -123,5 +124,5 @@ void TestRow::nothingWithoutRoom()
     QVERIFY(placesOf({.from = 0.0, .to = 3.0, .isByCount = false, .spacing = 4.0}).places.empty());
 }
 
-QTEST_APPLESS_MAIN(TestRow)
+FFF_TEST(TestRow)
 #include "tst_row.moc"

@@ -1,32 +1,37 @@
-fff_test(core/session/tst_session fff::session)
-fff_test(core/session/tst_operation_commands fff::session)
-fff_test(core/session/tst_replay fff::session)
-fff_test(core/session/tst_strokes fff::session)
-fff_test(core/session/tst_cutlery_holder fff::session)
-fff_test(core/session/tst_tool_replays fff::session)
-fff_test(core/session/tst_pen_scripts fff::session)
-fff_test(core/session/tst_assembly_plan fff::session)
-fff_test(core/session/tst_plan_growth fff::session)
-target_sources(tst_plan_growth PRIVATE bench/generated_models.cpp)
-fff_test(core/session/tst_assembly_steps fff::session)
-fff_test(core/session/tst_plan_checks fff::session)
-fff_test(core/session/tst_flips fff::session)
-fff_test(core/session/tst_they_fit fff::session)
-fff_test(core/session/tst_slit_ends fff::session)
-fff_test(core/session/tst_hard_crossings fff::session)
-fff_test(core/session/tst_autosave fff::session)
+fff_tests(tests_session LIBRARIES fff::session Polyclipping::Polyclipping TESTS
+    core/session/tst_assembly_plan
+    core/session/tst_assembly_steps
+    core/session/tst_autosave
+    core/session/tst_check_actions
+    core/session/tst_check_list
+    core/session/tst_checks
+    core/session/tst_cutlery_holder
+    core/session/tst_failures
+    core/session/tst_flips
+    core/session/tst_gap
+    core/session/tst_hard_crossings
+    core/session/tst_layout_models
+    core/session/tst_mark_distances
+    core/session/tst_operation_commands
+    core/session/tst_pen_scripts
+    core/session/tst_plan_checks
+    core/session/tst_plan_growth
+    core/session/tst_replay
+    core/session/tst_session
+    core/session/tst_slit_ends
+    core/session/tst_stretching
+    core/session/tst_strokes
+    core/session/tst_they_fit
+    core/session/tst_tool_replays)
+target_sources(tests_session PRIVATE bench/generated_models.cpp)
+
+# They count what is allocated in all of the program.
+fff_tests(tests_memory LIBRARIES fff::session TESTS
+    core/session/tst_analysis
+    core/session/tst_history)
+target_sources(tests_memory PRIVATE bench/counted_memory.cpp bench/generated_models.cpp)
+
+# A program of its own: it sets the registers of a process that it starts.
 if(CMAKE_SYSTEM_NAME STREQUAL "Linux" AND CMAKE_SYSTEM_PROCESSOR STREQUAL "x86_64")
-    fff_test(core/session/tst_stopped_writer fff::session) # sets the registers of a process
+    fff_tests(tests_stopped_writer LIBRARIES fff::session TESTS core/session/tst_stopped_writer)
 endif()
-fff_test(core/session/tst_mark_distances fff::session)
-fff_test(core/session/tst_layout_models fff::session Polyclipping::Polyclipping)
-fff_test(core/session/tst_check_list fff::session)
-fff_test(core/session/tst_check_actions fff::session)
-fff_test(core/session/tst_checks fff::session)
-fff_test(core/session/tst_stretching fff::session)
-fff_test(core/session/tst_analysis fff::session)
-target_sources(tst_analysis PRIVATE bench/counted_memory.cpp bench/generated_models.cpp)
-fff_test(core/session/tst_gap fff::session)
-fff_test(core/session/tst_history fff::session)
-target_sources(tst_history PRIVATE bench/counted_memory.cpp bench/generated_models.cpp)
-fff_test(core/session/tst_failures fff::session)

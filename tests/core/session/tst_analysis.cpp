@@ -4,6 +4,7 @@
 #include "tests/bench/counted_memory.h"
 #include "tests/bench/generated_models.h"
 #include "tests/core/session/random_edits.h"
+#include "tests/test_program.h"
 
 #include <set>
 
@@ -338,5 +339,5 @@ void TestAnalysis::aStepCostsSixteenBytesASection()
     QVERIFY(kept >= sections - 1);
 }
 
-QTEST_APPLESS_MAIN(TestAnalysis)
+FFF_TEST(TestAnalysis)
 #include "tst_analysis.moc"

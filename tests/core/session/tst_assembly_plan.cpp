@@ -5,6 +5,7 @@
 #include "tests/core/assembly/known_models.h"
 #include "tests/core/assembly/plan_replay.h"
 #include "tests/core/session/random_edits.h"
+#include "tests/test_program.h"
 
 using namespace fff;
 using namespace fff::test;
@@ -218,5 +219,5 @@ void TestAssemblyPlan::platesInEachOtherAreFound()
              std::size_t(1));
 }
 
-QTEST_APPLESS_MAIN(TestAssemblyPlan)
+FFF_TEST(TestAssemblyPlan)
 #include "tst_assembly_plan.moc"

@@ -3,6 +3,7 @@
 #include "core/fabrication/part.h"
 #include "core/session/assembly_steps.h"
 #include "tests/core/assembly/known_models.h"
+#include "tests/test_program.h"
 
 #include <algorithm>
 
@@ -298,5 +299,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(tst_assembly_steps)
+FFF_TEST(tst_assembly_steps)
 #include "tst_assembly_steps.moc"

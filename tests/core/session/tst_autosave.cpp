@@ -6,6 +6,7 @@
 #include "core/io/fff_format.h"
 #include "core/model/edits.h"
 #include "core/session/autosave.h"
+#include "tests/test_program.h"
 
 #include <QDir>
 #include <QFile>
@@ -405,5 +406,5 @@ void TestAutosave::aFullFolderIsToldOnceAndTriedAgain()
     QVERIFY(program.kept.front() == program.document());
 }
 
-QTEST_GUILESS_MAIN(TestAutosave)
+FFF_TEST(TestAutosave)
 #include "tst_autosave.moc"

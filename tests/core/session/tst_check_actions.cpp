@@ -7,6 +7,7 @@
 #include "core/session/session.h"
 #include "core/session/session_host.h"
 #include "tests/core/assembly/known_models.h"
+#include "tests/test_program.h"
 
 #include <random>
 
@@ -408,5 +409,5 @@ void TestCheckActions::aLaterModelIsAskedAnew()
     }
 }
 
-QTEST_APPLESS_MAIN(TestCheckActions)
+FFF_TEST(TestCheckActions)
 #include "tst_check_actions.moc"

@@ -4,6 +4,7 @@
 #include "core/session/check_list.h"
 #include "core/session/session.h"
 #include "tests/core/assembly/known_models.h"
+#include "tests/test_program.h"
 
 using namespace fff;
 using namespace fff::test;
@@ -75,5 +76,5 @@ void TestCheckList::rulesAreFollowedAtOnce()
     QCOMPARE(severityOf(CheckCode::CanAssemble), CheckSeverity::Good);
 }
 
-QTEST_GUILESS_MAIN(TestCheckList)
+FFF_TEST(TestCheckList)
 #include "tst_check_list.moc"

@@ -5,6 +5,7 @@
 #include "core/operations/evaluate.h"
 #include "core/session/check_text.h"
 #include "tests/core/assembly/plates.h"
+#include "tests/test_program.h"
 
 #include <QDir>
 #include <QJsonArray>
@@ -538,5 +539,5 @@ void TestChecks::sharedModels()
              qPrintable(QStringLiteral("%1 by hand, %2").arg(depth).arg(check->margin)));
 }
 
-QTEST_GUILESS_MAIN(TestChecks)
+FFF_TEST(TestChecks)
 #include "tst_checks.moc"

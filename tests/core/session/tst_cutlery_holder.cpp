@@ -8,6 +8,7 @@
 #include "core/session/plan_checks.h"
 #include "core/session/replay.h"
 #include "tests/core/interaction/recorder.h"
+#include "tests/test_program.h"
 
 #include <QFile>
 #include <QUndoStack>
@@ -150,5 +151,5 @@ void TestCutleryHolder::theScriptMakesAHolder()
     }
 }
 
-QTEST_GUILESS_MAIN(TestCutleryHolder)
+FFF_TEST(TestCutleryHolder)
 #include "tst_cutlery_holder.moc"

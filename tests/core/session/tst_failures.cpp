@@ -11,6 +11,7 @@
 #include "core/session/cutting_file.h"
 #include "core/session/plan_checks.h"
 #include "tests/core/operations/operation_models.h"
+#include "tests/test_program.h"
 
 using namespace fff;
 using namespace fff::test;
@@ -225,5 +226,5 @@ void TestFailures::theDocumentIsStillSaved()
     QVERIFY(io::writeFff(analysis->model.document).value() == io::writeFff(document).value());
 }
 
-QTEST_GUILESS_MAIN(TestFailures)
+FFF_TEST(TestFailures)
 #include "tst_failures.moc"

@@ -2,6 +2,7 @@
 
 #include "core/session/flips.h"
 #include "tests/core/assembly/known_models.h"
+#include "tests/test_program.h"
 
 using namespace fff;
 using namespace fff::test;
@@ -91,5 +92,5 @@ void TestFlips::theTimeIsKept()
     QVERIFY(asked < 40);
 }
 
-QTEST_APPLESS_MAIN(TestFlips)
+FFF_TEST(TestFlips)
 #include "tst_flips.moc"

@@ -2,6 +2,7 @@
 
 #include "core/session/checks.h"
 #include "tests/core/assembly/plates.h"
+#include "tests/test_program.h"
 
 #include <random>
 
@@ -174,5 +175,5 @@ void TestGap::whatIsFarAwayIsNotMeasuredAgain()
     QVERIFY(again >= 1 && again <= 3); // itself and its neighbours
 }
 
-QTEST_APPLESS_MAIN(TestGap)
+FFF_TEST(TestGap)
 #include "tst_gap.moc"

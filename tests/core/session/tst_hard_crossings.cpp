@@ -6,6 +6,7 @@
 #include "core/base/units.h"
 #include "tests/core/assembly/plan_replay.h"
 #include "tests/core/assembly/plates.h"
+#include "tests/test_program.h"
 
 using namespace fff;
 using namespace fff::test;
@@ -234,5 +235,5 @@ void TestHardCrossings::whatCannotSlideSaysWhy()
              static_cast<int>(NoSlit::Wanted));
 }
 
-QTEST_APPLESS_MAIN(TestHardCrossings)
+FFF_TEST(TestHardCrossings)
 #include "tst_hard_crossings.moc"

@@ -7,6 +7,7 @@
 #include "tests/bench/counted_memory.h"
 #include "tests/bench/generated_models.h"
 #include "tests/core/session/random_edits.h"
+#include "tests/test_program.h"
 
 using namespace fff;
 using namespace fff::test;
@@ -283,5 +284,5 @@ void TestHistory::tenThousandEditsUnderARow()
     QVERIFY2(grown < kEdits * kPerStep + kKept, qPrintable(QString::number(grown)));
 }
 
-QTEST_GUILESS_MAIN(TestHistory)
+FFF_TEST(TestHistory)
 #include "tst_history.moc"

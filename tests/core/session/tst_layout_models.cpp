@@ -6,6 +6,7 @@
 #include "core/io/document_file.h"
 #include "core/operations/evaluate.h"
 #include "core/session/analysis.h"
+#include "tests/test_program.h"
 
 #include <QDir>
 
@@ -148,5 +149,5 @@ void TestLayoutModels::turningSavesSheets()
     QVERIFY(turned < straight);
 }
 
-QTEST_GUILESS_MAIN(TestLayoutModels)
+FFF_TEST(TestLayoutModels)
 #include "tst_layout_models.moc"

@@ -6,6 +6,7 @@
 #include "core/operations/evaluate.h"
 #include "core/session/analysis.h"
 #include "tests/core/fabrication/mark_distances.h"
+#include "tests/test_program.h"
 
 #include <QDir>
 
@@ -63,5 +64,5 @@ void TestMarkDistances::numbersAreReadOneByOne()
           leftOut);
 }
 
-QTEST_GUILESS_MAIN(TestMarkDistances)
+FFF_TEST(TestMarkDistances)
 #include "tst_mark_distances.moc"

@@ -1,3 +1,4 @@
+#include <QGuiApplication>
 #include <QTest> // first: moc cannot read some of the standard library before it
 
 #include "core/interaction/interaction.h"
@@ -6,6 +7,7 @@
 #include "core/session/session_commands.h"
 #include "core/session/session_host.h"
 #include "tests/core/operations/operation_models.h"
+#include "tests/test_program.h"
 
 #include <QUndoStack>
 
@@ -212,5 +214,6 @@ void TestOperationCommands::wrongUseIsNamed()
     QVERIFY(bench.document().isSame(bench.bones.document));
 }
 
-QTEST_MAIN(TestOperationCommands)
+FFF_TEST_WITH(TestOperationCommands,
+              fff::testing::runWithin<TestOperationCommands, QGuiApplication>)
 #include "tst_operation_commands.moc"

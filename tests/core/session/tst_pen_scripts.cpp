@@ -4,6 +4,7 @@
 #include "core/interaction/snapping.h"
 #include "core/interaction/tool.h"
 #include "tests/core/session/script_run.h"
+#include "tests/test_program.h"
 
 #include <cmath>
 
@@ -292,5 +293,5 @@ void TestPenScripts::theViewComesBack()
     }
 }
 
-QTEST_APPLESS_MAIN(TestPenScripts)
+FFF_TEST(TestPenScripts)
 #include "tst_pen_scripts.moc"

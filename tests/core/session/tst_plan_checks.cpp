@@ -3,6 +3,7 @@
 #include "core/session/check_text.h"
 #include "core/session/plan_checks.h"
 #include "tests/core/assembly/known_models.h"
+#include "tests/test_program.h"
 
 #include <QLocale>
 
@@ -271,5 +272,5 @@ void TestPlanChecks::whatIsSaidOfAJointNamesIt()
     QVERIFY(named > 0);
 }
 
-QTEST_GUILESS_MAIN(TestPlanChecks)
+FFF_TEST(TestPlanChecks)
 #include "tst_plan_checks.moc"

@@ -7,6 +7,7 @@
 #include "core/session/plan_checks.h"
 #include "tests/bench/generated_models.h"
 #include "tests/core/assembly/plan_replay.h"
+#include "tests/test_program.h"
 
 #include <random>
 
@@ -240,5 +241,5 @@ void TestPlanGrowth::whatHoldsIsFoundAtOnce()
                  QByteArray::number(qulonglong(work.encounters)));
 }
 
-QTEST_APPLESS_MAIN(TestPlanGrowth)
+FFF_TEST(TestPlanGrowth)
 #include "tst_plan_growth.moc"

@@ -3,6 +3,7 @@
 #include "core/model/edits.h"
 #include "tests/core/io/io_samples.h"
 #include "tests/core/session/script_run.h"
+#include "tests/test_program.h"
 
 #include <cmath>
 
@@ -281,5 +282,5 @@ void TestReplay::eventsBeforeABadOneHaveHappened()
     QCOMPARE(run.sections().size(), std::size_t(1));
 }
 
-QTEST_GUILESS_MAIN(TestReplay)
+FFF_TEST(TestReplay)
 #include "tst_replay.moc"

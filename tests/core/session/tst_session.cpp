@@ -4,6 +4,7 @@
 #include "core/session/latest_job.h"
 #include "core/session/session.h"
 #include "core/session/session_host.h"
+#include "tests/test_program.h"
 
 #include <QSignalSpy>
 
@@ -367,5 +368,5 @@ void TestSession::latestJobOutlivesWhatItsWorkThrows()
     QCOMPARE(published, (std::vector<int>{1, 3}));
 }
 
-QTEST_GUILESS_MAIN(TestSession)
+FFF_TEST(TestSession)
 #include "tst_session.moc"

@@ -12,6 +12,7 @@
 #include "core/session/narrow_slits.h"
 #include "core/session/plan_checks.h"
 #include "tests/core/assembly/known_models.h"
+#include "tests/test_program.h"
 
 using namespace fff;
 using namespace fff::test;
@@ -384,5 +385,5 @@ void TestSlitEnds::aToolAsWideAsTheKerfGoesRound()
     }
 }
 
-QTEST_GUILESS_MAIN(TestSlitEnds)
+FFF_TEST(TestSlitEnds)
 #include "tst_slit_ends.moc"

@@ -8,6 +8,7 @@
 #include "core/model/edits.h"
 #include "core/session/autosave.h"
 #include "tests/core/session/traced_child.h"
+#include "tests/test_program.h"
 
 #include <QDir>
 #include <QFile>
@@ -391,5 +392,5 @@ void TestStoppedWriter::theFirstCopyWaitsForNoDisk()
     QCOMPARE(place.found(), 1);
 }
 
-QTEST_GUILESS_MAIN(TestStoppedWriter)
+FFF_TEST(TestStoppedWriter)
 #include "tst_stopped_writer.moc"

@@ -7,6 +7,7 @@
 #include "core/session/stretching.h"
 #include "tests/core/assembly/plates.h"
 #include "tests/core/shapes.h"
+#include "tests/test_program.h"
 
 #include <numeric>
 #include <random>
@@ -250,5 +251,5 @@ void TestStretching::asFewAsItTakes()
     QVERIFY(stabilityOf(after, allOf(after)).standing == Standing::Stands);
 }
 
-QTEST_GUILESS_MAIN(TestStretching)
+FFF_TEST(TestStretching)
 #include "tst_stretching.moc"

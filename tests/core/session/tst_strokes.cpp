@@ -7,6 +7,7 @@
 #include "tests/core/geometry/turns.h"
 #include "tests/core/interaction/desk.h"
 #include "tests/core/session/script_run.h"
+#include "tests/test_program.h"
 
 #include <QDir>
 
@@ -512,5 +513,5 @@ void TestStrokes::onTheBridge()
     QVERIFY(desk.session.committed().document.isSame(loaded->document));
 }
 
-QTEST_GUILESS_MAIN(TestStrokes)
+FFF_TEST(TestStrokes)
 #include "tst_strokes.moc"

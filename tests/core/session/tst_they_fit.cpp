@@ -7,6 +7,7 @@
 #include "core/io/document_file.h"
 #include "tests/core/assembly/plan_replay.h"
 #include "tests/core/assembly/plates.h"
+#include "tests/test_program.h"
 
 #include <QDir>
 
@@ -293,5 +294,5 @@ void TestTheyFit::slitsOfRealModelsLeaveNoGap()
     QVERIFY(looked > 0); // there are some in each of them
 }
 
-QTEST_APPLESS_MAIN(TestTheyFit)
+FFF_TEST(TestTheyFit)
 #include "tst_they_fit.moc"

@@ -7,6 +7,7 @@
 #include "core/model/figures.h"
 #include "core/session/replay.h"
 #include "tests/core/interaction/recorder.h"
+#include "tests/test_program.h"
 
 #include <QFile>
 #include <QUndoStack>
@@ -222,5 +223,5 @@ void TestToolReplays::replayed()
     }
 }
 
-QTEST_GUILESS_MAIN(TestToolReplays)
+FFF_TEST(TestToolReplays)
 #include "tst_tool_replays.moc"

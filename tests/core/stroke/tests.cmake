@@ -1,6 +1,7 @@
-fff_test(core/stroke/tst_stroke fff::core)
-fff_test(core/stroke/tst_symmetry fff::core)
-fff_test(core/stroke/tst_pen_path fff::core)
-fff_test(core/stroke/tst_stroke_contour fff::core)
-fff_test(core/stroke/tst_stroke_corpus fff::core)
-fff_test(core/stroke/tst_long_strokes fff::core)
+fff_tests(tests_stroke LIBRARIES fff::core TESTS
+    core/stroke/tst_long_strokes
+    core/stroke/tst_pen_path
+    core/stroke/tst_stroke
+    core/stroke/tst_stroke_contour
+    core/stroke/tst_stroke_corpus
+    core/stroke/tst_symmetry)

@@ -5,6 +5,7 @@
 #include "core/geometry/settled_fit.h"
 #include "core/stroke/stroke.h"
 #include "tests/core/geometry/polyline_distance.h"
+#include "tests/test_program.h"
 
 #include <cmath>
 #include <functional>
@@ -454,5 +455,5 @@ void TestLongStrokes::scribblesComeApart()
     QVERIFY(again && !again->wasCrossing);
 }
 
-QTEST_APPLESS_MAIN(TestLongStrokes)
+FFF_TEST(TestLongStrokes)
 #include "tst_long_strokes.moc"

@@ -2,6 +2,7 @@
 
 #include "core/geometry/fit.h"
 #include "core/stroke/pen_path.h"
+#include "tests/test_program.h"
 
 #include <cmath>
 #include <random>
@@ -246,5 +247,5 @@ void TestPenPath::nothingDoneIsNoStep()
     QVERIFY(path.isEmpty() && !path.canUndo());
 }
 
-QTEST_APPLESS_MAIN(TestPenPath)
+FFF_TEST(TestPenPath)
 #include "tst_pen_path.moc"

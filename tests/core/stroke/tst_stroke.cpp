@@ -3,6 +3,7 @@
 #include "core/base/units.h"
 #include "core/stroke/stroke.h"
 #include "tests/core/shapes.h"
+#include "tests/test_program.h"
 
 #include <cmath>
 #include <numbers>
@@ -310,5 +311,5 @@ void TestStroke::crossingKeepsTheLargestLoop()
     QVERIFY(std::abs(box.max.x() - 60.0) < 0.5);
 }
 
-QTEST_APPLESS_MAIN(TestStroke)
+FFF_TEST(TestStroke)
 #include "tst_stroke.moc"

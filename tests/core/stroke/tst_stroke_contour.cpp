@@ -7,6 +7,7 @@
 #include "tests/core/geometry/polyline_distance.h"
 #include "tests/core/geometry/samples.h"
 #include "tests/core/geometry/turns.h"
+#include "tests/test_program.h"
 
 #include <algorithm>
 #include <cmath>
@@ -248,5 +249,5 @@ void TestStrokeContour::staysWithinTheBound()
     }
 }
 
-QTEST_APPLESS_MAIN(TestStrokeContour)
+FFF_TEST(TestStrokeContour)
 #include "tst_stroke_contour.moc"

@@ -7,6 +7,7 @@
 #include "tests/core/geometry/published_fits.h"
 #include "tests/core/geometry/turns.h"
 #include "tests/core/stroke/stroke_corpus.h"
+#include "tests/test_program.h"
 
 #include <map>
 
@@ -241,5 +242,5 @@ void TestStrokeCorpus::needsFewSegments()
     QVERIFY2(tooMany.isEmpty(), qPrintable(tooMany.join(QStringLiteral(", "))));
 }
 
-QTEST_APPLESS_MAIN(TestStrokeCorpus)
+FFF_TEST(TestStrokeCorpus)
 #include "tst_stroke_corpus.moc"

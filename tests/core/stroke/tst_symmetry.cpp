@@ -6,6 +6,7 @@
 #include "tests/core/geometry/polyline_distance.h"
 #include "tests/core/geometry/samples.h"
 #include "tests/core/geometry/turns.h"
+#include "tests/test_program.h"
 
 #include <cmath>
 #include <numbers>
@@ -352,5 +353,5 @@ void TestSymmetry::randomStrokes()
         QVERIFY2(turn < 1e-6 || turn > 0.499 * kPi, qPrintable(QString::number(turn)));
 }
 
-QTEST_APPLESS_MAIN(TestSymmetry)
+FFF_TEST(TestSymmetry)
 #include "tst_symmetry.moc"

@@ -1,6 +1,8 @@
 // A person finds an action by what they would call it.
+#include <QApplication>
 #include <QTest>
 
+#include "tests/test_program.h"
 #include "ui/actions/action_finder.h"
 
 #include <QMenu>
@@ -126,5 +128,5 @@ void TestActionFinder::guessesGiveWayToWords()
     QCOMPARE(foundActions(QStringLiteral("fdn"), actions).size(), 1);
 }
 
-QTEST_MAIN(TestActionFinder)
+FFF_TEST_WITH(TestActionFinder, fff::testing::runWithin<TestActionFinder, QApplication>)
 #include "tst_action_finder.moc"

@@ -4,6 +4,7 @@
 #include "core/base/units.h"
 #include "core/session/check_list.h"
 #include "tests/core/assembly/plates.h"
+#include "tests/test_program.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/actions/action_set.h"
 #include "ui/dialogs/command_search.h"
@@ -467,13 +468,12 @@ void TestDialogs::theStartPageListsRecentFiles()
     QCOMPARE(m_window->files().path(), path);
 }
 
-int main(int argc, char *argv[])
-{
+FFF_TEST_WITH(TestDialogs, [](int argc, char *argv[]) {
     QLocale::setDefault(QLocale(QLocale::English, QLocale::UnitedKingdom));
     QApplication application(argc, argv);
     QApplication::setQuitOnLastWindowClosed(false);
     QApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
     TestDialogs test;
     return QTest::qExec(&test, argc, argv);
-}
+})
 #include "tst_dialogs.moc"

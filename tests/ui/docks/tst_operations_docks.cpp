@@ -3,6 +3,7 @@
 
 #include "core/interaction/tool.h"
 #include "tests/core/operations/operation_models.h"
+#include "tests/test_program.h"
 #include "ui/field_style.h"
 #include "ui/main_window.h"
 #include "ui/message_bar.h"
@@ -535,13 +536,12 @@ void TestOperationsDocks::everyKindHasAnIcon()
                  kind->key);
 }
 
-int main(int argc, char *argv[])
-{
+FFF_TEST_WITH(TestOperationsDocks, [](int argc, char *argv[]) {
     QLocale::setDefault(QLocale(QLocale::English, QLocale::UnitedKingdom));
     QApplication application(argc, argv);
     QApplication::setStyle(new FieldStyle);
     installTranslations(application);
     TestOperationsDocks test;
     return QTest::qExec(&test, argc, argv);
-}
+})
 #include "tst_operations_docks.moc"

@@ -1,5 +1,6 @@
 #include <QTest> // first: moc cannot read some of the standard library before it
 
+#include "tests/test_program.h"
 #include "ui/files/progress.h"
 
 #include <QApplication>
@@ -159,5 +160,5 @@ void TestProgress::aPieceThatFailsIsTheLast()
     QCOMPARE(done, 3);
 }
 
-QTEST_MAIN(TestProgress)
+FFF_TEST_WITH(TestProgress, fff::testing::runWithin<TestProgress, QApplication>)
 #include "tst_progress.moc"

@@ -4,6 +4,7 @@
 #include "core/model/edits.h"
 #include "core/session/autosave.h"
 #include "tests/core/assembly/plates.h"
+#include "tests/test_program.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/files/recent_menu.h"
 #include "ui/files/unsaved_work.h"
@@ -468,13 +469,12 @@ void TestWindows::savedAndForgottenWorkIsNotOffered()
     QTRY_COMPARE(kept(), 0);
 }
 
-int main(int argc, char *argv[])
-{
+FFF_TEST_WITH(TestWindows, [](int argc, char *argv[]) {
     QLocale::setDefault(QLocale(QLocale::English, QLocale::UnitedKingdom));
     QApplication application(argc, argv);
     QApplication::setQuitOnLastWindowClosed(false);
     QApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
     TestWindows test;
     return QTest::qExec(&test, argc, argv);
-}
+})
 #include "tst_windows.moc"

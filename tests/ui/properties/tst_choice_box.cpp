@@ -1,6 +1,9 @@
 // A box to choose from, by itself.
 #include <QTest> // first: moc stumbles over some standard headers
 
+#include <QApplication>
+
+#include "tests/test_program.h"
 #include "tests/ui/tip.h"
 #include "ui/properties/choice_box.h"
 
@@ -65,5 +68,5 @@ void TestChoiceBox::aLongNameEndsInDots()
     QCOMPARE(tipOf(box), QString());
 }
 
-QTEST_MAIN(TestChoiceBox)
+FFF_TEST_WITH(TestChoiceBox, fff::testing::runWithin<TestChoiceBox, QApplication>)
 #include "tst_choice_box.moc"

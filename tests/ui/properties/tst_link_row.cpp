@@ -1,6 +1,9 @@
 // The row of links below a check by itself: no window, no checks.
 #include <QTest> // first: moc stumbles over some standard headers
 
+#include <QApplication>
+
+#include "tests/test_program.h"
 #include "tests/ui/tip.h"
 #include "ui/properties/link_row.h"
 
@@ -148,5 +151,5 @@ void TestLinkRow::linksBreakIntoLines()
             QVERIFY(!panel.link(i)->geometry().intersects(panel.link(k)->geometry()));
 }
 
-QTEST_MAIN(TestLinkRow)
+FFF_TEST_WITH(TestLinkRow, fff::testing::runWithin<TestLinkRow, QApplication>)
 #include "tst_link_row.moc"

@@ -2,6 +2,7 @@
 // and Esc.
 #include <QTest>
 
+#include "tests/test_program.h"
 #include "ui/properties/slider_field.h"
 
 #include <QApplication>
@@ -206,5 +207,5 @@ void TestSliderField::theWheelIsForTheOneWithTheFocus()
     QCOMPARE(m_dragged->count(), 1);
 }
 
-QTEST_MAIN(TestSliderField)
+FFF_TEST_WITH(TestSliderField, fff::testing::runWithin<TestSliderField, QApplication>)
 #include "tst_slider_field.moc"

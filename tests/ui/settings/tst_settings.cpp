@@ -1,6 +1,7 @@
 // What a person sets is there again at the next start, and nothing in the file can do harm.
 #include <QTest>
 
+#include "tests/test_program.h"
 #include "ui/settings/check_rules.h"
 #include "ui/settings/settings.h"
 
@@ -203,5 +204,5 @@ void TestSettings::shortcutsAreKeptById()
     QVERIFY(!settings.shortcuts(redo));
 }
 
-QTEST_GUILESS_MAIN(TestSettings)
+FFF_TEST(TestSettings)
 #include "tst_settings.moc"

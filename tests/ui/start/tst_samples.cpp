@@ -7,6 +7,7 @@
 #include "core/session/checks.h"
 #include "core/session/cutting_file.h"
 #include "core/session/plan_checks.h"
+#include "tests/test_program.h"
 #include "ui/start/samples.h"
 
 #include <QSet>
@@ -84,5 +85,5 @@ void TestSamples::everyOperationIsInOne()
         QVERIFY2(kinds.contains(QString::fromUtf8(kind->key)), kind->key);
 }
 
-QTEST_GUILESS_MAIN(TestSamples)
+FFF_TEST(TestSamples)
 #include "tst_samples.moc"

@@ -4,6 +4,7 @@
 #include "core/interaction/steps_tool.h"
 #include "core/session/check_list.h"
 #include "tests/core/assembly/known_models.h"
+#include "tests/test_program.h"
 #include "tests/ui/view_hand.h"
 #include "tests/ui/window_fixture.h"
 #include "tests/ui/window_program.h"
@@ -594,8 +595,5 @@ void TestStepsView::theNameAndTheFilterSayWhatIsWritten()
     QCOMPARE(now, written);
 }
 
-int main(int argc, char *argv[])
-{
-    return runInWindowProgram<TestStepsView>(argc, argv);
-}
+FFF_TEST_WITH(TestStepsView, runInWindowProgram<TestStepsView>)
 #include "tst_steps_view.moc"

@@ -1,5 +1,6 @@
 #include <QTest> // first: moc cannot read some of the standard library before it
 
+#include "tests/test_program.h"
 #include "ui/view/cut_caps.h"
 
 #include <cmath>
@@ -118,5 +119,5 @@ void TestCutCaps::beyondIsNothing()
     QVERIFY(caps.edges.empty());
 }
 
-QTEST_APPLESS_MAIN(TestCutCaps)
+FFF_TEST(TestCutCaps)
 #include "tst_cut_caps.moc"

@@ -1,5 +1,6 @@
 #include <QTest> // first: moc cannot read some of the standard library before it
 
+#include "tests/test_program.h"
 #include "ui/view/frame_pace.h"
 
 using namespace fff::ui;
@@ -92,5 +93,5 @@ void TestFramePace::aFasterSceneGetsBetterAgain()
     QCOMPARE(machine.frame(true), FrameQuality::Full);
 }
 
-QTEST_APPLESS_MAIN(TestFramePace)
+FFF_TEST(TestFramePace)
 #include "tst_frame_pace.moc"

@@ -2,6 +2,7 @@
 #include <QTest>
 
 #include "tests/core/assembly/plates.h"
+#include "tests/test_program.h"
 #include "ui/view/renderer.h"
 
 #include <QGuiApplication>
@@ -456,5 +457,5 @@ void TestRenderer::groundCanBeLeftOut()
     QVERIFY(isNear(without.pixel(3, kSide - 4), QColor(without.pixel(40, kSide - 4)), 2));
 }
 
-QTEST_MAIN(TestRenderer)
+FFF_TEST_WITH(TestRenderer, fff::testing::runWithin<TestRenderer, QGuiApplication>)
 #include "tst_renderer.moc"

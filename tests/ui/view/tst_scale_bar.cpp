@@ -1,5 +1,6 @@
 #include <QTest>
 
+#include "tests/test_program.h"
 #include "ui/view/scale_bar.h"
 
 using namespace fff::ui;
@@ -77,5 +78,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_APPLESS_MAIN(TestScaleBar)
+FFF_TEST(TestScaleBar)
 #include "tst_scale_bar.moc"

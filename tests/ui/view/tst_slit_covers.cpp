@@ -1,6 +1,7 @@
 #include <QTest> // first: moc cannot read some of the standard library before it
 
 #include "tests/core/session/random_edits.h"
+#include "tests/test_program.h"
 #include "ui/view/scene.h"
 #include "ui/view/slab_mesh.h"
 
@@ -156,5 +157,5 @@ void TestSlitCovers::updatedEqualsFromScratch()
     }
 }
 
-QTEST_APPLESS_MAIN(TestSlitCovers)
+FFF_TEST(TestSlitCovers)
 #include "tst_slit_covers.moc"

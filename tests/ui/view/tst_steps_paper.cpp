@@ -1,7 +1,9 @@
 // What is written on the paper of the steps, beside its pictures.
+#include <QGuiApplication>
 #include <QTest>
 
 #include "core/model/stock.h"
+#include "tests/test_program.h"
 #include "ui/view/steps_paper.h"
 
 using namespace fff;
@@ -56,5 +58,5 @@ void TestStepsPaper::stocksAreNamedAsTheReaderKnowsThem()
     QCOMPARE(StepsPaper::stockText(stock, options), QStringLiteral("Birke, 3.00\u202fmm"));
 }
 
-QTEST_MAIN(TestStepsPaper)
+FFF_TEST_WITH(TestStepsPaper, fff::testing::runWithin<TestStepsPaper, QGuiApplication>)
 #include "tst_steps_paper.moc"
