@@ -5,7 +5,7 @@
 #include <QAbstractButton> // first: moc stumbles over some standard headers
 #include <QVariantAnimation>
 
-#include "core/session/checks.h"
+#include "core/analysis/checks.h"
 
 namespace fff::ui {
 

@@ -4,7 +4,7 @@
 
 #include <QWidget> // first: moc stumbles over some standard headers
 
-#include "core/session/checks.h"
+#include "core/analysis/checks.h"
 
 #include <vector>
 

@@ -1,10 +1,10 @@
 // The verbs of flatfitfab-cli and what they share: options, reading, exit statuses.
 #pragma once
 
+#include "core/analysis/analysis.h"
 #include "core/base/result.h"
 #include "core/base/tolerances.h"
 #include "core/io/document_file.h"
-#include "core/session/analysis.h"
 
 #include <QCommandLineParser>
 #include <QStringList>

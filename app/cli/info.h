@@ -1,8 +1,8 @@
 // What `info` and `parts` say, as JSON (the published keys, in their order) and for people.
 #pragma once
 
+#include "core/analysis/assembly_plan.h"
 #include "core/fabrication/part.h"
-#include "core/session/assembly_plan.h"
 
 #include <chrono>
 #include <string>

@@ -1,5 +1,6 @@
 #include "app/cli/info.h"
 
+#include "core/analysis/checks.h"
 #include "core/assembly/cycles.h"
 #include "core/assembly/step_groups.h"
 #include "core/base/units.h"
@@ -7,7 +8,6 @@
 #include "core/geometry/convex_hull.h"
 #include "core/io/json_writer.h"
 #include "core/model/joint_kind_names.h"
-#include "core/session/checks.h"
 
 #include <algorithm>
 

@@ -1,9 +1,9 @@
 #include "app/cli/info.h"
 
+#include "core/analysis/plan_checks.h"
 #include "core/assembly/step_groups.h"
 #include "core/fabrication/summary.h"
 #include "core/session/check_text.h"
-#include "core/session/plan_checks.h"
 
 #include <QCoreApplication>
 #include <QString>

@@ -1,9 +1,9 @@
 #include "app/cli/analysed_file.h"
 #include "app/cli/info.h"
+#include "core/analysis/plan_checks.h"
 #include "core/io/error_text.h"
 #include "core/io/json_writer.h"
 #include "core/session/check_text.h"
-#include "core/session/plan_checks.h"
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
 #include "app/cli/analysed_file.h"
 #include "app/cli/info.h"
+#include "core/analysis/plan_checks.h"
 #include "core/fabrication/wholeness.h"
-#include "core/session/plan_checks.h"
 
 namespace fff::cli {
 

@@ -1,8 +1,8 @@
 #include "app/cli/command_line.h"
 #include "app/cli/info.h"
+#include "core/analysis/plan_checks.h"
 #include "core/base/tolerances.h"
 #include "core/operations/evaluate.h"
-#include "core/session/plan_checks.h"
 
 namespace fff::cli {
 

@@ -1,9 +1,9 @@
 #include "app/cli/command_line.h"
 #include "app/cli/output.h"
 #include "app/cli/picture_options.h"
+#include "core/analysis/checks.h"
 #include "core/fabrication/wholeness.h"
 #include "core/operations/evaluate.h"
-#include "core/session/checks.h"
 #include "ui/view/offscreen_image.h"
 
 #include <QBuffer>

@@ -1,11 +1,11 @@
 #include "app/cli/command_line.h"
 #include "app/cli/info.h"
 #include "app/cli/picture_options.h"
+#include "core/analysis/plan_checks.h"
 #include "core/io/error_text.h"
 #include "core/io/file_set.h"
 #include "core/operations/evaluate.h"
 #include "core/session/assembly_steps.h"
-#include "core/session/plan_checks.h"
 #include "ui/view/steps_files.h"
 
 #include <QFileInfo>

@@ -2,9 +2,9 @@
 // pictures.
 #pragma once
 
+#include "core/analysis/assembly_plan.h"
 #include "core/assembly/playback.h"
 #include "core/assembly/step_groups.h"
-#include "core/session/assembly_plan.h"
 
 #include <QString>
 

@@ -1,12 +1,12 @@
 #include "core/session/check_actions.h"
 
+#include "core/analysis/dropping.h"
+#include "core/analysis/joining_move.h"
+#include "core/analysis/stretching.h"
 #include "core/assembly/found_joint.h"
 #include "core/interaction/joint_editing.h"
 #include "core/model/edits.h"
 #include "core/operations/evaluate.h"
-#include "core/session/dropping.h"
-#include "core/session/joining_move.h"
-#include "core/session/stretching.h"
 
 #include <algorithm>
 #include <numeric>

@@ -4,9 +4,9 @@
 // words in ui/check_words.cpp.
 #pragma once
 
+#include "core/analysis/checks.h"
+#include "core/analysis/flips.h"
 #include "core/interaction/step.h"
-#include "core/session/checks.h"
-#include "core/session/flips.h"
 
 #include <vector>
 

@@ -5,11 +5,11 @@
 #include <QObject> // first: moc stumbles over some standard headers
 #include <QTimer>
 
+#include "core/analysis/checks.h"
+#include "core/analysis/flips.h"
+#include "core/analysis/plan_checks.h"
 #include "core/session/check_actions.h"
-#include "core/session/checks.h"
-#include "core/session/flips.h"
 #include "core/session/latest_job.h"
-#include "core/session/plan_checks.h"
 
 #include <cstdint>
 #include <memory>

@@ -1,7 +1,7 @@
 // The words for checks: the one place where a Check becomes a name or a sentence.
 #pragma once
 
-#include "core/session/checks.h"
+#include "core/analysis/checks.h"
 
 #include <QString>
 

@@ -1,12 +1,12 @@
 #include "core/session/cutting_file.h"
 
+#include "core/analysis/narrow_slits.h"
 #include "core/base/tolerances.h"
 #include "core/fabrication/kerf.h"
 #include "core/fabrication/wholeness.h"
 #include "core/geometry/offset.h"
 #include "core/geometry/uncut.h"
 #include "core/io/svg_writer.h"
-#include "core/session/narrow_slits.h"
 
 #include <algorithm>
 

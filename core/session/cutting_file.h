@@ -2,8 +2,8 @@
 // window's Export and by the command line's `export`, so that both write the same.
 #pragma once
 
+#include "core/analysis/analysis.h"
 #include "core/fabrication/layout.h"
-#include "core/session/analysis.h"
 
 #include <optional>
 #include <string>

@@ -2,9 +2,9 @@
 // widget.
 #pragma once
 
+#include "core/analysis/analysis.h"
 #include "core/base/result.h"
 #include "core/model/model.h"
-#include "core/session/analysis.h"
 
 #include <QObject>
 #include <QUndoStack>

@@ -1,32 +1,22 @@
 target_sources(fff_session PRIVATE
-    analysis.cpp
-    assembly_plan.cpp
     assembly_steps.cpp
     autosave.cpp
     check_actions.cpp
-    check_caches.cpp
     check_list.cpp
     check_text.cpp
-    checks.cpp
     copy_commands.cpp
     cutting_file.cpp
     drawing_commands.cpp
-    dropping.cpp
     figure_commands.cpp
-    flips.cpp
-    gap.cpp
-    joining_move.cpp
     joint_commands.cpp
     journal.cpp
     kept_models.cpp
     mark_commands.cpp
     measure_commands.cpp
-    narrow_slits.cpp
     operation_commands.cpp
     operation_script.cpp
     operation_text.cpp
     pen_commands.cpp
-    plan_checks.cpp
     point_commands.cpp
     recovery.cpp
     replay.cpp
@@ -38,7 +28,5 @@ target_sources(fff_session PRIVATE
     session_commands.cpp
     session_host.cpp
     slot_lock.cpp
-    stretching.cpp
     tool_commands.cpp
-    touching.cpp
 )

@@ -1,10 +1,10 @@
 #include "core/session/tool_commands.h"
 
+#include "core/analysis/dropping.h"
 #include "core/base/tolerances.h"
 #include "core/interaction/draw_tool.h"
 #include "core/interaction/point_editing.h"
 #include "core/model/origin.h"
-#include "core/session/dropping.h"
 #include "core/session/pen_commands.h"
 #include "core/session/session_host.h"
 

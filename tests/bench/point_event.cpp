@@ -1,9 +1,9 @@
 #include "tests/bench/point_event.h"
 
+#include "core/analysis/checks.h"
 #include "core/model/edits.h"
 #include "core/model/point_edits.h"
 #include "core/operations/evaluate.h"
-#include "core/session/checks.h"
 #include "tests/bench/stopwatch.h"
 #ifdef FFF_BENCH_VIEW
 #include "ui/view/scene.h"

@@ -1,8 +1,8 @@
 #include <QGuiApplication>
 #include <QTest>
 
+#include "core/analysis/analysis.h"
 #include "core/operations/evaluate.h"
-#include "core/session/analysis.h"
 #include "tests/core/assembly/plates.h"
 #include "tests/test_program.h"
 #include "ui/view/offscreen_image.h"

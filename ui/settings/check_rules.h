@@ -1,7 +1,7 @@
 // What the checks go by, as a person has set it.
 #pragma once
 
-#include "core/session/checks.h"
+#include "core/analysis/checks.h"
 
 namespace fff::ui {
 

@@ -1,8 +1,8 @@
 #include "ui/start/thumbnails.h"
 
+#include "core/analysis/analysis.h"
 #include "core/io/document_file.h"
 #include "core/operations/evaluate.h"
-#include "core/session/analysis.h"
 #include "ui/theme.h"
 #include "ui/view/offscreen_image.h"
 

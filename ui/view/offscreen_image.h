@@ -1,8 +1,8 @@
 // Pictures of a model without a window: for `render` on the command line and for thumbnails.
 #pragma once
 
+#include "core/analysis/analysis.h"
 #include "core/interaction/camera.h"
-#include "core/session/analysis.h"
 #include "ui/view/render_options.h"
 #include "ui/view/scene.h"
 

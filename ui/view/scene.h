@@ -2,8 +2,8 @@
 // is known for it.
 #pragma once
 
+#include "core/analysis/analysis.h"
 #include "core/interaction/view_state.h"
-#include "core/session/analysis.h"
 #include "ui/view/slit_covers.h"
 #include "ui/view/view_style.h"
 

@@ -2,7 +2,7 @@
 // them.
 #pragma once
 
-#include "core/session/analysis.h"
+#include "core/analysis/analysis.h"
 
 #include <vector>
 

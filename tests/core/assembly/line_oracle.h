@@ -3,7 +3,7 @@
 // axes, no slits.
 #pragma once
 
-#include "core/session/assembly_plan.h"
+#include "core/analysis/assembly_plan.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,9 +1,9 @@
 // Sections that end on others' faces.
 #include <QTest> // first: moc stumbles over some standard headers
 
+#include "core/analysis/assembly_plan.h"
 #include "core/assembly/found_joint.h"
 #include "core/assembly/joint_state.h"
-#include "core/session/assembly_plan.h"
 #include "tests/core/assembly/line_oracle.h"
 #include "tests/core/assembly/plan_replay.h"
 #include "tests/core/assembly/plates.h"

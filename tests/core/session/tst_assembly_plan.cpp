@@ -1,7 +1,7 @@
 #include <QTest> // first: moc cannot read some of the standard library before it
 
+#include "core/analysis/assembly_plan.h"
 #include "core/base/units.h"
-#include "core/session/assembly_plan.h"
 #include "tests/core/assembly/known_models.h"
 #include "tests/core/assembly/plan_replay.h"
 #include "tests/core/session/random_edits.h"

@@ -1,11 +1,11 @@
 // A cutlery holder drawn from nothing with the mouse and a few keys, as in the paper's first
 // figure: two human shapes through each other whose arms hold spoons. The script that is replayed,
-// tests/data/replays/cutlery_holder.json, is what this hand draws; FFF_RECORD=1 writes it anew, with
-// the model that it makes beside it.
+// tests/data/replays/cutlery_holder.json, is what this hand draws; FFF_RECORD=1 writes it anew,
+// with the model that it makes beside it.
 #include <QTest> // first: moc cannot read some of the standard library before it
 
+#include "core/analysis/plan_checks.h"
 #include "core/io/fff_format.h"
-#include "core/session/plan_checks.h"
 #include "core/session/replay.h"
 #include "tests/core/interaction/recorder.h"
 #include "tests/test_program.h"

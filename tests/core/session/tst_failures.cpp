@@ -2,6 +2,7 @@
 // so.
 #include <QTest> // first: moc stumbles over some standard headers
 
+#include "core/analysis/plan_checks.h"
 #include "core/base/fault_point.h"
 #include "core/fabrication/wholeness.h"
 #include "core/io/fff_format.h"
@@ -9,7 +10,6 @@
 #include "core/session/assembly_steps.h"
 #include "core/session/check_text.h"
 #include "core/session/cutting_file.h"
-#include "core/session/plan_checks.h"
 #include "tests/core/operations/operation_models.h"
 #include "tests/test_program.h"
 

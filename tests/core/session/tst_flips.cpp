@@ -1,6 +1,6 @@
 #include <QTest> // first: moc cannot read some of the standard library before it
 
-#include "core/session/flips.h"
+#include "core/analysis/flips.h"
 #include "tests/core/assembly/known_models.h"
 #include "tests/test_program.h"
 

@@ -1,6 +1,6 @@
 #include <QTest> // first: moc cannot read some of the standard library before it
 
-#include "core/session/checks.h"
+#include "core/analysis/checks.h"
 #include "tests/core/assembly/plates.h"
 #include "tests/test_program.h"
 

@@ -1,11 +1,11 @@
 // Layouts of real models' real outlines, held against Clipper; skipped where the models are not.
 #include <QTest>
 
+#include "core/analysis/analysis.h"
 #include "core/fabrication/kerf.h"
 #include "core/fabrication/layout.h"
 #include "core/io/document_file.h"
 #include "core/operations/evaluate.h"
-#include "core/session/analysis.h"
 #include "tests/test_program.h"
 
 #include <QDir>

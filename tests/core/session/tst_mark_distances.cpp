@@ -2,9 +2,9 @@
 // somebody looks for a part that does not exist.
 #include <QTest>
 
+#include "core/analysis/analysis.h"
 #include "core/io/document_file.h"
 #include "core/operations/evaluate.h"
-#include "core/session/analysis.h"
 #include "tests/core/fabrication/mark_distances.h"
 #include "tests/test_program.h"
 

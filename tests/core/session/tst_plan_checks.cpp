@@ -1,7 +1,7 @@
 #include <QTest> // first: moc cannot read some of the standard library before it
 
+#include "core/analysis/plan_checks.h"
 #include "core/session/check_text.h"
-#include "core/session/plan_checks.h"
 #include "tests/core/assembly/known_models.h"
 #include "tests/test_program.h"
 

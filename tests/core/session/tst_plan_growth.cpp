@@ -1,10 +1,10 @@
 // What planning costs as models grow, counted and not timed: pairs of solids that are looked at.
 #include <QTest> // first: moc cannot read some of the standard library before it
 
+#include "core/analysis/plan_checks.h"
 #include "core/io/document_file.h"
 #include "core/model/edits.h"
 #include "core/operations/evaluate.h"
-#include "core/session/plan_checks.h"
 #include "tests/bench/generated_models.h"
 #include "tests/core/assembly/plan_replay.h"
 #include "tests/test_program.h"

@@ -3,14 +3,14 @@
 // complain of parts that do.
 #include <QTest> // first: moc cannot read some of the standard library before it
 
+#include "core/analysis/narrow_slits.h"
+#include "core/analysis/plan_checks.h"
 #include "core/base/tolerances.h"
 #include "core/base/units.h"
 #include "core/fabrication/kerf.h"
 #include "core/fabrication/marks.h"
 #include "core/session/check_text.h"
 #include "core/session/cutting_file.h"
-#include "core/session/narrow_slits.h"
-#include "core/session/plan_checks.h"
 #include "tests/core/assembly/known_models.h"
 #include "tests/test_program.h"
 

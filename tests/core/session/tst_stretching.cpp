@@ -1,10 +1,10 @@
 // Sections that end above the ground, drawn out down to it.
 #include <QTest> // first: moc cannot read some of the standard library before it
 
+#include "core/analysis/stretching.h"
 #include "core/base/tolerances.h"
 #include "core/geometry/halfplane_clip.h"
 #include "core/model/edits.h"
-#include "core/session/stretching.h"
 #include "tests/core/assembly/plates.h"
 #include "tests/core/shapes.h"
 #include "tests/test_program.h"

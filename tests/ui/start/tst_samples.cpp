@@ -1,12 +1,12 @@
 // The samples are what a newcomer sees first: they must be sound.
 #include <QTest>
 
+#include "core/analysis/checks.h"
+#include "core/analysis/plan_checks.h"
 #include "core/io/document_file.h"
 #include "core/operations/evaluate.h"
 #include "core/operations/operation_kind.h"
-#include "core/session/checks.h"
 #include "core/session/cutting_file.h"
-#include "core/session/plan_checks.h"
 #include "tests/test_program.h"
 #include "ui/start/samples.h"
 

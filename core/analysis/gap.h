@@ -1,7 +1,7 @@
 // How far a group of sections that nothing holds is from the rest of the model.
 #pragma once
 
-#include "core/session/check_caches.h"
+#include "core/analysis/check_caches.h"
 
 namespace fff {
 

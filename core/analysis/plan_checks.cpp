@@ -1,4 +1,4 @@
-#include "core/session/plan_checks.h"
+#include "core/analysis/plan_checks.h"
 
 #include "core/assembly/cycles.h"
 #include "core/base/tolerances.h"

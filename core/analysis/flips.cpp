@@ -1,4 +1,4 @@
-#include "core/session/flips.h"
+#include "core/analysis/flips.h"
 
 #include "core/assembly/joint_state.h"
 #include "core/model/edits.h"

@@ -1,7 +1,7 @@
 // How sections that nothing holds are moved so that a joint holds them.
 #pragma once
 
-#include "core/session/analysis.h"
+#include "core/analysis/analysis.h"
 
 #include <optional>
 #include <vector>

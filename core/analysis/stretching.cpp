@@ -1,11 +1,11 @@
-#include "core/session/stretching.h"
+#include "core/analysis/stretching.h"
 
+#include "core/analysis/touching.h"
 #include "core/base/tolerances.h"
 #include "core/geometry/convex_hull.h"
 #include "core/geometry/stretch.h"
 #include "core/model/edits.h"
 #include "core/operations/evaluate.h"
-#include "core/session/touching.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 // Slits that the mill's tool does not go into, or that the kerf closes.
 #pragma once
 
-#include "core/session/checks.h"
+#include "core/analysis/checks.h"
 
 namespace fff {
 

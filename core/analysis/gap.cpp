@@ -1,4 +1,4 @@
-#include "core/session/gap.h"
+#include "core/analysis/gap.h"
 
 #include "core/assembly/slab.h"
 

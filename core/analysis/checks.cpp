@@ -1,12 +1,12 @@
-#include "core/session/checks.h"
+#include "core/analysis/checks.h"
 
+#include "core/analysis/gap.h"
+#include "core/analysis/narrow_slits.h"
+#include "core/analysis/stretching.h"
 #include "core/assembly/found_joint.h"
 #include "core/base/tolerances.h"
 #include "core/fabrication/wholeness.h"
 #include "core/geometry/convex_hull.h"
-#include "core/session/gap.h"
-#include "core/session/narrow_slits.h"
-#include "core/session/stretching.h"
 
 #include <algorithm>
 #include <array>

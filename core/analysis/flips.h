@@ -1,7 +1,7 @@
 // Slits the other way round, so that a model can be put together.
 #pragma once
 
-#include "core/session/assembly_plan.h"
+#include "core/analysis/assembly_plan.h"
 
 namespace fff {
 

@@ -1,4 +1,4 @@
-#include "core/session/narrow_slits.h"
+#include "core/analysis/narrow_slits.h"
 
 #include "core/base/tolerances.h"
 

@@ -1,4 +1,4 @@
-#include "core/session/assembly_plan.h"
+#include "core/analysis/assembly_plan.h"
 
 #include "core/assembly/crossing.h"
 #include "core/base/tolerances.h"

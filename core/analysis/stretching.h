@@ -1,7 +1,7 @@
 // Sections that end a little above the ground, drawn out down to it so that the model stands.
 #pragma once
 
-#include "core/session/checks.h"
+#include "core/analysis/checks.h"
 
 #include <optional>
 #include <vector>

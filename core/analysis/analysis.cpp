@@ -1,4 +1,4 @@
-#include "core/session/analysis.h"
+#include "core/analysis/analysis.h"
 
 #include "core/model/changes.h"
 

@@ -1,4 +1,4 @@
-#include "core/session/touching.h"
+#include "core/analysis/touching.h"
 
 #include "core/assembly/slab.h"
 #include "core/base/tolerances.h"

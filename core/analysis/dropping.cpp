@@ -1,4 +1,4 @@
-#include "core/session/dropping.h"
+#include "core/analysis/dropping.h"
 
 #include "core/model/edits.h"
 

@@ -1,13 +1,13 @@
-#include "core/session/joining_move.h"
+#include "core/analysis/joining_move.h"
 
+#include "core/analysis/check_caches.h"
+#include "core/analysis/touching.h"
 #include "core/assembly/found_joint.h"
 #include "core/assembly/webs.h"
 #include "core/base/tolerances.h"
 #include "core/geometry/polygon.h"
 #include "core/model/edits.h"
 #include "core/operations/evaluate.h"
-#include "core/session/check_caches.h"
-#include "core/session/touching.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 // The plan of a model's assembly, from what is known of it.
 #pragma once
 
+#include "core/analysis/analysis.h"
 #include "core/assembly/planning.h"
-#include "core/session/analysis.h"
 
 namespace fff {
 

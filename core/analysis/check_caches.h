@@ -2,9 +2,9 @@
 // on the sections that it touches.
 #pragma once
 
+#include "core/analysis/analysis.h"
 #include "core/assembly/stability.h"
 #include "core/fabrication/layout.h"
-#include "core/session/analysis.h"
 
 #include <memory>
 #include <vector>

@@ -2,9 +2,9 @@
 // its assembly says, and what its slits leave.
 #pragma once
 
+#include "core/analysis/assembly_plan.h"
+#include "core/analysis/checks.h"
 #include "core/assembly/webs.h"
-#include "core/session/assembly_plan.h"
-#include "core/session/checks.h"
 
 #include <chrono>
 

@@ -3,10 +3,10 @@
 // in check_text.h.
 #pragma once
 
+#include "core/analysis/check_caches.h"
 #include "core/assembly/slits.h"
 #include "core/fabrication/summary.h"
 #include "core/model/joint_ref.h"
-#include "core/session/check_caches.h"
 
 #include <chrono>
 #include <optional>

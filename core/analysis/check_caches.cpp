@@ -1,7 +1,7 @@
-#include "core/session/check_caches.h"
+#include "core/analysis/check_caches.h"
 
+#include "core/analysis/gap.h"
 #include "core/geometry/offset.h"
-#include "core/session/gap.h"
 
 #include <unordered_map>
 
