@@ -76,7 +76,7 @@ void writeSection(JsonWriter &json, const Analysis &analysis, std::size_t index)
     const Model &model = analysis.model;
     const Section &section = *model.section(index);
     const Stock &stock = model.stockOf(index);
-    const MassProperties mass = massOf(section, stock, *analysis.cuts[index]);
+    const MassProperties mass = analysis.bodies.massOf(static_cast<int>(index));
     json.beginObject();
     json.member("id", section.id.value);
     json.member("name", section.name);
@@ -186,7 +186,7 @@ void writeAssemblability(JsonWriter &json, const Model &model, const ModelPlan &
     else
         json.value(plan.plan.verdict == AssemblyPlan::Verdict::Possible);
     const auto writeName = [&](int part) {
-        const int section = plan.parts[static_cast<std::size_t>(part)].section;
+        const int section = plan.bodies.sectionOf(part);
         json.value(model.section(static_cast<std::size_t>(section))->name);
     };
     json.key("assemblyOrder");
@@ -287,7 +287,7 @@ std::string infoJson(const Analysis &analysis, const ModelPlan &plan, const Info
     json.endArray();
     writeCycles(json, analysis);
     writeAssemblability(json, model, plan);
-    const MassProperties mass = massOf(model, analysis.cuts);
+    const MassProperties mass = analysis.bodies.mass();
     json.member("mass", mass.mass);
     json.member("centreOfMass", mass.centre);
     const Box3 bounds = slabBounds(model);

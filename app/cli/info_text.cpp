@@ -60,7 +60,7 @@ std::string infoText(const Analysis &analysis, const ModelPlan &plan, const Info
 {
     const Model &model = analysis.model;
     const auto groups = connectedGroups(model.sectionCount(), analysis.assembly.joints);
-    const MassProperties mass = massOf(model, analysis.cuts);
+    const MassProperties mass = analysis.bodies.mass();
     const Box3 bounds = slabBounds(model);
 
     QStringList lines;

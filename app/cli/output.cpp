@@ -73,7 +73,7 @@ int writeSolids(const QCommandLineParser &parser, const Document &document, cons
     const Result<Analysis> analysis = analysed(document, input);
     if (!analysis)
         return report(analysis.error());
-    const Result<std::string> solids = io::writeObj(analysis->model, analysis->cuts);
+    const Result<std::string> solids = io::writeObj(analysis->model, analysis->bodies);
     if (!solids)
         return report(solids.error(), input);
     const Result<void> written = io::writeFile(parser.value(QStringLiteral("output")), *solids);

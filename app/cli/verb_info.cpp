@@ -12,7 +12,7 @@ int runInfo(const QStringList &arguments)
         return *model.status;
     const InfoContext context{model.file.toStdString(), model.format};
     // What of the rest a missing solid leaves untouched is told.
-    if (const auto known = haveParts(model.analysis.model, model.analysis.cuts); !known)
+    if (const auto known = haveParts(model.analysis.model, model.analysis.bodies); !known)
         return report(known.error(), model.file);
     const ModelPlan plan = planOf(model.analysis, timeLimit(kPlanningTime));
     if (plan.failure)

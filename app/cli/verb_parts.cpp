@@ -61,9 +61,9 @@ int runParts(const QStringList &arguments)
         Result<std::vector<CutSectionPointer>> cuts = cutsOnChords(analysis, chord);
         if (!cuts)
             return report(cuts.error(), parsed.files.first());
-        analysis.cuts = *std::move(cuts);
+        analysis.bodies = bodiesOf(analysis.model, *cuts);
     }
-    const std::vector<Part> parts = makeParts(analysis.model, analysis.assembly, analysis.cuts);
+    const std::vector<Part> parts = makeParts(analysis.model, analysis.assembly, analysis.bodies);
     return print(parser.isSet(QStringLiteral("json")) ? partsJson(parts, analysis.model, plan)
                                                       : partsText(parts, analysis.model, plan));
 }

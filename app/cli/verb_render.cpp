@@ -137,7 +137,7 @@ int runRender(const QStringList &arguments)
     AnalysisCaches caches;
     const Analysis analysis = analyse(evaluate(std::move(loaded.document)), caches);
     // What could not be worked out is shown as far as it is known.
-    if (const auto known = haveSolids(analysis.model, analysis.cuts); !known)
+    if (const auto known = haveSolids(analysis.model, analysis.bodies); !known)
         report(known.error(), parsed.files.first());
     ui::Scene scene = ui::sceneOf(analysis);
     ui::ViewStyle style;

@@ -25,6 +25,7 @@ AnalysisPointer analyseNext(const Model &model, AnalysisCaches &caches)
                                ? known
                                : cutSection(shape, slits[i], caches.cuts, known.get());
     }
+    analysis.bodies = bodiesOf(model, analysis.cuts, last.bodies, places);
     caches.cuts.trim(analysis.cuts.size());
     caches.last = std::make_shared<const Analysis>(std::move(analysis));
     return caches.last;

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/assembly/assembly.h"
-#include "core/fabrication/cut_section.h"
+#include "core/assembly/body.h"
 
 namespace fff {
 
@@ -12,6 +12,7 @@ struct Analysis
     Model model; // the one it belongs to
     Assembly assembly;
     std::vector<CutSectionPointer> cuts; // one a section
+    Bodies bodies;                       // that these are cut into
 };
 
 using AnalysisPointer = std::shared_ptr<const Analysis>;

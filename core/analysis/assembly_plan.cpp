@@ -3,7 +3,6 @@
 #include "core/assembly/crossing.h"
 #include "core/base/tolerances.h"
 #include "core/fabrication/wholeness.h"
-#include "core/geometry/cells.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,34 +14,15 @@ namespace fff {
 
 namespace {
 
-/// Of each section its first part; those of one section come one after the other.
-class FirstParts
+/// Calls visit(a, b) for each body of the joint's a with each of its b.
+template <class Visit>
+void forEachPair(const Bodies &bodies, const Joint &joint, Visit visit)
 {
-public:
-    FirstParts(const Analysis &analysis, const std::vector<PartRef> &parts)
-        : m_first(analysis.model.sectionCount() + 1, 0)
-    {
-        for (const PartRef &part : parts)
-            ++m_first[static_cast<std::size_t>(part.section) + 1];
-        std::partial_sum(m_first.begin(), m_first.end(), m_first.begin());
-    }
-
-    int count(int section) const { return end(section) - begin(section); }
-    /// Calls visit(a, b) for each part of the joint's a with each of its b.
-    template <class Visit>
-    void forEachPair(const Joint &joint, Visit visit) const
-    {
-        for (int a = begin(joint.a); a < end(joint.a); ++a)
-            for (int b = begin(joint.b); b < end(joint.b); ++b)
-                visit(a, b);
-    }
-
-private:
-    int begin(int section) const { return m_first[static_cast<std::size_t>(section)]; }
-    int end(int section) const { return m_first[static_cast<std::size_t>(section) + 1]; }
-
-    std::vector<int> m_first; // and behind the last one their number
-};
+    const auto endOf = [&](int section) { return bodies.firstOf(section + 1); };
+    for (int a = bodies.firstOf(joint.a); a < endOf(joint.a); ++a)
+        for (int b = bodies.firstOf(joint.b); b < endOf(joint.b); ++b)
+            visit(a, b);
+}
 
 /// The slits of each joint, in their sections' order and within each in that of its row.
 class SlitsOfJoints
@@ -133,7 +113,7 @@ Hold holdOf(const Analysis &analysis, const Joint &joint, const SlitsOfJoints &s
 
 /// How deep the parts of joints are pressed into each other: by a negative clearance of the stocks
 /// that have their slits, and by bumps from both sides.
-Collisions::Depths pressedDepths(const Analysis &analysis, const FirstParts &first)
+Collisions::Depths pressedDepths(const Analysis &analysis)
 {
     std::map<int, double> ofJoints;
     for (std::size_t i = 0; i < analysis.model.sectionCount(); ++i) {
@@ -149,7 +129,7 @@ Collisions::Depths pressedDepths(const Analysis &analysis, const FirstParts &fir
     Collisions::Depths depths;
     for (const auto &[id, depth] : ofJoints) {
         const Joint &joint = analysis.assembly.joints[static_cast<std::size_t>(id - 1)];
-        first.forEachPair(joint, [&, depth = depth](int a, int b) {
+        forEachPair(analysis.bodies, joint, [&, depth = depth](int a, int b) {
             depths[std::minmax(a, b)] = kTouchingDepth + depth;
         });
     }
@@ -174,62 +154,29 @@ std::optional<Stop> stopOf(Collisions &collisions, const std::vector<Slide> &sli
                                                : Stop{slide->b, slide->a, met};
 }
 
-/// Parts of more triangles than this are cut up into cells: an edit of a long spine, and who asks
-/// about one of its ribs, has to do with a few of them.
-constexpr std::size_t kManyTriangles = 192;
-
-SolidPointer solidOf(const CutSection &cut, std::size_t piece, const Frame &frame, double thickness)
-{
-    const Triangulation &triangles = (*cut.triangulations())[piece];
-    auto whole = std::make_shared<const Solid>(makeSolid(triangles, frame, thickness));
-    if (triangles.triangles.size() <= kManyTriangles)
-        return whole;
-    const Result<Triangulation> cells = triangulateCells(cut.parts()[piece].region);
-    if (!cells)
-        return whole; // the same, only slower
-    return std::make_shared<const Solid>(cutUp(std::move(whole), *cells));
-}
-
 } // namespace
 
-std::vector<SolidPointer> solidsOf(const Analysis &analysis, std::vector<PartRef> &parts,
-                                   PlanCaches &caches, const std::function<bool()> &isOutOfTime)
+std::vector<SolidPointer> solidsOf(const Bodies &bodies, const std::function<bool()> &isOutOfTime)
 {
     std::vector<SolidPointer> solids;
-    parts.clear();
-    caches.sections.resize(analysis.model.sectionCount());
-    for (std::size_t i = 0; i < caches.sections.size(); ++i) {
-        PlanCaches::OfSection &known = caches.sections[i];
-        const CutSectionPointer &cut = analysis.cuts[i];
-        const Frame &frame = analysis.model.section(i)->frame;
-        const double thickness = analysis.model.stockOf(i).thickness;
-        if (known.cut != cut || known.frame != frame || known.thickness != thickness) {
-            if (isOutOfTime && isOutOfTime()) {
-                parts.clear();
-                return {};
-            }
-            known = {cut, frame, thickness, {}};
-            for (std::size_t k = 0; k < cut->parts().size(); ++k)
-                known.solids.push_back(solidOf(*cut, k, frame, thickness));
-        }
-        for (const SolidPointer &solid : known.solids) {
-            parts.push_back({static_cast<int>(i), static_cast<int>(&solid - known.solids.data())});
-            solids.push_back(solid);
-        }
+    for (const BodyPointer &body : bodies.all()) {
+        if (isOutOfTime && isOutOfTime())
+            return {};
+        solids.push_back(*body->solid());
     }
     return solids;
 }
 
-std::vector<Slide> slidesOf(const Analysis &analysis, const std::vector<PartRef> &parts)
+std::vector<Slide> slidesOf(const Analysis &analysis)
 {
-    const FirstParts first(analysis, parts);
+    const Bodies &bodies = analysis.bodies;
     const SlitsOfJoints slits(analysis);
     std::vector<Slide> slides;
     for (const Joint &joint : analysis.assembly.joints) {
         if (joint.kind == JointKind::None)
             continue;
         // Of a divided section it is not known which piece it holds: one direction more to try.
-        const bool isWhole = first.count(joint.a) == 1 && first.count(joint.b) == 1;
+        const bool isWhole = bodies.countOf(joint.a) == 1 && bodies.countOf(joint.b) == 1;
         Slide slide;
         slide.direction = slideOf(analysis, joint, slits);
         slide.goesBothWays = !slidesAlongAxis(joint.kind);
@@ -238,7 +185,7 @@ std::vector<Slide> slidesOf(const Analysis &analysis, const std::vector<PartRef>
             slide.length = hold.length;
             slide.play = isWhole ? hold.play : slide.play;
         }
-        first.forEachPair(joint, [&](int a, int b) {
+        forEachPair(bodies, joint, [&](int a, int b) {
             slide.a = a;
             slide.b = b;
             slides.push_back(slide);
@@ -273,22 +220,23 @@ ModelPlan planOf(const Analysis &analysis, PlanCaches &caches,
                  const std::function<bool()> &isOutOfTime)
 {
     ModelPlan result;
-    if (const Result<void> known = haveSolids(analysis.model, analysis.cuts); !known) {
+    if (const Result<void> known = haveSolids(analysis.model, analysis.bodies); !known) {
         result.plan.verdict = AssemblyPlan::Verdict::NotFound;
         result.failure = known.error();
         return result;
     }
     Collisions &collisions = caches.collisions;
-    std::vector<SolidPointer> solids = solidsOf(analysis, result.parts, caches, isOutOfTime);
+    std::vector<SolidPointer> solids = solidsOf(analysis.bodies, isOutOfTime);
     if (solids.empty() && analysis.model.sectionCount() > 0)
         return result; // NotFound
-    collisions.use(std::move(solids), pressedDepths(analysis, FirstParts(analysis, result.parts)));
+    result.bodies = analysis.bodies;
+    collisions.use(std::move(solids), pressedDepths(analysis));
     PlanOptions options;
     options.isOutOfTime = isOutOfTime;
     result.overlaps = overlapsOf(collisions, isOutOfTime);
     for (const PartOverlap &overlap : result.overlaps)
         options.ignored.emplace_back(overlap.a, overlap.b);
-    const std::vector<Slide> slides = slidesOf(analysis, result.parts);
+    const std::vector<Slide> slides = slidesOf(analysis);
     result.plan = planAssembly(collisions, slides, options);
     if (result.plan.locked.size() == 2)
         result.stop = stopOf(collisions, slides, result.plan.locked);

@@ -6,13 +6,6 @@
 
 namespace fff {
 
-/// A part of the model: the section's index and that of the piece of it (CutSection::parts()).
-struct PartRef
-{
-    int section = 0, piece = 0;
-    bool operator==(const PartRef &) const = default;
-};
-
 /// Two parts that are in each other where they end up.
 struct PartOverlap
 {
@@ -29,36 +22,24 @@ struct Stop
 
 struct ModelPlan
 {
-    std::vector<PartRef> parts;        // the plan's indices
+    Bodies bodies;                     // the plan's indices: its parts
     std::vector<PartOverlap> overlaps; // in the order of (a, b); the plan passes them over
     AssemblyPlan plan;
     std::optional<Stop> stop;     // of two that are locked
-    std::optional<Error> failure; // why nothing is known: haveSolids(); then there are no parts
+    std::optional<Error> failure; // why nothing is known: haveSolids(); then there are no bodies
 };
 
 /// What is known from the time before. Not for several threads at once.
 struct PlanCaches
 {
-    struct OfSection
-    {
-        // What the solids were made of.
-        CutSectionPointer cut;
-        Frame frame;
-        double thickness = 0.0; // mm
-
-        std::vector<SolidPointer> solids; // of each piece
-    };
-    std::vector<OfSection> sections; // by index in the model
     Collisions collisions;
 };
 
-/// The parts as solids, in the sections' order; those that are as before are the same objects.
-/// Every section has to have one (haveSolids). None, and no parts, when the time is over before.
-std::vector<SolidPointer> solidsOf(const Analysis &analysis, std::vector<PartRef> &parts,
-                                   PlanCaches &caches,
+/// Of each body. Every one has to have one (haveSolids). None when the time is over before.
+std::vector<SolidPointer> solidsOf(const Bodies &bodies,
                                    const std::function<bool()> &isOutOfTime = {});
-/// Which way the parts of a joint's sections come off each other; of all joints that hold.
-std::vector<Slide> slidesOf(const Analysis &analysis, const std::vector<PartRef> &parts);
+/// Which way the bodies of a joint's sections come off each other; of all joints that hold.
+std::vector<Slide> slidesOf(const Analysis &analysis);
 /// Pairs of parts that are in each other, wherever they are; those that are found in the time.
 std::vector<PartOverlap> overlapsOf(Collisions &collisions,
                                     const std::function<bool()> &isOutOfTime = {});

@@ -12,8 +12,8 @@ namespace {
 /// The keys of the rest of an entry.
 bool isOf(const CheckCaches::OfSection &known, const CheckCaches::OfSection &now)
 {
-    return known.cut == now.cut && known.frame == now.frame && known.thickness == now.thickness &&
-           known.kerf == now.kerf && known.room == now.room && known.turnsFreely == now.turnsFreely;
+    return known.bodies == now.bodies && known.kerf == now.kerf && known.room == now.room &&
+           known.turnsFreely == now.turnsFreely;
 }
 
 // Steps of a mm and of a turn's cosine.
@@ -47,13 +47,14 @@ public:
     /// `now` has all that they follow from.
     const std::vector<std::shared_ptr<const OutlineSize>> &of(const CheckCaches::OfSection &now)
     {
-        Entry &entry = m_entries[now.cut.get()];
+        Entry &entry = m_entries[now.bodies.empty() ? nullptr : now.bodies.front()->cut().get()];
         if (entry.sizes.empty() || !isSame(entry, now)) {
             entry = {now.kerf, now.room, now.turnsFreely, {}};
-            for (const CurvedRegion &part : now.cut->parts()) {
+            for (const BodyPointer &body : now.bodies) {
                 // What has no offset is too near to the largest coordinate to have a size of its
                 // own.
-                const CurvedRegion outline = growLoosely(part, 0.5 * now.kerf).value_or(part);
+                const CurvedRegion outline =
+                    growLoosely(body->outline(), 0.5 * now.kerf).value_or(body->outline());
                 entry.sizes.push_back(std::make_shared<const OutlineSize>(
                     withoutRounding(sizeOf(outline, now.room, now.turnsFreely))));
             }
@@ -78,31 +79,35 @@ private:
     std::unordered_map<const CutSection *, Entry> m_entries;
 };
 
-/// Works out what is not known of this section. Whether there was something.
-bool refresh(const Analysis &analysis, int section, const LayoutOptions &options,
-             SharedSizes &sizes, CheckCaches &caches)
+/// Works out what is not known of this section: the box that it had before, or nothing where all is
+/// known.
+std::optional<Box3> refresh(const Analysis &analysis, int section, const LayoutOptions &options,
+                            SharedSizes &sizes, CheckCaches &caches)
 {
     const auto index = static_cast<std::size_t>(section);
     CheckCaches::OfSection &known = caches.sections[index];
     const Stock &stock = analysis.model.stockOf(index);
     CheckCaches::OfSection now;
-    now.cut = analysis.cuts[index];
-    now.frame = analysis.model.section(index)->frame;
-    now.thickness = stock.thickness;
+    const std::span<const BodyPointer> bodies = analysis.bodies.of(section);
+    now.bodies.assign(bodies.begin(), bodies.end());
     now.kerf = stock.kerf;
     now.room = roomOf(options.sheet.value_or(stock.sheet), options);
     now.turnsFreely = options.turnsFreely;
     if (isOf(known, now))
-        return false;
-    for (const Slab &slab : slabsOf(analysis, section)) {
-        now.contacts.push_back(contactOf(slab));
-        now.box.extend(boundsOf(slab));
-    }
-    const bool touchesAsBefore = known.cut && now.contacts == known.contacts;
+        return {};
+    Box3 before;
+    for (const BodyPointer &body : known.bodies)
+        before.extend(body->box());
+    const bool touchesAsBefore =
+        !known.bodies.empty() &&
+        std::equal(now.bodies.begin(), now.bodies.end(), known.bodies.begin(), known.bodies.end(),
+                   [](const BodyPointer &a, const BodyPointer &b) {
+                       return a->contact() == b->contact();
+                   });
     now.contactsSince = touchesAsBefore ? known.contactsSince : caches.count;
     now.sizes = sizes.of(now);
     known = std::move(now);
-    return true;
+    return before;
 }
 
 } // namespace
@@ -116,24 +121,15 @@ void refreshCaches(const Analysis &analysis, const LayoutOptions &options, Check
     ++caches.count;
     SharedSizes sizes;
     for (std::size_t i = 0; i < count; ++i) {
-        const Box3 before = caches.sections[i].box;
-        if (!refresh(analysis, static_cast<int>(i), options, sizes, caches))
+        const int section = static_cast<int>(i);
+        const std::optional<Box3> before = refresh(analysis, section, options, sizes, caches);
+        if (!before)
             continue;
-        const Box3 &now = caches.sections[i].box;
+        const Box3 now = analysis.bodies.boxOf(section);
         std::erase_if(caches.gaps, [&](const CheckCaches::OfGroup &gap) {
-            return isReached(gap, before) || isReached(gap, now);
+            return isReached(gap, *before) || isReached(gap, now);
         });
     }
-}
-
-std::vector<Slab> slabsOf(const Analysis &analysis, int section)
-{
-    const auto index = static_cast<std::size_t>(section);
-    std::vector<Slab> slabs;
-    for (const CurvedRegion &part : analysis.cuts[index]->parts())
-        slabs.push_back({part.region, analysis.model.section(index)->frame,
-                         analysis.model.stockOf(index).thickness});
-    return slabs;
 }
 
 } // namespace fff

@@ -3,7 +3,6 @@
 #pragma once
 
 #include "core/analysis/analysis.h"
-#include "core/assembly/stability.h"
 #include "core/fabrication/layout.h"
 
 #include <memory>
@@ -17,16 +16,14 @@ struct CheckCaches
     struct OfSection
     {
         // What the rest was worked out of.
-        CutSectionPointer cut;
-        Frame frame;
-        double thickness = 0.0, kerf = 0.0; // mm
+        std::vector<BodyPointer> bodies;
+        double kerf = 0.0; // mm
         Vec2 room = Vec2::Zero();
         bool turnsFreely = true;
 
-        std::vector<GroundContact> contacts;                   // of each slab
-        int contactsSince = 0;                                 // number of the check they are of
-        Box3 box;                                              // of all of them
-        std::vector<std::shared_ptr<const OutlineSize>> sizes; // of each part, with the kerf
+        int contactsSince = 0;                                 // number of the check since when
+                                                               // they touch the ground as now
+        std::vector<std::shared_ptr<const OutlineSize>> sizes; // of each body, with the kerf
     };
     /// How far it is to the sections that are not in the group.
     struct OfGroup
@@ -58,8 +55,5 @@ struct CheckCaches
 /// Works out what is not known of the sections of this model, and forgets of groups what they may
 /// have changed.
 void refreshCaches(const Analysis &analysis, const LayoutOptions &options, CheckCaches &caches);
-
-/// Of each part that the slits leave of a section (index into the model).
-std::vector<Slab> slabsOf(const Analysis &analysis, int section);
 
 } // namespace fff

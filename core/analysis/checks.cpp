@@ -46,7 +46,7 @@ void refreshGaps(const Analysis &analysis, const std::vector<Group> &groups, Che
         const auto known = std::find_if(caches.gaps.begin(), caches.gaps.end(),
                                         [&](const auto &gap) { return gap.group == groups[g]; });
         gaps.push_back(known != caches.gaps.end() ? std::move(*known)
-                                                  : measuredGap(analysis, groups[g], caches));
+                                                  : measuredGap(analysis.bodies, groups[g]));
     }
     caches.gaps = std::move(gaps);
 }
@@ -98,51 +98,52 @@ CheckCode codeOf(const Stability &stability)
 }
 
 /// The sections of a group that reach below the ground.
-std::vector<SectionRef> sunkSections(const Analysis &analysis, const Group &group,
-                                     const CheckCaches &caches)
+std::vector<SectionRef> sunkSections(const Analysis &analysis, const Group &group)
 {
     Group sunk;
     for (const int section : group) {
-        const auto &contacts = caches.sections[static_cast<std::size_t>(section)].contacts;
-        if (std::any_of(contacts.begin(), contacts.end(), [](const GroundContact &contact) {
-                return contact.lowestMiddle < -kGroundSunk;
+        const auto bodies = analysis.bodies.of(section);
+        if (std::any_of(bodies.begin(), bodies.end(), [](const BodyPointer &body) {
+                return body->contact().lowestMiddle < -kGroundSunk;
             }))
             sunk.push_back(section);
     }
     return analysis.model.refs(sunk);
 }
 
-/// The same as long as its sections' contacts are.
-const GroundContact &refreshedContact(const Group &group, int count,
-                                      const std::vector<CheckCaches::OfSection> &sections,
-                                      CheckCaches::OfStance &stance)
+GroundContact contactOf(const Bodies &bodies, const Group &group)
 {
-    const auto isAsBefore = [&](int section) {
-        return sections[static_cast<std::size_t>(section)].contactsSince <= stance.since;
-    };
-    if (stance.group == group && std::all_of(group.begin(), group.end(), isAsBefore))
-        return stance.contact;
     std::vector<const GroundContact *> contacts;
     for (const int section : group)
-        for (const GroundContact &contact : sections[static_cast<std::size_t>(section)].contacts)
-            contacts.push_back(&contact);
-    stance = {group, count, together(contacts)};
-    stance.contact.corners = convexHull(stance.contact.corners);
+        for (const BodyPointer &body : bodies.of(section))
+            contacts.push_back(&body->contact());
+    GroundContact contact = together(contacts);
+    contact.corners = convexHull(contact.corners);
+    return contact;
+}
+
+/// The same as long as its sections' contacts are.
+const GroundContact &refreshedContact(const Bodies &bodies, const Group &group,
+                                      const CheckCaches &caches, CheckCaches::OfStance &stance)
+{
+    const auto isAsBefore = [&](int section) {
+        return caches.sections[static_cast<std::size_t>(section)].contactsSince <= stance.since;
+    };
+    if (stance.group != group || !std::all_of(group.begin(), group.end(), isAsBefore))
+        stance = {group, caches.count, contactOf(bodies, group)};
     return stance.contact;
 }
 
-Stability stabilityOf(const Analysis &analysis, const Group &group, const MassProperties &mass,
-                      const std::vector<CheckCaches::OfSection> &sections,
+Stability stabilityOf(const Bodies &bodies, const Group &group, const MassProperties &mass,
                       const GroundContact &contact)
 {
     Box3 box;
     double thinnest = std::numeric_limits<double>::infinity();
     for (const int section : group) {
-        const auto index = static_cast<std::size_t>(section);
-        if (sections[index].contacts.empty())
-            continue;
-        box.extend(sections[index].box);
-        thinnest = std::min(thinnest, analysis.model.stockOf(index).thickness);
+        for (const BodyPointer &body : bodies.of(section)) {
+            box.extend(body->box());
+            thinnest = std::min(thinnest, body->thickness());
+        }
     }
     if (box.isEmpty())
         return {};
@@ -153,9 +154,8 @@ Check stabilityCheck(const Analysis &analysis, const Group &group, const CheckCa
                      CheckCaches::OfStance &stance)
 {
     const MassProperties mass = loadedMass(analysis, group);
-    const Stability stability =
-        stabilityOf(analysis, group, mass, caches.sections,
-                    refreshedContact(group, caches.count, caches.sections, stance));
+    const Stability stability = stabilityOf(
+        analysis.bodies, group, mass, refreshedContact(analysis.bodies, group, caches, stance));
     Check check = makeCheck(codeOf(stability), CheckSeverity::Error);
     check.mass = mass;
     check.margin = stability.margin;
@@ -193,7 +193,7 @@ void addStability(const Analysis &analysis, const std::vector<Group> &groups, Ch
     for (std::size_t g = 0; g < groups.size(); ++g) {
         Check check = stabilityCheck(analysis, groups[g], caches, caches.stances[g]);
         if (check.code == CheckCode::BelowGround)
-            check.sections = sunkSections(analysis, groups[g], caches);
+            check.sections = sunkSections(analysis, groups[g]);
         else if (groups.size() > 1)
             check.sections = analysis.model.refs(groups[g]);
         if (check.code == CheckCode::Stands || check.code == CheckCode::Unsteady) {
@@ -214,43 +214,35 @@ void addStability(const Analysis &analysis, const std::vector<Group> &groups, Ch
 
 // --- size
 
-/// A part of a model, by where it comes from.
-struct PartIndex
-{
-    std::size_t section = 0, part = 0;
-};
-
 void addSize(const Analysis &analysis, const LayoutOptions &options, CheckCaches &caches,
              std::vector<Check> &all)
 {
     const Model &model = analysis.model;
     std::vector<SizedPart> parts;
-    std::vector<PartIndex> places;
     for (std::size_t i = 0; i < caches.sections.size(); ++i) {
         const auto &sizes = caches.sections[i].sizes;
-        for (std::size_t k = 0; k < sizes.size(); ++k) {
-            parts.push_back({model.section(i)->stock, sizes[k]});
-            places.push_back({i, k});
-        }
+        for (const auto &size : sizes)
+            parts.push_back({model.section(i)->stock, size});
     }
     const Layout layout = layOutBySize(parts, model, options, caches.layout);
     std::vector<int> oversized = layout.oversized;
     std::sort(oversized.begin(), oversized.end());
-    std::optional<std::size_t> last;
+    int last = -1;
     for (const int index : oversized) {
-        const PartIndex &place = places[static_cast<std::size_t>(index)];
-        if (place.section == last) {
+        const int section = analysis.bodies.sectionOf(index);
+        if (section == last) {
             ++all.back().count;
             continue;
         }
-        last = place.section;
+        last = section;
+        const Body &body = analysis.bodies.at(index);
         Check check = makeCheck(CheckCode::TooLarge, CheckSeverity::Error);
-        check.sections = {model.ref(place.section)};
-        const Region &region = analysis.cuts[place.section]->parts()[place.part].region;
-        const Box2 box = bounds(region.outer);
+        check.sections = {body.key().section};
+        const Box2 box = bounds(body.outline().region.outer);
         check.size = {box.size().maxCoeff(), box.size().minCoeff()};
-        check.sheet = options.sheet.value_or(model.stockOf(place.section).sheet);
-        check.at = model.section(place.section)->frame.toWorld(box.center());
+        check.sheet =
+            options.sheet.value_or(model.stockOf(static_cast<std::size_t>(section)).sheet);
+        check.at = body.frame().toWorld(box.center());
         check.margin = options.margin;
         check.count = 1;
         all.push_back(std::move(check));
@@ -278,7 +270,7 @@ void addFailures(const Analysis &analysis, std::vector<Check> &all)
         check.failure = Error{ErrorCode::OperationFailed, {}, {operation->name}};
         all.push_back(std::move(check));
     }
-    for (const int index : uncutSections(analysis.cuts)) {
+    for (const int index : uncutSections(analysis.bodies)) {
         const Section &section = *model.section(static_cast<std::size_t>(index));
         Check check = makeCheck(CheckCode::NotCutOut, CheckSeverity::Error);
         check.sections = {section.ref()};
@@ -382,7 +374,7 @@ MassProperties loadedMass(const Analysis &analysis, const std::vector<int> &sect
     for (const int section : sections) {
         const auto index = static_cast<std::size_t>(section);
         const Section &host = *model.section(index);
-        sum += massOf(host, model.stockOf(index), *analysis.cuts[index]);
+        sum += analysis.bodies.massOf(section);
         for (const Weight &weight : model.document.weights)
             if (weight.section == model.ref(index))
                 sum += {weight.mass, host.frame.toWorld(weight.position)};
@@ -392,18 +384,8 @@ MassProperties loadedMass(const Analysis &analysis, const std::vector<int> &sect
 
 Stability stabilityOf(const Analysis &analysis, const std::vector<int> &sections)
 {
-    CheckCaches caches;
-    caches.sections.resize(analysis.model.sectionCount());
-    for (const int section : sections) {
-        CheckCaches::OfSection &known = caches.sections[static_cast<std::size_t>(section)];
-        for (const Slab &slab : slabsOf(analysis, section)) {
-            known.contacts.push_back(contactOf(slab));
-            known.box.extend(boundsOf(slab));
-        }
-    }
-    CheckCaches::OfStance stance;
-    return stabilityOf(analysis, sections, loadedMass(analysis, sections), caches.sections,
-                       refreshedContact(sections, 0, caches.sections, stance));
+    return stabilityOf(analysis.bodies, sections, loadedMass(analysis, sections),
+                       contactOf(analysis.bodies, sections));
 }
 
 std::vector<Check> checks(const Analysis &analysis, const LayoutOptions &layout,
@@ -426,7 +408,7 @@ std::vector<Check> checks(const Analysis &analysis, CheckCaches &caches,
     addStability(analysis, groups, caches, all);
     addSize(analysis, layout, caches, all);
     Check mass = makeCheck(CheckCode::Mass, CheckSeverity::Good);
-    mass.mass = massOf(analysis.model, analysis.cuts);
+    mass.mass = analysis.bodies.mass();
     mass.at = mass.mass.centre;
     all.push_back(std::move(mass));
     addJoints(analysis, rules, all);

@@ -27,7 +27,7 @@ std::vector<SectionId> drawnSections(const Analysis &analysis, const ModelPlan &
 {
     std::set<SectionId> ids;
     for (const int part : plan.plan.locked) {
-        const int section = plan.parts[static_cast<std::size_t>(part)].section;
+        const int section = plan.bodies.sectionOf(part);
         const SectionRef ref = analysis.model.ref(static_cast<std::size_t>(section));
         if (!ref.drawn.isValid())
             return {};

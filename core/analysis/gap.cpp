@@ -1,7 +1,5 @@
 #include "core/analysis/gap.h"
 
-#include "core/assembly/slab.h"
-
 #include <algorithm>
 
 namespace fff {
@@ -25,11 +23,11 @@ struct Candidate
 
 /// Sections that are nearer to the box than the limit, the nearest first.
 std::vector<Candidate> nearestFirst(const std::vector<int> &sections, const Box3 &box, double limit,
-                                    const CheckCaches &caches)
+                                    const Bodies &bodies)
 {
     std::vector<Candidate> candidates;
     for (const int section : sections) {
-        const Box3 &own = caches.sections[static_cast<std::size_t>(section)].box;
+        const Box3 own = bodies.boxOf(section);
         const double distance = distanceBetween(own, box);
         if (distance < limit)
             candidates.push_back({distance, section});
@@ -52,14 +50,13 @@ std::vector<int> othersOf(const std::vector<int> &group, std::size_t count)
 }
 
 /// Keeps the nearest points of two sections where they are nearer than what is known.
-void measure(const Analysis &analysis, int section, int other, CheckCaches::OfGroup &gap)
+void measure(const Bodies &bodies, int section, int other, CheckCaches::OfGroup &gap)
 {
-    for (const Slab &slab : slabsOf(analysis, section)) {
-        const Box3 box = boundsOf(slab);
-        for (const Slab &otherSlab : slabsOf(analysis, other)) {
-            if (distanceBetween(box, boundsOf(otherSlab)) >= gap.distance)
+    for (const BodyPointer &body : bodies.of(section)) {
+        for (const BodyPointer &mate : bodies.of(other)) {
+            if (distanceBetween(body->box(), mate->box()) >= gap.distance)
                 continue;
-            const Nearest found = nearestPoints(slab, otherSlab, gap.distance);
+            const Nearest found = nearestPoints(body->slab(), mate->slab(), gap.distance);
             if (found.distance < gap.distance) {
                 gap.distance = found.distance;
                 gap.at = found.onA;
@@ -71,22 +68,21 @@ void measure(const Analysis &analysis, int section, int other, CheckCaches::OfGr
 
 } // namespace
 
-CheckCaches::OfGroup measuredGap(const Analysis &analysis, const std::vector<int> &group,
-                                 const CheckCaches &caches)
+CheckCaches::OfGroup measuredGap(const Bodies &bodies, const std::vector<int> &group)
 {
     CheckCaches::OfGroup gap;
     gap.group = group;
     for (const int section : group)
-        gap.box.extend(caches.sections[static_cast<std::size_t>(section)].box);
-    const std::vector<int> others = othersOf(group, caches.sections.size());
-    for (const Candidate &other : nearestFirst(others, gap.box, gap.distance, caches)) {
+        gap.box.extend(bodies.boxOf(section));
+    const std::vector<int> others = othersOf(group, bodies.sectionCount());
+    for (const Candidate &other : nearestFirst(others, gap.box, gap.distance, bodies)) {
         if (other.distance >= gap.distance)
             break;
-        const Box3 &box = caches.sections[static_cast<std::size_t>(other.section)].box;
-        for (const Candidate &own : nearestFirst(group, box, gap.distance, caches)) {
+        const Box3 box = bodies.boxOf(other.section);
+        for (const Candidate &own : nearestFirst(group, box, gap.distance, bodies)) {
             if (own.distance >= gap.distance)
                 break;
-            measure(analysis, own.section, other.section, gap);
+            measure(bodies, own.section, other.section, gap);
         }
     }
     return gap;

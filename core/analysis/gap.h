@@ -5,11 +5,10 @@
 
 namespace fff {
 
-/// Of a group (indices into the model), from what the caches know of each section. Sections are
-/// looked at by how near their boxes are; of those equally near, the first in the model comes first
-/// and stays unless another is nearer.
-CheckCaches::OfGroup measuredGap(const Analysis &analysis, const std::vector<int> &group,
-                                 const CheckCaches &caches);
+/// Of a group of sections (indices into the model). Sections are looked at by how near their boxes
+/// are; of those equally near, the first in the model comes first and stays unless another is
+/// nearer.
+CheckCaches::OfGroup measuredGap(const Bodies &bodies, const std::vector<int> &group);
 
 /// Whether the gap may have become another one when the section in this box, or what used to be in
 /// it, has changed.

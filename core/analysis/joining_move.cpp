@@ -1,6 +1,5 @@
 #include "core/analysis/joining_move.h"
 
-#include "core/analysis/check_caches.h"
 #include "core/analysis/touching.h"
 #include "core/assembly/found_joint.h"
 #include "core/assembly/webs.h"
@@ -243,11 +242,13 @@ joiningMove(const Analysis &analysis, const std::vector<SectionRef> &group, cons
     int section = -1;
     for (const SectionRef &ref : group) {
         const int own = analysis.model.indexOf(ref);
-        for (const Slab &slab : slabsOf(analysis, own)) {
-            for (const Slab &mate : slabsOf(analysis, target)) {
-                if (distanceBetween(boundsOf(slab), boundsOf(mate)) >= nearest.distance)
+        if (own < 0)
+            continue;
+        for (const BodyPointer &body : analysis.bodies.of(own)) {
+            for (const BodyPointer &mate : analysis.bodies.of(target)) {
+                if (distanceBetween(body->box(), mate->box()) >= nearest.distance)
                     continue;
-                const Nearest found = nearestPoints(slab, mate, nearest.distance);
+                const Nearest found = nearestPoints(body->slab(), mate->slab(), nearest.distance);
                 if (found.distance < nearest.distance) {
                     nearest = found;
                     section = own;

@@ -18,7 +18,7 @@ std::vector<int> sectionsOf(const std::vector<int> &parts, const ModelPlan &plan
 {
     std::set<int> sections;
     for (const int part : parts)
-        sections.insert(plan.parts[static_cast<std::size_t>(part)].section);
+        sections.insert(plan.bodies.sectionOf(part));
     return {sections.begin(), sections.end()};
 }
 
@@ -70,9 +70,7 @@ void explain(const Analysis &analysis, const ModelPlan &plan, const std::vector<
     check.directions = static_cast<int>(ways.size());
     if (!plan.stop)
         return;
-    const auto sectionOf = [&](int part) {
-        return plan.parts[static_cast<std::size_t>(part)].section;
-    };
+    const auto sectionOf = [&](int part) { return plan.bodies.sectionOf(part); };
     // Who moves is named first.
     check.sections = analysis.model.refs({sectionOf(plan.stop->part), sectionOf(plan.stop->by)});
     check.distance = plan.stop->distance;
@@ -101,7 +99,7 @@ Check verdict(const Analysis &analysis, const ModelPlan &plan)
         check.severity = CheckSeverity::Unknown;
         if (plan.failure) {
             check.failure = plan.failure;
-            check.sections = analysis.model.refs(sectionsWithoutSolid(analysis.cuts));
+            check.sections = analysis.model.refs(sectionsWithoutSolid(analysis.bodies));
         }
         break;
     }
@@ -205,15 +203,16 @@ std::vector<Check> planChecks(const Analysis &analysis, const ModelPlan &plan, W
 {
     std::vector<Check> all;
     refresh(analysis, caches);
-    const bool isEmpty = plan.parts.empty() && plan.plan.verdict == AssemblyPlan::Verdict::Possible;
+    const bool isEmpty =
+        plan.bodies.size() == 0 && plan.plan.verdict == AssemblyPlan::Verdict::Possible;
     if (isEmpty)
         return all;
     all.push_back(verdict(analysis, plan));
     // Of all pieces of two sections the deepest.
     std::map<std::pair<int, int>, const Interpenetration *> deepest;
     for (const PartOverlap &overlap : plan.overlaps) {
-        const int a = plan.parts[static_cast<std::size_t>(overlap.a)].section;
-        const int b = plan.parts[static_cast<std::size_t>(overlap.b)].section;
+        const int a = plan.bodies.sectionOf(overlap.a);
+        const int b = plan.bodies.sectionOf(overlap.b);
         const Interpenetration *&known = deepest[{a, b}];
         if (!known || overlap.how.depth > known->depth)
             known = &overlap.how;

@@ -17,8 +17,6 @@ namespace fff {
 
 class Encounter;
 
-using SolidPointer = std::shared_ptr<const Solid>;
-
 /// Solids are named by their places in the list, directions by numbers from way(). Every answer is
 /// the one that solid.h gives, whatever was asked before. Not for several threads at once.
 class Collisions

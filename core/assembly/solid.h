@@ -40,6 +40,8 @@ struct Solid
     Extent along(const Vec3 &axis) const;
 };
 
+using SolidPointer = std::shared_ptr<const Solid>;
+
 /// thickness: mm.
 Solid makeSolid(const Triangulation &triangulation, const Frame &frame, double thickness);
 

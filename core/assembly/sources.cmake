@@ -1,8 +1,10 @@
 target_sources(fff_core PRIVATE
     assembly/assembly.cpp
     assembly/blocking.cpp
+    assembly/body.cpp
     assembly/collisions.cpp
     assembly/crossing.cpp
+    assembly/cut_section.cpp
     assembly/cycles.cpp
     assembly/encounter.cpp
     assembly/found_joint.cpp

@@ -13,20 +13,18 @@ Result<CurvedRegion> compensateKerf(const CurvedRegion &region, double kerf)
 }
 
 Result<std::vector<Part>> compensateKerf(std::vector<Part> parts, const Model &model,
-                                         const std::vector<CutSectionPointer> &cuts)
+                                         const Bodies &bodies)
 {
-    std::size_t ofSection = 0;
     for (std::size_t i = 0; i < parts.size(); ++i) {
         const auto section = static_cast<std::size_t>(parts[i].section);
-        ofSection = i > 0 && parts[i - 1].section == parts[i].section ? ofSection + 1 : 0;
         const double kerf = model.stockOf(section).kerf;
         if (!(kerf > 0.0))
             continue;
-        const auto outlines = cuts[section]->compensated(kerf);
+        const auto outlines = bodies[i].cut()->compensated(kerf);
         if (!outlines)
             return failure(ErrorCode::CannotOffset, {},
                            {model.section(section)->name, millimetres(kerf)});
-        parts[i].outline = (**outlines)[ofSection];
+        parts[i].outline = (**outlines)[bodies[i].piece()];
     }
     return parts;
 }

@@ -13,10 +13,10 @@ namespace fff {
 Result<CurvedRegion> compensateKerf(const CurvedRegion &region, double kerf);
 
 /// The parts with their outlines compensated for the kerf of each one's stock. Marks stay.
-/// parts   all that makeParts makes of these cuts, in its order; the cuts keep the outlines
+/// parts   all that makeParts makes of these bodies, in its order; their cuts keep the outlines
 /// Errors  CannotOffset, with the name of the first section that has a part without a path.
 Result<std::vector<Part>> compensateKerf(std::vector<Part> parts, const Model &model,
-                                         const std::vector<CutSectionPointer> &cuts);
+                                         const Bodies &bodies);
 
 /// A length for the arguments of an error: millimetres to two digits.
 std::string millimetres(double length);

@@ -1,7 +1,7 @@
 // What is cut: every connected piece of a section after its slits, with the marks engraved on it.
 #pragma once
 
-#include "core/fabrication/cut_section.h"
+#include "core/assembly/body.h"
 #include "core/model/model.h"
 
 namespace fff {
@@ -24,9 +24,8 @@ struct Part
     std::vector<JointMark> joints;
 };
 
-/// All parts of a model, by section, larger ones of a section first. `cuts` and `assembly` belong
-/// to it. A slit's mark goes to the part that its bottom touches.
-std::vector<Part> makeParts(const Model &model, const Assembly &assembly,
-                            const std::vector<CutSectionPointer> &cuts);
+/// One of each body, in their order. `bodies` and `assembly` belong to the model. A slit's mark
+/// goes to the part that its bottom touches.
+std::vector<Part> makeParts(const Model &model, const Assembly &assembly, const Bodies &bodies);
 
 } // namespace fff

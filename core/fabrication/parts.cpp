@@ -35,16 +35,16 @@ double distanceTo(const Vec2 &point, const Region &region)
 
 /// Which part the slit's bottom touches. Just beyond the bottom is material of one part only,
 /// unless another slit took that too; then the nearest part gets the mark.
-std::size_t partAtBottom(const std::vector<CurvedRegion> &parts, const Vec2 &inner,
+std::size_t partAtBottom(std::span<const BodyPointer> bodies, const Vec2 &inner,
                          const Vec2 &direction)
 {
-    if (parts.size() == 1)
+    if (bodies.size() == 1)
         return 0;
     const Vec2 beyond = inner + kMinOverlap * direction;
     std::size_t best = 0;
     double bestDistance = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < parts.size(); ++i) {
-        const double distance = distanceTo(beyond, parts[i].region);
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+        const double distance = distanceTo(beyond, bodies[i]->outline().region);
         if (distance < bestDistance) {
             best = i;
             bestDistance = distance;
@@ -66,29 +66,28 @@ bool isMarked(const Slit &slit, const std::vector<Slit> &slits)
 
 } // namespace
 
-std::vector<Part> makeParts(const Model &model, const Assembly &assembly,
-                            const std::vector<CutSectionPointer> &cuts)
+std::vector<Part> makeParts(const Model &model, const Assembly &assembly, const Bodies &bodies)
 {
     std::vector<Part> parts;
-    for (std::size_t section = 0; section < cuts.size(); ++section) {
-        const std::vector<CurvedRegion> &outlines = cuts[section]->parts();
+    for (std::size_t section = 0; section < bodies.sectionCount(); ++section) {
+        const std::span<const BodyPointer> pieces = bodies.of(static_cast<int>(section));
         const std::size_t first = parts.size();
-        for (const CurvedRegion &outline : outlines) {
+        for (const BodyPointer &body : pieces) {
             Part part;
             part.number = static_cast<int>(parts.size()) + 1;
             part.section = static_cast<int>(section);
             part.stock = model.section(section)->stock;
-            part.outline = outline;
+            part.outline = body->outline();
             parts.push_back(std::move(part));
         }
-        if (outlines.empty() || section >= assembly.slits.size())
+        if (pieces.empty() || section >= assembly.slits.size())
             continue;
         for (const Slit &slit : assembly.slits[section]) {
             if (!isMarked(slit, assembly.slits[section]))
                 continue;
             const Vec2 direction = (slit.inner - slit.mouth).normalized();
             const Vec2 bottom = slit.bottom();
-            const std::size_t part = partAtBottom(outlines, bottom, direction);
+            const std::size_t part = partAtBottom(pieces, bottom, direction);
             parts[first + part].joints.push_back({slit.joint, bottom, direction, slit.width});
         }
     }

@@ -1,5 +1,4 @@
 target_sources(fff_core PRIVATE
-    fabrication/cut_section.cpp
     fabrication/digits.cpp
     fabrication/kerf.cpp
     fabrication/layout.cpp

@@ -7,12 +7,13 @@ namespace fff {
 namespace {
 
 template <class Claim>
-std::vector<int> sectionsThat(const std::vector<CutSectionPointer> &cuts, Claim claim)
+std::vector<int> sectionsThat(const Bodies &bodies, Claim claim)
 {
     std::vector<int> sections;
-    for (std::size_t i = 0; i < cuts.size(); ++i)
-        if (claim(*cuts[i]))
-            sections.push_back(static_cast<int>(i));
+    for (int section = 0; section < static_cast<int>(bodies.sectionCount()); ++section)
+        if (const auto pieces = bodies.of(section);
+            !pieces.empty() && claim(*pieces.front()->cut()))
+            sections.push_back(section);
     return sections;
 }
 
@@ -35,31 +36,31 @@ std::vector<const Operation *> failedOperations(const Model &model)
     return failed;
 }
 
-std::vector<int> uncutSections(const std::vector<CutSectionPointer> &cuts)
+std::vector<int> uncutSections(const Bodies &bodies)
 {
-    return sectionsThat(cuts, [](const CutSection &cut) { return cut.failure().has_value(); });
+    return sectionsThat(bodies, [](const CutSection &cut) { return cut.failure().has_value(); });
 }
 
-std::vector<int> sectionsWithoutSolid(const std::vector<CutSectionPointer> &cuts)
+std::vector<int> sectionsWithoutSolid(const Bodies &bodies)
 {
     return sectionsThat(
-        cuts, [](const CutSection &cut) { return cut.failure() || !cut.triangulations(); });
+        bodies, [](const CutSection &cut) { return cut.failure() || !cut.triangulations(); });
 }
 
-Result<void> haveParts(const Model &model, const std::vector<CutSectionPointer> &cuts)
+Result<void> haveParts(const Model &model, const Bodies &bodies)
 {
     if (const auto failed = failedOperations(model); !failed.empty())
         return failure(ErrorCode::OperationFailed, {}, {failed.front()->name});
-    if (const std::vector<int> uncut = uncutSections(cuts); !uncut.empty())
+    if (const std::vector<int> uncut = uncutSections(bodies); !uncut.empty())
         return failureOf(ErrorCode::NotCutOut, model, uncut.front());
     return {};
 }
 
-Result<void> haveSolids(const Model &model, const std::vector<CutSectionPointer> &cuts)
+Result<void> haveSolids(const Model &model, const Bodies &bodies)
 {
-    if (const Result<void> parts = haveParts(model, cuts); !parts)
+    if (const Result<void> parts = haveParts(model, bodies); !parts)
         return parts;
-    if (const std::vector<int> missing = sectionsWithoutSolid(cuts); !missing.empty())
+    if (const std::vector<int> missing = sectionsWithoutSolid(bodies); !missing.empty())
         return failureOf(ErrorCode::NotSolid, model, missing.front());
     return {};
 }

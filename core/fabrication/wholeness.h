@@ -2,7 +2,7 @@
 // for all of it.
 #pragma once
 
-#include "core/fabrication/cut_section.h"
+#include "core/assembly/body.h"
 #include "core/model/model.h"
 
 #include <vector>
@@ -11,17 +11,16 @@ namespace fff {
 
 /// Whose sections could not be worked out.
 std::vector<const Operation *> failedOperations(const Model &model);
-/// The model's sections that could not be cut out, by their indices. `cuts` belong to it, one a
-/// section.
-std::vector<int> uncutSections(const std::vector<CutSectionPointer> &cuts);
+/// The sections that could not be cut out, by their indices in the model that the bodies are of.
+std::vector<int> uncutSections(const Bodies &bodies);
 /// Those without a solid: these, and those that have no triangles. Computes what is not known yet.
-std::vector<int> sectionsWithoutSolid(const std::vector<CutSectionPointer> &cuts);
+std::vector<int> sectionsWithoutSolid(const Bodies &bodies);
 
 /// Errors  OperationFailed, NotCutOut: one that could not be worked out, by its name. Then the
 /// parts
 ///         are not those of the model.
-Result<void> haveParts(const Model &model, const std::vector<CutSectionPointer> &cuts);
+Result<void> haveParts(const Model &model, const Bodies &bodies);
 /// Errors  the same, and NotSolid.
-Result<void> haveSolids(const Model &model, const std::vector<CutSectionPointer> &cuts);
+Result<void> haveSolids(const Model &model, const Bodies &bodies);
 
 } // namespace fff

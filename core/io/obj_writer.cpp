@@ -152,23 +152,22 @@ std::string uniqueName(const std::string &name, std::set<std::string> &taken)
 
 } // namespace
 
-Result<std::string> writeObj(const Model &model, const std::vector<CutSectionPointer> &cuts)
+Result<std::string> writeObj(const Model &model, const Bodies &bodies)
 {
-    if (const Result<void> known = haveSolids(model, cuts); !known)
+    if (const Result<void> known = haveSolids(model, bodies); !known)
         return tl::unexpected(known.error());
     ObjText text;
     text.out = "# FlatFitFab " FFF_VERSION ", millimetres, Y up\n";
     std::set<std::string> names;
-    for (std::size_t i = 0; i < cuts.size(); ++i) {
-        const Section &section = *model.section(i);
-        const Stock &stock = model.stockOf(i);
-        for (const Triangulation &triangulation : *cuts[i]->triangulations()) {
-            text.out += "# " + safeName(stock.name) + ',';
-            append(text.out, stock.thickness);
-            text.out += " mm\n";
-            text.addSlab(uniqueName(section.name, names), makeCap(triangulation), section.frame,
-                         stock.thickness);
-        }
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+        const Body &body = bodies[i];
+        const auto section = static_cast<std::size_t>(bodies.sectionOf(static_cast<int>(i)));
+        const Triangulation &triangles = (*body.cut()->triangulations())[body.piece()];
+        text.out += "# " + safeName(model.stockOf(section).name) + ',';
+        append(text.out, body.thickness());
+        text.out += " mm\n";
+        text.addSlab(uniqueName(model.section(section)->name, names), makeCap(triangles),
+                     body.frame(), body.thickness());
     }
     return std::move(text.out);
 }

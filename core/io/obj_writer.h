@@ -1,7 +1,7 @@
 // The model as solids, in place: Wavefront OBJ in millimetres, Y up.
 #pragma once
 
-#include "core/fabrication/cut_section.h"
+#include "core/assembly/body.h"
 #include "core/model/model.h"
 
 #include <string>
@@ -19,8 +19,8 @@ namespace fff::io {
 ///             side has one, or four walls would meet in one edge
 ///   numbers   to 1e-7 mm, a tenth of the grid that outlines are cut on, so that none fall together
 ///
-/// Stocks stand in comments: OBJ knows no thickness, and looks are not the model's. `cuts` belong
-/// to the model, one a section. UTF-8, same bytes for same input. Errors  as haveSolids().
-Result<std::string> writeObj(const Model &model, const std::vector<CutSectionPointer> &cuts);
+/// Stocks stand in comments: OBJ knows no thickness, and looks are not the model's. `bodies` belong
+/// to the model. UTF-8, same bytes for same input. Errors  as haveSolids().
+Result<std::string> writeObj(const Model &model, const Bodies &bodies);
 
 } // namespace fff::io

@@ -39,9 +39,8 @@ QString namesOf(const AssemblySteps &steps, const std::vector<int> &parts)
         return Words::tr("%n parts as one", nullptr, static_cast<int>(parts.size()));
     QStringList names;
     for (const int part : parts) {
-        const int section = steps.parts[static_cast<std::size_t>(part)].section;
-        const bool isWhole =
-            steps.analysis->cuts[static_cast<std::size_t>(section)]->parts().size() == 1;
+        const int section = steps.bodies.sectionOf(part);
+        const bool isWhole = steps.bodies.countOf(section) == 1;
         const QString name = nameOf(steps, section);
         //: %1 is a section's name, %2 the number engraved on one of its parts
         names += isWhole ? name
@@ -114,21 +113,21 @@ std::vector<std::vector<int>> connected(const Analysis &analysis)
 std::vector<std::vector<int>> matesOf(const AssemblySteps &steps, const AssemblyPlan &plan)
 {
     const std::vector<std::vector<int>> neighbours = connected(*steps.analysis);
-    std::vector<std::vector<int>> partsOf(neighbours.size());
-    for (int part = 0; part < static_cast<int>(steps.parts.size()); ++part)
-        partsOf[static_cast<std::size_t>(steps.parts[static_cast<std::size_t>(part)].section)]
-            .push_back(part);
+    const Bodies &bodies = steps.bodies;
+    const auto isReached = [&](int section, const AssemblyStep &step) {
+        for (int part = bodies.firstOf(section); part < bodies.firstOf(section + 1); ++part)
+            if (step.onto.contains(part))
+                return true;
+        return false;
+    };
     std::vector<std::vector<int>> all;
     for (const AssemblyStep &step : plan.steps) {
         std::set<int> mates;
         for (const int part : step.parts) {
-            const int moved = steps.parts[static_cast<std::size_t>(part)].section;
-            for (const int section : neighbours[static_cast<std::size_t>(moved)]) {
-                const std::vector<int> &pieces = partsOf[static_cast<std::size_t>(section)];
-                if (std::any_of(pieces.begin(), pieces.end(),
-                                [&](int piece) { return step.onto.contains(piece); }))
+            const int moved = bodies.sectionOf(part);
+            for (const int section : neighbours[static_cast<std::size_t>(moved)])
+                if (isReached(section, step))
                     mates.insert(section);
-            }
         }
         all.emplace_back(mates.begin(), mates.end());
     }
@@ -143,11 +142,10 @@ AssemblyStepsPointer assemblySteps(AnalysisPointer analysis, const ModelPlan &pl
         return nullptr;
     auto steps = std::make_shared<AssemblySteps>();
     steps->analysis = std::move(analysis);
-    steps->parts = plan.parts;
+    steps->bodies = plan.bodies;
     std::vector<Box3> boxes;
-    for (int part = 0; part < static_cast<int>(plan.parts.size()); ++part)
-        boxes.push_back(boundsOf(Slab{steps->outlineOf(part).region, steps->sectionOf(part).frame,
-                                      steps->thicknessOf(part)}));
+    for (const BodyPointer &body : plan.bodies.all())
+        boxes.push_back(body->box());
     steps->playback = Playback(plan.plan, std::move(boxes));
     steps->groups = stepGroups(plan.plan);
     steps->mates = matesOf(*steps, plan.plan);
@@ -173,7 +171,7 @@ QString whyNoSteps(const Analysis &analysis, const ModelPlan &plan)
     }
     std::set<int> locked;
     for (const int part : plan.plan.locked)
-        locked.insert(plan.parts[static_cast<std::size_t>(part)].section);
+        locked.insert(plan.bodies.sectionOf(part));
     if (locked.empty() || locked.size() > kMostNames)
         return Words::tr("No steps to show: the model cannot be assembled, since %n sections block "
                          "each other.",

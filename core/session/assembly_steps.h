@@ -17,7 +17,7 @@ namespace fff {
 struct AssemblySteps
 {
     AnalysisPointer analysis;
-    std::vector<PartRef> parts;
+    Bodies bodies; // the plan's parts
     Playback playback;
     /// Of each step: the sections, of what its parts are brought to, that joints connect them with;
     /// ascending.
@@ -26,22 +26,9 @@ struct AssemblySteps
 
     /// As engraved (core/fabrication/part.h): 1 … n.
     static int numberOf(int part) { return part + 1; }
-    const CurvedRegion &outlineOf(int part) const
-    {
-        const PartRef &ref = parts[static_cast<std::size_t>(part)];
-        return analysis->cuts[static_cast<std::size_t>(ref.section)]
-            ->parts()[static_cast<std::size_t>(ref.piece)];
-    }
     const Section &sectionOf(int part) const
     {
-        const PartRef &ref = parts[static_cast<std::size_t>(part)];
-        return *analysis->model.section(static_cast<std::size_t>(ref.section));
-    }
-    /// mm
-    double thicknessOf(int part) const
-    {
-        const PartRef &ref = parts[static_cast<std::size_t>(part)];
-        return analysis->model.stockOf(static_cast<std::size_t>(ref.section)).thickness;
+        return *analysis->model.section(static_cast<std::size_t>(bodies.sectionOf(part)));
     }
 };
 

@@ -102,9 +102,9 @@ Result<void> judgeWritten(const Analysis &analysis, const Layout &layout,
 
 Result<CuttingFile> makeCuttingFile(const Analysis &analysis, const CuttingFileOptions &options)
 {
-    if (const Result<void> known = haveParts(analysis.model, analysis.cuts); !known)
+    if (const Result<void> known = haveParts(analysis.model, analysis.bodies); !known)
         return tl::unexpected(known.error());
-    std::vector<Part> parts = makeParts(analysis.model, analysis.assembly, analysis.cuts);
+    std::vector<Part> parts = makeParts(analysis.model, analysis.assembly, analysis.bodies);
     if (parts.empty())
         return failure(ErrorCode::NothingToExport);
     CuttingFile file;
@@ -125,7 +125,7 @@ Result<CuttingFile> makeCuttingFile(const Analysis &analysis, const CuttingFileO
             addOnce(file.unmarkedJoints, nameOf(analysis, part));
     }
     if (options.compensatesKerf) {
-        auto paths = compensateKerf(parts, analysis.model, analysis.cuts);
+        auto paths = compensateKerf(parts, analysis.model, analysis.bodies);
         if (!paths)
             return tl::unexpected(paths.error());
         file.uncut = withUncutPlaces(analysis, parts, *paths);

@@ -160,11 +160,11 @@ void measureVerdicts(const ModelPointer &model, SectionId id, AnalysisCaches &ca
 
 double drawingTime(const Analysis &analysis)
 {
-    std::vector<Part> parts = makeParts(analysis.model, analysis.assembly, analysis.cuts);
+    std::vector<Part> parts = makeParts(analysis.model, analysis.assembly, analysis.bodies);
     std::vector<Engraving> engravings;
     for (const Part &part : parts)
         engravings.push_back(engrave(part, {}));
-    if (auto paths = compensateKerf(parts, analysis.model, analysis.cuts))
+    if (auto paths = compensateKerf(parts, analysis.model, analysis.bodies))
         parts = std::move(*paths);
     const Layout layout = layOut(parts, analysis.model, LayoutOptions());
     double milliseconds = 0.0;

@@ -38,8 +38,7 @@ void TestMeasures::massIsThatOfTheParts()
                                    polygonShape(rectangle(-50, 20, 50, 90)), side());
     session.reset(pair.document);
     const Analysis &analysis = session.currentAnalysis();
-    QVERIFY(std::abs(ui::Measures(session).mass() - massOf(analysis.model, analysis.cuts).mass) <
-            1e-6);
+    QVERIFY(std::abs(ui::Measures(session).mass() - analysis.bodies.mass().mass) < 1e-6);
 }
 
 FFF_TEST(TestMeasures)

@@ -136,7 +136,7 @@ bool Exporting::writeSolids(const QString &path)
         return tellFailure(path, Error{ErrorCode::NothingToExport, {}, {}});
     const auto written = inBackground<Result<void>>(
         m_window, tr("Exporting %1…").arg(name), MayCancel::No, [analysis, path] {
-            return io::writeObj(analysis->model, analysis->cuts)
+            return io::writeObj(analysis->model, analysis->bodies)
                 .and_then([&path](const std::string &obj) { return io::writeFile(path, obj); });
         });
     if (!*written)

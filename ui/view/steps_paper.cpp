@@ -104,7 +104,7 @@ StepsPaper::StepsPaper(StepPictures &pictures, const Options &options)
     : m_pictures(pictures), m_steps(pictures.steps()), m_options(options)
 {
     const Analysis &analysis = *m_steps.analysis;
-    m_parts = makeParts(analysis.model, analysis.assembly, analysis.cuts);
+    m_parts = makeParts(analysis.model, analysis.assembly, analysis.bodies);
     m_bytes.open(QIODevice::WriteOnly);
     m_writer = std::make_unique<QPdfWriter>(&m_bytes);
     m_writer->setResolution(kResolution);

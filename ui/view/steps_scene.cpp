@@ -58,18 +58,18 @@ std::vector<Vec2> numberPlaces(const Region &region, const Triangulation &triang
 StepsScene::StepsScene(AssemblyStepsPointer steps) : m_steps(std::move(steps))
 {
     const Analysis &analysis = *m_steps->analysis;
-    for (std::size_t i = 0; i < m_steps->parts.size(); ++i) {
-        const auto index = static_cast<std::size_t>(m_steps->parts[i].section);
-        const auto piece = static_cast<std::size_t>(m_steps->parts[i].piece);
+    for (std::size_t i = 0; i < m_steps->bodies.size(); ++i) {
+        const auto index = static_cast<std::size_t>(m_steps->bodies.sectionOf(static_cast<int>(i)));
+        const Body &body = m_steps->bodies[i];
         const Section &section = *analysis.model.section(index);
-        const CutSectionPointer &cut = analysis.cuts[index];
-        const Region &outline = cut->parts()[piece].region;
+        const CutSectionPointer &cut = body.cut();
+        const Region &outline = body.outline().region;
         Item item;
         // Parts of a divided section go their own ways.
-        item.section.cut = cut->parts().size() == 1
-                               ? cut
-                               : std::make_shared<const CutSection>(
-                                     std::vector<CurvedRegion>{cut->parts()[piece]});
+        item.section.cut =
+            cut->parts().size() == 1
+                ? cut
+                : std::make_shared<const CutSection>(std::vector<CurvedRegion>{body.outline()});
         item.section.shape = section.shape;
         item.section.frame = section.frame;
         item.section.thickness = analysis.model.stockOf(index).thickness;

@@ -41,16 +41,12 @@ struct CutPlate
     }
 };
 
-inline std::vector<CutPlate> platesOf(const Analysis &analysis, const std::vector<PartRef> &parts)
+inline std::vector<CutPlate> platesOf(const Bodies &bodies)
 {
     std::vector<CutPlate> plates;
-    for (const PartRef &part : parts) {
-        const auto section = static_cast<std::size_t>(part.section);
-        const CurvedRegion &piece =
-            analysis.cuts[section]->parts()[static_cast<std::size_t>(part.piece)];
-        plates.push_back({&piece.region, analysis.model.section(section)->frame,
-                          0.5 * analysis.model.stockOf(section).thickness,
-                          bounds(piece.region.outer)});
+    for (const BodyPointer &body : bodies.all()) {
+        const Region &region = body->outline().region;
+        plates.push_back({&region, body->frame(), 0.5 * body->thickness(), bounds(region.outer)});
     }
     return plates;
 }

@@ -15,7 +15,7 @@ namespace fff::test {
 /// they end up are passed over, as they are in planning.
 inline QString fault(const Analysis &analysis, const ModelPlan &plan)
 {
-    const std::vector<CutPlate> plates = platesOf(analysis, plan.parts);
+    const std::vector<CutPlate> plates = platesOf(analysis.bodies);
     std::set<std::pair<int, int>> ignored;
     for (const PartOverlap &overlap : plan.overlaps)
         ignored.emplace(overlap.a, overlap.b);
@@ -58,9 +58,9 @@ inline QString fault(const Analysis &analysis, const ModelPlan &plan)
                       [&](const std::set<int> &heap) { return together.contains(*heap.begin()); });
         heaps.push_back(std::move(together));
     }
-    if (heaps.size() > 1 || (heaps.empty() && !plan.parts.empty()))
+    if (heaps.size() > 1 || (heaps.empty() && plan.bodies.size() > 0))
         return QStringLiteral("not all parts are together at the end");
-    return heaps.empty() || heaps.front().size() == plan.parts.size()
+    return heaps.empty() || heaps.front().size() == plan.bodies.size()
                ? QString()
                : QStringLiteral("parts are missing at the end");
 }

@@ -1,7 +1,7 @@
 // Laws and counts over real models, read in place where they are; skipped with a message elsewhere.
 #include "core/assembly/assembly.h"
+#include "core/assembly/cut_section.h"
 #include "core/base/tolerances.h"
-#include "core/fabrication/cut_section.h"
 #include "core/io/document_file.h"
 #include "core/operations/evaluate.h"
 #include "tests/test_program.h"

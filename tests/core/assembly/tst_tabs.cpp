@@ -56,7 +56,7 @@ int countOf(const std::vector<Slit> &slits, SlitRole role)
 QString oracle(const Analysis &analysis)
 {
     const ModelPlan plan = planOf(analysis);
-    const std::vector<CutPlate> plates = platesOf(analysis, plan.parts);
+    const std::vector<CutPlate> plates = platesOf(analysis.bodies);
     for (std::size_t i = 0; i < plates.size(); ++i)
         for (std::size_t k = i + 1; k < plates.size(); ++k)
             if (areInEachOther(plates[i], plates[k]))

@@ -26,10 +26,7 @@ bool areInEachOther(const Model &model)
 {
     AnalysisCaches caches;
     const Analysis analysis = analyse(model, caches);
-    PlanCaches planCaches;
-    std::vector<PartRef> parts;
-    solidsOf(analysis, parts, planCaches);
-    const std::vector<CutPlate> plates = platesOf(analysis, parts);
+    const std::vector<CutPlate> plates = platesOf(analysis.bodies);
     return plates.size() != 2 || fff::test::areInEachOther(plates[0], plates[1]);
 }
 

@@ -18,7 +18,7 @@ inline std::vector<CutSectionPointer> cutsOf(const Model &model, const Assembly 
 inline std::vector<Part> partsOf(const Model &model)
 {
     const Assembly assembly = assemble(model);
-    return makeParts(model, assembly, cutsOf(model, assembly));
+    return makeParts(model, assembly, bodiesOf(model, cutsOf(model, assembly)));
 }
 
 inline CurvedRegion regionOf(const Contour &contour, const std::vector<Contour> &holes = {},

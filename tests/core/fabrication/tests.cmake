@@ -1,5 +1,4 @@
 fff_tests(tests_fabrication LIBRARIES fff::session TESTS
-    core/fabrication/tst_cut_section
     core/fabrication/tst_kerf
     core/fabrication/tst_kerf_oracle
     core/fabrication/tst_layout

@@ -306,7 +306,9 @@ void TestKerf::everyPartTakesItsStocksKerf()
                                       model.document.currentStock);
     const Assembly assembly = assemble(model);
     const auto cuts = cutsOf(model, assembly);
-    const std::vector<Part> parts = *compensateKerf(makeParts(model, assembly, cuts), model, cuts);
+    const Bodies bodies = bodiesOf(model, cuts);
+    const std::vector<Part> parts =
+        *compensateKerf(makeParts(model, assembly, bodies), model, bodies);
     QVERIFY(std::abs(totalArea(parts[0].outline) - 40.2 * 40.2) < kRounding);
     QVERIFY(std::abs(totalArea(parts[1].outline) - 41.0 * 41.0) < kRounding);
 }

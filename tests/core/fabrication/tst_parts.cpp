@@ -80,7 +80,7 @@ void TestParts::piecesOfASectionAreNumberedBySize()
     assembly.slits.resize(1);
     const auto cut = std::make_shared<const CutSection>(
         *subtract(model.section(0)->shape->contour(), {}, {rectangle(30, -5, 33, 25)}, 0.01));
-    const std::vector<Part> parts = makeParts(model, assembly, {cut});
+    const std::vector<Part> parts = makeParts(model, assembly, bodiesOf(model, {cut}));
     QCOMPARE(parts.size(), 2U);
     QCOMPARE(parts[0].number, 1);
     QCOMPARE(parts[1].number, 2);
@@ -114,7 +114,7 @@ void TestParts::markGoesToThePieceAtTheBottom()
     assembly.slits = {{slit}};
     const auto cut = std::make_shared<const CutSection>(*subtract(
         model.section(0)->shape->contour(), {}, {rectangle(30, -5, 33, 25), slit.outline()}, 0.01));
-    const std::vector<Part> parts = makeParts(model, assembly, {cut});
+    const std::vector<Part> parts = makeParts(model, assembly, bodiesOf(model, {cut}));
     QCOMPARE(parts.size(), 2U);
     for (int i = 0; i < 2; ++i)
         QCOMPARE(parts[static_cast<std::size_t>(i)].joints.size(), i == part ? 1U : 0U);
@@ -128,7 +128,7 @@ void TestParts::sectionCutAwayIsNoPart()
     Assembly assembly;
     assembly.slits = {{Slit{}}, {}};
     const auto nothing = std::make_shared<const CutSection>(std::vector<CurvedRegion>{});
-    QVERIFY(makeParts(model, assembly, {nothing, nothing}).empty());
+    QVERIFY(makeParts(model, assembly, bodiesOf(model, {nothing, nothing})).empty());
 }
 
 // Wrong: a crash on a new document.

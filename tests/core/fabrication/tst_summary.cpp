@@ -38,7 +38,7 @@ void TestSummary::massIsThatOfWhatIsLeft()
 {
     const Model model = twoSections(polygonShape(rectangle(-50, 0, 50, 50)), front(),
                                     polygonShape(rectangle(-50, 20, 50, 90)), side());
-    const MassProperties mass = massOf(model, cutsOf(model));
+    const MassProperties mass = bodiesOf(model, cutsOf(model)).mass();
     QVERIFY(std::abs(mass.mass - (5000 - 45 + 7000 - 45) * 3e-9 * 660) < 1e-12);
     QVERIFY(std::abs(mass.centre.x()) < 1e-9 && std::abs(mass.centre.z()) < 1e-9);
     QVERIFY(mass.centre.y() > 25.0 && mass.centre.y() < 55.0);
@@ -55,7 +55,8 @@ void TestSummary::centreFollowsTheModel()
         return frame;
     };
     const Model other = twoSections(a, moved(front()), b, moved(side()));
-    const MassProperties one = massOf(model, cutsOf(model)), two = massOf(other, cutsOf(other));
+    const MassProperties one = bodiesOf(model, cutsOf(model)).mass(),
+                         two = bodiesOf(other, cutsOf(other)).mass();
     QVERIFY(std::abs(one.mass - two.mass) < 1e-12);
     QVERIFY((two.centre - one.centre - shift).norm() < 1e-9);
 }
@@ -77,7 +78,7 @@ void TestSummary::boundsHoldTheSlabs()
 void TestSummary::emptyModel()
 {
     const Model model = evaluate(newDocument());
-    QCOMPARE(massOf(model, {}).mass, 0.0);
+    QCOMPARE(bodiesOf(model, {}).mass().mass, 0.0);
     QVERIFY(slabBounds(model).isEmpty());
 }
 

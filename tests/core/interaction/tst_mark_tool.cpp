@@ -367,7 +367,7 @@ void TestMarkTool::cutAtTheEdgeOfThePart()
     QVERIFY(document);
     desk.session.commit(QStringLiteral("Mark"), *document);
     const Analysis analysis = analysed(desk.session.committed());
-    const std::vector<Part> parts = makeParts(analysis.model, analysis.assembly, analysis.cuts);
+    const std::vector<Part> parts = makeParts(analysis.model, analysis.assembly, analysis.bodies);
     const MarkedLines lines = linesOn(parts.front(), desk.marked().marks);
     QCOMPARE(lines.engraved.size(), std::size_t(2));
     QCOMPARE(lines.engraved[0], *inside); // its own curve
@@ -382,7 +382,7 @@ void TestMarkTool::numbersKeepOffThem()
     MarkDesk desk;
     desk.click(desk.plate(0, 0));
     const Analysis analysis = analysed(desk.session.committed());
-    const std::vector<Part> parts = makeParts(analysis.model, analysis.assembly, analysis.cuts);
+    const std::vector<Part> parts = makeParts(analysis.model, analysis.assembly, analysis.bodies);
     const Engraving engraving = engrave(parts.front(), desk.marked().marks);
     QVERIFY(engraving.hasNumber);
     for (const CurvePath &path : engraving.lines.engraved)

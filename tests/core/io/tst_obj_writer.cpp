@@ -30,15 +30,17 @@ struct Cut
 {
     Model model;
     std::vector<CutSectionPointer> cuts;
+    Bodies bodies;
 };
 
 Cut cutOf(Model model)
 {
     CutCache cache;
     const Assembly assembly = assemble(model);
-    Cut cut{std::move(model), {}};
+    Cut cut{std::move(model), {}, {}};
     for (std::size_t i = 0; i < cut.model.sectionCount(); ++i)
         cut.cuts.push_back(cutSection(cut.model.section(i)->shape, assembly.slits[i], cache));
+    cut.bodies = bodiesOf(cut.model, cut.cuts);
     return cut;
 }
 
@@ -102,7 +104,7 @@ std::vector<Piece> piecesOf(const Mesh &mesh)
 /// Empty when the file is closed slabs, one a part, of the volume that is cut.
 QString whatIsWrong(const Cut &cut, bool touches = false)
 {
-    const std::string obj = *io::writeObj(cut.model, cut.cuts);
+    const std::string obj = *io::writeObj(cut.model, cut.bodies);
     const QTemporaryDir folder;
     const QString path = folder.filePath(QStringLiteral("model.obj"));
     if (!io::writeFile(path, obj))
@@ -271,7 +273,7 @@ void TestObjWriter::verticesAreThereOnce()
                                       polygonShape(rectangle(-50, 0, 50, 50)), side()));
     std::set<QByteArray> seen;
     for (const QByteArray &line :
-         QByteArray::fromStdString(*io::writeObj(cut.model, cut.cuts)).split('\n')) {
+         QByteArray::fromStdString(*io::writeObj(cut.model, cut.bodies)).split('\n')) {
         if (line.startsWith("o "))
             seen.clear();
         if (line.startsWith("v "))
@@ -295,7 +297,7 @@ void TestObjWriter::namesAreSafeAndUnique()
     const Cut cut = cutOf(evaluate(document));
     QList<QByteArray> groups;
     for (const QByteArray &line :
-         QByteArray::fromStdString(*io::writeObj(cut.model, cut.cuts)).split('\n'))
+         QByteArray::fromStdString(*io::writeObj(cut.model, cut.bodies)).split('\n'))
         if (line.startsWith("g "))
             groups += line.mid(2);
     QCOMPARE(groups, (QList<QByteArray>{"Rippe_3", "Rippe_3_2", "Flügel__2", "section"}));
@@ -306,13 +308,13 @@ void TestObjWriter::sameBytesForSameInput()
     const Model model = twoSections(polygonShape(rectangle(-50, 0, 50, 50)), front(),
                                     polygonShape(rectangle(-50, 0, 50, 50)), side());
     const Cut a = cutOf(model), b = cutOf(model);
-    QVERIFY(io::writeObj(a.model, a.cuts) == io::writeObj(b.model, b.cuts));
+    QVERIFY(io::writeObj(a.model, a.bodies) == io::writeObj(b.model, b.bodies));
 }
 
 void TestObjWriter::emptyModel()
 {
     const Cut cut = cutOf(evaluate(newDocument()));
-    QVERIFY(io::writeObj(cut.model, cut.cuts)->starts_with("# FlatFitFab"));
+    QVERIFY(io::writeObj(cut.model, cut.bodies)->starts_with("# FlatFitFab"));
 }
 
 FFF_TEST(TestObjWriter)

@@ -3,8 +3,8 @@
 #include <QTest> // first: it defines macros that others look for
 
 #include "core/assembly/assembly.h"
+#include "core/assembly/cut_section.h"
 #include "core/base/tolerances.h"
-#include "core/fabrication/cut_section.h"
 #include "core/fabrication/layout.h"
 #include "core/geometry/figure.h"
 #include "core/geometry/outlines.h"
@@ -165,7 +165,7 @@ void TestSvgReader::whatWeWroteComesBackAsItWas()
     const Assembly assembly = assemble(model);
     const std::vector<CutSectionPointer> cuts{
         std::make_shared<const CutSection>(**shape, std::vector<Slit>(), nullptr)};
-    const std::vector<Part> parts = makeParts(model, assembly, cuts);
+    const std::vector<Part> parts = makeParts(model, assembly, bodiesOf(model, cuts));
     LayoutOptions options;
     options.turnsFreely = false;
     Layout layout = layOut(parts, model, options);

@@ -43,11 +43,11 @@ int countThere(const std::vector<PartPlace> &places)
 Box3 boxOf(const AssemblySteps &steps, int part, const Vec3 &offset)
 {
     Box3 box;
-    const Section &section = steps.sectionOf(part);
-    for (const Vec2 &p : steps.outlineOf(part).region.outer)
+    const Body &body = steps.bodies.at(part);
+    for (const Vec2 &p : body.outline().region.outer)
         for (const double side : {-0.5, 0.5})
-            box.extend(Vec3(section.frame.toWorld(p) +
-                            side * steps.thicknessOf(part) * section.frame.normal() + offset));
+            box.extend(Vec3(body.frame().toWorld(p) +
+                            side * body.thickness() * body.frame().normal() + offset));
     return box;
 }
 
@@ -87,7 +87,7 @@ private Q_SLOTS:
         const Planned model = planned(document);
         QVERIFY(model.steps);
         const Playback &playback = model.steps->playback;
-        QCOMPARE(playback.partCount(), static_cast<int>(model.plan.parts.size()));
+        QCOMPARE(playback.partCount(), static_cast<int>(model.plan.bodies.size()));
         for (const PartPlace &place : playback.at(playback.stepCount())) {
             QVERIFY(place.isThere);
             QCOMPARE(place.offset, Vec3(Vec3::Zero()));
@@ -240,13 +240,12 @@ private Q_SLOTS:
         QFETCH(Document, document);
         const Planned model = planned(document);
         const std::vector<Part> parts =
-            makeParts(model.analysis->model, model.analysis->assembly, model.analysis->cuts);
-        QCOMPARE(parts.size(), model.steps->parts.size());
+            makeParts(model.analysis->model, model.analysis->assembly, model.analysis->bodies);
+        QCOMPARE(parts.size(), model.steps->bodies.size());
         for (std::size_t i = 0; i < parts.size(); ++i) {
             QCOMPARE(AssemblySteps::numberOf(static_cast<int>(i)), parts[i].number);
-            QCOMPARE(model.steps->parts[i].section, parts[i].section);
-            QVERIFY(model.steps->outlineOf(static_cast<int>(i)).region.outer ==
-                    parts[i].outline.region.outer);
+            QCOMPARE(model.steps->bodies.sectionOf(static_cast<int>(i)), parts[i].section);
+            QVERIFY(model.steps->bodies[i].outline().region.outer == parts[i].outline.region.outer);
         }
     }
 

@@ -458,7 +458,7 @@ void TestChecks::mechanicsCases()
         }
         if (verdict.isEmpty() && truth.contains(QLatin1String("mass_kg"))) {
             ++compared;
-            const double mass = massOf(analysis.model, analysis.cuts).mass,
+            const double mass = analysis.bodies.mass().mass,
                          expected = truth[QLatin1String("mass_kg")].toDouble();
             QVERIFY2(std::abs(mass - expected) < 0.02 * expected,
                      qPrintable(QStringLiteral("%1: %2 kg").arg(name).arg(mass)));

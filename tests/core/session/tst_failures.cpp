@@ -46,7 +46,7 @@ AnalysisPointer faulty(const Document &document, FaultPoint point)
 /// The one section that failed.
 std::size_t failedIn(const Analysis &analysis)
 {
-    const std::vector<int> missing = sectionsWithoutSolid(analysis.cuts);
+    const std::vector<int> missing = sectionsWithoutSolid(analysis.bodies);
     return missing.size() == 1 ? static_cast<std::size_t>(missing.front()) : std::size_t(-1);
 }
 
@@ -81,16 +81,16 @@ void TestFailures::whatCannotBeCutStaysWhole()
     const Document document = crossed();
     const AnalysisPointer whole = analysed(evaluate(document));
     const AnalysisPointer analysis = faulty(document, FaultPoint::Boolean);
-    QCOMPARE(uncutSections(whole->cuts), std::vector<int>());
+    QCOMPARE(uncutSections(whole->bodies), std::vector<int>());
     const std::size_t failed = failedIn(*analysis);
     QVERIFY(failed < 2U);
-    QCOMPARE(uncutSections(analysis->cuts), std::vector<int>{static_cast<int>(failed)});
+    QCOMPARE(uncutSections(analysis->bodies), std::vector<int>{static_cast<int>(failed)});
     const CutSection &cut = *analysis->cuts[failed];
     QCOMPARE(cut.failure()->code, ErrorCode::NotWorkedOut);
     QCOMPARE(cut.parts().size(), std::size_t(1));
     QVERIFY(std::abs(cut.area() - document.sections[failed]->shape->area()) < 1e-9);
     QVERIFY(cut.area() > whole->cuts[failed]->area());
-    QVERIFY(massOf(analysis->model, analysis->cuts).mass > massOf(whole->model, whole->cuts).mass);
+    QVERIFY(analysis->bodies.mass().mass > whole->bodies.mass().mass);
     QCOMPARE(analysis->cuts[1 - failed]->area(), whole->cuts[1 - failed]->area());
 }
 
@@ -116,7 +116,7 @@ void TestFailures::noFileIsMade()
         QCOMPARE(svg.error().code, ErrorCode::NotCutOut);
         QCOMPARE(svg.error().args, name);
     }
-    const Result<std::string> obj = io::writeObj(analysis->model, analysis->cuts);
+    const Result<std::string> obj = io::writeObj(analysis->model, analysis->bodies);
     QVERIFY(!obj);
     QCOMPARE(obj.error().code, hasParts ? ErrorCode::NotSolid : ErrorCode::NotCutOut);
     QCOMPARE(obj.error().args, name);
@@ -211,11 +211,11 @@ void TestFailures::aFailureDoesNotStay()
         const FaultWatch watch(FaultPoint::Boolean, 0);
         analyseNext(evaluate(document), caches);
     }
-    QVERIFY(!haveParts(caches.last->model, caches.last->cuts));
+    QVERIFY(!haveParts(caches.last->model, caches.last->bodies));
     const std::vector<SectionId> wing{document.sections[1]->id};
     document = removeSections(std::move(document), wing).value();
     const AnalysisPointer next = analyseNext(evaluate(document), caches);
-    QVERIFY(haveParts(next->model, next->cuts));
+    QVERIFY(haveParts(next->model, next->bodies));
 }
 
 // Wrong: hours of work would be lost with a slit.

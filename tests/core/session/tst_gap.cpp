@@ -89,8 +89,8 @@ double nearestOther(const Analysis &analysis, const std::vector<SectionRef> &gro
         for (std::size_t b = 0; isInside(a) && b < count; ++b) {
             if (isInside(b))
                 continue;
-            for (const Slab &slab : slabsOf(analysis, static_cast<int>(a)))
-                for (const Slab &other : slabsOf(analysis, static_cast<int>(b)))
+            for (const BodyPointer &body : analysis.bodies.of(static_cast<int>(a)))
+                for (const BodyPointer &other : analysis.bodies.of(static_cast<int>(b)))
                     best = std::min(best, nearestPoints(slab, other).distance);
         }
     }

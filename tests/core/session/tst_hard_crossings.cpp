@@ -167,7 +167,7 @@ void TestHardCrossings::fit()
         QCOMPARE(static_cast<int>(analysis.assembly.joints.front().kind),
                  static_cast<int>(pair.kind));
     const ModelPlan plan = planOf(analysis);
-    const std::vector<CutPlate> plates = platesOf(analysis, plan.parts);
+    const std::vector<CutPlate> plates = platesOf(analysis.bodies);
     QCOMPARE(plates.size(), std::size_t(2));
     QVERIFY(!areInEachOther(plates[0], plates[1]));
     QCOMPARE(plan.plan.verdict == AssemblyPlan::Verdict::Possible, pair.goesTogether);
@@ -175,7 +175,7 @@ void TestHardCrossings::fit()
     if (pair.slits == 0)
         return;
     // Any deeper, and they are: nothing is cut that need not be.
-    const Slide slide = slidesOf(analysis, plan.parts).front();
+    const Slide slide = slidesOf(analysis).front();
     if (analysis.assembly.joints.front().crossing->angle > radians(89.0))
         QVERIFY(areInEachOther(plates[0], plates[1], -2e-3 * slide.direction, 0.4e-3));
 }

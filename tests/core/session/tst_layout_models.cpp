@@ -50,7 +50,7 @@ std::vector<Part> partsOf(const QString &file)
     Result<io::LoadedDocument> read = io::readDocument(kFolder + u'/' + file);
     AnalysisCaches caches;
     const Analysis analysis = analyse(evaluate(std::move(read->document)), caches);
-    return *compensateKerf(makeParts(analysis.model, analysis.assembly, analysis.cuts),
+    return *compensateKerf(makeParts(analysis.model, analysis.assembly, analysis.bodies),
                            analysis.model, analysis.cuts);
 }
 

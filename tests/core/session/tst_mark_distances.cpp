@@ -43,7 +43,7 @@ void TestMarkDistances::numbersAreReadOneByOne()
     const Analysis analysis = analyse(evaluate(std::move(read->document)), caches);
     std::size_t joints = 0, leftOut = 0, unmarked = 0;
     double heights = 0.0;
-    const std::vector<Part> parts = makeParts(analysis.model, analysis.assembly, analysis.cuts);
+    const std::vector<Part> parts = makeParts(analysis.model, analysis.assembly, analysis.bodies);
     for (const Part &part : parts) {
         const Engraving engraving =
             engrave(part, analysis.model.section(static_cast<std::size_t>(part.section))->marks);

@@ -78,11 +78,11 @@ void TestPlanGrowth::simpleModelsOfAnySizeAreDecided()
     const ModelPlan plan = planOf(analysis, caches);
     QCOMPARE(static_cast<int>(plan.plan.verdict), static_cast<int>(Verdict::Possible));
     QVERIFY(plan.overlaps.empty());
-    QCOMPARE(plan.plan.steps.size(), plan.parts.size()); // one by one
-    QCOMPARE(lengthOfSteps(plan.plan), plan.parts.size());
+    QCOMPARE(plan.plan.steps.size(), plan.bodies.size()); // one by one
+    QCOMPARE(lengthOfSteps(plan.plan), plan.bodies.size());
     // Of each joint: as they are, out of the slits, and how far. Of each part a few beside it.
     const Collisions::Work &work = caches.collisions.work();
-    const std::size_t joints = analysis.assembly.joints.size(), parts = plan.parts.size();
+    const std::size_t joints = analysis.assembly.joints.size(), parts = plan.bodies.size();
     QVERIFY2(work.encounters <= 4 * (joints + parts),
              QByteArray::number(qulonglong(work.encounters)));
     QVERIFY2(work.prismPairs <= 60 * joints, QByteArray::number(qulonglong(work.prismPairs)));

@@ -134,10 +134,8 @@ void TestSlitEnds::bumpsPressAndNothingElse()
             if (stock.clearance < 0.0)
                 continue;
             const Analysis analysis = analysed(like(document, stock));
-            std::vector<PartRef> parts;
-            PlanCaches caches;
             Collisions collisions;
-            collisions.use(solidsOf(analysis, parts, caches));
+            collisions.use(solidsOf(analysis.bodies));
             const std::vector<PartOverlap> overlaps = overlapsOf(collisions);
             const bool presses = stock.bumps > 0.5 * stock.clearance;
             QCOMPARE(!overlaps.empty(), presses);
@@ -157,10 +155,8 @@ void TestSlitEnds::partsSeatAtTheSquareBottom()
         const ShapePointer plate = polygonShape(rectangle(-30, 0, 30, 40));
         const Analysis analysis = analysed(
             like(withSection(withSection(newDocument(), plate, front()), plate, side()), stock));
-        std::vector<PartRef> parts;
-        PlanCaches caches;
-        const std::vector<SolidPointer> solids = solidsOf(analysis, parts, caches);
-        const Slide slide = slidesOf(analysis, parts).at(0);
+        const std::vector<SolidPointer> solids = solidsOf(analysis.bodies);
+        const Slide slide = slidesOf(analysis).at(0);
         constexpr double kDeeper = 0.3; // mm: how far it is pushed on
         const auto pushed = interpenetration(movedBy(*solids[1], -kDeeper * slide.direction),
                                              *solids[0], kTouchingDepth);
@@ -345,7 +341,7 @@ void TestSlitEnds::numbersStandOnMaterial()
     for (const Document &document : models()) {
         for (const Stock &stock : options()) {
             const Analysis analysis = analysed(like(document, stock));
-            for (const Part &part : makeParts(analysis.model, analysis.assembly, analysis.cuts)) {
+            for (const Part &part : makeParts(analysis.model, analysis.assembly, analysis.bodies)) {
                 const Engraving engraving = engrave(part, {});
                 QVERIFY(engraving.hasNumber);
                 QVERIFY(engraving.jointsLeftOut.empty());

@@ -135,8 +135,9 @@ std::set<std::pair<int, int>> inEachOther(const std::vector<CutPlate> &plates)
 QByteArray named(const std::pair<int, int> &pair, const Assembled &made)
 {
     const auto name = [&](int part) {
-        const PartRef &ref = made.plan.parts[static_cast<std::size_t>(part)];
-        return QByteArray::number(ref.section) + '.' + QByteArray::number(ref.piece);
+        const Body &body = made.analysis.bodies.at(part);
+        return QByteArray::number(made.analysis.bodies.sectionOf(part)) + '.' +
+               QByteArray::number(static_cast<int>(body.piece()));
     };
     return name(pair.first) + " and " + name(pair.second);
 }
@@ -144,9 +145,7 @@ QByteArray named(const std::pair<int, int> &pair, const Assembled &made)
 /// Whether a joint's slits hold the two parts.
 const Joint *jointOf(const Assembled &made, const std::pair<int, int> &pair)
 {
-    const auto section = [&](int part) {
-        return made.plan.parts[static_cast<std::size_t>(part)].section;
-    };
+    const auto section = [&](int part) { return made.analysis.bodies.sectionOf(part); };
     return made.analysis.assembly.joints.find(section(pair.first), section(pair.second));
 }
 
@@ -155,8 +154,8 @@ QByteArray looseSlits(const Assembled &made, int &looked)
 {
     // Files have six digits; so much off, a slab's edge is off by less than a quarter of a µm.
     constexpr double kRight = 1e-4; // radians
-    const std::vector<CutPlate> plates = platesOf(made.analysis, made.plan.parts);
-    for (const Slide &slide : slidesOf(made.analysis, made.plan.parts)) {
+    const std::vector<CutPlate> plates = platesOf(made.analysis.bodies);
+    for (const Slide &slide : slidesOf(made.analysis)) {
         const Joint *joint = jointOf(made, {slide.a, slide.b});
         if (!slidesAlongAxis(joint->kind) ||
             std::abs(joint->crossing->angle - radians(90.0)) > kRight)
@@ -208,7 +207,7 @@ void TestTheyFit::madeUpAssemblies()
         std::set<std::pair<int, int>> said;
         for (const PartOverlap &overlap : made.plan.overlaps)
             said.emplace(overlap.a, overlap.b);
-        for (const auto &pair : inEachOther(platesOf(made.analysis, made.plan.parts))) {
+        for (const auto &pair : inEachOther(platesOf(made.analysis.bodies))) {
             QVERIFY2(!jointOf(made, pair),
                      name + named(pair, made) + " are in each other in spite of their slits");
             QVERIFY2(said.contains(pair), name + named(pair, made) + " are in each other unsaid");
@@ -229,7 +228,7 @@ void TestTheyFit::slitsLeaveNoGap()
     for (int i = 0; i < kAssemblies; ++i) {
         Random random(static_cast<quint64>(i));
         const Assembled made = madeUpAssembly(random);
-        if (made.plan.parts.size() != 2)
+        if (made.plan.bodies.size() != 2)
             continue; // a third one may have taken the bottom of a slit away
         const auto loose = looseSlits(made, looked);
         QVERIFY2(loose.isEmpty(), "assembly " + QByteArray::number(i) + ": " + loose);
@@ -261,7 +260,7 @@ void TestTheyFit::realModels()
     std::set<std::pair<int, int>> said;
     for (const PartOverlap &overlap : made.plan.overlaps)
         said.emplace(overlap.a, overlap.b);
-    for (const auto &pair : inEachOther(platesOf(made.analysis, made.plan.parts)))
+    for (const auto &pair : inEachOther(platesOf(made.analysis.bodies)))
         QVERIFY2(said.contains(pair), named(pair, made) + " are in each other unsaid");
     if (made.plan.plan.verdict == AssemblyPlan::Verdict::Possible)
         QCOMPARE(fault(made.analysis, made.plan), QString());
@@ -285,7 +284,7 @@ void TestTheyFit::slitsOfRealModelsLeaveNoGap()
         AnalysisCaches caches;
         Assembled made{analyse(evaluate(std::move(pair)), caches), {}};
         made.plan = planOf(made.analysis);
-        if (made.plan.parts.size() != 2)
+        if (made.plan.bodies.size() != 2)
             continue; // its slits divide one of them: which part was held is not said
         const QByteArray loose = looseSlits(made, looked);
         QVERIFY2(loose.isEmpty(), QByteArray::number(joint.id) + ": " + loose);

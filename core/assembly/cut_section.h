@@ -69,8 +69,9 @@ public:
     double area() const;
     /// Of all parts together, exact for the curves. Computed at first use, as the triangles.
     const Moments &moments() const;
-    /// The parts as compensateKerf makes them, in the same order, or why one cannot be. Kept for
-    /// the kerf that was asked for last; from any thread. kerf   above 0, mm
+    /// The parts, each grown by half the kerf (core/geometry/offset.h), in the same order, or why
+    /// one cannot be. Kept for the kerf that was asked for last; from any thread. kerf   above 0,
+    /// mm
     using Paths = std::shared_ptr<const std::vector<CurvedRegion>>;
     Result<Paths> compensated(double kerf) const;
 

@@ -1,7 +1,7 @@
-#include "core/fabrication/cut_section.h"
+#include "core/assembly/cut_section.h"
 
 #include "core/base/tolerances.h"
-#include "core/fabrication/kerf.h"
+#include "core/geometry/offset.h"
 
 #include <algorithm>
 #include <bit>
@@ -176,7 +176,7 @@ Result<CutSection::Paths> compensatedParts(const std::vector<CurvedRegion> &part
     std::vector<CurvedRegion> paths;
     paths.reserve(parts.size());
     for (const CurvedRegion &part : parts) {
-        Result<CurvedRegion> path = compensateKerf(part, kerf);
+        Result<CurvedRegion> path = grow(part, 0.5 * kerf);
         if (!path)
             return tl::unexpected(std::move(path.error()));
         paths.push_back(std::move(*path));

@@ -1,5 +1,5 @@
+#include "core/assembly/cut_section.h"
 #include "core/base/tolerances.h"
-#include "core/fabrication/cut_section.h"
 #include "tests/core/shapes.h"
 #include "tests/test_program.h"
 
