@@ -1,7 +1,7 @@
 // What checks look like to a person: words, glyph, colour. For the Checks dock and the badges.
 #pragma once
 
-#include "core/session/check_actions.h"
+#include "core/analysis/check_actions.h"
 
 #include <QColor>
 #include <QString>

@@ -163,7 +163,9 @@ void MainWindow::makeView()
 void MainWindow::makeDocks()
 {
     m_checkList = new CheckList(m_bench->session(), this);
-    const auto followRules = [this] { m_checkList->setRules(checkRules(settings())); };
+    const auto followRules = [this] {
+        m_bench->session().scheduler().setRules(checkRules(settings()));
+    };
     connect(&settings(), &Settings::checksChanged, this, followRules);
     followRules();
     m_outline = new OutlineDock(*m_bench, *m_checkList, this);

@@ -1,14 +1,20 @@
 target_sources(fff_core PRIVATE
+    analysis/analysed.cpp
     analysis/analysis.cpp
     analysis/assembly_plan.cpp
+    analysis/check_actions.cpp
     analysis/check_caches.cpp
     analysis/checks.cpp
     analysis/dropping.cpp
     analysis/flips.cpp
     analysis/gap.cpp
     analysis/joining_move.cpp
+    analysis/mends.cpp
     analysis/narrow_slits.cpp
     analysis/plan_checks.cpp
+    analysis/planned.cpp
+    analysis/stages.cpp
     analysis/stretching.cpp
     analysis/touching.cpp
+    analysis/verdicts.cpp
 )

@@ -32,7 +32,6 @@ enum class ErrorCode {
     CannotOffset,     // no path runs round an outline at the kerf's half everywhere; args: section,
                       // kerf
     ClosedSlit,       // a slit that the kerf closes; args: section, the slit's width, the kerf
-    TooLarge,         // a part that fits no sheet; args: part, its size, the sheet's size
     NothingToExport,  // no section, so no part
     UnknownCommand,   // args: the command's id
     BadEvent,         // an event that makes no sense here; args: what, what was expected
@@ -42,6 +41,8 @@ enum class ErrorCode {
     NotSolid,         // a section whose solid cannot be told; args: its name
     MarksNotCut,      // marks that cannot be cut off at the section's edge; args: its name
     OperationFailed,  // an operation whose sections cannot be told; args: its name
+    StageFailed,      // what is derived from the model threw; args: what it said
+    Cancelled,        // somebody stopped it
 };
 
 /// place: where it went wrong: "file:line", a JSON path, a section's name, or empty.
@@ -72,7 +73,6 @@ enum class WarningCode {
     MergedHoles,         // holes that overlap were made one
     NotchedContour,      // a hole that reaches out of its contour was cut out of it
     TrailingLines,       // text after the last section was ignored
-    CountMismatch,       // reserved for headers whose count is not that of the file
 };
 
 struct Warning

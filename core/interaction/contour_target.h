@@ -2,10 +2,10 @@
 // that is there. Strokes and the pen differ in how they get to a contour, not in this.
 #pragma once
 
-#include "core/interaction/hint.h"
-#include "core/interaction/step.h"
+#include "core/model/hint.h"
 #include "core/model/model.h"
 #include "core/model/naming.h"
+#include "core/model/step.h"
 #include "core/stroke/symmetry.h"
 
 #include <optional>

@@ -6,7 +6,6 @@
 #include "core/interaction/camera.h"
 #include "core/interaction/contour_target.h"
 #include "core/interaction/gizmo.h"
-#include "core/interaction/hint.h"
 #include "core/interaction/joint_marks.h"
 #include "core/interaction/navigation.h"
 #include "core/interaction/operation_handles.h"
@@ -17,10 +16,11 @@
 #include "core/interaction/pointer_event.h"
 #include "core/interaction/problem_marks.h"
 #include "core/interaction/section_edit.h"
-#include "core/interaction/step.h"
 #include "core/interaction/view_cube.h"
 #include "core/interaction/view_state.h"
+#include "core/model/hint.h"
 #include "core/model/naming.h"
+#include "core/model/step.h"
 #include "core/stroke/symmetry.h"
 
 #include <memory>

@@ -1,5 +1,5 @@
+#include "core/assembly/joint_editing.h"
 #include "core/interaction/interaction_private.h"
-#include "core/interaction/joint_editing.h"
 
 namespace fff {
 

@@ -1,8 +1,8 @@
 // Drags the place where the slits of a joint meet, along its axis.
 #pragma once
 
+#include "core/assembly/joint_editing.h"
 #include "core/interaction/gesture.h"
-#include "core/interaction/joint_editing.h"
 #include "core/interaction/joint_marks.h"
 
 namespace fff {

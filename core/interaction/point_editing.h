@@ -3,10 +3,10 @@
 #pragma once
 
 #include "core/interaction/camera.h"
-#include "core/interaction/hint.h"
 #include "core/interaction/point_selection.h"
-#include "core/interaction/step.h"
+#include "core/model/hint.h"
 #include "core/model/model.h"
+#include "core/model/step.h"
 
 #include <optional>
 #include <span>

@@ -1,9 +1,9 @@
 // What an edit of whole sections comes to.
 #pragma once
 
-#include "core/interaction/hint.h"
-#include "core/interaction/step.h"
 #include "core/model/document.h"
+#include "core/model/hint.h"
+#include "core/model/step.h"
 
 #include <optional>
 #include <vector>

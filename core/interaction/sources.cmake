@@ -22,7 +22,6 @@ target_sources(fff_core PRIVATE
     interaction/interaction_replies.cpp
     interaction/interaction_sections.cpp
     interaction/interaction_tool.cpp
-    interaction/joint_editing.cpp
     interaction/joint_gesture.cpp
     interaction/joint_marks.cpp
     interaction/mark_editing.cpp

@@ -79,14 +79,6 @@ QString badContour(const Args &args)
         .arg(verbatim(args, 0), phrase(args, 1));
 }
 
-QString tooLarge(const Args &args)
-{
-    if (args.size() < 3)
-        return Words::tr("a part fits no sheet");
-    return Words::tr("part %1 is too large: it measures %2, its sheet %3")
-        .arg(verbatim(args, 0), verbatim(args, 1), verbatim(args, 2));
-}
-
 /// As the language writes it.
 QString millimetres(const Args &args, std::size_t index)
 {
@@ -166,8 +158,6 @@ QString errorSentence(const Error &error)
         return cannotOffset(args);
     case ErrorCode::ClosedSlit:
         return closedSlit(args);
-    case ErrorCode::TooLarge:
-        return tooLarge(args);
     case ErrorCode::NothingToExport:
         return Words::tr("there is no section yet, so there is nothing to cut");
     case ErrorCode::UnknownCommand:
@@ -196,6 +186,12 @@ QString errorSentence(const Error &error)
         return ofSection(args,
                          Words::tr("the sections of the operation \"%1\" could not be worked out"),
                          Words::tr("the sections of an operation could not be worked out"));
+    case ErrorCode::StageFailed:
+        return hasArg
+                   ? Words::tr("something went wrong inside FlatFitFab (%1)").arg(verbatim(args, 0))
+                   : Words::tr("something went wrong inside FlatFitFab");
+    case ErrorCode::Cancelled:
+        return Words::tr("it was stopped");
     }
     return {}; // not reached: every code is above
 }
@@ -234,8 +230,6 @@ QString warningSentence(const Warning &warning)
         return args.empty() ? Words::tr("lines after the last section were ignored")
                             : Words::tr("text after the last section was ignored, lines: %1")
                                   .arg(verbatim(args, 0));
-    case WarningCode::CountMismatch:
-        return Words::tr("the count in the header is not that of the file");
     }
     return {}; // not reached: every code is above
 }

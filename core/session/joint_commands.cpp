@@ -1,6 +1,6 @@
 #include "core/session/joint_commands.h"
 
-#include "core/interaction/joint_editing.h"
+#include "core/assembly/joint_editing.h"
 #include "core/model/joint_kind_names.h"
 #include "core/session/session_host.h"
 

@@ -1,9 +1,10 @@
 #include "core/session/session.h"
 
+#include "core/analysis/analysed.h"
 #include "core/operations/evaluate.h"
 #include "core/session/journal.h"
 #include "core/session/kept_models.h"
-#include "core/session/latest_job.h"
+#include "core/session/scheduler.h"
 
 #include <QScopedValueRollback>
 #include <QSignalBlocker>
@@ -31,10 +32,8 @@ public:
     std::uint64_t revision = 0;
     bool isResetting = false; // the stack's own signals say nothing then
 
-    AnalysisCaches caches; // touched by the job alone
-    AnalysisPointer analysis;
-    std::uint64_t analysedRevision = 0;
-    LatestJob<ModelPointer, AnalysisPointer> job; // last: waits for its worker before the caches go
+    AnalysisPointer analysis; // the newest one
+    Scheduler scheduler;
 };
 
 namespace {
@@ -73,20 +72,15 @@ private:
 
 } // namespace
 
-Session::Private::Private(Session *session)
-    : q(session), stack(new QUndoStack(session)),
-      job(
-          [this](const ModelPointer &model) {
-              AnalysisPointer result = analyseNext(*model, caches);
-              prepareDrawing(*result);
-              return result;
-          },
-          [this](std::uint64_t ofRevision, AnalysisPointer result) {
-              analysis = std::move(result);
-              analysedRevision = ofRevision;
-              Q_EMIT q->analysisChanged();
-          })
+Session::Private::Private(Session *session) : q(session), stack(new QUndoStack(session))
 {
+    QObject::connect(&scheduler, &Scheduler::published, q, [this](std::string_view stage) {
+        const auto newest = scheduler.result(kAnalysed);
+        if (stage != kAnalysed.name || !newest || analysis == newest->analysis)
+            return;
+        analysis = newest->analysis;
+        Q_EMIT q->analysisChanged();
+    });
     // Nothing follows from an empty model, so its analysis is known.
     auto empty = std::make_shared<Analysis>();
     empty->model = *committed;
@@ -100,7 +94,7 @@ void Session::Private::show(ModelPointer next)
     const ModelPointer before = std::exchange(shown, std::move(next));
     const ModelPointer after = shown; // kept, whatever a listener does
     ++revision;
-    job.request(revision, after);
+    scheduler.request(revision, after, after != committed);
     Q_EMIT q->modelChanged(*before, *after);
 }
 
@@ -111,6 +105,7 @@ void Session::Private::indexChanged()
     committed = models.get(*at, *committed);
     qCDebug(journal, "step %s", digestOf(committed->document).constData());
     show(committed);
+    scheduler.request(revision, shown, false); // where it was shown as a preview before
     Q_EMIT q->committedChanged();
 }
 
@@ -156,6 +151,7 @@ bool Session::hasPreview() const
 void Session::reset(Document document)
 {
     Q_EMIT replaced();
+    d->scheduler.forget();
     d->isResetting = true;
     d->committed = std::make_shared<const Model>(evaluate(std::move(document)));
     d->models.clear();
@@ -254,6 +250,11 @@ std::uint64_t Session::revision() const
     return d->revision;
 }
 
+Scheduler &Session::scheduler() const
+{
+    return d->scheduler;
+}
+
 const Analysis &Session::analysis() const
 {
     return *d->analysis;
@@ -266,12 +267,12 @@ const AnalysisPointer &Session::analysisPointer() const
 
 std::uint64_t Session::analysedRevision() const
 {
-    return d->analysedRevision;
+    return d->scheduler.revisionOf(kAnalysed.name);
 }
 
 const Analysis &Session::currentAnalysis()
 {
-    d->job.finish();
+    d->scheduler.finish(kAnalysed.name);
     return *d->analysis;
 }
 

@@ -14,6 +14,8 @@
 
 namespace fff {
 
+class Scheduler;
+
 class Session : public QObject
 {
     Q_OBJECT
@@ -53,13 +55,14 @@ public:
     /// Counts up with every change of model().
     std::uint64_t revision() const;
 
-    /// The newest finished analysis (of an older revision while one is running). Computed on a
-    /// worker: one runs, the newest request waits, others are dropped.
+    /// Works out what is derived from what is shown.
+    Scheduler &scheduler() const;
+    /// The newest finished analysis (of an older revision while one is running).
     const Analysis &analysis() const;
     /// The same, to be kept.
     const AnalysisPointer &analysisPointer() const;
     std::uint64_t analysedRevision() const;
-    /// Blocks until analysis() belongs to revision(): for exports and the command line.
+    /// Blocks until analysis() belongs to revision(), or could not be worked out.
     const Analysis &currentAnalysis();
 
 Q_SIGNALS:

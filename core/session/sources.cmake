@@ -1,7 +1,6 @@
 target_sources(fff_session PRIVATE
     assembly_steps.cpp
     autosave.cpp
-    check_actions.cpp
     check_list.cpp
     check_text.cpp
     copy_commands.cpp
@@ -21,6 +20,7 @@ target_sources(fff_session PRIVATE
     recovery.cpp
     replay.cpp
     replay_script.cpp
+    scheduler.cpp
     section_commands.cpp
     section_names.cpp
     selection_commands.cpp

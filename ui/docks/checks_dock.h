@@ -4,7 +4,7 @@
 
 #include <QDockWidget> // first: moc stumbles over some standard headers
 
-#include "core/session/check_actions.h"
+#include "core/analysis/check_actions.h"
 
 #include <vector>
 

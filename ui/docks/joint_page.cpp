@@ -1,7 +1,7 @@
 #include "ui/docks/joint_page.h"
 
+#include "core/assembly/joint_editing.h"
 #include "core/base/units.h"
-#include "core/interaction/joint_editing.h"
 #include "ui/docks/problem_box.h"
 #include "ui/icon.h"
 #include "ui/lengths.h"

@@ -83,8 +83,8 @@ StepsScene::StepsScene(AssemblyStepsPointer steps) : m_steps(std::move(steps))
         const Vec3 half = 0.5 * item.section.thickness * section.frame.normal().cwiseAbs();
         item.section.bounds.min -= half;
         item.section.bounds.max += half;
-        item.numberPlaces = numberPlaces(outline, cut->triangulations()->at(piece));
-        item.tree = &cut->trees()[piece];
+        item.numberPlaces = numberPlaces(outline, cut->triangulations()->at(body.piece()));
+        item.tree = &cut->trees()[body.piece()];
         m_items.push_back(std::move(item));
     }
 }

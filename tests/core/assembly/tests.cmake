@@ -1,5 +1,6 @@
 fff_tests(tests_assembly LIBRARIES fff::session Polyclipping::Polyclipping TESTS
     core/assembly/tst_assembly
+    core/assembly/tst_body
     core/assembly/tst_cut_section
     core/assembly/tst_intervals
     core/assembly/tst_joint_override

@@ -2,9 +2,9 @@
 #include <QTest> // first: moc stumbles over some standard headers
 
 #include "core/analysis/assembly_plan.h"
+#include "core/assembly/joint_editing.h"
 #include "core/assembly/trim.h"
 #include "core/geometry/boolean.h"
-#include "core/interaction/joint_editing.h"
 #include "tests/core/assembly/line_oracle.h"
 #include "tests/core/assembly/plates.h"
 #include "tests/test_program.h"

@@ -3,5 +3,4 @@ fff_tests(tests_fabrication LIBRARIES fff::session TESTS
     core/fabrication/tst_kerf_oracle
     core/fabrication/tst_layout
     core/fabrication/tst_marks
-    core/fabrication/tst_parts
-    core/fabrication/tst_summary)
+    core/fabrication/tst_parts)

@@ -1,9 +1,9 @@
 #include <QTest> // first: moc cannot read some of the standard library before it
 
+#include "core/analysis/check_actions.h"
 #include "core/analysis/joining_move.h"
 #include "core/analysis/plan_checks.h"
 #include "core/base/tolerances.h"
-#include "core/session/check_actions.h"
 #include "core/session/session.h"
 #include "core/session/session_host.h"
 #include "tests/core/assembly/known_models.h"

@@ -67,11 +67,11 @@ void TestCheckList::rulesAreFollowedAtOnce()
         return {};
     };
     QVERIFY(!severityOf(CheckCode::ShallowAngle));
-    list.setRules({radians(45.0), std::chrono::milliseconds(0)});
+    session.scheduler().setRules({radians(45.0), std::chrono::milliseconds(0)});
     QCOMPARE(severityOf(CheckCode::ShallowAngle), CheckSeverity::Warning);
     QCOMPARE(severityOf(CheckCode::OrderUnknown), CheckSeverity::Unknown);
     QCOMPARE(list.age(), CheckList::Age::Current);
-    list.setRules({});
+    session.scheduler().setRules({});
     QVERIFY(!severityOf(CheckCode::ShallowAngle));
     QCOMPARE(severityOf(CheckCode::CanAssemble), CheckSeverity::Good);
 }

@@ -91,7 +91,7 @@ double nearestOther(const Analysis &analysis, const std::vector<SectionRef> &gro
                 continue;
             for (const BodyPointer &body : analysis.bodies.of(static_cast<int>(a)))
                 for (const BodyPointer &other : analysis.bodies.of(static_cast<int>(b)))
-                    best = std::min(best, nearestPoints(slab, other).distance);
+                    best = std::min(best, nearestPoints(body->slab(), other->slab()).distance);
         }
     }
     return best;

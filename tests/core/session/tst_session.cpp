@@ -66,7 +66,6 @@ private Q_SLOTS:
     void analysisBelongsToItsRevision();
     void goneWhileTheJobRuns();
     void latestJobDropsWhatIsOutdated();
-    void latestJobOutlivesWhatItsWorkThrows();
 };
 
 void TestSession::undoGivesBackTheVeryObjects()
@@ -345,27 +344,6 @@ void TestSession::latestJobDropsWhatIsOutdated()
     QCOMPARE(most.load(), 1);
     job.request(51, 51);
     QTRY_COMPARE(published.back(), std::uint64_t(51));
-}
-
-/// It runs on a thread of the pool, where nothing else would catch it.
-void TestSession::latestJobOutlivesWhatItsWorkThrows()
-{
-    std::vector<int> published;
-    LatestJob<int, int> job(
-        [](const int &input) {
-            if (input == 2)
-                throw std::runtime_error("two");
-            return input;
-        },
-        [&](std::uint64_t, int output) { published.push_back(output); });
-    for (const int input : {1, 2, 3}) {
-        if (input == 2)
-            QTest::ignoreMessage(QtWarningMsg, "work in the background failed: two");
-        job.request(static_cast<std::uint64_t>(input), input);
-        job.finish();
-        QVERIFY(!job.isBusy());
-    }
-    QCOMPARE(published, (std::vector<int>{1, 3}));
 }
 
 FFF_TEST(TestSession)

@@ -6,7 +6,7 @@
 
 #include "core/analysis/checks.h"
 #include "core/analysis/flips.h"
-#include "core/interaction/step.h"
+#include "core/model/step.h"
 
 #include <vector>
 

@@ -1,4 +1,4 @@
-#include "core/interaction/joint_editing.h"
+#include "core/assembly/joint_editing.h"
 
 #include "core/assembly/found_joint.h"
 #include "core/assembly/trim.h"

@@ -1,10 +1,10 @@
-#include "core/session/check_actions.h"
+#include "core/analysis/check_actions.h"
 
 #include "core/analysis/dropping.h"
 #include "core/analysis/joining_move.h"
 #include "core/analysis/stretching.h"
 #include "core/assembly/found_joint.h"
-#include "core/interaction/joint_editing.h"
+#include "core/assembly/joint_editing.h"
 #include "core/model/edits.h"
 #include "core/operations/evaluate.h"
 

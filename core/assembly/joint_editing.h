@@ -3,8 +3,8 @@
 #pragma once
 
 #include "core/assembly/joint_state.h"
-#include "core/interaction/hint.h"
-#include "core/interaction/step.h"
+#include "core/model/hint.h"
+#include "core/model/step.h"
 
 #include <tl/expected.hpp>
 

@@ -1,0 +1,14 @@
+#include "core/analysis/analysed.h"
+
+namespace fff {
+
+Result<Analysed> analysed(const Snapshot &snapshot, const Analysed *previous, Progress &,
+                          std::stop_token)
+{
+    Analysed out{nullptr, previous ? previous->caches : std::make_shared<AnalysisCaches>()};
+    out.analysis = analyseNext(snapshot.get(kModel), *out.caches);
+    prepareDrawing(*out.analysis);
+    return out;
+}
+
+} // namespace fff

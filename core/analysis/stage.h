@@ -1,0 +1,118 @@
+// What is derived from the document is derived in stages: pure functions from a snapshot, and from
+// what they gave the last time, to a result. Who runs them, and when, is core/session/scheduler.h.
+//
+// A new one is a file with its StageOf and its function, and its line in stages.cpp.
+#pragma once
+
+#include "core/base/result.h"
+#include "core/model/model.h"
+
+#include <atomic>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <memory>
+#include <stop_token>
+#include <string_view>
+#include <vector>
+
+namespace fff {
+
+using ModelPointer = std::shared_ptr<const Model>;
+
+/// The name of a stage, and what its result is.
+template <class Out>
+struct StageOf
+{
+    const char *name;
+};
+
+/// What stages are derived from: the model, and what a person wants of the checks.
+struct CheckRules;
+inline constexpr StageOf<Model> kModel{"model"};
+inline constexpr StageOf<CheckRules> kRules{"rules"};
+
+/// How far a stage has come, for whoever waits for it. From any thread.
+class Progress
+{
+public:
+    /// share: 0 … 1
+    void set(double share) { m_share.store(share, std::memory_order_relaxed); }
+    /// Below 0 where the stage does not say.
+    double share() const { return m_share.load(std::memory_order_relaxed); }
+
+private:
+    std::atomic<double> m_share{-1.0};
+};
+
+/// The results that a stage is worked out of: of those that it names as its inputs, all of one
+/// revision. Immutable.
+class Snapshot
+{
+public:
+    using Results = std::map<std::string_view, std::shared_ptr<const void>>;
+
+    Snapshot(std::uint64_t revision, Results results)
+        : m_revision(revision), m_results(std::move(results))
+    {
+    }
+
+    /// Of the model, as the session counts.
+    std::uint64_t revision() const { return m_revision; }
+    /// Throws std::out_of_range for what is no input of the stage that asks: a fault of its line in
+    /// stages.cpp.
+    template <class Out>
+    std::shared_ptr<const Out> pointer(const StageOf<Out> &stage) const
+    {
+        return std::static_pointer_cast<const Out>(m_results.at(stage.name));
+    }
+    template <class Out>
+    const Out &get(const StageOf<Out> &stage) const
+    {
+        return *pointer(stage);
+    }
+
+private:
+    std::uint64_t m_revision;
+    Results m_results;
+};
+
+/// A stage as the scheduler knows it.
+struct Stage
+{
+    enum class Runs {
+        Always,      // also for what is shown on the way of a drag
+        WhenSettled, // for what is committed
+    };
+
+    const char *name;
+    /// What a person calls what it finds out: "the order of assembly".
+    const char *title;
+    std::vector<const char *> inputs; // names of stages, of kModel and kRules
+    Runs runs = Runs::Always;
+    /// previous: what it gave the last time, or null. Errors  what cannot be computed, with the
+    /// name of the section or operation at fault; Cancelled once stop is requested, soon.
+    std::function<Result<std::shared_ptr<const void>>(const Snapshot &, const void *previous,
+                                                      Progress &, std::stop_token)>
+        compute;
+};
+
+/// The stage of a function
+///     Result<Out> compute(const Snapshot &, const Out *previous, Progress &, std::stop_token)
+/// whose result follows from the snapshot alone; `previous` is there to save work.
+template <class Out, class Compute>
+Stage makeStage(const StageOf<Out> &stage, const char *title, std::vector<const char *> inputs,
+                Stage::Runs runs, Compute compute)
+{
+    return {stage.name, title, std::move(inputs), runs,
+            [compute](const Snapshot &snapshot, const void *previous, Progress &progress,
+                      std::stop_token stop) -> Result<std::shared_ptr<const void>> {
+                Result<Out> out = compute(snapshot, static_cast<const Out *>(previous), progress,
+                                          std::move(stop));
+                if (!out)
+                    return tl::unexpected(std::move(out.error()));
+                return std::make_shared<const Out>(*std::move(out));
+            }};
+}
+
+} // namespace fff

@@ -1,0 +1,399 @@
+#include "core/session/scheduler.h"
+
+#include "core/session/journal.h"
+
+#include <QThreadPool>
+#include <QTimer>
+
+#include <algorithm>
+#include <condition_variable>
+#include <deque>
+#include <mutex>
+
+namespace fff {
+
+namespace {
+
+// ms. Most answers come sooner than the eye sees a change; saying in between that they are older
+// would only flicker.
+constexpr int kSeen = 100, kLate = 500;
+/// ms between two looks at how far something has come.
+constexpr int kTick = 200;
+
+using AnyResult = Result<std::shared_ptr<const void>>;
+
+/// What a run came to.
+struct Outcome
+{
+    std::size_t index = 0; // of the stage
+    std::uint64_t revision = 0;
+    int generation = 0; // of the document
+    AnyResult result;
+    bool hasThrown = false;
+};
+
+AnyResult guarded(const Stage &stage, const Snapshot &snapshot, const void *previous,
+                  Progress &progress, const std::stop_token &stop, bool &hasThrown)
+{
+    try {
+        return stage.compute(snapshot, previous, progress, stop);
+    } catch (const std::exception &exception) {
+        hasThrown = true;
+        return failure(ErrorCode::StageFailed, {}, {exception.what()});
+    } catch (...) {
+        hasThrown = true;
+        return failure(ErrorCode::StageFailed, {}, {"unknown exception"});
+    }
+}
+
+} // namespace
+
+class Scheduler::Private
+{
+public:
+    Private(Scheduler *scheduler, std::vector<Stage> all);
+
+    /// A stage and where it stands.
+    struct Desk
+    {
+        std::size_t index = 0;
+        std::shared_ptr<const void> result;
+        std::uint64_t revision = 0;           // of the result
+        std::optional<Error> why;             // of the inputs `started`
+        Snapshot::Results started;            // with which it ran last, or runs
+        std::shared_ptr<const void> previous; // what the next run may use
+        bool isRunning = false;
+        std::stop_source stop;
+        std::shared_ptr<Progress> progress;
+    };
+    /// What a stage would run with now; nothing while something is missing, or of several
+    /// revisions.
+    struct Inputs
+    {
+        Snapshot::Results results;
+        std::uint64_t revision = 0;
+    };
+
+    Desk &desk(std::string_view stage);
+    std::optional<Inputs> inputsOf(const Desk &desk) const;
+    bool isWaiting(const Desk &desk) const;
+    bool isSettled(const Desk &desk) const;
+    void startAll();
+    void start(Desk &desk, Inputs inputs);
+    void collect();
+    bool collectOne();
+    void follow();
+    void grow(Age to);
+
+    Scheduler *q;
+    const std::vector<Stage> stages;
+    std::vector<Desk> desks; // of each stage
+    Snapshot::Results given; // the model and the rules
+    CheckRules rules;
+    std::uint64_t revision = 0;
+    bool isPassing = false;
+    int generation = 0;
+    Age age = Age::Current; // of what is not current
+    QTimer becomesOlder, becomesLate, ticks;
+    std::mutex mutex;
+    std::condition_variable isReady;
+    std::deque<Outcome> outcomes; // guarded by the mutex
+    QObject receiver;
+    QThreadPool pool; // last: its destructor waits before the rest goes
+};
+
+Scheduler::Private::Private(Scheduler *scheduler, std::vector<Stage> all)
+    : q(scheduler), stages(std::move(all))
+{
+    for (std::size_t i = 0; i < stages.size(); ++i)
+        desks.push_back({.index = i});
+    pool.setMaxThreadCount(std::max(1, static_cast<int>(stages.size())));
+    given[kRules.name] = std::make_shared<const CheckRules>();
+    for (QTimer *timer : {&becomesOlder, &becomesLate})
+        timer->setSingleShot(true);
+    becomesOlder.setInterval(kSeen);
+    becomesLate.setInterval(kLate);
+    ticks.setInterval(kTick);
+    connect(&becomesOlder, &QTimer::timeout, q, [this] { grow(Age::Older); });
+    connect(&becomesLate, &QTimer::timeout, q, [this] { grow(Age::Late); });
+    connect(&ticks, &QTimer::timeout, q, &Scheduler::workChanged);
+}
+
+Scheduler::Private::Desk &Scheduler::Private::desk(std::string_view stage)
+{
+    const auto at = std::find_if(stages.begin(), stages.end(),
+                                 [&](const Stage &known) { return stage == known.name; });
+    Q_ASSERT(at != stages.end());
+    return desks[static_cast<std::size_t>(at - stages.begin())];
+}
+
+std::optional<Scheduler::Private::Inputs> Scheduler::Private::inputsOf(const Desk &desk) const
+{
+    Inputs inputs;
+    std::optional<std::uint64_t> common;
+    for (const char *name : stages[desk.index].inputs) {
+        if (const auto known = given.find(name); known != given.end()) {
+            inputs.results.insert(*known);
+            continue;
+        }
+        const auto input = std::find_if(stages.begin(), stages.end(), [&](const Stage &stage) {
+            return std::string_view(stage.name) == name;
+        });
+        if (input == stages.end())
+            return {}; // not given yet: the model
+        const Desk &of = desks[static_cast<std::size_t>(input - stages.begin())];
+        if (!of.result || (common && *common != of.revision))
+            return {};
+        common = of.revision;
+        inputs.results[name] = of.result;
+    }
+    inputs.revision = common.value_or(revision);
+    return inputs;
+}
+
+/// It would run if it were not running.
+bool Scheduler::Private::isWaiting(const Desk &desk) const
+{
+    const bool isForSettled = stages[desk.index].runs == Stage::Runs::WhenSettled;
+    if (isForSettled && isPassing)
+        return false;
+    const std::optional<Inputs> inputs = inputsOf(desk);
+    return inputs && inputs->results != desk.started &&
+           (!isForSettled || inputs->revision == revision);
+}
+
+/// Nothing more will come of it for what is there.
+bool Scheduler::Private::isSettled(const Desk &desk) const
+{
+    if (desk.isRunning || isWaiting(desk))
+        return false;
+    if (stages[desk.index].runs == Stage::Runs::WhenSettled && isPassing)
+        return true;
+    for (const char *name : stages[desk.index].inputs)
+        for (const Desk &input : desks)
+            if (std::string_view(stages[input.index].name) == name && !isSettled(input))
+                return false;
+    return true;
+}
+
+void Scheduler::Private::startAll()
+{
+    for (Desk &desk : desks)
+        if (!desk.isRunning && isWaiting(desk))
+            start(desk, *inputsOf(desk));
+}
+
+void Scheduler::Private::start(Desk &desk, Inputs inputs)
+{
+    desk.started = inputs.results;
+    desk.why.reset();
+    desk.isRunning = true;
+    desk.stop = std::stop_source();
+    desk.progress = std::make_shared<Progress>();
+    ticks.start();
+    pool.start([this, index = desk.index, of = generation, previous = desk.previous,
+                progress = desk.progress, stop = desk.stop.get_token(),
+                snapshot = Snapshot(inputs.revision, std::move(inputs.results))] {
+        Outcome outcome{index, snapshot.revision(), of, {}, false};
+        outcome.result =
+            guarded(stages[index], snapshot, previous.get(), *progress, stop, outcome.hasThrown);
+        {
+            const std::lock_guard lock(mutex);
+            outcomes.push_back(std::move(outcome));
+        }
+        isReady.notify_all();
+        // Dropped by Qt when the receiver is gone by then.
+        QMetaObject::invokeMethod(
+            &receiver, [this] { collect(); }, Qt::QueuedConnection);
+    });
+}
+
+/// Also called late, for what finish() has taken already.
+void Scheduler::Private::collect()
+{
+    while (collectOne()) {
+    }
+}
+
+bool Scheduler::Private::collectOne()
+{
+    std::optional<Outcome> outcome;
+    {
+        const std::lock_guard lock(mutex);
+        if (outcomes.empty())
+            return false;
+        outcome = std::move(outcomes.front());
+        outcomes.pop_front();
+    }
+    Desk &desk = desks[outcome->index];
+    const Stage &stage = stages[outcome->index];
+    desk.isRunning = false;
+    desk.progress.reset();
+    if (std::none_of(desks.begin(), desks.end(), [](const Desk &one) { return one.isRunning; }))
+        ticks.stop();
+    const bool isOfThis = outcome->generation == generation;
+    if (outcome->hasThrown)
+        desk.previous.reset();
+    if (outcome->result) {
+        desk.previous = *outcome->result;
+        if (isOfThis) {
+            desk.result = *std::move(outcome->result);
+            desk.revision = outcome->revision;
+        }
+    } else if (isOfThis) {
+        desk.why = std::move(outcome->result.error());
+        if (desk.why->code != ErrorCode::Cancelled)
+            qCWarning(journal, "%s could not be worked out: %s", stage.name,
+                      desk.why->args.empty() ? "" : desk.why->args.front().c_str());
+    }
+    startAll();
+    follow();
+    if (isOfThis)
+        Q_EMIT q->published(stage.name);
+    return true;
+}
+
+/// How old everything is by now: results age from the first change on that they do not know.
+void Scheduler::Private::follow()
+{
+    const bool isCurrent = std::all_of(desks.begin(), desks.end(),
+                                       [this](const Desk &desk) { return isSettled(desk); });
+    if (isCurrent) {
+        becomesOlder.stop();
+        becomesLate.stop();
+        if (std::exchange(age, Age::Current) != Age::Current)
+            Q_EMIT q->workChanged();
+    } else if (age == Age::Current && !becomesOlder.isActive()) {
+        becomesOlder.start();
+        becomesLate.start();
+    }
+}
+
+void Scheduler::Private::grow(Age to)
+{
+    age = to;
+    Q_EMIT q->workChanged();
+}
+
+Scheduler::Scheduler(std::vector<Stage> stages, QObject *parent)
+    : QObject(parent), d(std::make_unique<Private>(this, std::move(stages)))
+{
+}
+
+Scheduler::~Scheduler()
+{
+    for (Private::Desk &desk : d->desks)
+        desk.stop.request_stop();
+}
+
+void Scheduler::request(std::uint64_t revision, ModelPointer model, bool isPassing)
+{
+    d->revision = revision;
+    d->isPassing = isPassing;
+    d->given[kModel.name] = std::move(model);
+    d->startAll();
+    d->follow();
+}
+
+void Scheduler::forget()
+{
+    ++d->generation;
+    for (Private::Desk &desk : d->desks) {
+        desk.stop.request_stop();
+        desk.started.clear();
+        desk.why.reset();
+    }
+}
+
+void Scheduler::setRules(const CheckRules &rules)
+{
+    if (rules == d->rules)
+        return;
+    d->rules = rules;
+    d->given[kRules.name] = std::make_shared<const CheckRules>(rules);
+    d->startAll();
+    d->follow();
+}
+
+const CheckRules &Scheduler::rules() const
+{
+    return d->rules;
+}
+
+std::shared_ptr<const void> Scheduler::resultNamed(std::string_view stage) const
+{
+    return d->desk(stage).result;
+}
+
+std::uint64_t Scheduler::revisionOf(std::string_view stage) const
+{
+    return d->desk(stage).revision;
+}
+
+Scheduler::Age Scheduler::age(std::string_view stage) const
+{
+    const Private::Desk &desk = d->desk(stage);
+    if (!d->isSettled(desk))
+        return d->age;
+    const bool isForSettled = d->stages[desk.index].runs == Stage::Runs::WhenSettled;
+    // What has failed, or stands on what has, stays older.
+    return desk.revision == d->revision || (isForSettled && d->isPassing) ? Age::Current
+                                                                          : Age::Late;
+}
+
+bool Scheduler::isRunning(std::string_view stage) const
+{
+    return d->desk(stage).isRunning;
+}
+
+double Scheduler::progress(std::string_view stage) const
+{
+    const auto &progress = d->desk(stage).progress;
+    return progress ? progress->share() : -1.0;
+}
+
+const std::optional<Error> &Scheduler::failureOf(std::string_view stage) const
+{
+    return d->desk(stage).why;
+}
+
+void Scheduler::cancel(std::string_view stage)
+{
+    d->desk(stage).stop.request_stop();
+}
+
+void Scheduler::tryAgain(std::string_view stage)
+{
+    Private::Desk &desk = d->desk(stage);
+    if (desk.isRunning)
+        return;
+    desk.started.clear();
+    desk.why.reset();
+    d->startAll();
+    d->follow();
+    Q_EMIT workChanged();
+}
+
+void Scheduler::finish(std::string_view stage)
+{
+    while (!d->isSettled(d->desk(stage))) {
+        {
+            std::unique_lock lock(d->mutex);
+            d->isReady.wait(lock, [this] { return !d->outcomes.empty(); });
+        }
+        d->collectOne();
+    }
+}
+
+void Scheduler::finish()
+{
+    for (const Stage &stage : d->stages)
+        finish(stage.name);
+}
+
+const std::vector<Stage> &Scheduler::stages() const
+{
+    return d->stages;
+}
+
+} // namespace fff
