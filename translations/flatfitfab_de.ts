@@ -495,6 +495,20 @@
         <source>Slit %1 is closed by the kerf of %2. Give the stock&apos;s slits more clearance, or less kerf.</source>
         <translation>Schlitz %1 wird von der Schnittfuge von %2 geschlossen. Geben Sie den Schlitzen des Materials mehr Spiel oder eine schmalere Schnittfuge.</translation>
     </message>
+    <message>
+        <source>Stopped: %1. It is worked out again when the model changes.</source>
+        <extracomment>%1 is what would have been found out: &quot;the order of assembly&quot;</extracomment>
+        <translation>Angehalten: %1. Wird neu ermittelt, wenn sich das Modell ändert.</translation>
+    </message>
+    <message>
+        <source>Could not be worked out: %1. The reason: %2.</source>
+        <extracomment>%1 is what would have been found out: &quot;the order of assembly&quot;, %2 a sentence</extracomment>
+        <translation>Nicht zu ermitteln: %1. Der Grund: %2.</translation>
+    </message>
+    <message>
+        <source>Not worked out</source>
+        <translation>Nicht ermittelt</translation>
+    </message>
 </context>
 <context>
     <name>CommandLine</name>
@@ -609,14 +623,6 @@
     <message>
         <source>these control points make no closed contour: found %1, expected %2</source>
         <translation>diese Kontrollpunkte ergeben keine geschlossene Kontur: gefunden: %1, erwartet: %2</translation>
-    </message>
-    <message>
-        <source>a part fits no sheet</source>
-        <translation>ein Teil passt auf keine Platte</translation>
-    </message>
-    <message>
-        <source>part %1 is too large: it measures %2, its sheet %3</source>
-        <translation>Teil %1 ist zu groß: Es misst %2, seine Platte %3</translation>
     </message>
     <message>
         <source>could not be opened</source>
@@ -741,10 +747,6 @@
     <message>
         <source>text after the last section was ignored, lines: %1</source>
         <translation>Text nach der letzten Scheibe wurde übergangen, Zeilen: %1</translation>
-    </message>
-    <message>
-        <source>the count in the header is not that of the file</source>
-        <translation>die Anzahl im Kopf ist nicht die der Datei</translation>
     </message>
     <message>
         <source>an id below nextId</source>
@@ -1109,6 +1111,18 @@
     <message>
         <source>%1 has a slit %2 mm wide, which a kerf of %3 mm would close</source>
         <translation>%1 hat einen %2 mm breiten Schlitz, den eine Schnittfuge von %3 mm schließen würde</translation>
+    </message>
+    <message>
+        <source>something went wrong inside FlatFitFab (%1)</source>
+        <translation>in FlatFitFab ist etwas schiefgegangen (%1)</translation>
+    </message>
+    <message>
+        <source>something went wrong inside FlatFitFab</source>
+        <translation>in FlatFitFab ist etwas schiefgegangen</translation>
+    </message>
+    <message>
+        <source>it was stopped</source>
+        <translation>es wurde angehalten</translation>
     </message>
 </context>
 <context>
@@ -1761,6 +1775,29 @@
     <message>
         <source>Cancel</source>
         <translation>Abbrechen</translation>
+    </message>
+</context>
+<context>
+    <name>Stage</name>
+    <message>
+        <source>the joints and slits</source>
+        <translation>Verbindungen und Schlitze</translation>
+    </message>
+    <message>
+        <source>the checks</source>
+        <translation>die Prüfungen</translation>
+    </message>
+    <message>
+        <source>the order of assembly</source>
+        <translation>die Reihenfolge des Zusammenbaus</translation>
+    </message>
+    <message>
+        <source>what frees parts that block each other</source>
+        <translation>was Teile löst, die sich gegenseitig sperren</translation>
+    </message>
+    <message>
+        <source>what can be done about problems</source>
+        <translation>was gegen Probleme hilft</translation>
     </message>
 </context>
 <context>
@@ -2563,10 +2600,6 @@
     <message>
         <source>Cutting and offsetting outlines</source>
         <translation>Umrisse verschneiden und versetzen</translation>
-    </message>
-    <message>
-        <source>Meshes</source>
-        <translation>Netze</translation>
     </message>
     <message>
         <source>Parts that CGAL uses</source>
@@ -4357,6 +4390,14 @@
         <extracomment>%1 is the name of a section</extracomment>
         <translation>Mit %1 verbinden</translation>
     </message>
+    <message>
+        <source>Try again</source>
+        <translation>Noch einmal versuchen</translation>
+    </message>
+    <message>
+        <source>Show the copy for a report</source>
+        <translation>Die Kopie für einen Bericht zeigen</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::ChecksDock</name>
@@ -4374,10 +4415,6 @@
             <numerusform>%n weiteres dieser Art</numerusform>
             <numerusform>%n weitere dieser Art</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>Checking…</source>
-        <translation>Wird geprüft …</translation>
     </message>
     <message>
         <source>Older than the drawing</source>
@@ -4413,6 +4450,20 @@
     <message>
         <source>The model has changed; that cannot be done any more.</source>
         <translation>Das Modell hat sich geändert; das geht nicht mehr.</translation>
+    </message>
+    <message>
+        <source>Working out %1…</source>
+        <extracomment>%1 is what is found out: &quot;the order of assembly&quot;</extracomment>
+        <translation>Wird ermittelt: %1 …</translation>
+    </message>
+    <message>
+        <source>Working out %1… %2&#x202f;%</source>
+        <extracomment>%1 is what is found out: &quot;the order of assembly&quot;, %2 a number</extracomment>
+        <translation>Wird ermittelt: %1 … %2&#x202f;%</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Anhalten</translation>
     </message>
 </context>
 <context>

@@ -80,7 +80,7 @@ void Badges::refresh()
     for (std::size_t i = 0; i < m_badges.size(); ++i) {
         const Check *shown = nullptr; // the worst
         for (const Check &check : m_list.all()) {
-            if (subjectOf(check.code) == kSubjects[i] && check.severity != CheckSeverity::Note &&
+            if (subjectOf(check) == kSubjects[i] && check.severity != CheckSeverity::Note &&
                 (!shown || check.severity > shown->severity))
                 shown = &check;
         }

@@ -78,6 +78,10 @@ QString actionText(const CheckAction &action, const Check &check, const Model &m
         return Words::tr("Choose a sheet");
     case CheckAction::Kind::WidenSlits:
         return Words::tr("Set the clearance");
+    case CheckAction::Kind::TryAgain:
+        return Words::tr("Try again");
+    case CheckAction::Kind::ShowReport:
+        return Words::tr("Show the copy for a report");
     }
     return {}; // not reached: every kind is above
 }

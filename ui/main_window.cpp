@@ -162,7 +162,8 @@ void MainWindow::makeView()
 
 void MainWindow::makeDocks()
 {
-    m_checkList = new CheckList(m_bench->session(), this);
+    m_checkList = new CheckList(m_bench->session(),
+                                Settings::dataFolder() + QStringLiteral("/reports"), this);
     const auto followRules = [this] {
         m_bench->session().scheduler().setRules(checkRules(settings()));
     };

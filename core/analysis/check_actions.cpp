@@ -258,6 +258,8 @@ bool isEdit(Kind kind)
     case Kind::ShowSteps:
     case Kind::ChooseSheet:
     case Kind::WidenSlits:
+    case Kind::TryAgain:
+    case Kind::ShowReport:
         return false;
     }
     return false; // not reached: every kind is above
@@ -295,6 +297,8 @@ std::optional<CheckEdit> carriedOut(const CheckAction &action, const Check &chec
     case Kind::ShowSteps:
     case Kind::ChooseSheet:
     case Kind::WidenSlits:
+    case Kind::TryAgain:
+    case Kind::ShowReport:
         break;
     }
     return {};

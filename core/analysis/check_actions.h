@@ -29,6 +29,8 @@ struct CheckAction
         ShowSteps,   // CanAssemble
         ChooseSheet, // TooLarge: the stock of its section
         WidenSlits,  // NarrowSlit: the same
+        TryAgain,    // NotWorkedOut: its stage
+        ShowReport,  // NotWorkedOut: where the model was set aside
     };
     Kind kind = Kind::ShowSteps;
     SectionRef section; // whom its words name: MoveToOther, JoinWithTabs, JoinAgain: the one it

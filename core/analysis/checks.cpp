@@ -2,6 +2,7 @@
 
 #include "core/analysis/gap.h"
 #include "core/analysis/narrow_slits.h"
+#include "core/analysis/planned.h"
 #include "core/analysis/stretching.h"
 #include "core/assembly/found_joint.h"
 #include "core/base/tolerances.h"
@@ -353,9 +354,16 @@ CheckSubject subjectOf(CheckCode code)
     case CheckCode::NothingLeft:
     case CheckCode::NotCutOut:
     case CheckCode::NotMade:
+    case CheckCode::NotWorkedOut:
         return CheckSubject::Joints;
     }
     return CheckSubject::Joints; // not reached: every code is above
+}
+
+CheckSubject subjectOf(const Check &check)
+{
+    const bool isOfPlan = check.stage && std::string_view(check.stage) == kPlanned.name;
+    return isOfPlan ? CheckSubject::Assembly : subjectOf(check.code);
 }
 
 std::vector<SectionRef> concerned(const Check &check)
@@ -421,7 +429,7 @@ std::optional<CheckSeverity> worst(const std::vector<Check> &checks, CheckSubjec
 {
     std::optional<CheckSeverity> result;
     for (const Check &check : checks)
-        if (subjectOf(check.code) == subject)
+        if (subjectOf(check) == subject)
             result = std::max(check.severity, result.value_or(check.severity));
     return result;
 }

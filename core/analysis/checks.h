@@ -49,6 +49,8 @@ enum class CheckCode {
     NothingLeft, // its slits leave nothing of a section
     NotCutOut,   // what they leave could not be worked out; all else counts it without them
     NotMade,     // an operation's sections could not be worked out
+    // subject Assembly, of the plan; else Joints
+    NotWorkedOut, // a stage failed, or was stopped (core/session/check_list.h)
 };
 
 /// A badge speaks about a subject; its severity is the worst of that subject's checks.
@@ -97,7 +99,9 @@ struct Check
     std::vector<SectionRef> guests; // SlitsMeet, ThinWeb: whom the section's one or two slits hold
     std::optional<Vec3> at;         // where to look, world, mm
     std::optional<JointRef> joint;  // that it is about, where it is about one
-    std::optional<Error> failure;   // NotCutOut, NotMade, and OrderUnknown where it is not for time
+    std::optional<Error> failure;   // NotCutOut, NotMade, NotWorkedOut, and OrderUnknown where it
+                                    // is not for time
+    const char *stage = nullptr;    // NotWorkedOut: its name
     std::vector<CheckLink> links;   // CannotAssemble, Cycle: who blocks whom
     std::vector<HighFoot> feet;     // Topples, LineSupport: who would hold it up on the ground, if
                                     // there are such (stretching.h)
@@ -144,6 +148,7 @@ struct CheckRules
 };
 
 CheckSubject subjectOf(CheckCode code);
+CheckSubject subjectOf(const Check &check);
 /// Whom it is about: its sections and its feet.
 std::vector<SectionRef> concerned(const Check &check);
 

@@ -1,20 +1,22 @@
 #include "core/session/check_list.h"
 
 #include "core/session/session.h"
+#include "core/session/set_aside.h"
 
 #include <algorithm>
 
 namespace fff {
 
-CheckList::CheckList(const Session &session, QObject *parent)
-    : QObject(parent), m_session(session), m_scheduler(session.scheduler())
+CheckList::CheckList(const Session &session, const QString &reports, QObject *parent)
+    : QObject(parent), m_session(session), m_scheduler(session.scheduler()), m_reportFolder(reports)
 {
     connect(&m_scheduler, &Scheduler::published, this, &CheckList::take);
-    connect(&m_scheduler, &Scheduler::workChanged, this, &CheckList::changed);
+    connect(&m_scheduler, &Scheduler::aged, this, &CheckList::changed);
     connect(&session, &Session::modelChanged, this, [this](const Model &, const Model &now) {
         if (now.sectionCount() == 0) // nothing follows from nothing
             refresh();
     });
+    m_scheduler.want(kMends.name); // and all that it is derived from
     for (const Stage &stage : m_scheduler.stages())
         take(stage.name);
 }
@@ -29,9 +31,28 @@ void CheckList::take(std::string_view stage)
         m_flips = m_scheduler.result(kFlips);
     else if (stage == kMends.name)
         m_mends = m_scheduler.result(kMends);
-    else
-        return;
+    const std::optional<Error> &why = m_scheduler.failureOf(stage);
+    if (!why)
+        m_reports.erase(stage);
+    else if (why->code == ErrorCode::StageFailed && !m_reportFolder.isEmpty())
+        m_reports[stage] =
+            setAside(m_reportFolder, m_session.model().document, stage, *why).value_or(QString());
     refresh();
+}
+
+/// In the place of what a stage would have found.
+void CheckList::addFailures()
+{
+    for (const Stage &stage : m_scheduler.stages()) {
+        if (const std::optional<Error> &why = m_scheduler.failureOf(stage.name)) {
+            Check check;
+            check.code = CheckCode::NotWorkedOut;
+            check.severity = CheckSeverity::Unknown;
+            check.stage = stage.name;
+            check.failure = why;
+            m_all.push_back(std::move(check));
+        }
+    }
 }
 
 void CheckList::refresh()
@@ -41,17 +62,18 @@ void CheckList::refresh()
         m_verdicts.reset();
         m_plan.reset();
     }
-    if (m_verdicts)
+    if (m_verdicts && !m_scheduler.failureOf(kVerdicts.name))
         m_all = m_verdicts->checks;
     const auto isThere = [&](const SectionRef &ref) { return model().indexOf(ref) >= 0; };
-    if (m_plan)
+    if (m_plan && !m_scheduler.failureOf(kPlanned.name))
         for (const Check &check : m_plan->checks)
             if (std::all_of(check.sections.begin(), check.sections.end(), isThere) &&
                 std::all_of(check.guests.begin(), check.guests.end(), isThere))
                 m_all.push_back(check);
-    std::stable_sort(m_all.begin(), m_all.end(), [](const Check &a, const Check &b) {
-        return subjectOf(a.code) < subjectOf(b.code);
-    });
+    if (m_session.model().sectionCount() > 0)
+        addFailures();
+    std::stable_sort(m_all.begin(), m_all.end(),
+                     [](const Check &a, const Check &b) { return subjectOf(a) < subjectOf(b); });
     Q_EMIT changed();
 }
 
@@ -65,14 +87,28 @@ CheckList::Age CheckList::age() const
 {
     if (m_session.model().sectionCount() == 0)
         return Age::Current;
-    return std::max(m_scheduler.age(kVerdicts.name), m_scheduler.age(kPlanned.name));
+    Age age = Age::Current;
+    for (const char *stage : {kVerdicts.name, kPlanned.name})
+        if (!m_scheduler.failureOf(stage)) // else none of its verdicts are among these
+            age = std::max(age, m_scheduler.age(stage));
+    return age;
 }
 
 const std::vector<CheckAction> &CheckList::actionsOf(const Check &check) const
 {
-    static const std::vector<CheckAction> kNone;
+    using Kind = CheckAction::Kind;
+    static const std::vector<CheckAction> kNone, kAgain{{Kind::TryAgain, {}}},
+        kAgainOrReport{{Kind::TryAgain, {}}, {Kind::ShowReport, {}}};
+    if (check.code == CheckCode::NotWorkedOut)
+        return reportOf(check).isEmpty() ? kAgain : kAgainOrReport;
     const std::vector<CheckAction> *actions = m_mends ? m_mends->of(check) : nullptr;
     return actions ? *actions : kNone;
+}
+
+QString CheckList::reportOf(const Check &check) const
+{
+    const auto report = check.stage ? m_reports.find(check.stage) : m_reports.end();
+    return report == m_reports.end() ? QString() : report->second;
 }
 
 const Flips *CheckList::flips() const

@@ -21,11 +21,13 @@ class CheckList : public QObject
 public:
     using Age = Scheduler::Age;
 
+    /// reports  the folder where a model is set aside at which a stage broke; empty: nowhere
     /// The session outlives it.
-    explicit CheckList(const Session &session, QObject *parent = nullptr);
+    explicit CheckList(const Session &session, const QString &reports = {},
+                       QObject *parent = nullptr);
 
     /// The newest ones, of sections of model(), those of planChecks() with them; in the order of
-    /// their subjects.
+    /// their subjects. In place of those of a stage that failed one that says why.
     const std::vector<Check> &all() const { return m_all; }
     /// The one that they are about; older than the session's unless age() is Current.
     const Model &model() const;
@@ -38,6 +40,9 @@ public:
     /// What can be done about one of all(), as far as it is worked out; until then what could be
     /// done about the same verdict before.
     const std::vector<CheckAction> &actionsOf(const Check &check) const;
+    /// Where the model was set aside at which the check's stage broke; empty: nowhere.
+    QString reportOf(const Check &check) const;
+    Scheduler &scheduler() const { return m_scheduler; }
     /// Waits for what is worked out: for tests.
     void finish();
 
@@ -47,6 +52,7 @@ Q_SIGNALS:
 
 private:
     void take(std::string_view stage);
+    void addFailures();
     void refresh();
 
     const Session &m_session;
@@ -56,6 +62,8 @@ private:
     std::shared_ptr<const FoundFlips> m_flips;
     std::shared_ptr<const Mends> m_mends;
     std::vector<Check> m_all;
+    QString m_reportFolder;
+    std::map<std::string_view, QString> m_reports; // of stages
 };
 
 } // namespace fff

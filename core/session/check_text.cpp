@@ -1,5 +1,6 @@
 #include "core/session/check_text.h"
 
+#include "core/analysis/stages.h"
 #include "core/base/tolerances.h"
 #include "core/base/units.h"
 #include "core/io/error_text.h"
@@ -9,6 +10,7 @@
 #include <QLocale>
 #include <QStringList>
 
+#include <algorithm>
 #include <cmath>
 
 namespace fff {
@@ -218,6 +220,23 @@ QString whyText(NoSlit why)
     return {}; // not reached: every reason is above
 }
 
+/// Of a stage that failed or was stopped.
+QString notWorkedOutText(const Check &check)
+{
+    const auto stage = std::find_if(stages().begin(), stages().end(), [&](const Stage &known) {
+        return check.stage && std::string_view(check.stage) == known.name;
+    });
+    const QString what = stage == stages().end()
+                             ? QString::fromLatin1(check.stage)
+                             : QCoreApplication::translate("Stage", stage->title);
+    if (check.failure && check.failure->code == ErrorCode::Cancelled)
+        //: %1 is what would have been found out: "the order of assembly"
+        return Words::tr("Stopped: %1. It is worked out again when the model changes.").arg(what);
+    //: %1 is what would have been found out: "the order of assembly", %2 a sentence
+    return Words::tr("Could not be worked out: %1. The reason: %2.")
+        .arg(what, check.failure ? io::errorSentence(*check.failure) : QString());
+}
+
 QString jointText(const Check &check, const Model &model, const CheckUnits &units)
 {
     const QString first = nameAt(check, model, 0), second = nameAt(check, model, 1);
@@ -370,6 +389,8 @@ QString checkName(CheckCode code)
         return QStringLiteral("notCutOut");
     case CheckCode::NotMade:
         return QStringLiteral("notMade");
+    case CheckCode::NotWorkedOut:
+        return QStringLiteral("notWorkedOut");
     }
     return {}; // not reached: every code is above
 }
@@ -460,12 +481,16 @@ QString checkTitle(const Check &check)
         return Words::tr("Not cut out");
     case CheckCode::NotMade:
         return Words::tr("Operation failed");
+    case CheckCode::NotWorkedOut:
+        return Words::tr("Not worked out");
     }
     return {}; // not reached: every code is above
 }
 
 QString checkText(const Check &check, const Model &model, const CheckUnits &units)
 {
+    if (check.code == CheckCode::NotWorkedOut)
+        return notWorkedOutText(check);
     switch (subjectOf(check.code)) {
     case CheckSubject::Connection:
         return check.code == CheckCode::Connected ? connectedText(check)

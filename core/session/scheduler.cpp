@@ -62,6 +62,7 @@ public:
         std::optional<Error> why;             // of the inputs `started`
         Snapshot::Results started;            // with which it ran last, or runs
         std::shared_ptr<const void> previous; // what the next run may use
+        bool isWanted = false;
         bool isRunning = false;
         std::stop_source stop;
         std::shared_ptr<Progress> progress;
@@ -75,6 +76,7 @@ public:
     };
 
     Desk &desk(std::string_view stage);
+    void want(std::string_view stage);
     std::optional<Inputs> inputsOf(const Desk &desk) const;
     bool isWaiting(const Desk &desk) const;
     bool isSettled(const Desk &desk) const;
@@ -116,7 +118,7 @@ Scheduler::Private::Private(Scheduler *scheduler, std::vector<Stage> all)
     ticks.setInterval(kTick);
     connect(&becomesOlder, &QTimer::timeout, q, [this] { grow(Age::Older); });
     connect(&becomesLate, &QTimer::timeout, q, [this] { grow(Age::Late); });
-    connect(&ticks, &QTimer::timeout, q, &Scheduler::workChanged);
+    connect(&ticks, &QTimer::timeout, q, &Scheduler::progressed);
 }
 
 Scheduler::Private::Desk &Scheduler::Private::desk(std::string_view stage)
@@ -125,6 +127,18 @@ Scheduler::Private::Desk &Scheduler::Private::desk(std::string_view stage)
                                  [&](const Stage &known) { return stage == known.name; });
     Q_ASSERT(at != stages.end());
     return desks[static_cast<std::size_t>(at - stages.begin())];
+}
+
+void Scheduler::Private::want(std::string_view stage)
+{
+    const bool isStage = std::any_of(stages.begin(), stages.end(),
+                                     [&](const Stage &known) { return stage == known.name; });
+    if (!isStage)
+        return; // the model, or the rules
+    Desk &wanted = desk(stage);
+    wanted.isWanted = true;
+    for (const char *input : stages[wanted.index].inputs)
+        want(input);
 }
 
 std::optional<Scheduler::Private::Inputs> Scheduler::Private::inputsOf(const Desk &desk) const
@@ -155,7 +169,7 @@ std::optional<Scheduler::Private::Inputs> Scheduler::Private::inputsOf(const Des
 bool Scheduler::Private::isWaiting(const Desk &desk) const
 {
     const bool isForSettled = stages[desk.index].runs == Stage::Runs::WhenSettled;
-    if (isForSettled && isPassing)
+    if (!desk.isWanted || (isForSettled && isPassing))
         return false;
     const std::optional<Inputs> inputs = inputsOf(desk);
     return inputs && inputs->results != desk.started &&
@@ -262,7 +276,7 @@ void Scheduler::Private::follow()
         becomesOlder.stop();
         becomesLate.stop();
         if (std::exchange(age, Age::Current) != Age::Current)
-            Q_EMIT q->workChanged();
+            Q_EMIT q->aged();
     } else if (age == Age::Current && !becomesOlder.isActive()) {
         becomesOlder.start();
         becomesLate.start();
@@ -272,7 +286,7 @@ void Scheduler::Private::follow()
 void Scheduler::Private::grow(Age to)
 {
     age = to;
-    Q_EMIT q->workChanged();
+    Q_EMIT q->aged();
 }
 
 Scheduler::Scheduler(std::vector<Stage> stages, QObject *parent)
@@ -284,6 +298,13 @@ Scheduler::~Scheduler()
 {
     for (Private::Desk &desk : d->desks)
         desk.stop.request_stop();
+}
+
+void Scheduler::want(std::string_view stage)
+{
+    d->want(stage);
+    d->startAll();
+    d->follow();
 }
 
 void Scheduler::request(std::uint64_t revision, ModelPointer model, bool isPassing)
@@ -298,6 +319,7 @@ void Scheduler::request(std::uint64_t revision, ModelPointer model, bool isPassi
 void Scheduler::forget()
 {
     ++d->generation;
+    d->given.erase(kModel.name);
     for (Private::Desk &desk : d->desks) {
         desk.stop.request_stop();
         desk.started.clear();
@@ -333,6 +355,8 @@ std::uint64_t Scheduler::revisionOf(std::string_view stage) const
 Scheduler::Age Scheduler::age(std::string_view stage) const
 {
     const Private::Desk &desk = d->desk(stage);
+    if (!desk.isWanted)
+        return Age::Current;
     if (!d->isSettled(desk))
         return d->age;
     const bool isForSettled = d->stages[desk.index].runs == Stage::Runs::WhenSettled;
@@ -371,7 +395,7 @@ void Scheduler::tryAgain(std::string_view stage)
     desk.why.reset();
     d->startAll();
     d->follow();
-    Q_EMIT workChanged();
+    Q_EMIT aged();
 }
 
 void Scheduler::finish(std::string_view stage)

@@ -29,6 +29,9 @@ public:
     /// Stops what runs, and waits for that.
     ~Scheduler() override;
 
+    /// From now on this stage, and what it is derived from, is worked out; others are not.
+    void want(std::string_view stage);
+
     /// isPassing: it is on the way of a drag. The same model again may settle what was passing.
     void request(std::uint64_t revision, ModelPointer model, bool isPassing);
     /// Another document comes: what runs for the one before is stopped and not published.
@@ -71,8 +74,10 @@ public:
 Q_SIGNALS:
     /// A result, or why there is none. Direct: `stage` lives as long as the program.
     void published(const char *stage);
-    /// How old results are, what runs, and how far it has come.
-    void workChanged();
+    /// How old results are.
+    void aged();
+    /// What runs has come further: now and then while something runs.
+    void progressed();
 
 private:
     std::shared_ptr<const void> resultNamed(std::string_view stage) const;

@@ -74,6 +74,7 @@ private:
 
 Session::Private::Private(Session *session) : q(session), stack(new QUndoStack(session))
 {
+    scheduler.want(kAnalysed.name);
     QObject::connect(&scheduler, &Scheduler::published, q, [this](std::string_view stage) {
         const auto newest = scheduler.result(kAnalysed);
         if (stage != kAnalysed.name || !newest || analysis == newest->analysis)

@@ -27,6 +27,7 @@ target_sources(fff_session PRIVATE
     session.cpp
     session_commands.cpp
     session_host.cpp
+    set_aside.cpp
     slot_lock.cpp
     tool_commands.cpp
 )

@@ -123,7 +123,12 @@ private:
     {
         return m_window->findChild<Widget *>(QLatin1String(name));
     }
-    QString firstCheck() { return find<CheckRow>("checkRow0")->accessibleName(); }
+    /// Once it is where a mouse can reach it.
+    QString firstCheck()
+    {
+        const auto *row = find<CheckRow>("checkRow0");
+        return row->height() > 0 ? row->accessibleName() : QString();
+    }
 
     std::unique_ptr<QTemporaryDir> m_folder;
     std::unique_ptr<MainWindow> m_window;

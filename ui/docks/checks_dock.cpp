@@ -11,14 +11,20 @@
 #include "ui/workbench.h"
 
 #include <QAction>
+#include <QCoreApplication>
+#include <QDesktopServices>
+#include <QFileInfo>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QScopedValueRollback>
 #include <QScrollArea>
 #include <QTimer>
+#include <QToolButton>
 #include <QTransform>
+#include <QUrl>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 namespace fff::ui {
@@ -30,6 +36,20 @@ constexpr int kSpinTime = 60, kSpinStep = 30; // ms, degrees
 bool isProblem(const Check &check)
 {
     return check.severity >= CheckSeverity::Warning;
+}
+
+/// "Working out the order of assembly… 40 %"
+QString workText(const Scheduler &scheduler, const char *name)
+{
+    const auto stage = std::find_if(scheduler.stages().begin(), scheduler.stages().end(),
+                                    [name](const Stage &known) { return known.name == name; });
+    const QString what = QCoreApplication::translate("Stage", stage->title);
+    const double share = scheduler.progress(name);
+    if (share < 0.0)
+        //: %1 is what is found out: "the order of assembly"
+        return ChecksDock::tr("Working out %1…").arg(what);
+    //: %1 is what is found out: "the order of assembly", %2 a number
+    return ChecksDock::tr("Working out %1… %2\u202f%").arg(what).arg(std::floor(100.0 * share));
 }
 
 } // namespace
@@ -75,6 +95,15 @@ ChecksDock::ChecksDock(Workbench &bench, const CheckList &list, QWidget *parent)
     foot->setSpacing(8);
     foot->addWidget(m_spinner);
     foot->addWidget(m_footerText, 1);
+    m_stop = new QToolButton(m_footer);
+    m_stop->setObjectName(QStringLiteral("checksStop"));
+    m_stop->setText(tr("Stop"));
+    m_stop->setAutoRaise(true);
+    connect(m_stop, &QToolButton::clicked, this, [this] {
+        if (const char *stage = longWork())
+            m_list.scheduler().cancel(stage);
+    });
+    foot->addWidget(m_stop);
     m_footer->hide();
 
     auto *column = new QVBoxLayout(content);
@@ -101,6 +130,7 @@ ChecksDock::ChecksDock(Workbench &bench, const CheckList &list, QWidget *parent)
         m_spinner->setPixmap(turned);
     });
     connect(&list, &CheckList::changed, this, &ChecksDock::refresh);
+    connect(&list.scheduler(), &Scheduler::progressed, this, &ChecksDock::refreshFooter);
     connect(&settings(), &Settings::unitChanged, this, &ChecksDock::refresh);
     connect(&bench.session(), &Session::modelChanged, this,
             [this](const Model &before, const Model &after) {
@@ -147,8 +177,7 @@ void ChecksDock::returnFocus(const Check &check)
     };
     auto row = rowWith([&](const Check &now) { return isSameVerdict(check, now); });
     if (row == m_rows.end())
-        row =
-            rowWith([&](const Check &now) { return subjectOf(now.code) == subjectOf(check.code); });
+        row = rowWith([&](const Check &now) { return subjectOf(now) == subjectOf(check); });
     if (row == m_rows.end())
         return;
     CheckRow *widget = m_widgets[static_cast<std::size_t>(row - m_rows.begin())];
@@ -291,16 +320,27 @@ void ChecksDock::refreshFooter()
     const CheckList::Age age = m_list.age();
     const bool isLate = age == CheckList::Age::Late;
     m_footer->setVisible(age != CheckList::Age::Current);
-    m_footerText->setText(isLate ? tr("Checking…") : tr("Older than the drawing"));
-    m_spinner->setVisible(isLate);
-    const bool spins = isLate && !settings().reducesMotion();
+    const char *work = isLate ? longWork() : nullptr;
+    m_stop->setVisible(work != nullptr);
+    m_footerText->setText(work ? workText(m_list.scheduler(), work) : tr("Older than the drawing"));
+    m_spinner->setVisible(work != nullptr);
+    const bool spins = work && !settings().reducesMotion();
     if (spins && !m_spin->isActive())
         m_spin->start();
     else if (!spins)
         m_spin->stop();
-    if (isLate && !spins)
+    if (work && !spins)
         m_spinner->setPixmap(
             tintedPixmap(QStringLiteral("working"), 16, theme().muted, devicePixelRatioF()));
+}
+
+/// What a person waits for: of several stages that run the first one.
+const char *ChecksDock::longWork() const
+{
+    for (const Stage &stage : m_list.scheduler().stages())
+        if (m_list.scheduler().isRunning(stage.name))
+            return stage.name;
+    return nullptr;
 }
 
 void ChecksDock::refreshColours()
@@ -384,7 +424,7 @@ void ChecksDock::choose(CheckSubject subject)
 {
     Q_EMIT shown();
     for (std::size_t i = 0; i < m_rows.size(); ++i) {
-        if (subjectOf(m_rows[i].check.code) == subject) { // the worst comes first
+        if (subjectOf(m_rows[i].check) == subject) { // the worst comes first
             choose(static_cast<int>(i), isProblem(m_rows[i].check));
             return;
         }
@@ -418,6 +458,13 @@ void ChecksDock::act(int row, int index)
         Q_EMIT stockWanted(at < 0 ? StockId{} : model.section(static_cast<std::size_t>(at))->stock);
         return;
     }
+    case CheckAction::Kind::TryAgain:
+        m_list.scheduler().tryAgain(check.stage);
+        return;
+    case CheckAction::Kind::ShowReport:
+        QDesktopServices::openUrl(
+            QUrl::fromLocalFile(QFileInfo(m_list.reportOf(check)).absolutePath()));
+        return;
     default:
         carryOut(action, check);
     }

@@ -11,6 +11,7 @@
 class QLabel;
 class QScrollArea;
 class QTimer;
+class QToolButton;
 class QVBoxLayout;
 
 namespace fff {
@@ -55,6 +56,7 @@ private:
 
     void refresh();
     void refreshFooter();
+    const char *longWork() const;
     void choose(int row, bool frames);
     void forgetChoice();
     void markProblems();
@@ -78,6 +80,7 @@ private:
     QLabel *m_empty = nullptr;
     QWidget *m_footer = nullptr;
     QLabel *m_spinner = nullptr, *m_footerText = nullptr;
+    QToolButton *m_stop = nullptr; // what takes long
     QTimer *m_spin = nullptr;
     int m_angle = 0; // degrees, of the spinner
     bool m_isChoosing = false;

@@ -17,6 +17,7 @@ fff_tests(tests_session LIBRARIES fff::session Polyclipping::Polyclipping TESTS
     core/session/tst_plan_checks
     core/session/tst_plan_growth
     core/session/tst_replay
+    core/session/tst_scheduler
     core/session/tst_session
     core/session/tst_slit_ends
     core/session/tst_stretching

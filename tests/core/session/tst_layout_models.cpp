@@ -51,7 +51,7 @@ std::vector<Part> partsOf(const QString &file)
     AnalysisCaches caches;
     const Analysis analysis = analyse(evaluate(std::move(read->document)), caches);
     return *compensateKerf(makeParts(analysis.model, analysis.assembly, analysis.bodies),
-                           analysis.model, analysis.cuts);
+                           analysis.model, analysis.bodies);
 }
 
 } // namespace
