@@ -1,13 +1,13 @@
 // The window: flatfitfab [--copy] [--play SCRIPT] [FILE…]
 #include "core/io/document_file.h"
 #include "core/io/error_text.h"
-#include "ui/field_style.h"
-#include "ui/focus_frame.h"
-#include "ui/main_window.h"
-#include "ui/script_player.h"
+#include "ui/base/field_style.h"
+#include "ui/base/focus_frame.h"
+#include "ui/base/translations.h"
 #include "ui/settings/settings.h"
-#include "ui/translations.h"
-#include "ui/windows.h"
+#include "ui/window/main_window.h"
+#include "ui/window/script_player.h"
+#include "ui/window/windows.h"
 
 #include <QApplication>
 #include <QCommandLineParser>

@@ -2,13 +2,34 @@ target_sources(fff_ui PRIVATE
     actions/action_finder.cpp
     actions/action_set.cpp
     actions/action_table.cpp
-    badge.cpp
-    badges.cpp
-    canvas_bar.cpp
-    check_words.cpp
-    clipboard.cpp
-    context_menu.cpp
-    cursors.cpp
+    base/ago_text.cpp
+    base/cursors.cpp
+    base/expression.cpp
+    base/field_style.cpp
+    base/file_dialog.cpp
+    base/focus_frame.cpp
+    base/icon.cpp
+    base/lengths.cpp
+    base/message_bar.cpp
+    base/naming.cpp
+    base/panes.cpp
+    base/sentence_label.cpp
+    base/theme.cpp
+    base/translations.cpp
+    bench/check_words.cpp
+    bench/clipboard.cpp
+    bench/hint_text.cpp
+    bench/marked_scene.cpp
+    bench/measures.cpp
+    bench/number_names.cpp
+    bench/status_line.cpp
+    bench/touch_input.cpp
+    bench/view_input.cpp
+    bench/viewport.cpp
+    bench/workbench.cpp
+    cards/card_grid.cpp
+    cards/model_card.cpp
+    cards/thumbnails.cpp
     dialogs/about_dialog.cpp
     dialogs/command_search.cpp
     dialogs/key_recorder.cpp
@@ -16,8 +37,8 @@ target_sources(fff_ui PRIVATE
     dialogs/settings_dialog.cpp
     dialogs/shortcut_editor.cpp
     dialogs/shortcut_keys.cpp
-    dialogs/stock_editor.cpp
     dialogs/slit_rows.cpp
+    dialogs/stock_editor.cpp
     dialogs/stock_fields.cpp
     dialogs/stock_list.cpp
     docks/check_row.cpp
@@ -28,39 +49,23 @@ target_sources(fff_ui PRIVATE
     docks/joint_page.cpp
     docks/library_dock.cpp
     docks/model_page.cpp
-    docks/problem_box.cpp
     docks/operation_page.cpp
     docks/operation_tree.cpp
     docks/outline_dock.cpp
     docks/outline_marks.cpp
+    docks/problem_box.cpp
     docks/properties_dock.cpp
     docks/properties_header.cpp
     docks/section_page.cpp
-    expression.cpp
-    field_style.cpp
     files/document_files.cpp
     files/exporting.cpp
     files/failures.cpp
-    files/file_dialog.cpp
     files/file_drop.cpp
     files/file_stamp.cpp
     files/progress.cpp
     files/recent_menu.cpp
     files/replace_question.cpp
     files/unsaved_work.cpp
-    focus_frame.cpp
-    hint_text.cpp
-    icon.cpp
-    lengths.cpp
-    main_tool_bar.cpp
-    main_window.cpp
-    marked_scene.cpp
-    measures.cpp
-    message_bar.cpp
-    naming.cpp
-    number_names.cpp
-    operation_notices.cpp
-    panes.cpp
     properties/choice_box.cpp
     properties/dimension_group.cpp
     properties/drawing_group.cpp
@@ -86,30 +91,25 @@ target_sources(fff_ui PRIVATE
     properties/stock_choice.cpp
     properties/thickness_field.cpp
     properties/varying_rows.cpp
-    script_player.cpp
-    sentence_label.cpp
     settings/check_rules.cpp
     settings/settings.cpp
     settings/system_wishes.cpp
-    start/ago_text.cpp
-    start/card_grid.cpp
-    start/model_card.cpp
     start/samples.cpp
     start/start_page.cpp
-    start/thumbnails.cpp
-    spoken_selection.cpp
-    status_line.cpp
     steps/steps_bar.cpp
     steps/steps_export.cpp
     steps/steps_view.cpp
-    theme.cpp
-    translations.cpp
-    touch_input.cpp
-    view_input.cpp
-    viewport.cpp
-    window_layout.cpp
-    windows.cpp
-    workbench.cpp
+    window/badge.cpp
+    window/badges.cpp
+    window/canvas_bar.cpp
+    window/context_menu.cpp
+    window/main_tool_bar.cpp
+    window/main_window.cpp
+    window/operation_notices.cpp
+    window/script_player.cpp
+    window/spoken_selection.cpp
+    window/window_layout.cpp
+    window/windows.cpp
 )
 include(${CMAKE_SOURCE_DIR}/resources/icons/icons.cmake)
 include(${CMAKE_SOURCE_DIR}/resources/licences/licences.cmake)

@@ -6,8 +6,8 @@
 #include "tests/test_program.h"
 #include "tests/ui/view_hand.h"
 #include "tests/ui/window_program.h"
+#include "ui/base/theme.h"
 #include "ui/files/document_files.h"
-#include "ui/theme.h"
 
 #include <QMenu>
 

@@ -6,14 +6,14 @@
 #include "core/session/check_list.h"
 #include "tests/core/assembly/known_models.h"
 #include "tests/test_program.h"
-#include "ui/badge.h"
+#include "ui/base/field_style.h"
+#include "ui/base/sentence_label.h"
+#include "ui/bench/workbench.h"
 #include "ui/docks/check_row.h"
 #include "ui/docks/outline_dock.h"
-#include "ui/field_style.h"
-#include "ui/main_window.h"
-#include "ui/sentence_label.h"
 #include "ui/settings/settings.h"
-#include "ui/workbench.h"
+#include "ui/window/badge.h"
+#include "ui/window/main_window.h"
 
 #include <QAbstractItemView>
 #include <QAction>

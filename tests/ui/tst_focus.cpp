@@ -5,13 +5,13 @@
 #include "tests/core/assembly/plates.h"
 #include "tests/test_program.h"
 #include "tests/ui/contrast.h"
+#include "ui/base/field_style.h"
+#include "ui/base/focus_frame.h"
+#include "ui/base/theme.h"
+#include "ui/bench/workbench.h"
 #include "ui/dialogs/settings_dialog.h"
-#include "ui/field_style.h"
-#include "ui/focus_frame.h"
-#include "ui/main_window.h"
 #include "ui/settings/settings.h"
-#include "ui/theme.h"
-#include "ui/workbench.h"
+#include "ui/window/main_window.h"
 
 #include <QAction>
 #include <QApplication>

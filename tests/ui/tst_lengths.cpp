@@ -2,9 +2,9 @@
 #include <QTest> // first: moc stumbles over some standard headers
 
 #include "tests/test_program.h"
-#include "ui/expression.h"
-#include "ui/lengths.h"
-#include "ui/measures.h"
+#include "ui/base/expression.h"
+#include "ui/base/lengths.h"
+#include "ui/bench/measures.h"
 
 #include <QTemporaryDir>
 

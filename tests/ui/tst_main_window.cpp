@@ -11,15 +11,15 @@
 #include "tests/ui/view_hand.h"
 #include "tests/ui/window_fixture.h"
 #include "tests/ui/window_program.h"
+#include "ui/base/message_bar.h"
+#include "ui/base/theme.h"
+#include "ui/bench/viewport.h"
+#include "ui/bench/workbench.h"
 #include "ui/docks/outline_dock.h"
 #include "ui/docks/properties_dock.h"
 #include "ui/files/document_files.h"
-#include "ui/main_window.h"
-#include "ui/message_bar.h"
 #include "ui/settings/settings.h"
-#include "ui/theme.h"
-#include "ui/viewport.h"
-#include "ui/workbench.h"
+#include "ui/window/main_window.h"
 
 #include <QAbstractButton>
 #include <QAbstractItemView>

@@ -10,9 +10,9 @@
 #include "tests/test_program.h"
 #include "tests/ui/view_hand.h"
 #include "tests/ui/window_program.h"
+#include "ui/base/panes.h"
+#include "ui/cards/model_card.h"
 #include "ui/docks/library_dock.h"
-#include "ui/panes.h"
-#include "ui/start/model_card.h"
 
 #include <QAccessible>
 #include <QComboBox>

@@ -3,7 +3,7 @@
 #include "core/fabrication/summary.h"
 #include "tests/core/assembly/plates.h"
 #include "tests/test_program.h"
-#include "ui/measures.h"
+#include "ui/bench/measures.h"
 
 using namespace fff;
 using namespace fff::test;

@@ -5,11 +5,11 @@
 #include "core/io/document_file.h"
 #include "core/model/materials.h"
 #include "tests/test_program.h"
-#include "ui/naming.h"
+#include "ui/base/naming.h"
+#include "ui/bench/workbench.h"
 #include "ui/properties/stock_choice.h"
 #include "ui/settings/settings.h"
 #include "ui/view/view_style.h"
-#include "ui/workbench.h"
 
 #include <QTemporaryDir>
 #include <QTranslator>

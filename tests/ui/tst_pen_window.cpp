@@ -5,7 +5,7 @@
 #include "tests/test_program.h"
 #include "tests/ui/view_hand.h"
 #include "tests/ui/window_program.h"
-#include "ui/canvas_bar.h"
+#include "ui/window/canvas_bar.h"
 
 #include <QAction>
 #include <QDoubleSpinBox>

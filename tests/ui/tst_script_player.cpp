@@ -5,10 +5,10 @@
 #include "core/session/replay_script.h"
 #include "tests/test_program.h"
 #include "tests/ui/window_program.h"
-#include "ui/main_window.h"
-#include "ui/script_player.h"
+#include "ui/bench/workbench.h"
 #include "ui/settings/settings.h"
-#include "ui/workbench.h"
+#include "ui/window/main_window.h"
+#include "ui/window/script_player.h"
 
 #include <QFile>
 #include <QSignalSpy>

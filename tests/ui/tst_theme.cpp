@@ -3,9 +3,9 @@
 
 #include "tests/test_program.h"
 #include "tests/ui/contrast.h"
-#include "ui/field_style.h"
+#include "ui/base/field_style.h"
+#include "ui/base/theme.h"
 #include "ui/settings/settings.h"
-#include "ui/theme.h"
 
 #include <QApplication>
 #include <QImage>

@@ -4,7 +4,7 @@
 #include <QTest>
 
 #include "tests/test_program.h"
-#include "ui/main_window.h"
+#include "ui/window/main_window.h"
 
 #include <QDir>
 #include <QMenu>

@@ -5,10 +5,10 @@
 #include <QTest>
 
 #include "core/base/units.h"
-#include "ui/main_window.h"
+#include "ui/bench/viewport.h"
+#include "ui/bench/workbench.h"
 #include "ui/settings/settings.h"
-#include "ui/viewport.h"
-#include "ui/workbench.h"
+#include "ui/window/main_window.h"
 
 #include <QApplication>
 #include <QTemporaryDir>

@@ -6,12 +6,12 @@
 #include "core/io/document_file.h"
 #include "core/model/edits.h"
 #include "core/operations/evaluate.h"
+#include "ui/base/message_bar.h"
+#include "ui/bench/workbench.h"
 #include "ui/files/document_files.h"
-#include "ui/main_window.h"
-#include "ui/message_bar.h"
 #include "ui/settings/settings.h"
-#include "ui/windows.h"
-#include "ui/workbench.h"
+#include "ui/window/main_window.h"
+#include "ui/window/windows.h"
 
 #include <QApplication>
 #include <QMessageBox>

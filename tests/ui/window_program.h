@@ -4,8 +4,8 @@
 
 #include <QTest>
 
-#include "ui/field_style.h"
-#include "ui/translations.h"
+#include "ui/base/field_style.h"
+#include "ui/base/translations.h"
 
 #include <QApplication>
 #include <QLocale>

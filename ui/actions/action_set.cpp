@@ -4,9 +4,9 @@
 #include "core/interaction/measure_tool.h"
 #include "core/interaction/tool.h"
 #include "ui/actions/action_table.h"
-#include "ui/icon.h"
+#include "ui/base/icon.h"
+#include "ui/bench/workbench.h"
 #include "ui/settings/settings.h"
-#include "ui/workbench.h"
 
 #include <QMenu>
 #include <QMenuBar>

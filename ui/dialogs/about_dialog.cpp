@@ -1,8 +1,8 @@
 #include "ui/dialogs/about_dialog.h"
 
+#include "ui/base/icon.h"
+#include "ui/base/theme.h"
 #include "ui/dialogs/libraries.h"
-#include "ui/icon.h"
-#include "ui/theme.h"
 
 #include <QClipboard>
 #include <QDialogButtonBox>

@@ -1,7 +1,7 @@
 #include "ui/dialogs/command_search.h"
 
 #include "ui/actions/action_set.h"
-#include "ui/theme.h"
+#include "ui/base/theme.h"
 
 #include <QAction>
 #include <QApplication>

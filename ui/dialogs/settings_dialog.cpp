@@ -1,11 +1,11 @@
 #include "ui/dialogs/settings_dialog.h"
 
+#include "ui/base/icon.h"
+#include "ui/base/theme.h"
 #include "ui/dialogs/shortcut_editor.h"
-#include "ui/icon.h"
 #include "ui/properties/choice_box.h"
 #include "ui/properties/number_edit.h"
 #include "ui/settings/settings.h"
-#include "ui/theme.h"
 
 #include <QCheckBox>
 #include <QDialogButtonBox>

@@ -1,10 +1,10 @@
 #include "ui/dialogs/stock_editor.h"
 
 #include "ui/actions/action_set.h"
+#include "ui/base/theme.h"
+#include "ui/bench/workbench.h"
 #include "ui/dialogs/stock_fields.h"
 #include "ui/dialogs/stock_list.h"
-#include "ui/theme.h"
-#include "ui/workbench.h"
 
 #include <QDialogButtonBox>
 #include <QHBoxLayout>

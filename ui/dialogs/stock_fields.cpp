@@ -2,14 +2,14 @@
 
 #include "core/model/edits.h"
 #include "core/model/materials.h"
+#include "ui/base/icon.h"
+#include "ui/base/theme.h"
+#include "ui/bench/measures.h"
+#include "ui/bench/workbench.h"
 #include "ui/dialogs/slit_rows.h"
-#include "ui/icon.h"
-#include "ui/measures.h"
 #include "ui/properties/property_rows.h"
 #include "ui/properties/stock_choice.h"
 #include "ui/properties/thickness_field.h"
-#include "ui/theme.h"
-#include "ui/workbench.h"
 
 #include <QCoreApplication>
 #include <QHBoxLayout>

@@ -2,12 +2,12 @@
 
 #include "core/model/edits.h"
 #include "core/model/materials.h"
-#include "ui/icon.h"
+#include "ui/base/icon.h"
+#include "ui/base/theme.h"
+#include "ui/bench/workbench.h"
 #include "ui/properties/choice_box.h"
 #include "ui/properties/stock_choice.h"
-#include "ui/theme.h"
 #include "ui/view/view_style.h"
-#include "ui/workbench.h"
 
 #include <QListWidget>
 #include <QMenu>

@@ -1,8 +1,8 @@
 #include "ui/docks/check_row.h"
 
-#include "ui/icon.h"
+#include "ui/base/icon.h"
+#include "ui/base/theme.h"
 #include "ui/properties/link_row.h"
-#include "ui/theme.h"
 
 #include <QHBoxLayout>
 #include <QKeyEvent>

@@ -2,13 +2,13 @@
 
 #include "core/assembly/joint_state.h"
 #include "core/session/check_list.h"
-#include "ui/check_words.h"
+#include "ui/base/icon.h"
+#include "ui/base/theme.h"
+#include "ui/bench/check_words.h"
+#include "ui/bench/workbench.h"
 #include "ui/docks/check_row.h"
 #include "ui/docks/dock_title.h"
-#include "ui/icon.h"
 #include "ui/settings/settings.h"
-#include "ui/theme.h"
-#include "ui/workbench.h"
 
 #include <QAction>
 #include <QCoreApplication>

@@ -1,6 +1,6 @@
 #include "ui/docks/dock_title.h"
 
-#include "ui/icon.h"
+#include "ui/base/icon.h"
 
 #include <QDockWidget>
 #include <QHBoxLayout>

@@ -1,12 +1,12 @@
 #include "ui/docks/drawing_page.h"
 
 #include "core/base/units.h"
-#include "ui/icon.h"
-#include "ui/measures.h"
+#include "ui/base/icon.h"
+#include "ui/base/theme.h"
+#include "ui/bench/measures.h"
+#include "ui/bench/workbench.h"
 #include "ui/properties/property_rows.h"
 #include "ui/properties/stock_choice.h"
-#include "ui/theme.h"
-#include "ui/workbench.h"
 
 #include <QGridLayout>
 #include <QLabel>

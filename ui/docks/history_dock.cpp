@@ -1,10 +1,10 @@
 #include "ui/docks/history_dock.h"
 
 #include "core/model/changes.h"
+#include "ui/base/icon.h"
+#include "ui/base/theme.h"
+#include "ui/bench/workbench.h"
 #include "ui/docks/dock_title.h"
-#include "ui/icon.h"
-#include "ui/theme.h"
-#include "ui/workbench.h"
 
 #include <QEvent>
 #include <QLabel>

@@ -2,14 +2,14 @@
 
 #include "core/assembly/joint_editing.h"
 #include "core/base/units.h"
+#include "ui/base/icon.h"
+#include "ui/base/lengths.h"
+#include "ui/base/theme.h"
+#include "ui/bench/workbench.h"
 #include "ui/docks/problem_box.h"
-#include "ui/icon.h"
-#include "ui/lengths.h"
 #include "ui/properties/joint_words.h"
 #include "ui/properties/property_rows.h"
 #include "ui/properties/slider_field.h"
-#include "ui/theme.h"
-#include "ui/workbench.h"
 
 #include <QEvent>
 #include <QLabel>

@@ -4,14 +4,14 @@
 #include "core/io/fff_format.h"
 #include "core/io/file_set.h"
 #include "core/operations/excerpt.h"
+#include "ui/base/file_dialog.h"
+#include "ui/base/icon.h"
+#include "ui/base/theme.h"
+#include "ui/bench/workbench.h"
+#include "ui/cards/card_grid.h"
+#include "ui/cards/model_card.h"
 #include "ui/docks/dock_title.h"
-#include "ui/files/file_dialog.h"
-#include "ui/icon.h"
 #include "ui/settings/settings.h"
-#include "ui/start/card_grid.h"
-#include "ui/start/model_card.h"
-#include "ui/theme.h"
-#include "ui/workbench.h"
 
 #include <QAction>
 #include <QDir>

@@ -4,7 +4,7 @@
 
 #include <QDockWidget> // first: moc stumbles over some standard headers
 
-#include "ui/start/thumbnails.h"
+#include "ui/cards/thumbnails.h"
 
 #include <QFileSystemWatcher>
 

@@ -1,12 +1,12 @@
 #include "ui/docks/model_page.h"
 
-#include "ui/measures.h"
+#include "ui/bench/measures.h"
+#include "ui/bench/workbench.h"
 #include "ui/properties/dimension_group.h"
 #include "ui/properties/drawing_group.h"
 #include "ui/properties/named_number_group.h"
 #include "ui/properties/property_rows.h"
 #include "ui/properties/stock_choice.h"
-#include "ui/workbench.h"
 
 #include <QVBoxLayout>
 

@@ -4,13 +4,13 @@
 #include "core/model/operation_edits.h"
 #include "core/operations/operation_kind.h"
 #include "core/session/operation_text.h"
+#include "ui/base/icon.h"
+#include "ui/base/theme.h"
+#include "ui/bench/workbench.h"
 #include "ui/docks/problem_box.h"
-#include "ui/icon.h"
 #include "ui/properties/exception_rows.h"
 #include "ui/properties/input_row.h"
 #include "ui/properties/parameter_row.h"
-#include "ui/theme.h"
-#include "ui/workbench.h"
 
 #include <QHBoxLayout>
 #include <QPushButton>

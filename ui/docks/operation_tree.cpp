@@ -2,10 +2,10 @@
 
 #include "core/model/operation_edits.h"
 #include "core/session/operation_text.h"
+#include "ui/base/icon.h"
+#include "ui/base/theme.h"
+#include "ui/bench/workbench.h"
 #include "ui/docks/outline_marks.h"
-#include "ui/icon.h"
-#include "ui/theme.h"
-#include "ui/workbench.h"
 
 #include <QApplication>
 #include <QDropEvent>

@@ -3,16 +3,16 @@
 #include "core/interaction/section_editing.h"
 #include "core/model/edits.h"
 #include "core/session/check_list.h"
-#include "ui/check_words.h"
+#include "ui/base/icon.h"
+#include "ui/base/theme.h"
+#include "ui/bench/check_words.h"
+#include "ui/bench/workbench.h"
 #include "ui/docks/dock_title.h"
 #include "ui/docks/operation_tree.h"
 #include "ui/docks/outline_marks.h"
-#include "ui/icon.h"
 #include "ui/properties/choice_box.h"
 #include "ui/properties/stock_choice.h"
-#include "ui/theme.h"
 #include "ui/view/view_style.h"
-#include "ui/workbench.h"
 
 #include <QApplication>
 #include <QKeyEvent>

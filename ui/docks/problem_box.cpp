@@ -1,8 +1,8 @@
 #include "ui/docks/problem_box.h"
 
-#include "ui/check_words.h"
-#include "ui/icon.h"
-#include "ui/theme.h"
+#include "ui/base/icon.h"
+#include "ui/base/theme.h"
+#include "ui/bench/check_words.h"
 
 #include <QHBoxLayout>
 #include <QLabel>

@@ -1,7 +1,8 @@
 #include "ui/docks/properties_dock.h"
 
 #include "core/session/check_list.h"
-#include "ui/check_words.h"
+#include "ui/bench/check_words.h"
+#include "ui/bench/workbench.h"
 #include "ui/docks/dock_title.h"
 #include "ui/docks/drawing_page.h"
 #include "ui/docks/joint_page.h"
@@ -11,7 +12,6 @@
 #include "ui/docks/properties_header.h"
 #include "ui/docks/section_page.h"
 #include "ui/settings/settings.h"
-#include "ui/workbench.h"
 
 #include <QScrollArea>
 #include <QVBoxLayout>

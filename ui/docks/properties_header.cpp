@@ -4,10 +4,10 @@
 #include "core/model/edits.h"
 #include "core/model/operation_edits.h"
 #include "core/session/operation_text.h"
-#include "ui/icon.h"
+#include "ui/base/icon.h"
+#include "ui/base/theme.h"
+#include "ui/bench/workbench.h"
 #include "ui/properties/joint_words.h"
-#include "ui/theme.h"
-#include "ui/workbench.h"
 
 #include <QCheckBox>
 #include <QGridLayout>

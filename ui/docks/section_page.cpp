@@ -3,8 +3,9 @@
 #include "core/model/edits.h"
 #include "core/model/operation_edits.h"
 #include "core/model/origin.h"
+#include "ui/bench/measures.h"
+#include "ui/bench/workbench.h"
 #include "ui/docks/properties_header.h"
-#include "ui/measures.h"
 #include "ui/properties/figure_group.h"
 #include "ui/properties/instance_group.h"
 #include "ui/properties/joint_rows.h"
@@ -14,7 +15,6 @@
 #include "ui/properties/point_rows.h"
 #include "ui/properties/property_rows.h"
 #include "ui/properties/stock_choice.h"
-#include "ui/workbench.h"
 
 #include <QVBoxLayout>
 

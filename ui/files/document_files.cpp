@@ -4,17 +4,17 @@
 #include "core/io/document_file.h"
 #include "core/io/error_text.h"
 #include "core/session/journal.h"
+#include "ui/base/file_dialog.h"
+#include "ui/base/message_bar.h"
+#include "ui/base/naming.h"
+#include "ui/base/theme.h"
+#include "ui/bench/status_line.h"
+#include "ui/bench/workbench.h"
 #include "ui/files/exporting.h"
 #include "ui/files/failures.h"
-#include "ui/files/file_dialog.h"
 #include "ui/files/progress.h"
-#include "ui/message_bar.h"
-#include "ui/naming.h"
 #include "ui/properties/open_editor.h"
 #include "ui/settings/settings.h"
-#include "ui/status_line.h"
-#include "ui/theme.h"
-#include "ui/workbench.h"
 
 #include <QFileInfo>
 #include <QMessageBox>

@@ -5,14 +5,14 @@
 #include "core/io/file_set.h"
 #include "core/io/obj_writer.h"
 #include "core/session/cutting_file.h"
+#include "ui/base/file_dialog.h"
+#include "ui/base/lengths.h"
+#include "ui/base/message_bar.h"
+#include "ui/bench/status_line.h"
+#include "ui/bench/workbench.h"
 #include "ui/files/failures.h"
-#include "ui/files/file_dialog.h"
 #include "ui/files/progress.h"
 #include "ui/files/replace_question.h"
-#include "ui/lengths.h"
-#include "ui/message_bar.h"
-#include "ui/status_line.h"
-#include "ui/workbench.h"
 
 #include <QFileInfo>
 

@@ -1,6 +1,6 @@
 #include "ui/files/progress.h"
 
-#include "ui/theme.h"
+#include "ui/base/theme.h"
 
 #include <QCloseEvent>
 #include <QElapsedTimer>

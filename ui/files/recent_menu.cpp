@@ -1,6 +1,6 @@
 #include "ui/files/recent_menu.h"
 
-#include "ui/icon.h"
+#include "ui/base/icon.h"
 #include "ui/settings/settings.h"
 
 #include <QDir>

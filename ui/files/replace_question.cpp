@@ -1,6 +1,6 @@
 #include "ui/files/replace_question.h"
 
-#include "ui/theme.h"
+#include "ui/base/theme.h"
 
 #include <QCoreApplication>
 #include <QFileInfo>

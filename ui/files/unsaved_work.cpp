@@ -2,11 +2,11 @@
 
 #include "core/io/error_text.h"
 #include "core/session/autosave.h"
+#include "ui/base/ago_text.h"
+#include "ui/base/message_bar.h"
+#include "ui/bench/workbench.h"
 #include "ui/files/document_files.h"
-#include "ui/message_bar.h"
 #include "ui/settings/settings.h"
-#include "ui/start/ago_text.h"
-#include "ui/workbench.h"
 
 #include <QFileInfo>
 

@@ -1,6 +1,6 @@
 #include "ui/properties/choice_box.h"
 
-#include "ui/theme.h"
+#include "ui/base/theme.h"
 
 #include <QAbstractItemView>
 #include <QCoreApplication>

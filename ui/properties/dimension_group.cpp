@@ -2,7 +2,7 @@
 
 #include "core/base/tolerances.h"
 #include "core/model/dimensions.h"
-#include "ui/workbench.h"
+#include "ui/bench/workbench.h"
 
 #include <QCoreApplication>
 

@@ -5,8 +5,8 @@
 #include "core/interaction/figure_editing.h"
 #include "core/model/origin.h"
 #include "core/model/point_edits.h"
+#include "ui/bench/workbench.h"
 #include "ui/properties/number_edit.h"
-#include "ui/workbench.h"
 
 #include <QCoreApplication>
 

@@ -1,8 +1,8 @@
 #include "ui/properties/input_row.h"
 
 #include "core/session/operation_text.h"
-#include "ui/icon.h"
-#include "ui/theme.h"
+#include "ui/base/icon.h"
+#include "ui/base/theme.h"
 
 #include <QAbstractButton>
 #include <QCoreApplication>

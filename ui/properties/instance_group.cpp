@@ -2,8 +2,8 @@
 
 #include "core/model/origin.h"
 #include "core/operations/operation_kind.h"
+#include "ui/bench/workbench.h"
 #include "ui/properties/link_row.h"
-#include "ui/workbench.h"
 
 #include <QCheckBox>
 #include <QHBoxLayout>

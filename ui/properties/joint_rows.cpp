@@ -1,7 +1,7 @@
 #include "ui/properties/joint_rows.h"
 
-#include "ui/icon.h"
-#include "ui/theme.h"
+#include "ui/base/icon.h"
+#include "ui/base/theme.h"
 
 #include <QAbstractButton>
 #include <QKeyEvent>

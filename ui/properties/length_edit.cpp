@@ -1,7 +1,7 @@
 #include "ui/properties/length_edit.h"
 
-#include "ui/lengths.h"
-#include "ui/number_names.h"
+#include "ui/base/lengths.h"
+#include "ui/bench/number_names.h"
 
 #include <cmath>
 

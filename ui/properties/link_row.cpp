@@ -1,6 +1,6 @@
 #include "ui/properties/link_row.h"
 
-#include "ui/theme.h"
+#include "ui/base/theme.h"
 
 #include <QAbstractButton>
 #include <QHelpEvent>

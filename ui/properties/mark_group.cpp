@@ -5,7 +5,7 @@
 #include "core/interaction/mark_editing.h"
 #include "core/interaction/mark_tool.h"
 #include "core/model/origin.h"
-#include "ui/workbench.h"
+#include "ui/bench/workbench.h"
 
 #include <QCoreApplication>
 #include <QPlainTextEdit>

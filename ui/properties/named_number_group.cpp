@@ -1,8 +1,8 @@
 #include "ui/properties/named_number_group.h"
 
 #include "core/model/named_numbers.h"
-#include "ui/number_names.h"
-#include "ui/workbench.h"
+#include "ui/bench/number_names.h"
+#include "ui/bench/workbench.h"
 
 #include <QCoreApplication>
 #include <QLineEdit>

@@ -1,7 +1,7 @@
 #include "ui/properties/parameter_row.h"
 
 #include "core/session/operation_text.h"
-#include "ui/icon.h"
+#include "ui/base/icon.h"
 #include "ui/properties/segmented_box.h"
 #include "ui/properties/slider_field.h"
 

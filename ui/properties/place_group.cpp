@@ -5,8 +5,8 @@
 #include "core/interaction/section_editing.h"
 #include "core/model/moving.h"
 #include "core/model/origin.h"
+#include "ui/bench/workbench.h"
 #include "ui/properties/number_edit.h"
-#include "ui/workbench.h"
 
 #include <QCheckBox>
 #include <QCoreApplication>

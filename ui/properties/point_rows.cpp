@@ -3,7 +3,7 @@
 #include "core/base/tolerances.h"
 #include "core/base/units.h"
 #include "core/model/origin.h"
-#include "ui/workbench.h"
+#include "ui/bench/workbench.h"
 
 #include <QCoreApplication>
 

@@ -1,6 +1,6 @@
 #include "ui/properties/property_rows.h"
 
-#include "ui/icon.h"
+#include "ui/base/icon.h"
 #include "ui/properties/slider_field.h"
 
 #include <QCoreApplication>

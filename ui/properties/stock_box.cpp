@@ -1,11 +1,11 @@
 #include "ui/properties/stock_box.h"
 
-#include "ui/lengths.h"
+#include "ui/base/lengths.h"
+#include "ui/base/theme.h"
+#include "ui/bench/workbench.h"
 #include "ui/properties/stock_choice.h"
 #include "ui/properties/thickness_field.h"
-#include "ui/theme.h"
 #include "ui/view/view_style.h"
-#include "ui/workbench.h"
 
 #include <QActionGroup>
 #include <QHBoxLayout>

@@ -1,9 +1,9 @@
 #include "ui/properties/stock_choice.h"
 
 #include "core/model/edits.h"
-#include "ui/measures.h"
+#include "ui/bench/measures.h"
+#include "ui/bench/workbench.h"
 #include "ui/view/view_style.h"
-#include "ui/workbench.h"
 
 #include <QCoreApplication>
 #include <QLocale>

@@ -1,6 +1,6 @@
 #include "ui/properties/varying_rows.h"
 
-#include "ui/theme.h"
+#include "ui/base/theme.h"
 
 namespace fff::ui {
 

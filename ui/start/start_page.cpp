@@ -1,12 +1,12 @@
 #include "ui/start/start_page.h"
 
-#include "ui/icon.h"
+#include "ui/base/ago_text.h"
+#include "ui/base/icon.h"
+#include "ui/base/theme.h"
+#include "ui/cards/card_grid.h"
+#include "ui/cards/model_card.h"
 #include "ui/settings/settings.h"
-#include "ui/start/ago_text.h"
-#include "ui/start/card_grid.h"
-#include "ui/start/model_card.h"
 #include "ui/start/samples.h"
-#include "ui/theme.h"
 
 #include <QCheckBox>
 #include <QDir>

@@ -2,8 +2,8 @@
 // last models, or look at a sample. Works without a network, and never covers a model.
 #pragma once
 
+#include "ui/cards/thumbnails.h"
 #include "ui/files/unsaved_work.h"
-#include "ui/start/thumbnails.h"
 #include "ui/view/view_style.h"
 
 #include <QWidget>

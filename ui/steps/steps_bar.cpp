@@ -1,8 +1,8 @@
 #include "ui/steps/steps_bar.h"
 
-#include "ui/icon.h"
-#include "ui/sentence_label.h"
-#include "ui/theme.h"
+#include "ui/base/icon.h"
+#include "ui/base/sentence_label.h"
+#include "ui/base/theme.h"
 
 #include <QHBoxLayout>
 #include <QKeyEvent>

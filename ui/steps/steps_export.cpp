@@ -2,14 +2,14 @@
 
 #include "core/io/document_file.h"
 #include "core/io/file_set.h"
+#include "ui/base/file_dialog.h"
+#include "ui/base/message_bar.h"
+#include "ui/bench/status_line.h"
 #include "ui/files/failures.h"
-#include "ui/files/file_dialog.h"
 #include "ui/files/progress.h"
 #include "ui/files/replace_question.h"
-#include "ui/message_bar.h"
 #include "ui/properties/stock_choice.h"
 #include "ui/settings/settings.h"
-#include "ui/status_line.h"
 
 #include <QFileInfo>
 

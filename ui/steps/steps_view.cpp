@@ -2,12 +2,12 @@
 
 #include "core/interaction/steps_tool.h"
 #include "core/session/check_list.h"
+#include "ui/bench/viewport.h"
+#include "ui/bench/workbench.h"
 #include "ui/settings/settings.h"
 #include "ui/steps/steps_bar.h"
 #include "ui/view/offscreen_image.h"
 #include "ui/view/steps_scene.h"
-#include "ui/viewport.h"
-#include "ui/workbench.h"
 
 #include <QApplication>
 #include <QKeyEvent>

@@ -7,13 +7,13 @@
 #include "tests/test_program.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/actions/action_set.h"
+#include "ui/base/theme.h"
+#include "ui/cards/model_card.h"
 #include "ui/dialogs/command_search.h"
 #include "ui/dialogs/libraries.h"
 #include "ui/dialogs/settings_dialog.h"
 #include "ui/dialogs/shortcut_keys.h"
-#include "ui/start/model_card.h"
 #include "ui/start/start_page.h"
-#include "ui/theme.h"
 
 #include <QCheckBox>
 #include <QClipboard>

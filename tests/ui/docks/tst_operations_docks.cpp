@@ -4,12 +4,12 @@
 #include "core/interaction/tool.h"
 #include "tests/core/operations/operation_models.h"
 #include "tests/test_program.h"
-#include "ui/field_style.h"
-#include "ui/main_window.h"
-#include "ui/message_bar.h"
+#include "ui/base/field_style.h"
+#include "ui/base/message_bar.h"
+#include "ui/base/translations.h"
+#include "ui/bench/workbench.h"
 #include "ui/settings/settings.h"
-#include "ui/translations.h"
-#include "ui/workbench.h"
+#include "ui/window/main_window.h"
 
 #include <QAbstractButton>
 #include <QAction>

@@ -1,0 +1,104 @@
+#include "ui/base/field_style.h"
+
+#include "ui/base/theme.h"
+
+#include <QAbstractItemView>
+#include <QPainter>
+#include <QStyleFactory>
+#include <QStyleOption>
+
+namespace fff::ui {
+
+namespace {
+
+constexpr double kCorner = 3.0; // px
+
+void drawBorder(QPainter *painter, const QStyleOption *option)
+{
+    const bool focused = option->state.testFlag(QStyle::State_HasFocus);
+    QColor colour = focused ? theme().accent : theme().strong;
+    if (!option->state.testFlag(QStyle::State_Enabled))
+        colour = theme().border;
+    const double width = focused ? 2.0 : 1.0, inset = 0.5 * width;
+    painter->save();
+    painter->setRenderHint(QPainter::Antialiasing);
+    painter->setPen(QPen(colour, width));
+    painter->setBrush(Qt::NoBrush);
+    painter->drawRoundedRect(QRectF(option->rect).adjusted(inset, inset, -inset, -inset), kCorner,
+                             kCorner);
+    painter->restore();
+}
+
+} // namespace
+
+FieldStyle::FieldStyle() : QProxyStyle(QStyleFactory::create(QStringLiteral("Fusion"))) {}
+
+void FieldStyle::drawPrimitive(PrimitiveElement element, const QStyleOption *option,
+                               QPainter *painter, const QWidget *widget) const
+{
+    const bool isRow = element == PE_PanelItemViewRow || element == PE_PanelItemViewItem;
+    if (isRow && option->state.testFlag(State_Selected)) {
+        painter->fillRect(option->rect, option->palette.brush(QPalette::Highlight));
+        return;
+    }
+    if (element == PE_FrameFocusRect && qobject_cast<const QAbstractItemView *>(widget)) {
+        // Fusion's own fills what it frames, so that a selected row gets two colours.
+        const bool isSelected = option->state.testFlag(State_Selected);
+        painter->save();
+        painter->setPen(
+            option->palette.color(isSelected ? QPalette::HighlightedText : QPalette::Highlight));
+        painter->setBrush(Qt::NoBrush);
+        painter->drawRect(option->rect.adjusted(1, 1, -2, -2));
+        painter->restore();
+        return;
+    }
+    QProxyStyle::drawPrimitive(element, option, painter, widget);
+    if (element == PE_FrameLineEdit || element == PE_IndicatorCheckBox ||
+        element == PE_IndicatorItemViewItemCheck)
+        drawBorder(painter, option);
+}
+
+/// With a line of the ground's colour inside, so that it is seen on what has the accent's, too.
+void FieldStyle::drawControl(ControlElement element, const QStyleOption *option, QPainter *painter,
+                             const QWidget *widget) const
+{
+    if (element != CE_FocusFrame) {
+        QProxyStyle::drawControl(element, option, painter, widget);
+        return;
+    }
+    painter->save();
+    painter->setRenderHint(QPainter::Antialiasing);
+    painter->setBrush(Qt::NoBrush);
+    painter->setPen(QPen(theme().panel, 1.0));
+    painter->drawRoundedRect(QRectF(option->rect).adjusted(2.5, 2.5, -2.5, -2.5), 2.0, 2.0);
+    painter->setPen(QPen(theme().accent, 2.0));
+    painter->drawRoundedRect(QRectF(option->rect).adjusted(1.0, 1.0, -1.0, -1.0), kCorner, kCorner);
+    painter->restore();
+}
+
+int FieldStyle::pixelMetric(PixelMetric metric, const QStyleOption *option,
+                            const QWidget *widget) const
+{
+    // Outside of a widget there may be nothing to draw on.
+    if (metric == PM_FocusFrameHMargin || metric == PM_FocusFrameVMargin)
+        return 0;
+    return QProxyStyle::pixelMetric(metric, option, widget);
+}
+
+int FieldStyle::styleHint(StyleHint hint, const QStyleOption *option, const QWidget *widget,
+                          QStyleHintReturn *returned) const
+{
+    if (hint == SH_FocusFrame_AboveWidget)
+        return 1;
+    return QProxyStyle::styleHint(hint, option, widget, returned);
+}
+
+void FieldStyle::drawComplexControl(ComplexControl control, const QStyleOptionComplex *option,
+                                    QPainter *painter, const QWidget *widget) const
+{
+    QProxyStyle::drawComplexControl(control, option, painter, widget);
+    if (control == CC_SpinBox || control == CC_ComboBox)
+        drawBorder(painter, option);
+}
+
+} // namespace fff::ui

@@ -1,0 +1,61 @@
+#include "ui/bench/marked_scene.h"
+
+#include "ui/bench/workbench.h"
+
+#include <algorithm>
+#include <set>
+
+namespace fff::ui {
+
+bool hasPath(const Overlay &overlay)
+{
+    return overlay.pen && !overlay.pen->points.empty();
+}
+
+void markScene(Scene &scene, const Workbench &bench)
+{
+    const Interaction &interaction = bench.interaction();
+    const Model &model = bench.session().model();
+    if (model.sectionCount() != scene.sections.size())
+        return; // rebuilt at once after this
+    const std::set<SectionRef> selected(interaction.selection().begin(),
+                                        interaction.selection().end());
+    const auto &outlined = bench.outlined();
+    const OperationId inFocus = interaction.operationInFocus();
+    const int hovered = interaction.overlay().hovered;
+    OperationId hoveredOperation;
+    if (hovered >= 0 && static_cast<std::size_t>(hovered) < model.sectionCount())
+        hoveredOperation = model.ref(static_cast<std::size_t>(hovered)).operation;
+    applyView(scene, model, interaction.view());
+    const bool isDrawing =
+        interaction.overlay().stroke.has_value() || hasPath(interaction.overlay());
+    // All stand back for the section that is being drawn: the one that is not as it was.
+    const Model &committed = bench.session().committed();
+    // What the operation made or changed; one that is not committed yet is about to be.
+    std::set<SectionRef> made;
+    for (const OperationResultPointer &result : model.evaluation.results) {
+        const OperationId id = result->operation->id;
+        if (id != inFocus && committed.document.find(id))
+            continue;
+        for (const SectionPointer &section : result->sections)
+            made.insert(section->ref());
+        for (const auto &[ref, section] : result->changed)
+            if (section)
+                made.insert(ref);
+    }
+    const auto isAsItWas = [&](std::size_t i) {
+        return i < committed.sectionCount() && committed.section(i) == model.section(i);
+    };
+    for (std::size_t i = 0; i < scene.sections.size(); ++i) {
+        SceneSection &section = scene.sections[i];
+        const SectionRef ref = model.ref(i);
+        section.isHovered = hovered == static_cast<int>(i) ||
+                            std::binary_search(outlined.begin(), outlined.end(), ref);
+        section.isSelected = !selected.empty() && selected.contains(ref);
+        section.isSibling = hoveredOperation.isValid() && ref.operation == hoveredOperation;
+        section.isMade = !made.empty() && made.contains(ref);
+        section.isGhost = isDrawing ? isAsItWas(i) : section.isGhost;
+    }
+}
+
+} // namespace fff::ui

@@ -1,0 +1,459 @@
+#include "ui/bench/viewport.h"
+
+#include "core/model/origin.h"
+#include "ui/base/cursors.h"
+#include "ui/base/focus_frame.h"
+#include "ui/base/theme.h"
+#include "ui/bench/marked_scene.h"
+#include "ui/bench/workbench.h"
+#include "ui/settings/settings.h"
+#include "ui/view/overlay_painter.h"
+#include "ui/view/steps_scene.h"
+
+#include <QContextMenuEvent>
+#include <QFocusEvent>
+#include <QMouseEvent>
+#include <QOpenGLContext>
+#include <QOpenGLFunctions>
+#include <QPainter>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace fff::ui {
+
+namespace {
+
+constexpr int kFrameTime = 12;     // ms between frames of an animation
+constexpr int kBusyDelay = 500;    // ms before work is said to be going on
+constexpr int kBusyFrame = 80;     // ms between steps of its mark
+constexpr double kBusyStep = 0.08; // of a turn
+
+bool isOfKeys(Qt::FocusReason reason)
+{
+    return reason == Qt::TabFocusReason || reason == Qt::BacktabFocusReason ||
+           reason == Qt::ShortcutFocusReason;
+}
+
+bool isTouch(QEvent::Type type)
+{
+    return type == QEvent::TouchBegin || type == QEvent::TouchUpdate || type == QEvent::TouchEnd ||
+           type == QEvent::TouchCancel;
+}
+
+} // namespace
+
+bool Viewport::Seen::isSamePicture(const Seen &other) const
+{
+    return camera == other.camera && view == other.view && isGhosted == other.isGhosted &&
+           operation == other.operation;
+}
+
+Viewport::Viewport(Workbench &bench, QWidget *parent)
+    : QOpenGLWidget(parent), m_bench(bench), m_input(bench, nullptr), m_touch(bench, nullptr)
+{
+    // The renderer smooths edges by itself, and marks are painted smoothly.
+    QSurfaceFormat plain = QSurfaceFormat::defaultFormat();
+    plain.setSamples(0);
+    setFormat(plain);
+    m_sinceStart.start();
+    m_frameClock = [this] { return static_cast<double>(m_sinceStart.nsecsElapsed()) * 1e-6; };
+
+    setObjectName(QStringLiteral("viewport"));
+    setAccessibleName(tr("View of the model"));
+    setAccessibleDescription(tr("Draw with the left mouse button, turn with the right one."));
+    setMinimumSize(480, 360);
+    setMouseTracking(true);
+    setAttribute(Qt::WA_AcceptTouchEvents);
+    setTabletTracking(true);
+    setFocusPolicy(Qt::StrongFocus);
+    FocusFrame::leaveTo(this);
+
+    connect(&m_input, &ViewInput::numberBegun, this, &Viewport::numberBegun);
+    connect(&m_input, &ViewInput::enterPressed, this, &Viewport::enterPressed);
+    connect(&m_input, &ViewInput::menuWanted, this, &Viewport::menuWanted);
+    connect(&m_touch, &TouchInput::menuWanted, this, &Viewport::menuWanted);
+    m_frames.setInterval(kFrameTime);
+    connect(&m_frames, &QTimer::timeout, this, &Viewport::advance);
+    const auto once = [this](QTimer &timer, auto act) {
+        timer.setSingleShot(true);
+        connect(&timer, &QTimer::timeout, this, act);
+    };
+    once(m_wake, [this] { m_bench.advance(); });
+    once(m_rest, [this] { update(); });
+    once(m_busyWait, [this] { m_busyTurn.start(kBusyFrame); });
+    connect(&m_busyTurn, &QTimer::timeout, this, [this] {
+        m_busyTurns += kBusyStep;
+        update();
+    });
+    connect(&bench, &Workbench::viewChanged, this, &Viewport::refresh);
+    connect(&settings(), &Settings::unitChanged, this, qOverload<>(&QWidget::update));
+    connect(&bench.session(), &Session::modelChanged, this, [this] {
+        watchAnalysis();
+        rebuildScene();
+    });
+    connect(&bench.session(), &Session::analysisChanged, this, [this] {
+        watchAnalysis();
+        m_builder.setAnalysis(m_bench.session().analysisPointer());
+        rebuildScene();
+    });
+    m_builder.setAnalysis(bench.session().analysisPointer());
+    rebuildScene();
+}
+
+Viewport::~Viewport()
+{
+    if (context()) {
+        // The context goes after this object's own members: nothing may be called for it then.
+        disconnect(context(), nullptr, this, nullptr);
+        makeCurrent();
+        m_renderer.release();
+        doneCurrent();
+    }
+}
+
+void Viewport::initializeGL()
+{
+    // Moving the widget to another window makes a new context; everything of the old one goes with
+    // it.
+    connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, [this] {
+        makeCurrent();
+        m_renderer.release();
+        doneCurrent();
+    });
+    m_isUsable = m_renderer.initialize();
+    if (!m_isUsable)
+        Q_EMIT unusable();
+}
+
+void Viewport::resizeGL(int width, int height)
+{
+    m_bench.setViewport({static_cast<double>(width), static_cast<double>(height)});
+}
+
+void Viewport::paintGL()
+{
+    ++m_paintCount;
+    const Interaction &interaction = m_bench.interaction();
+    if (m_isUsable) {
+        RenderOptions options;
+        options.quality = m_pace.begin(m_frameClock(), std::exchange(m_isPictureChanged, false));
+        options.isXray = interaction.view().isXray;
+        options.hasGround = interaction.view().hasGround;
+        options.clip = interaction.view().clip;
+        m_renderer.render(m_steps ? m_steps->scene : m_scene, interaction.camera(),
+                          Vec2(width(), height()), devicePixelRatioF(), theme().viewStyle(),
+                          options);
+        context()->functions()->glFinish(); // the time is that of the picture, not of asking for it
+        m_pace.end(m_frameClock());
+        if (const std::optional<double> rest = m_pace.restTime())
+            m_rest.start(std::max(1, static_cast<int>(std::ceil(*rest - m_frameClock()))));
+        else
+            m_rest.stop();
+    }
+    paintMarks();
+    QPainter painter(this);
+    if (!m_isUsable)
+        painter.fillRect(rect(), theme().viewStyle().bottom);
+    painter.drawImage(QPointF(0.0, 0.0), m_marks);
+}
+
+void Viewport::paintMarks()
+{
+    const QSize pixels = size() * devicePixelRatioF();
+    if (m_marks.size() != pixels)
+        m_marks = QImage(pixels, QImage::Format_ARGB32_Premultiplied);
+    m_marks.setDevicePixelRatio(devicePixelRatioF());
+    m_marks.fill(Qt::transparent);
+    const Interaction &interaction = m_bench.interaction();
+    const Overlay &overlay = interaction.overlay();
+    const Model &model = m_bench.session().model();
+    OverlayScene scene{overlay, interaction.camera(), Vec2(width(), height()),
+                       m_scene.sections.empty(), !interaction.hasGesture() && !overlay.pen};
+    scene.view = interaction.view();
+    scene.unit = settings().unit();
+    const bool isDrawing = overlay.slit || overlay.stroke || hasPath(overlay);
+    if (!isDrawing)
+        scene.marks =
+            placeMarks(interaction.marks(), interaction.camera(), scene.viewport, scene.view);
+    scene.litMark = litMark();
+    if (!isDrawing && !m_steps) {
+        scene.ghosts = m_bench.ghosts();
+        scene.problems = m_bench.problemLook();
+    }
+    scene.steps = m_steps ? &m_steps->marks : nullptr;
+    if (scene.view.clip) // of the handle's place; every vertex is looked at for it
+        scene.bounds = m_bench.session().committed().bounds();
+    const auto hovered = static_cast<std::size_t>(std::max(overlay.hovered, 0));
+    if (overlay.hovered >= 0 && hovered < model.sectionCount())
+        scene.hovered = QString::fromStdString(model.section(hovered)->name);
+    if (overlay.points)
+        scene.edited = editedSection(model, overlay.points->section);
+    scene.handles = handles();
+    if (scene.handles) {
+        const Operation *operation = model.document.find(interaction.selectedOperation());
+        scene.operation = operation ? operationKind(operation->kind) : nullptr;
+    }
+    if (!m_steps)
+        scene.dimensions = dimensionMarks(model, overlay.dimension);
+    if (m_busyTurn.isActive())
+        scene.busy = m_busyTurns;
+    QPainter painter(&m_marks);
+    painter.setFont(font());
+    paintOverlay(painter, scene, theme().viewStyle(), locale());
+    if (m_steps)
+        paintStepsFrame(painter);
+    if (!m_showsFocus)
+        return;
+    const QRectF inside = QRectF(rect()).adjusted(1.0, 1.0, -1.0, -1.0);
+    painter.setBrush(Qt::NoBrush);
+    for (const QPen &pen : {QPen(theme().panel, 4.0), QPen(theme().accent, 2.0)}) {
+        painter.setPen(pen);
+        painter.drawRect(inside);
+    }
+}
+
+/// The view shows something else than the model as it is edited: nobody may miss that.
+void Viewport::paintStepsFrame(QPainter &painter) const
+{
+    constexpr double kWidth = 3.0;
+    const double half = 0.5 * kWidth;
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(QPen(theme().accent, kWidth, Qt::SolidLine, Qt::FlatCap, Qt::MiterJoin));
+    painter.drawRect(QRectF(rect()).adjusted(half, half, -half, -half));
+}
+
+void Viewport::showSteps(std::shared_ptr<const StepsPicture> picture)
+{
+    if (!picture && !m_steps)
+        return;
+    m_steps = std::move(picture);
+    m_isPictureChanged = true;
+    update();
+}
+
+/// Its mark appears when it takes longer than one waits for.
+void Viewport::watchAnalysis()
+{
+    const Session &session = m_bench.session();
+    if (session.analysedRevision() < session.revision()) {
+        if (!m_busyWait.isActive() && !m_busyTurn.isActive())
+            m_busyWait.start(kBusyDelay);
+        return;
+    }
+    m_busyWait.stop();
+    if (m_busyTurn.isActive())
+        update();
+    m_busyTurn.stop();
+}
+
+/// A frame for those who came by keys; whoever has the mouse here knows.
+void Viewport::showFocus(bool shows)
+{
+    if (std::exchange(m_showsFocus, shows) != shows)
+        update();
+}
+
+void Viewport::mousePressEvent(QMouseEvent *event)
+{
+    showFocus(false);
+    m_input.press(event);
+}
+
+void Viewport::mouseMoveEvent(QMouseEvent *event)
+{
+    m_input.move(event);
+}
+
+void Viewport::mouseReleaseEvent(QMouseEvent *event)
+{
+    m_input.release(event);
+}
+
+void Viewport::mouseDoubleClickEvent(QMouseEvent *event)
+{
+    // Qt sends this in place of the second press; a stroke must not get lost in it.
+    mousePressEvent(event);
+}
+
+void Viewport::wheelEvent(QWheelEvent *event)
+{
+    m_input.wheel(event);
+}
+
+void Viewport::tabletEvent(QTabletEvent *event)
+{
+    showFocus(false);
+    if (event->type() == QEvent::TabletPress)
+        setFocus(Qt::MouseFocusReason);
+    m_touch.penIsNear(event->timestamp());
+    m_input.tablet(event);
+}
+
+void Viewport::keyPressEvent(QKeyEvent *event)
+{
+    if (!m_input.keyPress(event))
+        QOpenGLWidget::keyPressEvent(event);
+}
+
+/// That of the mouse comes with its press, which may become a drag.
+void Viewport::contextMenuEvent(QContextMenuEvent *event)
+{
+    if (event->reason() == QContextMenuEvent::Keyboard)
+        Q_EMIT menuKeyPressed();
+    event->accept();
+}
+
+void Viewport::keyReleaseEvent(QKeyEvent *event)
+{
+    if (!m_input.keyRelease(event))
+        QOpenGLWidget::keyReleaseEvent(event);
+}
+
+bool Viewport::event(QEvent *event)
+{
+    if (event->type() == QEvent::ShortcutOverride &&
+        m_input.isBeforeShortcuts(static_cast<QKeyEvent *>(event))) {
+        event->accept();
+        return true;
+    }
+    if (event->type() == QEvent::NativeGesture &&
+        m_input.pinch(static_cast<QNativeGestureEvent *>(event)))
+        return true;
+    if (isTouch(event->type())) {
+        showFocus(false);
+        if (event->type() == QEvent::TouchBegin)
+            setFocus(Qt::MouseFocusReason);
+        m_input.flush();
+        m_touch.handle(static_cast<QTouchEvent *>(event));
+        return true;
+    }
+    if (event->type() == QEvent::Leave)
+        m_input.leave();
+    else if (event->type() == QEvent::WindowBlocked)
+        m_input.letGo();
+    else if (event->type() == QEvent::FocusIn)
+        showFocus(m_showsFocus || isOfKeys(static_cast<QFocusEvent *>(event)->reason()));
+    else if (event->type() == QEvent::FocusOut) {
+        m_input.forgetKeys();
+        // Back in this window, or behind a menu, it is where it was.
+        const Qt::FocusReason reason = static_cast<QFocusEvent *>(event)->reason();
+        if (reason != Qt::ActiveWindowFocusReason && reason != Qt::PopupFocusReason)
+            showFocus(false);
+    }
+    return QOpenGLWidget::event(event);
+}
+
+void Viewport::advance()
+{
+    m_input.flush();
+    if (!m_bench.advance())
+        m_frames.stop();
+}
+
+/// Under the cursor, or with the cursor on its row.
+int Viewport::litMark() const
+{
+    const int hovered = m_bench.interaction().overlay().mark;
+    return hovered > 0 ? hovered : m_bench.litProblem();
+}
+
+/// Of those that are to be outlined, the ones that are in the model: others change nothing that is
+/// seen.
+std::vector<SectionRef> Viewport::presentlyOutlined() const
+{
+    std::vector<SectionRef> present;
+    const Model &model = m_bench.session().model();
+    const std::vector<SectionRef> &wanted = m_bench.outlined();
+    for (std::size_t i = 0; !wanted.empty() && i < model.sectionCount(); ++i) {
+        const SectionRef ref = model.ref(i);
+        if (std::binary_search(wanted.begin(), wanted.end(), ref))
+            present.push_back(ref);
+    }
+    return present;
+}
+
+/// Of the operation that is selected; while its numbers are dragged elsewhere, where they are then.
+std::optional<OperationMarks> Viewport::handles() const
+{
+    const Interaction &interaction = m_bench.interaction();
+    std::optional<OperationMarks> shown = interaction.overlay().operation;
+    if (!shown || interaction.hasGesture() || !m_bench.session().hasPreview())
+        return shown;
+    OperationMarks marks =
+        operationMarks(m_bench.session().model(), interaction.selectedOperation());
+    marks.hovered = shown->hovered;
+    return marks;
+}
+
+Viewport::Seen Viewport::seen() const
+{
+    const Interaction &interaction = m_bench.interaction();
+    const Overlay &overlay = interaction.overlay();
+    return {interaction.camera(),
+            interaction.view(),
+            interaction.selection(),
+            presentlyOutlined(),
+            m_bench.ghosts(),
+            overlay.hovered,
+            overlay.namePlace,
+            overlay.cubePart,
+            overlay.points,
+            overlay.joints,
+            handles(),
+            interaction.operationInFocus(),
+            overlay.isHandleHovered,
+            interaction.hasGesture(),
+            overlay.stroke.has_value() || hasPath(overlay),
+            overlay.band.has_value(),
+            interaction.marks(),
+            litMark(),
+            m_bench.problemLook(),
+            overlay.pen,
+            overlay.plane ? std::optional(overlay.plane->canvas) : std::nullopt,
+            overlay.gizmo,
+            overlay.measure,
+            overlay.measuredPlace,
+            overlay.dimension,
+            overlay.rulers,
+            overlay.figure};
+}
+
+/// Something that is seen may have changed: paints only if it has.
+void Viewport::refresh()
+{
+    const Interaction &interaction = m_bench.interaction();
+    if (interaction.isAnimating() && !m_frames.isActive())
+        m_frames.start();
+    if (const std::optional<double> wake = interaction.wakeTime())
+        m_wake.start(std::max(1, static_cast<int>(std::ceil(*wake - m_bench.clock().now()))));
+    else
+        m_wake.stop();
+    const QCursor shape = cursorFor(interaction.cursor(), devicePixelRatioF());
+    if (cursor() != shape)
+        setCursor(shape);
+
+    const Overlay &overlay = interaction.overlay();
+    Seen now = seen();
+    // What the pen shows is compared.
+    const bool drawsMarks =
+        (overlay.slit && !overlay.pen) || overlay.deadZone || overlay.stroke || overlay.band;
+    if (now == m_seen && !drawsMarks)
+        return;
+    if (!now.isSamePicture(m_seen))
+        m_isPictureChanged = true;
+    m_seen = std::move(now);
+    markScene(m_scene, m_bench);
+    update();
+}
+
+void Viewport::rebuildScene()
+{
+    m_scene = m_builder.build(m_bench.session().model());
+    markScene(m_scene, m_bench);
+    m_isPictureChanged = true;
+    update();
+}
+
+} // namespace fff::ui

@@ -1,0 +1,137 @@
+// The widget of the 3D view. Only wires: mouse and keys to the interaction, frames to the renderer.
+// The clock is that of the events.
+#pragma once
+
+#include "core/interaction/interaction.h"
+#include "core/interaction/problem_look.h"
+#include "ui/bench/touch_input.h"
+#include "ui/bench/view_input.h"
+#include "ui/view/frame_pace.h"
+#include "ui/view/renderer.h"
+#include "ui/view/scene.h"
+
+#include <QElapsedTimer>
+#include <QImage>
+#include <QOpenGLWidget>
+#include <QTimer>
+
+#include <functional>
+#include <memory>
+
+namespace fff::ui {
+
+class Workbench;
+struct StepsPicture;
+
+class Viewport : public QOpenGLWidget
+{
+    Q_OBJECT
+public:
+    explicit Viewport(Workbench &bench, QWidget *parent = nullptr);
+    ~Viewport() override;
+
+    /// Frames painted so far: a test sees that nothing is painted when nothing changed.
+    int paintCount() const { return m_paintCount; }
+    const Renderer &renderer() const { return m_renderer; }
+    /// ms; by it frames are timed, and drawn the simpler the longer they take. Tests have their
+    /// own.
+    void setFrameClock(std::function<double()> clock) { m_frameClock = std::move(clock); }
+
+    /// Drawn in place of the model, in a frame that says so; null: the model again.
+    void showSteps(std::shared_ptr<const StepsPicture> picture);
+    const StepsPicture *steps() const { return m_steps.get(); }
+
+Q_SIGNALS:
+    /// The first key of a number, while the tool in the hand takes some.
+    void numberBegun(const QString &text);
+    void enterPressed();
+    /// A menu of what lies there is asked for; and of what is selected, by a key.
+    void menuWanted(const QPoint &inView);
+    void menuKeyPressed();
+    /// The driver offers no OpenGL 3.3: nothing can be drawn.
+    void unusable();
+
+protected:
+    void initializeGL() override;
+    void resizeGL(int width, int height) override;
+    void paintGL() override;
+    void mousePressEvent(QMouseEvent *event) override;
+    void mouseMoveEvent(QMouseEvent *event) override;
+    void mouseReleaseEvent(QMouseEvent *event) override;
+    void mouseDoubleClickEvent(QMouseEvent *event) override;
+    void wheelEvent(QWheelEvent *event) override;
+    void tabletEvent(QTabletEvent *event) override;
+    void keyPressEvent(QKeyEvent *event) override;
+    void keyReleaseEvent(QKeyEvent *event) override;
+    void contextMenuEvent(QContextMenuEvent *event) override;
+    bool event(QEvent *event) override;
+
+private:
+    /// All that is seen but for the model and what a gesture shows.
+    struct Seen
+    {
+        Camera camera;
+        ViewState view;
+        std::vector<SectionRef> selection, outlined;
+        std::vector<SectionPointer> ghosts;
+        int hovered = -1;
+        std::optional<Vec2> namePlace;
+        std::optional<CubePart> cubePart;
+        std::optional<Overlay::Points> points;
+        std::optional<Overlay::Joints> joints;
+        std::optional<OperationMarks> handles;
+        OperationId operation; // in focus
+        bool isHandleHovered = false, hasGesture = false, isGhosted = false, hasBand = false;
+        std::vector<ProblemMark> marks;
+        int litMark = 0;
+        ProblemLook problems;
+        std::optional<PenMarks> pen;
+        std::optional<Frame> plane;
+        std::optional<GizmoMarks> gizmo;
+        std::optional<Overlay::Measure> measure;
+        std::optional<Vec3> measuredPlace;
+        DimensionId dimension;
+        std::optional<Frame> rulers;
+        std::optional<Overlay::FigureLine> figure;
+
+        bool isSamePicture(const Seen &other) const;
+        bool operator==(const Seen &other) const = default;
+    };
+
+    void showFocus(bool shows);
+    void advance();
+    void refresh();
+    void rebuildScene();
+    Seen seen() const;
+    std::optional<OperationMarks> handles() const;
+    std::vector<SectionRef> presentlyOutlined() const;
+    int litMark() const;
+    void watchAnalysis();
+    void paintMarks();
+    void paintStepsFrame(QPainter &painter) const;
+
+    Workbench &m_bench;
+    ViewInput m_input;
+    TouchInput m_touch;
+    Renderer m_renderer;
+    SceneBuilder m_builder;
+    Scene m_scene;
+    std::shared_ptr<const StepsPicture> m_steps; // shown instead
+    bool m_isUsable = false;
+    bool m_showsFocus = false; // a frame says that keys go here
+    QTimer m_frames;
+    QTimer m_wake;     // something changes that no event brings
+    QTimer m_rest;     // the picture has rested: draw it in full
+    QTimer m_busyWait; // the analysis takes longer than one notices
+    QTimer m_busyTurn; // its mark goes round
+    double m_busyTurns = 0.0;
+    Seen m_seen; // when it was painted or asked to be
+    FramePace m_pace;
+    std::function<double()> m_frameClock;
+    QElapsedTimer m_sinceStart;
+    bool m_isPictureChanged = false;
+    QImage m_marks; // what is painted over the picture
+    int m_paintCount = 0;
+};
+
+} // namespace fff::ui

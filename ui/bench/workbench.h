@@ -1,0 +1,157 @@
+// What the parts of the window work on together: the session, the interaction that edits it, and
+// the selection. Interaction is plain C++; this says with signals what changed in it.
+#pragma once
+
+#include "core/assembly/joint_editing.h"
+#include "core/interaction/commands.h"
+#include "core/interaction/interaction.h"
+#include "core/interaction/problem_look.h"
+#include "core/interaction/tool.h"
+#include "core/session/session.h"
+#include "core/session/session_host.h"
+#include "ui/base/event_clock.h"
+
+#include <QObject>
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace fff::ui {
+
+class Workbench : public QObject
+{
+    Q_OBJECT
+public:
+    explicit Workbench(QObject *parent = nullptr);
+    ~Workbench() override;
+
+    Session &session() { return m_session; }
+    const Session &session() const { return m_session; }
+    /// To look at; what changes it goes through the functions below.
+    const Interaction &interaction() const { return *m_interaction; }
+
+    void setViewport(const Vec2 &size);
+    void handle(const PointerEvent &event);
+    bool escape();
+    /// Of the tool in the hand.
+    bool wants(ToolKey key) const;
+    bool key(ToolKey key);
+    void setNumbers(const std::vector<ToolNumber> &numbers);
+    void dropNumbers();
+    /// Moves animations on; true while one runs.
+    bool advance();
+    EventClock &clock() { return m_clock; }
+
+    /// The session's commands; the window adds its own.
+    CommandRegistry &commands() { return m_commands; }
+    const CommandRegistry &commands() const { return m_commands; }
+    /// A failure is announced by editFailed.
+    void run(const QString &id, const CommandParameters &parameters = {});
+
+    void setCamera(const Camera &camera);
+    /// The whole model from one of the standard views, at once; as soon as the view has a size.
+    void showAll(std::string_view view);
+    void select(std::vector<SectionRef> selection);
+    void selectJoint(const JointRef &joint);
+    void selectOperation(OperationId id);
+
+    // The view's state: what is hidden, red, isolated, cut open. No step of the history.
+    bool isHidden(const SectionRef &ref) const { return m_interaction->view().isHidden(ref); }
+    /// A hidden section is neither drawn nor picked.
+    void setHidden(const SectionRef &ref, bool hidden) { setHidden(std::vector{ref}, hidden); }
+    void setHidden(const std::vector<SectionRef> &sections, bool hidden);
+    /// Those that are part of the problem looked at: red and hatched.
+    void setProblemSections(const std::vector<SectionRef> &sections);
+    /// Numbers beside problems. A click on one is announced by problemChosen.
+    void setProblemMarks(std::vector<ProblemMark> marks);
+    /// What else is drawn of problems; and the sections of those that are not looked at.
+    void setProblemLook(ProblemLook look, const std::vector<SectionRef> &faulty);
+    /// Empty while something else than the model is shown.
+    const ProblemLook &problemLook() const { return m_areMarksAside ? m_noLook : m_look; }
+    /// Put aside for as long as something else than the model is shown.
+    void setMarksAside(bool aside);
+    /// The mark that is shown as if the cursor were on it, because it is on its row; 0: none.
+    void setLitProblem(int number);
+    int litProblem() const { return m_litProblem; }
+
+    /// Outlined as if the cursor were on them, sorted; those that are not there now are passed
+    /// over. With them ghosts of sections that are not there now, or not as they are.
+    void setOutlined(std::vector<SectionRef> sections, std::vector<SectionPointer> ghosts = {});
+    const std::vector<SectionPointer> &ghosts() const { return m_ghosts; }
+    const std::vector<SectionRef> &outlined() const { return m_outlined; }
+
+    /// Holds a tool; the one that is held already is laid down.
+    void pickUp(std::unique_ptr<Tool> tool);
+    void layDownTool();
+
+    /// Commits an edit of control points, or says in the status line why it was refused.
+    void editPoints(PointEdit edit);
+    /// The control point under the cursor goes, if there is one.
+    void eraseHoveredPoint();
+    /// The same of whole sections.
+    void editSections(SectionEdit edit);
+    /// Commits an edit of a joint, or says in the status line why it cannot be had.
+    void editJoint(JointEdit edit);
+    /// An arrow key (Interaction::nudge). False when nothing is selected.
+    bool nudge(const Vec2 &arrow, double distance);
+
+    /// Commits an edit; a failed one is announced by editFailed and changes nothing.
+    void commit(const Step &step, Result<Document> document);
+    void commit(const QString &text, Result<Document> document);
+
+Q_SIGNALS:
+    void selectionChanged();
+    void pointsChanged(); // the selected control points
+    void hintChanged();
+    /// Camera, hover marks, gesture: what is seen but not in the model.
+    void viewChanged();
+    /// What is hidden, isolated, seen through or cut open, the projection, or the tool in the hand.
+    void viewStateChanged();
+    void editFailed(const fff::Error &error);
+    /// The mark of this problem was clicked, or is under the cursor (0: none is).
+    void problemChosen(int number);
+    /// The handle of this parameter was clicked.
+    void parameterChosen(fff::OperationId operation, const QString &key);
+    void problemHovered(int number);
+
+private:
+    void announceChanges();
+    void followSettings();
+    void showMarks();
+
+    Session m_session;
+    SessionHost m_host;
+    std::unique_ptr<Interaction> m_interaction;
+    std::vector<SectionRef> m_selection; // as last announced
+    std::optional<JointRef> m_joint;
+    OperationId m_operation;
+    std::vector<PointAddress> m_points;
+    Hint m_hint;
+    ViewState m_view;
+    std::vector<SectionRef> m_outlined;
+    std::vector<SectionPointer> m_ghosts;
+    std::vector<ProblemMark> m_marks;
+    ProblemLook m_look;
+    const ProblemLook m_noLook;
+    bool m_areMarksAside = false;
+    int m_litProblem = 0, m_hoveredProblem = 0;
+    Projection m_projection = Projection::Orthographic;
+    bool m_couldGoBack = false;
+    std::string m_toolCommand;               // of the tool in the hand
+    Tool::Asked m_asked;                     // by it
+    std::vector<std::string_view> m_offered; // commands that go with it
+    bool m_couldUndoInTool = false, m_couldRedoInTool = false;
+    EventClock m_clock;
+    CommandRegistry m_commands;
+    std::string m_viewToShow; // asked for before there was a size
+    /// By showAll(): all of it stays in sight until somebody goes on from there.
+    struct Shown
+    {
+        Camera camera;
+        Document document;
+    };
+    std::optional<Shown> m_shown;
+};
+
+} // namespace fff::ui

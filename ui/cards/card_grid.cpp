@@ -1,0 +1,76 @@
+#include "ui/cards/card_grid.h"
+
+#include <algorithm>
+
+namespace fff::ui {
+
+CardGrid::CardGrid(const QSize &card, int gap, QWidget *parent)
+    : QWidget(parent), m_card(card), m_gap(gap)
+{
+    QSizePolicy policy(QSizePolicy::Expanding, QSizePolicy::Minimum);
+    policy.setHeightForWidth(true);
+    setSizePolicy(policy);
+}
+
+void CardGrid::setCards(const std::vector<QWidget *> &cards)
+{
+    for (QWidget *old : m_cards) {
+        old->hide();
+        old->deleteLater(); // one of them may be what asks for this
+    }
+    m_cards = cards;
+    QWidget *before = nullptr;
+    for (QWidget *card : m_cards) {
+        card->setParent(this);
+        card->setFixedSize(m_card);
+        if (before)
+            setTabOrder(before, card);
+        before = card;
+        card->show();
+    }
+    place();
+    updateGeometry();
+}
+
+int CardGrid::columns(int width) const
+{
+    return std::max(1, (width + m_gap) / (m_card.width() + m_gap));
+}
+
+int CardGrid::heightForWidth(int width) const
+{
+    const int count = static_cast<int>(m_cards.size()), across = columns(width);
+    const int rows = (count + across - 1) / across;
+    return rows == 0 ? 0 : rows * m_card.height() + (rows - 1) * m_gap;
+}
+
+QSize CardGrid::sizeHint() const
+{
+    return {m_card.width(), heightForWidth(width())};
+}
+
+QSize CardGrid::minimumSizeHint() const
+{
+    return {m_card.width(), heightForWidth(std::max(width(), m_card.width()))};
+}
+
+void CardGrid::resizeEvent(QResizeEvent *event)
+{
+    QWidget::resizeEvent(event);
+    place();
+    updateGeometry();
+}
+
+void CardGrid::place()
+{
+    const int across = columns(width());
+    for (std::size_t i = 0; i < m_cards.size(); ++i) {
+        int column = static_cast<int>(i) % across;
+        const int row = static_cast<int>(i) / across;
+        if (isRightToLeft())
+            column = across - 1 - column;
+        m_cards[i]->move(column * (m_card.width() + m_gap), row * (m_card.height() + m_gap));
+    }
+}
+
+} // namespace fff::ui

@@ -1,0 +1,125 @@
+#include "ui/window/badges.h"
+
+#include "core/interaction/view_cube.h"
+#include "core/session/check_list.h"
+#include "core/session/check_text.h"
+#include "ui/bench/check_words.h"
+#include "ui/bench/workbench.h"
+#include "ui/settings/settings.h"
+#include "ui/window/badge.h"
+
+#include <QEvent>
+#include <QHBoxLayout>
+
+#include <algorithm>
+#include <optional>
+
+namespace fff::ui {
+
+namespace {
+
+constexpr int kMargin = 10, kGap = 6; // px
+constexpr int kGlyphsOnly = 640;      // px; a narrower view has no words on the badges
+constexpr CheckSubject kSubjects[] = {CheckSubject::Stability, CheckSubject::Connection,
+                                      CheckSubject::Assembly, CheckSubject::Joints,
+                                      CheckSubject::Size};
+
+/// They judge what is not made yet.
+bool isDrawing(const Workbench &bench)
+{
+    const Overlay &overlay = bench.interaction().overlay();
+    return overlay.stroke || (overlay.pen && overlay.pen->hasArea);
+}
+
+} // namespace
+
+Badges::Badges(Workbench &bench, const CheckList &list, QWidget *view)
+    : QWidget(view), m_bench(bench), m_list(list)
+{
+    setObjectName(QStringLiteral("badges"));
+    setAccessibleName(tr("Verdicts"));
+    auto *row = new QHBoxLayout(this);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(kGap);
+    for (const CheckSubject subject : kSubjects) {
+        auto *badge = new Badge(this);
+        badge->setObjectName(QStringLiteral("badge%1").arg(m_badges.size()));
+        badge->hide();
+        connect(badge, &Badge::clicked, this, [this, subject] { Q_EMIT clicked(subject); });
+        row->addWidget(badge);
+        m_badges.push_back(badge);
+    }
+    move(kMargin, kMargin);
+    view->installEventFilter(this);
+    connect(&list, &CheckList::changed, this, &Badges::refresh);
+    connect(&settings(), &Settings::unitChanged, this, &Badges::refresh);
+    connect(&bench, &Workbench::viewChanged, this, [this] {
+        if (m_isDrawing != isDrawing(m_bench))
+            refresh();
+    });
+    refresh();
+}
+
+void Badges::refreshColours()
+{
+    refresh();
+    for (Badge *badge : m_badges)
+        badge->update();
+}
+
+bool Badges::eventFilter(QObject *object, QEvent *event)
+{
+    if (object == parent() && event->type() == QEvent::Resize)
+        fold();
+    return QWidget::eventFilter(object, event);
+}
+
+void Badges::refresh()
+{
+    m_isDrawing = isDrawing(m_bench);
+    for (std::size_t i = 0; i < m_badges.size(); ++i) {
+        const Check *shown = nullptr; // the worst
+        for (const Check &check : m_list.all()) {
+            if (subjectOf(check) == kSubjects[i] && check.severity != CheckSeverity::Note &&
+                (!shown || check.severity > shown->severity))
+                shown = &check;
+        }
+        if (shown) {
+            const CheckWords words = checkWords(*shown, m_list.model());
+            m_badges[i]->setContent({shown->severity, checkTitle(*shown),
+                                     QStringLiteral("%1. %2").arg(words.title, words.text),
+                                     m_list.age() != CheckList::Age::Current, m_isDrawing});
+        }
+        m_badges[i]->setVisible(shown != nullptr);
+    }
+    fold();
+}
+
+/// Words are there as long as they leave the view cube free; those of what is good go first.
+void Badges::fold()
+{
+    const QSize view = parentWidget()->size();
+    const auto cube = cubeCentre({view.width(), view.height()});
+    const double end = cube ? cube->x() - 0.5 * kCubeRoom : view.width();
+    std::optional<CheckSeverity> folded; // up to this one
+    if (view.width() < kGlyphsOnly)
+        folded = CheckSeverity::Error;
+    const auto isFolded = [&](const Badge *badge) {
+        return folded && badge->severity() <= *folded;
+    };
+    for (const auto next : {CheckSeverity::Good, CheckSeverity::Error}) {
+        int width = kMargin;
+        for (const Badge *badge : m_badges)
+            width += badge->isHidden() ? 0 : badge->widthWhen(isFolded(badge)) + kGap;
+        if (folded == CheckSeverity::Error || width <= end)
+            break;
+        folded = next;
+    }
+    for (Badge *badge : m_badges)
+        badge->setFolded(isFolded(badge));
+    const QSize size = layout()->sizeHint();
+    if (this->size() != size)
+        resize(size);
+}
+
+} // namespace fff::ui

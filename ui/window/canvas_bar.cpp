@@ -1,0 +1,336 @@
+#include "ui/window/canvas_bar.h"
+
+#include "core/base/units.h"
+#include "ui/actions/action_set.h"
+#include "ui/base/theme.h"
+#include "ui/bench/workbench.h"
+#include "ui/properties/length_edit.h"
+
+#include <QApplication>
+#include <QGridLayout>
+#include <QHBoxLayout>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPainter>
+#include <QToolButton>
+
+#include <algorithm>
+
+namespace fff::ui {
+
+namespace {
+
+constexpr int kBelow = 14;     // px to the view's lower edge
+constexpr int kScaleBar = 160; // px that the scale bar takes at its left end
+constexpr int kOverScale = 48; // px to the lower edge where the bar would lie on that
+constexpr NumberEdit::Range kPlace{-10000.0, 10000.0, 0.1, 1, 3};
+constexpr NumberEdit::Range kLength{0.0, 10000.0, 0.1, 1, 3};
+constexpr NumberEdit::Range kWanted{0.001, 1000000.0, 0.5, 1, 2};
+constexpr NumberEdit::Range kAngle{-360.0, 360.0, 0.5, 1, 3};
+
+constexpr NumberEdit::Range kPercent{1.0, 10000.0, 5.0, 0, 2};
+constexpr NumberEdit::Range kCopies{0.0, 500.0, 1.0, 0, 0};
+constexpr int kFieldWidth = 104, kNarrowField = 88; // px
+constexpr int kFewFields = 3;                       // in a row of a view that is not wide
+
+/// Numbers of points come and go with what is typed; others stay with their tool.
+bool isOfPoint(ToolNumber::Kind kind)
+{
+    using Kind = ToolNumber::Kind;
+    return kind == Kind::X || kind == Kind::Y || kind == Kind::DeltaX || kind == Kind::DeltaY ||
+           kind == Kind::Length || kind == Kind::Angle;
+}
+
+/// As people say it, and back.
+double shownNumber(const ToolNumber &number)
+{
+    switch (number.kind) {
+    case ToolNumber::Kind::Angle:
+    case ToolNumber::Kind::Turn:
+        return degrees(number.value);
+    case ToolNumber::Kind::Size:
+        return 100.0 * number.value;
+    default:
+        return number.value;
+    }
+}
+
+double numberShown(ToolNumber::Kind kind, double shown)
+{
+    switch (kind) {
+    case ToolNumber::Kind::Angle:
+    case ToolNumber::Kind::Turn:
+        return radians(shown);
+    case ToolNumber::Kind::Size:
+        return shown / 100.0;
+    default:
+        return shown;
+    }
+}
+
+} // namespace
+
+CanvasBar::CanvasBar(Workbench &bench, const ActionSet &actions, QWidget *view)
+    : QFrame(view), m_bench(bench), m_actions(actions)
+{
+    setObjectName(QStringLiteral("canvasBar"));
+    setAccessibleName(tr("Numbers of the drawing tool"));
+    setCursor(Qt::ArrowCursor);
+    m_grid = new QGridLayout(this);
+    m_grid->setContentsMargins(12, 8, 12, 8);
+    m_grid->setSpacing(6);
+    using Kind = ToolNumber::Kind;
+    addField(Kind::Distance, new LengthEdit(kPlace, this), tr("Distance"), "canvasDistance");
+    addField(Kind::X, new LengthEdit(kPlace, this), tr("X"), "canvasX");
+    addField(Kind::Y, new LengthEdit(kPlace, this), tr("Y"), "canvasY");
+    addField(Kind::Length, new LengthEdit(kLength, this), tr("Length"), "canvasLength");
+    addField(Kind::Angle, new NumberEdit(kAngle, tr("°"), this), tr("Angle"), "canvasAngle");
+    addField(Kind::MoveX, new LengthEdit(kPlace, this), tr("X"), "canvasMoveX");
+    addField(Kind::MoveY, new LengthEdit(kPlace, this), tr("Y"), "canvasMoveY");
+    addField(Kind::MoveZ, new LengthEdit(kPlace, this), tr("Z"), "canvasMoveZ");
+    addField(Kind::MoveRight, new LengthEdit(kPlace, this), tr("Right"), "canvasMoveRight");
+    addField(Kind::MoveUp, new LengthEdit(kPlace, this), tr("Up"), "canvasMoveUp");
+    //: away from its plane
+    addField(Kind::MoveOut, new LengthEdit(kPlace, this), tr("Out"), "canvasMoveOut");
+    addField(Kind::Turn, new NumberEdit(kAngle, tr("°"), this), tr("Turn"), "canvasTurn");
+    addField(Kind::Size, new NumberEdit(kPercent, tr("%"), this), tr("Size"), "canvasSize");
+    addField(Kind::Copies, new NumberEdit(kCopies, QString(), this), tr("Copies"), "canvasCopies");
+    addField(Kind::Wanted, new LengthEdit(kWanted, this), tr("Length"), "canvasWanted");
+    m_buttons = new QWidget(this);
+    auto *row = new QHBoxLayout(m_buttons);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(6);
+    hide();
+    view->installEventFilter(this);
+    connect(&bench, &Workbench::viewChanged, this, &CanvasBar::refresh);
+    connect(qApp, &QApplication::focusChanged, this,
+            [this](QWidget *, QWidget *now) { follow(now); });
+}
+
+void CanvasBar::addField(ToolNumber::Kind kind, NumberEdit *edit, const QString &name,
+                         const char *objectName)
+{
+    auto *label = new QLabel(name, this);
+    label->setBuddy(edit);
+    label->setForegroundRole(QPalette::PlaceholderText);
+    edit->setObjectName(QLatin1String(objectName));
+    edit->setAccessibleName(name);
+    edit->setFixedWidth(isOfPoint(kind) ? kFieldWidth : kNarrowField);
+    m_fields.push_back({kind, label, edit});
+    auto *line = edit->findChild<QLineEdit *>();
+    connect(line, &QLineEdit::textEdited, this, [this, kind, edit] {
+        if (const std::optional<double> typed = edit->typed())
+            take(kind, *typed);
+    });
+    connect(edit, &NumberEdit::numberEdited, this,
+            [this, kind](double value) { take(kind, value); });
+}
+
+CanvasBar::Field *CanvasBar::field(ToolNumber::Kind kind)
+{
+    const auto found = std::find_if(m_fields.begin(), m_fields.end(),
+                                    [kind](const Field &f) { return f.kind == kind; });
+    return found != m_fields.end() && found->isWanted ? &*found : nullptr;
+}
+
+void CanvasBar::begin(const QString &text)
+{
+    using Kind = ToolNumber::Kind;
+    const bool isFromLast = text == QStringLiteral("@");
+    m_isOpen = field(Kind::Distance) == nullptr && field(Kind::Wanted) == nullptr;
+    refresh();
+    Field *first = field(isFromLast ? Kind::Length : Kind::X);
+    for (const Kind kind : {Kind::X, Kind::MoveX, Kind::MoveRight, Kind::Distance, Kind::Wanted}) {
+        if (!first || !first->edit->isVisibleTo(this))
+            first = field(kind);
+    }
+    if (!first)
+        return;
+    first->edit->setFocus(Qt::OtherFocusReason);
+    first->edit->selectAll();
+    if (isFromLast)
+        return;
+    QKeyEvent typed(QEvent::KeyPress, 0, Qt::NoModifier, text);
+    QCoreApplication::sendEvent(first->edit, &typed);
+}
+
+void CanvasBar::take(ToolNumber::Kind kind, double shown)
+{
+    if (field(kind) && isVisible())
+        m_bench.setNumbers({{kind, numberShown(kind, shown)}});
+}
+
+/// The fields of what the tool takes now, with the numbers that it has.
+void CanvasBar::refresh()
+{
+    const std::vector<ToolNumber> numbers = m_bench.interaction().numbers();
+    bool isSeen = false;
+    for (Field &field : m_fields)
+        field.isWanted = false;
+    for (const ToolNumber &number : numbers) {
+        for (Field &field : m_fields) {
+            if (field.kind != number.kind)
+                continue;
+            field.isWanted = true;
+            field.edit->setNumber(shownNumber(number));
+        }
+    }
+    m_isOpen = m_isOpen && !numbers.empty();
+    for (Field &field : m_fields) {
+        const bool isFieldSeen = field.isWanted && (m_isOpen || !isOfPoint(field.kind));
+        if (!isFieldSeen && field.edit->hasFocus())
+            parentWidget()->setFocus();
+        field.label->setVisible(isFieldSeen);
+        field.edit->setVisible(isFieldSeen);
+        isSeen = isSeen || isFieldSeen;
+    }
+    showCommands();
+    isSeen = isSeen || !m_commands.empty();
+    if (isSeen)
+        place();
+    setVisible(isSeen);
+}
+
+/// A button for each; they are made anew only where they are others.
+void CanvasBar::showCommands()
+{
+    const Tool *tool = m_bench.interaction().tool();
+    std::vector<std::string_view> commands =
+        tool ? tool->commands() : std::vector<std::string_view>();
+    if (commands == m_commands)
+        return;
+    m_commands = std::move(commands);
+    for (QToolButton *old : m_buttons->findChildren<QToolButton *>()) {
+        old->hide();
+        old->deleteLater();
+    }
+    for (const std::string_view command : m_commands) {
+        auto *button = new QToolButton(m_buttons);
+        button->setDefaultAction(m_actions.action(std::string(command).c_str()));
+        button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+        button->setAutoRaise(true);
+        button->setIconSize({16, 16});
+        button->setFocusPolicy(Qt::TabFocus);
+        button->setObjectName(QStringLiteral("canvas.") + button->defaultAction()->objectName());
+        m_buttons->layout()->addWidget(button);
+    }
+    m_buttons->setVisible(!m_commands.empty());
+}
+
+void CanvasBar::accept()
+{
+    for (Field &field : m_fields) {
+        if (field.edit->isVisible() && !field.edit->refusal().isEmpty())
+            return; // it says why, and stays
+    }
+    const bool isTyped = m_isOpen;
+    m_isOpen = false;
+    parentWidget()->setFocus();
+    if (isTyped)
+        m_bench.key(ToolKey::Enter);
+    refresh();
+}
+
+void CanvasBar::close()
+{
+    const bool isTyped = m_isOpen;
+    m_isOpen = false;
+    parentWidget()->setFocus();
+    if (isTyped)
+        m_bench.dropNumbers();
+    refresh();
+}
+
+/// Whoever goes elsewhere, sets no point and moves nothing.
+void CanvasBar::follow(QWidget *focus)
+{
+    const auto isEdit = [focus](const Field &field) { return field.edit == focus; };
+    const auto entered = std::find_if(m_fields.begin(), m_fields.end(), isEdit);
+    if (entered != m_fields.end() && entered->kind != ToolNumber::Kind::Distance)
+        m_isOpen = true;
+    if (m_isOpen && focus && !isAncestorOf(focus) && focus->window() == window()) {
+        m_isOpen = false;
+        m_bench.dropNumbers();
+        refresh();
+    }
+}
+
+void CanvasBar::keyPressEvent(QKeyEvent *event)
+{
+    if (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter)
+        accept();
+    else if (event->key() == Qt::Key_Escape)
+        close();
+    else
+        event->accept(); // letters are no shortcuts of the view here
+}
+
+/// Round in the bar: Enter and Esc leave it.
+bool CanvasBar::focusNextPrevChild(bool next)
+{
+    std::vector<NumberEdit *> seen;
+    for (const Field &field : m_fields) {
+        if (field.edit->isVisible())
+            seen.push_back(field.edit);
+    }
+    const auto here = std::find_if(seen.begin(), seen.end(),
+                                   [](const NumberEdit *edit) { return edit->hasFocus(); });
+    if (here == seen.end())
+        return QFrame::focusNextPrevChild(next);
+    const std::size_t count = seen.size();
+    const auto index = static_cast<std::size_t>(here - seen.begin());
+    NumberEdit *to = seen[(index + (next ? 1 : count - 1)) % count];
+    to->setFocus(next ? Qt::TabFocusReason : Qt::BacktabFocusReason);
+    to->selectAll();
+    return true;
+}
+
+bool CanvasBar::eventFilter(QObject *object, QEvent *event)
+{
+    if (object == parent() && event->type() == QEvent::Resize)
+        place();
+    return QFrame::eventFilter(object, event);
+}
+
+/// The commands stand below the fields, beside a single one where there is room.
+void CanvasBar::arrange(int fieldsInRow)
+{
+    int shown = 0;
+    for (Field &field : m_fields) {
+        const int row = shown / fieldsInRow, column = 2 * (shown % fieldsInRow);
+        m_grid->addWidget(field.label, row, column);
+        m_grid->addWidget(field.edit, row, column + 1);
+        shown += field.edit->isVisibleTo(this) ? 1 : 0;
+    }
+    if (shown == 1 && fieldsInRow > kFewFields)
+        m_grid->addWidget(m_buttons, 0, 2);
+    else
+        m_grid->addWidget(m_buttons, (shown + fieldsInRow - 1) / fieldsInRow, 0, 1,
+                          std::max(1, 2 * std::min(shown, fieldsInRow)), Qt::AlignLeft);
+    m_grid->activate();
+}
+
+void CanvasBar::place()
+{
+    for (const int fieldsInRow : {static_cast<int>(m_fields.size()), kFewFields, 2}) {
+        arrange(fieldsInRow);
+        if (sizeHint().width() <= parentWidget()->width() - 2 * kBelow)
+            break;
+    }
+    const QSize size = sizeHint();
+    resize(size);
+    const int left = (parentWidget()->width() - size.width()) / 2;
+    move(left, parentWidget()->height() - size.height() - (left < kScaleBar ? kOverScale : kBelow));
+}
+
+void CanvasBar::paintEvent(QPaintEvent *)
+{
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(QPen(theme().strong, 1.0));
+    painter.setBrush(theme().panel);
+    painter.drawRoundedRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5), 4.0, 4.0);
+}
+
+} // namespace fff::ui

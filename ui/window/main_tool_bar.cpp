@@ -1,0 +1,135 @@
+#include "ui/window/main_tool_bar.h"
+
+#include "ui/actions/action_set.h"
+#include "ui/base/icon.h"
+#include "ui/base/theme.h"
+#include "ui/bench/workbench.h"
+#include "ui/properties/stock_box.h"
+
+#include <QMenu>
+#include <QPushButton>
+#include <QToolButton>
+
+namespace fff::ui {
+
+namespace {
+
+// px; what a narrower window has not
+constexpr int kToolLabels = 1400, kWholeStock = 1240, kOperationButtons = 1160;
+
+constexpr const char *kOperations[] = {"operation.linear", "operation.revolve", "operation.blend",
+                                       "operation.branch", "operation.grid",    "operation.radial",
+                                       "operation.mirror"};
+
+} // namespace
+
+MainToolBar::MainToolBar(Workbench &bench, const ActionSet &actions, QWidget *parent)
+    : QToolBar(tr("Tool bar"), parent), m_bench(bench)
+{
+    setObjectName(QStringLiteral("mainToolBar"));
+    setMovable(false);
+    toggleViewAction()->setVisible(false);
+    setIconSize({20, 20});
+    actions.fill(this, {"file.new", "file.open", "file.save", "", "edit.undo", "edit.redo", "",
+                        "section.symmetry", "section.ground", "section.snap", "section.pen", "",
+                        "section.redraw", "section.addHole", ""});
+    for (const char *id : kOperations)
+        m_operations.push_back(actions.action(id));
+    m_rotational = actions.action("operation.rotational");
+    makeRepeat();
+    m_afterOperations = addSeparator();
+    addAction(actions.action("view.fitAll"));
+
+    for (QAction *action : this->actions()) {
+        if (QWidget *button = widgetForAction(action); button && !action->isSeparator())
+            button->setFocusPolicy(Qt::TabFocus); // a click leaves it where it was
+    }
+
+    auto *stretch = new QWidget(this);
+    stretch->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
+    addWidget(stretch);
+    m_stock = new StockBox(m_bench, this);
+    connect(m_stock, &StockBox::editorWanted, actions.action("fabricate.stocks"),
+            &QAction::trigger);
+    addWidget(m_stock);
+    auto *gap = new QWidget(this);
+    gap->setFixedWidth(8);
+    addWidget(gap);
+    makeExport(actions.action("file.export"));
+}
+
+/// Their buttons, or the one that stands for all.
+void MainToolBar::placeOperations(bool hasButtons)
+{
+    if (hasButtons == actions().contains(m_operations.front()))
+        return;
+    for (QAction *action : m_operations) {
+        if (!hasButtons) {
+            removeAction(action);
+            continue;
+        }
+        insertAction(m_afterOperations, action);
+        widgetForAction(action)->setFocusPolicy(Qt::TabFocus);
+    }
+    m_repeatAction->setVisible(!hasButtons);
+}
+
+/// What stands for the operations where there is no room for all.
+void MainToolBar::makeRepeat()
+{
+    m_repeat = new QToolButton(this);
+    m_repeat->setObjectName(QStringLiteral("repeatButton"));
+    m_repeat->setText(tr("Repeat"));
+    m_repeat->setIcon(themedIcon(QStringLiteral("linear")));
+    m_repeat->setToolTip(tr("Repeat and blend sections"));
+    m_repeat->setPopupMode(QToolButton::InstantPopup);
+    m_repeat->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    auto *menu = new QMenu(m_repeat);
+    for (QAction *action : m_operations)
+        menu->addAction(action);
+    menu->addAction(m_rotational);
+    m_repeat->setMenu(menu);
+    m_repeatAction = addWidget(m_repeat);
+}
+
+void MainToolBar::makeExport(QAction *exporting)
+{
+    m_export = new QPushButton(exporting->iconText(), this);
+    m_export->setObjectName(QStringLiteral("exportButton"));
+    m_export->setIconSize({18, 18});
+    const auto follow = [this, exporting] {
+        m_export->setEnabled(exporting->isEnabled());
+        m_export->setToolTip(exporting->toolTip());
+    };
+    follow();
+    connect(exporting, &QAction::changed, m_export, follow);
+    connect(m_export, &QPushButton::clicked, exporting, &QAction::trigger);
+    addWidget(m_export);
+}
+
+void MainToolBar::fold(int windowWidth)
+{
+    m_stock->setShort(windowWidth < kWholeStock);
+    placeOperations(windowWidth >= kOperationButtons);
+    // Whole words or none: how long they are is the language's.
+    const bool hadLabels = toolButtonStyle() == Qt::ToolButtonTextUnderIcon;
+    bool labels = windowWidth >= kToolLabels;
+    if (labels && !hadLabels)
+        setToolButtonStyle(Qt::ToolButtonTextUnderIcon);
+    labels = labels && sizeHint().width() <= windowWidth;
+    if (!labels)
+        setToolButtonStyle(Qt::ToolButtonIconOnly);
+    setFixedHeight(labels ? 56 : 44);
+}
+
+void MainToolBar::refresh()
+{
+    const auto mask = [this](const QColor &colour) {
+        return tintedPixmap(QStringLiteral("export"), 18, colour, devicePixelRatioF());
+    };
+    QIcon exporting(mask(theme().onAccent));
+    exporting.addPixmap(mask(theme().muted), QIcon::Disabled);
+    m_export->setIcon(exporting);
+}
+
+} // namespace fff::ui

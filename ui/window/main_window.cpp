@@ -1,0 +1,507 @@
+#include "ui/window/main_window.h"
+
+#include "core/interaction/tool.h"
+#include "core/io/error_text.h"
+#include "core/session/check_list.h"
+#include "ui/actions/action_set.h"
+#include "ui/base/icon.h"
+#include "ui/base/message_bar.h"
+#include "ui/base/panes.h"
+#include "ui/base/theme.h"
+#include "ui/bench/number_names.h"
+#include "ui/bench/status_line.h"
+#include "ui/bench/viewport.h"
+#include "ui/bench/workbench.h"
+#include "ui/dialogs/about_dialog.h"
+#include "ui/dialogs/command_search.h"
+#include "ui/dialogs/settings_dialog.h"
+#include "ui/dialogs/stock_editor.h"
+#include "ui/docks/checks_dock.h"
+#include "ui/docks/history_dock.h"
+#include "ui/docks/library_dock.h"
+#include "ui/docks/outline_dock.h"
+#include "ui/docks/properties_dock.h"
+#include "ui/files/document_files.h"
+#include "ui/files/file_drop.h"
+#include "ui/files/recent_menu.h"
+#include "ui/files/unsaved_work.h"
+#include "ui/properties/open_editor.h"
+#include "ui/settings/check_rules.h"
+#include "ui/settings/settings.h"
+#include "ui/start/start_page.h"
+#include "ui/steps/steps_export.h"
+#include "ui/steps/steps_view.h"
+#include "ui/window/badges.h"
+#include "ui/window/canvas_bar.h"
+#include "ui/window/context_menu.h"
+#include "ui/window/main_tool_bar.h"
+#include "ui/window/operation_notices.h"
+#include "ui/window/spoken_selection.h"
+#include "ui/window/window_layout.h"
+#include "ui/window/windows.h"
+
+#include <QCloseEvent>
+#include <QFileInfo>
+#include <QGuiApplication>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QMenuBar>
+#include <QScreen>
+#include <QStackedWidget>
+#include <QTabBar>
+#include <QVBoxLayout>
+
+#include <functional>
+
+namespace fff::ui {
+
+namespace {
+
+/// Some platforms crash on an OpenGL widget; the rest of the window works without one.
+bool hasOpenGl()
+{
+    const QString platform = QGuiApplication::platformName();
+    return platform != QStringLiteral("offscreen") && platform != QStringLiteral("minimal") &&
+           platform != QStringLiteral("vnc");
+}
+
+} // namespace
+
+MainWindow::MainWindow(QWidget *parent) : QMainWindow(parent), m_bench(new Workbench(this))
+{
+    setObjectName(QStringLiteral("mainWindow"));
+    setMinimumSize(1024, 640);
+    // With room for the frame that the system puts round it.
+    resize(QSize(1440, 900).boundedTo(screen()->availableSize() - QSize(16, 56)));
+    setContextMenuPolicy(Qt::NoContextMenu); // Qt's own menu could hide the tool bar for good
+
+    m_actions = new ActionSet(*m_bench, this);
+    makeView();
+    m_status = new StatusLine(
+        *m_bench,
+        [this](const char *action) {
+            return m_actions->action(action)->shortcut().toString(QKeySequence::NativeText);
+        },
+        this);
+    setStatusBar(m_status);
+    makeDocks();
+    m_files = new DocumentFiles(*m_bench, *m_messages, *m_status, *this);
+    m_unsaved = new UnsavedWork(*m_bench, *m_files, *m_messages, this);
+    m_stepsExport = new StepsExport(*m_messages, *m_status, *this);
+    connect(m_steps, &StepsView::exportWanted, this, [this] {
+        const QString suggestion = m_files->suggestion();
+        m_stepsExport->ask(
+            {m_steps->steps(), m_bench->interaction().camera(), QFileInfo(suggestion).fileName()},
+            suggestion);
+    });
+    addCommands();
+    m_toolBar = new MainToolBar(*m_bench, *m_actions, this);
+    addToolBar(m_toolBar);
+    makeMenus();
+    m_layout->restore();
+    refreshTheme();
+
+    connect(m_actions, &ActionSet::triggered, this, &MainWindow::run);
+    // Wherever a tool was asked for, its keys are the view's.
+    connect(m_bench, &Workbench::viewStateChanged, m_view, [this] {
+        const Tool *tool = m_bench->interaction().tool();
+        const bool hasTool = tool && (tool->asksFor().operation.isValid());
+        if (hasTool && !m_view->hasFocus() && isActiveWindow())
+            m_view->setFocus();
+    });
+    connect(m_files, &DocumentFiles::chosen, this, &MainWindow::openFiles);
+    auto *drop = new FileDrop(*this);
+    connect(drop, &FileDrop::dropped, this, &MainWindow::openFiles);
+    connect(drop, &FileDrop::drawingDropped, this, [this](const QString &path) {
+        readDrawing(QStringLiteral("section.importSections"), path);
+    });
+    connect(&settings(), &Settings::colourSchemeChanged, this, &MainWindow::refreshTheme);
+    const auto tellOfRevert = [this] {
+        m_actions->setAble("file.revert", m_files->canRevert(),
+                           m_files->path().isEmpty()
+                               ? tr("It was never saved")
+                               : tr("Nothing was changed since it was saved"));
+    };
+    connect(m_files, &DocumentFiles::pathChanged, m_actions, tellOfRevert);
+    connect(&m_bench->session(), &Session::cleanChanged, m_actions, tellOfRevert);
+    tellOfRevert();
+    connect(m_bench, &Workbench::editFailed, this, [this](const Error &error) {
+        m_messages->show(MessageBar::Severity::Error, {io::errorText(error)});
+    });
+    m_bench->session().reset(newDocument());
+    m_bench->showAll("front");
+}
+
+MainWindow::~MainWindow()
+{
+    delete m_unsaved; // before the session that it writes
+}
+
+void MainWindow::makeView()
+{
+    auto *middle = new QWidget(this);
+    m_messages = new MessageBar(middle);
+    if (hasOpenGl()) {
+        auto *viewport = new Viewport(*m_bench, middle);
+        connect(viewport, &Viewport::unusable, this, [this] {
+            m_messages->show(MessageBar::Severity::Error,
+                             {tr("The model cannot be shown: the graphics driver offers no OpenGL "
+                                 "3.3. A newer driver may help.")});
+        });
+        m_view = viewport;
+    } else {
+        auto *label = new QLabel(tr("The model cannot be shown on this display."), middle);
+        label->setAlignment(Qt::AlignCenter);
+        m_view = label;
+    }
+    m_actions->addViewShortcuts(m_view);
+    m_middle = new QStackedWidget(middle);
+    m_middle->addWidget(m_view);
+    auto *column = new QVBoxLayout(middle);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    column->addWidget(m_messages);
+    column->addWidget(m_middle, 1);
+    setCentralWidget(middle);
+}
+
+void MainWindow::makeDocks()
+{
+    m_checkList = new CheckList(m_bench->session(),
+                                Settings::dataFolder() + QStringLiteral("/reports"), this);
+    const auto followRules = [this] {
+        m_bench->session().scheduler().setRules(checkRules(settings()));
+    };
+    connect(&settings(), &Settings::checksChanged, this, followRules);
+    followRules();
+    m_outline = new OutlineDock(*m_bench, *m_checkList, this);
+    m_history = new HistoryDock(*m_bench, this);
+    m_library = new LibraryDock(*m_bench, this);
+    m_checks = new ChecksDock(*m_bench, *m_checkList, this);
+    m_properties = new PropertiesDock(*m_bench, *m_checkList, this);
+    m_badges = new Badges(*m_bench, *m_checkList, m_view);
+    m_bar = new CanvasBar(*m_bench, *m_actions, m_view);
+    if (auto *viewport = qobject_cast<Viewport *>(m_view)) {
+        auto *menu = new ContextMenu(*m_bench, *m_actions, m_view);
+        connect(viewport, &Viewport::enterPressed, this, [this] { goInto(*m_properties); });
+        connect(viewport, &Viewport::numberBegun, m_bar, &CanvasBar::begin);
+        connect(viewport, &Viewport::menuWanted, menu, &ContextMenu::openAt);
+        connect(viewport, &Viewport::menuKeyPressed, menu, &ContextMenu::openForSelection);
+    }
+    new OperationNotices(*m_bench, *m_messages, this);
+    m_steps = new StepsView(*m_bench, *m_checkList, qobject_cast<Viewport *>(m_view), this);
+    m_layout = new WindowLayout(*this);
+    // The order is that of the tabs in a narrow window.
+    m_layout->add(m_properties, WindowLayout::Place::Right);
+    m_layout->add(m_outline, WindowLayout::Place::Left);
+    m_layout->add(m_checks, WindowLayout::Place::LeftBelow);
+    m_layout->add(m_history, WindowLayout::Place::Left);
+    m_layout->add(m_library, WindowLayout::Place::Left, false);
+    connect(m_layout, &WindowLayout::hiddenChanged, m_actions->action("view.docks"),
+            &QAction::setChecked);
+
+    connect(m_badges, &Badges::clicked, m_checks, qOverload<CheckSubject>(&ChecksDock::choose));
+    connect(m_checks, &ChecksDock::shown, this, [this] { m_layout->show(m_checks); });
+    connect(m_checks, &ChecksDock::said, m_status, &StatusLine::sayMarked);
+    connect(m_checks, &ChecksDock::stepsWanted, this,
+            [this] { run(QStringLiteral("check.showAssembly")); });
+    connect(m_steps, &StepsView::said, m_status, &StatusLine::sayMarked);
+    connect(m_steps, &StepsView::waitingChanged, m_actions,
+            [this](bool waits) { m_actions->setWaiting("check.showAssembly", waits); });
+    speakSelection(*m_view, *m_bench, *m_checkList);
+    connect(m_library, &LibraryDock::said, m_status, &StatusLine::say);
+    connect(m_library, &LibraryDock::failed, m_messages,
+            [this](const QString &text) { m_messages->show(MessageBar::Severity::Error, {text}); });
+    connect(m_library, &LibraryDock::insertWanted, this, [this](const QString &path) {
+        if (m_files->insertFile(path))
+            showDocument();
+    });
+    connect(m_history, &HistoryDock::said, m_status, &StatusLine::sayMarked);
+    connect(m_checks, &ChecksDock::stockWanted, this, &MainWindow::showStocks);
+    connect(m_properties, &PropertiesDock::stockWanted, this, &MainWindow::showStocks);
+    connect(m_files, &DocumentFiles::stocksWanted, this, [this] { showStocks({}); });
+}
+
+void MainWindow::showStocks(StockId stock)
+{
+    if (!m_stocks) {
+        m_stocks = new StockEditor(*m_bench, *m_actions, this);
+        m_stocks->refresh();
+    }
+    m_stocks->open(stock);
+}
+
+void MainWindow::makeMenus()
+{
+    m_actions->fill(menuBar(), [this](const QString &id, QMenu *menu) {
+        if (id == QStringLiteral("@docks")) {
+            for (QDockWidget *dock : m_layout->docks())
+                menu->addAction(dock->toggleViewAction());
+        } else if (id == QStringLiteral("@recent")) {
+            auto *recent = new RecentMenu(menu);
+            connect(recent, &RecentMenu::chosen, this,
+                    [this](const QString &path) { openFiles({path}); });
+            menu->addMenu(recent);
+        }
+    });
+}
+
+void MainWindow::resetLayout()
+{
+    m_layout->reset();
+}
+
+/// What needs a window or asks a question; the rest is the session's.
+void MainWindow::addCommands()
+{
+    new NumberNameSource(*m_bench, this);
+    const auto add = [this](const char *id, std::function<void()> act) {
+        m_bench->commands().add(id, {[act = std::move(act)](const CommandParameters &, double) {
+                                         act();
+                                         return Result<void>();
+                                     },
+                                     {}});
+    };
+    add("file.new", [this] { startNewDocument(*this); });
+    add("file.open", [this] { m_files->open(); });
+    add("file.insert", [this] {
+        if (m_files->insert())
+            showDocument();
+    });
+    add("file.addToLibrary", [this] { m_library->addSelection(); });
+    add("file.save", [this] { m_files->save(); });
+    add("file.saveAs", [this] { m_files->saveAs(); });
+    add("file.export", [this] { m_files->exportCuttingFile(); });
+    add("file.revert", [this] { m_files->revert(); });
+    add("file.settings", [this] { SettingsDialog(listedActions(*menuBar()), this).exec(); });
+    add("file.close", [this] { close(); });
+    add("file.quit", [] { closeAllWindows(); });
+    add("edit.find", [this] { (new CommandSearch(*menuBar(), this))->show(); });
+    add("help.start", [this] { showStartPage(); });
+    add("view.docks",
+        [this] { m_layout->setHidden(m_actions->action("view.docks")->isChecked()); });
+    add("view.fullScreen", [this] { setWindowState(windowState() ^ Qt::WindowFullScreen); });
+    add("view.resetWindow", [this] { resetLayout(); });
+    add("help.about", [this] { AboutDialog(this).exec(); });
+    add("view.nextPane", [this] { goToPane(*this, m_toolBar, m_view, 1); });
+    add("view.previousPane", [this] { goToPane(*this, m_toolBar, m_view, -1); });
+    add("view.properties", [this] { goInto(*m_properties); });
+    add("check.nextProblem", [this] { m_checks->goToProblem(1); });
+    add("check.previousProblem", [this] { m_checks->goToProblem(-1); });
+    add("check.showAssembly", [this] { m_steps->toggle(); });
+    const auto addSwitch = [this](const char *id, DrawingSwitch what) {
+        m_bench->commands().add(
+            id, {[what](const CommandParameters &parameters, double) -> Result<void> {
+                     settings().setOn(what, switched(parameters, settings().isOn(what)));
+                     return {};
+                 },
+                 {}});
+    };
+    addSwitch("section.symmetry", DrawingSwitch::Symmetry);
+    addSwitch("section.ground", DrawingSwitch::Ground);
+    addSwitch("section.snap", DrawingSwitch::Snap);
+    add("fabricate.stocks", [this] { showStocks({}); });
+}
+
+void MainWindow::run(const QString &id)
+{
+    commitOpenEditor();
+    const QUndoStack &history = *m_bench->session().history();
+    const QString undone = history.undoText(), redone = history.redoText();
+    const int before = history.index();
+    if (m_steps->isOpen() && id == QStringLiteral("view.fitAll"))
+        m_steps->fit(); // what is shown, not what is drawn
+    else if (id.startsWith(QStringLiteral("section.import")))
+        importDrawing(id);
+    else
+        m_bench->run(id);
+    m_actions->refresh(); // what is checked says what is so, not what was clicked
+    const Tool *tool = m_bench->interaction().tool();
+    if (tool && tool->command() == id.toStdString())
+        m_view->setFocus(); // keys are the tool's
+    if (id == QStringLiteral("edit.undo") && history.index() < before)
+        m_status->sayUndone(undone);
+    else if (id == QStringLiteral("edit.redo") && history.index() > before)
+        m_status->sayRedone(redone);
+}
+
+/// Asks which one.
+void MainWindow::importDrawing(const QString &command)
+{
+    if (const QString path = m_files->askForDrawing(); !path.isEmpty())
+        readDrawing(command, path);
+}
+
+void MainWindow::readDrawing(const QString &command, const QString &path)
+{
+    showDocument();
+    m_messages->hide(); // of the drawing before
+    m_bench->run(command, {{"path", path.toStdString()}});
+}
+
+void MainWindow::openFiles(const QStringList &paths)
+{
+    ui::openFiles(*this, paths);
+}
+
+void MainWindow::showDocument()
+{
+    m_middle->setCurrentWidget(m_view);
+    m_status->setStanding({});
+    m_view->setFocus();
+}
+
+void MainWindow::showStartPage()
+{
+    if (!m_files->isUntouched()) {
+        openWindow(this)->showStartPage();
+        return;
+    }
+    if (m_middle->count() == 1) {
+        auto *page = new StartPage(m_middle);
+        connect(page, &StartPage::newWanted, this, [this] { startNewDocument(*this); });
+        connect(page, &StartPage::openWanted, this, [this] { m_files->open(); });
+        connect(page, &StartPage::fileChosen, this,
+                [this](const QString &path) { openFiles({path}); });
+        connect(page, &StartPage::sampleChosen, this,
+                [this](const QString &path) { ui::openFiles(*this, {path}, true); });
+        connect(page, &StartPage::recoverWanted, this, &MainWindow::recover);
+        connect(page, &StartPage::discardWanted, page, [page](const QString &id) {
+            UnsavedWork::forget(id);
+            page->setRecovered(UnsavedWork::recoverable());
+        });
+        m_middle->addWidget(page);
+    }
+    m_middle->setCurrentIndex(1);
+    m_status->setStanding(tr("Begin a model of your own, go on with one, or look at a sample."));
+    m_middle->currentWidget()->setFocus();
+    static_cast<StartPage *>(m_middle->currentWidget())->setRecovered(UnsavedWork::recoverable());
+}
+
+void MainWindow::offerRecovered()
+{
+    const std::vector<RecoveredWork> works = UnsavedWork::recoverable();
+    if (works.empty() || m_middle->currentIndex() == 1)
+        return;
+    if (works.size() > 1) {
+        m_messages->showNext(MessageBar::Severity::Info,
+                             {tr("Recovered: %n model(s) that were not saved", nullptr,
+                                 static_cast<int>(works.size()))},
+                             {{tr("Show them"), [this] { showStartPage(); }}});
+        return;
+    }
+    const QString id = works.front().id;
+    //: %1 is a model's name, how much was done, and when
+    m_messages->showNext(MessageBar::Severity::Info, {tr("Recovered: %1").arg(works.front().text)},
+                         {{tr("Open it"), [this, id] { recover(id); }},
+                          {tr("Discard"), [id] { UnsavedWork::forget(id); }}});
+}
+
+void MainWindow::recover(const QString &id)
+{
+    MainWindow *window = m_files->isUntouched() ? this : openWindow(this);
+    if (window->m_unsaved->adopt(id))
+        window->showDocument();
+    else if (window == this && m_middle->currentIndex() == 1)
+        showStartPage(); // its rows as they are now
+}
+
+void MainWindow::closeUnasked()
+{
+    m_mayClose = true;
+    close();
+}
+
+void MainWindow::refreshTheme()
+{
+    applyTheme(this);
+    // Windows of their own do not take it from their parent.
+    for (QWidget *child : findChildren<QWidget *>()) {
+        if (qobject_cast<QMenu *>(child) || qobject_cast<QDialog *>(child))
+            child->setPalette(theme().palette());
+    }
+    refreshDressed(this);
+    m_messages->refresh();
+    m_outline->refreshColours();
+    m_history->refreshColours();
+    m_checks->refreshColours();
+    m_badges->refreshColours();
+    m_bar->update();
+    m_steps->refresh();
+    if (m_stocks)
+        m_stocks->refresh();
+    m_properties->refresh();
+    m_status->refresh();
+    m_toolBar->refresh();
+    setWindowIcon(tintedPixmap(QStringLiteral("section"), 64, theme().accent, 1.0));
+    m_view->update();
+}
+
+void MainWindow::changeEvent(QEvent *event)
+{
+    QMainWindow::changeEvent(event);
+    if (event->type() == QEvent::WindowStateChange)
+        m_actions->action("view.fullScreen")->setChecked(isFullScreen());
+}
+
+bool MainWindow::event(QEvent *event)
+{
+    const bool done = QMainWindow::event(event);
+    if (event->type() == QEvent::ApplicationPaletteChange)
+        refreshTheme();
+    // Qt makes the tabs of docks when it needs them.
+    if (event->type() == QEvent::ChildPolished) {
+        if (auto *tabs = qobject_cast<QTabBar *>(static_cast<QChildEvent *>(event)->child()))
+            dress(tabs);
+    }
+    return done;
+}
+
+void MainWindow::closeEvent(QCloseEvent *event)
+{
+    event->setAccepted(m_mayClose || m_files->mayClose());
+    if (!event->isAccepted())
+        return;
+    m_layout->save();
+    m_unsaved->discard();
+}
+
+/// Esc, where a panel has no use for it, goes back to the view: one step back here as well.
+void MainWindow::keyPressEvent(QKeyEvent *event)
+{
+    QMainWindow::keyPressEvent(event);
+    if (event->key() == Qt::Key_Escape && !event->isAccepted() && isInDock(focusWidget()))
+        m_view->setFocus(Qt::OtherFocusReason);
+}
+
+/// Passes over what lies in docks behind other tabs: Qt goes there too.
+bool MainWindow::focusNextPrevChild(bool next)
+{
+    const QWidget *first = nullptr;
+    while (QMainWindow::focusNextPrevChild(next)) {
+        const QWidget *now = focusWidget();
+        if (!now || now == first || isSeen(now))
+            return true;
+        if (!first)
+            first = now;
+    }
+    return false;
+}
+
+void MainWindow::resizeEvent(QResizeEvent *event)
+{
+    QMainWindow::resizeEvent(event);
+    m_toolBar->fold(width());
+}
+
+void MainWindow::showEvent(QShowEvent *event)
+{
+    QMainWindow::showEvent(event);
+    if (m_wasShown)
+        return;
+    m_wasShown = true;
+    m_layout->windowShown();
+    m_view->setFocus();
+}
+
+} // namespace fff::ui

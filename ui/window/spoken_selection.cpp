@@ -1,0 +1,74 @@
+#include "ui/window/spoken_selection.h"
+
+#include "core/session/check_list.h"
+#include "ui/bench/workbench.h"
+#include "ui/properties/stock_choice.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+
+namespace fff::ui {
+
+namespace {
+
+struct Texts
+{
+    Q_DECLARE_TR_FUNCTIONS(fff::ui::SpokenSelection)
+};
+
+bool hasProblem(const CheckList &checks, const SectionRef &ref)
+{
+    return std::any_of(checks.all().begin(), checks.all().end(), [&ref](const Check &check) {
+        return check.severity >= CheckSeverity::Warning &&
+               std::find(check.sections.begin(), check.sections.end(), ref) != check.sections.end();
+    });
+}
+
+QString sectionText(const Model &model, const SectionRef &ref, const CheckList &checks)
+{
+    const Section *section = model.find(ref);
+    if (!section)
+        return {};
+    QStringList words{QString::fromStdString(section->name),
+                      ref.drawn.isValid() ? Texts::tr("section") : Texts::tr("generated section"),
+                      stockName(model.document.stockOf(*section))};
+    if (section->parent && model.find(section->parent->section))
+        //: %1 is the name of a section
+        words +=
+            Texts::tr("on %1").arg(QString::fromStdString(model.nameOf(section->parent->section)));
+    if (section->isLocked)
+        words += Texts::tr("locked");
+    words += hasProblem(checks, ref) ? Texts::tr("has a problem") : Texts::tr("no problem");
+    return words.join(QStringLiteral(", "));
+}
+
+} // namespace
+
+QString spokenSelection(const Workbench &bench, const CheckList &checks)
+{
+    const Interaction &interaction = bench.interaction();
+    const Model &model = bench.session().model();
+    if (const std::optional<JointRef> &joint = interaction.selectedJoint())
+        return Texts::tr("Joint of %1 and %2")
+            .arg(QString::fromStdString(model.nameOf(joint->a)),
+                 QString::fromStdString(model.nameOf(joint->b)));
+    if (const Operation *operation = model.document.find(interaction.selectedOperation()))
+        return Texts::tr("%1, operation").arg(QString::fromStdString(operation->name));
+    const std::vector<SectionRef> &selected = interaction.selection();
+    if (selected.size() > 1)
+        return Texts::tr("%n sections selected", nullptr, static_cast<int>(selected.size()));
+    return selected.empty() ? QString() : sectionText(model, selected.front(), checks);
+}
+
+void speakSelection(QWidget &view, const Workbench &bench, const CheckList &checks)
+{
+    const auto speak = [&view, &bench, &checks, otherwise = view.accessibleDescription()] {
+        const QString selected = spokenSelection(bench, checks);
+        view.setAccessibleDescription(selected.isEmpty() ? otherwise : selected);
+    };
+    QObject::connect(&bench, &Workbench::selectionChanged, &view, speak);
+    QObject::connect(&checks, &CheckList::changed, &view, speak);
+}
+
+} // namespace fff::ui

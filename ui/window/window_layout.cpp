@@ -1,0 +1,169 @@
+#include "ui/window/window_layout.h"
+
+#include "ui/settings/settings.h"
+
+#include <QDockWidget>
+#include <QGuiApplication>
+#include <QLayout>
+#include <QMainWindow>
+#include <QScreen>
+
+#include <algorithm>
+
+namespace fff::ui {
+
+namespace {
+
+constexpr int kLeftWidth = 264, kRightWidth = 314;                  // px
+constexpr int kNarrowRightWidth = 306, kMostNarrowRightWidth = 380; // px
+constexpr int kTabBorders = 30;   // px beside a tab's name (resources/style/window.qss)
+constexpr int kBelowHeight = 272; // px
+constexpr int kTwoColumns = 1280; // px; a narrower window has all docks at the right
+/// Of what saveState() writes. Counted up when docks change so that an old state makes no sense.
+constexpr int kVersion = 3;
+
+/// All names of the tabs can be read, also long ones.
+int narrowWidth(const std::vector<QDockWidget *> &docks)
+{
+    int tabs = 0;
+    for (const QDockWidget *dock : docks)
+        if (!dock->isHidden())
+            tabs += dock->fontMetrics().horizontalAdvance(dock->windowTitle()) + kTabBorders;
+    return std::clamp(tabs, kNarrowRightWidth, kMostNarrowRightWidth);
+}
+
+/// saveGeometry() knows the screen it was on; that one may be gone or smaller.
+bool isOnScreen(const QRect &window)
+{
+    constexpr int kGrip = 80; // px of its upper edge that must be in reach
+    for (const QScreen *screen : QGuiApplication::screens()) {
+        const QRect seen =
+            screen->availableGeometry() & QRect(window.topLeft(), QSize(window.width(), kGrip));
+        if (seen.width() >= kGrip && seen.height() >= kGrip / 2)
+            return true;
+    }
+    return false;
+}
+
+} // namespace
+
+WindowLayout::WindowLayout(QMainWindow &window) : QObject(&window), m_window(window)
+{
+    window.setDockOptions(QMainWindow::AnimatedDocks | QMainWindow::AllowTabbedDocks |
+                          QMainWindow::AllowNestedDocks);
+    window.setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
+    window.setTabPosition(Qt::LeftDockWidgetArea, QTabWidget::South);
+}
+
+void WindowLayout::add(QDockWidget *dock, Place place, bool isShown)
+{
+    m_areShown.push_back(isShown ? 1 : 0);
+    m_docks.push_back(dock);
+    m_places.push_back(place);
+    // Opening one of them from the menu ends the hiding of all, and it is in front of its tabs.
+    connect(dock->toggleViewAction(), &QAction::triggered, this, [this, dock](bool shows) {
+        if (shows && m_isHidden)
+            show(dock);
+        if (shows)
+            dock->raise();
+    });
+}
+
+void WindowLayout::reset()
+{
+    const bool wide = m_window.width() >= kTwoColumns;
+    for (QDockWidget *dock : m_docks) {
+        dock->setFloating(false);
+        m_window.removeDockWidget(dock);
+    }
+    const auto placeOf = [&](std::size_t i) { return wide ? m_places[i] : Place::Right; };
+    QDockWidget *first[3] = {nullptr, nullptr, nullptr}; // of each place
+    for (std::size_t i = 0; i < m_docks.size(); ++i) {
+        QDockWidget *&leader = first[static_cast<int>(placeOf(i))];
+        if (leader)
+            continue;
+        leader = m_docks[i];
+        m_window.addDockWidget(
+            placeOf(i) == Place::Right ? Qt::RightDockWidgetArea : Qt::LeftDockWidgetArea, leader);
+    }
+    QDockWidget *const right = first[static_cast<int>(Place::Right)],
+                       *const left = first[static_cast<int>(Place::Left)],
+                       *const below = first[static_cast<int>(Place::LeftBelow)];
+    if (left && below) // before tabs: what is split off a tab becomes another one
+        m_window.splitDockWidget(left, below, Qt::Vertical);
+    for (std::size_t i = 0; i < m_docks.size(); ++i) {
+        QDockWidget *leader = first[static_cast<int>(placeOf(i))];
+        if (m_docks[i] != leader)
+            m_window.tabifyDockWidget(leader, m_docks[i]);
+        m_docks[i]->setVisible(m_areShown[i] != 0);
+    }
+    for (QDockWidget *leader : {right, left, below}) {
+        if (leader)
+            leader->raise();
+    }
+    if (left && below)
+        m_window.resizeDocks({below}, {kBelowHeight}, Qt::Vertical);
+    if (left)
+        m_window.resizeDocks({left}, {kLeftWidth}, Qt::Horizontal);
+    if (right)
+        m_window.resizeDocks({right}, {wide ? kRightWidth : narrowWidth(m_docks)}, Qt::Horizontal);
+    forgetHiding();
+}
+
+void WindowLayout::restore()
+{
+    const QSize before = m_window.size();
+    if (m_window.restoreGeometry(settings().windowGeometry()) &&
+        !isOnScreen(m_window.frameGeometry())) {
+        m_window.setWindowState(Qt::WindowNoState);
+        m_window.resize(before);
+        m_window.move(m_window.screen()->availableGeometry().topLeft());
+    }
+    reset();
+}
+
+void WindowLayout::windowShown()
+{
+    reset();                       // where docks are that the kept state does not know
+    m_window.layout()->activate(); // or sizes are taken for those of a window without bars
+    m_window.restoreState(settings().windowState(), kVersion);
+}
+
+void WindowLayout::save() const
+{
+    settings().setWindowGeometry(m_window.saveGeometry());
+    settings().setWindowState(m_isHidden ? m_beforeHiding : m_window.saveState(kVersion));
+}
+
+void WindowLayout::setHidden(bool hidden)
+{
+    if (hidden == m_isHidden)
+        return;
+    if (hidden) {
+        m_beforeHiding = m_window.saveState(kVersion);
+        for (QDockWidget *dock : m_docks)
+            dock->hide();
+    } else if (!m_window.restoreState(m_beforeHiding, kVersion)) {
+        reset();
+    }
+    m_isHidden = hidden;
+    Q_EMIT hiddenChanged(hidden);
+}
+
+void WindowLayout::show(QDockWidget *dock)
+{
+    setHidden(false);
+    dock->show();
+    dock->raise();
+}
+
+void WindowLayout::forgetHiding()
+{
+    m_beforeHiding.clear();
+    if (!m_isHidden)
+        return;
+    m_isHidden = false;
+    Q_EMIT hiddenChanged(false);
+}
+
+} // namespace fff::ui

@@ -1,0 +1,108 @@
+#include "ui/window/windows.h"
+
+#include "core/io/document_file.h"
+#include "ui/files/document_files.h"
+#include "ui/window/main_window.h"
+
+#include <QApplication>
+#include <QFileInfo>
+#include <QScreen>
+
+namespace fff::ui {
+
+namespace {
+
+constexpr int kStep = 28; // px that a window lies beside the one before
+
+bool isSameFile(const QString &a, const QString &b)
+{
+    const QString one = QFileInfo(a).canonicalFilePath();
+    return !one.isEmpty() && one == QFileInfo(b).canonicalFilePath();
+}
+
+void bringForward(MainWindow *window)
+{
+    window->setWindowState(window->windowState() & ~Qt::WindowMinimized);
+    window->raise();
+    window->activateWindow();
+}
+
+MainWindow *windowOf(const QString &path)
+{
+    for (MainWindow *window : mainWindows()) {
+        if (isSameFile(window->files().path(), path))
+            return window;
+    }
+    return nullptr;
+}
+
+} // namespace
+
+QList<MainWindow *> mainWindows()
+{
+    QList<MainWindow *> windows;
+    for (QWidget *widget : QApplication::topLevelWidgets()) {
+        auto *window = qobject_cast<MainWindow *>(widget);
+        if (window && window->isVisible())
+            windows += window;
+    }
+    return windows;
+}
+
+MainWindow *openWindow(const MainWindow *beside)
+{
+    auto *window = new MainWindow;
+    window->setAttribute(Qt::WA_DeleteOnClose);
+    if (beside && !beside->isMaximized() && !beside->isFullScreen()) {
+        window->resize(beside->size());
+        const QPoint place = beside->pos() + QPoint(kStep, kStep);
+        const QScreen *screen = beside->screen();
+        if (screen && screen->availableGeometry().contains(place + QPoint(200, 200)))
+            window->move(place);
+    }
+    window->show();
+    bringForward(window);
+    return window;
+}
+
+int openFiles(MainWindow &from, const QStringList &paths, bool asCopy)
+{
+    int count = 0;
+    for (const QString &path : paths) {
+        if (MainWindow *shows = asCopy ? nullptr : windowOf(path)) {
+            bringForward(shows);
+            ++count;
+            continue;
+        }
+        const std::optional<io::LoadedDocument> loaded = from.files().read(path);
+        if (!loaded)
+            continue;
+        MainWindow *window = from.files().isUntouched() ? &from : openWindow(&from);
+        window->files().show(*loaded, path, asCopy);
+        window->showDocument();
+        ++count;
+    }
+    return count;
+}
+
+void startNewDocument(MainWindow &from)
+{
+    MainWindow *window = from.files().isUntouched() ? &from : openWindow(&from);
+    window->showDocument();
+}
+
+bool closeAllWindows()
+{
+    const QList<MainWindow *> windows = mainWindows();
+    for (MainWindow *window : windows) {
+        if (!window->files().isSaved())
+            bringForward(window);
+        if (!window->files().mayClose())
+            return false;
+    }
+    for (MainWindow *window : windows)
+        window->closeUnasked();
+    return true;
+}
+
+} // namespace fff::ui
