@@ -2,13 +2,13 @@
 
 #include "core/session/journal.h"
 
-#include <QThreadPool>
 #include <QTimer>
 
 #include <algorithm>
 #include <condition_variable>
 #include <deque>
 #include <mutex>
+#include <thread>
 
 namespace fff {
 
@@ -64,8 +64,8 @@ public:
         std::shared_ptr<const void> previous; // what the next run may use
         bool isWanted = false;
         bool isRunning = false;
-        std::stop_source stop;
         std::shared_ptr<Progress> progress;
+        std::jthread worker; // last: of the run that is under way, or was
     };
     /// What a stage would run with now; nothing while something is missing, or of several
     /// revisions.
@@ -89,7 +89,6 @@ public:
 
     Scheduler *q;
     const std::vector<Stage> stages;
-    std::vector<Desk> desks; // of each stage
     Snapshot::Results given; // the model and the rules
     CheckRules rules;
     std::uint64_t revision = 0;
@@ -101,15 +100,15 @@ public:
     std::condition_variable isReady;
     std::deque<Outcome> outcomes; // guarded by the mutex
     QObject receiver;
-    QThreadPool pool; // last: its destructor waits before the rest goes
+    std::vector<Desk>
+        desks; // of each stage; last: their workers are waited for before the rest goes
 };
 
 Scheduler::Private::Private(Scheduler *scheduler, std::vector<Stage> all)
     : q(scheduler), stages(std::move(all))
 {
     for (std::size_t i = 0; i < stages.size(); ++i)
-        desks.push_back({.index = i});
-    pool.setMaxThreadCount(std::max(1, static_cast<int>(stages.size())));
+        desks.emplace_back().index = i;
     given[kRules.name] = std::make_shared<const CheckRules>();
     for (QTimer *timer : {&becomesOlder, &becomesLate})
         timer->setSingleShot(true);
@@ -202,12 +201,13 @@ void Scheduler::Private::start(Desk &desk, Inputs inputs)
     desk.started = inputs.results;
     desk.why.reset();
     desk.isRunning = true;
-    desk.stop = std::stop_source();
     desk.progress = std::make_shared<Progress>();
     ticks.start();
-    pool.start([this, index = desk.index, of = generation, previous = desk.previous,
-                progress = desk.progress, stop = desk.stop.get_token(),
-                snapshot = Snapshot(inputs.revision, std::move(inputs.results))] {
+    // A thread costs less than what any stage does.
+    desk.worker = std::jthread([this, index = desk.index, of = generation, previous = desk.previous,
+                                progress = desk.progress,
+                                snapshot = Snapshot(inputs.revision, std::move(inputs.results))](
+                                   const std::stop_token &stop) {
         Outcome outcome{index, snapshot.revision(), of, {}, false};
         outcome.result =
             guarded(stages[index], snapshot, previous.get(), *progress, stop, outcome.hasThrown);
@@ -297,7 +297,7 @@ Scheduler::Scheduler(std::vector<Stage> stages, QObject *parent)
 Scheduler::~Scheduler()
 {
     for (Private::Desk &desk : d->desks)
-        desk.stop.request_stop();
+        desk.worker.request_stop();
 }
 
 void Scheduler::want(std::string_view stage)
@@ -321,7 +321,7 @@ void Scheduler::forget()
     ++d->generation;
     d->given.erase(kModel.name);
     for (Private::Desk &desk : d->desks) {
-        desk.stop.request_stop();
+        desk.worker.request_stop();
         desk.started.clear();
         desk.why.reset();
     }
@@ -383,7 +383,7 @@ const std::optional<Error> &Scheduler::failureOf(std::string_view stage) const
 
 void Scheduler::cancel(std::string_view stage)
 {
-    d->desk(stage).stop.request_stop();
+    d->desk(stage).worker.request_stop();
 }
 
 void Scheduler::tryAgain(std::string_view stage)
