@@ -88,7 +88,7 @@ public:
     void grow(Age to);
 
     Scheduler *q;
-    const std::vector<Stage> stages;
+    std::vector<Stage> stages;
     Snapshot::Results given; // the model and the rules
     CheckRules rules;
     std::uint64_t revision = 0;
@@ -418,6 +418,11 @@ void Scheduler::finish()
 const std::vector<Stage> &Scheduler::stages() const
 {
     return d->stages;
+}
+
+void Scheduler::setCompute(std::string_view stage, decltype(Stage::compute) compute)
+{
+    d->stages[d->desk(stage).index].compute = std::move(compute);
 }
 
 } // namespace fff

@@ -70,6 +70,8 @@ public:
     void finish();
 
     const std::vector<Stage> &stages() const;
+    /// Makes a stage do something else: for tests, while none of its runs is under way.
+    void setCompute(std::string_view stage, decltype(Stage::compute) compute);
 
 Q_SIGNALS:
     /// A result, or why there is none. Direct: `stage` lives as long as the program.

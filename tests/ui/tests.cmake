@@ -14,6 +14,7 @@ fff_tests(tests_ui LIBRARIES fff::ui TESTS
     ui/actions/tst_action_finder
     ui/dialogs/tst_dialogs
     ui/docks/tst_operations_docks
+    ui/docks/tst_stage_failures
     ui/files/tst_progress
     ui/files/tst_windows
     ui/properties/tst_choice_box
