@@ -4,6 +4,7 @@
 #pragma once
 
 #include <QCoreApplication>
+#include <QDir>
 #include <QTest>
 
 namespace fff::testing {
@@ -33,3 +34,10 @@ int runWithin(int argc, char *argv[])
     static const fff::testing::Registered registered##Class(__FILE__, __VA_ARGS__);
 /// The same within a QCoreApplication.
 #define FFF_TEST(Class) FFF_TEST_WITH(Class, fff::testing::runWithin<Class>)
+
+/// For a test that finds no real models: a fault where ../shared is beside this tree, else said.
+#define FFF_WITHOUT_SHARED()                                                                       \
+    do {                                                                                           \
+        QVERIFY2(!QDir(QStringLiteral(FFF_SHARED)).exists(), "they are not in " FFF_SHARED);       \
+        QSKIP("there is no " FFF_SHARED ", so nothing real was tested");                           \
+    } while (false)

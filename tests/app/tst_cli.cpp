@@ -422,7 +422,7 @@ void TestCli::checkListsWhatTheReaderMended()
 {
     const QString ant = QStringLiteral(FFF_SHARED_MODELS "/ant.txt");
     if (!QFile::exists(ant))
-        QSKIP("the shared models are not here");
+        FFF_WITHOUT_SHARED();
     QStringList codes;
     for (const QJsonValue &value :
          object(run({QStringLiteral("check"), ant, QStringLiteral("--json")})

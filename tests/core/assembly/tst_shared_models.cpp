@@ -85,7 +85,7 @@ private Q_SLOTS:
 void TestSharedModels::initTestCase()
 {
     if (!QDir(kFolder).exists())
-        QSKIP("The folder with real models is not on this machine; nothing to test.");
+        FFF_WITHOUT_SHARED();
 }
 
 void TestSharedModels::laws_data()

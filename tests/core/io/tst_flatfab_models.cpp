@@ -72,7 +72,7 @@ double deviation(const io::FlatfabSection &source, const io::FlatfabCurve &curve
 void TestFlatfabModels::initTestCase()
 {
     if (!models().exists())
-        QSKIP("the real models are not here");
+        FFF_WITHOUT_SHARED();
 }
 
 void TestFlatfabModels::everyModelReads_data()

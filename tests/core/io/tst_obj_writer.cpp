@@ -252,7 +252,7 @@ void TestObjWriter::sharedModels()
 {
     QFETCH(QString, path);
     if (path.isEmpty())
-        QSKIP("the shared models are not here");
+        FFF_WITHOUT_SHARED();
     Result<io::LoadedDocument> read = io::readDocument(path);
     QVERIFY(read);
     QCOMPARE(whatIsWrong(cutOf(evaluate(std::move(read->document)))), QString());

@@ -389,7 +389,7 @@ void TestChecks::mechanicsCases()
     const QStringList files =
         folder.entryList({QStringLiteral("c*.json")}, QDir::Files, QDir::Name);
     if (files.empty())
-        QSKIP("the cases are not here");
+        FFF_WITHOUT_SHARED();
     const auto point = [](const QJsonValue &v) {
         // Their z is up; ours is y.
         const QJsonArray a = v.toArray();
@@ -501,7 +501,7 @@ void TestChecks::sharedModels()
     QFETCH(int, code);
     const QString path = QStringLiteral(FFF_SHARED_MODELS "/") + file;
     if (!QFile::exists(path))
-        QSKIP("the shared models are not here");
+        FFF_WITHOUT_SHARED();
     Result<io::LoadedDocument> read = io::readDocument(path);
     QVERIFY(read);
     const Analysis analysis = analysed(read->document);

@@ -93,7 +93,7 @@ void TestLayoutModels::noTwoPartsMeet()
     QFETCH(double, spacing);
     QFETCH(bool, turnsFreely);
     if (file.isEmpty())
-        QSKIP("the shared models are not here");
+        FFF_WITHOUT_SHARED();
     const std::vector<Part> parts = partsOf(file);
     LayoutOptions options;
     options.sheet = sheet;
@@ -132,7 +132,7 @@ void TestLayoutModels::turningSavesSheets()
     const QStringList files =
         QDir(kFolder).entryList({QStringLiteral("*.txt")}, QDir::Files, QDir::Name);
     if (files.empty())
-        QSKIP("the shared models are not here");
+        FFF_WITHOUT_SHARED();
     std::size_t turned = 0, straight = 0;
     for (const QString &file : files) {
         const std::vector<Part> parts = partsOf(file);

@@ -475,7 +475,7 @@ void TestStrokes::onTheBridge()
 {
     const QString path = QStringLiteral(FFF_SHARED_MODELS "/bridge.txt");
     if (!QFile::exists(path))
-        QSKIP("the shared models are not here");
+        FFF_WITHOUT_SHARED();
     const Result<io::LoadedDocument> loaded = io::readDocument(path);
     QVERIFY(loaded);
     Desk desk;

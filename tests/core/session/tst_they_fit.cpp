@@ -251,7 +251,7 @@ void TestTheyFit::realModels()
 {
     QFETCH(QString, path);
     if (path.isEmpty())
-        QSKIP("no real models here");
+        FFF_WITHOUT_SHARED();
     const auto loaded = io::readDocument(path);
     QVERIFY(loaded);
     AnalysisCaches caches;
@@ -272,7 +272,7 @@ void TestTheyFit::slitsOfRealModelsLeaveNoGap()
 {
     QFETCH(QString, path);
     if (path.isEmpty())
-        QSKIP("no real models here");
+        FFF_WITHOUT_SHARED();
     const auto loaded = io::readDocument(path);
     QVERIFY(loaded);
     const Model model = evaluate(loaded->document);
