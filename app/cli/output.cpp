@@ -1,10 +1,10 @@
 #include "app/cli/output.h"
 
+#include "core/io/cutting_file.h"
 #include "core/io/fff_format.h"
 #include "core/io/file_set.h"
 #include "core/io/obj_writer.h"
 #include "core/operations/evaluate.h"
-#include "core/session/cutting_file.h"
 
 #include <QFileInfo>
 #include <QTextStream>
@@ -30,9 +30,9 @@ QString joined(const std::vector<std::string> &names)
 }
 
 /// What the options say of a cutting file; nothing, and `why`, when one makes no sense.
-std::optional<CuttingFileOptions> cuttingOptions(const QCommandLineParser &parser, QString &why)
+std::optional<io::CuttingFileOptions> cuttingOptions(const QCommandLineParser &parser, QString &why)
 {
-    CuttingFileOptions options;
+    io::CuttingFileOptions options;
     options.hasReference = !parser.isSet(QStringLiteral("no-reference"));
     options.layout.turnsFreely = !parser.isSet(QStringLiteral("no-turning"));
     const auto length = [&](const char *name, double &value) {
@@ -87,8 +87,9 @@ int writeCuttingFile(const QCommandLineParser &parser, const Document &document,
     if (!analysis)
         return report(analysis.error());
     QString why; // nothing: whyNoOutput has looked
-    const CuttingFileOptions options = cuttingOptions(parser, why).value_or(CuttingFileOptions());
-    const Result<CuttingFile> file = makeCuttingFile(*analysis, options);
+    const io::CuttingFileOptions options =
+        cuttingOptions(parser, why).value_or(io::CuttingFileOptions());
+    const Result<io::CuttingFile> file = io::makeCuttingFile(*analysis, options);
     if (!file)
         return report(file.error(), input);
     const QString path = parser.value(QStringLiteral("output"));
@@ -100,7 +101,7 @@ int writeCuttingFile(const QCommandLineParser &parser, const Document &document,
     QTextStream err(stderr);
     err << tr("Parts: %1, sheets: %2, %3 % used.")
                .arg(file->partCount)
-               .arg(file->sheetCount)
+               .arg(file->sheetCount())
                .arg(std::lround(100.0 * file->usedShare));
     if (file->slitWidth)
         err << ' '

@@ -5,6 +5,7 @@ target_sources(fff_core PRIVATE
     analysis/check_actions.cpp
     analysis/check_caches.cpp
     analysis/checks.cpp
+    analysis/cutting.cpp
     analysis/dropping.cpp
     analysis/flips.cpp
     analysis/gap.cpp

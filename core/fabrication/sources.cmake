@@ -1,4 +1,5 @@
 target_sources(fff_core PRIVATE
+    fabrication/cutting_drawing.cpp
     fabrication/digits.cpp
     fabrication/kerf.cpp
     fabrication/layout.cpp

@@ -1,5 +1,6 @@
 target_sources(fff_io PRIVATE
     compressed.cpp
+    cutting_file.cpp
     document_file.cpp
     drawing_text.cpp
     error_text.cpp

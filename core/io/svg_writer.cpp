@@ -5,7 +5,6 @@
 
 #include <QString>
 #include <algorithm>
-#include <set>
 #include <utility>
 
 namespace fff::io {
@@ -50,24 +49,17 @@ std::string escaped(const std::string &text)
     return result.toStdString();
 }
 
-/// From a part's coordinates to those of the drawing.
+/// From a sheet's coordinates to those of the drawing.
 class Transform
 {
 public:
-    Transform(const Placement &placement, double sheetBottom)
-        : m_placement(placement), m_bottom(sheetBottom)
-    {
-    }
+    /// sheetBottom  y of the sheet's lower edge in the drawing
+    explicit Transform(double sheetBottom) : m_bottom(sheetBottom) {}
 
-    Vec2 operator()(const Vec2 &p) const
-    {
-        const Vec2 onSheet = m_placement.apply(p);
-        return {onSheet.x(), m_bottom - onSheet.y()};
-    }
+    Vec2 operator()(const Vec2 &p) const { return {p.x(), m_bottom - p.y()}; }
 
 private:
-    const Placement &m_placement;
-    double m_bottom; // y of the sheet's lower edge in the drawing
+    double m_bottom;
 };
 
 /// A segment of a path from where the one before ended.
@@ -78,17 +70,17 @@ void addCurve(const CubicBezier &curve, const Transform &transform, DrawingText 
     out.addPoint<Decimals::Six>(" ", transform(curve.p3));
 }
 
-void addClosed(const Contour &contour, const Transform &transform, DrawingText &out)
+/// Z draws a last edge that is straight.
+void addClosed(const CurvePath &path, const Transform &transform, DrawingText &out)
 {
-    out.addPoint<Decimals::Six>("M ", transform(contour.points().front()));
-    const int count = contour.segmentCount();
+    out.addPoint<Decimals::Six>("M ", transform(path.points().front()));
+    const int count = path.segmentCount();
     for (int i = 0; i < count; ++i) {
-        const CubicBezier curve = contour.segment(i);
-        if (!curve.isStraight(kClipGrid)) {
+        const CubicBezier curve = path.segment(i);
+        if (!curve.isStraight(kClipGrid))
             addCurve(curve, transform, out);
-        } else if (i + 1 < count) { // Z draws the last one
+        else if (i + 1 < count)
             out.addPoint<Decimals::Six>(" L ", transform(curve.p3));
-        }
     }
     out << " Z";
 }
@@ -123,91 +115,86 @@ void addRectangle(const Vec2 &corner, const Vec2 &size, DrawingText &out)
         << "\" height=\"" << size.y() << "\" stroke=\"" << kGuide << "\"/>\n";
 }
 
-void addPart(const Part &part, const Engraving *engraving, const Transform &transform,
-             const Model &model, DrawingText &out)
+struct Look
+{
+    std::string_view colour;
+    bool isCut = false;
+};
+
+Look lookOf(LineRole role)
+{
+    switch (role) {
+    case LineRole::Engrave:
+        return {kEngraved};
+    case LineRole::Score:
+        return {kScored};
+    case LineRole::InnerCut:
+    case LineRole::OuterCut:
+        return {kCut, true};
+    }
+    return {kCut, true}; // not reached: every role is above
+}
+
+void addPart(const CuttingPart &part, const Transform &transform, DrawingText &out)
 {
     const auto path = [&](std::string_view colour, const auto &addShape) {
         out << "      <path stroke=\"" << colour << "\" d=\"";
         addShape();
         out << "\"/>\n";
     };
-    const Section &section = *model.section(static_cast<std::size_t>(part.section));
     out << "    <g id=\"part-" << std::to_string(part.number) << "\">\n      <title>"
-        << escaped(section.name) << "</title>\n";
-    if (engraving && !engraving->strokes.isEmpty())
-        path(kNumbers, [&] { addOpen(engraving->strokes, transform, out); });
-    if (engraving) {
-        for (const CurvePath &line : engraving->lines.engraved)
-            path(kEngraved, [&] { addLine(line, transform, out); });
-        for (const CurvePath &line : engraving->lines.scored)
-            path(kScored, [&] { addLine(line, transform, out); });
+        << escaped(part.name) << "</title>\n";
+    if (!part.label.isEmpty())
+        path(kNumbers, [&] { addOpen(part.label, transform, out); });
+    for (const CuttingLine &line : part.lines) {
+        const Look look = lookOf(line.role);
+        path(look.colour, [&] {
+            if (look.isCut)
+                addClosed(line.path, transform, out);
+            else
+                addLine(line.path, transform, out);
+        });
     }
-    for (const Contour &hole : part.outline.holes)
-        path(kCut, [&] { addClosed(hole, transform, out); });
-    path(kCut, [&] { addClosed(part.outline.outer, transform, out); });
     out << "    </g>\n";
 }
 
-void addMetadata(const Layout &layout, const Model &model, const SvgOptions &options,
-                 DrawingText &out)
+void addMetadata(const CuttingDrawing &drawing, DrawingText &out)
 {
-    std::set<StockId> used;
-    for (const Sheet &sheet : layout.sheets)
-        used.insert(sheet.stock);
     out << "  <metadata>\n    <fff:cutting xmlns:fff=\"urn:flatfitfab:cutting\" "
            "version=\"" FFF_VERSION "\" kerf-applied=\""
-        << (options.kerfApplied ? "yes" : "no") << "\">\n";
-    for (const auto &stock : model.document.stocks) {
-        if (!used.contains(stock->id))
-            continue;
-        out << "      <fff:stock name=\"" << escaped(stock->name) << "\" thickness=\""
-            << stock->thickness << "\" clearance=\"" << stock->clearance << "\" kerf=\""
-            << stock->kerf << "\" unit=\"mm\"/>\n";
-    }
+        << (drawing.isKerfApplied ? "yes" : "no") << "\">\n";
+    for (const Stock &stock : drawing.stocks)
+        out << "      <fff:stock name=\"" << escaped(stock.name) << "\" thickness=\""
+            << stock.thickness << "\" clearance=\"" << stock.clearance << "\" kerf=\"" << stock.kerf
+            << "\" unit=\"mm\"/>\n";
     out << "    </fff:cutting>\n  </metadata>\n";
 }
 
-/// Control points; of straight segments fewer are written.
-std::size_t pointCount(const CurvedRegion &outline)
-{
-    std::size_t count = outline.outer.points().size();
-    for (const Contour &hole : outline.holes)
-        count += hole.points().size();
-    return count;
-}
-
 /// Width and height of the drawing.
-Vec2 drawingSize(const Layout &layout, const SvgOptions &options)
+Vec2 drawingSize(const CuttingDrawing &drawing)
 {
     Vec2 size = Vec2::Zero();
     const auto append = [&size](const Vec2 &s) {
         size.y() += s.y() + (size.y() > 0.0 ? kSheetGap : 0.0);
         size.x() = std::max(size.x(), s.x());
     };
-    for (const Sheet &sheet : layout.sheets)
+    for (const CuttingSheet &sheet : drawing.sheets)
         append(sheet.size);
-    if (options.hasReference)
+    if (drawing.hasReference)
         append(kReferenceSize);
     return size;
 }
 
 /// About as much text as a drawing takes, rather more: so that it is not moved while it grows.
-std::size_t estimatedLength(const Layout &layout, const std::vector<Part> &parts,
-                            const std::vector<Engraving> &engravings)
+std::size_t estimatedLength(const CuttingDrawing &drawing)
 {
     constexpr std::size_t kHead = 2000, kPart = 200, kCutPoint = 24, kStrokePoint = 18, kLine = 40;
     std::size_t length = kHead;
-    for (const Sheet &sheet : layout.sheets) {
-        for (const Placement &placement : sheet.placements) {
-            const auto part = static_cast<std::size_t>(placement.part);
-            length += kPart + kCutPoint * pointCount(parts[part].outline);
-            if (engravings.empty())
-                continue;
-            const Engraving &engraving = engravings[part];
-            length += kStrokePoint * engraving.strokes.pointCount();
-            for (const auto *lines : {&engraving.lines.engraved, &engraving.lines.scored})
-                for (const CurvePath &line : *lines)
-                    length += kLine + kCutPoint * line.points().size();
+    for (const CuttingSheet &sheet : drawing.sheets) {
+        for (const CuttingPart &part : sheet.parts) {
+            length += kPart + kStrokePoint * part.label.pointCount();
+            for (const CuttingLine &line : part.lines)
+                length += kLine + kCutPoint * line.path.points().size();
         }
     }
     return length;
@@ -215,33 +202,27 @@ std::size_t estimatedLength(const Layout &layout, const std::vector<Part> &parts
 
 } // namespace
 
-std::string writeSvg(const Layout &layout, const std::vector<Part> &parts,
-                     const std::vector<Engraving> &engravings, const Model &model,
-                     const SvgOptions &options)
+std::string writeSvg(const CuttingDrawing &drawing)
 {
-    const Vec2 size = drawingSize(layout, options);
-    DrawingText out(estimatedLength(layout, parts, engravings));
+    const Vec2 size = drawingSize(drawing);
+    DrawingText out(estimatedLength(drawing));
     out << "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
            "<svg xmlns=\"http://www.w3.org/2000/svg\" version=\"1.1\" width=\""
         << size.x() << "mm\" height=\"" << size.y() << "mm\" viewBox=\"0 0 " << size.x() << " "
         << size.y() << "\">\n";
-    addMetadata(layout, model, options, out);
+    addMetadata(drawing, out);
     double top = 0.0;
-    for (std::size_t i = 0; i < layout.sheets.size(); ++i) {
-        const Sheet &sheet = layout.sheets[i];
-        out << "  <g id=\"sheet-" << std::to_string(static_cast<int>(i) + options.firstSheet)
+    for (const CuttingSheet &sheet : drawing.sheets) {
+        out << "  <g id=\"sheet-" << std::to_string(sheet.number)
             << "\" fill=\"none\" stroke-width=\"0.05\">\n";
-        if (layout.sheets.size() > 1)
+        if (drawing.sheets.size() > 1)
             addRectangle({0.0, top}, sheet.size, out);
-        for (const Placement &placement : sheet.placements) {
-            const auto part = static_cast<std::size_t>(placement.part);
-            addPart(parts[part], engravings.empty() ? nullptr : &engravings[part],
-                    Transform(placement, top + sheet.size.y()), model, out);
-        }
+        for (const CuttingPart &part : sheet.parts)
+            addPart(part, Transform(top + sheet.size.y()), out);
         out << "  </g>\n";
         top += sheet.size.y() + kSheetGap;
     }
-    if (options.hasReference) {
+    if (drawing.hasReference) {
         out << "  <g id=\"reference-100mm-10mm\" fill=\"none\" stroke-width=\"0.05\">\n";
         addRectangle({0.0, top}, kReferenceSize, out);
         out << "  </g>\n";

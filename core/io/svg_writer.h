@@ -1,19 +1,11 @@
 // Cutting files in true size: SVG in millimetres.
 #pragma once
 
-#include "core/fabrication/layout.h"
-#include "core/fabrication/marks.h"
+#include "core/fabrication/cutting_drawing.h"
 
 #include <string>
 
 namespace fff::io {
-
-struct SvgOptions
-{
-    bool hasReference = true; // a bar of 100 mm x 10 mm below the sheets, to measure after cutting
-    int firstSheet = 1;       // number of the layout's first sheet, for one that is a part of more
-    bool kerfApplied = false; // what `parts` are: outlines as designed, or compensated already
-};
 
 /// One drawing of all sheets, stacked from top to bottom, 10 mm apart.
 ///
@@ -29,12 +21,9 @@ struct SvgOptions
 ///   metadata   the program's version, each stock with its thickness, clearance and kerf, and
 ///              whether the kerf is applied already
 ///
-/// Coordinates of cuts are rounded to 1e-6 mm, those of numbers to 1e-3 mm; y downwards.
-/// `layout` and `parts` belong to `model`; `engravings` to the parts, one each, or none at all.
-/// UTF-8, same bytes for same input. Colours and the rest follow what laser programs read; see
+/// Coordinates of cuts are rounded to 1e-6 mm, those of numbers to 1e-3 mm; y downwards. UTF-8,
+/// same bytes for same input. Colours and the rest follow what laser programs read; see
 /// core/README.md.
-std::string writeSvg(const Layout &layout, const std::vector<Part> &parts,
-                     const std::vector<Engraving> &engravings, const Model &model,
-                     const SvgOptions &options = {});
+std::string writeSvg(const CuttingDrawing &drawing);
 
 } // namespace fff::io

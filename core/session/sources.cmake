@@ -4,7 +4,6 @@ target_sources(fff_session PRIVATE
     check_list.cpp
     check_text.cpp
     copy_commands.cpp
-    cutting_file.cpp
     drawing_commands.cpp
     figure_commands.cpp
     joint_commands.cpp

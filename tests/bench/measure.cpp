@@ -4,11 +4,11 @@
 #include "core/analysis/plan_checks.h"
 #include "core/fabrication/kerf.h"
 #include "core/fabrication/marks.h"
+#include "core/io/cutting_file.h"
 #include "core/io/document_file.h"
 #include "core/io/svg_writer.h"
 #include "core/model/edits.h"
 #include "core/operations/evaluate.h"
-#include "core/session/cutting_file.h"
 #include "core/session/kept_models.h"
 #include "tests/bench/counted_memory.h"
 #include "tests/bench/gizmo_event.h"
@@ -168,7 +168,8 @@ double drawingTime(const Analysis &analysis)
         parts = std::move(*paths);
     const Layout layout = layOut(parts, analysis.model, LayoutOptions());
     double milliseconds = 0.0;
-    timed(milliseconds, [&] { return io::writeSvg(layout, parts, engravings, analysis.model); });
+    timed(milliseconds,
+          [&] { return io::writeSvg(cuttingDrawing(layout, parts, engravings, analysis.model)); });
     return milliseconds;
 }
 
@@ -201,7 +202,7 @@ Result<Measurement> measure(const std::string &name, const QString &path, int ru
                     cutSection(model->section(i)->shape, analysis.assembly.slits[i], cache));
             return cuts;
         });
-        const auto file = timed(t.svg, [&] { return makeCuttingFile(analysis); });
+        const auto file = timed(t.svg, [&] { return io::makeCuttingFile(analysis); });
         if (!file)
             return tl::unexpected(file.error());
         t.drawing = drawingTime(analysis);

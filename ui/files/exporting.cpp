@@ -1,10 +1,10 @@
 #include "ui/files/exporting.h"
 
+#include "core/io/cutting_file.h"
 #include "core/io/document_file.h"
 #include "core/io/error_text.h"
 #include "core/io/file_set.h"
 #include "core/io/obj_writer.h"
-#include "core/session/cutting_file.h"
 #include "ui/base/file_dialog.h"
 #include "ui/base/lengths.h"
 #include "ui/base/message_bar.h"
@@ -87,16 +87,16 @@ bool Exporting::finishAnalysis(const QString &name)
 bool Exporting::writeDrawing(const QString &path, bool isFilePerSheet)
 {
     const QString name = QFileInfo(path).fileName();
-    CuttingFileOptions options;
+    io::CuttingFileOptions options;
     options.isFilePerSheet = isFilePerSheet;
     const QString doing = tr("Exporting %1…").arg(name);
-    const auto made = inBackground<Result<CuttingFile>>(
+    const auto made = inBackground<Result<io::CuttingFile>>(
         m_window, doing, MayCancel::No, [analysis = m_bench.session().analysisPointer(), options] {
-            return makeCuttingFile(*analysis, options);
+            return io::makeCuttingFile(*analysis, options);
         });
     if (!*made)
         return tellFailure(path, made->error());
-    const CuttingFile &file = **made;
+    const io::CuttingFile &file = **made;
     std::vector<io::NamedBytes> files{{path, file.svg}};
     if (isFilePerSheet) {
         files = io::numberedFiles(path, file.sheets);
@@ -118,10 +118,10 @@ bool Exporting::writeDrawing(const QString &path, bool isFilePerSheet)
     return true;
 }
 
-void Exporting::tellDone(const CuttingFile &file, const QString &name)
+void Exporting::tellDone(const io::CuttingFile &file, const QString &name)
 {
     const QString parts = tr("%n part(s)", nullptr, file.partCount);
-    const QString sheets = tr("%n sheet(s)", nullptr, file.sheetCount);
+    const QString sheets = tr("%n sheet(s)", nullptr, file.sheetCount());
     m_status.say(file.slitWidth ? tr("Exported %1 on %2 to %3; slits are drawn %4 wide.")
                                       .arg(parts, sheets, name,
                                            lengthText(*file.slitWidth, 2, 2, m_window.locale()))
@@ -172,7 +172,7 @@ bool Exporting::tellFailure(const QString &path, const Error &error)
     return false;
 }
 
-QStringList Exporting::warningsOf(const CuttingFile &file)
+QStringList Exporting::warningsOf(const io::CuttingFile &file)
 {
     QStringList warnings;
     for (const std::string &section : file.oversized) {

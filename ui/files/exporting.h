@@ -7,8 +7,11 @@
 
 class QWidget;
 
-namespace fff {
+namespace fff::io {
 struct CuttingFile;
+}
+
+namespace fff {
 struct Error;
 } // namespace fff
 
@@ -40,11 +43,11 @@ Q_SIGNALS:
 private:
     bool prepare(const QString &path);
     bool writeDrawing(const QString &path, bool isFilePerSheet);
-    void tellDone(const CuttingFile &file, const QString &name);
+    void tellDone(const io::CuttingFile &file, const QString &name);
     bool writeSolids(const QString &path);
     bool finishAnalysis(const QString &name);
     bool tellFailure(const QString &path, const fff::Error &error);
-    static QStringList warningsOf(const CuttingFile &file);
+    static QStringList warningsOf(const io::CuttingFile &file);
 
     Workbench &m_bench;
     MessageBar &m_messages;

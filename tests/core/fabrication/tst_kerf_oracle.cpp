@@ -1,7 +1,7 @@
 #include "core/fabrication/kerf.h"
+#include "core/io/cutting_file.h"
 #include "core/io/document_file.h"
 #include "core/operations/evaluate.h"
-#include "core/session/cutting_file.h"
 #include "tests/core/fabrication/spiky_outlines.h"
 #include "tests/core/fabrication/swept_disc_oracle.h"
 #include "tests/test_program.h"
@@ -150,7 +150,7 @@ void TestKerfOracle::models()
     qInfo("%d judged, %d refused", judged, refused);
     // A kerf that is wider than the slits is refused by name.
     const Analysis wide = analysed(read->document, 0.0, 100.0);
-    const auto file = makeCuttingFile(wide);
+    const auto file = io::makeCuttingFile(wide);
     const bool hasSlit = std::any_of(wide.assembly.slits.begin(), wide.assembly.slits.end(),
                                      [](const auto &slits) { return !slits.empty(); });
     QCOMPARE(!file, hasSlit);

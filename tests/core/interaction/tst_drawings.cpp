@@ -2,7 +2,7 @@
 #include <QTest> // first: moc cannot read some of the standard library before it
 
 #include "core/interaction/section_editing.h"
-#include "core/session/cutting_file.h"
+#include "core/io/cutting_file.h"
 #include "tests/core/interaction/desk.h"
 #include "tests/test_program.h"
 
@@ -217,11 +217,11 @@ void TestDrawings::ourOwnFileComesBack()
 {
     Desk desk;
     desk.addPlate();
-    CuttingFileOptions options;
+    io::CuttingFileOptions options;
     options.compensatesKerf = false;
     AnalysisCaches caches;
-    const Result<CuttingFile> file =
-        makeCuttingFile(analyse(desk.session.committed(), caches), options);
+    const Result<io::CuttingFile> file =
+        io::makeCuttingFile(analyse(desk.session.committed(), caches), options);
     QVERIFY(file);
     QTemporaryDir folder;
     QFile svg(folder.filePath(QStringLiteral("plate.svg")));

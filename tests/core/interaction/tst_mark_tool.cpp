@@ -2,11 +2,11 @@
 #include <QTest> // first: moc cannot read some of the standard library before it
 
 #include "core/fabrication/marks.h"
+#include "core/io/cutting_file.h"
 #include "core/io/fff_format.h"
 #include "core/model/lettering.h"
 #include "core/model/marks.h"
 #include "core/operations/moving_model.h"
-#include "core/session/cutting_file.h"
 #include "tests/core/interaction/desk.h"
 #include "tests/test_program.h"
 
@@ -340,7 +340,7 @@ void TestMarkTool::inTheCuttingFile()
     desk.run("mark.score");
     desk.drag({desk.plate(-40, -20), desk.plate(40, -20)}, Button::Left, kShift);
     const Analysis analysis = analysed(desk.session.committed());
-    const Result<CuttingFile> file = makeCuttingFile(analysis);
+    const Result<io::CuttingFile> file = io::makeCuttingFile(analysis);
     QVERIFY(file);
     const auto count = [&file](const std::string &colour) {
         int found = 0;

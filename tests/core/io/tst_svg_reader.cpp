@@ -172,7 +172,8 @@ void TestSvgReader::whatWeWroteComesBackAsItWas()
     QCOMPARE(layout.sheets.size(), std::size_t(1));
     layout.sheets[0].placements[0].turn = Vec2::UnitX();
     layout.sheets[0].placements[0].offset = {100.0, 100.0};
-    const std::string svg = io::writeSvg(layout, parts, {}, model, {.hasReference = false});
+    const std::string svg =
+        io::writeSvg(cuttingDrawing(layout, parts, {}, model, {.hasReference = false}));
 
     const Result<io::SvgDrawing> drawing = io::readSvg(svg);
     QVERIFY(drawing);

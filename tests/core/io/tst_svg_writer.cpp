@@ -83,13 +83,13 @@ struct Drawing
     std::vector<Part> parts;
     Layout layout;
 
-    std::string svg(const io::SvgOptions &options = {}, bool hasMarks = true) const
+    std::string svg(const DrawingOptions &options = {}, bool hasMarks = true) const
     {
         std::vector<Engraving> engravings;
         for (const Part &part : parts)
             if (hasMarks)
                 engravings.push_back(engrave(part, {}));
-        return io::writeSvg(layout, parts, engravings, model, options);
+        return io::writeSvg(cuttingDrawing(layout, parts, engravings, model, options));
     }
 };
 
@@ -133,7 +133,7 @@ private Q_SLOTS:
 // Wrong: programs would read the file at 72, 90 or 96 dots an inch and cut another size.
 void TestSvgWriter::rootIsInMillimetres()
 {
-    io::SvgOptions options;
+    DrawingOptions options;
     options.hasReference = false;
     const auto elements = read(crossedPlates().svg(options));
     QVERIFY(!elements.empty());
@@ -265,7 +265,7 @@ void TestSvgWriter::severalSheetsAreFramedAndStacked()
     options.sheet = Vec2(90, 95);
     drawing.layout = layOut(drawing.parts, drawing.model, options);
     QCOMPARE(drawing.layout.sheets.size(), 2U);
-    io::SvgOptions svgOptions;
+    DrawingOptions svgOptions;
     svgOptions.hasReference = false;
     const auto elements = read(drawing.svg(svgOptions));
     QCOMPARE(elements[0]["viewBox"], QStringLiteral("0 0 90 200"));
@@ -300,9 +300,9 @@ void TestSvgWriter::referenceBarIsBelowTheSheets()
 // Wrong: somebody would compensate the kerf a second time.
 void TestSvgWriter::metadataSaysWhatWasApplied()
 {
-    io::SvgOptions options;
+    DrawingOptions options;
     for (const bool applied : {false, true}) {
-        options.kerfApplied = applied;
+        options.isKerfApplied = applied;
         const auto elements = read(crossedPlates().svg(options));
         const auto cutting = named(elements, "fff:cutting");
         QCOMPARE(cutting.size(), 1U);

@@ -5,11 +5,11 @@
 #include "core/analysis/plan_checks.h"
 #include "core/base/fault_point.h"
 #include "core/fabrication/wholeness.h"
+#include "core/io/cutting_file.h"
 #include "core/io/fff_format.h"
 #include "core/io/obj_writer.h"
 #include "core/session/assembly_steps.h"
 #include "core/session/check_text.h"
-#include "core/session/cutting_file.h"
 #include "tests/core/operations/operation_models.h"
 #include "tests/test_program.h"
 
@@ -110,7 +110,7 @@ void TestFailures::noFileIsMade()
     QFETCH(bool, hasParts);
     const AnalysisPointer analysis = faulty(crossed(), point);
     const std::vector<std::string> name{analysis->model.section(failedIn(*analysis))->name};
-    const Result<CuttingFile> svg = makeCuttingFile(*analysis);
+    const Result<io::CuttingFile> svg = io::makeCuttingFile(*analysis);
     QCOMPARE(svg.has_value(), hasParts);
     if (!hasParts) {
         QCOMPARE(svg.error().code, ErrorCode::NotCutOut);
@@ -189,7 +189,7 @@ void TestFailures::aFailedOperationIsSaid()
         }
         QCOMPARE(failedOperations(model).size(), std::size_t(1));
         const AnalysisPointer analysis = analysed(model);
-        const Result<CuttingFile> svg = makeCuttingFile(*analysis);
+        const Result<io::CuttingFile> svg = io::makeCuttingFile(*analysis);
         QVERIFY(!svg);
         QCOMPARE(svg.error().code, ErrorCode::OperationFailed);
         QCOMPARE(svg.error().args, std::vector<std::string>{"Tiles"});

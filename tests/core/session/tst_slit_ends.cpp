@@ -9,8 +9,8 @@
 #include "core/base/units.h"
 #include "core/fabrication/kerf.h"
 #include "core/fabrication/marks.h"
+#include "core/io/cutting_file.h"
 #include "core/session/check_text.h"
-#include "core/session/cutting_file.h"
 #include "tests/core/assembly/known_models.h"
 #include "tests/test_program.h"
 
@@ -221,7 +221,7 @@ void TestSlitEnds::holesThatTheKerfSwallows()
         stock.kerf = kerf;
         const ShapePointer shape = *Shape::make(outer, holes);
         const auto file =
-            makeCuttingFile(analysed(like(withSection(newDocument(), shape, front()), stock)));
+            io::makeCuttingFile(analysed(like(withSection(newDocument(), shape, front()), stock)));
         return file ? static_cast<int>(file->uncut.size()) : -1;
     };
     const auto hole = [](double width, double height) {
@@ -249,18 +249,18 @@ void TestSlitEnds::slitThatTheKerfCloses()
     QCOMPARE(found[0].severity, CheckSeverity::Error);
     QCOMPARE(found[0].sections.size(), std::size_t(5));
     QVERIFY(checkText(found[0], closed.model).contains(QStringLiteral("closed by the kerf")));
-    const auto file = makeCuttingFile(closed);
+    const auto file = io::makeCuttingFile(closed);
     QVERIFY(!file);
     QCOMPARE(file.error().code, ErrorCode::ClosedSlit);
     QCOMPARE(file.error().args.front(), closed.model.section(0)->name);
     // As designed there is nothing to close.
-    CuttingFileOptions asDesigned;
+    io::CuttingFileOptions asDesigned;
     asDesigned.compensatesKerf = false;
-    QVERIFY(makeCuttingFile(closed, asDesigned));
+    QVERIFY(io::makeCuttingFile(closed, asDesigned));
     stock.kerf -= 0.05;
     const Analysis open = analysed(like(eggCrate(2, 3), stock));
     QVERIFY(narrowSlits(open).empty());
-    QVERIFY(makeCuttingFile(open));
+    QVERIFY(io::makeCuttingFile(open));
 }
 
 // What would be wrong: a corner that falls off, since only the square slit was looked at.

@@ -3,10 +3,10 @@
 
 #include "core/analysis/checks.h"
 #include "core/analysis/plan_checks.h"
+#include "core/io/cutting_file.h"
 #include "core/io/document_file.h"
 #include "core/operations/evaluate.h"
 #include "core/operations/operation_kind.h"
-#include "core/session/cutting_file.h"
 #include "tests/test_program.h"
 #include "ui/start/samples.h"
 
@@ -63,7 +63,7 @@ void TestSamples::eachHoldsAndCanBeMade()
          {CheckCode::Connected, CheckCode::Stands, CheckCode::CanAssemble, CheckCode::FitsSheet})
         QVERIFY(std::any_of(found.begin(), found.end(),
                             [code](const Check &check) { return check.code == code; }));
-    const Result<CuttingFile> file = makeCuttingFile(analysis);
+    const Result<io::CuttingFile> file = io::makeCuttingFile(analysis);
     QVERIFY(file);
     QCOMPARE(file->partCount, static_cast<int>(analysis.model.sectionCount()));
     QVERIFY(file->oversized.empty());

@@ -1,9 +1,9 @@
-// From an analysed model to the file that is cut: parts, kerf, layout, drawing. Used by the
-// window's Export and by the command line's `export`, so that both write the same.
+// From an analysed model to what is cut: parts, kerf, layout, drawing, and what is to be said of
+// it.
 #pragma once
 
 #include "core/analysis/analysis.h"
-#include "core/fabrication/layout.h"
+#include "core/fabrication/cutting_drawing.h"
 
 #include <optional>
 #include <string>
@@ -11,32 +11,30 @@
 
 namespace fff {
 
-struct CuttingFileOptions
+struct CuttingOptions
 {
     LayoutOptions layout;
     bool compensatesKerf = true; // each cut path offset by half its stock's kerf
-    bool isFilePerSheet = false; // else all sheets in one drawing, a group each
     bool hasReference = true;    // a 100 mm bar beside the sheets, to check the printed size
 };
 
-struct CuttingFile
+struct Cutting
 {
-    std::string svg;                 // all sheets; empty where each has a file of its own
-    std::vector<std::string> sheets; // the files of the sheets in their order, else empty
+    CuttingDrawing drawing;
     int partCount = 0;
-    int sheetCount = 0;
     double usedShare = 0.0;             // of the sheets' area that parts cover, 0 … 1
     std::vector<std::string> oversized; // names of sections with a part that fits no sheet
     std::vector<std::string> unmarked; // names of sections with a part too slim to carry its number
     std::vector<std::string> unmarkedJoints; // the same for the numbers of all its joints
     std::vector<std::string> uncut;  // with a hole or a notch that is narrower than the kerf
     std::optional<double> slitWidth; // mm, the narrowest slit as drawn, kerf taken off; of any
+
+    int sheetCount() const { return static_cast<int>(drawing.sheets.size()); }
 };
 
 /// Errors  NothingToExport for a model without sections; as haveParts(); MarksNotCut; ClosedSlit
 /// for a slit that the kerf closes, CannotOffset for a part without a path, with the section's
 /// name.
-Result<CuttingFile> makeCuttingFile(const Analysis &analysis,
-                                    const CuttingFileOptions &options = {});
+Result<Cutting> makeCutting(const Analysis &analysis, const CuttingOptions &options = {});
 
 } // namespace fff

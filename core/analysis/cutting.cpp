@@ -1,4 +1,4 @@
-#include "core/session/cutting_file.h"
+#include "core/analysis/cutting.h"
 
 #include "core/analysis/narrow_slits.h"
 #include "core/base/tolerances.h"
@@ -6,7 +6,6 @@
 #include "core/fabrication/wholeness.h"
 #include "core/geometry/offset.h"
 #include "core/geometry/uncut.h"
-#include "core/io/svg_writer.h"
 
 #include <algorithm>
 
@@ -100,19 +99,19 @@ Result<void> judgeWritten(const Analysis &analysis, const Layout &layout,
 
 } // namespace
 
-Result<CuttingFile> makeCuttingFile(const Analysis &analysis, const CuttingFileOptions &options)
+Result<Cutting> makeCutting(const Analysis &analysis, const CuttingOptions &options)
 {
     if (const Result<void> known = haveParts(analysis.model, analysis.bodies); !known)
         return tl::unexpected(known.error());
     std::vector<Part> parts = makeParts(analysis.model, analysis.assembly, analysis.bodies);
     if (parts.empty())
         return failure(ErrorCode::NothingToExport);
-    CuttingFile file;
-    file.partCount = static_cast<int>(parts.size());
+    Cutting cutting;
+    cutting.partCount = static_cast<int>(parts.size());
     const auto slitWidth = narrowestDrawn(analysis, options.compensatesKerf);
     if (!slitWidth)
         return tl::unexpected(slitWidth.error());
-    file.slitWidth = *slitWidth;
+    cutting.slitWidth = *slitWidth;
     std::vector<Engraving> engravings;
     for (const Part &part : parts) {
         const Section &section = *analysis.model.section(static_cast<std::size_t>(part.section));
@@ -120,15 +119,15 @@ Result<CuttingFile> makeCuttingFile(const Analysis &analysis, const CuttingFileO
         if (engravings.back().lines.error)
             return failure(ErrorCode::MarksNotCut, {}, {section.name});
         if (!engravings.back().hasNumber)
-            addOnce(file.unmarked, nameOf(analysis, part));
+            addOnce(cutting.unmarked, nameOf(analysis, part));
         if (!engravings.back().jointsLeftOut.empty())
-            addOnce(file.unmarkedJoints, nameOf(analysis, part));
+            addOnce(cutting.unmarkedJoints, nameOf(analysis, part));
     }
     if (options.compensatesKerf) {
         auto paths = compensateKerf(parts, analysis.model, analysis.bodies);
         if (!paths)
             return tl::unexpected(paths.error());
-        file.uncut = withUncutPlaces(analysis, parts, *paths);
+        cutting.uncut = withUncutPlaces(analysis, parts, *paths);
         parts = std::move(*paths);
     }
     const Layout layout = layOut(parts, analysis.model, options.layout);
@@ -136,24 +135,12 @@ Result<CuttingFile> makeCuttingFile(const Analysis &analysis, const CuttingFileO
         if (const auto judged = judgeWritten(analysis, layout, parts); !judged)
             return tl::unexpected(judged.error());
     }
-    file.sheetCount = static_cast<int>(layout.sheets.size());
-    file.usedShare = usedShare(layout, parts);
+    cutting.usedShare = usedShare(layout, parts);
     for (const int index : layout.oversized)
-        addOnce(file.oversized, nameOf(analysis, parts[static_cast<std::size_t>(index)]));
-
-    io::SvgOptions svg;
-    svg.hasReference = options.hasReference;
-    svg.kerfApplied = options.compensatesKerf;
-    if (!options.isFilePerSheet) {
-        file.svg = io::writeSvg(layout, parts, engravings, analysis.model, svg);
-        return file;
-    }
-    for (const Sheet &sheet : layout.sheets) {
-        file.sheets.push_back(
-            io::writeSvg(Layout{{sheet}, {}}, parts, engravings, analysis.model, svg));
-        ++svg.firstSheet;
-    }
-    return file;
+        addOnce(cutting.oversized, nameOf(analysis, parts[static_cast<std::size_t>(index)]));
+    cutting.drawing = cuttingDrawing(layout, parts, engravings, analysis.model,
+                                     {options.hasReference, options.compensatesKerf});
+    return cutting;
 }
 
 } // namespace fff
