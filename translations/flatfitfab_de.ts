@@ -7658,6 +7658,11 @@
         <source>The order of assembly is known now; “Show the steps” shows it.</source>
         <translation>Die Reihenfolge ist jetzt bekannt; „Schritte zeigen“ zeigt sie.</translation>
     </message>
+    <message>
+        <source>The steps cannot be shown: %1.</source>
+        <extracomment>%1 is a sentence</extracomment>
+        <translation>Die Schritte können nicht gezeigt werden: %1.</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::Stock</name>

@@ -370,6 +370,11 @@ bool Scheduler::isRunning(std::string_view stage) const
     return d->desk(stage).isRunning;
 }
 
+bool Scheduler::isSettled(std::string_view stage) const
+{
+    return d->isSettled(d->desk(stage));
+}
+
 double Scheduler::progress(std::string_view stage) const
 {
     const auto &progress = d->desk(stage).progress;
@@ -379,6 +384,20 @@ double Scheduler::progress(std::string_view stage) const
 const std::optional<Error> &Scheduler::failureOf(std::string_view stage) const
 {
     return d->desk(stage).why;
+}
+
+std::optional<Error> Scheduler::whyNot(std::string_view stage) const
+{
+    for (const Private::Desk &desk : d->desks) {
+        const Stage &known = d->stages[desk.index];
+        if (stage != known.name)
+            continue;
+        for (const char *input : known.inputs)
+            if (const auto why = whyNot(input))
+                return why;
+        return desk.why;
+    }
+    return {}; // the model, or the rules
 }
 
 void Scheduler::cancel(std::string_view stage)

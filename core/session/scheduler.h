@@ -55,10 +55,14 @@ public:
     };
     Age age(std::string_view stage) const;
     bool isRunning(std::string_view stage) const;
+    /// Nothing more will come of it, or of what it is derived from, for what is there.
+    bool isSettled(std::string_view stage) const;
     /// 0 … 1 of the run that is under way; below 0 where nothing is known.
     double progress(std::string_view stage) const;
     /// Why there is no result of the newest inputs: Cancelled, StageFailed, or what it says itself.
     const std::optional<Error> &failureOf(std::string_view stage) const;
+    /// The same of the stage, or else of the first that it is derived from.
+    std::optional<Error> whyNot(std::string_view stage) const;
 
     /// Its run ends soon, without a result, until there are other inputs or somebody tries again.
     void cancel(std::string_view stage);

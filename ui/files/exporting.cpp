@@ -1,10 +1,12 @@
 #include "ui/files/exporting.h"
 
+#include "core/analysis/analysed.h"
 #include "core/io/cutting_file.h"
 #include "core/io/document_file.h"
 #include "core/io/error_text.h"
 #include "core/io/file_set.h"
 #include "core/io/obj_writer.h"
+#include "core/session/scheduler.h"
 #include "ui/base/file_dialog.h"
 #include "ui/base/lengths.h"
 #include "ui/base/message_bar.h"
@@ -72,16 +74,19 @@ bool Exporting::prepare(const QString &path)
 {
     if (m_bench.session().hasPreview())
         m_bench.escape(); // a section that is still being drawn is not cut
-    return finishAnalysis(QFileInfo(path).fileName());
+    return finishAnalysis(path);
 }
 
 /// The slits of the model that is shown are cut on another thread already.
-bool Exporting::finishAnalysis(const QString &name)
+bool Exporting::finishAnalysis(const QString &path)
 {
-    const Session &session = m_bench.session();
-    return waitWithProgress(m_window, tr("Exporting %1…").arg(name), MayCancel::Yes, [&session] {
-        return session.analysedRevision() == session.revision();
-    });
+    const Scheduler &scheduler = m_bench.session().scheduler();
+    const QString name = QFileInfo(path).fileName();
+    if (!waitWithProgress(m_window, tr("Exporting %1…").arg(name), MayCancel::Yes,
+                          [&scheduler] { return scheduler.isSettled(kAnalysed.name); }))
+        return false;
+    const std::optional<Error> why = scheduler.whyNot(kAnalysed.name);
+    return !why || tellFailure(path, *why);
 }
 
 bool Exporting::writeDrawing(const QString &path, bool isFilePerSheet)

@@ -45,7 +45,7 @@ private:
     bool writeDrawing(const QString &path, bool isFilePerSheet);
     void tellDone(const io::CuttingFile &file, const QString &name);
     bool writeSolids(const QString &path);
-    bool finishAnalysis(const QString &name);
+    bool finishAnalysis(const QString &path);
     bool tellFailure(const QString &path, const fff::Error &error);
     static QStringList warningsOf(const io::CuttingFile &file);
 

@@ -1,6 +1,7 @@
 #include "ui/steps/steps_view.h"
 
 #include "core/interaction/steps_tool.h"
+#include "core/io/error_text.h"
 #include "core/session/check_list.h"
 #include "ui/bench/viewport.h"
 #include "ui/bench/workbench.h"
@@ -139,6 +140,14 @@ void StepsView::toggle()
     setWaiting(true);
     Q_EMIT said(tr("Working out the order of assembly; the steps are shown as soon as it is "
                    "known."));
+    followWork(); // it may have come to nothing already
+}
+
+/// What is waited for will not come.
+std::optional<Error> StepsView::whyNotPlanned() const
+{
+    const Scheduler &scheduler = m_list.scheduler();
+    return scheduler.isSettled(kPlanned.name) ? scheduler.whyNot(kPlanned.name) : std::nullopt;
 }
 
 void StepsView::setWaiting(bool waits)
@@ -157,6 +166,11 @@ void StepsView::followWork()
 {
     if (!m_isWaiting)
         return;
+    if (const auto why = whyNotPlanned()) {
+        //: %1 is a sentence
+        giveUp(tr("The steps cannot be shown: %1.").arg(io::errorSentence(*why).toHtmlEscaped()));
+        return;
+    }
     const Interaction &interaction = m_bench.interaction();
     const bool hasGesture = interaction.hasGesture();
     if (interaction.tool() != m_heldTool || (hasGesture && !movesView(interaction.hint().kind)))

@@ -57,6 +57,7 @@ protected:
 
 private:
     bool isPlanned() const;
+    std::optional<Error> whyNotPlanned() const;
     /// Or says why there are none. isElsewhere: a person is; then they are only offered.
     void openPlanned(bool isElsewhere = false);
     void setWaiting(bool waits);

@@ -3,17 +3,24 @@
 #include "core/analysis/analysed.h"
 #include "core/analysis/planned.h"
 #include "core/analysis/verdicts.h"
-#include "core/session/check_list.h"
+#include "core/model/edits.h"
+#include "core/session/scheduler.h"
+#include "core/session/session.h"
 #include "tests/core/assembly/plates.h"
 #include "tests/test_program.h"
 #include "ui/base/field_style.h"
+#include "ui/base/message_bar.h"
+#include "ui/bench/workbench.h"
 #include "ui/docks/check_row.h"
+#include "ui/files/exporting.h"
 #include "ui/settings/settings.h"
+#include "ui/steps/steps_view.h"
 #include "ui/window/main_window.h"
 
 #include <QApplication>
 #include <QDir>
 #include <QLabel>
+#include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QToolButton>
 
@@ -40,6 +47,7 @@ private Q_SLOTS:
     void whatTakesForEverCanBeStopped();
     void theModelIsSetAside();
     void whatStandsOnAFailureIsOlder();
+    void whoWaitsForItIsTold();
 
 private:
     using Compute = decltype(Stage::compute);
@@ -217,6 +225,26 @@ void TestStageFailures::whatStandsOnAFailureIsOlder()
     QCOMPARE(m_window->findChild<QLabel *>(QStringLiteral("checksFooter"))->text(),
              QStringLiteral("Older than the drawing"));
     QVERIFY(m_window->findChildren<CheckRow *>().size() > 1);
+}
+
+/// Wrong: a window that says "Exporting…" until somebody gives up, or steps that never come.
+void TestStageFailures::whoWaitsForItIsTold()
+{
+    scheduler().setCompute(kAnalysed.name,
+                           [](const Snapshot &, const void *, Progress &,
+                              std::stop_token) -> Result<std::shared_ptr<const void>> {
+                               return failure(ErrorCode::NotWorkedOut);
+                           });
+    edit();
+    const QString file = m_folder->filePath(QStringLiteral("out.svg"));
+    QVERIFY(!m_window->findChild<Exporting *>()->write(file));
+    QVERIFY(!QFile::exists(file));
+    auto *bar = m_window->findChild<MessageBar *>();
+    QVERIFY(bar && !bar->isHidden());
+    scheduler().finish();
+    QSignalSpy said(m_window->findChild<StepsView *>(), &StepsView::said);
+    m_window->findChild<StepsView *>()->toggle();
+    QTRY_VERIFY(!said.empty());
 }
 
 FFF_TEST_WITH(TestStageFailures, [](int argc, char *argv[]) {
