@@ -1,5 +1,6 @@
 #include "core/session/check_list.h"
 
+#include "core/analysis/analysed.h"
 #include "core/session/session.h"
 #include "core/session/set_aside.h"
 
@@ -32,12 +33,22 @@ void CheckList::take(std::string_view stage)
     else if (stage == kMends.name)
         m_mends = m_scheduler.result(kMends);
     const std::optional<Error> &why = m_scheduler.failureOf(stage);
-    if (!why)
-        m_reports.erase(stage);
-    else if (why->code == ErrorCode::StageFailed && !m_reportFolder.isEmpty())
-        m_reports[stage] =
-            setAside(m_reportFolder, m_session.model().document, stage, *why).value_or(QString());
-    refresh();
+    const bool wasFailing = m_failing.contains(stage);
+    if (why)
+        keepReport(stage, *why);
+    else
+        m_failing.erase(stage);
+    // Each place of a drag has joints before it has verdicts: the list follows from those alone.
+    if (stage != kAnalysed.name || why || wasFailing)
+        refresh();
+}
+
+/// Of models at which the stage goes on breaking the first one: a drag has dozens.
+void CheckList::keepReport(std::string_view stage, const Error &why)
+{
+    QString &report = m_failing[stage];
+    if (report.isEmpty() && why.code == ErrorCode::StageFailed && !m_reportFolder.isEmpty())
+        report = setAside(m_reportFolder, m_session.model().document, stage, why).value_or(report);
 }
 
 /// In the place of what a stage would have found.
@@ -107,8 +118,8 @@ const std::vector<CheckAction> &CheckList::actionsOf(const Check &check) const
 
 QString CheckList::reportOf(const Check &check) const
 {
-    const auto report = check.stage ? m_reports.find(check.stage) : m_reports.end();
-    return report == m_reports.end() ? QString() : report->second;
+    const auto report = check.stage ? m_failing.find(check.stage) : m_failing.end();
+    return report == m_failing.end() ? QString() : report->second;
 }
 
 const Flips *CheckList::flips() const

@@ -52,6 +52,7 @@ Q_SIGNALS:
 
 private:
     void take(std::string_view stage);
+    void keepReport(std::string_view stage, const Error &why);
     void addFailures();
     void refresh();
 
@@ -63,7 +64,7 @@ private:
     std::shared_ptr<const Mends> m_mends;
     std::vector<Check> m_all;
     QString m_reportFolder;
-    std::map<std::string_view, QString> m_reports; // of stages
+    std::map<std::string_view, QString> m_failing; // stages, and where a model was set aside
 };
 
 } // namespace fff

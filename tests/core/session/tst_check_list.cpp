@@ -6,6 +6,12 @@
 #include "tests/core/assembly/known_models.h"
 #include "tests/test_program.h"
 
+#include <QDir>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+
+#include <stdexcept>
+
 using namespace fff;
 using namespace fff::test;
 
@@ -17,6 +23,8 @@ private Q_SLOTS:
     void theyAreOfTheModelThatIsShown();
     void whatIsLateSaysNothingOfAnEmptyModel();
     void rulesAreFollowedAtOnce();
+    void aMoveOfADragTellsOnce();
+    void aStageThatGoesOnBreakingIsReportedOnce();
 };
 
 // Wrong: a person cuts by the verdicts on another model.
@@ -74,6 +82,45 @@ void TestCheckList::rulesAreFollowedAtOnce()
     session.scheduler().setRules({});
     QVERIFY(!severityOf(CheckCode::ShallowAngle));
     QCOMPARE(severityOf(CheckCode::CanAssemble), CheckSeverity::Good);
+}
+
+// Wrong: docks that write all their rows anew for joints that no verdict is of yet.
+void TestCheckList::aMoveOfADragTellsOnce()
+{
+    Session session;
+    CheckList list(session);
+    const Document one =
+        withSection(newDocument(), polygonShape(rectangle(-50, 0, 50, 60)), front());
+    session.commit(QStringLiteral("Draw"), one);
+    list.finish();
+    QSignalSpy changed(&list, &CheckList::changed);
+    for (int i = 1; i <= 5; ++i) {
+        session.preview(*moveSection(one, one.sections[0]->id, front(i)));
+        session.scheduler().finish();
+        QCOMPARE(changed.count(), i);
+    }
+}
+
+// Wrong: a disk that is written to sixty times a second, while a person drags.
+void TestCheckList::aStageThatGoesOnBreakingIsReportedOnce()
+{
+    QTemporaryDir reports;
+    Session session;
+    CheckList list(session, reports.path());
+    session.scheduler().setCompute(kVerdicts.name,
+                                   [](const Snapshot &, const void *, Progress &,
+                                      std::stop_token) -> Result<std::shared_ptr<const void>> {
+                                       throw std::runtime_error("out of luck");
+                                   });
+    const Document one =
+        withSection(newDocument(), polygonShape(rectangle(-50, 0, 50, 60)), front());
+    session.commit(QStringLiteral("Draw"), one);
+    for (int i = 1; i <= 5; ++i) {
+        session.scheduler().finish();
+        session.preview(*moveSection(one, one.sections[0]->id, front(i)));
+    }
+    session.scheduler().finish();
+    QCOMPARE(QDir(reports.path()).entryList({QStringLiteral("*.fff")}, QDir::Files).size(), 1);
 }
 
 FFF_TEST(TestCheckList)
