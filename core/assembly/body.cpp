@@ -35,7 +35,7 @@ class Places
 public:
     void add(const Contour &contour)
     {
-        for (std::size_t i = 0; i < contour.segmentCount(); ++i)
+        for (int i = 0; i < contour.segmentCount(); ++i)
             m_numbers.emplace(onGrid(contour.segment(i).p0), static_cast<int>(m_numbers.size()));
     }
     int none() const { return static_cast<int>(m_numbers.size()); }
@@ -43,7 +43,7 @@ public:
     int firstOf(const Contour &contour) const
     {
         int first = none();
-        for (std::size_t i = 0; i < contour.segmentCount(); ++i)
+        for (int i = 0; i < contour.segmentCount(); ++i)
             if (const auto known = m_numbers.find(onGrid(contour.segment(i).p0));
                 known != m_numbers.end())
                 first = std::min(first, known->second);

@@ -375,8 +375,8 @@ void Reader::add(const pugi::xml_node &node, const State &state, const SvgSubpat
             const CubicBezier closing = CubicBezier::line(points.back(), points.front());
             points.insert(points.end(), {closing.p1, closing.p2, closing.p3});
         }
-        const Result<CurvePath> path = CurvePath::fromPoints(std::move(points));
-        Result<Contour> contour = path ? path->ring() : tl::unexpected(path.error());
+        const Result<CurvePath> closed = CurvePath::fromPoints(std::move(points));
+        Result<Contour> contour = closed ? closed->ring() : tl::unexpected(closed.error());
         if (!contour)
             return m_source.fail(contour.error().code, {}, contour.error().args);
         m_clipped->push_back(*std::move(contour));

@@ -119,7 +119,9 @@ void TestStageFailures::eachWayIsSaid_data()
     QTest::addColumn<int>("way");
     for (const char *stage : {kAnalysed.name, kVerdicts.name, kPlanned.name, kFlips.name})
         for (int way = 0; way < 4; ++way)
-            QTest::addRow("%s, way %d", stage, way) << QString::fromLatin1(stage) << way;
+            QTest::newRow(
+                qPrintable(QStringLiteral("%1, way %2").arg(QLatin1String(stage)).arg(way)))
+                << QString::fromLatin1(stage) << way;
 }
 
 void TestStageFailures::eachWayIsSaid()
