@@ -3,17 +3,17 @@
 #include "core/analysis/gap.h"
 #include "core/geometry/offset.h"
 
+#include <algorithm>
 #include <unordered_map>
 
 namespace fff {
 
 namespace {
 
-/// The keys of the rest of an entry.
+/// The keys of the rest of an entry, but for the bodies.
 bool isOf(const CheckCaches::OfSection &known, const CheckCaches::OfSection &now)
 {
-    return known.bodies == now.bodies && known.kerf == now.kerf && known.room == now.room &&
-           known.turnsFreely == now.turnsFreely;
+    return known.kerf == now.kerf && known.room == now.room && known.turnsFreely == now.turnsFreely;
 }
 
 // Steps of a mm and of a turn's cosine.
@@ -88,13 +88,14 @@ std::optional<Box3> refresh(const Analysis &analysis, int section, const LayoutO
     CheckCaches::OfSection &known = caches.sections[index];
     const Stock &stock = analysis.model.stockOf(index);
     CheckCaches::OfSection now;
-    const std::span<const BodyPointer> bodies = analysis.bodies.of(section);
-    now.bodies.assign(bodies.begin(), bodies.end());
     now.kerf = stock.kerf;
     now.room = roomOf(options.sheet.value_or(stock.sheet), options);
     now.turnsFreely = options.turnsFreely;
-    if (isOf(known, now))
+    const std::span<const BodyPointer> bodies = analysis.bodies.of(section);
+    if (isOf(known, now) &&
+        std::equal(known.bodies.begin(), known.bodies.end(), bodies.begin(), bodies.end()))
         return {};
+    now.bodies.assign(bodies.begin(), bodies.end());
     Box3 before;
     for (const BodyPointer &body : known.bodies)
         before.extend(body->box());

@@ -178,10 +178,18 @@ void Bodies::add(std::span<const BodyPointer> ofNext)
     m_first.push_back(static_cast<int>(m_all.size()));
 }
 
+void Bodies::reserve(std::size_t sections)
+{
+    m_all.reserve(sections); // mostly each is one piece
+    m_sections.reserve(sections);
+    m_first.reserve(sections + 1);
+}
+
 Bodies bodiesOf(const Model &model, const std::vector<CutSectionPointer> &cuts,
                 const Bodies &before, const std::optional<std::vector<int>> &places)
 {
     Bodies bodies;
+    bodies.reserve(cuts.size());
     std::vector<BodyPointer> made;
     for (std::size_t i = 0; i < cuts.size(); ++i) {
         const Section &section = *model.section(i);

@@ -97,8 +97,9 @@ public:
     /// Of all of them.
     MassProperties mass() const;
 
-    /// Of the section with this index, which is the next one.
+    /// Of the next section.
     void add(std::span<const BodyPointer> ofNext);
+    void reserve(std::size_t sections);
 
 private:
     std::vector<BodyPointer> m_all;
