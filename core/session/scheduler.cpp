@@ -25,7 +25,7 @@ using AnyResult = Result<std::shared_ptr<const void>>;
 /// What a run came to.
 struct Outcome
 {
-    std::size_t index = 0; // of the stage
+    std::size_t desk = 0; // of the stage
     std::uint64_t revision = 0;
     int generation = 0; // of the document
     AnyResult result;
@@ -56,7 +56,9 @@ public:
     /// A stage and where it stands.
     struct Desk
     {
-        std::size_t index = 0;
+        const Stage *stage = nullptr;
+        std::vector<Desk *> inputs;      // that its line names
+        std::vector<const char *> given; // the others of them
         std::shared_ptr<const void> result;
         std::uint64_t revision = 0;           // of the result
         std::optional<Error> why;             // of the inputs `started`
@@ -75,8 +77,9 @@ public:
         std::uint64_t revision = 0;
     };
 
+    Desk *find(std::string_view stage);
     Desk &desk(std::string_view stage);
-    void want(std::string_view stage);
+    void want(Desk &desk);
     std::optional<Inputs> inputsOf(const Desk &desk) const;
     bool isWaiting(const Desk &desk) const;
     bool isSettled(const Desk &desk) const;
@@ -100,15 +103,23 @@ public:
     std::condition_variable isReady;
     std::deque<Outcome> outcomes; // guarded by the mutex
     QObject receiver;
-    std::vector<Desk>
-        desks; // of each stage; last: their workers are waited for before the rest goes
+    std::vector<Desk> desks; // one a stage; last: their workers end before the rest goes
 };
 
 Scheduler::Private::Private(Scheduler *scheduler, std::vector<Stage> all)
     : q(scheduler), stages(std::move(all))
 {
-    for (std::size_t i = 0; i < stages.size(); ++i)
-        desks.emplace_back().index = i;
+    desks.reserve(stages.size()); // they point at each other
+    for (const Stage &stage : stages) {
+        Desk &desk = desks.emplace_back();
+        desk.stage = &stage;
+        for (const char *name : stage.inputs) {
+            if (Desk *input = find(name))
+                desk.inputs.push_back(input);
+            else
+                desk.given.push_back(name);
+        }
+    }
     given[kRules.name] = std::make_shared<const CheckRules>();
     for (QTimer *timer : {&becomesOlder, &becomesLate})
         timer->setSingleShot(true);
@@ -120,45 +131,43 @@ Scheduler::Private::Private(Scheduler *scheduler, std::vector<Stage> all)
     connect(&ticks, &QTimer::timeout, q, &Scheduler::progressed);
 }
 
-Scheduler::Private::Desk &Scheduler::Private::desk(std::string_view stage)
+/// Null for the model and the rules, which are given.
+Scheduler::Private::Desk *Scheduler::Private::find(std::string_view stage)
 {
-    const auto at = std::find_if(stages.begin(), stages.end(),
-                                 [&](const Stage &known) { return stage == known.name; });
-    Q_ASSERT(at != stages.end());
-    return desks[static_cast<std::size_t>(at - stages.begin())];
+    const auto at = std::find_if(desks.begin(), desks.end(),
+                                 [&](const Desk &desk) { return stage == desk.stage->name; });
+    return at == desks.end() ? nullptr : &*at;
 }
 
-void Scheduler::Private::want(std::string_view stage)
+Scheduler::Private::Desk &Scheduler::Private::desk(std::string_view stage)
 {
-    const bool isStage = std::any_of(stages.begin(), stages.end(),
-                                     [&](const Stage &known) { return stage == known.name; });
-    if (!isStage)
-        return; // the model, or the rules
-    Desk &wanted = desk(stage);
-    wanted.isWanted = true;
-    for (const char *input : stages[wanted.index].inputs)
-        want(input);
+    Desk *known = find(stage);
+    Q_ASSERT(known);
+    return *known;
+}
+
+void Scheduler::Private::want(Desk &desk)
+{
+    desk.isWanted = true;
+    for (Desk *input : desk.inputs)
+        want(*input);
 }
 
 std::optional<Scheduler::Private::Inputs> Scheduler::Private::inputsOf(const Desk &desk) const
 {
     Inputs inputs;
     std::optional<std::uint64_t> common;
-    for (const char *name : stages[desk.index].inputs) {
-        if (const auto known = given.find(name); known != given.end()) {
-            inputs.results.insert(*known);
-            continue;
-        }
-        const auto input = std::find_if(stages.begin(), stages.end(), [&](const Stage &stage) {
-            return std::string_view(stage.name) == name;
-        });
-        if (input == stages.end())
-            return {}; // not given yet: the model
-        const Desk &of = desks[static_cast<std::size_t>(input - stages.begin())];
-        if (!of.result || (common && *common != of.revision))
+    for (const char *name : desk.given) {
+        const auto known = given.find(name);
+        if (known == given.end())
             return {};
-        common = of.revision;
-        inputs.results[name] = of.result;
+        inputs.results.insert(*known);
+    }
+    for (const Desk *input : desk.inputs) {
+        if (!input->result || (common && *common != input->revision))
+            return {};
+        common = input->revision;
+        inputs.results[input->stage->name] = input->result;
     }
     inputs.revision = common.value_or(revision);
     return inputs;
@@ -167,7 +176,7 @@ std::optional<Scheduler::Private::Inputs> Scheduler::Private::inputsOf(const Des
 /// It would run if it were not running.
 bool Scheduler::Private::isWaiting(const Desk &desk) const
 {
-    const bool isForSettled = stages[desk.index].runs == Stage::Runs::WhenSettled;
+    const bool isForSettled = desk.stage->runs == Stage::Runs::WhenSettled;
     if (!desk.isWanted || (isForSettled && isPassing))
         return false;
     const std::optional<Inputs> inputs = inputsOf(desk);
@@ -180,13 +189,10 @@ bool Scheduler::Private::isSettled(const Desk &desk) const
 {
     if (desk.isRunning || isWaiting(desk))
         return false;
-    if (stages[desk.index].runs == Stage::Runs::WhenSettled && isPassing)
+    if (desk.stage->runs == Stage::Runs::WhenSettled && isPassing)
         return true;
-    for (const char *name : stages[desk.index].inputs)
-        for (const Desk &input : desks)
-            if (std::string_view(stages[input.index].name) == name && !isSettled(input))
-                return false;
-    return true;
+    return std::all_of(desk.inputs.begin(), desk.inputs.end(),
+                       [this](const Desk *input) { return isSettled(*input); });
 }
 
 void Scheduler::Private::startAll()
@@ -204,22 +210,23 @@ void Scheduler::Private::start(Desk &desk, Inputs inputs)
     desk.progress = std::make_shared<Progress>();
     ticks.start();
     // A thread costs less than what any stage does.
-    desk.worker = std::jthread([this, index = desk.index, of = generation, previous = desk.previous,
-                                progress = desk.progress,
-                                snapshot = Snapshot(inputs.revision, std::move(inputs.results))](
-                                   const std::stop_token &stop) {
-        Outcome outcome{index, snapshot.revision(), of, {}, false};
-        outcome.result =
-            guarded(stages[index], snapshot, previous.get(), *progress, stop, outcome.hasThrown);
-        {
-            const std::lock_guard lock(mutex);
-            outcomes.push_back(std::move(outcome));
-        }
-        isReady.notify_all();
-        // Dropped by Qt when the receiver is gone by then.
-        QMetaObject::invokeMethod(
-            &receiver, [this] { collect(); }, Qt::QueuedConnection);
-    });
+    desk.worker =
+        std::jthread([this, at = static_cast<std::size_t>(&desk - desks.data()), stage = desk.stage,
+                      of = generation, previous = desk.previous, progress = desk.progress,
+                      snapshot = Snapshot(inputs.revision, std::move(inputs.results))](
+                         const std::stop_token &stop) {
+            Outcome outcome{at, snapshot.revision(), of, {}, false};
+            outcome.result =
+                guarded(*stage, snapshot, previous.get(), *progress, stop, outcome.hasThrown);
+            {
+                const std::lock_guard lock(mutex);
+                outcomes.push_back(std::move(outcome));
+            }
+            isReady.notify_all();
+            // Dropped by Qt when the receiver is gone by then.
+            QMetaObject::invokeMethod(
+                &receiver, [this] { collect(); }, Qt::QueuedConnection);
+        });
 }
 
 /// Also called late, for what finish() has taken already.
@@ -239,8 +246,8 @@ bool Scheduler::Private::collectOne()
         outcome = std::move(outcomes.front());
         outcomes.pop_front();
     }
-    Desk &desk = desks[outcome->index];
-    const Stage &stage = stages[outcome->index];
+    Desk &desk = desks[outcome->desk];
+    const Stage &stage = *desk.stage;
     desk.isRunning = false;
     desk.progress.reset();
     if (std::none_of(desks.begin(), desks.end(), [](const Desk &one) { return one.isRunning; }))
@@ -302,7 +309,7 @@ Scheduler::~Scheduler()
 
 void Scheduler::want(std::string_view stage)
 {
-    d->want(stage);
+    d->want(d->desk(stage));
     d->startAll();
     d->follow();
 }
@@ -359,7 +366,7 @@ Scheduler::Age Scheduler::age(std::string_view stage) const
         return Age::Current;
     if (!d->isSettled(desk))
         return d->age;
-    const bool isForSettled = d->stages[desk.index].runs == Stage::Runs::WhenSettled;
+    const bool isForSettled = desk.stage->runs == Stage::Runs::WhenSettled;
     // What has failed, or stands on what has, stays older.
     return desk.revision == d->revision || (isForSettled && d->isPassing) ? Age::Current
                                                                           : Age::Late;
@@ -388,16 +395,11 @@ const std::optional<Error> &Scheduler::failureOf(std::string_view stage) const
 
 std::optional<Error> Scheduler::whyNot(std::string_view stage) const
 {
-    for (const Private::Desk &desk : d->desks) {
-        const Stage &known = d->stages[desk.index];
-        if (stage != known.name)
-            continue;
-        for (const char *input : known.inputs)
-            if (const auto why = whyNot(input))
-                return why;
-        return desk.why;
-    }
-    return {}; // the model, or the rules
+    const Private::Desk &desk = d->desk(stage);
+    for (const Private::Desk *input : desk.inputs)
+        if (const auto why = whyNot(input->stage->name))
+            return why;
+    return desk.why;
 }
 
 void Scheduler::cancel(std::string_view stage)
@@ -441,7 +443,9 @@ const std::vector<Stage> &Scheduler::stages() const
 
 void Scheduler::setCompute(std::string_view stage, decltype(Stage::compute) compute)
 {
-    d->stages[d->desk(stage).index].compute = std::move(compute);
+    const auto at = std::find_if(d->stages.begin(), d->stages.end(),
+                                 [&](const Stage &known) { return stage == known.name; });
+    at->compute = std::move(compute);
 }
 
 } // namespace fff

@@ -90,8 +90,10 @@ Session::Private::Private(Session *session) : q(session), stack(new QUndoStack(s
 
 void Session::Private::show(ModelPointer next)
 {
-    if (next == shown)
+    if (next == shown) {
+        scheduler.request(revision, shown, shown != committed); // it may be no preview any more
         return;
+    }
     const ModelPointer before = std::exchange(shown, std::move(next));
     const ModelPointer after = shown; // kept, whatever a listener does
     ++revision;
@@ -106,7 +108,6 @@ void Session::Private::indexChanged()
     committed = models.get(*at, *committed);
     qCDebug(journal, "step %s", digestOf(committed->document).constData());
     show(committed);
-    scheduler.request(revision, shown, false); // where it was shown as a preview before
     Q_EMIT q->committedChanged();
 }
 
