@@ -496,16 +496,6 @@
         <translation>Schlitz %1 wird von der Schnittfuge von %2 geschlossen. Geben Sie den Schlitzen des Materials mehr Spiel oder eine schmalere Schnittfuge.</translation>
     </message>
     <message>
-        <source>Stopped: %1. It is worked out again when the model changes.</source>
-        <extracomment>%1 is what would have been found out: &quot;the order of assembly&quot;</extracomment>
-        <translation>Angehalten: %1. Wird neu ermittelt, wenn sich das Modell ändert.</translation>
-    </message>
-    <message>
-        <source>Could not be worked out: %1. The reason: %2.</source>
-        <extracomment>%1 is what would have been found out: &quot;the order of assembly&quot;, %2 a sentence</extracomment>
-        <translation>Nicht zu ermitteln: %1. Der Grund: %2.</translation>
-    </message>
-    <message>
         <source>Not worked out</source>
         <translation>Nicht ermittelt</translation>
     </message>
@@ -1798,6 +1788,26 @@
     <message>
         <source>what can be done about problems</source>
         <translation>was gegen Probleme hilft</translation>
+    </message>
+    <message>
+        <source>Working out %1…</source>
+        <extracomment>%1 is what is found out: &quot;the order of assembly&quot;</extracomment>
+        <translation>Wird ermittelt: %1 …</translation>
+    </message>
+    <message>
+        <source>Working out %1… %2&#x202f;%</source>
+        <extracomment>%1 is what is found out: &quot;the order of assembly&quot;, %2 a number</extracomment>
+        <translation>Wird ermittelt: %1 … %2&#x202f;%</translation>
+    </message>
+    <message>
+        <source>Stopped: %1. It is worked out again when the model changes.</source>
+        <extracomment>%1 is what would have been found out: &quot;the order of assembly&quot;</extracomment>
+        <translation>Angehalten: %1. Wird neu ermittelt, wenn sich das Modell ändert.</translation>
+    </message>
+    <message>
+        <source>Could not be worked out: %1. The reason: %2.</source>
+        <extracomment>%1 is what would have been found out: &quot;the order of assembly&quot;, %2 a sentence</extracomment>
+        <translation>Nicht zu ermitteln: %1. Der Grund: %2.</translation>
     </message>
 </context>
 <context>
@@ -4450,16 +4460,6 @@
     <message>
         <source>The model has changed; that cannot be done any more.</source>
         <translation>Das Modell hat sich geändert; das geht nicht mehr.</translation>
-    </message>
-    <message>
-        <source>Working out %1…</source>
-        <extracomment>%1 is what is found out: &quot;the order of assembly&quot;</extracomment>
-        <translation>Wird ermittelt: %1 …</translation>
-    </message>
-    <message>
-        <source>Working out %1… %2&#x202f;%</source>
-        <extracomment>%1 is what is found out: &quot;the order of assembly&quot;, %2 a number</extracomment>
-        <translation>Wird ermittelt: %1 … %2&#x202f;%</translation>
     </message>
     <message>
         <source>Stop</source>

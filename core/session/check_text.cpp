@@ -1,10 +1,10 @@
 #include "core/session/check_text.h"
 
-#include "core/analysis/stages.h"
 #include "core/base/tolerances.h"
 #include "core/base/units.h"
 #include "core/io/error_text.h"
 #include "core/session/section_names.h"
+#include "core/session/stage_text.h"
 
 #include <QCoreApplication>
 #include <QLocale>
@@ -218,23 +218,6 @@ QString whyText(NoSlit why)
                          "a hole to the outside, or let one of them pass through.");
     }
     return {}; // not reached: every reason is above
-}
-
-/// Of a stage that failed or was stopped.
-QString notWorkedOutText(const Check &check)
-{
-    const auto stage = std::find_if(stages().begin(), stages().end(), [&](const Stage &known) {
-        return check.stage && std::string_view(check.stage) == known.name;
-    });
-    const QString what = stage == stages().end()
-                             ? QString::fromLatin1(check.stage)
-                             : QCoreApplication::translate("Stage", stage->title);
-    if (check.failure && check.failure->code == ErrorCode::Cancelled)
-        //: %1 is what would have been found out: "the order of assembly"
-        return Words::tr("Stopped: %1. It is worked out again when the model changes.").arg(what);
-    //: %1 is what would have been found out: "the order of assembly", %2 a sentence
-    return Words::tr("Could not be worked out: %1. The reason: %2.")
-        .arg(what, check.failure ? io::errorSentence(*check.failure) : QString());
 }
 
 QString jointText(const Check &check, const Model &model, const CheckUnits &units)
@@ -490,7 +473,7 @@ QString checkTitle(const Check &check)
 QString checkText(const Check &check, const Model &model, const CheckUnits &units)
 {
     if (check.code == CheckCode::NotWorkedOut)
-        return notWorkedOutText(check);
+        return stageFailure(check.stage, *check.failure);
     switch (subjectOf(check.code)) {
     case CheckSubject::Connection:
         return check.code == CheckCode::Connected ? connectedText(check)

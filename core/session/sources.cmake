@@ -28,5 +28,6 @@ target_sources(fff_session PRIVATE
     session_host.cpp
     set_aside.cpp
     slot_lock.cpp
+    stage_text.cpp
     tool_commands.cpp
 )

@@ -2,6 +2,7 @@
 
 #include "core/assembly/joint_state.h"
 #include "core/session/check_list.h"
+#include "core/session/stage_text.h"
 #include "ui/base/icon.h"
 #include "ui/base/theme.h"
 #include "ui/bench/check_words.h"
@@ -11,7 +12,6 @@
 #include "ui/settings/settings.h"
 
 #include <QAction>
-#include <QCoreApplication>
 #include <QDesktopServices>
 #include <QFileInfo>
 #include <QHBoxLayout>
@@ -24,7 +24,6 @@
 #include <QUrl>
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 
 namespace fff::ui {
@@ -36,20 +35,6 @@ constexpr int kSpinTime = 60, kSpinStep = 30; // ms, degrees
 bool isProblem(const Check &check)
 {
     return check.severity >= CheckSeverity::Warning;
-}
-
-/// "Working out the order of assembly… 40 %"
-QString workText(const Scheduler &scheduler, const char *name)
-{
-    const auto stage = std::find_if(scheduler.stages().begin(), scheduler.stages().end(),
-                                    [name](const Stage &known) { return known.name == name; });
-    const QString what = QCoreApplication::translate("Stage", stage->title);
-    const double share = scheduler.progress(name);
-    if (share < 0.0)
-        //: %1 is what is found out: "the order of assembly"
-        return ChecksDock::tr("Working out %1…").arg(what);
-    //: %1 is what is found out: "the order of assembly", %2 a number
-    return ChecksDock::tr("Working out %1… %2\u202f%").arg(what).arg(std::floor(100.0 * share));
 }
 
 } // namespace
@@ -322,7 +307,8 @@ void ChecksDock::refreshFooter()
     m_footer->setVisible(age != CheckList::Age::Current);
     const char *work = isLate ? longWork() : nullptr;
     m_stop->setVisible(work != nullptr);
-    m_footerText->setText(work ? workText(m_list.scheduler(), work) : tr("Older than the drawing"));
+    m_footerText->setText(work ? stageWork(work, m_list.scheduler().progress(work))
+                               : tr("Older than the drawing"));
     m_spinner->setVisible(work != nullptr);
     const bool spins = work && !settings().reducesMotion();
     if (spins && !m_spin->isActive())
