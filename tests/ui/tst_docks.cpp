@@ -7,6 +7,7 @@
 #include "tests/core/assembly/known_models.h"
 #include "tests/test_program.h"
 #include "ui/base/field_style.h"
+#include "ui/base/panes.h"
 #include "ui/base/sentence_label.h"
 #include "ui/bench/workbench.h"
 #include "ui/docks/check_row.h"
@@ -919,7 +920,7 @@ void TestDocks::f6GoesRoundTheWindow()
     const QStringList parts{QStringLiteral("mainToolBar"), QStringLiteral("outlineDock"),
                             QStringLiteral("checksDock"), QStringLiteral("propertiesDock")};
     session().reset(cross());
-    QTRY_VERIFY(find<CheckRow>("checkRow0"));
+    QTRY_VERIFY(find<CheckRow>("checkRow0") && isSeen(find<CheckRow>("checkRow0")));
     for (int i = 0; i < 8; ++i) {
         QTest::keyClick(m_window.get(), Qt::Key_F6);
         for (QWidget *at = QApplication::focusWidget(); at; at = at->parentWidget()) {

@@ -110,6 +110,7 @@ MainWindow::MainWindow(QWidget *parent) : QMainWindow(parent), m_bench(new Workb
             m_view->setFocus();
     });
     connect(m_files, &DocumentFiles::chosen, this, &MainWindow::openFiles);
+    connect(m_files, &DocumentFiles::stocksWanted, this, [this] { showStocks({}); });
     auto *drop = new FileDrop(*this);
     connect(drop, &FileDrop::dropped, this, &MainWindow::openFiles);
     connect(drop, &FileDrop::drawingDropped, this, [this](const QString &path) {
@@ -219,7 +220,6 @@ void MainWindow::makeDocks()
     connect(m_history, &HistoryDock::said, m_status, &StatusLine::sayMarked);
     connect(m_checks, &ChecksDock::stockWanted, this, &MainWindow::showStocks);
     connect(m_properties, &PropertiesDock::stockWanted, this, &MainWindow::showStocks);
-    connect(m_files, &DocumentFiles::stocksWanted, this, [this] { showStocks({}); });
 }
 
 void MainWindow::showStocks(StockId stock)
