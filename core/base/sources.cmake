@@ -1,3 +1,4 @@
 target_sources(fff_core PRIVATE
-    base/fault_point.cpp)
-# Else only headers: result.h, ids.h, tolerances.h, units.h
+    base/fault_point.cpp
+    base/message.cpp)
+# Else only headers: result.h, ids.h, text.h, tolerances.h, units.h

@@ -11,6 +11,7 @@ target_sources(fff_session PRIVATE
     kept_models.cpp
     mark_commands.cpp
     measure_commands.cpp
+    message_text.cpp
     operation_commands.cpp
     operation_script.cpp
     operation_text.cpp
