@@ -499,6 +499,93 @@
         <source>Not worked out</source>
         <translation>Nicht ermittelt</translation>
     </message>
+    <message>
+        <source>Delete it</source>
+        <translation>Löschen</translation>
+    </message>
+    <message>
+        <source>Delete them</source>
+        <translation>Alle löschen</translation>
+    </message>
+    <message>
+        <source>Join them</source>
+        <translation>Verbinden</translation>
+    </message>
+    <message>
+        <source>Join it with %1</source>
+        <extracomment>%1 is the name of a section</extracomment>
+        <translation>Mit %1 verbinden</translation>
+    </message>
+    <message>
+        <source>Join them with %1</source>
+        <translation>Mit %1 verbinden</translation>
+    </message>
+    <message>
+        <source>Move it to %1</source>
+        <extracomment>%1 is the name of a section</extracomment>
+        <translation>Zu %1 verschieben</translation>
+    </message>
+    <message>
+        <source>Move them to %1</source>
+        <translation>Alle zu %1 verschieben</translation>
+    </message>
+    <message>
+        <source>Trim %1</source>
+        <extracomment>%1 is the name of a section</extracomment>
+        <translation>%1 kürzen</translation>
+    </message>
+    <message>
+        <source>Join with tabs</source>
+        <translation>Mit Zapfen verbinden</translation>
+    </message>
+    <message>
+        <source>Set the clearance</source>
+        <translation>Spiel einstellen</translation>
+    </message>
+    <message>
+        <source>Try again</source>
+        <translation>Noch einmal versuchen</translation>
+    </message>
+    <message>
+        <source>Show the copy for a report</source>
+        <translation>Die Kopie für einen Bericht zeigen</translation>
+    </message>
+    <message>
+        <source>Show the steps</source>
+        <translation>Schritte zeigen</translation>
+    </message>
+    <message>
+        <source>Make assemblable</source>
+        <translation>Baubar machen</translation>
+    </message>
+    <message>
+        <source>The slits of one joint were turned round.</source>
+        <translation>Die Schlitze einer Verbindung wurden umgedreht.</translation>
+    </message>
+    <message numerus="yes">
+        <source>The slits of %n joints were turned round.</source>
+        <translation>
+            <numerusform>Die Schlitze von %n Verbindung wurden umgedreht.</numerusform>
+            <numerusform>Die Schlitze von %n Verbindungen wurden umgedreht.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Choose a sheet</source>
+        <translation>Andere Platte wählen</translation>
+    </message>
+    <message>
+        <source>Stretch them to the ground</source>
+        <translation>Bis zum Boden verlängern</translation>
+    </message>
+    <message>
+        <source>Stretch %1 to the ground</source>
+        <extracomment>%1 is the name of a section</extracomment>
+        <translation>%1 bis zum Boden verlängern</translation>
+    </message>
+    <message>
+        <source>Drop it to the ground</source>
+        <translation>Auf den Boden setzen</translation>
+    </message>
 </context>
 <context>
     <name>CommandLine</name>
@@ -4330,84 +4417,6 @@
         <source>Problem</source>
         <translation>Problem</translation>
     </message>
-    <message>
-        <source>Move it to %1</source>
-        <extracomment>%1 is the name of a section</extracomment>
-        <translation>Zu %1 verschieben</translation>
-    </message>
-    <message>
-        <source>Move them to %1</source>
-        <extracomment>%1 is the name of a section</extracomment>
-        <translation>Alle zu %1 verschieben</translation>
-    </message>
-    <message>
-        <source>Delete it</source>
-        <translation>Löschen</translation>
-    </message>
-    <message>
-        <source>Delete them</source>
-        <translation>Alle löschen</translation>
-    </message>
-    <message>
-        <source>Make assemblable</source>
-        <translation>Baubar machen</translation>
-    </message>
-    <message>
-        <source>Drop it to the ground</source>
-        <translation>Auf den Boden setzen</translation>
-    </message>
-    <message>
-        <source>Show the steps</source>
-        <translation>Schritte zeigen</translation>
-    </message>
-    <message>
-        <source>Choose a sheet</source>
-        <translation>Andere Platte wählen</translation>
-    </message>
-    <message>
-        <source>Set the clearance</source>
-        <translation>Spiel einstellen</translation>
-    </message>
-    <message>
-        <source>Join with tabs</source>
-        <translation>Mit Zapfen verbinden</translation>
-    </message>
-    <message>
-        <source>Trim %1</source>
-        <extracomment>%1 is the name of a section</extracomment>
-        <translation>%1 kürzen</translation>
-    </message>
-    <message>
-        <source>Stretch %1 to the ground</source>
-        <extracomment>%1 is the name of a section</extracomment>
-        <translation>%1 bis zum Boden verlängern</translation>
-    </message>
-    <message>
-        <source>Stretch them to the ground</source>
-        <translation>Bis zum Boden verlängern</translation>
-    </message>
-    <message>
-        <source>Join it with %1</source>
-        <translation>Mit %1 verbinden</translation>
-    </message>
-    <message>
-        <source>Join them</source>
-        <extracomment>%1 is the name of a section</extracomment>
-        <translation>Verbinden</translation>
-    </message>
-    <message>
-        <source>Join them with %1</source>
-        <extracomment>%1 is the name of a section</extracomment>
-        <translation>Mit %1 verbinden</translation>
-    </message>
-    <message>
-        <source>Try again</source>
-        <translation>Noch einmal versuchen</translation>
-    </message>
-    <message>
-        <source>Show the copy for a report</source>
-        <translation>Die Kopie für einen Bericht zeigen</translation>
-    </message>
 </context>
 <context>
     <name>fff::ui::ChecksDock</name>
@@ -4445,17 +4454,6 @@
     <message>
         <source>Problem %1 of %2: %3.</source>
         <translation>Problem %1 von %2: %3.</translation>
-    </message>
-    <message>
-        <source>The slits of one joint were turned round.</source>
-        <translation>Die Schlitze einer Verbindung wurden umgedreht.</translation>
-    </message>
-    <message numerus="yes">
-        <source>The slits of %n joints were turned round.</source>
-        <translation>
-            <numerusform>Die Schlitze von %n Verbindung wurden umgedreht.</numerusform>
-            <numerusform>Die Schlitze von %n Verbindungen wurden umgedreht.</numerusform>
-        </translation>
     </message>
     <message>
         <source>The model has changed; that cannot be done any more.</source>

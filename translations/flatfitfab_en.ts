@@ -69,6 +69,13 @@
             <numerusform>%n rings of sections have joints that slide in different directions.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>The slits of %n joints were turned round.</source>
+        <translation>
+            <numerusform>The slits of %n joint were turned round.</numerusform>
+            <numerusform>The slits of %n joints were turned round.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>CommandLine</name>
@@ -286,13 +293,6 @@
         <translation>
             <numerusform>%n more like this</numerusform>
             <numerusform>%n more like this</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>The slits of %n joints were turned round.</source>
-        <translation>
-            <numerusform>The slits of %n joint were turned round.</numerusform>
-            <numerusform>The slits of %n joints were turned round.</numerusform>
         </translation>
     </message>
 </context>

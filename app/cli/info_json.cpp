@@ -1,6 +1,6 @@
 #include "app/cli/info.h"
 
-#include "core/analysis/checks.h"
+#include "core/analysis/footing.h"
 #include "core/assembly/cycles.h"
 #include "core/assembly/step_groups.h"
 #include "core/base/units.h"

@@ -1,9 +1,10 @@
 #include "app/cli/info.h"
 
+#include "core/analysis/checks.h"
 #include "core/analysis/plan_checks.h"
 #include "core/assembly/step_groups.h"
 #include "core/fabrication/summary.h"
-#include "core/session/check_text.h"
+#include "core/session/finding_text.h"
 
 #include <QCoreApplication>
 #include <QString>
@@ -87,12 +88,12 @@ std::string infoText(const Analysis &analysis, const ModelPlan &plan, const Info
                      .arg(length(size.x()), length(size.y()), length(size.z()));
         lines += tr("Mass %1 g").arg(QString::number(1000.0 * mass.mass, 'f', 1));
     }
-    for (const Check &check : checks(analysis))
-        if (subjectOf(check.code) == CheckSubject::Stability)
-            lines += checkText(check, model);
-    for (const Check &check : planChecks(analysis, plan))
-        if (subjectOf(check.code) == CheckSubject::Assembly)
-            lines += checkText(check, model);
+    for (const Finding &finding : checks(analysis))
+        if (finding.subject() == Subject::Stability)
+            lines += findingText(finding, model);
+    for (const Finding &finding : planChecks(analysis, plan))
+        if (finding.subject() == Subject::Assembly)
+            lines += findingText(finding, model);
     for (const auto &stock : model.document.stocks) {
         lines += tr("Stock %1, %2 mm, sheets of %3")
                      .arg(QString::fromStdString(stock->name), QString::number(stock->thickness),

@@ -1,9 +1,10 @@
 #include "app/cli/analysed_file.h"
 #include "app/cli/info.h"
+#include "core/analysis/checks.h"
 #include "core/analysis/plan_checks.h"
 #include "core/io/error_text.h"
 #include "core/io/json_writer.h"
-#include "core/session/check_text.h"
+#include "core/session/finding_text.h"
 
 #include <algorithm>
 
@@ -22,19 +23,19 @@ struct Problem
     bool isError = false;
 };
 
-std::vector<Problem> problemsOf(const std::vector<Check> &found, const Model &model)
+std::vector<Problem> problemsOf(const std::vector<Finding> &found, const Model &model)
 {
     std::vector<Problem> problems;
-    for (const Check &check : found) {
-        if (check.severity == CheckSeverity::Good)
+    for (const Finding &finding : found) {
+        if (finding.severity == Severity::Good)
             continue;
-        Problem problem{checkName(check.code),
-                        severityName(check.severity),
-                        checkText(check, model),
+        Problem problem{QString::fromLatin1(finding.kind->name),
+                        QString::fromLatin1(nameOf(finding.severity)),
+                        findingText(finding, model),
                         {},
-                        check.at,
-                        check.severity == CheckSeverity::Error};
-        for (const SectionRef &ref : check.sections)
+                        finding.at,
+                        finding.severity == Severity::Error};
+        for (const SectionRef &ref : finding.sections)
             problem.sections.push_back(
                 model.section(static_cast<std::size_t>(model.indexOf(ref)))->name);
         problems.push_back(std::move(problem));
@@ -89,7 +90,7 @@ std::string problemsJson(const std::vector<Problem> &problems)
 }
 
 /// Worst first, good last, as the window lists them.
-std::string checksText(const std::vector<Check> &found, const std::vector<Problem> &problems,
+std::string checksText(const std::vector<Finding> &found, const std::vector<Problem> &problems,
                        const Model &model)
 {
     QStringList lines;
@@ -97,9 +98,9 @@ std::string checksText(const std::vector<Check> &found, const std::vector<Proble
         for (const Problem &problem : problems)
             if (problem.severity == QLatin1String(severity))
                 lines += QStringLiteral("%1: %2").arg(problem.severity, problem.text);
-    for (const Check &check : found)
-        if (check.severity == CheckSeverity::Good)
-            lines += checkText(check, model);
+    for (const Finding &finding : found)
+        if (finding.severity == Severity::Good)
+            lines += findingText(finding, model);
     if (lines.isEmpty())
         lines += QCoreApplication::translate("CommandLine",
                                              "Nothing to check: the model has no section.");
@@ -113,10 +114,10 @@ int runCheck(const QStringList &arguments)
     const AnalysedFile model = analysedFile("check", arguments);
     if (model.status)
         return *model.status;
-    std::vector<Check> found = checks(model.analysis);
-    for (Check &check :
+    std::vector<Finding> found = checks(model.analysis);
+    for (Finding &finding :
          planChecks(model.analysis, planOf(model.analysis, timeLimit(kPlanningTime))))
-        found.push_back(std::move(check));
+        found.push_back(std::move(finding));
     std::vector<Problem> problems = problemsOf(found, model.analysis.model);
     for (Problem &problem : problemsOf(model.warnings))
         problems.push_back(std::move(problem));

@@ -59,10 +59,10 @@ QString readPicture(const QCommandLineParser &parser, Picture &picture)
 /// The sections that something is wrong with.
 void markProblems(const Analysis &analysis, ui::Scene &scene)
 {
-    for (const Check &check : checks(analysis)) {
-        if (check.severity != CheckSeverity::Error && check.severity != CheckSeverity::Warning)
+    for (const Finding &finding : checks(analysis)) {
+        if (finding.severity != Severity::Error && finding.severity != Severity::Warning)
             continue;
-        for (const SectionRef &ref : check.sections) {
+        for (const SectionRef &ref : finding.sections) {
             const int index = analysis.model.indexOf(ref);
             scene.sections[static_cast<std::size_t>(index)].isSelected = true;
         }

@@ -1,6 +1,6 @@
 #include "core/analysis/cutting.h"
 
-#include "core/analysis/narrow_slits.h"
+#include "core/analysis/findings/narrow_slits.h"
 #include "core/base/tolerances.h"
 #include "core/fabrication/kerf.h"
 #include "core/fabrication/wholeness.h"

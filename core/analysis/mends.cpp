@@ -2,45 +2,63 @@
 
 #include "core/analysis/analysed.h"
 #include "core/analysis/planned.h"
-#include "core/analysis/verdicts.h"
 
 #include <algorithm>
 #include <map>
 
 namespace fff {
 
-bool isSameVerdict(const Check &a, const Check &b)
-{
-    return a.code == b.code && a.sections == b.sections;
-}
+namespace {
 
-const std::vector<CheckAction> *Mends::of(const Check &check) const
-{
-    const auto known = std::find_if(ofChecks.begin(), ofChecks.end(), [&](const auto &mended) {
-        return isSameVerdict(mended.first, check);
-    });
-    return known == ofChecks.end() ? nullptr : &known->second;
-}
-
-Result<Mends> mends(const Snapshot &snapshot, const Mends *, Progress &progress,
-                    std::stop_token stop)
+Result<Mends> mends(const std::vector<Finding> &findings, const Snapshot &snapshot,
+                    Progress &progress, const std::stop_token &stop)
 {
     const Analysis &analysis = *snapshot.get(kAnalysed).analysis;
     const std::optional<Flips> &flips = snapshot.get(kFlips).flips;
-    std::vector<Check> checks = snapshot.get(kVerdicts).checks;
-    const std::vector<Check> &ofPlan = snapshot.get(kPlanned).checks;
-    checks.insert(checks.end(), ofPlan.begin(), ofPlan.end());
     Mends out;
-    std::map<CheckCode, int> alike;
-    for (std::size_t i = 0; i < checks.size(); ++i) {
+    std::map<const FindingKind *, int> alike;
+    for (std::size_t i = 0; i < findings.size(); ++i) {
         if (stop.stop_requested())
             return failure(ErrorCode::Cancelled);
-        progress.set(static_cast<double>(i) / static_cast<double>(checks.size()));
-        if (alike[checks[i].code]++ < kMostAlike)
-            out.ofChecks.emplace_back(checks[i],
-                                      actionsOf(checks[i], analysis, flips ? &*flips : nullptr));
+        progress.set(static_cast<double>(i) / static_cast<double>(findings.size()));
+        if (alike[findings[i].kind]++ < kMostAlike)
+            out.ofFindings.emplace_back(
+                findings[i], actionsOf(findings[i], analysis, flips ? &*flips : nullptr));
     }
     return out;
+}
+
+} // namespace
+
+const std::vector<FindingAction> *Mends::of(const Finding &finding) const
+{
+    const auto known = std::find_if(ofFindings.begin(), ofFindings.end(), [&](const auto &mended) {
+        return isSameVerdict(mended.first, finding);
+    });
+    return known == ofFindings.end() ? nullptr : &known->second;
+}
+
+Stage mendsOf(const std::vector<Stage> &others)
+{
+    std::vector<const char *> inputs{kAnalysed.name, kFlips.name};
+    std::vector<Stage> finding;
+    for (const Stage &stage : others) {
+        if (!stage.findings)
+            continue;
+        finding.push_back(stage);
+        inputs.push_back(stage.name);
+    }
+    return makeStage(kMends, FFF_TEXT("Stage", "what can be done about problems"),
+                     std::move(inputs), Stage::Runs::WhenSettled,
+                     [finding](const Snapshot &snapshot, const Mends *, Progress &progress,
+                               std::stop_token stop) {
+                         std::vector<Finding> all;
+                         for (const Stage &stage : finding) {
+                             const auto &found = stage.findings(snapshot.result(stage.name).get());
+                             all.insert(all.end(), found.begin(), found.end());
+                         }
+                         return mends(all, snapshot, progress, stop);
+                     });
 }
 
 } // namespace fff

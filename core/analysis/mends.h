@@ -1,32 +1,29 @@
-// The stage of what can be done about what the checks have found.
+// The stage of what can be done about what the others have found.
 #pragma once
 
-#include "core/analysis/check_actions.h"
+#include "core/analysis/finding_action.h"
 #include "core/analysis/stage.h"
 
 #include <utility>
 
 namespace fff {
 
-/// More checks of one kind than this say less than a number does; nothing is offered for each of
+/// More findings of one kind than this say less than a number does; nothing is offered for each of
 /// the others.
 inline constexpr int kMostAlike = 12;
 
-/// Whether it is the same verdict after a change of the model; its numbers may differ.
-bool isSameVerdict(const Check &a, const Check &b);
-
 struct Mends
 {
-    std::vector<std::pair<Check, std::vector<CheckAction>>> ofChecks;
+    std::vector<std::pair<Finding, std::vector<FindingAction>>> ofFindings;
 
-    /// What can be done about the check, or about the same verdict on another model; null where
+    /// What can be done about the finding, or about the same verdict on another model; null where
     /// that is not known.
-    const std::vector<CheckAction> *of(const Check &check) const;
+    const std::vector<FindingAction> *of(const Finding &finding) const;
 };
 
 inline constexpr StageOf<Mends> kMends{"mends"};
 
-Result<Mends> mends(const Snapshot &snapshot, const Mends *previous, Progress &progress,
-                    std::stop_token stop);
+/// After stages that have findings: it looks at those of all of them.
+Stage mendsOf(const std::vector<Stage> &others);
 
 } // namespace fff

@@ -1,6 +1,7 @@
 #include "core/analysis/planned.h"
 
 #include "core/analysis/analysed.h"
+#include "core/analysis/check_rules.h"
 
 namespace fff {
 
@@ -27,7 +28,7 @@ Result<PlannedAnalysis> planned(const Snapshot &snapshot, const PlannedAnalysis 
     out.plan = planOf(*out.analysis, out.caches->plan, limitOf(snapshot, stop));
     if (stop.stop_requested())
         return failure(ErrorCode::Cancelled);
-    out.checks = planChecks(*out.analysis, out.plan, out.caches->webs);
+    out.findings = planChecks(*out.analysis, out.plan, out.caches->webs);
     return out;
 }
 

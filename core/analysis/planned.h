@@ -12,7 +12,7 @@ struct PlannedAnalysis
 {
     AnalysisPointer analysis; // that it is about
     ModelPlan plan;
-    std::vector<Check> checks;
+    std::vector<Finding> findings;
     struct Caches
     {
         PlanCaches plan;

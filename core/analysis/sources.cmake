@@ -2,18 +2,32 @@ target_sources(fff_core PRIVATE
     analysis/analysed.cpp
     analysis/analysis.cpp
     analysis/assembly_plan.cpp
-    analysis/check_actions.cpp
     analysis/check_caches.cpp
     analysis/checks.cpp
     analysis/cutting.cpp
     analysis/dropping.cpp
+    analysis/finding.cpp
+    analysis/finding_action.cpp
+    analysis/findings/connection.cpp
+    analysis/findings/in_each_other.cpp
+    analysis/findings/joining.cpp
+    analysis/findings/narrow_slits.cpp
+    analysis/findings/not_worked_out.cpp
+    analysis/findings/order.cpp
+    analysis/findings/rings.cpp
+    analysis/findings/sheet_fit.cpp
+    analysis/findings/standing.cpp
+    analysis/findings/thin_webs.cpp
+    analysis/findings/total_mass.cpp
+    analysis/findings/wholeness.cpp
     analysis/flips.cpp
+    analysis/footing.cpp
     analysis/gap.cpp
     analysis/joining_move.cpp
     analysis/mends.cpp
-    analysis/narrow_slits.cpp
     analysis/plan_checks.cpp
     analysis/planned.cpp
+    analysis/stage.cpp
     analysis/stages.cpp
     analysis/stretching.cpp
     analysis/touching.cpp

@@ -4,7 +4,9 @@
 // A new one is a file with its StageOf and its function, and its line in stages.cpp.
 #pragma once
 
-#include "core/base/result.h"
+#include "core/analysis/finding.h"
+#include "core/analysis/findings/not_worked_out.h"
+#include "core/base/message.h"
 #include "core/model/model.h"
 
 #include <atomic>
@@ -64,7 +66,11 @@ public:
     template <class Out>
     std::shared_ptr<const Out> pointer(const StageOf<Out> &stage) const
     {
-        return std::static_pointer_cast<const Out>(m_results.at(stage.name));
+        return std::static_pointer_cast<const Out>(result(stage.name));
+    }
+    const std::shared_ptr<const void> &result(std::string_view stage) const
+    {
+        return m_results.at(stage);
     }
     template <class Out>
     const Out &get(const StageOf<Out> &stage) const
@@ -86,8 +92,7 @@ struct Stage
     };
 
     const char *name;
-    /// What a person calls what it finds out: "the order of assembly".
-    const char *title;
+    Text title; // what a person calls what it finds out: "the order of assembly"
     std::vector<const char *> inputs; // names of stages, of kModel and kRules
     Runs runs = Runs::Always;
     /// previous: what it gave the last time, or null. Errors  what cannot be computed, with the
@@ -95,24 +100,44 @@ struct Stage
     std::function<Result<std::shared_ptr<const void>>(const Snapshot &, const void *previous,
                                                       Progress &, std::stop_token)>
         compute;
+    /// What is wrong with the model by a result of it; null for one that says nothing of that.
+    const std::vector<Finding> &(*findings)(const void *result) = nullptr;
+    /// What is said in their place when it fails.
+    const FindingKind *failing = &kNotWorkedOut;
+
+    Stage failingAs(const FindingKind &kind) const
+    {
+        Stage stage = *this;
+        stage.failing = &kind;
+        return stage;
+    }
 };
+
+/// "Working out the order of assembly… 40 %"; share: below 0 where nothing is known.
+Message workOf(const Stage &stage, double share);
 
 /// The stage of a function
 ///     Result<Out> compute(const Snapshot &, const Out *previous, Progress &, std::stop_token)
-/// whose result follows from the snapshot alone; `previous` is there to save work.
+/// whose result follows from the snapshot alone; `previous` is there to save work. The `findings`
+/// of a result, where it has such, are listed among the checks.
 template <class Out, class Compute>
-Stage makeStage(const StageOf<Out> &stage, const char *title, std::vector<const char *> inputs,
+Stage makeStage(const StageOf<Out> &stage, Text title, std::vector<const char *> inputs,
                 Stage::Runs runs, Compute compute)
 {
-    return {stage.name, title, std::move(inputs), runs,
-            [compute](const Snapshot &snapshot, const void *previous, Progress &progress,
-                      std::stop_token stop) -> Result<std::shared_ptr<const void>> {
-                Result<Out> out = compute(snapshot, static_cast<const Out *>(previous), progress,
-                                          std::move(stop));
-                if (!out)
-                    return tl::unexpected(std::move(out.error()));
-                return std::make_shared<const Out>(*std::move(out));
-            }};
+    Stage made{stage.name, title, std::move(inputs), runs,
+               [compute](const Snapshot &snapshot, const void *previous, Progress &progress,
+                         std::stop_token stop) -> Result<std::shared_ptr<const void>> {
+                   Result<Out> out = compute(snapshot, static_cast<const Out *>(previous), progress,
+                                             std::move(stop));
+                   if (!out)
+                       return tl::unexpected(std::move(out.error()));
+                   return std::make_shared<const Out>(*std::move(out));
+               }};
+    if constexpr (requires(const Out &out) { out.findings; })
+        made.findings = [](const void *result) -> const std::vector<Finding> & {
+            return static_cast<const Out *>(result)->findings;
+        };
+    return made;
 }
 
 } // namespace fff

@@ -1,7 +1,9 @@
 #include "core/analysis/stretching.h"
 
+#include "core/analysis/footing.h"
 #include "core/analysis/touching.h"
 #include "core/base/tolerances.h"
+#include "core/fabrication/summary.h"
 #include "core/geometry/convex_hull.h"
 #include "core/geometry/stretch.h"
 #include "core/model/edits.h"

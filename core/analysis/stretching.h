@@ -1,12 +1,20 @@
 // Sections that end a little above the ground, drawn out down to it so that the model stands.
 #pragma once
 
-#include "core/analysis/checks.h"
+#include "core/analysis/analysis.h"
 
 #include <optional>
 #include <vector>
 
 namespace fff {
+
+/// A section that ends above the ground and would help to stand there.
+struct HighFoot
+{
+    SectionRef section;
+    double height = 0.0;    // of its lowest point above the ground, mm
+    Vec3 at = Vec3::Zero(); // that point, world, mm
+};
 
 /// The section (index into the model) with its lowest point on the ground: what of it lies below
 /// the lowest of its slits and joints, less a thickness, becomes longer, evenly, along its own

@@ -1,6 +1,7 @@
 #include "core/analysis/verdicts.h"
 
 #include "core/analysis/analysed.h"
+#include "core/analysis/check_rules.h"
 
 namespace fff {
 
@@ -10,7 +11,7 @@ Result<Verdicts> verdicts(const Snapshot &snapshot, const Verdicts *previous, Pr
     Verdicts out{snapshot.get(kAnalysed).analysis,
                  {},
                  previous ? previous->caches : std::make_shared<CheckCaches>()};
-    out.checks = checks(*out.analysis, *out.caches, {}, snapshot.get(kRules));
+    out.findings = checks(*out.analysis, *out.caches, {}, snapshot.get(kRules));
     return out;
 }
 

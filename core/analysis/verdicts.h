@@ -9,7 +9,7 @@ namespace fff {
 struct Verdicts
 {
     AnalysisPointer analysis; // that they are about
-    std::vector<Check> checks;
+    std::vector<Finding> findings;
     std::shared_ptr<CheckCaches> caches; // the stage's own
 };
 

@@ -6,9 +6,10 @@ namespace fff {
 
 bool operator==(const Text &a, const Text &b)
 {
-    if (!a.source || !b.source)
-        return a.source == b.source;
-    return std::string_view(a.context) == b.context && std::string_view(a.source) == b.source;
+    const auto isSame = [](const char *one, const char *other) {
+        return one == other || (one && other && std::string_view(one) == other);
+    };
+    return isSame(a.context, b.context) && isSame(a.source, b.source);
 }
 
 bool operator==(const Message &a, const Message &b)

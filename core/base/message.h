@@ -25,6 +25,9 @@ struct Message
 
 bool operator==(const Message &a, const Message &b);
 
+/// Two sentences.
+inline constexpr Text kOneAfterOther{nullptr, "%1 %2"};
+
 /// What a person called it: a section, an operation, a file.
 struct Named
 {
@@ -52,14 +55,15 @@ struct Quantity
     bool operator==(const Quantity &) const = default;
 };
 /// Two lengths, mm.
-struct Extent
+struct WidthAndHeight
 {
     double width = 0.0, height = 0.0;
-    bool operator==(const Extent &) const = default;
+    bool operator==(const WidthAndHeight &) const = default;
 };
 
 /// An Error stands for its sentence.
-struct Argument : std::variant<int, Named, NamedSections, Text, Message, Quantity, Extent, Error>
+struct Argument
+    : std::variant<int, Named, NamedSections, Text, Message, Quantity, WidthAndHeight, Error>
 {
     using variant::variant;
 };

@@ -7,8 +7,8 @@ namespace fff {
 /// Of a context, as Qt has it: a file's or a feature's texts have one.
 struct Text
 {
-    const char *context = nullptr;
-    const char *source = nullptr; // English; the text itself
+    const char *context = nullptr; // null: it is the same in every language
+    const char *source = nullptr;  // English; the text itself
 };
 
 bool operator==(const Text &a, const Text &b);

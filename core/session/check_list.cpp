@@ -17,21 +17,21 @@ CheckList::CheckList(const Session &session, const QString &reports, QObject *pa
         if (now.sectionCount() == 0) // nothing follows from nothing
             refresh();
     });
-    m_scheduler.want(kMends.name); // and all that it is derived from
+    for (const Stage &stage : m_scheduler.stages())
+        if (stage.findings)
+            m_scheduler.want(stage.name);
+    m_scheduler.want(kMends.name);
     for (const Stage &stage : m_scheduler.stages())
         take(stage.name);
 }
 
 void CheckList::take(std::string_view stage)
 {
+    m_results[stage] = m_scheduler.resultNamed(stage);
     if (stage == kVerdicts.name)
         m_verdicts = m_scheduler.result(kVerdicts);
     else if (stage == kPlanned.name)
         m_plan = m_scheduler.result(kPlanned);
-    else if (stage == kFlips.name)
-        m_flips = m_scheduler.result(kFlips);
-    else if (stage == kMends.name)
-        m_mends = m_scheduler.result(kMends);
     const std::optional<Error> &why = m_scheduler.failureOf(stage);
     const bool wasFailing = m_failing.contains(stage);
     if (why)
@@ -51,40 +51,36 @@ void CheckList::keepReport(std::string_view stage, const Error &why)
         report = setAside(m_reportFolder, m_session.model().document, stage, why).value_or(report);
 }
 
-/// In the place of what a stage would have found.
-void CheckList::addFailures()
+/// What the stage has found of sections that are there, or why it has not.
+void CheckList::add(const Stage &stage)
 {
-    for (const Stage &stage : m_scheduler.stages()) {
-        if (const std::optional<Error> &why = m_scheduler.failureOf(stage.name)) {
-            Check check;
-            check.code = CheckCode::NotWorkedOut;
-            check.severity = CheckSeverity::Unknown;
-            check.stage = stage.name;
-            check.failure = why;
-            m_all.push_back(std::move(check));
-        }
+    if (const std::optional<Error> &why = m_scheduler.failureOf(stage.name)) {
+        m_all.push_back(notWorkedOut(stage, *why));
+        return;
     }
+    const auto &result = m_results[stage.name];
+    if (!result || !stage.findings)
+        return;
+    const auto isThere = [&](const SectionRef &ref) { return model().indexOf(ref) >= 0; };
+    for (const Finding &finding : stage.findings(result.get()))
+        if (std::all_of(finding.sections.begin(), finding.sections.end(), isThere) &&
+            std::all_of(finding.others.begin(), finding.others.end(), isThere))
+            m_all.push_back(finding);
 }
 
 void CheckList::refresh()
 {
     m_all.clear();
     if (m_session.model().sectionCount() == 0) {
+        m_results.clear(); // what comes next is another model
         m_verdicts.reset();
         m_plan.reset();
+    } else {
+        for (const Stage &stage : m_scheduler.stages())
+            add(stage);
     }
-    if (m_verdicts && !m_scheduler.failureOf(kVerdicts.name))
-        m_all = m_verdicts->checks;
-    const auto isThere = [&](const SectionRef &ref) { return model().indexOf(ref) >= 0; };
-    if (m_plan && !m_scheduler.failureOf(kPlanned.name))
-        for (const Check &check : m_plan->checks)
-            if (std::all_of(check.sections.begin(), check.sections.end(), isThere) &&
-                std::all_of(check.guests.begin(), check.guests.end(), isThere))
-                m_all.push_back(check);
-    if (m_session.model().sectionCount() > 0)
-        addFailures();
     std::stable_sort(m_all.begin(), m_all.end(),
-                     [](const Check &a, const Check &b) { return subjectOf(a) < subjectOf(b); });
+                     [](const Finding &a, const Finding &b) { return a.subject() < b.subject(); });
     Q_EMIT changed();
 }
 
@@ -96,38 +92,40 @@ const Model &CheckList::model() const
 
 CheckList::Age CheckList::age() const
 {
-    if (m_session.model().sectionCount() == 0)
-        return Age::Current;
     Age age = Age::Current;
-    for (const char *stage : {kVerdicts.name, kPlanned.name})
-        if (!m_scheduler.failureOf(stage)) // else none of its verdicts are among these
-            age = std::max(age, m_scheduler.age(stage));
+    if (m_session.model().sectionCount() == 0)
+        return age;
+    for (const Stage &stage : m_scheduler.stages())
+        if (stage.findings && !m_scheduler.failureOf(stage.name))
+            age = std::max(age, m_scheduler.age(stage.name)); // else none of it is among these
     return age;
 }
 
-const std::vector<CheckAction> &CheckList::actionsOf(const Check &check) const
+const std::vector<FindingAction> &CheckList::actionsOf(const Finding &finding) const
 {
-    using Kind = CheckAction::Kind;
-    static const std::vector<CheckAction> kNone, kAgain{{Kind::TryAgain, {}}},
-        kAgainOrReport{{Kind::TryAgain, {}}, {Kind::ShowReport, {}}};
-    if (check.code == CheckCode::NotWorkedOut)
-        return reportOf(check).isEmpty() ? kAgain : kAgainOrReport;
-    const std::vector<CheckAction> *actions = m_mends ? m_mends->of(check) : nullptr;
+    static const std::vector<FindingAction> kNone, kAgain{{&kTryAgain}},
+        kAgainOrReport{{&kTryAgain}, {&kShowReport}};
+    if (finding.details<StageFailure>())
+        return reportOf(finding).isEmpty() ? kAgain : kAgainOrReport;
+    const auto mends = m_scheduler.result(kMends);
+    const std::vector<FindingAction> *actions = mends ? mends->of(finding) : nullptr;
     return actions ? *actions : kNone;
 }
 
-QString CheckList::reportOf(const Check &check) const
+QString CheckList::reportOf(const Finding &finding) const
 {
-    const auto report = check.stage ? m_failing.find(check.stage) : m_failing.end();
+    const auto *failure = finding.details<StageFailure>();
+    const auto report = failure ? m_failing.find(failure->stage) : m_failing.end();
     return report == m_failing.end() ? QString() : report->second;
 }
 
 const Flips *CheckList::flips() const
 {
+    const auto found = m_scheduler.result(kFlips);
     const bool isCurrent =
         m_plan && m_plan->analysis->model.document.isSame(m_session.committed().document) &&
         m_scheduler.revisionOf(kFlips.name) == m_scheduler.revisionOf(kPlanned.name);
-    return isCurrent && m_flips && m_flips->flips ? &*m_flips->flips : nullptr;
+    return isCurrent && found && found->flips ? &*found->flips : nullptr;
 }
 
 void CheckList::finish()

@@ -26,9 +26,9 @@ public:
     explicit CheckList(const Session &session, const QString &reports = {},
                        QObject *parent = nullptr);
 
-    /// The newest ones, of sections of model(), those of planChecks() with them; in the order of
-    /// their subjects. In place of those of a stage that failed one that says why.
-    const std::vector<Check> &all() const { return m_all; }
+    /// The newest ones of all stages that have such, of sections of model(); in the order of their
+    /// subjects. In place of those of a stage that failed one that says why.
+    const std::vector<Finding> &all() const { return m_all; }
     /// The one that they are about; older than the session's unless age() is Current.
     const Model &model() const;
     /// Of the oldest of them.
@@ -39,9 +39,9 @@ public:
     const Flips *flips() const;
     /// What can be done about one of all(), as far as it is worked out; until then what could be
     /// done about the same verdict before.
-    const std::vector<CheckAction> &actionsOf(const Check &check) const;
-    /// Where the model was set aside at which the check's stage broke; empty: nowhere.
-    QString reportOf(const Check &check) const;
+    const std::vector<FindingAction> &actionsOf(const Finding &finding) const;
+    /// Where the model was set aside at which the finding's stage broke; empty: nowhere.
+    QString reportOf(const Finding &finding) const;
     Scheduler &scheduler() const { return m_scheduler; }
     /// Waits for what is worked out: for tests.
     void finish();
@@ -53,16 +53,15 @@ Q_SIGNALS:
 private:
     void take(std::string_view stage);
     void keepReport(std::string_view stage, const Error &why);
-    void addFailures();
+    void add(const Stage &stage);
     void refresh();
 
     const Session &m_session;
     Scheduler &m_scheduler;
+    std::map<std::string_view, std::shared_ptr<const void>> m_results; // by stage
     std::shared_ptr<const Verdicts> m_verdicts; // null: none yet, or of an empty model
     std::shared_ptr<const PlannedAnalysis> m_plan;
-    std::shared_ptr<const FoundFlips> m_flips;
-    std::shared_ptr<const Mends> m_mends;
-    std::vector<Check> m_all;
+    std::vector<Finding> m_all;
     QString m_reportFolder;
     std::map<std::string_view, QString> m_failing; // stages, and where a model was set aside
 };

@@ -46,7 +46,7 @@ struct ArgumentText
     QString operator()(const Text &text) const { return messageText(text); }
     QString operator()(const Message &message) const { return messageText(message, units, style); }
     QString operator()(const Error &error) const { return io::errorSentence(error); }
-    QString operator()(const Extent &extent) const
+    QString operator()(const WidthAndHeight &extent) const
     {
         return units.size(Vec2(extent.width, extent.height));
     }
@@ -129,8 +129,11 @@ QString messageText(const Message &message, const UnitWords &units, NameStyle na
 {
     if (message.isEmpty())
         return {};
-    const QString sentence = QCoreApplication::translate(message.text.context, message.text.source,
-                                                         nullptr, message.count.value_or(-1));
+    const QString sentence =
+        message.text.context
+            ? QCoreApplication::translate(message.text.context, message.text.source, nullptr,
+                                          message.count.value_or(-1))
+            : QString::fromUtf8(message.text.source);
     QStringList arguments;
     for (const Argument &argument : message.arguments)
         arguments += std::visit(ArgumentText{units, names},
@@ -140,7 +143,7 @@ QString messageText(const Message &message, const UnitWords &units, NameStyle na
 
 QString messageText(const Text &text)
 {
-    return text.source ? QCoreApplication::translate(text.context, text.source) : QString();
+    return messageText(Message{text, {}});
 }
 
 } // namespace fff

@@ -2,7 +2,7 @@
 // wins, and each result is published as it becomes ready.
 #pragma once
 
-#include "core/analysis/checks.h"
+#include "core/analysis/check_rules.h"
 #include "core/analysis/stages.h"
 
 #include <QObject>
@@ -45,6 +45,7 @@ public:
     {
         return std::static_pointer_cast<const Out>(resultNamed(stage.name));
     }
+    std::shared_ptr<const void> resultNamed(std::string_view stage) const;
     /// That the result is of.
     std::uint64_t revisionOf(std::string_view stage) const;
 
@@ -86,8 +87,6 @@ Q_SIGNALS:
     void progressed();
 
 private:
-    std::shared_ptr<const void> resultNamed(std::string_view stage) const;
-
     class Private;
     std::unique_ptr<Private> d;
 };

@@ -15,7 +15,7 @@ namespace fff {
 class Session::Private
 {
 public:
-    explicit Private(Session *session);
+    Private(Session *session, std::vector<Stage> stages);
 
     void show(ModelPointer next);
     void indexChanged();
@@ -72,7 +72,8 @@ private:
 
 } // namespace
 
-Session::Private::Private(Session *session) : q(session), stack(new QUndoStack(session))
+Session::Private::Private(Session *session, std::vector<Stage> stages)
+    : q(session), stack(new QUndoStack(session)), scheduler(std::move(stages))
 {
     scheduler.want(kAnalysed.name);
     QObject::connect(&scheduler, &Scheduler::published, q, [this](std::string_view stage) {
@@ -123,7 +124,10 @@ KeptModelPointer Session::Private::keptAfter(int steps) const
     return steps == 0 ? step(0)->before() : step(steps - 1)->after();
 }
 
-Session::Session(QObject *parent) : QObject(parent), d(std::make_unique<Private>(this))
+Session::Session(QObject *parent) : Session(stages(), parent) {}
+
+Session::Session(std::vector<Stage> stages, QObject *parent)
+    : QObject(parent), d(std::make_unique<Private>(this, std::move(stages)))
 {
     connect(d->stack, &QUndoStack::indexChanged, this, [this] { d->indexChanged(); });
     connect(d->stack, &QUndoStack::cleanChanged, this, &Session::cleanChanged);

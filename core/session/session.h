@@ -11,16 +11,20 @@
 
 #include <cstdint>
 #include <memory>
+#include <vector>
 
 namespace fff {
 
 class Scheduler;
+struct Stage;
 
 class Session : public QObject
 {
     Q_OBJECT
 public:
     explicit Session(QObject *parent = nullptr);
+    /// With other stages than those that the product has.
+    explicit Session(std::vector<Stage> stages, QObject *parent = nullptr);
     ~Session() override;
 
     /// What is shown: the preview while one runs, else the committed model.

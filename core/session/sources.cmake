@@ -2,7 +2,6 @@ target_sources(fff_session PRIVATE
     assembly_steps.cpp
     autosave.cpp
     check_list.cpp
-    check_text.cpp
     copy_commands.cpp
     drawing_commands.cpp
     figure_commands.cpp
@@ -29,6 +28,5 @@ target_sources(fff_session PRIVATE
     session_host.cpp
     set_aside.cpp
     slot_lock.cpp
-    stage_text.cpp
     tool_commands.cpp
 )

@@ -529,7 +529,7 @@ void TestDocks::badgesLeaveTheCubeFree()
     const auto badge = [&](int index) {
         return badges->findChild<Badge *>(QStringLiteral("badge%1").arg(index));
     };
-    QTRY_VERIFY(badge(2) && badge(2)->isVisible() && badge(2)->severity() == CheckSeverity::Error);
+    QTRY_VERIFY(badge(2) && badge(2)->isVisible() && badge(2)->severity() == Severity::Error);
     std::set<int> widths;
     for (int width = 1700; width >= 1024; width -= 25) {
         m_window->resize(width, 700);

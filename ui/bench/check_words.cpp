@@ -1,7 +1,6 @@
 #include "ui/bench/check_words.h"
 
-#include "core/session/check_text.h"
-#include "core/session/section_names.h"
+#include "core/session/finding_text.h"
 #include "ui/base/theme.h"
 #include "ui/bench/measures.h"
 
@@ -16,10 +15,10 @@ struct Words
     Q_DECLARE_TR_FUNCTIONS(fff::ui::CheckWords)
 };
 
-CheckUnits unitsInUse()
+UnitWords unitsInUse()
 {
     const QLocale locale;
-    CheckUnits units = metricUnits();
+    UnitWords units = metricUnits();
     units.length = [locale](double mm) { return lengthText(mm, 0, 1, locale); };
     units.width = [locale](double mm) { return lengthText(mm, 2, 3, locale); };
     units.size = [locale](const Vec2 &mm) { return sizeText({mm.x(), mm.y()}, 0, locale); };
@@ -29,107 +28,65 @@ CheckUnits unitsInUse()
 
 } // namespace
 
-CheckWords checkWords(const Check &check, const Model &model)
+CheckWords checkWords(const Finding &finding, const Model &model)
 {
-    const QString whole = checkText(check, model, unitsInUse());
+    const QString whole = findingText(finding, model, unitsInUse());
     const qsizetype end = whole.indexOf(QStringLiteral(". "));
     if (end < 0)
-        return {checkTitle(check), whole};
+        return {messageText(finding.kind->title), whole};
     // Its first sentence is the verdict.
     return {whole.left(end), whole.mid(end + 2)};
 }
 
-QString actionText(const CheckAction &action, const Check &check, const Model &model)
+QString actionText(const FindingAction &action, const Finding &finding, const Model &model)
 {
-    const bool isOne = check.sections.size() == 1;
-    switch (action.kind) {
-    case CheckAction::Kind::MoveToOther: {
-        const QString name = sectionName(model, action.section);
-        //: %1 is the name of a section
-        return isOne ? Words::tr("Move it to %1").arg(name)
-                     //: %1 is the name of a section
-                     : Words::tr("Move them to %1").arg(name);
-    }
-    case CheckAction::Kind::JoinAgain:
-        //: %1 is the name of a section
-        return check.code == CheckCode::NoSlit ? Words::tr("Join them")
-               : isOne ? Words::tr("Join it with %1").arg(sectionName(model, action.section))
-                       //: %1 is the name of a section
-                       : Words::tr("Join them with %1").arg(sectionName(model, action.section));
-    case CheckAction::Kind::JoinWithTabs:
-        return Words::tr("Join with tabs");
-    case CheckAction::Kind::Trim:
-        //: %1 is the name of a section
-        return Words::tr("Trim %1").arg(sectionName(model, action.section));
-    case CheckAction::Kind::DeleteSections:
-        return isOne ? Words::tr("Delete it") : Words::tr("Delete them");
-    case CheckAction::Kind::MakeAssemblable:
-        return Words::tr("Make assemblable");
-    case CheckAction::Kind::StretchToGround:
-        //: %1 is the name of a section
-        return check.feet.size() == 1 ? Words::tr("Stretch %1 to the ground")
-                                            .arg(sectionName(model, check.feet.front().section))
-                                      : Words::tr("Stretch them to the ground");
-    case CheckAction::Kind::DropToGround:
-        return Words::tr("Drop it to the ground");
-    case CheckAction::Kind::ShowSteps:
-        return Words::tr("Show the steps");
-    case CheckAction::Kind::ChooseSheet:
-        return Words::tr("Choose a sheet");
-    case CheckAction::Kind::WidenSlits:
-        return Words::tr("Set the clearance");
-    case CheckAction::Kind::TryAgain:
-        return Words::tr("Try again");
-    case CheckAction::Kind::ShowReport:
-        return Words::tr("Show the copy for a report");
-    }
-    return {}; // not reached: every kind is above
+    return messageText(action.kind->words(action, finding, model));
 }
 
-QString checkGlyph(CheckSeverity severity)
+QString checkGlyph(Severity severity)
 {
     switch (severity) {
-    case CheckSeverity::Good:
+    case Severity::Good:
         return QStringLiteral("check");
-    case CheckSeverity::Unknown:
-    case CheckSeverity::Note:
+    case Severity::Unknown:
+    case Severity::Note:
         return QStringLiteral("unknown");
-    case CheckSeverity::Warning:
+    case Severity::Warning:
         return QStringLiteral("warn");
-    case CheckSeverity::Error:
+    case Severity::Error:
         return QStringLiteral("err");
     }
     return {};
 }
 
-QColor checkColour(CheckSeverity severity)
+QColor checkColour(Severity severity)
 {
     switch (severity) {
-    case CheckSeverity::Good:
+    case Severity::Good:
         return theme().good;
-    case CheckSeverity::Unknown:
-    case CheckSeverity::Note:
+    case Severity::Unknown:
+    case Severity::Note:
         return theme().muted;
-    case CheckSeverity::Warning:
+    case Severity::Warning:
         return theme().warning;
-    case CheckSeverity::Error:
+    case Severity::Error:
         return theme().problem;
     }
     return {};
 }
 
-QString severityWord(CheckSeverity severity)
+QString severityWord(Severity severity)
 {
     switch (severity) {
-    case CheckSeverity::Good:
+    case Severity::Good:
         return Words::tr("Good");
-    case CheckSeverity::Unknown:
+    case Severity::Unknown:
         return Words::tr("Unknown");
-    case CheckSeverity::Note:
+    case Severity::Note:
         return Words::tr("Note");
-    case CheckSeverity::Warning:
+    case Severity::Warning:
         return Words::tr("Warning");
-    case CheckSeverity::Error:
+    case Severity::Error:
         return Words::tr("Problem");
     }
     return {};

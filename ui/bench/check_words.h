@@ -1,7 +1,7 @@
 // What checks look like to a person: words, glyph, colour. For the Checks dock and the badges.
 #pragma once
 
-#include "core/analysis/check_actions.h"
+#include "core/analysis/finding_action.h"
 
 #include <QColor>
 #include <QString>
@@ -15,15 +15,15 @@ struct CheckWords
 };
 
 /// In the unit that is set. `model` is the one that was checked.
-CheckWords checkWords(const Check &check, const Model &model);
+CheckWords checkWords(const Finding &finding, const Model &model);
 
 /// What a link says: "Move it to Body".
-QString actionText(const CheckAction &action, const Check &check, const Model &model);
+QString actionText(const FindingAction &action, const Finding &finding, const Model &model);
 
 /// Name of an icon; the outlines differ, not the colours alone.
-QString checkGlyph(CheckSeverity severity);
-QColor checkColour(CheckSeverity severity);
+QString checkGlyph(Severity severity);
+QColor checkColour(Severity severity);
 /// "Problem", "Warning", "Good", "Unknown": what the glyph says to those who hear it.
-QString severityWord(CheckSeverity severity);
+QString severityWord(Severity severity);
 
 } // namespace fff::ui

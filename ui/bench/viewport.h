@@ -2,8 +2,8 @@
 // The clock is that of the events.
 #pragma once
 
+#include "core/analysis/problem_look.h"
 #include "core/interaction/interaction.h"
-#include "core/interaction/problem_look.h"
 #include "ui/bench/touch_input.h"
 #include "ui/bench/view_input.h"
 #include "ui/view/frame_pace.h"

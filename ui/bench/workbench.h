@@ -2,10 +2,10 @@
 // the selection. Interaction is plain C++; this says with signals what changed in it.
 #pragma once
 
+#include "core/analysis/problem_look.h"
 #include "core/assembly/joint_editing.h"
 #include "core/interaction/commands.h"
 #include "core/interaction/interaction.h"
-#include "core/interaction/problem_look.h"
 #include "core/interaction/tool.h"
 #include "core/session/session.h"
 #include "core/session/session_host.h"

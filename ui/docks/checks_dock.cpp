@@ -1,8 +1,13 @@
 #include "ui/docks/checks_dock.h"
 
+#include "core/analysis/findings/narrow_slits.h"
+#include "core/analysis/findings/not_worked_out.h"
+#include "core/analysis/findings/order.h"
+#include "core/analysis/findings/sheet_fit.h"
 #include "core/assembly/joint_state.h"
+#include "core/fabrication/summary.h"
 #include "core/session/check_list.h"
-#include "core/session/stage_text.h"
+#include "core/session/message_text.h"
 #include "ui/base/icon.h"
 #include "ui/base/theme.h"
 #include "ui/bench/check_words.h"
@@ -32,9 +37,9 @@ namespace {
 
 constexpr int kSpinTime = 60, kSpinStep = 30; // ms, degrees
 
-bool isProblem(const Check &check)
+bool isProblem(const Finding &finding)
 {
-    return check.severity >= CheckSeverity::Warning;
+    return finding.severity >= Severity::Warning;
 }
 
 } // namespace
@@ -85,8 +90,8 @@ ChecksDock::ChecksDock(Workbench &bench, const CheckList &list, QWidget *parent)
     m_stop->setText(tr("Stop"));
     m_stop->setAutoRaise(true);
     connect(m_stop, &QToolButton::clicked, this, [this] {
-        if (const char *stage = longWork())
-            m_list.scheduler().cancel(stage);
+        if (const Stage *stage = longWork())
+            m_list.scheduler().cancel(stage->name);
     });
     foot->addWidget(m_stop);
     m_footer->hide();
@@ -142,27 +147,27 @@ ChecksDock::ChecksDock(Workbench &bench, const CheckList &list, QWidget *parent)
     refresh();
 }
 
-/// The check whose row the person's keys go to, or its link.
-std::optional<Check> ChecksDock::focusedCheck() const
+/// The finding whose row the person's keys go to, or its link.
+std::optional<Finding> ChecksDock::focusedFinding() const
 {
     const QWidget *focus = m_area->widget()->focusWidget();
     for (std::size_t i = 0; focus && focus->hasFocus() && i < m_rows.size(); ++i)
         if (m_widgets[i] == focus || m_widgets[i]->isAncestorOf(focus))
-            return m_rows[i].check;
+            return m_rows[i].finding;
     return {};
 }
 
 /// A row that went, or went elsewhere, left the focus to whatever came after it: to where the check
 /// is now, or what became of it.
-void ChecksDock::returnFocus(const Check &check)
+void ChecksDock::returnFocus(const Finding &finding)
 {
     const auto rowWith = [this](auto isIt) {
         return std::find_if(m_rows.begin(), m_rows.end(),
-                            [&](const Row &row) { return isIt(row.check); });
+                            [&](const Row &row) { return isIt(row.finding); });
     };
-    auto row = rowWith([&](const Check &now) { return isSameVerdict(check, now); });
+    auto row = rowWith([&](const Finding &now) { return isSameVerdict(finding, now); });
     if (row == m_rows.end())
-        row = rowWith([&](const Check &now) { return subjectOf(now) == subjectOf(check); });
+        row = rowWith([&](const Finding &now) { return now.subject() == finding.subject(); });
     if (row == m_rows.end())
         return;
     CheckRow *widget = m_widgets[static_cast<std::size_t>(row - m_rows.begin())];
@@ -173,24 +178,24 @@ void ChecksDock::returnFocus(const Check &check)
 
 void ChecksDock::refresh()
 {
-    const std::optional<Check> focused = focusedCheck();
+    const std::optional<Finding> focused = focusedFinding();
     m_rows.clear();
-    const std::vector<Check> &all = m_list.all();
-    std::map<CheckCode, int> alike;
+    const std::vector<Finding> &all = m_list.all();
+    std::map<const FindingKind *, int> alike;
     for (std::size_t i = 0; i < all.size(); ++i) {
-        if (alike[all[i].code]++ < kMostAlike) {
+        if (alike[all[i].kind]++ < kMostAlike) {
             m_rows.push_back({all[i], 1, 0, {}});
         } else {
             const auto last = std::find_if(m_rows.rbegin(), m_rows.rend(), [&](const Row &row) {
-                return row.check.code == all[i].code;
+                return row.finding.kind == all[i].kind;
             });
             last->count += 1;
-            last->check.sections.insert(last->check.sections.end(), all[i].sections.begin(),
-                                        all[i].sections.end());
+            last->finding.sections.insert(last->finding.sections.end(), all[i].sections.begin(),
+                                          all[i].sections.end());
         }
     }
     std::stable_sort(m_rows.begin(), m_rows.end(), [](const Row &a, const Row &b) {
-        return a.check.severity > b.check.severity;
+        return a.finding.severity > b.finding.severity;
     });
 
     const bool isOlder = m_list.age() != CheckList::Age::Current;
@@ -209,7 +214,7 @@ void ChecksDock::refresh()
     }
     int number = 0;
     for (Row &row : m_rows) {
-        if (isProblem(row.check))
+        if (isProblem(row.finding))
             row.number = ++number;
     }
     bool isChosenThere = false;
@@ -217,20 +222,21 @@ void ChecksDock::refresh()
         m_widgets[i]->setVisible(i < m_rows.size());
         if (i >= m_rows.size())
             continue;
-        const Check &check = m_rows[i].check;
-        CheckWords words = checkWords(check, m_list.model());
+        const Finding &finding = m_rows[i].finding;
+        CheckWords words = checkWords(finding, m_list.model());
         if (m_rows[i].count > 1)
             words = {tr("%n more like this", nullptr, m_rows[i].count), QString()};
-        const QColor colour = isOlder && check.severity == CheckSeverity::Good
+        const QColor colour = isOlder && finding.severity == Severity::Good
                                   ? theme().muted
-                                  : checkColour(check.severity);
+                                  : checkColour(finding.severity);
         m_rows[i].actions = actionsOf(m_rows[i]);
         QStringList links;
-        for (const CheckAction &action : m_rows[i].actions)
-            links += actionText(action, check, m_list.model());
-        m_widgets[i]->setContent({checkGlyph(check.severity), colour, severityWord(check.severity),
-                                  m_rows[i].number, words.title, words.text, links, isOlder});
-        const bool isChosen = m_chosen && isSameVerdict(*m_chosen, check);
+        for (const FindingAction &action : m_rows[i].actions)
+            links += actionText(action, finding, m_list.model());
+        m_widgets[i]->setContent({checkGlyph(finding.severity), colour,
+                                  severityWord(finding.severity), m_rows[i].number, words.title,
+                                  words.text, links, isOlder});
+        const bool isChosen = m_chosen && isSameVerdict(*m_chosen, finding);
         m_widgets[i]->setChecked(isChosen);
         isChosenThere = isChosenThere || isChosen;
     }
@@ -251,18 +257,18 @@ void ChecksDock::markProblems()
     for (const Row &row : m_rows) {
         if (row.number == 0 || row.count > 1 || !toggleViewAction()->isChecked())
             continue;
-        const Check &check = row.check;
+        const Finding &finding = row.finding;
         const Model &model = m_list.model();
         Box3 box;
-        for (const SectionRef &ref : check.sections) {
+        for (const SectionRef &ref : finding.sections) {
             if (const int index = model.indexOf(ref); index >= 0) {
                 const Section &section = *model.section(static_cast<std::size_t>(index));
                 box.extend(slabBounds(section, model.document.stockOf(section)));
             }
         }
-        if (check.at || !box.isEmpty())
-            marks.push_back({row.number, check.at ? *check.at : Vec3(box.center()), check.sections,
-                             check.severity == CheckSeverity::Error});
+        if (finding.at || !box.isEmpty())
+            marks.push_back({row.number, finding.at ? *finding.at : Vec3(box.center()),
+                             finding.sections, finding.severity == Severity::Error});
     }
     m_bench.setProblemMarks(std::move(marks));
     showLook();
@@ -275,20 +281,18 @@ void ChecksDock::showLook()
     ProblemLook look;
     std::vector<SectionRef> faulty;
     for (const Row &row : m_rows) {
-        const Check &check = row.check;
+        const Finding &finding = row.finding;
         if (!toggleViewAction()->isChecked())
             break;
-        const bool isChosen = m_chosen && isSameVerdict(*m_chosen, check);
-        if (!check.support.empty() && (isProblem(check) || isChosen))
-            look.grounds.push_back(
-                {check.support, check.mass.centre, check.edge, check.margin, isProblem(check)});
-        for (const HighFoot &foot : check.feet)
-            look.feet.push_back({foot.at, foot.height});
+        const bool isChosen = m_chosen && isSameVerdict(*m_chosen, finding);
+        ProblemLook own = finding.kind->look ? finding.kind->look(finding) : ProblemLook();
+        if (isProblem(finding) || isChosen)
+            std::move(own.grounds.begin(), own.grounds.end(), std::back_inserter(look.grounds));
+        std::move(own.feet.begin(), own.feet.end(), std::back_inserter(look.feet));
         if (isChosen)
-            for (const CheckLink &link : check.links)
-                look.links.push_back({link.fromA, link.at, link.fromB, link.way});
-        else if (check.severity == CheckSeverity::Error)
-            faulty.insert(faulty.end(), check.sections.begin(), check.sections.end());
+            std::move(own.links.begin(), own.links.end(), std::back_inserter(look.links));
+        else if (finding.severity == Severity::Error)
+            faulty.insert(faulty.end(), finding.sections.begin(), finding.sections.end());
     }
     m_bench.setProblemLook(std::move(look), faulty);
 }
@@ -305,9 +309,9 @@ void ChecksDock::refreshFooter()
     const CheckList::Age age = m_list.age();
     const bool isLate = age == CheckList::Age::Late;
     m_footer->setVisible(age != CheckList::Age::Current);
-    const char *work = isLate ? longWork() : nullptr;
+    const Stage *work = isLate ? longWork() : nullptr;
     m_stop->setVisible(work != nullptr);
-    m_footerText->setText(work ? stageWork(work, m_list.scheduler().progress(work))
+    m_footerText->setText(work ? messageText(workOf(*work, m_list.scheduler().progress(work->name)))
                                : tr("Older than the drawing"));
     m_spinner->setVisible(work != nullptr);
     const bool spins = work && !settings().reducesMotion();
@@ -321,11 +325,11 @@ void ChecksDock::refreshFooter()
 }
 
 /// What a person waits for: of several stages that run the first one.
-const char *ChecksDock::longWork() const
+const Stage *ChecksDock::longWork() const
 {
     for (const Stage &stage : m_list.scheduler().stages())
         if (m_list.scheduler().isRunning(stage.name))
-            return stage.name;
+            return &stage;
     return nullptr;
 }
 
@@ -340,7 +344,7 @@ std::vector<int> ChecksDock::problems() const
 {
     std::vector<int> rows;
     for (std::size_t i = 0; i < m_rows.size(); ++i) {
-        if (isProblem(m_rows[i].check))
+        if (isProblem(m_rows[i].finding))
             rows.push_back(static_cast<int>(i));
     }
     return rows;
@@ -348,21 +352,21 @@ std::vector<int> ChecksDock::problems() const
 
 void ChecksDock::choose(int row, bool frames)
 {
-    const Check check = m_rows[static_cast<std::size_t>(row)].check;
+    const Finding finding = m_rows[static_cast<std::size_t>(row)].finding;
     const QScopedValueRollback choosing(m_isChoosing, true);
-    m_chosen = check;
+    m_chosen = finding;
     for (std::size_t i = 0; i < m_widgets.size(); ++i)
         m_widgets[i]->setChecked(static_cast<int>(i) == row);
     // What can be done about a joint is on its page.
-    if (check.joint && hasJoint(m_bench.session().committed(), *check.joint))
-        m_bench.selectJoint(*check.joint);
+    if (finding.joint && hasJoint(m_bench.session().committed(), *finding.joint))
+        m_bench.selectJoint(*finding.joint);
     else
-        m_bench.select(check.sections);
-    m_bench.setProblemSections(isProblem(check) ? check.sections : std::vector<SectionRef>());
+        m_bench.select(finding.sections);
+    m_bench.setProblemSections(isProblem(finding) ? finding.sections : std::vector<SectionRef>());
     showLook();
     if (frames)
-        m_bench.run(check.sections.empty() ? QStringLiteral("view.fitAll")
-                                           : QStringLiteral("view.fitSelection"));
+        m_bench.run(finding.sections.empty() ? QStringLiteral("view.fitAll")
+                                             : QStringLiteral("view.fitSelection"));
     m_area->ensureWidgetVisible(m_widgets[static_cast<std::size_t>(row)], 0, 0);
 }
 
@@ -393,7 +397,7 @@ void ChecksDock::goToProblem(int step)
         if (m_chosen &&
             isSameVerdict(
                 *m_chosen,
-                m_rows[static_cast<std::size_t>(rows[static_cast<std::size_t>(i)])].check))
+                m_rows[static_cast<std::size_t>(rows[static_cast<std::size_t>(i)])].finding))
             at = i;
     }
     at = ((at + step) % count + count) % count;
@@ -403,76 +407,72 @@ void ChecksDock::goToProblem(int step)
     Q_EMIT said(tr("Problem %1 of %2: %3.")
                     .arg(at + 1)
                     .arg(count)
-                    .arg(checkWords(chosen.check, m_list.model()).title.toHtmlEscaped()));
+                    .arg(checkWords(chosen.finding, m_list.model()).title.toHtmlEscaped()));
 }
 
-void ChecksDock::choose(CheckSubject subject)
+void ChecksDock::choose(Subject subject)
 {
     Q_EMIT shown();
     for (std::size_t i = 0; i < m_rows.size(); ++i) {
-        if (subjectOf(m_rows[i].check) == subject) { // the worst comes first
-            choose(static_cast<int>(i), isProblem(m_rows[i].check));
+        if (m_rows[i].finding.subject() == subject) { // the worst comes first
+            choose(static_cast<int>(i), isProblem(m_rows[i].finding));
             return;
         }
     }
 }
 
 /// A row for many has only what is done to all of them alike.
-std::vector<CheckAction> ChecksDock::actionsOf(const Row &row) const
+std::vector<FindingAction> ChecksDock::actionsOf(const Row &row) const
 {
-    std::vector<CheckAction> actions = m_list.actionsOf(row.check);
-    if (row.count > 1)
-        actions = row.check.code == CheckCode::NotConnected
-                      ? std::vector<CheckAction>{{CheckAction::Kind::DeleteSections, {}}}
-                      : std::vector<CheckAction>();
-    return actions;
+    if (row.count == 1)
+        return m_list.actionsOf(row.finding);
+    if (const ActionKind *forAll = row.finding.kind->forAll)
+        return {{forAll}};
+    return {};
+}
+
+/// The stock of what it is about.
+void ChecksDock::showStock(const Finding &finding)
+{
+    const Model &model = m_bench.session().model();
+    const int at = finding.sections.empty() ? -1 : model.indexOf(finding.sections.front());
+    Q_EMIT stockWanted(at < 0 ? StockId{} : model.section(static_cast<std::size_t>(at))->stock);
 }
 
 void ChecksDock::act(int row, int index)
 {
     const Row &of = m_rows[static_cast<std::size_t>(row)];
-    const CheckAction action = of.actions[static_cast<std::size_t>(index)];
-    const Check check = of.check; // the rows change with the model
-    switch (action.kind) {
-    case CheckAction::Kind::ShowSteps:
+    const FindingAction action = of.actions[static_cast<std::size_t>(index)];
+    const Finding finding = of.finding; // the rows change with the model
+    if (isEdit(*action.kind)) {
+        carryOut(action, finding);
+    } else if (action.kind == &kShowSteps) {
         Q_EMIT stepsWanted();
-        return;
-    case CheckAction::Kind::ChooseSheet:
-    case CheckAction::Kind::WidenSlits: {
-        const Model &model = m_bench.session().model();
-        const int at = check.sections.empty() ? -1 : model.indexOf(check.sections.front());
-        Q_EMIT stockWanted(at < 0 ? StockId{} : model.section(static_cast<std::size_t>(at))->stock);
-        return;
-    }
-    case CheckAction::Kind::TryAgain:
-        m_list.scheduler().tryAgain(check.stage);
-        return;
-    case CheckAction::Kind::ShowReport:
+    } else if (action.kind == &kChooseSheet || action.kind == &kWidenSlits) {
+        showStock(finding);
+    } else if (action.kind == &kTryAgain) {
+        m_list.scheduler().tryAgain(finding.details<StageFailure>()->stage);
+    } else if (action.kind == &kShowReport) {
         QDesktopServices::openUrl(
-            QUrl::fromLocalFile(QFileInfo(m_list.reportOf(check)).absolutePath()));
-        return;
-    default:
-        carryOut(action, check);
+            QUrl::fromLocalFile(QFileInfo(m_list.reportOf(finding)).absolutePath()));
     }
 }
 
 /// On the model that is there now, which the row may be older than.
-void ChecksDock::carryOut(const CheckAction &action, const Check &check)
+void ChecksDock::carryOut(const FindingAction &action, const Finding &finding)
 {
     Session &session = m_bench.session();
-    const Flips *flips = m_list.flips();
-    const std::optional<CheckEdit> edit =
-        session.hasPreview() ? std::nullopt
-                             : carriedOut(action, check, session.currentAnalysis(), flips);
+    const std::optional<FindingEdit> edit =
+        session.hasPreview()
+            ? std::nullopt
+            : carriedOut(action, finding, session.currentAnalysis(), m_list.flips());
     if (!edit) {
         Q_EMIT said(tr("The model has changed; that cannot be done any more."));
         return;
     }
-    const int turned = flips ? flips->count : 0;
     m_bench.commit(edit->step, edit->document);
-    if (action.kind == CheckAction::Kind::MakeAssemblable)
-        Q_EMIT said(turned == 1 ? tr("The slits of one joint were turned round.")
-                                : tr("The slits of %n joints were turned round.", nullptr, turned));
+    if (!edit->said.isEmpty())
+        Q_EMIT said(messageText(edit->said));
 }
 
 } // namespace fff::ui

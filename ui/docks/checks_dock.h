@@ -4,7 +4,7 @@
 
 #include <QDockWidget> // first: moc stumbles over some standard headers
 
-#include "core/analysis/check_actions.h"
+#include "core/analysis/finding_action.h"
 
 #include <vector>
 
@@ -16,7 +16,8 @@ class QVBoxLayout;
 
 namespace fff {
 class CheckList;
-}
+struct Stage;
+} // namespace fff
 
 namespace fff::ui {
 
@@ -32,7 +33,7 @@ public:
     /// The next problem after the chosen one (step 1), or the one before (−1); round and round.
     void goToProblem(int step);
     /// What a badge asks for: the worst row of this subject.
-    void choose(CheckSubject subject);
+    void choose(Subject subject);
     /// In the colours of the theme.
     void refreshColours();
 
@@ -48,15 +49,15 @@ Q_SIGNALS:
 private:
     struct Row
     {
-        Check check;
+        Finding finding;
         int count = 1;  // of equal ones that this row stands for
         int number = 0; // of a problem, from 1 on
-        std::vector<CheckAction> actions;
+        std::vector<FindingAction> actions;
     };
 
     void refresh();
     void refreshFooter();
-    const char *longWork() const;
+    const Stage *longWork() const;
     void choose(int row, bool frames);
     void forgetChoice();
     void markProblems();
@@ -64,17 +65,18 @@ private:
     int rowOf(int number) const; // of a problem; -1: there is none any more
     /// The link at the index was clicked.
     void act(int row, int index);
-    void carryOut(const CheckAction &action, const Check &check);
-    std::optional<Check> focusedCheck() const;
-    void returnFocus(const Check &check);
-    std::vector<CheckAction> actionsOf(const Row &row) const;
+    void showStock(const Finding &finding);
+    void carryOut(const FindingAction &action, const Finding &finding);
+    std::optional<Finding> focusedFinding() const;
+    void returnFocus(const Finding &finding);
+    std::vector<FindingAction> actionsOf(const Row &row) const;
     std::vector<int> problems() const; // rows
 
     Workbench &m_bench;
     const CheckList &m_list;
     std::vector<Row> m_rows;
     std::vector<CheckRow *> m_widgets; // as many as rows, or more, hidden
-    std::optional<Check> m_chosen;
+    std::optional<Finding> m_chosen;
     QScrollArea *m_area = nullptr;
     QVBoxLayout *m_column = nullptr;
     QLabel *m_empty = nullptr;

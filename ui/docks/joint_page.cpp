@@ -351,7 +351,7 @@ void JointPage::refresh()
 
     const bool collides = m_state->kind == JointKind::None;
     if (collides)
-        m_problem->tell(CheckSeverity::Warning, problemText(a, b));
+        m_problem->tell(Severity::Warning, problemText(a, b));
     else
         m_problem->hide();
     const bool isSet = !wanted.isEmpty();

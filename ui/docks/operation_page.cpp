@@ -228,7 +228,7 @@ void OperationPage::tellNotices(const Operation &operation, const OperationResul
     if (lines.isEmpty())
         m_problem->hide();
     else
-        m_problem->tell(fails ? CheckSeverity::Error : CheckSeverity::Warning,
+        m_problem->tell(fails ? Severity::Error : Severity::Warning,
                         lines.join(QStringLiteral("<br>")));
 }
 

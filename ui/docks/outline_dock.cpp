@@ -355,14 +355,14 @@ void OutlineDock::showColumns()
 void OutlineDock::markProblems()
 {
     const QScopedValueRollback filling(m_isFilling, true);
-    std::map<SectionId, const Check *> worst;
-    for (const Check &check : m_list.all()) {
-        if (check.severity < CheckSeverity::Warning)
+    std::map<SectionId, const Finding *> worst;
+    for (const Finding &finding : m_list.all()) {
+        if (finding.severity < Severity::Warning)
             continue;
-        for (const SectionRef &ref : concerned(check)) {
-            const Check *&known = worst[ref.drawn];
-            if (!known || check.severity > known->severity)
-                known = &check;
+        for (const SectionRef &ref : concerned(finding)) {
+            const Finding *&known = worst[ref.drawn];
+            if (!known || finding.severity > known->severity)
+                known = &finding;
         }
     }
     for (const auto &[id, item] : m_items) {
@@ -371,11 +371,11 @@ void OutlineDock::markProblems()
             setMark(item, kProblem, QString(), QIcon(), QString());
             continue;
         }
-        const Check &check = *found->second;
-        const QString title = checkWords(check, m_list.model()).title;
-        const QColor colour = checkColour(check.severity);
-        setMark(item, kProblem, checkGlyph(check.severity) + colour.name() + title,
-                colouredIcon(checkGlyph(check.severity), colour), title);
+        const Finding &finding = *found->second;
+        const QString title = checkWords(finding, m_list.model()).title;
+        const QColor colour = checkColour(finding.severity);
+        setMark(item, kProblem, checkGlyph(finding.severity) + colour.name() + title,
+                colouredIcon(checkGlyph(finding.severity), colour), title);
     }
 }
 

@@ -35,7 +35,7 @@ ProblemBox::ProblemBox(const char *labelName, QWidget *parent) : QWidget(parent)
     hide();
 }
 
-void ProblemBox::tell(CheckSeverity severity, const QString &html)
+void ProblemBox::tell(Severity severity, const QString &html)
 {
     m_severity = severity;
     m_glyph->setPixmap(
@@ -52,8 +52,7 @@ void ProblemBox::paintEvent(QPaintEvent *)
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setPen(QPen(checkColour(m_severity), 1.0));
-    painter.setBrush(m_severity == CheckSeverity::Error ? theme().problemSoft
-                                                        : theme().warningSoft);
+    painter.setBrush(m_severity == Severity::Error ? theme().problemSoft : theme().warningSoft);
     painter.drawRoundedRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5 - kBelow), kCorner,
                             kCorner);
 }

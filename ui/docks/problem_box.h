@@ -4,7 +4,7 @@
 
 #include <QWidget> // first: moc stumbles over some standard headers
 
-#include "core/analysis/checks.h"
+#include "core/analysis/finding.h"
 
 class QLabel;
 
@@ -18,7 +18,7 @@ public:
     ProblemBox(const char *labelName, QWidget *parent);
 
     /// Shows it; `html` may have links. Also for another theme.
-    void tell(CheckSeverity severity, const QString &html);
+    void tell(Severity severity, const QString &html);
 
 Q_SIGNALS:
     void linkActivated(const QString &target);
@@ -27,7 +27,7 @@ protected:
     void paintEvent(QPaintEvent *event) override;
 
 private:
-    CheckSeverity m_severity = CheckSeverity::Warning;
+    Severity m_severity = Severity::Warning;
     QLabel *m_glyph = nullptr;
     QLabel *m_text = nullptr;
 };

@@ -138,19 +138,19 @@ void PropertiesDock::refresh()
 void PropertiesDock::tellProblem()
 {
     const std::vector<int> sections = selectedSections(m_bench);
-    const Check *worst = nullptr;
+    const Finding *worst = nullptr;
     int others = -1;
     if (sections.size() == 1 && !m_sectionPage->isHidden()) {
         const SectionRef section =
             m_bench.session().model().ref(static_cast<std::size_t>(sections.front()));
-        for (const Check &check : m_list.all()) {
-            const std::vector<SectionRef> whom = concerned(check);
-            if (check.severity < CheckSeverity::Warning ||
+        for (const Finding &finding : m_list.all()) {
+            const std::vector<SectionRef> whom = concerned(finding);
+            if (finding.severity < Severity::Warning ||
                 std::find(whom.begin(), whom.end(), section) == whom.end())
                 continue;
             ++others;
-            if (!worst || check.severity > worst->severity)
-                worst = &check;
+            if (!worst || finding.severity > worst->severity)
+                worst = &finding;
         }
     }
     if (!worst) {

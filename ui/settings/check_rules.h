@@ -1,7 +1,7 @@
 // What the checks go by, as a person has set it.
 #pragma once
 
-#include "core/analysis/checks.h"
+#include "core/analysis/check_rules.h"
 
 namespace fff::ui {
 

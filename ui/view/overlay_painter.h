@@ -3,8 +3,8 @@
 // device-independent pixels.
 #pragma once
 
+#include "core/analysis/problem_look.h"
 #include "core/interaction/interaction.h"
-#include "core/interaction/problem_look.h"
 #include "core/interaction/view_state.h"
 #include "core/operations/operation_kind.h"
 #include "ui/view/length_unit.h"

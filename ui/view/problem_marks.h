@@ -1,7 +1,7 @@
 // Draws who blocks whom, how the centre of mass lies over the feet, and feet that hang in the air.
 #pragma once
 
-#include "core/interaction/problem_look.h"
+#include "core/analysis/problem_look.h"
 #include "ui/view/length_unit.h"
 #include "ui/view/mark_pen.h"
 

@@ -32,8 +32,8 @@ void Badge::setContent(const Content &content)
 {
     if (content == m_content)
         return;
-    const bool turnsBad = content.severity == CheckSeverity::Error &&
-                          m_content.severity != CheckSeverity::Error && isVisible();
+    const bool turnsBad =
+        content.severity == Severity::Error && m_content.severity != Severity::Error && isVisible();
     const bool isResized = content.title != m_content.title;
     m_content = content;
     setAccessibleName(content.title);
@@ -64,7 +64,7 @@ void Badge::setFolded(bool isFolded)
 QFont Badge::words() const
 {
     QFont f = font();
-    if (m_content.severity == CheckSeverity::Error)
+    if (m_content.severity == Severity::Error)
         f.setWeight(QFont::DemiBold);
     f.setItalic(m_content.isOlder);
     return f;
@@ -88,7 +88,7 @@ int Badge::widthWhen(bool isFolded) const
 void Badge::paintEvent(QPaintEvent *)
 {
     const Theme &t = theme();
-    const bool isBad = m_content.severity == CheckSeverity::Error && !m_content.isOlder;
+    const bool isBad = m_content.severity == Severity::Error && !m_content.isOlder;
     const double filled =
         m_fill.state() == QAbstractAnimation::Running ? m_fill.currentValue().toDouble() : 1.0;
     // On red, white reads in both themes; the dark theme's red is too light for it.
@@ -100,7 +100,7 @@ void Badge::paintEvent(QPaintEvent *)
     painter.setRenderHint(QPainter::Antialiasing);
     const QRectF pill = QRectF(rect()).adjusted(1.0, 1.0, -1.0, -1.0);
     const double radius = pill.height() / 2.0;
-    QColor border = m_content.severity == CheckSeverity::Warning ? t.warning : t.border;
+    QColor border = m_content.severity == Severity::Warning ? t.warning : t.border;
     if (isBad)
         border = red;
     if (hasFocus())
@@ -114,9 +114,9 @@ void Badge::paintEvent(QPaintEvent *)
         painter.fillPath(path, red);
         painter.restore();
     }
-    QPen pen(border, hasFocus()                                              ? 2.0
-                     : isBad || m_content.severity == CheckSeverity::Warning ? 1.3
-                                                                             : 1.0);
+    QPen pen(border, hasFocus()                                         ? 2.0
+                     : isBad || m_content.severity == Severity::Warning ? 1.3
+                                                                        : 1.0);
     if (m_content.isProvisional) {
         pen.setDashPattern({4.0, 3.0});
         pen.setColor(isBad ? QColor(0xff, 0xff, 0xff) : t.muted);

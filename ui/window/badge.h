@@ -5,7 +5,7 @@
 #include <QAbstractButton> // first: moc stumbles over some standard headers
 #include <QVariantAnimation>
 
-#include "core/analysis/checks.h"
+#include "core/analysis/finding.h"
 
 namespace fff::ui {
 
@@ -15,7 +15,7 @@ class Badge : public QAbstractButton
 public:
     struct Content
     {
-        CheckSeverity severity = CheckSeverity::Good;
+        Severity severity = Severity::Good;
         QString title, sentence;
         bool isOlder = false;       // than the drawing: not said as if it were known
         bool isProvisional = false; // what would be if a stroke ended now: dashed
@@ -26,7 +26,7 @@ public:
 
     /// One that turns bad fills from the left, once.
     void setContent(const Content &content);
-    CheckSeverity severity() const { return m_content.severity; }
+    Severity severity() const { return m_content.severity; }
     /// Its glyph alone.
     void setFolded(bool isFolded);
     /// px

@@ -2,7 +2,8 @@
 
 #include "core/interaction/view_cube.h"
 #include "core/session/check_list.h"
-#include "core/session/check_text.h"
+#include "core/session/finding_text.h"
+#include "core/session/message_text.h"
 #include "ui/bench/check_words.h"
 #include "ui/bench/workbench.h"
 #include "ui/settings/settings.h"
@@ -20,9 +21,8 @@ namespace {
 
 constexpr int kMargin = 10, kGap = 6; // px
 constexpr int kGlyphsOnly = 640;      // px; a narrower view has no words on the badges
-constexpr CheckSubject kSubjects[] = {CheckSubject::Stability, CheckSubject::Connection,
-                                      CheckSubject::Assembly, CheckSubject::Joints,
-                                      CheckSubject::Size};
+constexpr Subject kSubjects[] = {Subject::Stability, Subject::Connection, Subject::Assembly,
+                                 Subject::Joints, Subject::Size};
 
 /// They judge what is not made yet.
 bool isDrawing(const Workbench &bench)
@@ -41,7 +41,7 @@ Badges::Badges(Workbench &bench, const CheckList &list, QWidget *view)
     auto *row = new QHBoxLayout(this);
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(kGap);
-    for (const CheckSubject subject : kSubjects) {
+    for (const Subject subject : kSubjects) {
         auto *badge = new Badge(this);
         badge->setObjectName(QStringLiteral("badge%1").arg(m_badges.size()));
         badge->hide();
@@ -78,15 +78,15 @@ void Badges::refresh()
 {
     m_isDrawing = isDrawing(m_bench);
     for (std::size_t i = 0; i < m_badges.size(); ++i) {
-        const Check *shown = nullptr; // the worst
-        for (const Check &check : m_list.all()) {
-            if (subjectOf(check) == kSubjects[i] && check.severity != CheckSeverity::Note &&
-                (!shown || check.severity > shown->severity))
-                shown = &check;
+        const Finding *shown = nullptr; // the worst
+        for (const Finding &finding : m_list.all()) {
+            if (finding.subject() == kSubjects[i] && finding.severity != Severity::Note &&
+                (!shown || finding.severity > shown->severity))
+                shown = &finding;
         }
         if (shown) {
             const CheckWords words = checkWords(*shown, m_list.model());
-            m_badges[i]->setContent({shown->severity, checkTitle(*shown),
+            m_badges[i]->setContent({shown->severity, messageText(shown->kind->title),
                                      QStringLiteral("%1. %2").arg(words.title, words.text),
                                      m_list.age() != CheckList::Age::Current, m_isDrawing});
         }
@@ -101,17 +101,17 @@ void Badges::fold()
     const QSize view = parentWidget()->size();
     const auto cube = cubeCentre({view.width(), view.height()});
     const double end = cube ? cube->x() - 0.5 * kCubeRoom : view.width();
-    std::optional<CheckSeverity> folded; // up to this one
+    std::optional<Severity> folded; // up to this one
     if (view.width() < kGlyphsOnly)
-        folded = CheckSeverity::Error;
+        folded = Severity::Error;
     const auto isFolded = [&](const Badge *badge) {
         return folded && badge->severity() <= *folded;
     };
-    for (const auto next : {CheckSeverity::Good, CheckSeverity::Error}) {
+    for (const auto next : {Severity::Good, Severity::Error}) {
         int width = kMargin;
         for (const Badge *badge : m_badges)
             width += badge->isHidden() ? 0 : badge->widthWhen(isFolded(badge)) + kGap;
-        if (folded == CheckSeverity::Error || width <= end)
+        if (folded == Severity::Error || width <= end)
             break;
         folded = next;
     }

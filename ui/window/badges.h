@@ -4,7 +4,7 @@
 
 #include <QWidget> // first: moc stumbles over some standard headers
 
-#include "core/analysis/checks.h"
+#include "core/analysis/finding.h"
 
 #include <vector>
 
@@ -28,7 +28,7 @@ public:
     void refreshColours();
 
 Q_SIGNALS:
-    void clicked(fff::CheckSubject subject);
+    void clicked(fff::Subject subject);
 
 protected:
     bool eventFilter(QObject *object, QEvent *event) override;

@@ -201,7 +201,7 @@ void MainWindow::makeDocks()
     connect(m_layout, &WindowLayout::hiddenChanged, m_actions->action("view.docks"),
             &QAction::setChecked);
 
-    connect(m_badges, &Badges::clicked, m_checks, qOverload<CheckSubject>(&ChecksDock::choose));
+    connect(m_badges, &Badges::clicked, m_checks, qOverload<Subject>(&ChecksDock::choose));
     connect(m_checks, &ChecksDock::shown, this, [this] { m_layout->show(m_checks); });
     connect(m_checks, &ChecksDock::said, m_status, &StatusLine::sayMarked);
     connect(m_checks, &ChecksDock::stepsWanted, this,

@@ -19,9 +19,10 @@ struct Texts
 
 bool hasProblem(const CheckList &checks, const SectionRef &ref)
 {
-    return std::any_of(checks.all().begin(), checks.all().end(), [&ref](const Check &check) {
-        return check.severity >= CheckSeverity::Warning &&
-               std::find(check.sections.begin(), check.sections.end(), ref) != check.sections.end();
+    return std::any_of(checks.all().begin(), checks.all().end(), [&ref](const Finding &finding) {
+        return finding.severity >= Severity::Warning &&
+               std::find(finding.sections.begin(), finding.sections.end(), ref) !=
+                   finding.sections.end();
     });
 }
 

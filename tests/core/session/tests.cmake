@@ -13,6 +13,7 @@ fff_tests(tests_session LIBRARIES fff::session Polyclipping::Polyclipping TESTS
     core/session/tst_layout_models
     core/session/tst_mark_distances
     core/session/tst_operation_commands
+    core/session/tst_own_finding
     core/session/tst_pen_scripts
     core/session/tst_plan_checks
     core/session/tst_plan_growth

@@ -1,8 +1,10 @@
 #include <QTest> // first: moc cannot read some of the standard library before it
 
-#include "core/session/check_text.h"
+#include "core/analysis/checks.h"
+#include "core/session/finding_text.h"
 #include "tests/bench/counted_memory.h"
 #include "tests/bench/generated_models.h"
+#include "tests/core/session/all_findings.h"
 #include "tests/core/session/random_edits.h"
 #include "tests/test_program.h"
 
@@ -64,16 +66,12 @@ QString difference(const Analysis &a, const Analysis &b)
 }
 
 /// What verdicts say, as text that differs when they do.
-QString said(const std::vector<Check> &checks, const Model &model)
+QString said(const std::vector<Finding> &checks, const Model &model)
 {
     QString text;
-    for (const Check &check : checks)
-        text += QString::number(static_cast<int>(check.severity)) + checkText(check, model) +
-                QStringLiteral("%1 %2 %3 %4\n")
-                    .arg(check.margin)
-                    .arg(check.share)
-                    .arg(check.at.value_or(Vec3::Zero()).sum())
-                    .arg(check.mass.centre.sum());
+    for (const Finding &finding : checks)
+        text +=
+            QString::number(static_cast<int>(finding.severity)) + exactly(finding, model) + u'\n';
     return text;
 }
 

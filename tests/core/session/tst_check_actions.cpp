@@ -1,12 +1,14 @@
 #include <QTest> // first: moc cannot read some of the standard library before it
 
-#include "core/analysis/check_actions.h"
+#include "core/analysis/checks.h"
+#include "core/analysis/finding_action.h"
 #include "core/analysis/joining_move.h"
 #include "core/analysis/plan_checks.h"
 #include "core/base/tolerances.h"
 #include "core/session/session.h"
 #include "core/session/session_host.h"
 #include "tests/core/assembly/known_models.h"
+#include "tests/core/session/all_findings.h"
 #include "tests/test_program.h"
 
 #include <random>
@@ -15,11 +17,10 @@ using namespace fff;
 using namespace fff::test;
 
 Q_DECLARE_METATYPE(fff::Document)
-Q_DECLARE_METATYPE(fff::CheckAction::Kind)
+Q_DECLARE_METATYPE(const fff::ActionKind *)
+Q_DECLARE_METATYPE(const fff::FindingKind *)
 
 namespace {
-
-using Kind = CheckAction::Kind;
 
 Analysis analysed(const Document &document)
 {
@@ -30,7 +31,7 @@ Analysis analysed(const Document &document)
 struct Checked
 {
     Analysis analysis;
-    std::vector<Check> checks;
+    std::vector<Finding> checks;
     std::optional<Flips> flips;
 };
 
@@ -39,34 +40,36 @@ Checked checked(const Document &document)
     Checked all{analysed(document), {}, {}};
     all.checks = checks(all.analysis);
     const ModelPlan plan = planOf(all.analysis);
-    for (Check &check : planChecks(all.analysis, plan))
-        all.checks.push_back(std::move(check));
+    for (Finding &finding : planChecks(all.analysis, plan))
+        all.checks.push_back(std::move(finding));
     all.flips = flipsThatHelp(all.analysis, plan);
     return all;
 }
 
-int count(const Checked &all, CheckCode code)
+int count(const Checked &all, const FindingKind &kind)
 {
-    return static_cast<int>(std::count_if(all.checks.begin(), all.checks.end(),
-                                          [&](const Check &check) { return check.code == code; }));
+    return static_cast<int>(
+        std::count_if(all.checks.begin(), all.checks.end(),
+                      [&](const Finding &finding) { return finding.is(kind); }));
 }
 
 /// What is wrong, by how many.
 int problems(const Checked &all)
 {
     return static_cast<int>(
-        std::count_if(all.checks.begin(), all.checks.end(),
-                      [](const Check &check) { return check.severity >= CheckSeverity::Warning; }));
+        std::count_if(all.checks.begin(), all.checks.end(), [](const Finding &finding) {
+            return finding.severity >= Severity::Warning;
+        }));
 }
 
 /// The action of this kind that the checks offer, carried out.
-std::optional<CheckEdit> done(const Checked &all, Kind kind)
+std::optional<FindingEdit> done(const Checked &all, const ActionKind *kind)
 {
     const Flips *flips = all.flips ? &*all.flips : nullptr;
-    for (const Check &check : all.checks)
-        for (const CheckAction &action : actionsOf(check, all.analysis, flips))
+    for (const Finding &finding : all.checks)
+        for (const FindingAction &action : actionsOf(finding, all.analysis, flips))
             if (action.kind == kind)
-                return carriedOut(action, check, all.analysis, flips);
+                return carriedOut(action, finding, all.analysis, flips);
     return {};
 }
 
@@ -129,54 +132,53 @@ private Q_SLOTS:
 void TestCheckActions::editsMend_data()
 {
     QTest::addColumn<Document>("document");
-    QTest::addColumn<Kind>("kind");
-    QTest::addColumn<CheckCode>("code");
+    QTest::addColumn<const ActionKind *>("kind");
+    QTest::addColumn<const FindingKind *>("finding");
     QTest::newRow("a loose plate is moved to the others")
-        << with(plate(-20, 0, 20, 40), side(120)) << Kind::MoveToOther << CheckCode::NotConnected;
+        << with(plate(-20, 0, 20, 40), side(120)) << &kMoveToOther << &kNotConnected;
     QTest::newRow("a shelf that ends on a wall gets tabs")
         << withSection(withSection(newDocument(), plate(-40, 0, 40, 100), side()),
                        plate(1.5, -30, 60, 30), lyingAt(50))
-        << Kind::JoinWithTabs << CheckCode::NotConnected;
+        << &kJoinWithTabs << &kNotConnected;
     QTest::newRow("a shelf that ends in a wall gets tabs")
         << withSection(withSection(newDocument(), plate(-40, 0, 40, 100), side()),
                        plate(0.5, -30, 60, 30), lyingAt(50))
-        << Kind::JoinWithTabs << CheckCode::Interference;
+        << &kJoinWithTabs << &kInterference;
     QTest::newRow("what was not to be joined is joined again, so that it holds")
-        << without(eggCrate(1, 1)) << Kind::JoinAgain << CheckCode::NotConnected;
+        << without(eggCrate(1, 1)) << &kJoinAgain << &kNotConnected;
     QTest::newRow("what was not to be joined is joined again, so that it does not collide")
-        << without(eggCrate(2, 2), 2) << Kind::JoinAgain << CheckCode::NoSlit;
-    QTest::newRow("what no slit holds is trimmed")
-        << without(eggCrate(1, 1)) << Kind::Trim << CheckCode::NoSlit;
-    QTest::newRow("a loose plate is deleted") << with(plate(-20, 0, 20, 40), front(90))
-                                              << Kind::DeleteSections << CheckCode::NotConnected;
+        << without(eggCrate(2, 2), 2) << &kJoinAgain << &kNoSlit;
+    QTest::newRow("what no slit holds is trimmed") << without(eggCrate(1, 1)) << &kTrim << &kNoSlit;
+    QTest::newRow("a loose plate is deleted")
+        << with(plate(-20, 0, 20, 40), front(90)) << &kDeleteSections << &kNotConnected;
     QTest::newRow("slits are turned round")
-        << roundabout(eggCrate(2, 2), 0) << Kind::MakeAssemblable << CheckCode::CannotAssemble;
+        << roundabout(eggCrate(2, 2), 0) << &kMakeAssemblable << &kCannotAssemble;
     QTest::newRow("what hangs is dropped")
-        << moveAll(eggCrate(2, 2), {0, 12, 0}) << Kind::DropToGround << CheckCode::NoContact;
+        << moveAll(eggCrate(2, 2), {0, 12, 0}) << &kDropToGround << &kNoContact;
     QTest::newRow("feet that end too high are stretched")
         << withSection(withSection(withSection(newDocument(), plate(-100, 40, 100, 80), front()),
                                    plate(-30, 0, 30, 60), side(60)),
                        plate(-30, 6, 30, 60), side(-60))
-        << Kind::StretchToGround << CheckCode::Topples;
+        << &kStretchToGround << &kTopples;
     QTest::newRow("what is sunk is lifted")
-        << moveAll(eggCrate(2, 2), {0, -12, 0}) << Kind::DropToGround << CheckCode::BelowGround;
+        << moveAll(eggCrate(2, 2), {0, -12, 0}) << &kDropToGround << &kBelowGround;
 }
 
 // Wrong: a link that promises to mend what is wrong and leaves it, or cannot be taken back.
 void TestCheckActions::editsMend()
 {
     QFETCH(Document, document);
-    QFETCH(Kind, kind);
-    QFETCH(CheckCode, code);
+    QFETCH(const ActionKind *, kind);
+    QFETCH(const FindingKind *, finding);
     const Checked before = checked(document);
-    QVERIFY(count(before, code) > 0);
-    QVERIFY(isEdit(kind));
-    const std::optional<CheckEdit> edit = done(before, kind);
+    QVERIFY(count(before, *finding) > 0);
+    QVERIFY(isEdit(*kind));
+    const std::optional<FindingEdit> edit = done(before, kind);
     QVERIFY(edit);
     QVERIFY(!edit->document.isSame(document));
     QVERIFY(!SessionHost::undoText(edit->step).isEmpty());
     const Checked after = checked(edit->document);
-    QVERIFY(count(after, code) < count(before, code));
+    QVERIFY(count(after, *finding) < count(before, *finding));
     QVERIFY(problems(after) < problems(before));
     QVERIFY(!done(after, kind)); // it is done
 
@@ -202,7 +204,7 @@ void TestCheckActions::whatWasWantedOfAJointComesBack()
     const Document before = *setJointOverride(crate, wanted);
     wanted.kind = JointKind::None;
     const Document loose = *setJointOverride(crate, wanted);
-    const std::optional<CheckEdit> edit = done(checked(loose), Kind::JoinAgain);
+    const std::optional<FindingEdit> edit = done(checked(loose), &kJoinAgain);
     QVERIFY(edit);
     QVERIFY(edit->document == before);
     QCOMPARE(SessionHost::undoText(edit->step), QStringLiteral("Join Section 1 and Section 2"));
@@ -218,11 +220,11 @@ void TestCheckActions::whatWasWantedOfAJointComesBack()
     third = *setJointOverride(std::move(third), gone);
     int offered = 0;
     const Checked all = checked(third);
-    for (const Check &check : all.checks)
-        for (const CheckAction &action : actionsOf(check, all.analysis))
-            if (action.kind == Kind::JoinAgain) {
+    for (const Finding &finding : all.checks)
+        for (const FindingAction &action : actionsOf(finding, all.analysis))
+            if (action.kind == &kJoinAgain) {
                 ++offered;
-                const auto joined = carriedOut(action, check, all.analysis);
+                const auto joined = carriedOut(action, finding, all.analysis);
                 QVERIFY(joined && !joined->document.jointOverride(a, b)->kind);
             }
     QVERIFY(offered >= 2); // of what is loose, and of what collides
@@ -230,21 +232,21 @@ void TestCheckActions::whatWasWantedOfAJointComesBack()
     // Two that are in each other beside their joint have nothing to do with it.
     const Document tabless = withSection(loose, plate(1.0, -30, 60, 30), lyingAt(60));
     const Checked deep = checked(tabless);
-    for (const Check &check : deep.checks)
-        if (check.code == CheckCode::Interference)
-            for (const CheckAction &action : actionsOf(check, deep.analysis))
-                QVERIFY(action.kind != Kind::JoinAgain);
+    for (const Finding &finding : deep.checks)
+        if (finding.is(kInterference))
+            for (const FindingAction &action : actionsOf(finding, deep.analysis))
+                QVERIFY(action.kind != &kJoinAgain);
 }
 
 void TestCheckActions::whatOnlyShowsIsOffered()
 {
-    const auto offers = [](const Document &document, Kind kind) {
+    const auto offers = [](const Document &document, const ActionKind *kind) {
         const Checked all = checked(document);
-        return std::any_of(all.checks.begin(), all.checks.end(), [&](const Check &check) {
-            const auto actions = actionsOf(check, all.analysis);
-            return std::any_of(actions.begin(), actions.end(), [&](const CheckAction &action) {
-                return action.kind == kind && !isEdit(kind) &&
-                       !carriedOut(action, check, all.analysis);
+        return std::any_of(all.checks.begin(), all.checks.end(), [&](const Finding &finding) {
+            const auto actions = actionsOf(finding, all.analysis);
+            return std::any_of(actions.begin(), actions.end(), [&](const FindingAction &action) {
+                return action.kind == kind && !isEdit(*kind) &&
+                       !carriedOut(action, finding, all.analysis);
             });
         });
     };
@@ -252,11 +254,11 @@ void TestCheckActions::whatOnlyShowsIsOffered()
     Stock stock = *milled.stocks.front();
     stock.toolDiameter = 2.0 * stock.thickness;
     stock.slitEnd = SlitEnd::Round;
-    QVERIFY(offers(*setStock(milled, stock), Kind::WidenSlits));
-    QVERIFY(offers(eggCrate(2, 2), Kind::ShowSteps));
-    QVERIFY(!offers(withSection(newDocument(), plate(0, 0, 50, 50), front()), Kind::ShowSteps));
-    QVERIFY(offers(onSheets(eggCrate(2, 2), {50, 50}), Kind::ChooseSheet));
-    QVERIFY(!offers(eggCrate(2, 2), Kind::ChooseSheet));
+    QVERIFY(offers(*setStock(milled, stock), &kWidenSlits));
+    QVERIFY(offers(eggCrate(2, 2), &kShowSteps));
+    QVERIFY(!offers(withSection(newDocument(), plate(0, 0, 50, 50), front()), &kShowSteps));
+    QVERIFY(offers(onSheets(eggCrate(2, 2), {50, 50}), &kChooseSheet));
+    QVERIFY(!offers(eggCrate(2, 2), &kChooseSheet));
 }
 
 void TestCheckActions::looseSectionsAreJoined_data()
@@ -283,15 +285,14 @@ void TestCheckActions::looseSectionsAreJoined()
     QFETCH(Document, document);
     QFETCH(double, farthest);
     const Checked before = checked(document);
-    QCOMPARE(count(before, CheckCode::NotConnected), 1);
-    const std::optional<CheckEdit> edit = done(before, Kind::MoveToOther);
+    QCOMPARE(count(before, kNotConnected), 1);
+    const std::optional<FindingEdit> edit = done(before, &kMoveToOther);
     QVERIFY(edit);
     const Checked after = checked(edit->document);
-    QCOMPARE(count(after, CheckCode::NotConnected), 0);
-    for (const CheckCode code :
-         {CheckCode::NoSlit, CheckCode::Interference, CheckCode::ThinWeb, CheckCode::SlitsMeet,
-          CheckCode::BelowGround, CheckCode::CannotAssemble})
-        QCOMPARE(count(after, code), count(before, code));
+    QCOMPARE(count(after, kNotConnected), 0);
+    for (const FindingKind *kind :
+         {&kNoSlit, &kInterference, &kThinWeb, &kSlitsMeet, &kBelowGround, &kCannotAssemble})
+        QCOMPARE(count(after, *kind), count(before, *kind));
     const Vec3 way = edit->document.sections[2]->frame.origin - document.sections[2]->frame.origin;
     QVERIFY2(way.norm() < farthest, qPrintable(QString::number(way.norm())));
     // It was not turned, and nobody else was moved.
@@ -319,9 +320,9 @@ void TestCheckActions::whatCannotBeJoinedIsNotMoved()
 {
     QFETCH(Document, document);
     const Checked all = checked(document);
-    QVERIFY(!done(all, Kind::MoveToOther));
-    if (count(all, CheckCode::NotConnected) > 0)
-        QVERIFY(done(all, Kind::DeleteSections));
+    QVERIFY(!done(all, &kMoveToOther));
+    if (count(all, kNotConnected) > 0)
+        QVERIFY(done(all, &kDeleteSections));
 }
 
 // Wrong: a fin that stays in the air when its tail goes, or the body that goes along with it.
@@ -342,10 +343,10 @@ void TestCheckActions::whatWasDrawnOnItComesAlong()
     drawnOnTail(plate(-10, 0, 10, 20), side(400));
     drawnOnTail(plate(-20, 0, 20, 50), front(-30)); // held by the side plate
     const Checked before = checked(document);
-    const Check *loose = nullptr;
-    for (const Check &check : before.checks)
-        if (check.code == CheckCode::NotConnected && check.sections.size() == 2)
-            loose = &check;
+    const Finding *loose = nullptr;
+    for (const Finding &finding : before.checks)
+        if (finding.is(kNotConnected) && finding.sections.size() == 2)
+            loose = &finding;
     QVERIFY(loose);
     const std::optional<JoiningMove> move =
         joiningMove(before.analysis, loose->sections, before.analysis.model.ref(1));
@@ -360,7 +361,7 @@ void TestCheckActions::whatWasDrawnOnItComesAlong()
         QVERIFY((way - move->way).norm() < 1e-9);
     }
     QCOMPARE(went, (std::vector<std::size_t>{2, 3, 4}));
-    QVERIFY(count(checked(next), CheckCode::NotConnected) < count(before, CheckCode::NotConnected));
+    QVERIFY(count(checked(next), kNotConnected) < count(before, kNotConnected));
 }
 
 // Wrong: a move that mends one thing and breaks another.
@@ -375,18 +376,17 @@ void TestCheckActions::anyLooseSectionIsJoinedWell()
         frame.origin = {place(random), std::abs(place(random)), place(random)};
         const Document document = with(plate(0, 0, size(random), size(random)), frame);
         const Checked before = checked(document);
-        if (count(before, CheckCode::NotConnected) == 0)
+        if (count(before, kNotConnected) == 0)
             continue;
-        const std::optional<CheckEdit> edit = done(before, Kind::MoveToOther);
+        const std::optional<FindingEdit> edit = done(before, &kMoveToOther);
         if (!edit)
             continue;
         ++offered;
         const Checked after = checked(edit->document);
         const QByteArray which = "place " + QByteArray::number(i);
-        QVERIFY2(count(after, CheckCode::NotConnected) == 0, which);
-        for (const CheckCode code : {CheckCode::NoSlit, CheckCode::Interference,
-                                     CheckCode::SlitsMeet, CheckCode::BelowGround})
-            QVERIFY2(count(after, code) <= count(before, code), which);
+        QVERIFY2(count(after, kNotConnected) == 0, which);
+        for (const FindingKind *kind : {&kNoSlit, &kInterference, &kSlitsMeet, &kBelowGround})
+            QVERIFY2(count(after, *kind) <= count(before, *kind), which);
     }
     QVERIFY2(offered >= 30, qPrintable(QString::number(offered)));
 }
@@ -396,16 +396,16 @@ void TestCheckActions::aLaterModelIsAskedAnew()
 {
     const Document document = with(plate(-20, 0, 20, 40), side(120));
     const Checked all = checked(document);
-    const auto loose = std::find_if(all.checks.begin(), all.checks.end(), [](const Check &check) {
-        return check.code == CheckCode::NotConnected;
-    });
+    const auto loose =
+        std::find_if(all.checks.begin(), all.checks.end(),
+                     [](const Finding &finding) { return finding.is(kNotConnected); });
     QVERIFY(loose != all.checks.end());
     for (const std::size_t gone : {0u, 2u}) {
         const Analysis later =
             analysed(*removeSections(document, std::vector{document.sections[gone]->id}));
-        QVERIFY(!carriedOut({Kind::MoveToOther, *loose->other}, *loose, later) ||
-                later.model.indexOf(*loose->other) >= 0);
-        QCOMPARE(carriedOut({Kind::DeleteSections, {}}, *loose, later).has_value(), gone == 0);
+        QVERIFY(!carriedOut({&kMoveToOther, *loose->details<Gap>()->other}, *loose, later) ||
+                later.model.indexOf(*loose->details<Gap>()->other) >= 0);
+        QCOMPARE(carriedOut({&kDeleteSections, {}}, *loose, later).has_value(), gone == 0);
     }
 }
 

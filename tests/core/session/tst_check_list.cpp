@@ -4,6 +4,7 @@
 #include "core/session/check_list.h"
 #include "core/session/session.h"
 #include "tests/core/assembly/known_models.h"
+#include "tests/core/session/all_findings.h"
 #include "tests/test_program.h"
 
 #include <QDir>
@@ -67,21 +68,21 @@ void TestCheckList::rulesAreFollowedAtOnce()
     session.commit(QStringLiteral("Draw"), withSection(withSection(newDocument(), plate, front()),
                                                        plate, turned(radians(40.0))));
     session.currentAnalysis();
-    const auto severityOf = [&list](CheckCode code) -> std::optional<CheckSeverity> {
+    const auto severityOf = [&list](const FindingKind &kind) -> std::optional<Severity> {
         list.finish();
-        for (const Check &check : list.all())
-            if (check.code == code)
-                return check.severity;
+        for (const Finding &finding : list.all())
+            if (finding.is(kind))
+                return finding.severity;
         return {};
     };
-    QVERIFY(!severityOf(CheckCode::ShallowAngle));
+    QVERIFY(!severityOf(kShallowAngle));
     session.scheduler().setRules({radians(45.0), std::chrono::milliseconds(0)});
-    QCOMPARE(severityOf(CheckCode::ShallowAngle), CheckSeverity::Warning);
-    QCOMPARE(severityOf(CheckCode::OrderUnknown), CheckSeverity::Unknown);
+    QCOMPARE(severityOf(kShallowAngle), Severity::Warning);
+    QCOMPARE(severityOf(kOrderUnknown), Severity::Unknown);
     QCOMPARE(list.age(), CheckList::Age::Current);
     session.scheduler().setRules({});
-    QVERIFY(!severityOf(CheckCode::ShallowAngle));
-    QCOMPARE(severityOf(CheckCode::CanAssemble), CheckSeverity::Good);
+    QVERIFY(!severityOf(kShallowAngle));
+    QCOMPARE(severityOf(kCanAssemble), Severity::Good);
 }
 
 // Wrong: docks that write all their rows anew for joints that no verdict is of yet.

@@ -2,6 +2,7 @@
 // so.
 #include <QTest> // first: moc stumbles over some standard headers
 
+#include "core/analysis/checks.h"
 #include "core/analysis/plan_checks.h"
 #include "core/base/fault_point.h"
 #include "core/fabrication/wholeness.h"
@@ -9,8 +10,9 @@
 #include "core/io/fff_format.h"
 #include "core/io/obj_writer.h"
 #include "core/session/assembly_steps.h"
-#include "core/session/check_text.h"
+#include "core/session/finding_text.h"
 #include "tests/core/operations/operation_models.h"
+#include "tests/core/session/all_findings.h"
 #include "tests/test_program.h"
 
 using namespace fff;
@@ -48,13 +50,6 @@ std::size_t failedIn(const Analysis &analysis)
 {
     const std::vector<int> missing = sectionsWithoutSolid(analysis.bodies);
     return missing.size() == 1 ? static_cast<std::size_t>(missing.front()) : std::size_t(-1);
-}
-
-const Check *find(const std::vector<Check> &checks, CheckCode code)
-{
-    const auto found = std::find_if(checks.begin(), checks.end(),
-                                    [code](const Check &check) { return check.code == code; });
-    return found == checks.end() ? nullptr : &*found;
 }
 
 } // namespace
@@ -126,15 +121,15 @@ void TestFailures::noFileIsMade()
 void TestFailures::checksNameTheSection()
 {
     const AnalysisPointer analysis = faulty(crossed(), FaultPoint::Boolean);
-    const std::vector<Check> found = checks(*analysis);
-    const Check *check = find(found, CheckCode::NotCutOut);
-    QVERIFY(check);
-    QCOMPARE(check->severity, CheckSeverity::Error);
+    const std::vector<Finding> found = checks(*analysis);
+    const Finding *finding = find(found, kNotCutOut);
+    QVERIFY(finding);
+    QCOMPARE(finding->severity, Severity::Error);
     const std::size_t failed = failedIn(*analysis);
     const QString name = QString::fromStdString(analysis->model.section(failed)->name);
-    QCOMPARE(check->sections, std::vector<SectionRef>{analysis->model.ref(failed)});
-    QVERIFY(checkText(*check, analysis->model).contains(name));
-    QVERIFY(!find(checks(*analysed(evaluate(crossed()))), CheckCode::NotCutOut));
+    QCOMPARE(finding->sections, std::vector<SectionRef>{analysis->model.ref(failed)});
+    QVERIFY(findingText(*finding, analysis->model).contains(name));
+    QVERIFY(!find(checks(*analysed(evaluate(crossed()))), kNotCutOut));
 }
 
 void TestFailures::thePlanIsUnknown_data()
@@ -150,14 +145,14 @@ void TestFailures::thePlanIsUnknown()
     const ModelPlan plan = planOf(*analysis);
     QCOMPARE(plan.plan.verdict, AssemblyPlan::Verdict::NotFound);
     QVERIFY(plan.failure);
-    const std::vector<Check> found = planChecks(*analysis, plan);
-    const Check *check = find(found, CheckCode::OrderUnknown);
-    QVERIFY(check);
-    QCOMPARE(check->severity, CheckSeverity::Unknown);
+    const std::vector<Finding> found = planChecks(*analysis, plan);
+    const Finding *finding = find(found, kOrderUnknown);
+    QVERIFY(finding);
+    QCOMPARE(finding->severity, Severity::Unknown);
     const std::size_t failed = failedIn(*analysis);
     const QString name = QString::fromStdString(analysis->model.section(failed)->name);
-    QCOMPARE(check->sections, std::vector<SectionRef>{analysis->model.ref(failed)});
-    QVERIFY(checkText(*check, analysis->model).contains(name));
+    QCOMPARE(finding->sections, std::vector<SectionRef>{analysis->model.ref(failed)});
+    QVERIFY(findingText(*finding, analysis->model).contains(name));
     QVERIFY(!assemblySteps(analysis, plan));
     QVERIFY(whyNoSteps(*analysis, plan).contains(name));
 }
@@ -193,10 +188,10 @@ void TestFailures::aFailedOperationIsSaid()
         QVERIFY(!svg);
         QCOMPARE(svg.error().code, ErrorCode::OperationFailed);
         QCOMPARE(svg.error().args, std::vector<std::string>{"Tiles"});
-        const std::vector<Check> found = checks(*analysis);
-        const Check *check = find(found, CheckCode::NotMade);
-        QVERIFY(check && check->severity == CheckSeverity::Error);
-        QVERIFY(checkText(*check, model).contains(QStringLiteral("Tiles")));
+        const std::vector<Finding> found = checks(*analysis);
+        const Finding *finding = find(found, kNotMade);
+        QVERIFY(finding && finding->severity == Severity::Error);
+        QVERIFY(findingText(*finding, model).contains(QStringLiteral("Tiles")));
         QVERIFY(planOf(*analysis).failure);
     }
     QVERIFY(failedOperations(evaluate(document)).empty());

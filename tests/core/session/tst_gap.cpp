@@ -2,6 +2,7 @@
 
 #include "core/analysis/checks.h"
 #include "tests/core/assembly/plates.h"
+#include "tests/core/session/all_findings.h"
 #include "tests/test_program.h"
 
 #include <random>
@@ -97,9 +98,9 @@ double nearestOther(const Analysis &analysis, const std::vector<SectionRef> &gro
     return best;
 }
 
-std::vector<Check> looseGroups(std::vector<Check> checks)
+std::vector<Finding> looseGroups(std::vector<Finding> checks)
 {
-    std::erase_if(checks, [](const Check &c) { return c.code != CheckCode::NotConnected; });
+    std::erase_if(checks, [](const Finding &c) { return !c.is(kNotConnected); });
     return checks;
 }
 
@@ -138,16 +139,17 @@ void TestGap::keptEqualsFromScratch()
                               ? history[history.size() - 1 - static_cast<std::size_t>(back)]
                               : edits.next(history.back()));
         const AnalysisPointer analysis = analyseNext(evaluate(history.back()), caches);
-        const std::vector<Check> kept = looseGroups(checks(*analysis, verdicts));
-        const std::vector<Check> fresh = looseGroups(checks(*analysis));
+        const std::vector<Finding> kept = looseGroups(checks(*analysis, verdicts));
+        const std::vector<Finding> fresh = looseGroups(checks(*analysis));
         QCOMPARE(kept.size(), fresh.size());
         for (std::size_t i = 0; i < kept.size(); ++i) {
             QVERIFY(kept[i].sections == fresh[i].sections);
-            QVERIFY(kept[i].other == fresh[i].other);
+            const Gap &known = *kept[i].details<Gap>(), &anew = *fresh[i].details<Gap>();
+            QVERIFY(known.other == anew.other);
             QVERIFY(kept[i].at == fresh[i].at);
-            QVERIFY(kept[i].distance == fresh[i].distance); // to the last digit
+            QVERIFY(known.distance == anew.distance); // to the last digit
             if (step % 10 == 0)
-                QVERIFY(std::abs(fresh[i].distance - nearestOther(*analysis, fresh[i].sections)) <
+                QVERIFY(std::abs(anew.distance - nearestOther(*analysis, fresh[i].sections)) <
                         1e-9);
         }
         groups += kept.size();

@@ -5,9 +5,10 @@
 #include "core/analysis/planned.h"
 #include "core/analysis/verdicts.h"
 #include "core/operations/evaluate.h"
-#include "core/session/check_text.h"
+#include "core/session/finding_text.h"
 #include "core/session/scheduler.h"
 #include "tests/core/assembly/known_models.h"
+#include "tests/core/session/all_findings.h"
 #include "tests/core/session/random_edits.h"
 #include "tests/test_program.h"
 
@@ -82,12 +83,13 @@ public:
 /// One line a stage, as in stages.cpp.
 std::vector<Stage> stagesWith(Solver &solver, Stage::Runs runs = Stage::Runs::Always)
 {
-    return {makeStage(kCounted, "Counting", {kModel.name}, runs, std::ref(solver)),
-            makeStage(kDoubled, "Doubling", {kCounted.name}, Stage::Runs::Always,
-                      [](const Snapshot &snapshot, const Counted *, Progress &,
-                         std::stop_token) -> Result<Counted> {
-                          return Counted{2 * snapshot.get(kCounted).sections, 0};
-                      })};
+    return {
+        makeStage(kCounted, FFF_TEXT("Stage", "Counting"), {kModel.name}, runs, std::ref(solver)),
+        makeStage(kDoubled, FFF_TEXT("Stage", "Doubling"), {kCounted.name}, Stage::Runs::Always,
+                  [](const Snapshot &snapshot, const Counted *, Progress &,
+                     std::stop_token) -> Result<Counted> {
+                      return Counted{2 * snapshot.get(kCounted).sections, 0};
+                  })};
 }
 
 } // namespace
@@ -260,7 +262,7 @@ void TestScheduler::anotherDocumentStopsWhatRuns()
 void TestScheduler::onlyInputsAreThere()
 {
     Scheduler scheduler(
-        {makeStage(kCounted, "Counting", {kRules.name}, Stage::Runs::Always,
+        {makeStage(kCounted, FFF_TEXT("Stage", "Counting"), {kRules.name}, Stage::Runs::Always,
                    [](const Snapshot &snapshot, const Counted *, Progress &,
                       std::stop_token) -> Result<Counted> {
                        return Counted{static_cast<int>(snapshot.get(kModel).sectionCount()), 0};
@@ -367,15 +369,16 @@ void TestScheduler::randomEditsWithCancels()
             QCOMPARE(scheduler.age(stage.name), Scheduler::Age::Current);
         }
         const auto sentences = [](const Scheduler &of) {
-            std::vector<Check> all = of.result(kVerdicts)->checks;
-            const std::vector<Check> &planned = of.result(kPlanned)->checks;
+            std::vector<Finding> all = of.result(kVerdicts)->findings;
+            const std::vector<Finding> &planned = of.result(kPlanned)->findings;
             all.insert(all.end(), planned.begin(), planned.end());
             QStringList lines;
-            for (const Check &check : all) {
-                lines += checkText(check, of.result(kAnalysed)->analysis->model);
-                if (const auto *actions = of.result(kMends)->of(check))
-                    for (const CheckAction &action : *actions)
-                        lines += QString::number(static_cast<int>(action.kind));
+            for (const Finding &finding : all) {
+                lines += findingText(finding, of.result(kAnalysed)->analysis->model);
+                if (const auto *actions = of.result(kMends)->of(finding))
+                    for (const FindingAction &action : *actions)
+                        lines += messageText(action.kind->words(
+                            action, finding, of.result(kAnalysed)->analysis->model));
             }
             return lines;
         };

@@ -3,15 +3,16 @@
 // complain of parts that do.
 #include <QTest> // first: moc cannot read some of the standard library before it
 
-#include "core/analysis/narrow_slits.h"
+#include "core/analysis/checks.h"
 #include "core/analysis/plan_checks.h"
 #include "core/base/tolerances.h"
 #include "core/base/units.h"
 #include "core/fabrication/kerf.h"
 #include "core/fabrication/marks.h"
 #include "core/io/cutting_file.h"
-#include "core/session/check_text.h"
+#include "core/session/finding_text.h"
 #include "tests/core/assembly/known_models.h"
+#include "tests/core/session/all_findings.h"
 #include "tests/test_program.h"
 
 using namespace fff;
@@ -75,6 +76,13 @@ std::vector<Stock> options()
     return all;
 }
 
+std::vector<Finding> narrowSlits(const Analysis &analysis)
+{
+    std::vector<Finding> found = checks(analysis);
+    std::erase_if(found, [](const Finding &one) { return !one.is(kNarrowSlit); });
+    return found;
+}
+
 } // namespace
 
 class TestSlitEnds : public QObject
@@ -121,8 +129,8 @@ void TestSlitEnds::partsGoTogether()
         QVERIFY2(plan.overlaps.empty(), what);
         for (const CutSectionPointer &cut : analysis.cuts)
             QCOMPARE(cut->parts().size(), std::size_t(1));
-        for (const Check &check : planChecks(analysis, plan))
-            QVERIFY2(check.severity != CheckSeverity::Error, what);
+        for (const Finding &finding : planChecks(analysis, plan))
+            QVERIFY2(finding.severity != Severity::Error, what);
     }
 }
 
@@ -177,31 +185,26 @@ void TestSlitEnds::slitNarrowerThanItsTool()
     for (const SlitEnd end : {SlitEnd::Round, SlitEnd::Dogbone, SlitEnd::TBone}) {
         stock.slitEnd = end;
         const Analysis analysis = analysed(like(eggCrate(2, 3), stock));
-        const std::vector<Check> found = narrowSlits(analysis);
+        const std::vector<Finding> found = narrowSlits(analysis);
         QCOMPARE(found.size(), std::size_t(1));
-        QCOMPARE(found[0].code, CheckCode::NarrowSlit);
-        QCOMPARE(found[0].severity, CheckSeverity::Warning);
+        QVERIFY(found[0].is(kNarrowSlit));
+        QCOMPARE(found[0].severity, Severity::Warning);
         QCOMPARE(found[0].sections.size(), std::size_t(5));
         QVERIFY(found[0].at);
-        QCOMPARE(checkName(found[0].code), QStringLiteral("narrowSlit"));
-        const QString text = checkText(found[0], analysis.model);
+        QCOMPARE(QByteArray(found[0].kind->name), QByteArray("narrowSlit"));
+        const QString text = findingText(found[0], analysis.model);
         QVERIFY2(text.startsWith(QStringLiteral("Slit 2.70\u202Fmm is narrower than the "
                                                 "3.00\u202Fmm tool. ")),
                  qPrintable(text));
-        // It is among all checks.
-        const std::vector<Check> all = checks(analysis);
-        QCOMPARE(std::count_if(all.begin(), all.end(),
-                               [](const Check &c) { return c.code == CheckCode::NarrowSlit; }),
-                 1);
     }
     stock.clearance = 0.0; // exactly as wide
     QVERIFY(narrowSlits(analysed(like(eggCrate(2, 3), stock))).empty());
     // Between its bumps it has less width than elsewhere.
     stock.clearance = 0.1;
     stock.bumps = 0.25;
-    const std::vector<Check> bumpy = narrowSlits(analysed(like(eggCrate(2, 3), stock)));
+    const std::vector<Finding> bumpy = narrowSlits(analysed(like(eggCrate(2, 3), stock)));
     QCOMPARE(bumpy.size(), std::size_t(1));
-    QVERIFY(std::abs(bumpy[0].distance - 2.6) < 1e-9);
+    QVERIFY(std::abs(bumpy[0].details<NarrowSlit>()->width - 2.6) < 1e-9);
     stock.bumps = 0.0;
     // An oblique slit is wider than the stock is thick.
     stock.clearance = -0.3;
@@ -244,11 +247,11 @@ void TestSlitEnds::slitThatTheKerfCloses()
     Stock stock;
     stock.kerf = 3.0 + stock.clearance; // as wide as they are
     const Analysis closed = analysed(like(eggCrate(2, 3), stock));
-    const std::vector<Check> found = narrowSlits(closed);
+    const std::vector<Finding> found = narrowSlits(closed);
     QCOMPARE(found.size(), std::size_t(1));
-    QCOMPARE(found[0].severity, CheckSeverity::Error);
+    QCOMPARE(found[0].severity, Severity::Error);
     QCOMPARE(found[0].sections.size(), std::size_t(5));
-    QVERIFY(checkText(found[0], closed.model).contains(QStringLiteral("closed by the kerf")));
+    QVERIFY(findingText(found[0], closed.model).contains(QStringLiteral("closed by the kerf")));
     const auto file = io::makeCuttingFile(closed);
     QVERIFY(!file);
     QCOMPARE(file.error().code, ErrorCode::ClosedSlit);
@@ -308,9 +311,9 @@ void TestSlitEnds::reliefsThatMergeAreSaid()
                 withSection(std::move(document), polygonShape(rectangle(-20, 10, 20, 50)), side(x));
         const Analysis analysis = analysed(like(std::move(document), stock));
         double least = 3.0;
-        for (const Check &check : planChecks(analysis, planOf(analysis)))
-            if (check.code == CheckCode::ThinWeb || check.code == CheckCode::SlitsMeet)
-                least = std::min(least, check.distance);
+        for (const Finding &finding : planChecks(analysis, planOf(analysis)))
+            if (finding.is(kThinWeb) || finding.is(kSlitsMeet))
+                least = std::min(least, finding.details<ThinWeb>()->width);
         return least;
     };
     QVERIFY(std::abs(worst(SlitEnd::Square) - 2.5) < 1e-6);

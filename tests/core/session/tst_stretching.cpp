@@ -1,6 +1,7 @@
 // Sections that end above the ground, drawn out down to it.
 #include <QTest> // first: moc cannot read some of the standard library before it
 
+#include "core/analysis/footing.h"
 #include "core/analysis/stretching.h"
 #include "core/base/tolerances.h"
 #include "core/geometry/halfplane_clip.h"

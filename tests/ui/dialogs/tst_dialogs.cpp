@@ -4,6 +4,7 @@
 #include "core/base/units.h"
 #include "core/session/check_list.h"
 #include "tests/core/assembly/plates.h"
+#include "tests/core/session/all_findings.h"
 #include "tests/test_program.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/actions/action_set.h"
@@ -197,7 +198,7 @@ void TestDialogs::checksFollowTheSettingsAtOnce()
     const auto isFlat = [list] {
         list->finish();
         return std::any_of(list->all().begin(), list->all().end(),
-                           [](const Check &c) { return c.code == CheckCode::ShallowAngle; });
+                           [](const Finding &c) { return c.is(kShallowAngle); });
     };
     QVERIFY(!isFlat());
     settings().setShallowAngle(41);

@@ -7,6 +7,7 @@
 #include "core/io/document_file.h"
 #include "core/operations/evaluate.h"
 #include "core/operations/operation_kind.h"
+#include "tests/core/session/all_findings.h"
 #include "tests/test_program.h"
 #include "ui/start/samples.h"
 
@@ -53,16 +54,15 @@ void TestSamples::eachHoldsAndCanBeMade()
     const Analysis analysis = analyse(evaluate(loaded->document), caches);
     for (const OperationResultPointer &result : analysis.model.evaluation.results)
         QVERIFY2(result->notices.empty(), result->operation->name.c_str());
-    std::vector<Check> found = planChecks(analysis, planOf(analysis));
-    for (Check &check : checks(analysis))
-        found.push_back(std::move(check));
-    for (const Check &check : found)
-        QVERIFY2(check.severity < CheckSeverity::Warning,
-                 check.sections.empty() ? "the model" : "a section");
-    for (const CheckCode code :
-         {CheckCode::Connected, CheckCode::Stands, CheckCode::CanAssemble, CheckCode::FitsSheet})
+    std::vector<Finding> found = planChecks(analysis, planOf(analysis));
+    for (Finding &finding : checks(analysis))
+        found.push_back(std::move(finding));
+    for (const Finding &finding : found)
+        QVERIFY2(finding.severity < Severity::Warning,
+                 finding.sections.empty() ? "the model" : "a section");
+    for (const FindingKind *kind : {&kConnected, &kStands, &kCanAssemble, &kFitsSheet})
         QVERIFY(std::any_of(found.begin(), found.end(),
-                            [code](const Check &check) { return check.code == code; }));
+                            [kind](const Finding &finding) { return finding.is(*kind); }));
     const Result<io::CuttingFile> file = io::makeCuttingFile(analysis);
     QVERIFY(file);
     QCOMPARE(file->partCount, static_cast<int>(analysis.model.sectionCount()));

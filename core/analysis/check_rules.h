@@ -1,0 +1,16 @@
+// What a person wants of the checks.
+#pragma once
+
+#include <chrono>
+
+namespace fff {
+
+struct CheckRules
+{
+    double shallowAngle = 0.52359877559829887; // radians, 30°: slits get wide below this
+    std::chrono::milliseconds planningTime{1000};
+
+    bool operator==(const CheckRules &) const = default;
+};
+
+} // namespace fff

@@ -1,0 +1,142 @@
+#include "core/analysis/findings/connection.h"
+
+#include "core/analysis/findings/joining.h"
+#include "core/analysis/gap.h"
+#include "core/model/edits.h"
+
+#include <algorithm>
+
+namespace fff {
+
+namespace {
+
+// Beyond this many loose groups nobody reads how far each is from the rest.
+constexpr std::size_t kMaxMeasuredGroups = 32;
+
+Message connectedSentence(const Finding &finding, const Model &)
+{
+    const Connection &all = *finding.details<Connection>();
+    if (all.sections == 1)
+        return {FFF_TEXT("Checks", "Connected. There is only one section."), {}};
+    const Message joints = all.joints == 1
+                               ? Message{FFF_TEXT("Checks", "1 joint"), {}}
+                               : Message{FFF_TEXT_OF_MANY("Checks", "%n joints"), {}, all.joints};
+    return {FFF_TEXT("Checks", "Connected. All %1 sections, by %2."), {all.sections, joints}};
+}
+
+Message notConnectedSentence(const Finding &finding, const Model &model)
+{
+    const Gap &gap = *finding.details<Gap>();
+    const bool isOne = finding.sections.size() == 1;
+    const NamedSections names = namesOf(model, finding.sections);
+    if (!gap.other || gap.distance < 0.0)
+        return {isOne ? FFF_TEXT("Checks", "%1 is not joined to the rest.")
+                      : FFF_TEXT("Checks", "%1 are not joined to the rest."),
+                {names}};
+    const Named other = nameOf(model, *gap.other);
+    // Below what anyone can see they touch.
+    constexpr double kTouching = 0.05; // mm
+    if (gap.distance <= kTouching)
+        return {isOne ? FFF_TEXT("Checks", "%1 meets %2, but no joint holds them together.")
+                      : FFF_TEXT("Checks", "%1 meet %2, but no joint holds them together."),
+                {names, other}};
+    return {isOne ? FFF_TEXT("Checks", "%1 touches nothing. It is %2 away from %3.")
+                  : FFF_TEXT("Checks", "%1 touch nothing else. They are %2 away from %3."),
+            {names, lengthOf(gap.distance), other}};
+}
+
+Message deleteWords(const FindingAction &, const Finding &finding, const Model &)
+{
+    return {finding.sections.size() == 1 ? FFF_TEXT("Checks", "Delete it")
+                                         : FFF_TEXT("Checks", "Delete them"),
+            {}};
+}
+
+std::optional<FindingEdit> deleted(const FindingAction &, const Finding &finding,
+                                   const Analysis &analysis, const Flips *)
+{
+    const Document &document = analysis.model.document;
+    FindingEdit edit{{Step::Kind::DeleteSections, {}}, document};
+    std::vector<SectionId> ids;
+    for (const SectionRef &ref : finding.sections) {
+        if (const Section *section = document.find(ref.drawn)) {
+            ids.push_back(section->id);
+            edit.step.names.push_back(section->name);
+        }
+    }
+    Result<Document> next = removeSections(document, ids);
+    if (ids.empty() || !next)
+        return {};
+    edit.document = *std::move(next);
+    return edit;
+}
+
+/// What only touches is held by tabs, which moves nothing.
+std::vector<FindingAction> mendsOf(const Finding &finding, const Analysis &analysis)
+{
+    const std::optional<SectionRef> &nearest = finding.details<Gap>()->other;
+    std::vector<FindingAction> all = joinAgain(finding, analysis.model.document);
+    if (nearest)
+        all.push_back({&kJoinWithTabs, *nearest});
+    if (const auto move = moveToNearest(finding, nearest, analysis))
+        all.push_back(*move);
+    all.push_back({&kDeleteSections});
+    return all;
+}
+
+/// How far the groups after the first are from all other sections. What is known stays so.
+void refreshGaps(const Looked &at)
+{
+    std::vector<CheckCaches::OfGroup> gaps;
+    for (std::size_t g = 1; g < std::min(at.groups.size(), kMaxMeasuredGroups + 1); ++g) {
+        const auto known = std::find_if(at.caches.gaps.begin(), at.caches.gaps.end(),
+                                        [&](const auto &gap) { return gap.group == at.groups[g]; });
+        gaps.push_back(known != at.caches.gaps.end()
+                           ? std::move(*known)
+                           : measuredGap(at.analysis.bodies, at.groups[g]));
+    }
+    at.caches.gaps = std::move(gaps);
+}
+
+} // namespace
+
+const ActionKind kDeleteSections{deleteWords, deleted};
+
+const FindingKind kConnected{"connected", Subject::Connection, FFF_TEXT("Checks", "Connected"),
+                             connectedSentence};
+const FindingKind kNotConnected{"notConnected",
+                                Subject::Connection,
+                                FFF_TEXT("Checks", "Not connected"),
+                                notConnectedSentence,
+                                mendsOf,
+                                nullptr,
+                                &kDeleteSections};
+
+void findConnection(const Looked &at, std::vector<Finding> &found)
+{
+    refreshGaps(at);
+    const Model &model = at.analysis.model;
+    if (at.groups.size() == 1) {
+        const auto &joints = at.analysis.assembly.joints;
+        const auto isHeld = [](const Joint &joint) { return joint.kind != JointKind::None; };
+        found.push_back(makeFinding(
+            kConnected, Severity::Good,
+            Connection{static_cast<int>(at.groups.front().size()),
+                       static_cast<int>(std::count_if(joints.begin(), joints.end(), isHeld))}));
+    }
+    for (std::size_t g = 1; g < at.groups.size(); ++g) {
+        Finding finding = makeFinding(kNotConnected, Severity::Error);
+        finding.sections = model.refs(at.groups[g]);
+        Gap gap;
+        if (g <= at.caches.gaps.size() && at.caches.gaps[g - 1].other >= 0) {
+            const CheckCaches::OfGroup &known = at.caches.gaps[g - 1];
+            gap = {model.ref(static_cast<std::size_t>(known.other)), known.distance};
+            finding.at = known.at;
+            finding.others = {*gap.other};
+        }
+        finding.setDetails(gap);
+        found.push_back(std::move(finding));
+    }
+}
+
+} // namespace fff

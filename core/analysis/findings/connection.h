@@ -1,0 +1,26 @@
+// Whether joints hold all sections together.
+#pragma once
+
+#include "core/analysis/finder.h"
+
+namespace fff {
+
+/// Of kConnected.
+struct Connection
+{
+    int sections = 0, joints = 0; // all
+};
+/// Of kNotConnected: a group of sections that nothing holds to the largest group.
+struct Gap
+{
+    std::optional<SectionRef> other; // who is nearest
+    double distance = -1.0;          // to it, mm; negative: unknown
+};
+
+extern const FindingKind kConnected, kNotConnected; // one kNotConnected a group
+
+extern const ActionKind kDeleteSections;
+
+void findConnection(const Looked &at, std::vector<Finding> &found);
+
+} // namespace fff

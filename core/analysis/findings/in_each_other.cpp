@@ -1,0 +1,157 @@
+#include "core/analysis/findings/in_each_other.h"
+
+#include "core/analysis/findings/joining.h"
+#include "core/assembly/found_joint.h"
+#include "core/base/tolerances.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace fff {
+
+namespace {
+
+/// Why there is no slit and what to do about it.
+Text whyText(NoSlit why)
+{
+    switch (why) {
+    case NoSlit::Wanted:
+        return FFF_TEXT("Checks", "Their joint is set to have none.");
+    case NoSlit::NoWidth:
+        return FFF_TEXT("Checks", "No slit lets them slide together: the negative clearance leaves "
+                                  "it no width. Make the clearance larger.");
+    case NoSlit::OppositeWays:
+        return FFF_TEXT("Checks", "No slits let them slide together: where they meet here they "
+                                  "could only slide one way, there only the other way. Shorten one "
+                                  "of them.");
+    case NoSlit::NothingHolds:
+        return FFF_TEXT("Checks",
+                        "Nothing would hold them: holes are where slits would begin. Make the "
+                        "holes smaller, or let one of them end inside the other.");
+    case NoSlit::Enclosed:
+        return FFF_TEXT("Checks", "No slit lets them slide together: neither of them reaches the "
+                                  "edge. Open a hole to the outside, or let one of them pass "
+                                  "through.");
+    }
+    return {}; // not reached: every reason is above
+}
+
+Message noSlitSentence(const Finding &finding, const Model &model)
+{
+    const MissingSlit &missing = *finding.details<MissingSlit>();
+    return {FFF_TEXT("Checks", "%1 and %2 cut into each other, %3 long. %4"),
+            {nameAt(finding, model, 0), nameAt(finding, model, 1), lengthOf(missing.overlap),
+             whyText(missing.why)}};
+}
+
+std::vector<FindingAction> noSlitActions(const Finding &finding, const Analysis &analysis)
+{
+    std::vector<FindingAction> all = joinAgain(finding, analysis.model.document);
+    const std::vector<FindingAction> mends = mendsOfPair(finding, analysis);
+    all.insert(all.end(), mends.begin(), mends.end());
+    return all;
+}
+
+Message interferenceSentence(const Finding &finding, const Model &model)
+{
+    constexpr double kSmall = 0.1; // mm
+    const Interference &how = *finding.details<Interference>();
+    const Message deep = how.depth < kSmall
+                             ? Message{FFF_TEXT("Checks", "less than %1"), {lengthOf(kSmall)}}
+                             : Message{{nullptr, "%1"}, {lengthOf(how.depth)}};
+    return {how.isJoined
+                ? FFF_TEXT("Checks", "%1 and %2 cut into each other, %3, outside of their slits.")
+                : FFF_TEXT("Checks", "%1 and %2 cut into each other, %3, but are not joined."),
+            {nameAt(finding, model, 0), nameAt(finding, model, 1), deep}};
+}
+
+Message shallowSentence(const Finding &finding, const Model &model)
+{
+    const ShallowAngle &how = *finding.details<ShallowAngle>();
+    const bool isTooShallow = how.angle < kMinJointAngle;
+    return {isTooShallow ? FFF_TEXT("Checks", "%1 meets %2 at %3; below %4 no slit can hold it.")
+                         : FFF_TEXT("Checks", "%1 meets %2 at %3; slits get wide below %4."),
+            {nameAt(finding, model, 0), nameAt(finding, model, 1), angleOf(how.angle),
+             angleOf(isTooShallow ? kMinJointAngle : how.least)}};
+}
+
+/// Between the planes of two sections, 0 … π/2.
+double angleBetween(const Model &model, const std::pair<int, int> &sections)
+{
+    const Vec3 a = model.section(static_cast<std::size_t>(sections.first))->frame.normal();
+    const Vec3 b = model.section(static_cast<std::size_t>(sections.second))->frame.normal();
+    return std::atan2(a.cross(b).norm(), std::abs(a.dot(b)));
+}
+
+/// Of all pieces of two sections the deepest.
+std::map<std::pair<int, int>, const Interpenetration *> deepestOf(const ModelPlan &plan)
+{
+    std::map<std::pair<int, int>, const Interpenetration *> deepest;
+    for (const PartOverlap &overlap : plan.overlaps) {
+        const int a = plan.bodies.sectionOf(overlap.a);
+        const int b = plan.bodies.sectionOf(overlap.b);
+        const Interpenetration *&known = deepest[{a, b}];
+        if (!known || overlap.how.depth > known->depth)
+            known = &overlap.how;
+    }
+    return deepest;
+}
+
+} // namespace
+
+const FindingKind kNoSlit{"interference", Subject::Joints,
+                          FFF_TEXT("Checks", "Cut into each other"), noSlitSentence, noSlitActions};
+const FindingKind kInterference{"interference", Subject::Joints,
+                                FFF_TEXT("Checks", "Cut into each other"), interferenceSentence,
+                                mendsOfPair};
+const FindingKind kShallowAngle{"shallowAngle", Subject::Joints,
+                                FFF_TEXT("Checks", "Shallow angle"), shallowSentence};
+
+void findJointFaults(const Looked &at, std::vector<Finding> &found)
+{
+    const Model &model = at.analysis.model;
+    for (const Joint &joint : at.analysis.assembly.joints) {
+        const Crossing &crossing = *joint.crossing;
+        const bool collides = joint.kind == JointKind::None;
+        if (!collides && !(crossing.angle < at.rules.shallowAngle))
+            continue;
+        const auto longest = std::max_element(
+            crossing.overlaps.begin(), crossing.overlaps.end(),
+            [](const Overlap &a, const Overlap &b) { return a.to - a.from < b.to - b.from; });
+        Finding finding =
+            collides
+                ? makeFinding(kNoSlit, Severity::Warning,
+                              MissingSlit{longest->to - longest->from, whyNoSlit(model, joint)})
+                : makeFinding(kShallowAngle, Severity::Warning,
+                              ShallowAngle{crossing.angle, at.rules.shallowAngle});
+        finding.sections = model.refs({joint.a, joint.b});
+        finding.joint = JointRef(finding.sections[0], finding.sections[1]);
+        finding.at = crossing.axis.at(0.5 * (longest->from + longest->to));
+        found.push_back(std::move(finding));
+    }
+}
+
+void findInterferences(const LookedAtPlan &at, std::vector<Finding> &found)
+{
+    const Model &model = at.analysis.model;
+    for (const auto &[pair, how] : deepestOf(at.plan)) {
+        const Joint *joint = at.analysis.assembly.joints.find(pair.first, pair.second);
+        if (joint && joint->kind == JointKind::None)
+            continue; // it is said of the joint
+        const double angle = angleBetween(model, pair);
+        const bool isTooShallow = !joint && angle > kPracticallyParallel && angle < kMinJointAngle;
+        // Too shallow an angle is why there is no slit.
+        Finding finding = isTooShallow ? makeFinding(kShallowAngle, Severity::Error,
+                                                     ShallowAngle{angle, kMinJointAngle})
+                                       : makeFinding(kInterference, Severity::Warning,
+                                                     Interference{how->depth, joint != nullptr});
+        finding.sections = model.refs({pair.first, pair.second});
+        finding.at = how->at;
+        if (joint)
+            finding.joint = JointRef(finding.sections[0], finding.sections[1]);
+        found.push_back(std::move(finding));
+    }
+}
+
+} // namespace fff

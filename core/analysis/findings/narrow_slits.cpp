@@ -1,0 +1,93 @@
+#include "core/analysis/findings/narrow_slits.h"
+
+#include "core/base/tolerances.h"
+
+#include <algorithm>
+
+namespace fff {
+
+namespace {
+
+/// A tool that is wider than the slit by rounding goes in.
+constexpr double kSameWidth = kTouchingDepth;
+
+Message narrowSentence(const Finding &finding, const Model &)
+{
+    const NarrowSlit &slit = *finding.details<NarrowSlit>();
+    return {finding.severity == Severity::Error
+                ? FFF_TEXT("Checks", "Slit %1 is closed by the kerf of %2. Give the stock's slits "
+                                     "more clearance, or less kerf.")
+                : FFF_TEXT("Checks", "Slit %1 is narrower than the %2 tool. Give the stock's slits "
+                                     "more clearance, or choose a thinner tool."),
+            {widthOf(slit.width), widthOf(slit.tool)}};
+}
+
+constexpr Text kWidenText = FFF_TEXT("Checks", "Set the clearance");
+
+std::vector<FindingAction> widen(const Finding &, const Analysis &)
+{
+    return {{&kWidenSlits}};
+}
+
+/// About the slits of the stock that are below `least` mm wide, for a tool of that diameter;
+/// without sections if none is.
+Finding below(double least, double tool, Severity severity, const Analysis &analysis,
+              const Stock &stock)
+{
+    const Model &model = analysis.model;
+    Finding finding = makeFinding(kNarrowSlit, severity);
+    NarrowSlit narrow{least, tool};
+    for (std::size_t i = 0; i < model.sectionCount(); ++i) {
+        if (model.section(i)->stock != stock.id)
+            continue;
+        bool isNarrow = false;
+        for (const Slit &slit : analysis.assembly.slits[i]) {
+            if (slit.role != SlitRole::Slit)
+                continue;
+            const double width = narrowest(slit);
+            isNarrow = isNarrow || width < least;
+            if (width >= narrow.width)
+                continue;
+            narrow.width = width;
+            finding.at = model.section(i)->frame.toWorld(slit.inner);
+        }
+        if (isNarrow)
+            finding.sections.push_back(model.ref(i));
+    }
+    finding.setDetails(narrow);
+    return finding;
+}
+
+} // namespace
+
+double narrowest(const Slit &slit)
+{
+    const double width = slit.width - (slit.form ? 2.0 * slit.form->bumps : 0.0);
+    return slit.isOpen ? width : std::min(width, (slit.mouth - slit.inner).norm());
+}
+
+bool isClosedBy(double kerf, double width)
+{
+    return width <= kerf + kTouchingDepth;
+}
+
+const ActionKind kWidenSlits{plainWords<kWidenText>};
+
+const FindingKind kNarrowSlit{"narrowSlit", Subject::Joints,
+                              FFF_TEXT("Checks", "Slit narrower than the tool"), narrowSentence,
+                              widen};
+
+void findNarrowSlits(const Looked &at, std::vector<Finding> &found)
+{
+    for (const auto &stock : at.analysis.model.document.stocks) {
+        Finding finding =
+            below(stock->kerf + kTouchingDepth, stock->kerf, Severity::Error, at.analysis, *stock);
+        if (finding.sections.empty() && stock->slitEnd != SlitEnd::Square)
+            finding = below(stock->toolDiameter - kSameWidth, stock->toolDiameter,
+                            Severity::Warning, at.analysis, *stock);
+        if (!finding.sections.empty())
+            found.push_back(std::move(finding));
+    }
+}
+
+} // namespace fff

@@ -1,0 +1,31 @@
+// Slits that the mill's tool does not go into, or that the kerf closes.
+#pragma once
+
+#include "core/analysis/finder.h"
+#include "core/assembly/slits.h"
+
+namespace fff {
+
+/// How wide a slit is at its narrowest, mm: between its bumps, or a short closed one along itself.
+double narrowest(const Slit &slit);
+
+/// Whether nothing stays of a slit of this width, mm, when the path runs half the kerf inside it. A
+/// path of less than a micron is none.
+bool isClosedBy(double kerf, double width);
+
+/// Of kNarrowSlit, mm.
+struct NarrowSlit
+{
+    double width = 0.0;
+    double tool = 0.0; // its diameter, or the kerf
+};
+
+extern const FindingKind kNarrowSlit;
+extern const ActionKind kWidenSlits; // of the stock of its sections
+
+/// One a stock, in their order, about the sections that have such slits, at the narrowest: an error
+/// of those that its kerf closes, or else, where its slits end round, a warning of those that are
+/// narrower than its tool.
+void findNarrowSlits(const Looked &at, std::vector<Finding> &found);
+
+} // namespace fff

@@ -1,0 +1,161 @@
+#include "core/analysis/findings/order.h"
+
+#include "core/assembly/cycles.h"
+#include "core/base/tolerances.h"
+#include "core/fabrication/wholeness.h"
+
+#include <algorithm>
+
+namespace fff {
+
+namespace {
+
+Message canSentence(const Finding &finding, const Model &)
+{
+    const int steps = finding.details<AssemblyOrder>()->steps;
+    if (steps == 1)
+        return {FFF_TEXT("Checks", "Can be assembled. There is only one part."), {}};
+    return {FFF_TEXT_OF_MANY("Checks", "Can be assembled. %n steps."), {}, steps};
+}
+
+constexpr Text kShowText = FFF_TEXT("Checks", "Show the steps");
+
+std::vector<FindingAction> showSteps(const Finding &finding, const Analysis &)
+{
+    if (finding.details<AssemblyOrder>()->steps < 2)
+        return {}; // there is nothing to see
+    return {{&kShowSteps}};
+}
+
+Message cannotSentence(const Finding &finding, const Model &model)
+{
+    const Blocked &blocked = *finding.details<Blocked>();
+    const NamedSections names = namesOf(model, finding.sections);
+    if (blocked.directions > 1)
+        return {FFF_TEXT("Checks", "Sections block each other. %1 meet in %2 that slide in %3 "
+                                   "different directions."),
+                {names, Message{FFF_TEXT_OF_MANY("Checks", "%n joints"), {}, blocked.joints},
+                 blocked.directions}};
+    if (blocked.distance > 0.0)
+        return {FFF_TEXT("Checks", "Sections block each other. %1 comes only %2 out of its slit in "
+                                   "%3, then it runs into it."),
+                {nameAt(finding, model, 0), lengthOf(blocked.distance), nameAt(finding, model, 1)}};
+    return {FFF_TEXT("Checks", "Sections block each other. Of %1 none comes off the others on a "
+                               "straight way."),
+            {names}};
+}
+
+ProblemLook cannotLook(const Finding &finding)
+{
+    ProblemLook look;
+    look.links = finding.details<Blocked>()->links;
+    return look;
+}
+
+constexpr Text kMakeText = FFF_TEXT("Checks", "Make assemblable");
+
+std::optional<FindingEdit> assemblable(const FindingAction &, const Finding &,
+                                       const Analysis &analysis, const Flips *flips)
+{
+    if (!flips || flips->document.isSame(analysis.model.document))
+        return {};
+    const Message said =
+        flips->count == 1
+            ? Message{FFF_TEXT("Checks", "The slits of one joint were turned round."), {}}
+            : Message{FFF_TEXT_OF_MANY("Checks", "The slits of %n joints were turned round."),
+                      {},
+                      flips->count};
+    return FindingEdit{{Step::Kind::MakeAssemblable, {}}, flips->document, said};
+}
+
+std::vector<FindingAction> makeAssemblable(const Finding &, const Analysis &)
+{
+    return {{&kMakeAssemblable}};
+}
+
+Message unknownSentence(const Finding &finding, const Model &)
+{
+    if (const auto &failure = finding.details<OrderUnknown>()->failure)
+        //: %1 is a sentence such as "the solid of "Rib" could not be worked out"
+        return {FFF_TEXT("Checks", "Order not found: %1."), {*failure}};
+    return {FFF_TEXT("Checks", "Order not found. The search took too long; that says nothing about "
+                               "the model."),
+            {}};
+}
+
+/// Why parts are locked: the ways in which the joints among them slide, and what stops the one that
+/// could move.
+void explain(const LookedAtPlan &at, const std::vector<int> &sections, Finding &finding)
+{
+    Blocked blocked;
+    std::vector<Vec3> ways;
+    const auto isLocked = [&](int section) {
+        return std::binary_search(sections.begin(), sections.end(), section);
+    };
+    const SharedRows<Joint> &rows = at.analysis.assembly.joints.rows();
+    for (const int section : sections) {
+        for (const Joint &joint : rows[static_cast<std::size_t>(section)]) {
+            if (joint.kind == JointKind::None || !isLocked(joint.b))
+                continue;
+            ++blocked.joints;
+            blocked.links.push_back(linkOf(at.analysis.model, joint));
+            if (!finding.at)
+                finding.at = blocked.links.back().at;
+            const Vec3 &way = joint.crossing->axis.direction;
+            if (slidesAlongAxis(joint.kind) &&
+                std::none_of(ways.begin(), ways.end(),
+                             [&](const Vec3 &other) { return areParallel(way, other); }))
+                ways.push_back(way);
+        }
+    }
+    blocked.directions = static_cast<int>(ways.size());
+    if (const auto &stop = at.plan.stop) {
+        const auto sectionOf = [&](int part) { return at.plan.bodies.sectionOf(part); };
+        // Who moves is named first.
+        finding.sections = at.analysis.model.refs({sectionOf(stop->part), sectionOf(stop->by)});
+        finding.joint = JointRef(finding.sections[0], finding.sections[1]);
+        blocked.distance = stop->distance;
+    }
+    finding.setDetails(std::move(blocked));
+}
+
+} // namespace
+
+const ActionKind kShowSteps{plainWords<kShowText>};
+const ActionKind kMakeAssemblable{plainWords<kMakeText>, assemblable};
+
+const FindingKind kCanAssemble{"canAssemble", Subject::Assembly,
+                               FFF_TEXT("Checks", "Can be assembled"), canSentence, showSteps};
+const FindingKind kCannotAssemble{
+    "cannotAssemble", Subject::Assembly, FFF_TEXT("Checks", "Cannot be assembled"),
+    cannotSentence,   makeAssemblable,   cannotLook};
+const FindingKind kOrderUnknown{"orderUnknown", Subject::Assembly,
+                                FFF_TEXT("Checks", "Order not found"), unknownSentence};
+
+void findOrder(const LookedAtPlan &at, std::vector<Finding> &found)
+{
+    const Model &model = at.analysis.model;
+    switch (at.plan.plan.verdict) {
+    case AssemblyPlan::Verdict::Possible:
+        found.push_back(makeFinding(kCanAssemble, Severity::Good,
+                                    AssemblyOrder{static_cast<int>(at.plan.plan.steps.size())}));
+        return;
+    case AssemblyPlan::Verdict::Impossible: {
+        Finding finding = makeFinding(kCannotAssemble, Severity::Error);
+        const std::vector<int> sections = sectionsOf(at.plan.plan.locked, at.plan);
+        finding.sections = model.refs(sections);
+        explain(at, sections, finding);
+        found.push_back(std::move(finding));
+        return;
+    }
+    case AssemblyPlan::Verdict::NotFound:
+        Finding finding =
+            makeFinding(kOrderUnknown, Severity::Unknown, OrderUnknown{at.plan.failure});
+        if (at.plan.failure)
+            finding.sections = model.refs(sectionsWithoutSolid(at.analysis.bodies));
+        found.push_back(std::move(finding));
+        return;
+    }
+}
+
+} // namespace fff

@@ -1,0 +1,36 @@
+// Whether the model can be put together.
+#pragma once
+
+#include "core/analysis/plan_finder.h"
+
+namespace fff {
+
+/// Of kCanAssemble.
+struct AssemblyOrder
+{
+    int steps = 0;
+};
+/// Of kCannotAssemble.
+struct Blocked
+{
+    int joints = 0;        // of those that block each other
+    int directions = 0;    // in which these slide
+    double distance = 0.0; // how far the first section comes out of the second one, mm; 0: it is
+                           // not that
+    std::vector<ProblemLink> links; // who blocks whom
+};
+/// Of kOrderUnknown.
+struct OrderUnknown
+{
+    std::optional<Error> failure; // none: it took too long
+};
+
+extern const FindingKind kCanAssemble;
+extern const FindingKind kCannotAssemble; // parts that block each other
+extern const FindingKind kOrderUnknown;   // not found within the time
+extern const ActionKind kMakeAssemblable; // slits turned round (flips.h)
+extern const ActionKind kShowSteps;
+
+void findOrder(const LookedAtPlan &at, std::vector<Finding> &found);
+
+} // namespace fff

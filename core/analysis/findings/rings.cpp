@@ -1,0 +1,65 @@
+#include "core/analysis/findings/rings.h"
+
+#include "core/assembly/cycles.h"
+
+#include <algorithm>
+#include <set>
+
+namespace fff {
+
+namespace {
+
+Message ringsSentence(const Finding &finding, const Model &model)
+{
+    const int count = finding.details<Rings>()->count;
+    if (count == 1)
+        return {FFF_TEXT("Checks", "%1 form a ring of joints that slide in different directions."),
+                {namesOf(model, finding.sections)}};
+    return {FFF_TEXT_OF_MANY(
+                "Checks", "%n rings of sections have joints that slide in different directions."),
+            {},
+            count};
+}
+
+ProblemLook ringsLook(const Finding &finding)
+{
+    ProblemLook look;
+    look.links = finding.details<Rings>()->links;
+    return look;
+}
+
+} // namespace
+
+const FindingKind kRings{"cycle",       Subject::Joints, FFF_TEXT("Checks", "Rings of joints"),
+                         ringsSentence, nullptr,         ringsLook};
+
+void findRings(const LookedAtPlan &at, std::vector<Finding> &found)
+{
+    const Model &model = at.analysis.model;
+    const auto cycles = cyclesOf(model.sectionCount(), at.analysis.assembly.joints);
+    std::set<int> sections;
+    for (const std::vector<int> &cycle : cycles)
+        sections.insert(cycle.begin(), cycle.end());
+    const std::vector<int> locked = sectionsOf(at.plan.plan.locked, at.plan);
+    if (std::includes(locked.begin(), locked.end(), sections.begin(), sections.end()))
+        return;
+    Rings rings{static_cast<int>(cycles.size()), {}};
+    std::set<std::pair<int, int>> linked; // a joint may be of several rings
+    for (const std::vector<int> &cycle : cycles) {
+        for (std::size_t i = 0, k = cycle.size() - 1; i < cycle.size(); k = i++) {
+            const auto [a, b] = std::minmax(cycle[i], cycle[k]);
+            const Joint *joint = at.analysis.assembly.joints.find(a, b);
+            if (joint && linked.emplace(a, b).second)
+                rings.links.push_back(linkOf(model, *joint));
+        }
+    }
+    Finding finding = makeFinding(kRings, Severity::Note);
+    finding.sections = model.refs(
+        cycles.size() == 1 ? cycles.front() : std::vector<int>(sections.begin(), sections.end()));
+    if (!rings.links.empty())
+        finding.at = rings.links.front().at;
+    finding.setDetails(std::move(rings));
+    found.push_back(std::move(finding));
+}
+
+} // namespace fff

@@ -1,0 +1,95 @@
+#include "core/analysis/findings/sheet_fit.h"
+
+#include "core/fabrication/summary.h"
+
+#include <algorithm>
+
+namespace fff {
+
+namespace {
+
+Message fitsSentence(const Finding &finding, const Model &)
+{
+    const SheetUse &use = *finding.details<SheetUse>();
+    const Message sheets = use.sheets == 1
+                               ? Message{FFF_TEXT("Checks", "1 sheet"), {}}
+                               : Message{FFF_TEXT_OF_MANY("Checks", "%n sheets"), {}, use.sheets};
+    if (use.sheet.isZero())
+        return {FFF_TEXT("Checks", "Fits the sheet. %1, %2 % used."),
+                {sheets, percentOf(use.share)}};
+    return {FFF_TEXT("Checks", "Fits the sheet. %1 of %2, %3 % used."),
+            {sheets, WidthAndHeight{use.sheet.x(), use.sheet.y()}, percentOf(use.share)}};
+}
+
+Message tooLargeSentence(const Finding &finding, const Model &model)
+{
+    const TooLargePart &part = *finding.details<TooLargePart>();
+    const Named name = nameAt(finding, model, 0);
+    const WidthAndHeight sheet{part.sheet.x(), part.sheet.y()};
+    if (part.parts > 1)
+        return {FFF_TEXT("Checks", "%1 parts of %2 fit no sheet of %3 with a margin of %4, however "
+                                   "they are turned."),
+                {part.parts, name, sheet, lengthOf(part.margin)}};
+    return {FFF_TEXT("Checks", "%1 measures %2 and fits no sheet of %3 with a margin of %4, "
+                               "however it is turned."),
+            {name, WidthAndHeight{part.size.x(), part.size.y()}, sheet, lengthOf(part.margin)}};
+}
+
+constexpr Text kChooseText = FFF_TEXT("Checks", "Choose a sheet");
+
+std::vector<FindingAction> chooseSheet(const Finding &, const Analysis &)
+{
+    return {{&kChooseSheet}};
+}
+
+} // namespace
+
+const ActionKind kChooseSheet{plainWords<kChooseText>};
+
+const FindingKind kFitsSheet{"fitsSheet", Subject::Size, FFF_TEXT("Checks", "Fits the sheet"),
+                             fitsSentence};
+const FindingKind kTooLarge{"tooLarge", Subject::Size,
+                            FFF_TEXT("Checks", "Too large for the sheet"), tooLargeSentence,
+                            chooseSheet};
+
+void findSheetFit(const Looked &at, std::vector<Finding> &found)
+{
+    const Model &model = at.analysis.model;
+    const LayoutOptions &options = at.layout;
+    std::vector<SizedPart> parts;
+    for (std::size_t i = 0; i < at.caches.sections.size(); ++i)
+        for (const auto &size : at.caches.sections[i].sizes)
+            parts.push_back({model.section(i)->stock, size});
+    const Layout layout = layOutBySize(parts, model, options, at.caches.layout);
+    std::vector<int> oversized = layout.oversized;
+    std::sort(oversized.begin(), oversized.end());
+    const Bodies &bodies = at.analysis.bodies;
+    for (std::size_t i = 0; i < oversized.size();) {
+        const Body &body = bodies.at(oversized[i]);
+        const int section = bodies.sectionOf(oversized[i]);
+        const Box2 box = bounds(body.outline().region.outer);
+        TooLargePart part;
+        part.size = {box.size().maxCoeff(), box.size().minCoeff()};
+        part.sheet = options.sheet.value_or(model.stockOf(static_cast<std::size_t>(section)).sheet);
+        part.margin = options.margin;
+        part.parts = 0;
+        while (i < oversized.size() && bodies.sectionOf(oversized[i]) == section) {
+            ++part.parts;
+            ++i;
+        }
+        Finding finding = makeFinding(kTooLarge, Severity::Error, part);
+        finding.sections = {body.key().section};
+        finding.at = body.frame().toWorld(box.center());
+        found.push_back(std::move(finding));
+    }
+    if (!oversized.empty())
+        return;
+    SheetUse use{static_cast<int>(layout.sheets.size()), Vec2::Zero(), usedShare(layout, parts)};
+    if (!layout.sheets.empty() &&
+        std::all_of(layout.sheets.begin(), layout.sheets.end(),
+                    [&](const Sheet &sheet) { return sheet.size == layout.sheets.front().size; }))
+        use.sheet = layout.sheets.front().size;
+    found.push_back(makeFinding(kFitsSheet, Severity::Good, use));
+}
+
+} // namespace fff

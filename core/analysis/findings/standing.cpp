@@ -1,0 +1,307 @@
+#include "core/analysis/findings/standing.h"
+
+#include "core/analysis/dropping.h"
+#include "core/analysis/footing.h"
+#include "core/base/tolerances.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace fff {
+
+namespace {
+
+using Group = std::vector<int>;
+
+// --- what can be done
+
+Message stretchWords(const FindingAction &, const Finding &finding, const Model &model)
+{
+    if (finding.helpers.size() != 1)
+        return {FFF_TEXT("Checks", "Stretch them to the ground"), {}};
+    //: %1 is the name of a section
+    return {FFF_TEXT("Checks", "Stretch %1 to the ground"),
+            {nameOf(model, finding.helpers.front())}};
+}
+
+std::optional<FindingEdit> stretched(const FindingAction &, const Finding &finding,
+                                     const Analysis &analysis, const Flips *)
+{
+    Group group;
+    for (const SectionRef &section : finding.sections)
+        group.push_back(analysis.model.indexOf(section));
+    if (group.empty()) { // the whole model
+        group.resize(analysis.model.sectionCount());
+        std::iota(group.begin(), group.end(), 0);
+    }
+    std::optional<Document> next = standingOn(analysis, group, finding.details<Footing>()->feet);
+    if (!next)
+        return {};
+    FindingEdit edit{{Step::Kind::StretchToGround, {}}, *std::move(next)};
+    for (const SectionRef &foot : finding.helpers)
+        edit.step.names.push_back(analysis.model.nameOf(foot));
+    return edit;
+}
+
+constexpr Text kDropText = FFF_TEXT("Checks", "Drop it to the ground");
+
+/// The whole model, from above or from below as the finding has it.
+std::optional<FindingEdit> dropped(const FindingAction &, const Finding &finding,
+                                   const Analysis &analysis, const Flips *)
+{
+    const std::optional<double> lowest = lowestPoint(analysis.model);
+    if (!lowest || (*lowest > 0.0) != finding.is(kNoContact))
+        return {};
+    std::optional<Document> next = droppedToGround(analysis.model);
+    if (!next)
+        return {};
+    return FindingEdit{{Step::Kind::DropToGround, {}}, *std::move(next)};
+}
+
+std::vector<FindingAction> stretch(const Finding &, const Analysis &)
+{
+    return {{&kStretchToGround}};
+}
+
+std::vector<FindingAction> drop(const Finding &, const Analysis &)
+{
+    return {{&kDropToGround}};
+}
+
+// --- what is said and shown
+
+/// With the sections that it is about, where that is not the whole model.
+Message ofThese(const Finding &finding, const Model &model, Message sentence)
+{
+    if (finding.sections.empty())
+        return sentence;
+    //: %1 names sections, %2 is a sentence about them such as "Falls over forwards."
+    return {FFF_TEXT("Checks", "%1: %2"), {namesOf(model, finding.sections), std::move(sentence)}};
+}
+
+Message standsSentence(const Finding &finding, const Model &model)
+{
+    const Footing &footing = *finding.details<Footing>();
+    return ofThese(finding, model,
+                   {FFF_TEXT("Checks", "Stands. Tips only past %1. Margin %2."),
+                    {angleOf(footing.tipAngle), lengthOf(footing.margin)}});
+}
+
+Message unsteadySentence(const Finding &finding, const Model &model)
+{
+    const Footing &footing = *finding.details<Footing>();
+    return ofThese(finding, model,
+                   {FFF_TEXT("Checks", "Stands, but not firmly: it tips past %1. The centre of "
+                                       "mass is only %2 inside the feet."),
+                    {angleOf(footing.tipAngle), lengthOf(footing.margin)}});
+}
+
+/// What else could be a foot; may be empty.
+Message feetSentence(const Finding &finding, const Model &model)
+{
+    const std::vector<HighFoot> &feet = finding.details<Footing>()->feet;
+    if (feet.empty())
+        return {};
+    double highest = 0.0;
+    for (const HighFoot &foot : feet)
+        highest = std::max(highest, foot.height);
+    return {feet.size() == 1
+                ? FFF_TEXT("Checks", "The lowest point of %1 is %2 above the ground.")
+                : FFF_TEXT("Checks", "The lowest points of %1 are up to %2 above the ground."),
+            {namesOf(model, finding.helpers), lengthOf(highest)}};
+}
+
+Text fallOf(Towards side)
+{
+    switch (side) {
+    case Towards::Front:
+        return FFF_TEXT("Checks", "Falls over forwards. The centre of mass lies %1 in front of the "
+                                  "feet.");
+    case Towards::Back:
+        return FFF_TEXT("Checks",
+                        "Falls over backwards. The centre of mass lies %1 behind the feet.");
+    case Towards::Left:
+        return FFF_TEXT("Checks",
+                        "Falls over to the left. The centre of mass lies %1 beside the feet.");
+    case Towards::Right:
+        return FFF_TEXT("Checks",
+                        "Falls over to the right. The centre of mass lies %1 beside the feet.");
+    }
+    return {}; // not reached: every side is above
+}
+
+Message topplesSentence(const Finding &finding, const Model &model)
+{
+    const Footing &footing = *finding.details<Footing>();
+    return ofThese(
+        finding, model,
+        joined({fallOf(footing.side), {lengthOf(-footing.margin)}}, feetSentence(finding, model)));
+}
+
+Message lineSentence(const Finding &finding, const Model &model)
+{
+    return ofThese(
+        finding, model,
+        joined({FFF_TEXT("Checks", "Falls over. Its feet are all on one line, so nothing holds it "
+                                   "upright."),
+                {}},
+               feetSentence(finding, model)));
+}
+
+Message noContactSentence(const Finding &finding, const Model &model)
+{
+    return ofThese(finding, model,
+                   {FFF_TEXT("Checks", "Not on the ground. Its lowest point is %1 above it."),
+                    {lengthOf(finding.details<Footing>()->height)}});
+}
+
+Message belowGroundSentence(const Finding &finding, const Model &model)
+{
+    return {finding.sections.size() == 1
+                ? FFF_TEXT("Checks", "Not on the ground. %1 reaches %2 below it.")
+                : FFF_TEXT("Checks", "Not on the ground. %1 reach up to %2 below it."),
+            {namesOf(model, finding.sections), lengthOf(finding.details<Footing>()->height)}};
+}
+
+ProblemLook footingLook(const Finding &finding)
+{
+    const Footing &footing = *finding.details<Footing>();
+    ProblemLook look;
+    if (!footing.support.empty())
+        look.grounds.push_back({footing.support, footing.mass.centre, footing.edge, footing.margin,
+                                finding.severity >= Severity::Warning});
+    for (const HighFoot &foot : footing.feet)
+        look.feet.push_back({foot.at, foot.height});
+    return look;
+}
+
+// --- how it is found
+
+Towards towards(const Vec2 &direction)
+{
+    if (std::abs(direction.x()) > std::abs(direction.y()))
+        return direction.x() > 0.0 ? Towards::Right : Towards::Left;
+    return direction.y() >= 0.0 ? Towards::Front : Towards::Back;
+}
+
+const FindingKind &kindOf(const Stability &stability)
+{
+    switch (stability.standing) {
+    case Standing::Stands:
+        return stability.tipAngle < kSteadyTilt ? kUnsteady : kStands;
+    case Standing::Topples:
+        return kTopples;
+    case Standing::LineSupport:
+        return kLineSupport;
+    case Standing::NoContact:
+        return kNoContact;
+    case Standing::BelowGround:
+        return kBelowGround;
+    }
+    return kStands; // not reached: every case is above
+}
+
+/// The sections of a group that reach below the ground.
+std::vector<SectionRef> sunkSections(const Analysis &analysis, const Group &group)
+{
+    Group sunk;
+    for (const int section : group) {
+        const auto bodies = analysis.bodies.of(section);
+        if (std::any_of(bodies.begin(), bodies.end(), [](const BodyPointer &body) {
+                return body->contact().lowestMiddle < -kGroundSunk;
+            }))
+            sunk.push_back(section);
+    }
+    return analysis.model.refs(sunk);
+}
+
+Finding standingOf(const Looked &at, const Group &group, CheckCaches::OfStance &stance)
+{
+    Footing footing;
+    footing.mass = loadedMass(at.analysis, group);
+    const Stability stability = stabilityOf(at.analysis, group, footing.mass, at.caches, stance);
+    footing.margin = stability.margin;
+    footing.tipAngle = stability.tipAngle;
+    footing.side = towards(stability.fall);
+    footing.support = stability.support;
+    footing.edge = stability.nearest;
+    footing.sections = static_cast<int>(group.size());
+    const Vec3 &centre = footing.mass.centre;
+    Finding finding = makeFinding(kindOf(stability), Severity::Error);
+    finding.at = Vec3(centre.x(), 0.0, centre.z());
+    switch (stability.standing) {
+    case Standing::Stands:
+        finding.severity = finding.is(kUnsteady) ? Severity::Warning : Severity::Good;
+        break;
+    case Standing::NoContact:
+    case Standing::BelowGround:
+        footing.height = std::abs(stability.height);
+        finding.at = stability.lowestPoint;
+        break;
+    case Standing::Topples:
+    case Standing::LineSupport:
+        footing.feet = feetToStretch(at.analysis, group);
+        for (const HighFoot &foot : footing.feet)
+            finding.helpers.push_back(foot.section);
+        break;
+    }
+    if (finding.is(kBelowGround))
+        finding.sections = sunkSections(at.analysis, group);
+    else if (at.groups.size() > 1)
+        finding.sections = at.analysis.model.refs(group);
+    finding.setDetails(std::move(footing));
+    return finding;
+}
+
+} // namespace
+
+const ActionKind kStretchToGround{stretchWords, stretched};
+const ActionKind kDropToGround{plainWords<kDropText>, dropped};
+
+const FindingKind kStands{
+    "stands", Subject::Stability, FFF_TEXT("Checks", "Stands"), standsSentence,
+    nullptr,  footingLook};
+const FindingKind kUnsteady{
+    "unsteady", Subject::Stability, FFF_TEXT("Checks", "Tips easily"), unsteadySentence,
+    nullptr,    footingLook};
+const FindingKind kTopples{
+    "topples", Subject::Stability, FFF_TEXT("Checks", "Falls over"), topplesSentence,
+    stretch,   footingLook};
+const FindingKind kLineSupport{
+    "lineSupport", Subject::Stability, FFF_TEXT("Checks", "Falls over"), lineSentence,
+    stretch,       footingLook};
+const FindingKind kNoContact{
+    "noContact", Subject::Stability, FFF_TEXT("Checks", "Not on the ground"), noContactSentence,
+    drop,        footingLook};
+const FindingKind kBelowGround{
+    "belowGround", Subject::Stability, FFF_TEXT("Checks", "Not on the ground"), belowGroundSentence,
+    drop,          footingLook};
+
+void findStanding(const Looked &at, std::vector<Finding> &found)
+{
+    at.caches.stances.resize(at.groups.size());
+    std::optional<Finding> first; // of all groups that stand, the one that falls first
+    std::vector<Finding> bad;
+    int standing = 0;
+    for (std::size_t g = 0; g < at.groups.size(); ++g) {
+        Finding finding = standingOf(at, at.groups[g], at.caches.stances[g]);
+        if (finding.is(kStands) || finding.is(kUnsteady)) {
+            const Footing &footing = *finding.details<Footing>();
+            standing += footing.sections;
+            if (!first || footing.tipAngle < first->details<Footing>()->tipAngle)
+                first = std::move(finding);
+        } else if (g == 0 || !finding.is(kNoContact)) {
+            bad.push_back(std::move(finding));
+        }
+    }
+    if (!bad.empty()) {
+        std::move(bad.begin(), bad.end(), std::back_inserter(found));
+    } else if (first) {
+        Footing footing = *first->details<Footing>();
+        footing.sections = standing;
+        first->setDetails(std::move(footing));
+        found.push_back(*std::move(first));
+    }
+}
+
+} // namespace fff

@@ -1,0 +1,77 @@
+#include "core/analysis/findings/thin_webs.h"
+
+namespace fff {
+
+namespace {
+
+Message slitsMeetSentence(const Finding &finding, const Model &model)
+{
+    return {FFF_TEXT("Checks", "%1: its slits for %2 run into each other."),
+            {nameAt(finding, model, 0), namesOf(model, finding.others)}};
+}
+
+Message thinSentence(const Finding &finding, const Model &model)
+{
+    const ThinWeb &web = *finding.details<ThinWeb>();
+    const Text text =
+        finding.others.size() > 1 ? FFF_TEXT("Checks", "%1: only %2 stay between its slits for %3.")
+        : web.isByAHole
+            ? FFF_TEXT("Checks", "%1: only %2 stay between its slit for %3 and a hole.")
+            : FFF_TEXT("Checks", "%1: only %2 stay between its slit for %3 and its edge.");
+    return {text, {nameAt(finding, model, 0), lengthOf(web.width), namesOf(model, finding.others)}};
+}
+
+/// The webs of each section, worked out anew where its slits or its stock are other ones.
+void refresh(const Analysis &analysis, WebCaches &caches)
+{
+    caches.sections.resize(analysis.model.sectionCount());
+    for (std::size_t i = 0; i < caches.sections.size(); ++i) {
+        WebCaches::OfSection &known = caches.sections[i];
+        const double thickness = analysis.model.stockOf(i).thickness;
+        if (known.cut == analysis.cuts[i] && known.thickness == thickness)
+            continue;
+        known = {analysis.cuts[i], thickness,
+                 thinWebs(analysis.model.section(i)->shape->region(), analysis.assembly.slits[i],
+                          thickness)};
+    }
+}
+
+Finding foundOf(const Web &web, std::size_t section, const Analysis &analysis)
+{
+    const Model &model = analysis.model;
+    const auto guestOf = [&](int slit) {
+        const Slit &of = analysis.assembly.slits[section].at(static_cast<std::size_t>(slit));
+        return model.ref(static_cast<std::size_t>(of.guest));
+    };
+    const bool isBetweenSlits = web.between == Web::Between::Slits;
+    const bool isTouching = isBetweenSlits && !(web.width > 0.0);
+    const bool isNote = web.width >= 0.5 * model.stockOf(section).thickness;
+    Finding finding =
+        makeFinding(isTouching ? kSlitsMeet : kThinWeb, isNote ? Severity::Note : Severity::Warning,
+                    ThinWeb{web.width, web.between == Web::Between::SlitAndHole});
+    finding.sections = {model.ref(section)};
+    finding.others = {guestOf(web.slit)};
+    if (isBetweenSlits)
+        finding.others.push_back(guestOf(web.other));
+    else
+        finding.joint = JointRef(finding.sections.front(), finding.others.front());
+    finding.at = model.section(section)->frame.toWorld(web.at);
+    return finding;
+}
+
+} // namespace
+
+const FindingKind kThinWeb{"thinWeb", Subject::Joints, FFF_TEXT("Checks", "Thin web"),
+                           thinSentence};
+const FindingKind kSlitsMeet{"slitsMeet", Subject::Joints,
+                             FFF_TEXT("Checks", "Slits run into each other"), slitsMeetSentence};
+
+void findThinWebs(const LookedAtPlan &at, std::vector<Finding> &found)
+{
+    refresh(at.analysis, at.webs);
+    for (std::size_t i = 0; i < at.webs.sections.size(); ++i)
+        for (const Web &web : at.webs.sections[i].webs)
+            found.push_back(foundOf(web, i, at.analysis));
+}
+
+} // namespace fff

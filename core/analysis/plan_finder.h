@@ -1,0 +1,38 @@
+// The contract of what finds in the plan of an assembly: once a model is there, not at each place
+// of a drag.
+#pragma once
+
+#include "core/analysis/assembly_plan.h"
+#include "core/analysis/finding_action.h"
+#include "core/assembly/webs.h"
+
+#include <vector>
+
+namespace fff {
+
+/// What is known of each section from the time before. Not for several threads at once.
+struct WebCaches
+{
+    struct OfSection
+    {
+        CutSectionPointer cut;  // what the rest was worked out of
+        double thickness = 0.0; // mm
+        std::vector<Web> webs;  // thinner than that; of slits by their places in its row
+    };
+    std::vector<OfSection> sections; // by index in the model
+};
+
+struct LookedAtPlan
+{
+    const Analysis &analysis;
+    const ModelPlan &plan;
+    WebCaches &webs;
+};
+using PlanFinder = void (*)(const LookedAtPlan &, std::vector<Finding> &);
+
+/// The sections of parts, each once, ascending.
+std::vector<int> sectionsOf(const std::vector<int> &parts, const ModelPlan &plan);
+/// Two sections that a joint holds, for the view.
+ProblemLink linkOf(const Model &model, const Joint &joint);
+
+} // namespace fff
