@@ -4,13 +4,12 @@
 #include "core/assembly/found_joint.h"
 #include "core/assembly/kept_joint.h"
 #include "core/assembly/realigned.h"
+#include "core/base/groups.h"
 #include "core/model/changes.h"
 
 #include <algorithm>
 #include <map>
-#include <numeric>
 #include <optional>
-#include <unordered_map>
 
 namespace fff {
 
@@ -365,27 +364,13 @@ Assembly assemble(const Model &model, const Model &previous, const Assembly &las
 
 std::vector<std::vector<int>> connectedGroups(std::size_t sectionCount, const JointList &joints)
 {
-    std::vector<int> leader(sectionCount);
-    std::iota(leader.begin(), leader.end(), 0);
-    const auto find = [&leader](int i) {
-        while (leader[i] != i)
-            i = leader[i] = leader[leader[i]];
-        return i;
-    };
-    for (const Joint &joint : joints) {
-        if (joint.kind == JointKind::None)
-            continue; // they collide, nothing holds
-        const int a = find(joint.a), b = find(joint.b);
-        leader[std::max(a, b)] = std::min(a, b);
-    }
+    Groups connected(sectionCount);
+    for (const Joint &joint : joints)
+        if (joint.kind != JointKind::None) // else they collide, nothing holds
+            connected.join(static_cast<std::size_t>(joint.a), static_cast<std::size_t>(joint.b));
     std::vector<std::vector<int>> groups;
-    std::unordered_map<int, std::size_t> groupOf;
-    for (int i = 0; i < static_cast<int>(sectionCount); ++i) {
-        const auto [it, isNew] = groupOf.try_emplace(find(i), groups.size());
-        if (isNew)
-            groups.emplace_back();
-        groups[it->second].push_back(i);
-    }
+    for (const std::vector<std::size_t> &group : connected.all())
+        groups.emplace_back(group.begin(), group.end());
     std::stable_sort(groups.begin(), groups.end(),
                      [](const auto &x, const auto &y) { return x.size() > y.size(); });
     return groups;

@@ -1,12 +1,12 @@
 #include "core/assembly/lobes.h"
 
 #include "core/assembly/rings_near.h"
+#include "core/base/groups.h"
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <limits>
-#include <numeric>
 #include <utility>
 
 namespace fff {
@@ -76,17 +76,10 @@ private:
         reach(arc, along);
         m_gates[side > 0].push_back({along, arc});
     }
-    int rootOf(int arc)
-    {
-        while (m_parents[static_cast<std::size_t>(arc)] != arc)
-            arc = m_parents[static_cast<std::size_t>(arc)];
-        return arc;
-    }
 
     double m_halfWidth;
     std::vector<Stretch> m_arcs;
     std::array<std::vector<Gate>, 2> m_gates; // of the lower and the upper edge
-    std::vector<int> m_parents;
 };
 
 void Arcs::addRing(const PlaneLine &line, const Polygon &ring, bool isOuter)
@@ -137,22 +130,22 @@ void Arcs::addRing(const PlaneLine &line, const Polygon &ring, bool isOuter)
 
 std::vector<Stretch> Arcs::joined()
 {
-    m_parents.resize(m_arcs.size());
-    std::iota(m_parents.begin(), m_parents.end(), 0);
+    Groups groups(m_arcs.size());
     for (std::vector<Gate> &gates : m_gates) {
         std::sort(gates.begin(), gates.end(),
                   [](const Gate &a, const Gate &b) { return a.at < b.at; });
         for (std::size_t i = 0; i + 1 < gates.size(); i += 2)
-            m_parents[static_cast<std::size_t>(rootOf(gates[i].arc))] = rootOf(gates[i + 1].arc);
+            groups.join(static_cast<std::size_t>(gates[i].arc),
+                        static_cast<std::size_t>(gates[i + 1].arc));
     }
     std::vector<Stretch> pieces;
     for (std::size_t i = 0; i < m_arcs.size(); ++i) {
-        const int root = rootOf(static_cast<int>(i));
-        reach(root, m_arcs[i].from);
-        reach(root, m_arcs[i].to);
+        const int first = static_cast<int>(groups.firstOf(i));
+        reach(first, m_arcs[i].from);
+        reach(first, m_arcs[i].to);
     }
     for (std::size_t i = 0; i < m_arcs.size(); ++i)
-        if (m_parents[i] == static_cast<int>(i))
+        if (groups.firstOf(i) == i)
             pieces.push_back(m_arcs[i]);
     std::sort(pieces.begin(), pieces.end(),
               [](const Stretch &a, const Stretch &b) { return a.from < b.from; });

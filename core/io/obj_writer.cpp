@@ -1,5 +1,6 @@
 #include "core/io/obj_writer.h"
 
+#include "core/base/groups.h"
 #include "core/fabrication/wholeness.h"
 
 #include <algorithm>
@@ -7,7 +8,6 @@
 #include <charconv>
 #include <cmath>
 #include <map>
-#include <numeric>
 #include <set>
 
 namespace fff::io {
@@ -35,21 +35,12 @@ struct Cap
     std::vector<std::array<int, 2>> boundary;  // edges with the material on their left
 };
 
-int leaderOf(std::vector<int> &leaders, int i)
-{
-    while (leaders[static_cast<std::size_t>(i)] != i)
-        i = leaders[static_cast<std::size_t>(i)] =
-            leaders[static_cast<std::size_t>(leaders[static_cast<std::size_t>(i)])];
-    return i;
-}
-
 /// Corners of triangles are the same vertex when triangles on shared edges lead from one to the
 /// other; a point whose triangles fall into several such fans becomes several vertices.
 Cap makeCap(const Triangulation &triangulation)
 {
     const std::size_t count = triangulation.triangles.size();
-    std::vector<int> leaders(3 * count);
-    std::iota(leaders.begin(), leaders.end(), 0);
+    Groups fans(3 * count);
     std::map<std::array<int, 2>, std::size_t> edges; // directed edge of points -> its first corner
     for (std::size_t t = 0; t < count; ++t)
         for (std::size_t k = 0; k < 3; ++k)
@@ -58,28 +49,23 @@ Cap makeCap(const Triangulation &triangulation)
     const auto following = [](std::size_t corner) {
         return corner % 3 == 2 ? corner - 2 : corner + 1;
     };
-    const auto join = [&leaders](std::size_t a, std::size_t b) {
-        const int x = leaderOf(leaders, static_cast<int>(a)),
-                  y = leaderOf(leaders, static_cast<int>(b));
-        leaders[static_cast<std::size_t>(std::max(x, y))] = std::min(x, y);
-    };
     for (const auto &[edge, corner] : edges) {
         const auto opposite = edges.find({edge[1], edge[0]});
         if (opposite == edges.end())
             continue;
-        join(corner, following(opposite->second));
-        join(following(corner), opposite->second);
+        fans.join(corner, following(opposite->second));
+        fans.join(following(corner), opposite->second);
     }
     Cap cap;
     std::vector<int> vertexOf(3 * count, -1);
     const auto vertex = [&](std::size_t corner) {
-        const auto leader = static_cast<std::size_t>(leaderOf(leaders, static_cast<int>(corner)));
-        if (vertexOf[leader] < 0) {
-            vertexOf[leader] = static_cast<int>(cap.vertices.size());
+        const std::size_t first = fans.firstOf(corner);
+        if (vertexOf[first] < 0) {
+            vertexOf[first] = static_cast<int>(cap.vertices.size());
             cap.vertices.push_back(triangulation.points[static_cast<std::size_t>(
                 triangulation.triangles[corner / 3][corner % 3])]);
         }
-        return vertexOf[leader];
+        return vertexOf[first];
     };
     for (std::size_t t = 0; t < count; ++t)
         cap.triangles.push_back({vertex(3 * t), vertex(3 * t + 1), vertex(3 * t + 2)});

@@ -1,5 +1,6 @@
 #include "core/model/mended_shape.h"
 
+#include "core/base/groups.h"
 #include "core/base/tolerances.h"
 #include "core/geometry/boolean.h"
 #include "core/geometry/ring_nesting.h"
@@ -83,7 +84,7 @@ private:
     bool overlap(const Contour &a, const Contour &b);
     std::optional<Contour> notched(const Contour &contour, const Contour &hole);
     void addHole(const PlacedContour &drawn);
-    std::vector<std::size_t> groups();
+    Groups overlapping();
     bool uniteOverlapping();
     void cutOut();
 
@@ -172,16 +173,10 @@ void Mender::addHole(const PlacedContour &drawn)
     m_holes.push_back({std::move(hole->contour), drawn.where, box});
 }
 
-/// Which holes overlap, directly or by way of others: for each the first one of its group.
-std::vector<std::size_t> Mender::groups()
+/// Which holes overlap, directly or by way of others.
+Groups Mender::overlapping()
 {
-    std::vector<std::size_t> first(m_holes.size());
-    std::iota(first.begin(), first.end(), 0);
-    const auto firstOf = [&first](std::size_t i) {
-        while (first[i] != i)
-            i = first[i] = first[first[i]];
-        return i;
-    };
+    Groups groups(m_holes.size());
     // Along the side of the page that the holes take less of, few of them stand beside each other.
     Vec2 widths = Vec2::Zero();
     Box2 all;
@@ -190,7 +185,8 @@ std::vector<std::size_t> Mender::groups()
         all.extend(hole.bounds);
     }
     const int axis = widths.x() * all.size().y() <= widths.y() * all.size().x() ? 0 : 1;
-    std::vector<std::size_t> order = first;
+    std::vector<std::size_t> order(m_holes.size());
+    std::iota(order.begin(), order.end(), std::size_t(0));
     std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
         return m_holes[a].bounds.min[axis] < m_holes[b].bounds.min[axis];
     });
@@ -200,28 +196,21 @@ std::vector<std::size_t> Mender::groups()
             const Hole &other = m_holes[order[j]];
             if (other.bounds.min[axis] > hole.bounds.max[axis])
                 break;
-            const std::size_t a = firstOf(order[i]), b = firstOf(order[j]);
-            if (a != b && hole.bounds.intersects(other.bounds) &&
-                overlap(hole.contour, other.contour))
-                first[std::max(a, b)] = std::min(a, b);
+            if (groups.firstOf(order[i]) != groups.firstOf(order[j]) &&
+                hole.bounds.intersects(other.bounds) && overlap(hole.contour, other.contour))
+                groups.join(order[i], order[j]);
         }
     }
-    for (std::size_t i = 0; i < first.size(); ++i)
-        first[i] = firstOf(i);
-    return first;
+    return groups;
 }
 
 /// Holes that overlap become one. What they enclose between them falls out, too. Whether there were
 /// any.
 bool Mender::uniteOverlapping()
 {
-    const std::vector<std::size_t> first = groups();
-    std::vector<std::vector<std::size_t>> members(m_holes.size());
-    for (std::size_t i = 0; i < first.size(); ++i)
-        members[first[i]].push_back(i);
     std::vector<Hole> united;
     bool isAny = false;
-    for (const std::vector<std::size_t> &group : members) {
+    for (const std::vector<std::size_t> &group : overlapping().all()) {
         std::vector<Contour> contours;
         for (const std::size_t i : group)
             contours.push_back(m_holes[i].contour.signedArea() < 0.0 ? m_holes[i].contour.reversed()
