@@ -1,4 +1,5 @@
 target_sources(fff_core PRIVATE
     base/fault_point.cpp
-    base/message.cpp)
-# Else only headers: result.h, ids.h, text.h, tolerances.h, units.h
+    base/message.cpp
+    base/utf8.cpp)
+# Else only headers: groups.h, ids.h, result.h, text.h, tolerances.h, units.h

@@ -1,5 +1,6 @@
 #include "core/model/lettering.h"
 
+#include "core/base/utf8.h"
 #include "core/model/letter_shapes.h"
 
 #include <Eigen/Geometry>
@@ -22,48 +23,6 @@ tl::unexpected<Error> noLetter(const std::string &shown)
 {
     return failure(ErrorCode::BadValue, "text",
                    {shown, "letters that are used in Europe's Latin alphabets"});
-}
-
-/// One after the other; what is no UTF-8 is U+FFFD.
-std::u32string decoded(const std::string &text)
-{
-    std::u32string letters;
-    for (std::size_t i = 0; i < text.size();) {
-        const auto byte = [&](std::size_t at) { return static_cast<unsigned char>(text[at]); };
-        const unsigned char first = byte(i);
-        const std::size_t more = first < 0x80 ? 0 : first < 0xe0 ? 1 : first < 0xf0 ? 2 : 3;
-        bool isWhole = first < 0x80 || (first >= 0xc2 && first < 0xf5);
-        char32_t letter = more == 0 ? first : first & (0x3fU >> more);
-        for (std::size_t k = 1; k <= more && isWhole; ++k) {
-            isWhole = i + k < text.size() && (byte(i + k) & 0xc0U) == 0x80U;
-            letter = isWhole ? (letter << 6U) | (byte(i + k) & 0x3fU) : letter;
-        }
-        letters.push_back(isWhole ? letter : U'\ufffd');
-        i += isWhole ? more + 1 : 1;
-    }
-    return letters;
-}
-
-std::string encoded(char32_t letter)
-{
-    std::string text;
-    const auto add = [&text](char32_t byte) { text.push_back(static_cast<char>(byte)); };
-    if (letter < 0x80) {
-        add(letter);
-    } else if (letter < 0x800) {
-        add(0xc0U | (letter >> 6U));
-        add(0x80U | (letter & 0x3fU));
-    } else if (letter < 0x10000) {
-        add(0xe0U | (letter >> 12U));
-        add(0x80U | ((letter >> 6U) & 0x3fU));
-        add(0x80U | (letter & 0x3fU));
-    } else {
-        add(0xf0U | (letter >> 18U));
-        add(0x80U | ((letter >> 12U) & 0x3fU));
-        add(0x80U | ((letter >> 6U) & 0x3fU));
-        add(0x80U | (letter & 0x3fU));
-    }
-    return text;
 }
 
 /// Reads the strokes of a letter (letter_shapes.h) into chains of control points.
@@ -156,7 +115,7 @@ private:
         const MadeLetter *made = madeLetter(letter);
         const LetterShape *shape = letterShape(made ? made->base : letter);
         if (!shape)
-            return noLetter(encoded(letter));
+            return noLetter(encoded({&letter, 1}));
         const double left = m_isStarted ? m_width + kGap : 0.0;
         const Vec2 offset(left, -m_line * kLineSpacing * kCapital);
         StrokeReader(shape->strokes, offset, m_chains).read();
