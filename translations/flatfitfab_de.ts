@@ -4898,7 +4898,7 @@
     </message>
 </context>
 <context>
-    <name>fff::ui::Expression</name>
+    <name>fff::ui::ExpressionText</name>
     <message>
         <source>A number is missing.</source>
         <translation>Es fehlt eine Zahl.</translation>

@@ -4,7 +4,7 @@ target_sources(fff_ui PRIVATE
     actions/action_table.cpp
     base/ago_text.cpp
     base/cursors.cpp
-    base/expression.cpp
+    base/expression_text.cpp
     base/field_style.cpp
     base/file_dialog.cpp
     base/focus_frame.cpp

@@ -1,4 +1,5 @@
 target_sources(fff_core PRIVATE
+    base/expression.cpp
     base/fault_point.cpp
     base/message.cpp
     base/utf8.cpp)

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
+#include <map>
 
 namespace fff {
 
@@ -11,6 +13,13 @@ namespace {
 char lower(char c)
 {
     return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+}
+
+std::string lower(std::string_view name)
+{
+    std::string result(name);
+    std::transform(name.begin(), name.end(), result.begin(), [](char c) { return lower(c); });
+    return result;
 }
 
 bool isSameName(std::string_view a, std::string_view b)
@@ -85,6 +94,49 @@ Result<Document> renameNumber(Document document, std::string_view name, std::str
         return notAName(to);
     document.numbers[static_cast<std::size_t>(known - document.numbers.data())].name =
         std::move(to);
+    return document;
+}
+
+NumberNames namesBefore(const Document &document, std::size_t index)
+{
+    std::map<std::string, NamedValue> known; // by the name in lower case
+    const auto valueOf = [](const std::map<std::string, NamedValue> &values,
+                            std::string_view name) {
+        const auto found = values.find(lower(name));
+        return found == values.end() ? std::optional<NamedValue>() : found->second;
+    };
+    for (std::size_t i = 0; i < std::min(index, document.numbers.size()); ++i) {
+        const NamedNumber &number = document.numbers[i];
+        // Whether it is a length follows from those before.
+        const Expression read =
+            readAny(number.expression, Commas::Groups,
+                    [&](std::string_view name) { return valueOf(known, name); });
+        known.try_emplace(lower(number.name), NamedValue{number.value, read.isLength});
+    }
+    return
+        [known = std::move(known), valueOf](std::string_view name) { return valueOf(known, name); };
+}
+
+tl::expected<Document, Expression> setExpression(Document document, const std::string &name,
+                                                 const std::string &expression, Commas commas)
+{
+    assert(isNumberName(name) && "who asks for it has looked");
+    const NamedNumber *known = findNumber(document, name);
+    const auto index =
+        known ? static_cast<std::size_t>(known - document.numbers.data()) : document.numbers.size();
+    if (!known)
+        document.numbers.push_back({name, {}, 0.0});
+    const auto read = [&](std::size_t i, const std::string &text) {
+        return readAny(text, commas, namesBefore(document, i));
+    };
+    const Expression own = read(index, expression);
+    if (!own.value)
+        return tl::unexpected(own);
+    document.numbers[index].expression = expression;
+    document.numbers[index].value = *own.value;
+    for (std::size_t i = index + 1; i < document.numbers.size(); ++i)
+        if (const Expression again = read(i, document.numbers[i].expression); again.value)
+            document.numbers[i].value = *again.value;
     return document;
 }
 

@@ -1,6 +1,7 @@
 // Edits of the numbers that have names (core/model/named_number.h).
 #pragma once
 
+#include "core/base/expression.h"
 #include "core/model/document.h"
 
 #include <string_view>
@@ -18,6 +19,17 @@ Result<Document> setNumber(Document document, NamedNumber number);
 /// Errors  UnknownReference, place = the name: there is none, or, for the new one, there is one.
 Result<Document> removeNumber(Document document, std::string_view name);
 Result<Document> renameNumber(Document document, std::string_view name, std::string to);
+
+/// What may be typed in place of those numbers that stand before one; capitals or not are the same.
+/// Reads each of them once.
+NumberNames namesBefore(const Document &document, std::size_t index);
+
+/// As setNumber(), with what an expression of lengths, plain numbers and the names before it is
+/// worth; those behind it that are made of it follow. Errors  the expression that cannot be read.
+///
+/// name  isNumberName()
+tl::expected<Document, Expression> setExpression(Document document, const std::string &name,
+                                                 const std::string &expression, Commas commas);
 
 inline constexpr std::size_t kMaxNameLength = 40;
 

@@ -3,8 +3,7 @@
 
 #include <QObject> // first: moc stumbles over some standard headers
 
-#include "core/model/document.h"
-#include "ui/base/expression.h"
+#include "core/base/expression.h"
 
 #include <QPointer>
 
@@ -28,8 +27,5 @@ private:
 
 /// Those of the window that the field is in; null: none.
 NumberNames numberNamesFor(const QWidget *field);
-
-/// The names of those numbers of a document that stand before one. Reads each of them once.
-NumberNames namesBefore(const Document &document, std::size_t index);
 
 } // namespace fff::ui

@@ -1,5 +1,6 @@
 #include "ui/properties/length_edit.h"
 
+#include "ui/base/expression_text.h"
 #include "ui/base/lengths.h"
 #include "ui/bench/number_names.h"
 
@@ -44,7 +45,7 @@ QString LengthEdit::textFromValue(double value) const
 
 Expression LengthEdit::read(const QString &text) const
 {
-    return readLength(text, settings().unit(), locale(),
+    return readLength(text.toStdString(), millimetresPer(settings().unit()), commasOf(locale()),
                       m_thickness ? m_thickness() : std::optional<double>(), numberNamesFor(this));
 }
 

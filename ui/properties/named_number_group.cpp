@@ -1,7 +1,7 @@
 #include "ui/properties/named_number_group.h"
 
 #include "core/model/named_numbers.h"
-#include "ui/bench/number_names.h"
+#include "ui/base/expression_text.h"
 #include "ui/bench/workbench.h"
 
 #include <QCoreApplication>
@@ -34,36 +34,21 @@ NamedNumberGroup::NamedNumberGroup(Workbench &bench, QWidget *parent)
 {
 }
 
-/// Those behind it that are made of it follow; all is one step.
 bool NamedNumberGroup::set(const QString &name, const QString &expression, QWidget *field)
 {
-    Document document = m_bench.session().committed().document;
     if (!isNumberName(name.toStdString())) {
         refuse(field, Texts::tr("A name is a word of letters and digits, other than “t” and the "
                                 "units."));
         return false;
     }
-    const NamedNumber *known = findNumber(document, name.toStdString());
-    const auto index =
-        known ? static_cast<std::size_t>(known - document.numbers.data()) : document.numbers.size();
-    const Expression read = readAny(expression, field->locale(), namesBefore(document, index));
-    if (!read.value) {
-        refuse(field, refusalText(read));
+    tl::expected<Document, Expression> next =
+        setExpression(m_bench.session().committed().document, name.toStdString(),
+                      expression.trimmed().toStdString(), commasOf(field->locale()));
+    if (!next) {
+        refuse(field, refusalText(next.error()));
         return false;
     }
-    Result<Document> next =
-        setNumber(std::move(document), {known ? known->name : name.toStdString(),
-                                        expression.trimmed().toStdString(), *read.value});
-    for (std::size_t i = index + 1; next && i < next->numbers.size(); ++i) {
-        NamedNumber later = next->numbers[i];
-        const Expression again = readAny(QString::fromStdString(later.expression), field->locale(),
-                                         namesBefore(*next, i));
-        if (again.value) {
-            later.value = *again.value;
-            next = setNumber(*std::move(next), std::move(later));
-        }
-    }
-    m_bench.commit(Step{Step::Kind::SetNumber, {name.toStdString()}}, std::move(next));
+    m_bench.commit(Step{Step::Kind::SetNumber, {name.toStdString()}}, *std::move(next));
     return true;
 }
 

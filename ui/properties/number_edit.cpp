@@ -1,5 +1,6 @@
 #include "ui/properties/number_edit.h"
 
+#include "ui/base/expression_text.h"
 #include "ui/base/lengths.h"
 #include "ui/bench/number_names.h"
 
@@ -119,7 +120,8 @@ QString NumberEdit::textFromValue(double value) const
 
 Expression NumberEdit::read(const QString &text) const
 {
-    return readNumber(text, m_suffix.trimmed(), locale(), numberNamesFor(this));
+    return readNumber(text.toStdString(), m_suffix.trimmed().toStdString(), commasOf(locale()),
+                      numberNamesFor(this));
 }
 
 /// A unit that was typed before the field's own one counts.

@@ -7,7 +7,7 @@
 #include <QDoubleSpinBox> // first: moc stumbles over some standard headers
 #include <QTimer>
 
-#include "ui/base/expression.h"
+#include "core/base/expression.h"
 
 #include <optional>
 

@@ -1,14 +1,16 @@
 // What people type into number fields: numbers and sums of them, with units where the field has
-// them, and in words why something typed is no answer.
+// them, and what it is that cannot be read in anything else. Our own in place of muParser, to which
+// 2 mm · 3 mm is 6, 1/0 infinite, "1 1/2 in" and "−" no expression, and "," either decimal or not.
 #pragma once
-
-#include "ui/view/length_unit.h"
 
 #include <functional>
 #include <optional>
+#include <string>
+#include <string_view>
 
-namespace fff::ui {
+namespace fff {
 
+/// Text is UTF-8.
 struct Expression
 {
     enum class Fault {
@@ -26,7 +28,7 @@ struct Expression
 
     std::optional<double> value; // none with a fault
     Fault fault = Fault::None;
-    QString piece = {};
+    std::string piece = {};
     bool isLength = false; // the value is in mm; of readAny()
 };
 
@@ -37,24 +39,27 @@ struct NamedValue
     bool isLength = false; // mm; else a plain number
 };
 /// Nothing for a name that stands for nothing; null: there are none.
-using NumberNames = std::function<std::optional<NamedValue>(const QString &)>;
+using NumberNames = std::function<std::optional<NamedValue>(std::string_view)>;
+
+/// Comma and point are both good before decimals, whatever a person is used to, but for this.
+enum class Commas {
+    Decimals, // "1,000" is one
+    Groups,   // a thousand: nobody there writes decimals so
+};
 
 /// A length, in mm. A number has the unit `unit`, unless one stands behind it (mm, cm, m, in, ",
-/// ft): "2.5cm", "1/2 in", "1 1/2 in", "3*25.4", "(10 + 2,5) / 2", "2*t". Comma and point are both
-/// good before decimals, whatever the locale.
+/// ft): "2.5cm", "1/2 in", "1 1/2 in", "3*25.4", "(10 + 2,5) / 2", "2*t".
 ///
-/// t  what "t" stands for, mm: the thickness; nothing: it stands for nothing
-Expression readLength(const QString &text, LengthUnit unit, const QLocale &locale,
+/// unit  of numbers without one, mm
+/// t     what "t" stands for, mm: the thickness; nothing: it stands for nothing
+Expression readLength(std::string_view text, double unit, Commas commas,
                       std::optional<double> t = std::nullopt, const NumberNames &names = {});
 
 /// A number without a unit, or with `sign` behind it, which changes nothing: "360/7", "2*(3+4) °".
-Expression readNumber(const QString &text, const QString &sign, const QLocale &locale,
+Expression readNumber(std::string_view text, std::string_view sign, Commas commas,
                       const NumberNames &names = {});
 
 /// A length where there is a unit in it, or a name of a length; else a plain number.
-Expression readAny(const QString &text, const QLocale &locale, const NumberNames &names = {});
+Expression readAny(std::string_view text, Commas commas, const NumberNames &names = {});
 
-/// One sentence for the person who typed it; empty without a fault.
-QString refusalText(const Expression &expression);
-
-} // namespace fff::ui
+} // namespace fff

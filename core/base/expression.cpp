@@ -1,24 +1,69 @@
-#include "ui/base/expression.h"
+#include "core/base/expression.h"
 
-#include <QCoreApplication>
+#include "core/base/utf8.h"
 
+#include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <vector>
 
-namespace fff::ui {
+namespace fff {
 
 namespace {
 
 using Fault = Expression::Fault;
 
-struct Words
+/// Parentheses and signs within each other, far more than anybody types: a file may have more.
+constexpr int kMostNested = 200;
+
+bool isBlank(char32_t c)
 {
-    Q_DECLARE_TR_FUNCTIONS(fff::ui::Expression)
-};
+    return c == U' ' || (c >= U'\t' && c <= U'\r') || c == U'\u0085' || c == U'\u00a0' ||
+           c == U'\u1680' || (c >= U'\u2000' && c <= U'\u200a') || c == U'\u2028' ||
+           c == U'\u2029' || c == U'\u202f' || c == U'\u205f' || c == U'\u3000';
+}
+
+bool isDigit(char32_t c)
+{
+    return c >= U'0' && c <= U'9';
+}
+
+/// Beyond ASCII all that is in none of the blocks of signs: what is quoted is a whole word in any
+/// language.
+bool isLetter(char32_t c)
+{
+    if (c < U'\u00c0')
+        return (c >= U'a' && c <= U'z') || (c >= U'A' && c <= U'Z') || c == U'\u00aa' ||
+               c == U'\u00b5' || c == U'\u00ba';
+    const bool isSign = c == U'\u00d7' || c == U'\u00f7' || isBlank(c) ||
+                        (c >= U'\u2000' && c < U'\u2100') || (c >= U'\u2190' && c < U'\u2c00') ||
+                        (c >= U'\u3001' && c < U'\u3040') || c >= U'\ufe00';
+    return !isSign;
+}
+
+char32_t lower(char32_t c)
+{
+    return c >= U'A' && c <= U'Z' ? c - U'A' + U'a' : c;
+}
+
+/// Capitals or not, of ASCII.
+bool isSame(char32_t a, char32_t b)
+{
+    return lower(a) == lower(b);
+}
+
+std::u32string_view trimmed(std::u32string_view text)
+{
+    while (!text.empty() && isBlank(text.front()))
+        text.remove_prefix(1);
+    while (!text.empty() && isBlank(text.back()))
+        text.remove_suffix(1);
+    return text;
+}
 
 struct Unit
 {
-    QString sign;
+    std::u32string sign;
     double size = 1.0; // mm; of a plain number's sign, no matter
     int power = 0;     // 1: of a length
 };
@@ -27,10 +72,8 @@ struct Unit
 std::vector<Unit> lengthUnits()
 {
     constexpr double kInch = 25.4;
-    return {{QStringLiteral("mm"), 1.0, 1},        {QStringLiteral("cm"), 10.0, 1},
-            {QStringLiteral("inch"), kInch, 1},    {QStringLiteral("in"), kInch, 1},
-            {QStringLiteral("ft"), 12 * kInch, 1}, {QStringLiteral("m"), 1000.0, 1},
-            {QStringLiteral("\""), kInch, 1}};
+    return {{U"mm", 1.0, 1},        {U"cm", 10.0, 1},  {U"inch", kInch, 1}, {U"in", kInch, 1},
+            {U"ft", 12 * kInch, 1}, {U"m", 1000.0, 1}, {U"\"", kInch, 1}};
 }
 
 /// A plain number (power 0), a length in mm (1); anything else is no answer.
@@ -47,6 +90,7 @@ struct Grammar
     enum class Wanted { Number, Length, Any };
     Wanted wanted = Wanted::Number;
     double ownUnit = 1.0; // mm, of numbers without one, where lengths are meant
+    Commas commas = Commas::Decimals;
     std::optional<double> t;
     NumberNames names;
 
@@ -58,19 +102,19 @@ struct Grammar
 class Parser
 {
 public:
-    Parser(const QString &text, const Grammar &grammar, const QLocale &locale)
-        : m_text(text), m_grammar(grammar), m_locale(locale)
+    Parser(std::string_view text, const Grammar &grammar)
+        : m_text(decoded(text)), m_grammar(grammar)
     {
     }
 
     Expression read()
     {
-        if (m_text.trimmed().isEmpty())
+        if (trimmed(m_text).empty())
             return {{}, Fault::Empty};
         std::optional<Quantity> all = sum();
         skip();
         if (all && m_at != m_text.size()) {
-            const bool isLoose = m_text[m_at] == u')';
+            const bool isLoose = m_text[m_at] == U')';
             all = fail(isLoose ? Fault::LooseParenthesis : Fault::Unreadable, pieceHere());
         }
         if (all && m_grammar.wanted == Grammar::Wanted::Length)
@@ -81,38 +125,43 @@ public:
         if (!all)
             return m_failed;
         if (!std::isfinite(all->value))
-            return {{}, Fault::Unreadable, m_text.trimmed()};
+            return {{}, Fault::Unreadable, encoded(trimmed(m_text))};
         return {all->value, Fault::None, {}, all->power == 1};
     }
 
 private:
-    std::nullopt_t fail(Fault fault, const QString &piece = {})
+    std::nullopt_t fail(Fault fault, std::u32string_view piece = {})
     {
         if (m_failed.fault == Fault::None)
-            m_failed = {{}, fault, piece};
+            m_failed = {{}, fault, encoded(piece)};
         return std::nullopt;
     }
     void skip()
     {
-        while (m_at < m_text.size() && m_text[m_at].isSpace())
+        while (m_at < m_text.size() && isBlank(m_text[m_at]))
             ++m_at;
     }
-    bool take(QStringView of)
+    bool take(std::u32string_view of)
     {
         skip();
-        if (m_at == m_text.size() || !of.contains(m_text[m_at]))
+        if (m_at == m_text.size() || of.find(m_text[m_at]) == of.npos)
             return false;
         ++m_at;
         return true;
     }
     /// The word or sign that stands here.
-    QString pieceHere() const
+    std::u32string_view pieceHere() const
     {
-        qsizetype end = m_at;
-        while (end < m_text.size() && (m_text[end].isLetterOrNumber() || m_text[end] == u'_'))
-            ++end;
-        return m_text.mid(m_at, std::max<qsizetype>(1, end - m_at));
+        return std::u32string_view(m_text).substr(m_at, std::max<std::size_t>(1, wordLength()));
     }
+    std::size_t wordLength() const
+    {
+        std::size_t end = m_at;
+        while (end < m_text.size() && (isNameLetter(m_text[end]) || isDigit(m_text[end])))
+            ++end;
+        return end - m_at;
+    }
+    static bool isNameLetter(char32_t c) { return isLetter(c) || c == U'_'; }
     std::optional<Quantity> asLength(Quantity q)
     {
         if (q.power == 0)
@@ -124,8 +173,8 @@ private:
     {
         std::optional<Quantity> left = term();
         while (left) {
-            const bool plus = take(u"+");
-            if (!plus && !take(u"-\u2212"))
+            const bool plus = take(U"+");
+            if (!plus && !take(U"-\u2212"))
                 break;
             const std::optional<Quantity> right = term();
             if (!right)
@@ -145,8 +194,8 @@ private:
     {
         std::optional<Quantity> left = factor();
         while (left) {
-            const bool times = take(u"*\u00d7\u00b7");
-            if (!times && !take(u"/:\u00f7"))
+            const bool times = take(U"*\u00d7\u00b7");
+            if (!times && !take(U"/:\u00f7"))
                 break;
             const std::optional<Quantity> right = factor();
             if (!right)
@@ -166,28 +215,39 @@ private:
 
     std::optional<Quantity> factor()
     {
-        if (take(u"-\u2212")) {
+        skip();
+        if (m_nested == kMostNested)
+            return fail(Fault::Unreadable, pieceHere());
+        ++m_nested;
+        const std::optional<Quantity> q = nestedFactor();
+        --m_nested;
+        return q;
+    }
+
+    std::optional<Quantity> nestedFactor()
+    {
+        if (take(U"-\u2212")) {
             std::optional<Quantity> q = factor();
             if (q)
                 q->value = -q->value;
             return q;
         }
-        if (take(u"+"))
+        if (take(U"+"))
             return factor();
         std::optional<Quantity> q;
-        if (take(u"(")) {
+        if (take(U"(")) {
             q = sum();
             if (!q)
                 return std::nullopt;
-            if (!take(u")"))
+            if (!take(U")"))
                 return m_at == m_text.size() ? fail(Fault::OpenParenthesis)
                                              : fail(Fault::Unreadable, pieceHere());
             q->unit = 0.0;
         } else if (m_grammar.hasLengths() && takeThickness()) {
             return m_grammar.t ? std::optional(Quantity{*m_grammar.t, 1, 0.0})
                                : fail(Fault::NoThickness);
-        } else if (const QString name = takeName(); !name.isEmpty()) {
-            const std::optional<NamedValue> named = m_grammar.names(name);
+        } else if (const std::u32string_view name = takeName(); !name.empty()) {
+            const std::optional<NamedValue> named = m_grammar.names(encoded(name));
             return named ? std::optional(Quantity{named->value, named->isLength ? 1 : 0, 0.0})
                          : fail(Fault::UnknownName, name);
         } else {
@@ -200,35 +260,30 @@ private:
     bool takeThickness()
     {
         skip();
-        if (pieceHere().compare(u"t", Qt::CaseInsensitive) != 0)
+        if (wordLength() != 1 || !isSame(m_text[m_at], U't'))
             return false;
         ++m_at;
         return true;
     }
 
     /// A word, where there are names; empty: none begins here.
-    QString takeName()
+    std::u32string_view takeName()
     {
         skip();
-        qsizetype end = m_at;
-        const auto isLetter = [this](qsizetype at) {
-            return m_text[at].isLetter() || m_text[at] == u'_';
-        };
-        if (!m_grammar.names || end == m_text.size() || !isLetter(end))
+        if (!m_grammar.names || m_at == m_text.size() || !isNameLetter(m_text[m_at]))
             return {};
-        while (end < m_text.size() && (isLetter(end) || m_text[end].isDigit()))
-            ++end;
-        const QString name = m_text.mid(m_at, end - m_at);
-        m_at = end;
+        const std::u32string_view name = pieceHere();
+        m_at += name.size();
         return name;
     }
 
     std::optional<Quantity> withUnit(Quantity q)
     {
         skip();
+        const std::u32string_view rest = std::u32string_view(m_text).substr(m_at);
         for (const Unit &unit : m_grammar.units) {
-            if (unit.sign.isEmpty() ||
-                !QStringView(m_text).mid(m_at).startsWith(unit.sign, Qt::CaseInsensitive))
+            if (unit.sign.empty() || rest.size() < unit.sign.size() ||
+                !std::equal(unit.sign.begin(), unit.sign.end(), rest.begin(), isSame))
                 continue;
             if (q.power != 0)
                 return fail(Fault::NotALength);
@@ -244,14 +299,14 @@ private:
         const std::optional<double> whole = digits();
         if (!whole) {
             skip();
-            return m_at == m_text.size() ? fail(Fault::Unfinished, m_text.trimmed())
+            return m_at == m_text.size() ? fail(Fault::Unfinished, trimmed(m_text))
                                          : fail(Fault::Unreadable, pieceHere());
         }
-        const qsizetype after = m_at;
+        const std::size_t after = m_at;
         skip();
         if (m_at > after) {
             const std::optional<double> over = digits();
-            if (over && take(u"/")) {
+            if (over && take(U"/")) {
                 skip();
                 const std::optional<double> under = digits();
                 if (under && *under != 0.0)
@@ -265,83 +320,52 @@ private:
     std::optional<double> digits()
     {
         skip();
-        const qsizetype from = m_at;
+        const std::size_t from = m_at;
+        std::string word;
         while (m_at < m_text.size() &&
-               (m_text[m_at].isDigit() || m_text[m_at] == u'.' || m_text[m_at] == u','))
-            ++m_at;
-        QString word = m_text.mid(from, m_at - from);
-        const qsizetype point = word.lastIndexOf(u'.'), comma = word.lastIndexOf(u',');
-        if (point >= 0 && comma >= 0) { // the later one stands before the decimals
-            word.remove(point > comma ? u',' : u'.');
-        } else if (comma >= 0 && m_locale.decimalPoint() == QStringLiteral(".") &&
-                   word.size() - comma == 4) {
-            word.remove(u','); // "1,000" is a thousand where nobody writes decimals so
-        }
-        word.replace(u',', u'.');
-        bool isNumber = false;
-        const double value = QLocale::c().toDouble(word, &isNumber);
-        if (isNumber)
+               (isDigit(m_text[m_at]) || m_text[m_at] == U'.' || m_text[m_at] == U','))
+            word += static_cast<char>(m_text[m_at++]);
+        const std::size_t point = word.rfind('.'), comma = word.rfind(',');
+        if (point != word.npos && comma != word.npos) // the later one stands before the decimals
+            std::erase(word, point > comma ? ',' : '.');
+        else if (comma != word.npos && m_grammar.commas == Commas::Groups &&
+                 word.size() - comma == 4)
+            std::erase(word, ',');
+        std::replace(word.begin(), word.end(), ',', '.');
+        double value = 0.0;
+        const char *end = word.data() + word.size();
+        const auto [stop, error] = std::from_chars(word.data(), end, value);
+        if (stop == end && error == std::errc())
             return value;
         m_at = from;
         return std::nullopt;
     }
 
-    const QString &m_text;
+    const std::u32string m_text;
     const Grammar &m_grammar;
-    const QLocale &m_locale;
-    qsizetype m_at = 0;
+    std::size_t m_at = 0;
+    int m_nested = 0;
     Expression m_failed;
 };
 
 } // namespace
 
-Expression readLength(const QString &text, LengthUnit unit, const QLocale &locale,
-                      std::optional<double> t, const NumberNames &names)
-{
-    const Grammar grammar{lengthUnits(), Grammar::Wanted::Length, millimetresPer(unit), t, names};
-    return Parser(text, grammar, locale).read();
-}
-
-Expression readNumber(const QString &text, const QString &sign, const QLocale &locale,
+Expression readLength(std::string_view text, double unit, Commas commas, std::optional<double> t,
                       const NumberNames &names)
 {
-    const Grammar grammar{{{sign}}, Grammar::Wanted::Number, 1.0, {}, names};
-    return Parser(text, grammar, locale).read();
+    return Parser(text, {lengthUnits(), Grammar::Wanted::Length, unit, commas, t, names}).read();
 }
 
-Expression readAny(const QString &text, const QLocale &locale, const NumberNames &names)
+Expression readNumber(std::string_view text, std::string_view sign, Commas commas,
+                      const NumberNames &names)
 {
-    const Grammar grammar{lengthUnits(), Grammar::Wanted::Any, 1.0, {}, names};
-    return Parser(text, grammar, locale).read();
+    return Parser(text, {{{decoded(sign)}}, Grammar::Wanted::Number, 1.0, commas, {}, names})
+        .read();
 }
 
-QString refusalText(const Expression &expression)
+Expression readAny(std::string_view text, Commas commas, const NumberNames &names)
 {
-    const QString piece = expression.piece.toHtmlEscaped();
-    switch (expression.fault) {
-    case Fault::None:
-        return {};
-    case Fault::Empty:
-        return Words::tr("A number is missing.");
-    case Fault::Unreadable:
-        return Words::tr("\u201c%1\u201d cannot be read here.").arg(piece);
-    case Fault::Unfinished:
-        return Words::tr("Something is missing behind \u201c%1\u201d.").arg(piece);
-    case Fault::OpenParenthesis:
-        return Words::tr("A parenthesis is not closed.");
-    case Fault::LooseParenthesis:
-        return Words::tr("There is one closing parenthesis too many.");
-    case Fault::DivisionByZero:
-        return Words::tr("Nothing can be divided by 0.");
-    case Fault::UnknownName:
-        return Words::tr("No number is called \u201c%1\u201d.").arg(piece);
-    case Fault::NotALength:
-        return Words::tr("This makes no length; multiply a length by a plain number.");
-    case Fault::NoThickness:
-        return Words::tr(
-            "\u201ct\u201d is the thickness of the stock; there is not one stock here.");
-    }
-    return {};
+    return Parser(text, {lengthUnits(), Grammar::Wanted::Any, 1.0, commas, {}, names}).read();
 }
 
-} // namespace fff::ui
+} // namespace fff
