@@ -52,6 +52,11 @@ struct JointState
     std::vector<bool> isShareWanted;
 
     JointObstacle obstacleTo(JointKind of) const;
+    /// Why sections that nobody wants without a joint have none.
+    JointObstacle whyNoJoint() const
+    {
+        return wanted.kind ? JointObstacle::None : obstacleTo(JointKind::CrossLap);
+    }
     /// Where the slits of b open to, a unit vector of the world; zero when there is no side.
     Vec3 openingOfB() const { return -sign * crossing.axis.direction; }
     /// Where the slits of the overlap meet, or its middle. World.

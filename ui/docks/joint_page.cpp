@@ -18,6 +18,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 namespace fff::ui {
 
@@ -105,16 +106,15 @@ void JointPage::addChoices(PropertyGroup *group)
         tr("Opens"), "jointOpens",
         [this] {
             Choices choices;
-            if (!m_state || m_state->sign == 0)
+            const auto openings = m_state ? openingsOfB(*m_state) : std::nullopt;
+            if (!openings)
                 return choices;
-            const Vec3 now = m_state->openingOfB();
-            const Vec3 first = isPositive(now) ? now : Vec3(-now);
             const QString whyNot =
                 m_state->canFlip ? QString() : jointObstacleText(JointObstacle::EndsOnHole);
-            choices.current = isPositive(now) ? 0 : 1;
-            for (const Vec3 &way : {first, Vec3(-first)})
-                choices.all.push_back(
-                    {directionName(way), QColor(), way == now ? QString() : whyNot});
+            choices.current = static_cast<int>(openings->current);
+            for (std::size_t i = 0; i < openings->ways.size(); ++i)
+                choices.all.push_back({directionName(openings->ways[i]), QColor(),
+                                       i == openings->current ? QString() : whyNot});
             return choices;
         },
         [this](int index) { chooseSide(index); }, group);
@@ -161,9 +161,9 @@ void JointPage::addMeasures(PropertyGroup *group)
         return row;
     };
     m_slitsOfA =
-        add(tr("Slit"), "jointSlitsA", [this] { return slitsText(m_state->a, m_state->slitsOfA); });
+        add(tr("Slit"), "jointSlitsA", [this] { return slitsText(measuresOfA(*m_state)); });
     m_slitsOfB =
-        add(tr("Slit"), "jointSlitsB", [this] { return slitsText(m_state->b, m_state->slitsOfB); });
+        add(tr("Slit"), "jointSlitsB", [this] { return slitsText(measuresOfB(*m_state)); });
     m_angle = add(tr("Angle"), "jointAngle", [this] {
         return tr("%1°").arg(numberText(degrees(m_state->crossing.angle), 0, 1, locale()));
     });
@@ -205,9 +205,8 @@ void JointPage::addShareRow()
 
 void JointPage::chooseSide(int index)
 {
-    if (!m_joint || !m_state || m_state->sign == 0)
-        return;
-    if (index != (isPositive(m_state->openingOfB()) ? 0 : 1))
+    const auto openings = m_joint && m_state ? openingsOfB(*m_state) : std::nullopt;
+    if (openings && static_cast<std::size_t>(index) != openings->current)
         m_bench.editJoint(flipSlits(m_bench.session().committed(), *m_joint));
 }
 
@@ -217,33 +216,27 @@ QString JointPage::name(int section) const
         m_bench.session().model().section(static_cast<std::size_t>(section))->name);
 }
 
-QString JointPage::slitText(int section, const Slit &slit) const
+QString JointPage::slitText(const SlitMeasure &slit) const
 {
-    if (slit.role == SlitRole::Tab)
-        return tr("tab, %1 wide").arg(lengthText(slit.width, 1, 1, locale()));
     const QString width = lengthText(slit.width, 2, 2, locale());
-    double length = (slit.mouth - slit.inner).norm();
-    if (!slit.isOpen)
-        return tr("closed, %1 long, %2 wide").arg(lengthText(length, 1, 1, locale()), width);
-    if (slit.overlap >= 0) { // else it is beside the axis
-        const Overlap &o = m_state->crossing.overlaps[static_cast<std::size_t>(slit.overlap)];
-        const bool isA = section == m_state->a;
-        const int sign = isA ? m_state->sign : -m_state->sign;
-        // The crossing has intervals in the order of the model.
-        const Interval &interval = isA == (m_state->a < m_state->b) ? o.a : o.b;
-        length = sign > 0 ? interval.to.at - o.meet : o.meet - interval.from.at;
+    const QString length = lengthText(slit.length, 1, 1, locale());
+    switch (slit.form) {
+    case SlitMeasure::Form::Tab:
+        return tr("tab, %1 wide").arg(lengthText(slit.width, 1, 1, locale()));
+    case SlitMeasure::Form::Closed:
+        return tr("closed, %1 long, %2 wide").arg(length, width);
+    case SlitMeasure::Form::Open:
+        break;
     }
-    return tr("%1 deep, %2 wide").arg(lengthText(length, 1, 1, locale()), width);
+    return tr("%1 deep, %2 wide").arg(length, width);
 }
 
 /// One line for those that are alike and follow each other.
-QString JointPage::slitsText(int section, const std::vector<Slit> &slits) const
+QString JointPage::slitsText(const std::vector<SlitMeasure> &slits) const
 {
     std::vector<std::pair<QString, int>> alike;
-    for (const Slit &slit : slits) {
-        if (slit.role == SlitRole::Shoulder)
-            continue;
-        const QString text = slitText(section, slit);
+    for (const SlitMeasure &slit : slits) {
+        const QString text = slitText(slit);
         if (alike.empty() || alike.back().first != text)
             alike.emplace_back(text, 0);
         ++alike.back().second;
@@ -259,9 +252,7 @@ QString JointPage::slitsText(int section, const std::vector<Slit> &slits) const
 /// Why they collide, unless it is wanted so, and what helps.
 QString JointPage::problemText(const QString &a, const QString &b) const
 {
-    const QString why = m_state->wanted.kind
-                            ? QString()
-                            : jointObstacleText(m_state->obstacleTo(JointKind::CrossLap));
+    const QString why = jointObstacleText(m_state->whyNoJoint());
     QStringList text{tr("%1 and %2 collide.").arg(a.toHtmlEscaped(), b.toHtmlEscaped())};
     if (!why.isEmpty())
         text += why + QLatin1Char('.');

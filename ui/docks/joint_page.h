@@ -4,9 +4,8 @@
 
 #include <QWidget> // first: moc stumbles over some standard headers
 
-#include "core/assembly/joint_state.h"
+#include "core/assembly/joint_measures.h"
 
-#include <functional>
 #include <optional>
 #include <vector>
 
@@ -57,8 +56,8 @@ private:
     void chooseSide(int index);
     double shareOf(double percent) const { return 1.0 - 0.01 * percent; }
     QString name(int section) const;
-    QString slitText(int section, const Slit &slit) const;
-    QString slitsText(int section, const std::vector<Slit> &slits) const;
+    QString slitText(const SlitMeasure &slit) const;
+    QString slitsText(const std::vector<SlitMeasure> &slits) const;
     QString problemText(const QString &a, const QString &b) const;
 
     Workbench &m_bench;

@@ -1,9 +1,10 @@
 #include "ui/properties/joint_words.h"
 
+#include "core/assembly/joint_measures.h"
+
 #include <QCoreApplication>
 
 #include <array>
-#include <cmath>
 
 namespace fff::ui {
 
@@ -13,19 +14,6 @@ struct Texts
 {
     Q_DECLARE_TR_FUNCTIONS(fff::ui::JointWords)
 };
-
-/// What is this much longer decides between two axes, so that rounding does not.
-constexpr double kLonger = 1e-6;
-
-/// Upwards first, then sideways: of equal ones what is easier to see.
-int nearestAxis(const Vec3 &direction)
-{
-    int nearest = 1;
-    for (const int axis : {0, 2})
-        if (std::abs(direction[axis]) > std::abs(direction[nearest]) + kLonger)
-            nearest = axis;
-    return nearest;
-}
 
 } // namespace
 
@@ -96,17 +84,12 @@ QString jointObstacleText(JointObstacle obstacle)
     return {};
 }
 
-bool isPositive(const Vec3 &direction)
-{
-    return direction[nearestAxis(direction)] > 0.0;
-}
-
 QString directionName(const Vec3 &direction)
 {
     const std::array names{Texts::tr("Right"), Texts::tr("Left"),  Texts::tr("Up"),
                            Texts::tr("Down"),  Texts::tr("Front"), Texts::tr("Back")};
-    const int axis = nearestAxis(direction);
-    return names[static_cast<std::size_t>(2 * axis + (isPositive(direction) ? 0 : 1))];
+    const NearestAxis nearest = nearestAxis(direction);
+    return names[static_cast<std::size_t>(2 * nearest.axis + (nearest.isPositive ? 0 : 1))];
 }
 
 } // namespace fff::ui

@@ -15,7 +15,5 @@ QString jointKindName(JointKind kind);
 QString jointObstacleText(JointObstacle obstacle);
 /// "Up", "Left" and so on: the world's axis that is nearest to the direction.
 QString directionName(const Vec3 &direction);
-/// That axis in its positive direction: of two opposite directions the one that is named first.
-bool isPositive(const Vec3 &direction);
 
 } // namespace fff::ui

@@ -1,7 +1,7 @@
 #include <QTest> // first: moc cannot read some of the standard library before it
 
 #include "core/assembly/assembly.h"
-#include "core/assembly/joint_state.h"
+#include "core/assembly/joint_measures.h"
 #include "tests/core/assembly/known_models.h"
 #include "tests/test_program.h"
 
@@ -100,6 +100,11 @@ private Q_SLOTS:
     void itIsAsTheAssemblyHasIt();
     void aMeetingPointTurnsNothingRound();
     void aDirectionSquareToTheAxisIsDormant();
+    void slitsAreAsDeepAsTheyAreCut_data();
+    void slitsAreAsDeepAsTheyAreCut();
+    void ofTwoWaysTheSameOneIsFirst_data();
+    void ofTwoWaysTheSameOneIsFirst();
+    void upwardsComesBeforeSideways();
 };
 
 void TestJointState::aShareReadsBack_data()
@@ -307,6 +312,84 @@ void TestJointState::aDirectionSquareToTheAxisIsDormant()
         const JointRef joint(model.ref(0), model.ref(1));
         QCOMPARE(jointState(model, joint)->sign, jointState(evaluate(document), joint)->sign);
     }
+}
+
+void TestJointState::slitsAreAsDeepAsTheyAreCut_data()
+{
+    using Form = SlitMeasure::Form;
+    QTest::addColumn<Document>("document");
+    QTest::addColumn<int>("form");
+    QTest::addColumn<double>("a"); // mm
+    QTest::addColumn<double>("b");
+    const int open = static_cast<int>(Form::Open), closed = static_cast<int>(Form::Closed);
+    QTest::newRow("two equal plates") << cross() << open << 30.0 << 30.0;
+    QTest::newRow("turned over") << with(cross(), flipped(evaluate(cross()), stateOf(cross())))
+                                 << open << 30.0 << 30.0;
+    QTest::newRow("one hangs from the other") << hanging() << open << 20.0 << 20.0;
+    QTest::newRow("at a quarter") << with(cross(),
+                                          withShare(evaluate(cross()), stateOf(cross()), 0, 0.25))
+                                  << open << 15.0 << 45.0;
+    QTest::newRow("the other order in the model")
+        << swapped(with(cross(), withShare(evaluate(cross()), stateOf(cross()), 0, 0.25))) << open
+        << 15.0 << 45.0;
+    QTest::newRow("a tongue in its slot")
+        << with(tongue(), withKind(evaluate(tongue()), stateOf(tongue()), JointKind::Mortise))
+        << closed << 20.0 << 0.0;
+}
+
+// Wrong: who reads a depth in the dock and cuts it by hand has another slit than the file.
+void TestJointState::slitsAreAsDeepAsTheyAreCut()
+{
+    QFETCH(Document, document);
+    QFETCH(int, form);
+    QFETCH(double, a);
+    QFETCH(double, b);
+    const JointState state = stateOf(document);
+    const std::vector<SlitMeasure> ofA = measuresOfA(state), ofB = measuresOfB(state);
+    QCOMPARE(ofA.size(), std::size_t(1));
+    QCOMPARE(static_cast<int>(ofA[0].form), form);
+    QCOMPARE(ofA[0].width, state.slitsOfA[0].width);
+    const double play = form == static_cast<int>(SlitMeasure::Form::Closed) ? 1.0 : 1e-9;
+    QVERIFY2(std::abs(ofA[0].length - a) < play, qPrintable(QString::number(ofA[0].length)));
+    QCOMPARE(ofB.size(), std::size_t(b > 0.0));
+    if (b > 0.0)
+        QVERIFY2(std::abs(ofB[0].length - b) < play, qPrintable(QString::number(ofB[0].length)));
+}
+
+void TestJointState::ofTwoWaysTheSameOneIsFirst_data()
+{
+    QTest::addColumn<Document>("document");
+    QTest::newRow("two equal plates") << cross();
+    QTest::newRow("one hangs from the other") << hanging();
+    QTest::newRow("a plate through two arms") << gate();
+}
+
+// Wrong: the choice that a person made changes places in the list.
+void TestJointState::ofTwoWaysTheSameOneIsFirst()
+{
+    QFETCH(Document, document);
+    const JointState state = stateOf(document);
+    const std::optional<Openings> before = openingsOfB(state);
+    QVERIFY(before);
+    QVERIFY(nearestAxis(before->ways[0]).isPositive && !nearestAxis(before->ways[1]).isPositive);
+    QCOMPARE(before->ways[before->current], state.openingOfB());
+    if (!state.canFlip)
+        return;
+    const std::optional<Openings> after =
+        openingsOfB(stateOf(with(document, flipped(evaluate(document), state))));
+    QVERIFY(after && (after->ways[0] - before->ways[0]).norm() < 1e-12);
+    QCOMPARE(after->current, 1 - before->current);
+}
+
+void TestJointState::upwardsComesBeforeSideways()
+{
+    QCOMPARE(nearestAxis(Vec3(1, 1, 1).normalized()).axis, 1);
+    QCOMPARE(nearestAxis(Vec3(1, 0, -1).normalized()).axis, 0);
+    QCOMPARE(nearestAxis(Vec3(0.1, -0.2, -0.9)).axis, 2);
+    QVERIFY(!nearestAxis(Vec3(0.1, -0.2, -0.9)).isPositive);
+    const JointState mortise = stateOf(
+        with(tongue(), withKind(evaluate(tongue()), stateOf(tongue()), JointKind::Mortise)));
+    QVERIFY(!openingsOfB(mortise));
 }
 
 FFF_TEST(TestJointState)
