@@ -121,11 +121,6 @@
         <translation>%1 %2 in %3 schieben</translation>
     </message>
     <message>
-        <source>%1: %2</source>
-        <extracomment>%1 is &quot;Step 4 of 38&quot;, %2 what is done in it</extracomment>
-        <translation>%1: %2</translation>
-    </message>
-    <message>
         <source>%1 (together since step %2)</source>
         <extracomment>%1 is what is moved, %2 the number of the step that completed it</extracomment>
         <translation>%1 (seit Schritt %2 beisammen)</translation>

@@ -15,6 +15,11 @@ bool prismsMeet(const Solid &a, const Solid &b, const PrismIndices &prisms, cons
 /// Holds those prisms alone that may meet, so that it costs the work of the places where they do.
 /// Both solids have to outlive it.
 /// All answers follow from these prisms, to the last bit.
+///
+/// Depth is measured between prisms: the least that one of them would have to move to come free of
+/// the other. A contact, and two faces that slide on each other, are none.
+/// Source  separating axes of convex polytopes, each with the stretch of the way in which it does
+///         not separate (C. Ericson 2005, Real-Time Collision Detection, 5.5.8).
 class Encounter
 {
 public:
@@ -36,7 +41,8 @@ public:
     /// Of the prisms: who has the same and asks the same gets the same answer.
     std::uint64_t signature();
 
-    /// See collisionAlong().
+    /// Where `a` is too deep in `b`: the first stretch of its way from 0 on, as far as the prism
+    /// that it was found in tells. Nothing when it comes free of b.
     std::optional<Travel> first();
     /// Whether there is no such stretch. Faster than finding the first one.
     bool isFree() { return !meeting(); }
@@ -45,7 +51,7 @@ public:
     /// How far a has to go until they are nowhere so near any more (mm, from then on); 0 when they
     /// are not on all the way.
     double wayToClear();
-    /// See interpenetration().
+    /// How deep they are in each other, and where; nothing when they only touch, to the depth.
     std::optional<Interpenetration> deepest();
 
     /// So many pairs of prisms were looked at.

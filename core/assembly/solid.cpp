@@ -1,6 +1,5 @@
 #include "core/assembly/solid.h"
 
-#include "core/assembly/encounter.h"
 #include "core/geometry/convex_hull.h"
 
 #include <algorithm>
@@ -81,22 +80,6 @@ Solid movedBy(Solid solid, const Vec3 &by)
     if (solid.whole)
         solid.whole = std::make_shared<const Solid>(movedBy(*solid.whole, by));
     return solid;
-}
-
-std::optional<Travel> collisionAlong(const Solid &a, const Solid &b, const Vec3 &direction,
-                                     double depth)
-{
-    return Encounter(a, b, direction, depth).first();
-}
-
-std::optional<Interpenetration> interpenetration(const Solid &a, const Solid &b, double depth)
-{
-    const auto found = Encounter(a, b, depth).deepest();
-    if (!found || (!a.whole && !b.whole))
-        return found;
-    const auto measured =
-        Encounter(a.whole ? *a.whole : a, b.whole ? *b.whole : b, depth).deepest();
-    return measured ? measured : found;
 }
 
 } // namespace fff

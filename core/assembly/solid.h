@@ -56,26 +56,11 @@ struct Travel
     double from = 0.0, to = 0.0;
 };
 
-/// Where `a`, moved along `direction` (unit), is deeper than `depth` (mm) in `b`: the first stretch
-/// of the way from 0 on, as far as the prism that it was found in tells. Nothing when it comes free
-/// of b. With depth < 0 it is enough to come as near as that.
-///
-/// Depth is measured between prisms: the least that one of them would have to move to come free of
-/// the other. A contact, and two faces that slide on each other, are none.
-/// Source  separating axes of convex polytopes, each with the stretch of the way in which it does
-///         not separate (C. Ericson 2005, Real-Time Collision Detection, 5.5.8).
-///
-/// These and more about the same two are in encounter.h.
-std::optional<Travel> collisionAlong(const Solid &a, const Solid &b, const Vec3 &direction,
-                                     double depth);
-
-/// How deep two solids are in each other as they are (mm, see above), and where; nothing when they
-/// only touch, to `depth`. Of a solid that is cut up measured where it is whole.
+/// How deep two solids are in each other, mm, and where (encounter.h).
 struct Interpenetration
 {
     double depth = 0.0;
     Vec3 at = Vec3::Zero();
 };
-std::optional<Interpenetration> interpenetration(const Solid &a, const Solid &b, double depth);
 
 } // namespace fff

@@ -220,10 +220,4 @@ QString stepText(const AssemblySteps &steps, int index)
                : Words::tr("slide %1 %2 into %3").arg(names, word, mates);
 }
 
-QString stepSentence(const AssemblySteps &steps, int step)
-{
-    //: %1 is "Step 4 of 38", %2 what is done in it
-    return Words::tr("%1: %2").arg(stepTitle(steps, step), stepText(steps, step));
-}
-
 } // namespace fff

@@ -45,7 +45,5 @@ QString whyNoSteps(const Analysis &analysis, const ModelPlan &plan);
 QString stepTitle(const AssemblySteps &steps, int step);
 /// What a person does in it: "slide Rib 3 down into Body".
 QString stepText(const AssemblySteps &steps, int step);
-/// Both: "Step 4 of 38: slide Rib 3 down into Body".
-QString stepSentence(const AssemblySteps &steps, int step);
 
 } // namespace fff

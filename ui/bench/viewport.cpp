@@ -58,7 +58,6 @@ Viewport::Viewport(Workbench &bench, QWidget *parent)
     plain.setSamples(0);
     setFormat(plain);
     m_sinceStart.start();
-    m_frameClock = [this] { return static_cast<double>(m_sinceStart.nsecsElapsed()) * 1e-6; };
 
     setObjectName(QStringLiteral("viewport"));
     setAccessibleName(tr("View of the model"));
@@ -138,7 +137,7 @@ void Viewport::paintGL()
     const Interaction &interaction = m_bench.interaction();
     if (m_isUsable) {
         RenderOptions options;
-        options.quality = m_pace.begin(m_frameClock(), std::exchange(m_isPictureChanged, false));
+        options.quality = m_pace.begin(frameTime(), std::exchange(m_isPictureChanged, false));
         options.isXray = interaction.view().isXray;
         options.hasGround = interaction.view().hasGround;
         options.clip = interaction.view().clip;
@@ -146,9 +145,9 @@ void Viewport::paintGL()
                           Vec2(width(), height()), devicePixelRatioF(), theme().viewStyle(),
                           options);
         context()->functions()->glFinish(); // the time is that of the picture, not of asking for it
-        m_pace.end(m_frameClock());
+        m_pace.end(frameTime());
         if (const std::optional<double> rest = m_pace.restTime())
-            m_rest.start(std::max(1, static_cast<int>(std::ceil(*rest - m_frameClock()))));
+            m_rest.start(std::max(1, static_cast<int>(std::ceil(*rest - frameTime()))));
         else
             m_rest.stop();
     }

@@ -15,7 +15,6 @@
 #include <QOpenGLWidget>
 #include <QTimer>
 
-#include <functional>
 #include <memory>
 
 namespace fff::ui {
@@ -33,9 +32,6 @@ public:
     /// Frames painted so far: a test sees that nothing is painted when nothing changed.
     int paintCount() const { return m_paintCount; }
     const Renderer &renderer() const { return m_renderer; }
-    /// ms; by it frames are timed, and drawn the simpler the longer they take. Tests have their
-    /// own.
-    void setFrameClock(std::function<double()> clock) { m_frameClock = std::move(clock); }
 
     /// Drawn in place of the model, in a frame that says so; null: the model again.
     void showSteps(std::shared_ptr<const StepsPicture> picture);
@@ -110,6 +106,9 @@ private:
     void paintMarks();
     void paintStepsFrame(QPainter &painter) const;
 
+    /// ms; by it frames are timed, and drawn the simpler the longer they take.
+    double frameTime() const { return static_cast<double>(m_sinceStart.nsecsElapsed()) * 1e-6; }
+
     Workbench &m_bench;
     ViewInput m_input;
     TouchInput m_touch;
@@ -127,7 +126,6 @@ private:
     double m_busyTurns = 0.0;
     Seen m_seen; // when it was painted or asked to be
     FramePace m_pace;
-    std::function<double()> m_frameClock;
     QElapsedTimer m_sinceStart;
     bool m_isPictureChanged = false;
     QImage m_marks; // what is painted over the picture

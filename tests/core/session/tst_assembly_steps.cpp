@@ -263,9 +263,9 @@ private Q_SLOTS:
         rib.frame = side(30);
         document = *addSection(std::move(document), rib);
         const Planned model = planned(document);
-        QCOMPARE(stepSentence(*model.steps, 0), QStringLiteral("Step 1 of 2: begin with Spine"));
-        QCOMPARE(stepSentence(*model.steps, 1),
-                 QStringLiteral("Step 2 of 2: slide Rib down into Spine"));
+        QCOMPARE(stepTitle(*model.steps, 1), QStringLiteral("Step 2 of 2"));
+        QCOMPARE(stepText(*model.steps, 0), QStringLiteral("begin with Spine"));
+        QCOMPARE(stepText(*model.steps, 1), QStringLiteral("slide Rib down into Spine"));
         const Planned bent = planned(underAnArm(40));
         QVERIFY(stepText(*bent.steps, 1).contains(QStringLiteral("round the corner")));
         const Planned group = planned(furnished());
