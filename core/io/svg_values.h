@@ -1,5 +1,7 @@
 // The small languages inside an SVG file: numbers, lengths, transforms, path data, styles. Internal
-// to io; strings are as in the file, results in user units.
+// to io; strings are as in the file, results in user units. Our own in place of SVG++, whose
+// numbers are off in the last place, whose errors have no place, and whose arc of radius 0 takes
+// all memory.
 #pragma once
 
 #include "core/geometry/vector.h"

@@ -9,7 +9,8 @@
 
 namespace fff::test {
 
-/// Edits one after another, each at random.
+/// Edits one after another, each at random. Our own in place of RapidCheck: what it would leave out
+/// of a sequence to make it shorter, the edits behind it are made for.
 class RandomEdits
 {
 public:
