@@ -1,5 +1,6 @@
 fff_tests(tests_model LIBRARIES fff::core TESTS
     core/base/tst_expression
+    core/base/tst_groups
     core/model/tst_changes
     core/model/tst_document
     core/model/tst_edits
