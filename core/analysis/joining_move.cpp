@@ -9,7 +9,6 @@
 #include "core/operations/evaluate.h"
 
 #include <algorithm>
-#include <cmath>
 #include <set>
 
 namespace fff {

@@ -1,6 +1,5 @@
 #include "core/assembly/joint_wish.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace fff {

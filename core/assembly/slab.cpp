@@ -1,7 +1,6 @@
 #include "core/assembly/slab.h"
 
 #include <algorithm>
-#include <array>
 #include <vector>
 
 namespace fff {

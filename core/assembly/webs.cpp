@@ -4,8 +4,6 @@
 #include "core/geometry/region_tree.h"
 
 #include <algorithm>
-#include <cmath>
-#include <numeric>
 #include <optional>
 
 namespace fff {

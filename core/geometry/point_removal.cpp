@@ -2,7 +2,6 @@
 #include "core/geometry/contour_points.h"
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 
 namespace fff {

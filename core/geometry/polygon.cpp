@@ -2,7 +2,6 @@
 
 #include "core/geometry/side_of_line.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace fff {

@@ -3,7 +3,6 @@
 #include "core/base/tolerances.h"
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
 
 namespace fff {

@@ -10,7 +10,6 @@
 #include "core/operations/root_edge.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace fff {
 

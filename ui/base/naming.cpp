@@ -4,8 +4,6 @@
 #include <QDir>
 #include <QTranslator>
 
-#include <algorithm>
-
 namespace fff::ui {
 
 namespace {

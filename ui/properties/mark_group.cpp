@@ -10,8 +10,6 @@
 #include <QCoreApplication>
 #include <QPlainTextEdit>
 
-#include <cmath>
-
 namespace fff::ui {
 
 namespace {
