@@ -1,7 +1,7 @@
 #include "core/model/moving.h"
 
 #include "core/base/tolerances.h"
-#include "core/model/mapped_shape.h"
+#include "core/model/transformed.h"
 
 #include <algorithm>
 #include <cmath>
@@ -95,15 +95,13 @@ private:
     Result<void> carryOut();
     Result<void> put(int index, const Similarity &placement);
     void follow(Section &next, const Section &before, const Similarity &placement);
-    void mapPlaces(const SectionRef &ref, const Eigen::Matrix2d &matrix, const Vec2 &about);
 
     Document m_document;
     std::vector<std::pair<int, SectionPointer>> m_moved; // where they go in
     const MovingRules &m_rules;
     std::vector<Way> m_ways;
     int m_stretched = -1;
-    Eigen::Matrix2d m_matrix = Eigen::Matrix2d::Identity();
-    Vec2 m_about = Vec2::Zero();
+    PlaneMap m_stretch;
 };
 
 std::optional<MovingRules::Frames> Mover::parentFrames(const Section &section)
@@ -165,7 +163,7 @@ Similarity Mover::held(const Section &section, const Similarity &placement)
 Similarity Mover::alongStretch(const Section &section)
 {
     const Vec2 at = 0.5 * (section.parent->slitFrom + section.parent->slitTo);
-    const Vec2 by = m_about + m_matrix * (at - m_about) - at;
+    const Vec2 by = m_stretch(at) - at;
     return Similarity::moved(this->section(m_stretched).frame.directionToWorld(by));
 }
 
@@ -209,56 +207,24 @@ void Mover::follow(Section &next, const Section &before, const Similarity &place
             on->after.toLocal(onBoth(placement(on->before.toWorld(*end)), next.frame, on->after));
 }
 
-/// What is at places of a section whose shape is mapped so.
-void Mover::mapPlaces(const SectionRef &ref, const Eigen::Matrix2d &matrix, const Vec2 &about)
-{
-    for (Weight &weight : m_document.weights)
-        if (weight.section == ref)
-            weight.position = about + matrix * (weight.position - about);
-    for (Dimension &dimension : m_document.dimensions)
-        for (Anchor *anchor : {&dimension.from, &dimension.to})
-            if (anchor->section == ref)
-                anchor->at.head<2>() = about + matrix * (anchor->at.head<2>() - about);
-    for (JointOverridePointer &pointer : m_document.jointOverrides) {
-        if (pointer->a != ref || pointer->shares.empty())
-            continue;
-        JointOverride next = *pointer;
-        for (JointOverride::Share &share : next.shares)
-            share.at = about + matrix * (share.at - about);
-        pointer = std::make_shared<const JointOverride>(std::move(next));
-    }
-}
-
 Result<void> Mover::put(int index, const Similarity &placement)
 {
     const Section &before = section(index);
-    Section next = before;
-    const bool isTurned = placement.turn != Eigen::Matrix3d::Identity();
-    next.frame = placed(before.frame, placement);
-    if (isTurned)
-        next.frame = straight(next.frame);
-    const bool isStretched = index == m_stretched;
-    const Eigen::Matrix2d matrix =
-        isStretched ? m_matrix : Eigen::Matrix2d(placement.scale * Eigen::Matrix2d::Identity());
-    const Vec2 about = isStretched ? m_about : Vec2(Vec2::Zero());
-    if (matrix != Eigen::Matrix2d::Identity()) {
-        const Result<ShapePointer> shape = mapped(before.shape, matrix, about);
-        if (!shape)
-            return failure(shape.error().code, before.name);
-        next.shape = *shape;
-        next.figures.clear();
-        for (const Figure &figure : before.figures)
-            if (std::optional<Figure> moved = fff::mapped(figure, matrix, about))
-                next.figures.push_back(*std::move(moved));
-        next.marks = fff::mapped(before.marks, matrix, about);
-    }
-    const Box3 box = worldBounds(*next.shape, next.frame);
+    const PlaneMap map = index == m_stretched ? m_stretch : PlaneMap::scaled(placement.scale);
+    Result<Section> next = stretched(before, map);
+    if (!next)
+        return tl::unexpected(next.error());
+    next->frame = placed(before.frame, placement);
+    if (placement.turn != Eigen::Matrix3d::Identity())
+        next->frame = straight(next->frame);
+    const Box3 box = worldBounds(*next->shape, next->frame);
     if (!(box.min.cwiseAbs().cwiseMax(box.max.cwiseAbs()).maxCoeff() <= kMaxCoordinate))
         return failure(ErrorCode::NonFinite, before.name);
-    follow(next, before, placement);
-    if (matrix != Eigen::Matrix2d::Identity())
-        mapPlaces(before.id, matrix, about);
-    m_moved.emplace_back(index, std::make_shared<const Section>(std::move(next)));
+    follow(*next, before, placement);
+    if (!map.isIdentity())
+        mapPlaces(
+            m_document, [&](const SectionRef &ref) { return ref == before.id; }, map);
+    m_moved.emplace_back(index, std::make_shared<const Section>(*std::move(next)));
     return {};
 }
 
@@ -297,8 +263,7 @@ Result<Document> Mover::move(std::span<const SectionMove> moves)
 Result<Document> Mover::stretch(SectionId id, const Eigen::Matrix2d &matrix, const Vec2 &about)
 {
     m_stretched = m_document.indexOf(id);
-    m_matrix = matrix;
-    m_about = about;
+    m_stretch = {matrix, about};
     if (m_stretched < 0)
         return failure(ErrorCode::UnknownReference, std::to_string(id.value),
                        {std::to_string(id.value)});

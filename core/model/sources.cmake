@@ -8,7 +8,6 @@ target_sources(fff_core PRIVATE
     model/instance_key.cpp
     model/letter_shapes.cpp
     model/lettering.cpp
-    model/mapped_shape.cpp
     model/mark.cpp
     model/marks.cpp
     model/materials.cpp
@@ -24,4 +23,5 @@ target_sources(fff_core PRIVATE
     model/shape.cpp
     model/shape_change.cpp
     model/stock.cpp
+    model/transformed.cpp
 )

@@ -193,23 +193,21 @@ private:
         const auto keyOf = [&](const Branch::Member &one) {
             return one.parent < 0 ? keyBelow(replica.path, 0) : keyBelow(replica.path, one.key);
         };
-        Section section = *member.section;
-        section.shape = scaled(section.shape, replica.placement.scale);
-        if (!section.shape)
+        Result<Section> section = transformed(
+            *member.section, replica.placement,
+            [this](const ShapePointer &shape, const PlaneMap &map) { return scaled(shape, map); });
+        if (!section)
             return false;
-        section.marks = scaledMarks(section.marks, replica.placement.scale);
-        section.frame = placed(section.frame, replica.placement);
-        section.name = copiedName(section.name, std::to_string(number + 1));
+        section->name = copiedName(section->name, std::to_string(number + 1));
         if (index == 0)
-            section.parent = parentOf(replica);
-        else if (section.parent) {
-            section.parent->section =
+            section->parent = parentOf(replica);
+        else if (section->parent) {
+            section->parent = transformed(*section->parent, replica.placement);
+            section->parent->section =
                 SectionRef(m_context.operation().id,
                            keyOf(members()[static_cast<std::size_t>(member.parent)]));
-            section.parent->slitFrom *= replica.placement.scale;
-            section.parent->slitTo *= replica.placement.scale;
         }
-        m_context.add(keyOf(member), std::move(section));
+        m_context.add(keyOf(member), *std::move(section));
         return true;
     }
 
@@ -223,21 +221,18 @@ private:
             return parent;
         if (!replica.host.empty())
             parent->section = SectionRef(m_context.operation().id, replica.host);
-        parent->slitFrom *= replica.hostScale;
-        parent->slitTo *= replica.hostScale;
-        return parent;
+        return transformed(*parent, {.scale = replica.hostScale});
     }
 
     /// Copies of one size share their shapes.
-    ShapePointer scaled(const ShapePointer &shape, double scale)
+    Result<ShapePointer> scaled(const ShapePointer &shape, const PlaneMap &map)
     {
-        if (scale == 1.0)
-            return shape;
-        ShapePointer &known = m_shapes[{shape.get(), scale}];
+        ShapePointer &known = m_shapes[{shape.get(), map.matrix(0, 0)}];
         if (!known) {
-            const std::optional<ShapePointer> made =
-                m_context.made(mapped(shape, scale * Eigen::Matrix2d::Identity(), Vec2::Zero()));
-            known = made ? m_context.keptOfAny(*made) : nullptr;
+            const Result<ShapePointer> next = mappedShape(shape, map);
+            if (!m_context.made(next))
+                return next;
+            known = m_context.keptOfAny(*next);
         }
         return known;
     }

@@ -88,26 +88,14 @@ std::string copiedName(const std::string &name, const std::string &number)
     return copied.append(endsInDigit ? "." : " ").append(number);
 }
 
-ShapePointer mappedShape(OperationContext &context, const std::string &key, const Shape &shape,
-                         const Eigen::Matrix2d &matrix, const Vec2 &about)
+ShapeMap shapeOf(OperationContext &context, const std::string &key)
 {
-    const std::optional<Curves> curves = context.made(mapped(shape, matrix, about));
-    if (!curves)
-        return nullptr;
-    return context.made(context.shape(key, curves->contour, curves->holes)).value_or(nullptr);
-}
-
-ShapePointer scaledShape(OperationContext &context, const std::string &key,
-                         const ShapePointer &shape, double scale)
-{
-    if (scale == 1.0)
-        return shape;
-    return mappedShape(context, key, *shape, scale * Eigen::Matrix2d::Identity(), Vec2::Zero());
-}
-
-std::vector<MarkPointer> scaledMarks(const std::vector<MarkPointer> &marks, double scale)
-{
-    return mapped(marks, scale * Eigen::Matrix2d::Identity(), Vec2::Zero());
+    return [&context, key](const ShapePointer &shape, const PlaneMap &map) {
+        Result<ShapePointer> next = mappedShape(shape, map);
+        if (const std::optional<ShapePointer> made = context.made(next))
+            next = context.kept(key, *made);
+        return next;
+    };
 }
 
 bool addCopy(OperationContext &context, const Branch &branch, const Copy &copy)
@@ -122,36 +110,30 @@ bool addCopy(OperationContext &context, const Branch &branch, const Copy &copy)
         if (i > 0 && !isMade[host])
             continue;
         const std::string key = i == 0 ? copy.key : keyBelow(copy.key, member.key);
-        Section section = *member.section;
-        section.name = copiedName(section.name, copy.number);
-        if (i == 0) {
-            section.shape = copy.section.shape;
-            section.marks = copy.section.marks;
-            section.frame = copy.section.frame;
-            section.parent = copy.section.parent;
-        } else {
+        Result<Section> section = copy.section;
+        if (i > 0) {
             carried[i] =
-                host > 0 ? carried[host]
-                         : Vec3(copy.stretch * (attachedAt(section, *branch.members[0].section) -
-                                                copy.stretchedFrom));
-            section.shape = scaledShape(context, key, section.shape, copy.placement.scale);
-            section.marks = scaledMarks(section.marks, copy.placement.scale);
-            section.frame = placed(section.frame, copy.placement * Similarity::moved(carried[i]));
-            if (section.parent) {
+                host > 0
+                    ? carried[host]
+                    : Vec3(copy.stretch * (attachedAt(*member.section, *branch.members[0].section) -
+                                           copy.stretchedFrom));
+            const Similarity placement = copy.placement * Similarity::moved(carried[i]);
+            section = transformed(*member.section, placement, shapeOf(context, key));
+            if (section && section->parent) {
                 const std::string &below = branch.members[host].key;
-                section.parent->section = SectionRef(
+                section->parent = transformed(*section->parent, placement);
+                section->parent->section = SectionRef(
                     context.operation().id, host > 0 ? keyBelow(copy.key, below) : copy.key);
-                section.parent->slitFrom *= copy.placement.scale;
-                section.parent->slitTo *= copy.placement.scale;
             }
         }
-        if (!section.shape) {
+        if (!section) {
             isWhole = false;
             continue;
         }
+        section->name = copiedName(member.section->name, copy.number);
         // What is hidden takes along what is on it.
         isMade[i] = !context.isHidden(key);
-        context.add(key, std::move(section));
+        context.add(key, *std::move(section));
     }
     return isWhole;
 }

@@ -1,8 +1,7 @@
 // Copies of sections elsewhere in space. Internal to operations.
 #pragma once
 
-#include "core/geometry/similarity.h"
-#include "core/model/mapped_shape.h"
+#include "core/model/transformed.h"
 #include "core/operations/operation_context.h"
 
 namespace fff {
@@ -32,7 +31,7 @@ struct Copy
 {
     std::string key;           // of the section's copy
     std::string number;        // which names end with
-    Section section;           // the section's copy: its shape, marks, frame and parent count
+    Section section;           // the section's copy, but for its name
     Similarity placement = {}; // of all others
     /// Besides, what is on the section goes along where that was stretched: a point p of it by
     /// stretch · (p − stretchedFrom), before it is placed.
@@ -44,16 +43,9 @@ struct Copy
 /// none any more.
 bool addCopy(OperationContext &context, const Branch &branch, const Copy &copy);
 
-/// The shape with its points as `mapped` maps them, as the instance of that key has it. Null when
-/// it is none any more.
-ShapePointer mappedShape(OperationContext &context, const std::string &key, const Shape &shape,
-                         const Eigen::Matrix2d &matrix, const Vec2 &about);
-/// The shape scaled, as the instance of that key has it; the same one for 1. Null when it is none
-/// any more.
-ShapePointer scaledShape(OperationContext &context, const std::string &key,
-                         const ShapePointer &shape, double scale);
-/// What is drawn on a shape that is scaled so.
-std::vector<MarkPointer> scaledMarks(const std::vector<MarkPointer> &marks, double scale);
+/// The shape of the instance of that key: the one that it had before, if it is still the same. Says
+/// why there is none any more.
+ShapeMap shapeOf(OperationContext &context, const std::string &key);
 
 /// What a copy is called: "Rib" gives "Rib 2", "Rib 1" gives "Rib 1.2".
 std::string copiedName(const std::string &name, const std::string &number);

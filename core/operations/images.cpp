@@ -1,6 +1,7 @@
 #include "core/operations/images.h"
 
 #include "core/model/instance_key.h"
+#include "core/model/transformed.h"
 
 #include <algorithm>
 
@@ -29,9 +30,7 @@ void ImageMaker::change(const SectionPointer &section, const SectionPointer &nex
 
 Section ImageMaker::imageOf(const Section &section, const Similarity &placement)
 {
-    Section image = section;
-    image.frame = placed(section.frame, placement);
-    return image;
+    return transformed(section, placement).value();
 }
 
 void ImageMaker::moveSlit(Section &copy, const Similarity &placement)

@@ -35,6 +35,7 @@ protected:
     OperationContext &context() { return m_context; }
     /// Another section takes its place, also in the scope.
     void change(const SectionPointer &section, const SectionPointer &next);
+    /// Of the same size: nothing of it can fail.
     static Section imageOf(const Section &section, const Similarity &placement);
 
 private:

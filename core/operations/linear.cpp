@@ -135,13 +135,12 @@ private:
         const Vec3 held = source.axis.at(inner);
         Similarity size;
         if (scale != 1.0) {
-            const Eigen::Matrix2d matrix = scaling(scale);
-            const Vec2 about = m_axisInSection.at(inner);
-            copy.section.shape =
-                mappedShape(m_context, copy.key, *m_row.section.shape, matrix, about);
-            copy.section.marks = mapped(m_row.section.marks, matrix, about);
-            if (!copy.section.shape)
+            Result<Section> scaled =
+                stretched(m_row.section, {scaling(scale), m_axisInSection.at(inner)},
+                          shapeOf(m_context, copy.key));
+            if (!scaled)
                 return false;
+            copy.section = *std::move(scaled);
             // Its end on the axis is that of its chords, and as deep as it is large.
             if (m_isEqualDepth)
                 shift += inner - innerOf(*copy.section.shape, inner) +

@@ -137,23 +137,22 @@ private:
     bool scaleCopy(Copy &copy, double scale)
     {
         const Vec3 about = m_root.frame.toWorld(m_edge.point);
-        if (!m_isStretched) {
-            copy.section.shape = scaledShape(m_context, copy.key, m_section.shape, scale);
-            copy.section.marks = scaledMarks(m_section.marks, scale);
-            const Similarity size = Similarity::scaled(scale, about);
-            copy.placement = copy.placement * size;
-            return copy.section.shape != nullptr;
+        PlaneMap map = PlaneMap::scaled(scale);
+        if (m_isStretched) {
+            const Vec3 u = m_source.axis.direction;
+            const Vec2 v = m_section.frame.directionToLocal(u);
+            map = {Eigen::Matrix2d::Identity() + (scale - 1.0) * v * v.transpose(),
+                   m_section.frame.toLocal(about)};
+            copy.stretch = (scale - 1.0) * u * u.transpose();
+            copy.stretchedFrom = about;
+        } else {
+            copy.placement = copy.placement * Similarity::scaled(scale, about);
         }
-        const Vec3 u = m_source.axis.direction;
-        const Vec2 v = m_section.frame.directionToLocal(u);
-        const Eigen::Matrix2d matrix =
-            Eigen::Matrix2d::Identity() + (scale - 1.0) * v * v.transpose();
-        const Vec2 fixed = m_section.frame.toLocal(about);
-        copy.section.shape = mappedShape(m_context, copy.key, *m_section.shape, matrix, fixed);
-        copy.section.marks = mapped(m_section.marks, matrix, fixed);
-        copy.stretch = (scale - 1.0) * u * u.transpose();
-        copy.stretchedFrom = about;
-        return copy.section.shape != nullptr;
+        Result<Section> scaled = stretched(m_section, map, shapeOf(m_context, copy.key));
+        if (!scaled)
+            return false;
+        copy.section = *std::move(scaled);
+        return true;
     }
 
     Parent parentFor(const PlaneMotion &motion) const

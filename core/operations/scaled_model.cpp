@@ -1,7 +1,7 @@
 #include "core/operations/scaled_model.h"
 
 #include "core/base/tolerances.h"
-#include "core/model/mapped_shape.h"
+#include "core/model/transformed.h"
 #include "core/operations/operation_kind.h"
 
 #include <cmath>
@@ -14,36 +14,30 @@ namespace {
 class Scaler
 {
 public:
-    explicit Scaler(double factor)
-        : m_factor(factor), m_matrix(factor * Eigen::Matrix2d::Identity())
-    {
-    }
+    explicit Scaler(double factor) : m_factor(factor) {}
 
     Result<SectionPointer> section(const Section &before)
     {
-        Section next = before;
-        next.frame.origin *= m_factor;
-        if (next.parent) {
-            next.parent->slitFrom *= m_factor;
-            next.parent->slitTo *= m_factor;
-        }
-        auto known = m_shapes.find(before.shape.get());
-        if (known == m_shapes.end()) {
-            const Result<ShapePointer> shape = mapped(before.shape, m_matrix, Vec2::Zero());
-            if (!shape)
-                return failure(shape.error().code, before.name);
-            known = m_shapes.emplace(before.shape.get(), *shape).first;
-        }
-        next.shape = known->second;
-        next.figures.clear();
-        for (const Figure &figure : before.figures)
-            if (std::optional<Figure> scaled = mapped(figure, m_matrix, Vec2::Zero()))
-                next.figures.push_back(*std::move(scaled));
-        next.marks = mapped(before.marks, m_matrix, Vec2::Zero());
-        const Box3 box = worldBounds(*next.shape, next.frame);
+        const Similarity size{.scale = m_factor};
+        // Sections of one shape keep having one.
+        const ShapeMap shared = [this](const ShapePointer &shape, const PlaneMap &map) {
+            const auto known = m_shapes.find(shape);
+            if (known != m_shapes.end())
+                return Result<ShapePointer>(known->second);
+            Result<ShapePointer> next = mappedShape(shape, map);
+            if (next)
+                m_shapes.emplace(shape, *next);
+            return next;
+        };
+        Result<Section> next = transformed(before, size, shared);
+        if (!next)
+            return tl::unexpected(next.error());
+        if (next->parent)
+            next->parent = transformed(*next->parent, size);
+        const Box3 box = worldBounds(*next->shape, next->frame);
         if (!(box.min.cwiseAbs().cwiseMax(box.max.cwiseAbs()).maxCoeff() <= kMaxCoordinate))
             return failure(ErrorCode::NonFinite, before.name);
-        return std::make_shared<const Section>(std::move(next));
+        return std::make_shared<const Section>(*std::move(next));
     }
 
     Result<OperationPointer> operation(const OperationPointer &before) const
@@ -63,20 +57,9 @@ public:
         return std::make_shared<const Operation>(std::move(next));
     }
 
-    JointOverridePointer joint(const JointOverridePointer &before) const
-    {
-        if (before->shares.empty())
-            return before;
-        JointOverride next = *before;
-        for (JointOverride::Share &share : next.shares)
-            share.at *= m_factor;
-        return std::make_shared<const JointOverride>(std::move(next));
-    }
-
 private:
     double m_factor;
-    Eigen::Matrix2d m_matrix;
-    std::map<const Shape *, ShapePointer> m_shapes;
+    std::map<ShapePointer, ShapePointer> m_shapes; // by that before
 };
 
 } // namespace
@@ -100,14 +83,15 @@ Result<Document> scaledModel(Document document, double factor)
             return tl::unexpected(next.error());
         operation = *std::move(next);
     }
-    for (JointOverridePointer &joint : document.jointOverrides)
-        joint = scaler.joint(joint);
-    for (Weight &weight : document.weights)
-        weight.position *= factor;
-    for (Dimension &dimension : document.dimensions) {
-        dimension.from.at *= factor;
-        dimension.to.at *= factor;
-    }
+    mapPlaces(
+        document, [](const SectionRef &) { return true; }, PlaneMap::scaled(factor));
+    for (Dimension &dimension : document.dimensions)
+        for (Anchor *anchor : {&dimension.from, &dimension.to}) {
+            if (anchor->section == SectionRef())
+                anchor->at *= factor;
+            else
+                anchor->at.z() *= factor; // so that lengths are as many times as long
+        }
     return document;
 }
 

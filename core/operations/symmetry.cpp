@@ -77,8 +77,9 @@ bool reachesAcross(const Shape &shape, const PlaneLine &line)
 }
 
 /// The larger half and its image.
-Result<ShapePointer> mirrored(const Shape &shape, const PlaneLine &line)
+Result<ShapePointer> mirrored(const ShapePointer &of, const PlaneLine &line)
 {
+    const Shape &shape = *of;
     const Vec2 left = perpendicular(line.direction);
     double areas[2] = {};
     for (const int side : {0, 1}) {
@@ -97,10 +98,7 @@ Result<ShapePointer> mirrored(const Shape &shape, const PlaneLine &line)
         const Eigen::Matrix2d mirror =
             2.0 * line.direction * line.direction.transpose() - Eigen::Matrix2d::Identity();
         Section own, image;
-        const Result<Curves> curves = mapped(shape, mirror, line.point);
-        const Result<ShapePointer> other =
-            curves ? Shape::make(curves->contour, curves->holes)
-                   : Result<ShapePointer>(tl::unexpected(curves.error()));
+        const Result<ShapePointer> other = mappedShape(of, {mirror, line.point});
         const Result<ShapePointer> same = Shape::make(shape.contour(), shape.holes());
         if (!other || !same)
             return other ? same : other;
@@ -137,7 +135,7 @@ public:
     void mirror(const SectionPointer &section, const PlaneLine &line)
     {
         context().setMirror(section->ref(), {line.point, perpendicular(line.direction)});
-        reshape(section, mirrored(*section->shape, line));
+        reshape(section, mirrored(section->shape, line));
     }
     /// Sections that are there at the image's place already.
     bool hasImage(const SectionPointer &section, const Similarity &placement) const

@@ -9,4 +9,5 @@ fff_tests(tests_model LIBRARIES fff::core TESTS
     core/model/tst_named_numbers
     core/model/tst_naming
     core/model/tst_point_edits
-    core/model/tst_shape)
+    core/model/tst_shape
+    core/model/tst_transformed)

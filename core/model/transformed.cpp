@@ -1,0 +1,74 @@
+#include "core/model/transformed.h"
+
+#include "core/geometry/mapped_contour.h"
+
+namespace fff {
+
+Result<ShapePointer> mappedShape(const ShapePointer &shape, const PlaneMap &map)
+{
+    if (map.isIdentity())
+        return shape;
+    Result<Contour> contour = mapped(shape->contour(), map.matrix, map.about);
+    if (!contour)
+        return tl::unexpected(contour.error());
+    std::vector<Contour> holes;
+    for (const Contour &hole : shape->holes()) {
+        Result<Contour> next = mapped(hole, map.matrix, map.about);
+        if (!next)
+            return tl::unexpected(next.error());
+        holes.push_back(*std::move(next));
+    }
+    return Shape::make(*std::move(contour), std::move(holes));
+}
+
+Result<Section> stretched(Section section, const PlaneMap &map, const ShapeMap &shapeOf)
+{
+    if (map.isIdentity())
+        return section;
+    Result<ShapePointer> shape = shapeOf(section.shape, map);
+    if (!shape)
+        return failure(shape.error().code, section.name);
+    section.shape = *std::move(shape);
+    std::vector<Figure> figures;
+    for (const Figure &figure : section.figures)
+        if (std::optional<Figure> next = mapped(figure, map.matrix, map.about))
+            figures.push_back(*std::move(next));
+    section.figures = std::move(figures);
+    section.marks = mapped(section.marks, map.matrix, map.about);
+    return section;
+}
+
+Result<Section> transformed(Section section, const Similarity &placement, const ShapeMap &shapeOf)
+{
+    section.frame = placed(section.frame, placement);
+    return stretched(std::move(section), PlaneMap::scaled(placement.scale), shapeOf);
+}
+
+Parent transformed(Parent parent, const Similarity &placement)
+{
+    parent.slitFrom *= placement.scale;
+    parent.slitTo *= placement.scale;
+    return parent;
+}
+
+void mapPlaces(Document &document, const std::function<bool(const SectionRef &)> &isMapped,
+               const PlaneMap &map)
+{
+    for (Weight &weight : document.weights)
+        if (isMapped(weight.section))
+            weight.position = map(weight.position);
+    for (Dimension &dimension : document.dimensions)
+        for (Anchor *anchor : {&dimension.from, &dimension.to})
+            if (anchor->section != SectionRef() && isMapped(anchor->section))
+                anchor->at.head<2>() = map(anchor->at.head<2>());
+    for (JointOverridePointer &pointer : document.jointOverrides) {
+        if (pointer->shares.empty() || !isMapped(pointer->a))
+            continue;
+        JointOverride next = *pointer;
+        for (JointOverride::Share &share : next.shares)
+            share.at = map(share.at);
+        pointer = std::make_shared<const JointOverride>(std::move(next));
+    }
+}
+
+} // namespace fff
