@@ -51,7 +51,7 @@ GestureReply ClipGesture::handle(const PointerEvent &event, GestureContext &cont
     ClipPlane plane = m_before;
     plane.point += std::clamp(way, m_least, m_most) * plane.normal;
     context.view.clip = plane;
-    context.overlay.isHandleHovered = true;
+    context.hovered.isCutHandle = true;
     GestureReply reply;
     if (event.type == PointerEvent::Type::Release)
         reply.state = GestureReply::State::Over;

@@ -25,21 +25,24 @@ Camera cameraAtCanvas(const ContourTarget &target, const GestureContext &context
     return pinned(camera, middle, 0.5 * context.viewport, context.viewport);
 }
 
-Overlay::Plane planeMark(const Frame &canvas, const GestureContext &context)
+sign::Region planeMark(const Frame &canvas, const GestureContext &context)
 {
     constexpr double kMargin = 12.0; // px
-    Overlay::Plane plane{canvas, {}};
+    Box2 box;
     const Box3 bounds = context.model.bounds();
     for (int corner = 0; corner < 8; ++corner) {
         const Vec3 at((corner & 1) != 0 ? bounds.max.x() : bounds.min.x(),
                       (corner & 2) != 0 ? bounds.max.y() : bounds.min.y(),
                       (corner & 4) != 0 ? bounds.max.z() : bounds.min.z());
-        plane.box.extend(canvas.toLocal(at));
+        box.extend(canvas.toLocal(at));
     }
     const double margin = kMargin * context.camera.millimetresPerPixel;
-    plane.box.min -= Vec2(margin, margin);
-    plane.box.max += Vec2(margin, margin);
-    return plane;
+    box.min -= Vec2(margin, margin);
+    box.max += Vec2(margin, margin);
+    const auto corner = [&](double x, double y) { return canvas.toWorld({x, y}); };
+    return {SignRole::Plane,
+            {corner(box.min.x(), box.min.y()), corner(box.max.x(), box.min.y()),
+             corner(box.max.x(), box.max.y()), corner(box.min.x(), box.max.y())}};
 }
 
 DrawTool::DrawTool(CanvasChoice canvas) : m_canvas(std::move(canvas)) {}
@@ -74,7 +77,7 @@ GestureReply DrawTool::handle(const PointerEvent &event, GestureContext &context
     if (reply.state == GestureReply::State::Running)
         return reply;
     m_stroke.reset();
-    context.overlay = {};
+    context.overlay.drawn.clear();
     if (!reply.commit) // came to nothing: once more
         reply.state = GestureReply::State::Running;
     return reply;
@@ -90,7 +93,7 @@ GestureReply DrawTool::cancel(GestureContext &context)
 {
     GestureReply reply;
     if (std::exchange(m_stroke, nullptr)) {
-        context.overlay = {};
+        context.overlay.drawn.clear();
         return reply;
     }
     reply.state = GestureReply::State::Over;
@@ -101,7 +104,7 @@ GestureReply DrawTool::cancel(GestureContext &context)
 GestureReply DrawTool::interrupt(GestureContext &context)
 {
     if (std::exchange(m_stroke, nullptr))
-        context.overlay = {};
+        context.overlay.drawn.clear();
     return {};
 }
 
@@ -134,10 +137,11 @@ void DrawTool::mark(GestureContext &context, bool)
     const Vec3 &origin = m_canvas.target.canvas.origin;
     m_isOnEdge = std::abs(m_canvas.target.canvas.normal().dot(context.camera.towardsEye(
                      origin, context.viewport))) < std::sin(kMinDrawAngle);
-    context.overlay.rulers = canvasGrid(m_canvas.target.canvas, context.camera.orientation);
-    context.overlay.plane.reset();
+    context.overlay.drawn.remove<sign::Rulers>(); // of the stroke: these follow the view
+    context.overlay.held.add(
+        sign::Rulers{canvasGrid(m_canvas.target.canvas, context.camera.orientation)});
     if (m_canvas.distance && !m_stroke)
-        context.overlay.plane = planeMark(m_canvas.target.canvas, context);
+        context.overlay.held.add(planeMark(m_canvas.target.canvas, context));
 }
 
 std::vector<ToolNumber> DrawTool::numbers() const

@@ -48,6 +48,6 @@ private:
 Camera cameraAtCanvas(const ContourTarget &target, const GestureContext &context);
 
 /// A plane as a frame round what the model has there, for one that is moved to and fro.
-Overlay::Plane planeMark(const Frame &canvas, const GestureContext &context);
+sign::Region planeMark(const Frame &canvas, const GestureContext &context);
 
 } // namespace fff

@@ -182,17 +182,16 @@ GestureReply FigureTool::handle(const PointerEvent &event, GestureContext &conte
 void FigureTool::mark(GestureContext &context, bool hasCursor)
 {
     m_kind = kindOf(context).key;
-    context.overlay.rulers.reset();
-    context.overlay.measuredPlace.reset();
-    context.overlay.figure.reset();
     if (!m_targets)
         return;
+    Signs &signs = context.overlay.held;
+    signs.add(sign::Rulers{m_targets->grid()});
+    if (m_middle && (hasCursor || m_press))
+        signs.add(sign::Handle{SignRole::Place, m_canvas.target.canvas.toWorld(m_middle->point)});
     if (m_figure)
         if (const Result<Contour> contour = contourOf(*m_figure))
-            context.overlay.figure = Overlay::FigureLine{m_target.canvas, *contour, m_isPossible};
-    context.overlay.rulers = m_targets->grid();
-    if (m_middle && (hasCursor || m_press))
-        context.overlay.measuredPlace = m_canvas.target.canvas.toWorld(m_middle->point);
+            signs.add(sign::Curve{m_isPossible ? SignRole::Figure : SignRole::Refused,
+                                  m_target.canvas, *contour});
 }
 
 GestureReply FigureTool::interrupt(GestureContext &)

@@ -15,6 +15,7 @@ struct GestureContext
     Vec2 viewport; // px
     Camera &camera;
     Overlay &overlay;
+    Hovered &hovered;
     ViewState &view;
     const Selection &selection;
     const PointSelection &points;
@@ -58,7 +59,7 @@ public:
     /// Leaves no trace but what the reply says.
     virtual GestureReply cancel(GestureContext &context) = 0;
 
-    /// It puts the marks of joints into the overlay by itself.
+    /// It puts the marks of joints among what is selected by itself.
     virtual bool marksJoints() const { return false; }
     /// The same of the handles of an operation.
     virtual bool marksOperation() const { return false; }

@@ -23,53 +23,48 @@ void Hovering::leave()
     m_position.reset();
 }
 
-void Hovering::unmark(Overlay &overlay)
+void Hovering::unmark(Hovered &hovered)
 {
-    overlay.hovered = -1;
-    overlay.slitStart.reset();
-    overlay.namePlace.reset();
-    overlay.cubePart.reset();
-    overlay.isHandleHovered = false;
-    overlay.mark = 0;
+    hovered = {};
     m_nameTime.reset();
 }
 
-void Hovering::mark(const Sight &sight, double now, double nameDelay, Overlay &overlay)
+void Hovering::mark(const Sight &sight, double now, double nameDelay, Hovered &hovered)
 {
-    const int hovered = overlay.hovered;
-    const std::optional<Vec2> namePlace = overlay.namePlace;
+    const int section = hovered.section;
+    const std::optional<Vec2> namePlace = hovered.namePlace;
     const std::optional<double> nameDue = m_nameTime;
-    unmark(overlay);
+    unmark(hovered);
     if (!m_position)
         return;
-    overlay.cubePart = sight.cubePartAt(*m_position);
-    if (overlay.cubePart)
+    hovered.cubePart = sight.cubePartAt(*m_position);
+    if (hovered.cubePart)
         return;
-    overlay.mark = sight.markAt(*m_position);
-    if (overlay.mark > 0)
+    hovered.problem = sight.markAt(*m_position);
+    if (hovered.problem > 0)
         return;
-    overlay.isHandleHovered = sight.isOnHandle(*m_position);
-    if (overlay.isHandleHovered)
+    hovered.isCutHandle = sight.isOnHandle(*m_position);
+    if (hovered.isCutHandle)
         return;
     const std::vector<Hit> hits = sight.hitsAt(*m_position);
     if (hits.empty())
         return;
-    overlay.hovered = hits.front().section;
+    hovered.section = hits.front().section;
     if (!sight.isOnEdge(hits.front()))
-        overlay.slitStart = hits.front().point;
-    if (overlay.hovered == hovered && namePlace && (*namePlace - *m_position).norm() <= kNameReach)
-        overlay.namePlace = namePlace;
-    else if (overlay.hovered == hovered && nameDue && m_rests)
+        hovered.slitStart = hits.front().point;
+    if (hovered.section == section && namePlace && (*namePlace - *m_position).norm() <= kNameReach)
+        hovered.namePlace = namePlace;
+    else if (hovered.section == section && nameDue && m_rests)
         m_nameTime = nameDue;
     else
         m_nameTime = now + nameDelay;
 }
 
-void Hovering::advance(double now, Overlay &overlay)
+void Hovering::advance(double now, Hovered &hovered)
 {
     if (m_nameTime && now >= *m_nameTime) {
         m_nameTime.reset();
-        overlay.namePlace = m_position;
+        hovered.namePlace = m_position;
     }
 }
 
@@ -81,33 +76,34 @@ std::pair<Hint, Cursor> hoverHint(const OperationHandle &handle, const Model &mo
         Cursor::MoveCross};
 }
 
-std::pair<Hint, Cursor> hoverHint(const Overlay &overlay, const Model &model,
-                                  const Selection &selection)
+std::pair<Hint, Cursor> hoverHint(const Hovered &hovered, const Overlay &overlay,
+                                  const Model &model, const Selection &selection)
 {
-    if (overlay.cubePart)
-        return {{Hint::Kind::LookFrom, std::string(nameOfPart(*overlay.cubePart)), false},
+    if (hovered.cubePart)
+        return {{Hint::Kind::LookFrom, std::string(nameOfPart(*hovered.cubePart)), false},
                 Cursor::Hand};
-    if (overlay.mark > 0)
-        return {{Hint::Kind::ChooseProblem, std::to_string(overlay.mark), false}, Cursor::Hand};
-    if (overlay.isHandleHovered)
+    if (hovered.problem > 0)
+        return {{Hint::Kind::ChooseProblem, std::to_string(hovered.problem), false}, Cursor::Hand};
+    if (hovered.isCutHandle)
         return {{Hint::Kind::MoveCut, {}, false}, Cursor::MoveCross};
     if (model.sectionCount() == 0)
         return {{Hint::Kind::DrawFirstSection, {}, false}, Cursor::Pencil};
-    if (overlay.hovered >= 0) {
-        const Section &section = *model.section(static_cast<std::size_t>(overlay.hovered));
+    if (hovered.section >= 0) {
+        const Section &section = *model.section(static_cast<std::size_t>(hovered.section));
         const Operation *operation = model.document.find(section.made.operation);
         if (operation) {
             const bool isChosen = operationInFocus(selection) == operation->id;
             return {{isChosen ? Hint::Kind::SelectInstance : Hint::Kind::SelectOperation,
                      section.name, false, operation->name},
-                    overlay.slitStart ? Cursor::PencilWithSlit : Cursor::Arrow};
+                    hovered.slitStart ? Cursor::PencilWithSlit : Cursor::Arrow};
         }
-        if (overlay.slitStart)
+        if (hovered.slitStart)
             return {{Hint::Kind::DragOutOfSection, section.name, false}, Cursor::PencilWithSlit};
         return {{Hint::Kind::SeenOnEdge, section.name, false}, Cursor::Arrow};
     }
     const Operation *operation = model.document.find(selection.operation());
-    if (operation && overlay.operation && !overlay.operation->handles.empty())
+    const OperationMarks *marks = overlay.find<OperationMarks>();
+    if (operation && marks && !marks->handles.empty())
         return {{Hint::Kind::MoveRange, operation->name, false}, Cursor::Arrow};
     return {{Hint::Kind::TurnView, {}, false}, Cursor::Arrow};
 }

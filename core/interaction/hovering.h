@@ -22,15 +22,15 @@ public:
     /// The view moves under it, so it does not rest.
     void disturb() { m_rests = false; }
 
-    /// Marks what is under the cursor, and nothing else, in the overlay. `now`: ms;
-    /// `nameDelay`: ms that the cursor rests before a name is shown.
-    void mark(const Sight &sight, double now, double nameDelay, Overlay &overlay);
+    /// Says what is under the cursor, and nothing else. `now`: ms; `nameDelay`: ms that the cursor
+    /// rests before a name is shown.
+    void mark(const Sight &sight, double now, double nameDelay, Hovered &hovered);
     /// px; none: not over the view.
     const std::optional<Vec2> &position() const { return m_position; }
     /// Marks nothing: the view turns.
-    void unmark(Overlay &overlay);
+    void unmark(Hovered &hovered);
     /// Shows the name whose time has come.
-    void advance(double now, Overlay &overlay);
+    void advance(double now, Hovered &hovered);
     /// When a name is to be shown, ms.
     const std::optional<double> &nameTime() const { return m_nameTime; }
 
@@ -41,8 +41,8 @@ private:
 };
 
 /// What the next click or drag does at what is marked, and the cursor that says so.
-std::pair<Hint, Cursor> hoverHint(const Overlay &overlay, const Model &model,
-                                  const Selection &selection);
+std::pair<Hint, Cursor> hoverHint(const Hovered &hovered, const Overlay &overlay,
+                                  const Model &model, const Selection &selection);
 /// The same over what of a contour can be dragged.
 std::pair<Hint, Cursor> hoverHint(const PointTarget &target);
 /// The same over a handle of the selected operation.

@@ -261,7 +261,7 @@ void Interaction::Private::moveOn(double time)
         hovering.disturb();
         hover();
     }
-    hovering.advance(now, overlay);
+    hovering.advance(now, hovered);
     update();
 }
 
@@ -270,7 +270,7 @@ void Interaction::Private::moveOn(double time)
 void Interaction::Private::showLate()
 {
     const bool isDrawn = gesture ? gesture->isAnimating() : isToolPressed && tool->isAnimating();
-    if (!overlay.stroke || !isDrawn || !hovering.position())
+    if (!overlay.drawn.find<sign::Stroke>() || !isDrawn || !hovering.position())
         return;
     PointerEvent event;
     event.type = PointerEvent::Type::Modifiers;
@@ -470,6 +470,11 @@ void Interaction::modelChanged()
 const Overlay &Interaction::overlay() const
 {
     return d->overlay;
+}
+
+const Hovered &Interaction::hovered() const
+{
+    return d->hovered;
 }
 
 const Hint &Interaction::hint() const

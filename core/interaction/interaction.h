@@ -4,24 +4,17 @@
 #pragma once
 
 #include "core/interaction/camera.h"
-#include "core/interaction/contour_target.h"
-#include "core/interaction/gizmo.h"
-#include "core/interaction/joint_marks.h"
 #include "core/interaction/navigation.h"
-#include "core/interaction/operation_handles.h"
-#include "core/interaction/pen_marks.h"
+#include "core/interaction/overlay.h"
 #include "core/interaction/pick.h"
 #include "core/interaction/point_editing.h"
-#include "core/interaction/point_sight.h"
 #include "core/interaction/pointer_event.h"
 #include "core/interaction/problem_marks.h"
 #include "core/interaction/section_edit.h"
-#include "core/interaction/view_cube.h"
 #include "core/interaction/view_state.h"
 #include "core/model/hint.h"
 #include "core/model/naming.h"
 #include "core/model/step.h"
-#include "core/stroke/symmetry.h"
 
 #include <memory>
 #include <numbers>
@@ -42,114 +35,6 @@ enum class Cursor {
     Pen,
     PenCloses, // the path
     ArrowWithPlus
-};
-
-/// What is drawn over the model during a gesture. World points are mm, screen points px.
-struct Overlay
-{
-    struct SlitLine
-    {
-        Vec3 from, to;        // pressed point, cursor or leaving point
-        bool hasLeft = false; // `to` is where the stroke left the section
-        std::string section;  // its name
-    };
-    /// A capsule round the slit, on the canvas: the contour begins where the cursor leaves it.
-    struct DeadZone
-    {
-        Frame canvas;        // origin at the slit's start, x along it
-        double length = 0.0; // of the slit, mm
-        double radius = 0.0; // mm
-    };
-    struct Stroke
-    {
-        ContourTarget::Purpose purpose = ContourTarget::Purpose::NewSection;
-        std::string section; // the name of the one that it makes or changes; empty: none yet
-        Frame canvas;
-        std::vector<Vec2> samples;       // frame coordinates of canvas
-        std::vector<CubicBezier> fitted; // open chain as drawn so far
-        /// The pieces that a release would add: before its start, when it is mirrored, and at its
-        /// end; and the half that is mirrored.
-        std::optional<CubicBezier> opening, closing;
-        std::vector<CubicBezier> mirrored;
-        std::optional<MirrorAxis> axis;          // there is one, whether it is used or not
-        std::optional<SymmetryVerdict> symmetry; // where there is an axis
-        bool isMirrored = false, isAxisSlit = true, doHalvesMeet = true;
-        int pieces = 0;             // curves of what it encloses
-        std::optional<Contour> cut; // what it encloses, where the ground cuts that
-        std::optional<Vec2>
-            size; // of what a release makes (a hole: its own), as seen, width and height, mm
-    };
-    /// Where the canvas meets the ground: a line without ends.
-    struct GroundLine
-    {
-        Vec3 point, direction; // unit
-    };
-    /// A plane that waits to be drawn on and can still be moved.
-    struct Plane
-    {
-        Frame canvas;
-        Box2 box; // frame coordinates of canvas
-    };
-    /// The control points of the selected section, while they can be edited.
-    struct Points
-    {
-        SectionRef section; // editedSection() of it has the points
-        std::vector<PointAddress> selected;
-        std::optional<PointTarget> hovered;
-        bool operator==(const Points &) const = default;
-    };
-    /// Of the joints of what is selected.
-    struct Joints
-    {
-        std::vector<JointMark> marks; // those that are not hidden
-        int hovered = -1;             // index of one, or dragged
-        std::vector<JointLook> lit;   // what is hovered and what is selected
-        bool operator==(const Joints &) const = default;
-    };
-    /// A length between two places, in the hand of a tool.
-    struct Measure
-    {
-        Vec3 from, to;
-        bool isWanted = false; // it can be made another length
-
-        bool operator==(const Measure &other) const
-        {
-            return from == other.from && to == other.to && isWanted == other.isWanted;
-        }
-    };
-    /// What a figure would be, while it is dragged.
-    struct FigureLine
-    {
-        Frame canvas;
-        Contour contour;         // canvas coordinates
-        bool isPossible = false; // there; else it would be refused
-
-        bool operator==(const FigureLine &) const = default;
-    };
-    std::optional<Points> points;
-    std::optional<Joints> joints;
-    std::optional<OperationMarks> operation; // that is selected
-    std::optional<GizmoMarks> gizmo;         // of what is selected, to move it
-    std::optional<SlitLine> slit;
-    std::optional<DeadZone> deadZone;
-    std::optional<Stroke> stroke;
-    std::optional<PenMarks> pen;
-    std::optional<GroundLine> ground;
-    std::optional<Plane> plane;
-    std::optional<Measure> measure;
-    std::optional<FigureLine> figure;
-    std::optional<Vec3> measuredPlace; // under the cursor
-    DimensionId dimension;             // that is under the cursor, or in the hand
-    /// Rulers along the axes of this frame: what is drawn is counted there.
-    std::optional<Frame> rulers;
-    std::optional<Box2> band;      // of a rubber band, px
-    std::optional<Vec3> slitStart; // hovering: where a slit would begin
-    int hovered = -1;              // index of the section under the cursor
-    /// The cursor has rested on a section: its name may be shown there (px).
-    std::optional<Vec2> namePlace;
-    std::optional<CubePart> cubePart; // of the view cube, under the cursor
-    bool isHandleHovered = false;     // of the cut
-    int mark = 0;                     // number of the problem's mark under the cursor; 0: none
 };
 
 /// What interaction asks of whoever holds the model (the session).
@@ -306,6 +191,7 @@ public:
     void modelChanged();
 
     const Overlay &overlay() const;
+    const Hovered &hovered() const;
     const Hint &hint() const;
     Cursor cursor() const;
 

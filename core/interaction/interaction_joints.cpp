@@ -33,7 +33,7 @@ void Interaction::Private::hoverJoint()
         return;
     if (const JointMark *mark = jointMarkAt(*at)) {
         hoveredJoint = *mark;
-        hovering.unmark(overlay);
+        hovering.unmark(hovered);
     }
 }
 
@@ -41,10 +41,10 @@ void Interaction::Private::markJoints()
 {
     if (gesture && gesture->marksJoints())
         return;
-    overlay.joints.reset();
+    overlay.selected.remove<sign::Joints>();
     if (!marksSelection())
         return;
-    Overlay::Joints shown;
+    sign::Joints shown;
     for (const JointMark &mark : jointMarks.of(host.model(), selection)) {
         if (!isShown(mark, sight()))
             continue;
@@ -62,7 +62,7 @@ void Interaction::Private::markJoints()
     if (shown.hovered >= 0)
         light(shown.marks[static_cast<std::size_t>(shown.hovered)].joint);
     if (!shown.marks.empty())
-        overlay.joints = std::move(shown);
+        overlay.selected.put(std::move(shown));
 }
 
 /// Along the axis as it runs on the screen; what looks along it cannot tell which way.

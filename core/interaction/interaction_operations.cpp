@@ -24,14 +24,14 @@ void Interaction::Private::hoverOperation()
         return;
     hoveredHandle = operationHandleAt(*at);
     if (hoveredHandle)
-        hovering.unmark(overlay);
+        hovering.unmark(hovered);
 }
 
 void Interaction::Private::markOperation()
 {
     if (gesture && gesture->marksOperation())
         return;
-    overlay.operation.reset();
+    overlay.selected.remove<OperationMarks>();
     if (!marksSelection() || !selection.operation().isValid())
         return;
     OperationMarks shown = operationMarks(host.model(), selection.operation());
@@ -40,7 +40,7 @@ void Interaction::Private::markOperation()
     for (std::size_t i = 0; hoveredHandle && !gesture && i < shown.handles.size(); ++i)
         if (shown.handles[i].key == hoveredHandle->key)
             shown.hovered = static_cast<int>(i);
-    overlay.operation = std::move(shown);
+    overlay.selected.put(std::move(shown));
 }
 
 } // namespace fff

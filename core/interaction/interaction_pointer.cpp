@@ -41,8 +41,7 @@ void Interaction::Private::move(const PointerEvent &event)
     GestureContext with = context();
     gesture = gestureFor(begin, sight(), with);
     cameraBefore = motion.camera;
-    hovering.unmark(overlay);
-    overlay = {};
+    clearOverlay();
     const std::vector<PointerEvent> moves(pending.begin() + 1, pending.end());
     pending.clear();
     for (const PointerEvent &moved : moves) {
@@ -57,8 +56,7 @@ void Interaction::Private::beginWithSecondButton(std::unique_ptr<Gesture> next)
     if (!gesture)
         cameraBefore = motion.camera;
     pending.clear();
-    hovering.unmark(overlay);
-    overlay = {};
+    clearOverlay();
     gesture = std::move(next);
 }
 
@@ -174,9 +172,9 @@ void Interaction::Private::click(const PointerEvent &begin)
 void Interaction::Private::hover()
 {
     if (motion.animation || (tool && tool->isAnimating()))
-        hovering.unmark(overlay);
+        hovering.unmark(hovered);
     else
-        hovering.mark(sight(), now, settings.nameDelay, overlay);
+        hovering.mark(sight(), now, settings.nameDelay, hovered);
     hoverMarks();
 }
 
@@ -192,41 +190,48 @@ void Interaction::Private::hoverPoint()
 {
     hoveredPoint.reset();
     const std::optional<Vec2> &at = hovering.position();
-    if (!at || hoveredJoint || hoveredHandle || motion.animation || tool || overlay.cubePart ||
-        overlay.mark > 0 || overlay.isHandleHovered)
+    if (!at || hoveredJoint || hoveredHandle || motion.animation || tool || hovered.cubePart ||
+        hovered.problem > 0 || hovered.isCutHandle)
         return;
     if (const auto section = sectionWithPoints(sight(), selection))
         hoveredPoint = pointTargetAt(sight(), *section, points, *at);
     if (hoveredPoint)
-        hovering.unmark(overlay);
+        hovering.unmark(hovered);
 }
 
 /// Not while something is drawn: then marks would only be in the way.
 bool Interaction::Private::marksSelection() const
 {
-    return !(tool || overlay.stroke || overlay.slit || overlay.deadZone);
+    return !tool && !overlay.hasStroke();
 }
 
 void Interaction::Private::markPoints()
 {
-    overlay.points.reset();
+    overlay.selected.remove<sign::Points>();
     const std::vector<SectionRef> &sections = selection.sections();
     const std::optional<Origin> origin =
         sections.size() == 1 ? originOf(host.model(), sections.front()) : std::nullopt;
     if (points.section() != (origin ? origin->section->id : SectionId()))
         points.clear();
     if (const auto ref = marksSelection() ? sectionWithPoints(sight(), selection) : std::nullopt)
-        overlay.points = Overlay::Points{*ref, points.points(), hoveredPoint};
+        overlay.selected.put(sign::Points{*ref, points.points(), hoveredPoint});
+}
+
+void Interaction::Private::clearOverlay()
+{
+    hovering.unmark(hovered);
+    overlay = {};
 }
 
 void Interaction::Private::update()
 {
     // What a tool holds passes over them.
     const bool isOnMark =
-        !isToolPressed && (overlay.cubePart || overlay.mark > 0 || overlay.isHandleHovered);
+        !isToolPressed && (hovered.cubePart || hovered.problem > 0 || hovered.isCutHandle);
+    overlay.held.clear();
     if (tool) {
         if (!tool->marksSections() && !isOnMark)
-            hovering.unmark(overlay);
+            hovering.unmark(hovered);
         GestureContext with = context();
         tool->mark(with, !gesture && pending.empty() && !isOnMark && !motion.animation &&
                              hovering.isOverView());
@@ -241,8 +246,9 @@ void Interaction::Private::update()
         std::tie(hint, cursor) =
             hoverHint(*hoveredJoint, host.model(), selection.joint() == hoveredJoint->joint);
     else
-        std::tie(hint, cursor) =
-            hoveredPoint ? hoverHint(*hoveredPoint) : hoverHint(overlay, host.model(), selection);
+        std::tie(hint, cursor) = hoveredPoint
+                                     ? hoverHint(*hoveredPoint)
+                                     : hoverHint(hovered, overlay, host.model(), selection);
     markPoints();
     markJoints();
     markOperation();

@@ -16,9 +16,10 @@ bool Interaction::Private::isSecondClick(const PointerEvent &press)
 
 bool Interaction::Private::addPointAt(const PointerEvent &press)
 {
-    if (!overlay.points || isOnViewMark(sight(), press.position) || jointMarkAt(press.position))
+    const sign::Points *shown = overlay.find<sign::Points>();
+    if (!shown || isOnViewMark(sight(), press.position) || jointMarkAt(press.position))
         return false;
-    const SectionRef &ref = overlay.points->section;
+    const SectionRef ref = shown->section;
     const auto target = pointTargetAt(sight(), ref, points, press.position);
     if (!target || target->kind != PointTarget::Kind::Line)
         return false;
@@ -31,9 +32,10 @@ bool Interaction::Private::addPointAt(const PointerEvent &press)
 /// True when there is something of the contour's there: the click is none on a section.
 bool Interaction::Private::clickPoint(const PointerEvent &press)
 {
-    if (!overlay.points)
+    const sign::Points *shown = overlay.find<sign::Points>();
+    if (!shown)
         return false;
-    const SectionRef &ref = overlay.points->section;
+    const SectionRef ref = shown->section;
     const auto target = pointTargetAt(sight(), ref, points, press.position);
     if (!target)
         return false;

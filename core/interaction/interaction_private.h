@@ -65,8 +65,8 @@ public:
 
     GestureContext context()
     {
-        return {host.model(), settings, motion.viewport, motion.camera,
-                overlay,      view,     selection,       points};
+        return {host.model(), settings, motion.viewport, motion.camera, overlay,
+                hovered,      view,     selection,       points};
     }
     Sight sight() const { return {host.model(), motion.camera, motion.viewport, view, marks}; }
 
@@ -130,6 +130,7 @@ public:
     void markOperation();
     std::optional<OperationHandle> operationHandleAt(const Vec2 &position);
     bool nudgeMeetingPoints(const JointRef &joint, const Vec2 &arrow, double distance);
+    void clearOverlay();
     void update();
     void turn(const Camera &to, double start, double duration);
     void stopMotion();
@@ -167,6 +168,7 @@ public:
     Modifiers modifiers;
 
     Overlay overlay;
+    Hovered hovered;
     std::optional<Note> note;
     Hint hint;
     Cursor cursor = Cursor::Arrow;

@@ -30,7 +30,7 @@ void Interaction::Private::take(GestureReply reply)
     if (!reply.returnTo && !(cameraBefore == motion.camera))
         motion.history.leave(cameraBefore, ViewHistory::Change::Drag);
     pending.clear();
-    overlay = {};
+    clearOverlay();
     carryOut(reply);
     if (!reply.commit && !tool)
         showPreview({});

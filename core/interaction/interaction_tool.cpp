@@ -46,7 +46,7 @@ void Interaction::Private::feedTool(const PointerEvent &event)
     }
     if (motion.animation)
         return; // the view is still on its way
-    hovering.unmark(overlay);
+    hovering.unmark(hovered);
     GestureContext with = context();
     takeFromTool(tool->handle(event, with));
     if (tool && tool->marksSections())
@@ -88,7 +88,7 @@ void Interaction::Private::layToolDown()
 {
     tool.reset();
     isToolPressed = false;
-    overlay = {};
+    clearOverlay();
     clicks.forget();
 }
 
@@ -103,7 +103,7 @@ void Interaction::pickUp(std::unique_ptr<Tool> tool, double time)
     d->note.reset();
     d->tool = std::move(tool);
     d->points.clear(); // they are not seen meanwhile
-    d->hovering.unmark(d->overlay);
+    d->hovering.unmark(d->hovered);
     GestureContext with = d->context();
     d->takeFromTool(d->tool->begin(with, d->now));
     d->update();

@@ -50,11 +50,12 @@ void JointGesture::show(const Model &model, Overlay &overlay) const
     const std::optional<JointState> state = jointState(model, m_joint);
     if (!state)
         return;
-    overlay.joints = Overlay::Joints();
+    sign::Joints shown;
     for (std::size_t i = 0; i < state->crossing.overlaps.size(); ++i)
-        overlay.joints->marks.push_back(markOf(*state, static_cast<int>(i)));
-    overlay.joints->hovered = m_overlap;
-    overlay.joints->lit.push_back(lookOf(model, *state));
+        shown.marks.push_back(markOf(*state, static_cast<int>(i)));
+    shown.hovered = m_overlap;
+    shown.lit.push_back(lookOf(model, *state));
+    overlay.selected.put(std::move(shown));
 }
 
 GestureReply JointGesture::handle(const PointerEvent &event, GestureContext &context)

@@ -205,9 +205,8 @@ bool MarkTool::isOnSection(const Mark &mark, const GestureContext &context) cons
 
 void MarkTool::mark(GestureContext &context, bool)
 {
-    context.overlay.rulers.reset();
     if (m_section)
-        context.overlay.rulers = canvasGrid(m_canvas, context.camera.orientation);
+        context.overlay.held.add(sign::Rulers{canvasGrid(m_canvas, context.camera.orientation)});
 }
 
 GestureReply MarkTool::interrupt(GestureContext &)

@@ -114,19 +114,20 @@ GestureReply MeasureTool::shown() const
 
 void MeasureTool::mark(GestureContext &context, bool hasCursor)
 {
-    Overlay &overlay = context.overlay;
-    overlay.measure.reset();
-    overlay.measuredPlace.reset();
-    if (hasCursor && m_place)
-        overlay.measuredPlace = m_place->point;
-    overlay.dimension = m_dimension.isValid() ? m_dimension : m_hovered;
+    Signs &signs = context.overlay.held;
+    const auto show = [&](const Vec3 &from, const Vec3 &to) {
+        signs.add(sign::Line{SignRole::Measured, {from, to}, true});
+        signs.add(sign::Label{SignRole::Measured, {from, to}, sign::Way{to - from, m_isDimension}});
+    };
     if (m_from && m_place)
-        overlay.measure = Overlay::Measure{m_from->point, m_place->point, m_isDimension};
+        show(m_from->point, m_place->point);
     else if (m_line && m_wanted)
-        overlay.measure = Overlay::Measure{factor() * m_line->from.point,
-                                           factor() * m_line->to.point, m_isDimension};
+        show(factor() * m_line->from.point, factor() * m_line->to.point);
     else if (m_line)
-        overlay.measure = Overlay::Measure{m_line->from.point, m_line->to.point, m_isDimension};
+        show(m_line->from.point, m_line->to.point);
+    if (hasCursor && m_place)
+        signs.add(sign::Handle{SignRole::Place, m_place->point});
+    context.hovered.dimension = m_dimension.isValid() ? m_dimension : m_hovered;
 }
 
 GestureReply MeasureTool::interrupt(GestureContext &)

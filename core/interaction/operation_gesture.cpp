@@ -72,7 +72,7 @@ GestureReply OperationGesture::handle(const PointerEvent &event, GestureContext 
         shown.handles[m_handle].value = *m_shown;
         shown.handles[m_handle].at = placeOnTrack(m_marks.track, *m_shown);
     }
-    context.overlay.operation = std::move(shown);
+    context.overlay.selected.put(std::move(shown));
     return reply;
 }
 

@@ -55,7 +55,7 @@ std::optional<GestureReply> PenTool::useCanvas(CanvasChoice canvas, GestureConte
     Camera there = *reply.turnTo;
     setCanvas(std::move(canvas), false,
               {context.model, context.settings, context.viewport, there, context.overlay,
-               context.view, context.selection, context.points});
+               context.hovered, context.view, context.selection, context.points});
     return reply;
 }
 

@@ -7,21 +7,16 @@ namespace fff {
 void PenTool::mark(GestureContext &context, bool hasCursor)
 {
     faceFirstCanvas(context);
-    Overlay &overlay = context.overlay;
-    overlay.pen.reset();
-    overlay.slit.reset();
-    overlay.ground.reset();
-    overlay.plane.reset();
-    overlay.rulers.reset();
+    Signs &signs = context.overlay.held;
     m_over.reset();
     if (m_slit) {
         if (m_press && m_press->isDrag)
-            overlay.slit = m_slit->line();
+            signs.add(m_slit->line());
         return;
     }
     if (!m_canvas) {
-        if (overlay.hovered >= 0 && overlay.slitStart)
-            m_over = context.model.section(static_cast<std::size_t>(overlay.hovered))->name;
+        if (context.hovered.section >= 0 && context.hovered.slitStart)
+            m_over = context.model.section(static_cast<std::size_t>(context.hovered.section))->name;
         return;
     }
     if (hasCursor && !m_press && !(m_hoverCamera == context.camera))
@@ -31,19 +26,17 @@ void PenTool::mark(GestureContext &context, bool hasCursor)
     if (target.parent) {
         const double length = (target.parent->slitTo - target.parent->slitFrom).norm();
         const int index = context.model.indexOf(target.parent->section);
-        overlay.slit = Overlay::SlitLine{
-            target.canvas.origin, target.canvas.toWorld({length, 0.0}), true,
-            index >= 0 ? context.model.section(static_cast<std::size_t>(index))->name
-                       : std::string()};
+        signs.add(sign::Slit{target.canvas.origin, target.canvas.toWorld({length, 0.0}), true,
+                             index >= 0
+                                 ? context.model.section(static_cast<std::size_t>(index))->name
+                                 : std::string()});
     }
     if (canvas.targets.meetsGround() && !canvas.isFirst)
-        overlay.ground = Overlay::GroundLine{canvas.targets.grid().origin, canvas.targets.grid().x};
-
+        signs.add(sign::Ground{canvas.targets.grid().origin, canvas.targets.grid().x});
     if (canvas.choice.distance && m_path.isEmpty())
-        overlay.plane = planeMark(target.canvas, context);
-
-    overlay.rulers = canvas.targets.grid();
-    PenMarks &marks = overlay.pen.emplace();
+        signs.add(planeMark(target.canvas, context));
+    signs.add(sign::Rulers{canvas.targets.grid()});
+    PenMarks &marks = signs.put(PenMarks());
     marks.purpose = target.purpose;
     marks.canvas = target.canvas;
     marks.points = m_path.points();

@@ -26,24 +26,25 @@ std::unique_ptr<Gesture> onViewMark(const PointerEvent &press, const Sight &sigh
 
 std::unique_ptr<Gesture> onOperation(const PointerEvent &press, const GestureContext &context)
 {
-    if (press.button != Button::Left || !context.overlay.operation ||
+    const OperationMarks *marks = context.overlay.find<OperationMarks>();
+    if (press.button != Button::Left || !marks ||
         dragKind(context.settings.navigation, press.button, press.modifiers) != DragKind::Edit)
         return nullptr;
-    const OperationMarks &marks = *context.overlay.operation;
     const int index =
-        handleAt(marks, context.camera, context.viewport, press.position, reachOf(press.pointer));
+        handleAt(*marks, context.camera, context.viewport, press.position, reachOf(press.pointer));
     if (index < 0)
         return nullptr;
-    return std::make_unique<OperationGesture>(marks, index, press, context);
+    return std::make_unique<OperationGesture>(*marks, index, press, context);
 }
 
 std::unique_ptr<Gesture> onJoint(const PointerEvent &press, const Sight &sight,
                                  GestureContext &context)
 {
-    if (press.button != Button::Left || !context.overlay.joints ||
+    const sign::Joints *shown = context.overlay.find<sign::Joints>();
+    if (press.button != Button::Left || !shown ||
         dragKind(context.settings.navigation, press.button, press.modifiers) != DragKind::Edit)
         return nullptr;
-    const Overlay::Joints joints = *context.overlay.joints;
+    const sign::Joints joints = *shown;
     const std::vector<JointMark> &marks = joints.marks;
     // What is selected is lit first.
     const bool hasSelected = context.selection.joint() && !joints.lit.empty();
@@ -58,9 +59,10 @@ std::unique_ptr<Gesture> onJoint(const PointerEvent &press, const Sight &sight,
 std::unique_ptr<Gesture> onPoint(const PointerEvent &press, const Sight &sight,
                                  const GestureContext &context)
 {
-    if (press.button != Button::Left || press.modifiers.space || !context.overlay.points)
+    const sign::Points *points = context.overlay.find<sign::Points>();
+    if (press.button != Button::Left || press.modifiers.space || !points)
         return nullptr;
-    const SectionRef &section = context.overlay.points->section;
+    const SectionRef &section = points->section;
     const auto target = pointTargetAt(sight, section, context.points, press.position);
     const bool edits =
         dragKind(context.settings.navigation, press.button, press.modifiers) == DragKind::Edit;
@@ -78,9 +80,9 @@ std::unique_ptr<Gesture> editing(const PointerEvent &press, const Sight &sight,
             press, ContourTarget::newSection(firstCanvas(context.camera)), context);
     const std::vector<Hit> hits = sight.hitsAt(press.position);
     if (hits.empty() && press.modifiers.shift) {
-        if (context.overlay.points)
+        if (const sign::Points *points = context.overlay.find<sign::Points>())
             return std::make_unique<PointBandGesture>(
-                press, *editedSection(context.model, context.overlay.points->section), context);
+                press, *editedSection(context.model, points->section), context);
         return std::make_unique<RubberBandGesture>(press, context);
     }
     if (!hits.empty() && !sight.isOnEdge(hits.front()))

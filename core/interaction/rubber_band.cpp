@@ -24,7 +24,7 @@ GestureReply BandGesture::handle(const PointerEvent &event, GestureContext &cont
     Box2 band;
     band.extend(m_press);
     band.extend(event.position);
-    context.overlay.band = band;
+    context.overlay.drawn.put(sign::Band{band});
     GestureReply reply;
     select(band, context, reply);
     if (event.type == PointerEvent::Type::Release)

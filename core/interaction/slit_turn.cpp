@@ -91,7 +91,7 @@ void SlitTurn::finish(GestureContext &context)
     }
 }
 
-Overlay::SlitLine SlitTurn::line() const
+sign::Slit SlitTurn::line() const
 {
     return {m_section->frame.toWorld(m_stroke.slitFrom()),
             m_section->frame.toWorld(m_stroke.slitTo()), isTurned(), m_section->name};

@@ -32,7 +32,7 @@ public:
     const ContourTarget &target() const { return m_target; }
     /// The view before.
     const Camera &before() const { return m_before; }
-    Overlay::SlitLine line() const;
+    sign::Slit line() const;
 
 private:
     void beginTurn(GestureContext &context);

@@ -42,13 +42,12 @@ Vec2 upOn(const Frame &canvas, const Camera &camera)
     return canvas.directionToLocal(camera.up()).normalized();
 }
 
-std::optional<Overlay::GroundLine> groundLineOf(const Frame &canvas)
+std::optional<sign::Ground> groundLineOf(const Frame &canvas)
 {
     const std::optional<Halfplane> above = groundLine(canvas);
     if (!above)
         return {};
-    return Overlay::GroundLine{canvas.toWorld(above->point),
-                               canvas.directionToWorld(above->along())};
+    return sign::Ground{canvas.toWorld(above->point), canvas.directionToWorld(above->along())};
 }
 
 /// Of what is drawn, as it lies on the screen: width and height.
@@ -245,21 +244,23 @@ GestureReply StrokeGesture::running() const
 
 void StrokeGesture::updateOverlay(GestureContext &context) const
 {
-    Overlay overlay;
+    Signs signs;
     const Stroke::State state = m_stroke.state();
     if (m_ground) {
         const Frame &frame = m_ground->section->frame;
-        overlay.slit =
-            Overlay::SlitLine{frame.toWorld(m_stroke.slitFrom()), frame.toWorld(m_stroke.slitTo()),
-                              state != Stroke::State::Slit, m_ground->section->name};
-        if (state == Stroke::State::DeadZone)
-            overlay.deadZone = Overlay::DeadZone{m_target.canvas, m_stroke.slitLength(),
-                                                 m_stroke.deadZoneRadius()};
+        sign::Slit slit{frame.toWorld(m_stroke.slitFrom()), frame.toWorld(m_stroke.slitTo()),
+                        state != Stroke::State::Slit, m_ground->section->name};
+        if (state == Stroke::State::DeadZone) {
+            slit.clearance = m_stroke.deadZoneRadius();
+            signs.add(sign::Capsule{SignRole::DeadZone, m_target.canvas, m_stroke.slitLength(),
+                                    m_stroke.deadZoneRadius()});
+        }
+        signs.add(std::move(slit));
     }
     if (state == Stroke::State::Contour) {
         const StrokeContour &contour = m_stroke.contour();
-        overlay.stroke = Overlay::Stroke(); // clang finds no default constructor for emplace()
-        Overlay::Stroke &stroke = *overlay.stroke;
+        signs.add(sign::Rulers{canvasGrid(m_target.canvas, context.camera.orientation)});
+        sign::Stroke &stroke = signs.put(sign::Stroke());
         stroke.canvas = m_target.canvas;
         stroke.samples = m_stroke.samples();
         stroke.fitted = contour.fitted;
@@ -285,21 +286,21 @@ void StrokeGesture::updateOverlay(GestureContext &context) const
         }
     }
     if (state == Stroke::State::Contour || state == Stroke::State::DeadZone)
-        overlay.ground = groundLineOf(m_target.canvas);
-    if (overlay.stroke)
-        overlay.rulers = canvasGrid(m_target.canvas, context.camera.orientation);
-    context.overlay = std::move(overlay);
+        if (const std::optional<sign::Ground> line = groundLineOf(m_target.canvas))
+            signs.add(*line);
+    context.overlay.drawn = std::move(signs);
 }
 
 /// The line of the cursor alone; all but its last samples are there already.
 void StrokeGesture::followSamples(GestureContext &context) const
 {
     const std::vector<Vec2> &samples = m_stroke.samples();
-    if (!context.overlay.stroke || context.overlay.stroke->samples.size() > samples.size()) {
+    sign::Stroke *stroke = context.overlay.drawn.find<sign::Stroke>();
+    if (!stroke || stroke->samples.size() > samples.size()) {
         updateOverlay(context);
         return;
     }
-    std::vector<Vec2> &shown = context.overlay.stroke->samples;
+    std::vector<Vec2> &shown = stroke->samples;
     if (!shown.empty())
         shown.pop_back();
     shown.insert(shown.end(), samples.begin() + std::ssize(shown), samples.end());

@@ -78,8 +78,8 @@ public:
     virtual Asked asksFor() const { return {}; }
     /// The section under the cursor is marked as without a tool.
     virtual bool marksSections() const { return false; }
-    /// Puts what it has in hand into the overlay, when all else is there: also while the view is
-    /// moved. hasCursor: the cursor is its own, and not over something else.
+    /// Adds what it has in hand to overlay.held, which is empty then: after each event, also while
+    /// the view is moved. hasCursor: the cursor is its own, and not over something else.
     virtual void mark(GestureContext & /*context*/, bool /*hasCursor*/) {}
     /// What the pressed button does ends here, since the view or the document becomes another one;
     /// its release does not come any more.

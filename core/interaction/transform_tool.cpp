@@ -105,10 +105,8 @@ void TransformTool::mark(GestureContext &context, bool hasCursor)
         m_hovered = GizmoPart::None;
     if (!m_drag)
         m_hint = hintFor(m_hovered, context);
-    if (m_gizmo.parts.empty()) {
-        context.overlay.gizmo.reset();
+    if (m_gizmo.parts.empty())
         return;
-    }
     GizmoMarks marks{m_gizmo, m_hovered};
     if (m_drag) {
         const Transform &transform = m_drag->transform();
@@ -122,7 +120,7 @@ void TransformTool::mark(GestureContext &context, bool hasCursor)
         marks.gizmo.frame = placed(m_gizmo.frame, typedTransform().times(1));
         marks.copies = m_typed->copies;
     }
-    context.overlay.gizmo = std::move(marks);
+    context.overlay.held.add(std::move(marks));
 }
 
 void TransformTool::beginDrag(const PointerEvent &event, GestureContext &context,

@@ -30,7 +30,7 @@ double gizmoMove(const Document &document, SectionId section)
     interaction.setCamera(fitted(camera, session.committed().bounds(), kViewport));
     interaction.select({section});
     interaction.pickUp(std::make_unique<TransformTool>(), 0.0);
-    const auto &gizmo = interaction.overlay().gizmo;
+    const auto *gizmo = interaction.overlay().find<GizmoMarks>();
     if (!gizmo)
         return 0.0; // it is locked, or made by an operation
     const Vec2 tip = GizmoLook(gizmo->gizmo, interaction.camera(), kViewport).tip(1);

@@ -88,8 +88,8 @@ StrokeTiming drawStroke(const std::string &hand, int samples)
     send(PointerEvent::Type::Press, sampleOf(hand, 0, samples, random));
     for (int i = 1; i <= samples; ++i)
         send(PointerEvent::Type::Move, sampleOf(hand, i, samples, random));
-    if (interaction.overlay().stroke)
-        timing.kept = static_cast<int>(interaction.overlay().stroke->samples.size());
+    if (interaction.overlay().find<sign::Stroke>())
+        timing.kept = static_cast<int>(interaction.overlay().find<sign::Stroke>()->samples.size());
     send(PointerEvent::Type::Release, sampleOf(hand, samples, samples, random));
     return timing;
 }

@@ -4,6 +4,7 @@ fff_tests(tests_view LIBRARIES fff::view
         ui/view/tst_cut_caps
         ui/view/tst_frame_pace
         ui/view/tst_scale_bar
+        ui/view/tst_signs
         ui/view/tst_slit_covers
         ui/view/tst_steps_paper
     ON_A_DISPLAY # pictures need its OpenGL

@@ -79,7 +79,7 @@ void TestDrawing::drawOpenOval()
     press(at(0));
     for (int i = 1; i < 38; ++i)
         move(at(i));
-    QTRY_VERIFY(bench().interaction().overlay().stroke);
+    QTRY_VERIFY(bench().interaction().overlay().find<sign::Stroke>());
 }
 
 /// Four strokes in one go, from corner to corner.
@@ -116,15 +116,15 @@ void TestDrawing::shiftKeepsOneSide()
     drawFirst();
     pullSlit();
     drawOneSide();
-    QTRY_VERIFY(interaction().overlay().stroke);
-    QTRY_VERIFY(interaction().overlay().stroke->isMirrored);
+    QTRY_VERIFY(interaction().overlay().find<sign::Stroke>());
+    QTRY_VERIFY(interaction().overlay().find<sign::Stroke>()->isMirrored);
     QCOMPARE(interaction().hint().kind, Hint::Kind::ReleaseToMirror);
     const double both = session().model().document.sections.back()->shape->area();
     QTest::keyPress(m_window->windowHandle(), Qt::Key_Shift, Qt::NoModifier, 5);
-    QTRY_VERIFY(!interaction().overlay().stroke->isMirrored);
+    QTRY_VERIFY(!interaction().overlay().find<sign::Stroke>()->isMirrored);
     QVERIFY(session().model().document.sections.back()->shape->area() < 0.7 * both);
     QTest::keyRelease(m_window->windowHandle(), Qt::Key_Shift, Qt::ShiftModifier, 5);
-    QTRY_VERIFY(interaction().overlay().stroke->isMirrored);
+    QTRY_VERIFY(interaction().overlay().find<sign::Stroke>()->isMirrored);
     release(m_cursor);
     QTRY_COMPARE(count(), std::size_t(2));
     QVERIFY(std::abs(session().committed().section(1)->shape->area() - both) < 1e-9);
@@ -246,7 +246,7 @@ void TestDrawing::aGroupByRubberBand()
                           m_view->mapTo(m_window.get(), from + (to - from) * i / 10), 5);
     release(to, Qt::ShiftModifier);
     QTRY_COMPARE(interaction().selection().size(), std::size_t(2));
-    QVERIFY(!interaction().overlay().band);
+    QVERIFY(!interaction().overlay().find<sign::Band>());
 }
 
 void TestDrawing::escapeLaysTheToolDown()
@@ -312,14 +312,14 @@ void TestDrawing::theViewChangesItsSize()
 {
     drawOpenOval();
     const auto last = [&] {
-        const Overlay::Stroke &stroke = *bench().interaction().overlay().stroke;
+        const sign::Stroke &stroke = *bench().interaction().overlay().find<sign::Stroke>();
         return stroke.canvas.toWorld(stroke.samples.back());
     };
     const QSize before = m_view->size();
     const Vec3 there = last();
     m_window->resize(m_window->size() - QSize(160, 120));
     QTRY_COMPARE(m_view->size(), before - QSize(160, 120));
-    QVERIFY(bench().interaction().overlay().stroke);
+    QVERIFY(bench().interaction().overlay().find<sign::Stroke>());
     QVERIFY((onScreen(there) - m_cursor).manhattanLength() <= 1);
     move(m_cursor + QPoint(1, 0));
     const double pixel = bench().interaction().camera().millimetresPerPixel;

@@ -403,7 +403,7 @@ void TestMainWindow::exportLeavesOutWhatIsBeingDrawn()
         at = start + (leave - start) * i / 24;
         move(at);
     }
-    QTRY_VERIFY(interaction().overlay().deadZone.has_value());
+    QTRY_VERIFY(interaction().overlay().find<sign::Capsule>());
     QTRY_VERIFY_WITH_TIMEOUT(!interaction().isAnimating(), 5000);
     const QPoint centre = (start + at) / 2;
     for (int i = 0; i <= 30; ++i) {
@@ -613,7 +613,7 @@ void TestMainWindow::aProblemIsChosenByItsNumber()
     const QPoint at(static_cast<int>(place().x()), static_cast<int>(place().y()));
     auto *row = m_window->findChild<QAbstractButton *>(QStringLiteral("checkRow0"));
     move(at);
-    QTRY_COMPARE(interaction().overlay().mark, 1);
+    QTRY_COMPARE(interaction().hovered().problem, 1);
     const Camera camera = interaction().camera();
     press(at);
     release(at);

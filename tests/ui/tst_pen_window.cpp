@@ -47,12 +47,12 @@ private:
     CanvasBar *bar() const { return m_window->findChild<CanvasBar *>(); }
     std::size_t pointCount() const
     {
-        const auto &pen = interaction().overlay().pen;
+        const auto *pen = interaction().overlay().find<PenMarks>();
         return pen ? pen->points.size() : 0;
     }
     Vec3 point(std::size_t i) const
     {
-        const PenMarks &pen = *interaction().overlay().pen;
+        const PenMarks &pen = *interaction().overlay().find<PenMarks>();
         return pen.canvas.toWorld(pen.points[i].at);
     }
 };
@@ -108,8 +108,8 @@ void TestPenWindow::numbersAreTyped()
     type(QStringLiteral("12"));
     // Shown before it is set.
     QCOMPARE(pointCount(), std::size_t(0));
-    QVERIFY(interaction().overlay().pen->next);
-    const PenMarks &pen = *interaction().overlay().pen;
+    QVERIFY(interaction().overlay().find<PenMarks>()->next);
+    const PenMarks &pen = *interaction().overlay().find<PenMarks>();
     QVERIFY((pen.canvas.toWorld(*pen.next) - Vec3(-20.5, 12, 0)).norm() < 1e-9);
     key(Qt::Key_Return);
     QCOMPARE(pointCount(), std::size_t(1));

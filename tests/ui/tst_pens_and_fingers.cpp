@@ -137,7 +137,7 @@ void TestPensAndFingers::aPenHovers()
 {
     drawFirst();
     pen(QEvent::TabletMove, onScreen(first().frame.toWorld(first().shape->centroid())));
-    QTRY_COMPARE(interaction().overlay().hovered, 0);
+    QTRY_COMPARE(interaction().hovered().section, 0);
 }
 
 void TestPensAndFingers::aFingerDraws()

@@ -59,12 +59,12 @@ private:
         bench().select({section(index).ref()});
         m_view->setFocus();
         key(Qt::Key_T);
-        QTRY_VERIFY(interaction().overlay().gizmo);
+        QTRY_VERIFY(interaction().overlay().find<GizmoMarks>());
     }
     QPoint tip(int axis) const
     {
-        const GizmoLook look(interaction().overlay().gizmo->gizmo, interaction().camera(),
-                             Vec2(m_view->width(), m_view->height()));
+        const GizmoLook look(interaction().overlay().find<GizmoMarks>()->gizmo,
+                             interaction().camera(), Vec2(m_view->width(), m_view->height()));
         return {static_cast<int>(look.tip(axis).x()), static_cast<int>(look.tip(axis).y())};
     }
     void type(const char *field, const QString &text)
@@ -155,11 +155,11 @@ void TestTransformWindow::theBarOffersTheSource()
     auto *source = find<QToolButton>("canvas.operation.editSource");
     QTRY_VERIFY(source && source->isVisible());
     QTest::mouseClick(source, Qt::LeftButton);
-    QTRY_VERIFY(interaction().overlay().gizmo);
+    QTRY_VERIFY(interaction().overlay().find<GizmoMarks>());
     QCOMPARE(interaction().selection(), std::vector<SectionRef>{section(1).ref()});
     QTRY_VERIFY(find<QToolButton>("canvas.transform.inSpace"));
     QTest::mouseClick(find<QToolButton>("canvas.transform.inSpace"), Qt::LeftButton);
-    QTRY_VERIFY(interaction().overlay().gizmo->gizmo.isInSpace);
+    QTRY_VERIFY(interaction().overlay().find<GizmoMarks>()->gizmo.isInSpace);
     QVERIFY(find<QDoubleSpinBox>("canvasMoveX")->isVisible());
 }
 

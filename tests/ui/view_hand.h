@@ -137,7 +137,7 @@ inline void ViewHand::pullSlit()
     press(start);
     for (int i = 1; i <= 24; ++i)
         move(start + (leave - start) * i / 24);
-    QTRY_VERIFY(interaction().overlay().deadZone.has_value());
+    QTRY_VERIFY(interaction().overlay().find<sign::Capsule>());
     QTRY_VERIFY_WITH_TIMEOUT(!interaction().isAnimating(), 5000);
 }
 

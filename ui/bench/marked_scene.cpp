@@ -9,7 +9,8 @@ namespace fff::ui {
 
 bool hasPath(const Overlay &overlay)
 {
-    return overlay.pen && !overlay.pen->points.empty();
+    const PenMarks *path = overlay.find<PenMarks>();
+    return path && !path->points.empty();
 }
 
 void markScene(Scene &scene, const Workbench &bench)
@@ -22,13 +23,13 @@ void markScene(Scene &scene, const Workbench &bench)
                                         interaction.selection().end());
     const auto &outlined = bench.outlined();
     const OperationId inFocus = interaction.operationInFocus();
-    const int hovered = interaction.overlay().hovered;
+    const int hovered = interaction.hovered().section;
     OperationId hoveredOperation;
     if (hovered >= 0 && static_cast<std::size_t>(hovered) < model.sectionCount())
         hoveredOperation = model.ref(static_cast<std::size_t>(hovered)).operation;
     applyView(scene, model, interaction.view());
     const bool isDrawing =
-        interaction.overlay().stroke.has_value() || hasPath(interaction.overlay());
+        interaction.overlay().find<sign::Stroke>() || hasPath(interaction.overlay());
     // All stand back for the section that is being drawn: the one that is not as it was.
     const Model &committed = bench.session().committed();
     // What the operation made or changed; one that is not committed yet is about to be.

@@ -130,7 +130,7 @@ void TouchInput::beginTwo(const QTouchEvent &event)
     if (m_state == State::Dragging) {
         const QPointF at = event.points().front().position();
         const Overlay &overlay = m_bench.interaction().overlay();
-        const bool isDrawing = overlay.slit || overlay.stroke;
+        const bool isDrawing = overlay.find<sign::Slit>() || overlay.find<sign::Stroke>();
         if (isDrawing && QLineF(m_press, at).length() > kMistake)
             return; // a palm, or a thumb: the stroke goes on
         if (m_bench.interaction().hasGesture())

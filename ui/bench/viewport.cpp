@@ -7,6 +7,7 @@
 #include "ui/bench/marked_scene.h"
 #include "ui/bench/workbench.h"
 #include "ui/settings/settings.h"
+#include "ui/view/measure_marks.h"
 #include "ui/view/overlay_painter.h"
 #include "ui/view/steps_scene.h"
 
@@ -168,11 +169,17 @@ void Viewport::paintMarks()
     const Interaction &interaction = m_bench.interaction();
     const Overlay &overlay = interaction.overlay();
     const Model &model = m_bench.session().model();
-    OverlayScene scene{overlay, interaction.camera(), Vec2(width(), height()),
-                       m_scene.sections.empty(), !interaction.hasGesture() && !overlay.pen};
+    const Hovered &over = interaction.hovered();
+    OverlayScene scene{overlay,
+                       over,
+                       interaction.camera(),
+                       Vec2(width(), height()),
+                       m_scene.sections.empty(),
+                       !interaction.hasGesture() && !overlay.find<PenMarks>()};
     scene.view = interaction.view();
     scene.unit = settings().unit();
-    const bool isDrawing = overlay.slit || overlay.stroke || hasPath(overlay);
+    const bool isDrawing =
+        overlay.find<sign::Slit>() || overlay.find<sign::Stroke>() || hasPath(overlay);
     if (!isDrawing)
         scene.marks =
             placeMarks(interaction.marks(), interaction.camera(), scene.viewport, scene.view);
@@ -184,18 +191,16 @@ void Viewport::paintMarks()
     scene.steps = m_steps ? &m_steps->marks : nullptr;
     if (scene.view.clip) // of the handle's place; every vertex is looked at for it
         scene.bounds = m_bench.session().committed().bounds();
-    const auto hovered = static_cast<std::size_t>(std::max(overlay.hovered, 0));
-    if (overlay.hovered >= 0 && hovered < model.sectionCount())
-        scene.hovered = QString::fromStdString(model.section(hovered)->name);
-    if (overlay.points)
-        scene.edited = editedSection(model, overlay.points->section);
-    scene.handles = handles();
-    if (scene.handles) {
-        const Operation *operation = model.document.find(interaction.selectedOperation());
-        scene.operation = operation ? operationKind(operation->kind) : nullptr;
-    }
+    const auto hovered = static_cast<std::size_t>(std::max(over.section, 0));
+    if (over.section >= 0 && hovered < model.sectionCount())
+        scene.hoveredName = QString::fromStdString(model.section(hovered)->name);
+    scene.selected = selectedSigns();
+    if (const auto *points = scene.selected.find<sign::Points>())
+        scene.edited = editedSection(model, points->section);
+    if (const Operation *operation = model.document.find(interaction.selectedOperation()))
+        scene.operation = operationKind(operation->kind);
     if (!m_steps)
-        scene.dimensions = dimensionMarks(model, overlay.dimension);
+        scene.dimensions = dimensionSigns(model, over.dimension);
     if (m_busyTurn.isActive())
         scene.busy = m_busyTurns;
     QPainter painter(&m_marks);
@@ -354,7 +359,7 @@ void Viewport::advance()
 /// Under the cursor, or with the cursor on its row.
 int Viewport::litMark() const
 {
-    const int hovered = m_bench.interaction().overlay().mark;
+    const int hovered = m_bench.interaction().hovered().problem;
     return hovered > 0 ? hovered : m_bench.litProblem();
 }
 
@@ -373,50 +378,36 @@ std::vector<SectionRef> Viewport::presentlyOutlined() const
     return present;
 }
 
-/// Of the operation that is selected; while its numbers are dragged elsewhere, where they are then.
-std::optional<OperationMarks> Viewport::handles() const
+/// Of what is selected; handles of an operation whose numbers are dragged elsewhere where they are
+/// then.
+Signs Viewport::selectedSigns() const
 {
     const Interaction &interaction = m_bench.interaction();
-    std::optional<OperationMarks> shown = interaction.overlay().operation;
+    Signs signs = interaction.overlay().selected;
+    const auto *shown = signs.find<OperationMarks>();
     if (!shown || interaction.hasGesture() || !m_bench.session().hasPreview())
-        return shown;
+        return signs;
     OperationMarks marks =
         operationMarks(m_bench.session().model(), interaction.selectedOperation());
     marks.hovered = shown->hovered;
-    return marks;
+    signs.put(std::move(marks));
+    return signs;
 }
 
 Viewport::Seen Viewport::seen() const
 {
     const Interaction &interaction = m_bench.interaction();
     const Overlay &overlay = interaction.overlay();
-    return {interaction.camera(),
-            interaction.view(),
-            interaction.selection(),
-            presentlyOutlined(),
-            m_bench.ghosts(),
-            overlay.hovered,
-            overlay.namePlace,
-            overlay.cubePart,
-            overlay.points,
-            overlay.joints,
-            handles(),
-            interaction.operationInFocus(),
-            overlay.isHandleHovered,
-            interaction.hasGesture(),
-            overlay.stroke.has_value() || hasPath(overlay),
-            overlay.band.has_value(),
-            interaction.marks(),
-            litMark(),
-            m_bench.problemLook(),
-            overlay.pen,
-            overlay.plane ? std::optional(overlay.plane->canvas) : std::nullopt,
-            overlay.gizmo,
-            overlay.measure,
-            overlay.measuredPlace,
-            overlay.dimension,
-            overlay.rulers,
-            overlay.figure};
+    Hovered hovered = interaction.hovered();
+    hovered.slitStart.reset(); // nothing is seen of that
+    return {interaction.camera(),     interaction.view(),
+            interaction.selection(),  presentlyOutlined(),
+            m_bench.ghosts(),         hovered,
+            selectedSigns(),          overlay.held,
+            !overlay.drawn.isEmpty(), interaction.operationInFocus(),
+            interaction.hasGesture(), overlay.find<sign::Stroke>() || hasPath(overlay),
+            interaction.marks(),      litMark(),
+            m_bench.problemLook()};
 }
 
 /// Something that is seen may have changed: paints only if it has.
@@ -433,12 +424,8 @@ void Viewport::refresh()
     if (cursor() != shape)
         setCursor(shape);
 
-    const Overlay &overlay = interaction.overlay();
     Seen now = seen();
-    // What the pen shows is compared.
-    const bool drawsMarks =
-        (overlay.slit && !overlay.pen) || overlay.deadZone || overlay.stroke || overlay.band;
-    if (now == m_seen && !drawsMarks)
+    if (now == m_seen && !now.isDrawn)
         return;
     if (!now.isSamePicture(m_seen))
         m_isPictureChanged = true;

@@ -70,25 +70,14 @@ private:
         ViewState view;
         std::vector<SectionRef> selection, outlined;
         std::vector<SectionPointer> ghosts;
-        int hovered = -1;
-        std::optional<Vec2> namePlace;
-        std::optional<CubePart> cubePart;
-        std::optional<Overlay::Points> points;
-        std::optional<Overlay::Joints> joints;
-        std::optional<OperationMarks> handles;
+        Hovered hovered;
+        Signs selected, held;
+        bool isDrawn = false;  // a gesture shows something: that is not compared
         OperationId operation; // in focus
-        bool isHandleHovered = false, hasGesture = false, isGhosted = false, hasBand = false;
+        bool hasGesture = false, isGhosted = false;
         std::vector<ProblemMark> marks;
         int litMark = 0;
         ProblemLook problems;
-        std::optional<PenMarks> pen;
-        std::optional<Frame> plane;
-        std::optional<GizmoMarks> gizmo;
-        std::optional<Overlay::Measure> measure;
-        std::optional<Vec3> measuredPlace;
-        DimensionId dimension;
-        std::optional<Frame> rulers;
-        std::optional<Overlay::FigureLine> figure;
 
         bool isSamePicture(const Seen &other) const;
         bool operator==(const Seen &other) const = default;
@@ -99,7 +88,7 @@ private:
     void refresh();
     void rebuildScene();
     Seen seen() const;
-    std::optional<OperationMarks> handles() const;
+    Signs selectedSigns() const;
     std::vector<SectionRef> presentlyOutlined() const;
     int litMark() const;
     void watchAnalysis();

@@ -315,8 +315,8 @@ void Workbench::announceChanges()
         m_couldGoBack = canGoBack;
         Q_EMIT viewStateChanged();
     }
-    if (m_hoveredProblem != m_interaction->overlay().mark) {
-        m_hoveredProblem = m_interaction->overlay().mark;
+    if (m_hoveredProblem != m_interaction->hovered().problem) {
+        m_hoveredProblem = m_interaction->hovered().problem;
         Q_EMIT problemHovered(m_hoveredProblem);
     }
     Q_EMIT viewChanged();

@@ -3,6 +3,7 @@
 #include "core/base/units.h"
 #include "ui/base/icon.h"
 #include "ui/base/theme.h"
+#include "ui/bench/marked_scene.h"
 #include "ui/bench/measures.h"
 #include "ui/bench/workbench.h"
 #include "ui/properties/property_rows.h"
@@ -37,15 +38,15 @@ int drawnIndex(const Workbench &bench)
 QString kindText(const Overlay &overlay)
 {
     using Purpose = ContourTarget::Purpose;
-    const Purpose purpose = overlay.stroke ? overlay.stroke->purpose
-                            : overlay.pen  ? overlay.pen->purpose
-                                           : Purpose::NewSection;
+    const auto *stroke = overlay.find<sign::Stroke>();
+    const auto *path = overlay.find<PenMarks>();
+    const Purpose purpose = stroke ? stroke->purpose : path ? path->purpose : Purpose::NewSection;
     if (purpose == Purpose::Hole)
         return DrawingPage::tr("A hole, while you draw it");
     if (purpose == Purpose::Redraw)
         return DrawingPage::tr("A new contour, while you draw it");
-    return overlay.stroke || overlay.pen ? DrawingPage::tr("New section, while you draw it")
-                                         : DrawingPage::tr("Its contour comes next");
+    return stroke || path ? DrawingPage::tr("New section, while you draw it")
+                          : DrawingPage::tr("Its contour comes next");
 }
 
 } // namespace
@@ -86,18 +87,18 @@ DrawingPage::DrawingPage(Workbench &bench, QWidget *parent) : QWidget(parent), m
 
     m_slit = new PropertyGroup(tr("Slit"), this);
     addRow(m_slit, tr("On"), "drawnParent", [this] {
-        const auto &slit = m_bench.interaction().overlay().slit;
+        const auto *slit = m_bench.interaction().overlay().find<sign::Slit>();
         return slit ? QString::fromStdString(slit->section) : QString(u'–');
     });
     addRow(m_slit, tr("Length"), "drawnSlitLength", [this] {
-        const auto &slit = m_bench.interaction().overlay().slit;
+        const auto *slit = m_bench.interaction().overlay().find<sign::Slit>();
         return slit ? lengthText((slit->to - slit->from).norm(), 1, 1, locale()) : QString(u'–');
     });
     addRow(m_slit, tr("Its own slit"), "drawnOwnSlit", [this] { return ownSlit(); });
 
     m_contour = new PropertyGroup(tr("Contour"), this);
     addRow(m_contour, tr("Size"), "drawnSize", [this] {
-        const auto &stroke = m_bench.interaction().overlay().stroke;
+        const auto *stroke = m_bench.interaction().overlay().find<sign::Stroke>();
         if (const int drawn = drawnIndex(m_bench); !stroke && drawn >= 0) {
             const Vec2 size = m_bench.session()
                                   .model()
@@ -111,7 +112,7 @@ DrawingPage::DrawingPage(Workbench &bench, QWidget *parent) : QWidget(parent), m
         return sizeText({stroke->size->x(), stroke->size->y()}, 1, locale());
     });
     addRow(m_contour, tr("Curve pieces"), "drawnPieces", [this] {
-        const auto &stroke = m_bench.interaction().overlay().stroke;
+        const auto *stroke = m_bench.interaction().overlay().find<sign::Stroke>();
         return stroke && stroke->pieces > 0 ? locale().toString(stroke->pieces) : QString(u'–');
     });
     addRow(m_contour, tr("Mass"), "drawnMass", [this] {
@@ -150,7 +151,7 @@ void DrawingPage::addRow(PropertyGroup *group, const QString &name, const char *
 bool DrawingPage::isWanted() const
 {
     const Overlay &overlay = m_bench.interaction().overlay();
-    return overlay.slit || overlay.stroke || (overlay.pen && !overlay.pen->points.empty());
+    return overlay.find<sign::Slit>() || overlay.find<sign::Stroke>() || hasPath(overlay);
 }
 
 /// Which way it opens and how deep it is, as far as that is known by now.
@@ -200,7 +201,7 @@ QString DrawingPage::ownSlit() const
 /// Why it is mirrored, or what it would take; empty where there is nothing to say.
 QString DrawingPage::symmetryText() const
 {
-    const auto &stroke = m_bench.interaction().overlay().stroke;
+    const auto *stroke = m_bench.interaction().overlay().find<sign::Stroke>();
     if (!stroke || !stroke->symmetry || !stroke->symmetry->isOneSided)
         return {};
     const SymmetryVerdict &sides = *stroke->symmetry;
@@ -230,7 +231,7 @@ void DrawingPage::refresh()
                         : QString::fromStdString(
                               session.model().section(static_cast<std::size_t>(drawn))->name));
     m_kind->setText(kindText(m_bench.interaction().overlay()));
-    m_slit->setVisible(m_bench.interaction().overlay().slit.has_value());
+    m_slit->setVisible(m_bench.interaction().overlay().find<sign::Slit>() != nullptr);
     for (PropertyRow *row : m_rows)
         row->refresh();
     const QString why = symmetryText();

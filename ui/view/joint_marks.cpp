@@ -1,50 +1,13 @@
 #include "ui/view/joint_marks.h"
 
-#include <cmath>
+#include "ui/view/sign_painter.h"
 
 namespace fff::ui {
 
 namespace {
 
 constexpr double kSize = 4.5, kHoveredSize = 6.5; // px, half of a mark's diagonal
-constexpr double kArrow = 34.0, kArrowHead = 8.0; // px
-constexpr double kAhead = 20.0;     // px, to see where a direction leads on the screen
-constexpr double kTowardsEye = 0.2; // of its length that a direction must keep on the screen
-constexpr double kNumberOff = 12.0; // px, of a number beside its mark
-
-/// The rectangle of a slit, seen through everything.
-void paintSlit(MarkPen &pen, const JointLook::Outline &slit)
-{
-    QPainterPath path;
-    for (const Vec3 &corner : slit.corners) {
-        if (path.elementCount() == 0)
-            path.moveTo(pen.screen(corner));
-        else
-            path.lineTo(pen.screen(corner));
-    }
-    path.closeSubpath();
-    pen.painter().fillPath(path, faded(pen.style().slit, 0.45));
-    pen.cased(path, roundPen(pen.style().slit, 2.0));
-}
-
-/// Where the slits of the second section open to.
-void paintArrow(MarkPen &pen, const Vec3 &at, const Vec3 &direction)
-{
-    const QPointF from = pen.screen(at);
-    const double scale = pen.camera().scaleAt(at, pen.viewport());
-    const QPointF way = (pen.screen(at + kAhead * scale * direction) - from) / kAhead;
-    const double length = std::hypot(way.x(), way.y());
-    if (length < kTowardsEye)
-        return; // one looks along it
-    const QPointF along = way / length, across(-along.y(), along.x());
-    const QPointF tip = from + kArrow * along;
-    QPainterPath arrow(from);
-    arrow.lineTo(tip);
-    arrow.moveTo(tip - kArrowHead * along + 0.7 * kArrowHead * across);
-    arrow.lineTo(tip);
-    arrow.lineTo(tip - kArrowHead * along - 0.7 * kArrowHead * across);
-    pen.cased(arrow, roundPen(pen.style().slit, 2.4));
-}
+constexpr double kNumberOff = 12.0;               // px, of a number beside its mark
 
 /// A diamond; of two sections that collide a cross.
 void paintMark(MarkPen &pen, const QPointF &at, bool isProblem, bool grows)
@@ -70,16 +33,16 @@ void paintMark(MarkPen &pen, const QPointF &at, bool isProblem, bool grows)
 
 } // namespace
 
-void paintJoints(MarkPen &pen, const Overlay::Joints &joints, const QLocale &locale)
+void paintJoints(MarkPen &pen, const sign::Joints &joints, const QLocale &locale)
 {
     pen.painter().save();
     pen.painter().setBrush(Qt::NoBrush);
     for (const JointLook &look : joints.lit) {
         for (const JointLook::Outline &slit : look.slits)
-            paintSlit(pen, slit);
+            paintSign(pen, sign::Region{SignRole::Slit, slit.corners});
         if (!look.opens.isZero())
             for (const Vec3 &at : look.meetingPoints)
-                paintArrow(pen, at, look.opens);
+                paintSign(pen, sign::Arrow{SignRole::Slit, at, look.opens});
     }
     for (std::size_t i = 0; i < joints.marks.size(); ++i)
         paintMark(pen, pen.screen(joints.marks[i].at), joints.marks[i].isProblem,

@@ -4,8 +4,6 @@
 #include "core/interaction/snapping.h"
 #include "core/model/dimensions.h"
 
-#include <QCoreApplication>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -14,51 +12,10 @@ namespace fff::ui {
 
 namespace {
 
-struct Texts
-{
-    Q_DECLARE_TR_FUNCTIONS(fff::ui::MeasureMarks)
-};
-
-constexpr double kEnd = 6.0;                   // px, half of the tick at an end
 constexpr double kLabelGap = 62.0;             // px, between labels of a ruler
 constexpr double kRulerMargin = 44.0;          // px to the view's edge
 constexpr double kTick = 4.0, kLongTick = 8.0; // px
 constexpr int kMostTicks = 2000;
-
-/// A line with a tick across each end.
-QPainterPath lineWithEnds(const QPointF &from, const QPointF &to)
-{
-    QPainterPath path(from);
-    path.lineTo(to);
-    const QPointF way = to - from;
-    const double length = std::hypot(way.x(), way.y());
-    if (length < 1.0)
-        return path;
-    const QPointF across = kEnd / length * QPointF(-way.y(), way.x());
-    for (const QPointF &end : {from, to}) {
-        path.moveTo(end - across);
-        path.lineTo(end + across);
-    }
-    return path;
-}
-
-QString lengthOf(const Vec3 &from, const Vec3 &to, LengthUnit unit, const QLocale &locale)
-{
-    return lengthText((to - from).norm(), unit, 1, 2, locale);
-}
-
-/// The length, and how far it goes along each axis where it goes along several.
-QString measuredText(const Vec3 &from, const Vec3 &to, LengthUnit unit, const QLocale &locale)
-{
-    constexpr double kNothing = 0.005; // mm, of what is shown
-    const QString length = lengthOf(from, to, unit, locale);
-    const Vec3 way = (to - from).cwiseAbs();
-    if ((way.array() > kNothing).count() < 2)
-        return length;
-    const auto number = [&](int axis) { return lengthNumber(way[axis], unit, 1, 2, locale); };
-    //: a length, and how far it goes along X, Y and Z
-    return Texts::tr("%1   X %2  Y %3  Z %4").arg(length, number(0), number(1), number(2));
-}
 
 /// 1, 2 or 5 times a power of ten, in the unit's own numbers.
 double roundStep(double least)
@@ -183,50 +140,19 @@ private:
 
 } // namespace
 
-std::vector<DimensionMark> dimensionMarks(const Model &model, DimensionId lit)
+Signs dimensionSigns(const Model &model, DimensionId lit)
 {
-    std::vector<DimensionMark> marks;
+    Signs signs;
     for (const Dimension &dimension : model.document.dimensions) {
         const auto from = placeOf(model, dimension.from), to = placeOf(model, dimension.to);
-        if (from && to)
-            marks.push_back({*from, *to, lit.isValid() && dimension.id == lit});
+        if (!from || !to)
+            continue;
+        const bool isLit = lit.isValid() && dimension.id == lit;
+        const SignRole role = isLit ? SignRole::Measured : SignRole::Dimension;
+        signs.add(sign::Line{role, {*from, *to}, true});
+        signs.add(sign::Label{role, {*from, *to}, sign::Way{*to - *from, true}});
     }
-    return marks;
-}
-
-void paintDimensions(MarkPen &pen, const std::vector<DimensionMark> &marks, LengthUnit unit,
-                     const QLocale &locale)
-{
-    for (const DimensionMark &mark : marks) {
-        const QPointF from = pen.screen(mark.from), to = pen.screen(mark.to);
-        const QColor &colour = mark.isLit ? pen.style().accent : pen.style().text;
-        pen.cased(lineWithEnds(from, to), roundPen(colour, mark.isLit ? 2.0 : 1.2));
-        pen.chip(0.5 * (from + to), MarkPen::Anchor::Middle,
-                 lengthOf(mark.from, mark.to, unit, locale), colour);
-    }
-}
-
-void paintFigure(MarkPen &pen, const Overlay::FigureLine &figure)
-{
-    QPen line = roundPen(figure.isPossible ? pen.style().accent : pen.style().warning, 2.0);
-    if (!figure.isPossible)
-        line.setDashPattern({4.0, 3.0});
-    pen.cased(pen.path(figure.contour, figure.canvas), line);
-}
-
-void paintMeasure(MarkPen &pen, const Overlay &overlay, LengthUnit unit, const QLocale &locale)
-{
-    if (overlay.measure) {
-        const Overlay::Measure &measure = *overlay.measure;
-        const QPointF from = pen.screen(measure.from), to = pen.screen(measure.to);
-        pen.cased(lineWithEnds(from, to), roundPen(pen.style().accent, 2.0));
-        pen.chip(0.5 * (from + to), MarkPen::Anchor::Middle,
-                 measure.isWanted ? lengthOf(measure.from, measure.to, unit, locale)
-                                  : measuredText(measure.from, measure.to, unit, locale),
-                 pen.style().accent);
-    }
-    if (overlay.measuredPlace)
-        pen.ring(pen.screen(*overlay.measuredPlace), 4.0, pen.style().guide);
+    return signs;
 }
 
 void paintRulers(MarkPen &pen, const Frame &grid, LengthUnit unit, const QLocale &locale)

@@ -1,14 +1,9 @@
 #include "ui/view/overlay_painter.h"
 
 #include "core/interaction/clip_gesture.h"
-#include "ui/view/gizmo_marks.h"
-#include "ui/view/joint_marks.h"
-#include "ui/view/operation_marks.h"
-#include "ui/view/pen_marks.h"
-#include "ui/view/point_marks.h"
 #include "ui/view/problem_marks.h"
 #include "ui/view/scale_bar.h"
-#include "ui/view/stroke_marks.h"
+#include "ui/view/sign_painter.h"
 #include "ui/view/view_cube_painter.h"
 
 #include <QCoreApplication>
@@ -33,41 +28,7 @@ public:
     void ground();
     void scaleBar();
     void invitation();
-    void stroke() { paintStroke(m_pen, m_scene.overlay, isGroundALine(), m_scene.unit, m_locale); }
-    void path();
-    void points()
-    {
-        if (m_scene.overlay.points && m_scene.edited)
-            paintPoints(m_pen, *m_scene.edited, *m_scene.overlay.points);
-    }
-    void joints()
-    {
-        if (m_scene.overlay.joints)
-            paintJoints(m_pen, *m_scene.overlay.joints, m_locale);
-    }
-    void handles()
-    {
-        if (m_scene.handles && m_scene.operation)
-            paintOperation(m_pen, *m_scene.handles, *m_scene.operation);
-    }
-    void gizmo()
-    {
-        if (m_scene.overlay.gizmo)
-            paintGizmo(m_pen, *m_scene.overlay.gizmo, m_scene.unit, m_locale);
-    }
-    void lengths()
-    {
-        paintDimensions(m_pen, m_scene.dimensions, m_scene.unit, m_locale);
-        paintMeasure(m_pen, m_scene.overlay, m_scene.unit, m_locale);
-        if (m_scene.overlay.figure)
-            paintFigure(m_pen, *m_scene.overlay.figure);
-    }
-    void rulers()
-    {
-        if (m_scene.overlay.rulers && !m_scene.isAnimating)
-            paintRulers(m_pen, *m_scene.overlay.rulers, m_scene.unit, m_locale);
-    }
-    void band();
+    void signs();
     void ghosts();
     void cutHandle();
     void hoveredName();
@@ -83,7 +44,7 @@ public:
     void cube()
     {
         paintViewCube(m_painter, m_scene.camera.orientation, m_scene.viewport,
-                      m_scene.overlay.cubePart, m_style);
+                      m_scene.hovered.cubePart, m_style);
     }
 
 private:
@@ -98,12 +59,14 @@ private:
     const QLocale &m_locale;
 };
 
-void Drawing::path()
+/// Of gestures and tools, and of what is selected.
+void Drawing::signs()
 {
-    if (m_scene.overlay.plane)
-        paintPlane(m_pen, *m_scene.overlay.plane);
-    if (m_scene.overlay.pen)
-        paintPath(m_pen, *m_scene.overlay.pen, m_scene.unit, m_locale);
+    const SignScene scene{isGroundALine(), m_scene.edited, m_scene.operation, m_scene.unit};
+    paintSigns(
+        m_pen,
+        {&m_scene.selected, &m_scene.overlay.drawn, &m_scene.dimensions, &m_scene.overlay.held},
+        scene, m_locale);
 }
 
 /// Seen from the side the ground is a line.
@@ -191,18 +154,6 @@ void Drawing::ghosts()
     }
 }
 
-void Drawing::band()
-{
-    if (!m_scene.overlay.band)
-        return;
-    const Box2 &band = *m_scene.overlay.band;
-    const QRectF box(QPointF(band.min.x(), band.min.y()), QPointF(band.max.x(), band.max.y()));
-    m_painter.fillRect(box, faded(m_style.accent, 0.10));
-    m_painter.setBrush(Qt::NoBrush);
-    m_painter.setPen(QPen(m_style.accent, 1.0));
-    m_painter.drawRect(QRectF(box.toAlignedRect()).adjusted(0.5, 0.5, -0.5, -0.5));
-}
-
 /// Where the plane that cuts the view open is taken hold of, with arrows the way it goes.
 void Drawing::cutHandle()
 {
@@ -217,7 +168,7 @@ void Drawing::cutHandle()
     way = length > 0.3 ? way / length : QPointF(0.0, 1.0);
     const QPointF across(-way.y(), way.x());
 
-    const bool isLit = m_scene.overlay.isHandleHovered;
+    const bool isLit = m_scene.hovered.isCutHandle;
     const double radius = isLit ? 8.0 : 6.5;
     QPainterPath arrows;
     for (const double side : {1.0, -1.0}) {
@@ -235,14 +186,14 @@ void Drawing::cutHandle()
 /// The name of the section that the cursor rests on.
 void Drawing::hoveredName()
 {
-    const auto &place = m_scene.overlay.namePlace;
-    if (!place || m_scene.hovered.isEmpty())
+    const auto &place = m_scene.hovered.namePlace;
+    if (!place || m_scene.hoveredName.isEmpty())
         return;
     m_painter.save();
     QFont font = m_painter.font();
     font.setPixelSize(12);
     m_painter.setFont(font);
-    const QString text = QFontMetricsF(font).elidedText(m_scene.hovered, Qt::ElideRight, 260.0);
+    const QString text = QFontMetricsF(font).elidedText(m_scene.hoveredName, Qt::ElideRight, 260.0);
     const double width = QFontMetricsF(font).horizontalAdvance(text) + 14.0, height = 22.0;
     QRectF box(place->x() + 16.0, place->y() + 18.0, width, height);
     if (box.right() > m_scene.viewport.x() - 4.0)
@@ -352,15 +303,7 @@ void paintOverlay(QPainter &painter, const OverlayScene &scene, const ViewStyle 
     drawing.ground();
     drawing.ghosts();
     drawing.problems();
-    drawing.points();
-    drawing.joints();
-    drawing.handles();
-    drawing.rulers();
-    drawing.stroke();
-    drawing.path();
-    drawing.lengths();
-    drawing.gizmo();
-    drawing.band();
+    drawing.signs();
     drawing.steps();
     drawing.cutHandle();
     drawing.marks();

@@ -8,7 +8,6 @@
 #include "core/interaction/view_state.h"
 #include "core/operations/operation_kind.h"
 #include "ui/view/length_unit.h"
-#include "ui/view/measure_marks.h"
 #include "ui/view/step_marks.h"
 #include "ui/view/view_style.h"
 
@@ -23,14 +22,14 @@ namespace fff::ui {
 struct OverlayScene
 {
     const Overlay &overlay;
+    const Hovered &hovered;
     const Camera &camera;
     Vec2 viewport;
     bool isEmpty = false; // no section yet
     bool isIdle = true;   // no gesture
-    bool isAnimating = false;
     ViewState view = {};
     Box3 bounds = {};                // of the model
-    QString hovered = {};            // name of the section under the cursor
+    QString hoveredName = {};        // of the section under the cursor
     std::optional<double> busy = {}; // the model is being worked on: how often its mark went round
     LengthUnit unit = LengthUnit::Millimetre;
     std::vector<PlacedMark> marks = {};      // numbers of problems
@@ -39,9 +38,9 @@ struct OverlayScene
     std::vector<SectionPointer> ghosts = {}; // that are not in the model
     const StepMarks *steps = nullptr;        // of the assembly, which is shown instead of the model
     SectionPointer edited = {};              // whose points are shown, as it is shown
-    std::optional<OperationMarks> handles = {};
-    const OperationKind *operation = nullptr; // whose handles they are
-    std::vector<DimensionMark> dimensions = {};
+    const OperationKind *operation = nullptr; // whose handles there are
+    Signs selected = {};                      // overlay.selected, as it is shown
+    Signs dimensions = {};                    // of the model
 };
 
 /// Leaves the painter's state changed. Lengths are written as the locale has them.

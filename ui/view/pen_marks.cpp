@@ -216,20 +216,4 @@ void paintPath(MarkPen &pen, const PenMarks &marks, LengthUnit unit, const QLoca
     drawing.numbers(unit, locale);
 }
 
-void paintPlane(MarkPen &pen, const Overlay::Plane &plane)
-{
-    const auto corner = [&](double x, double y) {
-        return pen.screen(plane.canvas.toWorld({x, y}));
-    };
-    QPainterPath frame(corner(plane.box.min.x(), plane.box.min.y()));
-    frame.lineTo(corner(plane.box.max.x(), plane.box.min.y()));
-    frame.lineTo(corner(plane.box.max.x(), plane.box.max.y()));
-    frame.lineTo(corner(plane.box.min.x(), plane.box.max.y()));
-    frame.closeSubpath();
-    pen.painter().fillPath(frame, faded(pen.style().guide, 0.08));
-    QPen dashed(pen.style().guide, 1.6);
-    dashed.setDashPattern({6.0, 4.0});
-    pen.painter().strokePath(frame, dashed);
-}
-
 } // namespace fff::ui

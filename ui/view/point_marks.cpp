@@ -13,7 +13,7 @@ constexpr double kNearView = 20.0; // px beyond its edge: nothing there is drawn
 class Points
 {
 public:
-    Points(MarkPen &pen, const Section &section, const Overlay::Points &points)
+    Points(MarkPen &pen, const Section &section, const sign::Points &points)
         : m_pen(pen), m_painter(pen.painter()), m_section(section), m_points(points),
           m_view(QRectF(0.0, 0.0, pen.viewport().x(), pen.viewport().y())
                      .adjusted(-kNearView, -kNearView, kNearView, kNearView))
@@ -41,7 +41,7 @@ private:
     MarkPen &m_pen;
     QPainter &m_painter;
     const Section &m_section;
-    const Overlay::Points &m_points;
+    const sign::Points &m_points;
     const QRectF m_view;
 };
 
@@ -150,7 +150,7 @@ void Points::placeOnLine()
 
 } // namespace
 
-void paintPoints(MarkPen &pen, const Section &section, const Overlay::Points &points)
+void paintPoints(MarkPen &pen, const Section &section, const sign::Points &points)
 {
     pen.painter().save();
     Points drawing(pen, section, points);

@@ -25,6 +25,8 @@ target_sources(fff_view PRIVATE
     view/scale_bar.cpp
     view/scene.cpp
     view/section_passes.cpp
+    view/sign_looks.cpp
+    view/sign_painter.cpp
     view/slab_buffers.cpp
     view/slab_mesh.cpp
     view/slab_painter.cpp

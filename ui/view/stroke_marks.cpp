@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace fff::ui {
 
@@ -30,56 +29,8 @@ QPainterPath endless(const MarkPen &pen, const Vec3 &point, const Vec3 &directio
     return line;
 }
 
-void paintDeadZone(MarkPen &pen, const Overlay::DeadZone &zone)
-{
-    constexpr int kChords = 32; // of each of its two half circles
-    QPolygonF outline;
-    for (const double end : {zone.length, 0.0}) {
-        for (int i = 0; i <= kChords; ++i) {
-            const double angle = std::numbers::pi * (static_cast<double>(i) / kChords - 0.5) +
-                                 (end > 0.0 ? 0.0 : std::numbers::pi);
-            outline += pen.screen(zone.canvas.toWorld(
-                Vec2(end, 0.0) + zone.radius * Vec2(std::cos(angle), std::sin(angle))));
-        }
-    }
-    QPainterPath capsule;
-    capsule.addPolygon(outline);
-    capsule.closeSubpath();
-    pen.painter().fillPath(capsule, faded(pen.style().deadZone, 0.13));
-    QPen dashed(pen.style().deadZone, 1.4);
-    dashed.setDashPattern({4.0, 3.0});
-    pen.painter().strokePath(capsule, dashed);
-}
-
-/// Where the canvas meets the ground. What lies below is hatched, where that is one side of a line.
-void paintGround(MarkPen &pen, const Overlay::GroundLine &ground, bool isHatched)
-{
-    const QPainterPath line = endless(pen, ground.point, ground.direction);
-    if (line.isEmpty())
-        return;
-    if (!isHatched) {
-        const QPointF from = line.elementAt(0), to = line.elementAt(1);
-        // Down on the screen from the line: the halfplane below the ground.
-        const Vec3 below = ground.point - Vec3::UnitY();
-        const QPointF down = pen.screen(below) - pen.screen(ground.point);
-        const double length = std::hypot(down.x(), down.y());
-        if (length > 1e-6) {
-            const QPointF far = down * (2.0 * pen.viewport().norm() / length);
-            QPainterPath half(from);
-            half.lineTo(to);
-            half.lineTo(to + far);
-            half.lineTo(from + far);
-            half.closeSubpath();
-            QPainter &painter = pen.painter();
-            painter.fillPath(half, faded(pen.style().muted, 0.05));
-            painter.fillPath(half, QBrush(faded(pen.style().muted, 0.18), Qt::BDiagPattern));
-        }
-    }
-    pen.painter().strokePath(line, QPen(pen.style().text, 2.0));
-}
-
 /// The axis with what it means; dash-dot, as drawings have it.
-void paintAxis(MarkPen &pen, const Overlay::Stroke &stroke, bool isSlit)
+void paintAxis(MarkPen &pen, const sign::Stroke &stroke, bool isSlit)
 {
     const Vec3 point = stroke.canvas.toWorld(stroke.axis->point);
     const Vec3 direction = stroke.canvas.directionToWorld(stroke.axis->direction);
@@ -104,7 +55,7 @@ void paintAxis(MarkPen &pen, const Overlay::Stroke &stroke, bool isSlit)
              pen.style().symmetry);
 }
 
-void paintMirroredHalf(MarkPen &pen, const Overlay::Stroke &stroke)
+void paintMirroredHalf(MarkPen &pen, const sign::Stroke &stroke)
 {
     const QPainterPath half = pen.path(stroke.mirrored, stroke.canvas);
     QPen dashed = roundPen(pen.style().accent, 2.0);
@@ -115,7 +66,7 @@ void paintMirroredHalf(MarkPen &pen, const Overlay::Stroke &stroke)
     pen.painter().strokePath(half, dashed);
 }
 
-void paintSamples(MarkPen &pen, const Overlay::Stroke &stroke)
+void paintSamples(MarkPen &pen, const sign::Stroke &stroke)
 {
     QPainter &painter = pen.painter();
     painter.setPen(Qt::NoPen);
@@ -124,8 +75,7 @@ void paintSamples(MarkPen &pen, const Overlay::Stroke &stroke)
         painter.drawEllipse(pen.screen(stroke.canvas.toWorld(sample)), 1.0, 1.0);
 }
 
-void paintCursor(MarkPen &pen, const Overlay::Stroke &stroke, LengthUnit unit,
-                 const QLocale &locale)
+void paintCursor(MarkPen &pen, const sign::Stroke &stroke, LengthUnit unit, const QLocale &locale)
 {
     if (stroke.samples.empty())
         return;
@@ -141,46 +91,6 @@ void paintCursor(MarkPen &pen, const Overlay::Stroke &stroke, LengthUnit unit,
              QStringLiteral("%1 × %2").arg(lengthNumber(size.x(), unit, 1, 1, locale),
                                            lengthText(size.y(), unit, 1, 1, locale)),
              pen.style().muted);
-}
-
-void paintContour(MarkPen &pen, const Overlay::Stroke &stroke, bool isSlitAxis)
-{
-    if (stroke.cut)
-        paintCutOff(pen, *stroke.cut, stroke.canvas);
-    if (stroke.isMirrored)
-        paintMirroredHalf(pen, stroke);
-    for (const std::optional<CubicBezier> &join : {stroke.opening, stroke.closing}) {
-        if (!join)
-            continue;
-        QPen dotted = roundPen(pen.style().accent, 2.0);
-        dotted.setDashPattern({0.1, 2.6});
-        pen.cased(pen.path({*join}, stroke.canvas), dotted);
-    }
-    pen.cased(pen.path(stroke.fitted, stroke.canvas), roundPen(pen.style().accent, 2.8));
-    if (stroke.isMirrored && stroke.axis)
-        paintAxis(pen, stroke, isSlitAxis);
-    paintSamples(pen, stroke);
-}
-
-void paintSlit(MarkPen &pen, const Overlay &overlay, LengthUnit unit, const QLocale &locale)
-{
-    const Overlay::SlitLine &slit = *overlay.slit;
-    const QPointF from = pen.screen(slit.from), to = pen.screen(slit.to);
-    QPainterPath line(from);
-    line.lineTo(to);
-    pen.painter().strokePath(line, roundPen(pen.style().panel, 7.0));
-    pen.painter().strokePath(line, roundPen(pen.style().slit, 4.0));
-    pen.ring(from, 4.5, pen.style().slit);
-    if (slit.hasLeft)
-        pen.ring(to, 4.5, pen.style().slit);
-
-    const double length = (slit.to - slit.from).norm();
-    double reach = 22.0; // px, from the slit to its chip
-    if (const auto &zone = overlay.deadZone)
-        reach = zone->radius / pen.camera().scaleAt(slit.to, pen.viewport()) + 14.0;
-    pen.chip({0.5 * (from.x() + to.x()) - reach, 0.5 * (from.y() + to.y())}, MarkPen::Anchor::Right,
-             //: %1 is its length, with a unit
-             Words::tr("Slit %1").arg(lengthText(length, unit, 1, 1, locale)), pen.style().slit);
 }
 
 } // namespace
@@ -211,23 +121,76 @@ void paintCutChip(MarkPen &pen, const Contour &contour, const Frame &canvas, con
              Words::tr("Cut flat at the ground"), pen.style().muted);
 }
 
-void paintStroke(MarkPen &pen, const Overlay &overlay, bool isGroundHatched, LengthUnit unit,
-                 const QLocale &locale)
+void paintGround(MarkPen &pen, const sign::Ground &ground, bool isHatched)
 {
-    if (overlay.ground)
-        paintGround(pen, *overlay.ground, isGroundHatched);
-    if (overlay.deadZone)
-        paintDeadZone(pen, *overlay.deadZone);
-    if (overlay.stroke)
-        paintContour(pen, *overlay.stroke, overlay.slit.has_value());
-    if (overlay.slit)
-        paintSlit(pen, overlay, unit, locale);
-    if (!overlay.stroke)
+    const QPainterPath line = endless(pen, ground.point, ground.direction);
+    if (line.isEmpty())
         return;
-    if (overlay.stroke->cut)
-        paintCutChip(pen, *overlay.stroke->cut, overlay.stroke->canvas,
-                     overlay.stroke->samples.back());
-    paintCursor(pen, *overlay.stroke, unit, locale);
+    if (!isHatched) {
+        const QPointF from = line.elementAt(0), to = line.elementAt(1);
+        // Down on the screen from the line: the halfplane below the ground.
+        const Vec3 below = ground.point - Vec3::UnitY();
+        const QPointF down = pen.screen(below) - pen.screen(ground.point);
+        const double length = std::hypot(down.x(), down.y());
+        if (length > 1e-6) {
+            const QPointF far = down * (2.0 * pen.viewport().norm() / length);
+            QPainterPath half(from);
+            half.lineTo(to);
+            half.lineTo(to + far);
+            half.lineTo(from + far);
+            half.closeSubpath();
+            QPainter &painter = pen.painter();
+            painter.fillPath(half, faded(pen.style().muted, 0.05));
+            painter.fillPath(half, QBrush(faded(pen.style().muted, 0.18), Qt::BDiagPattern));
+        }
+    }
+    pen.painter().strokePath(line, QPen(pen.style().text, 2.0));
+}
+
+void paintContour(MarkPen &pen, const sign::Stroke &stroke, bool isSlitAxis)
+{
+    if (stroke.cut)
+        paintCutOff(pen, *stroke.cut, stroke.canvas);
+    if (stroke.isMirrored)
+        paintMirroredHalf(pen, stroke);
+    for (const std::optional<CubicBezier> &join : {stroke.opening, stroke.closing}) {
+        if (!join)
+            continue;
+        QPen dotted = roundPen(pen.style().accent, 2.0);
+        dotted.setDashPattern({0.1, 2.6});
+        pen.cased(pen.path({*join}, stroke.canvas), dotted);
+    }
+    pen.cased(pen.path(stroke.fitted, stroke.canvas), roundPen(pen.style().accent, 2.8));
+    if (stroke.isMirrored && stroke.axis)
+        paintAxis(pen, stroke, isSlitAxis);
+    paintSamples(pen, stroke);
+}
+
+void paintSlit(MarkPen &pen, const sign::Slit &slit, LengthUnit unit, const QLocale &locale)
+{
+    const QPointF from = pen.screen(slit.from), to = pen.screen(slit.to);
+    QPainterPath line(from);
+    line.lineTo(to);
+    pen.painter().strokePath(line, roundPen(pen.style().panel, 7.0));
+    pen.painter().strokePath(line, roundPen(pen.style().slit, 4.0));
+    pen.ring(from, 4.5, pen.style().slit);
+    if (slit.hasLeft)
+        pen.ring(to, 4.5, pen.style().slit);
+
+    const double length = (slit.to - slit.from).norm();
+    double reach = 22.0; // px, from the slit to its chip
+    if (slit.clearance > 0.0)
+        reach = slit.clearance / pen.camera().scaleAt(slit.to, pen.viewport()) + 14.0;
+    pen.chip({0.5 * (from.x() + to.x()) - reach, 0.5 * (from.y() + to.y())}, MarkPen::Anchor::Right,
+             //: %1 is its length, with a unit
+             Words::tr("Slit %1").arg(lengthText(length, unit, 1, 1, locale)), pen.style().slit);
+}
+
+void paintEnd(MarkPen &pen, const sign::Stroke &stroke, LengthUnit unit, const QLocale &locale)
+{
+    if (stroke.cut)
+        paintCutChip(pen, *stroke.cut, stroke.canvas, stroke.samples.back());
+    paintCursor(pen, stroke, unit, locale);
 }
 
 } // namespace fff::ui

@@ -1,8 +1,8 @@
-// The marks of a single stroke while it is drawn (ui/UI.md, section 3): slit, dead zone, contour,
-// its mirrored half, and where its plane meets the ground.
+// The signs of a single stroke while it is drawn (ui/UI.md, section 3): slit, contour, its mirrored
+// half, and where its plane meets the ground.
 #pragma once
 
-#include "core/interaction/interaction.h"
+#include "core/interaction/sign.h"
 #include "ui/view/length_unit.h"
 #include "ui/view/mark_pen.h"
 
@@ -10,9 +10,13 @@
 
 namespace fff::ui {
 
-/// isGroundHatched: what is below the ground is hatched already.
-void paintStroke(MarkPen &pen, const Overlay &overlay, bool isGroundHatched, LengthUnit unit,
-                 const QLocale &locale);
+/// isHatched: what is below the ground is hatched already.
+void paintGround(MarkPen &pen, const sign::Ground &ground, bool isHatched);
+/// All but its end. isSlitAxis: what it is mirrored across is its slit.
+void paintContour(MarkPen &pen, const sign::Stroke &stroke, bool isSlitAxis);
+/// Where the cursor is, and how large it is so far.
+void paintEnd(MarkPen &pen, const sign::Stroke &stroke, LengthUnit unit, const QLocale &locale);
+void paintSlit(MarkPen &pen, const sign::Slit &slit, LengthUnit unit, const QLocale &locale);
 
 /// What the ground cuts off of what is drawn: the whole contour, dotted.
 void paintCutOff(MarkPen &pen, const Contour &contour, const Frame &canvas);

@@ -28,7 +28,8 @@ constexpr Subject kSubjects[] = {Subject::Stability, Subject::Connection, Subjec
 bool isDrawing(const Workbench &bench)
 {
     const Overlay &overlay = bench.interaction().overlay();
-    return overlay.stroke || (overlay.pen && overlay.pen->hasArea);
+    const PenMarks *path = overlay.find<PenMarks>();
+    return overlay.find<sign::Stroke>() || (path && path->hasArea);
 }
 
 } // namespace

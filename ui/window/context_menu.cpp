@@ -58,16 +58,15 @@ const char *ContextMenu::chooseHovered()
                          {"index", std::to_string(target->point.index)}});
         return ofSelection();
     }
-    const Overlay &overlay = interaction.overlay();
-    if (overlay.joints && overlay.joints->hovered >= 0) {
-        m_bench.selectJoint(
-            overlay.joints->marks[static_cast<std::size_t>(overlay.joints->hovered)].joint);
+    const auto *joints = interaction.overlay().find<sign::Joints>();
+    if (joints && joints->hovered >= 0) {
+        m_bench.selectJoint(joints->marks[static_cast<std::size_t>(joints->hovered)].joint);
         return ofSelection();
     }
-    if (overlay.hovered < 0)
+    const int index = interaction.hovered().section;
+    if (index < 0)
         return "context.empty";
-    const SectionRef hovered =
-        m_bench.session().committed().ref(static_cast<std::size_t>(overlay.hovered));
+    const SectionRef hovered = m_bench.session().committed().ref(static_cast<std::size_t>(index));
     const std::vector<SectionRef> selected = interaction.sectionsInFocus();
     if (std::find(selected.begin(), selected.end(), hovered) == selected.end())
         m_bench.select({hovered});

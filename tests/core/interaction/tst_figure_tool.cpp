@@ -138,8 +138,8 @@ void TestFigureTool::theMiddleSnaps()
     desk.run("section.addShape", {{"figure", "circle"}});
     desk.wait(2000.0);
     desk.moveTo(desk.plate(20.2, 9.7));
-    QVERIFY(desk.interaction.overlay().measuredPlace.has_value());
-    QVERIFY(desk.interaction.overlay().rulers.has_value());
+    QVERIFY(desk.interaction.overlay().find<sign::Handle>());
+    QVERIFY(desk.interaction.overlay().find<sign::Rulers>());
     desk.drag({desk.plate(20.2, 9.7), desk.plate(30, 9.7)});
     const Frame &frame = desk.sections().front()->frame;
     const Vec3 middle = frame.toWorld(lastFigure(desk, 1)->centre);
@@ -190,19 +190,19 @@ void TestFigureTool::itsLineIsSeenWhileDragged()
     desk.interaction.select({desk.sections().front()->id});
     desk.run("section.addShape", {{"figure", "circle"}});
     desk.wait(2000.0);
-    const auto line = [&desk] { return desk.interaction.overlay().figure; };
+    const auto line = [&desk] { return desk.interaction.overlay().find<sign::Curve>(); };
     desk.moveTo(desk.plate(0, 0));
     QVERIFY(!line());
     desk.press(desk.plate(0, 0));
     desk.moveTo(desk.plate(20, 0));
-    QVERIFY(line() && line()->isPossible);
+    QVERIFY(line() && line()->role == SignRole::Figure);
     desk.interaction.escape(desk.time);
     QVERIFY(!line());
     desk.release(desk.plate(20, 0));
     desk.moveTo(desk.plate(160, 0));
     desk.press(desk.plate(160, 0));
     desk.moveTo(desk.plate(175, 0));
-    QVERIFY(line() && !line()->isPossible);
+    QVERIFY(line() && line()->role == SignRole::Refused);
     desk.release(desk.plate(175, 0));
     QVERIFY(!line());
 }

@@ -148,8 +148,8 @@ void TestInteraction::secondSectionStandsOnItsSlit()
     QCOMPARE(desk.hint(), Hint::Kind::Turning);
     desk.wait(kTurnTime);
     QCOMPARE(desk.hint(), Hint::Kind::LeaveDeadZone);
-    QVERIFY(desk.interaction.overlay().deadZone);
-    QVERIFY(std::abs(desk.interaction.overlay().deadZone->radius /
+    QVERIFY(desk.interaction.overlay().find<sign::Capsule>());
+    QVERIFY(std::abs(desk.interaction.overlay().find<sign::Capsule>()->radius /
                          desk.interaction.camera().millimetresPerPixel -
                      32.0) < 1e-9);
     const Vec3 backward = desk.interaction.camera().backward();
@@ -186,8 +186,8 @@ void TestInteraction::slitEndStaysUnderTheCursor()
     desk.press(desk.plate(20, 0));
     desk.moveTo(desk.plate(110, 10), {}, 2);
     QVERIFY(desk.interaction.isAnimating());
-    const Vec3 end = desk.interaction.overlay().slit->to;
-    QVERIFY(desk.interaction.overlay().slit->hasLeft);
+    const Vec3 end = desk.interaction.overlay().find<sign::Slit>()->to;
+    QVERIFY(desk.interaction.overlay().find<sign::Slit>()->hasLeft);
     while (desk.hint() == Hint::Kind::Turning) {
         desk.send(Type::Move, desk.cursor + Vec2(3.0, -2.0));
         if (desk.hint() != Hint::Kind::Turning)
@@ -199,7 +199,7 @@ void TestInteraction::slitEndStaysUnderTheCursor()
     }
     // A right angle to the front.
     QVERIFY(std::abs(desk.interaction.camera().backward().z()) < 1e-6);
-    QVERIFY(!desk.interaction.overlay().stroke);
+    QVERIFY(!desk.interaction.overlay().find<sign::Stroke>());
 }
 
 /// A window that draws sixty frames a second and a script without any make the same section.
@@ -263,11 +263,11 @@ void TestInteraction::previewIsWhatIsCommitted()
     QCOMPARE(desk.hint(), Hint::Kind::ReleaseToMake);
     QVERIFY(desk.session.hasPreview());
     const Model *preview = &desk.session.model();
-    QVERIFY(desk.interaction.overlay().stroke->closing);
-    QCOMPARE(desk.interaction.overlay().stroke->samples.size() > 20, true);
+    QVERIFY(desk.interaction.overlay().find<sign::Stroke>()->closing);
+    QCOMPARE(desk.interaction.overlay().find<sign::Stroke>()->samples.size() > 20, true);
     desk.release(desk.cursor);
     QCOMPARE(&desk.session.committed(), preview);
-    QVERIFY(!desk.interaction.overlay().stroke);
+    QVERIFY(!desk.interaction.overlay().find<sign::Stroke>());
 }
 
 // Wrong: on a slow machine, where moves come in bursts, another section than on a fast one is
@@ -365,7 +365,8 @@ void TestInteraction::escapeLeavesNoTrace()
     QVERIFY(isSameCamera(desk.interaction.camera(), before));
     QCOMPARE(&desk.session.committed(), model);
     QCOMPARE(desk.session.history()->count(), 1);
-    QVERIFY(!desk.interaction.overlay().slit && !desk.interaction.overlay().stroke);
+    QVERIFY(!desk.interaction.overlay().find<sign::Slit>() &&
+            !desk.interaction.overlay().find<sign::Stroke>());
     QVERIFY(!desk.interaction.escape(desk.time));
 }
 
@@ -403,7 +404,7 @@ void TestInteraction::holesAreOutside()
     desk.press(desk.plate(0, 0));
     desk.moveTo(desk.plate(50, 0), {}, 2);
     QCOMPARE(desk.hint(), Hint::Kind::Turning);
-    QVERIFY((desk.interaction.overlay().slit->to - Vec3(40, 83.82, 0)).norm() < 1e-6);
+    QVERIFY((desk.interaction.overlay().find<sign::Slit>()->to - Vec3(40, 83.82, 0)).norm() < 1e-6);
 }
 
 /// Wrong: a deletion that is undone leaves another state than the one before it, or takes away what
@@ -511,14 +512,14 @@ void TestInteraction::hoverSaysWhatComesNext()
     QCOMPARE(desk.hint(), Hint::Kind::DragOutOfSection);
     QCOMPARE(desk.interaction.hint().section, std::string("Section 1"));
     QCOMPARE(desk.interaction.cursor(), Cursor::PencilWithSlit);
-    QCOMPARE(desk.interaction.overlay().hovered, 0);
-    QVERIFY((*desk.interaction.overlay().slitStart - Vec3(0, 83.82, 0)).norm() < 1e-6);
+    QCOMPARE(desk.interaction.hovered().section, 0);
+    QVERIFY((*desk.interaction.hovered().slitStart - Vec3(0, 83.82, 0)).norm() < 1e-6);
     desk.send(Type::Move, {5, 5});
     QCOMPARE(desk.hint(), Hint::Kind::TurnView);
-    QCOMPARE(desk.interaction.overlay().hovered, -1);
+    QCOMPARE(desk.interaction.hovered().section, -1);
     desk.send(Type::Move, desk.plate(0, 0));
     desk.send(Type::Leave, {0, 0});
-    QCOMPARE(desk.interaction.overlay().hovered, -1);
+    QCOMPARE(desk.interaction.hovered().section, -1);
 }
 
 void TestInteraction::deletedSectionsAreForgotten()
@@ -532,12 +533,12 @@ void TestInteraction::deletedSectionsAreForgotten()
     QVERIFY(desk.commands.run("edit.delete"));
     QCOMPARE(desk.session.history()->undoText(), QStringLiteral("Delete 2 sections"));
     QVERIFY(desk.interaction.selection().empty());
-    QCOMPARE(desk.interaction.overlay().hovered, -1);
+    QCOMPARE(desk.interaction.hovered().section, -1);
     QCOMPARE(desk.hint(), Hint::Kind::DrawFirstSection);
     QVERIFY(!desk.commands.isEnabled("edit.delete"));
     QVERIFY(desk.commands.run("edit.undo"));
     QCOMPARE(desk.sections().size(), std::size_t(2));
-    QCOMPARE(desk.interaction.overlay().hovered, 1);
+    QCOMPARE(desk.interaction.hovered().section, 1);
 }
 
 void TestInteraction::animationsRunOnTheEventsClock()
@@ -614,11 +615,11 @@ void TestInteraction::isolatedSectionsArePickedThroughTheOthers()
     desk.interaction.select({desk.session.committed().ref(0)});
     QVERIFY(desk.commands.run("view.isolate"));
     desk.moveTo(desk.plate(0, 0));
-    QCOMPARE(desk.interaction.overlay().hovered, 0);
+    QCOMPARE(desk.interaction.hovered().section, 0);
     desk.interaction.select({});
     QVERIFY(desk.interaction.escape(desk.time));
     desk.moveTo(desk.plate(5, 0));
-    QCOMPARE(desk.interaction.overlay().hovered, 1);
+    QCOMPARE(desk.interaction.hovered().section, 1);
 }
 
 void TestInteraction::aCutIsPickedThrough()
@@ -630,14 +631,14 @@ void TestInteraction::aCutIsPickedThrough()
     view.clip = ClipPlane{Vec3(0, 0, 25), Vec3::UnitZ()}; // takes the plate before
     desk.interaction.setView(view);
     desk.moveTo(desk.plate(40, 30));
-    QCOMPARE(desk.interaction.overlay().hovered, 0);
+    QCOMPARE(desk.interaction.hovered().section, 0);
     // Of a plate that is cut through, what is left of it.
     view.clip = ClipPlane{Vec3(0, 0, 0), Vec3::UnitX()};
     desk.interaction.setView(view);
     desk.moveTo(desk.plate(40, 30));
-    QCOMPARE(desk.interaction.overlay().hovered, -1);
+    QCOMPARE(desk.interaction.hovered().section, -1);
     desk.moveTo(desk.plate(-40, 30));
-    QCOMPARE(desk.interaction.overlay().hovered, 1);
+    QCOMPARE(desk.interaction.hovered().section, 1);
 }
 
 void TestInteraction::aCutIsDraggedAndClosed()
@@ -674,7 +675,7 @@ void TestInteraction::theCubeTurnsTheView()
     desk.addPlate();
     const Vec2 cube = *cubeCentre(kViewport);
     desk.moveTo(cube + Vec2(0.45 * kCubeEdge, 0));
-    QVERIFY(desk.interaction.overlay().cubePart);
+    QVERIFY(desk.interaction.hovered().cubePart);
     QCOMPARE(desk.hint(), Hint::Kind::LookFrom);
     desk.click(cube + Vec2(0.45 * kCubeEdge, 0)); // the edge between front and right
     QVERIFY(desk.interaction.isAnimating());
@@ -740,11 +741,11 @@ void TestInteraction::strokesInPerspectiveLieOnTheirPlane()
     desk.press(desk.plate(20, 0));
     desk.moveTo(desk.plate(110, 0), {}, 3);
     QCOMPARE(desk.hint(), Hint::Kind::Turning);
-    const Vec3 end = desk.interaction.overlay().slit->to;
+    const Vec3 end = desk.interaction.overlay().find<sign::Slit>()->to;
     desk.wait(kTurnTime);
     QVERIFY((desk.screen(end) - desk.cursor).norm() < 1.0);
     QCOMPARE(desk.hint(), Hint::Kind::LeaveDeadZone);
-    QVERIFY(std::abs(desk.interaction.overlay().deadZone->radius /
+    QVERIFY(std::abs(desk.interaction.overlay().find<sign::Capsule>()->radius /
                          desk.interaction.camera().millimetresPerPixel -
                      32.0) < 1e-6);
     const Vec2 start = desk.cursor;
@@ -769,16 +770,16 @@ void TestInteraction::namesAppearWhenTheCursorRests()
     Desk desk;
     desk.addPlate();
     desk.moveTo(desk.plate(10, 10));
-    QVERIFY(!desk.interaction.overlay().namePlace);
+    QVERIFY(!desk.interaction.hovered().namePlace);
     QVERIFY(desk.interaction.wakeTime());
     desk.wait(390.0);
-    QVERIFY(!desk.interaction.overlay().namePlace);
+    QVERIFY(!desk.interaction.hovered().namePlace);
     desk.wait(20.0);
-    QVERIFY(desk.interaction.overlay().namePlace);
+    QVERIFY(desk.interaction.hovered().namePlace);
     desk.moveTo(desk.cursor + Vec2(5, 0), {}, 1); // a twitch
-    QVERIFY(desk.interaction.overlay().namePlace);
+    QVERIFY(desk.interaction.hovered().namePlace);
     desk.moveTo(desk.cursor + Vec2(80, 0));
-    QVERIFY(!desk.interaction.overlay().namePlace);
+    QVERIFY(!desk.interaction.hovered().namePlace);
     desk.moveTo({20.0, 20.0});
     QVERIFY(!desk.interaction.wakeTime());
 }
@@ -826,7 +827,7 @@ void TestInteraction::viewCommandsEndAToolsStroke()
     desk.moveTo({700, 500});
     desk.release(desk.cursor);
     desk.wait(kTurnTime);
-    QVERIFY(!desk.interaction.overlay().stroke);
+    QVERIFY(!desk.interaction.overlay().find<sign::Stroke>());
     QVERIFY(!desk.session.hasPreview());
     QCOMPARE(desk.session.history()->count(), 1);
     QVERIFY(desk.interaction.tool()); // to be drawn with once the view is right
@@ -882,14 +883,14 @@ void TestInteraction::roomIsMadeAlsoAfterAMove()
         desk.moveTo(desk.plate(0, 65), {}, 1);
         desk.wait(turnTime);
         desk.send(Type::Move, desk.cursor + Vec2(4, 4));
-        QVERIFY(desk.interaction.overlay().deadZone);
+        QVERIFY(desk.interaction.overlay().find<sign::Capsule>());
         QVERIFY(desk.interaction.isAnimating());
         const Camera before = desk.interaction.camera();
         for (int i = 0; i < 400 && desk.interaction.isAnimating(); ++i)
             desk.wait(8.0);
         QVERIFY(!desk.interaction.isAnimating());
         QVERIFY(!isSameCamera(desk.interaction.camera(), before));
-        QVERIFY(desk.interaction.overlay().deadZone); // it did not push the cursor out
+        QVERIFY(desk.interaction.overlay().find<sign::Capsule>()); // it did not push the cursor out
     }
 }
 

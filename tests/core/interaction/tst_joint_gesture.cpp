@@ -39,7 +39,7 @@ public:
     Vec2 at(double height) const { return screen({0, height, 0}); }
     JointState state() const { return *jointState(session.committed(), joint()); }
     double share() const { return *state().shares[0]; }
-    const std::optional<Overlay::Joints> &marks() const { return interaction.overlay().joints; }
+    const sign::Joints *marks() const { return interaction.overlay().find<sign::Joints>(); }
 };
 
 } // namespace
@@ -72,7 +72,7 @@ private Q_SLOTS:
 void TestJointGesture::hoverSaysWhatADragWouldDo()
 {
     JointDesk desk;
-    QVERIFY(desk.marks().has_value());
+    QVERIFY(desk.marks());
     QCOMPARE(desk.marks()->marks.size(), std::size_t(1));
     QCOMPARE(desk.marks()->hovered, -1);
     QVERIFY(desk.marks()->lit.empty());
@@ -84,7 +84,7 @@ void TestJointGesture::hoverSaysWhatADragWouldDo()
     QCOMPARE(desk.marks()->hovered, 0);
     QCOMPARE(desk.marks()->lit.size(), std::size_t(1));
     QCOMPARE(desk.marks()->lit.front().slits.size(), std::size_t(2));
-    QCOMPARE(desk.interaction.overlay().hovered, -1);
+    QCOMPARE(desk.interaction.hovered().section, -1);
     QVERIFY(desk.marks()->lit.front().opens.y() < -0.99); // Head's slit opens down
     desk.send(Type::Move, desk.at(30) + Vec2(14, 0));
     QVERIFY(desk.hint() != Hint::Kind::MoveMeetingPoint);
@@ -101,7 +101,7 @@ void TestJointGesture::nothingIsInTheWayOfStrokes()
     QCOMPARE(desk.hint(), Hint::Kind::DragOutOfSection);
     desk.press(desk.at(30));
     desk.moveTo(desk.at(45));
-    QVERIFY(desk.interaction.overlay().slit.has_value());
+    QVERIFY(desk.interaction.overlay().find<sign::Slit>());
     desk.interaction.escape(desk.time);
     // Many sections are no place for marks.
     std::vector<SectionRef> all;

@@ -64,10 +64,10 @@ void TestLongStrokesShown::aFrameShowsAllOfIt()
     QVERIFY2(desk.session.revision() - before < kMoves / 2,
              qPrintable(QString::number(desk.session.revision() - before)));
     QVERIFY(desk.interaction.isAnimating()); // it asks for a frame
-    const Vec2 end = desk.interaction.overlay().stroke->samples.back();
+    const Vec2 end = desk.interaction.overlay().find<sign::Stroke>()->samples.back();
     desk.wait(16.0);
     QVERIFY(!desk.interaction.isAnimating());
-    QCOMPARE(desk.interaction.overlay().stroke->samples.back(), end);
+    QCOMPARE(desk.interaction.overlay().find<sign::Stroke>()->samples.back(), end);
     QVERIFY(desk.session.hasPreview());
     const ShapePointer shown = desk.session.model().document.sections.back()->shape;
     desk.release(bays(1.0));

@@ -30,8 +30,8 @@ struct MeasureDesk : Desk
     }
     double measured() const
     {
-        const auto &measure = interaction.overlay().measure;
-        return measure ? (measure->to - measure->from).norm() : 0.0;
+        const auto *measure = interaction.overlay().find<sign::Line>();
+        return measure ? (measure->points.back() - measure->points.front()).norm() : 0.0;
     }
     const std::vector<Dimension> &dimensions() const
     {

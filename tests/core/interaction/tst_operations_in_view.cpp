@@ -236,8 +236,8 @@ void TestOperationsInView::handlesMoveTheRange()
 {
     BoneDesk desk;
     desk.makeRibs();
-    QVERIFY(desk.interaction.overlay().operation);
-    const auto &handles = desk.interaction.overlay().operation->handles;
+    QVERIFY(desk.interaction.overlay().find<OperationMarks>());
+    const auto &handles = desk.interaction.overlay().find<OperationMarks>()->handles;
     QCOMPARE(handles.size(), 2U);
     QCOMPARE(handles[1].key, std::string("to"));
     const Vec2 from = desk.screen(handles[0].at), to = desk.screen(handles[1].at);
@@ -247,7 +247,7 @@ void TestOperationsInView::handlesMoveTheRange()
     desk.press(to);
     desk.moveTo(0.5 * (from + to));
     QVERIFY(desk.session.hasPreview());
-    QVERIFY(desk.interaction.overlay().operation);
+    QVERIFY(desk.interaction.overlay().find<OperationMarks>());
     desk.interaction.escape(desk.time);
     QVERIFY(!desk.session.hasPreview());
     desk.release(desk.cursor);
@@ -273,10 +273,10 @@ void TestOperationsInView::aRangeGoesOnRoundARing()
     QVERIFY(desk.commands.run(
         "operation.revolve",
         {{"section", "Rib"}, {"along", "Spine"}, {"from", "85"}, {"to", "10"}, {"name", "Ribs"}}));
-    const OperationMarks marks = *desk.interaction.overlay().operation;
+    const OperationMarks marks = *desk.interaction.overlay().find<OperationMarks>();
     QVERIFY(marks.isRing());
     const auto drag = [&](int handle, double to) {
-        const auto &handles = desk.interaction.overlay().operation->handles;
+        const auto &handles = desk.interaction.overlay().find<OperationMarks>()->handles;
         const Vec2 from = desk.screen(handles[static_cast<std::size_t>(handle)].at);
         desk.moveTo(from);
         desk.press(from);
@@ -295,7 +295,7 @@ void TestOperationsInView::aRangeGoesOnRoundARing()
     BoneDesk straight;
     straight.makeRibs();
     QVERIFY(straight.commands.run("operation.change", {{"from", "80"}, {"to", "20"}}));
-    const OperationMarks line = *straight.interaction.overlay().operation;
+    const OperationMarks line = *straight.interaction.overlay().find<OperationMarks>();
     QVERIFY(!line.isRing());
     straight.moveTo(straight.screen(line.handles[0].at));
     straight.press(straight.cursor);
@@ -378,7 +378,7 @@ void TestOperationsInView::handlesDoNotPass()
     BoneDesk desk;
     desk.makeRibs();
     QVERIFY(desk.commands.run("operation.change", {{"from", "40"}}));
-    const auto handles = desk.interaction.overlay().operation->handles;
+    const auto handles = desk.interaction.overlay().find<OperationMarks>()->handles;
     const Vec2 from = desk.screen(handles[0].at), to = desk.screen(handles[1].at);
     desk.moveTo(to);
     desk.press(to);
@@ -386,7 +386,7 @@ void TestOperationsInView::handlesDoNotPass()
     desk.release(desk.cursor);
     QCOMPARE(std::get<double>(desk.document().operations[0]->parameters.at("to")), 0.4);
     // At one place, the one that can go on is taken.
-    const auto both = desk.interaction.overlay().operation->handles;
+    const auto both = desk.interaction.overlay().find<OperationMarks>()->handles;
     QVERIFY((both[0].at - both[1].at).norm() < 1e-6);
     desk.moveTo(desk.screen(both[0].at));
     desk.press(desk.cursor);
@@ -414,7 +414,7 @@ void TestOperationsInView::anImageIsEditedAsItsSource()
     QCOMPARE(origin->section->id, leg);
     // A point of it.
     desk.interaction.select({image});
-    QVERIFY(desk.interaction.overlay().points);
+    QVERIFY(desk.interaction.overlay().find<sign::Points>());
     const Section shown = *editedSection(desk.model(), image);
     const Vec2 corner = shown.shape->contour().segment(0).p0;
     const Vec2 at = desk.screen(shown.frame.toWorld(corner));
@@ -508,7 +508,7 @@ void TestOperationsInView::whatIsMadeSaysSo()
     BoneDesk desk;
     desk.makeRibs();
     desk.interaction.select({desk.named("Rib 3")});
-    QVERIFY(!desk.interaction.overlay().points);
+    QVERIFY(!desk.interaction.overlay().find<sign::Points>());
     QVERIFY(desk.interaction.nudge(Vec2::UnitX(), 1.0, desk.time));
     QCOMPARE(desk.interaction.hint().kind, Hint::Kind::MadeByOperation);
     QCOMPARE(desk.interaction.hint().section, std::string("Rib 3"));

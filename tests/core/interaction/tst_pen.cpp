@@ -19,8 +19,11 @@ class PenDesk : public Desk
 public:
     /// Where the canvas has this place.
     Vec2 onCanvas(double x, double y) const { return screen(marks().canvas.toWorld({x, y})); }
-    const PenMarks &marks() const { return *interaction.overlay().pen; }
-    std::size_t pointCount() const { return interaction.overlay().pen ? marks().points.size() : 0; }
+    const PenMarks &marks() const { return *interaction.overlay().find<PenMarks>(); }
+    std::size_t pointCount() const
+    {
+        return interaction.overlay().find<PenMarks>() ? marks().points.size() : 0;
+    }
     Vec3 point(std::size_t i) const { return marks().canvas.toWorld(marks().points[i].at); }
     bool key(ToolKey key) { return interaction.key(key, time += 8.0); }
 };
@@ -100,7 +103,7 @@ void TestPen::clicksMakeTheFirstSection()
     QVERIFY(!desk.session.hasPreview());
     // The pen stays in the hand.
     QVERIFY(desk.interaction.tool());
-    QVERIFY(!desk.interaction.overlay().pen);
+    QVERIFY(!desk.interaction.overlay().find<PenMarks>());
 }
 
 void TestPen::closing_data()
@@ -274,11 +277,11 @@ void TestPen::slitsBeginACanvas()
     QCOMPARE(int(desk.hint()), int(Hint::Kind::PenOnSection));
     turnToCanvas(desk);
     desk.release(desk.cursor);
-    QVERIFY(desk.interaction.overlay().pen);
+    QVERIFY(desk.interaction.overlay().find<PenMarks>());
     const Frame canvas = desk.marks().canvas;
     // Seen straight, and its slit is there.
     QVERIFY((desk.interaction.camera().backward().cross(canvas.normal())).norm() < 1e-6);
-    QVERIFY(desk.interaction.overlay().slit);
+    QVERIFY(desk.interaction.overlay().find<sign::Slit>());
     for (const Vec2 &corner : {Vec2(-20, -40), Vec2(100, -40), Vec2(100, 40), Vec2(-20, 40)})
         desk.click(desk.onCanvas(corner.x(), corner.y()));
     QVERIFY(desk.key(ToolKey::Enter));
@@ -305,7 +308,7 @@ void TestPen::releasingInTheTurnGoesOn()
     desk.moveTo(to);
     QVERIFY(desk.interaction.isAnimating());
     QCOMPARE(int(desk.hint()), int(Hint::Kind::Turning));
-    const Vec3 end = desk.interaction.overlay().slit->to;
+    const Vec3 end = desk.interaction.overlay().find<sign::Slit>()->to;
     desk.release(to);
     for (int i = 0; i < 8; ++i) { // 640 ms: the turn is not over
         desk.moveTo(to + Vec2(i, 2 * i));
@@ -327,7 +330,7 @@ void TestPen::aClickOnASectionSelects()
     desk.run("section.pen");
     desk.click(desk.front(20, kFirstPlaneHeight));
     QCOMPARE(desk.interaction.selection().size(), std::size_t(1));
-    QVERIFY(!desk.interaction.overlay().pen);
+    QVERIFY(!desk.interaction.overlay().find<PenMarks>());
     // A slit that never leaves is said.
     desk.drag({desk.front(20, kFirstPlaneHeight), desk.front(50, kFirstPlaneHeight)});
     QCOMPARE(int(desk.hint()), int(Hint::Kind::NeverLeft));
@@ -413,12 +416,13 @@ void TestPen::escapeGoesBackStepByStep()
     QVERIFY(desk.interaction.escape(desk.time));
     QVERIFY(desk.interaction.tool());
     QCOMPARE(desk.pointCount(), std::size_t(0));
-    QVERIFY(desk.interaction.overlay().pen); // the canvas is still there
+    QVERIFY(desk.interaction.overlay().find<PenMarks>()); // the canvas is still there
     QVERIFY(desk.interaction.escape(desk.time));
     QVERIFY(!desk.interaction.tool());
     desk.wait(kTurnTime);
     QVERIFY(isSameCamera(before, desk.interaction.camera()));
-    QVERIFY(!desk.interaction.overlay().pen && !desk.interaction.overlay().slit);
+    QVERIFY(!desk.interaction.overlay().find<PenMarks>() &&
+            !desk.interaction.overlay().find<sign::Slit>());
     QCOMPARE(desk.steps(), 1);
     // In the turn: back to where the slit began, the pen in the hand.
     desk.run("section.pen");
@@ -571,12 +575,12 @@ void TestPen::aParallelPlaneMoves()
         desk.wait(1000.0);
         QCOMPARE(int(desk.interaction.numbers().front().kind), int(ToolNumber::Kind::Distance));
         QCOMPARE(desk.interaction.numbers().front().value, 12.0);
-        QVERIFY(desk.interaction.overlay().plane);
+        QVERIFY(desk.interaction.overlay().find<sign::Region>());
         desk.interaction.setNumbers({{ToolNumber::Kind::Distance, 37.5}}, desk.time);
         QCOMPARE(desk.interaction.numbers().front().value, 37.5);
         const Vec3 normal = desk.sections().front()->frame.normal();
-        const Vec3 origin = desk.interaction.overlay().plane->canvas.origin;
-        QVERIFY(std::abs(normal.dot(origin - desk.sections().front()->frame.origin) - 37.5) < 1e-9);
+        const Vec3 corner = desk.interaction.overlay().find<sign::Region>()->outline.front();
+        QVERIFY(std::abs(normal.dot(corner - desk.sections().front()->frame.origin) - 37.5) < 1e-9);
         desk.interaction.layDown(desk.time);
         desk.wait(1000.0);
     }

@@ -80,8 +80,8 @@ void TestPointGesture::hoverSaysWhatADragWouldDo()
     desk.send(Type::Move, desk.at({0, 0}));
     QCOMPARE(desk.interaction.hint().kind, Hint::Kind::MovePoint);
     QCOMPARE(desk.interaction.cursor(), Cursor::MoveCross);
-    QVERIFY(desk.interaction.overlay().points->hovered.has_value());
-    QCOMPARE(desk.interaction.overlay().hovered, -1);
+    QVERIFY(desk.interaction.overlay().find<sign::Points>()->hovered.has_value());
+    QCOMPARE(desk.interaction.hovered().section, -1);
     desk.send(Type::Move, desk.at({60, 0}));
     QCOMPARE(desk.interaction.hint().kind, Hint::Kind::AddPoint);
     QCOMPARE(desk.interaction.cursor(), Cursor::ArrowWithPlus);
@@ -89,9 +89,9 @@ void TestPointGesture::hoverSaysWhatADragWouldDo()
     QCOMPARE(desk.interaction.hint().kind, Hint::Kind::AddPoint); // of the hole
     desk.send(Type::Move, desk.at({40, 60}));
     QCOMPARE(desk.interaction.hint().kind, Hint::Kind::DragOutOfSection);
-    QVERIFY(!desk.interaction.overlay().points->hovered);
+    QVERIFY(!desk.interaction.overlay().find<sign::Points>()->hovered);
     desk.interaction.select({});
-    QVERIFY(!desk.interaction.overlay().points);
+    QVERIFY(!desk.interaction.overlay().find<sign::Points>());
 }
 
 void TestPointGesture::aPointIsDraggedInOneStep()
@@ -257,7 +257,7 @@ void TestPointGesture::aBandSelectsPoints()
     PlateDesk desk;
     desk.drag({150, -20}, {230, 140}, kShift);
     QCOMPARE(desk.selected(), (std::vector<PointAddress>{{0, 1}, {0, 2}}));
-    QVERIFY(!desk.interaction.overlay().band);
+    QVERIFY(!desk.interaction.overlay().find<sign::Band>());
     QCOMPARE(desk.interaction.selection().size(), std::size_t(1));
 }
 
@@ -385,10 +385,10 @@ void TestPointGesture::pointsAreHiddenOnEdge()
     Camera camera = desk.interaction.camera();
     orientationOfView("right", camera.orientation);
     desk.interaction.setCamera(camera);
-    QVERIFY(!desk.interaction.overlay().points);
+    QVERIFY(!desk.interaction.overlay().find<sign::Points>());
     orientationOfView("iso1", camera.orientation);
     desk.interaction.setCamera(camera);
-    QVERIFY(desk.interaction.overlay().points.has_value());
+    QVERIFY(desk.interaction.overlay().find<sign::Points>());
 }
 
 // Wrong: slits lag behind the contour that they belong to.

@@ -131,8 +131,8 @@ private Q_SLOTS:
         const Vec2 at =
             placeMarks(interaction.marks(), interaction.camera(), kViewport, {})[0].centre;
         send(interaction, PointerEvent::Type::Move, at);
-        QCOMPARE(interaction.overlay().mark, 3);
-        QCOMPARE(interaction.overlay().hovered, -1);
+        QCOMPARE(interaction.hovered().problem, 3);
+        QCOMPARE(interaction.hovered().section, -1);
         QCOMPARE(interaction.hint().kind, Hint::Kind::ChooseProblem);
         send(interaction, PointerEvent::Type::Press, at, Button::Left);
         send(interaction, PointerEvent::Type::Release, at, Button::Left);
@@ -140,8 +140,8 @@ private Q_SLOTS:
         QVERIFY(interaction.selection().empty());
 
         send(interaction, PointerEvent::Type::Move, at + Vec2(0, 60));
-        QCOMPARE(interaction.overlay().mark, 0);
-        QVERIFY(interaction.overlay().hovered >= 0);
+        QCOMPARE(interaction.hovered().problem, 0);
+        QVERIFY(interaction.hovered().section >= 0);
     }
 
     /// A stroke that begins on a number would draw on what lies behind it.

@@ -143,7 +143,8 @@ private Q_SLOTS:
         interaction.handle(pointer(PointerEvent::Type::Press, {400.0, 300.0}, time));
         for (int i = 1; i <= 20; ++i)
             interaction.handle(pointer(PointerEvent::Type::Move, {400.0 + 8.0 * i, 300.0}, ++time));
-        QVERIFY(!interaction.overlay().slit && !interaction.overlay().stroke);
+        QVERIFY(!interaction.overlay().find<sign::Slit>() &&
+                !interaction.overlay().find<sign::Stroke>());
         interaction.handle(pointer(PointerEvent::Type::Release, {560.0, 300.0}, ++time));
         QVERIFY(!(interaction.camera() == seen));
         QVERIFY(interaction.tool());

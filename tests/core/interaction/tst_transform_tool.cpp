@@ -49,7 +49,7 @@ struct CrossDesk : Desk
         run("section.transform");
         wait(10.0);
     }
-    const Gizmo &gizmo() const { return interaction.overlay().gizmo->gizmo; }
+    const Gizmo &gizmo() const { return interaction.overlay().find<GizmoMarks>()->gizmo; }
     GizmoLook look() const { return {gizmo(), interaction.camera(), kViewport}; }
     Vec2 tip(int axis) const { return look().tip(axis); }
     /// Where a ring is held: a place on it that nothing else has.
@@ -141,8 +141,8 @@ void TestTransformTool::aRingTurns()
     QCOMPARE(desk.hint(), Hint::Kind::DragToTurn);
     desk.press(from);
     desk.moveTo(from + Vec2(5, 0));
-    QVERIFY(desk.interaction.overlay().gizmo->value);
-    QVERIFY(std::abs(desk.interaction.overlay().gizmo->value->number) < 0.3);
+    QVERIFY(desk.interaction.overlay().find<GizmoMarks>()->value);
+    QVERIFY(std::abs(desk.interaction.overlay().find<GizmoMarks>()->value->number) < 0.3);
     desk.moveTo(from + Vec2(60, 10));
     desk.release(from + Vec2(60, 10));
     QCOMPARE(desk.lastStep(), QStringLiteral("Turn Section 1"));
@@ -242,7 +242,7 @@ void TestTransformTool::clicksSelect()
     QVERIFY(desk.interaction.tool());
     desk.click(Vec2(5, 795));
     QVERIFY(desk.interaction.selection().empty());
-    QVERIFY(!desk.interaction.overlay().gizmo);
+    QVERIFY(!desk.interaction.overlay().find<GizmoMarks>());
     QCOMPARE(desk.steps(), 0);
 }
 
@@ -264,7 +264,7 @@ void TestTransformTool::escTakesADragBack()
     QVERIFY(desk.interaction.tool());
     QVERIFY(desk.interaction.escape(desk.time += 8));
     QVERIFY(!desk.interaction.tool());
-    QVERIFY(!desk.interaction.overlay().gizmo);
+    QVERIFY(!desk.interaction.overlay().find<GizmoMarks>());
 }
 
 // Wrong: a copy would not be attached as the original is, or the original would go.
@@ -351,7 +351,7 @@ void TestTransformTool::pointsAreDrawnToOthers()
     desk.moveTo(from);
     desk.press(from);
     desk.moveTo(desk.further(from, Vec3(0, -29.5, 0)));
-    QVERIFY(!desk.interaction.overlay().gizmo->guides.empty());
+    QVERIFY(!desk.interaction.overlay().find<GizmoMarks>()->guides.empty());
     desk.release(desk.cursor);
     QVERIFY(std::abs(desk.section(desk.fin).frame.origin.y() - 120.0) < kNear);
     // Elsewhere the grid has it.
@@ -375,7 +375,7 @@ void TestTransformTool::notToWhatGoesAlong()
     desk.moveTo(from);
     desk.press(from);
     desk.moveTo(desk.further(from, Vec3(0, 30.4, 0)));
-    QVERIFY(desk.interaction.overlay().gizmo->guides.empty());
+    QVERIFY(desk.interaction.overlay().find<GizmoMarks>()->guides.empty());
     desk.release(desk.cursor);
 }
 
@@ -415,7 +415,7 @@ void TestTransformTool::anglesAreRound()
     for (int i = 1; i <= 40; ++i) {
         const Vec2 arm = Eigen::Rotation2Dd(-0.05 * i) * (from - centre);
         desk.moveTo(centre + arm, {}, 1);
-        const double angle = degrees(desk.interaction.overlay().gizmo->value->number);
+        const double angle = degrees(desk.interaction.overlay().find<GizmoMarks>()->value->number);
         QVERIFY(std::abs(angle - std::round(angle)) < kNear);
     }
     desk.release(desk.cursor);
@@ -432,7 +432,7 @@ void TestTransformTool::lockedIsRefused()
     QVERIFY(desk.section(desk.fin).isLocked);
     const Document before = desk.session.committed().document;
     desk.hold(desk.fin);
-    QVERIFY(!desk.interaction.overlay().gizmo);
+    QVERIFY(!desk.interaction.overlay().find<GizmoMarks>());
     const Vec2 on = desk.screen({40, 175, 20});
     desk.drag({on, on + Vec2(30, 0)});
     QCOMPARE(desk.hint(), Hint::Kind::Locked);
@@ -471,12 +471,12 @@ void TestTransformTool::madeOnesSayTheirSource()
     QCOMPARE(desk.interaction.selection(), std::vector<SectionRef>{desk.fin});
     QVERIFY(desk.interaction.tool());
     desk.wait(10.0);
-    QVERIFY(desk.interaction.overlay().gizmo);
+    QVERIFY(desk.interaction.overlay().find<GizmoMarks>());
     desk.interaction.select({made});
     desk.run("operation.detach");
     QCOMPARE(desk.sections().size(), std::size_t(3));
     desk.wait(10.0);
-    QVERIFY(desk.interaction.overlay().gizmo); // it can be moved now
+    QVERIFY(desk.interaction.overlay().find<GizmoMarks>()); // it can be moved now
 }
 
 // Wrong: a nudge would tear a joint apart.

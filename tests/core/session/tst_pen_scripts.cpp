@@ -126,7 +126,7 @@ void TestPenScripts::makesTheDocument()
     QTEST(int(run.sections().size()), "sections");
     QTEST(run.session.history()->count(), "steps");
     QCOMPARE(run.interaction.tool() != nullptr, held);
-    const auto &marks = run.interaction.overlay().pen;
+    const auto *marks = run.interaction.overlay().find<PenMarks>();
     QCOMPARE(marks ? int(marks->points.size()) : 0, open);
     QVERIFY(!run.session.hasPreview());
     QVERIFY(!run.interaction.hasGesture() && !run.interaction.isAnimating());

@@ -29,11 +29,11 @@ namespace {
 /// All that is looked at while a script is played.
 struct Watched
 {
-    int turns = 0;                         // that came to their end
-    double worstTilt = 0.0;                // radians from frontoparallel, at the ends of turns
-    double worstPin = 0.0;                 // px from the slit's end to the cursor, then and before
-    double scale = 0.0;                    // mm a px, while the last contour was drawn
-    std::optional<Overlay::Stroke> stroke; // the last one, as it was before its release
+    int turns = 0;                      // that came to their end
+    double worstTilt = 0.0;             // radians from frontoparallel, at the ends of turns
+    double worstPin = 0.0;              // px from the slit's end to the cursor, then and before
+    double scale = 0.0;                 // mm a px, while the last contour was drawn
+    std::optional<sign::Stroke> stroke; // the last one, as it was before its release
     bool wasEverMirrored = false;
     Camera cameraBefore; // the last press
 };
@@ -72,25 +72,27 @@ public:
             watched.cameraBefore = interaction.camera();
         const Overlay &overlay = interaction.overlay();
         const bool isTurning = interaction.hint().kind == Hint::Kind::Turning;
-        const bool hasTurned = overlay.deadZone && wasTurning;
-        if (overlay.slit && (isTurning || hasTurned))
-            watched.worstPin =
-                std::max(watched.worstPin, (screen(overlay.slit->to) - cursor).norm());
+        const bool hasTurned = overlay.find<sign::Capsule>() && wasTurning;
+        if (overlay.find<sign::Slit>() && (isTurning || hasTurned))
+            watched.worstPin = std::max(watched.worstPin,
+                                        (screen(overlay.find<sign::Slit>()->to) - cursor).norm());
         if (hasTurned) {
             ++watched.turns;
             const Camera &camera = interaction.camera();
             // The slit lies in the canvas and the parent's normal does.
-            const Vec3 slit = (overlay.slit->to - overlay.slit->from).normalized();
-            const Vec3 normal = parentOf(overlay.slit->section).normal();
+            const Vec3 slit =
+                (overlay.find<sign::Slit>()->to - overlay.find<sign::Slit>()->from).normalized();
+            const Vec3 normal = parentOf(overlay.find<sign::Slit>()->section).normal();
             const double tilt = std::asin(
                 std::clamp(camera.backward().cross(slit.cross(normal)).norm(), -1.0, 1.0));
             watched.worstTilt = std::max(watched.worstTilt, tilt);
         }
         wasTurning = isTurning;
-        if (overlay.stroke) {
-            watched.stroke = *overlay.stroke;
+        if (overlay.find<sign::Stroke>()) {
+            watched.stroke = *overlay.find<sign::Stroke>();
             watched.scale = interaction.camera().millimetresPerPixel;
-            watched.wasEverMirrored = watched.wasEverMirrored || overlay.stroke->isMirrored;
+            watched.wasEverMirrored =
+                watched.wasEverMirrored || overlay.find<sign::Stroke>()->isMirrored;
         }
     }
 
@@ -280,7 +282,7 @@ void TestStrokes::strokes()
     }
 
     QVERIFY(watched.stroke);
-    const Overlay::Stroke &stroke = *watched.stroke;
+    const sign::Stroke &stroke = *watched.stroke;
     QCOMPARE(stroke.isMirrored, wanted.outcome == Mirrored);
     const Section &section = *document.sections.back();
     if (stroke.isMirrored) {
@@ -440,9 +442,11 @@ void TestStrokes::roomIsMade()
                        if (event.type != ReplayEvent::Type::Wait)
                            return;
                        const Overlay &overlay = player.interaction.overlay();
-                       QVERIFY(overlay.deadZone);
-                       const double x =
-                           player.screen(0.5 * (overlay.slit->from + overlay.slit->to)).x();
+                       QVERIFY(overlay.find<sign::Capsule>());
+                       const double x = player
+                                            .screen(0.5 * (overlay.find<sign::Slit>()->from +
+                                                           overlay.find<sign::Slit>()->to))
+                                            .x();
                        (waits++ == 0 ? before : after) = x;
                    }));
     QCOMPARE(waits, 2);
@@ -456,7 +460,7 @@ void TestStrokes::selectionByRubberBand()
     Player player;
     QVERIFY(player.play(QStringLiteral("rubber_band")));
     QCOMPARE(player.interaction.selection().size(), std::size_t(1));
-    QVERIFY(!player.interaction.overlay().band);
+    QVERIFY(!player.interaction.overlay().find<sign::Band>());
 }
 
 void TestStrokes::droppedToTheGround()
@@ -497,8 +501,8 @@ void TestStrokes::onTheBridge()
     QCOMPARE(desk.hint(), Hint::Kind::Turning);
     desk.wait(kTurnTime);
     const Overlay overlay = desk.interaction.overlay();
-    QVERIFY(overlay.deadZone);
-    QVERIFY((desk.screen(overlay.slit->to) - desk.cursor).norm() < 1.0);
+    QVERIFY(overlay.find<sign::Capsule>());
+    QVERIFY((desk.screen(overlay.find<sign::Slit>()->to) - desk.cursor).norm() < 1.0);
     for (const Vec2 &way : {Vec2(120, 60), Vec2(120, -80), Vec2(-60, -120), Vec2(-140, 20)})
         desk.moveTo(desk.cursor + way);
     desk.release(desk.cursor);

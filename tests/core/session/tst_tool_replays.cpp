@@ -44,7 +44,7 @@ Vec2 on(const Recorder &hand, double x, double y)
 
 Vec2 tip(const Recorder &hand, int axis)
 {
-    const auto &gizmo = hand.interaction.overlay().gizmo;
+    const auto *gizmo = hand.interaction.overlay().find<GizmoMarks>();
     return gizmo ? GizmoLook(gizmo->gizmo, hand.interaction.camera(), kViewport).tip(axis)
                  : Vec2(Vec2::Zero());
 }

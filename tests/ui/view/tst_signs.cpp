@@ -1,0 +1,195 @@
+// Signs that gestures and tools add are painted by kind and role, with nothing that knows the tool.
+#include <QGuiApplication>
+#include <QTest>
+
+#include "tests/core/interaction/desk.h"
+#include "tests/test_program.h"
+#include "ui/view/overlay_painter.h"
+#include "ui/view/sign_looks.h"
+#include "ui/view/sign_painter.h"
+
+#include <QImage>
+
+#include <algorithm>
+#include <random>
+
+using namespace fff;
+using namespace fff::test;
+using namespace fff::ui;
+
+namespace {
+
+const Vec3 kFoot(0.0, 60.0, 0.0);
+
+/// Made up here: a push at a place, as an arrow with words beside it and a handle at its foot.
+class PushTool : public Tool
+{
+public:
+    std::string_view command() const override { return "test.push"; }
+    GestureReply handle(const PointerEvent &, GestureContext &) override { return {}; }
+    GestureReply cancel(GestureContext &) override
+    {
+        GestureReply reply;
+        reply.state = GestureReply::State::Over;
+        return reply;
+    }
+    Hint hint() const override { return {}; }
+    Cursor cursor() const override { return Cursor::Arrow; }
+    void mark(GestureContext &context, bool) override
+    {
+        const Message words{Text{"Test", "%1 sideways"}, {lengthOf(25.0)}};
+        context.overlay.held.add(sign::Arrow{SignRole::Slit, kFoot, Vec3::UnitX()});
+        context.overlay.held.add(sign::Label{SignRole::Measured, {kFoot}, words, {0.0, 60.0}});
+        context.overlay.held.add(sign::Handle{SignRole::Place, kFoot});
+    }
+};
+
+const ViewStyle kStyle;
+
+QImage painted(const Interaction &interaction)
+{
+    const Vec2 size = interaction.viewport();
+    QImage image(static_cast<int>(size.x()), static_cast<int>(size.y()),
+                 QImage::Format_ARGB32_Premultiplied);
+    image.fill(Qt::transparent);
+    QPainter painter(&image);
+    OverlayScene scene{interaction.overlay(), interaction.hovered(), interaction.camera(), size};
+    scene.selected = interaction.overlay().selected;
+    paintOverlay(painter, scene, kStyle, QLocale::c());
+    return image;
+}
+
+QImage painted(const std::vector<const Signs *> &all)
+{
+    const Camera camera;
+    const Vec2 size(400.0, 300.0);
+    QImage image(400, 300, QImage::Format_ARGB32_Premultiplied);
+    image.fill(Qt::transparent);
+    QPainter painter(&image);
+    painter.setRenderHint(QPainter::Antialiasing);
+    MarkPen pen(painter, camera, size, kStyle);
+    paintSigns(pen, all, {}, QLocale::c());
+    return image;
+}
+
+/// How many pixels there are that this colour covers whole.
+int count(const QImage &image, const QColor &colour, const QRect &where)
+{
+    int found = 0;
+    for (int y = where.top(); y <= where.bottom(); ++y)
+        for (int x = where.left(); x <= where.right(); ++x)
+            found += image.rect().contains(x, y) && image.pixelColor(x, y) == colour ? 1 : 0;
+    return found;
+}
+
+/// One of each of the kinds that need no section.
+std::vector<Sign> oneOfEach()
+{
+    const Contour contour =
+        Contour::fromPolygon({{-40, -20}, {30, -25}, {35, 30}, {-30, 25}}).value();
+    const Frame canvas;
+    return {sign::Line{SignRole::Measured, {{-50, 10, 0}, {60, 20, 0}}, true},
+            sign::Curve{SignRole::Refused, canvas, contour},
+            sign::Region{SignRole::Plane, {{-60, -40, 0}, {50, -40, 0}, {50, 40, 0}}},
+            sign::Capsule{SignRole::DeadZone, canvas, 40.0, 20.0},
+            sign::Band{{{100, 100}, {260, 210}}},
+            sign::Slit{{0, 0, 0}, {40, 0, 0}, true, "Rib", 20.0},
+            sign::Ground{{0, -20, 0}, Vec3::UnitX()},
+            sign::Rulers{canvas}};
+}
+
+} // namespace
+
+class TestSigns : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void everyRoleHasALook();
+    void aToolOfItsOwnIsSeen();
+    void aLabelSaysItsMessage();
+    void everyKindIsSeen();
+    void whatLiesUnderWhatIsNoMatterOfTheOrder();
+};
+
+// Wrong: a role without a line in the table would take the program down where it is first seen.
+void TestSigns::everyRoleHasALook()
+{
+    for (const SignRole role :
+         {SignRole::Measured, SignRole::Dimension, SignRole::Place, SignRole::Figure,
+          SignRole::Refused, SignRole::Plane, SignRole::DeadZone, SignRole::Slit})
+        QVERIFY((kStyle.*lookOf(role).colour).isValid());
+}
+
+// Wrong: a new tool would need fields and a painter of its own to be seen.
+void TestSigns::aToolOfItsOwnIsSeen()
+{
+    Desk desk;
+    desk.interaction.replaceCamera(desk.interaction.camera());
+    const QImage without = painted(desk.interaction);
+    desk.interaction.pickUp(std::make_unique<PushTool>(), desk.time);
+    desk.moveTo({10.0, 10.0});
+    const QImage with = painted(desk.interaction);
+    const Vec2 foot = desk.interaction.camera().toScreen(kFoot, desk.interaction.viewport());
+    const QPoint at(static_cast<int>(foot.x()), static_cast<int>(foot.y()));
+    // A whole arrow to the right, of which the handle hides the beginning.
+    QVERIFY(count(with, kStyle.slit, {at + QPoint(8, -8), QSize(30, 17)}) > 30);
+    QCOMPARE(count(with, kStyle.slit, {at + QPoint(-60, -8), QSize(50, 17)}), 0);
+    QVERIFY(count(with, kStyle.guide, {at - QPoint(6, 6), QSize(13, 13)}) > 4);
+    QVERIFY(count(with, kStyle.panel, {at - QPoint(2, 2), QSize(4, 4)}) > 8); // within the ring
+    QVERIFY(count(with, kStyle.accent, {at + QPoint(-80, 45), QSize(160, 30)}) > 60);
+    // Laid down it leaves nothing.
+    desk.interaction.layDown(desk.time);
+    desk.moveTo({10.0, 10.0});
+    QVERIFY(desk.interaction.overlay().held.isEmpty());
+    QCOMPARE(painted(desk.interaction), without);
+}
+
+// Wrong: another message would look the same, or a length would not be in the person's unit.
+void TestSigns::aLabelSaysItsMessage()
+{
+    const auto labelled = [](const Message &words) {
+        Signs signs;
+        signs.add(sign::Label{SignRole::Measured, {Vec3::Zero()}, words});
+        return painted({&signs});
+    };
+    const Text text{"Test", "%1 sideways"};
+    QCOMPARE(labelled({text, {lengthOf(25.0)}}), labelled({text, {lengthOf(25.0)}}));
+    QVERIFY(labelled({text, {lengthOf(25.0)}}) != labelled({text, {lengthOf(52.0)}}));
+}
+
+void TestSigns::everyKindIsSeen()
+{
+    const Signs none;
+    const QImage empty = painted({&none});
+    for (const Sign &sign : oneOfEach()) {
+        Signs signs;
+        signs.add(sign);
+        QVERIFY2(painted({&signs}) != empty, qPrintable(QString::number(sign.index())));
+    }
+}
+
+// Wrong: which tool came first would decide whether one sees a slit over its dead zone.
+void TestSigns::whatLiesUnderWhatIsNoMatterOfTheOrder()
+{
+    std::mt19937 random(20260801);
+    std::vector<Sign> all = oneOfEach();
+    const auto together = [&all](std::size_t held) {
+        Signs drawn, rest;
+        for (std::size_t i = 0; i < all.size(); ++i)
+            (i < held ? drawn : rest).add(all[i]);
+        return painted({&drawn, &rest});
+    };
+    const QImage first = together(all.size());
+    for (int i = 0; i < 20; ++i) {
+        std::shuffle(all.begin(), all.end(), random);
+        // Of those that share a layer the later one lies over the earlier one.
+        std::stable_partition(all.begin(), all.end(), [](const Sign &sign) {
+            return std::holds_alternative<sign::Line>(sign);
+        });
+        QCOMPARE(together(static_cast<std::size_t>(i) % (all.size() + 1)), first);
+    }
+}
+
+FFF_TEST_WITH(TestSigns, fff::testing::runWithin<TestSigns, QGuiApplication>)
+#include "tst_signs.moc"
