@@ -1,14 +1,14 @@
 // Signs that gestures and tools add are painted by kind and role, with nothing that knows the tool.
-#include <QGuiApplication>
-#include <QTest>
-
+#include "core/interaction/tool.h"
 #include "tests/core/interaction/desk.h"
 #include "tests/test_program.h"
 #include "ui/view/overlay_painter.h"
 #include "ui/view/sign_looks.h"
 #include "ui/view/sign_painter.h"
 
+#include <QGuiApplication>
 #include <QImage>
+#include <QTest>
 
 #include <algorithm>
 #include <random>
