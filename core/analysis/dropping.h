@@ -1,9 +1,16 @@
 // The whole model onto the ground.
 #pragma once
 
+#include "core/base/text.h"
 #include "core/model/model.h"
 
 #include <optional>
+
+namespace fff::steps {
+
+inline constexpr Text kDropToGround = FFF_TEXT("Step", "Drop to the ground");
+
+} // namespace fff::steps
 
 namespace fff {
 

@@ -1,7 +1,9 @@
 #include "core/assembly/joint_editing.h"
 
 #include "core/assembly/found_joint.h"
+#include "core/assembly/joint_words.h"
 #include "core/assembly/trim.h"
+#include "core/model/edit_words.h"
 #include "core/model/edits.h"
 
 #include <algorithm>
@@ -12,9 +14,46 @@ namespace fff {
 
 namespace {
 
-tl::unexpected<Hint> refused(Hint::Kind kind, const Model &model, const JointRef &joint)
+//: %1 and %2 are the names of two sections
+constexpr Text kFlipSlits = FFF_TEXT("Step", "%1 · %2: flip the slits");
+//: %1 and %2 are the names of two sections, %3 a number
+constexpr Text kMoveMeetingPoint = FFF_TEXT("Step", "%1 · %2: meeting point → %3\u202f%");
+//: %1 and %2 are the names of two sections
+constexpr Text kResetJoint = FFF_TEXT("Step", "%1 · %2: reset to automatic");
+
+Text kindText(JointKind kind)
 {
-    return tl::unexpected<Hint>(Hint{kind, model.nameOf(joint.a), true, model.nameOf(joint.b)});
+    switch (kind) {
+    case JointKind::CrossLap:
+        //: %1 and %2 are the names of two sections
+        return FFF_TEXT("Step", "%1 · %2: kind → cross lap");
+    case JointKind::ExtendedCrossLap:
+        //: %1 and %2 are the names of two sections
+        return FFF_TEXT("Step", "%1 · %2: kind → extended cross lap");
+    case JointKind::Mortise:
+        //: %1 and %2 are the names of two sections
+        return FFF_TEXT("Step", "%1 · %2: kind → mortise");
+    case JointKind::Tabs:
+        //: %1 and %2 are the names of two sections
+        return FFF_TEXT("Step", "%1 · %2: kind → tabs");
+    case JointKind::None:
+        break;
+    }
+    //: %1 and %2 are the names of two sections
+    return FFF_TEXT("Step", "%1 · %2: kind → none");
+}
+
+std::vector<Argument> namesOf(const Model &model, const JointRef &joint)
+{
+    return {Named{model.nameOf(joint.a)}, Named{model.nameOf(joint.b)}};
+}
+
+/// In percent of the second section's slit. share: of the first one's.
+Step movedTo(const Model &model, const JointRef &joint, double share)
+{
+    std::vector<Argument> arguments = namesOf(model, joint);
+    arguments.emplace_back(static_cast<int>(std::lround(100.0 * (1.0 - share))));
+    return {kMoveMeetingPoint, std::move(arguments)};
 }
 
 /// Nothing for a section that is not drawn, or not in the other.
@@ -31,16 +70,10 @@ std::optional<ShapePointer> trimmedShape(const Model &model, const SectionRef &s
 JointEdit edited(const Model &model, JointOverride wanted, Step step)
 {
     const JointRef joint(wanted.a, wanted.b);
-    step.names = {model.nameOf(joint.a), model.nameOf(joint.b)};
     Result<Document> next = setJointOverride(model.document, std::move(wanted));
     if (!next)
-        return refused(Hint::Kind::EditFailed, model, joint);
+        return refused(hints::kEditFailed);
     return EditedJoint{*std::move(next), std::move(step)};
-}
-
-Step stepOf(Step::Kind kind)
-{
-    return {kind, {}};
 }
 
 } // namespace
@@ -49,18 +82,16 @@ JointEdit setKind(const Model &model, const JointRef &joint, JointKind kind)
 {
     const std::optional<JointState> state = jointState(model, joint);
     if (!state || state->obstacleTo(kind) != JointObstacle::None)
-        return refused(Hint::Kind::JointCannotBe, model, joint);
-    Step step = stepOf(Step::Kind::SetJointKind);
-    step.joint = kind;
-    return edited(model, withKind(model, *state, kind), std::move(step));
+        return refused(hints::kJointCannotBe, namesOf(model, joint));
+    return edited(model, withKind(model, *state, kind), {kindText(kind), namesOf(model, joint)});
 }
 
 JointEdit flipSlits(const Model &model, const JointRef &joint)
 {
     const std::optional<JointState> state = jointState(model, joint);
     if (!state || !state->canFlip)
-        return refused(Hint::Kind::JointCannotFlip, model, joint);
-    return edited(model, flipped(model, *state), stepOf(Step::Kind::FlipSlits));
+        return refused(hints::kJointCannotFlip, namesOf(model, joint));
+    return edited(model, flipped(model, *state), {kFlipSlits, namesOf(model, joint)});
 }
 
 JointEdit moveMeetingPoint(const Model &model, const JointRef &joint, int overlap, double share)
@@ -68,19 +99,17 @@ JointEdit moveMeetingPoint(const Model &model, const JointRef &joint, int overla
     const std::optional<JointState> state = jointState(model, joint);
     if (!state || overlap < 0 || overlap >= static_cast<int>(state->shares.size()) ||
         !state->shares[static_cast<std::size_t>(overlap)])
-        return refused(Hint::Kind::NoMeetingPoint, model, joint);
-    Step step = stepOf(Step::Kind::MoveMeetingPoint);
-    step.count = static_cast<int>(std::lround(100.0 * (1.0 - share)));
+        return refused(hints::kNoMeetingPoint, namesOf(model, joint));
     JointOverride wanted = withShare(model, *state, overlap, share);
     if (std::abs(*state->shares[static_cast<std::size_t>(overlap)] - share) < kSameShare)
         wanted = state->wanted; // else its place alone would be another one
-    return edited(model, std::move(wanted), std::move(step));
+    return edited(model, std::move(wanted), movedTo(model, joint, share));
 }
 
 JointEdit nudgeMeetingPoints(const Model &model, const JointRef &joint, double by)
 {
     std::optional<JointState> state = jointState(model, joint);
-    Step step = stepOf(Step::Kind::MoveMeetingPoint);
+    Step step;
     bool moves = false;
     for (std::size_t i = 0; state && i < state->shares.size(); ++i) {
         if (!state->shares[i])
@@ -89,13 +118,13 @@ JointEdit nudgeMeetingPoints(const Model &model, const JointRef &joint, double b
         const double share = std::clamp(*state->shares[i] - state->sign * by / (o.to - o.from),
                                         kLeastShare, 1.0 - kLeastShare);
         if (!moves)
-            step.count = static_cast<int>(std::lround(100.0 * (1.0 - share)));
+            step = movedTo(model, joint, share);
         if (std::abs(share - *state->shares[i]) >= kSameShare)
             state->wanted = withShare(model, *state, static_cast<int>(i), share);
         moves = true;
     }
     if (!moves)
-        return refused(Hint::Kind::NoMeetingPoint, model, joint);
+        return refused(hints::kNoMeetingPoint, namesOf(model, joint));
     step.merges = "meeting point";
     for (const SectionRef &section : {joint.a, joint.b})
         step.merges.append(" ").append(std::to_string(model.indexOf(section)));
@@ -106,30 +135,26 @@ JointEdit joinWithTabs(const Model &model, const JointRef &joint)
 {
     const int a = model.indexOf(joint.a), b = model.indexOf(joint.b);
     if (a < 0 || b < 0 || a == b || !tabsOf(model, std::min(a, b), std::max(a, b)))
-        return refused(Hint::Kind::JointCannotBe, model, joint);
+        return refused(hints::kJointCannotBe, namesOf(model, joint));
     JointOverride wanted;
     if (const JointOverride *before = model.document.jointOverride(joint.a, joint.b))
         wanted = *before;
     wanted.a = joint.a;
     wanted.b = joint.b;
     wanted.kind = JointKind::Tabs;
-    Step step = stepOf(Step::Kind::SetJointKind);
-    step.joint = JointKind::Tabs;
-    return edited(model, std::move(wanted), std::move(step));
+    return edited(model, std::move(wanted), {kindText(JointKind::Tabs), namesOf(model, joint)});
 }
 
 JointEdit trimTo(const Model &model, const SectionRef &section, const SectionRef &to)
 {
-    const Hint cannot{Hint::Kind::CannotTrim, model.nameOf(section), true, model.nameOf(to)};
+    const std::vector<Argument> names{Named{model.nameOf(section)}, Named{model.nameOf(to)}};
     const auto shape = trimmedShape(model, section, to);
     if (!shape)
-        return tl::unexpected(cannot);
+        return refused(hints::kCannotTrim, names);
     Result<Document> next = setShape(model.document, section.drawn, *shape);
     if (!next)
-        return tl::unexpected(cannot);
-    Step step = stepOf(Step::Kind::TrimSection);
-    step.names = {model.nameOf(section), model.nameOf(to)};
-    return EditedJoint{*std::move(next), std::move(step)};
+        return refused(hints::kCannotTrim, names);
+    return EditedJoint{*std::move(next), {steps::kTrimSection, names}};
 }
 
 std::optional<SectionRef> easierTrimmed(const Model &model, const JointRef &joint)
@@ -154,7 +179,7 @@ JointEdit resetJoint(const Model &model, const JointRef &joint)
     JointOverride none;
     none.a = joint.a;
     none.b = joint.b;
-    return edited(model, std::move(none), stepOf(Step::Kind::ResetJoint));
+    return edited(model, std::move(none), {kResetJoint, namesOf(model, joint)});
 }
 
 } // namespace fff

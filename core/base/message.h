@@ -40,6 +40,13 @@ struct NamedSections
     std::vector<std::string> names;
     bool operator==(const NamedSections &) const = default;
 };
+/// A number as such, without a unit.
+struct Decimal
+{
+    double value = 0.0;
+    std::optional<int> digits = {}; // after the point; none: as few as say it exactly
+    bool operator==(const Decimal &) const = default;
+};
 /// A quantity, written as the person wants it: in the units and with the digits of its kind.
 struct Quantity
 {
@@ -62,8 +69,8 @@ struct WidthAndHeight
 };
 
 /// An Error stands for its sentence.
-struct Argument
-    : std::variant<int, Named, NamedSections, Text, Message, Quantity, WidthAndHeight, Error>
+struct Argument : std::variant<int, Decimal, Named, NamedSections, Text, Message, Quantity,
+                               WidthAndHeight, Error>
 {
     using variant::variant;
 };

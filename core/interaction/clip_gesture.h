@@ -3,6 +3,13 @@
 
 #include "core/interaction/gesture.h"
 
+namespace fff::hints {
+
+inline constexpr Text kMovingCut =
+    FFF_TEXT("Hint", "Move to shift the cut, release to leave it there. Esc puts it back.");
+
+} // namespace fff::hints
+
 namespace fff {
 
 /// Where the plane is taken hold of: in it, before the middle of the model.
@@ -18,7 +25,7 @@ public:
 
     GestureReply handle(const PointerEvent &event, GestureContext &context) override;
     GestureReply cancel(GestureContext &context) override;
-    Hint hint() const override { return {Hint::Kind::MovingCut, {}, false}; }
+    Hint hint() const override { return hints::kMovingCut; }
     Cursor cursor() const override { return Cursor::MoveCross; }
 
 private:

@@ -2,6 +2,8 @@
 
 #include "core/base/tolerances.h"
 #include "core/geometry/boolean.h"
+#include "core/interaction/contour_words.h"
+#include "core/model/edit_words.h"
 #include "core/model/edits.h"
 #include "core/model/figures.h"
 #include "core/model/ground.h"
@@ -14,15 +16,20 @@ namespace fff {
 
 namespace {
 
+//: %1 is the name of a section
+constexpr Text kRedrawSection = FFF_TEXT("Step", "Redraw %1");
+//: %1 is the name of a section
+constexpr Text kAddHole = FFF_TEXT("Step", "Draw a hole in %1");
+
 /// The document after a step that changed one section; nothing when that could not be done.
-tl::expected<DrawnContour, Hint> changed(Result<Document> next, Step::Kind kind,
-                                         const Section &section)
+tl::expected<DrawnContour, Hint> changed(Result<Document> next, Text step, const Section &section)
 {
     if (!next)
-        return refused(Hint::Kind::Failed);
+        return refused(hints::kFailed);
     DrawnContour drawn;
     drawn.document = *std::move(next);
-    drawn.step = {kind, {section.name}};
+    drawn.step = {step, {Named{section.name}}};
+    drawn.name = section.name;
     drawn.section = section.id;
     return drawn;
 }
@@ -30,7 +37,7 @@ tl::expected<DrawnContour, Hint> changed(Result<Document> next, Step::Kind kind,
 /// The section's shape with these holes, mended; its hint says what had to be.
 tl::expected<DrawnContour, Hint> withShape(const Document &document, const Section &section,
                                            const Contour &contour,
-                                           const std::vector<Contour> &holes, Step::Kind kind)
+                                           const std::vector<Contour> &holes, Text step)
 {
     std::vector<PlacedContour> placed;
     for (const Contour &hole : holes)
@@ -38,23 +45,23 @@ tl::expected<DrawnContour, Hint> withShape(const Document &document, const Secti
     std::vector<Warning> warnings;
     Result<ShapePointer> shape = makeMendedShape({contour, {}}, placed, section.name, warnings);
     if (!shape)
-        return refused(Hint::Kind::Failed);
+        return refused(hints::kFailed);
     const auto has = [&](WarningCode code) {
         return std::any_of(warnings.begin(), warnings.end(),
                            [code](const Warning &w) { return w.code == code; });
     };
-    if (kind == Step::Kind::AddHole && has(WarningCode::HoleOutside))
-        return refused(Hint::Kind::HoleOutside, section.name);
+    if (step == kAddHole && has(WarningCode::HoleOutside))
+        return refused(hints::kHoleOutside, {Named{section.name}});
     tl::expected<DrawnContour, Hint> drawn =
-        changed(setShape(document, section.id, *std::move(shape)), kind, section);
+        changed(setShape(document, section.id, *std::move(shape)), step, section);
     if (!drawn)
         return drawn;
     if (has(WarningCode::NotchedContour))
-        drawn->note = Hint{Hint::Kind::HoleIsNotch, section.name, false};
-    else if (kind == Step::Kind::AddHole && has(WarningCode::MergedHoles))
-        drawn->note = Hint{Hint::Kind::HolesMerged, section.name, false};
+        drawn->note = Hint(hints::kHoleIsNotch, {Named{section.name}});
+    else if (step == kAddHole && has(WarningCode::MergedHoles))
+        drawn->note = Hint(hints::kHolesMerged, {Named{section.name}});
     else if (has(WarningCode::HoleOutside))
-        drawn->note = Hint{Hint::Kind::HolesLeftOut, section.name, false};
+        drawn->note = Hint(hints::kHolesLeftOut, {Named{section.name}});
     return drawn;
 }
 
@@ -63,7 +70,7 @@ tl::expected<DrawnContour, Hint> newSection(const Document &document, const Cont
 {
     const Result<ShapePointer> shape = Shape::make(contour);
     if (!shape)
-        return refused(Hint::Kind::Failed);
+        return refused(hints::kFailed);
     NewSection section;
     section.name = freeSectionName(document, naming);
     section.shape = *shape;
@@ -71,11 +78,12 @@ tl::expected<DrawnContour, Hint> newSection(const Document &document, const Cont
     section.parent = target.parent;
     Result<Document> next = addSection(document, std::move(section));
     if (!next)
-        return refused(Hint::Kind::Failed);
+        return refused(hints::kFailed);
     DrawnContour drawn;
     drawn.document = *std::move(next);
     const Section &added = *drawn.document.sections.back();
-    drawn.step = {Step::Kind::DrawSection, {added.name}};
+    drawn.step = {steps::kDrawSection, {Named{added.name}}};
+    drawn.name = added.name;
     drawn.section = added.id;
     return drawn;
 }
@@ -85,9 +93,8 @@ tl::expected<DrawnContour, Hint> redrawn(const Document &document, SectionId id,
 {
     const Section *section = document.find(id);
     if (!section)
-        return refused(Hint::Kind::Failed);
-    return withShape(document, *section, contour, section->shape->holes(),
-                     Step::Kind::RedrawSection);
+        return refused(hints::kFailed);
+    return withShape(document, *section, contour, section->shape->holes(), kRedrawSection);
 }
 
 /// In the contour and away from all other holes: nothing has to be mended.
@@ -105,20 +112,20 @@ tl::expected<DrawnContour, Hint> withHole(const Document &document, SectionId id
 {
     const Section *section = document.find(id);
     if (!section)
-        return refused(Hint::Kind::Failed);
+        return refused(hints::kFailed);
     const Shape &shape = *section->shape;
     std::vector<Contour> holes = shape.holes();
     holes.push_back(hole);
     if (isWellInside(hole, shape)) {
         Result<ShapePointer> whole = Shape::make(shape.contour(), std::move(holes));
         if (!whole)
-            return refused(Hint::Kind::Failed);
-        return changed(setShape(document, id, *std::move(whole)), Step::Kind::AddHole, *section);
+            return refused(hints::kFailed);
+        return changed(setShape(document, id, *std::move(whole)), kAddHole, *section);
     }
     tl::expected<DrawnContour, Hint> drawn =
-        withShape(document, *section, shape.contour(), holes, Step::Kind::AddHole);
+        withShape(document, *section, shape.contour(), holes, kAddHole);
     if (drawn && std::abs(drawn->document.find(id)->shape->area() - shape.area()) < kMinArea)
-        return refused(Hint::Kind::HoleOutside, section->name); // there is a hole already
+        return refused(hints::kHoleOutside, {Named{section->name}}); // there is a hole already
     return drawn;
 }
 
@@ -178,7 +185,7 @@ tl::expected<DrawnContour, Hint> drawContour(const Document &document, const Con
                                              const Contour &contour, const DrawingRules &rules)
 {
     if (const Section *section = document.find(target.section); section && section->isLocked)
-        return tl::unexpected(Hint{Hint::Kind::Locked, section->name, true});
+        return tl::unexpected(Hint::refusal(hints::kLocked, {Named{section->name}}));
     if (target.purpose == ContourTarget::Purpose::Hole)
         return withHole(document, target.section, contour);
     Result<std::vector<ClippedPiece>> pieces;
@@ -187,9 +194,9 @@ tl::expected<DrawnContour, Hint> drawContour(const Document &document, const Con
     else
         pieces->push_back({contour, {}});
     if (!pieces)
-        return refused(Hint::Kind::EditFailed);
+        return refused(hints::kEditFailed);
     if (pieces->empty())
-        return refused(Hint::Kind::BelowGround);
+        return refused(hints::kBelowGround);
     const Contour &kept = pieces->front().outer;
     tl::expected<DrawnContour, Hint> drawn = target.purpose == ContourTarget::Purpose::Redraw
                                                  ? redrawn(document, target.section, kept)
@@ -198,9 +205,9 @@ tl::expected<DrawnContour, Hint> drawContour(const Document &document, const Con
         return drawn;
     drawn->isCutAtGround = !(kept == contour);
     if (pieces->size() > 1)
-        drawn->note = Hint{Hint::Kind::LargestPiece, drawn->step.names.front(), false};
+        drawn->note = Hint(hints::kLargestPiece, {Named{drawn->name}});
     else if (drawn->isCutAtGround && !drawn->note)
-        drawn->note = Hint{Hint::Kind::CutAtGround, drawn->step.names.front(), false};
+        drawn->note = Hint(hints::kCutAtGround, {Named{drawn->name}});
     return drawn;
 }
 
@@ -209,7 +216,7 @@ tl::expected<DrawnContour, Hint> drawFigure(const Document &document, const Cont
 {
     const Result<Contour> contour = contourOf(figure);
     if (!contour)
-        return refused(Hint::Kind::EditFailed);
+        return refused(hints::kEditFailed);
     tl::expected<DrawnContour, Hint> drawn = drawContour(document, target, *contour, rules);
     if (!drawn)
         return drawn;

@@ -34,9 +34,10 @@ std::optional<MirrorAxis> slitAxis(const ContourTarget &target, const Document &
 struct CanvasChoice
 {
     ContourTarget target;
-    std::string command;            // that picked it
-    std::string name;               // of the section that it is about, or of the plane
-    std::optional<double> distance; // of a plane parallel to a section, mm; it can be changed
+    std::string command;                 // that picked it
+    Text prompt = {};                    // what is to be drawn on it, of %1
+    std::string name = {};               // of the section that it is about
+    std::optional<double> distance = {}; // of a plane parallel to a section, mm; it can be changed
 };
 
 /// The canvas moved to another distance. Only of one that has a distance.
@@ -47,7 +48,8 @@ struct DrawnContour
 {
     Document document;
     Step step;
-    SectionRef section;         // that it is part of
+    std::string name; // of the section that it is part of
+    SectionRef section;
     bool isCutAtGround = false; // what was drawn below the ground is left out
     std::optional<Hint> note;   // what became of it beyond what was drawn
 };

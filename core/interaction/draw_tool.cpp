@@ -2,6 +2,7 @@
 
 #include "core/base/tolerances.h"
 #include "core/base/units.h"
+#include "core/interaction/contour_words.h"
 #include "core/interaction/facing.h"
 #include "core/interaction/snapping.h"
 
@@ -62,7 +63,7 @@ GestureReply DrawTool::handle(const PointerEvent &event, GestureContext &context
     if (event.isPress() &&
         !pointOnPlane(context.camera, context.viewport, m_canvas.target.canvas, event.position)) {
         GestureReply refused;
-        refused.note = Hint{Hint::Kind::CanvasOnEdge, {}, true};
+        refused.note = Hint::refusal(hints::kCanvasOnEdge);
         return refused;
     }
     if (event.isPress()) {
@@ -128,7 +129,7 @@ GestureReply DrawTool::modelChanged(GestureContext &context)
         return reply;
     }
     reply.state = GestureReply::State::Over;
-    reply.note = Hint{Hint::Kind::CanvasGone, {}, true};
+    reply.note = Hint::refusal(hints::kCanvasGone);
     return reply;
 }
 
@@ -165,18 +166,8 @@ Hint DrawTool::hint() const
     if (m_stroke)
         return m_stroke->hint();
     if (m_isOnEdge)
-        return {Hint::Kind::CanvasOnEdge, {}, false};
-    switch (m_canvas.target.purpose) {
-    case ContourTarget::Purpose::Redraw:
-        return {Hint::Kind::DrawNewContour, m_canvas.name, false};
-    case ContourTarget::Purpose::Hole:
-        return {Hint::Kind::DrawHole, m_canvas.name, false};
-    case ContourTarget::Purpose::NewSection:
-        break;
-    }
-    return {m_canvas.command == "section.planeParallel" ? Hint::Kind::DrawParallel
-                                                        : Hint::Kind::DrawOnPlane,
-            m_canvas.name, false};
+        return hints::kCanvasOnEdge;
+    return {m_canvas.prompt, {Named{m_canvas.name}}};
 }
 
 } // namespace fff

@@ -2,8 +2,10 @@
 
 #include "core/geometry/mapped_contour.h"
 #include "core/geometry/outlines.h"
+#include "core/interaction/drawing_words.h"
 #include "core/interaction/figure_editing.h"
 #include "core/interaction/section_editing.h"
+#include "core/model/edit_words.h"
 #include "core/model/edits.h"
 #include "core/model/marks.h"
 #include "core/model/mended_shape.h"
@@ -16,6 +18,8 @@ namespace fff {
 
 namespace {
 
+//: %1 is the name of a file
+constexpr Text kImportDrawing = FFF_TEXT("Step", "Import %1");
 /// Of what is set down on the ground, mm.
 constexpr double kFineChord = 1e-3;
 
@@ -58,14 +62,19 @@ Placing placedOn(const Section &section, const Drawing &drawing)
             boundsOf(drawing.lines).center(), section.shape->bounds().center()};
 }
 
+Hint leftOut(const Drawing &drawing, int outlines)
+{
+    return Message{hints::kDrawingLeft, {Named{drawing.name}}, outlines};
+}
+
 /// At least one.
 tl::expected<std::vector<Outline>, Hint> outlinesIn(const Drawing &drawing)
 {
     Result<std::vector<Outline>> outlines = outlinesOf(joined(drawing.lines, kDrawnGap));
     if (!outlines)
-        return refused(Hint::Kind::EditFailed, drawing.name);
+        return refused(hints::kEditFailed);
     if (outlines->empty())
-        return refused(Hint::Kind::DrawingOpen, drawing.name);
+        return refused(hints::kDrawingOpen, {Named{drawing.name}});
     return *std::move(outlines);
 }
 
@@ -91,16 +100,16 @@ SectionEdit withShape(const Model &model, const Section &section, const Contour 
     const Result<ShapePointer> shape =
         makeMendedShape({contour, {}}, placed, section.name, warnings);
     if (!shape)
-        return refused(Hint::Kind::WouldBeEmpty, section.name);
+        return refused(hints::kWouldBeEmpty, {Named{section.name}});
     Result<Document> next = setShape(model.document, section.id, *shape);
     if (!next)
-        return refused(Hint::Kind::EditFailed, section.name);
-    EditedSections edit{*std::move(next), {Step::Kind::ImportDrawing, {drawing.name}}};
+        return refused(hints::kEditFailed);
+    EditedSections edit{*std::move(next), {kImportDrawing, {Named{drawing.name}}}};
     const auto left = std::count_if(warnings.begin(), warnings.end(), [](const Warning &w) {
         return w.code == WarningCode::HoleOutside || w.code == WarningCode::DegenerateHole;
     });
     if (left > 0)
-        edit.note = Hint{Hint::Kind::DrawingLeft, drawing.name, false, {}, static_cast<int>(left)};
+        edit.note = leftOut(drawing, static_cast<int>(left));
     return edit;
 }
 
@@ -134,38 +143,38 @@ SectionEdit drawingSections(const Model &model, const Drawing &drawing, const Na
     }
     Result<Document> next = addSections(model.document, std::move(sections));
     if (!next)
-        return refused(Hint::Kind::EditFailed, drawing.name);
-    EditedSections edit{*std::move(next), {Step::Kind::ImportDrawing, {drawing.name}}};
+        return refused(hints::kEditFailed);
+    EditedSections edit{*std::move(next), {kImportDrawing, {Named{drawing.name}}}};
     edit.select.emplace();
     for (std::size_t i = model.document.sections.size(); i < edit.document.sections.size(); ++i)
         edit.select->push_back(edit.document.sections[i]->id);
     if (left > 0)
-        edit.note = Hint{Hint::Kind::DrawingLeft, drawing.name, false, {}, left};
+        edit.note = leftOut(drawing, left);
     return edit;
 }
 
 SectionEdit drawingContour(const Model &model, const SectionRef &ref, const Drawing &drawing)
 {
-    return onSection(
-        model, ref, drawing, [&](const Section &section, Placing placing) -> SectionEdit {
-            const auto outlines = outlinesIn(drawing);
-            if (!outlines)
-                return tl::unexpected(outlines.error());
-            const Outline &outline = outlines->front();
-            placing.from = boundsOf({CurvePath::around(outline.outer)}).center();
-            const Result<Contour> contour = placing(outline.outer);
-            std::vector<Contour> holes;
-            for (const Contour &hole : outline.holes)
-                if (Result<Contour> placed = placing(hole))
-                    holes.push_back(*std::move(placed));
-            if (!contour)
-                return refused(Hint::Kind::EditFailed, section.name);
-            SectionEdit edit = withShape(model, section, *contour, holes, drawing);
-            const int left = static_cast<int>(outlines->size()) - 1;
-            if (edit && left > 0)
-                edit->note = Hint{Hint::Kind::DrawingLeft, drawing.name, false, {}, left};
-            return edit;
-        });
+    return onSection(model, ref, drawing,
+                     [&](const Section &section, Placing placing) -> SectionEdit {
+                         const auto outlines = outlinesIn(drawing);
+                         if (!outlines)
+                             return tl::unexpected(outlines.error());
+                         const Outline &outline = outlines->front();
+                         placing.from = boundsOf({CurvePath::around(outline.outer)}).center();
+                         const Result<Contour> contour = placing(outline.outer);
+                         std::vector<Contour> holes;
+                         for (const Contour &hole : outline.holes)
+                             if (Result<Contour> placed = placing(hole))
+                                 holes.push_back(*std::move(placed));
+                         if (!contour)
+                             return refused(hints::kEditFailed);
+                         SectionEdit edit = withShape(model, section, *contour, holes, drawing);
+                         const int left = static_cast<int>(outlines->size()) - 1;
+                         if (edit && left > 0)
+                             edit->note = leftOut(drawing, left);
+                         return edit;
+                     });
 }
 
 SectionEdit drawingHoles(const Model &model, const SectionRef &ref, const Drawing &drawing)
@@ -182,7 +191,7 @@ SectionEdit drawingHoles(const Model &model, const SectionRef &ref, const Drawin
                                  continue;
                              Result<Contour> placed = placing(outline.outer);
                              if (!placed)
-                                 return refused(Hint::Kind::EditFailed, section.name);
+                                 return refused(hints::kEditFailed);
                              holes.push_back(*std::move(placed));
                          }
                          return withShape(model, section, section.shape->contour(), holes, drawing);
@@ -202,8 +211,8 @@ SectionEdit drawingMark(const Model &model, const SectionRef &ref, const Drawing
             Result<Document> next =
                 addMark(model.document, section.id, std::make_shared<const Mark>(std::move(mark)));
             if (!next)
-                return refused(Hint::Kind::EditFailed, section.name);
-            return EditedSections{*std::move(next), {Step::Kind::ImportDrawing, {drawing.name}}};
+                return refused(hints::kEditFailed);
+            return EditedSections{*std::move(next), {kImportDrawing, {Named{drawing.name}}}};
         });
 }
 

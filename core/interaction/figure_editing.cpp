@@ -1,7 +1,9 @@
 #include "core/interaction/figure_editing.h"
 
+#include "core/interaction/contour_words.h"
 #include "core/interaction/point_editing.h"
 #include "core/interaction/section_editing.h"
+#include "core/model/edit_words.h"
 #include "core/model/figures.h"
 
 #include <algorithm>
@@ -45,7 +47,7 @@ SectionEdit addedFigure(const Model &model, Figure figure, const DrawingRules &r
     figure.centre = Vec2::Zero();
     const Result<Contour> contour = contourOf(figure);
     if (!contour)
-        return refused(Hint::Kind::EditFailed);
+        return refused(hints::kEditFailed);
     Box2 box;
     for (const Vec2 &p : contour->flatten(kFineChord).points)
         box.extend(p);
@@ -99,7 +101,7 @@ SectionEdit figureHoleInside(const Model &model, const SectionRef &ref, Figure f
             boundaryOf(*now->shape, figure) > 0)
             return edit;
     }
-    return refused(Hint::Kind::HoleOutside, section.name);
+    return refused(hints::kHoleOutside, {Named{section.name}});
 }
 
 SectionEdit figureContour(const Model &model, const SectionRef &ref, const FigureKind &kind)
@@ -123,8 +125,9 @@ SectionEdit changedFigure(const Model &model, const SectionRef &ref, int boundar
     const Section &section = **drawn;
     Result<Document> next = setFigure(model.document, section.id, boundary, figure);
     if (!next)
-        return refused(whyNoShape(next.error()), section.name);
-    Step step{Step::Kind::ChangeFigure, {section.name}};
+        return tl::unexpected(whyNoShape(next.error(), section));
+    //: %1 is the name of a section
+    Step step{FFF_TEXT("Step", "Change shape of %1"), {Named{section.name}}};
     step.merges = "figure ";
     step.merges.append(std::to_string(section.id.value))
         .append("/")

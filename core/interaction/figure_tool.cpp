@@ -1,6 +1,7 @@
 #include "core/interaction/figure_tool.h"
 
 #include "core/base/tolerances.h"
+#include "core/interaction/contour_words.h"
 #include "core/interaction/draw_tool.h"
 #include "core/interaction/figure_editing.h"
 #include "core/interaction/section_editing.h"
@@ -49,7 +50,7 @@ GestureReply FigureTool::begin(GestureContext &context, double)
         const Section &section = *origin->section;
         m_before = context.camera;
         m_solo.begin(selected.front(), context.view);
-        CanvasChoice canvas{ContourTarget::hole(section), std::string(kCommand), section.name, {}};
+        CanvasChoice canvas{ContourTarget::hole(section), std::string(kCommand), {}, section.name};
         reply.turnTo = cameraAtCanvas(canvas.target, context);
         setCanvas(std::move(canvas), context);
         m_isPicked = true;
@@ -77,7 +78,7 @@ void FigureTool::faceFirstCanvas(const GestureContext &context)
     if (context.model.sectionCount() > 0)
         frame = {Vec3::Zero(), Vec3::UnitX(), Vec3::UnitY()};
     if (!m_targets || !(m_canvas.target.canvas == frame))
-        setCanvas({ContourTarget::newSection(frame), std::string(kCommand), {}, {}}, context);
+        setCanvas({ContourTarget::newSection(frame), std::string(kCommand)}, context);
 }
 
 std::optional<GestureReply> FigureTool::useCanvas(CanvasChoice canvas, GestureContext &context)
@@ -222,13 +223,13 @@ GestureReply FigureTool::modelChanged(GestureContext &context)
         return reply;
     }
     if (const Section *section = context.model.document.find(target.section)) {
-        setCanvas({ContourTarget::hole(*section), std::string(kCommand), section->name, {}},
+        setCanvas({ContourTarget::hole(*section), std::string(kCommand), {}, section->name},
                   context);
         return reply;
     }
     m_solo.end(context.view);
     reply.state = GestureReply::State::Over;
-    reply.note = Hint{Hint::Kind::CanvasGone, {}, true};
+    reply.note = Hint::refusal(hints::kCanvasGone);
     return reply;
 }
 
@@ -240,8 +241,13 @@ std::vector<std::string_view> FigureTool::commands() const
 
 Hint FigureTool::hint() const
 {
-    return {m_press ? Hint::Kind::SizeFigure : Hint::Kind::PlaceFigure,
-            m_canvas.target.section.isValid() ? m_canvas.name : std::string(), false, m_kind};
+    if (m_press)
+        return hints::kSizeFigure;
+    const FigureKind *kind = figureKind(m_kind);
+    const Text figure{"Figure", kind ? kind->name : ""};
+    if (m_canvas.target.section.isValid())
+        return {hints::kPlaceHole, {figure, Named{m_canvas.name}}};
+    return {hints::kPlaceFigure, {figure}};
 }
 
 } // namespace fff

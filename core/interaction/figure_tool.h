@@ -13,6 +13,20 @@
 #include "core/interaction/solo_view.h"
 #include "core/interaction/tool.h"
 
+namespace fff::hints {
+
+//: %1 is a shape ("Circle")
+inline constexpr Text kPlaceFigure =
+    FFF_TEXT("Hint", "%1: drag from its middle outwards; a click makes one of the usual size.");
+//: %1 is a shape ("Circle"), %2 the name of a section
+inline constexpr Text kPlaceHole =
+    FFF_TEXT("Hint", "%1: drag from its middle outwards to cut it out of %2.");
+inline constexpr Text kSizeFigure =
+    FFF_TEXT("Hint", "Release to make it so large; <kbd>Shift</kbd> keeps both sides alike. "
+                     "<kbd>Esc</kbd> cancels.");
+
+} // namespace fff::hints
+
 namespace fff {
 
 class FigureTool : public Tool
@@ -40,7 +54,7 @@ private:
     Figure figureTo(const Vec2 &corner, bool isEven, const GestureContext &context) const;
     GestureReply made(const Figure &figure, bool isOver, GestureContext &context);
 
-    CanvasChoice m_canvas{ContourTarget{}, std::string(kCommand), {}, {}};
+    CanvasChoice m_canvas{ContourTarget{}, std::string(kCommand)};
     ContourTarget m_target; // what a press draws: of the canvas, or a hole in what lies in it
     std::optional<SnapTargets> m_targets;
     SoloView m_solo;         // the section that is cut

@@ -1,6 +1,9 @@
 #include "core/interaction/hovering.h"
 
+#include "core/interaction/hover_words.h"
+
 #include <string>
+#include <string_view>
 
 namespace fff {
 
@@ -68,65 +71,81 @@ void Hovering::advance(double now, Hovered &hovered)
     }
 }
 
+Text lookFrom(const CubePart &part)
+{
+    static constexpr std::pair<std::string_view, Text> kLooks[] = {
+        {"front", FFF_TEXT("Hint", "Click to look from the front; drag to turn the view.")},
+        {"back", FFF_TEXT("Hint", "Click to look from the back; drag to turn the view.")},
+        {"left", FFF_TEXT("Hint", "Click to look from the left; drag to turn the view.")},
+        {"right", FFF_TEXT("Hint", "Click to look from the right; drag to turn the view.")},
+        {"top", FFF_TEXT("Hint", "Click to look from the top; drag to turn the view.")},
+        {"bottom", FFF_TEXT("Hint", "Click to look from below; drag to turn the view.")},
+        {"edge", FFF_TEXT("Hint", "Click to look at this edge; drag to turn the view.")},
+    };
+    for (const auto &[name, text] : kLooks)
+        if (name == nameOfPart(part))
+            return text;
+    return FFF_TEXT("Hint", "Click to look at this corner; drag to turn the view.");
+}
+
 std::pair<Hint, Cursor> hoverHint(const OperationHandle &handle, const Model &model)
 {
     const Operation *operation = model.document.find(handle.operation);
-    return {
-        {Hint::Kind::MoveHandleOf, operation ? operation->name : std::string(), false, handle.key},
-        Cursor::MoveCross};
+    const Text text = handle.key == "from" ? hints::kMoveBeginning : hints::kMoveEnd;
+    return {{text, {Named{operation ? operation->name : std::string()}}}, Cursor::MoveCross};
 }
 
 std::pair<Hint, Cursor> hoverHint(const Hovered &hovered, const Overlay &overlay,
                                   const Model &model, const Selection &selection)
 {
     if (hovered.cubePart)
-        return {{Hint::Kind::LookFrom, std::string(nameOfPart(*hovered.cubePart)), false},
-                Cursor::Hand};
+        return {Hint::ofView(lookFrom(*hovered.cubePart)), Cursor::Hand};
     if (hovered.problem > 0)
-        return {{Hint::Kind::ChooseProblem, std::to_string(hovered.problem), false}, Cursor::Hand};
+        return {{hints::kChooseProblem, {Named{std::to_string(hovered.problem)}}}, Cursor::Hand};
     if (hovered.isCutHandle)
-        return {{Hint::Kind::MoveCut, {}, false}, Cursor::MoveCross};
+        return {hints::kMoveCut, Cursor::MoveCross};
     if (model.sectionCount() == 0)
-        return {{Hint::Kind::DrawFirstSection, {}, false}, Cursor::Pencil};
+        return {hints::kDrawFirstSection, Cursor::Pencil};
     if (hovered.section >= 0) {
         const Section &section = *model.section(static_cast<std::size_t>(hovered.section));
         const Operation *operation = model.document.find(section.made.operation);
         if (operation) {
             const bool isChosen = operationInFocus(selection) == operation->id;
-            return {{isChosen ? Hint::Kind::SelectInstance : Hint::Kind::SelectOperation,
-                     section.name, false, operation->name},
+            return {{isChosen ? hints::kSelectInstance : hints::kSelectOperation,
+                     {Named{section.name}, Named{operation->name}}},
                     hovered.slitStart ? Cursor::PencilWithSlit : Cursor::Arrow};
         }
         if (hovered.slitStart)
-            return {{Hint::Kind::DragOutOfSection, section.name, false}, Cursor::PencilWithSlit};
-        return {{Hint::Kind::SeenOnEdge, section.name, false}, Cursor::Arrow};
+            return {{hints::kDragOutOfSection, {Named{section.name}}}, Cursor::PencilWithSlit};
+        return {{hints::kSeenOnEdge, {Named{section.name}}}, Cursor::Arrow};
     }
     const Operation *operation = model.document.find(selection.operation());
     const OperationMarks *marks = overlay.find<OperationMarks>();
     if (operation && marks && !marks->handles.empty())
-        return {{Hint::Kind::MoveRange, operation->name, false}, Cursor::Arrow};
-    return {{Hint::Kind::TurnView, {}, false}, Cursor::Arrow};
+        return {{hints::kMoveRange, {Named{operation->name}}}, Cursor::Arrow};
+    return {Hint::ofView(hints::kTurnView), Cursor::Arrow};
 }
 
 std::pair<Hint, Cursor> hoverHint(const PointTarget &target)
 {
     switch (target.kind) {
     case PointTarget::Kind::Anchor:
-        return {{Hint::Kind::MovePoint, {}, false}, Cursor::MoveCross};
+        return {hints::kMovePoint, Cursor::MoveCross};
     case PointTarget::Kind::Handle:
-        return {{Hint::Kind::MoveHandle, {}, false}, Cursor::MoveCross};
+        return {hints::kMoveHandle, Cursor::MoveCross};
     case PointTarget::Kind::Line:
-        return {{Hint::Kind::AddPoint, {}, false}, Cursor::ArrowWithPlus};
+        return {hints::kAddPoint, Cursor::ArrowWithPlus};
     }
     return {}; // not reached: every kind is above
 }
 
 std::pair<Hint, Cursor> hoverHint(const JointMark &mark, const Model &model, bool isSelected)
 {
-    const Hint::Kind kind = !mark.moves  ? Hint::Kind::SelectJoint
-                            : isSelected ? Hint::Kind::MoveSelectedMeetingPoint
-                                         : Hint::Kind::MoveMeetingPoint;
-    return {{kind, model.nameOf(mark.joint.a), false, model.nameOf(mark.joint.b)}, Cursor::Hand};
+    const Named a{model.nameOf(mark.joint.a)}, b{model.nameOf(mark.joint.b)};
+    if (!mark.moves)
+        return {{hints::kSelectJoint, {a, b}}, Cursor::Hand};
+    return {{isSelected ? hints::kMoveSelectedMeetingPoint : hints::kMoveMeetingPoint, {b, a}},
+            Cursor::Hand};
 }
 
 } // namespace fff

@@ -40,6 +40,9 @@ private:
     std::optional<double> m_nameTime; // ms
 };
 
+/// What a click on a part of the view cube does.
+Text lookFrom(const CubePart &part);
+
 /// What the next click or drag does at what is marked, and the cursor that says so.
 std::pair<Hint, Cursor> hoverHint(const Hovered &hovered, const Overlay &overlay,
                                   const Model &model, const Selection &selection);

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "core/interaction/click_selection.h"
+#include "core/interaction/hover_words.h"
 #include "core/interaction/hovering.h"
 #include "core/interaction/interaction.h"
 #include "core/interaction/routing.h"
@@ -170,7 +171,7 @@ public:
     Overlay overlay;
     Hovered hovered;
     std::optional<Note> note;
-    Hint hint;
+    Hint hint = Hint::ofView(hints::kTurnView);
     Cursor cursor = Cursor::Arrow;
 };
 

@@ -1,3 +1,4 @@
+#include "core/interaction/contour_words.h"
 #include "core/interaction/interaction_private.h"
 
 namespace fff {
@@ -52,7 +53,7 @@ void Interaction::Private::carryOut(GestureReply &reply)
     if (reply.commit) {
         hasPreview = false; // the commit ends it
         document = reply.commit->document;
-        if (reply.commit->step.kind == Step::Kind::DrawSection && !view.isolated.empty())
+        if (reply.commit->step.words.text == steps::kDrawSection && !view.isolated.empty())
             view.isolated.insert(document.sections.back()->id); // or it would be a ghost at once
         host.commit(reply.commit->step, std::move(reply.commit->document));
     }

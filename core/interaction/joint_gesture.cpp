@@ -1,5 +1,7 @@
 #include "core/interaction/joint_gesture.h"
 
+#include "core/assembly/joint_words.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -66,7 +68,7 @@ GestureReply JointGesture::handle(const PointerEvent &event, GestureContext &con
     const auto index = static_cast<std::size_t>(m_overlap);
     if (!m_state || !m_state->shares[index]) {
         if (isOver)
-            reply.note = Hint{Hint::Kind::NoMeetingPoint, m_nameA, true, m_nameB};
+            reply.note = Hint::refusal(hints::kNoMeetingPoint, {Named{m_nameA}, Named{m_nameB}});
         return reply;
     }
     const Overlap &o = m_state->crossing.overlaps[index];
@@ -105,8 +107,8 @@ GestureReply JointGesture::cancel(GestureContext &)
 
 Hint JointGesture::hint() const
 {
-    return {Hint::Kind::MovingMeetingPoint, m_nameA, false, m_nameB,
-            static_cast<int>(std::lround(100.0 * (1.0 - m_share)))};
+    return {hints::kMovingMeetingPoint,
+            {Named{m_nameB}, static_cast<int>(std::lround(100.0 * (1.0 - m_share)))}};
 }
 
 } // namespace fff

@@ -5,6 +5,13 @@
 #include "core/interaction/gesture.h"
 #include "core/interaction/joint_marks.h"
 
+namespace fff::hints {
+
+inline constexpr Text kMovingMeetingPoint = FFF_TEXT(
+    "Hint", "Release to leave it here: the slit of %1 takes %2\u202f%. <kbd>Esc</kbd> cancels.");
+
+} // namespace fff::hints
+
 namespace fff {
 
 /// Every move starts from the committed document. The place is told in whole percents of the

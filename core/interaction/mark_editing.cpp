@@ -1,6 +1,8 @@
 #include "core/interaction/mark_editing.h"
 
+#include "core/interaction/mark_words.h"
 #include "core/interaction/section_editing.h"
+#include "core/model/edit_words.h"
 #include "core/model/lettering.h"
 #include "core/model/marks.h"
 #include "core/model/origin.h"
@@ -9,17 +11,23 @@ namespace fff {
 
 namespace {
 
-tl::unexpected<Hint> refused(const Error &error, const std::string &section)
+//: %1 is the name of a section
+constexpr Text kAddMark = FFF_TEXT("Step", "Mark %1");
+//: %1 is the name of a section
+constexpr Text kChangeMark = FFF_TEXT("Step", "Change mark of %1");
+//: %1 is the name of a section
+constexpr Text kDeleteMark = FFF_TEXT("Step", "Delete mark of %1");
+
+tl::unexpected<Hint> refused(const Error &error)
 {
     const bool isLetter =
         error.code == ErrorCode::BadValue && error.place == "text" && !error.args.empty();
-    return tl::unexpected<Hint>(isLetter
-                                    ? Hint{Hint::Kind::LetterUnknown, section, true, error.args[0]}
-                                    : Hint{Hint::Kind::EditFailed, section, true});
+    return isLetter ? refused(hints::kLetterUnknown, {Named{error.args[0]}})
+                    : refused(hints::kEditFailed);
 }
 
 template <class Edit>
-SectionEdit edited(const Model &model, const SectionRef &ref, Step::Kind kind, Edit edit)
+SectionEdit edited(const Model &model, const SectionRef &ref, Text step, Edit edit)
 {
     const auto drawn = drawnSection(model, ref);
     if (!drawn)
@@ -27,8 +35,8 @@ SectionEdit edited(const Model &model, const SectionRef &ref, Step::Kind kind, E
     const Section &section = **drawn;
     Result<Document> next = edit(section);
     if (!next)
-        return refused(next.error(), section.name);
-    return EditedSections{*std::move(next), {kind, {section.name}}};
+        return refused(next.error());
+    return EditedSections{*std::move(next), {step, {Named{section.name}}}};
 }
 
 tl::unexpected<Error> noMark(std::size_t index)
@@ -40,14 +48,14 @@ tl::unexpected<Error> noMark(std::size_t index)
 
 SectionEdit markAdded(const Model &model, const SectionRef &ref, MarkPointer mark)
 {
-    return edited(model, ref, Step::Kind::AddMark, [&](const Section &section) {
+    return edited(model, ref, kAddMark, [&](const Section &section) {
         return addMark(model.document, section.id, std::move(mark));
     });
 }
 
 SectionEdit markRemoved(const Model &model, const SectionRef &ref, std::size_t index)
 {
-    return edited(model, ref, Step::Kind::DeleteMark, [&](const Section &section) {
+    return edited(model, ref, kDeleteMark, [&](const Section &section) {
         return removeMark(model.document, section.id, index);
     });
 }
@@ -55,21 +63,20 @@ SectionEdit markRemoved(const Model &model, const SectionRef &ref, std::size_t i
 SectionEdit markKindChanged(const Model &model, const SectionRef &ref, std::size_t index,
                             Mark::Kind kind)
 {
-    return edited(model, ref, Step::Kind::ChangeMark,
-                  [&](const Section &section) -> Result<Document> {
-                      if (index >= section.marks.size())
-                          return noMark(index);
-                      Mark next = *section.marks[index];
-                      next.kind = kind;
-                      return setMark(model.document, section.id, index,
-                                     std::make_shared<const Mark>(std::move(next)));
-                  });
+    return edited(model, ref, kChangeMark, [&](const Section &section) -> Result<Document> {
+        if (index >= section.marks.size())
+            return noMark(index);
+        Mark next = *section.marks[index];
+        next.kind = kind;
+        return setMark(model.document, section.id, index,
+                       std::make_shared<const Mark>(std::move(next)));
+    });
 }
 
 SectionEdit letteringAdded(const Model &model, const SectionRef &ref, const Lettering &lettering,
                            Mark::Kind kind)
 {
-    return edited(model, ref, Step::Kind::AddMark, [&](const Section &section) -> Result<Document> {
+    return edited(model, ref, kAddMark, [&](const Section &section) -> Result<Document> {
         Result<MarkPointer> mark = letteredMark(lettering, kind);
         if (!mark)
             return tl::unexpected(mark.error());
@@ -81,7 +88,7 @@ SectionEdit letteringChanged(const Model &model, const SectionRef &ref, std::siz
                              const Lettering &lettering)
 {
     SectionEdit edit =
-        edited(model, ref, Step::Kind::ChangeMark, [&](const Section &section) -> Result<Document> {
+        edited(model, ref, kChangeMark, [&](const Section &section) -> Result<Document> {
             if (index >= section.marks.size() || !section.marks[index]->lettering)
                 return noMark(index);
             Result<MarkPointer> mark = letteredMark(lettering, section.marks[index]->kind);

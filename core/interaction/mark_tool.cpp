@@ -3,11 +3,14 @@
 #include "core/base/tolerances.h"
 #include "core/geometry/fit.h"
 #include "core/geometry/line_clip.h"
+#include "core/interaction/contour_words.h"
 #include "core/interaction/draw_tool.h"
 #include "core/interaction/facing.h"
 #include "core/interaction/figure_editing.h"
 #include "core/interaction/mark_editing.h"
+#include "core/interaction/mark_words.h"
 #include "core/interaction/section_editing.h"
+#include "core/interaction/stroke_words.h"
 #include "core/model/origin.h"
 
 #include <algorithm>
@@ -94,7 +97,7 @@ GestureReply MarkTool::handle(const PointerEvent &event, GestureContext &context
         pointOnPlane(context.camera, context.viewport, m_canvas, event.position);
     if (event.isPress()) {
         if (!at) {
-            reply.note = Hint{Hint::Kind::CanvasOnEdge, {}, true};
+            reply.note = Hint::refusal(hints::kCanvasOnEdge);
             return reply;
         }
         m_press = event.position;
@@ -168,7 +171,7 @@ GestureReply MarkTool::release(GestureContext &context)
 {
     GestureReply reply;
     m_press.reset();
-    SectionEdit edit = tl::unexpected(Hint{Hint::Kind::TooShort, {}, true});
+    SectionEdit edit = tl::unexpected(Hint::refusal(hints::kTooShort));
     if (!m_isDrag) {
         Lettering lettering;
         lettering.text = kFirstWords;
@@ -186,7 +189,7 @@ GestureReply MarkTool::release(GestureContext &context)
     else if (const Section *now =
                  edit->document.find(originOf(context.model, *m_section)->section->id);
              !now || !isOnSection(*now->marks.back(), context))
-        reply.note = Hint{Hint::Kind::MarkOutside, m_name, true};
+        reply.note = Hint::refusal(hints::kMarkOutside, {Named{m_name}});
     else
         reply.commit = {std::move(edit->step), std::move(edit->document)};
     return reply;
@@ -239,7 +242,7 @@ GestureReply MarkTool::modelChanged(GestureContext &context)
     }
     m_solo.end(context.view);
     reply.state = GestureReply::State::Over;
-    reply.note = Hint{Hint::Kind::CanvasGone, {}, true};
+    reply.note = Hint::refusal(hints::kCanvasGone);
     return reply;
 }
 
@@ -251,8 +254,10 @@ std::vector<std::string_view> MarkTool::commands() const
 Hint MarkTool::hint() const
 {
     if (!m_section)
-        return {Hint::Kind::PickMarked, {}, false};
-    return {m_press && m_isDrag ? Hint::Kind::DrawingMark : Hint::Kind::DrawMark, m_name, false};
+        return hints::kPickMarked;
+    if (m_press && m_isDrag)
+        return hints::kDrawingMark;
+    return {hints::kDrawMark, {Named{m_name}}};
 }
 
 } // namespace fff

@@ -1,6 +1,7 @@
 #include "core/interaction/measure_tool.h"
 
 #include "core/base/tolerances.h"
+#include "core/interaction/measure_words.h"
 #include "core/operations/scaled_model.h"
 
 #include <algorithm>
@@ -196,16 +197,14 @@ GestureReply MeasureTool::key(ToolKey key, GestureContext &)
     Result<Document> scaled = std::move(m_wanted->scaled);
     m_wanted.reset();
     if (!scaled) {
-        reply.note = Hint{Hint::Kind::NotScaled, {}, true, scaled.error().place};
+        reply.note = notScaled(scaled.error());
         return reply;
     }
     for (MeasuredPlace *end : {&m_line->from, &m_line->to}) {
         end->point *= factor;
         end->anchor.at *= factor;
     }
-    Step step{Step::Kind::ScaleModel, {}};
-    step.count = static_cast<int>(std::lround(100.0 * factor));
-    reply.commit = {std::move(step), *std::move(scaled)};
+    reply.commit = {scaledBy(factor), *std::move(scaled)};
     return reply;
 }
 
@@ -228,10 +227,24 @@ std::optional<MeasureTool::Line> MeasureTool::line() const
 Hint MeasureTool::hint() const
 {
     if (m_from)
-        return {m_isDimension ? Hint::Kind::DimensionTo : Hint::Kind::MeasureTo, {}, false};
+        return hints::kSecondPlace;
     if (m_line)
-        return {m_isDimension ? Hint::Kind::DimensionType : Hint::Kind::Measured, {}, false};
-    return {m_isDimension ? Hint::Kind::DimensionFrom : Hint::Kind::MeasureFrom, {}, false};
+        return m_isDimension ? hints::kDimensionType : hints::kMeasured;
+    return m_isDimension ? hints::kDimensionFrom : hints::kMeasureFrom;
+}
+
+Hint notScaled(const Error &error)
+{
+    if (error.place.empty())
+        return Hint::refusal(hints::kNotScaled);
+    return Hint::refusal(hints::kNotScaledSoFar, {Named{error.place}});
+}
+
+Step scaledBy(double factor)
+{
+    //: %1 is a number of percent
+    return {FFF_TEXT("Step", "Scale the model to %1 %"),
+            {static_cast<int>(std::lround(100.0 * factor))}};
 }
 
 } // namespace fff

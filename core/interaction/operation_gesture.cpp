@@ -2,11 +2,23 @@
 
 #include "core/model/operation_edits.h"
 #include "core/operations/operation_kind.h"
+#include "core/operations/operation_words.h"
 
 #include <algorithm>
 #include <cmath>
 
 namespace fff {
+
+namespace {
+
+//: %1 is the name of an operation, %2 a number
+constexpr Text kMovingBeginning =
+    FFF_TEXT("Hint", "Release to let %1 begin here: %2\u202f%. <kbd>Esc</kbd> cancels.");
+//: %1 is the name of an operation, %2 a number
+constexpr Text kMovingEnd =
+    FFF_TEXT("Hint", "Release to let %1 end here: %2\u202f%. <kbd>Esc</kbd> cancels.");
+
+} // namespace
 
 OperationGesture::OperationGesture(const OperationMarks &marks, int handle,
                                    const PointerEvent &press, const GestureContext &context)
@@ -58,10 +70,10 @@ GestureReply OperationGesture::handle(const PointerEvent &event, GestureContext 
     if (event.type == PointerEvent::Type::Release) {
         reply.state = GestureReply::State::Over;
         if (m_shown && *m_shown != own.value) {
-            Step step{Step::Kind::ChangeOperation, {m_name}};
-            step.change = Step::Change{context.model.document.find(own.operation)->kind, own.key,
-                                       own.value, *m_shown};
-            reply.commit = GestureReply::Commit{std::move(step), std::move(m_last)};
+            reply.commit =
+                GestureReply::Commit{steps::changed(*context.model.document.find(own.operation),
+                                                    own.key, own.value, *m_shown),
+                                     std::move(m_last)};
         }
         return reply;
     }
@@ -85,9 +97,10 @@ GestureReply OperationGesture::cancel(GestureContext &)
 
 Hint OperationGesture::hint() const
 {
-    return {
-        Hint::Kind::MovingHandleOf, m_name, false, m_marks.handles[m_handle].key,
-        static_cast<int>(std::lround(1000.0 * m_shown.value_or(m_marks.handles[m_handle].value)))};
+    const OperationHandle &own = m_marks.handles[m_handle];
+    const double tenths = std::round(1000.0 * m_shown.value_or(own.value));
+    return {own.key == "from" ? kMovingBeginning : kMovingEnd,
+            {Named{m_name}, Decimal{0.1 * tenths, 1}}};
 }
 
 } // namespace fff

@@ -1,7 +1,9 @@
 #include "core/interaction/operation_tool.h"
 
 #include "core/interaction/pick.h"
+#include "core/interaction/pick_words.h"
 #include "core/model/operation_edits.h"
+#include "core/operations/operation_words.h"
 
 #include <algorithm>
 
@@ -104,14 +106,14 @@ GestureReply OperationTool::done(const GestureContext &context) const
     GestureReply reply;
     reply.state = GestureReply::State::Over;
     Operation draft = m_draft;
-    Step step{isNew() ? Step::Kind::AddOperation : Step::Kind::ChangeOperation, {}};
+    Step step;
     if (isNew()) {
         draft.name = m_naming(draft);
         draft.id = OperationId{context.model.document.nextId};
+        step = {steps::kAddOperation, {Named{draft.name}}};
     } else {
-        step.change = Step::Change{draft.kind, m_role, {}, draft.inputs[m_role].back().name};
+        step = steps::changed(draft, m_role, {}, draft.inputs[m_role].back().name);
     }
-    step.names = {draft.name};
     reply.selectOperation = draft.id;
     reply.commit =
         GestureReply::Commit{std::move(step), withDraft(context.model.document, std::move(draft))};
@@ -209,10 +211,13 @@ GestureReply OperationTool::key(ToolKey key, GestureContext &context)
 Hint OperationTool::hint() const
 {
     const InputSpec *input = asked();
-    Hint hint{Hint::Kind::PickInput, m_kind.key};
-    hint.other = input ? input->role : std::string();
-    hint.number = input && isNew() ? countOf(m_draft, *input) : 0;
-    return hint;
+    if (!input)
+        return hints::kMakeOperation;
+    const Text prompt = operationWord(input->prompt);
+    const int picked = isNew() ? countOf(m_draft, *input) : 0;
+    if (input->most == 1)
+        return {hints::kPickOne, {prompt}};
+    return {picked < input->least ? hints::kPickMore : hints::kPickMoreOrMake, {prompt, picked}};
 }
 
 } // namespace fff

@@ -1,8 +1,11 @@
 #include "core/interaction/pen_tool.h"
 
 #include "core/base/tolerances.h"
+#include "core/interaction/contour_words.h"
 #include "core/interaction/draw_tool.h"
+#include "core/interaction/pen_words.h"
 #include "core/interaction/sight.h"
+#include "core/interaction/stroke_words.h"
 
 #include <algorithm>
 #include <cmath>
@@ -44,7 +47,7 @@ std::optional<GestureReply> PenTool::useCanvas(CanvasChoice canvas, GestureConte
 {
     if (!m_path.isEmpty()) {
         GestureReply reply = shown();
-        reply.note = Hint{Hint::Kind::PathIsOpen, {}, true};
+        reply.note = Hint::refusal(hints::kPathIsOpen);
         return reply;
     }
     m_slit.reset();
@@ -85,7 +88,7 @@ void PenTool::faceFirstCanvas(const GestureContext &context)
         return;
     const Frame frame = firstCanvas(context.camera);
     if (!m_canvas || !(m_canvas->choice.target.canvas == frame))
-        setCanvas({ContourTarget::newSection(frame), std::string(kCommand), {}, {}}, true, context);
+        setCanvas({ContourTarget::newSection(frame), std::string(kCommand)}, true, context);
 }
 
 GestureReply PenTool::interrupt(GestureContext &)
@@ -127,7 +130,7 @@ GestureReply PenTool::modelChanged(GestureContext &context)
     }
     if (!isThere) {
         if (!m_path.isEmpty())
-            reply.note = Hint{Hint::Kind::CanvasGone, {}, true};
+            reply.note = Hint::refusal(hints::kCanvasGone);
         forgetPath();
         m_canvas.reset();
         return reply;
@@ -188,7 +191,7 @@ GestureReply PenTool::followSlit(const PointerEvent &event, GestureContext &cont
         m_slit->move(event, context);
     GestureReply reply;
     if (m_slit->isTooShort()) {
-        reply.note = Hint{Hint::Kind::TooShort, {}, true};
+        reply.note = Hint::refusal(hints::kTooShort);
         m_slit.reset();
         m_press->isOver = true;
     } else if (m_slit->isTurned()) {
@@ -197,7 +200,7 @@ GestureReply PenTool::followSlit(const PointerEvent &event, GestureContext &cont
         advance(event.time, context);
     } else if (event.type == PointerEvent::Type::Release) {
         if (m_press->isDrag)
-            reply.note = Hint{Hint::Kind::NeverLeft, m_slit->sectionName(), true};
+            reply.note = Hint::refusal(hints::kNeverLeft, {Named{m_slit->sectionName()}});
         else
             reply.isClick = true;
         m_slit.reset();
@@ -323,14 +326,14 @@ GestureReply PenTool::close(GestureContext &)
 {
     GestureReply reply = shown();
     if (!m_drawn || !*m_drawn) {
-        reply.note = m_drawn ? m_drawn->error() : Hint{Hint::Kind::NothingToClose, {}, true};
+        reply.note = m_drawn ? m_drawn->error() : Hint::refusal(hints::kNothingToClose);
         return reply;
     }
     DrawnContour drawn = **std::exchange(m_drawn, std::nullopt);
     reply.preview.reset();
     reply.note = std::move(drawn.note);
     if (m_closed.wasCrossing)
-        reply.note = Hint{Hint::Kind::CrossesItself, drawn.step.names.front(), false};
+        reply.note = Hint::undoable(hints::kCrossesItself);
     reply.commit = {std::move(drawn.step), std::move(drawn.document)};
     forgetPath();
     m_canvas.reset();
@@ -426,7 +429,7 @@ void PenTool::takeSlit(GestureContext &context)
     m_slit.reset();
     if (m_press)
         m_press->isOver = true;
-    setCanvas({target, std::string(kCommand), {}, {}}, false, context);
+    setCanvas({target, std::string(kCommand)}, false, context);
     hover(context);
 }
 

@@ -1,6 +1,9 @@
 // What the pen shows and says of itself.
+#include "core/interaction/contour_words.h"
 #include "core/interaction/draw_tool.h"
 #include "core/interaction/pen_tool.h"
+#include "core/interaction/pen_words.h"
+#include "core/interaction/stroke_words.h"
 
 namespace fff {
 
@@ -80,35 +83,33 @@ bool PenTool::isClosing() const
 
 Hint PenTool::hint() const
 {
-    using Kind = Hint::Kind;
     if (m_slit)
-        return m_slit->isTurned() ? Hint{Kind::Turning, {}, false}
-                                  : Hint{Kind::LeaveSection, m_slit->sectionName(), false};
+        return m_slit->isTurned() ? Hint(hints::kTurning)
+                                  : Hint(hints::kLeaveSection, {Named{m_slit->sectionName()}});
     if (!m_canvas)
-        return m_over ? Hint{Kind::PenOnSection, *m_over, false}
-                      : Hint{Kind::PenWithoutCanvas, {}, false};
+        return m_over ? Hint(hints::kPenOnSection, {Named{*m_over}})
+                      : Hint(hints::kPenWithoutCanvas);
     if (m_typed)
-        return {Kind::PenNumbers, {}, false};
+        return hints::kPenNumbers;
     if (m_canvas->isOnEdge)
-        return {Kind::CanvasOnEdge, {}, false};
+        return hints::kCanvasOnEdge;
     const bool isPressed = m_press && !m_press->isOver;
     const Place &place = isPressed ? m_press->place : m_place;
     if (isPressed && (place.kind == Place::Kind::Free || place.kind == Place::Kind::Handle))
-        return {Kind::PenBending, {}, false};
+        return hints::kPenBending;
     if (isClosing())
-        return {Kind::PenClosing, {}, false};
+        return hints::kPenClosing;
     if (place.kind == Place::Kind::Point)
-        return {Kind::PenOnPoint, {}, false};
+        return hints::kPenOnPoint;
     if (place.kind == Place::Kind::Handle)
-        return {Kind::PenOnHandle, {}, false};
+        return hints::kPenOnHandle;
     if (m_path.isEmpty())
-        return {Kind::PenFirstPoint, m_canvas->choice.name, false};
+        return hints::kPenFirstPoint;
     if (m_drawn && !*m_drawn)
         return m_drawn->error();
     if (m_closed.wasCrossing)
-        return {Kind::PenCrosses, {}, false};
-    return {
-        m_snap && m_snap->kind != Snap::Kind::None ? Kind::PenSnapped : Kind::PenPoint, {}, false};
+        return hints::kPenCrosses;
+    return m_snap && m_snap->kind != Snap::Kind::None ? hints::kPenSnapped : hints::kPenPoint;
 }
 
 Cursor PenTool::cursor() const

@@ -1,6 +1,8 @@
 #include "core/interaction/point_editing.h"
 
 #include "core/geometry/symmetrised.h"
+#include "core/interaction/point_words.h"
+#include "core/model/edit_words.h"
 #include "core/model/edits.h"
 #include "core/model/ground.h"
 #include "core/model/origin.h"
@@ -22,12 +24,11 @@ std::vector<Vec2> placesOf(const Shape &shape, const PointSelection &points,
     return places;
 }
 
-Step stepOf(Step::Kind kind, const Section &section, std::size_t count = 1)
-{
-    Step step{kind, {section.name}};
-    step.count = static_cast<int>(count);
-    return step;
-}
+//: %1 is the name of a section
+constexpr Text kAddPoint = FFF_TEXT("Step", "Add point to %1");
+constexpr CountedText kDeletePoints{//: %1 is the name of a section
+                                    FFF_TEXT("Step", "Delete point of %1"),
+                                    FFF_TEXT_OF_MANY("Step", "Delete %n points of %1")};
 
 /// The control points, one after the other as they stand on the plane.
 std::vector<std::pair<double, double>> pointsOf(const Shape &shape)
@@ -64,19 +65,19 @@ Result<ShapePointer> withImage(const Shape &before, const Shape &after, const Ha
 
 } // namespace
 
-Hint::Kind whyNoShape(const Error &error)
+Hint whyNoShape(const Error &error, const Section &section)
 {
     switch (error.code) {
     case ErrorCode::SelfCrossing:
-        return Hint::Kind::WouldCrossItself;
+        return Hint::refusal(hints::kWouldCrossItself);
     case ErrorCode::BoundariesMeet:
-        return Hint::Kind::WouldMeetHole;
+        return Hint::refusal(hints::kWouldMeetHole);
     case ErrorCode::EmptyContour:
-        return Hint::Kind::WouldBeEmpty;
+        return Hint::refusal(hints::kWouldBeEmpty, {Named{section.name}});
     case ErrorCode::TooFewPoints:
-        return Hint::Kind::TooFewPoints;
+        return Hint::refusal(hints::kTooFewPoints);
     default:
-        return Hint::Kind::EditFailed;
+        return Hint::refusal(hints::kEditFailed);
     }
 }
 
@@ -85,29 +86,28 @@ PointEdit withEditedShape(const Document &document, SectionId id, const Result<S
 {
     const Section *section = document.find(id);
     if (!section)
-        return refused(Hint::Kind::EditFailed);
+        return refused(hints::kEditFailed);
     if (section->isLocked)
-        return refused(Hint::Kind::Locked, section->name);
+        return refused(hints::kLocked, {Named{section->name}});
     if (!shape)
-        return refused(whyNoShape(shape.error()), section->name);
+        return tl::unexpected(whyNoShape(shape.error(), *section));
     EditedPoints edited;
     ShapePointer kept = *shape;
     if (rules.mirror && !(*kept == *section->shape)) {
         const Result<ShapePointer> whole = withImage(*section->shape, *kept, *rules.mirror);
         if (!whole)
-            return refused(whyNoShape(whole.error()), section->name);
+            return tl::unexpected(whyNoShape(whole.error(), *section));
         kept = *whole;
     }
     if (rules.cutsAtGround) {
         const Result<std::vector<ShapePointer>> pieces = clippedAtGround(kept, section->frame);
         if (!pieces)
-            return refused(whyNoShape(pieces.error()), section->name);
+            return tl::unexpected(whyNoShape(pieces.error(), *section));
         if (pieces->empty())
-            return refused(Hint::Kind::WouldBeBelowGround, section->name);
+            return refused(hints::kWouldBeBelowGround, {Named{section->name}});
         if (pieces->front() != kept)
-            edited.note =
-                Hint{pieces->size() > 1 ? Hint::Kind::LargestPiece : Hint::Kind::CutAtGround,
-                     section->name, false};
+            edited.note = Hint(pieces->size() > 1 ? hints::kLargestPiece : hints::kCutAtGround,
+                               {Named{section->name}});
         kept = pieces->front();
     }
     edited.points = pointsAt(*kept, places);
@@ -115,7 +115,7 @@ PointEdit withEditedShape(const Document &document, SectionId id, const Result<S
     Result<Document> next =
         *kept == *section->shape ? document : setShape(document, id, std::move(kept));
     if (!next)
-        return refused(Hint::Kind::EditFailed);
+        return refused(hints::kEditFailed);
     edited.document = *std::move(next);
     edited.step = std::move(step);
     edited.section = id;
@@ -127,8 +127,8 @@ PointEdit movedSelection(const Document &document, const PointSelection &points,
 {
     const Section *section = document.find(points.section());
     if (!section || points.isEmpty())
-        return refused(Hint::Kind::EditFailed);
-    Step step = stepOf(Step::Kind::MovePoints, *section, points.points().size());
+        return refused(hints::kEditFailed);
+    Step step = ofParts(steps::kMovePoints, section->name, points.points().size());
     step.merges = "points";
     for (const PointAddress &p : points.points())
         step.merges.append(" ")
@@ -144,9 +144,9 @@ PointEdit withoutSelection(const Document &document, const PointSelection &point
 {
     const Section *section = document.find(points.section());
     if (!section || points.isEmpty())
-        return refused(Hint::Kind::EditFailed);
+        return refused(hints::kEditFailed);
     return withEditedShape(document, section->id, withoutPoints(*section->shape, points.points()),
-                           {}, stepOf(Step::Kind::DeletePoints, *section, points.points().size()),
+                           {}, ofParts(kDeletePoints, section->name, points.points().size()),
                            rules);
 }
 
@@ -155,10 +155,10 @@ PointEdit withSelectionOfKind(const Document &document, const PointSelection &po
 {
     const Section *section = document.find(points.section());
     if (!section || points.isEmpty())
-        return refused(Hint::Kind::EditFailed);
+        return refused(hints::kEditFailed);
     return withEditedShape(document, section->id, withKind(*section->shape, points.points(), kind),
                            placesOf(*section->shape, points),
-                           stepOf(Step::Kind::ChangePoints, *section, points.points().size()),
+                           ofParts(steps::kChangePoints, section->name, points.points().size()),
                            rules);
 }
 
@@ -167,10 +167,10 @@ PointEdit withInsertedPoint(const Document &document, SectionId id, int ring, co
 {
     const Section *section = document.find(id);
     if (!section || !isPoint(*section->shape, {ring, at.segment}))
-        return refused(Hint::Kind::EditFailed);
+        return refused(hints::kEditFailed);
     const Vec2 place = boundary(*section->shape, ring).segment(at.segment).at(at.t);
     PointEdit edit = withEditedShape(document, id, insertedPoint(*section->shape, ring, at), {},
-                                     stepOf(Step::Kind::AddPoint, *section), rules);
+                                     {kAddPoint, {Named{section->name}}}, rules);
     if (edit) {
         // On a line there and back, two are at one place: the new one is where it went in.
         const PointAddress added{ring, at.segment + 1};
@@ -202,8 +202,9 @@ std::optional<std::pair<int, CurvePoint>> placeBetween(const Shape &shape,
 tl::unexpected<Hint> madeByOperation(const Model &model, const SectionRef &ref)
 {
     const Operation *operation = model.document.find(ref.operation);
-    return tl::unexpected(Hint{Hint::Kind::MadeByOperation, model.nameOf(ref), true,
-                               operation ? operation->name : std::string()});
+    return tl::unexpected(Hint::refusal(
+        hints::kMadeByOperation,
+        {Named{model.nameOf(ref)}, Named{operation ? operation->name : std::string()}}));
 }
 
 Vec2 arrowAxis(const Frame &frame, const Camera &camera, const Vec2 &arrow)

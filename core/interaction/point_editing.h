@@ -26,7 +26,7 @@ struct EditedPoints
 using PointEdit = tl::expected<EditedPoints, Hint>;
 
 /// What a shape that could not be made is refused with.
-Hint::Kind whyNoShape(const Error &error);
+Hint whyNoShape(const Error &error, const Section &section);
 
 struct PointRules
 {

@@ -1,10 +1,27 @@
 #include "core/interaction/point_gesture.h"
 
+#include "core/interaction/point_words.h"
 #include "core/model/origin.h"
 
 #include <algorithm>
 
 namespace fff {
+
+namespace {
+
+constexpr Text kMovingPoint = FFF_TEXT("Hint", "Release to leave it here. <kbd>Ctrl</kbd> makes a "
+                                               "corner, <kbd>Shift</kbd> keeps the direction.");
+constexpr Text kMovingHandle = FFF_TEXT("Hint", "Release to leave it so. <kbd>Ctrl</kbd> makes a "
+                                                "corner, <kbd>Shift</kbd> keeps the direction.");
+constexpr Text kBendingContour = FFF_TEXT(
+    "Hint",
+    "Release to leave it so. <kbd>Ctrl</kbd> makes corners at its ends. <kbd>Esc</kbd> cancels.");
+//: %1 is the name of a section
+constexpr Text kMoveHandle = FFF_TEXT("Step", "Move handle of %1");
+//: %1 is the name of a section
+constexpr Text kBendContour = FFF_TEXT("Step", "Bend contour of %1");
+
+} // namespace
 
 PointGesture::PointGesture(const PointTarget &target, const PointerEvent &press,
                            const SectionRef &ref, const GestureContext &context)
@@ -47,7 +64,7 @@ Vec2 PointGesture::straightened(const Vec2 &by) const
 PointEdit PointGesture::edited(const Vec2 &by, bool breaks, const Document &document,
                                const PointRules &rules) const
 {
-    Step step{Step::Kind::MovePoints, {m_name}};
+    Step step;
     std::vector<Vec2> places;
     const bool isAnchor = m_target.kind == PointTarget::Kind::Anchor;
     for (const PointAddress &point : m_moved)
@@ -56,15 +73,15 @@ PointEdit PointGesture::edited(const Vec2 &by, bool breaks, const Document &docu
     Result<ShapePointer> shape = failure(ErrorCode::BadValue);
     switch (m_target.kind) {
     case PointTarget::Kind::Anchor:
-        step.count = static_cast<int>(m_moved.size());
+        step = ofParts(steps::kMovePoints, m_name, m_moved.size());
         shape = movedPoints(*m_shape, m_moved, by, breaks);
         break;
     case PointTarget::Kind::Handle:
-        step.kind = Step::Kind::MoveHandle;
+        step = {kMoveHandle, {Named{m_name}}};
         shape = movedHandle(*m_shape, m_target.point, m_target.side, m_target.place + by, breaks);
         break;
     case PointTarget::Kind::Line:
-        step.kind = Step::Kind::BendContour;
+        step = {kBendContour, {Named{m_name}}};
         shape = movedSegment(*m_shape, m_target.point.boundary, {m_target.point.index, m_target.t},
                              by, breaks);
         break;
@@ -121,11 +138,11 @@ Hint PointGesture::hint() const
         return *m_refusal;
     switch (m_target.kind) {
     case PointTarget::Kind::Anchor:
-        return {Hint::Kind::MovingPoint, m_name, false};
+        return kMovingPoint;
     case PointTarget::Kind::Handle:
-        return {Hint::Kind::MovingHandle, m_name, false};
+        return kMovingHandle;
     case PointTarget::Kind::Line:
-        return {Hint::Kind::BendingContour, m_name, false};
+        return kBendingContour;
     }
     return {}; // not reached: every kind is above
 }

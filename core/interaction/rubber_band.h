@@ -3,6 +3,15 @@
 
 #include "core/interaction/gesture.h"
 
+namespace fff::hints {
+
+inline constexpr Text kRubberBand =
+    FFF_TEXT("Hint", "Release to select all that is wholly inside. <kbd>Esc</kbd> cancels.");
+inline constexpr Text kPointBand =
+    FFF_TEXT("Hint", "Release to select the points inside. <kbd>Esc</kbd> cancels.");
+
+} // namespace fff::hints
+
 namespace fff {
 
 /// The frame itself; what it selects is the subclasses' matter.
@@ -32,7 +41,7 @@ class RubberBandGesture : public BandGesture
 {
 public:
     RubberBandGesture(const PointerEvent &press, const GestureContext &context);
-    Hint hint() const override { return {Hint::Kind::RubberBand, {}, false}; }
+    Hint hint() const override { return hints::kRubberBand; }
 
 private:
     void select(const Box2 &band, const GestureContext &context, GestureReply &reply) override;
@@ -47,7 +56,7 @@ class PointBandGesture : public BandGesture
 public:
     PointBandGesture(const PointerEvent &press, const Section &section,
                      const GestureContext &context);
-    Hint hint() const override { return {Hint::Kind::PointBand, {}, false}; }
+    Hint hint() const override { return hints::kPointBand; }
 
 private:
     void select(const Box2 &band, const GestureContext &context, GestureReply &reply) override;

@@ -2,6 +2,7 @@
 
 #include "core/assembly/crossing.h"
 #include "core/interaction/point_editing.h"
+#include "core/model/edit_words.h"
 #include "core/model/edits.h"
 #include "core/model/operation_edits.h"
 #include "core/model/origin.h"
@@ -9,6 +10,7 @@
 #include "core/operations/excerpt.h"
 #include "core/operations/insertion.h"
 #include "core/operations/moving_model.h"
+#include "core/operations/operation_words.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,6 +20,42 @@
 namespace fff {
 
 namespace {
+
+//: %1 is the name of a section
+constexpr CountedText kMoveSection{FFF_TEXT("Step", "Move %1"),
+                                   FFF_TEXT_OF_MANY("Step", "Move %n sections")};
+//: %1 is the name of a section
+constexpr CountedText kTurnSection{FFF_TEXT("Step", "Turn %1"),
+                                   FFF_TEXT_OF_MANY("Step", "Turn %n sections")};
+//: %1 is the name of a section
+constexpr CountedText kScaleSection{FFF_TEXT("Step", "Scale %1"),
+                                    FFF_TEXT_OF_MANY("Step", "Scale %n sections")};
+//: %1 is the name of a section
+constexpr CountedText kCopySections{FFF_TEXT("Step", "Copy %1"),
+                                    FFF_TEXT_OF_MANY("Step", "Copy %n sections")};
+//: %1 is the name of a section
+constexpr CountedText kMirrorSections{FFF_TEXT("Step", "Mirror a copy of %1"),
+                                      FFF_TEXT_OF_MANY("Step", "Mirror copies of %n sections")};
+//: %1 is the name of a section
+constexpr CountedText kMakeOrthogonal{FFF_TEXT("Step", "Make %1 orthogonal"),
+                                      FFF_TEXT_OF_MANY("Step", "Make %n sections orthogonal")};
+//: %1 is the name of a section
+constexpr CountedText kAlignSection{FFF_TEXT("Step", "Align %1 to an axis"),
+                                    FFF_TEXT_OF_MANY("Step", "Align %n sections to an axis")};
+//: %1 is the name of a section
+constexpr Text kPutOn = FFF_TEXT("Step", "Put %1 on another section");
+//: %1 is the name of a section
+constexpr CountedText kFreeSection{FFF_TEXT("Step", "Free %1"),
+                                   FFF_TEXT_OF_MANY("Step", "Free %n sections")};
+//: %1 is the name of a section
+constexpr CountedText kHoldSection{FFF_TEXT("Step", "Hold %1"),
+                                   FFF_TEXT_OF_MANY("Step", "Hold %n sections")};
+//: %1 is the name of a section
+constexpr CountedText kLockSection{FFF_TEXT("Step", "Lock %1"),
+                                   FFF_TEXT_OF_MANY("Step", "Lock %n sections")};
+//: %1 is the name of a section
+constexpr CountedText kUnlockSection{FFF_TEXT("Step", "Unlock %1"),
+                                     FFF_TEXT_OF_MANY("Step", "Unlock %n sections")};
 
 /// Two normals that differ by less are the same to whoever typed one (no unit).
 constexpr double kSameNormal = 1e-6;
@@ -33,15 +71,15 @@ std::vector<std::string> namesOf(const Model &model, const std::vector<SectionRe
 SectionEdit edited(Result<Document> document, Step step)
 {
     if (!document && document.error().code == ErrorCode::EmptyContour)
-        return refused(Hint::Kind::WouldBeEmpty, document.error().place);
+        return refused(hints::kWouldBeEmpty, {Named{document.error().place}});
     if (!document)
-        return refused(Hint::Kind::EditFailed);
+        return refused(hints::kEditFailed);
     return EditedSections{*std::move(document), std::move(step)};
 }
 
 /// Each moved in its own way; a refusal ends it.
 SectionEdit movedEach(
-    const Model &model, const std::vector<SectionRef> &sections, Step::Kind kind,
+    const Model &model, const std::vector<SectionRef> &sections, const CountedText &texts,
     bool takesChildren,
     const std::function<tl::expected<RefMove, Hint>(const Section &, const SectionRef &)> &way)
 {
@@ -54,12 +92,13 @@ SectionEdit movedEach(
             return tl::unexpected(move.error());
         moves.push_back(*std::move(move));
     }
-    return edited(movedSections(model, moves, takesChildren), {kind, namesOf(model, sections)});
+    return edited(movedSections(model, moves, takesChildren),
+                  ofSections(texts, namesOf(model, sections)));
 }
 
 /// Each drawn section changed in its place.
 SectionEdit changedEach(const Model &model, const std::vector<SectionRef> &sections,
-                        Step::Kind kind, const std::function<void(Section &)> &change)
+                        const Step &step, const std::function<void(Section &)> &change)
 {
     Document document = model.document;
     for (const SectionRef &ref : sections) {
@@ -73,7 +112,7 @@ SectionEdit changedEach(const Model &model, const std::vector<SectionRef> &secti
         if (!(next == *place))
             place = std::make_shared<const Section>(std::move(next));
     }
-    return EditedSections{std::move(document), {kind, namesOf(model, sections)}};
+    return EditedSections{std::move(document), step};
 }
 
 /// As it is along the frame's axes, in the section's own coordinates.
@@ -84,11 +123,11 @@ Eigen::Matrix2d stretchMatrix(const Section &section, const Frame &frame, const 
     return axes * stretch.asDiagonal() * axes.inverse();
 }
 
-Step::Kind stepOf(const Transform &transform)
+const CountedText &textsOf(const Transform &transform)
 {
     if (!transform.way.isZero(0.0))
-        return Step::Kind::MoveSection;
-    return transform.angle != 0.0 ? Step::Kind::TurnSection : Step::Kind::ScaleSection;
+        return kMoveSection;
+    return transform.angle != 0.0 ? kTurnSection : kScaleSection;
 }
 
 } // namespace
@@ -100,7 +139,7 @@ std::optional<Hint> whyNotEdited(const Model &model, const std::vector<SectionRe
         if (!origin)
             return madeByOperation(model, ref).value();
         if (origin->section->isLocked)
-            return Hint{Hint::Kind::Locked, origin->section->name, true};
+            return Hint::refusal(hints::kLocked, {Named{origin->section->name}});
     }
     return std::nullopt;
 }
@@ -119,8 +158,8 @@ SectionEdit transformed(const Model &model, const std::vector<SectionRef> &secti
     if (std::optional<Hint> why = whyNotEdited(model, sections))
         return tl::unexpected(*std::move(why));
     if (sections.empty())
-        return refused(Hint::Kind::EditFailed);
-    Step step{stepOf(transform), namesOf(model, sections)};
+        return refused(hints::kEditFailed);
+    Step step = ofSections(textsOf(transform), namesOf(model, sections));
     if (merges) {
         step.merges = "sections";
         for (const SectionRef &ref : sections)
@@ -146,7 +185,7 @@ SectionEdit transformedCopies(const Copies &copies, const Model &model,
     if (transform.stretch.x() == transform.stretch.y())
         transform.factor *= transform.stretch.x();
     SectionEdit edit = edited(placedCopies(copies, [&](int k) { return transform.times(k); }),
-                              {Step::Kind::CopySections, namesOf(model, sections)});
+                              ofSections(kCopySections, namesOf(model, sections)));
     if (edit)
         edit->select = copies.sections;
     return edit;
@@ -160,7 +199,7 @@ Vec3 positionOf(const Section &section)
 SectionEdit withPosition(const Model &model, const std::vector<SectionRef> &sections, int axis,
                          double value, bool takesChildren)
 {
-    return movedEach(model, sections, Step::Kind::MoveSection, takesChildren,
+    return movedEach(model, sections, kMoveSection, takesChildren,
                      [&](const Section &section, const SectionRef &ref) {
                          const double by = value - positionOf(section)[axis];
                          return RefMove{ref, Similarity::moved(by * Vec3::Unit(axis))};
@@ -180,7 +219,7 @@ SectionEdit withNormal(const Model &model, const std::vector<SectionRef> &sectio
                     wanted * Vec3::Unit(axis));
     };
     SectionEdit edit = movedEach(
-        model, sections, Step::Kind::TurnSection, takesChildren,
+        model, sections, kTurnSection, takesChildren,
         [&](const Section &section, const SectionRef &ref) {
             const Section *host = section.parent ? model.find(section.parent->section) : nullptr;
             return RefMove{
@@ -191,7 +230,7 @@ SectionEdit withNormal(const Model &model, const std::vector<SectionRef> &sectio
         const Section *after = edit ? edit->document.find(ref.drawn) : nullptr;
         const Section *host = holderOf(model, *section);
         if (after && host && after->frame.normal().cross(normalFor(*section)).norm() > kSameNormal)
-            edit->note = Hint{Hint::Kind::HeldByParent, section->name, false, host->name};
+            edit->note = Hint(hints::kHeldByParent, {Named{section->name}, Named{host->name}});
     }
     return edit;
 }
@@ -200,11 +239,11 @@ SectionEdit withAngle(const Model &model, const std::vector<SectionRef> &section
                       bool takesChildren)
 {
     return movedEach(
-        model, sections, Step::Kind::TurnSection, takesChildren,
+        model, sections, kTurnSection, takesChildren,
         [&](const Section &section, const SectionRef &ref) -> tl::expected<RefMove, Hint> {
             const Section *host = section.parent ? model.find(section.parent->section) : nullptr;
             if (!host)
-                return refused(Hint::Kind::OnNothing, section.name);
+                return refused(hints::kOnNothing, {Named{section.name}});
             return RefMove{ref, turnToAngle(section, host->frame, angle), true};
         });
 }
@@ -215,12 +254,12 @@ SectionEdit madeOrthogonal(const Model &model, const std::vector<SectionRef> &se
     SectionEdit edit = withAngle(model, sections, 0.5 * std::numbers::pi, takesChildren);
     if (!edit)
         return edit;
-    edit->step.kind = Step::Kind::MakeOrthogonal;
+    edit->step = ofSections(kMakeOrthogonal, namesOf(model, sections));
     for (const SectionRef &ref : sections) {
         Result<Document> next =
             setFree(std::move(edit->document), originOf(model, ref)->section->id, false);
         if (!next)
-            return refused(Hint::Kind::EditFailed);
+            return refused(hints::kEditFailed);
         edit->document = *std::move(next);
     }
     return edit;
@@ -230,7 +269,7 @@ SectionEdit alignedToAxis(const Model &model, const std::vector<SectionRef> &sec
                           bool takesChildren)
 {
     SectionEdit edit = movedEach(
-        model, sections, Step::Kind::AlignSection, takesChildren,
+        model, sections, kAlignSection, takesChildren,
         [&](const Section &section, const SectionRef &ref) -> tl::expected<RefMove, Hint> {
             const Section *host = holderOf(model, section);
             const Vec3 normal = section.frame.normal();
@@ -244,7 +283,7 @@ SectionEdit alignedToAxis(const Model &model, const std::vector<SectionRef> &sec
                     best = to;
             }
             if (!best)
-                return refused(Hint::Kind::HeldByParent, section.name, host->name);
+                return refused(hints::kHeldByParent, {Named{section.name}, Named{host->name}});
             const Section *on = section.parent ? model.find(section.parent->section) : nullptr;
             return RefMove{ref, turnToNormal(section, on ? &on->frame : nullptr, *best)};
         });
@@ -261,28 +300,30 @@ SectionEdit putOn(const Model &model, const SectionRef &image, const SectionRef 
     if (parent.drawn.isValid() || parent.operation.isValid()) {
         const Section *host = model.find(parent);
         if (!host)
-            return refused(Hint::Kind::EditFailed);
+            return refused(hints::kEditFailed);
         // What it carries cannot carry it.
         for (const Section *on = host; on;
              on = on->parent ? model.find(on->parent->section) : nullptr)
             if (on->ref() == ref)
-                return refused(Hint::Kind::CannotBeOn, section.name, host->name);
+                return refused(hints::kCannotBeOn, {Named{section.name}, Named{host->name}});
         const Crossing crossing =
             findCrossing(*section.shape, section.frame, *host->shape, host->frame);
         if (crossing.overlaps.empty())
-            return refused(Hint::Kind::DoNotMeet, section.name, host->name);
+            return refused(hints::kDoNotMeet, {Named{section.name}, Named{host->name}});
         const auto longest = std::max_element(
             crossing.overlaps.begin(), crossing.overlaps.end(),
             [](const Overlap &a, const Overlap &b) { return a.to - a.from < b.to - b.from; });
         link = Parent{parent, host->frame.toLocal(crossing.axis.at(longest->from)),
                       host->frame.toLocal(crossing.axis.at(longest->to))};
     }
-    return changedEach(model, {ref}, Step::Kind::PutOn, [&](Section &next) { next.parent = link; });
+    return changedEach(model, {ref}, {kPutOn, {Named{model.nameOf(ref)}}},
+                       [&](Section &next) { next.parent = link; });
 }
 
 SectionEdit freed(const Model &model, const std::vector<SectionRef> &sections, bool isFree)
 {
-    return changedEach(model, sections, isFree ? Step::Kind::FreeSection : Step::Kind::HoldSection,
+    return changedEach(model, sections,
+                       ofSections(isFree ? kFreeSection : kHoldSection, namesOf(model, sections)),
                        [isFree](Section &section) {
                            if (section.parent)
                                section.parent->isFree = isFree;
@@ -291,36 +332,37 @@ SectionEdit freed(const Model &model, const std::vector<SectionRef> &sections, b
 
 SectionEdit locked(const Model &model, const std::vector<SectionRef> &sections, bool isLocked)
 {
-    return changedEach(model, sections,
-                       isLocked ? Step::Kind::LockSection : Step::Kind::UnlockSection,
-                       [isLocked](Section &section) { section.isLocked = isLocked; });
+    return changedEach(
+        model, sections,
+        ofSections(isLocked ? kLockSection : kUnlockSection, namesOf(model, sections)),
+        [isLocked](Section &section) { section.isLocked = isLocked; });
 }
 
-SectionEdit deleted(const Model &model, const std::vector<SectionRef> &sections, Step::Kind kind)
+SectionEdit deleted(const Model &model, const std::vector<SectionRef> &sections,
+                    const CountedText *step)
 {
     Result<Document> next = model.document;
-    Step step{Step::Kind::HideInstance, {}};
+    std::vector<std::string> names;
     std::vector<SectionId> ids;
     for (const SectionRef &ref : sections) {
         // One whose place an operation has taken is not shown.
         const std::optional<Origin> origin = originOf(model, ref);
         const Section *drawn = origin ? origin->section : model.document.find(ref.drawn);
         if (drawn && drawn->isLocked)
-            return refused(Hint::Kind::Locked, drawn->name);
+            return refused(hints::kLocked, {Named{drawn->name}});
         if (drawn && std::find(ids.begin(), ids.end(), drawn->id) == ids.end()) {
             ids.push_back(drawn->id);
-            step.names.push_back(drawn->name);
+            names.push_back(drawn->name);
         } else if (const Section *made = model.find(ref); made && !drawn) {
-            step.names.push_back(made->name);
+            names.push_back(made->name);
             if (next)
                 next = setExceptionState(*std::move(next), ref, Exception::State::Hidden);
         }
     }
-    if (!ids.empty() || kind == Step::Kind::CutSections)
-        step.kind = kind;
     if (next && !ids.empty())
         next = removeSections(*std::move(next), ids);
-    return edited(std::move(next), std::move(step));
+    const CountedText &own = ids.empty() ? steps::kHideInstance : steps::kDeleteSections;
+    return edited(std::move(next), ofSections(step ? *step : own, names));
 }
 
 SectionEdit added(const Model &model, const Document &other, const Vec3 &way, Step step)
@@ -347,7 +389,7 @@ Vec3 wayBeside(const Model &model, const Document &other)
 SectionEdit duplicated(const Model &model, const std::vector<SectionRef> &sections, const Vec3 &way)
 {
     if (sections.empty())
-        return refused(Hint::Kind::EditFailed);
+        return refused(hints::kEditFailed);
     Transform transform;
     transform.way = way;
     return transformedCopies(copied(model, sections), model, sections, transform);
@@ -357,12 +399,12 @@ SectionEdit mirroredCopy(const Model &model, const std::vector<SectionRef> &sect
                          const Vec3 &point, const Vec3 &normal)
 {
     if (sections.empty())
-        return refused(Hint::Kind::EditFailed);
+        return refused(hints::kEditFailed);
     const Copies copies = copied(model, sections);
     const Similarity mirror =
         Similarity::turned(Eigen::Matrix3d::Identity() - 2.0 * normal * normal.transpose(), point);
     SectionEdit edit = edited(placedCopies(copies, [&](int) { return mirror; }),
-                              {Step::Kind::MirrorSections, namesOf(model, sections)});
+                              ofSections(kMirrorSections, namesOf(model, sections)));
     if (edit)
         edit->select = copies.sections;
     return edit;

@@ -5,6 +5,7 @@
 
 #include "core/interaction/gizmo_drag.h"
 #include "core/interaction/section_edit.h"
+#include "core/interaction/section_words.h"
 #include "core/model/model.h"
 #include "core/operations/copies.h"
 
@@ -58,9 +59,10 @@ SectionEdit freed(const Model &model, const std::vector<SectionRef> &sections, b
 SectionEdit locked(const Model &model, const std::vector<SectionRef> &sections, bool isLocked);
 
 /// Drawn sections go, with their images; one that an operation made in its own way is left out of
-/// what that makes. kind: DeleteSections or CutSections.
+/// what that makes. step: what the history says of all of them; null: that they were deleted, or
+/// left out.
 SectionEdit deleted(const Model &model, const std::vector<SectionRef> &sections,
-                    Step::Kind kind = Step::Kind::DeleteSections);
+                    const CountedText *step = nullptr);
 
 /// All of another document added and moved by `way`, mm; it is selected. Symmetries of the whole
 /// model become those of what comes.

@@ -1,5 +1,7 @@
 #include "core/interaction/steps_tool.h"
 
+#include "core/interaction/view_gestures.h"
+
 namespace fff {
 
 GestureReply StepsTool::handle(const PointerEvent &event, GestureContext &context)
@@ -23,13 +25,13 @@ GestureReply StepsTool::modelChanged(GestureContext &context)
     interrupt(context);
     GestureReply reply;
     reply.state = GestureReply::State::Over;
-    reply.note = Hint{Hint::Kind::StepsClosed, {}, false};
+    reply.note = Hint(hints::kStepsClosed);
     return reply;
 }
 
 Hint StepsTool::hint() const
 {
-    return {m_drag.isTurning() ? Hint::Kind::Orbiting : Hint::Kind::ShowSteps, {}, false};
+    return m_drag.isTurning() ? Hint::ofView(hints::kOrbiting) : Hint(hints::kShowSteps);
 }
 
 } // namespace fff

@@ -8,6 +8,16 @@
 
 #include <memory>
 
+namespace fff::hints {
+
+inline constexpr Text kShowSteps =
+    FFF_TEXT("Hint", "Drag to turn the view; <kbd>Space</kbd> plays, <kbd>\u2190</kbd> and "
+                     "<kbd>\u2192</kbd> go step by step. <kbd>Esc</kbd> closes the steps.");
+inline constexpr Text kStepsClosed =
+    FFF_TEXT("Hint", "The model has changed, so the view of its steps was closed.");
+
+} // namespace fff::hints
+
 namespace fff {
 
 class StepsTool : public Tool

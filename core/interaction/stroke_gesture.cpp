@@ -2,8 +2,10 @@
 
 #include "core/base/tolerances.h"
 #include "core/base/units.h"
+#include "core/interaction/contour_words.h"
 #include "core/interaction/pick.h"
 #include "core/interaction/snapping.h"
+#include "core/interaction/stroke_words.h"
 #include "core/model/ground.h"
 
 #include <algorithm>
@@ -63,18 +65,18 @@ Vec2 seenSize(const Camera &camera, const ContourTarget &target, const Section &
     return isUpright ? size : Vec2(size.y(), size.x());
 }
 
-Hint::Kind refusalOf(const StrokeContour &contour)
+Text refusalOf(const StrokeContour &contour)
 {
     switch (contour.refusal) {
     case StrokeContour::Refusal::NoArea:
-        return Hint::Kind::NoArea;
+        return hints::kNoArea;
     case StrokeContour::Refusal::CrossesWithoutLoop:
-        return Hint::Kind::CrossesWithoutLoop;
+        return hints::kCrossesWithoutLoop;
     case StrokeContour::Refusal::None:
     case StrokeContour::Refusal::TooShort:
         break;
     }
-    return Hint::Kind::TooShort;
+    return hints::kTooShort;
 }
 
 } // namespace
@@ -326,7 +328,7 @@ GestureReply StrokeGesture::done()
 {
     if (!m_drawn || !*m_drawn) {
         GestureReply failed = over();
-        failed.note = m_drawn ? m_drawn->error() : Hint{Hint::Kind::Failed, {}, true};
+        failed.note = m_drawn ? m_drawn->error() : Hint::refusal(hints::kFailed);
         return failed;
     }
     DrawnContour &drawn = **m_drawn;
@@ -334,15 +336,15 @@ GestureReply StrokeGesture::done()
     reply.state = GestureReply::State::Over;
     const StrokeContour &contour = m_stroke.contour();
     // What is lost of the stroke comes before what became of the rest.
-    if (!contour.wasCrossing)
-        reply.note = std::move(drawn.note);
-    const auto tell = [&](bool applies, Hint::Kind kind) {
+    reply.note = std::move(drawn.note);
+    if (contour.wasCrossing)
+        reply.note = Hint::undoable(hints::kCrossesItself);
+    const auto tell = [&](bool applies, Text text) {
         if (applies && !reply.note)
-            reply.note = Hint{kind, drawn.step.names.front(), false};
+            reply.note = Hint(text, {Named{drawn.name}});
     };
-    tell(contour.wasCrossing, Hint::Kind::CrossesItself);
-    tell(contour.wasCutAtAxis, Hint::Kind::CutAtAxis);
-    tell(!contour.doHalvesMeet, Hint::Kind::HalvesDoNotMeet);
+    tell(contour.wasCutAtAxis, hints::kCutAtAxis);
+    tell(!contour.doHalvesMeet, hints::kHalvesDoNotMeet);
     reply.commit = {std::move(drawn.step), std::move(drawn.document)};
     return reply;
 }
@@ -356,13 +358,11 @@ GestureReply StrokeGesture::over() const
         reply.returnTo = m_before;
     switch (m_stroke.refusal()) {
     case Stroke::Refusal::NeverLeft:
-        reply.note = Hint{Hint::Kind::NeverLeft, m_ground->section->name, true};
+        reply.note = Hint::refusal(hints::kNeverLeft, {Named{m_ground->section->name}});
         break;
     case Stroke::Refusal::TooShort:
-        reply.note =
-            Hint{m_stroke.samples().empty() ? Hint::Kind::TooShort : refusalOf(m_stroke.contour()),
-                 {},
-                 true};
+        reply.note = Hint::refusal(m_stroke.samples().empty() ? hints::kTooShort
+                                                              : refusalOf(m_stroke.contour()));
         break;
     case Stroke::Refusal::None:
         break;
@@ -380,15 +380,15 @@ Hint StrokeGesture::hint() const
 {
     switch (m_stroke.state()) {
     case Stroke::State::Slit:
-        return {Hint::Kind::LeaveSection, m_ground->section->name, false};
+        return {hints::kLeaveSection, {Named{m_ground->section->name}}};
     case Stroke::State::Turn:
-        return {Hint::Kind::Turning, {}, false};
+        return hints::kTurning;
     case Stroke::State::DeadZone:
-        return {Hint::Kind::LeaveDeadZone, {}, false};
+        return hints::kLeaveDeadZone;
     default:
         if (!m_drawn || !*m_drawn)
-            return {Hint::Kind::DrawContour, {}, false};
-        return releaseHint((*m_drawn)->step.names.front());
+            return hints::kDrawContour;
+        return releaseHint((*m_drawn)->name);
     }
 }
 
@@ -396,16 +396,15 @@ Hint StrokeGesture::releaseHint(const std::string &section) const
 {
     const bool isRedraw = m_target.purpose == ContourTarget::Purpose::Redraw;
     if (m_target.purpose == ContourTarget::Purpose::Hole)
-        return {Hint::Kind::ReleaseToCutHole, section, false};
+        return {hints::kReleaseToCutHole, {Named{section}}};
     if (!m_drawnMirrored)
-        return isRedraw ? Hint{Hint::Kind::ReleaseToRedraw, section, false}
-                        : Hint{Hint::Kind::ReleaseToMake, {}, false};
+        return isRedraw ? Hint(hints::kReleaseToRedraw, {Named{section}})
+                        : Hint(hints::kReleaseToMake);
     if (isRedraw)
-        return {Hint::Kind::ReleaseToRedrawMirrored, section, false};
+        return {hints::kReleaseToRedrawMirrored, {Named{section}}};
     if (!m_mirrors) // Shift is held
-        return {Hint::Kind::ReleaseToMirrorByShift, {}, false};
-    return {
-        m_isAxisSlit ? Hint::Kind::ReleaseToMirror : Hint::Kind::ReleaseToMirrorFirst, {}, false};
+        return hints::kReleaseToMirrorByShift;
+    return m_isAxisSlit ? hints::kReleaseToMirror : hints::kReleaseToMirrorFirst;
 }
 
 Cursor StrokeGesture::cursor() const

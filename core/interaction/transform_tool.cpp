@@ -2,6 +2,7 @@
 
 #include "core/interaction/pick.h"
 #include "core/interaction/point_sight.h"
+#include "core/model/edit_words.h"
 
 #include <algorithm>
 #include <cmath>
@@ -76,25 +77,24 @@ Hint TransformTool::hintFor(GizmoPart part, const GestureContext &context) const
     if (m_refusal)
         return *m_refusal;
     if (m_typed)
-        return {Hint::Kind::TransformNumbers, {}, false, {}, m_typed->copies};
+        return m_typed->copies > 0 ? Hint(Message{hints::kTransformCopies, {}, m_typed->copies})
+                                   : Hint(hints::kTransformNumbers);
     if (isTurn(part))
-        return {Hint::Kind::DragToTurn, {}, false};
+        return hints::kDragToTurn;
     if (isScale(part))
-        return {Hint::Kind::DragToScale, {}, false};
+        return hints::kDragToScale;
     if (part != GizmoPart::None)
-        return {Hint::Kind::DragToMove, {}, false};
+        return hints::kDragToMove;
     const std::optional<SectionRef> over = sectionAt(m_position, context);
     const bool isSelected =
         over && std::find(m_sections.begin(), m_sections.end(), *over) != m_sections.end();
     if (isSelected)
-        return {Hint::Kind::DragToMove, {}, false};
+        return hints::kDragToMove;
     if (over)
-        return {Hint::Kind::TransformDrag, context.model.nameOf(*over), false};
+        return {hints::kTransformDrag, {Named{context.model.nameOf(*over)}}};
     if (m_sections.empty())
-        return {Hint::Kind::TransformPick, {}, false};
-    return {Hint::Kind::Transform,
-            m_sections.size() == 1 ? context.model.nameOf(m_sections.front()) : std::string(),
-            false};
+        return hints::kTransformPick;
+    return hints::kTransform;
 }
 
 /// Of the bare gizmo also when the view is moved.
@@ -210,7 +210,7 @@ GestureReply TransformTool::drag(const PointerEvent &event, GestureContext &cont
         return reply;
     m_leavesCopy = event.modifiers.control;
     m_drag->moveTo(event.position, event.modifiers.shift, context);
-    m_hint = {m_leavesCopy ? Hint::Kind::LeavingCopy : Hint::Kind::Transforming, {}, false, {}, 1};
+    m_hint = m_leavesCopy ? hints::kLeavingCopy : hints::kTransforming;
     GestureReply next = shown(editOf(m_drag->transform(), m_leavesCopy ? 1 : 0, context));
     next.select = std::move(reply.select);
     return next;
@@ -373,7 +373,7 @@ GestureReply TransformTool::dropNumbers(GestureContext &)
 
 std::vector<std::string_view> TransformTool::commands() const
 {
-    if (m_refusal && m_refusal->kind == Hint::Kind::MadeByOperation)
+    if (m_refusal && m_refusal->words.text == hints::kMadeByOperation)
         return {"operation.editSource", "operation.detach"};
     return {"transform.inSpace", "transform.withChildren"};
 }
@@ -399,8 +399,8 @@ Cursor TransformTool::cursor() const
         return m_leavesCopy ? Cursor::ArrowWithPlus : Cursor::MoveCross;
     if (isTurn(m_hovered))
         return Cursor::TurningArrows;
-    const bool moves = m_hovered != GizmoPart::None || m_hint.kind == Hint::Kind::DragToMove ||
-                       m_hint.kind == Hint::Kind::TransformDrag;
+    const bool moves = m_hovered != GizmoPart::None || m_hint.words.text == hints::kDragToMove ||
+                       m_hint.words.text == hints::kTransformDrag;
     return moves ? Cursor::MoveCross : Cursor::Arrow;
 }
 

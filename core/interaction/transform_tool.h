@@ -12,6 +12,7 @@
 #include "core/interaction/gizmo_drag.h"
 #include "core/interaction/section_editing.h"
 #include "core/interaction/tool.h"
+#include "core/interaction/transform_words.h"
 #include "core/operations/copies.h"
 #include "core/operations/moving_model.h"
 
@@ -81,7 +82,7 @@ private:
     GizmoPart m_hovered = GizmoPart::None;
     Vec2 m_position = Vec2::Zero(); // of the cursor, px
     Pointer m_pointer = Pointer::Mouse;
-    Hint m_hint{Hint::Kind::TransformPick, {}, false};
+    Hint m_hint = hints::kTransformPick;
 };
 
 } // namespace fff

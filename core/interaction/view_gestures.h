@@ -3,6 +3,15 @@
 
 #include "core/interaction/gesture.h"
 
+namespace fff::hints {
+
+inline constexpr Text kOrbiting = FFF_TEXT("Hint", "Move to turn the view, release to stop.");
+inline constexpr Text kPanning = FFF_TEXT("Hint", "Move to shift the view, release to stop.");
+inline constexpr Text kZooming =
+    FFF_TEXT("Hint", "Move up to come nearer, down to go away; release to stop.");
+
+} // namespace fff::hints
+
 namespace fff {
 
 /// Turns the view about a pivot that keeps its place on the screen.
@@ -15,7 +24,7 @@ public:
     }
     GestureReply handle(const PointerEvent &event, GestureContext &context) override;
     GestureReply cancel(GestureContext &context) override;
-    Hint hint() const override { return {Hint::Kind::Orbiting, {}, false}; }
+    Hint hint() const override { return Hint::ofView(hints::kOrbiting); }
     Cursor cursor() const override { return Cursor::TurningArrows; }
 
 private:
@@ -31,7 +40,7 @@ public:
     explicit PanGesture(const PointerEvent &press) : m_press(press.position) {}
     GestureReply handle(const PointerEvent &event, GestureContext &context) override;
     GestureReply cancel(GestureContext &context) override;
-    Hint hint() const override { return {Hint::Kind::Panning, {}, false}; }
+    Hint hint() const override { return Hint::ofView(hints::kPanning); }
     Cursor cursor() const override { return Cursor::Hand; }
 
 private:
@@ -46,7 +55,7 @@ public:
     explicit ZoomGesture(const PointerEvent &press) : m_press(press.position) {}
     GestureReply handle(const PointerEvent &event, GestureContext &context) override;
     GestureReply cancel(GestureContext &context) override;
-    Hint hint() const override { return {Hint::Kind::Zooming, {}, false}; }
+    Hint hint() const override { return Hint::ofView(hints::kZooming); }
     Cursor cursor() const override { return Cursor::MoveCross; }
 
 private:

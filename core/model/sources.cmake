@@ -22,6 +22,7 @@ target_sources(fff_core PRIVATE
     model/section.cpp
     model/shape.cpp
     model/shape_change.cpp
+    model/step.cpp
     model/stock.cpp
     model/transformed.cpp
 )

@@ -16,6 +16,7 @@ target_sources(fff_core PRIVATE
     operations/operation_context.cpp
     operations/operation_kind.cpp
     operations/operation_kinds.cpp
+    operations/operation_words.cpp
     operations/radial.cpp
     operations/repeat_parameters.cpp
     operations/revolve.cpp

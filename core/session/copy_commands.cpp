@@ -13,6 +13,15 @@ namespace fff {
 
 namespace {
 
+//: %1 is the name of a section
+constexpr CountedText kCutSections{FFF_TEXT("Step", "Cut %1"),
+                                   FFF_TEXT_OF_MANY("Step", "Cut %n sections")};
+//: %1 is the name of a section
+constexpr CountedText kPasteSections{FFF_TEXT("Step", "Paste %1"),
+                                     FFF_TEXT_OF_MANY("Step", "Paste %n sections")};
+constexpr Text kPickMirror = FFF_TEXT(
+    "Hint", "Click the section to mirror across; drag to turn the view. <kbd>Esc</kbd> cancels.");
+
 /// How far a copy stands beside what it is a copy of, mm (half an inch).
 constexpr double kBeside = 12.7;
 /// So often it goes on from there before it stays where something else is.
@@ -49,7 +58,7 @@ public:
 
     Result<void> cut(double time) const
     {
-        SectionEdit edit = deleted(model(), chosen(), Step::Kind::CutSections);
+        SectionEdit edit = deleted(model(), chosen(), &kCutSections);
         if (edit)
             if (const Result<void> copied = copy(); !copied)
                 return copied;
@@ -61,14 +70,15 @@ public:
     {
         const Result<io::LoadedDocument> read = io::readFff(m_clipboard.read());
         if (!read || read->document.sections.empty()) {
-            m_interaction.say({Hint::Kind::NothingToPaste, {}, true}, time);
+            m_interaction.say(Hint::refusal(hints::kNothingToPaste), time);
             return {};
         }
-        Step step{Step::Kind::PasteSections, {}};
+        std::vector<std::string> names;
         for (const SectionPointer &section : read->document.sections)
-            step.names.push_back(section->name);
-        m_interaction.carryOut(
-            added(model(), read->document, freeWay(read->document), std::move(step)), time);
+            names.push_back(section->name);
+        m_interaction.carryOut(added(model(), read->document, freeWay(read->document),
+                                     ofSections(kPasteSections, names)),
+                               time);
         return {};
     }
 
@@ -95,10 +105,9 @@ public:
         };
         const std::string *name = textOf(parameters, "section");
         if (!name) {
-            m_interaction.pickUp(
-                std::make_unique<PickSectionTool>("edit.mirrorCopySection",
-                                                  Hint{Hint::Kind::PickMirror, {}, false}, edit),
-                time);
+            m_interaction.pickUp(std::make_unique<PickSectionTool>("edit.mirrorCopySection",
+                                                                   Hint(kPickMirror), edit),
+                                 time);
             return {};
         }
         const auto &all = model().sections();

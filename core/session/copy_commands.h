@@ -8,6 +8,13 @@
 #include <functional>
 #include <string>
 
+namespace fff::hints {
+
+inline constexpr Text kNothingToPaste =
+    FFF_TEXT("Hint", "Nothing pasted: nothing that was copied has sections in it.");
+
+} // namespace fff::hints
+
 namespace fff {
 
 /// What is copied is the text of a `.fff` file.

@@ -3,6 +3,7 @@
 #include "core/geometry/outlines.h"
 #include "core/geometry/tangle.h"
 #include "core/interaction/drawing_editing.h"
+#include "core/interaction/drawing_words.h"
 #include "core/io/loaded_document.h"
 #include "core/io/svg_file.h"
 #include "core/session/operation_script.h"
@@ -25,6 +26,18 @@ std::vector<CurvePath> linesOf(const io::SvgDrawing &drawing, bool areMarks)
             lines.push_back(line.path);
     }
     return lines;
+}
+
+/// What of a drawing came, and what was left out of it.
+Hint readOf(const Drawing &drawing, const io::SvgDrawing &read)
+{
+    const Named name{drawing.name};
+    const Message lines{hints::kLinesRead, {}, static_cast<int>(drawing.lines.size())};
+    const Message texts{hints::kSkippedTexts, {}, read.texts};
+    const Message pictures{hints::kSkippedPictures, {}, read.pictures};
+    if (read.texts > 0 && read.pictures > 0)
+        return {hints::kDrawingReadOfBoth, {name, texts, pictures, lines}};
+    return {hints::kDrawingRead, {name, read.texts > 0 ? texts : pictures, lines}};
 }
 
 class DrawingCommands
@@ -55,17 +68,13 @@ public:
                     ErrorCode::BadCount, drawing.name,
                     {io::shortNumber(work), io::shortNumber(kMostCrossingWork),
                      QT_TRANSLATE_NOOP("Error", "places where a line may cross itself")});
-        SectionEdit edit = tl::unexpected(Hint{Hint::Kind::DrawingOpen, drawing.name, true});
+        SectionEdit edit =
+            tl::unexpected(Hint::refusal(hints::kDrawingOpen, {Named{drawing.name}}));
         if (!drawing.lines.empty())
             edit = editOf(as, drawing);
         const bool isPassedOver = read->texts > 0 || read->pictures > 0;
         if (edit && isPassedOver && !edit->note)
-            edit->note = Hint{Hint::Kind::DrawingRead,
-                              drawing.name,
-                              false,
-                              {},
-                              static_cast<int>(drawing.lines.size()),
-                              {read->texts, read->pictures}};
+            edit->note = readOf(drawing, *read);
         m_interaction.layDown(time);
         m_interaction.carryOut(std::move(edit), time);
         return {};

@@ -2,7 +2,7 @@
 
 #include "core/assembly/joint_editing.h"
 #include "core/model/joint_kind_names.h"
-#include "core/session/session_host.h"
+#include "core/session/message_text.h"
 
 #include <algorithm>
 #include <array>
@@ -79,7 +79,7 @@ Result<void> carryOut(Session &session, Interaction &interaction, JointEdit edit
     if (!edit)
         interaction.say(edit.error(), time);
     else
-        session.commit(SessionHost::undoText(edit->step), std::move(edit->document));
+        session.commit(messageText(edit->step.words), std::move(edit->document));
     return {};
 }
 

@@ -1,7 +1,9 @@
 #include "core/session/measure_commands.h"
 
 #include "core/interaction/measure_tool.h"
+#include "core/interaction/measure_words.h"
 #include "core/interaction/section_edit.h"
+#include "core/model/edit_words.h"
 #include "core/model/named_numbers.h"
 #include "core/operations/scaled_model.h"
 #include "core/session/operation_script.h"
@@ -12,6 +14,9 @@
 namespace fff {
 
 namespace {
+
+//: %1 is the name of a number
+constexpr Text kDeleteNumber = FFF_TEXT("Step", "Delete %1");
 
 class MeasureCommands
 {
@@ -24,7 +29,7 @@ public:
     Result<void> keep(double time) const
     {
         const auto line = tool()->line();
-        carryOut(addDimension(document(), line->from, line->to), {Step::Kind::AddDimension, {}},
+        carryOut(addDimension(document(), line->from, line->to), FFF_TEXT("Step", "Keep dimension"),
                  time);
         return {};
     }
@@ -40,7 +45,7 @@ public:
         }
         if (!id.isValid())
             return failure(ErrorCode::BadValue, "dimension", {"", "the number of a dimension"});
-        carryOut(removeDimension(document(), id), {Step::Kind::DeleteDimension, {}}, time);
+        carryOut(removeDimension(document(), id), FFF_TEXT("Step", "Delete dimension"), time);
         return {};
     }
 
@@ -66,14 +71,12 @@ public:
         }
         if (!(std::isfinite(*factor) && *factor > 0.0))
             return failure(ErrorCode::BadValue, "factor", {"", "a number above 0"});
-        Step step{Step::Kind::ScaleModel, {}};
-        step.count = static_cast<int>(std::lround(100.0 * *factor));
         Result<Document> next = scaledModel(document(), *factor);
         if (!next) {
-            m_interaction.say({Hint::Kind::NotScaled, {}, true, next.error().place}, time);
+            m_interaction.say(notScaled(next.error()), time);
             return {};
         }
-        carryOut(std::move(next), std::move(step), time);
+        carryOut(std::move(next), scaledBy(*factor), time);
         return {};
     }
 
@@ -91,7 +94,7 @@ public:
             fff::setNumber(document(), {*name, shown ? *shown : std::to_string(*value), *value});
         if (!next)
             return tl::unexpected(next.error());
-        carryOut(std::move(next), {Step::Kind::SetNumber, {*name}}, time);
+        carryOut(std::move(next), {steps::kSetNumber, {Named{*name}}}, time);
         return {};
     }
 
@@ -101,7 +104,7 @@ public:
         Result<Document> next = fff::removeNumber(document(), name ? *name : std::string());
         if (!next)
             return tl::unexpected(next.error());
-        carryOut(std::move(next), {Step::Kind::DeleteNumber, {*name}}, time);
+        carryOut(std::move(next), {kDeleteNumber, {Named{*name}}}, time);
         return {};
     }
 
@@ -112,7 +115,7 @@ public:
             fff::renameNumber(document(), name ? *name : std::string(), to ? *to : std::string());
         if (!next)
             return tl::unexpected(next.error());
-        carryOut(std::move(next), {Step::Kind::SetNumber, {*to}}, time);
+        carryOut(std::move(next), {steps::kSetNumber, {Named{*to}}}, time);
         return {};
     }
 
@@ -130,7 +133,7 @@ private:
 
     void carryOut(Result<Document> next, Step step, double time) const
     {
-        SectionEdit edit = tl::unexpected(Hint{Hint::Kind::EditFailed, {}, true});
+        SectionEdit edit = tl::unexpected(Hint::refusal(hints::kEditFailed));
         if (next)
             edit = EditedSections{*std::move(next), std::move(step)};
         m_interaction.carryOut(std::move(edit), time);

@@ -14,6 +14,13 @@
 #include "core/interaction/interaction.h"
 #include "core/session/session.h"
 
+namespace fff::steps {
+
+//: %1 is the name of a number
+inline constexpr Text kSetNumber = FFF_TEXT("Step", "Set %1");
+
+} // namespace fff::steps
+
 namespace fff {
 
 void registerMeasureCommands(CommandRegistry &registry, Session &session, Interaction &interaction);

@@ -42,6 +42,11 @@ struct ArgumentText
     NameStyle style;
 
     QString operator()(int number) const { return QString::number(number); }
+    QString operator()(const Decimal &decimal) const
+    {
+        return QLocale().toString(decimal.value, 'f',
+                                  decimal.digits.value_or(QLocale::FloatingPointShortest));
+    }
     QString operator()(const Named &named) const { return styled(named.name); }
     QString operator()(const Text &text) const { return messageText(text); }
     QString operator()(const Message &message) const { return messageText(message, units, style); }
@@ -136,9 +141,13 @@ QString messageText(const Message &message, const UnitWords &units, NameStyle na
             : QString::fromUtf8(message.text.source);
     QStringList arguments;
     for (const Argument &argument : message.arguments)
-        arguments += std::visit(ArgumentText{units, names},
-                                static_cast<const Argument::variant &>(argument));
+        arguments += argumentText(argument, units, names);
     return filled(sentence, arguments);
+}
+
+QString argumentText(const Argument &argument, const UnitWords &units, NameStyle names)
+{
+    return std::visit(ArgumentText{units, names}, static_cast<const Argument::variant &>(argument));
 }
 
 QString messageText(const Text &text)

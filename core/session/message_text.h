@@ -30,5 +30,8 @@ enum class NameStyle {
 QString messageText(const Message &message, const UnitWords &units = metricUnits(),
                     NameStyle names = NameStyle::Plain);
 QString messageText(const Text &text);
+/// What stands in a place of a message.
+QString argumentText(const Argument &argument, const UnitWords &units = metricUnits(),
+                     NameStyle names = NameStyle::Plain);
 
 } // namespace fff

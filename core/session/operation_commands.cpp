@@ -4,9 +4,10 @@
 #include "core/model/operation_edits.h"
 #include "core/operations/baking.h"
 #include "core/operations/evaluate.h"
+#include "core/operations/operation_words.h"
+#include "core/session/message_text.h"
 #include "core/session/operation_script.h"
 #include "core/session/operation_text.h"
-#include "core/session/session_host.h"
 
 #include <algorithm>
 #include <memory>
@@ -14,6 +15,20 @@
 namespace fff {
 
 namespace {
+
+//: %1 is the name of an operation
+constexpr Text kSwitchOnOperation = FFF_TEXT("Step", "Switch %1 on");
+//: %1 is the name of an operation
+constexpr Text kSwitchOffOperation = FFF_TEXT("Step", "Switch %1 off");
+//: %1 is the name of an operation
+constexpr Text kDeleteOperation = FFF_TEXT("Step", "Delete %1");
+//: %1 is the name of an operation
+constexpr Text kBakeOperation = FFF_TEXT("Step", "Bake %1");
+//: %1 is the name of a section that an operation made
+constexpr Text kDetachInstance = FFF_TEXT("Step", "Detach %1");
+constexpr Text kMakeSymmetric = FFF_TEXT("Step", "Make symmetric");
+constexpr Text kAlreadySymmetric =
+    FFF_TEXT("Hint", "Nothing copied: the model is symmetric already.");
 
 /// Those that are selected, for the roles that nothing was said of: one each, the last list takes
 /// the rest.
@@ -29,24 +44,23 @@ void takeSelected(const Model &model, const OperationKind &kind,
     }
 }
 
-/// Where one parameter alone becomes another one, what it was.
-std::optional<Step::Change> changeBetween(const Operation &before, const Operation &after,
-                                          const CommandParameters &parameters)
+/// Where one parameter alone becomes another one, also what it was.
+Step changeBetween(const Operation &before, const Operation &after,
+                   const CommandParameters &parameters)
 {
-    std::optional<Step::Change> change;
+    std::optional<Step> step;
     for (const auto &[key, text] : parameters) {
         const auto now = after.parameters.find(key);
         if (now == after.parameters.end())
             continue;
-        if (change)
-            return std::nullopt;
+        if (step)
+            return steps::changed(before);
         const auto was = before.parameters.find(key);
-        change = Step::Change{after.kind, key};
-        change->after = now->second;
-        if (was != before.parameters.end())
-            change->before = was->second;
+        step = steps::changed(
+            before, key, was == before.parameters.end() ? std::nullopt : std::optional(was->second),
+            now->second);
     }
-    return change;
+    return step ? *std::move(step) : steps::changed(before);
 }
 
 class OperationCommands
@@ -81,7 +95,7 @@ public:
         if (operation->name.empty())
             operation->name = freeOperationName(model.document, *operation);
         const OperationId id{model.document.nextId};
-        const Step step{Step::Kind::AddOperation, {operation->name}};
+        const Step step{steps::kAddOperation, {Named{operation->name}}};
         const Result<void> done = commit(step, addOperation(model.document, *std::move(operation)));
         if (done)
             m_interaction.selectOperation(id);
@@ -98,8 +112,7 @@ public:
         Result<Operation> next = withParameters(model, *kind, **known, parameters);
         if (!next)
             return tl::unexpected(next.error());
-        Step step{Step::Kind::ChangeOperation, {(*known)->name}};
-        step.change = changeBetween(**known, *next, parameters);
+        const Step step = changeBetween(**known, *next, parameters);
         return commit(step, setOperation(model.document, *std::move(next)));
     }
 
@@ -125,8 +138,7 @@ public:
             return tl::unexpected(known.error());
         Operation next = **known;
         next.isOn = switched(parameters, next.isOn);
-        const Step step{next.isOn ? Step::Kind::SwitchOnOperation : Step::Kind::SwitchOffOperation,
-                        {next.name}};
+        const Step step{next.isOn ? kSwitchOnOperation : kSwitchOffOperation, {Named{next.name}}};
         return commit(step, setOperation(m_session.committed().document, std::move(next)));
     }
 
@@ -165,7 +177,7 @@ public:
         const Result<OperationPointer> known = named(parameters);
         if (!known)
             return tl::unexpected(known.error());
-        return commit({Step::Kind::DeleteOperation, {(*known)->name}},
+        return commit({kDeleteOperation, {Named{(*known)->name}}},
                       removeOperation(m_session.committed().document, (*known)->id));
     }
 
@@ -174,7 +186,7 @@ public:
         const Result<OperationPointer> known = named(parameters);
         if (!known)
             return tl::unexpected(known.error());
-        return commit({Step::Kind::BakeOperation, {(*known)->name}},
+        return commit({kBakeOperation, {Named{(*known)->name}}},
                       baked(m_session.committed(), (*known)->id));
     }
 
@@ -186,10 +198,9 @@ public:
             return tl::unexpected(instance.error());
         const std::string *state = textOf(parameters, "state");
         const std::string wanted = state ? *state : "hidden";
-        const std::vector<std::string> names{model.nameOf(*instance)};
+        const Named name{model.nameOf(*instance)};
         if (wanted == "detached") {
-            const Result<void> done =
-                commit({Step::Kind::DetachInstance, names}, detached(model, *instance));
+            const Result<void> done = commit({kDetachInstance, {name}}, detached(model, *instance));
             if (done) // what it became
                 m_interaction.select({m_session.committed().document.sections.back()->id});
             return done;
@@ -199,7 +210,7 @@ public:
         const bool isHidden = wanted == "hidden";
         const bool wasSelected = m_interaction.selection() == std::vector{*instance};
         const Result<void> done =
-            commit({isHidden ? Step::Kind::HideInstance : Step::Kind::ShowInstance, names},
+            commit({isHidden ? steps::kHideInstance.one : steps::kShowInstance, {name}},
                    setExceptionState(model.document, *instance,
                                      isHidden ? Exception::State::Hidden : Exception::State::Made));
         if (done && isHidden && wasSelected) // where it can be had back
@@ -219,10 +230,10 @@ public:
         const Model with = evaluate(addOperation(model.document, *std::move(mirror)), model);
         const OperationResult *result = with.resultOf(id);
         if (!result || (result->sections.empty() && result->changed.empty())) {
-            m_interaction.say({Hint::Kind::AlreadySymmetric, {}, true}, time);
+            m_interaction.say(Hint::refusal(kAlreadySymmetric), time);
             return {};
         }
-        return commit({Step::Kind::MakeSymmetric, {}}, baked(with, id));
+        return commit(kMakeSymmetric, baked(with, id));
     }
 
     bool hasSections() const { return m_session.committed().sectionCount() > 0; }
@@ -246,7 +257,7 @@ private:
 
     Result<void> moveTo(const Operation &operation, int index) const
     {
-        return commit({Step::Kind::MoveOperation, {operation.name}},
+        return commit({steps::kMoveOperation, {Named{operation.name}}},
                       moveOperation(m_session.committed().document, operation.id, index));
     }
 
@@ -254,7 +265,7 @@ private:
     {
         if (!next)
             return tl::unexpected(next.error());
-        m_session.commit(SessionHost::undoText(step), *std::move(next));
+        m_session.commit(messageText(step.words), *std::move(next));
         return {};
     }
 

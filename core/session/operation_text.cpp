@@ -1,10 +1,11 @@
 #include "core/session/operation_text.h"
 
+#include "core/operations/operation_words.h"
+#include "core/session/message_text.h"
+
 #include <QCoreApplication>
-#include <QLocale>
 
 #include <algorithm>
-#include <cmath>
 
 namespace fff {
 
@@ -27,7 +28,7 @@ QString inputName(const Operation &operation, const std::string &role)
 
 QString operationText(const char *text)
 {
-    return QCoreApplication::translate("Operation", text);
+    return messageText(operationWord(text));
 }
 
 QString kindName(const Operation &operation)
@@ -38,31 +39,7 @@ QString kindName(const Operation &operation)
 
 QString valueText(const ParameterSpec &spec, const std::optional<ParameterValue> &value)
 {
-    using Unit = ParameterSpec::Unit;
-    if (!value)
-        return Texts::tr("automatic");
-    if (const bool *isOn = std::get_if<bool>(&*value))
-        return *isOn ? Texts::tr("on") : Texts::tr("off");
-    if (const std::string *key = std::get_if<std::string>(&*value)) {
-        for (const ChoiceSpec &choice : spec.choices)
-            if (*key == choice.key)
-                return operationText(choice.label);
-        return QString::fromStdString(*key);
-    }
-    // Two digits are more than is shown of any step.
-    const double spoken = spokenValue(spec.unit, std::get<double>(*value));
-    const QString number =
-        QLocale().toString(std::round(100.0 * spoken) / 100.0, 'f', QLocale::FloatingPointShortest);
-    switch (spec.unit) {
-    case Unit::Length:
-        return Texts::tr("%1\u202fmm").arg(number);
-    case Unit::Share:
-        return Texts::tr("%1\u202f%").arg(number);
-    case Unit::Angle:
-        return Texts::tr("%1°").arg(number);
-    default:
-        return number;
-    }
+    return argumentText(valueWords(spec, value));
 }
 
 QString noticeText(const OperationNotice &notice, const Operation &operation)

@@ -2,7 +2,8 @@
 
 #include "core/model/edits.h"
 #include "core/model/origin.h"
-#include "core/session/session_host.h"
+#include "core/model/step.h"
+#include "core/session/message_text.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,6 +11,10 @@
 namespace fff {
 
 namespace {
+
+//: %1 is the name of a section
+constexpr CountedText kRemoveHoles{FFF_TEXT("Step", "Remove holes of %1"),
+                                   FFF_TEXT_OF_MANY("Step", "Remove holes of %n sections")};
 
 constexpr double kNudge = 1.0; // mm
 
@@ -91,19 +96,19 @@ std::vector<const Section *> selectedWithHoles(const Session &session,
 
 Result<void> removeHoles(Session &session, const Interaction &interaction)
 {
-    Step step{Step::Kind::RemoveHoles, {}};
+    std::vector<std::string> names;
     Result<Document> next = session.committed().document;
     for (const Section *section : selectedWithHoles(session, interaction)) {
         const Result<ShapePointer> shape = withoutHoles(*section->shape);
         if (!shape)
             return tl::unexpected(shape.error());
-        step.names.push_back(section->name);
+        names.push_back(section->name);
         if (next)
             next = setShape(*std::move(next), section->id, *shape);
     }
     if (!next)
         return tl::unexpected(next.error());
-    session.commit(SessionHost::undoText(step), *std::move(next));
+    session.commit(messageText(ofSections(kRemoveHoles, names)), *std::move(next));
     return {};
 }
 

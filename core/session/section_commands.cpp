@@ -3,7 +3,9 @@
 #include "core/base/units.h"
 #include "core/interaction/pick_section_tool.h"
 #include "core/interaction/section_editing.h"
+#include "core/interaction/section_words.h"
 #include "core/interaction/transform_tool.h"
+#include "core/model/edit_words.h"
 #include "core/model/origin.h"
 #include "core/operations/evaluate.h"
 #include "core/operations/operation_kind.h"
@@ -88,7 +90,7 @@ public:
         if (!angle)
             return tl::unexpected(angle.error());
         Model now = model();
-        SectionEdit edit = tl::unexpected(Hint{Hint::Kind::EditFailed, {}, true});
+        SectionEdit edit = tl::unexpected(Hint::refusal(hints::kEditFailed));
         const auto go = [&](SectionEdit next) {
             edit = std::move(next);
             if (edit)
@@ -136,7 +138,7 @@ public:
         const SectionRef section = sections().front();
         const std::string *on = textOf(parameters, "on");
         if (!on) {
-            const Hint hint{Hint::Kind::PickParent, model().nameOf(section), false};
+            const Hint hint{hints::kPickParent, {Named{model().nameOf(section)}}};
             m_interaction.pickUp(std::make_unique<PickSectionTool>(
                                      "section.putOn", hint,
                                      [section](const Model &model, const SectionRef &picked) {

@@ -107,7 +107,7 @@ void registerEdits(CommandRegistry &registry, Session &session, Interaction &int
     registry.add("edit.delete",
                  {[&](const CommandParameters &, double time) -> Result<void> {
                       if (interaction.selectedJoint()) {
-                          interaction.say({Hint::Kind::JointNotDeleted, {}, true}, time);
+                          interaction.say(Hint::refusal(hints::kJointNotDeleted), time);
                           return {};
                       }
                       if (interaction.selectedOperation().isValid())

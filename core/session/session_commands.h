@@ -5,6 +5,14 @@
 #include "core/interaction/interaction.h"
 #include "core/session/session.h"
 
+namespace fff::hints {
+
+inline constexpr Text kJointNotDeleted =
+    FFF_TEXT("Hint", "Nothing deleted: a joint is where two sections meet. Delete one of them, or "
+                     "choose the kind \u201cNone\u201d.");
+
+} // namespace fff::hints
+
 namespace fff {
 
 /// file.new, edit.undo, edit.redo, edit.delete, view.front … view.left, view.iso,

@@ -25,9 +25,6 @@ public:
     void chooseProblem(int number) override;
     void chooseParameter(OperationId operation, const std::string &key) override;
 
-    /// What the history says: "Draw Section 3", "Delete 3 sections".
-    static QString undoText(const Step &step);
-
 Q_SIGNALS:
     void problemChosen(int number);
     void parameterChosen(fff::OperationId operation, const QString &key);

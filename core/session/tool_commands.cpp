@@ -3,8 +3,11 @@
 #include "core/analysis/dropping.h"
 #include "core/base/tolerances.h"
 #include "core/interaction/draw_tool.h"
+#include "core/interaction/draw_words.h"
 #include "core/interaction/point_editing.h"
+#include "core/model/edit_words.h"
 #include "core/model/origin.h"
+#include "core/session/message_text.h"
 #include "core/session/pen_commands.h"
 #include "core/session/session_host.h"
 
@@ -46,57 +49,57 @@ void drawOn(Interaction &interaction, CanvasChoice canvas, double time)
 
 void registerDrawing(CommandRegistry &registry, Session &session, Interaction &interaction)
 {
-    const auto add = [&](const char *id, ContourTarget (*target)(const Section &)) {
+    const auto add = [&](const char *id, ContourTarget (*target)(const Section &), Text prompt) {
         registry.add(
-            id, {[&session, &interaction, id, target](const CommandParameters &,
-                                                      double time) -> Result<void> {
-                     // Of an image the drawn section, which it follows.
-                     const Section *selected = selectedSection(session, interaction);
-                     const auto origin =
-                         selected ? originOf(session.committed(), selected->ref()) : std::nullopt;
-                     const Section *section = origin ? origin->section : nullptr;
-                     if (section && section->isLocked) {
-                         interaction.layDown(time);
-                         interaction.say({Hint::Kind::Locked, section->name, true}, time);
-                     } else if (section)
-                         drawOn(interaction, {target(*section), id, section->name, {}}, time);
-                     else
-                         interaction.layDown(time);
-                     if (!section && selected)
-                         interaction.say(
-                             madeByOperation(session.committed(), interaction.selection().front())
-                                 .value(),
-                             time);
-                     return {};
-                 },
-                 [&session, &interaction, id] {
-                     return selectedSection(session, interaction) != nullptr ||
-                            isHeld(interaction, id);
-                 }});
+            id,
+            {[&session, &interaction, id, target, prompt](const CommandParameters &,
+                                                          double time) -> Result<void> {
+                 // Of an image the drawn section, which it follows.
+                 const Section *selected = selectedSection(session, interaction);
+                 const auto origin =
+                     selected ? originOf(session.committed(), selected->ref()) : std::nullopt;
+                 const Section *section = origin ? origin->section : nullptr;
+                 if (section && section->isLocked) {
+                     interaction.layDown(time);
+                     interaction.say(Hint::refusal(hints::kLocked, {Named{section->name}}), time);
+                 } else if (section)
+                     drawOn(interaction, {target(*section), id, prompt, section->name}, time);
+                 else
+                     interaction.layDown(time);
+                 if (!section && selected)
+                     interaction.say(
+                         madeByOperation(session.committed(), interaction.selection().front())
+                             .value(),
+                         time);
+                 return {};
+             },
+             [&session, &interaction, id] {
+                 return selectedSection(session, interaction) != nullptr || isHeld(interaction, id);
+             }});
     };
-    add("section.redraw", &ContourTarget::redraw);
-    add("section.addHole", &ContourTarget::hole);
+    add("section.redraw", &ContourTarget::redraw, hints::kDrawNewContour);
+    add("section.addHole", &ContourTarget::hole, hints::kDrawHole);
 }
 
 void registerPlanes(CommandRegistry &registry, Session &session, Interaction &interaction)
 {
-    const auto add = [&](const char *id, const char *name, std::function<ContourTarget()> target) {
-        registry.add(id, {[&interaction, id, name, target](const CommandParameters &,
-                                                           double time) -> Result<void> {
-                              drawOn(interaction, {target(), id, name, {}}, time);
+    const auto add = [&](const char *id, Text prompt, std::function<ContourTarget()> target) {
+        registry.add(id, {[&interaction, id, prompt, target](const CommandParameters &,
+                                                             double time) -> Result<void> {
+                              drawOn(interaction, {target(), id, prompt}, time);
                               return {};
                           },
                           {}});
     };
     // What is drawn on the ground lies on it with its lower face.
-    add("section.planeGround", "ground", [&session] {
+    add("section.planeGround", hints::kDrawOnGround, [&session] {
         const Document &document = session.committed().document;
         const double half = 0.5 * document.find(document.currentStock)->thickness;
         return onPlane({0.0, half, 0.0}, Vec3::UnitX(), -Vec3::UnitZ());
     });
-    add("section.planeFront", "front",
+    add("section.planeFront", hints::kDrawOnFront,
         [] { return onPlane(Vec3::Zero(), Vec3::UnitX(), Vec3::UnitY()); });
-    add("section.planeSide", "side",
+    add("section.planeSide", hints::kDrawOnSide,
         [] { return onPlane(Vec3::Zero(), -Vec3::UnitZ(), Vec3::UnitY()); });
     registry.add("section.planeParallel",
                  {[&](const CommandParameters &parameters, double time) -> Result<void> {
@@ -113,7 +116,7 @@ void registerPlanes(CommandRegistry &registry, Session &session, Interaction &in
                       canvas.origin += *distance * canvas.normal();
                       drawOn(interaction,
                              {ContourTarget::newSection(canvas), "section.planeParallel",
-                              section.name, *distance},
+                              hints::kDrawParallel, section.name, *distance},
                              time);
                       return {};
                   },
@@ -128,8 +131,7 @@ void registerGround(CommandRegistry &registry, Session &session)
     registry.add("section.dropToGround",
                  {[&session](const CommandParameters &, double) -> Result<void> {
                       if (std::optional<Document> next = droppedToGround(session.committed()))
-                          session.commit(SessionHost::undoText({Step::Kind::DropToGround, {}}),
-                                         *std::move(next));
+                          session.commit(messageText(steps::kDropToGround), *std::move(next));
                       return {};
                   },
                   [&session] { return droppedToGround(session.committed()).has_value(); }});

@@ -3,8 +3,12 @@
 // First: Qt 6.4's moc fails on standard headers that it meets before one of Qt's.
 #include <QTest>
 
+#include "core/interaction/contour_words.h"
+#include "core/interaction/stroke_words.h"
 #include "core/interaction/tool.h"
+#include "core/model/edit_words.h"
 #include "tests/test_program.h"
+#include "tests/told.h"
 #include "tests/ui/view_hand.h"
 #include "tests/ui/window_program.h"
 #include "ui/docks/drawing_page.h"
@@ -118,7 +122,7 @@ void TestDrawing::shiftKeepsOneSide()
     drawOneSide();
     QTRY_VERIFY(interaction().overlay().find<sign::Stroke>());
     QTRY_VERIFY(interaction().overlay().find<sign::Stroke>()->isMirrored);
-    QCOMPARE(interaction().hint().kind, Hint::Kind::ReleaseToMirror);
+    QCOMPARE(interaction().hint().words.text, hints::kReleaseToMirror);
     const double both = session().model().document.sections.back()->shape->area();
     QTest::keyPress(m_window->windowHandle(), Qt::Key_Shift, Qt::NoModifier, 5);
     QTRY_VERIFY(!interaction().overlay().find<sign::Stroke>()->isMirrored);
@@ -175,7 +179,7 @@ void TestDrawing::aHoleBesideIsRefused()
     key(Qt::Key_O);
     QTRY_VERIFY_WITH_TIMEOUT(!interaction().isAnimating(), 5000);
     box(middle() + QPoint(-60, 180), middle() + QPoint(60, 240));
-    QTRY_COMPARE(interaction().hint().kind, Hint::Kind::HoleOutside);
+    QTRY_COMPARE(interaction().hint().words.text, hints::kHoleOutside);
     QVERIFY(interaction().hint().isRefusal);
     QVERIFY(first().shape->holes().empty());
     QVERIFY(interaction().tool()); // once more
@@ -200,7 +204,7 @@ void TestDrawing::theGroundCutsFlat()
     const QPoint ground = onScreen(Vec3::Zero());
     box(ground + QPoint(-80, -150), ground + QPoint(80, 30));
     QTRY_COMPARE(count(), std::size_t(1));
-    QCOMPARE(interaction().hint().kind, Hint::Kind::CutAtGround);
+    QCOMPARE(interaction().hint().words.text, hints::kCutAtGround);
     const Box3 bounds = worldBounds(*first().shape, first().frame);
     QVERIFY(std::abs(bounds.min.y()) < 1e-9);
     key(Qt::Key_G); // off

@@ -2,8 +2,10 @@
 #include <QTest> // first: moc cannot read some of the standard library before it
 
 #include "core/assembly/joint_state.h"
+#include "core/session/session_commands.h"
 #include "tests/core/assembly/plates.h"
 #include "tests/test_program.h"
+#include "tests/told.h"
 #include "tests/ui/view_hand.h"
 #include "tests/ui/window_fixture.h"
 #include "tests/ui/window_program.h"
@@ -289,7 +291,7 @@ void TestJoints::delDeletesNothing()
     bench().selectJoint(joint());
     m_view->setFocus();
     key(Qt::Key_Delete);
-    QTRY_COMPARE(interaction().hint().kind, Hint::Kind::JointNotDeleted);
+    QTRY_COMPARE(interaction().hint().words.text, hints::kJointNotDeleted);
     QCOMPARE(count(), std::size_t(2));
     QCOMPARE(steps(), 0);
 }

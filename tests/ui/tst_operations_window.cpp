@@ -5,6 +5,7 @@
 #include "core/interaction/pick.h"
 #include "core/operations/operation_kind.h"
 #include "tests/test_program.h"
+#include "tests/told.h"
 #include "tests/ui/view_hand.h"
 #include "tests/ui/window_program.h"
 
@@ -81,7 +82,7 @@ void TestOperationsWindow::makeRibs()
     QVERIFY(interaction().tool());
     QVERIFY(action("operation.linear")->isChecked());
     click(placeOf(1)); // 2
-    QCOMPARE(interaction().hint().other, std::string("along"));
+    QCOMPARE(roleAskedFor(interaction().hint()), std::string("along"));
     move(placeOf(0));
     QTRY_VERIFY2(session().hasPreview(), "seen before it is done");
     click(placeOf(0)); // 3

@@ -3,7 +3,10 @@
 
 #include "core/interaction/tool.h"
 #include "core/io/fff_format.h"
+#include "core/model/edit_words.h"
+#include "core/session/copy_commands.h"
 #include "tests/test_program.h"
+#include "tests/told.h"
 #include "tests/ui/view_hand.h"
 #include "tests/ui/window_program.h"
 
@@ -227,7 +230,7 @@ void TestTransformWindow::pastedTextThatIsNoModel()
         m_view->setFocus();
         key(Qt::Key_V, Qt::ControlModifier);
         QCOMPARE(steps(), before);
-        QCOMPARE(interaction().hint().kind, Hint::Kind::NothingToPaste);
+        QCOMPARE(interaction().hint().words.text, hints::kNothingToPaste);
         QVERIFY(interaction().hint().isRefusal);
     }
 }
@@ -240,7 +243,7 @@ void TestTransformWindow::lockedInTheOutline()
     QVERIFY(section(0).isLocked);
     m_view->setFocus();
     key(Qt::Key_Right);
-    QCOMPARE(interaction().hint().kind, Hint::Kind::Locked);
+    QCOMPARE(interaction().hint().words.text, hints::kLocked);
     auto *tree = find<QTreeWidget>("outlineTree");
     QTreeWidgetItem *row = tree->topLevelItem(0);
     constexpr int kLock = 3;

@@ -1,7 +1,7 @@
 // The sentence of the status bar for what the next gesture does (ui/UI.md, section 8).
 #pragma once
 
-#include "core/interaction/interaction.h"
+#include "core/model/hint.h"
 
 #include <QString>
 

@@ -25,6 +25,9 @@ namespace fff::ui {
 
 namespace {
 
+//: %1 is the name of a stock
+constexpr Text kEditStock = FFF_TEXT("Step", "Edit %1");
+
 constexpr double kMegapascalsPerGigapascal = 1000.0;
 constexpr LengthEdit::Range kSheetRange{10.0, 10000.0, 10.0, 0, 1};
 
@@ -300,7 +303,7 @@ void StockFields::edit(const std::function<void(Stock &)> &change)
         return;
     Stock next = *before;
     change(next);
-    m_bench.commit({Step::Kind::EditStock, {stockName(*before).toStdString()}},
+    m_bench.commit(Step{kEditStock, {Named{stockName(*before).toStdString()}}},
                    fff::setStock(document, std::move(next)));
     refresh(); // a refused value goes back to what it was
 }

@@ -3,6 +3,7 @@
 #include "core/interaction/tool.h"
 #include "core/model/operation_edits.h"
 #include "core/operations/operation_kind.h"
+#include "core/operations/operation_words.h"
 #include "core/session/operation_text.h"
 #include "ui/base/icon.h"
 #include "ui/base/theme.h"
@@ -46,7 +47,7 @@ OperationPage::OperationPage(Workbench &bench, QWidget *parent) : QWidget(parent
     m_exceptions->setObjectName(QStringLiteral("exceptions"));
     exceptions->add(m_exceptions);
     connect(m_exceptions, &ExceptionRows::showWanted, this, [this](const SectionRef &instance) {
-        m_bench.commit(Step{Step::Kind::ShowInstance, {}},
+        m_bench.commit(Step{steps::kShowInstance},
                        setExceptionState(m_bench.session().committed().document, instance,
                                          Exception::State::Made));
     });
@@ -165,11 +166,10 @@ void OperationPage::commit(const std::string &key, std::optional<ParameterValue>
     if (!known)
         return;
     Operation next = *known;
-    Step step{Step::Kind::ChangeOperation, {known->name}};
-    step.change = Step::Change{known->kind, key};
-    if (const auto before = known->parameters.find(key); before != known->parameters.end())
-        step.change->before = before->second;
-    step.change->after = value;
+    const auto found = known->parameters.find(key);
+    const Step step = steps::changed(
+        *known, key, found == known->parameters.end() ? std::nullopt : std::optional(found->second),
+        value);
     if (value)
         next.parameters.insert_or_assign(key, *std::move(value));
     else
@@ -188,7 +188,7 @@ void OperationPage::commitInputs(const std::string &role, std::vector<OperationI
         return;
     Operation next = *known;
     next.inputs.insert_or_assign(role, std::move(inputs));
-    m_bench.commit(Step{Step::Kind::ChangeOperation, {known->name}},
+    m_bench.commit(steps::changed(*known),
                    setOperation(m_bench.session().committed().document, std::move(next)));
 }
 

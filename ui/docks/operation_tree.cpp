@@ -1,6 +1,8 @@
 #include "ui/docks/operation_tree.h"
 
+#include "core/model/edit_words.h"
 #include "core/model/operation_edits.h"
+#include "core/operations/operation_words.h"
 #include "core/session/operation_text.h"
 #include "ui/base/icon.h"
 #include "ui/base/theme.h"
@@ -90,7 +92,7 @@ OperationTree::OperationTree(Workbench &bench, QWidget *parent) : QWidget(parent
         if (to < 0 || to >= static_cast<int>(m_rows.size()) || to == from)
             return;
         const Operation &operation = *m_rows[static_cast<std::size_t>(from)].operation;
-        m_bench.commit(Step{Step::Kind::MoveOperation, {operation.name}},
+        m_bench.commit(Step{steps::kMoveOperation, {Named{operation.name}}},
                        moveOperation(m_bench.session().committed().document, operation.id, to));
     };
     m_tree = tree;
@@ -336,7 +338,7 @@ void OperationTree::rename(QTreeWidgetItem *item)
         [this, id, name] {
             const Document &document = m_bench.session().committed().document;
             if (const Operation *operation = document.find(id))
-                m_bench.commit({Step::Kind::RenameOperation, {operation->name}},
+                m_bench.commit(Step{steps::kRename, {Named{operation->name}}},
                                renameOperation(document, id, name.toStdString()));
         },
         Qt::QueuedConnection);

@@ -1,6 +1,7 @@
 #include "ui/docks/outline_dock.h"
 
 #include "core/interaction/section_editing.h"
+#include "core/model/edit_words.h"
 #include "core/model/edits.h"
 #include "core/session/check_list.h"
 #include "ui/base/icon.h"
@@ -417,7 +418,7 @@ void OutlineDock::rename(QTreeWidgetItem *item)
         this,
         [this, id, before, name] {
             m_bench.commit(
-                {Step::Kind::RenameSection, {before.toStdString()}},
+                Step{steps::kRename, {Named{before.toStdString()}}},
                 renameSection(m_bench.session().committed().document, id, name.toStdString()));
         },
         Qt::QueuedConnection);

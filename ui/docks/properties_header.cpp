@@ -1,6 +1,7 @@
 #include "ui/docks/properties_header.h"
 
 #include "core/assembly/joint_state.h"
+#include "core/model/edit_words.h"
 #include "core/model/edits.h"
 #include "core/model/operation_edits.h"
 #include "core/session/operation_text.h"
@@ -212,10 +213,10 @@ void PropertiesHeader::rename()
     const Operation *operation = document.find(m_named.operation);
     const std::string name = m_name->text().trimmed().toStdString();
     if (operation && !name.empty() && name != operation->name)
-        m_bench.commit({Step::Kind::RenameOperation, {operation->name}},
+        m_bench.commit(Step{steps::kRename, {Named{operation->name}}},
                        renameOperation(document, operation->id, name));
     if (section && !name.empty() && name != section->name) {
-        m_bench.commit({Step::Kind::RenameSection, {section->name}},
+        m_bench.commit(Step{steps::kRename, {Named{section->name}}},
                        renameSection(document, m_named.drawn, name));
     }
     refresh();

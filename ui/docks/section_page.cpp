@@ -26,6 +26,10 @@ namespace fff::ui {
 
 namespace {
 
+//: %1 is the name of a section
+constexpr CountedText kSetStock{FFF_TEXT("Step", "Change stock of %1"),
+                                FFF_TEXT_OF_MANY("Step", "Change stock of %n sections")};
+
 constexpr LengthEdit::Range kThicknessRange{0.01, 1000.0, 0.05, 2, 3};
 
 std::string nameOf(const Model &model, int index)
@@ -139,7 +143,7 @@ void SectionPage::addStockRows(PropertyGroup *group)
                     next = setStockOf(model, *std::move(next),
                                       model.ref(static_cast<std::size_t>(i)), id);
             }
-            m_bench.commit({Step::Kind::SetStock, names}, std::move(next));
+            m_bench.commit(ofSections(kSetStock, names), std::move(next));
         },
         group);
     stock->addButton(QStringLiteral("stocks"), "sectionStockEdit", tr("Edit the stock"), [this] {

@@ -25,6 +25,9 @@ namespace fff::ui {
 
 namespace {
 
+//: %1 is the name of a file
+constexpr Text kInsertModel = FFF_TEXT("Step", "Insert %1");
+
 const QString kSuffix = QStringLiteral("fff");
 
 } // namespace
@@ -90,7 +93,7 @@ bool DocumentFiles::insertFile(const QString &path)
     showWarnings(*loaded);
     const Model &model = m_bench.session().committed();
     m_bench.editSections(added(model, loaded->document, wayBeside(model, loaded->document),
-                               {Step::Kind::InsertModel, {name.toStdString()}}));
+                               {kInsertModel, {Named{name.toStdString()}}}));
     return true;
 }
 

@@ -1,6 +1,7 @@
 #include "ui/properties/named_number_group.h"
 
 #include "core/model/named_numbers.h"
+#include "core/session/measure_commands.h"
 #include "ui/base/expression_text.h"
 #include "ui/bench/workbench.h"
 
@@ -48,7 +49,7 @@ bool NamedNumberGroup::set(const QString &name, const QString &expression, QWidg
         refuse(field, refusalText(next.error()));
         return false;
     }
-    m_bench.commit(Step{Step::Kind::SetNumber, {name.toStdString()}}, *std::move(next));
+    m_bench.commit(Step{steps::kSetNumber, {Named{name.toStdString()}}}, *std::move(next));
     return true;
 }
 

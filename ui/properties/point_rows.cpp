@@ -2,6 +2,7 @@
 
 #include "core/base/tolerances.h"
 #include "core/base/units.h"
+#include "core/interaction/point_words.h"
 #include "core/model/origin.h"
 #include "ui/bench/workbench.h"
 
@@ -94,8 +95,8 @@ void PointGroup::edit(const std::function<Result<Contour>(const Contour &, int)>
                 places.push_back(anchor(*next, index));
             return next;
         });
-    Step step{moves ? Step::Kind::MovePoints : Step::Kind::ChangePoints, {section->name}};
-    step.count = static_cast<int>(points.points().size());
+    Step step = ofParts(moves ? steps::kMovePoints : steps::kChangePoints, section->name,
+                        points.points().size());
     m_bench.editPoints(withEditedShape(document, section->id, shape, places, std::move(step),
                                        m_bench.interaction().pointRules()));
 }

@@ -34,14 +34,6 @@ bool isPlain(const QKeyEvent *event)
     return (event->modifiers() & ~Qt::KeypadModifier) == Qt::NoModifier;
 }
 
-/// The view is moved, with nothing begun in it.
-bool movesView(Hint::Kind gesture)
-{
-    return gesture == Hint::Kind::TurnView || gesture == Hint::Kind::Orbiting ||
-           gesture == Hint::Kind::Panning || gesture == Hint::Kind::Zooming ||
-           gesture == Hint::Kind::LookFrom;
-}
-
 /// In a field, a menu or a question: what takes the focus now takes the next keys as well.
 bool isElsewhere()
 {
@@ -173,7 +165,7 @@ void StepsView::followWork()
     }
     const Interaction &interaction = m_bench.interaction();
     const bool hasGesture = interaction.hasGesture();
-    if (interaction.tool() != m_heldTool || (hasGesture && !movesView(interaction.hint().kind)))
+    if (interaction.tool() != m_heldTool || (hasGesture && !interaction.hint().isOfView))
         giveUp(tr("The steps will not be shown."));
     else if (!hasGesture && isPlanned()) // else they come when it is over
         openPlanned(isElsewhere());

@@ -2,6 +2,7 @@
 
 #include "core/analysis/findings/joining.h"
 #include "core/analysis/gap.h"
+#include "core/model/edit_words.h"
 #include "core/model/edits.h"
 
 #include <algorithm>
@@ -56,19 +57,18 @@ std::optional<FindingEdit> deleted(const FindingAction &, const Finding &finding
                                    const Analysis &analysis, const Flips *)
 {
     const Document &document = analysis.model.document;
-    FindingEdit edit{{Step::Kind::DeleteSections, {}}, document};
     std::vector<SectionId> ids;
+    std::vector<std::string> names;
     for (const SectionRef &ref : finding.sections) {
         if (const Section *section = document.find(ref.drawn)) {
             ids.push_back(section->id);
-            edit.step.names.push_back(section->name);
+            names.push_back(section->name);
         }
     }
     Result<Document> next = removeSections(document, ids);
     if (ids.empty() || !next)
         return {};
-    edit.document = *std::move(next);
-    return edit;
+    return FindingEdit{ofSections(steps::kDeleteSections, names), *std::move(next)};
 }
 
 /// What only touches is held by tabs, which moves nothing.

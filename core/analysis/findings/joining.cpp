@@ -13,6 +13,13 @@ namespace fff {
 
 namespace {
 
+//: %1 and %2 are the names of two sections
+constexpr Text kJoinSections = FFF_TEXT("Step", "Join %1 and %2");
+//: %1 is the name of a section, %2 of the one that it comes to
+constexpr Text kMoveTo = FFF_TEXT("Step", "Move %1 to %2");
+//: %1 is the name of a section
+constexpr Text kMoveSeveralTo = FFF_TEXT_OF_MANY("Step", "Move %n sections to %1");
+
 /// So many are tried: a rib that lies beside others is parallel to most of them.
 constexpr std::size_t kMostTried = 8;
 
@@ -64,7 +71,7 @@ std::optional<FindingEdit> joinedAgain(const FindingAction &action, const Findin
         const auto found = findJoint(tried, std::min(a, b), std::max(a, b));
         if (!found || found->joint.kind == JointKind::None)
             continue;
-        Step step{Step::Kind::JoinSections, {model.nameOf(joint.a), model.nameOf(joint.b)}};
+        Step step{kJoinSections, {nameOf(model, joint.a), nameOf(model, joint.b)}};
         return FindingEdit{std::move(step), *std::move(next)};
     }
     return {};
@@ -96,11 +103,12 @@ std::optional<FindingEdit> movedTo(const FindingAction &action, const Finding &f
     if (!move)
         return {};
     const Model &model = analysis.model;
-    FindingEdit edit{{Step::Kind::MoveToSection, {}}, moved(model.document, *move)};
-    for (const SectionId id : move->sections)
-        edit.step.names.push_back(model.document.find(id)->name);
-    edit.step.names.push_back(model.nameOf(action.section));
-    return edit;
+    const Named to = nameOf(model, action.section);
+    const auto count = static_cast<int>(move->sections.size());
+    Step step(Message{kMoveSeveralTo, {to}, count});
+    if (count == 1)
+        step = {kMoveTo, {Named{model.document.find(move->sections.front())->name}, to}};
+    return FindingEdit{std::move(step), moved(model.document, *move)};
 }
 
 Message trimWords(const FindingAction &action, const Finding &, const Model &model)

@@ -52,6 +52,7 @@ ProblemLook cannotLook(const Finding &finding)
     return look;
 }
 
+constexpr Text kMakeStep = FFF_TEXT("Step", "Make assemblable");
 constexpr Text kMakeText = FFF_TEXT("Checks", "Make assemblable");
 
 std::optional<FindingEdit> assemblable(const FindingAction &, const Finding &,
@@ -65,7 +66,7 @@ std::optional<FindingEdit> assemblable(const FindingAction &, const Finding &,
             : Message{FFF_TEXT_OF_MANY("Checks", "The slits of %n joints were turned round."),
                       {},
                       flips->count};
-    return FindingEdit{{Step::Kind::MakeAssemblable, {}}, flips->document, said};
+    return FindingEdit{kMakeStep, flips->document, said};
 }
 
 std::vector<FindingAction> makeAssemblable(const Finding &, const Analysis &)

@@ -15,6 +15,11 @@ using Group = std::vector<int>;
 
 // --- what can be done
 
+//: %1 is the name of a section
+constexpr CountedText kStretchStep{
+    FFF_TEXT("Step", "Stretch %1 to the ground"),
+    FFF_TEXT_OF_MANY("Step", "Stretch %n sections to the ground")};
+
 Message stretchWords(const FindingAction &, const Finding &finding, const Model &model)
 {
     if (finding.helpers.size() != 1)
@@ -37,10 +42,10 @@ std::optional<FindingEdit> stretched(const FindingAction &, const Finding &findi
     std::optional<Document> next = standingOn(analysis, group, finding.details<Footing>()->feet);
     if (!next)
         return {};
-    FindingEdit edit{{Step::Kind::StretchToGround, {}}, *std::move(next)};
+    std::vector<std::string> names;
     for (const SectionRef &foot : finding.helpers)
-        edit.step.names.push_back(analysis.model.nameOf(foot));
-    return edit;
+        names.push_back(analysis.model.nameOf(foot));
+    return FindingEdit{ofSections(kStretchStep, names), *std::move(next)};
 }
 
 constexpr Text kDropText = FFF_TEXT("Checks", "Drop it to the ground");
@@ -55,7 +60,7 @@ std::optional<FindingEdit> dropped(const FindingAction &, const Finding &finding
     std::optional<Document> next = droppedToGround(analysis.model);
     if (!next)
         return {};
-    return FindingEdit{{Step::Kind::DropToGround, {}}, *std::move(next)};
+    return FindingEdit{steps::kDropToGround, *std::move(next)};
 }
 
 std::vector<FindingAction> stretch(const Finding &, const Analysis &)

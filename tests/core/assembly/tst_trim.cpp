@@ -3,6 +3,7 @@
 
 #include "core/analysis/assembly_plan.h"
 #include "core/assembly/joint_editing.h"
+#include "core/assembly/joint_words.h"
 #include "core/assembly/trim.h"
 #include "core/geometry/boolean.h"
 #include "tests/core/assembly/line_oracle.h"
@@ -143,7 +144,7 @@ void TestTrim::theEasierOneLosesLess()
     const JointEdit edit = trimTo(model, model.ref(0), model.ref(1));
     QVERIFY(edit.has_value());
     QVERIFY(edit->document.sections[1] == model.document.sections[1]); // the other one is as it was
-    QCOMPARE(edit->step.kind, Step::Kind::TrimSection);
+    QCOMPARE(edit->step.words.text, steps::kTrimSection);
 }
 
 // Wrong: who trims to join with tabs is told that the section ends nowhere.
@@ -164,4 +165,5 @@ void TestTrim::aTrimmedSectionCanHaveTabs()
 }
 
 FFF_TEST(TestTrim)
+#include "tests/told.h"
 #include "tst_trim.moc"

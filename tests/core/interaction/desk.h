@@ -9,6 +9,7 @@
 #include "core/session/session_commands.h"
 #include "core/session/session_host.h"
 #include "tests/core/assembly/plates.h"
+#include "tests/told.h"
 
 #include <string>
 #include <vector>
@@ -115,7 +116,7 @@ public:
     {
         return session.committed().document.sections;
     }
-    Hint::Kind hint() const { return interaction.hint().kind; }
+    Text hint() const { return interaction.hint().words.text; }
     int steps() const { return session.history()->count(); }
     QString lastStep() const { return session.history()->undoText(); }
 

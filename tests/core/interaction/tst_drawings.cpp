@@ -1,6 +1,7 @@
 // Drawings of other programs as sections, contours, holes and marks.
 #include <QTest> // first: moc cannot read some of the standard library before it
 
+#include "core/interaction/drawing_words.h"
 #include "core/interaction/section_editing.h"
 #include "core/io/cutting_file.h"
 #include "tests/core/interaction/desk.h"
@@ -80,8 +81,8 @@ void TestDrawings::theLargestOutlineAsContour()
     QVERIFY(std::abs(section.shape->area() - 1500.0) < 1e-6);
     QVERIFY((positionOf(section) - before).norm() < 1e-6);
     desk.run("section.importContour", {{"path", drawing("path-island-in-hole")}});
-    QCOMPARE(desk.hint(), Hint::Kind::DrawingLeft);
-    QCOMPARE(desk.interaction.hint().number, 1);
+    QCOMPARE(desk.hint(), hints::kDrawingLeft);
+    QCOMPARE(desk.interaction.hint().words.count, std::optional(1));
 }
 
 void TestDrawings::aHoleForEveryOutline()
@@ -112,9 +113,11 @@ void TestDrawings::whatWasSkippedIsSaid()
 {
     Desk desk;
     desk.run("section.importSections", {{"path", drawing("text-and-picture")}});
-    QCOMPARE(desk.hint(), Hint::Kind::DrawingRead);
-    QCOMPARE(desk.interaction.hint().counts, (std::vector<int>{3, 1}));
-    QCOMPARE(desk.interaction.hint().number, 1);
+    QCOMPARE(desk.hint(), hints::kDrawingReadOfBoth);
+    const std::vector<Argument> &said = desk.interaction.hint().words.arguments;
+    QVERIFY(said[1] == Argument(Message{hints::kSkippedTexts, {}, 3}));
+    QVERIFY(said[2] == Argument(Message{hints::kSkippedPictures, {}, 1}));
+    QVERIFY(said[3] == Argument(Message{hints::kLinesRead, {}, 1}));
     QCOMPARE(desk.sections().size(), std::size_t(1));
 }
 
@@ -122,7 +125,7 @@ void TestDrawings::openLinesAreRefused()
 {
     Desk desk;
     desk.run("section.importSections", {{"path", drawing("polyline-open")}});
-    QCOMPARE(desk.hint(), Hint::Kind::DrawingOpen);
+    QCOMPARE(desk.hint(), hints::kDrawingOpen);
     desk.run("section.importSections", {{"path", drawing("cad-loose-edges")}});
     QCOMPARE(desk.sections().size(), std::size_t(1)); // its edges meet
 }

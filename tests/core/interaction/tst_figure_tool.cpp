@@ -1,6 +1,7 @@
 // Shapes that are dragged out of their middle.
 #include <QTest> // first: moc cannot read some of the standard library before it
 
+#include "core/interaction/contour_words.h"
 #include "core/interaction/figure_tool.h"
 #include "core/model/figures.h"
 #include "tests/core/interaction/desk.h"
@@ -64,7 +65,7 @@ void TestFigureTool::aHoleInTheSelectedSection()
     desk.interaction.select({desk.sections().front()->id});
     desk.run("section.addShape", {{"figure", "ellipse"}});
     desk.wait(2000.0);
-    QCOMPARE(desk.hint(), Hint::Kind::PlaceFigure);
+    QCOMPARE(desk.hint(), hints::kPlaceHole);
     desk.drag({desk.plate(20, 10), desk.plate(50, 30)});
     QCOMPARE(desk.sections().size(), std::size_t(1));
     const Figure *hole = lastFigure(desk, 1);
@@ -164,7 +165,8 @@ void TestFigureTool::theKindIsChosen()
     command.front() = static_cast<char>(std::toupper(command.front()));
     desk.run("section.add" + command);
     QVERIFY(desk.sections().empty());
-    QCOMPARE(desk.interaction.hint().other, kind.toStdString());
+    QVERIFY(desk.interaction.hint().words.arguments.front() ==
+            Argument(Text{"Figure", figureKind(kind.toStdString())->name}));
     desk.drag({desk.front(0, kFirstPlaneHeight), desk.front(40, kFirstPlaneHeight + 30)});
     QCOMPARE(lastFigure(desk, 0)->kind, kind.toStdString());
     QVERIFY(!desk.commands.run("section.addShape", {{"figure", "blob"}}, desk.time));
@@ -178,7 +180,7 @@ void TestFigureTool::besideTheSectionItIsRefused()
     desk.run("section.addShape", {{"figure", "circle"}});
     desk.wait(2000.0);
     desk.drag({desk.plate(160, 0), desk.plate(170, 0)});
-    QCOMPARE(desk.hint(), Hint::Kind::HoleOutside);
+    QCOMPARE(desk.hint(), hints::kHoleOutside);
     QCOMPARE(desk.steps(), 1);
 }
 

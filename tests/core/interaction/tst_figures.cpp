@@ -1,7 +1,9 @@
 #include <QTest> // first: moc cannot read some of the standard library before it
 
+#include "core/interaction/contour_words.h"
 #include "core/interaction/section_editing.h"
 #include "core/io/fff_format.h"
+#include "core/model/edit_words.h"
 #include "core/model/figures.h"
 #include "core/model/origin.h"
 #include "tests/core/interaction/desk.h"
@@ -99,7 +101,7 @@ void TestFigures::aHoleWhereItFits()
     full.interaction.select({full.sections().front()->id});
     full.run("section.addRectangle", {{"width", "39"}, {"height", "39"}, {"x", "0"}});
     full.run("section.addCircle");
-    QCOMPARE(full.hint(), Hint::Kind::HoleOutside);
+    QCOMPARE(full.hint(), hints::kHoleOutside);
 }
 
 // Wrong: what was drawn roughly could not be made exact.
@@ -248,9 +250,9 @@ void TestFigures::lockedIsRefused()
     desk.run("section.lock");
     const Document before = desk.session.committed().document;
     desk.run("section.figure", {{"diameter", "50"}});
-    QCOMPARE(desk.hint(), Hint::Kind::Locked);
+    QCOMPARE(desk.hint(), hints::kLocked);
     desk.run("section.addStar");
-    QCOMPARE(desk.hint(), Hint::Kind::Locked);
+    QCOMPARE(desk.hint(), hints::kLocked);
     QVERIFY(desk.session.committed().document.isSame(before));
 }
 

@@ -1,6 +1,11 @@
 #include <QTest> // first: moc cannot read some of the standard library before it
 
 #include "core/base/units.h"
+#include "core/interaction/contour_words.h"
+#include "core/interaction/hover_words.h"
+#include "core/interaction/hovering.h"
+#include "core/interaction/stroke_words.h"
+#include "core/interaction/view_gestures.h"
 #include "core/model/edits.h"
 #include "tests/core/interaction/desk.h"
 #include "tests/test_program.h"
@@ -86,7 +91,7 @@ private Q_SLOTS:
 void TestInteraction::firstSectionLiesOnTheFirstPlane()
 {
     Desk desk;
-    QCOMPARE(desk.hint(), Hint::Kind::DrawFirstSection);
+    QCOMPARE(desk.hint(), hints::kDrawFirstSection);
     desk.press({500, 300});
     desk.moveTo({800, 300});
     QVERIFY(desk.interaction.hasGesture());
@@ -145,9 +150,9 @@ void TestInteraction::secondSectionStandsOnItsSlit()
 
     desk.press(desk.plate(from.x(), from.y()));
     desk.moveTo(desk.plate(to.x(), to.y()), {}, 3);
-    QCOMPARE(desk.hint(), Hint::Kind::Turning);
+    QCOMPARE(desk.hint(), hints::kTurning);
     desk.wait(kTurnTime);
-    QCOMPARE(desk.hint(), Hint::Kind::LeaveDeadZone);
+    QCOMPARE(desk.hint(), hints::kLeaveDeadZone);
     QVERIFY(desk.interaction.overlay().find<sign::Capsule>());
     QVERIFY(std::abs(desk.interaction.overlay().find<sign::Capsule>()->radius /
                          desk.interaction.camera().millimetresPerPixel -
@@ -188,13 +193,13 @@ void TestInteraction::slitEndStaysUnderTheCursor()
     QVERIFY(desk.interaction.isAnimating());
     const Vec3 end = desk.interaction.overlay().find<sign::Slit>()->to;
     QVERIFY(desk.interaction.overlay().find<sign::Slit>()->hasLeft);
-    while (desk.hint() == Hint::Kind::Turning) {
+    while (desk.hint() == hints::kTurning) {
         desk.send(Type::Move, desk.cursor + Vec2(3.0, -2.0));
-        if (desk.hint() != Hint::Kind::Turning)
+        if (desk.hint() != hints::kTurning)
             break; // it ended before this move, which is free to leave
         QVERIFY((desk.screen(end) - desk.cursor).norm() < 1.0);
         desk.wait(16.0); // a frame without an event
-        if (desk.hint() == Hint::Kind::Turning)
+        if (desk.hint() == hints::kTurning)
             QVERIFY((desk.screen(end) - desk.cursor).norm() < 1.0);
     }
     // A right angle to the front.
@@ -260,7 +265,7 @@ void TestInteraction::previewIsWhatIsCommitted()
     const Vec2 start = desk.cursor;
     for (const Vec2 &p : {Vec2(90, 60), Vec2(90, -80), Vec2(-80, -80)})
         desk.moveTo(start + p);
-    QCOMPARE(desk.hint(), Hint::Kind::ReleaseToMake);
+    QCOMPARE(desk.hint(), hints::kReleaseToMake);
     QVERIFY(desk.session.hasPreview());
     const Model *preview = &desk.session.model();
     QVERIFY(desk.interaction.overlay().find<sign::Stroke>()->closing);
@@ -291,11 +296,11 @@ void TestInteraction::burstsLoseNoSample()
 void TestInteraction::refusalsSayWhy_data()
 {
     QTest::addColumn<int>("phase");
-    QTest::addColumn<int>("hint");
-    QTest::newRow("in the slit") << 0 << int(Hint::Kind::NeverLeft);
-    QTest::newRow("in the turn") << 1 << int(Hint::Kind::TooShort);
-    QTest::newRow("in the dead zone") << 2 << int(Hint::Kind::TooShort);
-    QTest::newRow("a contour without an area") << 3 << int(Hint::Kind::NoArea);
+    QTest::addColumn<Text>("hint");
+    QTest::newRow("in the slit") << 0 << hints::kNeverLeft;
+    QTest::newRow("in the turn") << 1 << hints::kTooShort;
+    QTest::newRow("in the dead zone") << 2 << hints::kTooShort;
+    QTest::newRow("a contour without an area") << 3 << hints::kNoArea;
 }
 
 /// Takes a stroke to a phase and leaves the button down.
@@ -314,21 +319,21 @@ static void strokeToPhase(Desk &desk, int phase)
 void TestInteraction::refusalsSayWhy()
 {
     QFETCH(int, phase);
-    QFETCH(int, hint);
+    QFETCH(Text, hint);
     Desk desk;
     desk.addPlate();
     const Camera before = desk.interaction.camera();
     strokeToPhase(desk, phase);
     desk.release(desk.cursor);
-    QCOMPARE(int(desk.hint()), hint);
+    QCOMPARE(desk.hint(), hint);
     QVERIFY(desk.interaction.hint().isRefusal);
-    if (hint == int(Hint::Kind::NeverLeft))
-        QCOMPARE(desk.interaction.hint().section, std::string("Section 1"));
+    if (hint == hints::kNeverLeft)
+        QCOMPARE(nameIn(desk.interaction.hint()), std::string("Section 1"));
     QCOMPARE(desk.sections().size(), std::size_t(1));
     QVERIFY(!desk.session.hasPreview());
     desk.wait(1000.0);
     QVERIFY(isSameCamera(desk.interaction.camera(), before));
-    QCOMPARE(int(desk.hint()), hint); // still said
+    QCOMPARE(desk.hint(), hint); // still said
     desk.wait(6000.0);
     QVERIFY(!desk.interaction.hint().isRefusal);
 }
@@ -388,7 +393,7 @@ void TestInteraction::selfCrossingIsSaid()
     Desk desk;
     desk.drag({{400, 300}, {800, 600}, {800, 300}, {500, 480}});
     QCOMPARE(desk.sections().size(), std::size_t(1));
-    QCOMPARE(desk.hint(), Hint::Kind::CrossesItself);
+    QCOMPARE(desk.hint(), hints::kCrossesItself);
     QVERIFY(!desk.interaction.hint().isRefusal);
 }
 
@@ -403,7 +408,7 @@ void TestInteraction::holesAreOutside()
                                                           desk.sections()[0]->id, holed));
     desk.press(desk.plate(0, 0));
     desk.moveTo(desk.plate(50, 0), {}, 2);
-    QCOMPARE(desk.hint(), Hint::Kind::Turning);
+    QCOMPARE(desk.hint(), hints::kTurning);
     QVERIFY((desk.interaction.overlay().find<sign::Slit>()->to - Vec3(40, 83.82, 0)).norm() < 1e-6);
 }
 
@@ -496,8 +501,8 @@ void TestInteraction::edgeOnSectionsAreTurnedNotDrawnOn()
     orientationOfView("right", camera.orientation);
     desk.interaction.setCamera(camera);
     desk.send(Type::Move, desk.plate(0, 0));
-    QCOMPARE(desk.hint(), Hint::Kind::SeenOnEdge);
-    QCOMPARE(desk.interaction.hint().section, std::string("Section 1"));
+    QCOMPARE(desk.hint(), hints::kSeenOnEdge);
+    QCOMPARE(nameIn(desk.interaction.hint()), std::string("Section 1"));
     desk.drag({desk.plate(0, 0), desk.plate(0, 0) + Vec2(80, 0)});
     QVERIFY(std::abs(desk.interaction.camera().backward().x()) < 0.99);
     QCOMPARE(desk.sections().size(), std::size_t(1));
@@ -509,13 +514,13 @@ void TestInteraction::hoverSaysWhatComesNext()
     QCOMPARE(desk.interaction.cursor(), Cursor::Pencil);
     desk.addPlate();
     desk.send(Type::Move, desk.plate(0, 0));
-    QCOMPARE(desk.hint(), Hint::Kind::DragOutOfSection);
-    QCOMPARE(desk.interaction.hint().section, std::string("Section 1"));
+    QCOMPARE(desk.hint(), hints::kDragOutOfSection);
+    QCOMPARE(nameIn(desk.interaction.hint()), std::string("Section 1"));
     QCOMPARE(desk.interaction.cursor(), Cursor::PencilWithSlit);
     QCOMPARE(desk.interaction.hovered().section, 0);
     QVERIFY((*desk.interaction.hovered().slitStart - Vec3(0, 83.82, 0)).norm() < 1e-6);
     desk.send(Type::Move, {5, 5});
-    QCOMPARE(desk.hint(), Hint::Kind::TurnView);
+    QCOMPARE(desk.hint(), hints::kTurnView);
     QCOMPARE(desk.interaction.hovered().section, -1);
     desk.send(Type::Move, desk.plate(0, 0));
     desk.send(Type::Leave, {0, 0});
@@ -534,7 +539,7 @@ void TestInteraction::deletedSectionsAreForgotten()
     QCOMPARE(desk.session.history()->undoText(), QStringLiteral("Delete 2 sections"));
     QVERIFY(desk.interaction.selection().empty());
     QCOMPARE(desk.interaction.hovered().section, -1);
-    QCOMPARE(desk.hint(), Hint::Kind::DrawFirstSection);
+    QCOMPARE(desk.hint(), hints::kDrawFirstSection);
     QVERIFY(!desk.commands.isEnabled("edit.delete"));
     QVERIFY(desk.commands.run("edit.undo"));
     QCOMPARE(desk.sections().size(), std::size_t(2));
@@ -652,7 +657,7 @@ void TestInteraction::aCutIsDraggedAndClosed()
     QVERIFY((before.normal - desk.interaction.camera().backward()).norm() < 1e-12);
     const Vec2 handle = desk.plate(0, 0);
     desk.moveTo(handle);
-    QCOMPARE(desk.hint(), Hint::Kind::MoveCut);
+    QCOMPARE(desk.hint(), hints::kMoveCut);
     desk.drag({handle, handle + Vec2(0, 20)});
     // Down is towards oneself, in millimetres of the screen.
     const double moved = before.height(desk.interaction.view().clip->point);
@@ -676,7 +681,7 @@ void TestInteraction::theCubeTurnsTheView()
     const Vec2 cube = *cubeCentre(kViewport);
     desk.moveTo(cube + Vec2(0.45 * kCubeEdge, 0));
     QVERIFY(desk.interaction.hovered().cubePart);
-    QCOMPARE(desk.hint(), Hint::Kind::LookFrom);
+    QCOMPARE(desk.hint(), lookFrom(*desk.interaction.hovered().cubePart));
     desk.click(cube + Vec2(0.45 * kCubeEdge, 0)); // the edge between front and right
     QVERIFY(desk.interaction.isAnimating());
     QVERIFY(desk.interaction.selection().empty());
@@ -740,11 +745,11 @@ void TestInteraction::strokesInPerspectiveLieOnTheirPlane()
     QVERIFY(desk.commands.run("view.perspective"));
     desk.press(desk.plate(20, 0));
     desk.moveTo(desk.plate(110, 0), {}, 3);
-    QCOMPARE(desk.hint(), Hint::Kind::Turning);
+    QCOMPARE(desk.hint(), hints::kTurning);
     const Vec3 end = desk.interaction.overlay().find<sign::Slit>()->to;
     desk.wait(kTurnTime);
     QVERIFY((desk.screen(end) - desk.cursor).norm() < 1.0);
-    QCOMPARE(desk.hint(), Hint::Kind::LeaveDeadZone);
+    QCOMPARE(desk.hint(), hints::kLeaveDeadZone);
     QVERIFY(std::abs(desk.interaction.overlay().find<sign::Capsule>()->radius /
                          desk.interaction.camera().millimetresPerPixel -
                      32.0) < 1e-6);
@@ -842,7 +847,7 @@ void TestInteraction::nothingIsDrawnOnACanvasOnEdge()
     QVERIFY(desk.commands.run("view.right", {}, desk.time));
     desk.wait(kTurnTime);
     desk.send(Type::Move, {640, 400});
-    QCOMPARE(desk.hint(), Hint::Kind::CanvasOnEdge);
+    QCOMPARE(desk.hint(), hints::kCanvasOnEdge);
     desk.drag({{600, 300}, {700, 300}, {700, 400}, {600, 400}});
     QCOMPARE(desk.sections().size(), std::size_t(1));
     QVERIFY(desk.interaction.hint().isRefusal);
@@ -868,7 +873,7 @@ void TestInteraction::aToolGoesWithItsSection()
     desk.session.history()->undo(); // of the section itself
     QCOMPARE(desk.sections().size(), std::size_t(1));
     QVERIFY(!desk.interaction.tool());
-    QCOMPARE(desk.hint(), Hint::Kind::CanvasGone);
+    QCOMPARE(desk.hint(), hints::kCanvasGone);
 }
 
 // Wrong: the slit stays at the edge until the mouse is moved again.
@@ -920,7 +925,7 @@ void TestInteraction::whatIsAskedForTwiceIsLaidDown()
     desk.interaction.select({desk.sections()[1]->id}); // another one: that is meant
     QVERIFY(desk.commands.run("section.redraw", {}, desk.time));
     QVERIFY(desk.interaction.tool());
-    QCOMPARE(desk.interaction.hint().section, desk.sections()[1]->name);
+    QCOMPARE(nameIn(desk.interaction.hint()), desk.sections()[1]->name);
     desk.interaction.select({});
     QVERIFY(desk.commands.isEnabled("section.redraw"));
     QVERIFY(desk.commands.run("section.redraw", {}, desk.time));
@@ -975,12 +980,12 @@ void TestInteraction::buttonsOfOtherPrograms()
     const Camera before = desk.interaction.camera();
     desk.press({200, 200}, Button::Middle);
     desk.moveTo({240, 200});
-    QCOMPARE(desk.hint(), Hint::Kind::Panning);
+    QCOMPARE(desk.hint(), hints::kPanning);
     desk.press({240, 200}, Button::Left);
     desk.moveTo({300, 220});
-    QCOMPARE(desk.hint(), Hint::Kind::Orbiting);
+    QCOMPARE(desk.hint(), hints::kOrbiting);
     desk.release(desk.cursor, Button::Left);
-    QCOMPARE(desk.hint(), Hint::Kind::Panning);
+    QCOMPARE(desk.hint(), hints::kPanning);
     desk.release(desk.cursor, Button::Middle);
     QVERIFY(!desk.interaction.hasGesture());
     QVERIFY(desk.interaction.camera().orientation.angularDistance(before.orientation) > 1e-3);

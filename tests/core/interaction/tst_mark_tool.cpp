@@ -2,8 +2,10 @@
 #include <QTest> // first: moc cannot read some of the standard library before it
 
 #include "core/fabrication/marks.h"
+#include "core/interaction/mark_words.h"
 #include "core/io/cutting_file.h"
 #include "core/io/fff_format.h"
+#include "core/model/edit_words.h"
 #include "core/model/lettering.h"
 #include "core/model/marks.h"
 #include "core/operations/moving_model.h"
@@ -117,7 +119,7 @@ void TestMarkTool::besideTheSectionNothingIsLeft()
 {
     MarkDesk desk;
     desk.click(desk.plate(160, 0));
-    QCOMPARE(desk.hint(), Hint::Kind::MarkOutside);
+    QCOMPARE(desk.hint(), hints::kMarkOutside);
     QVERIFY(desk.marked().marks.empty());
     QVERIFY(!desk.interaction.selection().empty());
     desk.drag({desk.plate(-130, 0), desk.plate(130, 0)}, Button::Left, kShift);
@@ -149,10 +151,10 @@ void TestMarkTool::withoutASectionOneIsPicked()
     Desk desk;
     desk.addPlate();
     desk.run("section.mark");
-    QCOMPARE(desk.hint(), Hint::Kind::PickMarked);
+    QCOMPARE(desk.hint(), hints::kPickMarked);
     desk.click(desk.plate(0, 0));
     desk.wait(2000.0);
-    QCOMPARE(desk.hint(), Hint::Kind::DrawMark);
+    QCOMPARE(desk.hint(), hints::kDrawMark);
     QVERIFY(desk.sections().front()->marks.empty());
     desk.click(desk.plate(0, 0));
     QCOMPARE(desk.sections().front()->marks.size(), std::size_t(1));
@@ -234,8 +236,8 @@ void TestMarkTool::unknownLettersAreNamed()
 {
     MarkDesk desk;
     desk.run("mark.addText", {{"text", "Модель"}});
-    QCOMPARE(desk.hint(), Hint::Kind::LetterUnknown);
-    QCOMPARE(desk.interaction.hint().other, std::string("М"));
+    QCOMPARE(desk.hint(), hints::kLetterUnknown);
+    QCOMPARE(nameIn(desk.interaction.hint()), std::string("М"));
     QVERIFY(desk.marked().marks.empty());
     for (const char *text : {"", "   ", "\n"})
         QVERIFY(!letterPaths({.text = text}));
@@ -399,7 +401,7 @@ void TestMarkTool::lockedIsRefused()
     desk.interaction.select({desk.sections().front()->id});
     desk.run("section.lock");
     desk.run("section.mark");
-    QCOMPARE(desk.hint(), Hint::Kind::Locked);
+    QCOMPARE(desk.hint(), hints::kLocked);
     desk.run("mark.addText", {{"text", "A"}});
     QVERIFY(desk.sections().front()->marks.empty());
 }

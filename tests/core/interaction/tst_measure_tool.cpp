@@ -2,6 +2,7 @@
 #include <QTest> // first: moc cannot read some of the standard library before it
 
 #include "core/interaction/measure_tool.h"
+#include "core/interaction/measure_words.h"
 #include "core/io/fff_format.h"
 #include "core/model/edits.h"
 #include "core/model/named_numbers.h"
@@ -79,7 +80,7 @@ void TestMeasureTool::fromCornerToCorner()
     // A few pixels off: it is the corner that is meant.
     desk.drag({desk.plate(-100, -60) + Vec2(4, 3), desk.plate(100, 60) + Vec2(-3, 5)});
     QVERIFY(std::abs(desk.measured() - std::hypot(200.0, 120.0)) < 1e-9);
-    QCOMPARE(desk.hint(), Hint::Kind::Measured);
+    QCOMPARE(desk.hint(), hints::kMeasured);
     QCOMPARE(desk.steps(), 1); // nothing changed
     desk.interaction.escape(desk.time);
     QCOMPARE(desk.measured(), 0.0);
@@ -92,7 +93,7 @@ void TestMeasureTool::clickAndClick()
 {
     MeasureDesk desk;
     desk.click(desk.plate(-100, -60));
-    QCOMPARE(desk.hint(), Hint::Kind::MeasureTo);
+    QCOMPARE(desk.hint(), hints::kSecondPlace);
     desk.click(desk.plate(100, -60));
     QVERIFY(std::abs(desk.measured() - 200.0) < 1e-9);
 }
@@ -191,7 +192,7 @@ void TestMeasureTool::typingALengthScalesTheModel()
     MeasureDesk desk("measure.dimension");
     desk.addPlate(40.0);
     desk.drag({desk.plate(-100, -60), desk.plate(100, -60)});
-    QCOMPARE(desk.hint(), Hint::Kind::DimensionType);
+    QCOMPARE(desk.hint(), hints::kDimensionType);
     QCOMPARE(desk.interaction.numbers().front().kind, ToolNumber::Kind::Wanted);
     const Document before = desk.session.committed().document;
     desk.interaction.setNumbers({{ToolNumber::Kind::Wanted, 300.0}}, desk.time);
@@ -322,9 +323,9 @@ void TestMeasureTool::scalingBeyondBoundsIsRefused()
     for (const char *factor : {"0", "-1"})
         QVERIFY(!desk.commands.run("measure.scale", {{"factor", factor}}, desk.time));
     desk.run("measure.scale", {{"factor", "1e6"}});
-    QCOMPARE(desk.hint(), Hint::Kind::NotScaled);
+    QCOMPARE(desk.hint(), hints::kNotScaledSoFar);
     desk.run("measure.scale", {{"factor", "1e-6"}});
-    QCOMPARE(desk.hint(), Hint::Kind::NotScaled);
+    QCOMPARE(desk.hint(), hints::kNotScaledSoFar);
     QCOMPARE(desk.steps(), 1);
 }
 

@@ -2,7 +2,10 @@
 #include <QTest> // first: moc cannot read some of the standard library before it
 
 #include "core/geometry/contour_points.h"
+#include "core/interaction/hover_words.h"
+#include "core/interaction/pick_words.h"
 #include "core/interaction/tool.h"
+#include "core/model/edit_words.h"
 #include "core/model/origin.h"
 #include "tests/core/interaction/desk.h"
 #include "tests/core/operations/operation_models.h"
@@ -98,10 +101,10 @@ void TestOperationsInView::twoSectionsAndThreeClicks()
     BoneDesk desk;
     QVERIFY(desk.commands.run("operation.linear"));
     QVERIFY(desk.interaction.tool());
-    QCOMPARE(desk.interaction.hint().kind, Hint::Kind::PickInput);
-    QCOMPARE(desk.interaction.hint().other, std::string("section"));
+    QCOMPARE(desk.interaction.hint().words.text, hints::kPickOne);
+    QCOMPARE(roleAskedFor(desk.interaction.hint()), std::string("section"));
     desk.click(desk.placeOf("Rib"));
-    QCOMPARE(desk.interaction.hint().other, std::string("along"));
+    QCOMPARE(roleAskedFor(desk.interaction.hint()), std::string("along"));
     QVERIFY(!desk.session.hasPreview());
     desk.moveTo(desk.placeOf("Spine"));
     QVERIFY2(desk.session.hasPreview(), "over the spine the ribs are there already");
@@ -123,7 +126,7 @@ void TestOperationsInView::whatIsSelectedIsTaken()
     BoneDesk desk;
     desk.interaction.select({desk.bones.rib});
     QVERIFY(desk.commands.run("operation.linear"));
-    QCOMPARE(desk.interaction.hint().other, std::string("along"));
+    QCOMPARE(roleAskedFor(desk.interaction.hint()), std::string("along"));
     desk.interaction.escape(desk.time);
     QVERIFY(!desk.interaction.tool());
     QVERIFY(desk.document().operations.empty());
@@ -139,16 +142,16 @@ void TestOperationsInView::aPickIsTakenBack()
     QVERIFY(desk.commands.run("operation.linear"));
     QVERIFY(!desk.interaction.wants(ToolKey::Backspace));
     desk.click(desk.placeOf("Spine"));
-    QCOMPARE(desk.interaction.hint().other, std::string("along"));
+    QCOMPARE(roleAskedFor(desk.interaction.hint()), std::string("along"));
     QVERIFY(desk.interaction.key(ToolKey::Backspace, desk.time));
-    QCOMPARE(desk.interaction.hint().other, std::string("section"));
+    QCOMPARE(roleAskedFor(desk.interaction.hint()), std::string("section"));
     // The same one twice is none.
     desk.click(desk.placeOf("Rib"));
     desk.click(desk.placeOf("Rib"));
-    QCOMPARE(desk.interaction.hint().other, std::string("along"));
+    QCOMPARE(roleAskedFor(desk.interaction.hint()), std::string("along"));
     // A list ends with Enter.
     QVERIFY(desk.commands.run("operation.blend"));
-    QCOMPARE(desk.interaction.hint().other, std::string("along"));
+    QCOMPARE(roleAskedFor(desk.interaction.hint(), "blend"), std::string("along"));
     QVERIFY(!desk.interaction.wants(ToolKey::Enter));
 }
 
@@ -162,7 +165,7 @@ void TestOperationsInView::theFirstClickIsForTheOperation()
     const Vec2 at = desk.placeOf("Rib 3");
     const SectionRef third = desk.named("Rib 3");
     desk.moveTo(at);
-    QCOMPARE(desk.interaction.hint().kind, Hint::Kind::SelectOperation);
+    QCOMPARE(desk.interaction.hint().words.text, hints::kSelectOperation);
     desk.click(at);
     QCOMPARE(desk.interaction.selectedOperation(), desk.ribs());
     QVERIFY(desk.interaction.selection().empty());
@@ -242,7 +245,7 @@ void TestOperationsInView::handlesMoveTheRange()
     QCOMPARE(handles[1].key, std::string("to"));
     const Vec2 from = desk.screen(handles[0].at), to = desk.screen(handles[1].at);
     desk.moveTo(to);
-    QCOMPARE(desk.interaction.hint().kind, Hint::Kind::MoveHandleOf);
+    QCOMPARE(desk.interaction.hint().words.text, hints::kMoveEnd);
     const int steps = desk.session.history()->count();
     desk.press(to);
     desk.moveTo(0.5 * (from + to));
@@ -510,9 +513,9 @@ void TestOperationsInView::whatIsMadeSaysSo()
     desk.interaction.select({desk.named("Rib 3")});
     QVERIFY(!desk.interaction.overlay().find<sign::Points>());
     QVERIFY(desk.interaction.nudge(Vec2::UnitX(), 1.0, desk.time));
-    QCOMPARE(desk.interaction.hint().kind, Hint::Kind::MadeByOperation);
-    QCOMPARE(desk.interaction.hint().section, std::string("Rib 3"));
-    QCOMPARE(desk.interaction.hint().other, std::string("Ribs"));
+    QCOMPARE(desk.interaction.hint().words.text, hints::kMadeByOperation);
+    QCOMPARE(nameIn(desk.interaction.hint()), std::string("Rib 3"));
+    QCOMPARE(nameIn(desk.interaction.hint(), 2), std::string("Ribs"));
     QVERIFY(desk.interaction.hint().isRefusal);
     const int steps = desk.session.history()->count();
     QVERIFY(desk.commands.run("section.redraw"));

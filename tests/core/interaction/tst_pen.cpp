@@ -1,7 +1,10 @@
 #include <QTest> // first: moc cannot read some of the standard library before it
 
 #include "core/geometry/fit.h"
+#include "core/interaction/contour_words.h"
 #include "core/interaction/pen_tool.h"
+#include "core/interaction/pen_words.h"
+#include "core/interaction/stroke_words.h"
 #include "tests/core/interaction/desk.h"
 #include "tests/test_program.h"
 
@@ -131,7 +134,7 @@ void TestPen::closing()
         desk.key(ToolKey::Enter);
     } else if (way == 1) {
         desk.moveTo(desk.front(-29, 61));
-        QCOMPARE(int(desk.hint()), int(Hint::Kind::PenClosing));
+        QCOMPARE(desk.hint(), hints::kPenClosing);
         QVERIFY(desk.marks().isClosing);
         QCOMPARE(int(desk.interaction.cursor()), int(Cursor::PenCloses));
         desk.press(desk.front(-29, 61));
@@ -154,7 +157,7 @@ void TestPen::whatEnclosesNothingIsRefused()
     desk.click(desk.front(0, 60));
     desk.click(desk.front(50, 60));
     QVERIFY(desk.key(ToolKey::Enter));
-    QCOMPARE(int(desk.hint()), int(Hint::Kind::NothingToClose));
+    QCOMPARE(desk.hint(), hints::kNothingToClose);
     QVERIFY(desk.interaction.hint().isRefusal);
     QCOMPARE(desk.pointCount(), std::size_t(2));
     QCOMPARE(desk.steps(), 0);
@@ -244,7 +247,7 @@ void TestPen::snappedPointsLieOnTheGrid()
     }
     desk.moveTo(desk.front(200, desk.point(0).y() + 1.0));
     QCOMPARE(int(desk.marks().snap->kind), int(Snap::Kind::Line)); // level with the first point
-    QCOMPARE(int(desk.hint()), int(Hint::Kind::PenSnapped));
+    QCOMPARE(desk.hint(), hints::kPenSnapped);
 }
 
 /// With Ctrl the left button turns the view, but a click is still the pen's.
@@ -274,7 +277,7 @@ void TestPen::slitsBeginACanvas()
     desk.addPlate();
     desk.run("section.pen");
     desk.moveTo(desk.front(20, kFirstPlaneHeight));
-    QCOMPARE(int(desk.hint()), int(Hint::Kind::PenOnSection));
+    QCOMPARE(desk.hint(), hints::kPenOnSection);
     turnToCanvas(desk);
     desk.release(desk.cursor);
     QVERIFY(desk.interaction.overlay().find<PenMarks>());
@@ -307,7 +310,7 @@ void TestPen::releasingInTheTurnGoesOn()
     desk.press(from);
     desk.moveTo(to);
     QVERIFY(desk.interaction.isAnimating());
-    QCOMPARE(int(desk.hint()), int(Hint::Kind::Turning));
+    QCOMPARE(desk.hint(), hints::kTurning);
     const Vec3 end = desk.interaction.overlay().find<sign::Slit>()->to;
     desk.release(to);
     for (int i = 0; i < 8; ++i) { // 640 ms: the turn is not over
@@ -333,7 +336,7 @@ void TestPen::aClickOnASectionSelects()
     QVERIFY(!desk.interaction.overlay().find<PenMarks>());
     // A slit that never leaves is said.
     desk.drag({desk.front(20, kFirstPlaneHeight), desk.front(50, kFirstPlaneHeight)});
-    QCOMPARE(int(desk.hint()), int(Hint::Kind::NeverLeft));
+    QCOMPARE(desk.hint(), hints::kNeverLeft);
     QVERIFY(desk.interaction.tool());
 }
 
@@ -345,7 +348,7 @@ void TestPen::besideSectionsTheViewTurns()
     const Camera before = desk.interaction.camera();
     desk.drag({desk.front(150, 200), desk.front(180, 220)});
     QVERIFY(!isSameCamera(before, desk.interaction.camera()));
-    QCOMPARE(int(desk.hint()), int(Hint::Kind::PenWithoutCanvas));
+    QCOMPARE(desk.hint(), hints::kPenWithoutCanvas);
     QVERIFY(desk.interaction.tool());
 }
 
@@ -366,7 +369,7 @@ void TestPen::theViewMovesUnderThePath()
     desk.run("view.right");
     desk.wait(1000.0);
     desk.moveTo(Vec2(640, 300));
-    QCOMPARE(int(desk.hint()), int(Hint::Kind::CanvasOnEdge));
+    QCOMPARE(desk.hint(), hints::kCanvasOnEdge);
     desk.click({640, 300});
     QVERIFY(desk.marks().points == before);
     desk.run("view.front");
@@ -482,9 +485,9 @@ void TestPen::crossingPathsAreSaid()
     for (const Vec2 &corner : {Vec2(-40, 60), Vec2(40, 60), Vec2(-40, 120), Vec2(0, 120)})
         desk.click(desk.front(corner.x(), corner.y()));
     desk.moveTo(desk.front(60, 150));
-    QCOMPARE(int(desk.hint()), int(Hint::Kind::PenCrosses));
+    QCOMPARE(desk.hint(), hints::kPenCrosses);
     desk.key(ToolKey::Enter);
-    QCOMPARE(int(desk.hint()), int(Hint::Kind::CrossesItself));
+    QCOMPARE(desk.hint(), hints::kCrossesItself);
     QCOMPARE(desk.sections().size(), std::size_t(1));
     QVERIFY(desk.sections().front()->shape->area() < 0.5 * 80 * 60);
 }
@@ -503,7 +506,7 @@ void TestPen::numbersSetPoints()
     // What is typed is shown before it is set.
     desk.interaction.setNumbers({{ToolNumber::Kind::X, 7.0}, {ToolNumber::Kind::Y, 50.0}},
                                 desk.time);
-    QCOMPARE(int(desk.hint()), int(Hint::Kind::PenNumbers));
+    QCOMPARE(desk.hint(), hints::kPenNumbers);
     QVERIFY((desk.marks().canvas.toWorld(*desk.marks().next) - Vec3(7, 50, 0)).norm() < 1e-9);
     desk.interaction.dropNumbers(desk.time);
     QCOMPARE(desk.pointCount(), std::size_t(3));
@@ -558,7 +561,7 @@ void TestPen::anotherCanvasWaitsForThePath()
     desk.run("section.pen");
     setRectangle(desk);
     desk.run("section.planeGround");
-    QCOMPARE(int(desk.hint()), int(Hint::Kind::PathIsOpen));
+    QCOMPARE(desk.hint(), hints::kPathIsOpen);
     QCOMPARE(desk.pointCount(), std::size_t(4));
     QVERIFY(desk.session.hasPreview());
 }
@@ -610,7 +613,7 @@ void TestPen::aLostCanvasIsSaid()
     desk.click(desk.onCanvas(50, 50));
     desk.session.history()->undo(); // the plate that the slit is in
     QVERIFY(desk.sections().empty());
-    QCOMPARE(int(desk.hint()), int(Hint::Kind::CanvasGone));
+    QCOMPARE(desk.hint(), hints::kCanvasGone);
     QCOMPARE(desk.pointCount(), std::size_t(0));
     QVERIFY(desk.interaction.tool());
 }

@@ -1,5 +1,8 @@
 #include <QTest> // first: moc cannot read some of the standard library before it
 
+#include "core/interaction/hover_words.h"
+#include "core/interaction/point_words.h"
+#include "core/model/edit_words.h"
 #include "tests/core/interaction/desk.h"
 #include "tests/test_program.h"
 
@@ -78,17 +81,17 @@ void TestPointGesture::hoverSaysWhatADragWouldDo()
 {
     PlateDesk desk;
     desk.send(Type::Move, desk.at({0, 0}));
-    QCOMPARE(desk.interaction.hint().kind, Hint::Kind::MovePoint);
+    QCOMPARE(desk.interaction.hint().words.text, hints::kMovePoint);
     QCOMPARE(desk.interaction.cursor(), Cursor::MoveCross);
     QVERIFY(desk.interaction.overlay().find<sign::Points>()->hovered.has_value());
     QCOMPARE(desk.interaction.hovered().section, -1);
     desk.send(Type::Move, desk.at({60, 0}));
-    QCOMPARE(desk.interaction.hint().kind, Hint::Kind::AddPoint);
+    QCOMPARE(desk.interaction.hint().words.text, hints::kAddPoint);
     QCOMPARE(desk.interaction.cursor(), Cursor::ArrowWithPlus);
     desk.send(Type::Move, desk.at({90, 60}));
-    QCOMPARE(desk.interaction.hint().kind, Hint::Kind::AddPoint); // of the hole
+    QCOMPARE(desk.interaction.hint().words.text, hints::kAddPoint); // of the hole
     desk.send(Type::Move, desk.at({40, 60}));
-    QCOMPARE(desk.interaction.hint().kind, Hint::Kind::DragOutOfSection);
+    QCOMPARE(desk.interaction.hint().words.text, hints::kDragOutOfSection);
     QVERIFY(!desk.interaction.overlay().find<sign::Points>()->hovered);
     desk.interaction.select({});
     QVERIFY(!desk.interaction.overlay().find<sign::Points>());
@@ -160,7 +163,7 @@ void TestPointGesture::handlesOfSelectedPointsAreDragged()
     desk.run("point.symmetric");
     const Vec2 out = handle(desk.shape().contour(), 2, HandleSide::Out);
     desk.send(Type::Move, desk.at(out));
-    QCOMPARE(desk.interaction.hint().kind, Hint::Kind::MoveHandle);
+    QCOMPARE(desk.interaction.hint().words.text, hints::kMoveHandle);
     desk.drag(out, out + Vec2(-5, 12));
     const Contour &contour = desk.shape().contour();
     QVERIFY((handle(contour, 2, HandleSide::Out) - out - Vec2(-5, 12)).norm() < 1e-9);
@@ -185,16 +188,16 @@ void TestPointGesture::theLastWholePlaceIsKept()
     PlateDesk desk;
     desk.send(Type::Press, desk.at({0, 0}), Button::Left);
     desk.moveTo(desk.at({150, 80}), {}, 60); // over the hole
-    QCOMPARE(desk.interaction.hint().kind, Hint::Kind::WouldMeetHole);
+    QCOMPARE(desk.interaction.hint().words.text, hints::kWouldMeetHole);
     desk.moveTo(desk.at({260, 60}), {}, 60); // and out of the plate
-    QCOMPARE(desk.interaction.hint().kind, Hint::Kind::WouldCrossItself);
+    QCOMPARE(desk.interaction.hint().words.text, hints::kWouldCrossItself);
     QVERIFY(desk.interaction.hint().isRefusal);
     const Vec2 shown = position(*desk.session.model().section(0)->shape, {0, 0});
     QVERIFY(shown.x() > 20.0 && shown.x() < 120.0);
     QVERIFY(desk.session.model().section(0)->shape->isPlain());
     desk.send(Type::Release, desk.at({260, 60}), Button::Left);
     QVERIFY(desk.corner(0) == shown);
-    QCOMPARE(desk.interaction.hint().kind, Hint::Kind::WouldCrossItself);
+    QCOMPARE(desk.interaction.hint().words.text, hints::kWouldCrossItself);
     QCOMPARE(desk.steps(), 1);
 }
 
@@ -205,7 +208,7 @@ void TestPointGesture::pointsBelowTheGroundAreCutOff()
     desk.drag({0, 0}, {0, -60});
     for (const Vec2 &p : desk.shape().region().outer)
         QVERIFY(desk.section().frame.toWorld(p).y() >= -1e-9);
-    QCOMPARE(desk.interaction.hint().kind, Hint::Kind::CutAtGround);
+    QCOMPARE(desk.interaction.hint().words.text, hints::kCutAtGround);
     QVERIFY(desk.selected().empty()); // it is gone
     desk.session.history()->undo();
     desk.interaction.settings().cutsAtGround = false;
@@ -280,7 +283,7 @@ void TestPointGesture::deleteTakesPointsBeforeSections()
     PlateDesk desk;
     desk.click({200, 120});
     desk.run("edit.delete"); // the hole would be cut in two
-    QCOMPARE(desk.interaction.hint().kind, Hint::Kind::WouldMeetHole);
+    QCOMPARE(desk.interaction.hint().words.text, hints::kWouldMeetHole);
     desk.run("section.removeHoles");
     desk.click({200, 120});
     desk.run("edit.delete");
@@ -290,7 +293,7 @@ void TestPointGesture::deleteTakesPointsBeforeSections()
     desk.click({200, 0}, kControl);
     desk.run("point.delete"); // one corner and nothing between: refused, and said
     QCOMPARE(desk.shape().contour().segmentCount(), 3);
-    QCOMPARE(desk.interaction.hint().kind, Hint::Kind::TooFewPoints);
+    QCOMPARE(desk.interaction.hint().words.text, hints::kTooFewPoints);
     desk.interaction.selectPoints({});
     desk.run("edit.delete");
     QVERIFY(desk.session.committed().document.sections.empty());

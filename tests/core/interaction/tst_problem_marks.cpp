@@ -1,5 +1,6 @@
 #include <QTest>
 
+#include "core/interaction/hover_words.h"
 #include "core/interaction/interaction.h"
 #include "core/interaction/problem_marks.h"
 #include "core/interaction/view_cube.h"
@@ -133,7 +134,7 @@ private Q_SLOTS:
         send(interaction, PointerEvent::Type::Move, at);
         QCOMPARE(interaction.hovered().problem, 3);
         QCOMPARE(interaction.hovered().section, -1);
-        QCOMPARE(interaction.hint().kind, Hint::Kind::ChooseProblem);
+        QCOMPARE(interaction.hint().words.text, hints::kChooseProblem);
         send(interaction, PointerEvent::Type::Press, at, Button::Left);
         send(interaction, PointerEvent::Type::Release, at, Button::Left);
         QCOMPARE(host.chosen, std::vector{3});
@@ -163,4 +164,5 @@ private Q_SLOTS:
 };
 
 FFF_TEST(TestProblemMarks)
+#include "tests/told.h"
 #include "tst_problem_marks.moc"

@@ -163,7 +163,7 @@ private Q_SLOTS:
         }
         QVERIFY(session.committed().document.isSame(before));
         QCOMPARE(session.history()->count(), 0);
-        QCOMPARE(interaction.hint().kind, Hint::Kind::ShowSteps);
+        QCOMPARE(interaction.hint().words.text, hints::kShowSteps);
         QVERIFY(interaction.escape(++time));
         QVERIFY(!interaction.tool());
     }
@@ -179,9 +179,10 @@ private Q_SLOTS:
         interaction.pickUp(std::make_unique<StepsTool>(std::make_shared<StepsPlayer>(3)), 0.0);
         session.commit(QStringLiteral("Add"), comb(3));
         QVERIFY(!interaction.tool());
-        QCOMPARE(interaction.hint().kind, Hint::Kind::StepsClosed);
+        QCOMPARE(interaction.hint().words.text, hints::kStepsClosed);
     }
 };
 
 FFF_TEST(tst_steps_player)
+#include "tests/told.h"
 #include "tst_steps_player.moc"

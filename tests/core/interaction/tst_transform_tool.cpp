@@ -1,7 +1,10 @@
 #include <QTest> // first: moc cannot read some of the standard library before it
 
 #include "core/interaction/section_editing.h"
+#include "core/interaction/section_words.h"
 #include "core/interaction/tool.h"
+#include "core/interaction/transform_words.h"
+#include "core/model/edit_words.h"
 #include "core/model/moving.h"
 #include "core/model/origin.h"
 #include "tests/core/interaction/desk.h"
@@ -110,14 +113,14 @@ void TestTransformTool::anArrowMoves()
 {
     CrossDesk desk;
     desk.hold(desk.body);
-    QCOMPARE(desk.hint(), Hint::Kind::Transform);
+    QCOMPARE(desk.hint(), hints::kTransform);
     const Vec3 before = desk.section(desk.body).frame.origin;
     const Vec3 fin = desk.section(desk.fin).frame.origin;
     const Vec3 axis = desk.gizmo().axis(0);
     const Camera camera = desk.interaction.camera();
     const Vec2 from = desk.tip(0);
     desk.moveTo(from);
-    QCOMPARE(desk.hint(), Hint::Kind::DragToMove);
+    QCOMPARE(desk.hint(), hints::kDragToMove);
     desk.drag({from, desk.further(from, 25.0 * axis)});
     QVERIFY(isSameCamera(desk.interaction.camera(), camera));
     QCOMPARE(desk.steps(), 1);
@@ -138,7 +141,7 @@ void TestTransformTool::aRingTurns()
     const Vec2 from = desk.onRing(1);
     const Vec3 x = desk.section(desk.body).frame.x;
     desk.moveTo(from);
-    QCOMPARE(desk.hint(), Hint::Kind::DragToTurn);
+    QCOMPARE(desk.hint(), hints::kDragToTurn);
     desk.press(from);
     desk.moveTo(from + Vec2(5, 0));
     QVERIFY(desk.interaction.overlay().find<GizmoMarks>()->value);
@@ -180,7 +183,7 @@ void TestTransformTool::aBoxScales()
     desk.hold(desk.body);
     const Vec2 centre = desk.look().centre(), from = desk.look().box(GizmoPart::ScaleX);
     desk.moveTo(from);
-    QCOMPARE(desk.hint(), Hint::Kind::DragToScale);
+    QCOMPARE(desk.hint(), hints::kDragToScale);
     desk.drag({from, centre + 1.5 * (from - centre)});
     const Vec2 size = desk.section(desk.body).shape->bounds().size();
     QVERIFY(std::abs(size.x() - 300.0) < 5.0);
@@ -218,7 +221,7 @@ void TestTransformTool::aSectionIsDraggedByItself()
     desk.hold(desk.fin);
     const Vec2 from = desk.screen({-80, 60, 0});
     desk.moveTo(from);
-    QCOMPARE(desk.hint(), Hint::Kind::TransformDrag);
+    QCOMPARE(desk.hint(), hints::kTransformDrag);
     desk.drag({from, from + Vec2(30, 0)});
     QCOMPARE(desk.sections().size(), std::size_t(2));
     QCOMPARE(desk.interaction.selection(), std::vector<SectionRef>{desk.body});
@@ -278,7 +281,7 @@ void TestTransformTool::controlLeavesACopy()
     desk.moveTo(from);
     desk.press(from);
     desk.moveTo(desk.further(from, 30.0 * axis), kControl);
-    QCOMPARE(desk.hint(), Hint::Kind::LeavingCopy);
+    QCOMPARE(desk.hint(), hints::kLeavingCopy);
     desk.release(desk.cursor, Button::Left, kControl);
     QCOMPARE(desk.sections().size(), std::size_t(3));
     QCOMPARE(desk.section(desk.fin), before);
@@ -301,7 +304,7 @@ void TestTransformTool::numbersAreShownAndDone()
     const std::vector<ToolNumber> asked = desk.interaction.numbers();
     QCOMPARE(asked.front().kind, Kind::MoveRight);
     desk.interaction.setNumbers({{Kind::MoveUp, 12.5}}, desk.time += 8);
-    QCOMPARE(desk.hint(), Hint::Kind::TransformNumbers);
+    QCOMPARE(desk.hint(), hints::kTransformNumbers);
     QCOMPARE(desk.steps(), 0);
     QVERIFY((desk.shown(desk.body).frame.origin - Vec3(0, 112.5, 0)).norm() < kNear);
     desk.moveTo({600, 300}); // the mouse in the meantime changes nothing
@@ -435,12 +438,12 @@ void TestTransformTool::lockedIsRefused()
     QVERIFY(!desk.interaction.overlay().find<GizmoMarks>());
     const Vec2 on = desk.screen({40, 175, 20});
     desk.drag({on, on + Vec2(30, 0)});
-    QCOMPARE(desk.hint(), Hint::Kind::Locked);
+    QCOMPARE(desk.hint(), hints::kLocked);
     desk.run("section.transform"); // down again
     desk.interaction.nudge(Vec2(1, 0), 1.0, desk.time += 8);
-    QCOMPARE(desk.hint(), Hint::Kind::Locked);
+    QCOMPARE(desk.hint(), hints::kLocked);
     desk.run("edit.delete");
-    QCOMPARE(desk.hint(), Hint::Kind::Locked);
+    QCOMPARE(desk.hint(), hints::kLocked);
     desk.run("section.redraw");
     QVERIFY(!desk.interaction.tool());
     QVERIFY(desk.session.committed().document.isSame(before));
@@ -464,7 +467,7 @@ void TestTransformTool::madeOnesSayTheirSource()
     desk.interaction.select({made});
     desk.run("section.transform");
     desk.wait(10.0);
-    QCOMPARE(desk.hint(), Hint::Kind::MadeByOperation);
+    QCOMPARE(desk.hint(), hints::kMadeByOperation);
     const std::vector<std::string_view> offered = desk.interaction.tool()->commands();
     QCOMPARE(std::string(offered.front()), std::string("operation.editSource"));
     desk.run("operation.editSource");
@@ -555,7 +558,7 @@ void TestTransformTool::putOnAnother()
     desk.run("section.makeOrthogonal");
     QVERIFY(!desk.section(desk.fin).parent);
     desk.run("section.putOn"); // asked for in the view
-    QCOMPARE(desk.hint(), Hint::Kind::PickParent);
+    QCOMPARE(desk.hint(), hints::kPickParent);
     desk.click(desk.screen({-80, 60, 0}));
     QVERIFY(!desk.interaction.tool());
     const Section &fin = desk.section(desk.fin);
@@ -565,12 +568,12 @@ void TestTransformTool::putOnAnother()
     // Not on what is on it, and not where they do not meet.
     desk.interaction.select({desk.body});
     desk.run("section.putOn", {{"on", "Fin"}});
-    QCOMPARE(desk.hint(), Hint::Kind::CannotBeOn);
+    QCOMPARE(desk.hint(), hints::kCannotBeOn);
     desk.interaction.select({desk.fin});
     desk.run("section.putOn", {{"on", ""}});
     desk.run("section.move", {{"x", "500"}});
     desk.run("section.putOn", {{"on", "Section 1"}});
-    QCOMPARE(desk.hint(), Hint::Kind::DoNotMeet);
+    QCOMPARE(desk.hint(), hints::kDoNotMeet);
 }
 
 // Wrong: what leans by a hair could not be made straight.
@@ -594,7 +597,7 @@ void TestTransformTool::alignedFreedAndHeld()
     const Document before = desk.session.committed().document;
     desk.run("section.place", {{"angle", "70"}});
     desk.run("section.snapNormal");
-    QCOMPARE(desk.hint(), Hint::Kind::HeldByParent);
+    QCOMPARE(desk.hint(), hints::kHeldByParent);
     desk.run("section.free");
     desk.run("section.snapNormal");
     QVERIFY(desk.section(desk.fin).frame.normal().cwiseAbs().maxCoeff() > 1.0 - 1e-12);

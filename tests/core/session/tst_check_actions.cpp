@@ -5,6 +5,7 @@
 #include "core/analysis/joining_move.h"
 #include "core/analysis/plan_checks.h"
 #include "core/base/tolerances.h"
+#include "core/session/message_text.h"
 #include "core/session/session.h"
 #include "core/session/session_host.h"
 #include "tests/core/assembly/known_models.h"
@@ -176,7 +177,7 @@ void TestCheckActions::editsMend()
     const std::optional<FindingEdit> edit = done(before, kind);
     QVERIFY(edit);
     QVERIFY(!edit->document.isSame(document));
-    QVERIFY(!SessionHost::undoText(edit->step).isEmpty());
+    QVERIFY(!messageText(edit->step.words).isEmpty());
     const Checked after = checked(edit->document);
     QVERIFY(count(after, *finding) < count(before, *finding));
     QVERIFY(problems(after) < problems(before));
@@ -184,7 +185,7 @@ void TestCheckActions::editsMend()
 
     Session session;
     session.reset(document);
-    session.commit(SessionHost::undoText(edit->step), edit->document);
+    session.commit(messageText(edit->step.words), edit->document);
     QVERIFY(session.committed().document == edit->document);
     session.history()->undo();
     QVERIFY(session.committed().document == document);
@@ -207,7 +208,7 @@ void TestCheckActions::whatWasWantedOfAJointComesBack()
     const std::optional<FindingEdit> edit = done(checked(loose), &kJoinAgain);
     QVERIFY(edit);
     QVERIFY(edit->document == before);
-    QCOMPARE(SessionHost::undoText(edit->step), QStringLiteral("Join Section 1 and Section 2"));
+    QCOMPARE(messageText(edit->step.words), QStringLiteral("Join Section 1 and Section 2"));
 
     // A third one, that neither of them meets, and that was not to be joined either.
     Document third = withSection(loose, plate(-10, 0, 10, 40), front(200));

@@ -38,7 +38,7 @@ std::optional<FindingEdit> thinnedOut(const FindingAction &, const Finding &find
         removeSections(analysis.model.document, std::vector{finding.sections.front().drawn});
     if (!next)
         return {};
-    return FindingEdit{{Step::Kind::DeleteSections, {}},
+    return FindingEdit{FFF_TEXT("Step", "Thin out"),
                        *std::move(next),
                        {FFF_TEXT("Checks", "It is less crowded."), {}}};
 }

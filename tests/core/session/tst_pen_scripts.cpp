@@ -1,8 +1,12 @@
 #include <QTest> // first: moc cannot read some of the standard library before it
 
 #include "core/geometry/fit.h"
+#include "core/interaction/contour_words.h"
+#include "core/interaction/pen_words.h"
 #include "core/interaction/snapping.h"
+#include "core/interaction/stroke_words.h"
 #include "core/interaction/tool.h"
+#include "core/model/edit_words.h"
 #include "tests/core/session/script_run.h"
 #include "tests/test_program.h"
 
@@ -75,9 +79,9 @@ void TestPenScripts::makesTheDocument_data()
     QTest::addColumn<int>("steps");
     QTest::addColumn<int>("open"); // points of the path at the end
     QTest::addColumn<bool>("held");
-    QTest::addColumn<int>("hint"); // -1: not looked at
+    QTest::addColumn<Text>("hint"); // -1: not looked at
     const auto row = [](const char *name, int sections, int steps, int open = 0, bool held = true,
-                        int hint = -1) {
+                        Text hint = {}) {
         QTest::newRow(name) << sections << steps << open << held << hint;
     };
     row("first_section", 1, 1);
@@ -101,15 +105,15 @@ void TestPenScripts::makesTheDocument_data()
     row("undo_in_the_path", 1, 1);
     row("undo_and_redo", 1, 1);
     row("moved_point", 1, 1);
-    row("crossing", 1, 1, 0, true, int(Hint::Kind::CrossesItself));
+    row("crossing", 1, 1, 0, true, hints::kCrossesItself);
     row("crossing_taken_back", 1, 1);
-    row("nothing_to_close", 0, 0, 2, true, int(Hint::Kind::NothingToClose));
+    row("nothing_to_close", 0, 0, 2, true, hints::kNothingToClose);
     row("view_moves", 1, 1);
     row("hole", 1, 2);
     row("redrawn", 1, 2);
     row("parallel_plane", 2, 2);
-    row("cut_at_the_ground", 1, 1, 0, true, int(Hint::Kind::CutAtGround));
-    row("below_the_ground", 0, 0, 3, true, int(Hint::Kind::BelowGround));
+    row("cut_at_the_ground", 1, 1, 0, true, hints::kCutAtGround);
+    row("below_the_ground", 0, 0, 3, true, hints::kBelowGround);
     row("click_selects", 1, 1);
     row("left_button_orbits", 1, 1);
     row("perspective", 1, 1);
@@ -118,7 +122,7 @@ void TestPenScripts::makesTheDocument_data()
 void TestPenScripts::makesTheDocument()
 {
     QFETCH(int, open);
-    QFETCH(int, hint);
+    QFETCH(Text, hint);
     QFETCH(bool, held);
     PenRun run;
     const Result<void> done = run.play(QString::fromUtf8(QTest::currentDataTag()));
@@ -130,8 +134,8 @@ void TestPenScripts::makesTheDocument()
     QCOMPARE(marks ? int(marks->points.size()) : 0, open);
     QVERIFY(!run.session.hasPreview());
     QVERIFY(!run.interaction.hasGesture() && !run.interaction.isAnimating());
-    if (hint >= 0)
-        QCOMPARE(int(run.interaction.hint().kind), hint);
+    if (hint.source)
+        QCOMPARE(run.interaction.hint().words.text, hint);
     for (const SectionPointer &section : run.sections())
         QVERIFY(section->shape->area() > 100.0);
 }
@@ -294,4 +298,5 @@ void TestPenScripts::theViewComesBack()
 }
 
 FFF_TEST(TestPenScripts)
+#include "tests/told.h"
 #include "tst_pen_scripts.moc"

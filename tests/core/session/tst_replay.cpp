@@ -1,5 +1,6 @@
 #include <QTest> // first: moc cannot read some of the standard library before it
 
+#include "core/interaction/stroke_words.h"
 #include "core/model/edits.h"
 #include "tests/core/io/io_samples.h"
 #include "tests/core/session/script_run.h"
@@ -41,8 +42,8 @@ void TestReplay::makesTheDocument_data()
 {
     QTest::addColumn<int>("sections");
     QTest::addColumn<int>("steps");
-    QTest::addColumn<int>("hint"); // at the end; -1: not looked at
-    const auto row = [](const char *name, int sections, int steps, int hint = -1) {
+    QTest::addColumn<Text>("hint"); // at the end; none: not looked at
+    const auto row = [](const char *name, int sections, int steps, Text hint = {}) {
         QTest::newRow(name) << sections << steps << hint;
     };
     row("first_section", 1, 1);
@@ -51,16 +52,16 @@ void TestReplay::makesTheDocument_data()
     row("second_then_front", 2, 2);
     row("in_a_moment", 2, 2);
     row("press_without_drag", 1, 1);
-    row("release_in_slit", 1, 1, int(Hint::Kind::NeverLeft));
-    row("release_in_turn", 1, 1, int(Hint::Kind::TooShort));
-    row("release_in_dead_zone", 1, 1, int(Hint::Kind::TooShort));
-    row("tiny_first_stroke", 0, 0, int(Hint::Kind::TooShort));
-    row("straight_first_stroke", 0, 0, int(Hint::Kind::NoArea));
+    row("release_in_slit", 1, 1, hints::kNeverLeft);
+    row("release_in_turn", 1, 1, hints::kTooShort);
+    row("release_in_dead_zone", 1, 1, hints::kTooShort);
+    row("tiny_first_stroke", 0, 0, hints::kTooShort);
+    row("straight_first_stroke", 0, 0, hints::kNoArea);
     row("escape_in_slit", 1, 1);
     row("escape_in_turn", 1, 1);
     row("escape_in_dead_zone", 1, 1);
     row("escape_in_contour", 1, 1);
-    row("self_crossing", 1, 1, int(Hint::Kind::CrossesItself));
+    row("self_crossing", 1, 1, hints::kCrossesItself);
     row("undo_and_redo", 1, 2);
     row("undo_at_the_bottom", 0, 1);
     row("delete_by_keys", 2, 3);
@@ -71,7 +72,7 @@ void TestReplay::makesTheDocument()
 {
     QFETCH(int, sections);
     QFETCH(int, steps);
-    QFETCH(int, hint);
+    QFETCH(Text, hint);
     ScriptRun run;
     const Result<void> done = run.playFile(QString::fromUtf8(QTest::currentDataTag()));
     QVERIFY2(done, done ? "" : done.error().args.front().c_str());
@@ -79,8 +80,8 @@ void TestReplay::makesTheDocument()
     QCOMPARE(run.session.history()->count(), steps);
     QVERIFY(!run.session.hasPreview());
     QVERIFY(!run.interaction.hasGesture());
-    if (hint >= 0)
-        QCOMPARE(int(run.interaction.hint().kind), hint);
+    if (hint.source)
+        QCOMPARE(run.interaction.hint().words.text, hint);
     for (const SectionPointer &section : run.sections()) {
         QVERIFY(section->shape->area() > 100.0);
         if (section->parent)
@@ -283,4 +284,5 @@ void TestReplay::eventsBeforeABadOneHaveHappened()
 }
 
 FFF_TEST(TestReplay)
+#include "tests/told.h"
 #include "tst_replay.moc"

@@ -1,7 +1,11 @@
 #include <QTest> // first: moc cannot read some of the standard library before it
 
 #include "core/base/units.h"
+#include "core/interaction/contour_words.h"
+#include "core/interaction/hover_words.h"
+#include "core/interaction/stroke_words.h"
 #include "core/io/document_file.h"
+#include "core/model/edit_words.h"
 #include "core/session/session_commands.h"
 #include "tests/core/geometry/polyline_distance.h"
 #include "tests/core/geometry/turns.h"
@@ -71,7 +75,7 @@ public:
         if (event.type == ReplayEvent::Type::Press)
             watched.cameraBefore = interaction.camera();
         const Overlay &overlay = interaction.overlay();
-        const bool isTurning = interaction.hint().kind == Hint::Kind::Turning;
+        const bool isTurning = interaction.hint().words.text == hints::kTurning;
         const bool hasTurned = overlay.find<sign::Capsule>() && wasTurning;
         if (overlay.find<sign::Slit>() && (isTurning || hasTurned))
             watched.worstPin = std::max(watched.worstPin,
@@ -153,7 +157,7 @@ struct Wanted
     int sections = 2;
     int steps = 2;             // of the history
     Outcome outcome = Drawn;   // of the last stroke
-    int hint = -1;             // at the end; -1: not looked at
+    Text hint = {};            // at the end; none: not looked at
     bool isWholeStroke = true; // the contour is all that was drawn: not cut, no loop left out
     int turns = 1;
 };
@@ -188,8 +192,8 @@ void TestStrokes::strokes_data()
     const auto row = [](const char *name, const Wanted &wanted = {}) {
         QTest::newRow(name) << wanted;
     };
-    const auto nothing = [](Hint::Kind why, int turns = 1) {
-        return Wanted{1, 1, Nothing, int(why), true, turns};
+    const auto nothing = [](Text why, int turns = 1) {
+        return Wanted{1, 1, Nothing, why, true, turns};
     };
     for (const char *name : {"slit_right",
                              "slit_left",
@@ -216,33 +220,33 @@ void TestStrokes::strokes_data()
         row(name);
     row("hole_is_left_into", {2, 3});
     row("hole_is_jumped_over", {2, 3});
-    row("press_without_drag", {1, 1, Nothing, -1, true, 0});
-    row("drag_below_the_threshold", {1, 1, Nothing, -1, true, 0});
-    row("tiny_contour", nothing(Hint::Kind::TooShort));
-    row("there_and_back", nothing(Hint::Kind::NoArea));
-    row("self_crossing", {2, 2, Drawn, int(Hint::Kind::CrossesItself), false});
+    row("press_without_drag", {1, 1, Nothing, {}, true, 0});
+    row("drag_below_the_threshold", {1, 1, Nothing, {}, true, 0});
+    row("tiny_contour", nothing(hints::kTooShort));
+    row("there_and_back", nothing(hints::kNoArea));
+    row("self_crossing", {2, 2, Drawn, hints::kCrossesItself, false});
     row("mirrored_at_6_1", {2, 2, Mirrored});
-    row("first_mirrored_by_shift", {1, 1, Mirrored, -1, true, 0});
+    row("first_mirrored_by_shift", {1, 1, Mirrored, {}, true, 0});
     row("mirrored_downwards", {2, 2, Mirrored});
     for (const char *phase : {"slit", "turn", "dead_zone", "contour"}) {
         const int turns = QByteArray(phase) == "slit" || QByteArray(phase) == "turn" ? 0 : 1;
         row(qPrintable(QStringLiteral("escape_in_%1").arg(QLatin1String(phase))),
-            {1, 1, Nothing, -1, true, turns});
+            {1, 1, Nothing, {}, true, turns});
         row(qPrintable(QStringLiteral("undo_in_%1").arg(QLatin1String(phase))),
-            {0, 1, Nothing, -1, true, turns});
+            {0, 1, Nothing, {}, true, turns});
     }
-    row("cut_at_the_ground", {2, 2, Drawn, int(Hint::Kind::CutAtGround), false});
+    row("cut_at_the_ground", {2, 2, Drawn, hints::kCutAtGround, false});
     row("below_the_ground_on_purpose");
-    row("all_below_the_ground", {1, 1, Nothing, int(Hint::Kind::BelowGround), true, 0});
+    row("all_below_the_ground", {1, 1, Nothing, hints::kBelowGround, true, 0});
     for (const char *plane : {"plane_ground", "plane_front", "plane_side", "plane_parallel"})
-        row(plane, {2, 2, Drawn, -1, true, 0});
-    row("redrawn", {1, 2, Drawn, -1, true, 0});
-    row("hole", {1, 2, Drawn, -1, true, 0});
-    row("hole_outside", {1, 1, Nothing, int(Hint::Kind::HoleOutside), true, 0});
-    row("hole_over_the_edge", {1, 2, Drawn, int(Hint::Kind::HoleIsNotch), false, 0});
-    row("previous_view", {1, 1, Nothing, -1, true, 0});
-    row("rubber_band", {1, 1, Nothing, -1, true, 0});
-    row("dropped_to_the_ground", {1, 2, Nothing, -1, true, 0});
+        row(plane, {2, 2, Drawn, {}, true, 0});
+    row("redrawn", {1, 2, Drawn, {}, true, 0});
+    row("hole", {1, 2, Drawn, {}, true, 0});
+    row("hole_outside", {1, 1, Nothing, hints::kHoleOutside, true, 0});
+    row("hole_over_the_edge", {1, 2, Drawn, hints::kHoleIsNotch, false, 0});
+    row("previous_view", {1, 1, Nothing, {}, true, 0});
+    row("rubber_band", {1, 1, Nothing, {}, true, 0});
+    row("dropped_to_the_ground", {1, 2, Nothing, {}, true, 0});
 }
 
 void TestStrokes::strokes()
@@ -260,7 +264,7 @@ void TestStrokes::strokes()
     QVERIFY(!player.session.hasPreview());
     QVERIFY(!player.interaction.hasGesture());
     if (wanted.hint >= 0)
-        QCOMPARE(int(player.interaction.hint().kind), wanted.hint);
+        QCOMPARE(player.interaction.hint().words.text, wanted.hint);
     QCOMPARE(watched.turns, wanted.turns);
     QVERIFY2(watched.worstTilt < 1e-6, qPrintable(QString::number(watched.worstTilt)));
     QVERIFY2(watched.worstPin < 1.0, qPrintable(QString::number(watched.worstPin)));
@@ -491,14 +495,14 @@ void TestStrokes::onTheBridge()
     Vec2 start(640, 400);
     for (int inside = 0; start.y() < 780 && inside < 5; start.y() += 4) {
         desk.send(PointerEvent::Type::Move, start);
-        inside = desk.hint() == Hint::Kind::DragOutOfSection ? inside + 1 : 0;
+        inside = desk.hint() == hints::kDragOutOfSection ? inside + 1 : 0;
     }
     start.y() -= 4;
-    QCOMPARE(desk.hint(), Hint::Kind::DragOutOfSection);
+    QCOMPARE(desk.hint(), hints::kDragOutOfSection);
     desk.press(start);
-    while (desk.hint() != Hint::Kind::Turning && desk.cursor.y() > -2000)
+    while (desk.hint() != hints::kTurning && desk.cursor.y() > -2000)
         desk.send(PointerEvent::Type::Move, desk.cursor - Vec2(0, 10));
-    QCOMPARE(desk.hint(), Hint::Kind::Turning);
+    QCOMPARE(desk.hint(), hints::kTurning);
     desk.wait(kTurnTime);
     const Overlay overlay = desk.interaction.overlay();
     QVERIFY(overlay.find<sign::Capsule>());
@@ -518,4 +522,5 @@ void TestStrokes::onTheBridge()
 }
 
 FFF_TEST(TestStrokes)
+#include "tests/told.h"
 #include "tst_strokes.moc"

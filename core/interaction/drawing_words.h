@@ -1,0 +1,21 @@
+// What is said of a drawing that came from a file.
+#pragma once
+
+#include "core/base/text.h"
+
+namespace fff::hints {
+
+inline constexpr Text kDrawingOpen =
+    FFF_TEXT("Hint", "Nothing imported: no line of %1 closes to an outline. It can be engraved.");
+inline constexpr Text kDrawingLeft =
+    FFF_TEXT_OF_MANY("Hint", "%n outlines of %1 did not fit and were left out.");
+// What of it was left out, and what was read.
+//: %1 is a file, %2 "3 texts", %3 "5 lines were read"
+inline constexpr Text kDrawingRead = FFF_TEXT("Hint", "%1: %2 skipped; %3.");
+//: %1 is a file, %2 "3 texts", %3 "1 picture", %4 "5 lines were read"
+inline constexpr Text kDrawingReadOfBoth = FFF_TEXT("Hint", "%1: %2 and %3 skipped; %4.");
+inline constexpr Text kSkippedTexts = FFF_TEXT_OF_MANY("Hint", "%n texts");
+inline constexpr Text kSkippedPictures = FFF_TEXT_OF_MANY("Hint", "%n pictures");
+inline constexpr Text kLinesRead = FFF_TEXT_OF_MANY("Hint", "%n lines were read");
+
+} // namespace fff::hints

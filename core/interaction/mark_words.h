@@ -1,0 +1,18 @@
+// What is said while something is engraved.
+#pragma once
+
+#include "core/base/text.h"
+
+namespace fff::hints {
+
+inline constexpr Text kPickMarked =
+    FFF_TEXT("Hint", "Click the section to engrave. <kbd>Esc</kbd> cancels.");
+inline constexpr Text kDrawMark = FFF_TEXT(
+    "Hint", "Drag to draw a line on %1; <kbd>Shift</kbd> keeps it straight. Click to set words.");
+inline constexpr Text kDrawingMark =
+    FFF_TEXT("Hint", "Release to leave the line so. <kbd>Esc</kbd> cancels.");
+inline constexpr Text kMarkOutside = FFF_TEXT("Hint", "Nothing engraved: that lies beside %1.");
+inline constexpr Text kLetterUnknown =
+    FFF_TEXT("Hint", "There is no letter \u201c%1\u201d to engrave.");
+
+} // namespace fff::hints

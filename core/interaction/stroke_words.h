@@ -1,0 +1,52 @@
+// What is said while a stroke goes, and when it is over.
+#pragma once
+
+#include "core/base/text.h"
+
+namespace fff::hints {
+
+inline constexpr Text kLeaveSection =
+    FFF_TEXT("Hint", "Drag on to leave %1; the slit ends at its edge. <kbd>Esc</kbd> cancels.");
+inline constexpr Text kTurning =
+    FFF_TEXT("Hint", "Turning to the new plane; move on when it stops.");
+inline constexpr Text kLeaveDeadZone =
+    FFF_TEXT("Hint", "Leave the grey zone where the contour shall begin. Release here cancels.");
+inline constexpr Text kDrawContour =
+    FFF_TEXT("Hint", "Draw the contour, release to close it. <kbd>Esc</kbd> cancels.");
+inline constexpr Text kReleaseToMake =
+    FFF_TEXT("Hint", "<b>Release</b> to make the section. <kbd>Esc</kbd> cancels.");
+inline constexpr Text kReleaseToCutHole =
+    FFF_TEXT("Hint", "<b>Release</b> to cut the hole into %1. <kbd>Esc</kbd> cancels.");
+inline constexpr Text kReleaseToRedraw =
+    FFF_TEXT("Hint", "<b>Release</b> to give %1 this contour. <kbd>Esc</kbd> keeps the old one.");
+// Mirrored across the slit, while Shift is held, of a section that is drawn anew, across the
+// vertical.
+inline constexpr Text kReleaseToMirror =
+    FFF_TEXT("Hint", "<b>Release</b> to make the section, mirrored across the slit. Hold "
+                     "<kbd>Shift</kbd> to keep only this side. <kbd>Esc</kbd> cancels.");
+inline constexpr Text kReleaseToMirrorByShift =
+    FFF_TEXT("Hint", "<b>Release</b> to make the section, mirrored. Let <kbd>Shift</kbd> go to "
+                     "keep only this side. <kbd>Esc</kbd> cancels.");
+inline constexpr Text kReleaseToRedrawMirrored =
+    FFF_TEXT("Hint", "<b>Release</b> to give %1 this contour, mirrored across its slit. "
+                     "<kbd>Shift</kbd> switches mirroring over.");
+inline constexpr Text kReleaseToMirrorFirst =
+    FFF_TEXT("Hint", "<b>Release</b> to make the section, mirrored across the vertical. Hold "
+                     "<kbd>Shift</kbd> to keep only this side.");
+// When it is over.
+inline constexpr Text kNeverLeft = FFF_TEXT(
+    "Hint", "Nothing drawn: the slit never left %1. Start inside and drag across its edge.");
+inline constexpr Text kTooShort =
+    FFF_TEXT("Hint", "Nothing drawn: the line is too short to enclose anything.");
+inline constexpr Text kNoArea =
+    FFF_TEXT("Hint", "Nothing drawn: the line goes there and back and encloses nothing.");
+inline constexpr Text kCrossesWithoutLoop =
+    FFF_TEXT("Hint", "Nothing drawn: the line crosses itself, and no loop of it is large enough.");
+inline constexpr Text kHalvesDoNotMeet =
+    FFF_TEXT("Hint", "%1 was not mirrored: the two halves would not meet.");
+inline constexpr Text kCrossesItself =
+    FFF_TEXT("Hint", "The contour crosses itself; the largest loop was kept.");
+inline constexpr Text kCutAtAxis =
+    FFF_TEXT("Hint", "%1 was mirrored; what came over its axis and back was left out.");
+
+} // namespace fff::hints
