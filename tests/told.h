@@ -8,8 +8,6 @@
 
 #include <string>
 
-Q_DECLARE_METATYPE(fff::Text)
-
 namespace fff {
 
 /// For the messages of QCOMPARE.

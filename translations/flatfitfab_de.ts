@@ -583,6 +583,1523 @@
     </message>
 </context>
 <context>
+    <name>Command</name>
+    <message>
+        <source>&amp;Open…</source>
+        <translation>Ö&amp;ffnen …</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Öffnen</translation>
+    </message>
+    <message>
+        <source>Open a model, also one of FlatFab</source>
+        <translation>Ein Modell öffnen, auch eines von FlatFab</translation>
+    </message>
+    <message>
+        <source>&amp;Insert model…</source>
+        <translation>&amp;Modell einfügen …</translation>
+    </message>
+    <message>
+        <source>Insert</source>
+        <translation>Einfügen</translation>
+    </message>
+    <message>
+        <source>Add the sections of another model to this one</source>
+        <translation>Die Scheiben eines anderen Modells zu diesem hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add to the &amp;library</source>
+        <translation>In &amp;die Bibliothek aufnehmen</translation>
+    </message>
+    <message>
+        <source>To library</source>
+        <translation>In Bibliothek</translation>
+    </message>
+    <message>
+        <source>Keep what is selected in the library, for other models</source>
+        <translation>Die Auswahl für andere Modelle in der Bibliothek aufheben</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Speichern</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Speichern</translation>
+    </message>
+    <message>
+        <source>Save the model</source>
+        <translation>Das Modell speichern</translation>
+    </message>
+    <message>
+        <source>Save &amp;as…</source>
+        <translation>Speichern &amp;unter …</translation>
+    </message>
+    <message>
+        <source>Save as</source>
+        <translation>Speichern unter</translation>
+    </message>
+    <message>
+        <source>Save the model under another name</source>
+        <translation>Das Modell unter anderem Namen speichern</translation>
+    </message>
+    <message>
+        <source>&amp;Export cutting files…</source>
+        <translation>Schneiddateien &amp;ausgeben …</translation>
+    </message>
+    <message>
+        <source>Export…</source>
+        <translation>Ausgeben …</translation>
+    </message>
+    <message>
+        <source>Write the parts to a file for the laser cutter</source>
+        <translation>Die Teile in eine Datei für den Laserschneider schreiben</translation>
+    </message>
+    <message>
+        <source>Re&amp;vert to saved</source>
+        <translation>&amp;Zum Gespeicherten zurück</translation>
+    </message>
+    <message>
+        <source>Revert</source>
+        <translation>Zurückkehren</translation>
+    </message>
+    <message>
+        <source>Go back to the model as it is in its file; Undo brings the changes back</source>
+        <translation>Zum Modell zurück, wie es in der Datei steht; Zurücknehmen bringt die Änderungen wieder</translation>
+    </message>
+    <message>
+        <source>Se&amp;ttings…</source>
+        <translation>&amp;Einstellungen …</translation>
+    </message>
+    <message>
+        <source>Settings</source>
+        <translation>Einstellungen</translation>
+    </message>
+    <message>
+        <source>Units, colours, language, files and shortcuts</source>
+        <translation>Einheiten, Farben, Sprache, Dateien und Tastenkürzel</translation>
+    </message>
+    <message>
+        <source>&amp;Close window</source>
+        <translation>Fenster s&amp;chließen</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Close this window; others stay open</source>
+        <translation>Dieses Fenster schließen; andere bleiben offen</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>&amp;Beenden</translation>
+    </message>
+    <message>
+        <source>Quit</source>
+        <translation>Beenden</translation>
+    </message>
+    <message>
+        <source>Close all windows and the program</source>
+        <translation>Alle Fenster und das Programm schließen</translation>
+    </message>
+    <message>
+        <source>Go to Properties</source>
+        <translation>Zu den Eigenschaften</translation>
+    </message>
+    <message>
+        <source>Properties</source>
+        <translation>Eigenschaften</translation>
+    </message>
+    <message>
+        <source>To the first field of what is selected; in the view, Enter does so</source>
+        <translation>Zum ersten Feld dessen, was gewählt ist; in der Ansicht tut das Eingabe</translation>
+    </message>
+    <message>
+        <source>Hide all doc&amp;ks</source>
+        <translation>Alle Fensterte&amp;ile ausblenden</translation>
+    </message>
+    <message>
+        <source>Hide docks</source>
+        <translation>Teile ausblenden</translation>
+    </message>
+    <message>
+        <source>Hide or show the panels at the sides</source>
+        <translation>Die Leisten an den Seiten aus- oder einblenden</translation>
+    </message>
+    <message>
+        <source>F&amp;ull screen</source>
+        <translation>Vollbild</translation>
+    </message>
+    <message>
+        <source>Full screen</source>
+        <translation>Vollbild</translation>
+    </message>
+    <message>
+        <source>Fill the screen with the window</source>
+        <translation>Den Bildschirm mit dem Fenster füllen</translation>
+    </message>
+    <message>
+        <source>Reset &amp;window</source>
+        <translation>Fenster &amp;zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Reset window</source>
+        <translation>Fenster zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Put all panels back where they were at first</source>
+        <translation>Alle Leisten dorthin setzen, wo sie anfangs waren</translation>
+    </message>
+    <message>
+        <source>&amp;Next part of the window</source>
+        <translation>Nä&amp;chster Teil des Fensters</translation>
+    </message>
+    <message>
+        <source>Next part</source>
+        <translation>Nächster Teil</translation>
+    </message>
+    <message>
+        <source>Go to the next part of the window: tool bar, left, view, right</source>
+        <translation>Zum nächsten Teil des Fensters: Werkzeugleiste, links, Ansicht, rechts</translation>
+    </message>
+    <message>
+        <source>Previous part of the win&amp;dow</source>
+        <translation>Voriger Teil des Fensters</translation>
+    </message>
+    <message>
+        <source>Previous part</source>
+        <translation>Voriger Teil</translation>
+    </message>
+    <message>
+        <source>Go back to the part of the window before this one</source>
+        <translation>Zum vorigen Teil des Fensters zurück</translation>
+    </message>
+    <message>
+        <source>&amp;Next problem</source>
+        <translation>&amp;Nächstes Problem</translation>
+    </message>
+    <message>
+        <source>Next problem</source>
+        <translation>Nächstes Problem</translation>
+    </message>
+    <message>
+        <source>Select the sections of the next problem and show them</source>
+        <translation>Die Scheiben des nächsten Problems wählen und zeigen</translation>
+    </message>
+    <message>
+        <source>&amp;Previous problem</source>
+        <translation>&amp;Voriges Problem</translation>
+    </message>
+    <message>
+        <source>Previous problem</source>
+        <translation>Voriges Problem</translation>
+    </message>
+    <message>
+        <source>Select the sections of the problem before this one</source>
+        <translation>Die Scheiben des vorigen Problems wählen</translation>
+    </message>
+    <message>
+        <source>Show the &amp;steps</source>
+        <translation>Schritte &amp;zeigen</translation>
+    </message>
+    <message>
+        <source>Steps</source>
+        <translation>Schritte</translation>
+    </message>
+    <message>
+        <source>Show step by step how the model is put together</source>
+        <translation>Schritt für Schritt zeigen, wie das Modell zusammengebaut wird</translation>
+    </message>
+    <message>
+        <source>&amp;Stocks…</source>
+        <translation>&amp;Materialien …</translation>
+    </message>
+    <message>
+        <source>Stocks</source>
+        <translation>Materialien</translation>
+    </message>
+    <message>
+        <source>Sheet materials: thickness, strength, kerf and sheet size</source>
+        <translation>Plattenmaterial: Dicke, Festigkeit, Schnittfuge und Plattengröße</translation>
+    </message>
+    <message>
+        <source>&amp;Find an action…</source>
+        <translation>Befehl &amp;suchen …</translation>
+    </message>
+    <message>
+        <source>Find</source>
+        <translation>Suchen</translation>
+    </message>
+    <message>
+        <source>Type to find anything that the program can do</source>
+        <translation>Tippen, um alles zu finden, was das Programm kann</translation>
+    </message>
+    <message>
+        <source>&amp;Start page</source>
+        <translation>S&amp;tartseite</translation>
+    </message>
+    <message>
+        <source>Start page</source>
+        <translation>Startseite</translation>
+    </message>
+    <message>
+        <source>Recent models and samples</source>
+        <translation>Zuletzt benutzte Modelle und Beispiele</translation>
+    </message>
+    <message>
+        <source>&amp;About FlatFitFab</source>
+        <translation>&amp;Über FlatFitFab</translation>
+    </message>
+    <message>
+        <source>About</source>
+        <translation>Über</translation>
+    </message>
+    <message>
+        <source>What this program is, its version and its licences</source>
+        <translation>Was dieses Programm ist, seine Version und seine Lizenzen</translation>
+    </message>
+    <message>
+        <source>It was never saved</source>
+        <translation>Es wurde nie gespeichert</translation>
+    </message>
+    <message>
+        <source>Nothing was changed since it was saved</source>
+        <translation>Seit dem Speichern wurde nichts geändert</translation>
+    </message>
+    <message>
+        <source>Select one section first</source>
+        <translation>Zuerst eine Scheibe auswählen</translation>
+    </message>
+    <message>
+        <source>No joint is selected: select a section, then one of its joints</source>
+        <translation>Keine Verbindung ist gewählt: erst eine Scheibe wählen, dann eine ihrer Verbindungen</translation>
+    </message>
+    <message>
+        <source>No operation is selected</source>
+        <translation>Es ist keine Operation ausgewählt</translation>
+    </message>
+    <message>
+        <source>There is no section yet</source>
+        <translation>Es gibt noch keine Scheibe</translation>
+    </message>
+    <message>
+        <source>No section is selected</source>
+        <translation>Keine Scheibe ist gewählt</translation>
+    </message>
+    <message>
+        <source>Cu&amp;t</source>
+        <translation>A&amp;usschneiden</translation>
+    </message>
+    <message>
+        <source>Cut</source>
+        <translation>Ausschneiden</translation>
+    </message>
+    <message>
+        <source>Copy the selected sections and delete them</source>
+        <translation>Die ausgewählten Scheiben kopieren und löschen</translation>
+    </message>
+    <message>
+        <source>&amp;Copy</source>
+        <translation>&amp;Kopieren</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Kopieren</translation>
+    </message>
+    <message>
+        <source>Copy the selected sections, also for other windows and programs</source>
+        <translation>Die ausgewählten Scheiben kopieren, auch für andere Fenster und Programme</translation>
+    </message>
+    <message>
+        <source>&amp;Paste</source>
+        <translation>E&amp;infügen</translation>
+    </message>
+    <message>
+        <source>Paste</source>
+        <translation>Einfügen</translation>
+    </message>
+    <message>
+        <source>Add the sections that were copied</source>
+        <translation>Die kopierten Scheiben hinzufügen</translation>
+    </message>
+    <message>
+        <source>Dup&amp;licate</source>
+        <translation>&amp;Duplizieren</translation>
+    </message>
+    <message>
+        <source>Duplicate</source>
+        <translation>Duplizieren</translation>
+    </message>
+    <message>
+        <source>Put a copy of the selected sections beside them</source>
+        <translation>Eine Kopie der ausgewählten Scheiben danebenstellen</translation>
+    </message>
+    <message>
+        <source>Across &amp;X</source>
+        <translation>An &amp;X</translation>
+    </message>
+    <message>
+        <source>Mirror X</source>
+        <translation>An X spiegeln</translation>
+    </message>
+    <message>
+        <source>Put a mirror image of the selected sections on the other side of the plane where X is 0</source>
+        <translation>Ein Spiegelbild der ausgewählten Scheiben auf die andere Seite der Ebene stellen, in der X gleich 0 ist</translation>
+    </message>
+    <message>
+        <source>Across &amp;Y</source>
+        <translation>An &amp;Y</translation>
+    </message>
+    <message>
+        <source>Mirror Y</source>
+        <translation>An Y spiegeln</translation>
+    </message>
+    <message>
+        <source>Put a mirror image of the selected sections on the other side of the plane where Y is 0</source>
+        <translation>Ein Spiegelbild der ausgewählten Scheiben auf die andere Seite der Ebene stellen, in der Y gleich 0 ist</translation>
+    </message>
+    <message>
+        <source>Across &amp;Z</source>
+        <translation>An &amp;Z</translation>
+    </message>
+    <message>
+        <source>Mirror Z</source>
+        <translation>An Z spiegeln</translation>
+    </message>
+    <message>
+        <source>Put a mirror image of the selected sections on the other side of the plane where Z is 0</source>
+        <translation>Ein Spiegelbild der ausgewählten Scheiben auf die andere Seite der Ebene stellen, in der Z gleich 0 ist</translation>
+    </message>
+    <message>
+        <source>Across a &amp;section…</source>
+        <translation>An einer &amp;Scheibe …</translation>
+    </message>
+    <message>
+        <source>Mirror</source>
+        <translation>Spiegelung</translation>
+    </message>
+    <message>
+        <source>Click a section: a mirror image of the selected ones comes on its other side</source>
+        <translation>Auf eine Scheibe klicken: Ein Spiegelbild der ausgewählten kommt auf ihre andere Seite</translation>
+    </message>
+    <message>
+        <source>&amp;New sections…</source>
+        <translation>&amp;Neue Scheiben…</translation>
+    </message>
+    <message>
+        <source>From SVG</source>
+        <translation>Aus SVG</translation>
+    </message>
+    <message>
+        <source>A section for every outline of a drawing</source>
+        <translation>Eine Scheibe für jeden Umriss einer Zeichnung</translation>
+    </message>
+    <message>
+        <source>&amp;Contour…</source>
+        <translation>&amp;Kontur…</translation>
+    </message>
+    <message>
+        <source>Contour from SVG</source>
+        <translation>Kontur aus SVG</translation>
+    </message>
+    <message>
+        <source>The largest outline of a drawing in place of the selected section&apos;s</source>
+        <translation>Der größte Umriss einer Zeichnung anstelle dessen der gewählten Scheibe</translation>
+    </message>
+    <message>
+        <source>&amp;Holes…</source>
+        <translation>&amp;Löcher…</translation>
+    </message>
+    <message>
+        <source>Holes from SVG</source>
+        <translation>Löcher aus SVG</translation>
+    </message>
+    <message>
+        <source>A hole of the selected section for every outline of a drawing</source>
+        <translation>Ein Loch der gewählten Scheibe für jeden Umriss einer Zeichnung</translation>
+    </message>
+    <message>
+        <source>&amp;Marks…</source>
+        <translation>&amp;Markierungen…</translation>
+    </message>
+    <message>
+        <source>Marks from SVG</source>
+        <translation>Markierungen aus SVG</translation>
+    </message>
+    <message>
+        <source>The lines of a drawing, engraved or scored on the selected section</source>
+        <translation>Die Linien einer Zeichnung, auf die gewählte Scheibe graviert oder geritzt</translation>
+    </message>
+    <message>
+        <source>&amp;Draw a shape</source>
+        <translation>Form &amp;zeichnen</translation>
+    </message>
+    <message>
+        <source>Shape</source>
+        <translation>Form</translation>
+    </message>
+    <message>
+        <source>Drag a circle, rectangle or the like out of its middle</source>
+        <translation>Kreis, Rechteck und dergleichen aus der Mitte aufziehen</translation>
+    </message>
+    <message>
+        <source>&amp;Circle</source>
+        <translation>&amp;Kreis</translation>
+    </message>
+    <message>
+        <source>Circle</source>
+        <translation>Kreis</translation>
+    </message>
+    <message>
+        <source>By numbers: a hole in the selected section, or a section of its own</source>
+        <translation>Mit Zahlen: ein Loch in der ausgewählten Scheibe oder eine eigene Scheibe</translation>
+    </message>
+    <message>
+        <source>&amp;Ellipse</source>
+        <translation>&amp;Ellipse</translation>
+    </message>
+    <message>
+        <source>Ellipse</source>
+        <translation>Ellipse</translation>
+    </message>
+    <message>
+        <source>&amp;Rectangle</source>
+        <translation>&amp;Rechteck</translation>
+    </message>
+    <message>
+        <source>Rectangle</source>
+        <translation>Rechteck</translation>
+    </message>
+    <message>
+        <source>&amp;Polygon</source>
+        <translation>&amp;Vieleck</translation>
+    </message>
+    <message>
+        <source>Polygon</source>
+        <translation>Vieleck</translation>
+    </message>
+    <message>
+        <source>&amp;Star</source>
+        <translation>&amp;Stern</translation>
+    </message>
+    <message>
+        <source>Star</source>
+        <translation>Stern</translation>
+    </message>
+    <message>
+        <source>S&amp;lot</source>
+        <translation>&amp;Langloch</translation>
+    </message>
+    <message>
+        <source>Slot</source>
+        <translation>Langloch</translation>
+    </message>
+    <message>
+        <source>Flip the slits of the &amp;joint</source>
+        <translation>Schl&amp;itze der Verbindung umdrehen</translation>
+    </message>
+    <message>
+        <source>Flip the slits</source>
+        <translation>Schlitze umdrehen</translation>
+    </message>
+    <message>
+        <source>Let the slits of the selected joint open to the other side</source>
+        <translation>Die Schlitze der gewählten Verbindung zur anderen Seite öffnen</translation>
+    </message>
+    <message>
+        <source>Reset the joint to a&amp;utomatic</source>
+        <translation>Verbindung &amp;wieder automatisch</translation>
+    </message>
+    <message>
+        <source>Reset joint</source>
+        <translation>Automatisch</translation>
+    </message>
+    <message>
+        <source>Let the selected joint be as it is by itself: kind, direction and share</source>
+        <translation>Die gewählte Verbindung so lassen, wie sie von selbst ist: Art, Richtung und Treffpunkt</translation>
+    </message>
+    <message>
+        <source>Nothing of this joint is set by hand</source>
+        <translation>An dieser Verbindung ist nichts von Hand eingestellt</translation>
+    </message>
+    <message>
+        <source>Add te&amp;xt or lines to engrave</source>
+        <translation>Te&amp;xt oder Linien gravieren</translation>
+    </message>
+    <message>
+        <source>Engrave</source>
+        <translation>Gravieren</translation>
+    </message>
+    <message>
+        <source>Write or draw on a section, to be engraved or scored</source>
+        <translation>Auf eine Scheibe schreiben oder zeichnen, zum Gravieren oder Ritzen</translation>
+    </message>
+    <message>
+        <source>&amp;Engrave</source>
+        <translation>&amp;Gravieren</translation>
+    </message>
+    <message>
+        <source>What is drawn next is engraved</source>
+        <translation>Was als Nächstes gezeichnet wird, wird graviert</translation>
+    </message>
+    <message>
+        <source>&amp;Score</source>
+        <translation>&amp;Ritzen</translation>
+    </message>
+    <message>
+        <source>Score</source>
+        <translation>Ritzen</translation>
+    </message>
+    <message>
+        <source>What is drawn next is scored, to fold or break along</source>
+        <translation>Was als Nächstes gezeichnet wird, wird geritzt, zum Falten oder Brechen</translation>
+    </message>
+    <message>
+        <source>M&amp;easure</source>
+        <translation>&amp;Messen</translation>
+    </message>
+    <message>
+        <source>Measure</source>
+        <translation>Messen</translation>
+    </message>
+    <message>
+        <source>Measure from one place to another</source>
+        <translation>Von einem Ort zum anderen messen</translation>
+    </message>
+    <message>
+        <source>D&amp;imension</source>
+        <translation>Ma&amp;ß</translation>
+    </message>
+    <message>
+        <source>Dimension</source>
+        <translation>Maß</translation>
+    </message>
+    <message>
+        <source>Say how long something shall be; the whole model follows</source>
+        <translation>Sagen, wie lang etwas sein soll; das ganze Modell folgt</translation>
+    </message>
+    <message>
+        <source>Keep t&amp;he dimension</source>
+        <translation>Maß &amp;behalten</translation>
+    </message>
+    <message>
+        <source>Keep</source>
+        <translation>Behalten</translation>
+    </message>
+    <message>
+        <source>Show this length from now on</source>
+        <translation>Diese Länge von nun an zeigen</translation>
+    </message>
+    <message>
+        <source>Rem&amp;ove the dimension</source>
+        <translation>Maß ent&amp;fernen</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Show this length no more</source>
+        <translation>Diese Länge nicht mehr zeigen</translation>
+    </message>
+    <message>
+        <source>Nothing is measured</source>
+        <translation>Nichts ist gemessen</translation>
+    </message>
+    <message>
+        <source>No dimension is picked: click one with the tool that measures</source>
+        <translation>Kein Maß ist gewählt: eines mit dem Messwerkzeug anklicken</translation>
+    </message>
+    <message>
+        <source>&amp;Linear</source>
+        <translation>&amp;Reihe</translation>
+    </message>
+    <message>
+        <source>Linear</source>
+        <translation>Reihe</translation>
+    </message>
+    <message>
+        <source>Repeat a section in a row along another one</source>
+        <translation>Eine Scheibe in einer Reihe entlang einer anderen wiederholen</translation>
+    </message>
+    <message>
+        <source>&amp;Revolve along contour</source>
+        <translation>&amp;Umlauf entlang der Kontur</translation>
+    </message>
+    <message>
+        <source>Revolve</source>
+        <translation>Umlauf</translation>
+    </message>
+    <message>
+        <source>Repeat a section round the contour of another one</source>
+        <translation>Eine Scheibe um die Kontur einer anderen herum wiederholen</translation>
+    </message>
+    <message>
+        <source>&amp;Blend</source>
+        <translation>Über&amp;gang</translation>
+    </message>
+    <message>
+        <source>Blend</source>
+        <translation>Übergang</translation>
+    </message>
+    <message>
+        <source>Make sections between others, which turn into one another</source>
+        <translation>Scheiben zwischen anderen machen, die ineinander übergehen</translation>
+    </message>
+    <message>
+        <source>Br&amp;anch</source>
+        <translation>&amp;Verzweigung</translation>
+    </message>
+    <message>
+        <source>Branch</source>
+        <translation>Verzweigung</translation>
+    </message>
+    <message>
+        <source>Let a section grow out of itself again and again, as a tree does</source>
+        <translation>Eine Scheibe immer wieder aus sich selbst wachsen lassen, wie einen Baum</translation>
+    </message>
+    <message>
+        <source>&amp;Grid with connectors</source>
+        <translation>Ra&amp;ster mit Verbindern</translation>
+    </message>
+    <message>
+        <source>Grid</source>
+        <translation>Raster</translation>
+    </message>
+    <message>
+        <source>Divide a section that is too large for the sheet</source>
+        <translation>Eine Scheibe teilen, die für die Platte zu groß ist</translation>
+    </message>
+    <message>
+        <source>Ra&amp;dial contour</source>
+        <translation>Run&amp;dform</translation>
+    </message>
+    <message>
+        <source>Radial</source>
+        <translation>Rundform</translation>
+    </message>
+    <message>
+        <source>Make a circle, a star or a gear of a section, or holes in it</source>
+        <translation>Eine Scheibe zu Kreis, Stern oder Zahnrad machen oder solche Löcher hineinsetzen</translation>
+    </message>
+    <message>
+        <source>&amp;Mirror model</source>
+        <translation>&amp;Modell spiegeln</translation>
+    </message>
+    <message>
+        <source>Let what is drawn on one side stand on the other side, too</source>
+        <translation>Was auf einer Seite gezeichnet ist, auch auf der anderen stehen lassen</translation>
+    </message>
+    <message>
+        <source>Ro&amp;tational symmetry</source>
+        <translation>Dr&amp;ehsymmetrie</translation>
+    </message>
+    <message>
+        <source>Rotational</source>
+        <translation>Drehung</translation>
+    </message>
+    <message>
+        <source>Let what is drawn once stand all round an axis</source>
+        <translation>Was einmal gezeichnet ist, rings um eine Achse stehen lassen</translation>
+    </message>
+    <message>
+        <source>Arra&amp;y</source>
+        <translation>Re&amp;ihe</translation>
+    </message>
+    <message>
+        <source>Array</source>
+        <translation>Reihe</translation>
+    </message>
+    <message>
+        <source>Repeat sections along a line through space</source>
+        <translation>Scheiben entlang einer Linie durch den Raum wiederholen</translation>
+    </message>
+    <message>
+        <source>Make symmetric &amp;now</source>
+        <translation>&amp;Jetzt symmetrisch machen</translation>
+    </message>
+    <message>
+        <source>Symmetric</source>
+        <translation>Symmetrisch</translation>
+    </message>
+    <message>
+        <source>Copy what stands on one side to the other side, once</source>
+        <translation>Was auf einer Seite steht, einmal auf die andere kopieren</translation>
+    </message>
+    <message>
+        <source>&amp;Switch off or on</source>
+        <translation>&amp;Aus- oder einschalten</translation>
+    </message>
+    <message>
+        <source>On</source>
+        <translation>Ein</translation>
+    </message>
+    <message>
+        <source>Switch the selected operation off, or on again</source>
+        <translation>Die ausgewählte Operation aus- oder wieder einschalten</translation>
+    </message>
+    <message>
+        <source>Earlier in the &amp;order</source>
+        <translation>&amp;Früher in der Reihenfolge</translation>
+    </message>
+    <message>
+        <source>Earlier</source>
+        <translation>Früher</translation>
+    </message>
+    <message>
+        <source>Let the selected operation work before the one above it</source>
+        <translation>Die ausgewählte Operation vor der darüber arbeiten lassen</translation>
+    </message>
+    <message>
+        <source>Lat&amp;er in the order</source>
+        <translation>S&amp;päter in der Reihenfolge</translation>
+    </message>
+    <message>
+        <source>Later</source>
+        <translation>Später</translation>
+    </message>
+    <message>
+        <source>Let the selected operation work after the one below it</source>
+        <translation>Die ausgewählte Operation nach der darunter arbeiten lassen</translation>
+    </message>
+    <message>
+        <source>Ba&amp;ke into sections</source>
+        <translation>In Scheiben um&amp;wandeln</translation>
+    </message>
+    <message>
+        <source>Bake</source>
+        <translation>Umwandeln</translation>
+    </message>
+    <message>
+        <source>Make drawn sections of what the selected operation makes</source>
+        <translation>Aus dem, was die ausgewählte Operation macht, gezeichnete Scheiben machen</translation>
+    </message>
+    <message>
+        <source>It is the first one</source>
+        <translation>Sie ist die erste</translation>
+    </message>
+    <message>
+        <source>It is the last one</source>
+        <translation>Sie ist die letzte</translation>
+    </message>
+    <message>
+        <source>S&amp;nap</source>
+        <translation>Einr&amp;asten</translation>
+    </message>
+    <message>
+        <source>Snap</source>
+        <translation>Einrasten</translation>
+    </message>
+    <message>
+        <source>Draw points to others, to lines level and upright with them, and to the grid</source>
+        <translation>Zieht Punkte zu anderen, zu Linien waagerecht und senkrecht mit ihnen und zum Raster</translation>
+    </message>
+    <message>
+        <source>P&amp;en</source>
+        <translation>Fe&amp;der</translation>
+    </message>
+    <message>
+        <source>Pen</source>
+        <translation>Feder</translation>
+    </message>
+    <message>
+        <source>Draw with clicks in place of one stroke: set points, drag to bend</source>
+        <translation>Mit Klicks statt in einem Zug zeichnen: Punkte setzen, zum Biegen ziehen</translation>
+    </message>
+    <message>
+        <source>No number is typed</source>
+        <translation>Es ist keine Zahl eingegeben</translation>
+    </message>
+    <message>
+        <source>Re&amp;move holes</source>
+        <translation>Löche&amp;r entfernen</translation>
+    </message>
+    <message>
+        <source>No holes</source>
+        <translation>Keine Löcher</translation>
+    </message>
+    <message>
+        <source>Close all holes of the selected sections</source>
+        <translation>Alle Löcher der gewählten Scheiben schließen</translation>
+    </message>
+    <message>
+        <source>&amp;Add point</source>
+        <translation>Punkt &amp;hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add point</source>
+        <translation>Punkt dazu</translation>
+    </message>
+    <message>
+        <source>Add a control point under the cursor, or beside the selected one</source>
+        <translation>Einen Kontrollpunkt unter dem Zeiger oder neben dem gewählten hinzufügen</translation>
+    </message>
+    <message>
+        <source>De&amp;lete point</source>
+        <translation>Punkt lös&amp;chen</translation>
+    </message>
+    <message>
+        <source>Delete point</source>
+        <translation>Punkt löschen</translation>
+    </message>
+    <message>
+        <source>Delete the selected control points</source>
+        <translation>Die gewählten Kontrollpunkte löschen</translation>
+    </message>
+    <message>
+        <source>Smoo&amp;th point</source>
+        <translation>Punkt &amp;glätten</translation>
+    </message>
+    <message>
+        <source>Smooth</source>
+        <translation>Glatt</translation>
+    </message>
+    <message>
+        <source>Let the contour run smoothly through the selected points</source>
+        <translation>Die Kontur glatt durch die gewählten Punkte führen</translation>
+    </message>
+    <message>
+        <source>S&amp;ymmetric point</source>
+        <translation>S&amp;ymmetrischer Punkt</translation>
+    </message>
+    <message>
+        <source>The same with handles of equal length to both sides</source>
+        <translation>Ebenso, mit gleich langen Griffen nach beiden Seiten</translation>
+    </message>
+    <message>
+        <source>&amp;Corner point</source>
+        <translation>Eckp&amp;unkt</translation>
+    </message>
+    <message>
+        <source>Corner</source>
+        <translation>Ecke</translation>
+    </message>
+    <message>
+        <source>Make the selected points corners</source>
+        <translation>Die gewählten Punkte zu Ecken machen</translation>
+    </message>
+    <message>
+        <source>No point of a contour is selected</source>
+        <translation>Kein Punkt einer Kontur ist ausgewählt</translation>
+    </message>
+    <message>
+        <source>Select one section whose contour can be edited</source>
+        <translation>Zuerst eine Scheibe auswählen, deren Kontur sich ändern lässt</translation>
+    </message>
+    <message>
+        <source>What is selected has no holes</source>
+        <translation>Was ausgewählt ist, hat keine Löcher</translation>
+    </message>
+    <message>
+        <source>Move &amp;and turn</source>
+        <translation>Bewe&amp;gen und drehen</translation>
+    </message>
+    <message>
+        <source>Move</source>
+        <translation>Bewegen</translation>
+    </message>
+    <message>
+        <source>Move, turn and scale with handles or numbers</source>
+        <translation>Mit Griffen oder Zahlen bewegen, drehen und skalieren</translation>
+    </message>
+    <message>
+        <source>&amp;In space</source>
+        <translation>Im Rau&amp;m</translation>
+    </message>
+    <message>
+        <source>In space</source>
+        <translation>Im Raum</translation>
+    </message>
+    <message>
+        <source>Along the axes of the world, rather than in the plane of the section</source>
+        <translation>Entlang der Achsen der Welt statt in der Ebene der Scheibe</translation>
+    </message>
+    <message>
+        <source>&amp;With what is on it</source>
+        <translation>Mit allem, was darau&amp;f ist</translation>
+    </message>
+    <message>
+        <source>With all on it</source>
+        <translation>Mit allem darauf</translation>
+    </message>
+    <message>
+        <source>What was drawn on a section goes along when that is moved</source>
+        <translation>Was auf eine Scheibe gezeichnet wurde, geht mit, wenn sie bewegt wird</translation>
+    </message>
+    <message>
+        <source>&amp;Put on another section…</source>
+        <translation>Auf eine andere S&amp;cheibe setzen …</translation>
+    </message>
+    <message>
+        <source>Put on</source>
+        <translation>Aufsetzen</translation>
+    </message>
+    <message>
+        <source>Click the section that the selected one shall be on</source>
+        <translation>Auf die Scheibe klicken, auf der die ausgewählte sitzen soll</translation>
+    </message>
+    <message>
+        <source>Free &amp;from its parent</source>
+        <translation>Frei &amp;von ihrer Scheibe</translation>
+    </message>
+    <message>
+        <source>Free</source>
+        <translation>Frei</translation>
+    </message>
+    <message>
+        <source>Let the section go any way: it neither goes along with the one that it is on, nor keeps its angle</source>
+        <translation>Die Scheibe frei bewegen: Sie geht weder mit der mit, auf der sie sitzt, noch behält sie ihren Winkel</translation>
+    </message>
+    <message>
+        <source>Ma&amp;ke orthogonal</source>
+        <translation>Rec&amp;htwinklig stellen</translation>
+    </message>
+    <message>
+        <source>Orthogonal</source>
+        <translation>Rechtwinklig</translation>
+    </message>
+    <message>
+        <source>Turn the section to a right angle to the one that it is on</source>
+        <translation>Die Scheibe rechtwinklig zu der stellen, auf der sie sitzt</translation>
+    </message>
+    <message>
+        <source>Align to nearest a&amp;xis</source>
+        <translation>An nächster Achse ausrichten</translation>
+    </message>
+    <message>
+        <source>Align</source>
+        <translation>Ausrichten</translation>
+    </message>
+    <message>
+        <source>Turn the section so that it faces along an axis of the world</source>
+        <translation>Die Scheibe so drehen, dass sie entlang einer Achse der Welt schaut</translation>
+    </message>
+    <message>
+        <source>Lo&amp;ck</source>
+        <translation>S&amp;perren</translation>
+    </message>
+    <message>
+        <source>Lock</source>
+        <translation>Sperren</translation>
+    </message>
+    <message>
+        <source>Let the selected sections stay as they are</source>
+        <translation>Die ausgewählten Scheiben so lassen, wie sie sind</translation>
+    </message>
+    <message>
+        <source>Edit &amp;its source</source>
+        <translation>&amp;Quelle bearbeiten</translation>
+    </message>
+    <message>
+        <source>Edit source</source>
+        <translation>Quelle bearbeiten</translation>
+    </message>
+    <message>
+        <source>Select the section that the selected one is made from</source>
+        <translation>Die Scheibe auswählen, aus der die ausgewählte gemacht wird</translation>
+    </message>
+    <message>
+        <source>Deta&amp;ch this one</source>
+        <translation>Diese &amp;lösen</translation>
+    </message>
+    <message>
+        <source>Detach</source>
+        <translation>Lösen</translation>
+    </message>
+    <message>
+        <source>Make a drawn section of the selected one; its operation makes the others</source>
+        <translation>Aus der ausgewählten eine gezeichnete Scheibe machen; ihre Operation macht die anderen</translation>
+    </message>
+    <message>
+        <source>Lea&amp;ve this one out</source>
+        <translation>Diese auslassen</translation>
+    </message>
+    <message>
+        <source>Leave out</source>
+        <translation>Auslassen</translation>
+    </message>
+    <message>
+        <source>Do not make the selected section; its operation makes the others</source>
+        <translation>Die ausgewählte Scheibe nicht machen; ihre Operation macht die anderen</translation>
+    </message>
+    <message>
+        <source>What is selected is on no other section</source>
+        <translation>Was ausgewählt ist, sitzt auf keiner anderen Scheibe</translation>
+    </message>
+    <message>
+        <source>What is selected is made by an operation</source>
+        <translation>Was ausgewählt ist, macht eine Operation</translation>
+    </message>
+    <message>
+        <source>What is selected is drawn</source>
+        <translation>Was ausgewählt ist, ist gezeichnet</translation>
+    </message>
+    <message>
+        <source>Select &amp;all</source>
+        <translation>&amp;Alles wählen</translation>
+    </message>
+    <message>
+        <source>Select all</source>
+        <translation>Alles wählen</translation>
+    </message>
+    <message>
+        <source>Select all sections</source>
+        <translation>Alle Scheiben wählen</translation>
+    </message>
+    <message>
+        <source>Select ne&amp;xt</source>
+        <translation>Näc&amp;hste wählen</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Nächste</translation>
+    </message>
+    <message>
+        <source>Select the next section</source>
+        <translation>Die nächste Scheibe wählen</translation>
+    </message>
+    <message>
+        <source>Select pre&amp;vious</source>
+        <translation>Vori&amp;ge wählen</translation>
+    </message>
+    <message>
+        <source>Previous</source>
+        <translation>Vorige</translation>
+    </message>
+    <message>
+        <source>Select the section before this one</source>
+        <translation>Die Scheibe davor wählen</translation>
+    </message>
+    <message>
+        <source>Select co&amp;nnected</source>
+        <translation>&amp;Verbundene auswählen</translation>
+    </message>
+    <message>
+        <source>Connected</source>
+        <translation>Verbundene</translation>
+    </message>
+    <message>
+        <source>Select all sections that hang together with the selected ones</source>
+        <translation>Alle Scheiben auswählen, die mit den ausgewählten zusammenhängen</translation>
+    </message>
+    <message>
+        <source>&amp;Select parallel</source>
+        <translation>&amp;Parallele auswählen</translation>
+    </message>
+    <message>
+        <source>Parallel</source>
+        <translation>Parallel</translation>
+    </message>
+    <message>
+        <source>Select all sections parallel to the selected ones</source>
+        <translation>Alle Scheiben auswählen, die parallel zu den ausgewählten sind</translation>
+    </message>
+    <message>
+        <source>Select of the same stoc&amp;k</source>
+        <translation>All&amp;e derselben Platte auswählen</translation>
+    </message>
+    <message>
+        <source>Same stock</source>
+        <translation>Gleiche Platte</translation>
+    </message>
+    <message>
+        <source>Select all sections of the stocks of the selected ones</source>
+        <translation>Alle Scheiben aus den Platten der ausgewählten auswählen</translation>
+    </message>
+    <message>
+        <source>&amp;New</source>
+        <translation>&amp;Neu</translation>
+    </message>
+    <message>
+        <source>New</source>
+        <translation>Neu</translation>
+    </message>
+    <message>
+        <source>Start a new model</source>
+        <translation>Ein neues Modell beginnen</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Zurücknehmen</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>Take the last step back</source>
+        <translation>Den letzten Schritt zurücknehmen</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Wiederholen</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Wieder</translation>
+    </message>
+    <message>
+        <source>Do the step again that was taken back</source>
+        <translation>Den zurückgenommenen Schritt wiederholen</translation>
+    </message>
+    <message>
+        <source>&amp;Delete</source>
+        <translation>&amp;Löschen</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Löschen</translation>
+    </message>
+    <message>
+        <source>Delete the selected sections</source>
+        <translation>Die gewählten Scheiben löschen</translation>
+    </message>
+    <message>
+        <source>Set a point</source>
+        <translation>Punkt setzen</translation>
+    </message>
+    <message>
+        <source>There is no step to take back</source>
+        <translation>Es gibt keinen Schritt zurückzunehmen</translation>
+    </message>
+    <message>
+        <source>&amp;Undo “%1”</source>
+        <extracomment>%1 is a step of the history</extracomment>
+        <translation>„%1“ &amp;zurücknehmen</translation>
+    </message>
+    <message>
+        <source>No step was taken back</source>
+        <translation>Kein Schritt wurde zurückgenommen</translation>
+    </message>
+    <message>
+        <source>&amp;Redo “%1”</source>
+        <extracomment>%1 is a step of the history</extracomment>
+        <translation>„%1“ &amp;wiederholen</translation>
+    </message>
+    <message>
+        <source>Local &amp;symmetry</source>
+        <translation>Lokale &amp;Symmetrie</translation>
+    </message>
+    <message>
+        <source>Symmetry</source>
+        <translation>Symmetrie</translation>
+    </message>
+    <message>
+        <source>Mirror a contour across its slit when it is drawn on one side of it</source>
+        <translation>Eine Kontur an ihrem Schlitz spiegeln, wenn sie auf einer Seite davon gezeichnet wird</translation>
+    </message>
+    <message>
+        <source>Cut flat at the &amp;ground</source>
+        <translation>Am &amp;Boden eben abschneiden</translation>
+    </message>
+    <message>
+        <source>Ground</source>
+        <translation>Boden</translation>
+    </message>
+    <message>
+        <source>Cut off what is drawn below the ground</source>
+        <translation>Abschneiden, was unter dem Boden gezeichnet wird</translation>
+    </message>
+    <message>
+        <source>On the gr&amp;ound</source>
+        <translation>Auf dem B&amp;oden</translation>
+    </message>
+    <message>
+        <source>On the ground</source>
+        <translation>Am Boden</translation>
+    </message>
+    <message>
+        <source>Draw a section that lies on the ground</source>
+        <translation>Eine Scheibe zeichnen, die auf dem Boden liegt</translation>
+    </message>
+    <message>
+        <source>On the &amp;front plane</source>
+        <translation>Auf der &amp;Vorderebene</translation>
+    </message>
+    <message>
+        <source>On the front</source>
+        <translation>Vorn</translation>
+    </message>
+    <message>
+        <source>Draw a section upright in the middle, seen from the front</source>
+        <translation>Eine Scheibe aufrecht in der Mitte zeichnen, von vorn gesehen</translation>
+    </message>
+    <message>
+        <source>On the s&amp;ide plane</source>
+        <translation>Auf der S&amp;eitenebene</translation>
+    </message>
+    <message>
+        <source>On the side</source>
+        <translation>Seitlich</translation>
+    </message>
+    <message>
+        <source>Draw a section upright in the middle, seen from the side</source>
+        <translation>Eine Scheibe aufrecht in der Mitte zeichnen, von der Seite gesehen</translation>
+    </message>
+    <message>
+        <source>&amp;Parallel to the section</source>
+        <translation>&amp;Parallel zur Scheibe</translation>
+    </message>
+    <message>
+        <source>Draw a section parallel to the selected one</source>
+        <translation>Eine Scheibe parallel zur ausgewählten zeichnen</translation>
+    </message>
+    <message>
+        <source>&amp;Redraw contour</source>
+        <translation>Kontur &amp;neu zeichnen</translation>
+    </message>
+    <message>
+        <source>Redraw</source>
+        <translation>Neu zeichnen</translation>
+    </message>
+    <message>
+        <source>Draw a new contour for the selected section</source>
+        <translation>Für die ausgewählte Scheibe eine neue Kontur zeichnen</translation>
+    </message>
+    <message>
+        <source>Draw a &amp;hole</source>
+        <translation>&amp;Loch zeichnen</translation>
+    </message>
+    <message>
+        <source>Hole</source>
+        <translation>Loch</translation>
+    </message>
+    <message>
+        <source>Draw a hole in the selected section</source>
+        <translation>In die ausgewählte Scheibe ein Loch zeichnen</translation>
+    </message>
+    <message>
+        <source>&amp;Drop to ground</source>
+        <translation>Auf den Boden se&amp;tzen</translation>
+    </message>
+    <message>
+        <source>Drop</source>
+        <translation>Absetzen</translation>
+    </message>
+    <message>
+        <source>Set the model down on the ground</source>
+        <translation>Das Modell auf den Boden setzen</translation>
+    </message>
+    <message>
+        <source>The model stands on the ground</source>
+        <translation>Das Modell steht auf dem Boden</translation>
+    </message>
+    <message>
+        <source>&amp;Front</source>
+        <translation>&amp;Vorn</translation>
+    </message>
+    <message>
+        <source>Front</source>
+        <translation>Vorn</translation>
+    </message>
+    <message>
+        <source>Look from the front</source>
+        <translation>Von vorn ansehen</translation>
+    </message>
+    <message>
+        <source>&amp;Top</source>
+        <translation>&amp;Oben</translation>
+    </message>
+    <message>
+        <source>Top</source>
+        <translation>Oben</translation>
+    </message>
+    <message>
+        <source>Look from the top</source>
+        <translation>Von oben ansehen</translation>
+    </message>
+    <message>
+        <source>&amp;Right</source>
+        <translation>&amp;Rechts</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Rechts</translation>
+    </message>
+    <message>
+        <source>Look from the right</source>
+        <translation>Von rechts ansehen</translation>
+    </message>
+    <message>
+        <source>&amp;Back</source>
+        <translation>&amp;Hinten</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Hinten</translation>
+    </message>
+    <message>
+        <source>Look from the back</source>
+        <translation>Von hinten ansehen</translation>
+    </message>
+    <message>
+        <source>Botto&amp;m</source>
+        <translation>&amp;Unten</translation>
+    </message>
+    <message>
+        <source>Bottom</source>
+        <translation>Unten</translation>
+    </message>
+    <message>
+        <source>Look from below</source>
+        <translation>Von unten ansehen</translation>
+    </message>
+    <message>
+        <source>&amp;Left</source>
+        <translation>&amp;Links</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>Links</translation>
+    </message>
+    <message>
+        <source>Look from the left</source>
+        <translation>Von links ansehen</translation>
+    </message>
+    <message>
+        <source>Next &amp;corner</source>
+        <translation>Nächste &amp;Ecke</translation>
+    </message>
+    <message>
+        <source>Look from the next corner</source>
+        <translation>Von der nächsten Ecke ansehen</translation>
+    </message>
+    <message>
+        <source>Face the &amp;section</source>
+        <translation>Auf die &amp;Scheibe sehen</translation>
+    </message>
+    <message>
+        <source>Face</source>
+        <translation>Draufsicht</translation>
+    </message>
+    <message>
+        <source>Look straight at the selected section</source>
+        <translation>Gerade auf die gewählte Scheibe sehen</translation>
+    </message>
+    <message>
+        <source>Fit &amp;everything</source>
+        <translation>Alles ein&amp;passen</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>Einpassen</translation>
+    </message>
+    <message>
+        <source>Show the whole model</source>
+        <translation>Das ganze Modell zeigen</translation>
+    </message>
+    <message>
+        <source>F&amp;it selection</source>
+        <translation>Auswahl einpasse&amp;n</translation>
+    </message>
+    <message>
+        <source>Fit selection</source>
+        <translation>Auswahl einpassen</translation>
+    </message>
+    <message>
+        <source>Show the selected sections as large as possible</source>
+        <translation>Die gewählten Scheiben so groß wie möglich zeigen</translation>
+    </message>
+    <message>
+        <source>&amp;Previous view</source>
+        <translation>Vori&amp;ge Ansicht</translation>
+    </message>
+    <message>
+        <source>Go back to the view before this one</source>
+        <translation>Zur vorigen Ansicht zurück</translation>
+    </message>
+    <message>
+        <source>Perspecti&amp;ve</source>
+        <translation>Perspe&amp;ktive</translation>
+    </message>
+    <message>
+        <source>Perspective</source>
+        <translation>Perspektive</translation>
+    </message>
+    <message>
+        <source>Show what is farther away smaller, as the eye sees it</source>
+        <translation>Entferntes kleiner zeigen, wie das Auge es sieht</translation>
+    </message>
+    <message>
+        <source>&amp;X-ray</source>
+        <translation>Rön&amp;tgenblick</translation>
+    </message>
+    <message>
+        <source>X-ray</source>
+        <translation>Röntgen</translation>
+    </message>
+    <message>
+        <source>See through all sections, down to their slits</source>
+        <translation>Durch alle Scheiben sehen, bis auf die Schlitze</translation>
+    </message>
+    <message>
+        <source>Onl&amp;y the selection</source>
+        <translation>Nur die Aus&amp;wahl</translation>
+    </message>
+    <message>
+        <source>Isolate</source>
+        <translation>Nur Auswahl</translation>
+    </message>
+    <message>
+        <source>Let all other sections stand back</source>
+        <translation>Alle anderen Scheiben zurücktreten lassen</translation>
+    </message>
+    <message>
+        <source>&amp;Hide</source>
+        <translation>&amp;Ausblenden</translation>
+    </message>
+    <message>
+        <source>Hide</source>
+        <translation>Ausblenden</translation>
+    </message>
+    <message>
+        <source>Hide the selected sections</source>
+        <translation>Die gewählten Scheiben ausblenden</translation>
+    </message>
+    <message>
+        <source>Show &amp;all</source>
+        <translation>Alle einblen&amp;den</translation>
+    </message>
+    <message>
+        <source>Show all</source>
+        <translation>Einblenden</translation>
+    </message>
+    <message>
+        <source>Show the hidden sections again</source>
+        <translation>Die ausgeblendeten Scheiben wieder zeigen</translation>
+    </message>
+    <message>
+        <source>Cut view &amp;open</source>
+        <translation>Ansicht au&amp;fschneiden</translation>
+    </message>
+    <message>
+        <source>Cut open</source>
+        <translation>Aufschneiden</translation>
+    </message>
+    <message>
+        <source>Cut the model open with a plane, to look inside</source>
+        <translation>Das Modell mit einer Ebene aufschneiden, um hineinzusehen</translation>
+    </message>
+    <message>
+        <source>&amp;Ground and shadow</source>
+        <translation>&amp;Boden und Schatten</translation>
+    </message>
+    <message>
+        <source>Show the ground with its grid and the model&apos;s shadow</source>
+        <translation>Den Boden mit Raster und den Schatten des Modells zeigen</translation>
+    </message>
+    <message>
+        <source>No section is hidden</source>
+        <translation>Keine Scheibe ist ausgeblendet</translation>
+    </message>
+    <message>
+        <source>There is no view before this one</source>
+        <translation>Vor dieser Ansicht gab es keine</translation>
+    </message>
+</context>
+<context>
     <name>CommandLine</name>
     <message>
         <source>Sections, joints, size and mass of a model</source>
@@ -1257,6 +2774,610 @@
     </message>
 </context>
 <context>
+    <name>Hint</name>
+    <message>
+        <source>&lt;kbd&gt;%1&lt;/kbd&gt; undoes it.</source>
+        <extracomment>%1 is what is pressed; follows &quot;The contour crosses itself; the largest loop was kept.&quot;</extracomment>
+        <translation>&lt;kbd&gt;%1&lt;/kbd&gt; nimmt es zurück.</translation>
+    </message>
+    <message>
+        <source>Nothing moved: where %1 and %2 meet, two slits do not share the way.</source>
+        <translation>Nichts verschoben: Wo %1 und %2 sich treffen, teilen sich nicht zwei Schlitze den Weg.</translation>
+    </message>
+    <message>
+        <source>Nothing changed: %1 and %2 cannot be joined like that.</source>
+        <translation>Nichts geändert: %1 und %2 lassen sich so nicht verbinden.</translation>
+    </message>
+    <message>
+        <source>Nothing turned: the slits of %1 and %2 cannot open to the other side.</source>
+        <translation>Nichts gedreht: Die Schlitze von %1 und %2 können nicht zur anderen Seite aufgehen.</translation>
+    </message>
+    <message>
+        <source>Nothing trimmed: %1 is not in %2, or nothing of it would stay.</source>
+        <translation>Nichts gekürzt: %1 steckt nicht in %2, oder es bliebe nichts davon.</translation>
+    </message>
+    <message>
+        <source>Move to shift the cut, release to leave it there. Esc puts it back.</source>
+        <translation>Bewegen verschiebt den Schnitt, Loslassen lässt ihn dort. Esc setzt ihn zurück.</translation>
+    </message>
+    <message>
+        <source>The plane is seen on its edge: turn the view to go on drawing.</source>
+        <translation>Die Ebene ist von der Kante zu sehen: Ansicht drehen, um weiterzuzeichnen.</translation>
+    </message>
+    <message>
+        <source>The points are gone, for the section that they stood on is.</source>
+        <translation>Die Punkte sind weg, denn die Scheibe, auf der sie standen, ist es auch.</translation>
+    </message>
+    <message>
+        <source>Nothing drawn: no section can be made of this line. Draw it as one open loop.</source>
+        <translation>Nichts gezeichnet: Aus dieser Linie wird keine Scheibe. Als eine offene Schleife zeichnen.</translation>
+    </message>
+    <message>
+        <source>Nothing drawn: all of it lies below the ground, where it is cut off.</source>
+        <translation>Nichts gezeichnet: Alles liegt unter dem Boden, wo es abgeschnitten wird.</translation>
+    </message>
+    <message>
+        <source>No hole made: it must lie in %1 and leave it in one piece.</source>
+        <translation>Kein Loch gemacht: Es muss in %1 liegen und sie in einem Stück lassen.</translation>
+    </message>
+    <message>
+        <source>The hole reaches over the edge of %1 and was cut out of it.</source>
+        <translation>Das Loch reicht über den Rand von %1 und wurde aus ihm ausgeschnitten.</translation>
+    </message>
+    <message>
+        <source>The hole met others in %1; they are one hole now.</source>
+        <translation>Das Loch traf andere in %1; sie sind jetzt ein Loch.</translation>
+    </message>
+    <message>
+        <source>Holes of %1 that lie outside of its new contour were left out.</source>
+        <translation>Löcher von %1, die außerhalb der neuen Kontur liegen, wurden weggelassen.</translation>
+    </message>
+    <message>
+        <source>Draw a section on the ground in one go. &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
+        <translation>Eine Scheibe in einem Zug auf den Boden zeichnen. &lt;kbd&gt;Esc&lt;/kbd&gt; bricht ab.</translation>
+    </message>
+    <message>
+        <source>Draw a section on the front plane in one go. &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
+        <translation>Eine Scheibe in einem Zug auf die Vorderebene zeichnen. &lt;kbd&gt;Esc&lt;/kbd&gt; bricht ab.</translation>
+    </message>
+    <message>
+        <source>Draw a section on the side plane in one go. &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
+        <translation>Eine Scheibe in einem Zug auf die Seitenebene zeichnen. &lt;kbd&gt;Esc&lt;/kbd&gt; bricht ab.</translation>
+    </message>
+    <message>
+        <source>Draw a section parallel to %1 in one go. &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
+        <translation>Eine Scheibe parallel zu %1 in einem Zug zeichnen. &lt;kbd&gt;Esc&lt;/kbd&gt; bricht ab.</translation>
+    </message>
+    <message>
+        <source>Draw the new contour of %1 in one go. &lt;kbd&gt;Esc&lt;/kbd&gt; keeps the old one.</source>
+        <translation>Die neue Kontur von %1 in einem Zug zeichnen. &lt;kbd&gt;Esc&lt;/kbd&gt; behält die alte.</translation>
+    </message>
+    <message>
+        <source>Draw a hole in %1 in one go. &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
+        <translation>Ein Loch in %1 in einem Zug zeichnen. &lt;kbd&gt;Esc&lt;/kbd&gt; bricht ab.</translation>
+    </message>
+    <message>
+        <source>Nothing imported: no line of %1 closes to an outline. It can be engraved.</source>
+        <translation>Nichts eingelesen: Keine Linie von %1 schließt sich zu einem Umriss. Gravieren geht.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n outlines of %1 did not fit and were left out.</source>
+        <translation>
+            <numerusform>%n Umriss von %1 passte nicht und wurde ausgelassen.</numerusform>
+            <numerusform>%n Umrisse von %1 passten nicht und wurden ausgelassen.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1: %2 skipped; %3.</source>
+        <extracomment>%1 is a file, %2 &quot;3 texts&quot;, %3 &quot;5 lines were read&quot;</extracomment>
+        <translation>%1: %2 übergangen; %3.</translation>
+    </message>
+    <message>
+        <source>%1: %2 and %3 skipped; %4.</source>
+        <extracomment>%1 is a file, %2 &quot;3 texts&quot;, %3 &quot;1 picture&quot;, %4 &quot;5 lines were read&quot;</extracomment>
+        <translation>%1: %2 und %3 übergangen; %4.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n texts</source>
+        <translation>
+            <numerusform>%n Text</numerusform>
+            <numerusform>%n Texte</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pictures</source>
+        <translation>
+            <numerusform>%n Bild</numerusform>
+            <numerusform>%n Bilder</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n lines were read</source>
+        <translation>
+            <numerusform>%n Linie wurde gelesen</numerusform>
+            <numerusform>%n Linien wurden gelesen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1: drag from its middle outwards; a click makes one of the usual size.</source>
+        <extracomment>%1 is a shape (&quot;Circle&quot;)</extracomment>
+        <translation>%1: von der Mitte nach außen ziehen; ein Klick setzt die übliche Größe.</translation>
+    </message>
+    <message>
+        <source>%1: drag from its middle outwards to cut it out of %2.</source>
+        <extracomment>%1 is a shape (&quot;Circle&quot;), %2 the name of a section</extracomment>
+        <translation>%1: von der Mitte nach außen ziehen, um es aus %2 auszuschneiden.</translation>
+    </message>
+    <message>
+        <source>Release to make it so large; &lt;kbd&gt;Shift&lt;/kbd&gt; keeps both sides alike. &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
+        <translation>Loslassen lässt es so groß; &lt;kbd&gt;Umschalt&lt;/kbd&gt; hält beide Seiten gleich. &lt;kbd&gt;Esc&lt;/kbd&gt; bricht ab.</translation>
+    </message>
+    <message>
+        <source>Draw the first section: press, draw its shape in one go, release.</source>
+        <translation>Die erste Scheibe zeichnen: drücken, ihre Form in einem Zug zeichnen, loslassen.</translation>
+    </message>
+    <message>
+        <source>Drag to turn the view; &lt;kbd&gt;Shift&lt;/kbd&gt; drag selects a group.</source>
+        <translation>Ziehen dreht die Ansicht; mit &lt;kbd&gt;Umschalt&lt;/kbd&gt; wird eine Gruppe ausgewählt.</translation>
+    </message>
+    <message>
+        <source>Drag out of %1 to draw a section across it; click to select it.</source>
+        <translation>Aus %1 hinausziehen zeichnet eine Scheibe quer dazu; ein Klick wählt sie.</translation>
+    </message>
+    <message>
+        <source>Click to select %1. Drag to turn the view: on its edge nothing is drawn.</source>
+        <translation>Ein Klick wählt %1. Ziehen dreht die Ansicht: Auf der Kante wird nicht gezeichnet.</translation>
+    </message>
+    <message>
+        <source>Drag to move the cut through the model; Esc closes it.</source>
+        <translation>Ziehen bewegt den Schnitt durch das Modell; Esc schließt ihn.</translation>
+    </message>
+    <message>
+        <source>Click to select problem %1; drag to turn the view.</source>
+        <translation>Klicken wählt Problem %1; Ziehen dreht die Ansicht.</translation>
+    </message>
+    <message>
+        <source>Drag to move the point; &lt;kbd&gt;Ctrl&lt;/kbd&gt; makes a corner, arrow keys move 1&#x202f;mm.</source>
+        <translation>Ziehen verschiebt den Punkt; &lt;kbd&gt;Strg&lt;/kbd&gt; macht eine Ecke, Pfeiltasten verschieben um 1 mm.</translation>
+    </message>
+    <message>
+        <source>Drag to bend the curve; &lt;kbd&gt;Ctrl&lt;/kbd&gt; makes a corner, &lt;kbd&gt;Shift&lt;/kbd&gt; keeps the direction.</source>
+        <translation>Ziehen biegt die Kurve; &lt;kbd&gt;Strg&lt;/kbd&gt; macht eine Ecke, &lt;kbd&gt;Umschalt&lt;/kbd&gt; hält die Richtung.</translation>
+    </message>
+    <message>
+        <source>Double-click to add a point here; drag to bend the contour.</source>
+        <translation>Doppelklick fügt hier einen Punkt ein; Ziehen biegt die Kontur.</translation>
+    </message>
+    <message>
+        <source>Click to select the joint of %1 and %2.</source>
+        <translation>Ein Klick wählt die Verbindung von %1 und %2.</translation>
+    </message>
+    <message>
+        <source>Drag to make the slit of %1 deeper and that of %2 shallower; click to select the joint.</source>
+        <translation>Ziehen macht den Schlitz von %1 tiefer und den von %2 flacher; ein Klick wählt die Verbindung.</translation>
+    </message>
+    <message>
+        <source>Drag to make the slit of %1 deeper and that of %2 shallower; arrow keys move 1&#x202f;mm.</source>
+        <translation>Ziehen macht den Schlitz von %1 tiefer und den von %2 flacher; Pfeiltasten verschieben um 1 mm.</translation>
+    </message>
+    <message>
+        <source>%1 is made by %2: click to edit them all, click again for this one.</source>
+        <translation>%1 kommt von %2: Klick für alle, noch ein Klick für diese allein.</translation>
+    </message>
+    <message>
+        <source>Click to select %1 alone; drag out of it to draw a section across it.</source>
+        <translation>Klick wählt %1 allein aus; herausziehen zeichnet eine Scheibe quer dazu.</translation>
+    </message>
+    <message>
+        <source>Drag a round handle to move the beginning or the end of %1; click one section to select it.</source>
+        <translation>Runde Griffe verschieben Anfang und Ende von %1; ein Klick auf eine Scheibe wählt sie aus.</translation>
+    </message>
+    <message>
+        <source>Drag to move the beginning of %1; click to type it.</source>
+        <translation>Ziehen verschiebt den Anfang von %1; Klick, um ihn einzutippen.</translation>
+    </message>
+    <message>
+        <source>Drag to move the end of %1; click to type it.</source>
+        <translation>Ziehen verschiebt das Ende von %1; Klick, um es einzutippen.</translation>
+    </message>
+    <message>
+        <source>Click to look from the front; drag to turn the view.</source>
+        <translation>Klick: von vorn ansehen; Ziehen dreht die Ansicht.</translation>
+    </message>
+    <message>
+        <source>Click to look from the back; drag to turn the view.</source>
+        <translation>Klick: von hinten ansehen; Ziehen dreht die Ansicht.</translation>
+    </message>
+    <message>
+        <source>Click to look from the left; drag to turn the view.</source>
+        <translation>Klick: von links ansehen; Ziehen dreht die Ansicht.</translation>
+    </message>
+    <message>
+        <source>Click to look from the right; drag to turn the view.</source>
+        <translation>Klick: von rechts ansehen; Ziehen dreht die Ansicht.</translation>
+    </message>
+    <message>
+        <source>Click to look from the top; drag to turn the view.</source>
+        <translation>Klick: von oben ansehen; Ziehen dreht die Ansicht.</translation>
+    </message>
+    <message>
+        <source>Click to look from below; drag to turn the view.</source>
+        <translation>Klick: von unten ansehen; Ziehen dreht die Ansicht.</translation>
+    </message>
+    <message>
+        <source>Click to look at this edge; drag to turn the view.</source>
+        <translation>Klick: auf diese Kante sehen; Ziehen dreht die Ansicht.</translation>
+    </message>
+    <message>
+        <source>Click to look at this corner; drag to turn the view.</source>
+        <translation>Klick: auf diese Ecke sehen; Ziehen dreht die Ansicht.</translation>
+    </message>
+    <message>
+        <source>Release to leave it here: the slit of %1 takes %2&#x202f;%. &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
+        <translation>Loslassen lässt ihn hier: Der Schlitz von %1 nimmt %2 %. &lt;kbd&gt;Esc&lt;/kbd&gt; bricht ab.</translation>
+    </message>
+    <message>
+        <source>Click the section to engrave. &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
+        <translation>Die Scheibe anklicken, die graviert wird. &lt;kbd&gt;Esc&lt;/kbd&gt; bricht ab.</translation>
+    </message>
+    <message>
+        <source>Drag to draw a line on %1; &lt;kbd&gt;Shift&lt;/kbd&gt; keeps it straight. Click to set words.</source>
+        <translation>Ziehen zeichnet eine Linie auf %1, mit &lt;kbd&gt;Umschalt&lt;/kbd&gt; gerade. Ein Klick setzt Text.</translation>
+    </message>
+    <message>
+        <source>Release to leave the line so. &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
+        <translation>Loslassen lässt die Linie so. &lt;kbd&gt;Esc&lt;/kbd&gt; bricht ab.</translation>
+    </message>
+    <message>
+        <source>Nothing engraved: that lies beside %1.</source>
+        <translation>Nichts graviert: Das liegt neben %1.</translation>
+    </message>
+    <message>
+        <source>There is no letter “%1” to engrave.</source>
+        <translation>Der Buchstabe „%1“ lässt sich nicht gravieren.</translation>
+    </message>
+    <message>
+        <source>Drag from one place to another to measure; &lt;kbd&gt;Ctrl&lt;/kbd&gt; snaps to nothing. &lt;kbd&gt;Esc&lt;/kbd&gt; ends.</source>
+        <translation>Zum Messen von einem Ort zum anderen ziehen; &lt;kbd&gt;Strg&lt;/kbd&gt; fängt nichts. &lt;kbd&gt;Esc&lt;/kbd&gt; beendet.</translation>
+    </message>
+    <message>
+        <source>Go to the second place. &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
+        <translation>Zum zweiten Ort gehen. &lt;kbd&gt;Esc&lt;/kbd&gt; bricht ab.</translation>
+    </message>
+    <message>
+        <source>Drag again to measure something else. &lt;kbd&gt;Esc&lt;/kbd&gt; puts it away.</source>
+        <translation>Erneut ziehen misst etwas anderes. &lt;kbd&gt;Esc&lt;/kbd&gt; legt es weg.</translation>
+    </message>
+    <message>
+        <source>Drag along something whose length you know; the whole model follows. &lt;kbd&gt;Esc&lt;/kbd&gt; ends.</source>
+        <translation>Entlang von etwas ziehen, dessen Länge bekannt ist; das ganze Modell folgt. &lt;kbd&gt;Esc&lt;/kbd&gt; beendet.</translation>
+    </message>
+    <message>
+        <source>Type how long this shall be; &lt;kbd&gt;Enter&lt;/kbd&gt; scales the whole model. &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
+        <translation>Eintippen, wie lang dies sein soll; &lt;kbd&gt;Eingabe&lt;/kbd&gt; skaliert das ganze Modell. &lt;kbd&gt;Esc&lt;/kbd&gt; bricht ab.</translation>
+    </message>
+    <message>
+        <source>The model cannot be made that large or small.</source>
+        <translation>So groß oder klein kann das Modell nicht werden.</translation>
+    </message>
+    <message>
+        <source>The model cannot be scaled so far: %1 would leave its bounds.</source>
+        <translation>So weit lässt sich das Modell nicht skalieren: %1 käme aus seinem Bereich.</translation>
+    </message>
+    <message>
+        <source>Release to let %1 begin here: %2&#x202f;%. &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
+        <extracomment>%1 is the name of an operation, %2 a number</extracomment>
+        <translation>Loslassen: %1 beginnt hier, bei %2 %. &lt;kbd&gt;Esc&lt;/kbd&gt; bricht ab.</translation>
+    </message>
+    <message>
+        <source>Release to let %1 end here: %2&#x202f;%. &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
+        <extracomment>%1 is the name of an operation, %2 a number</extracomment>
+        <translation>Loslassen: %1 endet hier, bei %2 %. &lt;kbd&gt;Esc&lt;/kbd&gt; bricht ab.</translation>
+    </message>
+    <message>
+        <source>Drag out of a section to draw across it with the pen; drag here to turn the view. &lt;kbd&gt;Esc&lt;/kbd&gt; lays the pen down.</source>
+        <translation>Aus einer Scheibe ziehen, um quer zu ihr zu zeichnen; hier ziehen dreht die Ansicht. &lt;kbd&gt;Esc&lt;/kbd&gt; legt die Feder weg.</translation>
+    </message>
+    <message>
+        <source>Drag out of %1 to draw across it with the pen; click to select it.</source>
+        <translation>Aus %1 hinausziehen, um mit der Feder quer dazu zu zeichnen; Klick wählt sie aus.</translation>
+    </message>
+    <message>
+        <source>Click to set the first point, drag to bend. &lt;kbd&gt;Esc&lt;/kbd&gt; lays the pen down.</source>
+        <translation>Klick setzt den ersten Punkt, Ziehen biegt. &lt;kbd&gt;Esc&lt;/kbd&gt; legt die Feder weg.</translation>
+    </message>
+    <message>
+        <source>Click to set a point, drag to bend; &lt;kbd&gt;Enter&lt;/kbd&gt; closes, &lt;kbd&gt;Backspace&lt;/kbd&gt; takes one back.</source>
+        <translation>Klick setzt einen Punkt, Ziehen biegt; &lt;kbd&gt;Eingabe&lt;/kbd&gt; schließt, &lt;kbd&gt;Rücktaste&lt;/kbd&gt; nimmt einen zurück.</translation>
+    </message>
+    <message>
+        <source>Click to set a point, drag to bend; &lt;kbd&gt;Enter&lt;/kbd&gt; closes, &lt;kbd&gt;Backspace&lt;/kbd&gt; takes one back. &lt;kbd&gt;Ctrl&lt;/kbd&gt; click does not snap.</source>
+        <translation>Klick setzt einen Punkt, Ziehen biegt; &lt;kbd&gt;Eingabe&lt;/kbd&gt; schließt, &lt;kbd&gt;Rücktaste&lt;/kbd&gt; nimmt einen zurück. Mit &lt;kbd&gt;Strg&lt;/kbd&gt; rastet nichts ein.</translation>
+    </message>
+    <message>
+        <source>The contour crosses itself: &lt;kbd&gt;Enter&lt;/kbd&gt; keeps the largest loop, &lt;kbd&gt;Backspace&lt;/kbd&gt; takes a point back.</source>
+        <translation>Die Kontur kreuzt sich: &lt;kbd&gt;Eingabe&lt;/kbd&gt; behält die größte Schleife, &lt;kbd&gt;Rücktaste&lt;/kbd&gt; nimmt einen Punkt zurück.</translation>
+    </message>
+    <message>
+        <source>Drag to bend; &lt;kbd&gt;Ctrl&lt;/kbd&gt; makes a corner, &lt;kbd&gt;Shift&lt;/kbd&gt; holds the direction.</source>
+        <translation>Ziehen biegt; &lt;kbd&gt;Strg&lt;/kbd&gt; macht eine Ecke, &lt;kbd&gt;Umschalt&lt;/kbd&gt; hält die Richtung.</translation>
+    </message>
+    <message>
+        <source>Drag to move the point; &lt;kbd&gt;Ctrl&lt;/kbd&gt; does not snap, &lt;kbd&gt;Shift&lt;/kbd&gt; holds the direction.</source>
+        <translation>Ziehen verschiebt den Punkt; mit &lt;kbd&gt;Strg&lt;/kbd&gt; rastet nichts ein, &lt;kbd&gt;Umschalt&lt;/kbd&gt; hält die Richtung.</translation>
+    </message>
+    <message>
+        <source>Drag the handle to bend; &lt;kbd&gt;Ctrl&lt;/kbd&gt; makes a corner.</source>
+        <translation>Am Griff ziehen biegt; &lt;kbd&gt;Strg&lt;/kbd&gt; macht eine Ecke.</translation>
+    </message>
+    <message>
+        <source>Click to close the contour; drag to move the point.</source>
+        <translation>Klick schließt die Kontur; Ziehen verschiebt den Punkt.</translation>
+    </message>
+    <message>
+        <source>&lt;kbd&gt;Enter&lt;/kbd&gt; sets the point, &lt;kbd&gt;Tab&lt;/kbd&gt; goes to the next number. &lt;kbd&gt;Esc&lt;/kbd&gt; closes the bar.</source>
+        <translation>&lt;kbd&gt;Eingabe&lt;/kbd&gt; setzt den Punkt, &lt;kbd&gt;Tab&lt;/kbd&gt; geht zur nächsten Zahl. &lt;kbd&gt;Esc&lt;/kbd&gt; schließt die Leiste.</translation>
+    </message>
+    <message>
+        <source>Not closed: the points enclose nothing yet.</source>
+        <translation>Nicht geschlossen: Die Punkte umschließen noch nichts.</translation>
+    </message>
+    <message>
+        <source>A contour is still open: &lt;kbd&gt;Enter&lt;/kbd&gt; closes it, &lt;kbd&gt;Esc&lt;/kbd&gt; takes it back.</source>
+        <translation>Eine Kontur ist noch offen: &lt;kbd&gt;Eingabe&lt;/kbd&gt; schließt sie, &lt;kbd&gt;Esc&lt;/kbd&gt; nimmt sie zurück.</translation>
+    </message>
+    <message>
+        <source>%1 &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
+        <extracomment>%1 is a sentence: &quot;Click the section to repeat.&quot;</extracomment>
+        <translation>%1 &lt;kbd&gt;Esc&lt;/kbd&gt; bricht ab.</translation>
+    </message>
+    <message>
+        <source>%1 So far: %2. &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
+        <extracomment>%1 is a sentence, %2 a number of sections</extracomment>
+        <translation>%1 Bisher: %2. &lt;kbd&gt;Esc&lt;/kbd&gt; bricht ab.</translation>
+    </message>
+    <message>
+        <source>%1 So far: %2. &lt;kbd&gt;Enter&lt;/kbd&gt; makes it.</source>
+        <extracomment>%1 is a sentence, %2 a number of sections</extracomment>
+        <translation>%1 Bisher: %2. &lt;kbd&gt;Enter&lt;/kbd&gt; macht es.</translation>
+    </message>
+    <message>
+        <source>&lt;kbd&gt;Enter&lt;/kbd&gt; makes it. &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
+        <translation>&lt;kbd&gt;Enter&lt;/kbd&gt; macht es. &lt;kbd&gt;Esc&lt;/kbd&gt; bricht ab.</translation>
+    </message>
+    <message>
+        <source>Release to leave it here. &lt;kbd&gt;Ctrl&lt;/kbd&gt; makes a corner, &lt;kbd&gt;Shift&lt;/kbd&gt; keeps the direction.</source>
+        <translation>Loslassen lässt ihn hier. &lt;kbd&gt;Strg&lt;/kbd&gt; macht eine Ecke, &lt;kbd&gt;Umschalt&lt;/kbd&gt; hält die Richtung.</translation>
+    </message>
+    <message>
+        <source>Release to leave it so. &lt;kbd&gt;Ctrl&lt;/kbd&gt; makes a corner, &lt;kbd&gt;Shift&lt;/kbd&gt; keeps the direction.</source>
+        <translation>Loslassen lässt es so. &lt;kbd&gt;Strg&lt;/kbd&gt; macht eine Ecke, &lt;kbd&gt;Umschalt&lt;/kbd&gt; hält die Richtung.</translation>
+    </message>
+    <message>
+        <source>Release to leave it so. &lt;kbd&gt;Ctrl&lt;/kbd&gt; makes corners at its ends. &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
+        <translation>Loslassen lässt es so. &lt;kbd&gt;Strg&lt;/kbd&gt; macht Ecken an den Enden. &lt;kbd&gt;Esc&lt;/kbd&gt; bricht ab.</translation>
+    </message>
+    <message>
+        <source>Here the contour would cross itself; it stays at the last place where it does not.</source>
+        <translation>Hier würde die Kontur sich selbst kreuzen; sie bleibt, wo sie es zuletzt nicht tat.</translation>
+    </message>
+    <message>
+        <source>Here a hole would not lie inside by itself; it stays at the last place where it does.</source>
+        <translation>Hier läge ein Loch nicht für sich innen; alles bleibt, wo es zuletzt passte.</translation>
+    </message>
+    <message>
+        <source>Here all of %1 would be cut off at the ground; it stays as it was.</source>
+        <translation>Hier würde %1 am Boden ganz abgeschnitten; alles bleibt, wie es war.</translation>
+    </message>
+    <message>
+        <source>Nothing deleted: a contour needs two points at least.</source>
+        <translation>Nichts gelöscht: Eine Kontur braucht mindestens zwei Punkte.</translation>
+    </message>
+    <message>
+        <source>Release to select all that is wholly inside. &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
+        <translation>Loslassen wählt alles aus, was ganz darin liegt. &lt;kbd&gt;Esc&lt;/kbd&gt; bricht ab.</translation>
+    </message>
+    <message>
+        <source>Release to select the points inside. &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
+        <translation>Loslassen wählt die Punkte darin. &lt;kbd&gt;Esc&lt;/kbd&gt; bricht ab.</translation>
+    </message>
+    <message>
+        <source>%1 keeps its angle to %2. Free it to turn it any way.</source>
+        <translation>%1 behält ihren Winkel zu %2. Freigeben, um sie beliebig zu drehen.</translation>
+    </message>
+    <message>
+        <source>%1 is on no other section, so it has no angle to one.</source>
+        <translation>%1 sitzt auf keiner anderen Scheibe und hat daher keinen Winkel zu einer.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be on %2, which is on it.</source>
+        <translation>%1 kann nicht auf %2 sitzen, denn diese sitzt auf ihr.</translation>
+    </message>
+    <message>
+        <source>%1 and %2 do not meet: move one of them across the other first.</source>
+        <translation>%1 und %2 treffen sich nicht: zuerst eine quer in die andere bewegen.</translation>
+    </message>
+    <message>
+        <source>Click the section that %1 shall be on. &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
+        <translation>Auf die Scheibe klicken, auf der %1 sitzen soll. &lt;kbd&gt;Esc&lt;/kbd&gt; bricht ab.</translation>
+    </message>
+    <message>
+        <source>Drag to turn the view; &lt;kbd&gt;Space&lt;/kbd&gt; plays, &lt;kbd&gt;←&lt;/kbd&gt; and &lt;kbd&gt;→&lt;/kbd&gt; go step by step. &lt;kbd&gt;Esc&lt;/kbd&gt; closes the steps.</source>
+        <translation>Ziehen dreht die Ansicht; &lt;kbd&gt;Leertaste&lt;/kbd&gt; spielt ab, &lt;kbd&gt;←&lt;/kbd&gt; und &lt;kbd&gt;→&lt;/kbd&gt; gehen schrittweise. &lt;kbd&gt;Esc&lt;/kbd&gt; schließt die Schritte.</translation>
+    </message>
+    <message>
+        <source>The model has changed, so the view of its steps was closed.</source>
+        <translation>Das Modell hat sich geändert, daher wurde die Ansicht seiner Schritte geschlossen.</translation>
+    </message>
+    <message>
+        <source>Drag on to leave %1; the slit ends at its edge. &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
+        <translation>Weiterziehen, bis %1 verlassen ist; der Schlitz endet am Rand. &lt;kbd&gt;Esc&lt;/kbd&gt; bricht ab.</translation>
+    </message>
+    <message>
+        <source>Turning to the new plane; move on when it stops.</source>
+        <translation>Die Ansicht dreht sich zur neuen Ebene; weiter, wenn sie steht.</translation>
+    </message>
+    <message>
+        <source>Leave the grey zone where the contour shall begin. Release here cancels.</source>
+        <translation>Den grauen Bereich dort verlassen, wo die Kontur beginnen soll. Loslassen bricht ab.</translation>
+    </message>
+    <message>
+        <source>Draw the contour, release to close it. &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
+        <translation>Die Kontur zeichnen, Loslassen schließt sie. &lt;kbd&gt;Esc&lt;/kbd&gt; bricht ab.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Release&lt;/b&gt; to make the section. &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
+        <translation>&lt;b&gt;Loslassen&lt;/b&gt; macht die Scheibe fertig. &lt;kbd&gt;Esc&lt;/kbd&gt; bricht ab.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Release&lt;/b&gt; to cut the hole into %1. &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
+        <translation>&lt;b&gt;Loslassen&lt;/b&gt; schneidet das Loch in %1. &lt;kbd&gt;Esc&lt;/kbd&gt; bricht ab.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Release&lt;/b&gt; to give %1 this contour. &lt;kbd&gt;Esc&lt;/kbd&gt; keeps the old one.</source>
+        <translation>&lt;b&gt;Loslassen&lt;/b&gt; gibt %1 diese Kontur. &lt;kbd&gt;Esc&lt;/kbd&gt; behält die alte.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Release&lt;/b&gt; to make the section, mirrored across the slit. Hold &lt;kbd&gt;Shift&lt;/kbd&gt; to keep only this side. &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
+        <translation>&lt;b&gt;Loslassen&lt;/b&gt; erzeugt die Scheibe, am Schlitz gespiegelt. &lt;kbd&gt;Umschalt&lt;/kbd&gt; behält nur diese Seite. &lt;kbd&gt;Esc&lt;/kbd&gt; bricht ab.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Release&lt;/b&gt; to make the section, mirrored. Let &lt;kbd&gt;Shift&lt;/kbd&gt; go to keep only this side. &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
+        <translation>&lt;b&gt;Loslassen&lt;/b&gt; erzeugt die Scheibe, gespiegelt. Ohne &lt;kbd&gt;Umschalt&lt;/kbd&gt; bleibt nur diese Seite. &lt;kbd&gt;Esc&lt;/kbd&gt; bricht ab.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Release&lt;/b&gt; to give %1 this contour, mirrored across its slit. &lt;kbd&gt;Shift&lt;/kbd&gt; switches mirroring over.</source>
+        <translation>&lt;b&gt;Loslassen&lt;/b&gt; gibt %1 diese Kontur, am Schlitz gespiegelt. &lt;kbd&gt;Umschalt&lt;/kbd&gt; kehrt das Spiegeln um.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Release&lt;/b&gt; to make the section, mirrored across the vertical. Hold &lt;kbd&gt;Shift&lt;/kbd&gt; to keep only this side.</source>
+        <translation>&lt;b&gt;Loslassen&lt;/b&gt; erzeugt die Scheibe, an der Senkrechten gespiegelt. &lt;kbd&gt;Umschalt&lt;/kbd&gt; behält nur diese Seite.</translation>
+    </message>
+    <message>
+        <source>Nothing drawn: the slit never left %1. Start inside and drag across its edge.</source>
+        <translation>Nichts gezeichnet: Der Schlitz hat %1 nie verlassen. Innen beginnen und über den Rand ziehen.</translation>
+    </message>
+    <message>
+        <source>Nothing drawn: the line is too short to enclose anything.</source>
+        <translation>Nichts gezeichnet: Die Linie ist zu kurz, um etwas zu umschließen.</translation>
+    </message>
+    <message>
+        <source>Nothing drawn: the line goes there and back and encloses nothing.</source>
+        <translation>Nichts gezeichnet: Die Linie geht hin und zurück und umschließt nichts.</translation>
+    </message>
+    <message>
+        <source>Nothing drawn: the line crosses itself, and no loop of it is large enough.</source>
+        <translation>Nichts gezeichnet: Die Linie kreuzt sich selbst, und keine Schleife davon ist groß genug.</translation>
+    </message>
+    <message>
+        <source>%1 was not mirrored: the two halves would not meet.</source>
+        <translation>%1 wurde nicht gespiegelt: Die beiden Hälften träfen sich nicht.</translation>
+    </message>
+    <message>
+        <source>The contour crosses itself; the largest loop was kept.</source>
+        <translation>Die Kontur kreuzt sich selbst; die größte Schleife blieb.</translation>
+    </message>
+    <message>
+        <source>%1 was mirrored; what came over its axis and back was left out.</source>
+        <translation>%1 wurde gespiegelt; was über die Achse und zurück lief, wurde weggelassen.</translation>
+    </message>
+    <message>
+        <source>Click the section to move or turn, or drag it. &lt;kbd&gt;Esc&lt;/kbd&gt; lays the handles down.</source>
+        <translation>Auf die Scheibe klicken, die bewegt werden soll, oder sie ziehen. &lt;kbd&gt;Esc&lt;/kbd&gt; legt die Griffe weg.</translation>
+    </message>
+    <message>
+        <source>Drag an arrow to move, a ring to turn, a box to scale; or type numbers. &lt;kbd&gt;Esc&lt;/kbd&gt; lays the handles down.</source>
+        <translation>Pfeil ziehen bewegt, Ring dreht, Kästchen skaliert; oder Zahlen tippen. &lt;kbd&gt;Esc&lt;/kbd&gt; legt die Griffe weg.</translation>
+    </message>
+    <message>
+        <source>Drag to move %1; click to select it.</source>
+        <translation>Ziehen bewegt %1; klicken wählt aus.</translation>
+    </message>
+    <message>
+        <source>Drag to move; &lt;kbd&gt;Ctrl&lt;/kbd&gt; leaves a copy, &lt;kbd&gt;Shift&lt;/kbd&gt; keeps to one direction.</source>
+        <translation>Ziehen bewegt; &lt;kbd&gt;Strg&lt;/kbd&gt; lässt eine Kopie da, &lt;kbd&gt;Umschalt&lt;/kbd&gt; bleibt bei einer Richtung.</translation>
+    </message>
+    <message>
+        <source>Drag to turn; &lt;kbd&gt;Ctrl&lt;/kbd&gt; leaves a copy.</source>
+        <translation>Ziehen dreht; &lt;kbd&gt;Strg&lt;/kbd&gt; lässt eine Kopie da.</translation>
+    </message>
+    <message>
+        <source>Drag to scale; &lt;kbd&gt;Ctrl&lt;/kbd&gt; leaves a copy.</source>
+        <translation>Ziehen skaliert; &lt;kbd&gt;Strg&lt;/kbd&gt; lässt eine Kopie da.</translation>
+    </message>
+    <message>
+        <source>Release to leave it so. &lt;kbd&gt;Ctrl&lt;/kbd&gt; leaves a copy, &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
+        <translation>Loslassen lässt es so. &lt;kbd&gt;Strg&lt;/kbd&gt; lässt eine Kopie da, &lt;kbd&gt;Esc&lt;/kbd&gt; bricht ab.</translation>
+    </message>
+    <message>
+        <source>Release to leave a copy so. &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
+        <translation>Loslassen lässt eine Kopie so da. &lt;kbd&gt;Esc&lt;/kbd&gt; bricht ab.</translation>
+    </message>
+    <message>
+        <source>&lt;kbd&gt;Enter&lt;/kbd&gt; leaves it like this. &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
+        <translation>&lt;kbd&gt;Eingabe&lt;/kbd&gt; lässt es so. &lt;kbd&gt;Esc&lt;/kbd&gt; bricht ab.</translation>
+    </message>
+    <message numerus="yes">
+        <source>&lt;kbd&gt;Enter&lt;/kbd&gt; makes %n copies like this, each a step further. &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
+        <translation>
+            <numerusform>&lt;kbd&gt;Eingabe&lt;/kbd&gt; macht %n solche Kopie. &lt;kbd&gt;Esc&lt;/kbd&gt; bricht ab.</numerusform>
+            <numerusform>&lt;kbd&gt;Eingabe&lt;/kbd&gt; macht %n solche Kopien, jede einen Schritt weiter. &lt;kbd&gt;Esc&lt;/kbd&gt; bricht ab.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Move to turn the view, release to stop.</source>
+        <translation>Bewegen dreht die Ansicht, Loslassen beendet es.</translation>
+    </message>
+    <message>
+        <source>Move to shift the view, release to stop.</source>
+        <translation>Bewegen verschiebt die Ansicht, Loslassen beendet es.</translation>
+    </message>
+    <message>
+        <source>Move up to come nearer, down to go away; release to stop.</source>
+        <translation>Nach oben geht es näher heran, nach unten weiter weg; Loslassen beendet es.</translation>
+    </message>
+    <message>
+        <source>Nothing changed: this cannot be done here.</source>
+        <translation>Nichts geändert: Das geht hier nicht.</translation>
+    </message>
+    <message>
+        <source>%1 is locked. Unlock it in the Outline to change it.</source>
+        <translation>%1 ist gesperrt. In der Gliederung entsperren, um sie zu ändern.</translation>
+    </message>
+    <message>
+        <source>%1 is made by %2: edit its source, or detach this one.</source>
+        <translation>%1 kommt von %2: die Vorlage bearbeiten oder diese lösen.</translation>
+    </message>
+    <message>
+        <source>Here nothing would be left of %1; it stays as it was.</source>
+        <translation>Hier bliebe nichts von %1 übrig; alles bleibt, wie es war.</translation>
+    </message>
+    <message>
+        <source>%1 was cut flat at the ground.</source>
+        <translation>%1 wurde am Boden eben abgeschnitten.</translation>
+    </message>
+    <message>
+        <source>Cut flat at the ground, %1 fell apart; the largest piece was kept.</source>
+        <translation>Am Boden eben abgeschnitten zerfiel %1; das größte Stück blieb.</translation>
+    </message>
+    <message>
+        <source>Click the section to mirror across; drag to turn the view. &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
+        <translation>Auf die Scheibe klicken, an der gespiegelt wird; ziehen dreht die Ansicht. &lt;kbd&gt;Esc&lt;/kbd&gt; bricht ab.</translation>
+    </message>
+    <message>
+        <source>Nothing pasted: nothing that was copied has sections in it.</source>
+        <translation>Nichts eingefügt: Was kopiert wurde, enthält keine Scheiben.</translation>
+    </message>
+    <message>
+        <source>Nothing copied: the model is symmetric already.</source>
+        <translation>Nichts kopiert: Das Modell ist schon symmetrisch.</translation>
+    </message>
+    <message>
+        <source>Nothing deleted: a joint is where two sections meet. Delete one of them, or choose the kind “None”.</source>
+        <translation>Nichts gelöscht: Eine Verbindung ist, wo zwei Scheiben sich treffen. Lösche eine davon oder wähle die Art „Keine“.</translation>
+    </message>
+</context>
+<context>
     <name>Operation</name>
     <message>
         <source>Blend</source>
@@ -1893,60 +4014,16 @@
     </message>
 </context>
 <context>
-    <name>fff::SectionNames</name>
-    <message>
-        <source>%1 and %2</source>
-        <extracomment>the end of a list of names</extracomment>
-        <translation>%1 und %2</translation>
-    </message>
-</context>
-<context>
-    <name>fff::SessionHost</name>
-    <message>
-        <source>Draw %1</source>
-        <extracomment>%1 is the name of a section</extracomment>
-        <translation>%1 zeichnen</translation>
-    </message>
-    <message>
-        <source>Delete %1</source>
-        <extracomment>%1 is the name of a section
-----------
-%1 is the name of an operation</extracomment>
-        <translation>%1 löschen</translation>
-    </message>
-    <message>
-        <source>Rename %1</source>
-        <extracomment>%1 is the name of a section or an operation</extracomment>
-        <translation>%1 umbenennen</translation>
-    </message>
-    <message>
-        <source>Move %1</source>
-        <extracomment>%1 is the name of a section</extracomment>
-        <translation>%1 bewegen</translation>
-    </message>
-    <message>
-        <source>Change stock of %1</source>
-        <extracomment>%1 is the name of a section</extracomment>
-        <translation>Material von %1 wechseln</translation>
-    </message>
+    <name>Step</name>
     <message>
         <source>Edit %1</source>
         <extracomment>%1 is the name of a stock</extracomment>
         <translation>%1 bearbeiten</translation>
     </message>
-    <message numerus="yes">
-        <source>Delete %n sections</source>
-        <translation>
-            <numerusform>%n Scheibe löschen</numerusform>
-            <numerusform>%n Scheiben löschen</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>Move %n sections</source>
-        <translation>
-            <numerusform>%n Scheibe bewegen</numerusform>
-            <numerusform>%n Scheiben bewegen</numerusform>
-        </translation>
+    <message>
+        <source>Change stock of %1</source>
+        <extracomment>%1 is the name of a section</extracomment>
+        <translation>Material von %1 wechseln</translation>
     </message>
     <message numerus="yes">
         <source>Change stock of %n sections</source>
@@ -1954,6 +4031,94 @@
             <numerusform>Material von %n Scheibe wechseln</numerusform>
             <numerusform>Material von %n Scheiben wechseln</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Insert %1</source>
+        <extracomment>%1 is the name of a file</extracomment>
+        <translation>%1 einfügen</translation>
+    </message>
+    <message>
+        <source>Drop to the ground</source>
+        <translation>Auf den Boden setzen</translation>
+    </message>
+    <message>
+        <source>Join %1 and %2</source>
+        <extracomment>%1 and %2 are the names of two sections</extracomment>
+        <translation>%1 und %2 verbinden</translation>
+    </message>
+    <message>
+        <source>Move %1 to %2</source>
+        <extracomment>%1 is the name of a section, %2 of the one that it comes to</extracomment>
+        <translation>%1 zu %2 verschieben</translation>
+    </message>
+    <message numerus="yes">
+        <source>Move %n sections to %1</source>
+        <extracomment>%1 is the name of a section</extracomment>
+        <translation>
+            <numerusform>%n Scheibe zu %1 verschieben</numerusform>
+            <numerusform>%n Scheiben zu %1 verschieben</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Make assemblable</source>
+        <translation>Baubar machen</translation>
+    </message>
+    <message>
+        <source>Stretch %1 to the ground</source>
+        <extracomment>%1 is the name of a section</extracomment>
+        <translation>%1 bis zum Boden verlängern</translation>
+    </message>
+    <message numerus="yes">
+        <source>Stretch %n sections to the ground</source>
+        <translation>
+            <numerusform>%n Scheibe bis zum Boden verlängern</numerusform>
+            <numerusform>%n Scheiben bis zum Boden verlängern</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 · %2: flip the slits</source>
+        <extracomment>%1 and %2 are the names of two sections</extracomment>
+        <translation>%1 · %2: Schlitze umdrehen</translation>
+    </message>
+    <message>
+        <source>%1 · %2: meeting point → %3&#x202f;%</source>
+        <extracomment>%1 and %2 are the names of two sections, %3 a number</extracomment>
+        <translation>%1 · %2: Treffpunkt → %3 %</translation>
+    </message>
+    <message>
+        <source>%1 · %2: reset to automatic</source>
+        <extracomment>%1 and %2 are the names of two sections</extracomment>
+        <translation>%1 · %2: wieder automatisch</translation>
+    </message>
+    <message>
+        <source>%1 · %2: kind → cross lap</source>
+        <extracomment>%1 and %2 are the names of two sections</extracomment>
+        <translation>%1 · %2: Art → Kreuzüberblattung</translation>
+    </message>
+    <message>
+        <source>%1 · %2: kind → extended cross lap</source>
+        <extracomment>%1 and %2 are the names of two sections</extracomment>
+        <translation>%1 · %2: Art → verlängerte Kreuzüberblattung</translation>
+    </message>
+    <message>
+        <source>%1 · %2: kind → mortise</source>
+        <extracomment>%1 and %2 are the names of two sections</extracomment>
+        <translation>%1 · %2: Art → Zapfenloch</translation>
+    </message>
+    <message>
+        <source>%1 · %2: kind → tabs</source>
+        <extracomment>%1 and %2 are the names of two sections</extracomment>
+        <translation>%1 · %2: Art → Zapfen</translation>
+    </message>
+    <message>
+        <source>%1 · %2: kind → none</source>
+        <extracomment>%1 and %2 are the names of two sections</extracomment>
+        <translation>%1 · %2: Art → keine Verbindung</translation>
+    </message>
+    <message>
+        <source>Trim %1 to %2</source>
+        <extracomment>%1 and %2 are the names of two sections</extracomment>
+        <translation>%1 an %2 kürzen</translation>
     </message>
     <message>
         <source>Redraw %1</source>
@@ -1966,30 +4131,39 @@
         <translation>Loch in %1 zeichnen</translation>
     </message>
     <message>
-        <source>Drop to the ground</source>
-        <translation>Auf den Boden setzen</translation>
+        <source>Draw %1</source>
+        <extracomment>%1 is the name of a section</extracomment>
+        <translation>%1 zeichnen</translation>
     </message>
     <message>
-        <source>Move point of %1</source>
-        <extracomment>%1 is the name of a section</extracomment>
-        <translation>Punkt von %1 verschieben</translation>
-    </message>
-    <message numerus="yes">
-        <source>Move %n points of %1</source>
-        <translation>
-            <numerusform>%n Punkt von %1 verschieben</numerusform>
-            <numerusform>%n Punkte von %1 verschieben</numerusform>
-        </translation>
+        <source>Import %1</source>
+        <extracomment>%1 is the name of a file</extracomment>
+        <translation>%1 einlesen</translation>
     </message>
     <message>
-        <source>Move handle of %1</source>
+        <source>Change shape of %1</source>
         <extracomment>%1 is the name of a section</extracomment>
-        <translation>Griff von %1 verschieben</translation>
+        <translation>Form von %1 ändern</translation>
     </message>
     <message>
-        <source>Bend contour of %1</source>
+        <source>Mark %1</source>
         <extracomment>%1 is the name of a section</extracomment>
-        <translation>Kontur von %1 biegen</translation>
+        <translation>%1 beschriften</translation>
+    </message>
+    <message>
+        <source>Change mark of %1</source>
+        <extracomment>%1 is the name of a section</extracomment>
+        <translation>Markierung von %1 ändern</translation>
+    </message>
+    <message>
+        <source>Delete mark of %1</source>
+        <extracomment>%1 is the name of a section</extracomment>
+        <translation>Markierung von %1 löschen</translation>
+    </message>
+    <message>
+        <source>Scale the model to %1 %</source>
+        <extracomment>%1 is a number of percent</extracomment>
+        <translation>Modell auf %1 % skalieren</translation>
     </message>
     <message>
         <source>Add point to %1</source>
@@ -2009,6 +4183,28 @@
         </translation>
     </message>
     <message>
+        <source>Move handle of %1</source>
+        <extracomment>%1 is the name of a section</extracomment>
+        <translation>Griff von %1 verschieben</translation>
+    </message>
+    <message>
+        <source>Bend contour of %1</source>
+        <extracomment>%1 is the name of a section</extracomment>
+        <translation>Kontur von %1 biegen</translation>
+    </message>
+    <message>
+        <source>Move point of %1</source>
+        <extracomment>%1 is the name of a section</extracomment>
+        <translation>Punkt von %1 verschieben</translation>
+    </message>
+    <message numerus="yes">
+        <source>Move %n points of %1</source>
+        <translation>
+            <numerusform>%n Punkt von %1 verschieben</numerusform>
+            <numerusform>%n Punkte von %1 verschieben</numerusform>
+        </translation>
+    </message>
+    <message>
         <source>Change point of %1</source>
         <extracomment>%1 is the name of a section</extracomment>
         <translation>Punkt von %1 ändern</translation>
@@ -2021,159 +4217,15 @@
         </translation>
     </message>
     <message>
-        <source>Remove holes of %1</source>
+        <source>Move %1</source>
         <extracomment>%1 is the name of a section</extracomment>
-        <translation>Löcher von %1 entfernen</translation>
+        <translation>%1 bewegen</translation>
     </message>
     <message numerus="yes">
-        <source>Remove holes of %n sections</source>
+        <source>Move %n sections</source>
         <translation>
-            <numerusform>Löcher von %n Scheibe entfernen</numerusform>
-            <numerusform>Löcher von %n Scheiben entfernen</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Make assemblable</source>
-        <translation>Baubar machen</translation>
-    </message>
-    <message>
-        <source>%1 · %2: kind → cross lap</source>
-        <extracomment>%1 and %2 are the names of two sections</extracomment>
-        <translation>%1 · %2: Art → Kreuzüberblattung</translation>
-    </message>
-    <message>
-        <source>%1 · %2: kind → extended cross lap</source>
-        <extracomment>%1 and %2 are the names of two sections</extracomment>
-        <translation>%1 · %2: Art → verlängerte Kreuzüberblattung</translation>
-    </message>
-    <message>
-        <source>%1 · %2: kind → mortise</source>
-        <extracomment>%1 and %2 are the names of two sections</extracomment>
-        <translation>%1 · %2: Art → Zapfenloch</translation>
-    </message>
-    <message>
-        <source>%1 · %2: kind → none</source>
-        <extracomment>%1 and %2 are the names of two sections</extracomment>
-        <translation>%1 · %2: Art → keine Verbindung</translation>
-    </message>
-    <message>
-        <source>%1 · %2: flip the slits</source>
-        <extracomment>%1 and %2 are the names of two sections</extracomment>
-        <translation>%1 · %2: Schlitze umdrehen</translation>
-    </message>
-    <message>
-        <source>%1 · %2: meeting point → %3&#x202f;%</source>
-        <extracomment>%1 and %2 are the names of two sections, %3 a number</extracomment>
-        <translation>%1 · %2: Treffpunkt → %3&#x202f;%</translation>
-    </message>
-    <message>
-        <source>%1 · %2: reset to automatic</source>
-        <extracomment>%1 and %2 are the names of two sections</extracomment>
-        <translation>%1 · %2: wieder automatisch</translation>
-    </message>
-    <message>
-        <source>Move %1 to %2</source>
-        <extracomment>%1 is the name of a section, %2 of the one that it comes to</extracomment>
-        <translation>%1 zu %2 verschieben</translation>
-    </message>
-    <message numerus="yes">
-        <source>Move %n sections to %1</source>
-        <extracomment>%1 is the name of a section</extracomment>
-        <translation>
-            <numerusform>%n Scheibe zu %1 verschieben</numerusform>
-            <numerusform>%n Scheiben zu %1 verschieben</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>%1 · %2: kind → tabs</source>
-        <extracomment>%1 and %2 are the names of two sections</extracomment>
-        <translation>%1 · %2: Art → Zapfen</translation>
-    </message>
-    <message>
-        <source>Trim %1 to %2</source>
-        <extracomment>%1 and %2 are the names of two sections</extracomment>
-        <translation>%1 an %2 kürzen</translation>
-    </message>
-    <message>
-        <source>Stretch %1 to the ground</source>
-        <extracomment>%1 is the name of a section</extracomment>
-        <translation>%1 bis zum Boden verlängern</translation>
-    </message>
-    <message numerus="yes">
-        <source>Stretch %n sections to the ground</source>
-        <translation>
-            <numerusform>%n Scheibe bis zum Boden verlängern</numerusform>
-            <numerusform>%n Scheiben bis zum Boden verlängern</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Join %1 and %2</source>
-        <extracomment>%1 and %2 are the names of two sections</extracomment>
-        <translation>%1 und %2 verbinden</translation>
-    </message>
-    <message>
-        <source>Add %1</source>
-        <extracomment>%1 is the name of an operation</extracomment>
-        <translation>%1 hinzufügen</translation>
-    </message>
-    <message>
-        <source>Change %1</source>
-        <extracomment>%1 is the name of an operation</extracomment>
-        <translation>%1 ändern</translation>
-    </message>
-    <message>
-        <source>Switch %1 on</source>
-        <extracomment>%1 is the name of an operation</extracomment>
-        <translation>%1 einschalten</translation>
-    </message>
-    <message>
-        <source>Switch %1 off</source>
-        <extracomment>%1 is the name of an operation</extracomment>
-        <translation>%1 ausschalten</translation>
-    </message>
-    <message>
-        <source>Change the order of %1</source>
-        <extracomment>%1 is the name of an operation</extracomment>
-        <translation>Reihenfolge von %1 ändern</translation>
-    </message>
-    <message>
-        <source>Bake %1</source>
-        <extracomment>%1 is the name of an operation</extracomment>
-        <translation>%1 in Gezeichnetes umwandeln</translation>
-    </message>
-    <message>
-        <source>Leave out %1</source>
-        <extracomment>%1 is the name of a section that an operation made</extracomment>
-        <translation>%1 auslassen</translation>
-    </message>
-    <message>
-        <source>Make a left out section again</source>
-        <translation>Ausgelassene Scheibe wieder machen</translation>
-    </message>
-    <message>
-        <source>Detach %1</source>
-        <extracomment>%1 is the name of a section that an operation made</extracomment>
-        <translation>%1 lösen</translation>
-    </message>
-    <message>
-        <source>%1: %2 → %3</source>
-        <extracomment>%1 is the name of an operation, %2 of what it works on (&quot;Along&quot;), %3 of a section</extracomment>
-        <translation>%1: %2 → %3</translation>
-    </message>
-    <message>
-        <source>%1: %2 %3 → %4</source>
-        <extracomment>%1 is the name of an operation, %2 of a number (&quot;Count&quot;), %3 and %4 what it was and is</extracomment>
-        <translation>%1: %2 %3 → %4</translation>
-    </message>
-    <message>
-        <source>Make symmetric</source>
-        <translation>Symmetrisch machen</translation>
-    </message>
-    <message numerus="yes">
-        <source>Leave out %n sections</source>
-        <translation>
-            <numerusform>%n Scheiben auslassen</numerusform>
-            <numerusform>%n Scheiben auslassen</numerusform>
+            <numerusform>%n Scheibe bewegen</numerusform>
+            <numerusform>%n Scheiben bewegen</numerusform>
         </translation>
     </message>
     <message>
@@ -2222,30 +4274,6 @@
         <translation>
             <numerusform>Kopie von %n Scheibe spiegeln</numerusform>
             <numerusform>Kopien von %n Scheiben spiegeln</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Paste %1</source>
-        <extracomment>%1 is the name of a section</extracomment>
-        <translation>%1 einfügen</translation>
-    </message>
-    <message numerus="yes">
-        <source>Paste %n sections</source>
-        <translation>
-            <numerusform>%n Scheibe einfügen</numerusform>
-            <numerusform>%n Scheiben einfügen</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Cut %1</source>
-        <extracomment>%1 is the name of a section</extracomment>
-        <translation>%1 ausschneiden</translation>
-    </message>
-    <message numerus="yes">
-        <source>Cut %n sections</source>
-        <translation>
-            <numerusform>%n Scheibe ausschneiden</numerusform>
-            <numerusform>%n Scheiben ausschneiden</numerusform>
         </translation>
     </message>
     <message>
@@ -2326,34 +4354,90 @@
         </translation>
     </message>
     <message>
-        <source>Insert %1</source>
-        <extracomment>%1 is the name of a file</extracomment>
+        <source>Rename %1</source>
+        <extracomment>%1 is the name of a section or an operation</extracomment>
+        <translation>%1 umbenennen</translation>
+    </message>
+    <message>
+        <source>Delete %1</source>
+        <extracomment>%1 is the name of a section
+----------
+%1 is the name of a number
+----------
+%1 is the name of an operation</extracomment>
+        <translation>%1 löschen</translation>
+    </message>
+    <message numerus="yes">
+        <source>Delete %n sections</source>
+        <translation>
+            <numerusform>%n Scheibe löschen</numerusform>
+            <numerusform>%n Scheiben löschen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1: %2 → %3</source>
+        <extracomment>%1 is the name of an operation, %2 of what it works on (&quot;Along&quot;), %3 of a section</extracomment>
+        <translation>%1: %2 → %3</translation>
+    </message>
+    <message>
+        <source>%1: %2 %3 → %4</source>
+        <extracomment>%1 is the name of an operation, %2 of a number (&quot;Count&quot;), %3 and %4 what it was and is</extracomment>
+        <translation>%1: %2 %3 → %4</translation>
+    </message>
+    <message>
+        <source>Change %1</source>
+        <extracomment>%1 is the name of an operation</extracomment>
+        <translation>%1 ändern</translation>
+    </message>
+    <message>
+        <source>Add %1</source>
+        <extracomment>%1 is the name of an operation</extracomment>
+        <translation>%1 hinzufügen</translation>
+    </message>
+    <message>
+        <source>Change the order of %1</source>
+        <extracomment>%1 is the name of an operation</extracomment>
+        <translation>Reihenfolge von %1 ändern</translation>
+    </message>
+    <message>
+        <source>Leave out %1</source>
+        <extracomment>%1 is the name of a section that an operation made</extracomment>
+        <translation>%1 auslassen</translation>
+    </message>
+    <message numerus="yes">
+        <source>Leave out %n sections</source>
+        <translation>
+            <numerusform>%n Scheiben auslassen</numerusform>
+            <numerusform>%n Scheiben auslassen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Make a left out section again</source>
+        <translation>Ausgelassene Scheibe wieder machen</translation>
+    </message>
+    <message>
+        <source>Cut %1</source>
+        <extracomment>%1 is the name of a section</extracomment>
+        <translation>%1 ausschneiden</translation>
+    </message>
+    <message numerus="yes">
+        <source>Cut %n sections</source>
+        <translation>
+            <numerusform>%n Scheibe ausschneiden</numerusform>
+            <numerusform>%n Scheiben ausschneiden</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Paste %1</source>
+        <extracomment>%1 is the name of a section</extracomment>
         <translation>%1 einfügen</translation>
     </message>
-    <message>
-        <source>Change shape of %1</source>
-        <extracomment>%1 is the name of a section</extracomment>
-        <translation>Form von %1 ändern</translation>
-    </message>
-    <message>
-        <source>Import %1</source>
-        <extracomment>%1 is the name of a file</extracomment>
-        <translation>%1 einlesen</translation>
-    </message>
-    <message>
-        <source>Mark %1</source>
-        <extracomment>%1 is the name of a section</extracomment>
-        <translation>%1 beschriften</translation>
-    </message>
-    <message>
-        <source>Change mark of %1</source>
-        <extracomment>%1 is the name of a section</extracomment>
-        <translation>Markierung von %1 ändern</translation>
-    </message>
-    <message>
-        <source>Delete mark of %1</source>
-        <extracomment>%1 is the name of a section</extracomment>
-        <translation>Markierung von %1 löschen</translation>
+    <message numerus="yes">
+        <source>Paste %n sections</source>
+        <translation>
+            <numerusform>%n Scheibe einfügen</numerusform>
+            <numerusform>%n Scheiben einfügen</numerusform>
+        </translation>
     </message>
     <message>
         <source>Keep dimension</source>
@@ -2364,20 +4448,53 @@
         <translation>Maß löschen</translation>
     </message>
     <message>
-        <source>Scale the model to %1 %</source>
-        <extracomment>%1 is a number of percent</extracomment>
-        <translation>Modell auf %1 % skalieren</translation>
-    </message>
-    <message>
         <source>Set %1</source>
         <extracomment>%1 is the name of a number</extracomment>
         <translation>%1 festlegen</translation>
     </message>
     <message>
-        <source>Delete %1</source>
-        <comment>a number</comment>
-        <extracomment>%1 is the name of a number</extracomment>
-        <translation>%1 löschen</translation>
+        <source>Switch %1 on</source>
+        <extracomment>%1 is the name of an operation</extracomment>
+        <translation>%1 einschalten</translation>
+    </message>
+    <message>
+        <source>Switch %1 off</source>
+        <extracomment>%1 is the name of an operation</extracomment>
+        <translation>%1 ausschalten</translation>
+    </message>
+    <message>
+        <source>Bake %1</source>
+        <extracomment>%1 is the name of an operation</extracomment>
+        <translation>%1 in Gezeichnetes umwandeln</translation>
+    </message>
+    <message>
+        <source>Detach %1</source>
+        <extracomment>%1 is the name of a section that an operation made</extracomment>
+        <translation>%1 lösen</translation>
+    </message>
+    <message>
+        <source>Make symmetric</source>
+        <translation>Symmetrisch machen</translation>
+    </message>
+    <message>
+        <source>Remove holes of %1</source>
+        <extracomment>%1 is the name of a section</extracomment>
+        <translation>Löcher von %1 entfernen</translation>
+    </message>
+    <message numerus="yes">
+        <source>Remove holes of %n sections</source>
+        <translation>
+            <numerusform>Löcher von %n Scheibe entfernen</numerusform>
+            <numerusform>Löcher von %n Scheiben entfernen</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>fff::SectionNames</name>
+    <message>
+        <source>%1 and %2</source>
+        <extracomment>the end of a list of names</extracomment>
+        <translation>%1 und %2</translation>
     </message>
 </context>
 <context>
@@ -2721,514 +4838,6 @@
 <context>
     <name>fff::ui::ActionSet</name>
     <message>
-        <source>There is no step to take back</source>
-        <translation>Es gibt keinen Schritt zurückzunehmen</translation>
-    </message>
-    <message>
-        <source>No step was taken back</source>
-        <translation>Kein Schritt wurde zurückgenommen</translation>
-    </message>
-    <message>
-        <source>&amp;Undo “%1”</source>
-        <translation>„%1“ &amp;zurücknehmen</translation>
-    </message>
-    <message>
-        <source>&amp;Undo</source>
-        <translation>&amp;Zurücknehmen</translation>
-    </message>
-    <message>
-        <source>&amp;Redo “%1”</source>
-        <translation>„%1“ &amp;wiederholen</translation>
-    </message>
-    <message>
-        <source>&amp;Redo</source>
-        <translation>&amp;Wiederholen</translation>
-    </message>
-    <message>
-        <source>Undo</source>
-        <translation>Zurück</translation>
-    </message>
-    <message>
-        <source>Redo</source>
-        <translation>Wieder</translation>
-    </message>
-    <message>
-        <source>There is no section yet</source>
-        <translation>Es gibt noch keine Scheibe</translation>
-    </message>
-    <message>
-        <source>No section is selected</source>
-        <translation>Keine Scheibe ist gewählt</translation>
-    </message>
-    <message>
-        <source>There is no view before this one</source>
-        <translation>Vor dieser Ansicht gab es keine</translation>
-    </message>
-    <message>
-        <source>No section is hidden</source>
-        <translation>Keine Scheibe ist ausgeblendet</translation>
-    </message>
-    <message>
-        <source>&amp;New</source>
-        <translation>&amp;Neu</translation>
-    </message>
-    <message>
-        <source>New</source>
-        <translation>Neu</translation>
-    </message>
-    <message>
-        <source>Start a new model</source>
-        <translation>Ein neues Modell beginnen</translation>
-    </message>
-    <message>
-        <source>&amp;Open…</source>
-        <translation>Ö&amp;ffnen …</translation>
-    </message>
-    <message>
-        <source>Open</source>
-        <translation>Öffnen</translation>
-    </message>
-    <message>
-        <source>Open a model, also one of FlatFab</source>
-        <translation>Ein Modell öffnen, auch eines von FlatFab</translation>
-    </message>
-    <message>
-        <source>&amp;Save</source>
-        <translation>&amp;Speichern</translation>
-    </message>
-    <message>
-        <source>Save</source>
-        <translation>Speichern</translation>
-    </message>
-    <message>
-        <source>Save the model</source>
-        <translation>Das Modell speichern</translation>
-    </message>
-    <message>
-        <source>Save &amp;as…</source>
-        <translation>Speichern &amp;unter …</translation>
-    </message>
-    <message>
-        <source>Save as</source>
-        <translation>Speichern unter</translation>
-    </message>
-    <message>
-        <source>Save the model under another name</source>
-        <translation>Das Modell unter anderem Namen speichern</translation>
-    </message>
-    <message>
-        <source>&amp;Export cutting files…</source>
-        <translation>Schneiddateien &amp;ausgeben …</translation>
-    </message>
-    <message>
-        <source>Export…</source>
-        <translation>Ausgeben …</translation>
-    </message>
-    <message>
-        <source>Write the parts to a file for the laser cutter</source>
-        <translation>Die Teile in eine Datei für den Laserschneider schreiben</translation>
-    </message>
-    <message>
-        <source>Revert</source>
-        <translation>Zurückkehren</translation>
-    </message>
-    <message>
-        <source>Go back to the model as it is in its file; Undo brings the changes back</source>
-        <translation>Zum Modell zurück, wie es in der Datei steht; Zurücknehmen bringt die Änderungen wieder</translation>
-    </message>
-    <message>
-        <source>Se&amp;ttings…</source>
-        <translation>&amp;Einstellungen …</translation>
-    </message>
-    <message>
-        <source>Settings</source>
-        <translation>Einstellungen</translation>
-    </message>
-    <message>
-        <source>Units, colours, language, files and shortcuts</source>
-        <translation>Einheiten, Farben, Sprache, Dateien und Tastenkürzel</translation>
-    </message>
-    <message>
-        <source>&amp;Close window</source>
-        <translation>Fenster s&amp;chließen</translation>
-    </message>
-    <message>
-        <source>Close</source>
-        <translation>Schließen</translation>
-    </message>
-    <message>
-        <source>Close this window; others stay open</source>
-        <translation>Dieses Fenster schließen; andere bleiben offen</translation>
-    </message>
-    <message>
-        <source>&amp;Quit</source>
-        <translation>&amp;Beenden</translation>
-    </message>
-    <message>
-        <source>Quit</source>
-        <translation>Beenden</translation>
-    </message>
-    <message>
-        <source>Close all windows and the program</source>
-        <translation>Alle Fenster und das Programm schließen</translation>
-    </message>
-    <message>
-        <source>Take the last step back</source>
-        <translation>Den letzten Schritt zurücknehmen</translation>
-    </message>
-    <message>
-        <source>Do the step again that was taken back</source>
-        <translation>Den zurückgenommenen Schritt wiederholen</translation>
-    </message>
-    <message>
-        <source>&amp;Delete</source>
-        <translation>&amp;Löschen</translation>
-    </message>
-    <message>
-        <source>Delete</source>
-        <translation>Löschen</translation>
-    </message>
-    <message>
-        <source>Delete the selected sections</source>
-        <translation>Die gewählten Scheiben löschen</translation>
-    </message>
-    <message>
-        <source>Select &amp;all</source>
-        <translation>&amp;Alles wählen</translation>
-    </message>
-    <message>
-        <source>Select all</source>
-        <translation>Alles wählen</translation>
-    </message>
-    <message>
-        <source>Select all sections</source>
-        <translation>Alle Scheiben wählen</translation>
-    </message>
-    <message>
-        <source>&amp;Front</source>
-        <translation>&amp;Vorn</translation>
-    </message>
-    <message>
-        <source>Front</source>
-        <translation>Vorn</translation>
-    </message>
-    <message>
-        <source>Look from the front</source>
-        <translation>Von vorn ansehen</translation>
-    </message>
-    <message>
-        <source>&amp;Top</source>
-        <translation>&amp;Oben</translation>
-    </message>
-    <message>
-        <source>Top</source>
-        <translation>Oben</translation>
-    </message>
-    <message>
-        <source>Look from the top</source>
-        <translation>Von oben ansehen</translation>
-    </message>
-    <message>
-        <source>&amp;Right</source>
-        <translation>&amp;Rechts</translation>
-    </message>
-    <message>
-        <source>Right</source>
-        <translation>Rechts</translation>
-    </message>
-    <message>
-        <source>Look from the right</source>
-        <translation>Von rechts ansehen</translation>
-    </message>
-    <message>
-        <source>&amp;Back</source>
-        <translation>&amp;Hinten</translation>
-    </message>
-    <message>
-        <source>Back</source>
-        <translation>Hinten</translation>
-    </message>
-    <message>
-        <source>Look from the back</source>
-        <translation>Von hinten ansehen</translation>
-    </message>
-    <message>
-        <source>Botto&amp;m</source>
-        <translation>&amp;Unten</translation>
-    </message>
-    <message>
-        <source>Bottom</source>
-        <translation>Unten</translation>
-    </message>
-    <message>
-        <source>Look from below</source>
-        <translation>Von unten ansehen</translation>
-    </message>
-    <message>
-        <source>&amp;Left</source>
-        <translation>&amp;Links</translation>
-    </message>
-    <message>
-        <source>Left</source>
-        <translation>Links</translation>
-    </message>
-    <message>
-        <source>Look from the left</source>
-        <translation>Von links ansehen</translation>
-    </message>
-    <message>
-        <source>Next &amp;corner</source>
-        <translation>Nächste &amp;Ecke</translation>
-    </message>
-    <message>
-        <source>Corner</source>
-        <translation>Ecke</translation>
-    </message>
-    <message>
-        <source>Look from the next corner</source>
-        <translation>Von der nächsten Ecke ansehen</translation>
-    </message>
-    <message>
-        <source>Face the &amp;section</source>
-        <translation>Auf die &amp;Scheibe sehen</translation>
-    </message>
-    <message>
-        <source>Face</source>
-        <translation>Draufsicht</translation>
-    </message>
-    <message>
-        <source>Look straight at the selected section</source>
-        <translation>Gerade auf die gewählte Scheibe sehen</translation>
-    </message>
-    <message>
-        <source>Fit &amp;everything</source>
-        <translation>Alles ein&amp;passen</translation>
-    </message>
-    <message>
-        <source>Fit</source>
-        <translation>Einpassen</translation>
-    </message>
-    <message>
-        <source>Show the whole model</source>
-        <translation>Das ganze Modell zeigen</translation>
-    </message>
-    <message>
-        <source>Fit selection</source>
-        <translation>Auswahl einpassen</translation>
-    </message>
-    <message>
-        <source>Show the selected sections as large as possible</source>
-        <translation>Die gewählten Scheiben so groß wie möglich zeigen</translation>
-    </message>
-    <message>
-        <source>&amp;Previous view</source>
-        <translation>Vori&amp;ge Ansicht</translation>
-    </message>
-    <message>
-        <source>Previous</source>
-        <translation>Vorige</translation>
-    </message>
-    <message>
-        <source>Go back to the view before this one</source>
-        <translation>Zur vorigen Ansicht zurück</translation>
-    </message>
-    <message>
-        <source>Perspective</source>
-        <translation>Perspektive</translation>
-    </message>
-    <message>
-        <source>Show what is farther away smaller, as the eye sees it</source>
-        <translation>Entferntes kleiner zeigen, wie das Auge es sieht</translation>
-    </message>
-    <message>
-        <source>&amp;X-ray</source>
-        <translation>Rön&amp;tgenblick</translation>
-    </message>
-    <message>
-        <source>X-ray</source>
-        <translation>Röntgen</translation>
-    </message>
-    <message>
-        <source>See through all sections, down to their slits</source>
-        <translation>Durch alle Scheiben sehen, bis auf die Schlitze</translation>
-    </message>
-    <message>
-        <source>Isolate</source>
-        <translation>Nur Auswahl</translation>
-    </message>
-    <message>
-        <source>Let all other sections stand back</source>
-        <translation>Alle anderen Scheiben zurücktreten lassen</translation>
-    </message>
-    <message>
-        <source>&amp;Hide</source>
-        <translation>&amp;Ausblenden</translation>
-    </message>
-    <message>
-        <source>Hide</source>
-        <translation>Ausblenden</translation>
-    </message>
-    <message>
-        <source>Hide the selected sections</source>
-        <translation>Die gewählten Scheiben ausblenden</translation>
-    </message>
-    <message>
-        <source>Show &amp;all</source>
-        <translation>Alle einblen&amp;den</translation>
-    </message>
-    <message>
-        <source>Show all</source>
-        <translation>Einblenden</translation>
-    </message>
-    <message>
-        <source>Show the hidden sections again</source>
-        <translation>Die ausgeblendeten Scheiben wieder zeigen</translation>
-    </message>
-    <message>
-        <source>Cut open</source>
-        <translation>Aufschneiden</translation>
-    </message>
-    <message>
-        <source>Cut the model open with a plane, to look inside</source>
-        <translation>Das Modell mit einer Ebene aufschneiden, um hineinzusehen</translation>
-    </message>
-    <message>
-        <source>&amp;Ground and shadow</source>
-        <translation>&amp;Boden und Schatten</translation>
-    </message>
-    <message>
-        <source>Ground</source>
-        <translation>Boden</translation>
-    </message>
-    <message>
-        <source>Show the ground with its grid and the model&apos;s shadow</source>
-        <translation>Den Boden mit Raster und den Schatten des Modells zeigen</translation>
-    </message>
-    <message>
-        <source>Hide docks</source>
-        <translation>Teile ausblenden</translation>
-    </message>
-    <message>
-        <source>Hide or show the panels at the sides</source>
-        <translation>Die Leisten an den Seiten aus- oder einblenden</translation>
-    </message>
-    <message>
-        <source>F&amp;ull screen</source>
-        <translation>Vollbild</translation>
-    </message>
-    <message>
-        <source>Full screen</source>
-        <translation>Vollbild</translation>
-    </message>
-    <message>
-        <source>Fill the screen with the window</source>
-        <translation>Den Bildschirm mit dem Fenster füllen</translation>
-    </message>
-    <message>
-        <source>Reset &amp;window</source>
-        <translation>Fenster &amp;zurücksetzen</translation>
-    </message>
-    <message>
-        <source>Reset window</source>
-        <translation>Fenster zurücksetzen</translation>
-    </message>
-    <message>
-        <source>Put all panels back where they were at first</source>
-        <translation>Alle Leisten dorthin setzen, wo sie anfangs waren</translation>
-    </message>
-    <message>
-        <source>&amp;Next part of the window</source>
-        <translation>Nä&amp;chster Teil des Fensters</translation>
-    </message>
-    <message>
-        <source>Next part</source>
-        <translation>Nächster Teil</translation>
-    </message>
-    <message>
-        <source>Go to the next part of the window: tool bar, left, view, right</source>
-        <translation>Zum nächsten Teil des Fensters: Werkzeugleiste, links, Ansicht, rechts</translation>
-    </message>
-    <message>
-        <source>Previous part</source>
-        <translation>Voriger Teil</translation>
-    </message>
-    <message>
-        <source>Go back to the part of the window before this one</source>
-        <translation>Zum vorigen Teil des Fensters zurück</translation>
-    </message>
-    <message>
-        <source>&amp;Next problem</source>
-        <translation>&amp;Nächstes Problem</translation>
-    </message>
-    <message>
-        <source>Next problem</source>
-        <translation>Nächstes Problem</translation>
-    </message>
-    <message>
-        <source>Select the sections of the next problem and show them</source>
-        <translation>Die Scheiben des nächsten Problems wählen und zeigen</translation>
-    </message>
-    <message>
-        <source>&amp;Previous problem</source>
-        <translation>&amp;Voriges Problem</translation>
-    </message>
-    <message>
-        <source>Previous problem</source>
-        <translation>Voriges Problem</translation>
-    </message>
-    <message>
-        <source>Select the sections of the problem before this one</source>
-        <translation>Die Scheiben des vorigen Problems wählen</translation>
-    </message>
-    <message>
-        <source>&amp;Stocks…</source>
-        <translation>&amp;Materialien …</translation>
-    </message>
-    <message>
-        <source>Stocks</source>
-        <translation>Materialien</translation>
-    </message>
-    <message>
-        <source>Sheet materials: thickness, strength, kerf and sheet size</source>
-        <translation>Plattenmaterial: Dicke, Festigkeit, Schnittfuge und Plattengröße</translation>
-    </message>
-    <message>
-        <source>&amp;Find an action…</source>
-        <translation>Befehl &amp;suchen …</translation>
-    </message>
-    <message>
-        <source>Find</source>
-        <translation>Suchen</translation>
-    </message>
-    <message>
-        <source>Type to find anything that the program can do</source>
-        <translation>Tippen, um alles zu finden, was das Programm kann</translation>
-    </message>
-    <message>
-        <source>&amp;Start page</source>
-        <translation>S&amp;tartseite</translation>
-    </message>
-    <message>
-        <source>Start page</source>
-        <translation>Startseite</translation>
-    </message>
-    <message>
-        <source>Recent models and samples</source>
-        <translation>Zuletzt benutzte Modelle und Beispiele</translation>
-    </message>
-    <message>
-        <source>&amp;About FlatFitFab</source>
-        <translation>&amp;Über FlatFitFab</translation>
-    </message>
-    <message>
-        <source>About</source>
-        <translation>Über</translation>
-    </message>
-    <message>
-        <source>What this program is, its version and its licences</source>
-        <translation>Was dieses Programm ist, seine Version und seine Lizenzen</translation>
-    </message>
-    <message>
         <source>&amp;File</source>
         <translation>&amp;Datei</translation>
     </message>
@@ -3253,712 +4862,12 @@
         <translation>&amp;Hilfe</translation>
     </message>
     <message>
-        <source>Re&amp;vert to saved</source>
-        <translation>&amp;Zum Gespeicherten zurück</translation>
-    </message>
-    <message>
-        <source>F&amp;it selection</source>
-        <translation>Auswahl einpasse&amp;n</translation>
-    </message>
-    <message>
-        <source>Perspecti&amp;ve</source>
-        <translation>Perspe&amp;ktive</translation>
-    </message>
-    <message>
-        <source>Onl&amp;y the selection</source>
-        <translation>Nur die Aus&amp;wahl</translation>
-    </message>
-    <message>
-        <source>Cut view &amp;open</source>
-        <translation>Ansicht au&amp;fschneiden</translation>
-    </message>
-    <message>
-        <source>Hide all doc&amp;ks</source>
-        <translation>Alle Fensterte&amp;ile ausblenden</translation>
-    </message>
-    <message>
-        <source>Previous part of the win&amp;dow</source>
-        <translation>Voriger Teil des Fensters</translation>
-    </message>
-    <message>
-        <source>Select one section first</source>
-        <translation>Zuerst eine Scheibe auswählen</translation>
-    </message>
-    <message>
-        <source>The model stands on the ground</source>
-        <translation>Das Modell steht auf dem Boden</translation>
-    </message>
-    <message>
-        <source>Local &amp;symmetry</source>
-        <translation>Lokale &amp;Symmetrie</translation>
-    </message>
-    <message>
-        <source>Symmetry</source>
-        <translation>Symmetrie</translation>
-    </message>
-    <message>
-        <source>Mirror a contour across its slit when it is drawn on one side of it</source>
-        <translation>Eine Kontur an ihrem Schlitz spiegeln, wenn sie auf einer Seite davon gezeichnet wird</translation>
-    </message>
-    <message>
-        <source>Cut flat at the &amp;ground</source>
-        <translation>Am &amp;Boden eben abschneiden</translation>
-    </message>
-    <message>
-        <source>Cut off what is drawn below the ground</source>
-        <translation>Abschneiden, was unter dem Boden gezeichnet wird</translation>
-    </message>
-    <message>
-        <source>On the gr&amp;ound</source>
-        <translation>Auf dem B&amp;oden</translation>
-    </message>
-    <message>
-        <source>On the ground</source>
-        <translation>Am Boden</translation>
-    </message>
-    <message>
-        <source>Draw a section that lies on the ground</source>
-        <translation>Eine Scheibe zeichnen, die auf dem Boden liegt</translation>
-    </message>
-    <message>
-        <source>On the &amp;front plane</source>
-        <translation>Auf der &amp;Vorderebene</translation>
-    </message>
-    <message>
-        <source>On the front</source>
-        <translation>Vorn</translation>
-    </message>
-    <message>
-        <source>Draw a section upright in the middle, seen from the front</source>
-        <translation>Eine Scheibe aufrecht in der Mitte zeichnen, von vorn gesehen</translation>
-    </message>
-    <message>
-        <source>On the s&amp;ide plane</source>
-        <translation>Auf der S&amp;eitenebene</translation>
-    </message>
-    <message>
-        <source>On the side</source>
-        <translation>Seitlich</translation>
-    </message>
-    <message>
-        <source>Draw a section upright in the middle, seen from the side</source>
-        <translation>Eine Scheibe aufrecht in der Mitte zeichnen, von der Seite gesehen</translation>
-    </message>
-    <message>
-        <source>&amp;Parallel to the section</source>
-        <translation>&amp;Parallel zur Scheibe</translation>
-    </message>
-    <message>
-        <source>Parallel</source>
-        <translation>Parallel</translation>
-    </message>
-    <message>
-        <source>Draw a section parallel to the selected one</source>
-        <translation>Eine Scheibe parallel zur ausgewählten zeichnen</translation>
-    </message>
-    <message>
-        <source>&amp;Redraw contour</source>
-        <translation>Kontur &amp;neu zeichnen</translation>
-    </message>
-    <message>
-        <source>Redraw</source>
-        <translation>Neu zeichnen</translation>
-    </message>
-    <message>
-        <source>Draw a new contour for the selected section</source>
-        <translation>Für die ausgewählte Scheibe eine neue Kontur zeichnen</translation>
-    </message>
-    <message>
-        <source>Draw a &amp;hole</source>
-        <translation>&amp;Loch zeichnen</translation>
-    </message>
-    <message>
-        <source>Hole</source>
-        <translation>Loch</translation>
-    </message>
-    <message>
-        <source>Draw a hole in the selected section</source>
-        <translation>In die ausgewählte Scheibe ein Loch zeichnen</translation>
-    </message>
-    <message>
-        <source>&amp;Drop to ground</source>
-        <translation>Auf den Boden se&amp;tzen</translation>
-    </message>
-    <message>
-        <source>Drop</source>
-        <translation>Absetzen</translation>
-    </message>
-    <message>
-        <source>Set the model down on the ground</source>
-        <translation>Das Modell auf den Boden setzen</translation>
-    </message>
-    <message>
         <source>&amp;Section</source>
         <translation>&amp;Scheibe</translation>
     </message>
     <message>
-        <source>Set a point</source>
-        <translation>Punkt setzen</translation>
-    </message>
-    <message>
-        <source>S&amp;nap</source>
-        <translation>Einr&amp;asten</translation>
-    </message>
-    <message>
-        <source>Snap</source>
-        <translation>Einrasten</translation>
-    </message>
-    <message>
-        <source>Draw points to others, to lines level and upright with them, and to the grid</source>
-        <translation>Zieht Punkte zu anderen, zu Linien waagerecht und senkrecht mit ihnen und zum Raster</translation>
-    </message>
-    <message>
-        <source>P&amp;en</source>
-        <translation>Fe&amp;der</translation>
-    </message>
-    <message>
-        <source>Pen</source>
-        <translation>Feder</translation>
-    </message>
-    <message>
-        <source>Draw with clicks in place of one stroke: set points, drag to bend</source>
-        <translation>Mit Klicks statt in einem Zug zeichnen: Punkte setzen, zum Biegen ziehen</translation>
-    </message>
-    <message>
-        <source>Re&amp;move holes</source>
-        <translation>Löche&amp;r entfernen</translation>
-    </message>
-    <message>
-        <source>No holes</source>
-        <translation>Keine Löcher</translation>
-    </message>
-    <message>
-        <source>Close all holes of the selected sections</source>
-        <translation>Alle Löcher der gewählten Scheiben schließen</translation>
-    </message>
-    <message>
-        <source>&amp;Add point</source>
-        <translation>Punkt &amp;hinzufügen</translation>
-    </message>
-    <message>
-        <source>Add point</source>
-        <translation>Punkt dazu</translation>
-    </message>
-    <message>
-        <source>Add a control point under the cursor, or beside the selected one</source>
-        <translation>Einen Kontrollpunkt unter dem Zeiger oder neben dem gewählten hinzufügen</translation>
-    </message>
-    <message>
-        <source>De&amp;lete point</source>
-        <translation>Punkt lös&amp;chen</translation>
-    </message>
-    <message>
-        <source>Delete point</source>
-        <translation>Punkt löschen</translation>
-    </message>
-    <message>
-        <source>Delete the selected control points</source>
-        <translation>Die gewählten Kontrollpunkte löschen</translation>
-    </message>
-    <message>
-        <source>Smoo&amp;th point</source>
-        <translation>Punkt &amp;glätten</translation>
-    </message>
-    <message>
-        <source>Smooth</source>
-        <translation>Glatt</translation>
-    </message>
-    <message>
-        <source>Let the contour run smoothly through the selected points</source>
-        <translation>Die Kontur glatt durch die gewählten Punkte führen</translation>
-    </message>
-    <message>
-        <source>S&amp;ymmetric point</source>
-        <translation>S&amp;ymmetrischer Punkt</translation>
-    </message>
-    <message>
-        <source>Symmetric</source>
-        <translation>Symmetrisch</translation>
-    </message>
-    <message>
-        <source>The same with handles of equal length to both sides</source>
-        <translation>Ebenso, mit gleich langen Griffen nach beiden Seiten</translation>
-    </message>
-    <message>
-        <source>&amp;Corner point</source>
-        <translation>Eckp&amp;unkt</translation>
-    </message>
-    <message>
-        <source>Make the selected points corners</source>
-        <translation>Die gewählten Punkte zu Ecken machen</translation>
-    </message>
-    <message>
-        <source>No joint is selected: select a section, then one of its joints</source>
-        <translation>Keine Verbindung ist gewählt: erst eine Scheibe wählen, dann eine ihrer Verbindungen</translation>
-    </message>
-    <message>
-        <source>Nothing of this joint is set by hand</source>
-        <translation>An dieser Verbindung ist nichts von Hand eingestellt</translation>
-    </message>
-    <message>
-        <source>Flip the slits of the &amp;joint</source>
-        <translation>Schl&amp;itze der Verbindung umdrehen</translation>
-    </message>
-    <message>
-        <source>Flip the slits</source>
-        <translation>Schlitze umdrehen</translation>
-    </message>
-    <message>
-        <source>Let the slits of the selected joint open to the other side</source>
-        <translation>Die Schlitze der gewählten Verbindung zur anderen Seite öffnen</translation>
-    </message>
-    <message>
-        <source>Reset the joint to a&amp;utomatic</source>
-        <translation>Verbindung &amp;wieder automatisch</translation>
-    </message>
-    <message>
-        <source>Reset joint</source>
-        <translation>Automatisch</translation>
-    </message>
-    <message>
-        <source>Let the selected joint be as it is by itself: kind, direction and share</source>
-        <translation>Die gewählte Verbindung so lassen, wie sie von selbst ist: Art, Richtung und Treffpunkt</translation>
-    </message>
-    <message>
-        <source>Show the &amp;steps</source>
-        <translation>Schritte &amp;zeigen</translation>
-    </message>
-    <message>
-        <source>Steps</source>
-        <translation>Schritte</translation>
-    </message>
-    <message>
-        <source>Show step by step how the model is put together</source>
-        <translation>Schritt für Schritt zeigen, wie das Modell zusammengebaut wird</translation>
-    </message>
-    <message>
-        <source>No operation is selected</source>
-        <translation>Es ist keine Operation ausgewählt</translation>
-    </message>
-    <message>
-        <source>It is the first one</source>
-        <translation>Sie ist die erste</translation>
-    </message>
-    <message>
-        <source>It is the last one</source>
-        <translation>Sie ist die letzte</translation>
-    </message>
-    <message>
-        <source>&amp;Linear</source>
-        <translation>&amp;Reihe</translation>
-    </message>
-    <message>
-        <source>Linear</source>
-        <translation>Reihe</translation>
-    </message>
-    <message>
-        <source>Repeat a section in a row along another one</source>
-        <translation>Eine Scheibe in einer Reihe entlang einer anderen wiederholen</translation>
-    </message>
-    <message>
-        <source>&amp;Revolve along contour</source>
-        <translation>&amp;Umlauf entlang der Kontur</translation>
-    </message>
-    <message>
-        <source>Revolve</source>
-        <translation>Umlauf</translation>
-    </message>
-    <message>
-        <source>Repeat a section round the contour of another one</source>
-        <translation>Eine Scheibe um die Kontur einer anderen herum wiederholen</translation>
-    </message>
-    <message>
-        <source>&amp;Blend</source>
-        <translation>Über&amp;gang</translation>
-    </message>
-    <message>
-        <source>Blend</source>
-        <translation>Übergang</translation>
-    </message>
-    <message>
-        <source>Make sections between others, which turn into one another</source>
-        <translation>Scheiben zwischen anderen machen, die ineinander übergehen</translation>
-    </message>
-    <message>
-        <source>Br&amp;anch</source>
-        <translation>&amp;Verzweigung</translation>
-    </message>
-    <message>
-        <source>Branch</source>
-        <translation>Verzweigung</translation>
-    </message>
-    <message>
-        <source>Let a section grow out of itself again and again, as a tree does</source>
-        <translation>Eine Scheibe immer wieder aus sich selbst wachsen lassen, wie einen Baum</translation>
-    </message>
-    <message>
-        <source>&amp;Grid with connectors</source>
-        <translation>Ra&amp;ster mit Verbindern</translation>
-    </message>
-    <message>
-        <source>Grid</source>
-        <translation>Raster</translation>
-    </message>
-    <message>
-        <source>Divide a section that is too large for the sheet</source>
-        <translation>Eine Scheibe teilen, die für die Platte zu groß ist</translation>
-    </message>
-    <message>
-        <source>Ra&amp;dial contour</source>
-        <translation>Run&amp;dform</translation>
-    </message>
-    <message>
-        <source>Radial</source>
-        <translation>Rundform</translation>
-    </message>
-    <message>
-        <source>Make a circle, a star or a gear of a section, or holes in it</source>
-        <translation>Eine Scheibe zu Kreis, Stern oder Zahnrad machen oder solche Löcher hineinsetzen</translation>
-    </message>
-    <message>
-        <source>&amp;Mirror model</source>
-        <translation>&amp;Modell spiegeln</translation>
-    </message>
-    <message>
-        <source>Mirror</source>
-        <translation>Spiegelung</translation>
-    </message>
-    <message>
-        <source>Let what is drawn on one side stand on the other side, too</source>
-        <translation>Was auf einer Seite gezeichnet ist, auch auf der anderen stehen lassen</translation>
-    </message>
-    <message>
-        <source>Ro&amp;tational symmetry</source>
-        <translation>Dr&amp;ehsymmetrie</translation>
-    </message>
-    <message>
-        <source>Rotational</source>
-        <translation>Drehung</translation>
-    </message>
-    <message>
-        <source>Let what is drawn once stand all round an axis</source>
-        <translation>Was einmal gezeichnet ist, rings um eine Achse stehen lassen</translation>
-    </message>
-    <message>
-        <source>Make symmetric &amp;now</source>
-        <translation>&amp;Jetzt symmetrisch machen</translation>
-    </message>
-    <message>
-        <source>Copy what stands on one side to the other side, once</source>
-        <translation>Was auf einer Seite steht, einmal auf die andere kopieren</translation>
-    </message>
-    <message>
-        <source>&amp;Switch off or on</source>
-        <translation>&amp;Aus- oder einschalten</translation>
-    </message>
-    <message>
-        <source>On</source>
-        <translation>Ein</translation>
-    </message>
-    <message>
-        <source>Switch the selected operation off, or on again</source>
-        <translation>Die ausgewählte Operation aus- oder wieder einschalten</translation>
-    </message>
-    <message>
-        <source>Earlier in the &amp;order</source>
-        <translation>&amp;Früher in der Reihenfolge</translation>
-    </message>
-    <message>
-        <source>Earlier</source>
-        <translation>Früher</translation>
-    </message>
-    <message>
-        <source>Let the selected operation work before the one above it</source>
-        <translation>Die ausgewählte Operation vor der darüber arbeiten lassen</translation>
-    </message>
-    <message>
-        <source>Lat&amp;er in the order</source>
-        <translation>S&amp;päter in der Reihenfolge</translation>
-    </message>
-    <message>
-        <source>Later</source>
-        <translation>Später</translation>
-    </message>
-    <message>
-        <source>Let the selected operation work after the one below it</source>
-        <translation>Die ausgewählte Operation nach der darunter arbeiten lassen</translation>
-    </message>
-    <message>
-        <source>Ba&amp;ke into sections</source>
-        <translation>In Scheiben um&amp;wandeln</translation>
-    </message>
-    <message>
-        <source>Bake</source>
-        <translation>Umwandeln</translation>
-    </message>
-    <message>
-        <source>Make drawn sections of what the selected operation makes</source>
-        <translation>Aus dem, was die ausgewählte Operation macht, gezeichnete Scheiben machen</translation>
-    </message>
-    <message>
         <source>&amp;Operation</source>
         <translation>&amp;Operation</translation>
-    </message>
-    <message>
-        <source>What is selected is on no other section</source>
-        <translation>Was ausgewählt ist, sitzt auf keiner anderen Scheibe</translation>
-    </message>
-    <message>
-        <source>What is selected is made by an operation</source>
-        <translation>Was ausgewählt ist, macht eine Operation</translation>
-    </message>
-    <message>
-        <source>What is selected is drawn</source>
-        <translation>Was ausgewählt ist, ist gezeichnet</translation>
-    </message>
-    <message>
-        <source>Cu&amp;t</source>
-        <translation>A&amp;usschneiden</translation>
-    </message>
-    <message>
-        <source>Cut</source>
-        <translation>Ausschneiden</translation>
-    </message>
-    <message>
-        <source>Copy the selected sections and delete them</source>
-        <translation>Die ausgewählten Scheiben kopieren und löschen</translation>
-    </message>
-    <message>
-        <source>&amp;Copy</source>
-        <translation>&amp;Kopieren</translation>
-    </message>
-    <message>
-        <source>Copy</source>
-        <translation>Kopieren</translation>
-    </message>
-    <message>
-        <source>Copy the selected sections, also for other windows and programs</source>
-        <translation>Die ausgewählten Scheiben kopieren, auch für andere Fenster und Programme</translation>
-    </message>
-    <message>
-        <source>&amp;Paste</source>
-        <translation>E&amp;infügen</translation>
-    </message>
-    <message>
-        <source>Paste</source>
-        <translation>Einfügen</translation>
-    </message>
-    <message>
-        <source>Add the sections that were copied</source>
-        <translation>Die kopierten Scheiben hinzufügen</translation>
-    </message>
-    <message>
-        <source>Dup&amp;licate</source>
-        <translation>&amp;Duplizieren</translation>
-    </message>
-    <message>
-        <source>Duplicate</source>
-        <translation>Duplizieren</translation>
-    </message>
-    <message>
-        <source>Put a copy of the selected sections beside them</source>
-        <translation>Eine Kopie der ausgewählten Scheiben danebenstellen</translation>
-    </message>
-    <message>
-        <source>Across &amp;X</source>
-        <translation>An &amp;X</translation>
-    </message>
-    <message>
-        <source>Mirror X</source>
-        <translation>An X spiegeln</translation>
-    </message>
-    <message>
-        <source>Put a mirror image of the selected sections on the other side of the plane where X is 0</source>
-        <translation>Ein Spiegelbild der ausgewählten Scheiben auf die andere Seite der Ebene stellen, in der X gleich 0 ist</translation>
-    </message>
-    <message>
-        <source>Across &amp;Y</source>
-        <translation>An &amp;Y</translation>
-    </message>
-    <message>
-        <source>Mirror Y</source>
-        <translation>An Y spiegeln</translation>
-    </message>
-    <message>
-        <source>Put a mirror image of the selected sections on the other side of the plane where Y is 0</source>
-        <translation>Ein Spiegelbild der ausgewählten Scheiben auf die andere Seite der Ebene stellen, in der Y gleich 0 ist</translation>
-    </message>
-    <message>
-        <source>Across &amp;Z</source>
-        <translation>An &amp;Z</translation>
-    </message>
-    <message>
-        <source>Mirror Z</source>
-        <translation>An Z spiegeln</translation>
-    </message>
-    <message>
-        <source>Put a mirror image of the selected sections on the other side of the plane where Z is 0</source>
-        <translation>Ein Spiegelbild der ausgewählten Scheiben auf die andere Seite der Ebene stellen, in der Z gleich 0 ist</translation>
-    </message>
-    <message>
-        <source>Across a &amp;section…</source>
-        <translation>An einer &amp;Scheibe …</translation>
-    </message>
-    <message>
-        <source>Click a section: a mirror image of the selected ones comes on its other side</source>
-        <translation>Auf eine Scheibe klicken: Ein Spiegelbild der ausgewählten kommt auf ihre andere Seite</translation>
-    </message>
-    <message>
-        <source>Select co&amp;nnected</source>
-        <translation>&amp;Verbundene auswählen</translation>
-    </message>
-    <message>
-        <source>Connected</source>
-        <translation>Verbundene</translation>
-    </message>
-    <message>
-        <source>Select all sections that hang together with the selected ones</source>
-        <translation>Alle Scheiben auswählen, die mit den ausgewählten zusammenhängen</translation>
-    </message>
-    <message>
-        <source>&amp;Select parallel</source>
-        <translation>&amp;Parallele auswählen</translation>
-    </message>
-    <message>
-        <source>Select all sections parallel to the selected ones</source>
-        <translation>Alle Scheiben auswählen, die parallel zu den ausgewählten sind</translation>
-    </message>
-    <message>
-        <source>Select of the same stoc&amp;k</source>
-        <translation>All&amp;e derselben Platte auswählen</translation>
-    </message>
-    <message>
-        <source>Same stock</source>
-        <translation>Gleiche Platte</translation>
-    </message>
-    <message>
-        <source>Select all sections of the stocks of the selected ones</source>
-        <translation>Alle Scheiben aus den Platten der ausgewählten auswählen</translation>
-    </message>
-    <message>
-        <source>Move &amp;and turn</source>
-        <translation>Bewe&amp;gen und drehen</translation>
-    </message>
-    <message>
-        <source>Move</source>
-        <translation>Bewegen</translation>
-    </message>
-    <message>
-        <source>Move, turn and scale with handles or numbers</source>
-        <translation>Mit Griffen oder Zahlen bewegen, drehen und skalieren</translation>
-    </message>
-    <message>
-        <source>&amp;In space</source>
-        <translation>Im Rau&amp;m</translation>
-    </message>
-    <message>
-        <source>In space</source>
-        <translation>Im Raum</translation>
-    </message>
-    <message>
-        <source>Along the axes of the world, rather than in the plane of the section</source>
-        <translation>Entlang der Achsen der Welt statt in der Ebene der Scheibe</translation>
-    </message>
-    <message>
-        <source>&amp;With what is on it</source>
-        <translation>Mit allem, was darau&amp;f ist</translation>
-    </message>
-    <message>
-        <source>With all on it</source>
-        <translation>Mit allem darauf</translation>
-    </message>
-    <message>
-        <source>What was drawn on a section goes along when that is moved</source>
-        <translation>Was auf eine Scheibe gezeichnet wurde, geht mit, wenn sie bewegt wird</translation>
-    </message>
-    <message>
-        <source>&amp;Put on another section…</source>
-        <translation>Auf eine andere S&amp;cheibe setzen …</translation>
-    </message>
-    <message>
-        <source>Put on</source>
-        <translation>Aufsetzen</translation>
-    </message>
-    <message>
-        <source>Click the section that the selected one shall be on</source>
-        <translation>Auf die Scheibe klicken, auf der die ausgewählte sitzen soll</translation>
-    </message>
-    <message>
-        <source>Free &amp;from its parent</source>
-        <translation>Frei &amp;von ihrer Scheibe</translation>
-    </message>
-    <message>
-        <source>Free</source>
-        <translation>Frei</translation>
-    </message>
-    <message>
-        <source>Let the section go any way: it neither goes along with the one that it is on, nor keeps its angle</source>
-        <translation>Die Scheibe frei bewegen: Sie geht weder mit der mit, auf der sie sitzt, noch behält sie ihren Winkel</translation>
-    </message>
-    <message>
-        <source>Ma&amp;ke orthogonal</source>
-        <translation>Rec&amp;htwinklig stellen</translation>
-    </message>
-    <message>
-        <source>Orthogonal</source>
-        <translation>Rechtwinklig</translation>
-    </message>
-    <message>
-        <source>Turn the section to a right angle to the one that it is on</source>
-        <translation>Die Scheibe rechtwinklig zu der stellen, auf der sie sitzt</translation>
-    </message>
-    <message>
-        <source>Align to nearest a&amp;xis</source>
-        <translation>An nächster Achse ausrichten</translation>
-    </message>
-    <message>
-        <source>Align</source>
-        <translation>Ausrichten</translation>
-    </message>
-    <message>
-        <source>Turn the section so that it faces along an axis of the world</source>
-        <translation>Die Scheibe so drehen, dass sie entlang einer Achse der Welt schaut</translation>
-    </message>
-    <message>
-        <source>Lo&amp;ck</source>
-        <translation>S&amp;perren</translation>
-    </message>
-    <message>
-        <source>Lock</source>
-        <translation>Sperren</translation>
-    </message>
-    <message>
-        <source>Let the selected sections stay as they are</source>
-        <translation>Die ausgewählten Scheiben so lassen, wie sie sind</translation>
-    </message>
-    <message>
-        <source>Edit &amp;its source</source>
-        <translation>&amp;Quelle bearbeiten</translation>
-    </message>
-    <message>
-        <source>Edit source</source>
-        <translation>Quelle bearbeiten</translation>
-    </message>
-    <message>
-        <source>Select the section that the selected one is made from</source>
-        <translation>Die Scheibe auswählen, aus der die ausgewählte gemacht wird</translation>
-    </message>
-    <message>
-        <source>Deta&amp;ch this one</source>
-        <translation>Diese &amp;lösen</translation>
-    </message>
-    <message>
-        <source>Detach</source>
-        <translation>Lösen</translation>
-    </message>
-    <message>
-        <source>Make a drawn section of the selected one; its operation makes the others</source>
-        <translation>Aus der ausgewählten eine gezeichnete Scheibe machen; ihre Operation macht die anderen</translation>
     </message>
     <message>
         <source>&amp;Mirror copy</source>
@@ -3973,288 +4882,8 @@
         <translation>P&amp;unkte</translation>
     </message>
     <message>
-        <source>Arra&amp;y</source>
-        <translation>Re&amp;ihe</translation>
-    </message>
-    <message>
-        <source>Array</source>
-        <translation>Reihe</translation>
-    </message>
-    <message>
-        <source>Repeat sections along a line through space</source>
-        <translation>Scheiben entlang einer Linie durch den Raum wiederholen</translation>
-    </message>
-    <message>
-        <source>&amp;Insert model…</source>
-        <translation>&amp;Modell einfügen …</translation>
-    </message>
-    <message>
-        <source>Insert</source>
-        <translation>Einfügen</translation>
-    </message>
-    <message>
-        <source>Add the sections of another model to this one</source>
-        <translation>Die Scheiben eines anderen Modells zu diesem hinzufügen</translation>
-    </message>
-    <message>
-        <source>Lea&amp;ve this one out</source>
-        <translation>Diese auslassen</translation>
-    </message>
-    <message>
-        <source>Leave out</source>
-        <translation>Auslassen</translation>
-    </message>
-    <message>
-        <source>Do not make the selected section; its operation makes the others</source>
-        <translation>Die ausgewählte Scheibe nicht machen; ihre Operation macht die anderen</translation>
-    </message>
-    <message>
-        <source>What is selected has no holes</source>
-        <translation>Was ausgewählt ist, hat keine Löcher</translation>
-    </message>
-    <message>
-        <source>&amp;Circle</source>
-        <translation>&amp;Kreis</translation>
-    </message>
-    <message>
-        <source>Circle</source>
-        <translation>Kreis</translation>
-    </message>
-    <message>
-        <source>By numbers: a hole in the selected section, or a section of its own</source>
-        <translation>Mit Zahlen: ein Loch in der ausgewählten Scheibe oder eine eigene Scheibe</translation>
-    </message>
-    <message>
-        <source>&amp;Ellipse</source>
-        <translation>&amp;Ellipse</translation>
-    </message>
-    <message>
-        <source>Ellipse</source>
-        <translation>Ellipse</translation>
-    </message>
-    <message>
-        <source>&amp;Rectangle</source>
-        <translation>&amp;Rechteck</translation>
-    </message>
-    <message>
-        <source>Rectangle</source>
-        <translation>Rechteck</translation>
-    </message>
-    <message>
-        <source>&amp;Polygon</source>
-        <translation>&amp;Vieleck</translation>
-    </message>
-    <message>
-        <source>Polygon</source>
-        <translation>Vieleck</translation>
-    </message>
-    <message>
-        <source>&amp;Star</source>
-        <translation>&amp;Stern</translation>
-    </message>
-    <message>
-        <source>Star</source>
-        <translation>Stern</translation>
-    </message>
-    <message>
-        <source>S&amp;lot</source>
-        <translation>&amp;Langloch</translation>
-    </message>
-    <message>
-        <source>Slot</source>
-        <translation>Langloch</translation>
-    </message>
-    <message>
-        <source>Nothing is measured</source>
-        <translation>Nichts ist gemessen</translation>
-    </message>
-    <message>
-        <source>No dimension is picked: click one with the tool that measures</source>
-        <translation>Kein Maß ist gewählt: eines mit dem Messwerkzeug anklicken</translation>
-    </message>
-    <message>
-        <source>&amp;Draw a shape</source>
-        <translation>Form &amp;zeichnen</translation>
-    </message>
-    <message>
-        <source>Shape</source>
-        <translation>Form</translation>
-    </message>
-    <message>
-        <source>Drag a circle, rectangle or the like out of its middle</source>
-        <translation>Kreis, Rechteck und dergleichen aus der Mitte aufziehen</translation>
-    </message>
-    <message>
-        <source>&amp;New sections…</source>
-        <translation>&amp;Neue Scheiben…</translation>
-    </message>
-    <message>
-        <source>From SVG</source>
-        <translation>Aus SVG</translation>
-    </message>
-    <message>
-        <source>A section for every outline of a drawing</source>
-        <translation>Eine Scheibe für jeden Umriss einer Zeichnung</translation>
-    </message>
-    <message>
-        <source>&amp;Contour…</source>
-        <translation>&amp;Kontur…</translation>
-    </message>
-    <message>
-        <source>Contour from SVG</source>
-        <translation>Kontur aus SVG</translation>
-    </message>
-    <message>
-        <source>The largest outline of a drawing in place of the selected section&apos;s</source>
-        <translation>Der größte Umriss einer Zeichnung anstelle dessen der gewählten Scheibe</translation>
-    </message>
-    <message>
-        <source>&amp;Holes…</source>
-        <translation>&amp;Löcher…</translation>
-    </message>
-    <message>
-        <source>Holes from SVG</source>
-        <translation>Löcher aus SVG</translation>
-    </message>
-    <message>
-        <source>A hole of the selected section for every outline of a drawing</source>
-        <translation>Ein Loch der gewählten Scheibe für jeden Umriss einer Zeichnung</translation>
-    </message>
-    <message>
-        <source>&amp;Marks…</source>
-        <translation>&amp;Markierungen…</translation>
-    </message>
-    <message>
-        <source>Marks from SVG</source>
-        <translation>Markierungen aus SVG</translation>
-    </message>
-    <message>
-        <source>The lines of a drawing, engraved or scored on the selected section</source>
-        <translation>Die Linien einer Zeichnung, auf die gewählte Scheibe graviert oder geritzt</translation>
-    </message>
-    <message>
-        <source>Add te&amp;xt or lines to engrave</source>
-        <translation>Te&amp;xt oder Linien gravieren</translation>
-    </message>
-    <message>
-        <source>Engrave</source>
-        <translation>Gravieren</translation>
-    </message>
-    <message>
-        <source>Write or draw on a section, to be engraved or scored</source>
-        <translation>Auf eine Scheibe schreiben oder zeichnen, zum Gravieren oder Ritzen</translation>
-    </message>
-    <message>
-        <source>&amp;Engrave</source>
-        <translation>&amp;Gravieren</translation>
-    </message>
-    <message>
-        <source>What is drawn next is engraved</source>
-        <translation>Was als Nächstes gezeichnet wird, wird graviert</translation>
-    </message>
-    <message>
-        <source>&amp;Score</source>
-        <translation>&amp;Ritzen</translation>
-    </message>
-    <message>
-        <source>Score</source>
-        <translation>Ritzen</translation>
-    </message>
-    <message>
-        <source>What is drawn next is scored, to fold or break along</source>
-        <translation>Was als Nächstes gezeichnet wird, wird geritzt, zum Falten oder Brechen</translation>
-    </message>
-    <message>
-        <source>Measure</source>
-        <translation>Messen</translation>
-    </message>
-    <message>
-        <source>Measure from one place to another</source>
-        <translation>Von einem Ort zum anderen messen</translation>
-    </message>
-    <message>
-        <source>D&amp;imension</source>
-        <translation>Ma&amp;ß</translation>
-    </message>
-    <message>
-        <source>Dimension</source>
-        <translation>Maß</translation>
-    </message>
-    <message>
-        <source>Say how long something shall be; the whole model follows</source>
-        <translation>Sagen, wie lang etwas sein soll; das ganze Modell folgt</translation>
-    </message>
-    <message>
-        <source>Keep</source>
-        <translation>Behalten</translation>
-    </message>
-    <message>
-        <source>Show this length from now on</source>
-        <translation>Diese Länge von nun an zeigen</translation>
-    </message>
-    <message>
-        <source>Remove</source>
-        <translation>Entfernen</translation>
-    </message>
-    <message>
-        <source>Show this length no more</source>
-        <translation>Diese Länge nicht mehr zeigen</translation>
-    </message>
-    <message>
         <source>From S&amp;VG</source>
         <translation>Aus SVG</translation>
-    </message>
-    <message>
-        <source>Add to the &amp;library</source>
-        <translation>In &amp;die Bibliothek aufnehmen</translation>
-    </message>
-    <message>
-        <source>To library</source>
-        <translation>In Bibliothek</translation>
-    </message>
-    <message>
-        <source>Keep what is selected in the library, for other models</source>
-        <translation>Die Auswahl für andere Modelle in der Bibliothek aufheben</translation>
-    </message>
-    <message>
-        <source>Select ne&amp;xt</source>
-        <translation>Näc&amp;hste wählen</translation>
-    </message>
-    <message>
-        <source>Next</source>
-        <translation>Nächste</translation>
-    </message>
-    <message>
-        <source>Select the next section</source>
-        <translation>Die nächste Scheibe wählen</translation>
-    </message>
-    <message>
-        <source>Select pre&amp;vious</source>
-        <translation>Vori&amp;ge wählen</translation>
-    </message>
-    <message>
-        <source>Select the section before this one</source>
-        <translation>Die Scheibe davor wählen</translation>
-    </message>
-    <message>
-        <source>Properties</source>
-        <translation>Eigenschaften</translation>
-    </message>
-    <message>
-        <source>Go to Properties</source>
-        <translation>Zu den Eigenschaften</translation>
-    </message>
-    <message>
-        <source>M&amp;easure</source>
-        <translation>&amp;Messen</translation>
-    </message>
-    <message>
-        <source>Keep t&amp;he dimension</source>
-        <translation>Maß &amp;behalten</translation>
-    </message>
-    <message>
-        <source>Rem&amp;ove the dimension</source>
-        <translation>Maß ent&amp;fernen</translation>
     </message>
     <message>
         <source>&amp;Text and marks</source>
@@ -4263,10 +4892,6 @@
     <message>
         <source>Shape b&amp;y numbers</source>
         <translation>F&amp;ormen nach Zahlen</translation>
-    </message>
-    <message>
-        <source>To the first field of what is selected; in the view, Enter does so</source>
-        <translation>Zum ersten Feld dessen, was gewählt ist; in der Ansicht tut das Eingabe</translation>
     </message>
 </context>
 <context>
@@ -5037,608 +5662,6 @@
     </message>
 </context>
 <context>
-    <name>fff::ui::HintText</name>
-    <message>
-        <source>Draw the first section: press, draw its shape in one go, release.</source>
-        <translation>Die erste Scheibe zeichnen: drücken, ihre Form in einem Zug zeichnen, loslassen.</translation>
-    </message>
-    <message>
-        <source>Drag out of %1 to draw a section across it; click to select it.</source>
-        <translation>Aus %1 hinausziehen zeichnet eine Scheibe quer dazu; ein Klick wählt sie.</translation>
-    </message>
-    <message>
-        <source>Turning to the new plane; move on when it stops.</source>
-        <translation>Die Ansicht dreht sich zur neuen Ebene; weiter, wenn sie steht.</translation>
-    </message>
-    <message>
-        <source>Leave the grey zone where the contour shall begin. Release here cancels.</source>
-        <translation>Den grauen Bereich dort verlassen, wo die Kontur beginnen soll. Loslassen bricht ab.</translation>
-    </message>
-    <message>
-        <source>Move to turn the view, release to stop.</source>
-        <translation>Bewegen dreht die Ansicht, Loslassen beendet es.</translation>
-    </message>
-    <message>
-        <source>Move to shift the view, release to stop.</source>
-        <translation>Bewegen verschiebt die Ansicht, Loslassen beendet es.</translation>
-    </message>
-    <message>
-        <source>Nothing drawn: the slit never left %1. Start inside and drag across its edge.</source>
-        <translation>Nichts gezeichnet: Der Schlitz hat %1 nie verlassen. Innen beginnen und über den Rand ziehen.</translation>
-    </message>
-    <message>
-        <source>Nothing drawn: the line is too short to enclose anything.</source>
-        <translation>Nichts gezeichnet: Die Linie ist zu kurz, um etwas zu umschließen.</translation>
-    </message>
-    <message>
-        <source>Nothing drawn: no section can be made of this line. Draw it as one open loop.</source>
-        <translation>Nichts gezeichnet: Aus dieser Linie wird keine Scheibe. Als eine offene Schleife zeichnen.</translation>
-    </message>
-    <message>
-        <source>Click to look from the front; drag to turn the view.</source>
-        <translation>Klick: von vorn ansehen; Ziehen dreht die Ansicht.</translation>
-    </message>
-    <message>
-        <source>Click to look from the back; drag to turn the view.</source>
-        <translation>Klick: von hinten ansehen; Ziehen dreht die Ansicht.</translation>
-    </message>
-    <message>
-        <source>Click to look from the left; drag to turn the view.</source>
-        <translation>Klick: von links ansehen; Ziehen dreht die Ansicht.</translation>
-    </message>
-    <message>
-        <source>Click to look from the right; drag to turn the view.</source>
-        <translation>Klick: von rechts ansehen; Ziehen dreht die Ansicht.</translation>
-    </message>
-    <message>
-        <source>Click to look from the top; drag to turn the view.</source>
-        <translation>Klick: von oben ansehen; Ziehen dreht die Ansicht.</translation>
-    </message>
-    <message>
-        <source>Click to look from below; drag to turn the view.</source>
-        <translation>Klick: von unten ansehen; Ziehen dreht die Ansicht.</translation>
-    </message>
-    <message>
-        <source>Click to look at this edge; drag to turn the view.</source>
-        <translation>Klick: auf diese Kante sehen; Ziehen dreht die Ansicht.</translation>
-    </message>
-    <message>
-        <source>Click to look at this corner; drag to turn the view.</source>
-        <translation>Klick: auf diese Ecke sehen; Ziehen dreht die Ansicht.</translation>
-    </message>
-    <message>
-        <source>Drag on to leave %1; the slit ends at its edge. &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
-        <translation>Weiterziehen, bis %1 verlassen ist; der Schlitz endet am Rand. &lt;kbd&gt;Esc&lt;/kbd&gt; bricht ab.</translation>
-    </message>
-    <message>
-        <source>Draw the contour, release to close it. &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
-        <translation>Die Kontur zeichnen, Loslassen schließt sie. &lt;kbd&gt;Esc&lt;/kbd&gt; bricht ab.</translation>
-    </message>
-    <message>
-        <source>&lt;b&gt;Release&lt;/b&gt; to make the section. &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
-        <translation>&lt;b&gt;Loslassen&lt;/b&gt; macht die Scheibe fertig. &lt;kbd&gt;Esc&lt;/kbd&gt; bricht ab.</translation>
-    </message>
-    <message>
-        <source>Drag to move the cut through the model; Esc closes it.</source>
-        <translation>Ziehen bewegt den Schnitt durch das Modell; Esc schließt ihn.</translation>
-    </message>
-    <message>
-        <source>Move to shift the cut, release to leave it there. Esc puts it back.</source>
-        <translation>Bewegen verschiebt den Schnitt, Loslassen lässt ihn dort. Esc setzt ihn zurück.</translation>
-    </message>
-    <message>
-        <source>The contour crosses itself; the largest loop was kept.</source>
-        <translation>Die Kontur kreuzt sich selbst; die größte Schleife blieb.</translation>
-    </message>
-    <message>
-        <source>The contour crosses itself; the largest loop was kept. &lt;kbd&gt;%1&lt;/kbd&gt; undoes it.</source>
-        <translation>Die Kontur kreuzt sich selbst; die größte Schleife blieb. &lt;kbd&gt;%1&lt;/kbd&gt; nimmt es zurück.</translation>
-    </message>
-    <message>
-        <source>Click to select problem %1; drag to turn the view.</source>
-        <translation>Klicken wählt Problem %1; Ziehen dreht die Ansicht.</translation>
-    </message>
-    <message>
-        <source>Click to select %1. Drag to turn the view: on its edge nothing is drawn.</source>
-        <translation>Ein Klick wählt %1. Ziehen dreht die Ansicht: Auf der Kante wird nicht gezeichnet.</translation>
-    </message>
-    <message>
-        <source>Draw a section on the ground in one go. &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
-        <translation>Eine Scheibe in einem Zug auf den Boden zeichnen. &lt;kbd&gt;Esc&lt;/kbd&gt; bricht ab.</translation>
-    </message>
-    <message>
-        <source>Draw a section on the front plane in one go. &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
-        <translation>Eine Scheibe in einem Zug auf die Vorderebene zeichnen. &lt;kbd&gt;Esc&lt;/kbd&gt; bricht ab.</translation>
-    </message>
-    <message>
-        <source>Draw a section on the side plane in one go. &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
-        <translation>Eine Scheibe in einem Zug auf die Seitenebene zeichnen. &lt;kbd&gt;Esc&lt;/kbd&gt; bricht ab.</translation>
-    </message>
-    <message>
-        <source>Drag to turn the view; &lt;kbd&gt;Shift&lt;/kbd&gt; drag selects a group.</source>
-        <translation>Ziehen dreht die Ansicht; mit &lt;kbd&gt;Umschalt&lt;/kbd&gt; wird eine Gruppe ausgewählt.</translation>
-    </message>
-    <message>
-        <source>&lt;b&gt;Release&lt;/b&gt; to make the section, mirrored across the slit. Hold &lt;kbd&gt;Shift&lt;/kbd&gt; to keep only this side. &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
-        <translation>&lt;b&gt;Loslassen&lt;/b&gt; erzeugt die Scheibe, am Schlitz gespiegelt. &lt;kbd&gt;Umschalt&lt;/kbd&gt; behält nur diese Seite. &lt;kbd&gt;Esc&lt;/kbd&gt; bricht ab.</translation>
-    </message>
-    <message>
-        <source>&lt;b&gt;Release&lt;/b&gt; to make the section, mirrored across the vertical. Hold &lt;kbd&gt;Shift&lt;/kbd&gt; to keep only this side.</source>
-        <translation>&lt;b&gt;Loslassen&lt;/b&gt; erzeugt die Scheibe, an der Senkrechten gespiegelt. &lt;kbd&gt;Umschalt&lt;/kbd&gt; behält nur diese Seite.</translation>
-    </message>
-    <message>
-        <source>Draw a section parallel to %1 in one go. &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
-        <translation>Eine Scheibe parallel zu %1 in einem Zug zeichnen. &lt;kbd&gt;Esc&lt;/kbd&gt; bricht ab.</translation>
-    </message>
-    <message>
-        <source>Draw the new contour of %1 in one go. &lt;kbd&gt;Esc&lt;/kbd&gt; keeps the old one.</source>
-        <translation>Die neue Kontur von %1 in einem Zug zeichnen. &lt;kbd&gt;Esc&lt;/kbd&gt; behält die alte.</translation>
-    </message>
-    <message>
-        <source>Draw a hole in %1 in one go. &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
-        <translation>Ein Loch in %1 in einem Zug zeichnen. &lt;kbd&gt;Esc&lt;/kbd&gt; bricht ab.</translation>
-    </message>
-    <message>
-        <source>Move up to come nearer, down to go away; release to stop.</source>
-        <translation>Nach oben geht es näher heran, nach unten weiter weg; Loslassen beendet es.</translation>
-    </message>
-    <message>
-        <source>Release to select all that is wholly inside. &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
-        <translation>Loslassen wählt alles aus, was ganz darin liegt. &lt;kbd&gt;Esc&lt;/kbd&gt; bricht ab.</translation>
-    </message>
-    <message>
-        <source>Nothing drawn: the line goes there and back and encloses nothing.</source>
-        <translation>Nichts gezeichnet: Die Linie geht hin und zurück und umschließt nichts.</translation>
-    </message>
-    <message>
-        <source>Nothing drawn: the line crosses itself, and no loop of it is large enough.</source>
-        <translation>Nichts gezeichnet: Die Linie kreuzt sich selbst, und keine Schleife davon ist groß genug.</translation>
-    </message>
-    <message>
-        <source>%1 was not mirrored: the two halves would not meet.</source>
-        <translation>%1 wurde nicht gespiegelt: Die beiden Hälften träfen sich nicht.</translation>
-    </message>
-    <message>
-        <source>%1 was cut flat at the ground.</source>
-        <translation>%1 wurde am Boden eben abgeschnitten.</translation>
-    </message>
-    <message>
-        <source>Cut flat at the ground, %1 fell apart; the largest piece was kept.</source>
-        <translation>Am Boden eben abgeschnitten zerfiel %1; das größte Stück blieb.</translation>
-    </message>
-    <message>
-        <source>Nothing drawn: all of it lies below the ground, where it is cut off.</source>
-        <translation>Nichts gezeichnet: Alles liegt unter dem Boden, wo es abgeschnitten wird.</translation>
-    </message>
-    <message>
-        <source>No hole made: it must lie in %1 and leave it in one piece.</source>
-        <translation>Kein Loch gemacht: Es muss in %1 liegen und sie in einem Stück lassen.</translation>
-    </message>
-    <message>
-        <source>The hole reaches over the edge of %1 and was cut out of it.</source>
-        <translation>Das Loch reicht über den Rand von %1 und wurde aus ihm ausgeschnitten.</translation>
-    </message>
-    <message>
-        <source>The hole met others in %1; they are one hole now.</source>
-        <translation>Das Loch traf andere in %1; sie sind jetzt ein Loch.</translation>
-    </message>
-    <message>
-        <source>Holes of %1 that lie outside of its new contour were left out.</source>
-        <translation>Löcher von %1, die außerhalb der neuen Kontur liegen, wurden weggelassen.</translation>
-    </message>
-    <message>
-        <source>&lt;b&gt;Release&lt;/b&gt; to cut the hole into %1. &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
-        <translation>&lt;b&gt;Loslassen&lt;/b&gt; schneidet das Loch in %1. &lt;kbd&gt;Esc&lt;/kbd&gt; bricht ab.</translation>
-    </message>
-    <message>
-        <source>&lt;b&gt;Release&lt;/b&gt; to give %1 this contour. &lt;kbd&gt;Esc&lt;/kbd&gt; keeps the old one.</source>
-        <translation>&lt;b&gt;Loslassen&lt;/b&gt; gibt %1 diese Kontur. &lt;kbd&gt;Esc&lt;/kbd&gt; behält die alte.</translation>
-    </message>
-    <message>
-        <source>Drag out of a section to draw across it with the pen; drag here to turn the view. &lt;kbd&gt;Esc&lt;/kbd&gt; lays the pen down.</source>
-        <translation>Aus einer Scheibe ziehen, um quer zu ihr zu zeichnen; hier ziehen dreht die Ansicht. &lt;kbd&gt;Esc&lt;/kbd&gt; legt die Feder weg.</translation>
-    </message>
-    <message>
-        <source>Drag out of %1 to draw across it with the pen; click to select it.</source>
-        <translation>Aus %1 hinausziehen, um mit der Feder quer dazu zu zeichnen; Klick wählt sie aus.</translation>
-    </message>
-    <message>
-        <source>The plane is seen on its edge: turn the view to go on drawing.</source>
-        <translation>Die Ebene ist von der Kante zu sehen: Ansicht drehen, um weiterzuzeichnen.</translation>
-    </message>
-    <message>
-        <source>Click to set the first point, drag to bend. &lt;kbd&gt;Esc&lt;/kbd&gt; lays the pen down.</source>
-        <translation>Klick setzt den ersten Punkt, Ziehen biegt. &lt;kbd&gt;Esc&lt;/kbd&gt; legt die Feder weg.</translation>
-    </message>
-    <message>
-        <source>Click to set a point, drag to bend; &lt;kbd&gt;Enter&lt;/kbd&gt; closes, &lt;kbd&gt;Backspace&lt;/kbd&gt; takes one back.</source>
-        <translation>Klick setzt einen Punkt, Ziehen biegt; &lt;kbd&gt;Eingabe&lt;/kbd&gt; schließt, &lt;kbd&gt;Rücktaste&lt;/kbd&gt; nimmt einen zurück.</translation>
-    </message>
-    <message>
-        <source>Click to set a point, drag to bend; &lt;kbd&gt;Enter&lt;/kbd&gt; closes, &lt;kbd&gt;Backspace&lt;/kbd&gt; takes one back. &lt;kbd&gt;Ctrl&lt;/kbd&gt; click does not snap.</source>
-        <translation>Klick setzt einen Punkt, Ziehen biegt; &lt;kbd&gt;Eingabe&lt;/kbd&gt; schließt, &lt;kbd&gt;Rücktaste&lt;/kbd&gt; nimmt einen zurück. Mit &lt;kbd&gt;Strg&lt;/kbd&gt; rastet nichts ein.</translation>
-    </message>
-    <message>
-        <source>The contour crosses itself: &lt;kbd&gt;Enter&lt;/kbd&gt; keeps the largest loop, &lt;kbd&gt;Backspace&lt;/kbd&gt; takes a point back.</source>
-        <translation>Die Kontur kreuzt sich: &lt;kbd&gt;Eingabe&lt;/kbd&gt; behält die größte Schleife, &lt;kbd&gt;Rücktaste&lt;/kbd&gt; nimmt einen Punkt zurück.</translation>
-    </message>
-    <message>
-        <source>Drag to bend; &lt;kbd&gt;Ctrl&lt;/kbd&gt; makes a corner, &lt;kbd&gt;Shift&lt;/kbd&gt; holds the direction.</source>
-        <translation>Ziehen biegt; &lt;kbd&gt;Strg&lt;/kbd&gt; macht eine Ecke, &lt;kbd&gt;Umschalt&lt;/kbd&gt; hält die Richtung.</translation>
-    </message>
-    <message>
-        <source>Drag to move the point; &lt;kbd&gt;Ctrl&lt;/kbd&gt; does not snap, &lt;kbd&gt;Shift&lt;/kbd&gt; holds the direction.</source>
-        <translation>Ziehen verschiebt den Punkt; mit &lt;kbd&gt;Strg&lt;/kbd&gt; rastet nichts ein, &lt;kbd&gt;Umschalt&lt;/kbd&gt; hält die Richtung.</translation>
-    </message>
-    <message>
-        <source>Drag the handle to bend; &lt;kbd&gt;Ctrl&lt;/kbd&gt; makes a corner.</source>
-        <translation>Am Griff ziehen biegt; &lt;kbd&gt;Strg&lt;/kbd&gt; macht eine Ecke.</translation>
-    </message>
-    <message>
-        <source>Click to close the contour; drag to move the point.</source>
-        <translation>Klick schließt die Kontur; Ziehen verschiebt den Punkt.</translation>
-    </message>
-    <message>
-        <source>&lt;kbd&gt;Enter&lt;/kbd&gt; sets the point, &lt;kbd&gt;Tab&lt;/kbd&gt; goes to the next number. &lt;kbd&gt;Esc&lt;/kbd&gt; closes the bar.</source>
-        <translation>&lt;kbd&gt;Eingabe&lt;/kbd&gt; setzt den Punkt, &lt;kbd&gt;Tab&lt;/kbd&gt; geht zur nächsten Zahl. &lt;kbd&gt;Esc&lt;/kbd&gt; schließt die Leiste.</translation>
-    </message>
-    <message>
-        <source>Not closed: the points enclose nothing yet.</source>
-        <translation>Nicht geschlossen: Die Punkte umschließen noch nichts.</translation>
-    </message>
-    <message>
-        <source>A contour is still open: &lt;kbd&gt;Enter&lt;/kbd&gt; closes it, &lt;kbd&gt;Esc&lt;/kbd&gt; takes it back.</source>
-        <translation>Eine Kontur ist noch offen: &lt;kbd&gt;Eingabe&lt;/kbd&gt; schließt sie, &lt;kbd&gt;Esc&lt;/kbd&gt; nimmt sie zurück.</translation>
-    </message>
-    <message>
-        <source>The points are gone, for the section that they stood on is.</source>
-        <translation>Die Punkte sind weg, denn die Scheibe, auf der sie standen, ist es auch.</translation>
-    </message>
-    <message>
-        <source>Drag to move the point; &lt;kbd&gt;Ctrl&lt;/kbd&gt; makes a corner, arrow keys move 1&#x202f;mm.</source>
-        <translation>Ziehen verschiebt den Punkt; &lt;kbd&gt;Strg&lt;/kbd&gt; macht eine Ecke, Pfeiltasten verschieben um 1&#x202f;mm.</translation>
-    </message>
-    <message>
-        <source>Drag to bend the curve; &lt;kbd&gt;Ctrl&lt;/kbd&gt; makes a corner, &lt;kbd&gt;Shift&lt;/kbd&gt; keeps the direction.</source>
-        <translation>Ziehen biegt die Kurve; &lt;kbd&gt;Strg&lt;/kbd&gt; macht eine Ecke, &lt;kbd&gt;Umschalt&lt;/kbd&gt; hält die Richtung.</translation>
-    </message>
-    <message>
-        <source>Double-click to add a point here; drag to bend the contour.</source>
-        <translation>Doppelklick fügt hier einen Punkt ein; Ziehen biegt die Kontur.</translation>
-    </message>
-    <message>
-        <source>Release to leave it here. &lt;kbd&gt;Ctrl&lt;/kbd&gt; makes a corner, &lt;kbd&gt;Shift&lt;/kbd&gt; keeps the direction.</source>
-        <translation>Loslassen lässt ihn hier. &lt;kbd&gt;Strg&lt;/kbd&gt; macht eine Ecke, &lt;kbd&gt;Umschalt&lt;/kbd&gt; hält die Richtung.</translation>
-    </message>
-    <message>
-        <source>Release to leave it so. &lt;kbd&gt;Ctrl&lt;/kbd&gt; makes a corner, &lt;kbd&gt;Shift&lt;/kbd&gt; keeps the direction.</source>
-        <translation>Loslassen lässt es so. &lt;kbd&gt;Strg&lt;/kbd&gt; macht eine Ecke, &lt;kbd&gt;Umschalt&lt;/kbd&gt; hält die Richtung.</translation>
-    </message>
-    <message>
-        <source>Release to leave it so. &lt;kbd&gt;Ctrl&lt;/kbd&gt; makes corners at its ends. &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
-        <translation>Loslassen lässt es so. &lt;kbd&gt;Strg&lt;/kbd&gt; macht Ecken an den Enden. &lt;kbd&gt;Esc&lt;/kbd&gt; bricht ab.</translation>
-    </message>
-    <message>
-        <source>Release to select the points inside. &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
-        <translation>Loslassen wählt die Punkte darin. &lt;kbd&gt;Esc&lt;/kbd&gt; bricht ab.</translation>
-    </message>
-    <message>
-        <source>Here the contour would cross itself; it stays at the last place where it does not.</source>
-        <translation>Hier würde die Kontur sich selbst kreuzen; sie bleibt, wo sie es zuletzt nicht tat.</translation>
-    </message>
-    <message>
-        <source>Here a hole would not lie inside by itself; it stays at the last place where it does.</source>
-        <translation>Hier läge ein Loch nicht für sich innen; alles bleibt, wo es zuletzt passte.</translation>
-    </message>
-    <message>
-        <source>Here nothing would be left of %1; it stays as it was.</source>
-        <translation>Hier bliebe nichts von %1 übrig; alles bleibt, wie es war.</translation>
-    </message>
-    <message>
-        <source>Here all of %1 would be cut off at the ground; it stays as it was.</source>
-        <translation>Hier würde %1 am Boden ganz abgeschnitten; alles bleibt, wie es war.</translation>
-    </message>
-    <message>
-        <source>Nothing deleted: a contour needs two points at least.</source>
-        <translation>Nichts gelöscht: Eine Kontur braucht mindestens zwei Punkte.</translation>
-    </message>
-    <message>
-        <source>Nothing changed: this cannot be done here.</source>
-        <translation>Nichts geändert: Das geht hier nicht.</translation>
-    </message>
-    <message>
-        <source>&lt;b&gt;Release&lt;/b&gt; to make the section, mirrored. Let &lt;kbd&gt;Shift&lt;/kbd&gt; go to keep only this side. &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
-        <translation>&lt;b&gt;Loslassen&lt;/b&gt; erzeugt die Scheibe, gespiegelt. Ohne &lt;kbd&gt;Umschalt&lt;/kbd&gt; bleibt nur diese Seite. &lt;kbd&gt;Esc&lt;/kbd&gt; bricht ab.</translation>
-    </message>
-    <message>
-        <source>&lt;b&gt;Release&lt;/b&gt; to give %1 this contour, mirrored across its slit. &lt;kbd&gt;Shift&lt;/kbd&gt; switches mirroring over.</source>
-        <translation>&lt;b&gt;Loslassen&lt;/b&gt; gibt %1 diese Kontur, am Schlitz gespiegelt. &lt;kbd&gt;Umschalt&lt;/kbd&gt; kehrt das Spiegeln um.</translation>
-    </message>
-    <message>
-        <source>%1 was mirrored; what came over its axis and back was left out.</source>
-        <translation>%1 wurde gespiegelt; was über die Achse und zurück lief, wurde weggelassen.</translation>
-    </message>
-    <message>
-        <source>Drag to turn the view; &lt;kbd&gt;Space&lt;/kbd&gt; plays, &lt;kbd&gt;←&lt;/kbd&gt; and &lt;kbd&gt;→&lt;/kbd&gt; go step by step. &lt;kbd&gt;Esc&lt;/kbd&gt; closes the steps.</source>
-        <translation>Ziehen dreht die Ansicht; &lt;kbd&gt;Leertaste&lt;/kbd&gt; spielt ab, &lt;kbd&gt;←&lt;/kbd&gt; und &lt;kbd&gt;→&lt;/kbd&gt; gehen schrittweise. &lt;kbd&gt;Esc&lt;/kbd&gt; schließt die Schritte.</translation>
-    </message>
-    <message>
-        <source>The model has changed, so the view of its steps was closed.</source>
-        <translation>Das Modell hat sich geändert, daher wurde die Ansicht seiner Schritte geschlossen.</translation>
-    </message>
-    <message>
-        <source>Drag to make the slit of %1 deeper and that of %2 shallower; click to select the joint.</source>
-        <translation>Ziehen macht den Schlitz von %1 tiefer und den von %2 flacher; ein Klick wählt die Verbindung.</translation>
-    </message>
-    <message>
-        <source>Click to select the joint of %1 and %2.</source>
-        <translation>Ein Klick wählt die Verbindung von %1 und %2.</translation>
-    </message>
-    <message>
-        <source>Release to leave it here: the slit of %1 takes %2&#x202f;%. &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
-        <translation>Loslassen lässt ihn hier: Der Schlitz von %1 nimmt %2&#x202f;%. &lt;kbd&gt;Esc&lt;/kbd&gt; bricht ab.</translation>
-    </message>
-    <message>
-        <source>Nothing moved: where %1 and %2 meet, two slits do not share the way.</source>
-        <translation>Nichts verschoben: Wo %1 und %2 sich treffen, teilen sich nicht zwei Schlitze den Weg.</translation>
-    </message>
-    <message>
-        <source>Nothing changed: %1 and %2 cannot be joined like that.</source>
-        <translation>Nichts geändert: %1 und %2 lassen sich so nicht verbinden.</translation>
-    </message>
-    <message>
-        <source>Nothing turned: the slits of %1 and %2 cannot open to the other side.</source>
-        <translation>Nichts gedreht: Die Schlitze von %1 und %2 können nicht zur anderen Seite aufgehen.</translation>
-    </message>
-    <message>
-        <source>Nothing deleted: a joint is where two sections meet. Delete one of them, or choose the kind “None”.</source>
-        <translation>Nichts gelöscht: Eine Verbindung ist, wo zwei Scheiben sich treffen. Lösche eine davon oder wähle die Art „Keine“.</translation>
-    </message>
-    <message>
-        <source>Nothing trimmed: %1 is not in %2, or nothing of it would stay.</source>
-        <translation>Nichts gekürzt: %1 steckt nicht in %2, oder es bliebe nichts davon.</translation>
-    </message>
-    <message>
-        <source>Drag to make the slit of %1 deeper and that of %2 shallower; arrow keys move 1&#x202f;mm.</source>
-        <translation>Ziehen macht den Schlitz von %1 tiefer und den von %2 flacher; Pfeiltasten verschieben um 1&#x202f;mm.</translation>
-    </message>
-    <message>
-        <source>&lt;kbd&gt;Enter&lt;/kbd&gt; makes it. &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
-        <translation>&lt;kbd&gt;Enter&lt;/kbd&gt; macht es. &lt;kbd&gt;Esc&lt;/kbd&gt; bricht ab.</translation>
-    </message>
-    <message>
-        <source>%1 &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
-        <extracomment>%1 is a sentence: &quot;Click the section to repeat.&quot;</extracomment>
-        <translation>%1 &lt;kbd&gt;Esc&lt;/kbd&gt; bricht ab.</translation>
-    </message>
-    <message>
-        <source>%1 So far: %2. &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
-        <extracomment>%1 is a sentence, %2 a number of sections</extracomment>
-        <translation>%1 Bisher: %2. &lt;kbd&gt;Esc&lt;/kbd&gt; bricht ab.</translation>
-    </message>
-    <message>
-        <source>%1 So far: %2. &lt;kbd&gt;Enter&lt;/kbd&gt; makes it.</source>
-        <extracomment>%1 is a sentence, %2 a number of sections</extracomment>
-        <translation>%1 Bisher: %2. &lt;kbd&gt;Enter&lt;/kbd&gt; macht es.</translation>
-    </message>
-    <message>
-        <source>%1 is made by %2: click to edit them all, click again for this one.</source>
-        <translation>%1 kommt von %2: Klick für alle, noch ein Klick für diese allein.</translation>
-    </message>
-    <message>
-        <source>Click to select %1 alone; drag out of it to draw a section across it.</source>
-        <translation>Klick wählt %1 allein aus; herausziehen zeichnet eine Scheibe quer dazu.</translation>
-    </message>
-    <message>
-        <source>Drag a round handle to move the beginning or the end of %1; click one section to select it.</source>
-        <translation>Runde Griffe verschieben Anfang und Ende von %1; ein Klick auf eine Scheibe wählt sie aus.</translation>
-    </message>
-    <message>
-        <source>Drag to move the beginning of %1; click to type it.</source>
-        <translation>Ziehen verschiebt den Anfang von %1; Klick, um ihn einzutippen.</translation>
-    </message>
-    <message>
-        <source>Drag to move the end of %1; click to type it.</source>
-        <translation>Ziehen verschiebt das Ende von %1; Klick, um es einzutippen.</translation>
-    </message>
-    <message>
-        <source>Release to let %1 begin here: %2&#x202f;%. &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
-        <extracomment>%1 is the name of an operation, %2 a number</extracomment>
-        <translation>Loslassen: %1 beginnt hier, bei %2&#x202f;%. &lt;kbd&gt;Esc&lt;/kbd&gt; bricht ab.</translation>
-    </message>
-    <message>
-        <source>Release to let %1 end here: %2&#x202f;%. &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
-        <translation>Loslassen: %1 endet hier, bei %2&#x202f;%. &lt;kbd&gt;Esc&lt;/kbd&gt; bricht ab.</translation>
-    </message>
-    <message>
-        <source>%1 is made by %2: edit its source, or detach this one.</source>
-        <translation>%1 kommt von %2: die Vorlage bearbeiten oder diese lösen.</translation>
-    </message>
-    <message>
-        <source>Nothing copied: the model is symmetric already.</source>
-        <translation>Nichts kopiert: Das Modell ist schon symmetrisch.</translation>
-    </message>
-    <message>
-        <source>Click the section that %1 shall be on. &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
-        <translation>Auf die Scheibe klicken, auf der %1 sitzen soll. &lt;kbd&gt;Esc&lt;/kbd&gt; bricht ab.</translation>
-    </message>
-    <message>
-        <source>Click the section to mirror across; drag to turn the view. &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
-        <translation>Auf die Scheibe klicken, an der gespiegelt wird; ziehen dreht die Ansicht. &lt;kbd&gt;Esc&lt;/kbd&gt; bricht ab.</translation>
-    </message>
-    <message>
-        <source>Click the section to move or turn, or drag it. &lt;kbd&gt;Esc&lt;/kbd&gt; lays the handles down.</source>
-        <translation>Auf die Scheibe klicken, die bewegt werden soll, oder sie ziehen. &lt;kbd&gt;Esc&lt;/kbd&gt; legt die Griffe weg.</translation>
-    </message>
-    <message>
-        <source>Drag an arrow to move, a ring to turn, a box to scale; or type numbers. &lt;kbd&gt;Esc&lt;/kbd&gt; lays the handles down.</source>
-        <translation>Pfeil ziehen bewegt, Ring dreht, Kästchen skaliert; oder Zahlen tippen. &lt;kbd&gt;Esc&lt;/kbd&gt; legt die Griffe weg.</translation>
-    </message>
-    <message>
-        <source>Drag to move %1; click to select it.</source>
-        <translation>Ziehen bewegt %1; klicken wählt aus.</translation>
-    </message>
-    <message>
-        <source>Drag to move; &lt;kbd&gt;Ctrl&lt;/kbd&gt; leaves a copy, &lt;kbd&gt;Shift&lt;/kbd&gt; keeps to one direction.</source>
-        <translation>Ziehen bewegt; &lt;kbd&gt;Strg&lt;/kbd&gt; lässt eine Kopie da, &lt;kbd&gt;Umschalt&lt;/kbd&gt; bleibt bei einer Richtung.</translation>
-    </message>
-    <message>
-        <source>Drag to turn; &lt;kbd&gt;Ctrl&lt;/kbd&gt; leaves a copy.</source>
-        <translation>Ziehen dreht; &lt;kbd&gt;Strg&lt;/kbd&gt; lässt eine Kopie da.</translation>
-    </message>
-    <message>
-        <source>Drag to scale; &lt;kbd&gt;Ctrl&lt;/kbd&gt; leaves a copy.</source>
-        <translation>Ziehen skaliert; &lt;kbd&gt;Strg&lt;/kbd&gt; lässt eine Kopie da.</translation>
-    </message>
-    <message>
-        <source>Release to leave it so. &lt;kbd&gt;Ctrl&lt;/kbd&gt; leaves a copy, &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
-        <translation>Loslassen lässt es so. &lt;kbd&gt;Strg&lt;/kbd&gt; lässt eine Kopie da, &lt;kbd&gt;Esc&lt;/kbd&gt; bricht ab.</translation>
-    </message>
-    <message>
-        <source>Release to leave a copy so. &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
-        <translation>Loslassen lässt eine Kopie so da. &lt;kbd&gt;Esc&lt;/kbd&gt; bricht ab.</translation>
-    </message>
-    <message numerus="yes">
-        <source>&lt;kbd&gt;Enter&lt;/kbd&gt; makes %n copies like this, each a step further. &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
-        <translation>
-            <numerusform>&lt;kbd&gt;Eingabe&lt;/kbd&gt; macht %n solche Kopie. &lt;kbd&gt;Esc&lt;/kbd&gt; bricht ab.</numerusform>
-            <numerusform>&lt;kbd&gt;Eingabe&lt;/kbd&gt; macht %n solche Kopien, jede einen Schritt weiter. &lt;kbd&gt;Esc&lt;/kbd&gt; bricht ab.</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>&lt;kbd&gt;Enter&lt;/kbd&gt; leaves it like this. &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
-        <translation>&lt;kbd&gt;Eingabe&lt;/kbd&gt; lässt es so. &lt;kbd&gt;Esc&lt;/kbd&gt; bricht ab.</translation>
-    </message>
-    <message>
-        <source>%1 is locked. Unlock it in the Outline to change it.</source>
-        <translation>%1 ist gesperrt. In der Gliederung entsperren, um sie zu ändern.</translation>
-    </message>
-    <message>
-        <source>%1 keeps its angle to %2. Free it to turn it any way.</source>
-        <translation>%1 behält ihren Winkel zu %2. Freigeben, um sie beliebig zu drehen.</translation>
-    </message>
-    <message>
-        <source>%1 is on no other section, so it has no angle to one.</source>
-        <translation>%1 sitzt auf keiner anderen Scheibe und hat daher keinen Winkel zu einer.</translation>
-    </message>
-    <message>
-        <source>%1 cannot be on %2, which is on it.</source>
-        <translation>%1 kann nicht auf %2 sitzen, denn diese sitzt auf ihr.</translation>
-    </message>
-    <message>
-        <source>%1 and %2 do not meet: move one of them across the other first.</source>
-        <translation>%1 und %2 treffen sich nicht: zuerst eine quer in die andere bewegen.</translation>
-    </message>
-    <message>
-        <source>Nothing pasted: nothing that was copied has sections in it.</source>
-        <translation>Nichts eingefügt: Was kopiert wurde, enthält keine Scheiben.</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n texts</source>
-        <translation>
-            <numerusform>%n Text</numerusform>
-            <numerusform>%n Texte</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n pictures</source>
-        <translation>
-            <numerusform>%n Bild</numerusform>
-            <numerusform>%n Bilder</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n lines were read</source>
-        <translation>
-            <numerusform>%n Linie wurde gelesen</numerusform>
-            <numerusform>%n Linien wurden gelesen</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>%1: %2 skipped; %3.</source>
-        <extracomment>%1 is a file, %2 &quot;3 texts&quot;, %3 &quot;5 lines were read&quot;</extracomment>
-        <translation>%1: %2 übergangen; %3.</translation>
-    </message>
-    <message>
-        <source>%1: %2 and %3 skipped; %4.</source>
-        <extracomment>%1 is a file, %2 &quot;3 texts&quot;, %3 &quot;1 picture&quot;, %4 &quot;5 lines were read&quot;</extracomment>
-        <translation>%1: %2 und %3 übergangen; %4.</translation>
-    </message>
-    <message>
-        <source>Click the section to engrave. &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
-        <translation>Die Scheibe anklicken, die graviert wird. &lt;kbd&gt;Esc&lt;/kbd&gt; bricht ab.</translation>
-    </message>
-    <message>
-        <source>Drag to draw a line on %1; &lt;kbd&gt;Shift&lt;/kbd&gt; keeps it straight. Click to set words.</source>
-        <translation>Ziehen zeichnet eine Linie auf %1, mit &lt;kbd&gt;Umschalt&lt;/kbd&gt; gerade. Ein Klick setzt Text.</translation>
-    </message>
-    <message>
-        <source>Release to leave the line so. &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
-        <translation>Loslassen lässt die Linie so. &lt;kbd&gt;Esc&lt;/kbd&gt; bricht ab.</translation>
-    </message>
-    <message>
-        <source>%1: drag from its middle outwards; a click makes one of the usual size.</source>
-        <extracomment>%1 is a shape (&quot;Circle&quot;)</extracomment>
-        <translation>%1: von der Mitte nach außen ziehen; ein Klick setzt die übliche Größe.</translation>
-    </message>
-    <message>
-        <source>%1: drag from its middle outwards to cut it out of %2.</source>
-        <extracomment>%1 is a shape (&quot;Circle&quot;), %2 the name of a section</extracomment>
-        <translation>%1: von der Mitte nach außen ziehen, um es aus %2 auszuschneiden.</translation>
-    </message>
-    <message>
-        <source>Release to make it so large; &lt;kbd&gt;Shift&lt;/kbd&gt; keeps both sides alike. &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
-        <translation>Loslassen lässt es so groß; &lt;kbd&gt;Umschalt&lt;/kbd&gt; hält beide Seiten gleich. &lt;kbd&gt;Esc&lt;/kbd&gt; bricht ab.</translation>
-    </message>
-    <message>
-        <source>Drag from one place to another to measure; &lt;kbd&gt;Ctrl&lt;/kbd&gt; snaps to nothing. &lt;kbd&gt;Esc&lt;/kbd&gt; ends.</source>
-        <translation>Zum Messen von einem Ort zum anderen ziehen; &lt;kbd&gt;Strg&lt;/kbd&gt; fängt nichts. &lt;kbd&gt;Esc&lt;/kbd&gt; beendet.</translation>
-    </message>
-    <message>
-        <source>Go to the second place. &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
-        <translation>Zum zweiten Ort gehen. &lt;kbd&gt;Esc&lt;/kbd&gt; bricht ab.</translation>
-    </message>
-    <message>
-        <source>Drag again to measure something else. &lt;kbd&gt;Esc&lt;/kbd&gt; puts it away.</source>
-        <translation>Erneut ziehen misst etwas anderes. &lt;kbd&gt;Esc&lt;/kbd&gt; legt es weg.</translation>
-    </message>
-    <message>
-        <source>Drag along something whose length you know; the whole model follows. &lt;kbd&gt;Esc&lt;/kbd&gt; ends.</source>
-        <translation>Entlang von etwas ziehen, dessen Länge bekannt ist; das ganze Modell folgt. &lt;kbd&gt;Esc&lt;/kbd&gt; beendet.</translation>
-    </message>
-    <message>
-        <source>Type how long this shall be; &lt;kbd&gt;Enter&lt;/kbd&gt; scales the whole model. &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
-        <translation>Eintippen, wie lang dies sein soll; &lt;kbd&gt;Eingabe&lt;/kbd&gt; skaliert das ganze Modell. &lt;kbd&gt;Esc&lt;/kbd&gt; bricht ab.</translation>
-    </message>
-    <message>
-        <source>Nothing imported: no line of %1 closes to an outline. It can be engraved.</source>
-        <translation>Nichts eingelesen: Keine Linie von %1 schließt sich zu einem Umriss. Gravieren geht.</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n outlines of %1 did not fit and were left out.</source>
-        <translation>
-            <numerusform>%n Umriss von %1 passte nicht und wurde ausgelassen.</numerusform>
-            <numerusform>%n Umrisse von %1 passten nicht und wurden ausgelassen.</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>There is no letter “%1” to engrave.</source>
-        <translation>Der Buchstabe „%1“ lässt sich nicht gravieren.</translation>
-    </message>
-    <message>
-        <source>Nothing engraved: that lies beside %1.</source>
-        <translation>Nichts graviert: Das liegt neben %1.</translation>
-    </message>
-    <message>
-        <source>The model cannot be made that large or small.</source>
-        <translation>So groß oder klein kann das Modell nicht werden.</translation>
-    </message>
-    <message>
-        <source>The model cannot be scaled so far: %1 would leave its bounds.</source>
-        <translation>So weit lässt sich das Modell nicht skalieren: %1 käme aus seinem Bereich.</translation>
-    </message>
-</context>
-<context>
     <name>fff::ui::HistoryDock</name>
     <message>
         <source>History</source>
@@ -6110,14 +6133,6 @@
     <message>
         <source>The model cannot be shown on this display.</source>
         <translation>Auf dieser Anzeige kann das Modell nicht gezeigt werden.</translation>
-    </message>
-    <message>
-        <source>It was never saved</source>
-        <translation>Es wurde nie gespeichert</translation>
-    </message>
-    <message>
-        <source>Nothing was changed since it was saved</source>
-        <translation>Seit dem Speichern wurde nichts geändert</translation>
     </message>
     <message numerus="yes">
         <source>Recovered: %n model(s) that were not saved</source>

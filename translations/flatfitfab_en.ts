@@ -88,6 +88,44 @@
     </message>
 </context>
 <context>
+    <name>Hint</name>
+    <message numerus="yes">
+        <source>%n outlines of %1 did not fit and were left out.</source>
+        <translation>
+            <numerusform>%n outline of %1 did not fit and was left out.</numerusform>
+            <numerusform>%n outlines of %1 did not fit and were left out.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n texts</source>
+        <translation>
+            <numerusform>%n text</numerusform>
+            <numerusform>%n texts</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pictures</source>
+        <translation>
+            <numerusform>%n picture</numerusform>
+            <numerusform>%n pictures</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n lines were read</source>
+        <translation>
+            <numerusform>%n line was read</numerusform>
+            <numerusform>%n lines were read</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>&lt;kbd&gt;Enter&lt;/kbd&gt; makes %n copies like this, each a step further. &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
+        <translation>
+            <numerusform>&lt;kbd&gt;Enter&lt;/kbd&gt; makes %n copy like this. &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</numerusform>
+            <numerusform>&lt;kbd&gt;Enter&lt;/kbd&gt; makes %n copies like this, each a step further. &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>OperationNotice</name>
     <message numerus="yes">
         <source>%1 stopped at %n sections.</source>
@@ -105,54 +143,12 @@
     </message>
 </context>
 <context>
-    <name>fff::SessionHost</name>
-    <message numerus="yes">
-        <source>Delete %n sections</source>
-        <translation>
-            <numerusform>Delete %n sections</numerusform>
-            <numerusform>Delete %n sections</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>Move %n sections</source>
-        <translation>
-            <numerusform>Move %n sections</numerusform>
-            <numerusform>Move %n sections</numerusform>
-        </translation>
-    </message>
+    <name>Step</name>
     <message numerus="yes">
         <source>Change stock of %n sections</source>
         <translation>
             <numerusform>Change stock of %n sections</numerusform>
             <numerusform>Change stock of %n sections</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>Move %n points of %1</source>
-        <translation>
-            <numerusform>Move %n point of %1</numerusform>
-            <numerusform>Move %n points of %1</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>Delete %n points of %1</source>
-        <translation>
-            <numerusform>Delete %n point of %1</numerusform>
-            <numerusform>Delete %n points of %1</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>Change %n points of %1</source>
-        <translation>
-            <numerusform>Change %n point of %1</numerusform>
-            <numerusform>Change %n points of %1</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>Remove holes of %n sections</source>
-        <translation>
-            <numerusform>Remove holes of %n section</numerusform>
-            <numerusform>Remove holes of %n sections</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -171,10 +167,31 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>Leave out %n sections</source>
+        <source>Delete %n points of %1</source>
         <translation>
-            <numerusform>Leave out %n sections</numerusform>
-            <numerusform>Leave out %n sections</numerusform>
+            <numerusform>Delete %n point of %1</numerusform>
+            <numerusform>Delete %n points of %1</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Move %n points of %1</source>
+        <translation>
+            <numerusform>Move %n point of %1</numerusform>
+            <numerusform>Move %n points of %1</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Change %n points of %1</source>
+        <translation>
+            <numerusform>Change %n point of %1</numerusform>
+            <numerusform>Change %n points of %1</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Move %n sections</source>
+        <translation>
+            <numerusform>Move %n sections</numerusform>
+            <numerusform>Move %n sections</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -203,20 +220,6 @@
         <translation>
             <numerusform>Mirror a copy of %n section</numerusform>
             <numerusform>Mirror copies of %n sections</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>Paste %n sections</source>
-        <translation>
-            <numerusform>Paste %n section</numerusform>
-            <numerusform>Paste %n sections</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>Cut %n sections</source>
-        <translation>
-            <numerusform>Cut %n section</numerusform>
-            <numerusform>Cut %n sections</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -259,6 +262,41 @@
         <translation>
             <numerusform>Unlock %n section</numerusform>
             <numerusform>Unlock %n sections</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Delete %n sections</source>
+        <translation>
+            <numerusform>Delete %n sections</numerusform>
+            <numerusform>Delete %n sections</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Leave out %n sections</source>
+        <translation>
+            <numerusform>Leave out %n sections</numerusform>
+            <numerusform>Leave out %n sections</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Cut %n sections</source>
+        <translation>
+            <numerusform>Cut %n section</numerusform>
+            <numerusform>Cut %n sections</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Paste %n sections</source>
+        <translation>
+            <numerusform>Paste %n section</numerusform>
+            <numerusform>Paste %n sections</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Remove holes of %n sections</source>
+        <translation>
+            <numerusform>Remove holes of %n section</numerusform>
+            <numerusform>Remove holes of %n sections</numerusform>
         </translation>
     </message>
 </context>
@@ -317,44 +355,6 @@
         <translation>
             <numerusform>%n section</numerusform>
             <numerusform>%n sections</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
-    <name>fff::ui::HintText</name>
-    <message numerus="yes">
-        <source>&lt;kbd&gt;Enter&lt;/kbd&gt; makes %n copies like this, each a step further. &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
-        <translation>
-            <numerusform>&lt;kbd&gt;Enter&lt;/kbd&gt; makes %n copy like this. &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</numerusform>
-            <numerusform>&lt;kbd&gt;Enter&lt;/kbd&gt; makes %n copies like this, each a step further. &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n texts</source>
-        <translation>
-            <numerusform>%n text</numerusform>
-            <numerusform>%n texts</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n pictures</source>
-        <translation>
-            <numerusform>%n picture</numerusform>
-            <numerusform>%n pictures</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n lines were read</source>
-        <translation>
-            <numerusform>%n line was read</numerusform>
-            <numerusform>%n lines were read</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n outlines of %1 did not fit and were left out.</source>
-        <translation>
-            <numerusform>%n outline of %1 did not fit and was left out.</numerusform>
-            <numerusform>%n outlines of %1 did not fit and were left out.</numerusform>
         </translation>
     </message>
 </context>

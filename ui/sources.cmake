@@ -1,7 +1,7 @@
 target_sources(fff_ui PRIVATE
     actions/action_finder.cpp
     actions/action_set.cpp
-    actions/action_table.cpp
+    actions/menu_table.cpp
     base/ago_text.cpp
     base/cursors.cpp
     base/expression_text.cpp
@@ -105,6 +105,7 @@ target_sources(fff_ui PRIVATE
     window/context_menu.cpp
     window/main_tool_bar.cpp
     window/main_window.cpp
+    window/main_window_commands.cpp
     window/operation_notices.cpp
     window/script_player.cpp
     window/spoken_selection.cpp

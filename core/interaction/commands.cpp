@@ -3,6 +3,7 @@
 #include <cassert>
 #include <charconv>
 #include <cmath>
+#include <utility>
 
 namespace fff {
 
@@ -26,10 +27,23 @@ Result<double> numberOf(const CommandParameters &parameters, const std::string &
     return number;
 }
 
+CommandRule needs(std::function<bool()> can, Text reason)
+{
+    return [can = std::move(can), reason](const CommandParameters &) {
+        return can() ? WhyNot() : WhyNot(reason);
+    };
+}
+
 void CommandRegistry::add(std::string id, Command command)
 {
     assert(command.run && "a command does something");
     m_commands.insert_or_assign(std::move(id), std::move(command));
+}
+
+void CommandRegistry::offer(std::span<const CommandWords> words)
+{
+    for (const CommandWords &each : words)
+        m_offered.push_back(&each);
 }
 
 bool CommandRegistry::contains(const std::string &id) const
@@ -37,12 +51,33 @@ bool CommandRegistry::contains(const std::string &id) const
     return m_commands.count(id) > 0;
 }
 
-bool CommandRegistry::isEnabled(const std::string &id) const
+WhyNot CommandRegistry::whyNot(const std::string &id, const CommandParameters &parameters) const
 {
     const auto found = m_commands.find(id);
-    if (found == m_commands.end())
-        return false;
-    return !found->second.isEnabled || found->second.isEnabled();
+    if (found == m_commands.end() || !found->second.rule)
+        return {};
+    return found->second.rule(parameters);
+}
+
+bool CommandRegistry::isEnabled(const std::string &id) const
+{
+    return contains(id) && !whyNot(id);
+}
+
+std::optional<bool> CommandRegistry::isOn(const std::string &id) const
+{
+    const auto found = m_commands.find(id);
+    if (found == m_commands.end() || !found->second.isOn)
+        return {};
+    return found->second.isOn();
+}
+
+Message CommandRegistry::does(const std::string &id) const
+{
+    const auto found = m_commands.find(id);
+    if (found == m_commands.end() || !found->second.does)
+        return {};
+    return found->second.does();
 }
 
 Result<void> CommandRegistry::run(const std::string &id, const CommandParameters &parameters,
@@ -51,7 +86,7 @@ Result<void> CommandRegistry::run(const std::string &id, const CommandParameters
     const auto found = m_commands.find(id);
     if (found == m_commands.end())
         return failure(ErrorCode::UnknownCommand, id, {id});
-    if (!isEnabled(id))
+    if (whyNot(id, parameters))
         return {};
     return found->second.run(parameters, time);
 }

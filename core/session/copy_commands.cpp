@@ -4,6 +4,7 @@
 #include "core/interaction/section_editing.h"
 #include "core/io/fff_format.h"
 #include "core/operations/excerpt.h"
+#include "core/session/command_rules.h"
 #include "core/session/operation_script.h"
 
 #include <algorithm>
@@ -12,6 +13,36 @@
 namespace fff {
 
 namespace {
+
+constexpr CommandWords kWords[] = {
+    {"edit.cut", FFF_TEXT("Command", "Cu&t"), FFF_TEXT("Command", "Cut"), "Ctrl+X", "cut",
+     FFF_TEXT("Command", "Copy the selected sections and delete them")},
+    {"edit.copy", FFF_TEXT("Command", "&Copy"), FFF_TEXT("Command", "Copy"), "Ctrl+C", "copy",
+     FFF_TEXT("Command", "Copy the selected sections, also for other windows and programs")},
+    {"edit.paste", FFF_TEXT("Command", "&Paste"), FFF_TEXT("Command", "Paste"), "Ctrl+V", "paste",
+     FFF_TEXT("Command", "Add the sections that were copied")},
+    {"edit.duplicate", FFF_TEXT("Command", "Dup&licate"), FFF_TEXT("Command", "Duplicate"),
+     "Ctrl+D", "duplicate", FFF_TEXT("Command", "Put a copy of the selected sections beside them")},
+    {"edit.mirrorCopyX", FFF_TEXT("Command", "Across &X"), FFF_TEXT("Command", "Mirror X"), "",
+     "mirror_copy",
+     FFF_TEXT("Command",
+              "Put a mirror image of the selected sections on the other side of the plane "
+              "where X is 0")},
+    {"edit.mirrorCopyY", FFF_TEXT("Command", "Across &Y"), FFF_TEXT("Command", "Mirror Y"), "",
+     "mirror_copy",
+     FFF_TEXT("Command",
+              "Put a mirror image of the selected sections on the other side of the plane "
+              "where Y is 0")},
+    {"edit.mirrorCopyZ", FFF_TEXT("Command", "Across &Z"), FFF_TEXT("Command", "Mirror Z"), "",
+     "mirror_copy",
+     FFF_TEXT("Command",
+              "Put a mirror image of the selected sections on the other side of the plane "
+              "where Z is 0")},
+    {"edit.mirrorCopySection", FFF_TEXT("Command", "Across a &section…"),
+     FFF_TEXT("Command", "Mirror"), "", "mirror_copy",
+     FFF_TEXT("Command",
+              "Click a section: a mirror image of the selected ones comes on its other side")},
+};
 
 //: %1 is the name of a section
 constexpr CountedText kCutSections{FFF_TEXT("Step", "Cut %1"),
@@ -44,8 +75,6 @@ public:
         : m_session(session), m_interaction(interaction), m_clipboard(std::move(clipboard))
     {
     }
-
-    bool hasSections() const { return !m_interaction.sectionsInFocus().empty(); }
 
     Result<void> copy() const
     {
@@ -179,20 +208,20 @@ void registerCopyCommands(CommandRegistry &registry, Session &session, Interacti
                           Clipboard clipboard)
 {
     const CopyCommands commands(session, interaction, std::move(clipboard));
-    const auto hasSections = [commands] { return commands.hasSections(); };
+    const CommandRule hasSelection = needsSelection(interaction);
     registry.add(
         "edit.copy",
-        {[commands](const CommandParameters &, double) { return commands.copy(); }, hasSections});
+        {[commands](const CommandParameters &, double) { return commands.copy(); }, hasSelection});
     registry.add("edit.cut",
                  {[commands](const CommandParameters &, double time) { return commands.cut(time); },
-                  hasSections});
-    registry.add(
-        "edit.paste",
-        {[commands](const CommandParameters &, double time) { return commands.paste(time); }, {}});
+                  hasSelection});
+    registry.add("edit.paste", {[commands](const CommandParameters &, double time) {
+                     return commands.paste(time);
+                 }});
     registry.add("edit.duplicate", {[commands](const CommandParameters &, double time) {
                                         return commands.duplicate(time);
                                     },
-                                    hasSections});
+                                    hasSelection});
     const std::pair<const char *, Vec3> planes[] = {{"edit.mirrorCopyX", Vec3::UnitX()},
                                                     {"edit.mirrorCopyY", Vec3::UnitY()},
                                                     {"edit.mirrorCopyZ", Vec3::UnitZ()}};
@@ -201,13 +230,14 @@ void registerCopyCommands(CommandRegistry &registry, Session &session, Interacti
         registry.add(id, {[commands, across](const CommandParameters &, double time) {
                               return commands.mirror(across, time);
                           },
-                          hasSections});
+                          hasSelection});
     }
     registry.add("edit.mirrorCopySection",
                  {[commands](const CommandParameters &parameters, double time) {
                       return commands.mirrorAcross(parameters, time);
                   },
-                  hasSections});
+                  hasSelection, inHand(interaction, "edit.mirrorCopySection")});
+    registry.offer(kWords);
 }
 
 } // namespace fff

@@ -6,6 +6,7 @@
 #include "core/interaction/drawing_words.h"
 #include "core/io/loaded_document.h"
 #include "core/io/svg_file.h"
+#include "core/session/command_rules.h"
 #include "core/session/operation_script.h"
 
 #include <QFileInfo>
@@ -13,6 +14,21 @@
 namespace fff {
 
 namespace {
+
+constexpr CommandWords kWords[] = {
+    {"section.importSections", FFF_TEXT("Command", "&New sections…"),
+     FFF_TEXT("Command", "From SVG"), "", "import_drawing",
+     FFF_TEXT("Command", "A section for every outline of a drawing")},
+    {"section.importContour", FFF_TEXT("Command", "&Contour…"),
+     FFF_TEXT("Command", "Contour from SVG"), "", "import_drawing",
+     FFF_TEXT("Command", "The largest outline of a drawing in place of the selected section's")},
+    {"section.importHoles", FFF_TEXT("Command", "&Holes…"), FFF_TEXT("Command", "Holes from SVG"),
+     "", "import_drawing",
+     FFF_TEXT("Command", "A hole of the selected section for every outline of a drawing")},
+    {"section.importMarks", FFF_TEXT("Command", "&Marks…"), FFF_TEXT("Command", "Marks from SVG"),
+     "", "import_drawing",
+     FFF_TEXT("Command", "The lines of a drawing, engraved or scored on the selected section")},
+};
 
 /// The lines that count: of a file of ours no reference bars, and of its colours those that are
 /// wanted.
@@ -80,8 +96,6 @@ public:
         return {};
     }
 
-    bool hasSection() const { return m_interaction.sectionsInFocus().size() == 1; }
-
 private:
     SectionEdit editOf(As as, const Drawing &drawing) const
     {
@@ -109,18 +123,16 @@ void registerDrawingCommands(CommandRegistry &registry, Session &session, Intera
     using As = DrawingCommands::As;
     const DrawingCommands commands(session, interaction);
     const auto add = [&](const char *id, As as) {
-        std::function<bool()> isEnabled;
-        if (as != As::Sections)
-            isEnabled = [commands] { return commands.hasSection(); };
         registry.add(id, {[commands, as](const CommandParameters &parameters, double time) {
                               return commands.read(as, parameters, time);
                           },
-                          isEnabled});
+                          as == As::Sections ? CommandRule() : needsOneSection(interaction)});
     };
     add("section.importSections", As::Sections);
     add("section.importContour", As::Contour);
     add("section.importHoles", As::Holes);
     add("section.importMarks", As::Marks);
+    registry.offer(kWords);
 }
 
 } // namespace fff

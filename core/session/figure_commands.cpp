@@ -5,6 +5,7 @@
 #include "core/interaction/figure_tool.h"
 #include "core/model/figures.h"
 #include "core/model/origin.h"
+#include "core/session/command_rules.h"
 #include "core/session/operation_script.h"
 
 #include <cctype>
@@ -13,6 +14,30 @@
 namespace fff {
 
 namespace {
+
+constexpr CommandWords kWords[] = {
+    {"section.addShape", FFF_TEXT("Command", "&Draw a shape"), FFF_TEXT("Command", "Shape"),
+     "Shift+A", "figure_draw",
+     FFF_TEXT("Command", "Drag a circle, rectangle or the like out of its middle"), true},
+    {"section.addCircle", FFF_TEXT("Command", "&Circle"), FFF_TEXT("Command", "Circle"), "",
+     "figure_circle",
+     FFF_TEXT("Command", "By numbers: a hole in the selected section, or a section of its own")},
+    {"section.addEllipse", FFF_TEXT("Command", "&Ellipse"), FFF_TEXT("Command", "Ellipse"), "",
+     "figure_ellipse",
+     FFF_TEXT("Command", "By numbers: a hole in the selected section, or a section of its own")},
+    {"section.addRectangle", FFF_TEXT("Command", "&Rectangle"), FFF_TEXT("Command", "Rectangle"),
+     "", "figure_rectangle",
+     FFF_TEXT("Command", "By numbers: a hole in the selected section, or a section of its own")},
+    {"section.addPolygon", FFF_TEXT("Command", "&Polygon"), FFF_TEXT("Command", "Polygon"), "",
+     "figure_polygon",
+     FFF_TEXT("Command", "By numbers: a hole in the selected section, or a section of its own")},
+    {"section.addStar", FFF_TEXT("Command", "&Star"), FFF_TEXT("Command", "Star"), "",
+     "figure_star",
+     FFF_TEXT("Command", "By numbers: a hole in the selected section, or a section of its own")},
+    {"section.addSlot", FFF_TEXT("Command", "S&lot"), FFF_TEXT("Command", "Slot"), "",
+     "figure_slot",
+     FFF_TEXT("Command", "By numbers: a hole in the selected section, or a section of its own")},
+};
 
 class FigureCommands
 {
@@ -135,6 +160,7 @@ private:
 void registerFigureCommands(CommandRegistry &registry, Session &session, Interaction &interaction)
 {
     const FigureCommands commands(session, interaction);
+    const auto drawsShapes = inHand(interaction, "section.addShape");
     for (const FigureKind &kind : figureKinds()) {
         std::string name = kind.key;
         name.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(name.front())));
@@ -142,16 +168,25 @@ void registerFigureCommands(CommandRegistry &registry, Session &session, Interac
                      {[commands, &kind](const CommandParameters &parameters, double time) {
                           return commands.add(kind, parameters, time);
                       },
-                      {}});
+                      {},
+                      // While the tool draws shapes these say which one.
+                      [drawsShapes, &interaction, &kind]() -> std::optional<bool> {
+                          if (!*drawsShapes())
+                              return {};
+                          return interaction.settings().figure == kind.key;
+                      }});
     }
     registry.add("section.addShape", {[commands](const CommandParameters &parameters, double time) {
                                           return commands.draw(parameters, time);
                                       },
-                                      {}});
-    registry.add("section.figure", {[commands](const CommandParameters &parameters, double time) {
-                                        return commands.change(parameters, time);
-                                    },
-                                    [commands] { return commands.section() != nullptr; }});
+                                      {},
+                                      drawsShapes});
+    registry.add("section.figure",
+                 {[commands](const CommandParameters &parameters, double time) {
+                      return commands.change(parameters, time);
+                  },
+                  needs([commands] { return commands.section() != nullptr; }, kNothingSelected)});
+    registry.offer(kWords);
 }
 
 } // namespace fff

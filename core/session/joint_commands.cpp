@@ -2,6 +2,7 @@
 
 #include "core/assembly/joint_editing.h"
 #include "core/model/joint_kind_names.h"
+#include "core/session/command_rules.h"
 #include "core/session/message_text.h"
 
 #include <algorithm>
@@ -14,6 +15,16 @@
 namespace fff {
 
 namespace {
+
+constexpr CommandWords kWords[] = {
+    {"joint.flip", FFF_TEXT("Command", "Flip the slits of the &joint"),
+     FFF_TEXT("Command", "Flip the slits"), "", "joint_flip",
+     FFF_TEXT("Command", "Let the slits of the selected joint open to the other side")},
+    {"joint.reset", FFF_TEXT("Command", "Reset the joint to a&utomatic"),
+     FFF_TEXT("Command", "Reset joint"), "", "joint_reset",
+     FFF_TEXT("Command",
+              "Let the selected joint be as it is by itself: kind, direction and share")},
+};
 
 std::string textOf(const CommandParameters &parameters, const std::string &name)
 {
@@ -83,6 +94,8 @@ Result<void> carryOut(Session &session, Interaction &interaction, JointEdit edit
     return {};
 }
 
+constexpr Text kNothingByHand = FFF_TEXT("Command", "Nothing of this joint is set by hand");
+
 bool isOverridden(const Session &session, const Interaction &interaction)
 {
     const std::optional<JointRef> &joint = interaction.selectedJoint();
@@ -93,11 +106,10 @@ bool isOverridden(const Session &session, const Interaction &interaction)
 
 void registerJointCommands(CommandRegistry &registry, Session &session, Interaction &interaction)
 {
-    const auto hasJoint = [&interaction] { return interaction.selectedJoint().has_value(); };
+    const CommandRule hasJoint = needsJoint(interaction);
     registry.add("joint.select", {[&](const CommandParameters &parameters, double) {
-                                      return selectJoint(session, interaction, parameters);
-                                  },
-                                  {}});
+                     return selectJoint(session, interaction, parameters);
+                 }});
     registry.add("joint.kind",
                  {[&](const CommandParameters &parameters, double time) -> Result<void> {
                       const std::string text = textOf(parameters, "kind");
@@ -134,15 +146,13 @@ void registerJointCommands(CommandRegistry &registry, Session &session, Interact
                              time);
          },
          hasJoint});
-    registry.add("joint.tabs",
-                 {[&](const CommandParameters &parameters, double time) -> Result<void> {
-                      const auto joint = jointNamed(session.committed(), parameters);
-                      if (!joint)
-                          return tl::unexpected(joint.error());
-                      return carryOut(session, interaction,
-                                      joinWithTabs(session.committed(), *joint), time);
-                  },
-                  {}});
+    registry.add(
+        "joint.tabs", {[&](const CommandParameters &parameters, double time) -> Result<void> {
+            const auto joint = jointNamed(session.committed(), parameters);
+            if (!joint)
+                return tl::unexpected(joint.error());
+            return carryOut(session, interaction, joinWithTabs(session.committed(), *joint), time);
+        }});
     registry.add("joint.trim",
                  {[&](const CommandParameters &parameters, double time) {
                       auto edit =
@@ -157,7 +167,12 @@ void registerJointCommands(CommandRegistry &registry, Session &session, Interact
                                       resetJoint(session.committed(), *interaction.selectedJoint()),
                                       time);
                   },
-                  [&] { return isOverridden(session, interaction); }});
+                  [&session, &interaction, hasJoint](const CommandParameters &parameters) {
+                      const WhyNot without = hasJoint(parameters);
+                      return without || isOverridden(session, interaction) ? without
+                                                                           : WhyNot(kNothingByHand);
+                  }});
+    registry.offer(kWords);
 }
 
 } // namespace fff

@@ -5,6 +5,7 @@
 #include "core/interaction/mark_editing.h"
 #include "core/interaction/mark_tool.h"
 #include "core/model/origin.h"
+#include "core/session/command_rules.h"
 #include "core/session/operation_script.h"
 
 #include <memory>
@@ -12,6 +13,16 @@
 namespace fff {
 
 namespace {
+
+constexpr CommandWords kWords[] = {
+    {"section.mark", FFF_TEXT("Command", "Add te&xt or lines to engrave"),
+     FFF_TEXT("Command", "Engrave"), "E", "engrave",
+     FFF_TEXT("Command", "Write or draw on a section, to be engraved or scored"), true},
+    {"mark.engrave", FFF_TEXT("Command", "&Engrave"), FFF_TEXT("Command", "Engrave"), "", "engrave",
+     FFF_TEXT("Command", "What is drawn next is engraved")},
+    {"mark.score", FFF_TEXT("Command", "&Score"), FFF_TEXT("Command", "Score"), "", "score",
+     FFF_TEXT("Command", "What is drawn next is scored, to fold or break along")},
+};
 
 class MarkCommands
 {
@@ -136,27 +147,30 @@ void registerMarkCommands(CommandRegistry &registry, Session &session, Interacti
                       interaction.pickUp(std::make_unique<MarkTool>(), time);
                       return {};
                   },
-                  [&session] { return session.committed().sectionCount() > 0; }});
+                  needsSections(session), inHand(interaction, "section.mark")});
     const auto addKind = [&](const char *id, bool scores) {
         registry.add(id,
                      {[&interaction, scores](const CommandParameters &, double) -> Result<void> {
                           interaction.settings().scores = scores;
                           return {};
                       },
-                      {}});
+                      {},
+                      [&interaction, scores] { return interaction.settings().scores == scores; }});
     };
     addKind("mark.engrave", false);
     addKind("mark.score", true);
     using Run = Result<void> (MarkCommands::*)(const CommandParameters &, double) const;
     const auto add = [&](const char *id, Run run) {
-        registry.add(id, {[commands, run](const CommandParameters &parameters, double time) {
-                              return (commands.*run)(parameters, time);
-                          },
-                          [commands] { return commands.selected() != nullptr; }});
+        registry.add(
+            id, {[commands, run](const CommandParameters &parameters, double time) {
+                     return (commands.*run)(parameters, time);
+                 },
+                 needs([commands] { return commands.selected() != nullptr; }, kNothingSelected)});
     };
     add("mark.addText", &MarkCommands::addText);
     add("mark.change", &MarkCommands::change);
     add("mark.delete", &MarkCommands::remove);
+    registry.offer(kWords);
 }
 
 } // namespace fff

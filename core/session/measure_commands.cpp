@@ -6,6 +6,7 @@
 #include "core/model/edit_words.h"
 #include "core/model/named_numbers.h"
 #include "core/operations/scaled_model.h"
+#include "core/session/command_rules.h"
 #include "core/session/operation_script.h"
 
 #include <cmath>
@@ -14,6 +15,18 @@
 namespace fff {
 
 namespace {
+
+constexpr CommandWords kWords[] = {
+    {"measure.ruler", FFF_TEXT("Command", "M&easure"), FFF_TEXT("Command", "Measure"), "M",
+     "measure", FFF_TEXT("Command", "Measure from one place to another"), true},
+    {"measure.dimension", FFF_TEXT("Command", "D&imension"), FFF_TEXT("Command", "Dimension"), "D",
+     "dimension", FFF_TEXT("Command", "Say how long something shall be; the whole model follows"),
+     true},
+    {"measure.keep", FFF_TEXT("Command", "Keep t&he dimension"), FFF_TEXT("Command", "Keep"), "",
+     "keep", FFF_TEXT("Command", "Show this length from now on")},
+    {"measure.remove", FFF_TEXT("Command", "Rem&ove the dimension"), FFF_TEXT("Command", "Remove"),
+     "", "trash", FFF_TEXT("Command", "Show this length no more")},
+};
 
 //: %1 is the name of a number
 constexpr Text kDeleteNumber = FFF_TEXT("Step", "Delete %1");
@@ -165,26 +178,35 @@ void registerMeasureCommands(CommandRegistry &registry, Session &session, Intera
                      commands.pickUp(isDimension, time);
                      return {};
                  },
-                 [&session] { return session.committed().sectionCount() > 0; }});
+                 needsSections(session), inHand(interaction, id)});
     };
     addTool("measure.ruler", false);
     addTool("measure.dimension", true);
     registry.add(
         "measure.keep",
         {[commands](const CommandParameters &, double time) { return commands.keep(time); },
-         [commands] { return commands.tool() && commands.tool()->line(); }});
+         needs([commands] { return commands.tool() && commands.tool()->line(); },
+               FFF_TEXT("Command", "Nothing is measured"))});
     using Run = Result<void> (MeasureCommands::*)(const CommandParameters &, double) const;
-    const auto add = [&](const char *id, Run run) {
+    const auto add = [&](const char *id, Run run, CommandRule rule = {}) {
         registry.add(id, {[commands, run](const CommandParameters &parameters, double time) {
                               return (commands.*run)(parameters, time);
                           },
-                          {}});
+                          std::move(rule)});
     };
-    add("measure.remove", &MeasureCommands::remove);
+    add("measure.remove", &MeasureCommands::remove,
+        [commands](const CommandParameters &parameters) -> WhyNot {
+            const MeasureTool *tool = commands.tool();
+            if (parameters.contains("dimension") || (tool && tool->dimension().isValid()))
+                return {};
+            return FFF_TEXT("Command", "No dimension is picked: click one with the tool that "
+                                       "measures");
+        });
     add("measure.scale", &MeasureCommands::scale);
     add("numbers.set", &MeasureCommands::setNumber);
     add("numbers.remove", &MeasureCommands::removeNumber);
     add("numbers.rename", &MeasureCommands::renameNumber);
+    registry.offer(kWords);
 }
 
 } // namespace fff

@@ -5,6 +5,7 @@
 #include "core/operations/baking.h"
 #include "core/operations/evaluate.h"
 #include "core/operations/operation_words.h"
+#include "core/session/command_rules.h"
 #include "core/session/message_text.h"
 #include "core/session/operation_script.h"
 #include "core/session/operation_text.h"
@@ -15,6 +16,45 @@
 namespace fff {
 
 namespace {
+
+constexpr CommandWords kWords[] = {
+    {"operation.linear", FFF_TEXT("Command", "&Linear"), FFF_TEXT("Command", "Linear"), "Ctrl+L",
+     "linear", FFF_TEXT("Command", "Repeat a section in a row along another one")},
+    {"operation.revolve", FFF_TEXT("Command", "&Revolve along contour"),
+     FFF_TEXT("Command", "Revolve"), "Ctrl+R", "revolve",
+     FFF_TEXT("Command", "Repeat a section round the contour of another one")},
+    {"operation.blend", FFF_TEXT("Command", "&Blend"), FFF_TEXT("Command", "Blend"), "Ctrl+E",
+     "blend", FFF_TEXT("Command", "Make sections between others, which turn into one another")},
+    {"operation.branch", FFF_TEXT("Command", "Br&anch"), FFF_TEXT("Command", "Branch"), "Ctrl+B",
+     "branch",
+     FFF_TEXT("Command", "Let a section grow out of itself again and again, as a tree does")},
+    {"operation.grid", FFF_TEXT("Command", "&Grid with connectors"), FFF_TEXT("Command", "Grid"),
+     "Ctrl+G", "grid", FFF_TEXT("Command", "Divide a section that is too large for the sheet")},
+    {"operation.radial", FFF_TEXT("Command", "Ra&dial contour"), FFF_TEXT("Command", "Radial"),
+     "Ctrl+Shift+R", "radial",
+     FFF_TEXT("Command", "Make a circle, a star or a gear of a section, or holes in it")},
+    {"operation.mirror", FFF_TEXT("Command", "&Mirror model"), FFF_TEXT("Command", "Mirror"),
+     "Ctrl+Shift+M", "mirror",
+     FFF_TEXT("Command", "Let what is drawn on one side stand on the other side, too")},
+    {"operation.rotational", FFF_TEXT("Command", "Ro&tational symmetry"),
+     FFF_TEXT("Command", "Rotational"), "", "rotational",
+     FFF_TEXT("Command", "Let what is drawn once stand all round an axis")},
+    {"operation.array", FFF_TEXT("Command", "Arra&y"), FFF_TEXT("Command", "Array"), "", "array",
+     FFF_TEXT("Command", "Repeat sections along a line through space")},
+    {"operation.symmetric", FFF_TEXT("Command", "Make symmetric &now"),
+     FFF_TEXT("Command", "Symmetric"), "", "symmetry",
+     FFF_TEXT("Command", "Copy what stands on one side to the other side, once")},
+    {"operation.switch", FFF_TEXT("Command", "&Switch off or on"), FFF_TEXT("Command", "On"), "",
+     "operation_switch", FFF_TEXT("Command", "Switch the selected operation off, or on again")},
+    {"operation.moveUp", FFF_TEXT("Command", "Earlier in the &order"),
+     FFF_TEXT("Command", "Earlier"), "", "move_up",
+     FFF_TEXT("Command", "Let the selected operation work before the one above it")},
+    {"operation.moveDown", FFF_TEXT("Command", "Lat&er in the order"), FFF_TEXT("Command", "Later"),
+     "", "move_down",
+     FFF_TEXT("Command", "Let the selected operation work after the one below it")},
+    {"operation.bake", FFF_TEXT("Command", "Ba&ke into sections"), FFF_TEXT("Command", "Bake"), "",
+     "bake", FFF_TEXT("Command", "Make drawn sections of what the selected operation makes")},
+};
 
 //: %1 is the name of an operation
 constexpr Text kSwitchOnOperation = FFF_TEXT("Step", "Switch %1 on");
@@ -236,8 +276,6 @@ public:
         return commit(kMakeSymmetric, baked(with, id));
     }
 
-    bool hasSections() const { return m_session.committed().sectionCount() > 0; }
-
 private:
     Result<OperationPointer> named(const CommandParameters &parameters) const
     {
@@ -298,37 +336,57 @@ void registerOperationCommands(CommandRegistry &registry, Session &session,
 {
     const OperationCommands commands(session, interaction);
     for (const OperationKind *kind : operationKinds()) {
-        std::string id = "operation.";
-        registry.add(id.append(kind->key),
-                     {[commands, kind](const CommandParameters &parameters, double time) {
-                          return commands.add(*kind, parameters, time);
-                      },
-                      {}});
+        const std::string id = std::string("operation.").append(kind->key);
+        registry.add(id, {[commands, kind](const CommandParameters &parameters, double time) {
+                              return commands.add(*kind, parameters, time);
+                          },
+                          {},
+                          inHand(interaction, id)});
     }
     registry.add("operation.symmetric",
                  {[commands](const CommandParameters &parameters, double time) {
                       return commands.makeSymmetric(parameters, time);
                   },
-                  [commands] { return commands.hasSections(); }});
+                  needsSections(session)});
     using Work = Result<void> (OperationCommands::*)(const CommandParameters &, double) const;
-    const std::pair<const char *, Work> works[] = {
-        {"operation.change", &OperationCommands::change},
-        {"operation.choose", &OperationCommands::choose},
-        {"operation.switch", &OperationCommands::turn},
-        {"operation.move", &OperationCommands::move},
-        {"operation.moveUp", &OperationCommands::stepUp},
-        {"operation.moveDown", &OperationCommands::stepDown},
-        {"operation.delete", &OperationCommands::remove},
-        {"operation.bake", &OperationCommands::bake},
-        {"operation.exclude", &OperationCommands::exclude},
+    const CommandRule one = needsOperation(interaction);
+    const auto besides = [one, &session, &interaction](bool isFirst, Text reason) -> CommandRule {
+        return [=, &session, &interaction](const CommandParameters &parameters) {
+            const WhyNot none = one(parameters);
+            if (none || parameters.contains("operation"))
+                return none;
+            const auto &all = session.committed().document.operations;
+            const Operation &end = isFirst ? *all.front() : *all.back();
+            return end.id == interaction.operationInFocus() ? WhyNot(reason) : WhyNot();
+        };
     };
-    for (const auto &[id, work] : works) {
-        const Work wanted = work; // a binding cannot be captured
-        registry.add(id, {[commands, wanted](const CommandParameters &parameters, double time) {
-                              return (commands.*wanted)(parameters, time);
-                          },
-                          {}});
+    struct Row
+    {
+        const char *id;
+        Work work;
+        CommandRule rule;
+    };
+    const Row rows[] = {
+        {"operation.change", &OperationCommands::change, {}},
+        {"operation.choose", &OperationCommands::choose, {}},
+        {"operation.switch", &OperationCommands::turn, one},
+        {"operation.move", &OperationCommands::move, {}},
+        {"operation.moveUp", &OperationCommands::stepUp,
+         besides(true, FFF_TEXT("Command", "It is the first one"))},
+        {"operation.moveDown", &OperationCommands::stepDown,
+         besides(false, FFF_TEXT("Command", "It is the last one"))},
+        {"operation.delete", &OperationCommands::remove, {}},
+        {"operation.bake", &OperationCommands::bake, one},
+        {"operation.exclude", &OperationCommands::exclude, {}},
+    };
+    for (const Row &row : rows) {
+        const Work work = row.work;
+        registry.add(row.id, {[commands, work](const CommandParameters &parameters, double time) {
+                                  return (commands.*work)(parameters, time);
+                              },
+                              row.rule});
     }
+    registry.offer(kWords);
 }
 
 } // namespace fff

@@ -2,6 +2,7 @@
 
 #include "core/base/units.h"
 #include "core/interaction/pen_tool.h"
+#include "core/session/command_rules.h"
 
 #include <array>
 #include <memory>
@@ -9,6 +10,16 @@
 namespace fff {
 
 namespace {
+
+constexpr CommandWords kWords[] = {
+    {"section.snap", FFF_TEXT("Command", "S&nap"), FFF_TEXT("Command", "Snap"), "Q", "snap",
+     FFF_TEXT("Command",
+              "Draw points to others, to lines level and upright with them, and to the grid"),
+     true},
+    {"section.pen", FFF_TEXT("Command", "P&en"), FFF_TEXT("Command", "Pen"), "P", "pen",
+     FFF_TEXT("Command", "Draw with clicks in place of one stroke: set points, drag to bend"),
+     true},
+};
 
 bool holdsPen(const Interaction &interaction)
 {
@@ -60,18 +71,22 @@ void registerPenCommands(CommandRegistry &registry, Interaction &interaction)
                           interaction.pickUp(std::make_unique<PenTool>(), time);
                       return {};
                   },
-                  {}});
+                  {},
+                  inHand(interaction, "section.pen")});
     registry.add("section.penPoint",
                  {[&](const CommandParameters &parameters, double time) {
                       return setPoint(interaction, parameters, time);
                   },
-                  [&] { return holdsPen(interaction) && !interaction.numbers().empty(); }});
+                  needs([&] { return holdsPen(interaction) && !interaction.numbers().empty(); },
+                        FFF_TEXT("Command", "No number is typed"))});
     registry.add("section.snap", {[&](const CommandParameters &parameters, double) -> Result<void> {
                                       bool &snaps = interaction.settings().snaps;
                                       snaps = switched(parameters, snaps);
                                       return {};
                                   },
-                                  {}});
+                                  {},
+                                  [&] { return interaction.settings().snaps; }});
+    registry.offer(kWords);
 }
 
 } // namespace fff

@@ -3,6 +3,7 @@
 #include "core/model/edits.h"
 #include "core/model/origin.h"
 #include "core/model/step.h"
+#include "core/session/command_rules.h"
 #include "core/session/message_text.h"
 
 #include <algorithm>
@@ -11,6 +12,24 @@
 namespace fff {
 
 namespace {
+
+constexpr CommandWords kWords[] = {
+    {"section.removeHoles", FFF_TEXT("Command", "Re&move holes"), FFF_TEXT("Command", "No holes"),
+     "", "holes_remove", FFF_TEXT("Command", "Close all holes of the selected sections"), true},
+    {"point.insert", FFF_TEXT("Command", "&Add point"), FFF_TEXT("Command", "Add point"), "+",
+     "point_add",
+     FFF_TEXT("Command", "Add a control point under the cursor, or beside the selected one"), true},
+    {"point.delete", FFF_TEXT("Command", "De&lete point"), FFF_TEXT("Command", "Delete point"), "-",
+     "point_remove", FFF_TEXT("Command", "Delete the selected control points"), true},
+    {"point.smooth", FFF_TEXT("Command", "Smoo&th point"), FFF_TEXT("Command", "Smooth"), "Ctrl+1",
+     "point_smooth",
+     FFF_TEXT("Command", "Let the contour run smoothly through the selected points")},
+    {"point.symmetric", FFF_TEXT("Command", "S&ymmetric point"), FFF_TEXT("Command", "Symmetric"),
+     "Ctrl+3", "point_symmetric",
+     FFF_TEXT("Command", "The same with handles of equal length to both sides")},
+    {"point.corner", FFF_TEXT("Command", "&Corner point"), FFF_TEXT("Command", "Corner"), "Ctrl+2",
+     "point_corner", FFF_TEXT("Command", "Make the selected points corners")},
+};
 
 //: %1 is the name of a section
 constexpr CountedText kRemoveHoles{FFF_TEXT("Step", "Remove holes of %1"),
@@ -112,6 +131,18 @@ Result<void> removeHoles(Session &session, const Interaction &interaction)
     return {};
 }
 
+CommandRule needsPoints(const Interaction &interaction)
+{
+    return needs([&interaction] { return !interaction.points().isEmpty(); },
+                 FFF_TEXT("Command", "No point of a contour is selected"));
+}
+
+CommandRule needsContour(const Interaction &interaction)
+{
+    return needs([&interaction] { return interaction.sectionOfPoints() != nullptr; },
+                 FFF_TEXT("Command", "Select one section whose contour can be edited"));
+}
+
 void registerKinds(CommandRegistry &registry, Interaction &interaction)
 {
     const auto add = [&](const char *id, PointKind kind) {
@@ -123,7 +154,7 @@ void registerKinds(CommandRegistry &registry, Interaction &interaction)
                                                time);
                           return {};
                       },
-                      [&] { return !interaction.points().isEmpty(); }});
+                      needsPoints(interaction)});
     };
     add("point.smooth", PointKind::Smooth);
     add("point.symmetric", PointKind::Symmetric);
@@ -142,10 +173,12 @@ void registerNudges(CommandRegistry &registry, Interaction &interaction)
                               interaction.nudge(arrow, *distance, time);
                               return {};
                           },
-                          [&interaction] {
-                              return !interaction.selection().empty() ||
-                                     interaction.selectedJoint().has_value();
-                          }});
+                          needs(
+                              [&interaction] {
+                                  return !interaction.selection().empty() ||
+                                         interaction.selectedJoint().has_value();
+                              },
+                              kNothingSelected)});
     };
     add("nudge.left", -Vec2::UnitX());
     add("nudge.right", Vec2::UnitX());
@@ -160,7 +193,7 @@ void registerPointCommands(CommandRegistry &registry, Session &session, Interact
     registry.add("point.insert", {[&](const CommandParameters &parameters, double time) {
                                       return insertPoint(interaction, parameters, time);
                                   },
-                                  [&] { return interaction.sectionOfPoints() != nullptr; }});
+                                  needsContour(interaction)});
     registry.add("point.delete",
                  {[&](const CommandParameters &, double time) -> Result<void> {
                       interaction.carryOut(withoutSelection(interaction.documentOfPoints(),
@@ -169,17 +202,20 @@ void registerPointCommands(CommandRegistry &registry, Session &session, Interact
                                            time);
                       return {};
                   },
-                  [&] { return !interaction.points().isEmpty(); }});
+                  needsPoints(interaction)});
     registry.add("point.select", {[&](const CommandParameters &parameters, double) {
                                       return selectPoint(interaction, parameters);
                                   },
-                                  [&] { return interaction.sectionOfPoints() != nullptr; }});
+                                  needsContour(interaction)});
     registry.add(
         "section.removeHoles",
         {[&](const CommandParameters &, double) { return removeHoles(session, interaction); },
-         [&] { return !selectedWithHoles(session, interaction).empty(); }});
+         needsAmongSelected(
+             interaction, [&] { return !selectedWithHoles(session, interaction).empty(); },
+             FFF_TEXT("Command", "What is selected has no holes"))});
     registerKinds(registry, interaction);
     registerNudges(registry, interaction);
+    registry.offer(kWords);
 }
 
 } // namespace fff

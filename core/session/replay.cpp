@@ -3,6 +3,7 @@
 #include "core/io/loaded_document.h"
 #include "core/session/replay_script.h"
 #include "core/session/session_commands.h"
+#include "core/session/view_commands.h"
 
 #include <QFileInfo>
 

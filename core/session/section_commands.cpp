@@ -9,6 +9,7 @@
 #include "core/model/origin.h"
 #include "core/operations/evaluate.h"
 #include "core/operations/operation_kind.h"
+#include "core/session/command_rules.h"
 #include "core/session/operation_script.h"
 
 #include <algorithm>
@@ -17,6 +18,43 @@
 namespace fff {
 
 namespace {
+
+constexpr CommandWords kWords[] = {
+    {"section.transform", FFF_TEXT("Command", "Move &and turn"), FFF_TEXT("Command", "Move"), "T",
+     "transform", FFF_TEXT("Command", "Move, turn and scale with handles or numbers"), true},
+    {"transform.inSpace", FFF_TEXT("Command", "&In space"), FFF_TEXT("Command", "In space"), "",
+     "in_space",
+     FFF_TEXT("Command", "Along the axes of the world, rather than in the plane of the section")},
+    {"transform.withChildren", FFF_TEXT("Command", "&With what is on it"),
+     FFF_TEXT("Command", "With all on it"), "", "with_children",
+     FFF_TEXT("Command", "What was drawn on a section goes along when that is moved")},
+    {"section.putOn", FFF_TEXT("Command", "&Put on another section…"),
+     FFF_TEXT("Command", "Put on"), "", "put_on",
+     FFF_TEXT("Command", "Click the section that the selected one shall be on")},
+    {"section.free", FFF_TEXT("Command", "Free &from its parent"), FFF_TEXT("Command", "Free"), "",
+     "free",
+     FFF_TEXT("Command",
+              "Let the section go any way: it neither goes along with the one that it is on, "
+              "nor keeps its angle")},
+    {"section.makeOrthogonal", FFF_TEXT("Command", "Ma&ke orthogonal"),
+     FFF_TEXT("Command", "Orthogonal"), "", "orthogonal",
+     FFF_TEXT("Command", "Turn the section to a right angle to the one that it is on")},
+    {"section.snapNormal", FFF_TEXT("Command", "Align to nearest a&xis"),
+     FFF_TEXT("Command", "Align"), "", "align",
+     FFF_TEXT("Command", "Turn the section so that it faces along an axis of the world")},
+    {"section.lock", FFF_TEXT("Command", "Lo&ck"), FFF_TEXT("Command", "Lock"), "", "lock",
+     FFF_TEXT("Command", "Let the selected sections stay as they are")},
+    {"operation.editSource", FFF_TEXT("Command", "Edit &its source"),
+     FFF_TEXT("Command", "Edit source"), "", "section",
+     FFF_TEXT("Command", "Select the section that the selected one is made from")},
+    {"operation.detach", FFF_TEXT("Command", "Deta&ch this one"), FFF_TEXT("Command", "Detach"), "",
+     "detach",
+     FFF_TEXT("Command",
+              "Make a drawn section of the selected one; its operation makes the others")},
+    {"operation.leaveOut", FFF_TEXT("Command", "Lea&ve this one out"),
+     FFF_TEXT("Command", "Leave out"), "", "hide",
+     FFF_TEXT("Command", "Do not make the selected section; its operation makes the others")},
+};
 
 class SectionCommands
 {
@@ -177,8 +215,6 @@ public:
         return {};
     }
 
-    bool hasSections() const { return !sections().empty(); }
-    bool hasOneSection() const { return sections().size() == 1; }
     bool hasDrawn() const
     {
         const std::vector<SectionRef> all = sections();
@@ -199,7 +235,6 @@ public:
         return std::any_of(all.begin(), all.end(),
                            [](const SectionRef &ref) { return ref.operation.isValid(); });
     }
-    bool canTransform() const { return model().sectionCount() > 0 || isHeld("section.transform"); }
     /// Of all that are on something.
     bool isFree() const
     {
@@ -222,11 +257,6 @@ private:
     const Model &model() const { return m_session.committed(); }
     std::vector<SectionRef> sections() const { return m_interaction.sectionsInFocus(); }
     bool takesChildren() const { return m_interaction.settings().takesChildren; }
-    bool isHeld(std::string_view command) const
-    {
-        return m_interaction.tool() && m_interaction.tool()->command() == command;
-    }
-
     /// As the tool would show it; with one that cannot be edited, the world's.
     Gizmo gizmoNow(bool isInSpace) const
     {
@@ -268,7 +298,8 @@ void registerSwitch(CommandRegistry &registry, Interaction &interaction, const c
                           interaction.advance(time); // a tool in the hand follows
                           return {};
                       },
-                      {}});
+                      {},
+                      [&interaction, field] { return interaction.settings().*field; }});
 }
 
 } // namespace
@@ -281,42 +312,55 @@ void registerSectionCommands(CommandRegistry &registry, Session &session, Intera
     {
         const char *id;
         Result<void> (Commands::*run)(const CommandParameters &, double) const;
-        bool (Commands::*isEnabled)() const;
+        CommandRule rule;
+        std::function<std::optional<bool>()> isOn = {};
     };
+    const CommandRule selected = needsSelection(interaction);
+    const CommandRule onSome = needsAmongSelected(
+        interaction, [commands] { return commands.isOnSome(); },
+        FFF_TEXT("Command", "What is selected is on no other section"));
+    const CommandRule drawn = needsAmongSelected(
+        interaction, [commands] { return commands.hasDrawn(); },
+        FFF_TEXT("Command", "What is selected is made by an operation"));
+    const CommandRule made = needsAmongSelected(
+        interaction, [commands] { return commands.hasMade(); },
+        FFF_TEXT("Command", "What is selected is drawn"));
     const Row rows[] = {
-        {"section.transform", &Commands::transform, &Commands::canTransform},
-        {"section.move", &Commands::move, &Commands::hasSections},
-        {"section.turn", &Commands::turn, &Commands::hasSections},
-        {"section.scale", &Commands::scale, &Commands::hasSections},
-        {"section.place", &Commands::place, &Commands::hasSections},
-        {"section.free", &Commands::free, &Commands::isOnSome},
-        {"section.lock", &Commands::lock, &Commands::hasDrawn},
-        {"section.makeOrthogonal", &Commands::makeOrthogonal, &Commands::isOnSome},
-        {"section.snapNormal", &Commands::snapNormal, &Commands::hasDrawn},
-        {"section.putOn", &Commands::putOn, &Commands::hasOneSection},
-        {"operation.editSource", &Commands::editSource, &Commands::hasMade},
+        {"section.transform", &Commands::transform, needsSections(session),
+         inHand(interaction, "section.transform")},
+        {"section.move", &Commands::move, selected},
+        {"section.turn", &Commands::turn, selected},
+        {"section.scale", &Commands::scale, selected},
+        {"section.place", &Commands::place, selected},
+        {"section.free", &Commands::free, onSome, [commands] { return commands.isFree(); }},
+        {"section.lock", &Commands::lock, drawn, [commands] { return commands.isLocked(); }},
+        {"section.makeOrthogonal", &Commands::makeOrthogonal, onSome},
+        {"section.snapNormal", &Commands::snapNormal, drawn},
+        {"section.putOn", &Commands::putOn, needsOneSection(interaction, "section.putOn"),
+         inHand(interaction, "section.putOn")},
+        {"operation.editSource", &Commands::editSource, made},
     };
     for (const Row &row : rows) {
         const auto run = row.run;
-        const auto isEnabled = row.isEnabled;
         registry.add(row.id, {[commands, run](const CommandParameters &parameters, double time) {
                                   return (commands.*run)(parameters, time);
                               },
-                              [commands, isEnabled] { return (commands.*isEnabled)(); }});
+                              row.rule, row.isOn});
     }
     registry.add("operation.detach",
                  {[&registry](const CommandParameters &, double time) {
                       return registry.run("operation.exclude", {{"state", "detached"}}, time);
                   },
-                  [commands] { return commands.hasMade(); }});
+                  made});
     registry.add("operation.leaveOut",
                  {[&registry](const CommandParameters &, double time) {
                       return registry.run("operation.exclude", {{"state", "hidden"}}, time);
                   },
-                  [commands] { return commands.hasMade(); }});
+                  made});
     registerSwitch(registry, interaction, "transform.inSpace", &InteractionSettings::movesInSpace);
     registerSwitch(registry, interaction, "transform.withChildren",
                    &InteractionSettings::takesChildren);
+    registry.offer(kWords);
 }
 
 } // namespace fff

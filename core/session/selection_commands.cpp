@@ -1,6 +1,7 @@
 #include "core/session/selection_commands.h"
 
 #include "core/base/tolerances.h"
+#include "core/session/command_rules.h"
 
 #include <algorithm>
 #include <functional>
@@ -11,6 +12,25 @@ namespace fff {
 
 namespace {
 
+constexpr CommandWords kWords[] = {
+    {"edit.selectAll", FFF_TEXT("Command", "Select &all"), FFF_TEXT("Command", "Select all"),
+     "Ctrl+A", "select_all", FFF_TEXT("Command", "Select all sections")},
+    {"edit.selectNext", FFF_TEXT("Command", "Select ne&xt"), FFF_TEXT("Command", "Next"), "PgDown",
+     "move_down", FFF_TEXT("Command", "Select the next section"), true},
+    {"edit.selectPrevious", FFF_TEXT("Command", "Select pre&vious"),
+     FFF_TEXT("Command", "Previous"), "PgUp", "move_up",
+     FFF_TEXT("Command", "Select the section before this one"), true},
+    {"edit.selectConnected", FFF_TEXT("Command", "Select co&nnected"),
+     FFF_TEXT("Command", "Connected"), "Ctrl+Shift+A", "select_connected",
+     FFF_TEXT("Command", "Select all sections that hang together with the selected ones")},
+    {"edit.selectParallel", FFF_TEXT("Command", "&Select parallel"),
+     FFF_TEXT("Command", "Parallel"), "", "select_parallel",
+     FFF_TEXT("Command", "Select all sections parallel to the selected ones")},
+    {"edit.selectSameStock", FFF_TEXT("Command", "Select of the same stoc&k"),
+     FFF_TEXT("Command", "Same stock"), "", "stocks",
+     FFF_TEXT("Command", "Select all sections of the stocks of the selected ones")},
+};
+
 class SelectionCommands
 {
 public:
@@ -18,9 +38,6 @@ public:
         : m_session(session), m_interaction(interaction)
     {
     }
-
-    bool hasSections() const { return model().sectionCount() > 0; }
-    bool hasSelection() const { return !m_interaction.sectionsInFocus().empty(); }
 
     void selectAll() const
     {
@@ -142,26 +159,23 @@ void registerSelectionCommands(CommandRegistry &registry, Session &session,
 {
     const SelectionCommands commands(session, interaction);
     using Work = void (SelectionCommands::*)() const;
-    const auto add = [&](const char *id, Work work, bool (SelectionCommands::*isEnabled)() const) {
+    const auto add = [&](const char *id, Work work, CommandRule rule) {
         registry.add(id, {[commands, work](const CommandParameters &, double) -> Result<void> {
                               (commands.*work)();
                               return {};
                           },
-                          [commands, isEnabled] { return (commands.*isEnabled)(); }});
+                          std::move(rule)});
     };
-    add("edit.selectAll", &SelectionCommands::selectAll, &SelectionCommands::hasSections);
-    add("edit.selectNext", &SelectionCommands::selectNext, &SelectionCommands::hasSections);
-    add("edit.selectPrevious", &SelectionCommands::selectPrevious, &SelectionCommands::hasSections);
-    add("edit.selectConnected", &SelectionCommands::selectConnected,
-        &SelectionCommands::hasSelection);
-    add("edit.selectParallel", &SelectionCommands::selectParallel,
-        &SelectionCommands::hasSelection);
-    add("edit.selectSameStock", &SelectionCommands::selectSameStock,
-        &SelectionCommands::hasSelection);
+    add("edit.selectAll", &SelectionCommands::selectAll, needsSections(session));
+    add("edit.selectNext", &SelectionCommands::selectNext, needsSections(session));
+    add("edit.selectPrevious", &SelectionCommands::selectPrevious, needsSections(session));
+    add("edit.selectConnected", &SelectionCommands::selectConnected, needsSelection(interaction));
+    add("edit.selectParallel", &SelectionCommands::selectParallel, needsSelection(interaction));
+    add("edit.selectSameStock", &SelectionCommands::selectSameStock, needsSelection(interaction));
     registry.add("edit.select", {[commands](const CommandParameters &parameters, double) {
-                                     return commands.selectNamed(parameters);
-                                 },
-                                 {}});
+                     return commands.selectNamed(parameters);
+                 }});
+    registry.offer(kWords);
 }
 
 } // namespace fff

@@ -15,17 +15,9 @@ inline constexpr Text kJointNotDeleted =
 
 namespace fff {
 
-/// file.new, edit.undo, edit.redo, edit.delete, view.front … view.left, view.iso,
-/// view.fitAll, view.fitSelection, view.faceSelection, view.previous, view.hide, view.showAll, and
-/// the switches view.perspective, view.xray, view.isolate, view.clip and view.shadow, which take
-/// the parameter "on" ("true", "false"; without it they turn over); and those of the other
-/// *_commands.h here. What is copied stays in the registry, unless the window gives it another
-/// clipboard (copy_commands.h). Session and interaction outlive the registry.
+/// file.new, edit.undo, edit.redo, edit.delete, and those of the other *_commands.h here. What is
+/// copied stays in the registry, unless the window gives it another clipboard (copy_commands.h).
+/// Session and interaction outlive the registry.
 void registerSessionCommands(CommandRegistry &registry, Session &session, Interaction &interaction);
-
-/// The camera turned to an orientation so that the middle of what is selected, else of the model,
-/// keeps its place on the screen. The view commands turn so, animated.
-Camera turnedTo(const Eigen::Quaterniond &orientation, const Session &session,
-                const Interaction &interaction);
 
 } // namespace fff

@@ -2,6 +2,7 @@ target_sources(fff_session PRIVATE
     assembly_steps.cpp
     autosave.cpp
     check_list.cpp
+    command_rules.cpp
     copy_commands.cpp
     drawing_commands.cpp
     figure_commands.cpp
@@ -29,4 +30,5 @@ target_sources(fff_session PRIVATE
     set_aside.cpp
     slot_lock.cpp
     tool_commands.cpp
+    view_commands.cpp
 )

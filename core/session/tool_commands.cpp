@@ -7,6 +7,7 @@
 #include "core/interaction/point_editing.h"
 #include "core/model/edit_words.h"
 #include "core/model/origin.h"
+#include "core/session/command_rules.h"
 #include "core/session/message_text.h"
 #include "core/session/pen_commands.h"
 #include "core/session/session_host.h"
@@ -18,6 +19,34 @@
 namespace fff {
 
 namespace {
+
+constexpr CommandWords kWords[] = {
+    {"section.symmetry", FFF_TEXT("Command", "Local &symmetry"), FFF_TEXT("Command", "Symmetry"),
+     "S", "symmetry",
+     FFF_TEXT("Command", "Mirror a contour across its slit when it is drawn on one side of it"),
+     true},
+    {"section.ground", FFF_TEXT("Command", "Cut flat at the &ground"),
+     FFF_TEXT("Command", "Ground"), "G", "cut_at_ground",
+     FFF_TEXT("Command", "Cut off what is drawn below the ground"), true},
+    {"section.planeGround", FFF_TEXT("Command", "On the gr&ound"),
+     FFF_TEXT("Command", "On the ground"), "L", "plane_ground",
+     FFF_TEXT("Command", "Draw a section that lies on the ground"), true},
+    {"section.planeFront", FFF_TEXT("Command", "On the &front plane"),
+     FFF_TEXT("Command", "On the front"), "", "plane_front",
+     FFF_TEXT("Command", "Draw a section upright in the middle, seen from the front"), true},
+    {"section.planeSide", FFF_TEXT("Command", "On the s&ide plane"),
+     FFF_TEXT("Command", "On the side"), "", "plane_side",
+     FFF_TEXT("Command", "Draw a section upright in the middle, seen from the side"), true},
+    {"section.planeParallel", FFF_TEXT("Command", "&Parallel to the section"),
+     FFF_TEXT("Command", "Parallel"), "", "plane_parallel",
+     FFF_TEXT("Command", "Draw a section parallel to the selected one"), true},
+    {"section.redraw", FFF_TEXT("Command", "&Redraw contour"), FFF_TEXT("Command", "Redraw"), "R",
+     "redraw", FFF_TEXT("Command", "Draw a new contour for the selected section"), true},
+    {"section.addHole", FFF_TEXT("Command", "Draw a &hole"), FFF_TEXT("Command", "Hole"), "O",
+     "hole", FFF_TEXT("Command", "Draw a hole in the selected section"), true},
+    {"section.dropToGround", FFF_TEXT("Command", "&Drop to ground"), FFF_TEXT("Command", "Drop"),
+     "End", "drop_to_ground", FFF_TEXT("Command", "Set the model down on the ground"), true},
+};
 
 /// How far from its section a parallel plane lies, mm, when nobody says (half an inch).
 constexpr double kParallelDistance = 12.7;
@@ -35,11 +64,6 @@ ContourTarget onPlane(const Vec3 &origin, const Vec3 &x, const Vec3 &y)
     return ContourTarget::newSection({origin, x, y});
 }
 
-bool isHeld(const Interaction &interaction, std::string_view command)
-{
-    return interaction.tool() && interaction.tool()->command() == command;
-}
-
 /// With the tool in hand, if it draws on canvases, else with one stroke.
 void drawOn(Interaction &interaction, CanvasChoice canvas, double time)
 {
@@ -51,31 +75,29 @@ void registerDrawing(CommandRegistry &registry, Session &session, Interaction &i
 {
     const auto add = [&](const char *id, ContourTarget (*target)(const Section &), Text prompt) {
         registry.add(
-            id,
-            {[&session, &interaction, id, target, prompt](const CommandParameters &,
-                                                          double time) -> Result<void> {
-                 // Of an image the drawn section, which it follows.
-                 const Section *selected = selectedSection(session, interaction);
-                 const auto origin =
-                     selected ? originOf(session.committed(), selected->ref()) : std::nullopt;
-                 const Section *section = origin ? origin->section : nullptr;
-                 if (section && section->isLocked) {
-                     interaction.layDown(time);
-                     interaction.say(Hint::refusal(hints::kLocked, {Named{section->name}}), time);
-                 } else if (section)
-                     drawOn(interaction, {target(*section), id, prompt, section->name}, time);
-                 else
-                     interaction.layDown(time);
-                 if (!section && selected)
-                     interaction.say(
-                         madeByOperation(session.committed(), interaction.selection().front())
-                             .value(),
-                         time);
-                 return {};
-             },
-             [&session, &interaction, id] {
-                 return selectedSection(session, interaction) != nullptr || isHeld(interaction, id);
-             }});
+            id, {[&session, &interaction, id, target, prompt](const CommandParameters &,
+                                                              double time) -> Result<void> {
+                     // Of an image the drawn section, which it follows.
+                     const Section *selected = selectedSection(session, interaction);
+                     const auto origin =
+                         selected ? originOf(session.committed(), selected->ref()) : std::nullopt;
+                     const Section *section = origin ? origin->section : nullptr;
+                     if (section && section->isLocked) {
+                         interaction.layDown(time);
+                         interaction.say(Hint::refusal(hints::kLocked, {Named{section->name}}),
+                                         time);
+                     } else if (section)
+                         drawOn(interaction, {target(*section), id, prompt, section->name}, time);
+                     else
+                         interaction.layDown(time);
+                     if (!section && selected)
+                         interaction.say(
+                             madeByOperation(session.committed(), interaction.selection().front())
+                                 .value(),
+                             time);
+                     return {};
+                 },
+                 needsOneSection(interaction, id), inHand(interaction, id)});
     };
     add("section.redraw", &ContourTarget::redraw, hints::kDrawNewContour);
     add("section.addHole", &ContourTarget::hole, hints::kDrawHole);
@@ -89,7 +111,8 @@ void registerPlanes(CommandRegistry &registry, Session &session, Interaction &in
                               drawOn(interaction, {target(), id, prompt}, time);
                               return {};
                           },
-                          {}});
+                          {},
+                          inHand(interaction, id)});
     };
     // What is drawn on the ground lies on it with its lower face.
     add("section.planeGround", hints::kDrawOnGround, [&session] {
@@ -120,10 +143,8 @@ void registerPlanes(CommandRegistry &registry, Session &session, Interaction &in
                              time);
                       return {};
                   },
-                  [&] {
-                      return selectedSection(session, interaction) != nullptr ||
-                             isHeld(interaction, "section.planeParallel");
-                  }});
+                  needsOneSection(interaction, "section.planeParallel"),
+                  inHand(interaction, "section.planeParallel")});
 }
 
 void registerGround(CommandRegistry &registry, Session &session)
@@ -134,7 +155,13 @@ void registerGround(CommandRegistry &registry, Session &session)
                           session.commit(messageText(steps::kDropToGround), *std::move(next));
                       return {};
                   },
-                  [&session] { return droppedToGround(session.committed()).has_value(); }});
+                  [&session](const CommandParameters &) -> WhyNot {
+                      if (session.committed().sectionCount() == 0)
+                          return kNothingThere;
+                      if (!droppedToGround(session.committed()))
+                          return FFF_TEXT("Command", "The model stands on the ground");
+                      return {};
+                  }});
 }
 
 void registerSwitches(CommandRegistry &registry, Interaction &interaction)
@@ -146,7 +173,8 @@ void registerSwitches(CommandRegistry &registry, Interaction &interaction)
                               is = switched(parameters, is);
                               return {};
                           },
-                          {}});
+                          {},
+                          [&interaction, field] { return interaction.settings().*field; }});
     };
     add("section.symmetry", &InteractionSettings::mirrors);
     add("section.ground", &InteractionSettings::cutsAtGround);
@@ -161,6 +189,7 @@ void registerToolCommands(CommandRegistry &registry, Session &session, Interacti
     registerGround(registry, session);
     registerSwitches(registry, interaction);
     registerPenCommands(registry, interaction);
+    registry.offer(kWords);
 }
 
 } // namespace fff

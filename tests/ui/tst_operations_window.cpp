@@ -82,7 +82,7 @@ void TestOperationsWindow::makeRibs()
     QVERIFY(interaction().tool());
     QVERIFY(action("operation.linear")->isChecked());
     click(placeOf(1)); // 2
-    QCOMPARE(roleAskedFor(interaction().hint()), std::string("along"));
+    QCOMPARE(fff::test::roleAskedFor(interaction().hint()), std::string("along"));
     move(placeOf(0));
     QTRY_VERIFY2(session().hasPreview(), "seen before it is done");
     click(placeOf(0)); // 3

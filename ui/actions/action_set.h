@@ -1,13 +1,13 @@
-// Every action of a window, made from the one table (action_table.h). Menus and tool bar are lists
-// of ids, which are those of the command registry. Shortcuts are the table's, or those that a
-// person has set; a change of them is followed at once, in all windows.
+// Every action of a window: one for each command that has words for people. What it is called, when
+// it can run and whether it is on the command says itself (core/interaction/commands.h). Menus and
+// tool bar are lists of ids (menu_table.h). Shortcuts are the command's, or those that a person has
+// set; a change of them is followed at once, in all windows.
 #pragma once
 
 #include <QAction>
 #include <QHash>
 #include <QKeySequence>
 #include <QObject>
-#include <QSet>
 
 #include <functional>
 #include <initializer_list>
@@ -15,6 +15,10 @@
 class QMenu;
 class QMenuBar;
 class QToolBar;
+
+namespace fff {
+struct CommandWords;
+}
 
 namespace fff::ui {
 
@@ -34,19 +38,17 @@ public:
     /// The menus of the table; `own` adds what the window has for an id that begins with "@".
     void fill(QMenuBar *bar, const std::function<void(const QString &id, QMenu *menu)> &own) const;
     /// The menu of the table with this key, without what cannot be done now.
-    void fill(QMenu *menu, const char *key) const;
+    void fill(QMenu *menu, const char *key);
     /// Single letters and digits work only while this widget has the focus.
     void addViewShortcuts(QWidget *view) const;
 
-    /// As the program has them, and as they are set.
-    static QList<QKeySequence> ownShortcuts(const QString &id);
-    static QList<QKeySequence> shortcuts(const QString &id);
+    /// Not one that the window has beside the commands: a dock's, a recent file's.
+    static bool isOfCommand(const QAction *action);
+    /// As the program has them, whatever a person has set.
+    static QList<QKeySequence> ownShortcuts(const QAction *action);
     /// What an action does, or why it cannot be done now.
     static QString sentence(const QAction *action);
 
-    void setAble(const char *id, bool able, const QString &whyNot);
-    /// What was asked for and is not there yet is checked, too: asking again takes it back.
-    void setWaiting(const char *id, bool waits);
     /// What can be done now, and what is checked.
     void refresh();
 
@@ -54,14 +56,19 @@ Q_SIGNALS:
     void triggered(const QString &id);
 
 private:
+    struct Entry
+    {
+        QAction *action = nullptr;
+        const CommandWords *words = nullptr;
+    };
     void fill(QMenu *menu, const MenuRow &row,
               const std::function<void(const QString &id, QMenu *menu)> &own) const;
+    void show(const Entry &entry);
     void applyShortcuts();
     static void setTip(QAction *action, const QString &sentence);
 
     Workbench &m_bench;
-    QHash<QString, QAction *> m_actions;
-    QSet<QString> m_waiting;
+    QHash<QString, Entry> m_actions;
 };
 
 } // namespace fff::ui

@@ -1,6 +1,6 @@
 #include "ui/dialogs/shortcut_editor.h"
 
-#include "ui/actions/action_table.h"
+#include "ui/actions/action_set.h"
 #include "ui/dialogs/key_recorder.h"
 #include "ui/settings/settings.h"
 
@@ -11,19 +11,17 @@
 #include <QPushButton>
 #include <QTreeWidget>
 
+#include <algorithm>
+
 namespace fff::ui {
 
 namespace {
 
 constexpr int kIdRole = Qt::UserRole;
 
-const ActionRow *rowOf(const QString &id)
+bool isForView(const QAction &action)
 {
-    for (const ActionRow &row : actionTable()) {
-        if (id == QLatin1String(row.id))
-            return &row;
-    }
-    return nullptr;
+    return action.shortcutContext() == Qt::WidgetShortcut;
 }
 
 QString inWords(const QList<QKeySequence> &keys)
@@ -37,7 +35,7 @@ QString inWords(const QList<QKeySequence> &keys)
 } // namespace
 
 ShortcutEditor::ShortcutEditor(const QList<ListedAction> &actions, QWidget *parent)
-    : QWidget(parent), m_keys(ShortcutKeys::current())
+    : QWidget(parent), m_keys(actions)
 {
     m_filter = new QLineEdit(this);
     m_filter->setObjectName(QStringLiteral("shortcutFilter"));
@@ -108,8 +106,7 @@ void ShortcutEditor::makeTree(const QList<ListedAction> &actions)
     m_tree->setMinimumHeight(160);
     QHash<QString, QTreeWidgetItem *> menus;
     for (const ListedAction &each : actions) {
-        const ActionRow *row = rowOf(each.id);
-        if (!row || !each.action)
+        if (!each.action || !ActionSet::isOfCommand(each.action))
             continue;
         m_actions += each;
         QTreeWidgetItem *&menu = menus[each.menuPath];
@@ -123,7 +120,7 @@ void ShortcutEditor::makeTree(const QList<ListedAction> &actions)
         // Without what it would be done to just now: Undo, not Undo "Draw Body".
         item->setText(0, nameOf(each.id));
         item->setIcon(0, each.action->icon());
-        item->setText(2, row->isForView ? tr("in the view") : tr("everywhere"));
+        item->setText(2, isForView(*each.action) ? tr("in the view") : tr("everywhere"));
         item->setData(0, kIdRole, each.id);
     }
     m_tree->header()->setSectionResizeMode(0, QHeaderView::Stretch);
@@ -200,10 +197,11 @@ void ShortcutEditor::refresh()
 void ShortcutEditor::recorded(const QKeySequence &keys)
 {
     const QString id = currentId();
-    const ActionRow *row = rowOf(id);
-    if (!row)
+    const auto each = std::find_if(m_actions.begin(), m_actions.end(),
+                                   [&id](const ListedAction &listed) { return listed.id == id; });
+    if (each == m_actions.end())
         return;
-    if (isTypingKey(keys) && !row->isForView) {
+    if (isTypingKey(keys) && !isForView(*each->action)) {
         say(tr("%1 alone would get in the way of typing. Hold Ctrl or Alt with it; single keys are "
                "for actions that work in the view.")
                 .arg(keys.toString(QKeySequence::NativeText)));
@@ -237,7 +235,7 @@ void ShortcutEditor::resetCurrent()
 void ShortcutEditor::resetAll()
 {
     settings().resetShortcuts();
-    m_keys = ShortcutKeys::current();
+    m_keys = ShortcutKeys(m_actions); // these follow the settings at once
     refresh();
     showCurrent();
 }

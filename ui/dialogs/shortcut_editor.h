@@ -38,7 +38,7 @@ private:
     QString nameOf(const QString &id) const;
 
     ShortcutKeys m_keys;
-    QList<ListedAction> m_actions; // that have an id of the table
+    QList<ListedAction> m_actions; // those of commands
     QLineEdit *m_filter = nullptr;
     QTreeWidget *m_tree = nullptr;
     QLabel *m_title = nullptr;

@@ -1,7 +1,6 @@
 #include "ui/dialogs/shortcut_keys.h"
 
 #include "ui/actions/action_set.h"
-#include "ui/actions/action_table.h"
 #include "ui/settings/settings.h"
 
 namespace fff::ui {
@@ -16,31 +15,30 @@ bool isTypingKey(const QKeySequence &keys)
     return (held == Qt::NoModifier || held == Qt::ShiftModifier) && first.key() < Qt::Key_Escape;
 }
 
-ShortcutKeys ShortcutKeys::current()
+ShortcutKeys::ShortcutKeys(const QList<ListedAction> &actions)
 {
-    ShortcutKeys table;
-    for (const ActionRow &row : actionTable()) {
-        const QString id = QLatin1String(row.id);
-        table.m_keys.insert(id, ActionSet::shortcuts(id));
+    for (const ListedAction &each : actions) {
+        if (!each.action || !ActionSet::isOfCommand(each.action))
+            continue;
+        m_own.insert(each.id, ActionSet::ownShortcuts(each.action));
+        m_keys.insert(each.id, each.action->shortcuts());
     }
-    return table;
 }
 
 bool ShortcutKeys::isChanged(const QString &id) const
 {
-    return of(id) != ActionSet::ownShortcuts(id);
+    return of(id) != m_own.value(id);
 }
 
 QString ShortcutKeys::ownerOf(const QKeySequence &keys, const QString &exceptId) const
 {
-    for (const ActionRow &row : actionTable()) {
-        const QString id = QLatin1String(row.id);
-        if (id == exceptId)
+    for (auto it = m_keys.begin(); it != m_keys.end(); ++it) {
+        if (it.key() == exceptId)
             continue;
-        for (const QKeySequence &taken : of(id)) {
+        for (const QKeySequence &taken : it.value()) {
             if (taken.matches(keys) != QKeySequence::NoMatch ||
                 keys.matches(taken) != QKeySequence::NoMatch)
-                return id;
+                return it.key();
         }
     }
     return {};
@@ -61,7 +59,7 @@ void ShortcutKeys::assign(const QString &id, const QList<QKeySequence> &keys)
 
 void ShortcutKeys::reset(const QString &id)
 {
-    assign(id, ActionSet::ownShortcuts(id));
+    assign(id, m_own.value(id));
 }
 
 void ShortcutKeys::store() const

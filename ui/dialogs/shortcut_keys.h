@@ -2,9 +2,11 @@
 // the editor shows it and writes what comes out of it to the settings.
 #pragma once
 
-#include <QHash>
+#include "ui/actions/action_finder.h"
+
 #include <QKeySequence>
 #include <QList>
+#include <QMap>
 #include <QString>
 
 namespace fff::ui {
@@ -17,7 +19,7 @@ class ShortcutKeys
 {
 public:
     /// As they are set now.
-    static ShortcutKeys current();
+    explicit ShortcutKeys(const QList<ListedAction> &actions);
 
     QList<QKeySequence> of(const QString &id) const { return m_keys.value(id); }
     /// Differs from what the program has by itself.
@@ -35,7 +37,7 @@ public:
     void store() const;
 
 private:
-    QHash<QString, QList<QKeySequence>> m_keys;
+    QMap<QString, QList<QKeySequence>> m_own, m_keys; // by the ids of their actions
 };
 
 } // namespace fff::ui

@@ -36,6 +36,7 @@ public:
     /// toggled again, Esc is pressed, or a person has gone on with something else.
     void toggle();
     bool isOpen() const { return m_scene != nullptr; }
+    /// Asked for, but not worked out yet.
     bool isWaiting() const { return m_isWaiting; }
     /// All that is there now, over the bar.
     void fit();

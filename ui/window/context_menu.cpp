@@ -24,7 +24,7 @@ bool isBusy(const Interaction &interaction)
 
 } // namespace
 
-ContextMenu::ContextMenu(Workbench &bench, const ActionSet &actions, QWidget *view)
+ContextMenu::ContextMenu(Workbench &bench, ActionSet &actions, QWidget *view)
     : QObject(view), m_bench(bench), m_actions(actions), m_view(view)
 {
 }

@@ -17,7 +17,7 @@ class ContextMenu : public QObject
     Q_OBJECT
 public:
     /// All outlive it.
-    ContextMenu(Workbench &bench, const ActionSet &actions, QWidget *view);
+    ContextMenu(Workbench &bench, ActionSet &actions, QWidget *view);
 
     /// Of what the cursor is on, which is selected for it; in a place of the view.
     void openAt(const QPoint &inView);
@@ -31,7 +31,7 @@ private:
     void open(const char *key, const QPoint &inView);
 
     Workbench &m_bench;
-    const ActionSet &m_actions;
+    ActionSet &m_actions;
     QWidget *m_view;
 };
 

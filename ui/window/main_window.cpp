@@ -12,9 +12,6 @@
 #include "ui/bench/status_line.h"
 #include "ui/bench/viewport.h"
 #include "ui/bench/workbench.h"
-#include "ui/dialogs/about_dialog.h"
-#include "ui/dialogs/command_search.h"
-#include "ui/dialogs/settings_dialog.h"
 #include "ui/dialogs/stock_editor.h"
 #include "ui/docks/checks_dock.h"
 #include "ui/docks/history_dock.h"
@@ -51,8 +48,6 @@
 #include <QTabBar>
 #include <QVBoxLayout>
 
-#include <functional>
-
 namespace fff::ui {
 
 namespace {
@@ -75,6 +70,7 @@ MainWindow::MainWindow(QWidget *parent) : QMainWindow(parent), m_bench(new Workb
     resize(QSize(1440, 900).boundedTo(screen()->availableSize() - QSize(16, 56)));
     setContextMenuPolicy(Qt::NoContextMenu); // Qt's own menu could hide the tool bar for good
 
+    addCommands();
     m_actions = new ActionSet(*m_bench, this);
     makeView();
     m_status = new StatusLine(
@@ -94,7 +90,7 @@ MainWindow::MainWindow(QWidget *parent) : QMainWindow(parent), m_bench(new Workb
             {m_steps->steps(), m_bench->interaction().camera(), QFileInfo(suggestion).fileName()},
             suggestion);
     });
-    addCommands();
+    new NumberNameSource(*m_bench, this);
     m_toolBar = new MainToolBar(*m_bench, *m_actions, this);
     addToolBar(m_toolBar);
     makeMenus();
@@ -117,15 +113,8 @@ MainWindow::MainWindow(QWidget *parent) : QMainWindow(parent), m_bench(new Workb
         readDrawing(QStringLiteral("section.importSections"), path);
     });
     connect(&settings(), &Settings::colourSchemeChanged, this, &MainWindow::refreshTheme);
-    const auto tellOfRevert = [this] {
-        m_actions->setAble("file.revert", m_files->canRevert(),
-                           m_files->path().isEmpty()
-                               ? tr("It was never saved")
-                               : tr("Nothing was changed since it was saved"));
-    };
-    connect(m_files, &DocumentFiles::pathChanged, m_actions, tellOfRevert);
-    connect(&m_bench->session(), &Session::cleanChanged, m_actions, tellOfRevert);
-    tellOfRevert();
+    connect(m_files, &DocumentFiles::pathChanged, m_actions, &ActionSet::refresh);
+    connect(&m_bench->session(), &Session::cleanChanged, m_actions, &ActionSet::refresh);
     connect(m_bench, &Workbench::editFailed, this, [this](const Error &error) {
         m_messages->show(MessageBar::Severity::Error, {io::errorText(error)});
     });
@@ -198,8 +187,7 @@ void MainWindow::makeDocks()
     m_layout->add(m_checks, WindowLayout::Place::LeftBelow);
     m_layout->add(m_history, WindowLayout::Place::Left);
     m_layout->add(m_library, WindowLayout::Place::Left, false);
-    connect(m_layout, &WindowLayout::hiddenChanged, m_actions->action("view.docks"),
-            &QAction::setChecked);
+    connect(m_layout, &WindowLayout::hiddenChanged, m_actions, &ActionSet::refresh);
 
     connect(m_badges, &Badges::clicked, m_checks, qOverload<Subject>(&ChecksDock::choose));
     connect(m_checks, &ChecksDock::shown, this, [this] { m_layout->show(m_checks); });
@@ -207,8 +195,7 @@ void MainWindow::makeDocks()
     connect(m_checks, &ChecksDock::stepsWanted, this,
             [this] { run(QStringLiteral("check.showAssembly")); });
     connect(m_steps, &StepsView::said, m_status, &StatusLine::sayMarked);
-    connect(m_steps, &StepsView::waitingChanged, m_actions,
-            [this](bool waits) { m_actions->setWaiting("check.showAssembly", waits); });
+    connect(m_steps, &StepsView::waitingChanged, m_actions, &ActionSet::refresh);
     speakSelection(*m_view, *m_bench, *m_checkList);
     connect(m_library, &LibraryDock::said, m_status, &StatusLine::say);
     connect(m_library, &LibraryDock::failed, m_messages,
@@ -249,58 +236,6 @@ void MainWindow::makeMenus()
 void MainWindow::resetLayout()
 {
     m_layout->reset();
-}
-
-/// What needs a window or asks a question; the rest is the session's.
-void MainWindow::addCommands()
-{
-    new NumberNameSource(*m_bench, this);
-    const auto add = [this](const char *id, std::function<void()> act) {
-        m_bench->commands().add(id, {[act = std::move(act)](const CommandParameters &, double) {
-                                         act();
-                                         return Result<void>();
-                                     },
-                                     {}});
-    };
-    add("file.new", [this] { startNewDocument(*this); });
-    add("file.open", [this] { m_files->open(); });
-    add("file.insert", [this] {
-        if (m_files->insert())
-            showDocument();
-    });
-    add("file.addToLibrary", [this] { m_library->addSelection(); });
-    add("file.save", [this] { m_files->save(); });
-    add("file.saveAs", [this] { m_files->saveAs(); });
-    add("file.export", [this] { m_files->exportCuttingFile(); });
-    add("file.revert", [this] { m_files->revert(); });
-    add("file.settings", [this] { SettingsDialog(listedActions(*menuBar()), this).exec(); });
-    add("file.close", [this] { close(); });
-    add("file.quit", [] { closeAllWindows(); });
-    add("edit.find", [this] { (new CommandSearch(*menuBar(), this))->show(); });
-    add("help.start", [this] { showStartPage(); });
-    add("view.docks",
-        [this] { m_layout->setHidden(m_actions->action("view.docks")->isChecked()); });
-    add("view.fullScreen", [this] { setWindowState(windowState() ^ Qt::WindowFullScreen); });
-    add("view.resetWindow", [this] { resetLayout(); });
-    add("help.about", [this] { AboutDialog(this).exec(); });
-    add("view.nextPane", [this] { goToPane(*this, m_toolBar, m_view, 1); });
-    add("view.previousPane", [this] { goToPane(*this, m_toolBar, m_view, -1); });
-    add("view.properties", [this] { goInto(*m_properties); });
-    add("check.nextProblem", [this] { m_checks->goToProblem(1); });
-    add("check.previousProblem", [this] { m_checks->goToProblem(-1); });
-    add("check.showAssembly", [this] { m_steps->toggle(); });
-    const auto addSwitch = [this](const char *id, DrawingSwitch what) {
-        m_bench->commands().add(
-            id, {[what](const CommandParameters &parameters, double) -> Result<void> {
-                     settings().setOn(what, switched(parameters, settings().isOn(what)));
-                     return {};
-                 },
-                 {}});
-    };
-    addSwitch("section.symmetry", DrawingSwitch::Symmetry);
-    addSwitch("section.ground", DrawingSwitch::Ground);
-    addSwitch("section.snap", DrawingSwitch::Snap);
-    add("fabricate.stocks", [this] { showStocks({}); });
 }
 
 void MainWindow::run(const QString &id)
@@ -441,7 +376,7 @@ void MainWindow::changeEvent(QEvent *event)
 {
     QMainWindow::changeEvent(event);
     if (event->type() == QEvent::WindowStateChange)
-        m_actions->action("view.fullScreen")->setChecked(isFullScreen());
+        m_actions->refresh();
 }
 
 bool MainWindow::event(QEvent *event)

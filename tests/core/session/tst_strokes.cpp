@@ -263,7 +263,7 @@ void TestStrokes::strokes()
     QCOMPARE(player.session.history()->count(), wanted.steps);
     QVERIFY(!player.session.hasPreview());
     QVERIFY(!player.interaction.hasGesture());
-    if (wanted.hint >= 0)
+    if (wanted.hint.source)
         QCOMPARE(player.interaction.hint().words.text, wanted.hint);
     QCOMPARE(watched.turns, wanted.turns);
     QVERIFY2(watched.worstTilt < 1e-6, qPrintable(QString::number(watched.worstTilt)));

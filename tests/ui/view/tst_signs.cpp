@@ -1,7 +1,7 @@
 // Signs that gestures and tools add are painted by kind and role, with nothing that knows the tool.
-#include "core/interaction/tool.h"
 #include "tests/core/interaction/desk.h"
 #include "tests/test_program.h"
+#include "tests/ui/push_tool.h"
 #include "ui/view/overlay_painter.h"
 #include "ui/view/sign_looks.h"
 #include "ui/view/sign_painter.h"
@@ -18,31 +18,6 @@ using namespace fff::test;
 using namespace fff::ui;
 
 namespace {
-
-const Vec3 kFoot(0.0, 60.0, 0.0);
-
-/// Made up here: a push at a place, as an arrow with words beside it and a handle at its foot.
-class PushTool : public Tool
-{
-public:
-    std::string_view command() const override { return "test.push"; }
-    GestureReply handle(const PointerEvent &, GestureContext &) override { return {}; }
-    GestureReply cancel(GestureContext &) override
-    {
-        GestureReply reply;
-        reply.state = GestureReply::State::Over;
-        return reply;
-    }
-    Hint hint() const override { return {}; }
-    Cursor cursor() const override { return Cursor::Arrow; }
-    void mark(GestureContext &context, bool) override
-    {
-        const Message words{Text{"Test", "%1 sideways"}, {lengthOf(25.0)}};
-        context.overlay.held.add(sign::Arrow{SignRole::Slit, kFoot, Vec3::UnitX()});
-        context.overlay.held.add(sign::Label{SignRole::Measured, {kFoot}, words, {0.0, 60.0}});
-        context.overlay.held.add(sign::Handle{SignRole::Place, kFoot});
-    }
-};
 
 const ViewStyle kStyle;
 
