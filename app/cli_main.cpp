@@ -20,10 +20,10 @@ QString helpText()
     QString text = tr("FlatFitFab draws flat parts in 3D and writes what a laser cutter cuts.");
     text += QStringLiteral("\n\n") + tr("Usage:") + QLatin1Char('\n');
     for (const fff::cli::Verb &verb : fff::cli::verbs())
-        text += QStringLiteral("  flatfitfab-cli %1 %2\n      %3\n")
-                    .arg(QLatin1String(verb.name), QLatin1String(verb.usage), tr(verb.purpose));
+        text += QStringLiteral("  flatfitfab-cli %1\n      %2\n")
+                    .arg(fff::cli::usageOf(verb), fff::cli::purposeOf(verb));
     text += QStringLiteral("  flatfitfab-cli --version | --help | VERB --help\n\n");
-    text += tr("FILE is a .fff file or a FlatFab .txt file. Lengths are in mm, angles in degrees.");
+    text += tr("FILE is %1. Lengths are in mm, angles in degrees.").arg(fff::cli::modelFiles());
     return text + QLatin1Char('\n');
 }
 

@@ -62,6 +62,7 @@ target_sources(fff_ui PRIVATE
     files/failures.cpp
     files/file_drop.cpp
     files/file_stamp.cpp
+    files/format_filters.cpp
     files/progress.cpp
     files/recent_menu.cpp
     files/replace_question.cpp

@@ -28,10 +28,7 @@ constexpr std::array kVerbs = {
     Verb{"parts", "FILE [--json] [--tolerance MM] [options]",
          QT_TRANSLATE_NOOP("CommandLine", "What is to be cut, in each section's own coordinates"),
          runParts},
-    Verb{"export", "FILE -o OUT.{svg,obj,fff} [options]",
-         QT_TRANSLATE_NOOP("CommandLine",
-                           "Cutting files, true to size; the solids in place; or the model itself"),
-         runExport},
+    Verb{"export", "FILE -o OUT.{%1} [options]", nullptr, runExport},
 #ifdef FFF_HAS_VIEW
     Verb{"render", "FILE -o OUT.png [--size WxH] [--view VIEW] [--show WHAT] [options]",
          QT_TRANSLATE_NOOP("CommandLine", "A picture of the model; needs a display"), runRender},
@@ -43,8 +40,8 @@ constexpr std::array kVerbs = {
          QT_TRANSLATE_NOOP("CommandLine",
                            "The procedural operations that there are, or those of a model"),
          runOperations},
-    Verb{"replay", "SCRIPT.json [--from FILE] -o OUT.{fff,svg,obj} [options]",
-         QT_TRANSLATE_NOOP("CommandLine", "Runs a script of what a person does"), runReplay},
+    Verb{"replay", "SCRIPT.json [--from FILE] -o OUT.{%1} [options]",
+         QT_TRANSLATE_NOOP("CommandLine", "Runs a script of what a person does"), runReplay, true},
 };
 
 QString tr(const char *text)
@@ -54,8 +51,7 @@ QString tr(const char *text)
 
 QString usageLine(const Verb &verb)
 {
-    return QStringLiteral("flatfitfab-cli %1 %2")
-        .arg(QLatin1String(verb.name), QLatin1String(verb.usage));
+    return QStringLiteral("flatfitfab-cli ") + usageOf(verb);
 }
 
 /// A stock of the document or a built-in one, by name, whatever the case.
@@ -143,6 +139,44 @@ const Verb &verbNamed(const char *name)
     qFatal("no such verb");
 }
 
+QString modelFiles()
+{
+    QStringList files;
+    for (const io::Format *format : io::formatsThat(&io::Format::readsModels)) {
+        const QString suffix = u'.' + format->suffix(), program = QLatin1String(format->program);
+        files += program.isEmpty() ? tr("a %1 file").arg(suffix)
+                                   : tr("a %2 %1 file").arg(suffix, program);
+    }
+    return io::enumerated(files, tr("%1 or %2"));
+}
+
+QString usageOf(const Verb &verb)
+{
+    QStringList suffixes;
+    std::vector<const io::Format *> written = io::formatsThat(&io::Format::isWritten);
+    if (verb.isOfModels)
+        std::stable_partition(written.begin(), written.end(),
+                              [](const io::Format *format) { return format->writesModels(); });
+    for (const io::Format *format : written)
+        suffixes += format->suffix();
+    QString usage = QLatin1String(verb.usage);
+    usage.replace(QStringLiteral("%1"), suffixes.join(u','));
+    return QLatin1String(verb.name) + u' ' + usage;
+}
+
+QString purposeOf(const Verb &verb)
+{
+    if (verb.purpose)
+        return tr(verb.purpose);
+    QStringList written; // formats that write the same say the same
+    for (const io::Format *format : io::formatsThat(&io::Format::isWritten))
+        written += tr(format->help);
+    written.removeDuplicates();
+    QString purpose = io::enumerated(written, tr("%1; or %2"), tr("; "));
+    purpose.front() = purpose.front().toUpper();
+    return purpose;
+}
+
 int wrongUse(const Verb &verb, const QString &reason)
 {
     printError(reason);
@@ -160,7 +194,7 @@ Arguments parse(QCommandLineParser &parser, const Verb &verb, const QStringList 
         return {wrongUse(verb, parser.errorText()), {}};
     if (parser.isSet(help)) {
         QString text = QStringLiteral("%1\n\n%2\n\n")
-                           .arg(tr(verb.purpose), tr("Usage: %1").arg(usageLine(verb)));
+                           .arg(purposeOf(verb), tr("Usage: %1").arg(usageLine(verb)));
         const QString full = parser.helpText();
         text += full.mid(std::max<qsizetype>(0, full.indexOf(QStringLiteral("Options:"))));
         return {print(text.toStdString()), {}};
@@ -183,7 +217,32 @@ void addDocumentOptions(QCommandLineParser &parser)
     add("kerf", tr("Full width that the machine removes."), "MM");
     add("clearance", tr("Play added to slits; negative presses."), "MM");
     add("sheet", tr("Size of a sheet, such as 600x400."), "WxH");
-    add("unit-mm", tr("Millimetres a unit of a FlatFab file (25.4)."), "MM");
+    addFormatOptions(parser, io::FormatOption::Of::Reading);
+}
+
+void addFormatOptions(QCommandLineParser &parser, io::FormatOption::Of of)
+{
+    for (const io::Format *format : io::formats())
+        for (const io::FormatOption &option : format->options)
+            if (option.of == of)
+                parser.addOption(
+                    {QLatin1String(option.name), tr(option.help), QLatin1String(option.value)});
+}
+
+io::FormatValues formatValues(const QCommandLineParser &parser, const Verb &verb,
+                              io::FormatOption::Of of, std::optional<int> &status)
+{
+    io::FormatValues values;
+    for (const io::Format *format : io::formats()) {
+        for (const io::FormatOption &option : format->options) {
+            if (status || option.of != of)
+                continue;
+            if (const std::optional<double> value =
+                    number(parser, verb, option.name, option.least, status, option.most))
+                values[option.name] = *value;
+        }
+    }
+    return values;
 }
 
 std::optional<double> number(const QCommandLineParser &parser, const Verb &verb, const char *option,
@@ -205,8 +264,7 @@ std::optional<double> number(const QCommandLineParser &parser, const Verb &verb,
 std::optional<DocumentOptions> documentOptions(const QCommandLineParser &parser, const Verb &verb,
                                                std::optional<int> &status)
 {
-    constexpr double kThinnest = 0.01;     // mm: thinner than any foil
-    constexpr double kSmallestUnit = 1e-6; // mm
+    constexpr double kThinnest = 0.01; // mm: thinner than any foil
     DocumentOptions options;
     options.thickness = number(parser, verb, "thickness", kThinnest, status);
     if (!status)
@@ -214,7 +272,7 @@ std::optional<DocumentOptions> documentOptions(const QCommandLineParser &parser,
     if (!status)
         options.clearance = number(parser, verb, "clearance", -kMaxCoordinate, status);
     if (!status)
-        options.unitMm = number(parser, verb, "unit-mm", kSmallestUnit, status);
+        options.reading = formatValues(parser, verb, io::FormatOption::Of::Reading, status);
     const QString sheet = parser.value(QStringLiteral("sheet"));
     if (!status && parser.isSet(QStringLiteral("sheet"))) {
         options.sheet = sizeOf(sheet);
@@ -253,7 +311,7 @@ Loaded load(const QString &file, const DocumentOptions &options, const Verb &ver
 {
     Loaded loaded;
     io::ReadOptions reading;
-    reading.flatfab.unitMm = options.unitMm.value_or(reading.flatfab.unitMm);
+    reading.values = options.reading;
     Result<io::LoadedDocument> read = io::readDocument(file, reading);
     if (!read) {
         loaded.status = report(read.error());
@@ -263,7 +321,7 @@ Loaded load(const QString &file, const DocumentOptions &options, const Verb &ver
         printError(io::warningText(warning));
     loaded.warnings = std::move(read->warnings);
     loaded.document = std::move(read->document);
-    loaded.format = read->format == io::ModelFormat::Fff ? "fff" : "flatfab";
+    loaded.format = read->format->key;
     loaded.status = applyOptions(loaded.document, options, verb);
     return loaded;
 }

@@ -5,6 +5,7 @@
 #include "core/base/result.h"
 #include "core/base/tolerances.h"
 #include "core/io/document_file.h"
+#include "core/io/formats.h"
 
 #include <QCommandLineParser>
 #include <QStringList>
@@ -21,9 +22,10 @@ enum ExitStatus { Done = 0, WrongUse = 1, BadInput = 2, ProblemsFound = 3, Canno
 struct Verb
 {
     const char *name;
-    const char *usage;   // behind the name, untranslated
-    const char *purpose; // one line
+    const char *usage;   // behind the name, untranslated; %1: the suffixes of what is written
+    const char *purpose; // one line; none: what it writes, by the table of formats
     int (*run)(const QStringList &arguments);
+    bool isOfModels = false; // formats of models are named before others
 };
 
 /// All verbs; a new one is one file and one line here.
@@ -50,16 +52,24 @@ Arguments parse(QCommandLineParser &parser, const Verb &verb, const QStringList 
                 int files);
 const Verb &verbNamed(const char *name);
 
-/// --thickness, --stock, --kerf, --clearance, --sheet, --unit-mm: they override the document for
-/// this run.
+/// "a .fff file or a FlatFab .txt file": what can be read.
+QString modelFiles();
+
+/// "export FILE -o OUT.{svg,obj,fff} [options]", and what it is for.
+QString usageOf(const Verb &verb);
+QString purposeOf(const Verb &verb);
+
+/// --thickness, --stock, --kerf, --clearance, --sheet: they override the document for this run; and
+/// what readers may be told (core/io/formats.h).
 void addDocumentOptions(QCommandLineParser &parser);
 
 /// Their values, as asked for.
 struct DocumentOptions
 {
-    std::optional<double> thickness, kerf, clearance, unitMm; // mm
-    std::optional<Vec2> sheet;                                // mm
+    std::optional<double> thickness, kerf, clearance; // mm
+    std::optional<Vec2> sheet;                        // mm
     std::optional<QString> stock;
+    io::FormatValues reading; // of the formats' options
 };
 /// Nothing, and `status` to return, when one makes no sense; the reason was printed.
 std::optional<DocumentOptions> documentOptions(const QCommandLineParser &parser, const Verb &verb,
@@ -71,7 +81,7 @@ struct Loaded
 {
     std::optional<int> status;
     Document document;
-    std::string format; // "fff" or "flatfab"
+    std::string format; // its key, "fff" or "flatfab"
     std::vector<Warning> warnings;
 };
 Loaded load(const QString &file, const DocumentOptions &options, const Verb &verb);
@@ -91,6 +101,12 @@ int report(Error error, const QString &file);
 int wrongUse(const Verb &verb, const QString &reason);
 /// Writes text to standard output. CannotWrite when it was closed.
 int print(const std::string &text);
+
+/// The options of all formats for reading, or for writing, and their values as far as they are
+/// given. Prints and sets `status` as number() does.
+void addFormatOptions(QCommandLineParser &parser, io::FormatOption::Of of);
+io::FormatValues formatValues(const QCommandLineParser &parser, const Verb &verb,
+                              io::FormatOption::Of of, std::optional<int> &status);
 
 /// Value of an option as a number, mm, if it was given. Prints and sets `status` when it is none or
 /// not within the limits.

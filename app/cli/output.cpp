@@ -1,9 +1,7 @@
 #include "app/cli/output.h"
 
 #include "core/io/cutting_file.h"
-#include "core/io/fff_format.h"
 #include "core/io/file_set.h"
-#include "core/io/obj_writer.h"
 #include "core/operations/evaluate.h"
 
 #include <QFileInfo>
@@ -59,6 +57,23 @@ std::optional<io::CuttingFileOptions> cuttingOptions(const QCommandLineParser &p
     return why.isEmpty() ? std::optional(options) : std::nullopt;
 }
 
+/// By --format, else by the file's name. Null: none that can be written.
+const io::Format *formatOf(const QCommandLineParser &parser)
+{
+    return io::formatWritten(parser.isSet(QStringLiteral("format"))
+                                 ? parser.value(QStringLiteral("format"))
+                                 : QFileInfo(parser.value(QStringLiteral("output"))).suffix());
+}
+
+/// "svg, obj or fff", each behind `mark`.
+QString suffixes(const QString &mark)
+{
+    QStringList list;
+    for (const io::Format *format : io::formatsThat(&io::Format::isWritten))
+        list += mark + format->suffix();
+    return io::enumerated(list, tr("%1 or %2"));
+}
+
 Result<Analysis> analysed(const Document &document, const QString &input)
 {
     AnalysisCaches caches;
@@ -68,34 +83,44 @@ Result<Analysis> analysed(const Document &document, const QString &input)
     return analysis;
 }
 
-int writeSolids(const QCommandLineParser &parser, const Document &document, const QString &input)
+/// What is written, and how.
+struct Wish
+{
+    const io::Format &format;
+    io::FormatValues values;
+    QString path;
+};
+
+int writeSolids(const Wish &wish, const Document &document, const QString &input)
 {
     const Result<Analysis> analysis = analysed(document, input);
     if (!analysis)
         return report(analysis.error());
-    const Result<std::string> solids = io::writeObj(analysis->model, analysis->bodies);
+    const Result<std::string> solids =
+        wish.format.writeSolids(analysis->model, analysis->bodies, wish.values);
     if (!solids)
         return report(solids.error(), input);
-    const Result<void> written = io::writeFile(parser.value(QStringLiteral("output")), *solids);
+    const Result<void> written = io::writeFile(wish.path, *solids);
     return written ? Done : report(written.error());
 }
 
-int writeCuttingFile(const QCommandLineParser &parser, const Document &document,
+int writeCuttingFile(const QCommandLineParser &parser, const Wish &wish, const Document &document,
                      const QString &input)
 {
     const Result<Analysis> analysis = analysed(document, input);
     if (!analysis)
         return report(analysis.error());
     QString why; // nothing: whyNoOutput has looked
-    const io::CuttingFileOptions options =
-        cuttingOptions(parser, why).value_or(io::CuttingFileOptions());
+    io::CuttingFileOptions options = cuttingOptions(parser, why).value_or(io::CuttingFileOptions());
+    options.format = &wish.format;
+    options.values = wish.values;
     const Result<io::CuttingFile> file = io::makeCuttingFile(*analysis, options);
     if (!file)
         return report(file.error(), input);
-    const QString path = parser.value(QStringLiteral("output"));
-    const Result<void> written = options.isFilePerSheet
-                                     ? io::writeFiles(io::numberedFiles(path, file->sheets))
-                                     : io::writeFile(path, file->svg);
+    const Result<void> written =
+        options.isFilePerSheet
+            ? io::writeFiles(io::numberedFiles(wish.path, file->sheets, wish.format.suffix()))
+            : io::writeFile(wish.path, file->whole);
     if (!written)
         return report(written.error());
     QTextStream err(stderr);
@@ -131,7 +156,7 @@ void addOutputOptions(QCommandLineParser &parser)
                       tr("The file to write; - is standard output."),
                       QStringLiteral("OUT")});
     parser.addOption({QStringLiteral("format"),
-                      tr("svg, obj or fff, where the file's name does not tell."),
+                      tr("%1, where the file's name does not tell.").arg(suffixes(QString())),
                       QStringLiteral("KIND")});
     parser.addOption(
         {QStringLiteral("no-reference"), tr("Leaves out the 100 mm bar beside the sheets.")});
@@ -145,13 +170,7 @@ void addOutputOptions(QCommandLineParser &parser)
                       tr("groups: one SVG with a group a sheet; files: OUT-1.svg, OUT-2.svg and so "
                          "on (groups)."),
                       QStringLiteral("HOW")});
-}
-
-static QString formatOf(const QCommandLineParser &parser)
-{
-    return parser.isSet(QStringLiteral("format"))
-               ? parser.value(QStringLiteral("format")).toLower()
-               : QFileInfo(parser.value(QStringLiteral("output"))).suffix().toLower();
+    addFormatOptions(parser, io::FormatOption::Of::Writing);
 }
 
 QString whyNoOutput(const QCommandLineParser &parser)
@@ -162,28 +181,31 @@ QString whyNoOutput(const QCommandLineParser &parser)
     if (output.isEmpty())
         return tr("-o: a file needs a name.");
     if (output == QStringLiteral("-") && !parser.isSet(QStringLiteral("format")))
-        return tr("With -o - the kind is missing: --format svg, obj or fff.");
-    const QString format = formatOf(parser);
-    if (format != QStringLiteral("svg") && format != QStringLiteral("obj") &&
-        format != QStringLiteral("fff"))
-        return tr("%1 is of no kind that can be written; expected .svg, .obj or .fff.").arg(output);
+        return tr("With -o - the kind is missing: --format %1.").arg(suffixes(QString()));
+    if (!formatOf(parser))
+        return tr("%1 is of no kind that can be written; expected %2.")
+            .arg(output, suffixes(QStringLiteral(".")));
     QString why;
     cuttingOptions(parser, why);
     return why;
 }
 
-int writeOutput(const QCommandLineParser &parser, const Document &document, const QString &input)
+int writeOutput(const QCommandLineParser &parser, const Verb &verb, const Document &document,
+                const QString &input)
 {
-    if (formatOf(parser) == QStringLiteral("svg"))
-        return writeCuttingFile(parser, document, input);
-    if (formatOf(parser) == QStringLiteral("obj"))
-        return writeSolids(parser, document, input);
-    const QString output = parser.value(QStringLiteral("output"));
+    std::optional<int> status;
+    const Wish wish{*formatOf(parser),
+                    formatValues(parser, verb, io::FormatOption::Of::Writing, status),
+                    parser.value(QStringLiteral("output"))};
+    if (status)
+        return *status;
+    if (wish.format.writesCutting())
+        return writeCuttingFile(parser, wish, document, input);
+    if (wish.format.writesSolids())
+        return writeSolids(wish, document, input);
     const Result<void> written =
-        output == QStringLiteral("-")
-            ? io::writeFff(document).and_then(
-                  [&](const std::string &bytes) { return io::writeFile(output, bytes); })
-            : io::writeDocument(output, document);
+        io::modelBytes(document, wish.path.toStdString(), wish.format, wish.values)
+            .and_then([&](const std::string &bytes) { return io::writeFile(wish.path, bytes); });
     return written ? Done : report(written.error());
 }
 

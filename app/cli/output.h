@@ -11,10 +11,10 @@ void addOutputOptions(QCommandLineParser &parser);
 /// Empty when -o names a file of a kind that can be written; else why not.
 QString whyNoOutput(const QCommandLineParser &parser);
 
-/// Writes the document as -o says: .fff the model, .svg its cutting file (or one a sheet),
-/// .obj its solids. Says on standard error
-/// what was made and what does not fit. `input` names the file it came from in errors. Returns the
-/// exit status.
-int writeOutput(const QCommandLineParser &parser, const Document &document, const QString &input);
+/// Writes the document in the format that -o or --format names: the model itself, what is cut of it
+/// (in one file or one a sheet), or its solids. Says on standard error what was made and what does
+/// not fit. `input` names the file it came from in errors. Returns the exit status.
+int writeOutput(const QCommandLineParser &parser, const Verb &verb, const Document &document,
+                const QString &input);
 
 } // namespace fff::cli

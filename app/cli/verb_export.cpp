@@ -19,7 +19,7 @@ int runExport(const QStringList &arguments)
         return *status;
     const Loaded loaded = load(parsed.files.first(), *options, verb);
     return loaded.status ? *loaded.status
-                         : writeOutput(parser, loaded.document, parsed.files.first());
+                         : writeOutput(parser, verb, loaded.document, parsed.files.first());
 }
 
 } // namespace fff::cli

@@ -52,7 +52,7 @@ int runReplay(const QStringList &arguments)
             parsed.files.first().toStdString() + (error.place.empty() ? "" : ":") + error.place;
         return report(error);
     }
-    return writeOutput(parser, session.committed().document, parsed.files.first());
+    return writeOutput(parser, verb, session.committed().document, parsed.files.first());
 }
 
 } // namespace fff::cli

@@ -97,7 +97,8 @@ int write(const QString &output, StepsFiles &files)
         output == QStringLiteral("-") || QFileInfo(output).suffix().toLower() == kPaper;
     const Result<void> written =
         isOne ? io::writeFile(output, contents.front())
-              : io::writeFiles(io::numberedFiles(output, contents, io::digitsFor(contents.size())));
+              : io::writeFiles(
+                    io::numberedFiles(output, contents, kPictures, io::digitsFor(contents.size())));
     return written ? Done : report(written.error());
 }
 

@@ -1,7 +1,5 @@
 #include "core/io/cutting_file.h"
 
-#include "core/io/svg_writer.h"
-
 namespace fff::io {
 
 Result<CuttingFile> makeCuttingFile(const Analysis &analysis, const CuttingFileOptions &options)
@@ -11,11 +9,19 @@ Result<CuttingFile> makeCuttingFile(const Analysis &analysis, const CuttingFileO
         return tl::unexpected(std::move(cutting.error()));
     CuttingFile file{*std::move(cutting), {}, {}};
     if (!options.isFilePerSheet) {
-        file.svg = writeSvg(file.drawing);
+        Result<std::string> whole = options.format->writeCutting(file.drawing, options.values);
+        if (!whole)
+            return tl::unexpected(std::move(whole.error()));
+        file.whole = *std::move(whole);
         return file;
     }
-    for (std::size_t i = 0; i < file.drawing.sheets.size(); ++i)
-        file.sheets.push_back(writeSvg(onSheet(file.drawing, i)));
+    for (std::size_t i = 0; i < file.drawing.sheets.size(); ++i) {
+        Result<std::string> sheet =
+            options.format->writeCutting(onSheet(file.drawing, i), options.values);
+        if (!sheet)
+            return tl::unexpected(std::move(sheet.error()));
+        file.sheets.push_back(*std::move(sheet));
+    }
     return file;
 }
 

@@ -3,21 +3,25 @@
 #pragma once
 
 #include "core/analysis/cutting.h"
+#include "core/io/formats.h"
+#include "core/io/svg_format.h"
 
 namespace fff::io {
 
 struct CuttingFileOptions : CuttingOptions
 {
-    bool isFilePerSheet = false; // else all sheets in one drawing, a group each
+    bool isFilePerSheet = false;         // else all sheets in one drawing, a group each
+    const Format *format = &svgFormat(); // one that writes cutting files
+    FormatValues values = {};            // of its options
 };
 
 struct CuttingFile : Cutting
 {
-    std::string svg;                 // all sheets; empty where each has a file of its own
+    std::string whole;               // all sheets; empty where each has a file of its own
     std::vector<std::string> sheets; // the files of the sheets in their order, else empty
 };
 
-/// Errors  as makeCutting().
+/// Errors  as makeCutting(), and those of the format.
 Result<CuttingFile> makeCuttingFile(const Analysis &analysis,
                                     const CuttingFileOptions &options = {});
 

@@ -1,12 +1,14 @@
 #include "core/io/document_file.h"
 
-#include "core/io/fff_format.h"
+#include "core/io/formats.h"
 #include "core/io/pipes.h"
 #include "core/io/replacement.h"
+#include "core/io/svg_reader.h"
 
 #include <QtCore/QCoreApplication>
 #include <QtCore/QFile>
 #include <QtCore/QFileInfo>
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #ifdef Q_OS_UNIX
@@ -23,6 +25,13 @@ constexpr const char *kNoNameReason = QT_TRANSLATE_NOOP("Error", "a file needs a
 tl::unexpected<Error> cannot(ErrorCode code, const QString &path, const QString &reason)
 {
     return failure(code, path.toStdString(), {reason.toStdString()});
+}
+
+tl::unexpected<Error> tooLarge(const std::string &place, std::size_t size)
+{
+    return failure(
+        ErrorCode::BadCount, place,
+        {std::to_string(size), std::to_string(kMaxFileSize), QT_TRANSLATE_NOOP("Error", "bytes")});
 }
 
 /// Why a file could not be written to `target`, or made beside it and put in its place.
@@ -96,18 +105,15 @@ Result<void> writeStandardOutput(const std::string &bytes)
 
 } // namespace
 
-Result<ModelFormat> detectFormat(std::string_view bytes, const std::string &name)
+Result<const Format *> detectFormat(std::string_view bytes, const std::string &name)
 {
     const std::string_view text = withoutByteOrderMark(bytes);
-    const std::size_t begin = text.find_first_not_of(" \t\r\n");
-    if (begin == std::string_view::npos)
+    if (text.find_first_not_of(" \t\r\n") == std::string_view::npos)
         return failure(ErrorCode::Truncated, placeIn(name, "1"),
                        {QT_TRANSLATE_NOOP("Error", "a model")});
-    if (looksLikeFlatfab(text))
-        return ModelFormat::Flatfab;
-    // Text has no zero bytes; what has is a picture, a program or the like.
-    if (text[begin] == '{' && text.find('\0') == std::string_view::npos)
-        return ModelFormat::Fff;
+    for (const Format *format : formats())
+        if (format->readsModels() && format->recognises(bytes))
+            return format;
     return failure(ErrorCode::NotAModel, name);
 }
 
@@ -120,29 +126,24 @@ Result<std::string> readFile(const QString &path, const std::string &name)
     if (info.isDir())
         return failure(ErrorCode::CannotOpen, place,
                        {QT_TRANSLATE_NOOP("Error", "it is a folder")});
-    const auto tooLarge = [&](std::size_t size) {
-        return failure(ErrorCode::BadCount, place,
-                       {std::to_string(size), std::to_string(kMaxFileSize),
-                        QT_TRANSLATE_NOOP("Error", "bytes")});
-    };
     constexpr auto kMost = static_cast<std::size_t>(kMaxFileSize);
     if (info.exists() && !info.isFile()) {
         Result<std::string> bytes = readPipe(path, kMaxFileSize, place);
         if (bytes && bytes->size() > kMost)
-            return tooLarge(bytes->size());
+            return tooLarge(place, bytes->size());
         return bytes;
     }
     QFile file(path);
     if (!file.open(QIODevice::ReadOnly))
         return failure(ErrorCode::CannotOpen, place, {file.errorString().toStdString()});
     if (file.size() > kMaxFileSize)
-        return tooLarge(static_cast<std::size_t>(file.size()));
+        return tooLarge(place, static_cast<std::size_t>(file.size()));
     // One byte more than allowed: files of /proc do not tell their size.
     const QByteArray bytes = file.read(kMaxFileSize + 1);
     if (file.error() != QFileDevice::NoError)
         return failure(ErrorCode::CannotOpen, place, {file.errorString().toStdString()});
     if (bytes.size() > kMaxFileSize)
-        return tooLarge(static_cast<std::size_t>(bytes.size()));
+        return tooLarge(place, static_cast<std::size_t>(bytes.size()));
     return bytes.toStdString();
 }
 
@@ -152,16 +153,28 @@ Result<LoadedDocument> readDocument(const QString &path, const ReadOptions &opti
     const Result<std::string> bytes = readFile(path, name);
     if (!bytes)
         return tl::unexpected(bytes.error());
-    const Result<ModelFormat> format = detectFormat(*bytes, name);
+    const Result<const Format *> format = detectFormat(*bytes, name);
     if (!format)
         return tl::unexpected(format.error());
-    switch (*format) {
-    case ModelFormat::Fff:
-        return readFff(*bytes, name);
-    case ModelFormat::Flatfab:
-        break;
-    }
-    return readFlatfab(*bytes, name, options.flatfab);
+    Result<LoadedDocument> loaded = (*format)->readModel(*bytes, name, options);
+    if (loaded)
+        loaded->format = *format;
+    return loaded;
+}
+
+Result<SvgDrawing> readDrawing(const QString &path)
+{
+    const std::string name = QFileInfo(path).fileName().toStdString();
+    const Result<std::string> bytes = readFile(path, name);
+    if (!bytes)
+        return tl::unexpected(bytes.error());
+    const std::vector<const Format *> known = formatsThat(&Format::readsDrawings);
+    const auto recognised = std::find_if(known.begin(), known.end(), [&](const Format *format) {
+        return format->recognises(*bytes);
+    });
+    const Format *named = formatRead(path, &Format::readsDrawings);
+    const Format *format = recognised != known.end() ? *recognised : named ? named : known.front();
+    return format->readDrawing(*bytes, name);
 }
 
 QString backupPath(const QString &path)
@@ -169,15 +182,26 @@ QString backupPath(const QString &path)
     return path + u'~';
 }
 
+Result<std::string> modelBytes(const Document &document, const std::string &name,
+                               const Format &format, const FormatValues &values)
+{
+    Result<std::string> bytes = format.writeModel(document, values);
+    if (!bytes)
+        return bytes;
+    if (bytes->size() > static_cast<std::size_t>(kMaxFileSize))
+        return tooLarge(name, bytes->size());
+    if (format.readsModels()) {
+        if (const auto again = format.readModel(*bytes, name, {}); !again)
+            return tl::unexpected(again.error());
+    }
+    return bytes;
+}
+
 Result<void> writeDocument(const QString &path, const Document &document,
                            const WriteOptions &options)
 {
-    const Result<std::string> bytes = writeFff(document);
-    if (!bytes)
-        return tl::unexpected(bytes.error());
-    if (const auto again = readFff(*bytes, path.toStdString()); !again)
-        return tl::unexpected(again.error());
-    return writeFile(path, *bytes, options);
+    return modelBytes(document, path.toStdString(), nativeFormat())
+        .and_then([&](const std::string &bytes) { return writeFile(path, bytes, options); });
 }
 
 Result<void> writeFile(const QString &path, const std::string &bytes, const WriteOptions &options)

@@ -2,21 +2,21 @@
 // written is written whole or not at all.
 #pragma once
 
-#include "core/io/flatfab_format.h"
+#include "core/io/loaded_document.h"
+#include "core/io/read_options.h"
 
 #include <QtCore/QString>
 
+#include <cstdint>
+
 namespace fff::io {
 
-struct ReadOptions
-{
-    FlatfabOptions flatfab;
-    std::string name; // how errors call the file; empty: the path as it was given
-};
+struct SvgDrawing;
 
-/// The format of these bytes by their first words, whatever the file is called.
-/// Errors  Truncated for no bytes (or blanks only), NotAModel for anything else that is no model.
-Result<ModelFormat> detectFormat(std::string_view bytes, const std::string &name = {});
+/// The format of these bytes by their first words, whatever the file is called: one that reads
+/// models. Never null. Errors  Truncated for no bytes (or blanks only), NotAModel for anything else
+/// that is no model.
+Result<const Format *> detectFormat(std::string_view bytes, const std::string &name = {});
 
 /// Largest file that is read, bytes: a hundred times the largest model anyone drew.
 inline constexpr std::int64_t kMaxFileSize = std::int64_t(256) * 1024 * 1024;
@@ -25,8 +25,12 @@ inline constexpr std::int64_t kMaxFileSize = std::int64_t(256) * 1024 * 1024;
 /// with the reason, also for a folder and for no name; BadCount above kMaxFileSize.
 Result<std::string> readFile(const QString &path, const std::string &name = {});
 
-/// Reads `.fff` and FlatFab's `.txt`. Errors  those of readFile, detectFormat and of the format.
+/// Reads a model of whatever format. Errors  those of readFile, detectFormat and of the format.
 Result<LoadedDocument> readDocument(const QString &path, const ReadOptions &options = {});
+
+/// Reads a drawing. Its format is decided by what is in it, else by its name; errors call it by
+/// that without the folder. Errors  those of readFile and of the format.
+Result<SvgDrawing> readDrawing(const QString &path);
 
 struct WriteOptions
 {
@@ -39,9 +43,15 @@ struct WriteOptions
 /// Where the version before the last save is kept: "fish.fff~" beside "fish.fff".
 QString backupPath(const QString &path);
 
-/// Writes `.fff`, whatever the suffix. The bytes are read back first: a document that could not be
-/// opened again does not replace one that can. Errors  CannotWrite, those of writeFff and readFff.
-/// The file that was there before stays as it was when anything fails.
+/// A model's bytes in a format that writes them, read back if the format can: what could not be
+/// opened again is an error. name  how these call the file. Errors  those of the format; BadCount
+/// above kMaxFileSize.
+Result<std::string> modelBytes(const Document &document, const std::string &name,
+                               const Format &format, const FormatValues &values = {});
+
+/// Writes `.fff`, whatever the suffix. A document that could not be opened again does not replace
+/// one that can. Errors  CannotWrite, those of modelBytes. The file that was there before stays as
+/// it was when anything fails.
 Result<void> writeDocument(const QString &path, const Document &document,
                            const WriteOptions &options = {});
 

@@ -1,5 +1,7 @@
 #include "core/io/error_text.h"
 
+#include "core/io/formats.h"
+
 #include <QtCore/QCoreApplication>
 #include <QtCore/QLocale>
 
@@ -102,6 +104,19 @@ QString closedSlit(const Args &args)
         .arg(verbatim(args, 0), millimetres(args, 1), millimetres(args, 2));
 }
 
+/// "a .fff file or a .txt file of FlatFab"
+QString modelFiles()
+{
+    QStringList files;
+    for (const Format *format : formatsThat(&Format::readsModels)) {
+        const QString suffix = u'.' + format->suffix(), program = QLatin1String(format->program);
+        //: %1 is the end of a name, such as ".txt", %2 a program
+        files += program.isEmpty() ? Words::tr("a %1 file").arg(suffix)
+                                   : Words::tr("a %1 file of %2").arg(suffix, program);
+    }
+    return enumerated(files, Words::tr("%1 or %2"));
+}
+
 QString ofSection(const Args &args, const QString &withName, const QString &without)
 {
     return args.empty() || args[0].empty() ? without : withName.arg(verbatim(args, 0));
@@ -119,7 +134,7 @@ QString errorSentence(const Error &error)
     case ErrorCode::CannotWrite:
         return withReason(Words::tr("could not be written"), args);
     case ErrorCode::NotAModel:
-        return Words::tr("not a model, expected a .fff file or a .txt file of FlatFab");
+        return Words::tr("not a model, expected %1").arg(modelFiles());
     case ErrorCode::NewerVersion:
         return newerVersion(args);
     case ErrorCode::Truncated:

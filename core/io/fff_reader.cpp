@@ -417,7 +417,7 @@ Result<LoadedDocument> readFff(std::string_view bytes, const std::string &name)
     Document document = reader.read({migrated(json.object(), version), "$", problems});
     if (problems.failed())
         return tl::unexpected(*problems.error);
-    return LoadedDocument{std::move(document), std::move(problems.warnings), ModelFormat::Fff};
+    return LoadedDocument{std::move(document), std::move(problems.warnings)};
 }
 
 } // namespace fff::io

@@ -46,7 +46,7 @@ int digitsFor(std::size_t count)
 }
 
 std::vector<NamedBytes> numberedFiles(const QString &path, const std::vector<std::string> &contents,
-                                      int digits)
+                                      const QString &usual, int digits)
 {
     const QString suffix = QFileInfo(path).suffix();
     const QString base = suffix.isEmpty() ? path : path.chopped(suffix.size() + 1);
@@ -55,7 +55,7 @@ std::vector<NamedBytes> numberedFiles(const QString &path, const std::vector<std
         files.push_back(
             {QStringLiteral("%1-%2.%3")
                  .arg(base, QString::number(files.size() + 1).rightJustified(digits, u'0'),
-                      suffix.isEmpty() ? QStringLiteral("svg") : suffix),
+                      suffix.isEmpty() ? usual : suffix),
              bytes});
     return files;
 }

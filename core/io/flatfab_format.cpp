@@ -194,7 +194,34 @@ Result<LoadedDocument> readFlatfab(std::string_view bytes, const std::string &na
     const auto isTrailing = [](const Warning &w) { return w.code == WarningCode::TrailingLines; };
     std::stable_partition(problems.warnings.begin(), problems.warnings.end(),
                           [&](const Warning &w) { return !isTrailing(w); });
-    return LoadedDocument{std::move(document), std::move(problems.warnings), ModelFormat::Flatfab};
+    return LoadedDocument{std::move(document), std::move(problems.warnings)};
+}
+
+const Format &flatfabFormat()
+{
+    constexpr double kSmallestUnit = 1e-6; // mm
+    static const char *const kUnit = "unit-mm";
+    static const Format format = {
+        .key = "flatfab",
+        .suffixes = {"txt"},
+        .program = "FlatFab",
+        .options = {{.name = kUnit,
+                     .value = "MM",
+                     .help = QT_TRANSLATE_NOOP("CommandLine",
+                                               "Millimetres a unit of a FlatFab file (25.4)."),
+                     .least = kSmallestUnit,
+                     .most = kMaxCoordinate,
+                     .of = FormatOption::Of::Reading}},
+        .recognises = looksLikeFlatfab,
+        .readModel = [](std::string_view bytes, const std::string &name,
+                        const ReadOptions &options) {
+            FlatfabOptions flatfab;
+            if (const auto unit = options.values.find(kUnit); unit != options.values.end())
+                flatfab.unitMm = unit->second;
+            flatfab.naming = options.naming;
+            return readFlatfab(bytes, name, flatfab);
+        }};
+    return format;
 }
 
 } // namespace fff::io

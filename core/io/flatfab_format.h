@@ -4,8 +4,7 @@
 #pragma once
 
 #include "core/base/units.h"
-#include "core/io/loaded_document.h"
-#include "core/model/naming.h"
+#include "core/io/formats.h"
 
 namespace fff::io {
 
@@ -31,5 +30,8 @@ Result<LoadedDocument> readFlatfab(std::string_view bytes, const std::string &na
 
 /// The first line is that of such a file.
 bool looksLikeFlatfab(std::string_view bytes);
+
+/// Its option "unit-mm" is FlatfabOptions::unitMm.
+const Format &flatfabFormat();
 
 } // namespace fff::io

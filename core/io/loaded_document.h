@@ -9,14 +9,14 @@
 
 namespace fff::io {
 
-enum class ModelFormat { Fff, Flatfab };
+struct Format;
 
 /// A whole document; `warnings` say what in it is not quite as the file has it, in file order.
 struct LoadedDocument
 {
     Document document;
     std::vector<Warning> warnings;
-    ModelFormat format = ModelFormat::Fff;
+    const Format *format = nullptr; // set by readDocument()
 };
 
 /// Where in a file: "fish.txt:340", "fish.fff:$.sections[3]"; only `where` without a file name.

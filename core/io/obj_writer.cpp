@@ -3,6 +3,8 @@
 #include "core/base/groups.h"
 #include "core/fabrication/wholeness.h"
 
+#include <QtCore/QCoreApplication>
+
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -156,6 +158,19 @@ Result<std::string> writeObj(const Model &model, const Bodies &bodies)
                      body.frame(), body.thickness());
     }
     return std::move(text.out);
+}
+
+const Format &objFormat()
+{
+    static const Format format = {
+        .key = "obj",
+        .suffixes = {"obj"},
+        .title = QT_TRANSLATE_NOOP("Format", "Solids for other programs"),
+        .help = QT_TRANSLATE_NOOP("CommandLine", "the solids in place"),
+        .writeSolids = [](const Model &model, const Bodies &bodies, const FormatValues &) {
+            return writeObj(model, bodies);
+        }};
+    return format;
 }
 
 } // namespace fff::io

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/assembly/body.h"
+#include "core/io/formats.h"
 #include "core/model/model.h"
 
 #include <string>
@@ -22,5 +23,7 @@ namespace fff::io {
 /// Stocks stand in comments: OBJ knows no thickness, and looks are not the model's. `bodies` belong
 /// to the model. UTF-8, same bytes for same input. Errors  as haveSolids().
 Result<std::string> writeObj(const Model &model, const Bodies &bodies);
+
+const Format &objFormat();
 
 } // namespace fff::io

@@ -5,6 +5,7 @@ target_sources(fff_io PRIVATE
     drawing_text.cpp
     error_text.cpp
     fff_annotations.cpp
+    fff_file.cpp
     fff_migration.cpp
     fff_operations.cpp
     fff_reader.cpp
@@ -12,6 +13,7 @@ target_sources(fff_io PRIVATE
     file_set.cpp
     flatfab_format.cpp
     flatfab_text.cpp
+    formats.cpp
     json_cursor.cpp
     json_syntax.cpp
     json_writer.cpp
@@ -20,7 +22,7 @@ target_sources(fff_io PRIVATE
     replacement.cpp
     pipes.cpp
     svg_clip.cpp
-    svg_file.cpp
+    svg_format.cpp
     svg_path.cpp
     svg_reader.cpp
     svg_shapes.cpp

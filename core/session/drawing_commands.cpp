@@ -4,8 +4,9 @@
 #include "core/geometry/tangle.h"
 #include "core/interaction/drawing_editing.h"
 #include "core/interaction/drawing_words.h"
+#include "core/io/document_file.h"
 #include "core/io/loaded_document.h"
-#include "core/io/svg_file.h"
+#include "core/io/svg_reader.h"
 #include "core/session/command_rules.h"
 #include "core/session/operation_script.h"
 
@@ -72,7 +73,7 @@ public:
         if (!path)
             return failure(ErrorCode::BadValue, "path", {"", "the path of a drawing"});
         const QString file = QString::fromStdString(*path);
-        const Result<io::SvgDrawing> read = io::readSvgFile(file);
+        const Result<io::SvgDrawing> read = io::readDrawing(file);
         if (!read)
             return tl::unexpected(read.error());
         const Drawing drawing{linesOf(*read, as == As::Marks),

@@ -1,5 +1,5 @@
-// Commands that read drawings of other programs (core/io/svg_file.h), with the parameter "path";
-// their errors are in that file, line by line:
+// Commands that read drawings of other programs (core/io/document_file.h), with the parameter
+// "path"; their errors are in that file, line by line:
 //
 //   section.importSections   a section for every outline
 //   section.importContour    the largest outline in place of the selected section's contour

@@ -5,7 +5,7 @@ fff_tests(tests_app LIBRARIES fff::session TESTS
 target_compile_definitions(tests_app PRIVATE FFF_CLI="$<TARGET_FILE:flatfitfab-cli>")
 add_dependencies(tests_app flatfitfab-cli)
 if(UNIX) # what the verbs print is caught
-    fff_tests(tests_faults LIBRARIES fff_cli TESTS app/tst_faults)
+    fff_tests(tests_faults LIBRARIES fff_cli TESTS app/tst_cli_formats app/tst_faults)
     target_compile_definitions(tests_faults PRIVATE
         FFF_SAMPLES="${CMAKE_SOURCE_DIR}/resources/samples")
 endif()

@@ -2,7 +2,8 @@
 
 #include "core/interaction/drawing_editing.h"
 #include "core/interaction/interaction.h"
-#include "core/io/svg_file.h"
+#include "core/io/document_file.h"
+#include "core/io/svg_reader.h"
 #include "core/model/edits.h"
 #include "core/operations/evaluate.h"
 #include "core/session/session_commands.h"
@@ -139,7 +140,7 @@ double commandCost(const QString &path)
 DrawingCost costOf(const DrawnCase &item, const QString &path)
 {
     DrawingCost cost{item.name, item.size};
-    const Result<io::SvgDrawing> read = timed(cost.read, [&path] { return io::readSvgFile(path); });
+    const Result<io::SvgDrawing> read = timed(cost.read, [&path] { return io::readDrawing(path); });
     if (!read)
         return cost;
     Drawing drawing{{}, "drawing"};

@@ -116,7 +116,7 @@ private Q_SLOTS:
         QVERIFY(io::writeDocument(path, drawn));
         const Language german("de");
         io::ReadOptions options;
-        options.flatfab.naming = naming();
+        options.naming = naming();
         const auto read = io::readDocument(path, options);
         QVERIFY(read);
         QCOMPARE(read->document.sections.front()->name, std::string("Section 1"));

@@ -1,8 +1,8 @@
 #include "ui/docks/library_dock.h"
 
 #include "core/io/error_text.h"
-#include "core/io/fff_format.h"
 #include "core/io/file_set.h"
+#include "core/io/formats.h"
 #include "core/operations/excerpt.h"
 #include "ui/base/file_dialog.h"
 #include "ui/base/icon.h"
@@ -43,11 +43,16 @@ QString fileName(const QString &name)
     return safe.isEmpty() ? LibraryDock::tr("Part") : safe;
 }
 
+QString suffix()
+{
+    return u'.' + io::nativeFormat().suffix();
+}
+
 QString freePath(const QDir &folder, const QString &name)
 {
-    QString path = folder.filePath(name + QStringLiteral(".fff"));
+    QString path = folder.filePath(name + suffix());
     for (int i = 2; QFile::exists(path); ++i)
-        path = folder.filePath(QStringLiteral("%1 %2.fff").arg(name).arg(i));
+        path = folder.filePath(QStringLiteral("%1 %2").arg(name).arg(i) + suffix());
     return path;
 }
 
@@ -147,7 +152,7 @@ void LibraryDock::addSelection()
         return;
     }
     const Result<std::string> bytes =
-        io::writeFff(chosen.empty() ? model.document : excerpt(model, chosen));
+        io::nativeFormat().writeModel(chosen.empty() ? model.document : excerpt(model, chosen), {});
     const QString path = freePath(place, name);
     const Result<void> written =
         bytes ? io::writeFiles({{path, *bytes}}) : tl::unexpected(bytes.error());
@@ -179,7 +184,7 @@ void LibraryDock::fill()
         m_watcher.addPath(place.path());
     m_cards.clear();
     std::vector<QWidget *> cards;
-    const QStringList filters{QStringLiteral("*.fff")};
+    const QStringList filters{io::patternOf(io::nativeFormat())};
     for (const QFileInfo &info : place.entryInfoList(filters, QDir::Files, QDir::Name)) {
         const QString path = info.absoluteFilePath();
         auto *card = new ModelCard(info.completeBaseName());

@@ -3,6 +3,7 @@
 #include "core/interaction/section_editing.h"
 #include "core/io/document_file.h"
 #include "core/io/error_text.h"
+#include "core/io/formats.h"
 #include "core/session/journal.h"
 #include "ui/base/file_dialog.h"
 #include "ui/base/message_bar.h"
@@ -12,6 +13,7 @@
 #include "ui/bench/workbench.h"
 #include "ui/files/exporting.h"
 #include "ui/files/failures.h"
+#include "ui/files/format_filters.h"
 #include "ui/files/progress.h"
 #include "ui/properties/open_editor.h"
 #include "ui/settings/settings.h"
@@ -28,7 +30,10 @@ namespace {
 //: %1 is the name of a file
 constexpr Text kInsertModel = FFF_TEXT("Step", "Insert %1");
 
-const QString kSuffix = QStringLiteral("fff");
+QString nativeSuffix()
+{
+    return io::nativeFormat().suffix();
+}
 
 } // namespace
 
@@ -55,8 +60,7 @@ bool DocumentFiles::startNew()
 
 bool DocumentFiles::open()
 {
-    FileDialog dialog(&m_window, tr("Open a model"), folder(),
-                      tr("Models (*.fff *.txt);;All files (*)"));
+    FileDialog dialog(&m_window, tr("Open a model"), folder(), modelFilter());
     dialog.setFileMode(QFileDialog::ExistingFiles);
     if (dialog.exec() != QDialog::Accepted)
         return false;
@@ -66,16 +70,14 @@ bool DocumentFiles::open()
 
 bool DocumentFiles::insert()
 {
-    FileDialog dialog(&m_window, tr("Insert a model"), folder(),
-                      tr("Models (*.fff *.txt);;All files (*)"));
+    FileDialog dialog(&m_window, tr("Insert a model"), folder(), modelFilter());
     dialog.setFileMode(QFileDialog::ExistingFile);
     return dialog.exec() == QDialog::Accepted && insertFile(dialog.selectedFiles().constFirst());
 }
 
 QString DocumentFiles::askForDrawing()
 {
-    FileDialog dialog(&m_window, tr("Import a drawing"), folder(),
-                      tr("Drawings (*.svg *.svgz);;All files (*)"));
+    FileDialog dialog(&m_window, tr("Import a drawing"), folder(), drawingFilter());
     dialog.setFileMode(QFileDialog::ExistingFile);
     return dialog.exec() == QDialog::Accepted ? dialog.selectedFiles().constFirst() : QString();
 }
@@ -104,8 +106,7 @@ bool DocumentFiles::save()
 
 bool DocumentFiles::saveAs()
 {
-    const QString path =
-        askForTarget(tr("Save the model"), tr("FlatFitFab models (*.fff)"), kSuffix);
+    const QString path = askForTarget(tr("Save the model"), saveFilter(), nativeSuffix());
     if (path.isEmpty())
         return false;
     return saveFile(path);
@@ -127,7 +128,7 @@ bool DocumentFiles::mayClose()
     if (m_bench.session().isClean())
         return true;
     QMessageBox question(QMessageBox::NoIcon, tr("Unsaved changes"),
-                         tr("Save the changes to %1?").arg(baseName() + u'.' + kSuffix),
+                         tr("Save the changes to %1?").arg(baseName() + u'.' + nativeSuffix()),
                          QMessageBox::NoButton, &m_window);
     question.setObjectName(QStringLiteral("unsavedQuestion"));
     question.setPalette(theme().palette());
@@ -178,7 +179,7 @@ std::optional<io::LoadedDocument> DocumentFiles::read(const QString &path)
     const QString name = QFileInfo(path).fileName();
     io::ReadOptions options;
     options.name = name.toStdString();
-    options.flatfab.naming = naming();
+    options.naming = naming();
     const auto loaded = inBackground<Result<io::LoadedDocument>>(
         m_window, tr("Opening %1…").arg(name), MayCancel::Yes,
         [path, options] { return io::readDocument(path, options); });
@@ -217,7 +218,7 @@ void DocumentFiles::show(const io::LoadedDocument &loaded, const QString &path, 
         setPath(documents + u'/' + QFileInfo(path).fileName(), false, false);
         return;
     }
-    setPath(path, loaded.format == io::ModelFormat::Fff, true);
+    setPath(path, loaded.format == &io::nativeFormat(), true);
     settings().addRecentFile(path);
 }
 
@@ -309,11 +310,11 @@ void DocumentFiles::showRecovered(const QString &path, const QString &name, cons
     // A copy or an import has a name without being that file.
     const bool isOnDisk = !path.isEmpty() && info.exists();
     const QString documents = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
-    const bool hasName = !path.isEmpty() || QFileInfo(name).suffix() == kSuffix;
+    const bool hasName = !path.isEmpty() || QFileInfo(name).suffix() == nativeSuffix();
     setPath(isOnDisk  ? path
             : hasName ? documents + u'/' + name
                       : QString(),
-            isOnDisk && info.suffix() == kSuffix, isOnDisk);
+            isOnDisk && info.suffix() == nativeSuffix(), isOnDisk);
     if (isOnDisk && info.lastModified() > kept)
         m_stamp = FileStamp::outdated(path);
     m_bench.showAll("iso1");

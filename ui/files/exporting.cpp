@@ -5,7 +5,7 @@
 #include "core/io/document_file.h"
 #include "core/io/error_text.h"
 #include "core/io/file_set.h"
-#include "core/io/obj_writer.h"
+#include "core/io/formats.h"
 #include "core/session/scheduler.h"
 #include "ui/base/file_dialog.h"
 #include "ui/base/lengths.h"
@@ -13,6 +13,7 @@
 #include "ui/bench/status_line.h"
 #include "ui/bench/workbench.h"
 #include "ui/files/failures.h"
+#include "ui/files/format_filters.h"
 #include "ui/files/progress.h"
 #include "ui/files/replace_question.h"
 
@@ -22,7 +23,12 @@ namespace fff::ui {
 
 namespace {
 
-const QString kDrawing = QStringLiteral("svg"), kSolids = QStringLiteral("obj");
+/// By the file's suffix; a cutting file in the first format that there is where it says nothing.
+const io::Format &formatFor(const QString &path)
+{
+    const io::Format *named = io::formatWritten(QFileInfo(path).suffix(), &io::Format::isExported);
+    return named ? *named : *exportKinds().front().format;
+}
 
 } // namespace
 
@@ -33,19 +39,28 @@ Exporting::Exporting(Workbench &bench, MessageBar &messages, StatusLine &status,
 
 bool Exporting::ask(const QString &suggestion)
 {
-    const QString drawings = tr("Drawings for cutters (*.svg)"),
-                  sheets = tr("Drawings for cutters, one for each sheet (*.svg)"),
-                  solids = tr("Solids for other programs (*.obj)");
+    const std::vector<ExportKind> kinds = exportKinds();
+    QStringList filters;
+    for (const ExportKind &kind : kinds)
+        filters += kind.filter;
+    const auto kindOf = [&kinds](const QString &filter) {
+        const auto found = std::find_if(kinds.begin(), kinds.end(), [&](const ExportKind &kind) {
+            return kind.filter == filter;
+        });
+        return found == kinds.end() ? kinds.front() : *found;
+    };
     FileDialog dialog(&m_window, tr("Export cutting files"), QFileInfo(suggestion).absolutePath(),
-                      QStringList{drawings, sheets, solids}.join(QStringLiteral(";;")));
+                      filters.join(QStringLiteral(";;")));
+    const QString usual = kinds.front().format->suffix();
     dialog.setAcceptMode(QFileDialog::AcceptSave);
-    dialog.setDefaultSuffix(kDrawing);
-    dialog.selectFile(QFileInfo(suggestion).fileName() + u'.' + kDrawing);
+    dialog.setDefaultSuffix(usual);
+    dialog.selectFile(QFileInfo(suggestion).fileName() + u'.' + usual);
     connect(&dialog, &QFileDialog::filterSelected, &dialog, [&](const QString &filter) {
-        const QString suffix = filter == solids ? kSolids : kDrawing;
+        const ExportKind kind = kindOf(filter);
+        const QString suffix = kind.format->suffix();
         dialog.setDefaultSuffix(suffix);
         // The name is then none of a file.
-        dialog.setOption(QFileDialog::DontConfirmOverwrite, filter == sheets);
+        dialog.setOption(QFileDialog::DontConfirmOverwrite, kind.isFilePerSheet);
         const QFileInfo chosen(dialog.selectedFiles().value(0));
         if (!chosen.isDir())
             dialog.selectFile(chosen.completeBaseName() + u'.' + suffix);
@@ -54,15 +69,14 @@ bool Exporting::ask(const QString &suggestion)
     if (dialog.exec() != QDialog::Accepted)
         return false;
     const QString path = dialog.selectedFiles().value(0);
-    return dialog.selectedNameFilter() == sheets ? writeSheets(path) : write(path);
+    return kindOf(dialog.selectedNameFilter()).isFilePerSheet ? writeSheets(path) : write(path);
 }
 
 bool Exporting::write(const QString &path)
 {
     if (!prepare(path))
         return false;
-    const bool isSolids = QFileInfo(path).suffix().compare(kSolids, Qt::CaseInsensitive) == 0;
-    return isSolids ? writeSolids(path) : writeDrawing(path, false);
+    return formatFor(path).writesSolids() ? writeSolids(path) : writeDrawing(path, false);
 }
 
 bool Exporting::writeSheets(const QString &path)
@@ -94,6 +108,8 @@ bool Exporting::writeDrawing(const QString &path, bool isFilePerSheet)
     const QString name = QFileInfo(path).fileName();
     io::CuttingFileOptions options;
     options.isFilePerSheet = isFilePerSheet;
+    if (const io::Format &format = formatFor(path); format.writesCutting())
+        options.format = &format;
     const QString doing = tr("Exporting %1…").arg(name);
     const auto made = inBackground<Result<io::CuttingFile>>(
         m_window, doing, MayCancel::No, [analysis = m_bench.session().analysisPointer(), options] {
@@ -102,9 +118,9 @@ bool Exporting::writeDrawing(const QString &path, bool isFilePerSheet)
     if (!*made)
         return tellFailure(path, made->error());
     const io::CuttingFile &file = **made;
-    std::vector<io::NamedBytes> files{{path, file.svg}};
+    std::vector<io::NamedBytes> files{{path, file.whole}};
     if (isFilePerSheet) {
-        files = io::numberedFiles(path, file.sheets);
+        files = io::numberedFiles(path, file.sheets, options.format->suffix());
         if (!mayReplace(m_window, files))
             return false;
     }
@@ -141,8 +157,10 @@ bool Exporting::writeSolids(const QString &path)
         return tellFailure(path, Error{ErrorCode::NothingToExport, {}, {}});
     const auto written = inBackground<Result<void>>(
         m_window, tr("Exporting %1…").arg(name), MayCancel::No, [analysis, path] {
-            return io::writeObj(analysis->model, analysis->bodies)
-                .and_then([&path](const std::string &obj) { return io::writeFile(path, obj); });
+            return formatFor(path)
+                .writeSolids(analysis->model, analysis->bodies, {})
+                .and_then(
+                    [&path](const std::string &solids) { return io::writeFile(path, solids); });
         });
     if (!*written)
         return tellFailure(path, written->error());

@@ -29,8 +29,7 @@ public:
 
     /// suggestion  path without a suffix
     bool ask(const QString &suggestion);
-    /// What it writes follows from the suffix: .obj has solids, all else the drawing. False when
-    /// nothing was written.
+    /// In the format that the suffix names, else as a drawing. False when nothing was written.
     bool write(const QString &path);
     /// A drawing for each sheet: OUT-1.svg, OUT-2.svg, … for OUT.svg. Asks before it replaces
     /// files.

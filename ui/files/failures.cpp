@@ -1,6 +1,7 @@
 #include "ui/files/failures.h"
 
 #include "core/io/error_text.h"
+#include "core/io/formats.h"
 
 #include <QCoreApplication>
 #include <QFileInfo>
@@ -26,13 +27,25 @@ QString placeInFile(const QString &name, const Error &error)
     return isLine ? Words::tr("line %1").arg(line) : in;
 }
 
+/// ".fff and FlatFab’s .txt"
+QString modelFiles()
+{
+    QStringList files;
+    for (const io::Format *format : io::formatsThat(&io::Format::readsModels)) {
+        const QString suffix = u'.' + format->suffix(), program = QLatin1String(format->program);
+        //: %1 is the end of a name, such as ".txt", %2 a program
+        files += program.isEmpty() ? suffix : Words::tr("%2’s %1").arg(suffix, program);
+    }
+    return io::enumerated(files, Words::tr("%1 and %2"));
+}
+
 } // namespace
 
 QString openFailure(const QString &path, const Error &error)
 {
     const QString name = QFileInfo(path).fileName();
     if (error.code == ErrorCode::NotAModel)
-        return Words::tr("%1 is not a model. FlatFitFab opens .fff and FlatFab’s .txt.").arg(name);
+        return Words::tr("%1 is not a model. FlatFitFab opens %2.").arg(name, modelFiles());
     if (!QFileInfo::exists(path)) {
         return Words::tr("%1 could not be opened: it is not in %2 any more. Nothing was changed.")
             .arg(name, QFileInfo(path).absolutePath());

@@ -1,5 +1,7 @@
 #include "ui/files/file_drop.h"
 
+#include "core/io/formats.h"
+
 #include <QDropEvent>
 #include <QMimeData>
 #include <QTimer>
@@ -52,8 +54,7 @@ void FileDrop::tell(const QStringList &paths)
 {
     QStringList models;
     for (const QString &path : paths) {
-        if (path.endsWith(QStringLiteral(".svg"), Qt::CaseInsensitive) ||
-            path.endsWith(QStringLiteral(".svgz"), Qt::CaseInsensitive))
+        if (io::formatRead(path, &io::Format::readsDrawings))
             Q_EMIT drawingDropped(path);
         else
             models += path;

@@ -17,7 +17,7 @@ public:
 
 Q_SIGNALS:
     void dropped(const QStringList &paths);
-    /// A drawing of another program (.svg).
+    /// A drawing of another program (.svg and the like).
     void drawingDropped(const QString &path);
 
 protected:

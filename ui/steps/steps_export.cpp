@@ -91,8 +91,8 @@ bool StepsExport::write(const Subject &subject, const QString &path)
     StepsFiles files(steps, optionsFor(subject, path));
     const auto count = static_cast<std::size_t>(steps->playback.stepCount());
     if (isPictures(path) &&
-        !mayReplace(m_window,
-                    io::numberedFiles(path, std::vector<std::string>(count), io::digitsFor(count))))
+        !mayReplace(m_window, io::numberedFiles(path, std::vector<std::string>(count), kPictures,
+                                                io::digitsFor(count))))
         return false;
     const Pieces made = doInPieces(m_window, tr("Exporting %1…").arg(name), files.pieceCount(),
                                    [&](int piece) { return files.makePiece(piece); });
@@ -107,7 +107,7 @@ bool StepsExport::write(const Subject &subject, const QString &path)
         return false;
     }
     const std::vector<io::NamedBytes> named =
-        isPictures(path) ? io::numberedFiles(path, files.take(), io::digitsFor(count))
+        isPictures(path) ? io::numberedFiles(path, files.take(), kPictures, io::digitsFor(count))
                          : std::vector<io::NamedBytes>{{path, files.take().front()}};
     const auto written =
         inBackground<Result<void>>(m_window, tr("Exporting %1…").arg(name), MayCancel::No, [named] {

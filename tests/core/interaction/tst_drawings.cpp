@@ -229,7 +229,7 @@ void TestDrawings::ourOwnFileComesBack()
     QTemporaryDir folder;
     QFile svg(folder.filePath(QStringLiteral("plate.svg")));
     QVERIFY(svg.open(QIODevice::WriteOnly));
-    svg.write(QByteArray::fromStdString(file->svg));
+    svg.write(QByteArray::fromStdString(file->whole));
     svg.close();
     desk.run("section.importSections", {{"path", svg.fileName().toStdString()}});
     QCOMPARE(desk.sections().size(), std::size_t(2));

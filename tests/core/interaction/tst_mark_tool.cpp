@@ -346,14 +346,14 @@ void TestMarkTool::inTheCuttingFile()
     QVERIFY(file);
     const auto count = [&file](const std::string &colour) {
         int found = 0;
-        for (std::size_t at = 0; (at = file->svg.find(colour, at)) != std::string::npos; ++at)
+        for (std::size_t at = 0; (at = file->whole.find(colour, at)) != std::string::npos; ++at)
             ++found;
         return found;
     };
     QCOMPARE(count("stroke=\"#000000\""), 1);
     QCOMPARE(count("stroke=\"#00ff00\""), 1);
     QCOMPARE(count("stroke=\"#ff0000\""), 1);
-    QVERIFY(file->svg.find("#000000") < file->svg.find("#ff0000")); // before it is cut out
+    QVERIFY(file->whole.find("#000000") < file->whole.find("#ff0000")); // before it is cut out
 }
 
 // Wrong: a line that is drawn too far would be burnt into the rest of the sheet.

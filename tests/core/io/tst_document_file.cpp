@@ -268,7 +268,7 @@ void TestDocumentFile::optionsReachTheReader()
 {
     const QString file = put(QStringLiteral("unit.txt"), flatfabSquares(1));
     io::ReadOptions options;
-    options.flatfab.unitMm = 10.0;
+    options.values["unit-mm"] = 10.0;
     const auto loaded = io::readDocument(file, options);
     QVERIFY(loaded);
     QCOMPARE(loaded->document.sections.front()->frame.origin, Vec3(0, 30, 0));

@@ -50,6 +50,8 @@ void TestErrorText::sentences_data()
     row("a section that is not cut out", {NotCutOut, "fish.fff", {"Rib 3"}},
         "fish.fff: \"Rib 3\" could not be cut out: what its slits leave of it could not be worked "
         "out");
+    row("no model", {NotAModel, "a.png", {}},
+        "a.png: not a model, expected a .fff file or a .txt file of FlatFab");
     row("umlauts", {UnknownCommand, "Tür", {"öffnen"}}, "Tür: there is no command \"öffnen\"");
 }
 

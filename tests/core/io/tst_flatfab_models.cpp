@@ -7,6 +7,7 @@
 #include "core/io/document_file.h"
 #include "core/io/error_text.h"
 #include "core/io/fff_format.h"
+#include "core/io/flatfab_format.h"
 #include "core/io/flatfab_text.h"
 #include "tests/test_program.h"
 

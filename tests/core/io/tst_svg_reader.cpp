@@ -9,8 +9,8 @@
 #include "core/geometry/figure.h"
 #include "core/geometry/outlines.h"
 #include "core/io/compressed.h"
+#include "core/io/document_file.h"
 #include "core/io/error_text.h"
-#include "core/io/svg_file.h"
 #include "core/io/svg_reader.h"
 #include "core/io/svg_writer.h"
 #include "core/model/edits.h"
@@ -214,7 +214,7 @@ void TestSvgReader::packedAndOtherwiseEncodedFiles_data()
 void TestSvgReader::packedAndOtherwiseEncodedFiles()
 {
     QFETCH(QString, path);
-    const Result<io::SvgDrawing> drawing = io::readSvgFile(path);
+    const Result<io::SvgDrawing> drawing = io::readDrawing(path);
     const QString name = QFileInfo(path).fileName();
     if (name.startsWith(QStringLiteral("broken"))) {
         QVERIFY(!drawing);

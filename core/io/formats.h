@@ -1,0 +1,101 @@
+// The formats of files as a table, which Open, Save, Insert, Import, Export, the command line and
+// the words for what cannot be read are made from. A format is a file of its own and its line in
+// formats.cpp.
+#pragma once
+
+#include "core/io/loaded_document.h"
+#include "core/io/read_options.h"
+
+#include <QtCore/QString>
+#include <QtCore/QStringList>
+
+#include <span>
+#include <vector>
+
+namespace fff {
+class Bodies;
+struct CuttingDrawing;
+struct Model;
+} // namespace fff
+
+namespace fff::io {
+
+struct SvgDrawing;
+
+/// A number that a reader or a writer may be told: on the command line "--NAME VALUE".
+struct FormatOption
+{
+    enum class Of { Reading, Writing };
+
+    const char *name = "";
+    const char *value = ""; // how help calls it: "MM"
+    const char *help = "";  // context "CommandLine"
+    double least = 0.0, most = 0.0;
+    Of of = Of::Writing;
+};
+
+/// Texts are marked with QT_TRANSLATE_NOOP where they stand. Functions are null for what a format
+/// cannot do. Names for errors, and Errors, are those of the reader or writer behind it.
+struct Format
+{
+    const char *key = "";               // in what machines read
+    std::vector<const char *> suffixes; // without a dot; the first is that of what is written
+    const char *program = "";           // whose it is, by name; empty: ours, or everybody's
+    // What is written, as a file dialog calls it, and where each sheet has a file; context
+    // "Format".
+    const char *title = "", *titleOfSheets = "";
+    const char *help = ""; // what `export` writes in it, within a sentence; context "CommandLine"
+    std::vector<FormatOption> options = {};
+
+    /// By the first bytes, whatever the file is called.
+    bool (*recognises)(std::string_view bytes) = nullptr;
+    Result<LoadedDocument> (*readModel)(std::string_view bytes, const std::string &name,
+                                        const ReadOptions &options) = nullptr;
+    Result<SvgDrawing> (*readDrawing)(std::string_view bytes, const std::string &name) = nullptr;
+    Result<std::string> (*writeModel)(const Document &, const FormatValues &) = nullptr;
+    Result<std::string> (*writeCutting)(const CuttingDrawing &, const FormatValues &) = nullptr;
+    Result<std::string> (*writeSolids)(const Model &, const Bodies &,
+                                       const FormatValues &) = nullptr;
+
+    QString suffix() const { return QLatin1String(suffixes.front()); }
+    bool readsModels() const { return readModel; }
+    bool readsDrawings() const { return readDrawing; }
+    bool writesModels() const { return writeModel; }
+    bool writesCutting() const { return writeCutting; }
+    bool writesSolids() const { return writeSolids; }
+    bool isWritten() const { return writeModel || writeCutting || writeSolids; }
+    /// What is made from a model, for other programs and machines.
+    bool isExported() const { return writeCutting || writeSolids; }
+};
+
+/// In the order in which they are offered.
+std::span<const Format *const> formats();
+using Ability = bool (Format::*)() const;
+std::vector<const Format *> formatsThat(Ability ability);
+/// That of Save: the first that writes models.
+const Format &nativeFormat();
+
+/// By the end of a file's name; null when none that can do this has it.
+const Format *formatRead(const QString &path, Ability ability);
+/// Of these only the first suffix counts. suffix  whatever the case
+const Format *formatWritten(const QString &suffix, Ability ability = &Format::isWritten);
+
+/// "*.fff *.txt": what can be read so, or is written so.
+QString patternsRead(Ability ability);
+QString patternOf(const Format &format);
+
+/// "a, b or c": lastTwo is "%1 or %2" in the language of the list.
+QString enumerated(const QStringList &list, const QString &lastTwo,
+                   const QString &between = QStringLiteral(", "));
+
+/// For tests: one more, at the end, while this lives. On the main thread, when nothing is read.
+class AddedFormat
+{
+public:
+    explicit AddedFormat(const Format &format);
+    ~AddedFormat();
+    AddedFormat(const AddedFormat &) = delete;
+    AddedFormat &operator=(const AddedFormat &) = delete;
+};
+
+} // namespace fff::io

@@ -1,0 +1,21 @@
+// What a reader of models may be told.
+#pragma once
+
+#include "core/model/naming.h"
+
+#include <map>
+#include <string>
+
+namespace fff::io {
+
+/// Values of a format's options (core/io/formats.h) by name; what is missing is as usual.
+using FormatValues = std::map<std::string, double>;
+
+struct ReadOptions
+{
+    std::string name;   // how errors call the file; empty: the path as it was given
+    Naming naming = {}; // of sections that have no names in the file
+    FormatValues values = {};
+};
+
+} // namespace fff::io

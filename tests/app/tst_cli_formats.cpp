@@ -1,0 +1,115 @@
+// What the command line reads and writes is the table of formats. If this fails, a format that was
+// added cannot be asked for, or is not named where people look for it.
+#include <QTest> // first: moc stumbles over some standard headers
+
+#include "app/cli/command_line.h"
+#include "core/io/document_file.h"
+#include "tests/app/fault_run.h"
+#include "tests/core/io/added_format.h"
+#include "tests/test_program.h"
+
+#include <QTemporaryDir>
+
+using namespace fff;
+using namespace fff::test;
+using namespace Qt::Literals::StringLiterals;
+
+class TestCliFormats : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void whatHelpSays();
+    void anAddedFormatIsInHelp();
+    void anAddedFormatIsReadAndWritten();
+    void optionsOfAnAddedFormat_data();
+    void optionsOfAnAddedFormat();
+
+private:
+    QString put(const char *name, const std::string &bytes)
+    {
+        const QString path = m_folder.filePath(QLatin1String(name));
+        return io::writeFile(path, bytes) ? path : QString();
+    }
+    static VerbRun run(const QStringList &arguments, const char *output = "")
+    {
+        return runVerb(arguments, QLatin1String(output), FaultPoint::Boolean, -1);
+    }
+
+    QTemporaryDir m_folder;
+};
+
+void TestCliFormats::whatHelpSays()
+{
+    const cli::Verb &verb = cli::verbNamed("export");
+    QCOMPARE(cli::usageOf(verb), QStringLiteral("export FILE -o OUT.{svg,obj,fff} [options]"));
+    QCOMPARE(cli::purposeOf(verb), QStringLiteral("Cutting files, true to size; the solids in "
+                                                  "place; or the model itself"));
+    QCOMPARE(cli::usageOf(cli::verbNamed("replay")),
+             QStringLiteral("replay SCRIPT.json [--from FILE] -o OUT.{fff,svg,obj} [options]"));
+    QCOMPARE(cli::modelFiles(), QStringLiteral("a .fff file or a FlatFab .txt file"));
+    const VerbRun help = run({u"export"_s, u"--help"_s});
+    QVERIFY(help.out.contains("svg, obj or fff, where the file's name does not tell."));
+    QVERIFY(help.out.contains("Millimetres a unit of a FlatFab file (25.4)."));
+}
+
+void TestCliFormats::anAddedFormatIsInHelp()
+{
+    const io::AddedFormat added(addedFormat());
+    const cli::Verb &verb = cli::verbNamed("export");
+    QCOMPARE(cli::usageOf(verb),
+             QStringLiteral("export FILE -o OUT.{svg,obj,fff,knots} [options]"));
+    QCOMPARE(cli::purposeOf(verb),
+             QStringLiteral("Cutting files, true to size; the solids in place; the model itself; "
+                            "or knots to tie"));
+    QCOMPARE(cli::modelFiles(),
+             QStringLiteral("a .fff file, a FlatFab .txt file or a Knots .knots file"));
+    const VerbRun help = run({u"export"_s, u"--help"_s});
+    QVERIFY(help.out.contains("--knots-in-a-row <COUNT>"));
+    QVERIFY(help.out.contains("Knots in a row (7)."));
+    const VerbRun wrong = run({u"export"_s, put("a.fff", "knots 2")}, "a.xyz");
+    QCOMPARE(wrong.status, int(cli::WrongUse));
+    QVERIFY(wrong.err.contains("a.xyz is of no kind that can be written; expected .svg, .obj, .fff "
+                               "or .knots."));
+}
+
+void TestCliFormats::anAddedFormatIsReadAndWritten()
+{
+    const io::AddedFormat added(addedFormat());
+    const QString file = put("a.txt", "knots 2");
+    const VerbRun info = run({u"info"_s, file, u"--json"_s});
+    QCOMPARE(info.status, int(cli::Done));
+    QVERIFY2(info.out.contains("\"knots\""), info.out.constData());
+    const VerbRun made = run({u"export"_s, file}, "b.knots");
+    QVERIFY2(made.status == cli::Done, made.err.constData());
+    QCOMPARE(made.file, QByteArray("2 parts in rows of 7\n"));
+    QVERIFY(made.err.contains("Parts: 2"));
+    QCOMPARE(run({u"export"_s, file, u"--format"_s, u"KNOTS"_s}, "b").file, made.file);
+}
+
+void TestCliFormats::optionsOfAnAddedFormat_data()
+{
+    QTest::addColumn<QString>("value");
+    QTest::addColumn<int>("status");
+    QTest::addColumn<QByteArray>("said");
+    QTest::newRow("a value") << "3" << int(cli::Done) << QByteArray("2 parts in rows of 3\n");
+    QTest::newRow("too much") << "10" << int(cli::WrongUse)
+                              << QByteArray("--knots-in-a-row: found \"10\", expected a number "
+                                            "from 1 to 9.");
+}
+
+void TestCliFormats::optionsOfAnAddedFormat()
+{
+    QFETCH(QString, value);
+    QFETCH(int, status);
+    QFETCH(QByteArray, said);
+    const io::AddedFormat added(addedFormat());
+    const VerbRun made =
+        run({u"export"_s, put("a.txt", "knots 2"), u"--knots-in-a-row"_s, value}, "b.knots");
+    QCOMPARE(made.status, status);
+    QVERIFY((made.file + made.err).contains(said));
+    QCOMPARE(made.hasWritten(), status == cli::Done);
+}
+
+FFF_TEST(TestCliFormats)
+#include "tst_cli_formats.moc"

@@ -1,0 +1,59 @@
+#include "ui/files/format_filters.h"
+
+#include "core/io/formats.h"
+
+#include <QCoreApplication>
+
+namespace fff::ui {
+
+namespace {
+
+using io::Format;
+
+struct Words
+{
+    Q_DECLARE_TR_FUNCTIONS(fff::ui::FormatFilters)
+};
+
+QString withAllFiles(const QString &filter)
+{
+    return filter + QStringLiteral(";;") + Words::tr("All files (*)");
+}
+
+QString titled(const Format &format, const char *title)
+{
+    return QStringLiteral("%1 (%2)").arg(QCoreApplication::translate("Format", title),
+                                         io::patternOf(format));
+}
+
+} // namespace
+
+QString modelFilter()
+{
+    //: %1 are patterns such as "*.fff *.txt"
+    return withAllFiles(Words::tr("Models (%1)").arg(io::patternsRead(&Format::readsModels)));
+}
+
+QString drawingFilter()
+{
+    return withAllFiles(Words::tr("Drawings (%1)").arg(io::patternsRead(&Format::readsDrawings)));
+}
+
+QString saveFilter()
+{
+    return titled(io::nativeFormat(), io::nativeFormat().title);
+}
+
+std::vector<ExportKind> exportKinds()
+{
+    std::vector<ExportKind> kinds;
+    for (const Format *format : io::formatsThat(&Format::writesCutting)) {
+        kinds.push_back({titled(*format, format->title), format, false});
+        kinds.push_back({titled(*format, format->titleOfSheets), format, true});
+    }
+    for (const Format *format : io::formatsThat(&Format::writesSolids))
+        kinds.push_back({titled(*format, format->title), format, false});
+    return kinds;
+}
+
+} // namespace fff::ui

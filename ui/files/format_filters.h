@@ -1,0 +1,30 @@
+// What file dialogs offer, from the table of formats (core/io/formats.h).
+#pragma once
+
+#include <QString>
+
+#include <vector>
+
+namespace fff::io {
+struct Format;
+}
+
+namespace fff::ui {
+
+/// "Models (*.fff *.txt);;All files (*)"
+QString modelFilter();
+QString drawingFilter();
+/// "FlatFitFab models (*.fff)"
+QString saveFilter();
+
+/// One row of what Export offers.
+struct ExportKind
+{
+    QString filter; // "Drawings for cutters (*.svg)"
+    const io::Format *format = nullptr;
+    bool isFilePerSheet = false;
+};
+/// Never empty; cutting files first.
+std::vector<ExportKind> exportKinds();
+
+} // namespace fff::ui
