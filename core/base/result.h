@@ -43,6 +43,7 @@ enum class ErrorCode {
     OperationFailed,  // an operation whose sections cannot be told; args: its name
     StageFailed,      // what is derived from the model threw; args: what it said
     Cancelled,        // somebody stopped it
+    BadArchive,       // what is packed in a file is not in order; args: what is wrong
 };
 
 /// place: where it went wrong: "file:line", a JSON path, a section's name, or empty.
@@ -73,6 +74,7 @@ enum class WarningCode {
     MergedHoles,         // holes that overlap were made one
     NotchedContour,      // a hole that reaches out of its contour was cut out of it
     TrailingLines,       // text after the last section was ignored
+    MissingBlob,         // a picture or the like was left out; args: its name, why
 };
 
 struct Warning

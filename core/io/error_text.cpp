@@ -207,6 +207,8 @@ QString errorSentence(const Error &error)
                    : Words::tr("something went wrong inside FlatFitFab");
     case ErrorCode::Cancelled:
         return Words::tr("it was stopped");
+    case ErrorCode::BadArchive:
+        return hasArg ? phrase(args, 0) : Words::tr("what is packed in this file is damaged");
     }
     return {}; // not reached: every code is above
 }
@@ -245,6 +247,12 @@ QString warningSentence(const Warning &warning)
         return args.empty() ? Words::tr("lines after the last section were ignored")
                             : Words::tr("text after the last section was ignored, lines: %1")
                                   .arg(verbatim(args, 0));
+    case WarningCode::MissingBlob:
+        return args.size() < 2
+                   ? ofSection(args, Words::tr("%1 could not be read and was left out"),
+                               Words::tr("a picture or a mesh was left out"))
+                   //: %2 is a reason such as "its bytes are missing"
+                   : Words::tr("%1 was left out: %2").arg(verbatim(args, 0), phrase(args, 1));
     }
     return {}; // not reached: every code is above
 }

@@ -1,15 +1,117 @@
 #include "core/io/fff_file.h"
 
+#include "core/io/archive.h"
 #include "core/io/fff_format.h"
 
 #include <QtCore/QCoreApplication>
+
+#include <algorithm>
+#include <map>
 
 namespace fff::io {
 
 namespace {
 
+constexpr std::string_view kDocument = "document.json", kBlobs = "blobs/";
+
+std::string nameOf(const std::string &sha256)
+{
+    return std::string(kBlobs) + sha256;
+}
+
+/// No other name has a place in there, so none can lead out of a folder.
+bool belongs(std::string_view name)
+{
+    return name == kDocument || (name.starts_with(kBlobs) && isSha256(name.substr(kBlobs.size())));
+}
+
+tl::unexpected<Error> bad(const std::string &name, const std::string &entry, const char *what)
+{
+    return failure(ErrorCode::BadArchive, placeIn(name, entry), {what});
+}
+
+/// What is in the archive: the document's text, and the bytes of each blob under its hash.
+struct Content
+{
+    std::string document;
+    std::map<std::string, BlobBytes> blobs;
+};
+
+/// A ZIP that has nothing of ours is some other file.
+Result<void> checkNames(std::string_view bytes, const std::string &name)
+{
+    const Result<std::vector<std::string>> names = entryNames(bytes, name);
+    if (!names)
+        return tl::unexpected(names.error());
+    const auto foreign = std::find_if_not(names->begin(), names->end(), belongs);
+    if (std::none_of(names->begin(), names->end(), belongs))
+        return failure(ErrorCode::NotAModel, name);
+    if (foreign != names->end())
+        return bad(name, quoted(*foreign),
+                   QT_TRANSLATE_NOOP("Error", "an entry of this name has no place here"));
+    return {};
+}
+
+Result<Content> contentOf(std::string_view bytes, const std::string &name)
+{
+    if (const Result<void> checked = checkNames(bytes, name); !checked)
+        return tl::unexpected(checked.error());
+    Result<std::vector<ArchiveEntry>> entries = unpacked(bytes, name);
+    if (!entries)
+        return tl::unexpected(std::move(entries.error()));
+    Content content;
+    bool hasDocument = false;
+    for (ArchiveEntry &entry : *entries) {
+        if (entry.name == kDocument) {
+            content.document = std::move(entry.bytes);
+            hasDocument = true;
+            continue;
+        }
+        std::string hash = entry.name.substr(kBlobs.size());
+        if (sha256Of(entry.bytes) != hash)
+            return bad(name, entry.name,
+                       QT_TRANSLATE_NOOP("Error", "this entry is not what its name, a SHA-256, "
+                                                  "says"));
+        content.blobs.emplace(std::move(hash),
+                              std::make_shared<const std::string>(std::move(entry.bytes)));
+    }
+    if (!hasDocument)
+        return bad(name, std::string(kDocument),
+                   QT_TRANSLATE_NOOP("Error", "this entry is missing"));
+    return content;
+}
+
+Result<LoadedDocument> readArchive(std::string_view bytes, const std::string &name)
+{
+    const Result<Content> content = contentOf(bytes, name);
+    if (!content)
+        return tl::unexpected(content.error());
+    std::string missing;
+    const BlobSource source = [&](const std::string &hash) -> Result<BlobBytes> {
+        const auto found = content->blobs.find(hash);
+        if (found != content->blobs.end())
+            return found->second;
+        missing = missing.empty() ? hash : missing;
+        return failure(ErrorCode::BadArchive);
+    };
+    Result<LoadedDocument> loaded =
+        readFff(content->document, placeIn(name, std::string(kDocument)), source);
+    if (!loaded)
+        return loaded;
+    if (!missing.empty())
+        return bad(name, nameOf(missing), QT_TRANSLATE_NOOP("Error", "this entry is missing"));
+    for (const auto &[hash, blob] : content->blobs) {
+        if (!loaded->document.findBlob(hash))
+            return bad(name, nameOf(hash),
+                       QT_TRANSLATE_NOOP("Error", "nothing in the document refers to this entry"));
+    }
+    return loaded;
+}
+
 bool looksLikeFff(std::string_view bytes)
 {
+    if (isArchive(bytes))
+        return true;
     const std::string_view text = withoutByteOrderMark(bytes);
     const std::size_t begin = text.find_first_not_of(" \t\r\n");
     // Text has no zero bytes; what has is a picture, a program or the like.
@@ -19,6 +121,23 @@ bool looksLikeFff(std::string_view bytes)
 
 } // namespace
 
+Result<std::string> writeFffFile(const Document &document)
+{
+    Result<std::string> text = writeFff(document);
+    if (!text || document.blobs.empty())
+        return text;
+    std::vector<PackedEntry> entries{{std::string(kDocument), *text}};
+    for (const BlobPointer &blob : document.blobs)
+        entries.push_back({nameOf(blob->sha256), *blob->bytes});
+    return packed(entries);
+}
+
+Result<LoadedDocument> readFffFile(std::string_view bytes, const std::string &name,
+                                   const BlobSource &blobs)
+{
+    return isArchive(bytes) ? readArchive(bytes, name) : readFff(bytes, name, blobs);
+}
+
 const Format &fffFormat()
 {
     static const Format format = {
@@ -27,10 +146,12 @@ const Format &fffFormat()
         .title = QT_TRANSLATE_NOOP("Format", "FlatFitFab models"),
         .help = QT_TRANSLATE_NOOP("CommandLine", "the model itself"),
         .recognises = looksLikeFff,
-        .readModel = [](std::string_view bytes, const std::string &name,
-                        const ReadOptions &) { return readFff(bytes, name); },
+        .readModel =
+            [](std::string_view bytes, const std::string &name, const ReadOptions &options) {
+                return readFffFile(bytes, name, options.blobs);
+            },
         .writeModel = [](const Document &document,
-                         const FormatValues &) { return writeFff(document); }};
+                         const FormatValues &) { return writeFffFile(document); }};
     return format;
 }
 

@@ -25,43 +25,50 @@
 //       y],
 //                         "shares": [ { "at": [x, y], "ofA" } ] } ],
 //       "dimensions": [ { "id", "from": { "section": ref, "at": [x, y, z] }, "to": … } ],
-//       "numbers":    [ { "name", "expression", "value" } ] }
+//       "numbers":    [ { "name", "expression", "value" } ],
+//       "blobs":      [ { "sha256", "mediaType", "name" } ] }
 //
 // Strengths and modulus are null when not rated; "parent", "holes", "weights", "joints", and of a
 // joint all but its two sections, may be missing; of a section "locked", and of a parent "free"
 // (then false), of a section "figures" (core/geometry/figure.h), which say what boundaries were
 // made of, as far as they are as those still, "marks" (core/model/mark.h), of a mark "lettering";
-// "dimensions" and "numbers" (core/model/dimension.h, named_number.h), of an anchor "section"; of a
-// stock "slitEnd" (then square), "toolDiameter" (3.175), "leadIn" and "bumps" (0); of an operation
-// "on" (then true) and "exceptions". Kinds of operations, their roles and parameters:
-// core/operations; a file keeps also those that do not count. `joints` are those of which something
-// is wanted (core/model/joint_override.h). A contour has three control points a segment, p0 h h, a
-// segment on each line; the last closes onto the first. A ref is the id of a drawn section, or
-// { "operation": id, "instance": "key" } for one that an operation makes; the latter may name
-// nothing now (dormant). `shapes` stand in the order of their first use; sections that name the
-// same index share one Shape, as they did when written.
-// Unknown keys are passed over: what changes the meaning of a file raises its version.
+// "dimensions" and "numbers" (core/model/dimension.h, named_number.h), of an anchor "section";
+// "blobs" (core/model/blob.h), whose bytes are beside the JSON (core/io/fff_file.h), of these
+// "mediaType" and "name"; of a stock "slitEnd" (then square), "toolDiameter" (3.175), "leadIn" and
+// "bumps" (0); of an operation "on" (then true) and "exceptions". Kinds of operations, their roles
+// and parameters: core/operations; a file keeps also those that do not count. `joints` are those of
+// which something is wanted (core/model/joint_override.h). A contour has three control points a
+// segment, p0 h h, a segment on each line; the last closes onto the first. A ref is the id of a
+// drawn section, or { "operation": id, "instance": "key" } for one that an operation makes; the
+// latter may name nothing now (dormant). `shapes` stand in the order of their first use; sections
+// that name the same index share one Shape, as they did when written. Unknown keys are passed over:
+// what changes the meaning of a file raises its version.
 #pragma once
 
+#include "core/io/blobs.h"
 #include "core/io/loaded_document.h"
 
 namespace fff::io {
 
 inline constexpr int kFffVersion = 3;
 
-/// The file's bytes. Errors  NonFinite when a number of the document is not finite.
+/// The document as text; of blobs their names. Errors  NonFinite when a number of the document is
+/// not finite.
 Result<std::string> writeFff(const Document &document);
 
 /// Reads a whole file. write and read again gives an equal document; numbers come back bit for bit,
 /// but for the sign of zero. Shapes that another program or hand spoilt are mended.
 ///
 /// name      how errors call the file; empty: places are without it
+/// blobs     where their bytes are
 /// Errors    BadSyntax, Truncated, NonFinite at name:line; NotAModel, NewerVersion; and at
 ///           name:$.json.path  BadValue, DuplicateId, UnknownReference, DegenerateFrame (axes off
 ///           by more than kFrameRounding), BadContour, EmptyContour, Unsupported (a kind of
 ///           operation, or a version of one, that is not known here).
 /// Warnings  SkewFrame: axes off by more than rounding of a double, made orthonormal again.
-///           Those of core/model/mended_shape.h.
-Result<LoadedDocument> readFff(std::string_view bytes, const std::string &name = {});
+///           Those of core/model/mended_shape.h. MissingBlob: what `blobs` does not have, or all
+///           without it, is left out.
+Result<LoadedDocument> readFff(std::string_view bytes, const std::string &name = {},
+                               const BlobSource &blobs = {});
 
 } // namespace fff::io

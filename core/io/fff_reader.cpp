@@ -1,5 +1,6 @@
 #include "core/base/tolerances.h"
 #include "core/io/fff_annotations.h"
+#include "core/io/fff_blobs.h"
 #include "core/io/fff_format.h"
 #include "core/io/fff_migration.h"
 #include "core/io/fff_operations.h"
@@ -27,7 +28,7 @@ constexpr double kExactFrame = 1e-9;
 class FffReader
 {
 public:
-    explicit FffReader(Problems &problems) : m_problems(problems) {}
+    FffReader(Problems &problems, const BlobSource &blobs) : m_problems(problems), m_blobs(blobs) {}
 
     Document read(const JsonCursor &root);
 
@@ -53,6 +54,7 @@ private:
                        const std::vector<SectionPointer> &sections);
 
     Problems &m_problems;
+    const BlobSource &m_blobs;
     std::int64_t m_nextId = 1;
     std::unordered_set<std::int64_t> m_ids; // of everything: all come from one counter
     std::unordered_set<std::int64_t> m_stockIds, m_sectionIds;
@@ -391,12 +393,15 @@ Document FffReader::read(const JsonCursor &root)
                        {.readRef = [this](const JsonCursor &item) { return readRef(item); },
                         .readId = [this](const JsonCursor &item) { return readId(item); }});
     document.numbers = readNumbers(root.member("numbers"));
+    if (!m_problems.failed())
+        document.blobs = readBlobs(root.member("blobs"), m_blobs, m_problems);
     return document;
 }
 
 } // namespace
 
-Result<LoadedDocument> readFff(std::string_view bytes, const std::string &name)
+Result<LoadedDocument> readFff(std::string_view bytes, const std::string &name,
+                               const BlobSource &blobs)
 {
     Problems problems{.file = name};
     const QJsonDocument json = parseJson(bytes, problems);
@@ -413,7 +418,7 @@ Result<LoadedDocument> readFff(std::string_view bytes, const std::string &name)
     if (problems.failed())
         return tl::unexpected(*problems.error);
 
-    FffReader reader(problems);
+    FffReader reader(problems, blobs);
     Document document = reader.read({migrated(json.object(), version), "$", problems});
     if (problems.failed())
         return tl::unexpected(*problems.error);

@@ -1,4 +1,5 @@
 #include "core/io/fff_annotations.h"
+#include "core/io/fff_blobs.h"
 #include "core/io/fff_format.h"
 #include "core/io/fff_operations.h"
 #include "core/io/json_writer.h"
@@ -224,6 +225,7 @@ Result<std::string> writeFff(const Document &document)
     json.endArray();
     writeDimensions(json, document);
     writeNumbers(json, document);
+    writeBlobs(json, document);
     json.endObject();
     // A file with a null for a number could not be read again.
     if (json.sawNonFinite())

@@ -1,6 +1,7 @@
 // What a reader of models may be told.
 #pragma once
 
+#include "core/io/blobs.h"
 #include "core/model/naming.h"
 
 #include <map>
@@ -16,6 +17,7 @@ struct ReadOptions
     std::string name;   // how errors call the file; empty: the path as it was given
     Naming naming = {}; // of sections that have no names in the file
     FormatValues values = {};
+    BlobSource blobs = {}; // of a model whose file names some without having them
 };
 
 } // namespace fff::io

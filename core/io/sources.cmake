@@ -1,10 +1,13 @@
 target_sources(fff_io PRIVATE
+    archive.cpp
+    blobs.cpp
     compressed.cpp
     cutting_file.cpp
     document_file.cpp
     drawing_text.cpp
     error_text.cpp
     fff_annotations.cpp
+    fff_blobs.cpp
     fff_file.cpp
     fff_migration.cpp
     fff_operations.cpp

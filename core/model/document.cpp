@@ -56,6 +56,14 @@ const Operation *Document::find(OperationId id) const
     return it == operations.end() ? nullptr : it->get();
 }
 
+const Blob *Document::findBlob(std::string_view sha256) const
+{
+    const auto found = std::lower_bound(
+        blobs.begin(), blobs.end(), sha256,
+        [](const BlobPointer &blob, std::string_view wanted) { return blob->sha256 < wanted; });
+    return found != blobs.end() && (*found)->sha256 == sha256 ? found->get() : nullptr;
+}
+
 const Stock &Document::stockOf(const Section &section) const
 {
     const Stock *stock = find(section.stock);
@@ -81,7 +89,7 @@ bool Document::isSame(const Document &other) const
 {
     return sections == other.sections && stocks == other.stocks && operations == other.operations &&
            weights == other.weights && jointOverrides == other.jointOverrides &&
-           dimensions == other.dimensions && numbers == other.numbers &&
+           dimensions == other.dimensions && numbers == other.numbers && blobs == other.blobs &&
            currentStock == other.currentStock;
 }
 
@@ -90,7 +98,8 @@ bool Document::operator==(const Document &other) const
     return equalValues(sections, other.sections) && equalValues(stocks, other.stocks) &&
            equalValues(operations, other.operations) && weights == other.weights &&
            equalValues(jointOverrides, other.jointOverrides) && dimensions == other.dimensions &&
-           numbers == other.numbers && currentStock == other.currentStock && nextId == other.nextId;
+           numbers == other.numbers && equalValues(blobs, other.blobs) &&
+           currentStock == other.currentStock && nextId == other.nextId;
 }
 
 Document newDocument()

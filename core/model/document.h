@@ -1,6 +1,7 @@
 // The document: a value, cheap to copy, never changed in place (edits.h makes the next one).
 #pragma once
 
+#include "core/model/blob.h"
 #include "core/model/dimension.h"
 #include "core/model/joint_override.h"
 #include "core/model/named_number.h"
@@ -9,6 +10,7 @@
 #include "core/model/stock.h"
 
 #include <memory>
+#include <string_view>
 #include <vector>
 
 namespace fff {
@@ -39,6 +41,7 @@ struct Document
     std::vector<JointOverridePointer> jointOverrides; // ascending in (a, b), none of them empty
     std::vector<Dimension> dimensions;
     std::vector<NamedNumber> numbers; // by which numbers can be called in fields
+    std::vector<BlobPointer> blobs;   // ascending by sha256, each once
     StockId currentStock;
     std::int64_t nextId = 1;
 
@@ -49,6 +52,7 @@ struct Document
     const Section *find(SectionId id) const;
     const Stock *find(StockId id) const;
     const Operation *find(OperationId id) const;
+    const Blob *findBlob(std::string_view sha256) const;
     /// Of two sections in any order, or null. O(log overrides).
     const JointOverride *jointOverride(const SectionRef &first, const SectionRef &second) const;
     /// Of a section of this document.

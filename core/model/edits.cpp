@@ -292,4 +292,15 @@ Result<Document> setJointOverride(Document document, JointOverride wanted)
     return document;
 }
 
+Document addBlob(Document document, BlobPointer blob)
+{
+    if (document.findBlob(blob->sha256))
+        return document;
+    const auto place = std::upper_bound(
+        document.blobs.begin(), document.blobs.end(), blob,
+        [](const BlobPointer &a, const BlobPointer &b) { return a->sha256 < b->sha256; });
+    document.blobs.insert(place, std::move(blob));
+    return document;
+}
+
 } // namespace fff

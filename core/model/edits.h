@@ -52,4 +52,7 @@ Result<Document> removeWeight(Document document, WeightId id);
 /// direction without a length.
 Result<Document> setJointOverride(Document document, JointOverride wanted);
 
+/// Nothing changes when its bytes are there already, whatever they were called.
+Document addBlob(Document document, BlobPointer blob);
+
 } // namespace fff

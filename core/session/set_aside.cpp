@@ -2,7 +2,7 @@
 
 #include "core/io/document_file.h"
 #include "core/io/error_text.h"
-#include "core/io/fff_format.h"
+#include "core/io/fff_file.h"
 
 #include <QDateTime>
 #include <QDir>
@@ -18,11 +18,11 @@ Result<QString> setAside(const QString &folder, const Document &document, std::s
     const QString name = QStringLiteral("%1-%2").arg(
         QString::fromLatin1(stage.data(), static_cast<qsizetype>(stage.size())),
         QDateTime::currentDateTimeUtc().toString(QStringLiteral("yyyyMMdd-HHmmss-zzz")));
-    const Result<std::string> text = io::writeFff(document);
-    if (!text)
-        return tl::unexpected(text.error());
+    const Result<std::string> bytes = io::writeFffFile(document);
+    if (!bytes)
+        return tl::unexpected(bytes.error());
     const QString path = dir.filePath(name + QStringLiteral(".fff"));
-    if (const auto written = io::writeFile(path, *text); !written)
+    if (const auto written = io::writeFile(path, *bytes); !written)
         return tl::unexpected(written.error());
     // What it said goes beside it; without that the model alone has to do.
     (void)io::writeFile(dir.filePath(name + QStringLiteral(".txt")),

@@ -3,7 +3,9 @@
 #include <QTest> // first: moc stumbles over some standard headers
 
 #include "app/cli/command_line.h"
+#include "core/io/blobs.h"
 #include "core/io/document_file.h"
+#include "core/model/edits.h"
 #include "tests/app/fault_run.h"
 #include "tests/core/io/added_format.h"
 #include "tests/test_program.h"
@@ -24,6 +26,7 @@ private Q_SLOTS:
     void anAddedFormatIsReadAndWritten();
     void optionsOfAnAddedFormat_data();
     void optionsOfAnAddedFormat();
+    void modelsWithBlobs();
 
 private:
     QString put(const char *name, const std::string &bytes)
@@ -109,6 +112,21 @@ void TestCliFormats::optionsOfAnAddedFormat()
     QCOMPARE(made.status, status);
     QVERIFY((made.file + made.err).contains(said));
     QCOMPARE(made.hasWritten(), status == cli::Done);
+}
+
+void TestCliFormats::modelsWithBlobs()
+{
+    Document document = newDocument();
+    NewSection section;
+    section.shape = *Shape::make(*Contour::fromPolygon({{0, 0}, {50, 0}, {50, 40}, {0, 40}}));
+    document = addBlob(*addSection(document, section), io::makeBlob("bytes", "image/png", "a.png"));
+    const QString path = m_folder.filePath(QStringLiteral("blobs.fff"));
+    QVERIFY(io::writeDocument(path, document));
+    const VerbRun copy = run({u"export"_s, path}, "copy.fff");
+    QCOMPARE(copy.status, int(cli::Done));
+    QVERIFY2(copy.file == QByteArray::fromStdString(*io::readFile(path)), "the very same bytes");
+    const VerbRun printed = run({u"export"_s, path, u"-o"_s, u"-"_s, u"--format"_s, u"fff"_s});
+    QCOMPARE(printed.out, copy.file);
 }
 
 FFF_TEST(TestCliFormats)

@@ -1,8 +1,8 @@
 // Any bytes as a `.fff`. If this stops, a file from the net or a broken disk takes the window down,
 // or a model that opens cannot be saved.
 #include "core/io/error_text.h"
-#include "core/io/fff_format.h"
-#include "tests/fuzz/json_mutator.h"
+#include "core/io/fff_file.h"
+#include "tests/fuzz/archive_mutator.h"
 #include "tests/fuzz/properties.h"
 
 using namespace fff;
@@ -10,7 +10,7 @@ using namespace fff;
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size)
 {
     const std::string_view bytes(reinterpret_cast<const char *>(data), size);
-    const Result<io::LoadedDocument> loaded = io::readFff(bytes, "input.fff");
+    const Result<io::LoadedDocument> loaded = io::readFffFile(bytes, "input.fff");
     if (!loaded) {
         fuzz::requireClear(loaded.error());
         return 0;
@@ -24,5 +24,5 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size
 extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t *data, std::size_t size,
                                                std::size_t maxSize, unsigned int seed)
 {
-    return fuzz::mutateJson(data, size, maxSize, seed);
+    return fuzz::mutateFff(data, size, maxSize, seed);
 }

@@ -1,7 +1,7 @@
 #include "tests/fuzz/properties.h"
 
 #include "core/io/error_text.h"
-#include "core/io/fff_format.h"
+#include "core/io/fff_file.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -44,11 +44,11 @@ void requireClear(const Error &error)
 
 void requireRoundTrip(const Document &document)
 {
-    const Result<std::string> written = io::writeFff(document);
+    const Result<std::string> written = io::writeFffFile(document);
     if (!written)
         std::fprintf(stderr, "%s\n", io::errorText(written.error()).toUtf8().constData());
     require(written.has_value(), "what was read can be written");
-    const Result<io::LoadedDocument> again = io::readFff(*written, "again");
+    const Result<io::LoadedDocument> again = io::readFffFile(*written, "again");
     if (!again)
         std::fprintf(stderr, "%s\n", io::errorText(again.error()).toUtf8().constData());
     require(again.has_value(), "what was written can be read");

@@ -1,6 +1,7 @@
 fff_tests(tests_io LIBRARIES fff::io OpenMeshCore TESTS
     core/io/tst_document_file
     core/io/tst_error_text
+    core/io/tst_fff_file
     core/io/tst_fff_format
     core/io/tst_fff_migration
     core/io/tst_file_set

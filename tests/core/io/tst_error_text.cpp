@@ -52,6 +52,8 @@ void TestErrorText::sentences_data()
         "out");
     row("no model", {NotAModel, "a.png", {}},
         "a.png: not a model, expected a .fff file or a .txt file of FlatFab");
+    row("an entry of an archive", {BadArchive, "a.fff:blobs/x", {"this entry is damaged"}},
+        "a.fff:blobs/x: this entry is damaged");
     row("umlauts", {UnknownCommand, "Tür", {"öffnen"}}, "Tür: there is no command \"öffnen\"");
 }
 
@@ -65,7 +67,7 @@ void TestErrorText::sentences()
 /// With any number of args, and different for every code.
 void TestErrorText::everyErrorHasASentence()
 {
-    const int last = static_cast<int>(ErrorCode::Cancelled);
+    const int last = static_cast<int>(ErrorCode::BadArchive);
     for (const int count : {0, 1, 2, 3}) {
         std::set<QString> sentences;
         for (int code = 0; code <= last; ++code) {
@@ -84,7 +86,7 @@ void TestErrorText::everyErrorHasASentence()
 void TestErrorText::everyWarningHasASentence()
 {
     std::set<QString> sentences;
-    const int last = static_cast<int>(WarningCode::TrailingLines);
+    const int last = static_cast<int>(WarningCode::MissingBlob);
     for (int code = 0; code <= last; ++code) {
         for (const std::vector<std::string> &args :
              {std::vector<std::string>{}, {"Section 3"}, {"Section 3", "0.5"}}) {
