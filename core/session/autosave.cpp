@@ -211,7 +211,7 @@ void Autosave::setDocument(const QString &path, const QString &name)
     d->name = name;
 }
 
-Result<void> Autosave::adopt(const RecoveryEntry &entry)
+Result<std::vector<Warning>> Autosave::adopt(const RecoveryEntry &entry)
 {
     std::unique_ptr<RecoverySlot> slot = RecoverySlot::take(entry.slot);
     if (!slot)
@@ -229,7 +229,7 @@ Result<void> Autosave::adopt(const RecoveryEntry &entry)
     d->adoptedSteps = entry.steps;
     d->lastWrite = d->clock.elapsed();
     d->session.setUnsaved();
-    return {};
+    return std::move(loaded->warnings);
 }
 
 void Autosave::discard()

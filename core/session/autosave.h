@@ -10,6 +10,7 @@
 
 #include <functional>
 #include <memory>
+#include <vector>
 
 namespace fff {
 
@@ -48,9 +49,10 @@ public:
     void setDocument(const QString &path, const QString &name);
 
     /// Opens what a crash left: it becomes the session's document, unsaved, and its slot becomes
-    /// this one's, so that it is never without one. setDocument() is the caller's to do after.
+    /// this one's, so that it is never without one. setDocument() is the caller's to do after. What
+    /// of it was lost is said in the warnings.
     /// Errors  those of readRecoverable, CannotOpen when another window has it
-    Result<void> adopt(const RecoveryEntry &entry);
+    Result<std::vector<Warning>> adopt(const RecoveryEntry &entry);
 
     /// What is not saved may be lost: the slot goes, and nothing more is written until the next
     /// change. Call when a person closes without saving.

@@ -3,6 +3,7 @@
 #include "core/io/document_file.h"
 #include "core/io/fff_format.h"
 #include "core/io/json_writer.h"
+#include "core/session/slot_blobs.h"
 
 #include <QCoreApplication>
 #include <QDir>
@@ -20,10 +21,16 @@ namespace {
 
 const QString kDocumentSuffix = QStringLiteral(".fff");
 const QString kLockSuffix = QStringLiteral(".lock");
+const QString kBlobsSuffix = QStringLiteral(".blobs");
 
 QString documentPath(const QString &slot)
 {
     return slot + kDocumentSuffix;
+}
+
+QString blobsPath(const QString &slot)
+{
+    return slot + kBlobsSuffix;
 }
 
 /// {"recovery": {...},} as the first member of the document's object: readers of `.fff` pass it
@@ -60,13 +67,14 @@ RecoveryEntry entryOf(const QString &slot, const std::string &bytes)
     return entry;
 }
 
-/// What is left of a slot: its document, and copies of it that were being written.
+/// What is left of a slot: its document, copies of it that were being written, and its blobs.
 void removeFiles(const QString &slot)
 {
     const QFileInfo document(documentPath(slot));
     const QStringList names = document.dir().entryList({document.fileName() + u'*'}, QDir::Files);
     for (const QString &name : names)
         document.dir().remove(name);
+    removeOtherSlotBlobs(blobsPath(slot), {});
 }
 
 /// Slots by their paths, each once, whichever of their files are there.
@@ -74,10 +82,13 @@ QStringList slotsIn(const QString &folder)
 {
     QStringList paths;
     const QDir dir(folder);
-    for (const QFileInfo &file : dir.entryInfoList(QDir::Files | QDir::Hidden)) {
+    const auto all = QDir::Files | QDir::Dirs | QDir::NoDotAndDotDot | QDir::Hidden;
+    for (const QFileInfo &file : dir.entryInfoList(all)) {
         // A copy that was being written is called "NAME.fff.XXXXXX".
         const QString name = file.fileName();
-        const bool isOurs = name.contains(kDocumentSuffix) || name.endsWith(kLockSuffix);
+        const bool isOurs = file.isDir()
+                                ? name.endsWith(kBlobsSuffix)
+                                : name.contains(kDocumentSuffix) || name.endsWith(kLockSuffix);
         const QString path = dir.filePath(name.left(name.indexOf(u'.')));
         if (isOurs && name.indexOf(u'.') > 0 && !paths.contains(path))
             paths.append(path);
@@ -133,9 +144,14 @@ Result<void> RecoverySlot::write(const Document &document, const RecoveryEntry &
     // Nothing that could not be opened again replaces a copy that can.
     if (const auto again = io::readFff(text); !again)
         return tl::unexpected(again.error());
+    if (Result<void> kept = writeSlotBlobs(blobsPath(m_path), document); !kept)
+        return kept;
     io::WriteOptions options;
     options.isThereAtOnce = true;
-    return io::writeFile(documentPath(m_path), text, options);
+    Result<void> written = io::writeFile(documentPath(m_path), text, options);
+    if (written)
+        removeOtherSlotBlobs(blobsPath(m_path), document);
+    return written;
 }
 
 void RecoverySlot::remove()
@@ -170,6 +186,7 @@ Result<io::LoadedDocument> readRecoverable(const RecoveryEntry &entry)
 {
     io::ReadOptions options;
     options.name = entry.name.toStdString();
+    options.blobs = slotBlobs(blobsPath(entry.slot));
     return io::readDocument(documentPath(entry.slot), options);
 }
 

@@ -1,9 +1,10 @@
 // What a crash leaves: documents that the program kept beside the person's own files while they
 // were edited (core/session/autosave.h). For the start page's "Recovered" rows; holds no widget.
 //
-// A recovery folder has two files a slot: "NAME.fff", the document (a file of that format, with an
+// A recovery folder has two files a slot: "NAME.fff", the document (a text of that format, with an
 // object "recovery" that says what it is), and "NAME.lock", held by the program that writes it
-// (core/session/slot_lock.h). The document is replaced as a whole, so that it is complete at any
+// (core/session/slot_lock.h); and "NAME.blobs", a folder, while the document has blobs
+// (core/session/slot_blobs.h). The document is replaced as a whole, so that it is complete at any
 // moment, and by none that could not be opened again.
 #pragma once
 
@@ -32,8 +33,8 @@ struct RecoveryEntry
 /// a newer version are left for it. No entries for a folder that is not there.
 QList<RecoveryEntry> listRecoverable(const QString &folder);
 
-/// To look at, say for a thumbnail; Autosave::adopt opens it.
-/// Errors  those of io::readDocument
+/// To look at, say for a thumbnail; Autosave::adopt opens it. Errors  those of io::readDocument
+/// Warnings  MissingBlob: a picture or a mesh that was lost; the rest is there
 Result<io::LoadedDocument> readRecoverable(const RecoveryEntry &entry);
 
 /// The person wants it no more. False when another window has opened it meanwhile.
@@ -51,7 +52,8 @@ public:
     static bool isHeld(const QString &slot);
     ~RecoverySlot(); // lets go of it; what was written stays
 
-    /// slot is that of this object, whatever the entry says.
+    /// slot is that of this object, whatever the entry says. Blobs are there before the document
+    /// that names them is, and go after it.
     Result<void> write(const Document &document, const RecoveryEntry &entry);
     /// The document goes, and the slot with it: last call.
     void remove();

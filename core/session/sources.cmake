@@ -28,6 +28,7 @@ target_sources(fff_session PRIVATE
     session_commands.cpp
     session_host.cpp
     set_aside.cpp
+    slot_blobs.cpp
     slot_lock.cpp
     tool_commands.cpp
     view_commands.cpp

@@ -66,14 +66,19 @@ bool UnsavedWork::adopt(const QString &id)
                                                            "another window.")});
         return false;
     }
-    if (const Result<void> done = m_autosave->adopt(*entry); !done) {
+    const Result<std::vector<Warning>> adopted = m_autosave->adopt(*entry);
+    if (!adopted) {
         m_messages.show(
             MessageBar::Severity::Error,
-            {tr("What was kept could not be opened: %1.").arg(io::errorSentence(done.error()))}, {},
-            io::errorText(done.error()));
+            {tr("What was kept could not be opened: %1.").arg(io::errorSentence(adopted.error()))},
+            {}, io::errorText(adopted.error()));
         return false;
     }
     m_files.showRecovered(entry->originalPath, entry->name, entry->time);
+    QStringList warnings;
+    for (const Warning &warning : *adopted)
+        warnings += io::warningText(warning);
+    m_messages.show(MessageBar::Severity::Warning, warnings); // hides without any
     return true;
 }
 

@@ -2,7 +2,9 @@
 // what is offered after a crash is not what was there.
 #include <QTest> // first: moc cannot read some of the standard library before it
 
+#include "core/io/blobs.h"
 #include "core/io/document_file.h"
+#include "core/io/error_text.h"
 #include "core/io/fff_format.h"
 #include "core/model/edits.h"
 #include "core/session/autosave.h"
@@ -64,6 +66,31 @@ struct Program
     std::unique_ptr<Autosave> autosave;
 };
 
+/// As a later edit will: a picture that the model is drawn after.
+void addPicture(Program &program, const std::string &bytes)
+{
+    program.session.commit(
+        QStringLiteral("Picture"),
+        addBlob(program.document(), io::makeBlob(bytes, "image/png", "fish.png")));
+}
+
+QString blobsOf(const QString &slot)
+{
+    return slot + QStringLiteral(".blobs");
+}
+
+QString pathOf(const QString &slot, const std::string &bytes)
+{
+    return blobsOf(slot) + u'/' + QString::fromStdString(io::sha256Of(bytes));
+}
+
+/// Of the only one that there is, whoever holds it.
+QString slotIn(const QString &folder)
+{
+    const QStringList names = QDir(folder).entryList({QStringLiteral("*.fff")}, QDir::Files);
+    return names.size() == 1 ? folder + u'/' + names.front().chopped(4) : QString();
+}
+
 QStringList filesIn(const QString &folder)
 {
     return QDir(folder).entryList(QDir::Files | QDir::Hidden);
@@ -104,6 +131,12 @@ private Q_SLOTS:
     void brokenSlots_data();
     void brokenSlots();
     void aFullFolderIsToldOnceAndTriedAgain();
+    void blobsAreKeptBesideTheText();
+    void blobsAreWrittenOnce();
+    void blobsGoWithWhatRefersToThem();
+    void lostBlobsCostOnlyThemselves_data();
+    void lostBlobsCostOnlyThemselves();
+    void blobsWithoutADocumentAreWaste();
 
 private:
     QString folder() const { return m_folder->filePath(QStringLiteral("recovery")); }
@@ -313,7 +346,7 @@ void TestAutosave::aSlotOpensOnce()
     const RecoveryEntry entry = listRecoverable(folder()).front();
     Program second(folder()), third(folder());
     QVERIFY(second.autosave->adopt(entry).has_value());
-    const Result<void> again = third.autosave->adopt(entry);
+    const auto again = third.autosave->adopt(entry);
     QVERIFY(!again);
     QCOMPARE(again.error().code, ErrorCode::CannotOpen);
     QVERIFY(!discardRecoverable(entry));
@@ -404,6 +437,132 @@ void TestAutosave::aFullFolderIsToldOnceAndTriedAgain()
     program.pass(Autosave::kDefaultInterval); // without another step
     QTRY_COMPARE(program.kept.size(), 1u);
     QVERIFY(program.kept.front() == program.document());
+}
+
+void TestAutosave::blobsAreKeptBesideTheText()
+{
+    Program program(folder());
+    program.draw();
+    addPicture(program, "one");
+    addPicture(program, "two");
+    const Document drawn = program.document();
+    program.die();
+    const QList<RecoveryEntry> entries = listRecoverable(folder());
+    QCOMPARE(entries.size(), 1);
+    const QString slot = entries.front().slot;
+    QStringList names{QFileInfo(pathOf(slot, "one")).fileName(),
+                      QFileInfo(pathOf(slot, "two")).fileName()};
+    names.sort();
+    QCOMPARE(filesIn(blobsOf(slot)), names);
+    QFile text(slot + QStringLiteral(".fff"));
+    QVERIFY(text.open(QIODevice::ReadOnly));
+    QVERIFY2(text.read(1) == "{", "a slot is text");
+    const auto read = readRecoverable(entries.front());
+    QVERIFY(read && read->warnings.empty());
+    QVERIFY(read->document == drawn);
+
+    Program second(folder());
+    const auto adopted = second.autosave->adopt(entries.front());
+    QVERIFY(adopted && adopted->empty());
+    QVERIFY(second.document() == drawn);
+    QVERIFY(*second.document().blobs.front()->bytes == *drawn.blobs.front()->bytes);
+}
+
+// Wrong: a mesh of a hundred megabytes is written every ten seconds.
+void TestAutosave::blobsAreWrittenOnce()
+{
+    Program program(folder());
+    addPicture(program, "one");
+    program.pass(Autosave::kFirstDelay);
+    QTRY_COMPARE(program.kept.size(), 1u);
+    const QString slot = slotIn(folder());
+    put(pathOf(slot, "one"), "ONE"); // which nobody else would
+    program.draw();
+    program.autosave->flush();
+    QCOMPARE(program.kept.size(), 2u);
+    QFile file(pathOf(slot, "one"));
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    QCOMPARE(file.readAll(), QByteArray("ONE"));
+    put(pathOf(slot, "one"), "half of it");
+    program.draw(10);
+    program.autosave->flush();
+    QFile again(pathOf(slot, "one"));
+    QVERIFY(again.open(QIODevice::ReadOnly));
+    QVERIFY2(again.readAll() == "one", "what is not whole is written again");
+}
+
+void TestAutosave::blobsGoWithWhatRefersToThem()
+{
+    Program program(folder());
+    program.draw();
+    addPicture(program, "one");
+    program.autosave->flush();
+    const QString slot = slotIn(folder());
+    addPicture(program, "two");
+    program.autosave->flush();
+    QCOMPARE(filesIn(blobsOf(slot)).size(), 2);
+    program.session.history()->undo();
+    program.autosave->flush();
+    QCOMPARE(filesIn(blobsOf(slot)), QStringList(QFileInfo(pathOf(slot, "one")).fileName()));
+    program.session.history()->undo();
+    program.autosave->flush();
+    QVERIFY2(!QFileInfo::exists(blobsOf(slot)), "without any there is no folder");
+    program.session.history()->redo();
+    program.autosave->flush();
+    QVERIFY(QFileInfo::exists(pathOf(slot, "one")));
+    program.session.setClean();
+    program.die();
+    QVERIFY(QDir(folder()).isEmpty());
+}
+
+void TestAutosave::lostBlobsCostOnlyThemselves_data()
+{
+    QTest::addColumn<QString>("what");
+    QTest::addColumn<QString>("sentence");
+    QTest::newRow("missing") << "missing"
+                             << "fish.png was left out: its bytes are missing";
+    QTest::newRow("half of it") << "t"
+                                << "fish.png was left out: its bytes are damaged";
+    QTest::newRow("other bytes") << "TWO"
+                                 << "fish.png was left out: its bytes are damaged";
+}
+
+void TestAutosave::lostBlobsCostOnlyThemselves()
+{
+    QFETCH(QString, what);
+    QFETCH(QString, sentence);
+    Program first(folder());
+    first.draw();
+    addPicture(first, "one");
+    const Document before = first.document();
+    addPicture(first, "two");
+    first.die();
+    const RecoveryEntry entry = listRecoverable(folder()).front();
+    const QString path = pathOf(entry.slot, "two");
+    if (what == QStringLiteral("missing"))
+        QVERIFY(QFile::remove(path));
+    else
+        put(path, what.toLatin1());
+    QCOMPARE(listRecoverable(folder()).size(), 1);
+    Program second(folder());
+    const auto adopted = second.autosave->adopt(entry);
+    QVERIFY(adopted);
+    QCOMPARE(adopted->size(), 1u);
+    QVERIFY2(io::warningText(adopted->front()).endsWith(sentence),
+             qPrintable(io::warningText(adopted->front())));
+    QVERIFY2(second.document() == before, "all but that picture is there");
+    second.draw(10);
+    second.autosave->flush();
+    QCOMPARE(filesIn(blobsOf(entry.slot)).size(), 1);
+}
+
+void TestAutosave::blobsWithoutADocumentAreWaste()
+{
+    const QString slot = QDir(folder()).filePath(QStringLiteral("a"));
+    QVERIFY(QDir().mkpath(blobsOf(slot)));
+    put(pathOf(slot, "one"), "one");
+    QVERIFY(listRecoverable(folder()).isEmpty());
+    QVERIFY(QDir(folder()).isEmpty());
 }
 
 FFF_TEST(TestAutosave)

@@ -3,6 +3,7 @@
 // not saved.
 #include <QTest> // first: moc cannot read some of the standard library before it
 
+#include "core/io/blobs.h"
 #include "core/io/document_file.h"
 #include "core/io/error_text.h"
 #include "core/model/edits.h"
@@ -36,9 +37,19 @@ Document documentOf(int sections)
     return document;
 }
 
+/// With a picture of its own beside one that all of them have.
+Document withPictures(Document document)
+{
+    const std::string number = std::to_string(document.sections.size());
+    document = addBlob(std::move(document), io::makeBlob("a picture"));
+    return addBlob(std::move(document), io::makeBlob("picture " + number));
+}
+
+/// What has lost a picture is not found.
 int numberOf(const Result<io::LoadedDocument> &loaded)
 {
-    return loaded ? static_cast<int>(loaded->document.sections.size()) : 0;
+    return loaded && loaded->warnings.empty() ? static_cast<int>(loaded->document.sections.size())
+                                              : 0;
 }
 
 RecoveryEntry entryNow()
@@ -107,8 +118,11 @@ struct Place
     {
         QStringList names = QDir(recovery()).entryList(QDir::Files | QDir::Hidden) +
                             QDir(home.path()).entryList(QDir::Files);
+        for (const QString &blobs : QDir(recovery()).entryList({QStringLiteral("*.blobs")}))
+            names += QDir(recovery() + u'/' + blobs).entryList(QDir::Files | QDir::Hidden);
         names.removeIf([](const QString &name) {
-            return name.endsWith(QStringLiteral(".fff")) || name.endsWith(QStringLiteral(".lock"));
+            return name.endsWith(QStringLiteral(".fff")) ||
+                   name.endsWith(QStringLiteral(".lock")) || io::isSha256(name.toStdString());
         });
         return names;
     }
@@ -126,13 +140,14 @@ struct Place
 };
 
 /// False, and said, when it could not be kept.
-bool keep(RecoverySlot *slot, int document, const Place &place)
+bool keep(RecoverySlot *slot, int document, const Place &place, bool hasPictures = false)
 {
     if (!slot) {
         place.reports.complain({ErrorCode::CannotWrite, "recovery", {"the folder cannot be used"}});
         return false;
     }
-    const Result<void> kept = slot->write(documentOf(document), entryNow());
+    const Document plain = documentOf(document);
+    const Result<void> kept = slot->write(hasPictures ? withPictures(plain) : plain, entryNow());
     if (kept)
         place.reports.promise(document);
     else
@@ -150,6 +165,13 @@ int secondCopy(const Place &place)
 {
     const auto slot = RecoverySlot::make(place.recovery());
     const bool first = keep(slot.get(), 1, place), second = keep(slot.get(), 2, place);
+    return first && second ? 0 : 1;
+}
+
+int copiesWithPictures(const Place &place)
+{
+    const auto slot = RecoverySlot::make(place.recovery());
+    const bool first = keep(slot.get(), 1, place, true), second = keep(slot.get(), 2, place, true);
     return first && second ? 0 : 1;
 }
 
@@ -225,6 +247,7 @@ struct Scenario
 constexpr std::array kScenarios = {
     Scenario{"a first copy", firstCopy, false, 1},
     Scenario{"a second copy", secondCopy, false, 2},
+    Scenario{"copies with pictures", copiesWithPictures, false, 2},
     Scenario{"recovered work goes on", recoveredWork, true, 2},
     Scenario{"the start page", startPage, true, 0},
     Scenario{"saved and edited again", savedAndEditedAgain, false, 2},
