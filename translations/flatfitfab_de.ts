@@ -2122,10 +2122,6 @@
         <translation>„%1“ gibt es nicht.</translation>
     </message>
     <message>
-        <source>Cutting files, true to size; the solids in place; or the model itself</source>
-        <translation>Schneiddateien in wahrer Größe, die Körper an ihrem Ort oder das Modell selbst</translation>
-    </message>
-    <message>
         <source>A picture of the model; needs a display</source>
         <translation>Ein Bild des Modells; braucht eine Anzeige</translation>
     </message>
@@ -2151,6 +2147,22 @@
             <numerusform>%n Scheibe</numerusform>
             <numerusform>%n Scheiben</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>the model itself</source>
+        <translation>das Modell selbst</translation>
+    </message>
+    <message>
+        <source>Millimetres a unit of a FlatFab file (25.4).</source>
+        <translation>Millimeter je Einheit einer FlatFab-Datei (25.4).</translation>
+    </message>
+    <message>
+        <source>the solids in place</source>
+        <translation>die Körper an ihrem Ort</translation>
+    </message>
+    <message>
+        <source>cutting files, true to size</source>
+        <translation>Schneiddateien in wahrer Größe</translation>
     </message>
 </context>
 <context>
@@ -2220,10 +2232,6 @@
     <message>
         <source>could not be written</source>
         <translation>konnte nicht geschrieben werden</translation>
-    </message>
-    <message>
-        <source>not a model, expected a .fff file or a .txt file of FlatFab</source>
-        <translation>kein Modell, erwartet: eine .fff-Datei oder eine .txt-Datei von FlatFab</translation>
     </message>
     <message>
         <source>the file ends here, expected %1</source>
@@ -2713,6 +2721,100 @@
         <source>it was stopped</source>
         <translation>es wurde angehalten</translation>
     </message>
+    <message>
+        <source>entries</source>
+        <translation>Einträge</translation>
+    </message>
+    <message>
+        <source>the list of what is packed in it is damaged</source>
+        <translation>das Verzeichnis dessen, was darin gepackt ist, ist beschädigt</translation>
+    </message>
+    <message>
+        <source>this entry is damaged</source>
+        <translation>dieser Eintrag ist beschädigt</translation>
+    </message>
+    <message>
+        <source>this entry is there twice</source>
+        <translation>diesen Eintrag gibt es zweimal</translation>
+    </message>
+    <message>
+        <source>this entry is encrypted</source>
+        <translation>dieser Eintrag ist verschlüsselt</translation>
+    </message>
+    <message>
+        <source>this entry is packed in a way that is not known here</source>
+        <translation>dieser Eintrag ist auf eine Art gepackt, die hier nicht bekannt ist</translation>
+    </message>
+    <message>
+        <source>entries in it share their bytes</source>
+        <translation>Einträge darin teilen sich ihre Bytes</translation>
+    </message>
+    <message>
+        <source>a few bytes of this entry stand for far too many</source>
+        <translation>wenige Bytes dieses Eintrags stehen für viel zu viele</translation>
+    </message>
+    <message>
+        <source>a %1 file</source>
+        <extracomment>%1 is the end of a name, such as &quot;.txt&quot;, %2 a program</extracomment>
+        <translation>eine %1-Datei</translation>
+    </message>
+    <message>
+        <source>a %1 file of %2</source>
+        <translation>eine %1-Datei von %2</translation>
+    </message>
+    <message>
+        <source>%1 or %2</source>
+        <translation>%1 oder %2</translation>
+    </message>
+    <message>
+        <source>not a model, expected %1</source>
+        <translation>kein Modell, erwartet: %1</translation>
+    </message>
+    <message>
+        <source>what is packed in this file is damaged</source>
+        <translation>was in dieser Datei gepackt ist, ist beschädigt</translation>
+    </message>
+    <message>
+        <source>%1 could not be read and was left out</source>
+        <translation>%1 konnte nicht gelesen werden und wurde weggelassen</translation>
+    </message>
+    <message>
+        <source>a picture or a mesh was left out</source>
+        <translation>ein Bild oder ein Netz wurde weggelassen</translation>
+    </message>
+    <message>
+        <source>%1 was left out: %2</source>
+        <extracomment>%2 is a reason such as &quot;its bytes are missing&quot;</extracomment>
+        <translation>%1 wurde weggelassen: %2</translation>
+    </message>
+    <message>
+        <source>its bytes are missing</source>
+        <translation>seine Bytes fehlen</translation>
+    </message>
+    <message>
+        <source>a SHA-256 in 64 hexadecimal digits</source>
+        <translation>ein SHA-256 aus 64 Hexadezimalziffern</translation>
+    </message>
+    <message>
+        <source>an entry of this name has no place here</source>
+        <translation>ein Eintrag dieses Namens hat hier nichts zu suchen</translation>
+    </message>
+    <message>
+        <source>this entry is not what its name, a SHA-256, says</source>
+        <translation>dieser Eintrag ist nicht, was sein Name, ein SHA-256, besagt</translation>
+    </message>
+    <message>
+        <source>this entry is missing</source>
+        <translation>dieser Eintrag fehlt</translation>
+    </message>
+    <message>
+        <source>nothing in the document refers to this entry</source>
+        <translation>nichts im Dokument verweist auf diesen Eintrag</translation>
+    </message>
+    <message>
+        <source>its bytes are damaged</source>
+        <translation>seine Bytes sind beschädigt</translation>
+    </message>
 </context>
 <context>
     <name>Figure</name>
@@ -2771,6 +2873,25 @@
     <message>
         <source>Length</source>
         <translation>Länge</translation>
+    </message>
+</context>
+<context>
+    <name>Format</name>
+    <message>
+        <source>FlatFitFab models</source>
+        <translation>FlatFitFab-Modelle</translation>
+    </message>
+    <message>
+        <source>Solids for other programs</source>
+        <translation>Körper für andere Programme</translation>
+    </message>
+    <message>
+        <source>Drawings for cutters</source>
+        <translation>Zeichnungen für Schneidmaschinen</translation>
+    </message>
+    <message>
+        <source>Drawings for cutters, one for each sheet</source>
+        <translation>Zeichnungen für Schneidmaschinen, eine je Platte</translation>
     </message>
 </context>
 <context>
@@ -2938,7 +3059,7 @@
     </message>
     <message>
         <source>Drag to move the point; &lt;kbd&gt;Ctrl&lt;/kbd&gt; makes a corner, arrow keys move 1&#x202f;mm.</source>
-        <translation>Ziehen verschiebt den Punkt; &lt;kbd&gt;Strg&lt;/kbd&gt; macht eine Ecke, Pfeiltasten verschieben um 1 mm.</translation>
+        <translation>Ziehen verschiebt den Punkt; &lt;kbd&gt;Strg&lt;/kbd&gt; macht eine Ecke, Pfeiltasten verschieben um 1&#x202f;mm.</translation>
     </message>
     <message>
         <source>Drag to bend the curve; &lt;kbd&gt;Ctrl&lt;/kbd&gt; makes a corner, &lt;kbd&gt;Shift&lt;/kbd&gt; keeps the direction.</source>
@@ -2958,7 +3079,7 @@
     </message>
     <message>
         <source>Drag to make the slit of %1 deeper and that of %2 shallower; arrow keys move 1&#x202f;mm.</source>
-        <translation>Ziehen macht den Schlitz von %1 tiefer und den von %2 flacher; Pfeiltasten verschieben um 1 mm.</translation>
+        <translation>Ziehen macht den Schlitz von %1 tiefer und den von %2 flacher; Pfeiltasten verschieben um 1&#x202f;mm.</translation>
     </message>
     <message>
         <source>%1 is made by %2: click to edit them all, click again for this one.</source>
@@ -3014,7 +3135,7 @@
     </message>
     <message>
         <source>Release to leave it here: the slit of %1 takes %2&#x202f;%. &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
-        <translation>Loslassen lässt ihn hier: Der Schlitz von %1 nimmt %2 %. &lt;kbd&gt;Esc&lt;/kbd&gt; bricht ab.</translation>
+        <translation>Loslassen lässt ihn hier: Der Schlitz von %1 nimmt %2&#x202f;%. &lt;kbd&gt;Esc&lt;/kbd&gt; bricht ab.</translation>
     </message>
     <message>
         <source>Click the section to engrave. &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
@@ -3067,12 +3188,12 @@
     <message>
         <source>Release to let %1 begin here: %2&#x202f;%. &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
         <extracomment>%1 is the name of an operation, %2 a number</extracomment>
-        <translation>Loslassen: %1 beginnt hier, bei %2 %. &lt;kbd&gt;Esc&lt;/kbd&gt; bricht ab.</translation>
+        <translation>Loslassen: %1 beginnt hier, bei %2&#x202f;%. &lt;kbd&gt;Esc&lt;/kbd&gt; bricht ab.</translation>
     </message>
     <message>
         <source>Release to let %1 end here: %2&#x202f;%. &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
         <extracomment>%1 is the name of an operation, %2 a number</extracomment>
-        <translation>Loslassen: %1 endet hier, bei %2 %. &lt;kbd&gt;Esc&lt;/kbd&gt; bricht ab.</translation>
+        <translation>Loslassen: %1 endet hier, bei %2&#x202f;%. &lt;kbd&gt;Esc&lt;/kbd&gt; bricht ab.</translation>
     </message>
     <message>
         <source>Drag out of a section to draw across it with the pen; drag here to turn the view. &lt;kbd&gt;Esc&lt;/kbd&gt; lays the pen down.</source>
@@ -4083,7 +4204,7 @@
     <message>
         <source>%1 · %2: meeting point → %3&#x202f;%</source>
         <extracomment>%1 and %2 are the names of two sections, %3 a number</extracomment>
-        <translation>%1 · %2: Treffpunkt → %3 %</translation>
+        <translation>%1 · %2: Treffpunkt → %3&#x202f;%</translation>
     </message>
     <message>
         <source>%1 · %2: reset to automatic</source>
@@ -4540,10 +4661,6 @@
         <translation>Größe einer Platte, etwa 600x400.</translation>
     </message>
     <message>
-        <source>Millimetres a unit of a FlatFab file (25.4).</source>
-        <translation>Millimeter je Einheit einer FlatFab-Datei (25.4).</translation>
-    </message>
-    <message>
         <source>--sheet: found &quot;%1&quot;, expected width x height in mm, such as 600x400.</source>
         <translation>--sheet: gefunden: „%1“, erwartet: Breite x Höhe in mm, etwa 600x400.</translation>
     </message>
@@ -4616,10 +4733,6 @@
         <translation>Teile: %1, Platten: %2, %3 % genutzt.</translation>
     </message>
     <message>
-        <source>svg, obj or fff, where the file&apos;s name does not tell.</source>
-        <translation>svg, obj oder fff, wo der Dateiname es nicht sagt.</translation>
-    </message>
-    <message>
         <source>From the sheet&apos;s edge to the nearest cut (5).</source>
         <translation>Vom Rand der Platte zum nächsten Schnitt (5).</translation>
     </message>
@@ -4634,14 +4747,6 @@
     <message>
         <source>groups: one SVG with a group a sheet; files: OUT-1.svg, OUT-2.svg and so on (groups).</source>
         <translation>groups: ein SVG mit einer Gruppe je Platte; files: OUT-1.svg, OUT-2.svg und so weiter (groups).</translation>
-    </message>
-    <message>
-        <source>With -o - the kind is missing: --format svg, obj or fff.</source>
-        <translation>Bei -o - fehlt die Art: --format svg, obj oder fff.</translation>
-    </message>
-    <message>
-        <source>%1 is of no kind that can be written; expected .svg, .obj or .fff.</source>
-        <translation>%1 ist von keiner Art, die geschrieben werden kann; erwartet: .svg, .obj oder .fff.</translation>
     </message>
     <message>
         <source>%1 is of no kind that can be written; expected .png.</source>
@@ -4747,6 +4852,38 @@
         <source>A hole or a notch narrower than the kerf is not cut: %1</source>
         <translation>Ein Loch oder eine Kerbe, schmaler als die Schnittfuge, wird nicht geschnitten: %1</translation>
     </message>
+    <message>
+        <source>a %1 file</source>
+        <translation>eine %1-Datei</translation>
+    </message>
+    <message>
+        <source>a %2 %1 file</source>
+        <translation>eine %2-%1-Datei</translation>
+    </message>
+    <message>
+        <source>%1 or %2</source>
+        <translation>%1 oder %2</translation>
+    </message>
+    <message>
+        <source>%1; or %2</source>
+        <translation>%1 oder %2</translation>
+    </message>
+    <message>
+        <source>; </source>
+        <translation>, </translation>
+    </message>
+    <message>
+        <source>%1, where the file&apos;s name does not tell.</source>
+        <translation>%1, wo der Dateiname es nicht sagt.</translation>
+    </message>
+    <message>
+        <source>With -o - the kind is missing: --format %1.</source>
+        <translation>Bei -o - fehlt die Art: --format %1.</translation>
+    </message>
+    <message>
+        <source>%1 is of no kind that can be written; expected %2.</source>
+        <translation>%1 ist von keiner Art, die geschrieben werden kann; erwartet: %2.</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::AboutDialog</name>
@@ -4833,6 +4970,10 @@
     <message>
         <source>Unpacking drawings</source>
         <translation>Zeichnungen auspacken</translation>
+    </message>
+    <message>
+        <source>Models with pictures and meshes</source>
+        <translation>Modelle mit Bildern und Netzen</translation>
     </message>
 </context>
 <context>
@@ -5140,16 +5281,8 @@
         <translation>Ein Modell öffnen</translation>
     </message>
     <message>
-        <source>Models (*.fff *.txt);;All files (*)</source>
-        <translation>Modelle (*.fff *.txt);;Alle Dateien (*)</translation>
-    </message>
-    <message>
         <source>Save the model</source>
         <translation>Das Modell speichern</translation>
-    </message>
-    <message>
-        <source>FlatFitFab models (*.fff)</source>
-        <translation>FlatFitFab-Modelle (*.fff)</translation>
     </message>
     <message>
         <source>Unsaved changes</source>
@@ -5242,10 +5375,6 @@
     <message>
         <source>Import a drawing</source>
         <translation>Zeichnung einlesen</translation>
-    </message>
-    <message>
-        <source>Drawings (*.svg *.svgz);;All files (*)</source>
-        <translation>Zeichnungen (*.svg *.svgz);;Alle Dateien (*)</translation>
     </message>
 </context>
 <context>
@@ -5436,14 +5565,6 @@
 <context>
     <name>fff::ui::Exporting</name>
     <message>
-        <source>Drawings for cutters (*.svg)</source>
-        <translation>Zeichnungen für Schneidmaschinen (*.svg)</translation>
-    </message>
-    <message>
-        <source>Solids for other programs (*.obj)</source>
-        <translation>Körper für andere Programme (*.obj)</translation>
-    </message>
-    <message>
         <source>Export cutting files</source>
         <translation>Schneiddateien ausgeben</translation>
     </message>
@@ -5491,10 +5612,6 @@
     <message>
         <source>%1 is too slim to carry its number.</source>
         <translation>%1 ist zu schmal für seine Nummer.</translation>
-    </message>
-    <message>
-        <source>Drawings for cutters, one for each sheet (*.svg)</source>
-        <translation>Zeichnungen für Schneidmaschinen, eine je Platte (*.svg)</translation>
     </message>
     <message>
         <source>%1 to %2</source>
@@ -5563,10 +5680,6 @@
         <translation>Zeile %1</translation>
     </message>
     <message>
-        <source>%1 is not a model. FlatFitFab opens .fff and FlatFab’s .txt.</source>
-        <translation>%1 ist kein Modell. FlatFitFab öffnet .fff und .txt von FlatFab.</translation>
-    </message>
-    <message>
         <source>%1 could not be opened: it is not in %2 any more. Nothing was changed.</source>
         <translation>%1 konnte nicht geöffnet werden: Es ist nicht mehr in %2. Nichts wurde verändert.</translation>
     </message>
@@ -5600,6 +5713,19 @@
         <source>Not exported: %1. %2</source>
         <extracomment>%1 the reason, %2 a sentence</extracomment>
         <translation>Nicht exportiert: %1. %2</translation>
+    </message>
+    <message>
+        <source>%2’s %1</source>
+        <extracomment>%1 is the end of a name, such as &quot;.txt&quot;, %2 a program</extracomment>
+        <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>%1 and %2</source>
+        <translation>%1 und %2</translation>
+    </message>
+    <message>
+        <source>%1 is not a model. FlatFitFab opens %2.</source>
+        <translation>%1 ist kein Modell. FlatFitFab öffnet %2.</translation>
     </message>
 </context>
 <context>
@@ -5644,6 +5770,22 @@
     <message>
         <source>Y</source>
         <translation>Y</translation>
+    </message>
+</context>
+<context>
+    <name>fff::ui::FormatFilters</name>
+    <message>
+        <source>All files (*)</source>
+        <translation>Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Models (%1)</source>
+        <extracomment>%1 are patterns such as &quot;*.fff *.txt&quot;</extracomment>
+        <translation>Modelle (%1)</translation>
+    </message>
+    <message>
+        <source>Drawings (%1)</source>
+        <translation>Zeichnungen (%1)</translation>
     </message>
 </context>
 <context>
