@@ -41,9 +41,6 @@ ActionSet::ActionSet(Workbench &bench, QObject *parent) : QObject(parent), m_ben
         m_actions.insert(id, {action, words});
         setTip(action, action->whatsThis());
     }
-    action("file.quit")->setMenuRole(QAction::QuitRole);
-    action("file.settings")->setMenuRole(QAction::PreferencesRole);
-    action("help.about")->setMenuRole(QAction::AboutRole);
 
     connect(&settings(), &Settings::shortcutsChanged, this, &ActionSet::applyShortcuts);
     connect(&settings(), &Settings::drawingChanged, this, &ActionSet::refresh);
@@ -60,7 +57,7 @@ ActionSet::ActionSet(Workbench &bench, QObject *parent) : QObject(parent), m_ben
 
 QAction *ActionSet::action(const char *id) const
 {
-    return m_actions.value(QLatin1String(id)).action;
+    return m_actions.value(QLatin1String(id)).action; // null for what the window has not
 }
 
 void ActionSet::fill(QMenu *menu, std::initializer_list<const char *> ids) const
@@ -99,7 +96,7 @@ void ActionSet::fill(QMenu *menu, const MenuRow &row,
             menu->addSeparator();
         else if (id.startsWith(u'@'))
             own(id, menu);
-        else if (!id.startsWith(u'>'))
+        else if (m_actions.contains(id))
             menu->addAction(m_actions.value(id).action);
         else
             for (const MenuRow &beside : menuTable())

@@ -220,6 +220,9 @@ void MainWindow::showStocks(StockId stock)
 
 void MainWindow::makeMenus()
 {
+    m_actions->action("file.quit")->setMenuRole(QAction::QuitRole);
+    m_actions->action("file.settings")->setMenuRole(QAction::PreferencesRole);
+    m_actions->action("help.about")->setMenuRole(QAction::AboutRole);
     m_actions->fill(menuBar(), [this](const QString &id, QMenu *menu) {
         if (id == QStringLiteral("@docks")) {
             for (QDockWidget *dock : m_layout->docks())

@@ -139,7 +139,10 @@ void MainWindow::addCommands()
     // What was asked for and is not there yet is on, too: asking again takes it back.
     add(
         "check.showAssembly", [this] { m_steps->toggle(); }, needsSections(m_bench->session()),
-        [this] { return m_steps && (m_steps->isOpen() || m_steps->isWaiting()); });
+        [this] {
+            const bool isHeld = *inHand(m_bench->interaction(), "check.showAssembly")();
+            return isHeld || (m_steps && m_steps->isWaiting());
+        });
     const auto addSwitch = [&commands](const char *id, DrawingSwitch what) {
         commands.add(id, {[what](const CommandParameters &parameters, double) -> Result<void> {
                               settings().setOn(what, switched(parameters, settings().isOn(what)));

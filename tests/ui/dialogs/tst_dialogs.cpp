@@ -8,6 +8,7 @@
 #include "tests/test_program.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/actions/action_set.h"
+#include "ui/actions/menu_table.h"
 #include "ui/base/theme.h"
 #include "ui/cards/model_card.h"
 #include "ui/dialogs/command_search.h"
@@ -56,6 +57,7 @@ private Q_SLOTS:
     void aTakenShortcutIsNamedAndTaken();
     void aSingleKeyIsForTheViewOnly();
     void shortcutsAreReset();
+    void everyEntryOfTheMenusIsACommand();
     void keysBelongToOneAction();
     void theSearchRunsWhatItFinds();
     void theSearchSaysWhyNot();
@@ -331,6 +333,15 @@ void TestDialogs::shortcutsAreReset()
         QVERIFY(!settings().shortcuts(QStringLiteral("edit.delete")));
     });
     QCOMPARE(actionOf(*m_window, "edit.undo")->shortcut(), QKeySequence(QStringLiteral("Ctrl+Z")));
+}
+
+// Wrong: an entry that is misspelt in the table is missing from its menu without a word.
+void TestDialogs::everyEntryOfTheMenusIsACommand()
+{
+    for (const MenuRow &row : menuTable())
+        for (const QString &id : QString::fromLatin1(row.ids).split(u' ', Qt::SkipEmptyParts))
+            if (id != QStringLiteral("|") && !id.startsWith(u'@') && !id.startsWith(u'>'))
+                QVERIFY2(actionOf(*m_window, id.toLatin1().constData()), qPrintable(id));
 }
 
 void TestDialogs::keysBelongToOneAction()

@@ -9,6 +9,7 @@
 #include "ui/files/format_filters.h"
 
 #include <QApplication>
+#include <QDragEnterEvent>
 #include <QDropEvent>
 #include <QMimeData>
 #include <QSignalSpy>
@@ -103,6 +104,8 @@ void TestFormatFilters::whatIsDropped()
                   QUrl::fromLocalFile(QStringLiteral("/a/two.fff")),
                   QUrl::fromLocalFile(QStringLiteral("/a/three.knots"))});
     const auto let = [&] {
+        QDragEnterEvent enter({5, 5}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+        QCoreApplication::sendEvent(&window, &enter);
         QDropEvent event({5, 5}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
         QCoreApplication::sendEvent(&window, &event);
     };
