@@ -2815,6 +2815,10 @@
         <source>its bytes are damaged</source>
         <translation>seine Bytes sind beschädigt</translation>
     </message>
+    <message>
+        <source>there is more in this file than what is packed in it</source>
+        <translation>in der Datei steht mehr als das, was darin gepackt ist</translation>
+    </message>
 </context>
 <context>
     <name>Figure</name>

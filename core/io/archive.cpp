@@ -101,6 +101,31 @@ constexpr const char *kListDamaged =
     QT_TRANSLATE_NOOP("Error", "the list of what is packed in it is damaged");
 constexpr const char *kDamaged = QT_TRANSLATE_NOOP("Error", "this entry is damaged");
 
+/// What stands beside the archive would be gone with the next save.
+constexpr const char *kMoreThanPacked =
+    QT_TRANSLATE_NOOP("Error", "there is more in this file than what is packed in it");
+
+std::uint32_t numberAt(std::string_view bytes, std::size_t at)
+{
+    std::uint32_t number = 0;
+    for (std::size_t i = 4; i-- > 0;)
+        number = number << 8 | static_cast<unsigned char>(bytes[at + i]);
+    return number;
+}
+
+/// Whether the list of entries ends where the record of its end begins, and that ends the file.
+bool endsWithItsList(std::string_view bytes, std::size_t comment)
+{
+    constexpr std::size_t kEndSize = 22, kLocator = 20;
+    if (bytes.size() < kEndSize + comment)
+        return false;
+    const std::size_t end = bytes.size() - kEndSize - comment;
+    if (bytes.substr(end, 4) != "PK\5\6")
+        return false;
+    const bool is64 = end >= kLocator && bytes.substr(end - kLocator, 4) == "PK\6\7";
+    return is64 || std::size_t(numberAt(bytes, end + 12)) + numberAt(bytes, end + 16) == end;
+}
+
 bool isTooDense(std::size_t unpacked, std::uint64_t packed)
 {
     return unpacked > kSmallEntryBytes && unpacked / kMostRatio > packed;
@@ -113,7 +138,7 @@ struct Listed
     unz_file_info64 info;
 
     /// For places: a name that is not one of ours may be anything.
-    std::string in(const std::string &archive) const { return placeIn(archive, quoted(name)); }
+    std::string in(const std::string &archive) const { return placeOfEntry(archive, name); }
 };
 
 class Unpacker
@@ -153,6 +178,8 @@ Result<void> Unpacker::list()
     unz_global_info64 global = {};
     if (!m_file || unzGetGlobalInfo64(m_file.get(), &global) != UNZ_OK)
         return bad(m_place, kListDamaged);
+    if (!endsWithItsList(m_memory.read, global.size_comment))
+        return bad(m_place, kMoreThanPacked);
     if (global.number_entry > kMostEntries)
         return tooMany(m_place, global.number_entry, kMostEntries, kEntries);
     for (ZPOS64_T i = 0; i < global.number_entry; ++i) {
@@ -180,7 +207,11 @@ Result<void> Unpacker::check() const
             return bad(place, QT_TRANSLATE_NOOP("Error", "this entry is there twice"));
         if (entry.info.flag & 1)
             return bad(place, QT_TRANSLATE_NOOP("Error", "this entry is encrypted"));
-        if (entry.info.compression_method != 0 && entry.info.compression_method != Z_DEFLATED)
+        // Sizes of 64 bits, which minizip reads on some systems only.
+        constexpr ZPOS64_T k64 = 0xFFFFFFFF;
+        const bool is64 = entry.info.compressed_size == k64 || entry.info.uncompressed_size == k64;
+        if (is64 ||
+            (entry.info.compression_method != 0 && entry.info.compression_method != Z_DEFLATED))
             return bad(place,
                        QT_TRANSLATE_NOOP("Error", "this entry is packed in a way that is not "
                                                   "known here"));
@@ -283,6 +314,11 @@ bool add(zipFile zip, const PackedEntry &entry)
 }
 
 } // namespace
+
+std::string placeOfEntry(const std::string &archive, const std::string &entry)
+{
+    return placeIn(archive, entry.empty() ? "\"\"" : quoted(entry));
+}
 
 bool isArchive(std::string_view bytes)
 {

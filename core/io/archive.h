@@ -27,6 +27,9 @@ struct ArchiveEntry
     std::string bytes;
 };
 
+/// What errors call one: its name may be anything, also nothing.
+std::string placeOfEntry(const std::string &archive, const std::string &entry);
+
 /// By the first bytes, whatever the file is called.
 bool isArchive(std::string_view bytes);
 
@@ -48,7 +51,7 @@ Result<std::vector<std::string>> entryNames(std::string_view bytes, const std::s
 /// are counted while they are unpacked.
 ///
 /// place   how errors call the file; those of an entry are at place:NAME
-/// Errors  BadArchive  a list of entries that is damaged; an entry that is there twice, encrypted,
+/// Errors  BadArchive  a list of entries that is damaged; bytes beside the archive; an entry that is there twice, encrypted,
 ///                     packed in an unknown way, or damaged, or that has more than kMostRatio bytes
 ///                     a packed one; entries that share bytes
 ///         BadCount    more entries or bytes than the limits above

@@ -47,8 +47,8 @@ Result<void> checkNames(std::string_view bytes, const std::string &name)
     if (std::none_of(names->begin(), names->end(), belongs))
         return failure(ErrorCode::NotAModel, name);
     if (foreign != names->end())
-        return bad(name, quoted(*foreign),
-                   QT_TRANSLATE_NOOP("Error", "an entry of this name has no place here"));
+        return failure(ErrorCode::BadArchive, placeOfEntry(name, *foreign),
+                       {QT_TRANSLATE_NOOP("Error", "an entry of this name has no place here")});
     return {};
 }
 
@@ -81,25 +81,35 @@ Result<Content> contentOf(std::string_view bytes, const std::string &name)
     return content;
 }
 
+/// With all the blobs that it names, or not at all: what is left out would be gone with the next
+/// save. place  what errors call the document
+Result<LoadedDocument> readWhole(std::string_view document, const std::string &place,
+                                 const std::map<std::string, BlobBytes> &blobs,
+                                 const std::string &name)
+{
+    std::string missing;
+    const BlobSource source = [&](const std::string &hash) -> Result<BlobBytes> {
+        const auto found = blobs.find(hash);
+        if (found != blobs.end())
+            return found->second;
+        missing = missing.empty() ? hash : missing;
+        return failure(ErrorCode::BadArchive);
+    };
+    Result<LoadedDocument> loaded = readFff(document, place, source);
+    if (loaded && !missing.empty())
+        return bad(name, nameOf(missing), QT_TRANSLATE_NOOP("Error", "this entry is missing"));
+    return loaded;
+}
+
 Result<LoadedDocument> readArchive(std::string_view bytes, const std::string &name)
 {
     const Result<Content> content = contentOf(bytes, name);
     if (!content)
         return tl::unexpected(content.error());
-    std::string missing;
-    const BlobSource source = [&](const std::string &hash) -> Result<BlobBytes> {
-        const auto found = content->blobs.find(hash);
-        if (found != content->blobs.end())
-            return found->second;
-        missing = missing.empty() ? hash : missing;
-        return failure(ErrorCode::BadArchive);
-    };
     Result<LoadedDocument> loaded =
-        readFff(content->document, placeIn(name, std::string(kDocument)), source);
+        readWhole(content->document, placeIn(name, std::string(kDocument)), content->blobs, name);
     if (!loaded)
         return loaded;
-    if (!missing.empty())
-        return bad(name, nameOf(missing), QT_TRANSLATE_NOOP("Error", "this entry is missing"));
     for (const auto &[hash, blob] : content->blobs) {
         if (!loaded->document.findBlob(hash))
             return bad(name, nameOf(hash),
@@ -135,7 +145,9 @@ Result<std::string> writeFffFile(const Document &document)
 Result<LoadedDocument> readFffFile(std::string_view bytes, const std::string &name,
                                    const BlobSource &blobs)
 {
-    return isArchive(bytes) ? readArchive(bytes, name) : readFff(bytes, name, blobs);
+    if (isArchive(bytes))
+        return readArchive(bytes, name);
+    return blobs ? readFff(bytes, name, blobs) : readWhole(bytes, name, {}, name);
 }
 
 const Format &fffFormat()

@@ -16,8 +16,8 @@ namespace fff::io {
 Result<std::string> writeFffFile(const Document &document);
 
 /// name    how errors call the file
-/// blobs   where the bytes are for JSON alone that names some (a copy that a crash left); without
-///         it they are left out
+/// blobs   where the bytes are for JSON alone that names some (a copy that a crash left): what is
+///         not there is left out, with a warning; without it, as in a ZIP, that is an error
 /// Errors  those of readFff; of a ZIP that is none of ours NotAModel; those of core/io/archive.h;
 ///         BadArchive for an entry that is missing, that the document does not name, or whose bytes
 ///         have another hash than its name says.

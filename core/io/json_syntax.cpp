@@ -161,7 +161,8 @@ QJsonDocument parseJson(std::string_view bytes, Problems &problems)
     const char *expected = expectedBy(error.error);
     if (isNonFinite(token))
         problems.fail(ErrorCode::NonFinite, where, {quoted(token)});
-    else if (error.error != QJsonParseError::DeepNesting && endsInToken(text.substr(offset)))
+    else if (error.error != QJsonParseError::DeepNesting &&
+             error.error != QJsonParseError::GarbageAtEnd && endsInToken(text.substr(offset)))
         problems.fail(ErrorCode::Truncated, where, {expected});
     else
         problems.fail(ErrorCode::BadSyntax, where, {quoted(token), expected});

@@ -104,7 +104,7 @@ private Q_SLOTS:
     void whatCannotBeMadeSmallIsStored();
     void zerosCanBeReadAgain();
     void tooMuchIsNotWritten();
-    void textAloneLosesItsBlobs();
+    void textAloneIsNotHalfRead();
     void aFileOnDisk();
     void madeArchivesAreRead();
     void hostile_data();
@@ -221,9 +221,18 @@ void TestFffFile::tooMuchIsNotWritten()
 }
 
 // Wrong: a text that was taken out of its archive would not open at all.
-void TestFffFile::textAloneLosesItsBlobs()
+// Wrong: who saves what was read without its pictures has lost them.
+void TestFffFile::textAloneIsNotHalfRead()
 {
-    const auto loaded = io::readFffFile(textWith({"bytes"}), "a.fff");
+    const auto refused = io::readFffFile(textWith({"bytes"}), "a.fff");
+    QVERIFY(!refused);
+    QCOMPARE(refused.error().code, ErrorCode::BadArchive);
+    QCOMPARE(refused.error().place, "a.fff:" + nameOf("bytes"));
+    // Of what a crash left, all that can be had is more than nothing.
+    const io::BlobSource none = [](const std::string &) {
+        return failure(ErrorCode::BadArchive, {}, {"its bytes are missing"});
+    };
+    const auto loaded = io::readFffFile(textWith({"bytes"}), "a.fff", none);
     QVERIFY(loaded);
     QVERIFY(loaded->document == twoSections());
     QCOMPARE(loaded->warnings.size(), 1u);
@@ -288,7 +297,13 @@ void TestFffFile::hostile_data()
     row("capital digits", with(named("blobs/" + std::string(64, 'A'))), BadArchive,
         ":blobs/" + std::string(34, 'A') + "…");
     row("a file of another kind", with(named("readme.txt")), BadArchive, ":readme.txt");
-    row("no name", with(named("")), BadArchive);
+    row("no name", with(named("")), BadArchive, ":\"\"");
+    row("bytes behind it", with(blob(picture)) + "more", BadArchive);
+    row("much behind it", MadeArchive::of({documentWith({})}) + noise(70'000), BadArchive);
+    row("two archives", MadeArchive::of({documentWith({})}) + MadeArchive::of({documentWith({})}),
+        BadArchive);
+    row("words behind the document", MadeArchive::of({MadeEntry::stored(kDocument, "{}word")}),
+        BadSyntax, ":document.json:1");
     row("an endless name", with(named(std::string(60'000, 'x'))), BadArchive,
         ":" + std::string(40, 'x') + "…");
 
@@ -356,7 +371,7 @@ void TestFffFile::tooMuch_data()
     row("said to be huge in 64 bits",
         MadeArchive::of({changed(documentWith({}),
                                  [](MadeEntry &entry) { entry.size = std::uint64_t(1) << 62; })}),
-        BadCount, ":document.json");
+        BadArchive, ":document.json");
     row("said to be packed huge in 64 bits",
         MadeArchive::of({changed(documentWith({}),
                                  [](MadeEntry &entry) { entry.packedSize = ~std::uint64_t(0); })}),
