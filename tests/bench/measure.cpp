@@ -202,7 +202,10 @@ Result<Measurement> measure(const std::string &name, const QString &path, int ru
                     cutSection(model->section(i)->shape, analysis.assembly.slits[i], cache));
             return cuts;
         });
-        const auto file = timed(t.svg, [&] { return io::makeCuttingFile(analysis); });
+        const auto file = timed(t.svg, [&] {
+            analysis.bodies = bodiesOf(*model, analysis.cuts);
+            return io::makeCuttingFile(analysis);
+        });
         if (!file)
             return tl::unexpected(file.error());
         t.drawing = drawingTime(analysis);
