@@ -6,39 +6,12 @@ namespace fff {
 
 namespace {
 
-/// Lines of a part, in the part's coordinates, come to where it lies.
-class Placed
-{
-public:
-    explicit Placed(const Placement &placement) : m_placement(placement) {}
-
-    CurvePath operator()(const CurvePath &path) const
-    {
-        return path.moved([this](const Vec2 &p) { return m_placement.apply(p); });
-    }
-    CurvePath operator()(const Contour &contour) const
-    {
-        return (*this)(CurvePath::around(contour));
-    }
-    Strokes operator()(const Strokes &strokes) const
-    {
-        Strokes placed;
-        for (std::size_t i = 0; i < strokes.size(); ++i) {
-            placed.start();
-            for (const Vec2 &p : strokes[i])
-                placed.add(m_placement.apply(p));
-        }
-        return placed;
-    }
-
-private:
-    const Placement &m_placement;
-};
-
 CuttingPart drawn(const Part &part, const Engraving *engraving, const Placement &placement,
                   const Model &model)
 {
-    const Placed placed(placement);
+    const auto placed = [&placement](const auto &lines) { // from the part's coordinates
+        return lines.moved([&placement](const Vec2 &p) { return placement.apply(p); });
+    };
     CuttingPart all;
     all.number = part.number;
     all.name = model.section(static_cast<std::size_t>(part.section))->name;
@@ -51,8 +24,10 @@ CuttingPart drawn(const Part &part, const Engraving *engraving, const Placement 
         add(LineRole::Engrave, engraving->lines.engraved);
         add(LineRole::Score, engraving->lines.scored);
     }
-    add(LineRole::InnerCut, part.outline.holes);
-    all.lines.push_back({LineRole::OuterCut, placed(part.outline.outer)});
+    all.lines.reserve(all.lines.size() + part.outline.holes.size() + 1);
+    for (const Contour &hole : part.outline.holes)
+        all.lines.push_back({LineRole::InnerCut, placed(CurvePath::around(hole))});
+    all.lines.push_back({LineRole::OuterCut, placed(CurvePath::around(part.outline.outer))});
     return all;
 }
 

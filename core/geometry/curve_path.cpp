@@ -37,7 +37,8 @@ Result<CurvePath> CurvePath::fromLine(const Polygon &line)
 CurvePath CurvePath::around(const Contour &contour)
 {
     CurvePath path;
-    path.m_points = contour.points();
+    path.m_points.reserve(contour.points().size() + 1);
+    path.m_points = contour.points(); // keeps the room
     path.m_points.push_back(contour.points().front());
     return path;
 }
