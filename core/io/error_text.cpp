@@ -9,7 +9,7 @@ namespace fff::io {
 
 namespace {
 
-struct Words
+struct ErrorTexts
 {
     Q_DECLARE_TR_FUNCTIONS(Error)
 };
@@ -32,10 +32,10 @@ QString phrase(const Args &args, std::size_t index)
 QString foundExpected(const Args &args)
 {
     if (args.size() < 2)
-        return Words::tr("this value is not possible here");
+        return ErrorTexts::tr("this value is not possible here");
     if (args[0].empty())
-        return Words::tr("nothing here, expected %1").arg(phrase(args, 1));
-    return Words::tr("found \"%1\", expected %2").arg(verbatim(args, 0), phrase(args, 1));
+        return ErrorTexts::tr("nothing here, expected %1").arg(phrase(args, 1));
+    return ErrorTexts::tr("found \"%1\", expected %2").arg(verbatim(args, 0), phrase(args, 1));
 }
 
 QString withReason(const QString &sentence, const Args &args)
@@ -43,18 +43,18 @@ QString withReason(const QString &sentence, const Args &args)
     if (args.empty() || args[0].empty())
         return sentence;
     //: %1 is a sentence such as "could not be opened", %2 the system's reason
-    return Words::tr("%1: %2").arg(sentence, phrase(args, 0));
+    return ErrorTexts::tr("%1: %2").arg(sentence, phrase(args, 0));
 }
 
 QString badCount(const Args &args)
 {
     if (args.size() < 2)
-        return Words::tr("a count that is not possible");
+        return ErrorTexts::tr("a count that is not possible");
     if (args.size() < 3)
-        return Words::tr("found a count of %1, expected at most %2")
+        return ErrorTexts::tr("found a count of %1, expected at most %2")
             .arg(verbatim(args, 0), verbatim(args, 1));
     //: %3 is what was counted, such as "bytes"
-    return Words::tr("found %1 %3, expected at most %2 %3")
+    return ErrorTexts::tr("found %1 %3, expected at most %2 %3")
         .arg(verbatim(args, 0), verbatim(args, 1), phrase(args, 2));
 }
 
@@ -68,16 +68,16 @@ QString placed(const std::string &place, const QString &sentence)
 QString newerVersion(const Args &args)
 {
     if (args.size() < 2)
-        return Words::tr("made by a newer FlatFitFab");
-    return Words::tr("made by a newer FlatFitFab: found format %1, expected at most %2")
+        return ErrorTexts::tr("made by a newer FlatFitFab");
+    return ErrorTexts::tr("made by a newer FlatFitFab: found format %1, expected at most %2")
         .arg(verbatim(args, 0), verbatim(args, 1));
 }
 
 QString badContour(const Args &args)
 {
     if (args.size() < 2)
-        return Words::tr("these control points make no closed contour");
-    return Words::tr("these control points make no closed contour: found %1, expected %2")
+        return ErrorTexts::tr("these control points make no closed contour");
+    return ErrorTexts::tr("these control points make no closed contour: found %1, expected %2")
         .arg(verbatim(args, 0), phrase(args, 1));
 }
 
@@ -90,17 +90,18 @@ QString millimetres(const Args &args, std::size_t index)
 QString cannotOffset(const Args &args)
 {
     if (args.size() < 2)
-        return Words::tr("no path runs round this outline at half the kerf everywhere");
-    return Words::tr("no path runs round %1 at half the kerf of %2 mm everywhere; smooth what is "
-                     "finest in its contour, or give its stock another kerf")
+        return ErrorTexts::tr("no path runs round this outline at half the kerf everywhere");
+    return ErrorTexts::tr(
+               "no path runs round %1 at half the kerf of %2 mm everywhere; smooth what is "
+               "finest in its contour, or give its stock another kerf")
         .arg(verbatim(args, 0), millimetres(args, 1));
 }
 
 QString closedSlit(const Args &args)
 {
     if (args.size() < 3)
-        return Words::tr("the kerf closes a slit");
-    return Words::tr("%1 has a slit %2 mm wide, which a kerf of %3 mm would close")
+        return ErrorTexts::tr("the kerf closes a slit");
+    return ErrorTexts::tr("%1 has a slit %2 mm wide, which a kerf of %3 mm would close")
         .arg(verbatim(args, 0), millimetres(args, 1), millimetres(args, 2));
 }
 
@@ -111,10 +112,10 @@ QString modelFiles()
     for (const Format *format : formatsThat(&Format::readsModels)) {
         const QString suffix = u'.' + format->suffix(), program = QLatin1String(format->program);
         //: %1 is the end of a name, such as ".txt", %2 a program
-        files += program.isEmpty() ? Words::tr("a %1 file").arg(suffix)
-                                   : Words::tr("a %1 file of %2").arg(suffix, program);
+        files += program.isEmpty() ? ErrorTexts::tr("a %1 file").arg(suffix)
+                                   : ErrorTexts::tr("a %1 file of %2").arg(suffix, program);
     }
-    return enumerated(files, Words::tr("%1 or %2"));
+    return enumerated(files, ErrorTexts::tr("%1 or %2"));
 }
 
 QString ofSection(const Args &args, const QString &withName, const QString &without)
@@ -130,85 +131,90 @@ QString errorSentence(const Error &error)
     const bool hasArg = !args.empty() && !args[0].empty();
     switch (error.code) {
     case ErrorCode::CannotOpen:
-        return withReason(Words::tr("could not be opened"), args);
+        return withReason(ErrorTexts::tr("could not be opened"), args);
     case ErrorCode::CannotWrite:
-        return withReason(Words::tr("could not be written"), args);
+        return withReason(ErrorTexts::tr("could not be written"), args);
     case ErrorCode::NotAModel:
-        return Words::tr("not a model, expected %1").arg(modelFiles());
+        return ErrorTexts::tr("not a model, expected %1").arg(modelFiles());
     case ErrorCode::NewerVersion:
         return newerVersion(args);
     case ErrorCode::Truncated:
-        return hasArg ? Words::tr("the file ends here, expected %1").arg(phrase(args, 0))
-                      : Words::tr("the file ends too early");
+        return hasArg ? ErrorTexts::tr("the file ends here, expected %1").arg(phrase(args, 0))
+                      : ErrorTexts::tr("the file ends too early");
     case ErrorCode::BadSyntax:
     case ErrorCode::BadValue:
         return foundExpected(args);
     case ErrorCode::NonFinite:
-        return hasArg ? Words::tr("found \"%1\", expected a finite number").arg(verbatim(args, 0))
-                      : Words::tr("a number is not finite");
+        return hasArg
+                   ? ErrorTexts::tr("found \"%1\", expected a finite number").arg(verbatim(args, 0))
+                   : ErrorTexts::tr("a number is not finite");
     case ErrorCode::BadCount:
         return badCount(args);
     case ErrorCode::DegenerateFrame:
-        return Words::tr("these axes make no frame, expected two of length 1 at a right angle");
+        return ErrorTexts::tr(
+            "these axes make no frame, expected two of length 1 at a right angle");
     case ErrorCode::EmptyContour:
-        return Words::tr("this contour encloses no area");
+        return ErrorTexts::tr("this contour encloses no area");
     case ErrorCode::BadContour:
         return badContour(args);
     case ErrorCode::UnknownReference:
-        return hasArg ? Words::tr("there is nothing with the number %1").arg(verbatim(args, 0))
-                      : Words::tr("this refers to nothing that is there");
+        return hasArg ? ErrorTexts::tr("there is nothing with the number %1").arg(verbatim(args, 0))
+                      : ErrorTexts::tr("this refers to nothing that is there");
     case ErrorCode::DuplicateId:
-        return hasArg ? Words::tr("the number %1 is given twice, expected one of its own")
+        return hasArg ? ErrorTexts::tr("the number %1 is given twice, expected one of its own")
                             .arg(verbatim(args, 0))
-                      : Words::tr("this number is given twice, expected one of its own");
+                      : ErrorTexts::tr("this number is given twice, expected one of its own");
     case ErrorCode::NearlyParallel:
-        return Words::tr("these two sections are nearly parallel and cannot be joined");
+        return ErrorTexts::tr("these two sections are nearly parallel and cannot be joined");
     case ErrorCode::SelfCrossing:
-        return Words::tr("this contour crosses itself");
+        return ErrorTexts::tr("this contour crosses itself");
     case ErrorCode::BoundariesMeet:
-        return Words::tr("a hole would not lie inside the contour by itself");
+        return ErrorTexts::tr("a hole would not lie inside the contour by itself");
     case ErrorCode::TooFewPoints:
-        return Words::tr("too few points would be left to enclose anything");
+        return ErrorTexts::tr("too few points would be left to enclose anything");
     case ErrorCode::CannotOffset:
         return cannotOffset(args);
     case ErrorCode::ClosedSlit:
         return closedSlit(args);
     case ErrorCode::NothingToExport:
-        return Words::tr("there is no section yet, so there is nothing to cut");
+        return ErrorTexts::tr("there is no section yet, so there is nothing to cut");
     case ErrorCode::UnknownCommand:
-        return hasArg ? Words::tr("there is no command \"%1\"").arg(verbatim(args, 0))
-                      : Words::tr("there is no such command");
+        return hasArg ? ErrorTexts::tr("there is no command \"%1\"").arg(verbatim(args, 0))
+                      : ErrorTexts::tr("there is no such command");
     case ErrorCode::BadEvent:
-        return args.size() >= 2 ? foundExpected(args) : Words::tr("this event makes no sense here");
+        return args.size() >= 2 ? foundExpected(args)
+                                : ErrorTexts::tr("this event makes no sense here");
     case ErrorCode::Unsupported:
-        return hasArg ? Words::tr("\"%1\" is not supported by this version").arg(phrase(args, 0))
-                      : Words::tr("this is not supported by this version");
-    case ErrorCode::NotWorkedOut:
-        return Words::tr("this could not be worked out");
-    case ErrorCode::NotCutOut:
-        return ofSection(args,
-                         Words::tr("\"%1\" could not be cut out: what its slits leave of it could "
-                                   "not be worked out"),
-                         Words::tr("a section could not be cut out"));
-    case ErrorCode::NotSolid:
-        return ofSection(args, Words::tr("the solid of \"%1\" could not be worked out"),
-                         Words::tr("a solid could not be worked out"));
-    case ErrorCode::MarksNotCut:
-        return ofSection(args,
-                         Words::tr("what is drawn on \"%1\" could not be cut off at its edge"),
-                         Words::tr("what is drawn on a section could not be cut off at its edge"));
-    case ErrorCode::OperationFailed:
-        return ofSection(args,
-                         Words::tr("the sections of the operation \"%1\" could not be worked out"),
-                         Words::tr("the sections of an operation could not be worked out"));
-    case ErrorCode::StageFailed:
         return hasArg
-                   ? Words::tr("something went wrong inside FlatFitFab (%1)").arg(verbatim(args, 0))
-                   : Words::tr("something went wrong inside FlatFitFab");
+                   ? ErrorTexts::tr("\"%1\" is not supported by this version").arg(phrase(args, 0))
+                   : ErrorTexts::tr("this is not supported by this version");
+    case ErrorCode::NotWorkedOut:
+        return ErrorTexts::tr("this could not be worked out");
+    case ErrorCode::NotCutOut:
+        return ofSection(
+            args,
+            ErrorTexts::tr("\"%1\" could not be cut out: what its slits leave of it could "
+                           "not be worked out"),
+            ErrorTexts::tr("a section could not be cut out"));
+    case ErrorCode::NotSolid:
+        return ofSection(args, ErrorTexts::tr("the solid of \"%1\" could not be worked out"),
+                         ErrorTexts::tr("a solid could not be worked out"));
+    case ErrorCode::MarksNotCut:
+        return ofSection(
+            args, ErrorTexts::tr("what is drawn on \"%1\" could not be cut off at its edge"),
+            ErrorTexts::tr("what is drawn on a section could not be cut off at its edge"));
+    case ErrorCode::OperationFailed:
+        return ofSection(
+            args, ErrorTexts::tr("the sections of the operation \"%1\" could not be worked out"),
+            ErrorTexts::tr("the sections of an operation could not be worked out"));
+    case ErrorCode::StageFailed:
+        return hasArg ? ErrorTexts::tr("something went wrong inside FlatFitFab (%1)")
+                            .arg(verbatim(args, 0))
+                      : ErrorTexts::tr("something went wrong inside FlatFitFab");
     case ErrorCode::Cancelled:
-        return Words::tr("it was stopped");
+        return ErrorTexts::tr("it was stopped");
     case ErrorCode::BadArchive:
-        return hasArg ? phrase(args, 0) : Words::tr("what is packed in this file is damaged");
+        return hasArg ? phrase(args, 0) : ErrorTexts::tr("what is packed in this file is damaged");
     }
     return {}; // not reached: every code is above
 }
@@ -218,41 +224,43 @@ QString warningSentence(const Warning &warning)
     const Args &args = warning.args;
     switch (warning.code) {
     case WarningCode::SkewFrame:
-        return ofSection(args,
-                         Words::tr("the axes of %1 were not at right angles or not of length "
-                                   "1 and have been straightened"),
-                         Words::tr("the axes of a frame were not at right angles or not of length "
-                                   "1 and have been straightened"));
+        return ofSection(
+            args,
+            ErrorTexts::tr("the axes of %1 were not at right angles or not of length "
+                           "1 and have been straightened"),
+            ErrorTexts::tr("the axes of a frame were not at right angles or not of length "
+                           "1 and have been straightened"));
     case WarningCode::SelfCrossingContour:
         return ofSection(args,
-                         Words::tr("a contour of %1 crosses itself; its largest region was "
-                                   "kept"),
-                         Words::tr("a contour crosses itself; its largest region was kept"));
+                         ErrorTexts::tr("a contour of %1 crosses itself; its largest region was "
+                                        "kept"),
+                         ErrorTexts::tr("a contour crosses itself; its largest region was kept"));
     case WarningCode::HoleOutside:
         return ofSection(args,
-                         Words::tr("a hole of %1 reaches out of its contour and was left out"),
-                         Words::tr("a hole reaches out of its contour and was left out"));
+                         ErrorTexts::tr("a hole of %1 reaches out of its contour and was left out"),
+                         ErrorTexts::tr("a hole reaches out of its contour and was left out"));
     case WarningCode::DegenerateHole:
-        return ofSection(args, Words::tr("a hole of %1 has no area and was left out"),
-                         Words::tr("a hole has no area and was left out"));
+        return ofSection(args, ErrorTexts::tr("a hole of %1 has no area and was left out"),
+                         ErrorTexts::tr("a hole has no area and was left out"));
     case WarningCode::MergedHoles:
-        return ofSection(args, Words::tr("holes of %1 overlap and were made one"),
-                         Words::tr("holes overlap and were made one"));
+        return ofSection(args, ErrorTexts::tr("holes of %1 overlap and were made one"),
+                         ErrorTexts::tr("holes overlap and were made one"));
     case WarningCode::NotchedContour:
-        return ofSection(args,
-                         Words::tr("a hole of %1 reaches out of its contour and was made a notch "
-                                   "of it"),
-                         Words::tr("a hole reaches out of its contour and was made a notch of it"));
+        return ofSection(
+            args,
+            ErrorTexts::tr("a hole of %1 reaches out of its contour and was made a notch "
+                           "of it"),
+            ErrorTexts::tr("a hole reaches out of its contour and was made a notch of it"));
     case WarningCode::TrailingLines:
-        return args.empty() ? Words::tr("lines after the last section were ignored")
-                            : Words::tr("text after the last section was ignored, lines: %1")
+        return args.empty() ? ErrorTexts::tr("lines after the last section were ignored")
+                            : ErrorTexts::tr("text after the last section was ignored, lines: %1")
                                   .arg(verbatim(args, 0));
     case WarningCode::MissingBlob:
         return args.size() < 2
-                   ? ofSection(args, Words::tr("%1 could not be read and was left out"),
-                               Words::tr("a picture or a mesh was left out"))
+                   ? ofSection(args, ErrorTexts::tr("%1 could not be read and was left out"),
+                               ErrorTexts::tr("a picture or a mesh was left out"))
                    //: %2 is a reason such as "its bytes are missing"
-                   : Words::tr("%1 was left out: %2").arg(verbatim(args, 0), phrase(args, 1));
+                   : ErrorTexts::tr("%1 was left out: %2").arg(verbatim(args, 0), phrase(args, 1));
     }
     return {}; // not reached: every code is above
 }

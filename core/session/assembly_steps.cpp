@@ -16,7 +16,7 @@ namespace fff {
 
 namespace {
 
-struct Words
+struct AssemblyStepsTexts
 {
     Q_DECLARE_TR_FUNCTIONS(AssemblySteps)
 };
@@ -36,7 +36,7 @@ QString nameOf(const AssemblySteps &steps, int section)
 QString namesOf(const AssemblySteps &steps, const std::vector<int> &parts)
 {
     if (parts.size() > kMostNames)
-        return Words::tr("%n parts as one", nullptr, static_cast<int>(parts.size()));
+        return AssemblyStepsTexts::tr("%n parts as one", nullptr, static_cast<int>(parts.size()));
     QStringList names;
     for (const int part : parts) {
         const int section = steps.bodies.sectionOf(part);
@@ -44,7 +44,7 @@ QString namesOf(const AssemblySteps &steps, const std::vector<int> &parts)
         const QString name = nameOf(steps, section);
         //: %1 is a section's name, %2 the number engraved on one of its parts
         names += isWhole ? name
-                         : Words::tr("%1 (part %2)")
+                         : AssemblyStepsTexts::tr("%1 (part %2)")
                                .arg(name, QString::number(AssemblySteps::numberOf(part)));
     }
     return listed(names);
@@ -61,7 +61,8 @@ QString movedNames(const AssemblySteps &steps, int index)
     for (const int joined : groupOf(index).joins)
         if (groupOf(joined).group != groupOf(index).group)
             //: %1 is what is moved, %2 the number of the step that completed it
-            return Words::tr("%1 (together since step %2)").arg(names, QString::number(joined + 1));
+            return AssemblyStepsTexts::tr("%1 (together since step %2)")
+                .arg(names, QString::number(joined + 1));
     return names;
 }
 
@@ -74,7 +75,7 @@ QString matesOf(const AssemblySteps &steps, int step)
     for (int i = 0; i < named; ++i)
         names += nameOf(steps, mates[static_cast<std::size_t>(i)]);
     if (named < count)
-        names += Words::tr("%n others", nullptr, count - named);
+        names += AssemblyStepsTexts::tr("%n others", nullptr, count - named);
     return listed(names);
 }
 
@@ -82,18 +83,18 @@ QString matesOf(const AssemblySteps &steps, int step)
 QString wayWord(const Vec3 &direction)
 {
     if (direction.y() > kAlongAxis)
-        return Words::tr("up", "direction of a way");
+        return AssemblyStepsTexts::tr("up", "direction of a way");
     if (direction.y() < -kAlongAxis)
-        return Words::tr("down", "direction of a way");
+        return AssemblyStepsTexts::tr("down", "direction of a way");
     if (direction.x() > kAlongAxis)
-        return Words::tr("to the right", "direction of a way");
+        return AssemblyStepsTexts::tr("to the right", "direction of a way");
     if (direction.x() < -kAlongAxis)
-        return Words::tr("to the left", "direction of a way");
+        return AssemblyStepsTexts::tr("to the left", "direction of a way");
     if (direction.z() > kAlongAxis)
-        return Words::tr("to the front", "direction of a way");
+        return AssemblyStepsTexts::tr("to the front", "direction of a way");
     if (direction.z() < -kAlongAxis)
-        return Words::tr("to the back", "direction of a way");
-    return Words::tr("along the arrow", "direction of a way");
+        return AssemblyStepsTexts::tr("to the back", "direction of a way");
+    return AssemblyStepsTexts::tr("along the arrow", "direction of a way");
 }
 
 /// Of each section those that joints connect it with.
@@ -155,42 +156,48 @@ AssemblyStepsPointer assemblySteps(AnalysisPointer analysis, const ModelPlan &pl
 QString whyNoSteps(const Analysis &analysis, const ModelPlan &plan)
 {
     if (analysis.model.sectionCount() == 0)
-        return Words::tr("There is no section yet, so there are no steps.");
+        return AssemblyStepsTexts::tr("There is no section yet, so there are no steps.");
     switch (plan.plan.verdict) {
     case AssemblyPlan::Verdict::Possible:
         return plan.plan.steps.empty()
-                   ? Words::tr("Nothing is cut from this model, so there are no steps.")
+                   ? AssemblyStepsTexts::tr(
+                         "Nothing is cut from this model, so there are no steps.")
                    : QString();
     case AssemblyPlan::Verdict::Impossible:
         break;
     case AssemblyPlan::Verdict::NotFound:
         if (plan.failure)
             //: %1 is a sentence such as "the solid of "Rib" could not be worked out"
-            return Words::tr("No steps to show: %1.").arg(io::errorSentence(*plan.failure));
-        return Words::tr("No steps to show: the order of assembly was not found in the time.");
+            return AssemblyStepsTexts::tr("No steps to show: %1.")
+                .arg(io::errorSentence(*plan.failure));
+        return AssemblyStepsTexts::tr(
+            "No steps to show: the order of assembly was not found in the time.");
     }
     std::set<int> locked;
     for (const int part : plan.plan.locked)
         locked.insert(plan.bodies.sectionOf(part));
     if (locked.empty() || locked.size() > kMostNames)
-        return Words::tr("No steps to show: the model cannot be assembled, since %n sections block "
-                         "each other.",
-                         nullptr, static_cast<int>(locked.size()));
+        return AssemblyStepsTexts::tr(
+            "No steps to show: the model cannot be assembled, since %n sections block "
+            "each other.",
+            nullptr, static_cast<int>(locked.size()));
     QStringList names;
     for (const int section : locked)
         names +=
             QString::fromStdString(analysis.model.section(static_cast<std::size_t>(section))->name);
     if (names.size() == 1) // parts of one section
-        return Words::tr("No steps to show: the model cannot be assembled, since parts of %1 block "
-                         "each other.")
+        return AssemblyStepsTexts::tr(
+                   "No steps to show: the model cannot be assembled, since parts of %1 block "
+                   "each other.")
             .arg(names.front());
-    return Words::tr("No steps to show: the model cannot be assembled, since %1 block each other.")
+    return AssemblyStepsTexts::tr(
+               "No steps to show: the model cannot be assembled, since %1 block each other.")
         .arg(listed(names));
 }
 
 QString stepTitle(const AssemblySteps &steps, int step)
 {
-    return Words::tr("Step %1 of %2").arg(step + 1).arg(steps.playback.stepCount());
+    return AssemblyStepsTexts::tr("Step %1 of %2").arg(step + 1).arg(steps.playback.stepCount());
 }
 
 QString stepText(const AssemblySteps &steps, int index)
@@ -200,24 +207,26 @@ QString stepText(const AssemblySteps &steps, int index)
     const std::optional<Vec3> direction = steps.playback.lastDirection(index);
     if (!direction) {
         if (index == 0)
-            return Words::tr("begin with %1").arg(names);
+            return AssemblyStepsTexts::tr("begin with %1").arg(names);
         if (step.onto.empty()) // what is brought to the others as one, later
-            return Words::tr("begin aside with %1").arg(names);
-        return Words::tr("put %1 in its place").arg(names);
+            return AssemblyStepsTexts::tr("begin aside with %1").arg(names);
+        return AssemblyStepsTexts::tr("put %1 in its place").arg(names);
     }
     const QString word = wayWord(*direction), mates = matesOf(steps, index);
     if (step.moves.size() > 1)
         return mates.isEmpty()
                    //: %1 is what is moved, %2 a direction such as "down"
-                   ? Words::tr("bring %1 in round the corner, at last %2").arg(names, word)
+                   ? AssemblyStepsTexts::tr("bring %1 in round the corner, at last %2")
+                         .arg(names, word)
                    //: %1 is what is moved, %2 a direction such as "down", %3 what it is put into
-                   : Words::tr("bring %1 in round the corner, then slide it %2 into %3")
+                   : AssemblyStepsTexts::tr(
+                         "bring %1 in round the corner, then slide it %2 into %3")
                          .arg(names, word, mates);
     return mates.isEmpty()
                //: %1 is what is moved, %2 a direction such as "down"
-               ? Words::tr("move %1 %2 to its place").arg(names, word)
+               ? AssemblyStepsTexts::tr("move %1 %2 to its place").arg(names, word)
                //: %1 is what is moved, %2 a direction such as "down", %3 what it is put into
-               : Words::tr("slide %1 %2 into %3").arg(names, word, mates);
+               : AssemblyStepsTexts::tr("slide %1 %2 into %3").arg(names, word, mates);
 }
 
 } // namespace fff

@@ -14,7 +14,7 @@ namespace fff {
 
 namespace {
 
-constexpr CommandWords kWords[] = {
+constexpr CommandWords kCopyWords[] = {
     {"edit.cut", FFF_TEXT("Command", "Cu&t"), FFF_TEXT("Command", "Cut"), "Ctrl+X", "cut",
      FFF_TEXT("Command", "Copy the selected sections and delete them")},
     {"edit.copy", FFF_TEXT("Command", "&Copy"), FFF_TEXT("Command", "Copy"), "Ctrl+C", "copy",
@@ -237,7 +237,7 @@ void registerCopyCommands(CommandRegistry &registry, Session &session, Interacti
                       return commands.mirrorAcross(parameters, time);
                   },
                   hasSelection, inHand(interaction, "edit.mirrorCopySection")});
-    registry.offer(kWords);
+    registry.offer(kCopyWords);
 }
 
 } // namespace fff

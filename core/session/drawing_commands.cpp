@@ -16,7 +16,7 @@ namespace fff {
 
 namespace {
 
-constexpr CommandWords kWords[] = {
+constexpr CommandWords kDrawingWords[] = {
     {"section.importSections", FFF_TEXT("Command", "&New sections…"),
      FFF_TEXT("Command", "From SVG"), "", "import_drawing",
      FFF_TEXT("Command", "A section for every outline of a drawing")},
@@ -133,7 +133,7 @@ void registerDrawingCommands(CommandRegistry &registry, Session &session, Intera
     add("section.importContour", As::Contour);
     add("section.importHoles", As::Holes);
     add("section.importMarks", As::Marks);
-    registry.offer(kWords);
+    registry.offer(kDrawingWords);
 }
 
 } // namespace fff

@@ -15,7 +15,7 @@ namespace fff {
 
 namespace {
 
-constexpr CommandWords kWords[] = {
+constexpr CommandWords kFigureWords[] = {
     {"section.addShape", FFF_TEXT("Command", "&Draw a shape"), FFF_TEXT("Command", "Shape"),
      "Shift+A", "figure_draw",
      FFF_TEXT("Command", "Drag a circle, rectangle or the like out of its middle"), true},
@@ -186,7 +186,7 @@ void registerFigureCommands(CommandRegistry &registry, Session &session, Interac
                       return commands.change(parameters, time);
                   },
                   needs([commands] { return commands.section() != nullptr; }, kNothingSelected)});
-    registry.offer(kWords);
+    registry.offer(kFigureWords);
 }
 
 } // namespace fff

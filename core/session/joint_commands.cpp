@@ -16,7 +16,7 @@ namespace fff {
 
 namespace {
 
-constexpr CommandWords kWords[] = {
+constexpr CommandWords kJointWords[] = {
     {"joint.flip", FFF_TEXT("Command", "Flip the slits of the &joint"),
      FFF_TEXT("Command", "Flip the slits"), "", "joint_flip",
      FFF_TEXT("Command", "Let the slits of the selected joint open to the other side")},
@@ -26,7 +26,7 @@ constexpr CommandWords kWords[] = {
               "Let the selected joint be as it is by itself: kind, direction and share")},
 };
 
-std::string textOf(const CommandParameters &parameters, const std::string &name)
+std::string givenText(const CommandParameters &parameters, const std::string &name)
 {
     const auto found = parameters.find(name);
     return found == parameters.end() ? std::string() : found->second;
@@ -46,7 +46,7 @@ Result<JointRef> jointNamed(const Model &model, const CommandParameters &paramet
 {
     std::array<SectionRef, 2> sections;
     for (const auto &[key, ref] : {std::pair("a", &sections[0]), std::pair("b", &sections[1])}) {
-        const std::string name = textOf(parameters, key);
+        const std::string name = givenText(parameters, key);
         const std::optional<SectionRef> found = sectionNamed(model, name);
         if (!found)
             return failure(ErrorCode::BadValue, key, {name, "the name of a section"});
@@ -63,7 +63,7 @@ Result<void> selectJoint(const Session &session, Interaction &interaction,
         return tl::unexpected(joint.error());
     if (!hasJoint(session.committed(), *joint))
         return failure(ErrorCode::BadValue, "b",
-                       {textOf(parameters, "b"), "a section that meets the other"});
+                       {givenText(parameters, "b"), "a section that meets the other"});
     interaction.selectJoint(*joint);
     return {};
 }
@@ -72,7 +72,7 @@ Result<void> selectJoint(const Session &session, Interaction &interaction,
 Result<JointEdit> trimmedOf(const Model &model, const JointRef &joint,
                             const CommandParameters &parameters)
 {
-    const std::string name = textOf(parameters, "section");
+    const std::string name = givenText(parameters, "section");
     std::optional<SectionRef> section = easierTrimmed(model, joint);
     if (!name.empty()) {
         section = sectionNamed(model, name);
@@ -112,7 +112,7 @@ void registerJointCommands(CommandRegistry &registry, Session &session, Interact
                  }});
     registry.add("joint.kind",
                  {[&](const CommandParameters &parameters, double time) -> Result<void> {
-                      const std::string text = textOf(parameters, "kind");
+                      const std::string text = givenText(parameters, "kind");
                       const std::optional<JointKind> kind = jointKindNamed(text);
                       if (!kind)
                           return failure(ErrorCode::BadValue, "kind", {text, "a kind of joint"});
@@ -172,7 +172,7 @@ void registerJointCommands(CommandRegistry &registry, Session &session, Interact
                       return without || isOverridden(session, interaction) ? without
                                                                            : WhyNot(kNothingByHand);
                   }});
-    registry.offer(kWords);
+    registry.offer(kJointWords);
 }
 
 } // namespace fff

@@ -14,7 +14,7 @@ namespace fff {
 
 namespace {
 
-constexpr CommandWords kWords[] = {
+constexpr CommandWords kMarkWords[] = {
     {"section.mark", FFF_TEXT("Command", "Add te&xt or lines to engrave"),
      FFF_TEXT("Command", "Engrave"), "E", "engrave",
      FFF_TEXT("Command", "Write or draw on a section, to be engraved or scored"), true},
@@ -170,7 +170,7 @@ void registerMarkCommands(CommandRegistry &registry, Session &session, Interacti
     add("mark.addText", &MarkCommands::addText);
     add("mark.change", &MarkCommands::change);
     add("mark.delete", &MarkCommands::remove);
-    registry.offer(kWords);
+    registry.offer(kMarkWords);
 }
 
 } // namespace fff

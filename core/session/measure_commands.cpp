@@ -16,7 +16,7 @@ namespace fff {
 
 namespace {
 
-constexpr CommandWords kWords[] = {
+constexpr CommandWords kMeasureWords[] = {
     {"measure.ruler", FFF_TEXT("Command", "M&easure"), FFF_TEXT("Command", "Measure"), "M",
      "measure", FFF_TEXT("Command", "Measure from one place to another"), true},
     {"measure.dimension", FFF_TEXT("Command", "D&imension"), FFF_TEXT("Command", "Dimension"), "D",
@@ -206,7 +206,7 @@ void registerMeasureCommands(CommandRegistry &registry, Session &session, Intera
     add("numbers.set", &MeasureCommands::setNumber);
     add("numbers.remove", &MeasureCommands::removeNumber);
     add("numbers.rename", &MeasureCommands::renameNumber);
-    registry.offer(kWords);
+    registry.offer(kMeasureWords);
 }
 
 } // namespace fff

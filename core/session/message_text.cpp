@@ -14,7 +14,7 @@ namespace fff {
 
 namespace {
 
-struct Words
+struct MessageTexts
 {
     Q_DECLARE_TR_FUNCTIONS(Checks)
 };
@@ -58,7 +58,8 @@ struct ArgumentText
     QString operator()(const NamedSections &sections) const
     {
         if (sections.names.size() > kMaxNames)
-            return Words::tr("%n sections", nullptr, static_cast<int>(sections.names.size()));
+            return MessageTexts::tr("%n sections", nullptr,
+                                    static_cast<int>(sections.names.size()));
         QStringList names;
         for (const std::string &name : sections.names)
             names += styled(name);

@@ -17,7 +17,7 @@ namespace fff {
 
 namespace {
 
-constexpr CommandWords kWords[] = {
+constexpr CommandWords kOperationWords[] = {
     {"operation.linear", FFF_TEXT("Command", "&Linear"), FFF_TEXT("Command", "Linear"), "Ctrl+L",
      "linear", FFF_TEXT("Command", "Repeat a section in a row along another one")},
     {"operation.revolve", FFF_TEXT("Command", "&Revolve along contour"),
@@ -386,7 +386,7 @@ void registerOperationCommands(CommandRegistry &registry, Session &session,
                               },
                               row.rule});
     }
-    registry.offer(kWords);
+    registry.offer(kOperationWords);
 }
 
 } // namespace fff

@@ -11,7 +11,7 @@ namespace fff {
 
 namespace {
 
-struct Texts
+struct OperationNoticeTexts
 {
     Q_DECLARE_TR_FUNCTIONS(OperationNotice)
 };
@@ -50,35 +50,43 @@ QString noticeText(const OperationNotice &notice, const Operation &operation)
     case Kind::InputMissing:
         if (notice.name.empty())
             //: %1 is the name of an operation, %2 what it asks for: "Along"
-            return Texts::tr("%1 makes nothing yet: choose what stands under \"%2\".")
+            return OperationNoticeTexts::tr(
+                       "%1 makes nothing yet: choose what stands under \"%2\".")
                 .arg(name, inputName(operation, notice.role));
         //: %1 is the name of an operation, %2 that of a section
-        return Texts::tr("%1 has lost its section \"%2\", which was deleted. It makes nothing "
-                         "until another one is chosen.")
+        return OperationNoticeTexts::tr(
+                   "%1 has lost its section \"%2\", which was deleted. It makes nothing "
+                   "until another one is chosen.")
             .arg(name, QString::fromStdString(notice.name));
     case Kind::InputsApart:
         //: %1 is the name of an operation
-        return Texts::tr("%1 makes nothing: its sections do not cross each other.").arg(name);
+        return OperationNoticeTexts::tr("%1 makes nothing: its sections do not cross each other.")
+            .arg(name);
     case Kind::NothingFits:
         //: %1 is the name of an operation
-        return Texts::tr("%1 makes nothing: there is no room within its range.").arg(name);
+        return OperationNoticeTexts::tr("%1 makes nothing: there is no room within its range.")
+            .arg(name);
     case Kind::Failed:
         //: %1 is the name of an operation
-        return Texts::tr("%1 could not be worked out: its sections are missing.").arg(name);
+        return OperationNoticeTexts::tr("%1 could not be worked out: its sections are missing.")
+            .arg(name);
     case Kind::StoppedAtMost:
         //: %1 is the name of an operation
-        return (notice.count == 1 ? Texts::tr("%1 stopped at 1 section.")
-                                  //: %1 is the name of an operation
-                                  : Texts::tr("%1 stopped at %n sections.", nullptr, notice.count))
+        return (notice.count == 1
+                    ? OperationNoticeTexts::tr("%1 stopped at 1 section.")
+                    //: %1 is the name of an operation
+                    : OperationNoticeTexts::tr("%1 stopped at %n sections.", nullptr, notice.count))
             .arg(name);
     case Kind::LeftOut:
         //: %1 is the name of an operation
         return (notice.count == 1
-                    ? Texts::tr("1 section of %1 was left out, as there is nothing to hold it.")
+                    ? OperationNoticeTexts::tr(
+                          "1 section of %1 was left out, as there is nothing to hold it.")
                     //: %1 is the name of an operation
-                    : Texts::tr("%n sections of %1 were left out, as there is nothing to hold "
-                                "them.",
-                                nullptr, notice.count))
+                    : OperationNoticeTexts::tr(
+                          "%n sections of %1 were left out, as there is nothing to hold "
+                          "them.",
+                          nullptr, notice.count))
             .arg(name);
     }
     return {};

@@ -11,7 +11,7 @@ namespace fff {
 
 namespace {
 
-constexpr CommandWords kWords[] = {
+constexpr CommandWords kPenWords[] = {
     {"section.snap", FFF_TEXT("Command", "S&nap"), FFF_TEXT("Command", "Snap"), "Q", "snap",
      FFF_TEXT("Command",
               "Draw points to others, to lines level and upright with them, and to the grid"),
@@ -86,7 +86,7 @@ void registerPenCommands(CommandRegistry &registry, Interaction &interaction)
                                   },
                                   {},
                                   [&] { return interaction.settings().snaps; }});
-    registry.offer(kWords);
+    registry.offer(kPenWords);
 }
 
 } // namespace fff

@@ -13,7 +13,7 @@ namespace fff {
 
 namespace {
 
-constexpr CommandWords kWords[] = {
+constexpr CommandWords kPointWords[] = {
     {"section.removeHoles", FFF_TEXT("Command", "Re&move holes"), FFF_TEXT("Command", "No holes"),
      "", "holes_remove", FFF_TEXT("Command", "Close all holes of the selected sections"), true},
     {"point.insert", FFF_TEXT("Command", "&Add point"), FFF_TEXT("Command", "Add point"), "+",
@@ -215,7 +215,7 @@ void registerPointCommands(CommandRegistry &registry, Session &session, Interact
              FFF_TEXT("Command", "What is selected has no holes"))});
     registerKinds(registry, interaction);
     registerNudges(registry, interaction);
-    registry.offer(kWords);
+    registry.offer(kPointWords);
 }
 
 } // namespace fff

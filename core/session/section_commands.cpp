@@ -19,7 +19,7 @@ namespace fff {
 
 namespace {
 
-constexpr CommandWords kWords[] = {
+constexpr CommandWords kSectionWords[] = {
     {"section.transform", FFF_TEXT("Command", "Move &and turn"), FFF_TEXT("Command", "Move"), "T",
      "transform", FFF_TEXT("Command", "Move, turn and scale with handles or numbers"), true},
     {"transform.inSpace", FFF_TEXT("Command", "&In space"), FFF_TEXT("Command", "In space"), "",
@@ -360,7 +360,7 @@ void registerSectionCommands(CommandRegistry &registry, Session &session, Intera
     registerSwitch(registry, interaction, "transform.inSpace", &InteractionSettings::movesInSpace);
     registerSwitch(registry, interaction, "transform.withChildren",
                    &InteractionSettings::takesChildren);
-    registry.offer(kWords);
+    registry.offer(kSectionWords);
 }
 
 } // namespace fff

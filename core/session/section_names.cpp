@@ -6,7 +6,7 @@ namespace fff {
 
 namespace {
 
-struct Words
+struct SectionNamesTexts
 {
     Q_DECLARE_TR_FUNCTIONS(fff::SectionNames)
 };
@@ -24,7 +24,7 @@ QString listed(QStringList names)
         return names.join(QString());
     const QString last = names.takeLast();
     //: the end of a list of names
-    return Words::tr("%1 and %2").arg(names.join(QStringLiteral(", ")), last);
+    return SectionNamesTexts::tr("%1 and %2").arg(names.join(QStringLiteral(", ")), last);
 }
 
 } // namespace fff

@@ -12,7 +12,7 @@ namespace fff {
 
 namespace {
 
-constexpr CommandWords kWords[] = {
+constexpr CommandWords kSelectionWords[] = {
     {"edit.selectAll", FFF_TEXT("Command", "Select &all"), FFF_TEXT("Command", "Select all"),
      "Ctrl+A", "select_all", FFF_TEXT("Command", "Select all sections")},
     {"edit.selectNext", FFF_TEXT("Command", "Select ne&xt"), FFF_TEXT("Command", "Next"), "PgDown",
@@ -175,7 +175,7 @@ void registerSelectionCommands(CommandRegistry &registry, Session &session,
     registry.add("edit.select", {[commands](const CommandParameters &parameters, double) {
                      return commands.selectNamed(parameters);
                  }});
-    registry.offer(kWords);
+    registry.offer(kSelectionWords);
 }
 
 } // namespace fff

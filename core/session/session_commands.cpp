@@ -19,7 +19,7 @@ namespace fff {
 
 namespace {
 
-constexpr CommandWords kWords[] = {
+constexpr CommandWords kSessionWords[] = {
     {"file.new", FFF_TEXT("Command", "&New"), FFF_TEXT("Command", "New"), "Ctrl+N", "new",
      FFF_TEXT("Command", "Start a new model")},
     {"edit.undo", FFF_TEXT("Command", "&Undo"), FFF_TEXT("Command", "Undo"), "Ctrl+Z", "undo",
@@ -100,7 +100,7 @@ void registerEdits(CommandRegistry &registry, Session &session, Interaction &int
                                  interaction.selectedOperation().isValid();
                       },
                       kNothingSelected)});
-    registry.offer(kWords);
+    registry.offer(kSessionWords);
 }
 
 } // namespace

@@ -20,7 +20,7 @@ namespace fff {
 
 namespace {
 
-constexpr CommandWords kWords[] = {
+constexpr CommandWords kToolWords[] = {
     {"section.symmetry", FFF_TEXT("Command", "Local &symmetry"), FFF_TEXT("Command", "Symmetry"),
      "S", "symmetry",
      FFF_TEXT("Command", "Mirror a contour across its slit when it is drawn on one side of it"),
@@ -189,7 +189,7 @@ void registerToolCommands(CommandRegistry &registry, Session &session, Interacti
     registerGround(registry, session);
     registerSwitches(registry, interaction);
     registerPenCommands(registry, interaction);
-    registry.offer(kWords);
+    registry.offer(kToolWords);
 }
 
 } // namespace fff

@@ -14,7 +14,7 @@ namespace fff {
 
 namespace {
 
-constexpr CommandWords kWords[] = {
+constexpr CommandWords kViewWords[] = {
     {"view.front", FFF_TEXT("Command", "&Front"), FFF_TEXT("Command", "Front"), "1", "view_front",
      FFF_TEXT("Command", "Look from the front"), true},
     {"view.top", FFF_TEXT("Command", "&Top"), FFF_TEXT("Command", "Top"), "2", "view_top",
@@ -282,7 +282,7 @@ void registerViewCommands(CommandRegistry &registry, Session &session, Interacti
     registerFits(registry, session, interaction);
     registerCamera(registry, interaction);
     registerLooks(registry, session, interaction);
-    registry.offer(kWords);
+    registry.offer(kViewWords);
 }
 
 Camera turnedTo(const Eigen::Quaterniond &orientation, const Session &session,

@@ -7,14 +7,14 @@ namespace fff::ui {
 namespace {
 
 /// So that lupdate knows whose texts these are: it does not look into macros of our own.
-struct Texts
+struct ActionSetTexts
 {
     Q_DECLARE_TR_FUNCTIONS(fff::ui::ActionSet)
 public:
     static std::span<const MenuRow> menus();
 };
 
-std::span<const MenuRow> Texts::menus()
+std::span<const MenuRow> ActionSetTexts::menus()
 {
     static const MenuRow kMenus[] = {
         {QT_TR_NOOP("&File"),
@@ -107,7 +107,7 @@ std::span<const MenuRow> Texts::menus()
 
 std::span<const MenuRow> menuTable()
 {
-    return Texts::menus();
+    return ActionSetTexts::menus();
 }
 
 } // namespace fff::ui

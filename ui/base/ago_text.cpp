@@ -6,7 +6,7 @@ namespace fff::ui {
 
 namespace {
 
-struct Words
+struct AgoTexts
 {
     Q_DECLARE_TR_FUNCTIONS(fff::ui::AgoText)
 };
@@ -19,16 +19,16 @@ QString agoText(const QDateTime &then, const QDateTime &now, const QLocale &loca
 {
     const qint64 seconds = then.secsTo(now);
     if (seconds < kMinute)
-        return Words::tr("just now");
+        return AgoTexts::tr("just now");
     if (seconds < kHour)
-        return Words::tr("%n minute(s) ago", nullptr, static_cast<int>(seconds / kMinute));
+        return AgoTexts::tr("%n minute(s) ago", nullptr, static_cast<int>(seconds / kMinute));
     const qint64 days = then.date().daysTo(now.date());
     if (days == 0)
-        return Words::tr("%n hour(s) ago", nullptr, static_cast<int>(seconds / kHour));
+        return AgoTexts::tr("%n hour(s) ago", nullptr, static_cast<int>(seconds / kHour));
     if (days == 1)
-        return Words::tr("yesterday");
+        return AgoTexts::tr("yesterday");
     if (days < 7)
-        return Words::tr("%n day(s) ago", nullptr, static_cast<int>(days));
+        return AgoTexts::tr("%n day(s) ago", nullptr, static_cast<int>(days));
     return locale.toString(then.date(), QLocale::ShortFormat);
 }
 

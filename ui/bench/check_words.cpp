@@ -10,7 +10,7 @@ namespace fff::ui {
 
 namespace {
 
-struct Words
+struct CheckTexts
 {
     Q_DECLARE_TR_FUNCTIONS(fff::ui::CheckWords)
 };
@@ -79,15 +79,15 @@ QString severityWord(Severity severity)
 {
     switch (severity) {
     case Severity::Good:
-        return Words::tr("Good");
+        return CheckTexts::tr("Good");
     case Severity::Unknown:
-        return Words::tr("Unknown");
+        return CheckTexts::tr("Unknown");
     case Severity::Note:
-        return Words::tr("Note");
+        return CheckTexts::tr("Note");
     case Severity::Warning:
-        return Words::tr("Warning");
+        return CheckTexts::tr("Warning");
     case Severity::Error:
-        return Words::tr("Problem");
+        return CheckTexts::tr("Problem");
     }
     return {};
 }

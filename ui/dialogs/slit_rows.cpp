@@ -6,7 +6,7 @@ namespace fff::ui {
 
 namespace {
 
-struct Words
+struct SlitRowsTexts
 {
     Q_DECLARE_TR_FUNCTIONS(fff::ui::SlitRows)
 };
@@ -14,10 +14,10 @@ struct Words
 /// In the order of SlitEnd.
 Choices endChoices(SlitEnd current)
 {
-    return {{{Words::tr("Square"), {}},
-             {Words::tr("Round"), {}},
-             {Words::tr("Dogbone"), {}},
-             {Words::tr("T-bone"), {}}},
+    return {{{SlitRowsTexts::tr("Square"), {}},
+             {SlitRowsTexts::tr("Round"), {}},
+             {SlitRowsTexts::tr("Dogbone"), {}},
+             {SlitRowsTexts::tr("T-bone"), {}}},
             static_cast<int>(current)};
 }
 
@@ -44,20 +44,21 @@ LengthRow *lengthRow(PropertyGroup *group, const StockAccess &stock, const QStri
 std::vector<PropertyRow *> addSlitRows(PropertyGroup *group, const StockAccess &stock)
 {
     auto *end = new ChoiceRow(
-        Words::tr("Slit end"), "stockSlitEnd",
+        SlitRowsTexts::tr("Slit end"), "stockSlitEnd",
         [stock] { return endChoices(stock.read()->slitEnd); },
         [stock](int choice) {
             stock.edit([choice](Stock &s) { s.slitEnd = static_cast<SlitEnd>(choice); });
         },
         group);
     explain(end, "stockSlitEnd",
-            Words::tr("The inner end of a slit. A laser cuts it square; a mill's round tool leaves "
-                      "its corners standing. Round: a round bottom beyond the square one. Dogbone: "
-                      "an arc through each corner. T-bone: an arc in each wall; the bottom stays "
-                      "flat."));
+            SlitRowsTexts::tr(
+                "The inner end of a slit. A laser cuts it square; a mill's round tool leaves "
+                "its corners standing. Round: a round bottom beyond the square one. Dogbone: "
+                "an arc through each corner. T-bone: an arc in each wall; the bottom stays "
+                "flat."));
     group->add(end);
 
-    LengthRow *tool = lengthRow(group, stock, Words::tr("Tool"), "stockTool",
+    LengthRow *tool = lengthRow(group, stock, SlitRowsTexts::tr("Tool"), "stockTool",
                                 {0.1, 25.0, 0.1, 2, 3}, &Stock::toolDiameter);
     // Shows nothing: whether there is a tool hangs on the end.
     auto *reason = new EditorRow(
@@ -65,24 +66,28 @@ std::vector<PropertyRow *> addSlitRows(PropertyGroup *group, const StockAccess &
         [stock, tool] {
             const bool isMilled = stock.read()->slitEnd != SlitEnd::Square;
             tool->setEnabled(isMilled);
-            explain(tool, "stockTool",
-                    isMilled ? Words::tr("Diameter of the mill's tool. The arcs are drawn a little "
-                                         "larger, so that it goes round them.")
-                             : Words::tr("A square end has no tool. Choose another slit end for a "
-                                         "mill."));
+            explain(
+                tool, "stockTool",
+                isMilled
+                    ? SlitRowsTexts::tr("Diameter of the mill's tool. The arcs are drawn a little "
+                                        "larger, so that it goes round them.")
+                    : SlitRowsTexts::tr("A square end has no tool. Choose another slit end for a "
+                                        "mill."));
         },
         group);
 
-    LengthRow *leadIn = lengthRow(group, stock, Words::tr("Lead-in"), "stockLeadIn",
+    LengthRow *leadIn = lengthRow(group, stock, SlitRowsTexts::tr("Lead-in"), "stockLeadIn",
                                   {0.0, 20.0, 0.1, 1, 3}, &Stock::leadIn);
     explain(leadIn, "stockLeadIn",
-            Words::tr("Chamfer of both walls at a slit's mouth, at 45°, so that sections find in. "
-                      "Half to all of the thickness is usual; 0: none."));
-    LengthRow *bumps = lengthRow(group, stock, Words::tr("Friction bumps"), "stockBumps",
+            SlitRowsTexts::tr(
+                "Chamfer of both walls at a slit's mouth, at 45°, so that sections find in. "
+                "Half to all of the thickness is usual; 0: none."));
+    LengthRow *bumps = lengthRow(group, stock, SlitRowsTexts::tr("Friction bumps"), "stockBumps",
                                  {0.0, 1.0, 0.01, 2, 3}, &Stock::bumps);
     explain(bumps, "stockBumps",
-            Words::tr("Height of a small bump on each wall of a slit, which presses on the section "
-                      "in it. It has to be more than half of the clearance; 0: none."));
+            SlitRowsTexts::tr(
+                "Height of a small bump on each wall of a slit, which presses on the section "
+                "in it. It has to be more than half of the clearance; 0: none."));
     return {end, tool, reason, leadIn, bumps};
 }
 

@@ -10,7 +10,7 @@ namespace fff::ui {
 
 namespace {
 
-struct Words
+struct FailuresTexts
 {
     Q_DECLARE_TR_FUNCTIONS(fff::ui::Failures)
 };
@@ -24,7 +24,7 @@ QString placeInFile(const QString &name, const Error &error)
         return {};
     bool isLine = false;
     const int line = in.toInt(&isLine);
-    return isLine ? Words::tr("line %1").arg(line) : in;
+    return isLine ? FailuresTexts::tr("line %1").arg(line) : in;
 }
 
 /// ".fff and FlatFab’s .txt"
@@ -34,9 +34,9 @@ QString modelFiles()
     for (const io::Format *format : io::formatsThat(&io::Format::readsModels)) {
         const QString suffix = u'.' + format->suffix(), program = QLatin1String(format->program);
         //: %1 is the end of a name, such as ".txt", %2 a program
-        files += program.isEmpty() ? suffix : Words::tr("%2’s %1").arg(suffix, program);
+        files += program.isEmpty() ? suffix : FailuresTexts::tr("%2’s %1").arg(suffix, program);
     }
-    return io::enumerated(files, Words::tr("%1 and %2"));
+    return io::enumerated(files, FailuresTexts::tr("%1 and %2"));
 }
 
 } // namespace
@@ -45,9 +45,10 @@ QString openFailure(const QString &path, const Error &error)
 {
     const QString name = QFileInfo(path).fileName();
     if (error.code == ErrorCode::NotAModel)
-        return Words::tr("%1 is not a model. FlatFitFab opens %2.").arg(name, modelFiles());
+        return FailuresTexts::tr("%1 is not a model. FlatFitFab opens %2.").arg(name, modelFiles());
     if (!QFileInfo::exists(path)) {
-        return Words::tr("%1 could not be opened: it is not in %2 any more. Nothing was changed.")
+        return FailuresTexts::tr(
+                   "%1 could not be opened: it is not in %2 any more. Nothing was changed.")
             .arg(name, QFileInfo(path).absolutePath());
     }
     QString what = io::errorSentence(error);
@@ -55,9 +56,10 @@ QString openFailure(const QString &path, const Error &error)
         what = QCoreApplication::translate("Error", error.args[0].c_str());
     const QString where = placeInFile(name, error);
     return where.isEmpty()
-               ? Words::tr("%1 could not be opened: %2. Nothing was changed.").arg(name, what)
+               ? FailuresTexts::tr("%1 could not be opened: %2. Nothing was changed.")
+                     .arg(name, what)
                //: %3 is a place in the file, such as "line 340"
-               : Words::tr("%1 could not be opened: %2 (%3). Nothing was changed.")
+               : FailuresTexts::tr("%1 could not be opened: %2 (%3). Nothing was changed.")
                      .arg(name, what, where);
 }
 
@@ -65,20 +67,20 @@ QString saveFailure(const QString &path, const Error &error)
 {
     const QString name = QFileInfo(path).fileName(), folder = QFileInfo(path).absolutePath();
     const QString kept = QFileInfo::exists(path)
-                             ? Words::tr("The file on disk is still the old one.")
-                             : Words::tr("Nothing was written.");
+                             ? FailuresTexts::tr("The file on disk is still the old one.")
+                             : FailuresTexts::tr("Nothing was written.");
     QString why;
     if (!QFileInfo::exists(folder))
-        why = Words::tr("the folder %1 does not exist").arg(folder);
+        why = FailuresTexts::tr("the folder %1 does not exist").arg(folder);
     else if (error.code == ErrorCode::CannotWrite && !error.args.empty())
         why = QCoreApplication::translate("Error", error.args[0].c_str());
     else
         why = io::errorSentence(error);
     if (error.code == ErrorCode::ClosedSlit || error.code == ErrorCode::CannotOffset)
         //: %1 the reason, %2 a sentence
-        return Words::tr("Not exported: %1. %2").arg(why, kept);
+        return FailuresTexts::tr("Not exported: %1. %2").arg(why, kept);
     //: %1 a file's name, %2 the reason, %3 a sentence
-    return Words::tr("Could not save %1: %2. %3").arg(name, why, kept);
+    return FailuresTexts::tr("Could not save %1: %2. %3").arg(name, why, kept);
 }
 
 QString failureDetails(const QString &path, const Error &error)

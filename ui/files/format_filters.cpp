@@ -10,14 +10,14 @@ namespace {
 
 using io::Format;
 
-struct Words
+struct FormatFiltersTexts
 {
     Q_DECLARE_TR_FUNCTIONS(fff::ui::FormatFilters)
 };
 
 QString withAllFiles(const QString &filter)
 {
-    return filter + QStringLiteral(";;") + Words::tr("All files (*)");
+    return filter + QStringLiteral(";;") + FormatFiltersTexts::tr("All files (*)");
 }
 
 QString titled(const Format &format, const char *title)
@@ -31,12 +31,14 @@ QString titled(const Format &format, const char *title)
 QString modelFilter()
 {
     //: %1 are patterns such as "*.fff *.txt"
-    return withAllFiles(Words::tr("Models (%1)").arg(io::patternsRead(&Format::readsModels)));
+    return withAllFiles(
+        FormatFiltersTexts::tr("Models (%1)").arg(io::patternsRead(&Format::readsModels)));
 }
 
 QString drawingFilter()
 {
-    return withAllFiles(Words::tr("Drawings (%1)").arg(io::patternsRead(&Format::readsDrawings)));
+    return withAllFiles(
+        FormatFiltersTexts::tr("Drawings (%1)").arg(io::patternsRead(&Format::readsDrawings)));
 }
 
 QString saveFilter()

@@ -11,7 +11,7 @@ namespace fff::ui {
 
 namespace {
 
-struct Words
+struct ReplaceQuestionTexts
 {
     Q_DECLARE_TR_FUNCTIONS(fff::ui::ReplaceQuestion)
 };
@@ -30,18 +30,20 @@ bool mayReplace(QWidget &window, const std::vector<io::NamedBytes> &files)
     }
     if (there.isEmpty())
         return true;
-    QMessageBox question(
-        QMessageBox::NoIcon, Words::tr("Replace files"),
-        Words::tr("Replace %n existing file(s)?", nullptr, static_cast<int>(there.size())),
-        QMessageBox::NoButton, &window);
+    QMessageBox question(QMessageBox::NoIcon, ReplaceQuestionTexts::tr("Replace files"),
+                         ReplaceQuestionTexts::tr("Replace %n existing file(s)?", nullptr,
+                                                  static_cast<int>(there.size())),
+                         QMessageBox::NoButton, &window);
     question.setObjectName(QStringLiteral("replaceQuestion"));
     question.setPalette(theme().palette());
     QStringList named = there.mid(0, kMostNames);
     if (named.size() < there.size())
         named += QStringLiteral("…");
     question.setInformativeText(named.join(QStringLiteral(", ")));
-    QPushButton *replace = question.addButton(Words::tr("Replace"), QMessageBox::AcceptRole);
-    QPushButton *back = question.addButton(Words::tr("Cancel"), QMessageBox::RejectRole);
+    QPushButton *replace =
+        question.addButton(ReplaceQuestionTexts::tr("Replace"), QMessageBox::AcceptRole);
+    QPushButton *back =
+        question.addButton(ReplaceQuestionTexts::tr("Cancel"), QMessageBox::RejectRole);
     question.setDefaultButton(replace);
     question.setEscapeButton(back);
     question.exec();

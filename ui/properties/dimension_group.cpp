@@ -10,7 +10,7 @@ namespace fff::ui {
 
 namespace {
 
-struct Texts
+struct DimensionGroupTexts
 {
     Q_DECLARE_TR_FUNCTIONS(fff::ui::DimensionGroup)
 };
@@ -20,7 +20,7 @@ constexpr LengthEdit::Range kLength{0.001, kMaxCoordinate, 0.5, 1, 3};
 } // namespace
 
 DimensionGroup::DimensionGroup(Workbench &bench, QWidget *parent)
-    : PropertyGroup(Texts::tr("Dimensions"), parent), m_bench(bench), m_rows(*this)
+    : PropertyGroup(DimensionGroupTexts::tr("Dimensions"), parent), m_bench(bench), m_rows(*this)
 {
 }
 
@@ -39,7 +39,7 @@ void DimensionGroup::add(std::size_t index)
     const QString id = QStringLiteral("dimension%1").arg(index);
     auto *row = new LengthRow(
         //: %1 is a number
-        Texts::tr("Dimension %1").arg(index + 1), id.toLatin1().constData(), kLength,
+        DimensionGroupTexts::tr("Dimension %1").arg(index + 1), id.toLatin1().constData(), kLength,
         [this, index] { return length(index); },
         [this, index](double value) {
             m_bench.run(QStringLiteral("measure.scale"),
@@ -47,10 +47,10 @@ void DimensionGroup::add(std::size_t index)
                          {"length", QString::number(value, 'g', 17).toStdString()}});
         },
         this);
-    row->setToolTip(Texts::tr("Another length here scales the whole model"));
+    row->setToolTip(DimensionGroupTexts::tr("Another length here scales the whole model"));
     row->addButton(
         QStringLiteral("trash"), (id + QStringLiteral(".delete")).toLatin1().constData(),
-        Texts::tr("Delete this dimension"), [this, index] {
+        DimensionGroupTexts::tr("Delete this dimension"), [this, index] {
             m_bench.run(QStringLiteral("measure.remove"), {{"dimension", std::to_string(index)}});
         });
     m_rows.add(row);

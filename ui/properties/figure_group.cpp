@@ -16,7 +16,7 @@ namespace fff::ui {
 
 namespace {
 
-struct Texts
+struct FigureGroupTexts
 {
     Q_DECLARE_TR_FUNCTIONS(fff::ui::FigureGroup)
 };
@@ -32,7 +32,7 @@ QString figureText(const char *text)
 } // namespace
 
 FigureGroup::FigureGroup(Workbench &bench, QWidget *parent)
-    : PropertyGroup(Texts::tr("Shape"), parent), m_bench(bench), m_rows(*this)
+    : PropertyGroup(FigureGroupTexts::tr("Shape"), parent), m_bench(bench), m_rows(*this)
 {
     addKind();
 }
@@ -67,13 +67,13 @@ void FigureGroup::change(int boundary, const std::function<void(Figure &)> &chan
 void FigureGroup::addKind()
 {
     m_kind = new ChoiceRow(
-        Texts::tr("Contour"), "figureKind",
+        FigureGroupTexts::tr("Contour"), "figureKind",
         [this] {
             Choices choices;
             const std::optional<Figure> now = figure(0);
             choices.all.push_back(
-                {Texts::tr("Drawn by hand"), QColor(),
-                 now ? Texts::tr("Move one of its points, and it is") : QString()});
+                {FigureGroupTexts::tr("Drawn by hand"), QColor(),
+                 now ? FigureGroupTexts::tr("Move one of its points, and it is") : QString()});
             choices.current = 0;
             for (const FigureKind &kind : figureKinds()) {
                 if (now && now->kind == kind.key)
@@ -137,19 +137,19 @@ void FigureGroup::addPlace(int boundary, int axis, const QString &name)
             change(boundary, [axis, value](Figure &figure) { figure.centre[axis] = value; });
         },
         this);
-    row->setToolTip(Texts::tr("Of its middle, in the coordinates of the section"));
+    row->setToolTip(FigureGroupTexts::tr("Of its middle, in the coordinates of the section"));
     m_rows.add(row);
 }
 
 void FigureGroup::addTurn(int boundary)
 {
-    auto *edit = new NumberEdit(kTurn, Texts::tr("°"), this);
+    auto *edit = new NumberEdit(kTurn, FigureGroupTexts::tr("°"), this);
     connect(edit, &NumberEdit::numberEdited, this, [this, boundary](double value) {
         change(boundary, [value](Figure &figure) { figure.turn = radians(value); });
     });
     const QString id = QStringLiteral("figure%1.turn").arg(boundary);
     m_rows.add(new EditorRow(
-        Texts::tr("Turned by"), id.toLatin1().constData(), edit,
+        FigureGroupTexts::tr("Turned by"), id.toLatin1().constData(), edit,
         [this, edit, boundary] {
             const std::optional<Figure> now = figure(boundary);
             edit->setNumber(now ? std::optional(degrees(now->turn)) : std::nullopt);
@@ -161,7 +161,7 @@ void FigureGroup::addNumbers(int boundary, const FigureKind &kind)
 {
     if (boundary > 0) {
         //: %1 is a number
-        const QString title = Texts::tr("Hole %1").arg(boundary);
+        const QString title = FigureGroupTexts::tr("Hole %1").arg(boundary);
         const QString text = figureText(kind.name);
         const QString id = QStringLiteral("figure%1").arg(boundary);
         m_rows.add(new TextRow(
@@ -170,8 +170,8 @@ void FigureGroup::addNumbers(int boundary, const FigureKind &kind)
     for (std::size_t i = 0; i < kind.numbers.size(); ++i)
         addNumber(boundary, kind, i);
     if (boundary > 0) {
-        addPlace(boundary, 0, Texts::tr("X"));
-        addPlace(boundary, 1, Texts::tr("Y"));
+        addPlace(boundary, 0, FigureGroupTexts::tr("X"));
+        addPlace(boundary, 1, FigureGroupTexts::tr("Y"));
     }
     if (std::string_view(kind.key) != "circle")
         addTurn(boundary);

@@ -20,7 +20,7 @@ namespace fff::ui {
 
 namespace {
 
-struct Texts
+struct InputRowTexts
 {
     Q_DECLARE_TR_FUNCTIONS(fff::ui::InputRow)
 };
@@ -98,8 +98,8 @@ void InputRow::makeList()
     m_list->setObjectName(QLatin1String(m_spec.role));
     m_list->setDragDropMode(QAbstractItemView::InternalMove);
     m_list->setAccessibleName(operationText(m_spec.label));
-    m_list->setAccessibleDescription(
-        Texts::tr("Delete takes a section out, drag or Alt with an arrow key changes the order."));
+    m_list->setAccessibleDescription(InputRowTexts::tr(
+        "Delete takes a section out, drag or Alt with an arrow key changes the order."));
     m_list->setUniformItemSizes(true);
     m_list->setIconSize({16, 16});
     m_list->setMouseTracking(true);
@@ -107,7 +107,8 @@ void InputRow::makeList()
     m_list->viewport()->installEventFilter(this);
     m_pick = smallButton(QStringLiteral("pick"), "inputPick", operationText(m_spec.prompt), box);
     m_pick->setCheckable(true);
-    m_takeOut = smallButton(QStringLiteral("trash"), "inputTakeOut", Texts::tr("Take it out"), box);
+    m_takeOut =
+        smallButton(QStringLiteral("trash"), "inputTakeOut", InputRowTexts::tr("Take it out"), box);
     auto *buttons = new QVBoxLayout;
     buttons->setSpacing(0);
     buttons->addWidget(m_pick);
@@ -176,7 +177,7 @@ std::pair<QString, bool> InputRow::nameOf(const OperationInput &input, const Mod
     if (const Section *section = drawn ? drawn : model.find(input.section))
         return {QString::fromStdString(section->name), true};
     //: %1 is the name of a section
-    return {Texts::tr("%1 (gone)").arg(QString::fromStdString(input.name)), false};
+    return {InputRowTexts::tr("%1 (gone)").arg(QString::fromStdString(input.name)), false};
 }
 
 void InputRow::show(const Operation &operation, const Model &model, bool picks)
@@ -193,7 +194,7 @@ void InputRow::show(const Operation &operation, const Model &model, bool picks)
         return;
     }
     m_field->setChecked(picks);
-    QString name = Texts::tr("Choose…");
+    QString name = InputRowTexts::tr("Choose…");
     bool isThere = false;
     if (!m_inputs.empty())
         std::tie(name, isThere) = nameOf(m_inputs.front(), model);
@@ -203,7 +204,7 @@ void InputRow::show(const Operation &operation, const Model &model, bool picks)
     m_field->setText(name);
     m_field->setToolTip(QStringLiteral("%1\n%2").arg(name, operationText(m_spec.prompt)));
     //: %1 is what an operation works on ("Along"), %2 the name of a section
-    m_field->setAccessibleName(Texts::tr("%1: %2").arg(operationText(m_spec.label), name));
+    m_field->setAccessibleName(InputRowTexts::tr("%1: %2").arg(operationText(m_spec.label), name));
 }
 
 void InputRow::showList(const Model &model)

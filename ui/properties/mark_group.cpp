@@ -14,7 +14,7 @@ namespace fff::ui {
 
 namespace {
 
-struct Texts
+struct MarkGroupTexts
 {
     Q_DECLARE_TR_FUNCTIONS(fff::ui::MarkGroup)
 };
@@ -32,7 +32,7 @@ QString idOf(std::size_t index, const char *key)
 } // namespace
 
 MarkGroup::MarkGroup(Workbench &bench, QWidget *parent)
-    : PropertyGroup(Texts::tr("Marks"), parent), m_bench(bench), m_rows(*this)
+    : PropertyGroup(MarkGroupTexts::tr("Marks"), parent), m_bench(bench), m_rows(*this)
 {
 }
 
@@ -85,7 +85,7 @@ void MarkGroup::addWords(std::size_t index)
     });
     const QString id = idOf(index, "words");
     m_rows.add(new EditorRow(
-        Texts::tr("Words"), id.toLatin1().constData(), words,
+        MarkGroupTexts::tr("Words"), id.toLatin1().constData(), words,
         [this, index, words] {
             const Mark *now = mark(index);
             const QString text =
@@ -118,13 +118,13 @@ void MarkGroup::addNumber(std::size_t index, const QString &name, const char *ke
 
 void MarkGroup::addTurn(std::size_t index)
 {
-    auto *edit = new NumberEdit(kTurn, Texts::tr("°"), this);
+    auto *edit = new NumberEdit(kTurn, MarkGroupTexts::tr("°"), this);
     connect(edit, &NumberEdit::numberEdited, this, [this, index](double value) {
         change(index, [value](Lettering &lettering) { lettering.turn = radians(value); });
     });
     const QString id = idOf(index, "turn");
     m_rows.add(new EditorRow(
-        Texts::tr("Turned by"), id.toLatin1().constData(), edit,
+        MarkGroupTexts::tr("Turned by"), id.toLatin1().constData(), edit,
         [this, edit, index] {
             const Mark *now = mark(index);
             edit->setNumber(now && now->lettering ? std::optional(degrees(now->lettering->turn))
@@ -138,11 +138,12 @@ void MarkGroup::addMark(std::size_t index, const Mark &drawn)
     const QString id = idOf(index, "kind");
     auto *kind = new ChoiceRow(
         //: %1 is a number
-        Texts::tr("Mark %1").arg(index + 1), id.toLatin1().constData(),
+        MarkGroupTexts::tr("Mark %1").arg(index + 1), id.toLatin1().constData(),
         [this, index] {
             const Mark *now = mark(index);
             Choices choices;
-            choices.all = {{Texts::tr("Engraved"), QColor()}, {Texts::tr("Scored"), QColor()}};
+            choices.all = {{MarkGroupTexts::tr("Engraved"), QColor()},
+                           {MarkGroupTexts::tr("Scored"), QColor()}};
             choices.current = now && now->kind == Mark::Kind::Scored ? 1 : 0;
             return choices;
         },
@@ -154,21 +155,22 @@ void MarkGroup::addMark(std::size_t index, const Mark &drawn)
         this);
     const QString button = idOf(index, "delete");
     kind->addButton(QStringLiteral("trash"), button.toLatin1().constData(),
-                    Texts::tr("Delete this mark"), [this, index] { run("mark.delete", index); });
+                    MarkGroupTexts::tr("Delete this mark"),
+                    [this, index] { run("mark.delete", index); });
     m_rows.add(kind);
     m_words = nullptr;
     if (!drawn.lettering)
         return;
     addWords(index);
     addNumber(
-        index, Texts::tr("Letter height"), "height", kHeight,
+        index, MarkGroupTexts::tr("Letter height"), "height", kHeight,
         [](const Lettering &l) { return l.height; },
         [](Lettering &l, double value) { l.height = value; });
     addNumber(
-        index, Texts::tr("X"), "x", kPlace, [](const Lettering &l) { return l.at.x(); },
+        index, MarkGroupTexts::tr("X"), "x", kPlace, [](const Lettering &l) { return l.at.x(); },
         [](Lettering &l, double value) { l.at.x() = value; });
     addNumber(
-        index, Texts::tr("Y"), "y", kPlace, [](const Lettering &l) { return l.at.y(); },
+        index, MarkGroupTexts::tr("Y"), "y", kPlace, [](const Lettering &l) { return l.at.y(); },
         [](Lettering &l, double value) { l.at.y() = value; });
     addTurn(index);
 }

@@ -14,7 +14,7 @@ namespace fff::ui {
 
 namespace {
 
-struct Texts
+struct NamedNumberGroupTexts
 {
     Q_DECLARE_TR_FUNCTIONS(fff::ui::NamedNumberGroup)
 };
@@ -31,15 +31,16 @@ void refuse(QWidget *field, const QString &reason)
 } // namespace
 
 NamedNumberGroup::NamedNumberGroup(Workbench &bench, QWidget *parent)
-    : PropertyGroup(Texts::tr("Numbers"), parent), m_bench(bench), m_rows(*this)
+    : PropertyGroup(NamedNumberGroupTexts::tr("Numbers"), parent), m_bench(bench), m_rows(*this)
 {
 }
 
 bool NamedNumberGroup::set(const QString &name, const QString &expression, QWidget *field)
 {
     if (!isNumberName(name.toStdString())) {
-        refuse(field, Texts::tr("A name is a word of letters and digits, other than “t” and the "
-                                "units."));
+        refuse(field, NamedNumberGroupTexts::tr(
+                          "A name is a word of letters and digits, other than “t” and the "
+                          "units."));
         return false;
     }
     tl::expected<Document, Expression> next =
@@ -78,7 +79,7 @@ void NamedNumberGroup::add(std::size_t index)
         this);
     row->addButton(
         QStringLiteral("trash"), (id + QStringLiteral(".delete")).toLatin1().constData(),
-        Texts::tr("Delete this number"), [this, name] {
+        NamedNumberGroupTexts::tr("Delete this number"), [this, name] {
             m_bench.run(QStringLiteral("numbers.remove"), {{"name", name.toStdString()}});
         });
     m_rows.add(row);
@@ -88,25 +89,26 @@ void NamedNumberGroup::add(std::size_t index)
 void NamedNumberGroup::addNew()
 {
     auto *edit = new QLineEdit(this);
-    edit->setPlaceholderText(Texts::tr("gap = 12 mm", "an example of a number with a name"));
-    edit->setToolTip(
-        Texts::tr("A name and what it stands for; number fields take the name, also in "
-                  "sums: 2*gap"));
+    edit->setPlaceholderText(
+        NamedNumberGroupTexts::tr("gap = 12 mm", "an example of a number with a name"));
+    edit->setToolTip(NamedNumberGroupTexts::tr(
+        "A name and what it stands for; number fields take the name, also in "
+        "sums: 2*gap"));
     connect(edit, &QLineEdit::returnPressed, this, [this, edit] {
         const QString text = edit->text();
         const qsizetype equals = text.indexOf(u'=');
         if (equals < 0) {
-            refuse(edit, Texts::tr("Write a name, “=” and a number."));
+            refuse(edit, NamedNumberGroupTexts::tr("Write a name, “=” and a number."));
             return;
         }
         const QString name = text.left(equals).trimmed();
         if (findNumber(m_bench.session().committed().document, name.toStdString()))
-            refuse(edit, Texts::tr("There is a number of this name already."));
+            refuse(edit, NamedNumberGroupTexts::tr("There is a number of this name already."));
         else if (set(name, text.mid(equals + 1), edit))
             edit->clear();
     });
     m_rows.add(new EditorRow(
-        Texts::tr("New"), "number.new", edit, [] {}, this));
+        NamedNumberGroupTexts::tr("New"), "number.new", edit, [] {}, this));
 }
 
 void NamedNumberGroup::refresh()

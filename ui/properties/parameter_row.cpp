@@ -19,7 +19,7 @@ namespace {
 
 using Unit = ParameterSpec::Unit;
 
-struct Texts
+struct ParameterRowTexts
 {
     Q_DECLARE_TR_FUNCTIONS(fff::ui::ParameterRow)
 };
@@ -36,7 +36,9 @@ double rounded(double spoken)
 
 QString unitOf(Unit unit)
 {
-    return unit == Unit::Share ? Texts::tr("%") : unit == Unit::Angle ? Texts::tr("°") : QString();
+    return unit == Unit::Share   ? ParameterRowTexts::tr("%")
+           : unit == Unit::Angle ? ParameterRowTexts::tr("°")
+                                 : QString();
 }
 
 /// Digits that a step of this size needs.
@@ -138,7 +140,7 @@ void ParameterRow::makeNumber()
     if (!m_spec.isFree)
         return;
     m_free = addButton(QStringLiteral("joint_reset"), "parameterFree",
-                       Texts::tr("As it follows from the sections"),
+                       ParameterRowTexts::tr("As it follows from the sections"),
                        [this] { m_reactions.settled(std::nullopt); });
 }
 
@@ -181,7 +183,7 @@ void ParameterRow::show(const Operation &operation, const OperationResult *resul
                                    : std::nullopt);
         if (m_free) {
             m_free->setVisible(value.has_value());
-            setMarked(value.has_value(), value ? Texts::tr("Set by hand") : QString());
+            setMarked(value.has_value(), value ? ParameterRowTexts::tr("Set by hand") : QString());
         }
     }
 }

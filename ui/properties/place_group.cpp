@@ -19,7 +19,7 @@ namespace fff::ui {
 
 namespace {
 
-struct Texts
+struct PlaceGroupTexts
 {
     Q_DECLARE_TR_FUNCTIONS(fff::ui::PlaceGroup)
 };
@@ -33,24 +33,25 @@ constexpr double kSameNumber = 1e-7;
 } // namespace
 
 PlaceGroup::PlaceGroup(Workbench &bench, QWidget *parent)
-    : PropertyGroup(Texts::tr("Place"), parent), m_bench(bench)
+    : PropertyGroup(PlaceGroupTexts::tr("Place"), parent), m_bench(bench)
 {
     addParent();
     addAngle();
-    addPosition(0, Texts::tr("Position X"), "positionX");
-    addPosition(1, Texts::tr("Position Y"), "positionY");
-    addPosition(2, Texts::tr("Position Z"), "positionZ");
-    addNormal(0, Texts::tr("Normal X"), "normalX");
-    addNormal(1, Texts::tr("Normal Y"), "normalY");
-    addNormal(2, Texts::tr("Normal Z"), "normalZ");
-    addSwitch(Texts::tr("Free"), "sectionFree",
-              Texts::tr("It neither goes along with the section that it is on, nor keeps its "
-                        "angle to that"),
-              "section.free",
-              [](const Section &section) { return section.parent && section.parent->isFree; });
-    addSwitch(Texts::tr("Locked"), "sectionLocked",
-              Texts::tr("It stays as it is, unless what it is on is moved"), "section.lock",
-              [](const Section &section) { return section.isLocked; });
+    addPosition(0, PlaceGroupTexts::tr("Position X"), "positionX");
+    addPosition(1, PlaceGroupTexts::tr("Position Y"), "positionY");
+    addPosition(2, PlaceGroupTexts::tr("Position Z"), "positionZ");
+    addNormal(0, PlaceGroupTexts::tr("Normal X"), "normalX");
+    addNormal(1, PlaceGroupTexts::tr("Normal Y"), "normalY");
+    addNormal(2, PlaceGroupTexts::tr("Normal Z"), "normalZ");
+    addSwitch(
+        PlaceGroupTexts::tr("Free"), "sectionFree",
+        PlaceGroupTexts::tr("It neither goes along with the section that it is on, nor keeps its "
+                            "angle to that"),
+        "section.free",
+        [](const Section &section) { return section.parent && section.parent->isFree; });
+    addSwitch(PlaceGroupTexts::tr("Locked"), "sectionLocked",
+              PlaceGroupTexts::tr("It stays as it is, unless what it is on is moved"),
+              "section.lock", [](const Section &section) { return section.isLocked; });
 }
 
 void PlaceGroup::add(PropertyRow *row)
@@ -91,12 +92,12 @@ PlaceGroup::common(const std::function<std::optional<double>(const Section &)> &
 void PlaceGroup::addParent()
 {
     auto *row = new TextRow(
-        Texts::tr("On"), "sectionParent",
+        PlaceGroupTexts::tr("On"), "sectionParent",
         [this] {
             QStringList names;
             for (const Section *section : sections()) {
                 const Section *on = parentOf(*section);
-                names += on ? QString::fromStdString(on->name) : Texts::tr("nothing");
+                names += on ? QString::fromStdString(on->name) : PlaceGroupTexts::tr("nothing");
                 m_off->setVisible(on && sections().size() == 1);
             }
             m_pick->setVisible(names.size() == 1);
@@ -105,10 +106,10 @@ void PlaceGroup::addParent()
         },
         this);
     m_pick = row->addButton(QStringLiteral("pick"), "sectionParentPick",
-                            Texts::tr("Click another section that it shall be on"),
+                            PlaceGroupTexts::tr("Click another section that it shall be on"),
                             [this] { m_bench.run(QStringLiteral("section.putOn")); });
     m_off = row->addButton(QStringLiteral("close"), "sectionParentNone",
-                           Texts::tr("On no other section"), [this] {
+                           PlaceGroupTexts::tr("On no other section"), [this] {
                                m_bench.run(QStringLiteral("section.putOn"), {{"on", ""}});
                            });
     add(row);
@@ -116,14 +117,14 @@ void PlaceGroup::addParent()
 
 void PlaceGroup::addAngle()
 {
-    auto *edit = new NumberEdit(kAngleRange, Texts::tr("°"), this);
+    auto *edit = new NumberEdit(kAngleRange, PlaceGroupTexts::tr("°"), this);
     connect(edit, &NumberEdit::numberEdited, this, [this](double value) {
         m_bench.editSections(withAngle(m_bench.session().committed(),
                                        m_bench.interaction().selection(), radians(value),
                                        m_bench.interaction().settings().takesChildren));
     });
     m_angle = new EditorRow(
-        Texts::tr("Angle to it"), "sectionAngle", edit,
+        PlaceGroupTexts::tr("Angle to it"), "sectionAngle", edit,
         [this, edit] {
             const auto angle = [this](const Section &section) -> std::optional<double> {
                 const Section *on = parentOf(section);
@@ -156,7 +157,7 @@ void PlaceGroup::addPosition(int axis, const QString &name, const char *objectNa
                                               m_bench.interaction().settings().takesChildren));
         },
         this);
-    row->setToolTip(Texts::tr("Of its middle"));
+    row->setToolTip(PlaceGroupTexts::tr("Of its middle"));
     row->setThickness([this] {
         const Document &document = m_bench.session().model().document;
         return common([&document](const Section &section) {
@@ -182,7 +183,7 @@ void PlaceGroup::addNormal(int axis, const QString &name, const char *objectName
             }));
         },
         this);
-    row->setToolTip(Texts::tr("Which way it faces: across its plane, of length 1"));
+    row->setToolTip(PlaceGroupTexts::tr("Which way it faces: across its plane, of length 1"));
     add(row);
 }
 

@@ -14,7 +14,7 @@ namespace fff::ui {
 
 namespace {
 
-struct Texts
+struct PointGroupTexts
 {
     Q_DECLARE_TR_FUNCTIONS(fff::ui::PointGroup)
 };
@@ -44,13 +44,13 @@ Vec2 polar(double length, double angle)
 } // namespace
 
 PointGroup::PointGroup(Workbench &bench, QWidget *parent)
-    : PropertyGroup(Texts::tr("Point"), parent), m_bench(bench)
+    : PropertyGroup(PointGroupTexts::tr("Point"), parent), m_bench(bench)
 {
     setObjectName(QStringLiteral("pointGroup"));
     addPlaces();
     addKind();
-    addHandle(HandleSide::In, Texts::tr("Handle in"), Texts::tr("Angle in"));
-    addHandle(HandleSide::Out, Texts::tr("Handle out"), Texts::tr("Angle out"));
+    addHandle(HandleSide::In, PointGroupTexts::tr("Handle in"), PointGroupTexts::tr("Angle in"));
+    addHandle(HandleSide::Out, PointGroupTexts::tr("Handle out"), PointGroupTexts::tr("Angle out"));
 }
 
 void PointGroup::add(PropertyRow *row)
@@ -105,7 +105,8 @@ void PointGroup::addPlaces()
 {
     for (const int axis : {0, 1}) {
         add(new LengthRow(
-            axis == 0 ? Texts::tr("X") : Texts::tr("Y"), axis == 0 ? "pointX" : "pointY", kPlaces,
+            axis == 0 ? PointGroupTexts::tr("X") : PointGroupTexts::tr("Y"),
+            axis == 0 ? "pointX" : "pointY", kPlaces,
             [this, axis] {
                 return common([axis](const Contour &contour, int index) {
                     return anchor(contour, index)[axis];
@@ -127,12 +128,13 @@ void PointGroup::addPlaces()
 void PointGroup::addKind()
 {
     add(new ChoiceRow(
-        Texts::tr("Kind"), "pointKind",
+        PointGroupTexts::tr("Kind"), "pointKind",
         [this] {
             Choices choices;
             // In the order of PointKind.
             for (const QString &name :
-                 {Texts::tr("Corner"), Texts::tr("Smooth"), Texts::tr("Symmetric")})
+                 {PointGroupTexts::tr("Corner"), PointGroupTexts::tr("Smooth"),
+                  PointGroupTexts::tr("Symmetric")})
                 choices.all.push_back({name, QColor()});
             const auto kind = common([](const Contour &contour, int index) {
                 return static_cast<double>(kindOf(contour, index));

@@ -7,7 +7,7 @@ namespace fff::ui {
 
 namespace {
 
-struct Words
+struct SamplesTexts
 {
     Q_DECLARE_TR_FUNCTIONS(fff::ui::Samples)
 };
@@ -46,8 +46,8 @@ QList<Sample> samples()
 {
     QList<Sample> all;
     for (const Row &row : kRows)
-        all.append(
-            {Words::tr(row.name), QStringLiteral(":/samples/%1.fff").arg(QLatin1String(row.file))});
+        all.append({SamplesTexts::tr(row.name),
+                    QStringLiteral(":/samples/%1.fff").arg(QLatin1String(row.file))});
     return all;
 }
 

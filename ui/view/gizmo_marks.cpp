@@ -10,7 +10,7 @@ namespace fff::ui {
 
 namespace {
 
-struct Texts
+struct GizmoMarksTexts
 {
     Q_DECLARE_TR_FUNCTIONS(fff::ui::GizmoMarks)
 };
@@ -140,13 +140,13 @@ void GizmoDrawing::value(LengthUnit unit, const QLocale &locale)
     const double number = m_marks.value->number;
     QString text;
     if (isTurn(m_marks.lit))
-        text = Texts::tr("%1°").arg(numberText(degrees(number), 0, 1, locale));
+        text = GizmoMarksTexts::tr("%1°").arg(numberText(degrees(number), 0, 1, locale));
     else if (isScale(m_marks.lit))
-        text = Texts::tr("%1\u202f%").arg(numberText(100.0 * number, 0, 1, locale));
+        text = GizmoMarksTexts::tr("%1\u202f%").arg(numberText(100.0 * number, 0, 1, locale));
     else
         text = lengthText(number, unit, 1, 1, locale);
     if (m_marks.copies > 0)
-        text = Texts::tr("Copy: %1").arg(text);
+        text = GizmoMarksTexts::tr("Copy: %1").arg(text);
     m_pen.chip(point(m_look.centre()) - QPointF(kChipOff, kChipOff), MarkPen::Anchor::Right, text,
                m_pen.style().accent);
 }

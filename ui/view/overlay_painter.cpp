@@ -106,7 +106,7 @@ void Drawing::ground()
 
 void Drawing::scaleBar()
 {
-    constexpr double kLongest = 150.0, kLeft = 14.5, kTick = 5.0;
+    constexpr double kLongest = 150.0, kLeft = 14.5, kUpright = 5.0;
     const double perPixel = m_scene.camera.millimetresPerPixel;
     const ScaleBar scale = fff::ui::scaleBar(kLongest * perPixel, m_scene.unit, m_locale);
     const double width = scale.length / perPixel, bottom = m_scene.viewport.y() - 30.5;
@@ -114,9 +114,9 @@ void Drawing::scaleBar()
     QFont font = m_painter.font();
     font.setPixelSize(12);
     m_painter.setFont(font);
-    QPainterPath bar({kLeft, bottom - kTick});
+    QPainterPath bar({kLeft, bottom - kUpright});
     for (const QPointF &to : {QPointF(kLeft, bottom), QPointF(kLeft + width, bottom),
-                              QPointF(kLeft + width, bottom - kTick)})
+                              QPointF(kLeft + width, bottom - kUpright)})
         bar.lineTo(to);
     cased(bar, QPen(m_style.muted, 1.2));
     // Sections may lie under it, in any colour.

@@ -10,7 +10,7 @@ namespace fff::ui {
 
 namespace {
 
-struct Words
+struct PenMarksTexts
 {
     Q_DECLARE_TR_FUNCTIONS(fff::ui::OverlayPainter)
 };
@@ -187,7 +187,7 @@ void PathDrawing::numbers(LengthUnit unit, const QLocale &locale)
     m_pen.chip(
         place, anchor,
         //: place of a point: %1 and %2 are numbers, the second has a unit
-        Words::tr("X %1   Y %2")
+        PenMarksTexts::tr("X %1   Y %2")
             .arg(number(m_marks.place->x()), lengthText(m_marks.place->y(), unit, 1, 3, locale)),
         colour);
     if (!m_marks.way)
@@ -195,7 +195,7 @@ void PathDrawing::numbers(LengthUnit unit, const QLocale &locale)
     const Vec2 way = m_marks.way->cwiseAbs();
     m_pen.chip(place + QPointF(0.0, kRow), anchor,
                //: how far it is to the side (%1) and up or down (%2, with a unit)
-               Words::tr("%1 × %2 from the last point")
+               PenMarksTexts::tr("%1 × %2 from the last point")
                    .arg(number(way.x()), lengthText(way.y(), unit, 1, 3, locale)),
                m_pen.style().muted);
 }

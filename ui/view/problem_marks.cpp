@@ -9,7 +9,7 @@ namespace fff::ui {
 
 namespace {
 
-struct Words
+struct ProblemMarksTexts
 {
     Q_DECLARE_TR_FUNCTIONS(fff::ui::ProblemMarks)
 };
@@ -135,9 +135,9 @@ void paintGround(MarkPen &pen, const GroundMark &mark, LengthUnit unit, const QL
 
     const QString far = lengthText(std::abs(mark.margin), unit, 0, 1, locale);
     //: %1 is a length: how far the centre of mass lies from the edge of the feet
-    const QString text = mark.margin < 0.0 ? Words::tr("%1 outside").arg(far)
+    const QString text = mark.margin < 0.0 ? ProblemMarksTexts::tr("%1 outside").arg(far)
                                            //: %1 is a length: how far it lies from their edge
-                                           : Words::tr("%1 inside").arg(far);
+                                           : ProblemMarksTexts::tr("%1 inside").arg(far);
     const QPointF middle = 0.5 * (foot + to);
     const bool isShort = std::hypot(to.x() - foot.x(), to.y() - foot.y()) < kShortest;
     if (!isInView(pen, isShort ? foot : middle))
@@ -162,7 +162,7 @@ void paintHigh(MarkPen &pen, const HighMark &mark, LengthUnit unit, const QLocal
         return;
     pen.chip(to + QPointF(0.0, kChipBelow), MarkPen::Anchor::Middle,
              //: %1 is a length: how far a foot ends above the ground
-             Words::tr("%1 too high").arg(high), colour);
+             ProblemMarksTexts::tr("%1 too high").arg(high), colour);
 }
 
 } // namespace

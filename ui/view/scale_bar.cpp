@@ -13,7 +13,7 @@ constexpr double kMetresFrom = 10000.0, kFeetFrom = 10.0 * kFoot;
 /// A step that is just reached counts as reached (part of the length).
 constexpr double kRounding = 1e-9;
 
-struct Words
+struct ScaleBarTexts
 {
     Q_DECLARE_TR_FUNCTIONS(fff::ui::ScaleBar)
 };
@@ -39,7 +39,7 @@ ScaleBar inInches(double longest, const QLocale &locale)
     const QString inch = unitSign(LengthUnit::Inch);
     if (longest >= kFeetFrom) {
         const double feet = roundBelow(longest / kFoot);
-        return {feet * kFoot, text(feet, Words::tr("ft"), locale)};
+        return {feet * kFoot, text(feet, ScaleBarTexts::tr("ft"), locale)};
     }
     const double inches = longest / kInch * (1.0 + kRounding);
     if (inches >= 1.0) {
@@ -64,7 +64,7 @@ ScaleBar scaleBar(double longest, LengthUnit unit, const QLocale &locale)
         return inInches(longest, locale);
     const double round = roundBelow(longest);
     if (round >= kMetresFrom)
-        return {round, text(round / 1000.0, Words::tr("m"), locale)};
+        return {round, text(round / 1000.0, ScaleBarTexts::tr("m"), locale)};
     return {round, text(round / millimetresPer(unit), unitSign(unit), locale)};
 }
 

@@ -20,12 +20,12 @@ namespace fff::ui {
 
 namespace {
 
-struct Texts
+struct MeasureMarksTexts
 {
     Q_DECLARE_TR_FUNCTIONS(fff::ui::MeasureMarks)
 };
 
-constexpr double kTick = 6.0;                     // px, half of the tick at a line's end
+constexpr double kTickReach = 6.0;                // px, half of the tick at a line's end
 constexpr double kArrow = 34.0, kArrowHead = 8.0; // px
 constexpr double kArrowWidth = 2.4;               // px
 constexpr double kAhead = 20.0;     // px, to see where a direction leads on the screen
@@ -93,7 +93,8 @@ QString wayText(const sign::Way &way, LengthUnit unit, const QLocale &locale)
         return length;
     const auto number = [&](int axis) { return lengthNumber(along[axis], unit, 1, 2, locale); };
     //: a length, and how far it goes along X, Y and Z
-    return Texts::tr("%1   X %2  Y %3  Z %4").arg(length, number(0), number(1), number(2));
+    return MeasureMarksTexts::tr("%1   X %2  Y %3  Z %4")
+        .arg(length, number(0), number(1), number(2));
 }
 
 /// Those of a layer.
@@ -198,7 +199,7 @@ void paintSign(MarkPen &pen, const sign::Line &line)
         const QPointF way = to - from;
         const double length = std::hypot(way.x(), way.y());
         if (length >= 1.0) {
-            const QPointF across = kTick / length * QPointF(-way.y(), way.x());
+            const QPointF across = kTickReach / length * QPointF(-way.y(), way.x());
             for (const QPointF &end : {from, to}) {
                 path.moveTo(end - across);
                 path.lineTo(end + across);

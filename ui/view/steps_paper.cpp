@@ -16,7 +16,7 @@ namespace fff::ui {
 
 namespace {
 
-struct Words
+struct StepsPaperTexts
 {
     Q_DECLARE_TR_FUNCTIONS(fff::ui::StepsPaper)
 };
@@ -44,17 +44,20 @@ QString sentence(QString text)
 // The command line has no plurals of its own.
 QString partsText(int count)
 {
-    return count == 1 ? Words::tr("1 part") : Words::tr("%n parts", nullptr, count);
+    return count == 1 ? StepsPaperTexts::tr("1 part")
+                      : StepsPaperTexts::tr("%n parts", nullptr, count);
 }
 
 QString sheetsText(int count)
 {
-    return count == 1 ? Words::tr("1 sheet") : Words::tr("%n sheets", nullptr, count);
+    return count == 1 ? StepsPaperTexts::tr("1 sheet")
+                      : StepsPaperTexts::tr("%n sheets", nullptr, count);
 }
 
 QString stepsText(int count)
 {
-    return count == 1 ? Words::tr("1 step") : Words::tr("%n steps", nullptr, count);
+    return count == 1 ? StepsPaperTexts::tr("1 step")
+                      : StepsPaperTexts::tr("%n steps", nullptr, count);
 }
 
 QPolygonF polylineOf(std::span<const Vec2> points)
@@ -161,7 +164,7 @@ void StepsPaper::beginPage()
     const int pages = 1 + (m_steps.playback.stepCount() + kStepsOnPage - 1) / kStepsOnPage;
     const QRectF foot(0.0, m_room.height() - kFooter, m_room.width(), kFooter);
     text(foot, m_options.title, font(8.0), kMuted, Qt::AlignLeft | Qt::AlignBottom);
-    text(foot, Words::tr("Page %1 of %2").arg(m_page).arg(pages), font(8.0), kMuted,
+    text(foot, StepsPaperTexts::tr("Page %1 of %2").arg(m_page).arg(pages), font(8.0), kMuted,
          Qt::AlignRight | Qt::AlignBottom);
 }
 
@@ -175,7 +178,7 @@ bool StepsPaper::titlePage()
     beginPage();
     double y = text(m_room, m_options.title, font(26.0, QFont::DemiBold), kText) + 2.0;
     const QRectF below(0.0, y, m_room.width(), 20.0);
-    y += text(below, Words::tr("How it goes together"), font(14.0), kMuted) + 6.0;
+    y += text(below, StepsPaperTexts::tr("How it goes together"), font(14.0), kMuted) + 6.0;
 
     const double width = m_room.width(),
                  height = std::min(width * 0.85, m_room.height() - y - 60.0);
@@ -189,7 +192,7 @@ bool StepsPaper::titlePage()
     const Layout layout = layOut(m_parts, model, LayoutOptions());
     const int sheets = static_cast<int>(layout.sheets.size());
     //: %1 is "38 parts", %2 "2 sheets", %3 "38 steps"
-    const QString facts = Words::tr("%1, from %2, in %3.")
+    const QString facts = StepsPaperTexts::tr("%1, from %2, in %3.")
                               .arg(partsText(static_cast<int>(m_parts.size())), sheetsText(sheets),
                                    stepsText(m_steps.playback.stepCount()));
     y += text(QRectF(0.0, y, width, 20.0), facts, font(12.0, QFont::DemiBold), kText) + 2.0;
@@ -202,8 +205,9 @@ bool StepsPaper::titlePage()
             text(QRectF(0.0, y, width, 20.0), stockText(stock, m_options), font(11.0), kText) + 1.0;
     }
     text(QRectF(0.0, y + 2.0, width, 30.0),
-         Words::tr("The numbers are those engraved on the parts. At every slit stands the number "
-                   "of its joint behind a short bar, the same on both of its parts."),
+         StepsPaperTexts::tr(
+             "The numbers are those engraved on the parts. At every slit stands the number "
+             "of its joint behind a short bar, the same on both of its parts."),
          font(11.0), kMuted);
     return true;
 }
@@ -253,8 +257,8 @@ void StepsPaper::outlines(const QRectF &box, const std::vector<int> &parts)
                 parts[static_cast<std::size_t>(i)]);
     if (more > 0.0)
         text(QRectF(box.x(), box.bottom() - more, box.width(), more),
-             Words::tr("and %n more", nullptr, static_cast<int>(parts.size()) - count), font(8.0),
-             kMuted);
+             StepsPaperTexts::tr("and %n more", nullptr, static_cast<int>(parts.size()) - count),
+             font(8.0), kMuted);
 }
 
 /// The part as it lies on the sheet, with what is engraved on it, and its number and size.

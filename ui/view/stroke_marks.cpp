@@ -9,7 +9,7 @@ namespace fff::ui {
 
 namespace {
 
-struct Words
+struct StrokeMarksTexts
 {
     Q_DECLARE_TR_FUNCTIONS(fff::ui::OverlayPainter)
 };
@@ -50,8 +50,8 @@ void paintAxis(MarkPen &pen, const sign::Stroke &stroke, bool isSlit)
         std::abs(to.y() - from.y()) > 1.0 ? (y - from.y()) / (to.y() - from.y()) : 0.5;
     const QPointF place = from + along * (to - from);
     pen.chip(place + QPointF(8.0, 0.0), MarkPen::Anchor::Left,
-             isSlit ? Words::tr("Mirrored across the slit")
-                    : Words::tr("Mirrored across the vertical"),
+             isSlit ? StrokeMarksTexts::tr("Mirrored across the slit")
+                    : StrokeMarksTexts::tr("Mirrored across the vertical"),
              pen.style().symmetry);
 }
 
@@ -118,7 +118,7 @@ void paintCutChip(MarkPen &pen, const Contour &contour, const Frame &canvas, con
     const bool isRight = x - left->x() < right->x() - x;
     pen.chip(isRight ? *right + QPointF(24.0, 16.0) : *left + QPointF(-24.0, 16.0),
              isRight ? MarkPen::Anchor::Left : MarkPen::Anchor::Right,
-             Words::tr("Cut flat at the ground"), pen.style().muted);
+             StrokeMarksTexts::tr("Cut flat at the ground"), pen.style().muted);
 }
 
 void paintGround(MarkPen &pen, const sign::Ground &ground, bool isHatched)
@@ -183,7 +183,8 @@ void paintSlit(MarkPen &pen, const sign::Slit &slit, LengthUnit unit, const QLoc
         reach = slit.clearance / pen.camera().scaleAt(slit.to, pen.viewport()) + 14.0;
     pen.chip({0.5 * (from.x() + to.x()) - reach, 0.5 * (from.y() + to.y())}, MarkPen::Anchor::Right,
              //: %1 is its length, with a unit
-             Words::tr("Slit %1").arg(lengthText(length, unit, 1, 1, locale)), pen.style().slit);
+             StrokeMarksTexts::tr("Slit %1").arg(lengthText(length, unit, 1, 1, locale)),
+             pen.style().slit);
 }
 
 void paintEnd(MarkPen &pen, const sign::Stroke &stroke, LengthUnit unit, const QLocale &locale)

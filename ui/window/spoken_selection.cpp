@@ -12,7 +12,7 @@ namespace fff::ui {
 
 namespace {
 
-struct Texts
+struct SpokenSelectionTexts
 {
     Q_DECLARE_TR_FUNCTIONS(fff::ui::SpokenSelection)
 };
@@ -32,15 +32,17 @@ QString sectionText(const Model &model, const SectionRef &ref, const CheckList &
     if (!section)
         return {};
     QStringList words{QString::fromStdString(section->name),
-                      ref.drawn.isValid() ? Texts::tr("section") : Texts::tr("generated section"),
+                      ref.drawn.isValid() ? SpokenSelectionTexts::tr("section")
+                                          : SpokenSelectionTexts::tr("generated section"),
                       stockName(model.document.stockOf(*section))};
     if (section->parent && model.find(section->parent->section))
         //: %1 is the name of a section
-        words +=
-            Texts::tr("on %1").arg(QString::fromStdString(model.nameOf(section->parent->section)));
+        words += SpokenSelectionTexts::tr("on %1").arg(
+            QString::fromStdString(model.nameOf(section->parent->section)));
     if (section->isLocked)
-        words += Texts::tr("locked");
-    words += hasProblem(checks, ref) ? Texts::tr("has a problem") : Texts::tr("no problem");
+        words += SpokenSelectionTexts::tr("locked");
+    words += hasProblem(checks, ref) ? SpokenSelectionTexts::tr("has a problem")
+                                     : SpokenSelectionTexts::tr("no problem");
     return words.join(QStringLiteral(", "));
 }
 
@@ -51,14 +53,16 @@ QString spokenSelection(const Workbench &bench, const CheckList &checks)
     const Interaction &interaction = bench.interaction();
     const Model &model = bench.session().model();
     if (const std::optional<JointRef> &joint = interaction.selectedJoint())
-        return Texts::tr("Joint of %1 and %2")
+        return SpokenSelectionTexts::tr("Joint of %1 and %2")
             .arg(QString::fromStdString(model.nameOf(joint->a)),
                  QString::fromStdString(model.nameOf(joint->b)));
     if (const Operation *operation = model.document.find(interaction.selectedOperation()))
-        return Texts::tr("%1, operation").arg(QString::fromStdString(operation->name));
+        return SpokenSelectionTexts::tr("%1, operation")
+            .arg(QString::fromStdString(operation->name));
     const std::vector<SectionRef> &selected = interaction.selection();
     if (selected.size() > 1)
-        return Texts::tr("%n sections selected", nullptr, static_cast<int>(selected.size()));
+        return SpokenSelectionTexts::tr("%n sections selected", nullptr,
+                                        static_cast<int>(selected.size()));
     return selected.empty() ? QString() : sectionText(model, selected.front(), checks);
 }
 
