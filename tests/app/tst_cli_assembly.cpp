@@ -147,7 +147,7 @@ private Q_SLOTS:
     {
         QTest::addColumn<Document>("document");
         QTest::addColumn<int>("joining"); // steps
-        QTest::newRow("a comb") << comb(4) << 0;
+        QTest::newRow("a comb") << combModel(4) << 0;
         QTest::newRow("an egg crate") << eggCrate(3, 3) << 0;
         QTest::newRow("shelves in two frames") << furnished() << 1;
         Document twice = furnished();

@@ -52,7 +52,7 @@ private Q_SLOTS:
         const auto write = [this](const char *name, const Document &document) {
             QVERIFY(io::writeDocument(path(name), document));
         };
-        write("comb.fff", comb(4));
+        write("comb.fff", combModel(4));
         write("arm.fff", underAnArm(40));
         write("furnished.fff", furnished());
         write("locked.fff", triangle());

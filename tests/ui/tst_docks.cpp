@@ -38,9 +38,6 @@ using namespace fff;
 using namespace fff::test;
 using namespace fff::ui;
 
-Q_DECLARE_METATYPE(fff::Document)
-Q_DECLARE_METATYPE(std::function<double(const fff::Stock &)>)
-
 namespace {
 
 const char *const kDocks[] = {"outlineDock", "historyDock", "checksDock", "propertiesDock"};

@@ -11,8 +11,6 @@
 using namespace fff;
 using namespace fff::ui;
 
-Q_DECLARE_METATYPE(std::vector<fff::Region>)
-
 namespace {
 
 Polygon circle(const Vec2 &centre, double radius, int count, bool clockwise = false)

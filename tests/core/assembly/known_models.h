@@ -22,7 +22,7 @@ inline Document eggCrate(int across, int along)
 }
 
 /// A spine with ribs that hang on its upper edge.
-inline Document comb(int ribs)
+inline Document combModel(int ribs)
 {
     Document document = newDocument();
     document = withSection(std::move(document),

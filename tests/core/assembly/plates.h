@@ -21,6 +21,11 @@ inline Polygon rectangle(double x0, double y0, double x1, double y1)
     return {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}};
 }
 
+inline ShapePointer plateOf(double x0, double y0, double x1, double y1)
+{
+    return polygonShape(rectangle(x0, y0, x1, y1));
+}
+
 /// Standing in the plane z = `at`, seen from the front: x to the right, y up.
 inline Frame front(double at = 0.0)
 {
@@ -43,6 +48,20 @@ inline Document withSection(Document document, ShapePointer shape, const Frame &
     section.shape = std::move(shape);
     section.frame = frame;
     return *addSection(std::move(document), std::move(section));
+}
+
+/// One more plate, 100 x 80 about the middle of the plane z.
+inline Document withPlate(Document document, double z = 0.0)
+{
+    return withSection(std::move(document), plateOf(-50, -40, 50, 40), front(z));
+}
+
+/// All parts are cut from sheets of this size.
+inline Document onSheets(Document document, const Vec2 &size)
+{
+    Stock stock = *document.stocks.front();
+    stock.sheet = size;
+    return *setStock(std::move(document), stock);
 }
 
 inline Model twoSections(ShapePointer a, const Frame &frameA, ShapePointer b, const Frame &frameB)

@@ -13,8 +13,6 @@ using namespace fff;
 using namespace fff::test;
 
 using Spans = std::vector<std::pair<double, double>>;
-Q_DECLARE_METATYPE(fff::Region)
-Q_DECLARE_METATYPE(Spans)
 
 class TestIntervals : public QObject
 {

@@ -8,10 +8,6 @@
 using namespace fff;
 using namespace fff::test;
 
-Q_DECLARE_METATYPE(fff::Document)
-Q_DECLARE_METATYPE(fff::JointKind)
-Q_DECLARE_METATYPE(fff::JointObstacle)
-
 namespace {
 
 Document two(const Polygon &a, const Polygon &b, const std::vector<Polygon> &holesOfA = {})
@@ -259,7 +255,7 @@ void TestJointState::whatIsDormantStays()
 // Wrong: the panel shows another joint than is cut.
 void TestJointState::itIsAsTheAssemblyHasIt()
 {
-    for (const Document &document : {eggCrate(3, 3), comb(4), chain(6), triangle()}) {
+    for (const Document &document : {eggCrate(3, 3), combModel(4), chain(6), triangle()}) {
         const Model model = evaluate(document);
         const Assembly assembly = assemble(model);
         QVERIFY(!assembly.joints.empty());

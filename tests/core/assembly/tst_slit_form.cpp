@@ -11,9 +11,6 @@
 using namespace fff;
 using namespace fff::test;
 
-Q_DECLARE_METATYPE(fff::Stock)
-Q_DECLARE_METATYPE(fff::SlitBox)
-
 namespace {
 
 constexpr double kFine = 1e-4; // mm, chords of the curves that are looked at

@@ -4,6 +4,7 @@
 #include "core/analysis/assembly_plan.h"
 #include "core/assembly/found_joint.h"
 #include "core/assembly/joint_state.h"
+#include "tests/core/analysed.h"
 #include "tests/core/assembly/line_oracle.h"
 #include "tests/core/assembly/plan_replay.h"
 #include "tests/core/assembly/plates.h"
@@ -39,12 +40,6 @@ Document shelf(double from, const std::vector<Polygon> &holes = {})
         withSection(newDocument(), polygonShape(rectangle(-40, 0, 40, 100), holes), side());
     return wanting(withSection(wall, polygonShape(rectangle(from, -30, 60, 30)), lying(50)),
                    JointKind::Tabs);
-}
-
-Analysis analysed(const Document &document)
-{
-    AnalysisCaches caches;
-    return analyse(evaluate(document), caches);
 }
 
 int countOf(const std::vector<Slit> &slits, SlitRole role)

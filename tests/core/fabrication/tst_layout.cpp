@@ -42,7 +42,7 @@ Box2 placedBox(const Part &part, const Placement &placement)
 QString whatIsWrong(const Layout &layout, const std::vector<Part> &parts,
                     const LayoutOptions &options)
 {
-    constexpr double kRounding = 1e-6; // mm: regions are on the grid, outlines are not
+    constexpr double kGridRounding = 1e-6; // mm: regions are on the grid, outlines are not
     std::vector<int> seen(parts.size(), 0);
     for (const Sheet &sheet : layout.sheets) {
         std::vector<Box2> boxes;
@@ -52,12 +52,12 @@ QString whatIsWrong(const Layout &layout, const std::vector<Part> &parts,
             if (part.stock != sheet.stock)
                 return QStringLiteral("on a sheet of another stock");
             const Box2 box = placedBox(part, placement);
-            if (box.min.minCoeff() < options.margin - kRounding ||
-                (sheet.size - box.max).minCoeff() < options.margin - kRounding)
+            if (box.min.minCoeff() < options.margin - kGridRounding ||
+                (sheet.size - box.max).minCoeff() < options.margin - kGridRounding)
                 return QStringLiteral("part %1 in the margin").arg(part.number);
             for (const Box2 &other : boxes) {
                 const Vec2 gap = (box.min - other.max).cwiseMax(other.min - box.max);
-                if (gap.maxCoeff() < options.spacing - kRounding)
+                if (gap.maxCoeff() < options.spacing - kGridRounding)
                     return QStringLiteral("part %1 too near to another").arg(part.number);
             }
             boxes.push_back(box);

@@ -10,8 +10,6 @@
 using namespace fff;
 using namespace fff::test;
 
-Q_DECLARE_METATYPE(fff::Contour)
-
 namespace {
 
 constexpr double kOnCurve = 1e-9; // mm, what subtract promises

@@ -64,8 +64,6 @@ struct Cuts
 
 } // namespace
 
-Q_DECLARE_METATYPE(Cuts)
-
 class TestBooleanOracle : public QObject
 {
     Q_OBJECT

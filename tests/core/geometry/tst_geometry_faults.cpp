@@ -39,8 +39,6 @@ Contour touching()
 
 } // namespace
 
-Q_DECLARE_METATYPE(Call)
-
 class TestGeometryFaults : public QObject
 {
     Q_OBJECT

@@ -9,6 +9,7 @@
 #include "core/model/lettering.h"
 #include "core/model/marks.h"
 #include "core/operations/moving_model.h"
+#include "tests/core/analysed.h"
 #include "tests/core/interaction/desk.h"
 #include "tests/test_program.h"
 
@@ -31,12 +32,6 @@ struct MarkDesk : Desk
     }
     const Section &marked() const { return *sections().front(); }
 };
-
-Analysis analysed(const Model &model)
-{
-    AnalysisCaches caches;
-    return analyse(model, caches);
-}
 
 Box2 boxOf(const Mark &mark)
 {

@@ -130,7 +130,7 @@ private Q_SLOTS:
         Interaction interaction(host);
         host.attach(interaction);
         interaction.setViewport({800.0, 600.0});
-        session.reset(comb(2));
+        session.reset(combModel(2));
         Camera camera;
         orientationOfView("iso1", camera.orientation);
         interaction.setCamera(fitted(camera, session.committed().bounds(), {800.0, 600.0}));
@@ -175,9 +175,9 @@ private Q_SLOTS:
         SessionHost host(session);
         Interaction interaction(host);
         host.attach(interaction);
-        session.reset(comb(2));
+        session.reset(combModel(2));
         interaction.pickUp(std::make_unique<StepsTool>(std::make_shared<StepsPlayer>(3)), 0.0);
-        session.commit(QStringLiteral("Add"), comb(3));
+        session.commit(QStringLiteral("Add"), combModel(3));
         QVERIFY(!interaction.tool());
         QCOMPARE(interaction.hint().words.text, hints::kStepsClosed);
     }

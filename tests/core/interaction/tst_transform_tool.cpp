@@ -298,24 +298,23 @@ void TestTransformTool::controlLeavesACopy()
 // Wrong: nothing could be placed exactly.
 void TestTransformTool::numbersAreShownAndDone()
 {
-    using Kind = ToolNumber::Kind;
     CrossDesk desk;
     desk.hold(desk.body);
     const std::vector<ToolNumber> asked = desk.interaction.numbers();
-    QCOMPARE(asked.front().kind, Kind::MoveRight);
-    desk.interaction.setNumbers({{Kind::MoveUp, 12.5}}, desk.time += 8);
+    QCOMPARE(asked.front().kind, ToolNumber::Kind::MoveRight);
+    desk.interaction.setNumbers({{ToolNumber::Kind::MoveUp, 12.5}}, desk.time += 8);
     QCOMPARE(desk.hint(), hints::kTransformNumbers);
     QCOMPARE(desk.steps(), 0);
     QVERIFY((desk.shown(desk.body).frame.origin - Vec3(0, 112.5, 0)).norm() < kNear);
     desk.moveTo({600, 300}); // the mouse in the meantime changes nothing
     QVERIFY((desk.shown(desk.body).frame.origin - Vec3(0, 112.5, 0)).norm() < kNear);
-    desk.interaction.setNumbers({{Kind::Turn, radians(30)}}, desk.time += 8);
+    desk.interaction.setNumbers({{ToolNumber::Kind::Turn, radians(30)}}, desk.time += 8);
     QVERIFY(desk.interaction.key(ToolKey::Enter, desk.time += 8));
     QCOMPARE(desk.steps(), 1);
     QVERIFY((desk.section(desk.body).frame.origin - Vec3(0, 112.5, 0)).norm() < kNear);
     QVERIFY(std::abs(desk.section(desk.body).frame.x.y() - 0.5) < 1e-9);
     QVERIFY(!desk.interaction.wants(ToolKey::Enter));
-    desk.interaction.setNumbers({{Kind::Size, 2.0}}, desk.time += 8);
+    desk.interaction.setNumbers({{ToolNumber::Kind::Size, 2.0}}, desk.time += 8);
     desk.interaction.dropNumbers(desk.time += 8);
     QCOMPARE(desk.steps(), 1);
     QVERIFY(!desk.session.hasPreview());
@@ -324,10 +323,10 @@ void TestTransformTool::numbersAreShownAndDone()
 // Wrong: a row along a line would have to be dragged one by one.
 void TestTransformTool::typedCopiesGoOnAndOn()
 {
-    using Kind = ToolNumber::Kind;
     CrossDesk desk;
     desk.hold(desk.fin);
-    desk.interaction.setNumbers({{Kind::MoveOut, -20.0}, {Kind::Copies, 3.0}}, desk.time += 8);
+    desk.interaction.setNumbers(
+        {{ToolNumber::Kind::MoveOut, -20.0}, {ToolNumber::Kind::Copies, 3.0}}, desk.time += 8);
     QCOMPARE(desk.session.model().sectionCount(), std::size_t(5));
     QVERIFY(desk.interaction.key(ToolKey::Enter, desk.time += 8));
     QCOMPARE(desk.sections().size(), std::size_t(5));

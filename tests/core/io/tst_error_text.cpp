@@ -7,8 +7,6 @@
 
 using namespace fff;
 
-Q_DECLARE_METATYPE(fff::Error)
-
 class TestErrorText : public QObject
 {
     Q_OBJECT

@@ -44,8 +44,6 @@ private Q_SLOTS:
     void flippedBytesNeverCrash();
 };
 
-Q_DECLARE_METATYPE(fff::Document)
-
 namespace {
 
 std::string goldenPath()

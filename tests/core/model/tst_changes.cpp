@@ -30,8 +30,6 @@ using Edit = std::function<Document(const Document &)>;
 
 } // namespace
 
-Q_DECLARE_METATYPE(Edit)
-
 class TestChanges : public QObject
 {
     Q_OBJECT

@@ -43,7 +43,7 @@ std::vector<Case> cases()
         Verdict::Possible);
     add("a chain of two", chain(2), Verdict::Possible);
     add("a chain of nine", chain(9), Verdict::Possible);
-    add("a comb of seven", comb(7), Verdict::Possible);
+    add("a comb of seven", combModel(7), Verdict::Possible);
     for (const auto &[name, across, along] :
          {std::tuple("a crate of 2 by 2", 2, 2), std::tuple("a crate of 3 by 5", 3, 5),
           std::tuple("a crate of 8 by 8", 8, 8), std::tuple("a crate of 12 by 12", 12, 12)})
@@ -89,8 +89,6 @@ std::vector<Case> cases()
 }
 
 } // namespace
-
-Q_DECLARE_METATYPE(Case)
 
 class TestAssemblyPlan : public QObject
 {

@@ -71,7 +71,7 @@ private:
         QTest::newRow("one plate")
             << withSection(newDocument(), polygonShape(rectangle(0, 0, 40, 40)), front());
         QTest::newRow("a chain of nine") << chain(9);
-        QTest::newRow("a comb of seven") << comb(7);
+        QTest::newRow("a comb of seven") << combModel(7);
         QTest::newRow("a crate of 3 by 5") << eggCrate(3, 5);
         QTest::newRow("a star of eight") << star(8);
         QTest::newRow("out from under an arm") << underAnArm(40);
@@ -293,7 +293,7 @@ private Q_SLOTS:
         late.plan = {};
         QVERIFY(!assemblySteps(locked.analysis, late));
         QVERIFY(whyNoSteps(*locked.analysis, late).contains(QStringLiteral("not found")));
-        const Planned possible = planned(comb(2));
+        const Planned possible = planned(combModel(2));
         QVERIFY(whyNoSteps(*possible.analysis, possible.plan).isEmpty());
     }
 };

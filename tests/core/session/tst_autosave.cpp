@@ -8,6 +8,7 @@
 #include "core/io/fff_format.h"
 #include "core/model/edits.h"
 #include "core/session/autosave.h"
+#include "tests/core/assembly/plates.h"
 #include "tests/test_program.h"
 
 #include <QDir>
@@ -17,17 +18,9 @@
 #include <QUndoStack>
 
 using namespace fff;
+using namespace fff::test;
 
 namespace {
-
-Document withSection(Document document, double z = 0.0)
-{
-    NewSection section;
-    section.shape =
-        *Shape::make(*Contour::fromPolygon({{-50, -40}, {50, -40}, {50, 40}, {-50, 40}}));
-    section.frame.origin.z() = z;
-    return *addSection(std::move(document), std::move(section));
-}
 
 /// A session with its autosave, on a clock that goes only when it is told to.
 struct Program
@@ -47,10 +40,7 @@ struct Program
     }
 
     const Document &document() const { return session.committed().document; }
-    void draw(double z = 0.0)
-    {
-        session.commit(QStringLiteral("Draw"), withSection(document(), z));
-    }
+    void draw(double z = 0.0) { session.commit(QStringLiteral("Draw"), withPlate(document(), z)); }
     void pass(int milliseconds)
     {
         elapsed += milliseconds;

@@ -8,6 +8,7 @@
 #include "core/session/message_text.h"
 #include "core/session/session.h"
 #include "core/session/session_host.h"
+#include "tests/core/analysed.h"
 #include "tests/core/assembly/known_models.h"
 #include "tests/core/session/all_findings.h"
 #include "tests/test_program.h"
@@ -17,17 +18,7 @@
 using namespace fff;
 using namespace fff::test;
 
-Q_DECLARE_METATYPE(fff::Document)
-Q_DECLARE_METATYPE(const fff::ActionKind *)
-Q_DECLARE_METATYPE(const fff::FindingKind *)
-
 namespace {
-
-Analysis analysed(const Document &document)
-{
-    AnalysisCaches caches;
-    return analyse(evaluate(document), caches);
-}
 
 struct Checked
 {
@@ -90,24 +81,12 @@ Document without(Document document, std::size_t other = 1)
     return *setJointOverride(std::move(document), none);
 }
 
-ShapePointer plate(double x0, double y0, double x1, double y1)
-{
-    return polygonShape(rectangle(x0, y0, x1, y1));
-}
-
 /// Two crossed plates, 100 x 60, and one beside them.
 Document with(ShapePointer shape, const Frame &frame)
 {
-    return withSection(withSection(withSection(newDocument(), plate(-50, 0, 50, 60), front()),
-                                   plate(-50, 0, 50, 60), side()),
+    return withSection(withSection(withSection(newDocument(), plateOf(-50, 0, 50, 60), front()),
+                                   plateOf(-50, 0, 50, 60), side()),
                        std::move(shape), frame);
-}
-
-Document onSheets(Document document, const Vec2 &size)
-{
-    Stock stock = *document.stocks.front();
-    stock.sheet = size;
-    return *setStock(std::move(document), stock);
 }
 
 } // namespace
@@ -136,14 +115,14 @@ void TestCheckActions::editsMend_data()
     QTest::addColumn<const ActionKind *>("kind");
     QTest::addColumn<const FindingKind *>("finding");
     QTest::newRow("a loose plate is moved to the others")
-        << with(plate(-20, 0, 20, 40), side(120)) << &kMoveToOther << &kNotConnected;
+        << with(plateOf(-20, 0, 20, 40), side(120)) << &kMoveToOther << &kNotConnected;
     QTest::newRow("a shelf that ends on a wall gets tabs")
-        << withSection(withSection(newDocument(), plate(-40, 0, 40, 100), side()),
-                       plate(1.5, -30, 60, 30), lyingAt(50))
+        << withSection(withSection(newDocument(), plateOf(-40, 0, 40, 100), side()),
+                       plateOf(1.5, -30, 60, 30), lyingAt(50))
         << &kJoinWithTabs << &kNotConnected;
     QTest::newRow("a shelf that ends in a wall gets tabs")
-        << withSection(withSection(newDocument(), plate(-40, 0, 40, 100), side()),
-                       plate(0.5, -30, 60, 30), lyingAt(50))
+        << withSection(withSection(newDocument(), plateOf(-40, 0, 40, 100), side()),
+                       plateOf(0.5, -30, 60, 30), lyingAt(50))
         << &kJoinWithTabs << &kInterference;
     QTest::newRow("what was not to be joined is joined again, so that it holds")
         << without(eggCrate(1, 1)) << &kJoinAgain << &kNotConnected;
@@ -151,15 +130,15 @@ void TestCheckActions::editsMend_data()
         << without(eggCrate(2, 2), 2) << &kJoinAgain << &kNoSlit;
     QTest::newRow("what no slit holds is trimmed") << without(eggCrate(1, 1)) << &kTrim << &kNoSlit;
     QTest::newRow("a loose plate is deleted")
-        << with(plate(-20, 0, 20, 40), front(90)) << &kDeleteSections << &kNotConnected;
+        << with(plateOf(-20, 0, 20, 40), front(90)) << &kDeleteSections << &kNotConnected;
     QTest::newRow("slits are turned round")
         << roundabout(eggCrate(2, 2), 0) << &kMakeAssemblable << &kCannotAssemble;
     QTest::newRow("what hangs is dropped")
         << moveAll(eggCrate(2, 2), {0, 12, 0}) << &kDropToGround << &kNoContact;
     QTest::newRow("feet that end too high are stretched")
-        << withSection(withSection(withSection(newDocument(), plate(-100, 40, 100, 80), front()),
-                                   plate(-30, 0, 30, 60), side(60)),
-                       plate(-30, 6, 30, 60), side(-60))
+        << withSection(withSection(withSection(newDocument(), plateOf(-100, 40, 100, 80), front()),
+                                   plateOf(-30, 0, 30, 60), side(60)),
+                       plateOf(-30, 6, 30, 60), side(-60))
         << &kStretchToGround << &kTopples;
     QTest::newRow("what is sunk is lifted")
         << moveAll(eggCrate(2, 2), {0, -12, 0}) << &kDropToGround << &kBelowGround;
@@ -211,7 +190,7 @@ void TestCheckActions::whatWasWantedOfAJointComesBack()
     QCOMPARE(messageText(edit->step.words), QStringLiteral("Join Section 1 and Section 2"));
 
     // A third one, that neither of them meets, and that was not to be joined either.
-    Document third = withSection(loose, plate(-10, 0, 10, 40), front(200));
+    Document third = withSection(loose, plateOf(-10, 0, 10, 40), front(200));
     JointOverride gone;
     gone.a = a;
     gone.b = third.sections[2]->id;
@@ -231,7 +210,7 @@ void TestCheckActions::whatWasWantedOfAJointComesBack()
     QVERIFY(offered >= 2); // of what is loose, and of what collides
 
     // Two that are in each other beside their joint have nothing to do with it.
-    const Document tabless = withSection(loose, plate(1.0, -30, 60, 30), lyingAt(60));
+    const Document tabless = withSection(loose, plateOf(1.0, -30, 60, 30), lyingAt(60));
     const Checked deep = checked(tabless);
     for (const Finding &finding : deep.checks)
         if (finding.is(kInterference))
@@ -257,7 +236,7 @@ void TestCheckActions::whatOnlyShowsIsOffered()
     stock.slitEnd = SlitEnd::Round;
     QVERIFY(offers(*setStock(milled, stock), &kWidenSlits));
     QVERIFY(offers(eggCrate(2, 2), &kShowSteps));
-    QVERIFY(!offers(withSection(newDocument(), plate(0, 0, 50, 50), front()), &kShowSteps));
+    QVERIFY(!offers(withSection(newDocument(), plateOf(0, 0, 50, 50), front()), &kShowSteps));
     QVERIFY(offers(onSheets(eggCrate(2, 2), {50, 50}), &kChooseSheet));
     QVERIFY(!offers(eggCrate(2, 2), &kChooseSheet));
 }
@@ -271,13 +250,13 @@ void TestCheckActions::looseSectionsAreJoined_data()
     };
     // To where the faces touch, and on through the half of the other one and a web, or by an
     // overlap; and what the search is off by.
-    add("its edge goes into the face of the other one", plate(70, 10, 110, 40), front(20),
+    add("its edge goes into the face of the other one", plateOf(70, 10, 110, 40), front(20),
         68.5 + 9.0);
-    add("it goes down onto the edge of the other one", plate(-20, 90, 20, 120), side(30),
+    add("it goes down onto the edge of the other one", plateOf(-20, 90, 20, 120), side(30),
         30.0 + 9.0);
-    add("it hangs beside the other one", plate(-20, 20, 20, 50), side(80), 28.5 + 9.0);
-    add("it stands oblique", plate(60, 0, 110, 40), turned(radians(-30.0)), 52.0 + 12.0);
-    add("it touches already", plate(1.5, 0, 40, 40), front(20), 9.0);
+    add("it hangs beside the other one", plateOf(-20, 20, 20, 50), side(80), 28.5 + 9.0);
+    add("it stands oblique", plateOf(60, 0, 110, 40), turned(radians(-30.0)), 52.0 + 12.0);
+    add("it touches already", plateOf(1.5, 0, 40, 40), front(20), 9.0);
 }
 
 // Wrong: a section that is moved beside the other one, or right through it.
@@ -305,14 +284,14 @@ void TestCheckActions::looseSectionsAreJoined()
 void TestCheckActions::whatCannotBeJoinedIsNotMoved_data()
 {
     QTest::addColumn<Document>("document");
-    const Document one = withSection(newDocument(), plate(-50, 0, 50, 60), front());
+    const Document one = withSection(newDocument(), plateOf(-50, 0, 50, 60), front());
     QTest::newRow("it is parallel to the other one")
-        << withSection(one, plate(-20, 0, 20, 40), front(40));
+        << withSection(one, plateOf(-20, 0, 20, 40), front(40));
     QTest::newRow("it lies in the other one's plane")
-        << withSection(one, plate(80, 0, 120, 40), front());
+        << withSection(one, plateOf(80, 0, 120, 40), front());
     QTest::newRow("it is nearly parallel")
-        << withSection(one, plate(60, 0, 90, 40), turned(radians(5.0)));
-    QTest::newRow("it is a speck") << withSection(one, plate(-1, 20, 1, 22), side(80));
+        << withSection(one, plateOf(60, 0, 90, 40), turned(radians(5.0)));
+    QTest::newRow("it is a speck") << withSection(one, plateOf(-1, 20, 1, 22), side(80));
     QTest::newRow("there is no other one") << one;
 }
 
@@ -331,7 +310,7 @@ void TestCheckActions::whatWasDrawnOnItComesAlong()
 {
     // A loose tail with a fin in it, a plate drawn on it that nothing holds any more, and one of
     // the crossed plates drawn on it, too.
-    Document document = with(plate(80, 0, 140, 40), front(20));
+    Document document = with(plateOf(80, 0, 140, 40), front(20));
     const SectionId tail = document.sections[2]->id;
     const auto drawnOnTail = [&](ShapePointer shape, const Frame &frame) {
         NewSection section;
@@ -340,9 +319,9 @@ void TestCheckActions::whatWasDrawnOnItComesAlong()
         section.parent = Parent{tail, {0, 0}, {0, 20}};
         document = *addSection(std::move(document), std::move(section));
     };
-    drawnOnTail(plate(-40, 10, -8, 50), side(110));
-    drawnOnTail(plate(-10, 0, 10, 20), side(400));
-    drawnOnTail(plate(-20, 0, 20, 50), front(-30)); // held by the side plate
+    drawnOnTail(plateOf(-40, 10, -8, 50), side(110));
+    drawnOnTail(plateOf(-10, 0, 10, 20), side(400));
+    drawnOnTail(plateOf(-20, 0, 20, 50), front(-30)); // held by the side plate
     const Checked before = checked(document);
     const Finding *loose = nullptr;
     for (const Finding &finding : before.checks)
@@ -375,7 +354,7 @@ void TestCheckActions::anyLooseSectionIsJoinedWell()
     for (int i = 0; i < 60; ++i) {
         Frame frame = turned(turn(random));
         frame.origin = {place(random), std::abs(place(random)), place(random)};
-        const Document document = with(plate(0, 0, size(random), size(random)), frame);
+        const Document document = with(plateOf(0, 0, size(random), size(random)), frame);
         const Checked before = checked(document);
         if (count(before, kNotConnected) == 0)
             continue;
@@ -395,7 +374,7 @@ void TestCheckActions::anyLooseSectionIsJoinedWell()
 // Wrong: what a row of an older model offers is done to sections that are not there any more.
 void TestCheckActions::aLaterModelIsAskedAnew()
 {
-    const Document document = with(plate(-20, 0, 20, 40), side(120));
+    const Document document = with(plateOf(-20, 0, 20, 40), side(120));
     const Checked all = checked(document);
     const auto loose =
         std::find_if(all.checks.begin(), all.checks.end(),

@@ -6,6 +6,7 @@
 #include "core/io/document_file.h"
 #include "core/operations/evaluate.h"
 #include "core/session/finding_text.h"
+#include "tests/core/analysed.h"
 #include "tests/core/assembly/plates.h"
 #include "tests/core/session/all_findings.h"
 #include "tests/test_program.h"
@@ -23,12 +24,6 @@ using namespace fff::test;
 
 namespace {
 
-Analysis analysed(const Document &document)
-{
-    AnalysisCaches caches;
-    return analyse(evaluate(document), caches);
-}
-
 Document named(Document document, const char *name)
 {
     Section section = *document.sections.back();
@@ -44,13 +39,6 @@ Document cross()
     return named(
         withSection(named(withSection(newDocument(), plate, front()), "Body"), plate, side()),
         "Rib");
-}
-
-Document onSheets(Document document, const Vec2 &size)
-{
-    Stock stock = *document.stocks.front();
-    stock.sheet = size;
-    return *setStock(std::move(document), stock);
 }
 
 /// The first of the kind, of this model.

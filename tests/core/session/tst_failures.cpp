@@ -29,7 +29,7 @@ Document crossed()
     return document;
 }
 
-AnalysisPointer analysed(const Model &model)
+AnalysisPointer wholeOf(const Model &model)
 {
     AnalysisCaches caches;
     return analyseNext(model, caches);
@@ -40,7 +40,7 @@ AnalysisPointer faulty(const Document &document, FaultPoint point)
 {
     const Model model = evaluate(document);
     const FaultWatch watch(point, 0);
-    AnalysisPointer analysis = analysed(model);
+    AnalysisPointer analysis = wholeOf(model);
     prepareDrawing(*analysis);
     return analysis;
 }
@@ -74,7 +74,7 @@ private Q_SLOTS:
 void TestFailures::whatCannotBeCutStaysWhole()
 {
     const Document document = crossed();
-    const AnalysisPointer whole = analysed(evaluate(document));
+    const AnalysisPointer whole = wholeOf(evaluate(document));
     const AnalysisPointer analysis = faulty(document, FaultPoint::Boolean);
     QCOMPARE(uncutSections(whole->bodies), std::vector<int>());
     const std::size_t failed = failedIn(*analysis);
@@ -129,7 +129,7 @@ void TestFailures::checksNameTheSection()
     const QString name = QString::fromStdString(analysis->model.section(failed)->name);
     QCOMPARE(finding->sections, std::vector<SectionRef>{analysis->model.ref(failed)});
     QVERIFY(findingText(*finding, analysis->model).contains(name));
-    QVERIFY(!find(checks(*analysed(evaluate(crossed()))), kNotCutOut));
+    QVERIFY(!find(checks(*wholeOf(evaluate(crossed()))), kNotCutOut));
 }
 
 void TestFailures::thePlanIsUnknown_data()
@@ -183,7 +183,7 @@ void TestFailures::aFailedOperationIsSaid()
             model = evaluate(document);
         }
         QCOMPARE(failedOperations(model).size(), std::size_t(1));
-        const AnalysisPointer analysis = analysed(model);
+        const AnalysisPointer analysis = wholeOf(model);
         const Result<io::CuttingFile> svg = io::makeCuttingFile(*analysis);
         QVERIFY(!svg);
         QCOMPARE(svg.error().code, ErrorCode::OperationFailed);

@@ -1,6 +1,7 @@
 #include <QTest> // first: moc cannot read some of the standard library before it
 
 #include "core/analysis/flips.h"
+#include "tests/core/analysed.h"
 #include "tests/core/assembly/known_models.h"
 #include "tests/test_program.h"
 
@@ -10,12 +11,6 @@ using namespace fff::test;
 namespace {
 
 using Verdict = AssemblyPlan::Verdict;
-
-Analysis analysed(const Document &document)
-{
-    AnalysisCaches caches;
-    return analyse(evaluate(document), caches);
-}
 
 std::optional<Flips> flipsOf(const Document &document)
 {

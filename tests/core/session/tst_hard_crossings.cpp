@@ -48,8 +48,6 @@ struct Pair
 
 } // namespace
 
-Q_DECLARE_METATYPE(Pair)
-
 class TestHardCrossings : public QObject
 {
     Q_OBJECT

@@ -37,8 +37,6 @@ std::size_t lengthOfSteps(const AssemblyPlan &plan)
 
 } // namespace
 
-Q_DECLARE_METATYPE(Document)
-
 class TestPlanGrowth : public QObject
 {
     Q_OBJECT

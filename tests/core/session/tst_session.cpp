@@ -4,6 +4,7 @@
 #include "core/session/latest_job.h"
 #include "core/session/session.h"
 #include "core/session/session_host.h"
+#include "tests/core/assembly/plates.h"
 #include "tests/test_program.h"
 
 #include <QSignalSpy>
@@ -12,17 +13,9 @@
 #include <stdexcept>
 
 using namespace fff;
+using namespace fff::test;
 
 namespace {
-
-Document withSection(Document document, double z = 0.0)
-{
-    NewSection section;
-    section.shape =
-        *Shape::make(*Contour::fromPolygon({{-50, -40}, {50, -40}, {50, 40}, {-50, 40}}));
-    section.frame.origin.z() = z;
-    return *addSection(std::move(document), std::move(section));
-}
 
 /// Every change that a session announces.
 struct Changes
@@ -41,7 +34,7 @@ struct Changes
 void draw(Session &session, int count)
 {
     for (int i = 0; i < count; ++i)
-        session.commit(QStringLiteral("Draw"), withSection(session.committed().document, i));
+        session.commit(QStringLiteral("Draw"), withPlate(session.committed().document, i));
 }
 
 } // namespace
@@ -116,7 +109,7 @@ void TestSession::previewLeavesNoTrace()
     draw(session, 1);
     const Model *committed = &session.committed();
     Changes changes(session);
-    session.preview(withSection(committed->document));
+    session.preview(withPlate(committed->document));
     QVERIFY(session.hasPreview());
     QCOMPARE(session.model().sectionCount(), std::size_t(2));
     QCOMPARE(&session.committed(), committed);
@@ -133,7 +126,7 @@ void TestSession::previewEndsWithUndo()
 {
     Session session;
     draw(session, 1);
-    session.preview(withSection(session.committed().document));
+    session.preview(withPlate(session.committed().document));
     const Model *preview = &session.model();
     Changes changes(session);
     session.history()->undo();
@@ -147,7 +140,7 @@ void TestSession::previewEndsWithUndo()
 void TestSession::commitOfThePreviewIsQuiet()
 {
     Session session;
-    const Document next = withSection(session.committed().document);
+    const Document next = withPlate(session.committed().document);
     session.preview(next);
     const Model *preview = &session.model();
     Changes changes(session);
@@ -167,7 +160,7 @@ void TestSession::resetStartsAnew()
     draw(session, 3);
     session.history()->undo();
     Changes changes(session);
-    session.reset(withSection(newDocument()));
+    session.reset(withPlate(newDocument()));
     QCOMPARE(changes.pairs.size(), std::size_t(1));
     QCOMPARE(session.history()->count(), 0);
     QVERIFY(session.isClean());
@@ -235,7 +228,7 @@ void TestSession::savedIsWhatWasWritten()
         QCOMPARE(session.isClean(), step == cleanStep);
     }
     history.setIndex(1);
-    session.commit(QStringLiteral("Draw"), withSection(session.committed().document, 9.0));
+    session.commit(QStringLiteral("Draw"), withPlate(session.committed().document, 9.0));
     session.setSaved(document);
     const bool isThere = cleanStep <= 1; // the steps above were given up for the new one
     for (int step = 0; step <= 2; ++step) {
@@ -286,7 +279,7 @@ void TestSession::revisionCountsEveryChange()
     Session session;
     const std::uint64_t start = session.revision();
     draw(session, 1);
-    session.preview(withSection(session.committed().document));
+    session.preview(withPlate(session.committed().document));
     session.cancelPreview();
     session.history()->undo();
     QCOMPARE(session.revision(), start + 4);

@@ -12,6 +12,7 @@
 #include "core/fabrication/marks.h"
 #include "core/io/cutting_file.h"
 #include "core/session/finding_text.h"
+#include "tests/core/analysed.h"
 #include "tests/core/assembly/known_models.h"
 #include "tests/core/session/all_findings.h"
 #include "tests/test_program.h"
@@ -34,12 +35,6 @@ Document like(Document document, const Stock &options)
     return *setStock(std::move(document), stock);
 }
 
-Analysis analysed(Document document)
-{
-    AnalysisCaches caches;
-    return analyse(evaluate(std::move(document)), caches);
-}
-
 std::vector<Document> models()
 {
     const ShapePointer plate = polygonShape(rectangle(-30, 0, 30, 40));
@@ -47,7 +42,7 @@ std::vector<Document> models()
     const ShapePointer slot = polygonShape(rectangle(-60, -60, 60, 60));
     return {
         eggCrate(3, 3),
-        comb(4),
+        combModel(4),
         star(8),
         chain(5),
         withSection(withSection(newDocument(), plate, front()), plate, turned(radians(40.0))),

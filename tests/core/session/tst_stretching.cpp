@@ -6,6 +6,7 @@
 #include "core/base/tolerances.h"
 #include "core/geometry/halfplane_clip.h"
 #include "core/model/edits.h"
+#include "tests/core/analysed.h"
 #include "tests/core/assembly/plates.h"
 #include "tests/core/shapes.h"
 #include "tests/test_program.h"
@@ -16,23 +17,9 @@
 using namespace fff;
 using namespace fff::test;
 
-Q_DECLARE_METATYPE(fff::ShapePointer)
-Q_DECLARE_METATYPE(fff::Document)
-
 namespace {
 
 constexpr double kThickness = 3.0;
-
-Analysis analysed(const Document &document)
-{
-    AnalysisCaches caches;
-    return analyse(evaluate(document), caches);
-}
-
-ShapePointer plate(double x0, double y0, double x1, double y1)
-{
-    return polygonShape(rectangle(x0, y0, x1, y1));
-}
 
 /// Upright, across the side plane's axis, leaning to the right by so much.
 Frame leaning(double angle)
@@ -41,9 +28,9 @@ Frame leaning(double angle)
 }
 
 /// A body 200 long, 40 to 80 above the ground, on hind legs at x = 60.
-Document onHindLegs(ShapePointer hindLegs = plate(-30, 0, 30, 60))
+Document onHindLegs(ShapePointer hindLegs = plateOf(-30, 0, 30, 60))
 {
-    return withSection(withSection(newDocument(), plate(-100, 40, 100, 80), front()),
+    return withSection(withSection(newDocument(), plateOf(-100, 40, 100, 80), front()),
                        std::move(hindLegs), side(60));
 }
 
@@ -99,8 +86,8 @@ void TestStretching::onlyWhatIsFreeGetsLonger_data()
     QTest::addColumn<double>("angle");
     const ShapePointer fork = polygonShape(
         {{-20, 5}, {-10, 5}, {-10, 40}, {10, 40}, {10, 12}, {20, 12}, {20, 90}, {-20, 90}});
-    QTest::newRow("plate") << plate(-20, 5, 20, 90) << 0.0;
-    QTest::newRow("leaning plate") << plate(-20, 9, 20, 90) << 0.7;
+    QTest::newRow("plate") << plateOf(-20, 5, 20, 90) << 0.0;
+    QTest::newRow("leaning plate") << plateOf(-20, 9, 20, 90) << 0.7;
     QTest::newRow("two prongs, of which one is higher") << fork << 0.0;
     QTest::newRow("two prongs that lean") << fork << -0.5;
     QTest::newRow("disc with a hole in the middle")
@@ -151,7 +138,7 @@ void TestStretching::onlyWhatIsFreeGetsLonger()
 // Wrong: slits are not where their mates are any more.
 void TestStretching::whatIsHeldStays()
 {
-    const Document document = withSection(onHindLegs(), plate(-30, 6, 30, 60), side(-60));
+    const Document document = withSection(onHindLegs(), plateOf(-30, 6, 30, 60), side(-60));
     const Analysis before = analysed(document);
     const std::vector<HighFoot> feet = feetToStretch(before, allOf(before));
     QCOMPARE(feet.size(), std::size_t(1));
@@ -171,7 +158,7 @@ void TestStretching::onTheGroundNothingIsStretched()
 {
     const auto at = [](double height) {
         const Document document =
-            withSection(newDocument(), plate(-20, height, 20, height + 60), front());
+            withSection(newDocument(), plateOf(-20, height, 20, height + 60), front());
         return stretchedToGround(analysed(document), 0).has_value();
     };
     QVERIFY(!at(-1.0));
@@ -186,17 +173,17 @@ void TestStretching::notEverythingIsStretched_data()
 {
     QTest::addColumn<Document>("document");
     QTest::newRow("on the ground, both of them")
-        << withSection(onHindLegs(), plate(-30, 0.01, 30, 60), side(60 - kThickness));
+        << withSection(onHindLegs(), plateOf(-30, 0.01, 30, 60), side(60 - kThickness));
     QTest::newRow("more than twice as long")
-        << withSection(onHindLegs(), plate(-30, 25, 30, 60), side(-60));
+        << withSection(onHindLegs(), plateOf(-30, 25, 30, 60), side(-60));
     QTest::newRow("held at its end: its slit opens downwards")
-        << withSection(onHindLegs(), plate(-30, 50, 30, 110), side(-60));
+        << withSection(onHindLegs(), plateOf(-30, 50, 30, 110), side(-60));
     QTest::newRow("something is in the way")
-        << withSection(withSection(onHindLegs(), plate(-30, 6, 30, 60), side(-60)),
-                       plate(-90, -40, -30, 40), {{0, 3, 0}, Vec3::UnitX(), -Vec3::UnitZ()});
+        << withSection(withSection(onHindLegs(), plateOf(-30, 6, 30, 60), side(-60)),
+                       plateOf(-90, -40, -30, 40), {{0, 3, 0}, Vec3::UnitX(), -Vec3::UnitZ()});
     QTest::newRow("it would fall all the same")
-        << withSection(onHindLegs(), plate(-30, 6, 30, 60), side(70));
-    QTest::newRow("level") << withSection(onHindLegs(), plate(-80, -30, 0, 30),
+        << withSection(onHindLegs(), plateOf(-30, 6, 30, 60), side(70));
+    QTest::newRow("level") << withSection(onHindLegs(), plateOf(-80, -30, 0, 30),
                                           {{0, 60, 0}, Vec3::UnitX(), -Vec3::UnitZ()});
 }
 
@@ -214,7 +201,7 @@ void TestStretching::asFewAsItTakes_data()
     QTest::addColumn<Document>("document");
     QTest::addColumn<QList<int>>("expected");
     const auto leg = [](double height, double from, double to) {
-        return plate(from, height, to, 60);
+        return plateOf(from, height, to, 60);
     };
     const Document hind = onHindLegs();
     QTest::newRow("the lower one of two")
@@ -225,11 +212,11 @@ void TestStretching::asFewAsItTakes_data()
         << QList<int>{2};
     // A body on one foot far to its right and back, with a bar across for legs at its two ends.
     const Document one =
-        withSection(withSection(withSection(newDocument(), plate(-100, 40, 100, 80), front()),
-                                plate(-60, 40, 60, 60), side(-80)),
-                    plate(-2, 0, 2, 60), side(90));
-    Document two = withSection(one, plate(-90, 5, -60, 60), front(50));
-    two = withSection(two, plate(-90, 9, -60, 60), front(-50));
+        withSection(withSection(withSection(newDocument(), plateOf(-100, 40, 100, 80), front()),
+                                plateOf(-60, 40, 60, 60), side(-80)),
+                    plateOf(-2, 0, 2, 60), side(90));
+    Document two = withSection(one, plateOf(-90, 5, -60, 60), front(50));
+    two = withSection(two, plateOf(-90, 9, -60, 60), front(-50));
     QTest::newRow("two that are needed together") << two << QList<int>{3, 4};
     QTest::newRow("three, of which one is needless")
         << withSection(two, leg(2, -30, 30), side(70)) << QList<int>{3, 4};

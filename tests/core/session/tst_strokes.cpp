@@ -164,8 +164,6 @@ struct Wanted
 
 } // namespace
 
-Q_DECLARE_METATYPE(Wanted)
-
 class TestStrokes : public QObject
 {
     Q_OBJECT

@@ -120,8 +120,6 @@ bool isSame(const CubicBezier &a, const CubicBezier &b)
 
 } // namespace
 
-Q_DECLARE_METATYPE(Line)
-
 class TestLongStrokes : public QObject
 {
     Q_OBJECT

@@ -61,8 +61,6 @@ StrokeContour ourContour(const CorpusStroke &stroke)
 
 } // namespace
 
-Q_DECLARE_METATYPE(const fff::test::CorpusStroke *)
-
 class TestStrokeCorpus : public QObject
 {
     Q_OBJECT

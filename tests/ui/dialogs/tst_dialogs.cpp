@@ -35,8 +35,6 @@
 using namespace fff;
 using namespace fff::ui;
 
-Q_DECLARE_METATYPE(std::function<int()>)
-
 class TestDialogs : public QObject
 {
     Q_OBJECT

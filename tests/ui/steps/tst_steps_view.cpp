@@ -31,8 +31,6 @@ using namespace fff;
 using namespace fff::test;
 using namespace fff::ui;
 
-Q_DECLARE_METATYPE(std::function<void()>)
-
 class TestStepsView : public QObject, private ViewHand
 {
     Q_OBJECT
@@ -95,7 +93,7 @@ void TestStepsView::init()
 {
     openWindow();
     settings().setMotion(Motion::Reduced); // whole steps, at once
-    open(comb(3));
+    open(combModel(3));
 }
 
 void TestStepsView::open(const Document &document)
@@ -115,7 +113,7 @@ void TestStepsView::finishPlan()
 
 void TestStepsView::waitForSteps()
 {
-    session().commit(QStringLiteral("Add"), comb(5));
+    session().commit(QStringLiteral("Add"), combModel(5));
     actionOf(*m_window, "check.showAssembly")->trigger(); // before an event brings the plan
     QVERIFY(steps().isWaiting() && !steps().isOpen());
     QVERIFY(actionOf(*m_window, "check.showAssembly")->isChecked());
@@ -348,7 +346,7 @@ void TestStepsView::theViewIsTurnedAndNothingElse()
 void TestStepsView::anEditLeavesThem()
 {
     showSteps();
-    session().commit(QStringLiteral("Add"), comb(4));
+    session().commit(QStringLiteral("Add"), combModel(4));
     QVERIFY(!steps().isOpen() && !m_view->steps());
     QCOMPARE(status(),
              QStringLiteral("The model has changed, so the view of its steps was closed."));
@@ -413,7 +411,7 @@ void TestStepsView::whoGoesOnIsNotDisturbed_data()
         },
         notShown);
     row(
-        "an edit", [this] { session().commit(QStringLiteral("Add"), comb(6)); },
+        "an edit", [this] { session().commit(QStringLiteral("Add"), combModel(6)); },
         "The model has changed, so its steps are not shown.");
     row(
         "undo", [this] { session().history()->undo(); }, "The model has changed");

@@ -1,5 +1,6 @@
 #include <QTest> // first: moc cannot read some of the standard library before it
 
+#include "tests/core/analysed.h"
 #include "tests/core/session/random_edits.h"
 #include "tests/test_program.h"
 #include "ui/view/scene.h"
@@ -10,12 +11,6 @@ using namespace fff::test;
 using namespace fff::ui;
 
 namespace {
-
-Analysis analysed(const Model &model)
-{
-    AnalysisCaches caches;
-    return analyse(model, caches);
-}
 
 SlabMesh meshOf(const Analysis &analysis, std::size_t i, const std::vector<SlitCover> &covers)
 {
