@@ -12,6 +12,7 @@ add_executable(flatfitfab-bench
     ${CMAKE_CURRENT_LIST_DIR}/report.cpp
     ${CMAKE_CURRENT_LIST_DIR}/stroke_event.cpp)
 target_link_libraries(flatfitfab-bench PRIVATE fff::session)
+target_precompile_headers(flatfitfab-bench REUSE_FROM fff_session)
 if(TARGET fff::view) # its arrays need no display
     target_link_libraries(flatfitfab-bench PRIVATE fff::view)
     target_compile_definitions(flatfitfab-bench PRIVATE FFF_BENCH_VIEW)

@@ -9,7 +9,8 @@ fff_tests(tests_view LIBRARIES fff::view
         ui/view/tst_steps_paper
     ON_A_DISPLAY # pictures need its OpenGL
         ui/tst_offscreen_image
-        ui/view/tst_renderer)
+        ui/view/tst_renderer
+    ALONE ui/view/tst_renderer)
 
 fff_tests(tests_ui LIBRARIES fff::ui TESTS
     ui/actions/tst_action_finder
@@ -31,7 +32,8 @@ fff_tests(tests_ui LIBRARIES fff::ui TESTS
     ui/tst_measures
     ui/tst_names_in_german
     ui/tst_theme
-    ui/tst_translations)
+    ui/tst_translations
+    ALONE ui/tst_translations)
 target_compile_definitions(tests_ui PRIVATE FFF_SOURCES="${PROJECT_SOURCE_DIR}"
     FFF_LUPDATE="$<TARGET_FILE:Qt6::lupdate>")
 if(FFF_SANITIZE) # dialogs load what draws, as on a display

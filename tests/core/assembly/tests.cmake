@@ -15,4 +15,9 @@ fff_tests(tests_assembly LIBRARIES fff::session Polyclipping::Polyclipping TESTS
     core/assembly/tst_stability
     core/assembly/tst_tabs
     core/assembly/tst_trim
-    core/assembly/tst_webs)
+    core/assembly/tst_webs
+    ALONE
+        core/assembly/tst_joint_state
+        core/assembly/tst_tabs
+        core/assembly/tst_trim
+        core/assembly/tst_webs)

@@ -17,4 +17,10 @@ fff_tests(tests_interaction LIBRARIES fff::session TESTS
     core/interaction/tst_steps_player
     core/interaction/tst_transform_tool
     core/interaction/tst_view_cube
-    core/interaction/tst_view_history)
+    core/interaction/tst_view_history
+    ALONE
+        core/interaction/tst_interaction
+        core/interaction/tst_joint_gesture
+        core/interaction/tst_pick
+        core/interaction/tst_problem_marks
+        core/interaction/tst_view_cube)

@@ -11,7 +11,9 @@ fff_tests(tests_io LIBRARIES fff::io OpenMeshCore TESTS
     core/io/tst_json_writer
     core/io/tst_obj_writer
     core/io/tst_svg_reader
-    core/io/tst_svg_writer)
+    core/io/tst_svg_writer
+    ALONE
+        core/io/tst_flatfab_models)
 
 # The schema and the reader agree, on all documents that are here and on thousands of changed ones.
 add_executable(fff_verdicts core/io/fff_verdicts.cpp)

@@ -10,4 +10,7 @@ fff_tests(tests_model LIBRARIES fff::core TESTS
     core/model/tst_naming
     core/model/tst_point_edits
     core/model/tst_shape
-    core/model/tst_transformed)
+    core/model/tst_transformed
+    ALONE
+        core/model/tst_edits
+        core/model/tst_transformed)

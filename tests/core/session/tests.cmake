@@ -24,7 +24,8 @@ fff_tests(tests_session LIBRARIES fff::session Polyclipping::Polyclipping TESTS
     core/session/tst_stretching
     core/session/tst_strokes
     core/session/tst_they_fit
-    core/session/tst_tool_replays)
+    core/session/tst_tool_replays
+    ALONE core/session/tst_tool_replays)
 target_sources(tests_session PRIVATE bench/generated_models.cpp)
 
 # They count what is allocated in all of the program.

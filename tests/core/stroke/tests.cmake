@@ -4,4 +4,7 @@ fff_tests(tests_stroke LIBRARIES fff::core TESTS
     core/stroke/tst_stroke
     core/stroke/tst_stroke_contour
     core/stroke/tst_stroke_corpus
-    core/stroke/tst_symmetry)
+    core/stroke/tst_symmetry
+    ALONE
+        core/stroke/tst_stroke_contour
+        core/stroke/tst_symmetry)
