@@ -9,6 +9,7 @@
 #include "core/session/check_list.h"
 #include "core/session/message_text.h"
 #include "ui/base/icon.h"
+#include "ui/base/sentence_label.h"
 #include "ui/base/theme.h"
 #include "ui/bench/check_words.h"
 #include "ui/bench/workbench.h"
@@ -74,7 +75,7 @@ ChecksDock::ChecksDock(Workbench &bench, const CheckList &list, QWidget *parent)
 
     m_footer = new QWidget(content);
     m_spinner = new QLabel(m_footer);
-    m_footerText = new QLabel(m_footer);
+    m_footerText = new SentenceLabel(m_footer);
     m_footerText->setObjectName(QStringLiteral("checksFooter"));
     m_footerText->setForegroundRole(QPalette::PlaceholderText);
     QFont italic = font();
@@ -311,8 +312,9 @@ void ChecksDock::refreshFooter()
     m_footer->setVisible(age != CheckList::Age::Current);
     const Stage *work = isLate ? longWork() : nullptr;
     m_stop->setVisible(work != nullptr);
-    m_footerText->setText(work ? messageText(workOf(*work, m_list.scheduler().progress(work->name)))
-                               : tr("Older than the drawing"));
+    const QString words = work ? messageText(workOf(*work, m_list.scheduler().progress(work->name)))
+                               : tr("Older than the drawing");
+    m_footerText->setSentence(words.toHtmlEscaped());
     m_spinner->setVisible(work != nullptr);
     const bool spins = work && !settings().reducesMotion();
     if (spins && !m_spin->isActive())

@@ -22,6 +22,7 @@ struct Stage;
 namespace fff::ui {
 
 class CheckRow;
+class SentenceLabel;
 class Workbench;
 
 class ChecksDock : public QDockWidget
@@ -81,8 +82,9 @@ private:
     QVBoxLayout *m_column = nullptr;
     QLabel *m_empty = nullptr;
     QWidget *m_footer = nullptr;
-    QLabel *m_spinner = nullptr, *m_footerText = nullptr;
-    QToolButton *m_stop = nullptr; // what takes long
+    QLabel *m_spinner = nullptr;
+    SentenceLabel *m_footerText = nullptr; // cut short rather than wider than the rows
+    QToolButton *m_stop = nullptr;         // what takes long
     QTimer *m_spin = nullptr;
     int m_angle = 0; // degrees, of the spinner
     bool m_isChoosing = false;

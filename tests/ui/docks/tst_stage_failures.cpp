@@ -184,12 +184,15 @@ void TestStageFailures::whatTakesForEverCanBeStopped()
                                wasStopped = true;
                                return failure(ErrorCode::Cancelled);
                            });
-    edit();
     auto *stop = m_window->findChild<QToolButton *>(QStringLiteral("checksStop"));
+    auto *rows = m_window->findChild<QWidget *>(QStringLiteral("checksArea"));
+    const int width = rows->width();
+    edit();
     QTRY_VERIFY(!stop->isHidden());
     auto *footer = m_window->findChild<QLabel *>(QStringLiteral("checksFooter"));
     QTRY_VERIFY(footer->text().contains(QStringLiteral("the order of assembly")));
     QVERIFY(footer->text().contains(QStringLiteral("42")));
+    QCOMPARE(rows->width(), width); // what is worked out widens no dock
     QTest::mouseClick(stop, Qt::LeftButton);
     QTRY_VERIFY(wasStopped);
     QTRY_COMPARE(failures().size(), std::size_t(1));
