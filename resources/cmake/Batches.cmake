@@ -3,8 +3,8 @@
 # Call it where the target's sources are all named. Files with a name of their own (of an anonymous namespace) that
 # another of their folder has too stay alone, and those that need more memory than others.
 option(FFF_BATCHES "Compile several files at a time" ON)
-if(FFF_SANITIZE)
-    set(FFF_BATCHES OFF) # one tree compiles each by itself, and finds what a file forgot to include
+if(FFF_SANITIZE AND NOT FFF_FUZZ)
+    set(FFF_BATCHES OFF) # these trees compile each by itself, and find what a file forgot to include
 endif()
 
 set(FFF_LARGEST_BATCH 8)
