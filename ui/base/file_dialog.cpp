@@ -4,8 +4,16 @@
 
 #include <QAbstractItemView>
 #include <QCompleter>
+#include <QFileInfo>
+#include <QStandardPaths>
 
 namespace fff::ui {
+
+QString documentsFolder()
+{
+    const QString documents = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
+    return QFileInfo(documents).isDir() ? documents : QDir::homePath();
+}
 
 FileDialog::FileDialog(QWidget *parent, const QString &title, const QString &folder,
                        const QString &filter)
@@ -17,7 +25,10 @@ FileDialog::FileDialog(QWidget *parent, const QString &title, const QString &fol
 void FileDialog::showEvent(QShowEvent *event)
 {
     QFileDialog::showEvent(event);
-    // The names that fit are listed in a window of their own.
+    // A dialog that saves makes buttons and lists anew, in the desktop's colours; the names that
+    // fit are listed in a window of their own.
+    for (QWidget *part : findChildren<QWidget *>())
+        part->setPalette(theme().palette());
     for (const QCompleter *completer : findChildren<QCompleter *>())
         completer->popup()->setPalette(theme().palette());
 }

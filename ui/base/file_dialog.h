@@ -6,6 +6,9 @@
 
 namespace fff::ui {
 
+/// Where people keep what they make: their documents, or their home where there is no such folder.
+QString documentsFolder();
+
 class FileDialog : public QFileDialog
 {
 public:

@@ -313,7 +313,8 @@ void ChecksDock::refreshFooter()
     const Stage *work = isLate ? longWork() : nullptr;
     m_stop->setVisible(work != nullptr);
     const QString words = work ? messageText(workOf(*work, m_list.scheduler().progress(work->name)))
-                               : tr("Older than the drawing");
+                          : m_rows.empty() ? tr("Checking\u2026")
+                                           : tr("Older than the drawing");
     m_footerText->setSentence(words.toHtmlEscaped());
     m_spinner->setVisible(work != nullptr);
     const bool spins = work && !settings().reducesMotion();

@@ -21,7 +21,6 @@
 #include <QFileInfo>
 #include <QMessageBox>
 #include <QPushButton>
-#include <QStandardPaths>
 
 namespace fff::ui {
 
@@ -213,9 +212,7 @@ void DocumentFiles::show(const io::LoadedDocument &loaded, const QString &path, 
     m_bench.session().reset(loaded.document);
     m_bench.showAll("iso1");
     if (asCopy) {
-        const QString documents =
-            QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
-        setPath(documents + u'/' + QFileInfo(path).fileName(), false, false);
+        setPath(documentsFolder() + u'/' + QFileInfo(path).fileName(), false, false);
         return;
     }
     setPath(path, loaded.format == &io::nativeFormat(), true);
@@ -283,8 +280,7 @@ bool DocumentFiles::exportSheets(const QString &path)
 
 QString DocumentFiles::folder() const
 {
-    return m_path.isEmpty() ? QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation)
-                            : QFileInfo(m_path).absolutePath();
+    return m_path.isEmpty() ? documentsFolder() : QFileInfo(m_path).absolutePath();
 }
 
 QString DocumentFiles::baseName() const
@@ -309,10 +305,9 @@ void DocumentFiles::showRecovered(const QString &path, const QString &name, cons
     const QFileInfo info(path);
     // A copy or an import has a name without being that file.
     const bool isOnDisk = !path.isEmpty() && info.exists();
-    const QString documents = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
     const bool hasName = !path.isEmpty() || QFileInfo(name).suffix() == nativeSuffix();
     setPath(isOnDisk  ? path
-            : hasName ? documents + u'/' + name
+            : hasName ? documentsFolder() + u'/' + name
                       : QString(),
             isOnDisk && info.suffix() == nativeSuffix(), isOnDisk);
     if (isOnDisk && info.lastModified() > kept)

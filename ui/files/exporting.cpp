@@ -145,7 +145,7 @@ void Exporting::tellDone(const io::CuttingFile &file, const QString &name)
     const QString sheets = tr("%n sheet(s)", nullptr, file.sheetCount());
     m_status.say(file.slitWidth ? tr("Exported %1 on %2 to %3; slits are drawn %4 wide.")
                                       .arg(parts, sheets, name,
-                                           lengthText(*file.slitWidth, 2, 2, m_window.locale()))
+                                           lengthText(*file.slitWidth, 2, 3, m_window.locale()))
                                 : tr("Exported %1 on %2 to %3.").arg(parts, sheets, name));
 }
 

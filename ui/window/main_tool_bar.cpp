@@ -119,6 +119,10 @@ void MainToolBar::fold(int windowWidth)
     labels = labels && sizeHint().width() <= windowWidth;
     if (!labels)
         setToolButtonStyle(Qt::ToolButtonIconOnly);
+    // Its word is whole, too, or not there.
+    m_repeat->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    if (sizeHint().width() > windowWidth)
+        m_repeat->setToolButtonStyle(Qt::ToolButtonIconOnly);
     setFixedHeight(labels ? 56 : 44);
 }
 

@@ -134,8 +134,11 @@ void MainWindow::addCommands()
     add("view.nextPane", [this] { goToPane(*this, m_toolBar, m_view, 1); });
     add("view.previousPane", [this] { goToPane(*this, m_toolBar, m_view, -1); });
     add("view.properties", [this] { goInto(*m_properties); });
-    add("check.nextProblem", [this] { m_checks->goToProblem(1); });
-    add("check.previousProblem", [this] { m_checks->goToProblem(-1); });
+    const CommandRule checked = needsSections(m_bench->session());
+    add(
+        "check.nextProblem", [this] { m_checks->goToProblem(1); }, checked);
+    add(
+        "check.previousProblem", [this] { m_checks->goToProblem(-1); }, checked);
     // What was asked for and is not there yet is on, too: asking again takes it back.
     add(
         "check.showAssembly", [this] { m_steps->toggle(); }, needsSections(m_bench->session()),
