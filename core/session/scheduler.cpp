@@ -84,6 +84,7 @@ public:
     bool isWaiting(const Desk &desk) const;
     bool isSettled(const Desk &desk) const;
     void startAll();
+    void renew(Desk &desk) const;
     void start(Desk &desk, Inputs inputs);
     void collect();
     bool collectOne();
@@ -197,9 +198,22 @@ bool Scheduler::Private::isSettled(const Desk &desk) const
 
 void Scheduler::Private::startAll()
 {
-    for (Desk &desk : desks)
-        if (!desk.isRunning && isWaiting(desk))
+    for (Desk &desk : desks) {
+        if (desk.isRunning)
+            continue;
+        if (isWaiting(desk))
             start(desk, *inputsOf(desk));
+        else
+            renew(desk);
+    }
+}
+
+/// Undo and redo lead back to what it ran with: then its result is of what is there now.
+void Scheduler::Private::renew(Desk &desk) const
+{
+    const std::optional<Inputs> inputs = inputsOf(desk);
+    if (desk.result && !desk.why && inputs && inputs->results == desk.started)
+        desk.revision = inputs->revision;
 }
 
 void Scheduler::Private::start(Desk &desk, Inputs inputs)

@@ -332,7 +332,8 @@ private:
         Samples unit;
         for (std::size_t i = from; i <= to; ++i)
             unit.emplace_back(x.dot(line[i] - p0), y.dot(line[i] - p0));
-        const auto [area, moment] = areaAndMoment(unit);
+        const auto unitMoments = areaAndMoment(unit);
+        const double area = unitMoments.first, moment = unitMoments.second;
         const double length = (p3 - p0).norm();
         const Vec2 a(x.dot(out) * length, y.dot(out) * length);
         const Vec2 b(x.dot(in) * length, y.dot(in) * length);

@@ -101,6 +101,8 @@ class TestScheduler : public QObject
 private Q_SLOTS:
     void resultsFollowOneFromAnother();
     void theNewestRequestWins();
+    void thereAndBackIsCurrent_data();
+    void thereAndBackIsCurrent();
     void whatFailsSaysWhyAndKeepsWhatWasThere();
     void whatThrowsIsTriedAgainFromScratch();
     void whatTakesForEverIsStopped();
@@ -147,6 +149,47 @@ void TestScheduler::theNewestRequestWins()
     QCOMPARE(scheduler.revisionOf(kCounted.name), std::uint64_t(50));
     QCOMPARE(scheduler.result(kCounted)->sections, 0);
     QCOMPARE(scheduler.result(kCounted)->runs, 2);
+}
+
+void TestScheduler::thereAndBackIsCurrent_data()
+{
+    QTest::addColumn<bool>("isSettled");
+    QTest::addColumn<bool>("isPassing");
+    QTest::newRow("undone and redone while it runs") << false << false;
+    QTest::newRow("dragged and given up while it runs") << false << true;
+    QTest::newRow("dragged and given up, for what does not follow drags") << true << true;
+}
+
+/// Wrong: the model that it runs with comes again as another revision, nothing is left to run, and
+/// what follows from it waits for ever.
+void TestScheduler::thereAndBackIsCurrent()
+{
+    QFETCH(bool, isSettled);
+    QFETCH(bool, isPassing);
+    Solver solver;
+    Scheduler scheduler(
+        stagesWith(solver, isSettled ? Stage::Runs::WhenSettled : Stage::Runs::Always));
+    scheduler.want(kDoubled.name);
+    const ModelPointer here = modelOf(2), there = modelOf(3);
+    solver.holds = true;
+    scheduler.request(1, here, false);
+    scheduler.request(2, there, isPassing);
+    scheduler.request(3, here, false);
+    solver.holds = false;
+    scheduler.finish();
+    for (const char *stage : {kCounted.name, kDoubled.name}) {
+        QCOMPARE(scheduler.revisionOf(stage), std::uint64_t(3));
+        QCOMPARE(scheduler.age(stage), Scheduler::Age::Current);
+    }
+    QCOMPARE(scheduler.result(kDoubled)->sections, 4);
+    QCOMPARE(solver.runs.load(), 1);
+    if (isSettled) { // and once it has been worked out
+        scheduler.request(4, there, true);
+        scheduler.request(5, here, false);
+        scheduler.finish();
+        QCOMPARE(scheduler.age(kDoubled.name), Scheduler::Age::Current);
+        QCOMPARE(scheduler.revisionOf(kDoubled.name), std::uint64_t(5));
+    }
 }
 
 void TestScheduler::whatFailsSaysWhyAndKeepsWhatWasThere()
