@@ -2098,6 +2098,10 @@
         <source>There is no view before this one</source>
         <translation>Vor dieser Ansicht gab es keine</translation>
     </message>
+    <message>
+        <source>There is no other section</source>
+        <translation>Es gibt keine andere Scheibe</translation>
+    </message>
 </context>
 <context>
     <name>CommandLine</name>

@@ -12,6 +12,7 @@ namespace {
 constexpr Text kSelectOne = FFF_TEXT("Command", "Select one section first");
 constexpr Text kNoJoint =
     FFF_TEXT("Command", "No joint is selected: select a section, then one of its joints");
+constexpr Text kNoOther = FFF_TEXT("Command", "There is no other section");
 constexpr Text kNoOperation = FFF_TEXT("Command", "No operation is selected");
 
 bool hasSelection(const Interaction &interaction)
@@ -43,6 +44,15 @@ CommandRule needsOneSection(const Interaction &interaction, std::string command)
             return interaction.selection().size() == 1 || isHeld(interaction, command);
         },
         kSelectOne);
+}
+
+CommandRule needsAnother(const Session &session, CommandRule rule)
+{
+    return [&session, rule = std::move(rule)](const CommandParameters &parameters) {
+        if (const WhyNot why = rule(parameters))
+            return why;
+        return session.committed().sectionCount() > 1 ? WhyNot() : WhyNot(kNoOther);
+    };
 }
 
 CommandRule needsJoint(const Interaction &interaction)

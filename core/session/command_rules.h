@@ -17,6 +17,8 @@ CommandRule needsSections(const Session &session);
 CommandRule needsSelection(const Interaction &interaction);
 /// One section, or the tool of this command in the hand.
 CommandRule needsOneSection(const Interaction &interaction, std::string command = {});
+/// The rule, and a section besides the one that it is about.
+CommandRule needsAnother(const Session &session, CommandRule rule);
 CommandRule needsJoint(const Interaction &interaction);
 /// One in focus, or among the parameters ("operation").
 CommandRule needsOperation(const Interaction &interaction);

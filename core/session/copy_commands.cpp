@@ -236,7 +236,8 @@ void registerCopyCommands(CommandRegistry &registry, Session &session, Interacti
                  {[commands](const CommandParameters &parameters, double time) {
                       return commands.mirrorAcross(parameters, time);
                   },
-                  hasSelection, inHand(interaction, "edit.mirrorCopySection")});
+                  needsAnother(session, hasSelection),
+                  inHand(interaction, "edit.mirrorCopySection")});
     registry.offer(kCopyWords);
 }
 

@@ -336,7 +336,8 @@ void registerSectionCommands(CommandRegistry &registry, Session &session, Intera
         {"section.lock", &Commands::lock, drawn, [commands] { return commands.isLocked(); }},
         {"section.makeOrthogonal", &Commands::makeOrthogonal, onSome},
         {"section.snapNormal", &Commands::snapNormal, drawn},
-        {"section.putOn", &Commands::putOn, needsOneSection(interaction, "section.putOn"),
+        {"section.putOn", &Commands::putOn,
+         needsAnother(session, needsOneSection(interaction, "section.putOn")),
          inHand(interaction, "section.putOn")},
         {"operation.editSource", &Commands::editSource, made},
     };

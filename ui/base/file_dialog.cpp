@@ -5,6 +5,8 @@
 #include <QAbstractItemView>
 #include <QCompleter>
 #include <QFileInfo>
+#include <QLineEdit>
+#include <QRegularExpression>
 #include <QStandardPaths>
 
 namespace fff::ui {
@@ -20,6 +22,47 @@ FileDialog::FileDialog(QWidget *parent, const QString &title, const QString &fol
     : QFileDialog(parent, title, folder, filter)
 {
     setPalette(theme().palette());
+}
+
+/// The suffix is one of those that the filters name.
+bool FileDialog::isOfItsKinds(const QString &path) const
+{
+    static const QRegularExpression pattern(QStringLiteral("\\*(\\.\\w+)"));
+    for (const QString &filter : nameFilters())
+        for (auto known = pattern.globalMatch(filter); known.hasNext();)
+            if (path.endsWith(known.next().captured(1), Qt::CaseInsensitive))
+                return true;
+    return false;
+}
+
+QString FileDialog::target()
+{
+    // The desktop's own dialog knows nothing of accept(): where the whole name is taken, it is
+    // shown again with that, and asks.
+    while (exec() == QDialog::Accepted) {
+        const QString path = selectedFiles().value(0);
+        const QString whole = path + u'.' + defaultSuffix();
+        if (isOfItsKinds(path))
+            return path;
+        if (!QFileInfo::exists(whole))
+            return whole;
+        selectFile(whole);
+    }
+    return {};
+}
+
+void FileDialog::accept()
+{
+    const QString path = selectedFiles().value(0);
+    if (acceptMode() == AcceptSave && !path.isEmpty() && !QFileInfo(path).isDir() &&
+        !isOfItsKinds(path)) {
+        const QString whole = path + u'.' + defaultSuffix();
+        selectFile(whole);
+        // The line that is typed into keeps what is there.
+        if (auto *line = findChild<QLineEdit *>(QStringLiteral("fileNameEdit")))
+            line->setText(QFileInfo(whole).fileName());
+    }
+    QFileDialog::accept();
 }
 
 void FileDialog::showEvent(QShowEvent *event)

@@ -15,8 +15,17 @@ public:
     FileDialog(QWidget *parent, const QString &title, const QString &folder,
                const QString &filter = {});
 
+    /// What is to be written, asked for until it is said; empty where nothing is. Its name ends as
+    /// one of the filters says, or else in the default suffix.
+    QString target();
+
 protected:
+    /// Asks whether to replace what has the name that is then written, not the one that was typed.
+    void accept() override;
     void showEvent(QShowEvent *event) override;
+
+private:
+    bool isOfItsKinds(const QString &path) const;
 };
 
 } // namespace fff::ui

@@ -288,7 +288,6 @@ QString DocumentFiles::baseName() const
     return m_path.isEmpty() ? tr("untitled") : QFileInfo(m_path).completeBaseName();
 }
 
-/// The dialog asks before overwriting, also when it has put the suffix there itself.
 QString DocumentFiles::askForTarget(const QString &title, const QString &filter,
                                     const QString &suffix)
 {
@@ -296,7 +295,7 @@ QString DocumentFiles::askForTarget(const QString &title, const QString &filter,
     dialog.setAcceptMode(QFileDialog::AcceptSave);
     dialog.setDefaultSuffix(suffix);
     dialog.selectFile(baseName() + u'.' + suffix);
-    return dialog.exec() == QDialog::Accepted ? dialog.selectedFiles().value(0) : QString();
+    return dialog.target();
 }
 
 void DocumentFiles::showRecovered(const QString &path, const QString &name, const QDateTime &kept)

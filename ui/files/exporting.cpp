@@ -65,10 +65,9 @@ bool Exporting::ask(const QString &suggestion)
         if (!chosen.isDir())
             dialog.selectFile(chosen.completeBaseName() + u'.' + suffix);
     });
-    // The dialog asks before overwriting, also when it has put the suffix there itself.
-    if (dialog.exec() != QDialog::Accepted)
+    const QString path = dialog.target();
+    if (path.isEmpty())
         return false;
-    const QString path = dialog.selectedFiles().value(0);
     return kindOf(dialog.selectedNameFilter()).isFilePerSheet ? writeSheets(path) : write(path);
 }
 

@@ -14,7 +14,10 @@
 #include <QDragEnterEvent>
 #include <QDropEvent>
 #include <QFileDialog>
+#include <QFileInfo>
 #include <QLabel>
+#include <QLineEdit>
+#include <QMessageBox>
 #include <QMimeData>
 #include <QTimer>
 #include <QToolButton>
@@ -49,6 +52,8 @@ private Q_SLOTS:
     void aChangeByAnotherProgramIsAskedAbout();
     void aChangeIsAskedAboutAlsoAfterAFailedSave();
     void aTouchedFileIsNoChange();
+    void aModelIsSavedAsOne();
+    void aModelIsNotExportedOver();
     void savingWhereNothingCanBeSaysWhatToDo();
     void aBackupIsKeptAsSet();
     void solidsAreExportedByTheirSuffix();
@@ -329,6 +334,51 @@ void TestWindows::aTouchedFileIsNoChange()
                                 QFileDevice::FileModificationTime));
     touched.close();
     QVERIFY(m_window->files().save()); // a question would wait for ever
+}
+
+namespace {
+
+/// Types the name into the dialog that comes up, and accepts.
+void typeName(const QString &name)
+{
+    QTimer::singleShot(0, qApp, [name] {
+        auto *dialog = qobject_cast<QFileDialog *>(QApplication::activeModalWidget());
+        QVERIFY(dialog);
+        dialog->selectFile(name); // what was chosen is no more
+        dialog->findChild<QLineEdit *>(QStringLiteral("fileNameEdit"))
+            ->setText(QFileInfo(name).fileName());
+        QTimer::singleShot(0, dialog, [dialog] {
+            if (auto *question = dialog->findChild<QMessageBox *>())
+                question->reject(); // no name of a file that is there is to be asked about
+        });
+        QMetaObject::invokeMethod(dialog, "accept");
+    });
+}
+
+} // namespace
+
+/// Wrong: a model called sa.svg, which no dialog for models lists.
+void TestWindows::aModelIsSavedAsOne()
+{
+    openFiles(*m_window, {model("a.fff", 40)});
+    typeName(file("sa.svg"));
+    QVERIFY(m_window->files().saveAs());
+    QVERIFY(!QFile::exists(file("sa.svg")));
+    QVERIFY(io::readDocument(file("sa.svg.fff")));
+    typeName(file("Sb.FFF"));
+    QVERIFY(m_window->files().saveAs());
+    QVERIFY(QFile::exists(file("Sb.FFF")));
+}
+
+/// Wrong: who types the model's name when exporting has a drawing in its place, and no model.
+void TestWindows::aModelIsNotExportedOver()
+{
+    const QString path = model("a.fff", 40);
+    openFiles(*m_window, {path});
+    typeName(path);
+    QVERIFY(m_window->files().exportCuttingFile());
+    QVERIFY(io::readDocument(path));
+    QVERIFY(QFile::exists(path + QStringLiteral(".svg")));
 }
 
 void TestWindows::savingWhereNothingCanBeSaysWhatToDo()
