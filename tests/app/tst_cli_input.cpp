@@ -199,7 +199,11 @@ void TestCliInput::anEmptyNameIsOneLine()
 
 void TestCliInput::anEmptyOutputIsOneLine()
 {
-    for (const char *verb : {"export", "steps", "render", "replay"}) {
+    std::vector verbs{"export", "replay"};
+#ifdef FFF_PROGRAM // with the window
+    verbs.insert(verbs.end(), {"steps", "render"});
+#endif
+    for (const char *verb : verbs) {
         const QString input = qstrcmp(verb, "replay") == 0 ? path("script.json") : path("pair.fff");
         const Run result =
             run({QLatin1String(verb), input, QStringLiteral("-o"), QString()}, false);

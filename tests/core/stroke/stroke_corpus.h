@@ -64,6 +64,13 @@ private:
         return sum - 6.0;
     }
 
+    Vec2 normalPoint()
+    {
+        const double y = normal(),
+                     x = normal(); // one after the other: of arguments no order is set
+        return {x, y};
+    }
+
     static Line dense(const std::function<Vec2(double)> &at, int count = 4000)
     {
         Line line;
@@ -115,7 +122,7 @@ private:
             const double gap = along[i + 1] - along[i];
             const double u = gap > 0.0 ? (end - along[i]) / gap : 1.0;
             Vec2 p = line[i] + u * (line[i + 1] - line[i]);
-            p += hand.jitter * Vec2(normal(), normal());
+            p += hand.jitter * normalPoint();
             if (hand.isRounded)
                 p = p.array().round().matrix();
             samples.push_back(p);
@@ -151,9 +158,8 @@ private:
         m_number = 0;
         for (int i = 0; i < 20; ++i) {
             const double radius = 15.0 + 12.0 * i;
-            add("circle",
-                drawn(turned(arc(radius, radius, onceRound()), 0.0, {400, 300}),
-                      anyHand(0.1 * (i % 4))),
+            const Hand hand = anyHand(0.1 * (i % 4));
+            add("circle", drawn(turned(arc(radius, radius, onceRound()), 0.0, {400, 300}), hand),
                 4);
         }
     }
@@ -162,10 +168,9 @@ private:
         m_number = 0;
         for (int i = 0; i < 14; ++i) {
             const double r = 40.0 + 12.0 * i;
-            add("ellipse",
-                drawn(turned(arc(r, r * any(0.4, 0.9), onceRound()), any(0.0, kPi), {400, 300}),
-                      anyHand(0.1 * (i % 4))),
-                4);
+            const Hand hand = anyHand(0.1 * (i % 4));
+            const double turn = any(0.0, kPi), round = onceRound(), share = any(0.4, 0.9);
+            add("ellipse", drawn(turned(arc(r, r * share, round), turn, {400, 300}), hand), 4);
         }
     }
     /// Along the corners, from a point between two of them or from a corner, round and back.
@@ -187,10 +192,9 @@ private:
             const double w = any(60.0, 500.0), h = any(50.0, 300.0);
             const Line corners =
                 turned({{0, 0}, {w, 0}, {w, h}, {0, h}}, i % 2 ? any(0.0, kPi) : 0.0, {300, 200});
-            add("rectangle",
-                drawn(polygonLine(corners, i % 4 == 0 ? 0.0 : any(0.2, 0.8)),
-                      careful(anyHand(0.1 * (i % 4)))),
-                4);
+            const Hand hand = careful(anyHand(0.1 * (i % 4)));
+            const double start = i % 4 == 0 ? 0.0 : any(0.2, 0.8);
+            add("rectangle", drawn(polygonLine(corners, start), hand), 4);
         }
     }
     void polygons()
@@ -204,10 +208,9 @@ private:
                 const double angle = turn + 2.0 * kPi * k / n;
                 corners.push_back(Vec2(400, 300) + radius * Vec2(std::cos(angle), std::sin(angle)));
             }
-            add("polygon",
-                drawn(polygonLine(corners, i % 4 == 0 ? 0.0 : any(0.2, 0.8)),
-                      careful(anyHand(0.1 * (i % 4)))),
-                n);
+            const Hand hand = careful(anyHand(0.1 * (i % 4)));
+            const double start = i % 4 == 0 ? 0.0 : any(0.2, 0.8);
+            add("polygon", drawn(polygonLine(corners, start), hand), n);
         }
     }
     void roundedSquares()
@@ -328,7 +331,9 @@ private:
                 });
                 line.insert(line.end(), arc.begin(), arc.end());
             }
-            add("leaf", drawn(turned(line, any(0.0, 6.0), {400, 300}), anyHand(0.15 * (i % 4))), 4);
+            const Hand hand = anyHand(0.15 * (i % 4));
+            const double turn = any(0.0, 6.0);
+            add("leaf", drawn(turned(line, turn, {400, 300}), hand), 4);
         }
         m_number = 0;
         for (int i = 0; i < 5; ++i) { // heart
@@ -358,8 +363,9 @@ private:
         m_number = 0;
         for (int i = 0; i < 10; ++i) {
             const double r = any(1.0, 12.0);
-            add("tiny", drawn(turned(arc(r, r * any(0.5, 1.0), onceRound()), 0.0, {10, 10}),
-                              anyHand(0.1 * (i % 4))));
+            const Hand hand = anyHand(0.1 * (i % 4));
+            const double round = onceRound(), share = any(0.5, 1.0);
+            add("tiny", drawn(turned(arc(r, r * share, round), 0.0, {10, 10}), hand));
         }
     }
     void huge()
@@ -369,8 +375,8 @@ private:
             const double r = any(3000.0, 20000.0);
             Hand hand = anyHand(0.5);
             hand.speed = r * 2.0;
-            add("huge",
-                drawn(turned(arc(r, r * any(0.5, 1.0), onceRound()), 0.0, {1e4, -2e4}), hand));
+            const double round = onceRound(), share = any(0.5, 1.0);
+            add("huge", drawn(turned(arc(r, r * share, round), 0.0, {1e4, -2e4}), hand));
         }
     }
     /// What broken devices and odd hands give.
@@ -380,7 +386,8 @@ private:
         Hand slow{240.0, 60.0, 0.7, 0.5, false}; // thousands of samples, trembling
         add("broken", drawn(arc(150, 100, 1.0), slow));
         Line repeated;
-        for (const Vec2 &p : drawn(arc(90, 60, 0.99), anyHand(0.2)))
+        Hand hand = anyHand(0.2);
+        for (const Vec2 &p : drawn(arc(90, 60, 0.99), hand))
             repeated.insert(repeated.end(), 4, p);
         add("broken", repeated);
         Line back; // two steps on, one back
@@ -400,11 +407,12 @@ private:
                             }),
                             anyHand(0.2)));
         Line halts; // stops for a second at four places
-        for (const Vec2 &p : drawn(arc(140, 110, 1.0), anyHand(0.3))) {
+        hand = anyHand(0.3);
+        for (const Vec2 &p : drawn(arc(140, 110, 1.0), hand)) {
             halts.push_back(p);
             if (halts.size() % 40 == 7)
                 for (int k = 0; k < 120; ++k)
-                    halts.push_back(p + 0.5 * Vec2(normal(), normal()));
+                    halts.push_back(p + 0.5 * normalPoint());
         }
         add("broken", halts);
     }
