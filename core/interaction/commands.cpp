@@ -1,5 +1,6 @@
 #include "core/interaction/commands.h"
 
+#include <algorithm>
 #include <cassert>
 #include <charconv>
 #include <cmath>
@@ -42,8 +43,10 @@ void CommandRegistry::add(std::string id, Command command)
 
 void CommandRegistry::offer(std::span<const CommandWords> words)
 {
+    // A command that is added anew has one set of words, and one action.
     for (const CommandWords &each : words)
-        m_offered.push_back(&each);
+        if (!std::ranges::count(m_offered, &each))
+            m_offered.push_back(&each);
 }
 
 bool CommandRegistry::contains(const std::string &id) const

@@ -61,6 +61,7 @@ private Q_SLOTS:
     void aLostInputIsSaid();
     void actionsSayWhyNot();
     void theBarFolds();
+    void whatNeedsASectionWaitsForIt();
     void everyKindHasAnIcon();
 
 private:
@@ -522,10 +523,43 @@ void TestOperationsDocks::theBarFolds()
     auto *repeat = field<QToolButton>("repeatButton");
     QVERIFY(repeat);
     QCOMPARE(repeat->menu()->actions().size(), 8);
+    // A word that is too long for the bar is left out, not cut in its middle.
+    QCOMPARE(repeat->toolButtonStyle(), Qt::ToolButtonTextBesideIcon);
+    const QString word = repeat->text();
+    repeat->setText(word.repeated(20));
+    m_window->resize(1099, 800);
+    QCoreApplication::processEvents();
+    QCOMPARE(repeat->toolButtonStyle(), Qt::ToolButtonIconOnly);
+    repeat->setText(word);
+    m_window->resize(1100, 800);
+    QCoreApplication::processEvents();
+    QCOMPARE(repeat->toolButtonStyle(), Qt::ToolButtonTextBesideIcon);
     m_window->resize(1440, 900);
     QCoreApplication::processEvents();
     QVERIFY(hasButton("operation.revolve"));
     QVERIFY(!field<QToolButton>("repeatButton"));
+}
+
+/// Wrong: a person is asked to click on another section, and there is none.
+void TestOperationsDocks::whatNeedsASectionWaitsForIt()
+{
+    const Document both = session().committed().document;
+    QVERIFY(both.sections.size() > 1);
+    for (const std::size_t count : {std::size_t(0), std::size_t(1), both.sections.size()}) {
+        Document some = both;
+        some.operations.clear(); // their images are sections too
+        some.sections.resize(count);
+        session().reset(some);
+        if (count > 0)
+            m_window->bench().select({session().committed().ref(0)});
+        QCoreApplication::processEvents();
+        for (const char *id : {"check.nextProblem", "check.previousProblem"})
+            QCOMPARE(actionOf(id)->isEnabled(), count > 0);
+        for (const char *id : {"section.putOn", "edit.mirrorCopySection"}) {
+            QCOMPARE(m_window->findChildren<QAction *>(QLatin1String(id)).size(), 1);
+            QCOMPARE(actionOf(id)->isEnabled(), count > 1);
+        }
+    }
 }
 
 // Wrong: a new kind would stand in the list without a picture.
