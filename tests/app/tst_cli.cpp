@@ -519,7 +519,7 @@ void TestCli::solidsAreExported()
 void TestCli::renderNeedsADisplayAndSaysSo()
 {
 #ifndef FFF_PROGRAM
-    QSKIP("built without the window");
+    QSKIP("the verb comes with the window, which this build leaves out");
 #endif
     const Run run1 = run(
         {QStringLiteral("render"), path("pair.fff"), QStringLiteral("-o"), path("out.png")}, false);

@@ -4,6 +4,7 @@
 #include "tests/test_program.h"
 #include "tests/ui/contrast.h"
 #include "ui/base/field_style.h"
+#include "ui/base/file_dialog.h"
 #include "ui/base/theme.h"
 #include "ui/settings/settings.h"
 
@@ -128,6 +129,27 @@ private Q_SLOTS:
             QVERIFY(contrast(image.pixelColor(i, 4), theme().window) >= 3.0 - 1e-9);
             QVERIFY(contrast(image.pixelColor(4, i), theme().window) >= 3.0 - 1e-9);
         }
+    }
+
+    void aDialogThatSavesIsOfTheTheme_data() { everyTextCanBeRead_data(); }
+
+    /// Wrong: in dark, the buttons and lists that it makes when it becomes one that saves are
+    /// light.
+    void aDialogThatSavesIsOfTheTheme()
+    {
+        QFETCH(int, scheme);
+        QFETCH(bool, isSystemDark);
+        use(scheme, isSystemDark);
+        FileDialog dialog(nullptr, QStringLiteral("Save"), m_folder.path(),
+                          QStringLiteral("Models (*.fff)"));
+        dialog.setAcceptMode(QFileDialog::AcceptSave);
+        dialog.show();
+        const QList<QWidget *> parts = dialog.findChildren<QWidget *>();
+        QVERIFY(parts.size() > 10);
+        for (const QWidget *part : parts)
+            for (const auto role : {QPalette::Button, QPalette::Base, QPalette::Highlight})
+                QCOMPARE(part->palette().color(QPalette::Active, role),
+                         theme().palette().color(QPalette::Active, role));
     }
 
 private:

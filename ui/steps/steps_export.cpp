@@ -61,14 +61,12 @@ bool StepsExport::ask(const Subject &subject, const QString &suggestion)
         if (!chosen.isDir())
             dialog.selectFile(withoutSuffix(chosen.fileName()) + u'.' + suffix);
     });
-    if (dialog.exec() != QDialog::Accepted)
-        return false;
     // A suffix that was typed is meant, with any other one the filter decides.
-    const QString chosen = dialog.selectedFiles().value(0);
-    const bool isTyped = hasSuffix(chosen, kPaper) || isPictures(chosen);
-    const QString path = isTyped ? chosen : chosen + u'.' + dialog.defaultSuffix();
-    // The dialog has asked about the very name that was chosen, and about none of pictures.
-    const bool wasAsked = path == chosen && !dialog.testOption(QFileDialog::DontConfirmOverwrite);
+    const QString path = dialog.target();
+    if (path.isEmpty())
+        return false;
+    // With the filter of pictures the dialog has asked about nothing.
+    const bool wasAsked = !dialog.testOption(QFileDialog::DontConfirmOverwrite);
     if (!isPictures(path) && !wasAsked && !mayReplace(m_window, {{path, {}}}))
         return false;
     return write(subject, path);

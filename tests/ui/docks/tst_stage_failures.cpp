@@ -48,6 +48,7 @@ private Q_SLOTS:
     void theModelIsSetAside();
     void whatStandsOnAFailureIsOlder();
     void whoWaitsForItIsTold();
+    void whatIsNotThereYetIsNoOlder();
 
 private:
     using Compute = decltype(Stage::compute);
@@ -250,6 +251,27 @@ void TestStageFailures::whoWaitsForItIsTold()
     QSignalSpy said(m_window->findChild<StepsView *>(), &StepsView::said);
     m_window->findChild<StepsView *>()->toggle();
     QTRY_VERIFY(!said.empty());
+}
+
+/// Wrong: a list without rows, of a model that has just come, is called older than the drawing.
+void TestStageFailures::whatIsNotThereYetIsNoOlder()
+{
+    const Document document = session().committed().document;
+    session().setClean();
+    m_window = std::make_unique<MainWindow>();
+    m_window->show();
+    scheduler().setCompute(kAnalysed.name,
+                           [](const Snapshot &, const void *, Progress &,
+                              std::stop_token stop) -> Result<std::shared_ptr<const void>> {
+                               while (!stop.stop_requested())
+                                   std::this_thread::yield();
+                               return failure(ErrorCode::Cancelled);
+                           });
+    session().reset(document);
+    auto *footer = m_window->findChild<QLabel *>(QStringLiteral("checksFooter"));
+    QTRY_VERIFY(!isQuiet());
+    QVERIFY(footer->text() != QStringLiteral("Older than the drawing"));
+    QVERIFY(!footer->text().isEmpty());
 }
 
 FFF_TEST_WITH(TestStageFailures, [](int argc, char *argv[]) {
