@@ -4,7 +4,6 @@
 #pragma once
 
 #include <QObject>
-#include <QThreadPool>
 
 #include <condition_variable>
 #include <cstdint>
@@ -12,6 +11,7 @@
 #include <functional>
 #include <mutex>
 #include <optional>
+#include <thread>
 #include <utility>
 
 namespace fff {
@@ -28,12 +28,6 @@ public:
 
     LatestJob(Work work, Publish publish) : m_work(std::move(work)), m_publish(std::move(publish))
     {
-        m_pool.setMaxThreadCount(1);
-    }
-    ~LatestJob()
-    {
-        m_waiting.reset();
-        m_pool.waitForDone();
     }
     LatestJob(const LatestJob &) = delete;
     LatestJob &operator=(const LatestJob &) = delete;
@@ -75,7 +69,7 @@ private:
     void startWaiting()
     {
         m_isRunning = true;
-        m_pool.start([this, request = std::move(*m_waiting)] {
+        m_worker = std::jthread([this, request = std::move(*m_waiting)] {
             std::optional<Output> output = tryWork(request.second);
             {
                 const std::lock_guard lock(m_mutex);
@@ -114,7 +108,7 @@ private:
     std::condition_variable m_ready;
     std::optional<Tagged> m_result; // guarded by m_mutex; no output where the work failed
     QObject m_receiver;
-    QThreadPool m_pool; // last: its destructor waits before the rest goes
+    std::jthread m_worker; // last: its destructor waits before the rest goes
 };
 
 } // namespace fff
