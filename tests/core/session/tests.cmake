@@ -38,3 +38,15 @@ target_sources(tests_memory PRIVATE bench/counted_memory.cpp bench/generated_mod
 if(CMAKE_SYSTEM_NAME STREQUAL "Linux" AND CMAKE_SYSTEM_PROCESSOR STREQUAL "x86_64")
     fff_tests(tests_stopped_writer LIBRARIES fff::session TESTS core/session/tst_stopped_writer)
 endif()
+
+# What joints hold, by an oracle of its own.
+fff_tests(tests_held LIBRARIES fff::session TESTS
+    core/session/tst_held_judge
+    core/session/tst_held_pairs)
+target_sources(tests_held PRIVATE
+    core/session/edge_grid.cpp
+    core/session/held_judge.cpp
+    core/session/held_pairs.cpp
+    core/session/judged_piece.cpp
+    core/session/random_drawings.cpp)
+target_compile_definitions(tests_held PRIVATE FFF_SAMPLES="${CMAKE_SOURCE_DIR}/resources/samples")
