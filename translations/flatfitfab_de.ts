@@ -259,10 +259,6 @@
         <source>%1 meets %2 at %3; slits get wide below %4.</source>
         <translation>%1 trifft %2 mit %3; unter %4 werden Schlitze breit.</translation>
     </message>
-    <message>
-        <source>The slits of %1 divide it into %2.</source>
-        <translation>Die Schlitze von %1 zerteilen es in %2.</translation>
-    </message>
     <message numerus="yes">
         <source>%n parts</source>
         <translation>
@@ -580,6 +576,229 @@
     <message>
         <source>Drop it to the ground</source>
         <translation>Auf den Boden setzen</translation>
+    </message>
+    <message>
+        <source>Widen the base</source>
+        <translation>Standfläche verbreitern</translation>
+    </message>
+    <message>
+        <source>Add a foot</source>
+        <translation>Fuß hinzufügen</translation>
+    </message>
+    <message>
+        <source>Draw a section that crosses both, or move one of them to the other.</source>
+        <translation>Zeichnen Sie eine Scheibe quer durch beide, oder rücken Sie die eine an die andere.</translation>
+    </message>
+    <message>
+        <source>Turn one of them further to the other.</source>
+        <translation>Drehen Sie die eine steiler zur anderen.</translation>
+    </message>
+    <message>
+        <source>%1 does not hold %2: its slit runs along its edge and has material on one side only.</source>
+        <extracomment>%1 and %2 are names of sections</extracomment>
+        <translation>%1 hält %2 nicht: Der Schlitz läuft am Rand entlang und hat nur auf einer Seite Material.</translation>
+    </message>
+    <message>
+        <source>%1 does not hold %2: its slits cut it right through there.</source>
+        <extracomment>%1 and %2 are names of sections</extracomment>
+        <translation>%1 hält %2 nicht: Die Schlitze schneiden dort ganz durch.</translation>
+    </message>
+    <message>
+        <source>%1 does not hold %2: its slit is less than %3 deep.</source>
+        <extracomment>%1 and %2 are names of sections, %3 is a length</extracomment>
+        <translation>%1 hält %2 nicht: Der Schlitz ist keine %3 tief.</translation>
+    </message>
+    <message>
+        <source>%1 does not hold %2: other slits take away what would be in its slit.</source>
+        <extracomment>%1 and %2 are names of sections</extracomment>
+        <translation>%1 hält %2 nicht: Andere Schlitze nehmen weg, was in diesem Schlitz stecken würde.</translation>
+    </message>
+    <message>
+        <source>Slit holds nothing</source>
+        <translation>Schlitz hält nichts</translation>
+    </message>
+    <message>
+        <source>Slits cut %1 into %2 parts; one of them, %3, is held by nothing.</source>
+        <extracomment>%1 is the name of a section, %2 a number from 2 on, %3 a size</extracomment>
+        <translation>Schlitze zerschneiden %1 in %2 Teile; eines davon, %3, wird von nichts gehalten.</translation>
+    </message>
+    <message>
+        <source>Slits cut %1 into %2 parts; %3 are held by nothing, the largest of them %4.</source>
+        <extracomment>%1 is the name of a section, %2 and %3 are numbers from 2 on, %4 is a size</extracomment>
+        <translation>Schlitze zerschneiden %1 in %2 Teile; %3 werden von nichts gehalten, das größte davon %4.</translation>
+    </message>
+    <message>
+        <source>Turn slits round</source>
+        <translation>Schlitze umdrehen</translation>
+    </message>
+    <message>
+        <source>Loose parts</source>
+        <translation>Lose Teile</translation>
+    </message>
+    <message>
+        <source>Let one of the sections that cross there end before the others, or move it aside.</source>
+        <translation>Lassen Sie eine der Scheiben, die sich dort kreuzen, vor den anderen enden, oder rücken Sie sie beiseite.</translation>
+    </message>
+    <message>
+        <source>Move %1 in from the edge</source>
+        <extracomment>%1 is the name of a section</extracomment>
+        <translation>%1 vom Rand hereinrücken</translation>
+    </message>
+    <message>
+        <source>Move %1 away</source>
+        <extracomment>%1 is the name of a section</extracomment>
+        <translation>%1 wegrücken</translation>
+    </message>
+    <message>
+        <source>Cut the slit less deep</source>
+        <translation>Schlitz weniger tief schneiden</translation>
+    </message>
+    <message>
+        <source>Slits are %1 narrower than what goes into them. That is too tight for any material.</source>
+        <translation>Schlitze sind %1 schmaler als das, was hineinkommt. Das ist für jedes Material zu eng.</translation>
+    </message>
+    <message>
+        <source>Slits too tight</source>
+        <translation>Schlitze zu eng</translation>
+    </message>
+    <message>
+        <source>Could be assembled, if two sections did not take up the same place.</source>
+        <translation>Ließe sich zusammenbauen, wenn nicht zwei Scheiben am selben Ort wären.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Could be assembled, if %n pairs of sections did not take up the same place.</source>
+        <translation>
+            <numerusform>Ließe sich zusammenbauen, wenn nicht %n Paar Scheiben am selben Ort wäre.</numerusform>
+            <numerusform>Ließe sich zusammenbauen, wenn nicht %n Paare von Scheiben am selben Ort wären.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>In each other</source>
+        <translation>Ineinander</translation>
+    </message>
+    <message>
+        <source>Shorten one of them, or turn it so that it slides the way of the others.</source>
+        <translation>Kürzen Sie eine davon, oder drehen Sie sie so, dass sie in derselben Richtung gleitet wie die anderen.</translation>
+    </message>
+    <message>
+        <source>Give it another foot, or move weight over those it has.</source>
+        <translation>Geben Sie dem Modell noch einen Fuß, oder rücken Sie Gewicht über die vorhandenen.</translation>
+    </message>
+    <message>
+        <source>%1 and %2 only touch, by less than %3.</source>
+        <extracomment>%1 and %2 are names of sections, %3 is a length</extracomment>
+        <translation>%1 und %2 berühren sich nur, um weniger als %3.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pairs of sections only touch, by less than %1.</source>
+        <extracomment>%1 is a length</extracomment>
+        <translation>
+            <numerusform>%n Paar Scheiben berührt sich nur, um weniger als %1.</numerusform>
+            <numerusform>%n Paare von Scheiben berühren sich nur, um weniger als %1.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Only touch</source>
+        <translation>Berühren sich nur</translation>
+    </message>
+    <message>
+        <source>Turn %1 to 90°</source>
+        <extracomment>%1 is the name of a section</extracomment>
+        <translation>%1 auf 90° drehen</translation>
+    </message>
+    <message numerus="yes">
+        <source>Slits cut %n chips under 1 mm² off %1. They are waste and get no number.</source>
+        <extracomment>%1 names sections</extracomment>
+        <translation>
+            <numerusform>Schlitze schneiden von %1 %n Splitter unter 1 mm² ab. Er ist Abfall und bekommt keine Nummer.</numerusform>
+            <numerusform>Schlitze schneiden von %1 %n Splitter unter 1 mm² ab. Sie sind Abfall und bekommen keine Nummern.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Waste</source>
+        <translation>Abfall</translation>
+    </message>
+    <message>
+        <source>The slits of %1 divide it into %2, which other sections hold together.</source>
+        <translation>Die Schlitze von %1 teilen die Scheibe in %2, die von anderen Scheiben gehalten werden.</translation>
+    </message>
+    <message>
+        <source>One joint turned round</source>
+        <translation>Eine Verbindung umgedreht</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n joints turned round</source>
+        <translation>
+            <numerusform>%n Verbindung umgedreht</numerusform>
+            <numerusform>%n Verbindungen umgedreht</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>One section moved</source>
+        <translation>Eine Scheibe verschoben</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n sections moved</source>
+        <translation>
+            <numerusform>%n Scheibe verschoben</numerusform>
+            <numerusform>%n Scheiben verschoben</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>One section with another outline</source>
+        <translation>Eine Scheibe mit anderem Umriss</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n sections with another outline</source>
+        <translation>
+            <numerusform>%n Scheibe mit anderem Umriss</numerusform>
+            <numerusform>%n Scheiben mit anderem Umriss</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>One section more</source>
+        <translation>Eine Scheibe mehr</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n sections more</source>
+        <translation>
+            <numerusform>%n Scheibe mehr</numerusform>
+            <numerusform>%n Scheiben mehr</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>One section less</source>
+        <translation>Eine Scheibe weniger</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n sections less</source>
+        <translation>
+            <numerusform>%n Scheibe weniger</numerusform>
+            <numerusform>%n Scheiben weniger</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>nothing is cut through</source>
+        <translation>nichts wird durchgeschnitten</translation>
+    </message>
+    <message>
+        <source>one problem less</source>
+        <translation>ein Problem weniger</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n problems less</source>
+        <translation>
+            <numerusform>%n Problem weniger</numerusform>
+            <numerusform>%n Probleme weniger</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Move the slit in from the edge, or let one of them end before the other.</source>
+        <translation>Rücken Sie den Schlitz vom Rand weg, oder lassen Sie eine Scheibe vor der anderen enden.</translation>
+    </message>
+    <message>
+        <source>Make the section wider there, or move the slit.</source>
+        <translation>Machen Sie die Scheibe dort breiter, oder versetzen Sie den Schlitz.</translation>
     </message>
 </context>
 <context>
@@ -4617,6 +4836,31 @@
             <numerusform>Löcher von %n Scheiben entfernen</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Widen the base of %1</source>
+        <extracomment>%1 is the name of a section</extracomment>
+        <translation>Standfläche von %1 verbreitern</translation>
+    </message>
+    <message>
+        <source>Add a foot to %1</source>
+        <extracomment>%1 is the name of a section</extracomment>
+        <translation>%1 einen Fuß geben</translation>
+    </message>
+    <message>
+        <source>Turn slits of %1 round</source>
+        <extracomment>%1 is the name of a section</extracomment>
+        <translation>Schlitze von %1 umdrehen</translation>
+    </message>
+    <message>
+        <source>Move %1 by %2</source>
+        <extracomment>%1 is the name of a section, %2 a length</extracomment>
+        <translation>%1 um %2 verschieben</translation>
+    </message>
+    <message>
+        <source>Turn %1 to 90°</source>
+        <extracomment>%1 is the name of a section</extracomment>
+        <translation>%1 auf 90° drehen</translation>
+    </message>
 </context>
 <context>
     <name>fff::SectionNames</name>
@@ -7304,6 +7548,18 @@
     <message>
         <source>In the background, after each change. Give it more time where the checks say that they found no order.</source>
         <translation>Im Hintergrund, nach jeder Änderung. Mehr Zeit hilft, wenn die Prüfungen sagen, dass sie keine Reihenfolge gefunden haben.</translation>
+    </message>
+    <message>
+        <source>Sections only touch below</source>
+        <translation>Scheiben berühren sich nur unter</translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation>mm</translation>
+    </message>
+    <message>
+        <source>Where they overlap by less, that is no problem.</source>
+        <translation>Wo sie weniger ineinanderreichen, ist das kein Problem.</translation>
     </message>
 </context>
 <context>

@@ -76,6 +76,71 @@
             <numerusform>The slits of %n joints were turned round.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>Could be assembled, if %n pairs of sections did not take up the same place.</source>
+        <translation>
+            <numerusform>Could be assembled, if %n pair of sections did not take up the same place.</numerusform>
+            <numerusform>Could be assembled, if %n pairs of sections did not take up the same place.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pairs of sections only touch, by less than %1.</source>
+        <extracomment>%1 is a length</extracomment>
+        <translation>
+            <numerusform>%n pair of sections only touches, by less than %1.</numerusform>
+            <numerusform>%n pairs of sections only touch, by less than %1.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Slits cut %n chips under 1 mm² off %1. They are waste and get no number.</source>
+        <extracomment>%1 names sections</extracomment>
+        <translation>
+            <numerusform>Slits cut %n chip under 1 mm² off %1. It is waste and gets no number.</numerusform>
+            <numerusform>Slits cut %n chips under 1 mm² off %1. They are waste and get no number.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n joints turned round</source>
+        <translation>
+            <numerusform>%n joint turned round</numerusform>
+            <numerusform>%n joints turned round</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n sections moved</source>
+        <translation>
+            <numerusform>%n section moved</numerusform>
+            <numerusform>%n sections moved</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n sections with another outline</source>
+        <translation>
+            <numerusform>%n section with another outline</numerusform>
+            <numerusform>%n sections with another outline</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n sections more</source>
+        <translation>
+            <numerusform>%n section more</numerusform>
+            <numerusform>%n sections more</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n sections less</source>
+        <translation>
+            <numerusform>%n section less</numerusform>
+            <numerusform>%n sections less</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n problems less</source>
+        <translation>
+            <numerusform>%n problem less</numerusform>
+            <numerusform>%n problems less</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>CommandLine</name>

@@ -1,5 +1,6 @@
 #include "app/cli/info.h"
 
+#include "core/analysis/check_rules.h"
 #include "core/analysis/footing.h"
 #include "core/assembly/cycles.h"
 #include "core/assembly/step_groups.h"
@@ -181,7 +182,9 @@ void writeCycles(JsonWriter &json, const Analysis &analysis)
 void writeAssemblability(JsonWriter &json, const Model &model, const ModelPlan &plan)
 {
     json.key("assemblable");
-    if (plan.plan.verdict == AssemblyPlan::Verdict::NotFound)
+    // What takes up the same place is passed over by the plan.
+    if (plan.plan.verdict == AssemblyPlan::Verdict::NotFound ||
+        pairsInEachOther(plan, CheckRules().touching) > 0)
         json.value("unknown");
     else
         json.value(plan.plan.verdict == AssemblyPlan::Verdict::Possible);
@@ -265,7 +268,7 @@ std::string infoJson(const Analysis &analysis, const ModelPlan &plan, const Info
     }
     for (const Joint &joint : assembly.joints)
         overlaps += joint.crossing->overlaps.size();
-    const auto groups = connectedGroups(model.sectionCount(), assembly.joints);
+    const auto groups = heldGroups(analysis);
 
     JsonWriter json;
     json.beginObject();
@@ -282,7 +285,7 @@ std::string infoJson(const Analysis &analysis, const ModelPlan &plan, const Info
     json.key("unconnected");
     json.beginArray(JsonWriter::Layout::Line);
     for (std::size_t g = 1; g < groups.size(); ++g)
-        for (const int section : groups[g])
+        for (const int section : sectionsOf(analysis.bodies, groups[g]))
             json.value(model.section(static_cast<std::size_t>(section))->name);
     json.endArray();
     writeCycles(json, analysis);

@@ -60,7 +60,7 @@ QString stepLine(const AssemblyPlan &plan, const std::vector<StepGroup> &groups,
 std::string infoText(const Analysis &analysis, const ModelPlan &plan, const InfoContext &context)
 {
     const Model &model = analysis.model;
-    const auto groups = connectedGroups(model.sectionCount(), analysis.assembly.joints);
+    const auto groups = heldGroups(analysis);
     const MassProperties mass = analysis.bodies.mass();
     const Box3 bounds = slabBounds(model);
 
@@ -78,7 +78,7 @@ std::string infoText(const Analysis &analysis, const ModelPlan &plan, const Info
     } else {
         QStringList names;
         for (std::size_t g = 1; g < groups.size(); ++g)
-            for (const int section : groups[g])
+            for (const int section : sectionsOf(analysis.bodies, groups[g]))
                 names += nameOf(model, section);
         lines += tr("Not connected to the rest: %1").arg(names.join(QStringLiteral(", ")));
     }

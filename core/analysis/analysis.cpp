@@ -1,6 +1,9 @@
 #include "core/analysis/analysis.h"
 
+#include "core/analysis/captives.h"
 #include "core/model/changes.h"
+
+#include <algorithm>
 
 namespace fff {
 
@@ -26,6 +29,7 @@ AnalysisPointer analyseNext(const Model &model, AnalysisCaches &caches)
                                : cutSection(shape, slits[i], caches.cuts, known.get());
     }
     analysis.bodies = bodiesOf(model, analysis.cuts, last.bodies, places);
+    analysis.grips = Grips::find(model, analysis.assembly, analysis.cuts, last.grips, places);
     caches.cuts.trim(analysis.cuts.size());
     caches.last = std::make_shared<const Analysis>(std::move(analysis));
     return caches.last;
@@ -34,6 +38,21 @@ AnalysisPointer analyseNext(const Model &model, AnalysisCaches &caches)
 Analysis analyse(const Model &model, AnalysisCaches &caches)
 {
     return *analyseNext(model, caches);
+}
+
+std::vector<std::vector<int>> heldGroups(const Analysis &analysis)
+{
+    return withCaptives(analysis,
+                        heldGroups(analysis.bodies, analysis.assembly.joints, analysis.grips));
+}
+
+std::vector<int> groupOf(const Analysis &analysis, int section)
+{
+    const int body = analysis.bodies.firstOf(section);
+    for (std::vector<int> &group : heldGroups(analysis))
+        if (std::binary_search(group.begin(), group.end(), body))
+            return std::move(group);
+    return {};
 }
 
 void prepareDrawing(const Analysis &analysis)

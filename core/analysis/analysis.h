@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/assembly/assembly.h"
-#include "core/assembly/body.h"
+#include "core/assembly/grips.h"
 
 namespace fff {
 
@@ -13,7 +13,13 @@ struct Analysis
     Assembly assembly;
     std::vector<CutSectionPointer> cuts; // one a section
     Bodies bodies;                       // that these are cut into
+    Grips grips;                         // what the joints hold of these
 };
+
+/// Of its bodies, with those that all others hold together (captives.h).
+std::vector<std::vector<int>> heldGroups(const Analysis &analysis);
+/// The one of these groups that the section's largest body is in.
+std::vector<int> groupOf(const Analysis &analysis, int section);
 
 using AnalysisPointer = std::shared_ptr<const Analysis>;
 

@@ -9,6 +9,7 @@
 #include <map>
 #include <numbers>
 #include <numeric>
+#include <set>
 
 namespace fff {
 
@@ -175,19 +176,26 @@ std::vector<Slide> slidesOf(const Analysis &analysis)
     for (const Joint &joint : analysis.assembly.joints) {
         if (joint.kind == JointKind::None)
             continue;
-        // Of a divided section it is not known which piece it holds: one direction more to try.
-        const bool isWhole = bodies.countOf(joint.a) == 1 && bodies.countOf(joint.b) == 1;
         Slide slide;
         slide.direction = slideOf(analysis, joint, slits);
         slide.goesBothWays = !slidesAlongAxis(joint.kind);
+        Hold hold;
         if (!slide.goesBothWays) {
-            const Hold hold = holdOf(analysis, joint, slits);
+            hold = holdOf(analysis, joint, slits);
             slide.length = hold.length;
-            slide.play = isWhole ? hold.play : slide.play;
         }
+        // Of pieces that do not hold each other it is one direction more to try.
+        const std::vector<Grip> &held = analysis.grips.of(joint).held;
+        const auto areHeld = [&](int a, int b) {
+            return std::any_of(held.begin(), held.end(), [&](const Grip &grip) {
+                return bodies.firstOf(joint.a) + grip.a == a &&
+                       bodies.firstOf(joint.b) + grip.b == b;
+            });
+        };
         forEachPair(bodies, joint, [&](int a, int b) {
             slide.a = a;
             slide.b = b;
+            slide.play = !slide.goesBothWays && areHeld(a, b) ? hold.play : Slide().play;
             slides.push_back(slide);
         });
     }
@@ -208,6 +216,15 @@ std::vector<PartOverlap> overlapsOf(Collisions &collisions,
             overlaps.push_back({a, b, *how});
     }
     return overlaps;
+}
+
+std::size_t pairsInEachOther(const ModelPlan &plan, double least)
+{
+    std::set<std::pair<int, int>> pairs;
+    for (const PartOverlap &overlap : plan.overlaps)
+        if (overlap.how.depth >= least)
+            pairs.emplace(plan.bodies.sectionOf(overlap.a), plan.bodies.sectionOf(overlap.b));
+    return pairs.size();
 }
 
 ModelPlan planOf(const Analysis &analysis, const std::function<bool()> &isOutOfTime)

@@ -44,6 +44,9 @@ std::vector<Slide> slidesOf(const Analysis &analysis);
 std::vector<PartOverlap> overlapsOf(Collisions &collisions,
                                     const std::function<bool()> &isOutOfTime = {});
 
+/// How many pairs of sections are in each other by this, mm, or more.
+std::size_t pairsInEachOther(const ModelPlan &plan, double least);
+
 /// A pure function of the analysis, but for the time. A part that a press fit holds may be as deep
 /// in its mate as the clearance is negative and as bumps press into it from both sides.
 ModelPlan planOf(const Analysis &analysis, const std::function<bool()> &isOutOfTime = {});

@@ -107,6 +107,10 @@ std::optional<Box3> refresh(const Analysis &analysis, int section, const LayoutO
                    });
     now.contactsSince = touchesAsBefore ? known.contactsSince : caches.count;
     now.sizes = sizes.of(now);
+    if (known.bodies.size() != now.bodies.size()) {
+        caches.gaps.clear(); // indices mean other bodies
+        caches.stances.clear();
+    }
     known = std::move(now);
     return before;
 }
@@ -116,8 +120,10 @@ std::optional<Box3> refresh(const Analysis &analysis, int section, const LayoutO
 void refreshCaches(const Analysis &analysis, const LayoutOptions &options, CheckCaches &caches)
 {
     const std::size_t count = analysis.model.sectionCount();
-    if (caches.sections.size() != count)
-        caches.gaps.clear(); // indices mean other sections, and there are others to be near
+    if (caches.sections.size() != count) {
+        caches.gaps.clear(); // indices mean other bodies, and there are others to be near
+        caches.stances.clear();
+    }
     caches.sections.resize(count);
     ++caches.count;
     SharedSizes sizes;

@@ -25,21 +25,21 @@ struct CheckCaches
                                                                // they touch the ground as now
         std::vector<std::shared_ptr<const OutlineSize>> sizes; // of each body, with the kerf
     };
-    /// How far it is to the sections that are not in the group.
+    /// How far it is to the bodies that are not in the group.
     struct OfGroup
     {
-        std::vector<int> group; // indices into the model
+        std::vector<int> group; // indices of bodies
         Box3 box;               // of all of them
 
         double distance = std::numeric_limits<double>::infinity(); // mm; infinite: nothing there
-        int other = -1;                                            // the nearest
+        int other = -1;                                            // section of the nearest
         Vec3 at = Vec3::Zero();                                    // of the group, nearest to it
     };
 
     /// What of a group is on the ground.
     struct OfStance
     {
-        std::vector<int> group; // indices into the model
+        std::vector<int> group; // indices of bodies
         int since = 0;          // number of the check
 
         GroundContact contact; // with the corners of the hull only

@@ -8,6 +8,8 @@ namespace fff {
 struct CheckRules
 {
     double shallowAngle = 0.52359877559829887; // radians, 30°: slits get wide below this
+    /// mm: sections that overlap by less only touch, which is no fault.
+    double touching = 0.3;
     std::chrono::milliseconds planningTime{1000};
 
     bool operator==(const CheckRules &) const = default;

@@ -2,18 +2,22 @@
 
 #include "core/analysis/findings/connection.h"
 #include "core/analysis/findings/in_each_other.h"
+#include "core/analysis/findings/loose_joints.h"
+#include "core/analysis/findings/loose_pieces.h"
 #include "core/analysis/findings/narrow_slits.h"
 #include "core/analysis/findings/sheet_fit.h"
 #include "core/analysis/findings/standing.h"
 #include "core/analysis/findings/total_mass.h"
+#include "core/analysis/findings/waste.h"
 #include "core/analysis/findings/wholeness.h"
 
 namespace fff {
 
 std::span<const Finder> finders()
 {
-    static constexpr Finder all[] = {findConnection,  findStanding, findSheetFit, findMass,
-                                     findJointFaults, findFailures, findDivided,  findNarrowSlits};
+    static constexpr Finder all[] = {findConnection,  findLoosePieces, findStanding, findSheetFit,
+                                     findMass,        findJointFaults, findFailures, findDivided,
+                                     findLooseJoints, findNarrowSlits, findWaste};
     return all;
 }
 
@@ -33,8 +37,7 @@ std::vector<Finding> checks(const Analysis &analysis, CheckCaches &caches,
     refreshCaches(analysis, layout, caches);
     if (count == 0)
         return found;
-    const Looked at{analysis, layout, rules, caches,
-                    connectedGroups(count, analysis.assembly.joints)};
+    const Looked at{analysis, layout, rules, caches, heldGroups(analysis)};
     for (const Finder find : by)
         find(at, found);
     return found;

@@ -17,8 +17,7 @@ struct Looked
     const LayoutOptions &layout;
     const CheckRules &rules;
     CheckCaches &caches;                        // up to date
-    const std::vector<std::vector<int>> groups; // indices into the model, of sections that joints
-                                                // hold together; the largest first
+    const std::vector<std::vector<int>> groups; // of bodies that joints hold together (heldGroups)
 };
 using Finder = void (*)(const Looked &, std::vector<Finding> &);
 

@@ -46,6 +46,10 @@ struct FindingKind
     ProblemLook (*look)(const Finding &) = nullptr;
     /// What is offered where there are so many that they are one row. Null: nothing.
     const ActionKind *forAll = nullptr;
+    /// How many problems it is, for whoever compares two models. Null: one.
+    int (*weight)(const Finding &) = nullptr;
+    /// What a person can do about it where nothing is offered; may be empty.
+    Text advice = {};
 };
 
 /// A value. What only its kind knows of is in its details, which copies share.

@@ -13,20 +13,20 @@ using Group = std::vector<int>;
 GroundContact contactOf(const Bodies &bodies, const Group &group)
 {
     std::vector<const GroundContact *> contacts;
-    for (const int section : group)
-        for (const BodyPointer &body : bodies.of(section))
-            contacts.push_back(&body->contact());
+    for (const int body : group)
+        contacts.push_back(&bodies.at(body).contact());
     GroundContact contact = together(contacts);
     contact.corners = convexHull(contact.corners);
     return contact;
 }
 
-/// The same as long as its sections' contacts are.
+/// The same as long as the contacts of its bodies' sections are.
 const GroundContact &refreshedContact(const Bodies &bodies, const Group &group,
                                       const CheckCaches &caches, CheckCaches::OfStance &stance)
 {
-    const auto isAsBefore = [&](int section) {
-        return caches.sections[static_cast<std::size_t>(section)].contactsSince <= stance.since;
+    const auto isAsBefore = [&](int body) {
+        const auto section = static_cast<std::size_t>(bodies.sectionOf(body));
+        return caches.sections[section].contactsSince <= stance.since;
     };
     if (stance.group != group || !std::all_of(group.begin(), group.end(), isAsBefore))
         stance = {group, caches.count, contactOf(bodies, group)};
@@ -38,46 +38,64 @@ Stability stabilityOf(const Bodies &bodies, const Group &group, const MassProper
 {
     Box3 box;
     double thinnest = std::numeric_limits<double>::infinity();
-    for (const int section : group) {
-        for (const BodyPointer &body : bodies.of(section)) {
-            box.extend(body->box());
-            thinnest = std::min(thinnest, body->thickness());
-        }
+    for (const int body : group) {
+        box.extend(bodies.at(body).box());
+        thinnest = std::min(thinnest, bodies.at(body).thickness());
     }
     if (box.isEmpty())
         return {};
     return stability(contact, mass.centre, thinnest, box.size().maxCoeff());
 }
 
+/// The body of a section that something at this point, in frame coordinates, is on.
+int bodyAt(const Bodies &bodies, int section, const Vec2 &point)
+{
+    int nearest = bodies.firstOf(section);
+    double least = std::numeric_limits<double>::infinity();
+    for (int body = nearest, end = nearest + bodies.countOf(section); body < end; ++body) {
+        const Region &region = bodies.at(body).outline().region;
+        if (locate(point, region) != Side::Outside)
+            return body;
+        if (const double distance = distanceTo(point, region); distance < least) {
+            least = distance;
+            nearest = body;
+        }
+    }
+    return nearest;
+}
+
 } // namespace
 
-MassProperties loadedMass(const Analysis &analysis, const std::vector<int> &sections)
+MassProperties loadedMass(const Analysis &analysis, const std::vector<int> &group)
 {
     const Model &model = analysis.model;
+    const Bodies &bodies = analysis.bodies;
     MassProperties sum;
-    for (const int section : sections) {
-        const auto index = static_cast<std::size_t>(section);
-        const Section &host = *model.section(index);
-        sum += analysis.bodies.massOf(section);
-        for (const Weight &weight : model.document.weights)
-            if (weight.section == model.ref(index))
-                sum += {weight.mass, host.frame.toWorld(weight.position)};
+    for (const int body : group)
+        sum += bodies.at(body).mass();
+    for (const Weight &weight : model.document.weights) {
+        const int section = model.indexOf(weight.section);
+        if (section < 0 || bodies.countOf(section) == 0)
+            continue;
+        const int body = bodyAt(bodies, section, weight.position);
+        if (std::find(group.begin(), group.end(), body) != group.end())
+            sum += {weight.mass, bodies.at(body).frame().toWorld(weight.position)};
     }
     return sum;
 }
 
-Stability stabilityOf(const Analysis &analysis, const std::vector<int> &sections)
+Stability stabilityOf(const Analysis &analysis, const std::vector<int> &group)
 {
-    return stabilityOf(analysis.bodies, sections, loadedMass(analysis, sections),
-                       contactOf(analysis.bodies, sections));
+    return stabilityOf(analysis.bodies, group, loadedMass(analysis, group),
+                       contactOf(analysis.bodies, group));
 }
 
-Stability stabilityOf(const Analysis &analysis, const std::vector<int> &sections,
+Stability stabilityOf(const Analysis &analysis, const std::vector<int> &group,
                       const MassProperties &mass, const CheckCaches &caches,
                       CheckCaches::OfStance &stance)
 {
-    return stabilityOf(analysis.bodies, sections, mass,
-                       refreshedContact(analysis.bodies, sections, caches, stance));
+    return stabilityOf(analysis.bodies, group, mass,
+                       refreshedContact(analysis.bodies, group, caches, stance));
 }
 
 } // namespace fff

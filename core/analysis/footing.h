@@ -8,15 +8,16 @@
 
 namespace fff {
 
-/// Of sections (indices into the model), with the weights that hang on them.
-MassProperties loadedMass(const Analysis &analysis, const std::vector<int> &sections);
+/// Of a group of bodies (indices into the list), with the weights that hang on them: on that of a
+/// section's which is there, or nearest.
+MassProperties loadedMass(const Analysis &analysis, const std::vector<int> &group);
 
-/// Whether and how the sections (indices into the model) stand, taken as one rigid body with the
-/// weights that hang on them.
-Stability stabilityOf(const Analysis &analysis, const std::vector<int> &sections);
+/// Whether and how a group of bodies stands, taken as one rigid body with the weights that hang on
+/// it.
+Stability stabilityOf(const Analysis &analysis, const std::vector<int> &group);
 /// The same, of their mass as above, with what is known of their contact with the ground: that is
 /// worked out anew only where the contact of one of them changed.
-Stability stabilityOf(const Analysis &analysis, const std::vector<int> &sections,
+Stability stabilityOf(const Analysis &analysis, const std::vector<int> &group,
                       const MassProperties &mass, const CheckCaches &caches,
                       CheckCaches::OfStance &stance);
 

@@ -49,6 +49,13 @@ public:
     {
     }
 
+    /// The way along one direction.
+    std::optional<Vec3> along(const Vec3 &direction) const
+    {
+        const auto depth = depthAlong(direction, std::numeric_limits<double>::infinity());
+        return depth ? std::optional<Vec3>(m_touching + *depth * direction) : std::nullopt;
+    }
+
     /// The shortest of all ways on.
     std::optional<Vec3> find() const
     {
@@ -210,10 +217,8 @@ std::vector<int> movingSections(const Analysis &analysis, const std::vector<Sect
         moving.insert(index);
     }
     std::set<int> held; // with the other one
-    for (const std::vector<int> &joined :
-         connectedGroups(model.sectionCount(), analysis.assembly.joints))
-        if (std::find(joined.begin(), joined.end(), other) != joined.end())
-            held.insert(joined.begin(), joined.end());
+    for (const int section : sectionsOf(analysis.bodies, groupOf(analysis, other)))
+        held.insert(section);
     for (bool grows = true; grows;) {
         grows = false;
         for (std::size_t i = 0; i < model.document.sections.size(); ++i) {
@@ -265,6 +270,18 @@ joiningMove(const Analysis &analysis, const std::vector<SectionRef> &group, cons
         return {};
     move.way = *way;
     return move;
+}
+
+std::optional<JoiningMove> moveAlong(const Analysis &analysis, const SectionRef &section,
+                                     const SectionRef &other, const Vec3 &direction)
+{
+    const Model &model = analysis.model;
+    const int own = model.indexOf(section), target = model.indexOf(other);
+    if (own < 0 || target < 0 || own == target || !section.drawn.isValid())
+        return {};
+    const std::optional<Vec3> way =
+        Search(analysis, {own}, own, target, Nearest{}).along(direction);
+    return way ? std::optional(JoiningMove{{section.drawn}, *way}) : std::nullopt;
 }
 
 std::vector<SectionRef> nearestSections(const Analysis &analysis,

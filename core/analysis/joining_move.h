@@ -32,6 +32,11 @@ std::optional<JoiningMove> joiningMove(const Analysis &analysis,
                                        const std::vector<SectionRef> &group,
                                        const SectionRef &other);
 
+/// One section that is in the other already, moved with what was drawn on it along a direction
+/// (world, unit) just so far that their joint holds; see there. Nothing as there.
+std::optional<JoiningMove> moveAlong(const Analysis &analysis, const SectionRef &section,
+                                     const SectionRef &other, const Vec3 &direction);
+
 /// The sections that are not of the group, by how near their boxes are to those of the group, at
 /// most so many.
 std::vector<SectionRef> nearestSections(const Analysis &analysis,

@@ -2,6 +2,7 @@
 
 #include "core/analysis/analysed.h"
 #include "core/analysis/planned.h"
+#include "core/operations/evaluate.h"
 
 #include <algorithm>
 #include <map>
@@ -10,27 +11,73 @@ namespace fff {
 
 namespace {
 
-Result<Mends> mends(const std::vector<Finding> &findings, const Snapshot &snapshot,
-                    Progress &progress, const std::stop_token &stop)
+/// What all edits are compared with, and who judges them.
+struct Judge
 {
-    const Analysis &analysis = *snapshot.get(kAnalysed).analysis;
-    const std::optional<Flips> &flips = snapshot.get(kFlips).flips;
-    Mends out;
-    std::map<const FindingKind *, int> alike;
-    for (std::size_t i = 0; i < findings.size(); ++i) {
-        if (stop.stop_requested())
-            return failure(ErrorCode::Cancelled);
-        progress.set(static_cast<double>(i) / static_cast<double>(findings.size()));
-        if (alike[findings[i].kind]++ < kMostAlike)
-            out.ofFindings.emplace_back(
-                findings[i], actionsOf(findings[i], analysis, flips ? &*flips : nullptr));
+    const Analysis &analysis;
+    const std::vector<Finding> &findings;
+    const Flips *flips;
+    const CheckRules &rules;
+    Trials &trials;
+    std::stop_token stop;
+
+    /// Nothing where it does not help, or makes something worse.
+    std::optional<Mend> mend(const FindingAction &action, const Finding &finding) const
+    {
+        if (!fff::isEdit(*action.kind))
+            return Mend{action, {}, {}};
+        std::optional<FindingEdit> edit = carriedOut(action, finding, analysis, flips);
+        if (!edit)
+            return {};
+        const std::optional<Trials::Outcome> tried =
+            trials.of(evaluate(edit->document, analysis.model), rules, stop);
+        if (!tried || !isNoWorse(findings, tried->findings) ||
+            !helps(finding, findings, tried->findings))
+            return {};
+        Message changes = changesBetween(analysis, *tried->analysis, findings, tried->findings);
+        return Mend{action, std::move(edit), tried->analysis, std::move(changes)};
     }
-    return out;
-}
+
+    std::vector<Mend> mendsOf(const FindingRow &row) const
+    {
+        std::vector<FindingAction> actions;
+        if (row.count > 1) {
+            if (row.finding.kind->forAll)
+                actions.push_back({row.finding.kind->forAll});
+        } else if (row.finding.kind->actions) {
+            actions = row.finding.kind->actions(row.finding, analysis);
+        }
+        std::vector<Mend> mends;
+        for (const FindingAction &action : actions)
+            if (!stop.stop_requested())
+                if (auto made = mend(action, row.finding))
+                    mends.push_back(*std::move(made));
+        return mends;
+    }
+};
 
 } // namespace
 
-const std::vector<FindingAction> *Mends::of(const Finding &finding) const
+std::vector<FindingRow> inRows(const std::vector<Finding> &findings)
+{
+    std::vector<FindingRow> rows;
+    std::map<const FindingKind *, int> alike;
+    for (const Finding &finding : findings) {
+        if (alike[finding.kind]++ < kMostAlike) {
+            rows.push_back({finding});
+            continue;
+        }
+        const auto last = std::find_if(rows.rbegin(), rows.rend(), [&](const FindingRow &row) {
+            return row.finding.kind == finding.kind;
+        });
+        last->count += 1;
+        last->finding.sections.insert(last->finding.sections.end(), finding.sections.begin(),
+                                      finding.sections.end());
+    }
+    return rows;
+}
+
+const std::vector<Mend> *Mends::of(const Finding &finding) const
 {
     const auto known = std::find_if(ofFindings.begin(), ofFindings.end(), [&](const auto &mended) {
         return isSameVerdict(mended.first, finding);
@@ -40,7 +87,7 @@ const std::vector<FindingAction> *Mends::of(const Finding &finding) const
 
 Stage mendsOf(const std::vector<Stage> &others)
 {
-    std::vector<const char *> inputs{kAnalysed.name, kFlips.name};
+    std::vector<const char *> inputs{kAnalysed.name, kFlips.name, kRules.name};
     std::vector<Stage> finding;
     for (const Stage &stage : others) {
         if (!stage.findings)
@@ -50,14 +97,29 @@ Stage mendsOf(const std::vector<Stage> &others)
     }
     return makeStage(kMends, FFF_TEXT("Stage", "what can be done about problems"),
                      std::move(inputs), Stage::Runs::WhenSettled,
-                     [finding](const Snapshot &snapshot, const Mends *, Progress &progress,
-                               std::stop_token stop) {
+                     [others, finding](const Snapshot &snapshot, const Mends *previous,
+                                       Progress &progress, std::stop_token stop) -> Result<Mends> {
                          std::vector<Finding> all;
                          for (const Stage &stage : finding) {
                              const auto &found = stage.findings(snapshot.result(stage.name).get());
                              all.insert(all.end(), found.begin(), found.end());
                          }
-                         return mends(all, snapshot, progress, stop);
+                         Mends out{snapshot.get(kAnalysed).analysis,
+                                   {},
+                                   previous ? previous->trials : std::make_shared<Trials>(others)};
+                         const std::optional<Flips> &flips = snapshot.get(kFlips).flips;
+                         const Judge judge{
+                             *out.analysis,        all,         flips ? &*flips : nullptr,
+                             snapshot.get(kRules), *out.trials, stop};
+                         const std::vector<FindingRow> rows = inRows(all);
+                         for (const FindingRow &row : rows) {
+                             progress.set(static_cast<double>(&row - rows.data()) /
+                                          static_cast<double>(rows.size()));
+                             out.ofFindings.emplace_back(row.finding, judge.mendsOf(row));
+                             if (stop.stop_requested())
+                                 return failure(ErrorCode::Cancelled);
+                         }
+                         return out;
                      });
 }
 

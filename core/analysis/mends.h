@@ -1,29 +1,53 @@
-// The stage of what can be done about what the others have found.
+// The stage of what can be done about what the others have found: each edit is tried on a copy and
+// judged by all of them, and offered only where it helps and makes nothing worse.
 #pragma once
 
 #include "core/analysis/finding_action.h"
 #include "core/analysis/stage.h"
+#include "core/analysis/trial.h"
 
 #include <utility>
 
 namespace fff {
 
-/// More findings of one kind than this say less than a number does; nothing is offered for each of
-/// the others.
+/// More findings of one kind than this say less than a number does; the others are one row.
 inline constexpr int kMostAlike = 12;
+
+/// What a person sees in one row: a finding, or what is left of many of one kind.
+struct FindingRow
+{
+    Finding finding; // of many: with the sections of all of them
+    int count = 1;
+};
+/// In the order of the findings.
+std::vector<FindingRow> inRows(const std::vector<Finding> &findings);
+
+/// Something that can be done.
+struct Mend
+{
+    FindingAction action;
+    // Of an edit: what it makes, and what was found out about that.
+    std::optional<FindingEdit> edit;
+    AnalysisPointer tried;
+    Message changes = {};
+
+    bool isEdit() const { return edit.has_value(); }
+};
 
 struct Mends
 {
-    std::vector<std::pair<Finding, std::vector<FindingAction>>> ofFindings;
+    AnalysisPointer analysis; // that they are about
+    std::vector<std::pair<Finding, std::vector<Mend>>> ofFindings;
+    std::shared_ptr<Trials> trials; // the stage's own
 
     /// What can be done about the finding, or about the same verdict on another model; null where
     /// that is not known.
-    const std::vector<FindingAction> *of(const Finding &finding) const;
+    const std::vector<Mend> *of(const Finding &finding) const;
 };
 
 inline constexpr StageOf<Mends> kMends{"mends"};
 
-/// After stages that have findings: it looks at those of all of them.
+/// After stages that have findings: it looks at those of all of them, and has them judge.
 Stage mendsOf(const std::vector<Stage> &others);
 
 } // namespace fff

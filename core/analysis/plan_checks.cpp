@@ -4,6 +4,7 @@
 #include "core/analysis/findings/order.h"
 #include "core/analysis/findings/rings.h"
 #include "core/analysis/findings/thin_webs.h"
+#include "core/analysis/findings/touching_pairs.h"
 
 #include <set>
 
@@ -11,7 +12,8 @@ namespace fff {
 
 std::span<const PlanFinder> planFinders()
 {
-    static constexpr PlanFinder all[] = {findOrder, findInterferences, findRings, findThinWebs};
+    static constexpr PlanFinder all[] = {findOrder, findInterferences, findTouching, findRings,
+                                         findThinWebs};
     return all;
 }
 
@@ -34,20 +36,22 @@ ProblemLink linkOf(const Model &model, const Joint &joint)
             axis.direction};
 }
 
-std::vector<Finding> planChecks(const Analysis &analysis, const ModelPlan &plan)
+std::vector<Finding> planChecks(const Analysis &analysis, const ModelPlan &plan,
+                                const CheckRules &rules)
 {
     WebCaches caches;
-    return planChecks(analysis, plan, caches);
+    return planChecks(analysis, plan, caches, rules);
 }
 
-std::vector<Finding> planChecks(const Analysis &analysis, const ModelPlan &plan, WebCaches &caches)
+std::vector<Finding> planChecks(const Analysis &analysis, const ModelPlan &plan, WebCaches &caches,
+                                const CheckRules &rules)
 {
     std::vector<Finding> found;
     const bool isEmpty =
         plan.bodies.size() == 0 && plan.plan.verdict == AssemblyPlan::Verdict::Possible;
     if (isEmpty)
         return found;
-    const LookedAtPlan at{analysis, plan, caches};
+    const LookedAtPlan at{analysis, plan, rules, caches};
     for (const PlanFinder find : planFinders())
         find(at, found);
     return found;

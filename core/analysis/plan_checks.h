@@ -16,9 +16,11 @@ std::span<const PlanFinder> planFinders();
 /// Whether it can be assembled, which sections are in each other without a slit between them, which
 /// form rings, and where slits leave too little; the verdict first, the others in the order of the
 /// sections. Nothing for a model without parts.
-std::vector<Finding> planChecks(const Analysis &analysis, const ModelPlan &plan);
+std::vector<Finding> planChecks(const Analysis &analysis, const ModelPlan &plan,
+                                const CheckRules &rules = {});
 /// The same, with any caches.
-std::vector<Finding> planChecks(const Analysis &analysis, const ModelPlan &plan, WebCaches &caches);
+std::vector<Finding> planChecks(const Analysis &analysis, const ModelPlan &plan, WebCaches &caches,
+                                const CheckRules &rules = {});
 
 /// True once so much time has gone by from now on: for planOf().
 std::function<bool()> timeLimit(std::chrono::milliseconds time);

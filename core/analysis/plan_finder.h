@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/analysis/assembly_plan.h"
+#include "core/analysis/check_rules.h"
 #include "core/analysis/finding_action.h"
 #include "core/assembly/webs.h"
 
@@ -26,6 +27,7 @@ struct LookedAtPlan
 {
     const Analysis &analysis;
     const ModelPlan &plan;
+    const CheckRules &rules;
     WebCaches &webs;
 };
 using PlanFinder = void (*)(const LookedAtPlan &, std::vector<Finding> &);

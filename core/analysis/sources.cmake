@@ -2,15 +2,20 @@ target_sources(fff_core PRIVATE
     analysis/analysed.cpp
     analysis/analysis.cpp
     analysis/assembly_plan.cpp
+    analysis/captives.cpp
     analysis/check_caches.cpp
     analysis/checks.cpp
     analysis/cutting.cpp
     analysis/dropping.cpp
     analysis/finding.cpp
     analysis/finding_action.cpp
+    analysis/findings/broader_base.cpp
     analysis/findings/connection.cpp
     analysis/findings/in_each_other.cpp
     analysis/findings/joining.cpp
+    analysis/findings/loose_joints.cpp
+    analysis/findings/loose_pieces.cpp
+    analysis/findings/moving_slits.cpp
     analysis/findings/narrow_slits.cpp
     analysis/findings/not_worked_out.cpp
     analysis/findings/order.cpp
@@ -19,6 +24,9 @@ target_sources(fff_core PRIVATE
     analysis/findings/standing.cpp
     analysis/findings/thin_webs.cpp
     analysis/findings/total_mass.cpp
+    analysis/findings/touching_pairs.cpp
+    analysis/findings/turning_square.cpp
+    analysis/findings/waste.cpp
     analysis/findings/wholeness.cpp
     analysis/flips.cpp
     analysis/footing.cpp
@@ -31,5 +39,7 @@ target_sources(fff_core PRIVATE
     analysis/stages.cpp
     analysis/stretching.cpp
     analysis/touching.cpp
+    analysis/trial.cpp
+    analysis/trial_words.cpp
     analysis/verdicts.cpp
 )

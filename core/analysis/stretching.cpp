@@ -166,7 +166,7 @@ private:
     {
         const Model &model = m_analysis.model;
         std::vector<std::pair<double, int>> heights;
-        for (const int index : m_group) {
+        for (const int index : sectionsOf(m_analysis.bodies, m_group)) {
             const Section &section = *model.section(static_cast<std::size_t>(index));
             if (const double height = slabBounds(section, model.document.stockOf(section)).min.y();
                 height > kGroundContact)
@@ -276,7 +276,8 @@ std::optional<Document> standingOn(const Analysis &analysis, const std::vector<i
     AnalysisCaches caches;
     caches.last = AnalysisPointer(AnalysisPointer(), &analysis); // it outlives them
     const Analysis next = analyse(evaluate(*document, analysis.model), caches);
-    if (stabilityOf(next, group).standing != Standing::Stands ||
+    const int first = analysis.bodies.sectionOf(group.front());
+    if (stabilityOf(next, groupOf(next, first)).standing != Standing::Stands ||
         !joinTheSame(analysis.assembly.joints, next.assembly.joints) ||
         std::any_of(feet.begin(), feet.end(), [&](const HighFoot &foot) {
             return comesUponOthers(analysis.model.indexOf(foot.section), analysis, next);

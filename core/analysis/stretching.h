@@ -26,10 +26,10 @@ struct HighFoot
 /// operation made. O(control points + slits + joints of the model).
 std::optional<ShapePointer> stretchedToGround(const Analysis &analysis, int section);
 
-/// Of a group of sections that falls over as one body, those that make it stand once they are
-/// stretched: one if one is enough, the one that is nearest to the ground first, else of the lowest
-/// four as few as it takes; of more than 32 that end above the ground the lowest are looked at.
-/// Empty when none of these help, see standingOn().
+/// Of a group of bodies (indices into the list) that falls over as one, the sections that make it
+/// stand once they are stretched: one if one is enough, the one that is nearest to the ground
+/// first, else of the lowest four as few as it takes; of more than 32 that end above the ground the
+/// lowest are looked at. Empty when none of these help, see standingOn().
 ///
 /// Taken for possible by what of them reaches the ground, then tried, of several together one set
 /// alone. A trial costs an edit, weighing the group and a look at all sections' boxes: O(vertices).

@@ -194,6 +194,23 @@ Result<std::vector<CurvedRegion>> cutShape(const Shape &shape, const std::vector
     return pieces ? withTabs(*std::move(pieces), slits, chord) : pieces;
 }
 
+CutSection::CutSection(std::vector<CurvedRegion> parts) : m_parts(std::move(parts))
+{
+    sortOutWaste();
+}
+
+/// Parts come the largest first.
+void CutSection::sortOutWaste()
+{
+    const auto isWaste = [](const CurvedRegion &part) {
+        return std::abs(part.outer.signedArea()) < kWasteArea;
+    };
+    while (m_parts.size() > 1 && isWaste(m_parts.back())) {
+        m_waste.push_back(m_parts.back().outer.points().front());
+        m_parts.pop_back();
+    }
+}
+
 CutSection::CutSection(const Shape &shape, const std::vector<Slit> &slits, const CutSection *before)
 {
     static const std::vector<SlitNotch> none;
@@ -214,6 +231,7 @@ CutSection::CutSection(const Shape &shape, const std::vector<Slit> &slits, const
     Result<std::vector<CurvedRegion>> parts = cutShape(shape, slits, kCutChord);
     if (parts) {
         m_parts = *std::move(parts);
+        sortOutWaste();
     } else {
         m_failure = parts.error();
         m_parts.push_back({shape.contour(), shape.holes(), shape.region()});

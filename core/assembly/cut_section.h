@@ -50,7 +50,7 @@ class CutSection
 {
 public:
     /// Of parts that were cut elsewhere.
-    explicit CutSection(std::vector<CurvedRegion> parts) : m_parts(std::move(parts)) {}
+    explicit CutSection(std::vector<CurvedRegion> parts);
     /// before   null, or of the same shape: what was found for slits that are still the same is
     ///          not looked for again
     CutSection(const Shape &shape, const std::vector<Slit> &slits, const CutSection *before);
@@ -58,9 +58,11 @@ public:
     /// Why it could not be cut out; mostly nothing. Its one part is then the shape without its
     /// slits: something to see and to weigh, but nothing to cut (core/fabrication/wholeness.h).
     const std::optional<Error> &failure() const { return m_failure; }
-    /// Connected pieces of contour − holes − slits + tabs, largest first; usually one. Frame
-    /// coordinates, mm.
+    /// Connected pieces of contour − holes − slits + tabs, largest first; usually one. Without
+    /// chips below kWasteArea, unless there is nothing else. Frame coordinates, mm.
     const std::vector<CurvedRegion> &parts() const { return m_parts; }
+    /// Where those chips are: a point of each.
+    const std::vector<Vec2> &waste() const { return m_waste; }
     /// Of each part's region, computed at first use, once, from any thread. Errors  as
     /// triangulate().
     const Result<std::vector<Triangulation>> &triangulations() const;
@@ -79,7 +81,10 @@ public:
     std::size_t bytes() const;
 
 private:
+    void sortOutWaste();
+
     std::vector<CurvedRegion> m_parts;
+    std::vector<Vec2> m_waste;
     std::vector<SlitNotch> m_notches; // of all slits, or empty
     mutable std::mutex m_compensatedMutex;
     mutable double m_compensatedKerf = 0.0;

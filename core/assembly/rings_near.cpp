@@ -14,7 +14,16 @@ constexpr std::size_t kFewVertices = 128;
 /// More than rounding says of where a vertex is beside a line, mm.
 constexpr double kBesideRounding = kTouchingDepth;
 
-bool isShort(const Region &region)
+} // namespace
+
+RingsNear::RingsNear(const PlaneLine &line, const Shape &shape, double halfWidth)
+    : RingsNear(
+          line, shape.region(), [&]() -> const RegionTree & { return shape.boundaries(); },
+          halfWidth)
+{
+}
+
+bool RingsNear::isShort(const Region &region)
 {
     std::size_t count = region.outer.size();
     for (const Polygon &hole : region.holes)
@@ -22,14 +31,9 @@ bool isShort(const Region &region)
     return count <= kFewVertices;
 }
 
-} // namespace
-
-RingsNear::RingsNear(const PlaneLine &line, const Shape &shape, double halfWidth)
-    : m_region(&shape.region())
+void RingsNear::thinOut(const PlaneLine &line, const RegionTree &boundaries, double halfWidth)
 {
-    if (isShort(*m_region))
-        return;
-    const std::vector<PolygonTree> &rings = shape.boundaries().rings();
+    const std::vector<PolygonTree> &rings = boundaries.rings();
     for (std::size_t i = 0; i < rings.size(); ++i) {
         const double reach = halfWidth + kBesideRounding;
         if (i > 0 && rings[i].isBeside(line.point, line.direction, reach))

@@ -16,6 +16,14 @@ class RingsNear
 public:
     /// halfWidth   of the strip, mm
     RingsNear(const PlaneLine &line, const Shape &shape, double halfWidth);
+    /// boundaries   of the region, asked for where it has many vertices
+    template <class Boundaries>
+    RingsNear(const PlaneLine &line, const Region &region, Boundaries boundaries, double halfWidth)
+        : m_region(&region)
+    {
+        if (!isShort(region))
+            thinOut(line, boundaries(), halfWidth);
+    }
     RingsNear(const RingsNear &) = delete;
     RingsNear &operator=(const RingsNear &) = delete;
 
@@ -26,6 +34,9 @@ public:
     AxisEnd inShape(const AxisEnd &end) const;
 
 private:
+    static bool isShort(const Region &region);
+    void thinOut(const PlaneLine &line, const RegionTree &boundaries, double halfWidth);
+
     struct Ring
     {
         int index = 0; // of the shape's

@@ -32,6 +32,7 @@ public:
 
     void resize(std::size_t size) { m_rows.resize(size, emptyRow()); }
     void push_back(Row row) { m_rows.push_back(pointerTo(std::move(row))); }
+    void share(std::size_t index, RowPointer row) { m_rows[index] = std::move(row); }
     void set(std::size_t index, Row row) { m_rows[index] = pointerTo(std::move(row)); }
 
     class Iterator

@@ -8,6 +8,7 @@ target_sources(fff_core PRIVATE
     assembly/cycles.cpp
     assembly/encounter.cpp
     assembly/found_joint.cpp
+    assembly/grips.cpp
     assembly/intervals.cpp
     assembly/joint.cpp
     assembly/joint_editing.cpp

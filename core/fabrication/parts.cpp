@@ -8,31 +8,6 @@ namespace fff {
 
 namespace {
 
-double distanceTo(const Vec2 &point, const Polygon &polygon)
-{
-    double nearest = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0, j = polygon.size() - 1; i < polygon.size(); j = i++) {
-        const Vec2 edge = polygon[i] - polygon[j];
-        const double lengthSquared = edge.squaredNorm();
-        const double share =
-            lengthSquared > 0.0 ? edge.dot(point - polygon[j]) / lengthSquared : 0.0;
-        const Vec2 foot = polygon[j] + std::clamp(share, 0.0, 1.0) * edge;
-        nearest = std::min(nearest, (point - foot).norm());
-    }
-    return nearest;
-}
-
-/// 0 inside; else how far the point is from the region.
-double distanceTo(const Vec2 &point, const Region &region)
-{
-    if (locate(point, region) != Side::Outside)
-        return 0.0;
-    double nearest = distanceTo(point, region.outer);
-    for (const Polygon &hole : region.holes)
-        nearest = std::min(nearest, distanceTo(point, hole));
-    return nearest;
-}
-
 /// Which part the slit's bottom touches. Just beyond the bottom is material of one part only,
 /// unless another slit took that too; then the nearest part gets the mark.
 std::size_t partAtBottom(std::span<const BodyPointer> bodies, const Vec2 &inner,

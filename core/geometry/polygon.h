@@ -28,5 +28,7 @@ enum class Side { Outside, Boundary, Inside };
 Side locate(const Vec2 &point, const Polygon &polygon);
 /// Inside the outer polygon and outside of every hole; on any of them is Boundary.
 Side locate(const Vec2 &point, const Region &region);
+/// mm from the point to the nearest of the region, 0 inside. O(vertices).
+double distanceTo(const Vec2 &point, const Region &region);
 
 } // namespace fff

@@ -101,15 +101,36 @@ CheckList::Age CheckList::age() const
     return age;
 }
 
-const std::vector<FindingAction> &CheckList::actionsOf(const Finding &finding) const
+const std::vector<Mend> &CheckList::mendsOf(const Finding &finding) const
 {
-    static const std::vector<FindingAction> kNone, kAgain{{&kTryAgain}},
-        kAgainOrReport{{&kTryAgain}, {&kShowReport}};
+    static const std::vector<Mend> kNone, kAgain{Mend{{&kTryAgain}, {}, {}}},
+        kAgainOrReport{Mend{{&kTryAgain}, {}, {}}, Mend{{&kShowReport}, {}, {}}};
     if (finding.details<StageFailure>())
         return reportOf(finding).isEmpty() ? kAgain : kAgainOrReport;
     const auto mends = m_scheduler.result(kMends);
-    const std::vector<FindingAction> *actions = mends ? mends->of(finding) : nullptr;
-    return actions ? *actions : kNone;
+    const std::vector<Mend> *known = mends ? mends->of(finding) : nullptr;
+    return known ? *known : kNone;
+}
+
+bool CheckList::isMendless(const Finding &finding) const
+{
+    const auto mends = m_scheduler.result(kMends);
+    const std::vector<Mend> *known = mends ? mends->of(finding) : nullptr;
+    return known && known->empty();
+}
+
+const Mend *CheckList::mendNow(const FindingAction &action, const Finding &finding) const
+{
+    m_scheduler.finish(kMends.name);
+    const auto mends = m_scheduler.result(kMends);
+    if (!mends || !mends->analysis->model.document.isSame(m_session.committed().document))
+        return nullptr;
+    const std::vector<Mend> *known = mends->of(finding);
+    if (!known)
+        return nullptr;
+    const auto mend = std::find_if(known->begin(), known->end(),
+                                   [&](const Mend &other) { return other.action == action; });
+    return mend == known->end() ? nullptr : &*mend;
 }
 
 QString CheckList::reportOf(const Finding &finding) const
@@ -117,15 +138,6 @@ QString CheckList::reportOf(const Finding &finding) const
     const auto *failure = finding.details<StageFailure>();
     const auto report = failure ? m_failing.find(failure->stage) : m_failing.end();
     return report == m_failing.end() ? QString() : report->second;
-}
-
-const Flips *CheckList::flips() const
-{
-    const auto found = m_scheduler.result(kFlips);
-    const bool isCurrent =
-        m_plan && m_plan->analysis->model.document.isSame(m_session.committed().document) &&
-        m_scheduler.revisionOf(kFlips.name) == m_scheduler.revisionOf(kPlanned.name);
-    return isCurrent && found && found->flips ? &*found->flips : nullptr;
 }
 
 void CheckList::finish()

@@ -35,11 +35,13 @@ public:
     Age age() const;
     /// The newest plan of the assembly, null at first, and the analysis that it is about.
     const std::shared_ptr<const PlannedAnalysis> &plan() const { return m_plan; }
-    /// What frees the locked parts of what is there now, null when nothing does.
-    const Flips *flips() const;
     /// What can be done about one of all(), as far as it is worked out; until then what could be
     /// done about the same verdict before.
-    const std::vector<FindingAction> &actionsOf(const Finding &finding) const;
+    const std::vector<Mend> &mendsOf(const Finding &finding) const;
+    /// It is known that nothing is offered.
+    bool isMendless(const Finding &finding) const;
+    /// The same of the model that is there now; waits until that is worked out.
+    const Mend *mendNow(const FindingAction &action, const Finding &finding) const;
     /// Where the model was set aside at which the finding's stage broke; empty: nowhere.
     QString reportOf(const Finding &finding) const;
     Scheduler &scheduler() const { return m_scheduler; }

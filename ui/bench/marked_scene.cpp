@@ -16,7 +16,7 @@ bool hasPath(const Overlay &overlay)
 void markScene(Scene &scene, const Workbench &bench)
 {
     const Interaction &interaction = bench.interaction();
-    const Model &model = bench.session().model();
+    const Model &model = bench.shownModel();
     if (model.sectionCount() != scene.sections.size())
         return; // rebuilt at once after this
     const std::set<SectionRef> selected(interaction.selection().begin(),
@@ -44,6 +44,8 @@ void markScene(Scene &scene, const Workbench &bench)
             if (section)
                 made.insert(ref);
     }
+    // Of what is only tried, what differs is what it is looked at for.
+    const bool isTried = bench.tried() != nullptr;
     const auto isAsItWas = [&](std::size_t i) {
         return i < committed.sectionCount() && committed.section(i) == model.section(i);
     };
@@ -56,6 +58,8 @@ void markScene(Scene &scene, const Workbench &bench)
         section.isSibling = hoveredOperation.isValid() && ref.operation == hoveredOperation;
         section.isMade = !made.empty() && made.contains(ref);
         section.isGhost = isDrawing ? isAsItWas(i) : section.isGhost;
+        if (isTried)
+            section.isHovered = bench.differsInTrial(ref);
     }
 }
 

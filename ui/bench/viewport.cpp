@@ -98,6 +98,12 @@ Viewport::Viewport(Workbench &bench, QWidget *parent)
         m_builder.setAnalysis(m_bench.session().analysisPointer());
         rebuildScene();
     });
+    connect(&bench, &Workbench::triedChanged, this, [this] {
+        m_triedBuilder = {};
+        if (m_bench.tried())
+            m_triedBuilder.setAnalysis(m_bench.tried());
+        rebuildScene();
+    });
     m_builder.setAnalysis(bench.session().analysisPointer());
     rebuildScene();
 }
@@ -436,7 +442,8 @@ void Viewport::refresh()
 
 void Viewport::rebuildScene()
 {
-    m_scene = m_builder.build(m_bench.session().model());
+    const SceneBuilder &builder = m_bench.tried() ? m_triedBuilder : m_builder;
+    m_scene = builder.build(m_bench.shownModel());
     markScene(m_scene, m_bench);
     m_isPictureChanged = true;
     update();

@@ -102,7 +102,7 @@ private:
     ViewInput m_input;
     TouchInput m_touch;
     Renderer m_renderer;
-    SceneBuilder m_builder;
+    SceneBuilder m_builder, m_triedBuilder; // of the session's analysis, and of what is tried
     Scene m_scene;
     std::shared_ptr<const StepsPicture> m_steps; // shown instead
     bool m_isUsable = false;

@@ -272,6 +272,30 @@ void Workbench::setOutlined(std::vector<SectionRef> sections, std::vector<Sectio
     Q_EMIT viewChanged();
 }
 
+void Workbench::setTried(AnalysisPointer tried)
+{
+    if (tried == m_tried)
+        return;
+    m_tried = std::move(tried);
+    Q_EMIT triedChanged();
+}
+
+bool Workbench::differsInTrial(const SectionRef &ref) const
+{
+    const Analysis &now = m_session.analysis();
+    const int is = m_tried ? m_tried->model.indexOf(ref) : -1, was = now.model.indexOf(ref);
+    if (is < 0 || was < 0)
+        return is != was;
+    const auto after = static_cast<std::size_t>(is), before = static_cast<std::size_t>(was);
+    return m_tried->model.section(after) != now.model.section(before) ||
+           m_tried->assembly.slits[after] != now.assembly.slits[before];
+}
+
+const Model &Workbench::shownModel() const
+{
+    return m_tried ? m_tried->model : m_session.model();
+}
+
 void Workbench::announceChanges()
 {
     if (m_selection != m_interaction->selection() || m_joint != m_interaction->selectedJoint() ||

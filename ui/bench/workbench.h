@@ -81,6 +81,15 @@ public:
     const std::vector<SectionPointer> &ghosts() const { return m_ghosts; }
     const std::vector<SectionRef> &outlined() const { return m_outlined; }
 
+    /// Shows a model that an edit would make in place of the one that is there, as long as somebody
+    /// asks what it would do; null: the model again. Nothing else knows of it.
+    void setTried(AnalysisPointer tried);
+    const AnalysisPointer &tried() const { return m_tried; }
+    /// Whether the section is not there, or is not cut, as it is in what is tried.
+    bool differsInTrial(const SectionRef &ref) const;
+    /// What is seen: that, or the session's.
+    const Model &shownModel() const;
+
     /// Holds a tool; the one that is held already is laid down.
     void pickUp(std::unique_ptr<Tool> tool);
     void layDownTool();
@@ -106,6 +115,8 @@ Q_SIGNALS:
     void hintChanged();
     /// Camera, hover marks, gesture: what is seen but not in the model.
     void viewChanged();
+    /// What is seen is another model.
+    void triedChanged();
     /// What is hidden, isolated, seen through or cut open, the projection, or the tool in the hand.
     void viewStateChanged();
     void editFailed(const fff::Error &error);
@@ -131,6 +142,7 @@ private:
     ViewState m_view;
     std::vector<SectionRef> m_outlined;
     std::vector<SectionPointer> m_ghosts;
+    AnalysisPointer m_tried;
     std::vector<ProblemMark> m_marks;
     ProblemLook m_look;
     const ProblemLook m_noLook;

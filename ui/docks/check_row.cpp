@@ -49,6 +49,7 @@ CheckRow::CheckRow(QWidget *parent) : QAbstractButton(parent)
     m_links = new LinkRow(this);
     m_links->setFont(small);
     connect(m_links, &LinkRow::clicked, this, &CheckRow::linkClicked);
+    connect(m_links, &LinkRow::hovered, this, &CheckRow::linkHovered);
 
     auto *words = new QVBoxLayout;
     words->setContentsMargins(0, 0, 0, 0);

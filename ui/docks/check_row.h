@@ -40,6 +40,7 @@ public:
 
 Q_SIGNALS:
     void linkClicked(int index);
+    void linkHovered(int index, bool isOver);
     void hovered(bool isOver);
 
 protected:

@@ -30,7 +30,6 @@
 #include <QUrl>
 
 #include <algorithm>
-#include <map>
 
 namespace fff::ui {
 
@@ -41,6 +40,15 @@ constexpr int kSpinTime = 60, kSpinStep = 30; // ms, degrees
 bool isProblem(const Finding &finding)
 {
     return finding.severity >= Severity::Warning;
+}
+
+/// With what a person can do themselves.
+QString withAdvice(const QString &text, const Finding &finding)
+{
+    if (!finding.kind->advice.source)
+        return text;
+    const QString advice = messageText(finding.kind->advice);
+    return text.isEmpty() ? advice : text + u' ' + advice;
 }
 
 } // namespace
@@ -95,6 +103,10 @@ ChecksDock::ChecksDock(Workbench &bench, const CheckList &list, QWidget *parent)
             m_list.scheduler().cancel(stage->name);
     });
     foot->addWidget(m_stop);
+    // Rows that move each time something is worked out are hard to read, and to hit.
+    QSizePolicy kept = m_footer->sizePolicy();
+    kept.setRetainSizeWhenHidden(true);
+    m_footer->setSizePolicy(kept);
     m_footer->hide();
 
     auto *column = new QVBoxLayout(content);
@@ -181,20 +193,9 @@ void ChecksDock::refresh()
 {
     const std::optional<Finding> focused = focusedFinding();
     m_rows.clear();
-    const std::vector<Finding> &all = m_list.all();
-    std::map<const FindingKind *, int> alike;
-    for (std::size_t i = 0; i < all.size(); ++i) {
-        if (alike[all[i].kind]++ < kMostAlike) {
-            m_rows.push_back({all[i], 1, 0, {}});
-        } else {
-            const auto last = std::find_if(m_rows.rbegin(), m_rows.rend(), [&](const Row &row) {
-                return row.finding.kind == all[i].kind;
-            });
-            last->count += 1;
-            last->finding.sections.insert(last->finding.sections.end(), all[i].sections.begin(),
-                                          all[i].sections.end());
-        }
-    }
+    m_bench.setTried(nullptr); // it was tried on what was there before
+    for (FindingRow &row : inRows(m_list.all()))
+        m_rows.push_back({std::move(row.finding), row.count, 0, {}});
     std::stable_sort(m_rows.begin(), m_rows.end(), [](const Row &a, const Row &b) {
         return a.finding.severity > b.finding.severity;
     });
@@ -210,6 +211,8 @@ void ChecksDock::refresh()
             m_bench.setLitProblem(isThere ? m_rows[static_cast<std::size_t>(index)].number : 0);
         });
         connect(row, &CheckRow::linkClicked, this, [this, index](int link) { act(index, link); });
+        connect(row, &CheckRow::linkHovered, this,
+                [this, index](int link, bool isOver) { tryOut(index, link, isOver); });
         m_column->insertWidget(static_cast<int>(m_widgets.size()), row);
         m_widgets.push_back(row);
     }
@@ -230,10 +233,12 @@ void ChecksDock::refresh()
         const QColor colour = isOlder && finding.severity == Severity::Good
                                   ? theme().muted
                                   : checkColour(finding.severity);
-        m_rows[i].actions = actionsOf(m_rows[i]);
+        m_rows[i].mends = m_list.mendsOf(finding);
         QStringList links;
-        for (const FindingAction &action : m_rows[i].actions)
-            links += actionText(action, finding, m_list.model());
+        for (const Mend &mend : m_rows[i].mends)
+            links += actionText(mend.action, finding, m_list.model());
+        if (isProblem(finding) && m_list.isMendless(finding))
+            words.text = withAdvice(words.text, finding);
         m_widgets[i]->setContent({checkGlyph(finding.severity), colour,
                                   severityWord(finding.severity), m_rows[i].number, words.title,
                                   words.text, links, isOlder});
@@ -424,16 +429,6 @@ void ChecksDock::choose(Subject subject)
     }
 }
 
-/// A row for many has only what is done to all of them alike.
-std::vector<FindingAction> ChecksDock::actionsOf(const Row &row) const
-{
-    if (row.count == 1)
-        return m_list.actionsOf(row.finding);
-    if (const ActionKind *forAll = row.finding.kind->forAll)
-        return {{forAll}};
-    return {};
-}
-
 /// The stock of what it is about.
 void ChecksDock::showStock(const Finding &finding)
 {
@@ -445,7 +440,7 @@ void ChecksDock::showStock(const Finding &finding)
 void ChecksDock::act(int row, int index)
 {
     const Row &of = m_rows[static_cast<std::size_t>(row)];
-    const FindingAction action = of.actions[static_cast<std::size_t>(index)];
+    const FindingAction action = of.mends[static_cast<std::size_t>(index)].action;
     const Finding finding = of.finding; // the rows change with the model
     if (isEdit(*action.kind)) {
         carryOut(action, finding);
@@ -464,18 +459,32 @@ void ChecksDock::act(int row, int index)
 /// On the model that is there now, which the row may be older than.
 void ChecksDock::carryOut(const FindingAction &action, const Finding &finding)
 {
-    Session &session = m_bench.session();
-    const std::optional<FindingEdit> edit =
-        session.hasPreview()
-            ? std::nullopt
-            : carriedOut(action, finding, session.currentAnalysis(), m_list.flips());
-    if (!edit) {
+    const Mend *mend = m_bench.session().hasPreview() ? nullptr : m_list.mendNow(action, finding);
+    if (!mend) {
         Q_EMIT said(tr("The model has changed; that cannot be done any more."));
         return;
     }
-    m_bench.commit(edit->step, edit->document);
-    if (!edit->said.isEmpty())
-        Q_EMIT said(messageText(edit->said));
+    const FindingEdit edit = *mend->edit; // it goes with the model
+    m_bench.setTried(nullptr);
+    m_bench.commit(edit.step, edit.document);
+    if (!edit.said.isEmpty())
+        Q_EMIT said(messageText(edit.said));
+}
+
+void ChecksDock::tryOut(int row, int index, bool isOver)
+{
+    const Mend *mend = nullptr;
+    if (isOver && row < static_cast<int>(m_rows.size())) {
+        const std::vector<Mend> &mends = m_rows[static_cast<std::size_t>(row)].mends;
+        if (index < static_cast<int>(mends.size()))
+            mend = &mends[static_cast<std::size_t>(index)];
+    }
+    // Over a drag, or an older row, it would show something else than it does.
+    const bool isOfNow = mend && mend->tried && !m_bench.session().hasPreview() &&
+                         m_list.age() == CheckList::Age::Current;
+    m_bench.setTried(isOfNow ? mend->tried : nullptr);
+    Q_EMIT said(isOfNow && !mend->changes.isEmpty() ? messageText(mend->changes).toHtmlEscaped()
+                                                    : QString());
 }
 
 } // namespace fff::ui

@@ -4,7 +4,7 @@
 
 #include <QDockWidget> // first: moc stumbles over some standard headers
 
-#include "core/analysis/finding_action.h"
+#include "core/analysis/mends.h"
 
 #include <vector>
 
@@ -53,7 +53,7 @@ private:
         Finding finding;
         int count = 1;  // of equal ones that this row stands for
         int number = 0; // of a problem, from 1 on
-        std::vector<FindingAction> actions;
+        std::vector<Mend> mends;
     };
 
     void refresh();
@@ -66,11 +66,12 @@ private:
     int rowOf(int number) const; // of a problem; -1: there is none any more
     /// The link at the index was clicked.
     void act(int row, int index);
+    /// The cursor is on it: the view shows what it would make.
+    void tryOut(int row, int index, bool isOver);
     void showStock(const Finding &finding);
     void carryOut(const FindingAction &action, const Finding &finding);
     std::optional<Finding> focusedFinding() const;
     void returnFocus(const Finding &finding);
-    std::vector<FindingAction> actionsOf(const Row &row) const;
     std::vector<int> problems() const; // rows
 
     Workbench &m_bench;

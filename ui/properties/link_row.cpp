@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 namespace fff::ui {
 
@@ -23,7 +24,8 @@ constexpr int kAround = 2;   // px, for the frame of the focus
 class Link : public QAbstractButton
 {
 public:
-    explicit Link(QWidget *parent) : QAbstractButton(parent)
+    explicit Link(QWidget *parent, std::function<void(bool)> hovered)
+        : QAbstractButton(parent), m_hovered(std::move(hovered))
     {
         setFocusPolicy(Qt::StrongFocus);
         setCursor(Qt::PointingHandCursor);
@@ -83,6 +85,11 @@ protected:
     }
     bool event(QEvent *event) override
     {
+        if (event->type() == QEvent::Enter || event->type() == QEvent::FocusIn)
+            m_hovered(true);
+        else if (event->type() == QEvent::Leave || event->type() == QEvent::FocusOut ||
+                 event->type() == QEvent::Hide)
+            m_hovered(false);
         if (event->type() == QEvent::ToolTip) {
             QToolTip::showText(static_cast<QHelpEvent *>(event)->globalPos(),
                                isCutShort() ? text() : QString(), this);
@@ -93,6 +100,7 @@ protected:
 
 private:
     static constexpr int kFlags = Qt::AlignLeft | Qt::AlignVCenter;
+    std::function<void(bool)> m_hovered; // also by the focus
 
     bool isCutShort() const { return wrapped(width()).width() > width() - 2 * kAround; }
     bool isOneLine(int width) const { return width >= sizeHint().width(); }
@@ -126,8 +134,8 @@ void LinkRow::setTexts(const QStringList &texts)
     m_texts = texts;
     const auto count = static_cast<std::size_t>(texts.size());
     while (m_links.size() < count) {
-        auto *link = new Link(this);
         const int index = static_cast<int>(m_links.size());
+        auto *link = new Link(this, [this, index](bool isOver) { Q_EMIT hovered(index, isOver); });
         link->setObjectName(QStringLiteral("checkLink%1").arg(index));
         // It comes after all rows otherwise: those are there first.
         QWidget::setTabOrder(m_links.empty() ? parentWidget() : m_links.back(), link);

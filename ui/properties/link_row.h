@@ -28,6 +28,8 @@ public:
 
 Q_SIGNALS:
     void clicked(int index);
+    /// The cursor or the focus came to it, or left it (isOver: false).
+    void hovered(int index, bool isOver);
 
 protected:
     bool event(QEvent *event) override;

@@ -7,7 +7,8 @@ namespace fff::ui {
 
 CheckRules checkRules(const Settings &settings)
 {
-    return {radians(settings.shallowAngle()), std::chrono::milliseconds(settings.planningTime())};
+    return {radians(settings.shallowAngle()), 0.001 * settings.touching(),
+            std::chrono::milliseconds(settings.planningTime())};
 }
 
 } // namespace fff::ui

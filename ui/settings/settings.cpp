@@ -25,6 +25,7 @@ const QString kMotion = QStringLiteral("view/motion");
 const QString kTurnAngle = QStringLiteral("drawing/turnAngle");
 const QString kNavigation = QStringLiteral("view/navigation");
 const QString kShallow = QStringLiteral("checks/shallowAngle");
+const QString kTouching = QStringLiteral("checks/touching");
 const QString kPlanning = QStringLiteral("checks/planningTime");
 const QString kAutosave = QStringLiteral("files/autosaveInterval");
 const QString kBackup = QStringLiteral("files/backup");
@@ -36,6 +37,7 @@ const QString kState = QStringLiteral("window/state");
 constexpr int kTurnTimeDefault = 800;  // ms
 constexpr int kTurnAngleDefault = 90;  // degrees
 constexpr int kShallowDefault = 30;    // degrees
+constexpr int kTouchingDefault = 300;  // µm
 constexpr int kPlanningDefault = 1000; // ms
 constexpr int kAutosaveDefault = 10;   // s
 
@@ -296,6 +298,20 @@ void Settings::setShallowAngle(int degrees)
     if (degrees == shallowAngle())
         return;
     store(kShallow, degrees);
+    Q_EMIT checksChanged();
+}
+
+int Settings::touching() const
+{
+    return numberOf(m_store.value(kTouching), kMinTouching, kMaxTouching, kTouchingDefault);
+}
+
+void Settings::setTouching(int micrometres)
+{
+    micrometres = std::clamp(micrometres, kMinTouching, kMaxTouching);
+    if (micrometres == touching())
+        return;
+    store(kTouching, micrometres);
     Q_EMIT checksChanged();
 }
 

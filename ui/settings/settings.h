@@ -79,6 +79,9 @@ public:
     static constexpr int kMinShallowAngle = 10, kMaxShallowAngle = 60; // degrees
     int shallowAngle() const; // at which sections meet, below it is said; degrees
     void setShallowAngle(int degrees);
+    static constexpr int kMinTouching = 50, kMaxTouching = 2000; // µm
+    int touching() const; // sections that overlap by less only touch; µm
+    void setTouching(int micrometres);
     static constexpr int kMinPlanningTime = 100, kMaxPlanningTime = 60000; // ms
     int planningTime() const; // that an order of assembly is looked for; ms
     void setPlanningTime(int milliseconds);

@@ -1,6 +1,7 @@
 #include "core/analysis/findings/connection.h"
 
 #include "core/analysis/findings/joining.h"
+#include "core/analysis/findings/loose_pieces.h"
 #include "core/analysis/gap.h"
 #include "core/model/edit_words.h"
 #include "core/model/edits.h"
@@ -84,7 +85,7 @@ std::vector<FindingAction> mendsOf(const Finding &finding, const Analysis &analy
     return all;
 }
 
-/// How far the groups after the first are from all other sections. What is known stays so.
+/// How far the groups after the first are from all other bodies. What is known stays so.
 void refreshGaps(const Looked &at)
 {
     std::vector<CheckCaches::OfGroup> gaps;
@@ -96,6 +97,14 @@ void refreshGaps(const Looked &at)
                            : measuredGap(at.analysis.bodies, at.groups[g]));
     }
     at.caches.gaps = std::move(gaps);
+}
+
+int holdingJoints(const Analysis &analysis)
+{
+    const auto &joints = analysis.assembly.joints;
+    return static_cast<int>(std::count_if(joints.begin(), joints.end(), [&](const Joint &joint) {
+        return !analysis.grips.of(joint).held.empty();
+    }));
 }
 
 } // namespace
@@ -110,23 +119,26 @@ const FindingKind kNotConnected{"notConnected",
                                 notConnectedSentence,
                                 mendsOf,
                                 nullptr,
-                                &kDeleteSections};
+                                &kDeleteSections,
+                                nullptr,
+                                FFF_TEXT("Checks", "Draw a section that crosses both, or move one "
+                                                   "of them to the other.")};
 
 void findConnection(const Looked &at, std::vector<Finding> &found)
 {
     refreshGaps(at);
+    const Bodies &bodies = at.analysis.bodies;
     const Model &model = at.analysis.model;
     if (at.groups.size() == 1) {
-        const auto &joints = at.analysis.assembly.joints;
-        const auto isHeld = [](const Joint &joint) { return joint.kind != JointKind::None; };
         found.push_back(makeFinding(
             kConnected, Severity::Good,
-            Connection{static_cast<int>(at.groups.front().size()),
-                       static_cast<int>(std::count_if(joints.begin(), joints.end(), isHeld))}));
+            Connection{static_cast<int>(model.sectionCount()), holdingJoints(at.analysis)}));
     }
     for (std::size_t g = 1; g < at.groups.size(); ++g) {
+        if (isLoosePiece(bodies, at.groups[g]))
+            continue; // it is said of its section
         Finding finding = makeFinding(kNotConnected, Severity::Error);
-        finding.sections = model.refs(at.groups[g]);
+        finding.sections = model.refs(sectionsOf(bodies, at.groups[g]));
         Gap gap;
         if (g <= at.caches.gaps.size() && at.caches.gaps[g - 1].other >= 0) {
             const CheckCaches::OfGroup &known = at.caches.gaps[g - 1];

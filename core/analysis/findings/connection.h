@@ -10,7 +10,7 @@ struct Connection
 {
     int sections = 0, joints = 0; // all
 };
-/// Of kNotConnected: a group of sections that nothing holds to the largest group.
+/// Of kNotConnected: a group of bodies that nothing holds to the largest group, by their sections.
 struct Gap
 {
     std::optional<SectionRef> other; // who is nearest

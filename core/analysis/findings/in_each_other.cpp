@@ -1,6 +1,8 @@
 #include "core/analysis/findings/in_each_other.h"
 
 #include "core/analysis/findings/joining.h"
+#include "core/analysis/findings/touching_pairs.h"
+#include "core/analysis/findings/turning_square.h"
 #include "core/assembly/found_joint.h"
 #include "core/base/tolerances.h"
 
@@ -105,8 +107,10 @@ const FindingKind kNoSlit{"interference", Subject::Joints,
 const FindingKind kInterference{"interference", Subject::Joints,
                                 FFF_TEXT("Checks", "Cut into each other"), interferenceSentence,
                                 mendsOfPair};
-const FindingKind kShallowAngle{"shallowAngle", Subject::Joints,
-                                FFF_TEXT("Checks", "Shallow angle"), shallowSentence};
+const FindingKind kShallowAngle{
+    "shallowAngle",  Subject::Joints, FFF_TEXT("Checks", "Shallow angle"),
+    shallowSentence, turnEither,      nullptr,
+    nullptr,         nullptr,         FFF_TEXT("Checks", "Turn one of them further to the other.")};
 
 void findJointFaults(const Looked &at, std::vector<Finding> &found)
 {
@@ -114,7 +118,7 @@ void findJointFaults(const Looked &at, std::vector<Finding> &found)
     for (const Joint &joint : at.analysis.assembly.joints) {
         const Crossing &crossing = *joint.crossing;
         const bool collides = joint.kind == JointKind::None;
-        if (!collides && !(crossing.angle < at.rules.shallowAngle))
+        if ((!collides && !(crossing.angle < at.rules.shallowAngle)) || onlyTouch(joint, at.rules))
             continue;
         const auto longest = std::max_element(
             crossing.overlaps.begin(), crossing.overlaps.end(),
@@ -137,8 +141,10 @@ void findInterferences(const LookedAtPlan &at, std::vector<Finding> &found)
     const Model &model = at.analysis.model;
     for (const auto &[pair, how] : deepestOf(at.plan)) {
         const Joint *joint = at.analysis.assembly.joints.find(pair.first, pair.second);
-        if (joint && joint->kind == JointKind::None)
+        if (joint && (joint->kind == JointKind::None || onlyTouch(*joint, at.rules)))
             continue; // it is said of the joint
+        if (!joint && how->depth < at.rules.touching)
+            continue;
         const double angle = angleBetween(model, pair);
         const bool isTooShallow = !joint && angle > kPracticallyParallel && angle < kMinJointAngle;
         // Too shallow an angle is why there is no slit.

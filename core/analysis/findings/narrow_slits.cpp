@@ -22,6 +22,13 @@ Message narrowSentence(const Finding &finding, const Model &)
             {widthOf(slit.width), widthOf(slit.tool)}};
 }
 
+Message tightSentence(const Finding &finding, const Model &)
+{
+    return {FFF_TEXT("Checks", "Slits are %1 narrower than what goes into them. That is too tight "
+                               "for any material."),
+            {widthOf(finding.details<NarrowSlit>()->tool)}};
+}
+
 constexpr Text kWidenText = FFF_TEXT("Checks", "Set the clearance");
 
 std::vector<FindingAction> widen(const Finding &, const Analysis &)
@@ -58,6 +65,17 @@ Finding below(double least, double tool, Severity severity, const Analysis &anal
     return finding;
 }
 
+/// Nothing where none of its sections has a slit.
+std::optional<Finding> tightOf(const Analysis &analysis, const Stock &stock)
+{
+    Finding finding =
+        makeFinding(kTightSlits, Severity::Warning, NarrowSlit{0.0, -stock.clearance});
+    for (std::size_t i = 0; i < analysis.model.sectionCount(); ++i)
+        if (analysis.model.section(i)->stock == stock.id && !analysis.assembly.slits[i].empty())
+            finding.sections.push_back(analysis.model.ref(i));
+    return finding.sections.empty() ? std::nullopt : std::optional(finding);
+}
+
 } // namespace
 
 double narrowest(const Slit &slit)
@@ -73,6 +91,8 @@ bool isClosedBy(double kerf, double width)
 
 const ActionKind kWidenSlits{plainWords<kWidenText>};
 
+const FindingKind kTightSlits{"tightSlits", Subject::Joints, FFF_TEXT("Checks", "Slits too tight"),
+                              tightSentence, widen};
 const FindingKind kNarrowSlit{"narrowSlit", Subject::Joints,
                               FFF_TEXT("Checks", "Slit narrower than the tool"), narrowSentence,
                               widen};
@@ -87,6 +107,9 @@ void findNarrowSlits(const Looked &at, std::vector<Finding> &found)
                             Severity::Warning, at.analysis, *stock);
         if (!finding.sections.empty())
             found.push_back(std::move(finding));
+        else if (stock->clearance < -kTightest)
+            if (auto tight = tightOf(at.analysis, *stock))
+                found.push_back(*std::move(tight));
     }
 }
 

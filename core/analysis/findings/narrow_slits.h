@@ -20,6 +20,10 @@ struct NarrowSlit
     double tool = 0.0; // its diameter, or the kerf
 };
 
+/// A negative clearance of more than this, mm, presses harder than any material gives.
+inline constexpr double kTightest = 0.3;
+
+extern const FindingKind kTightSlits; // of a stock
 extern const FindingKind kNarrowSlit;
 extern const ActionKind kWidenSlits; // of the stock of its sections
 

@@ -18,6 +18,20 @@ Message canSentence(const Finding &finding, const Model &)
     return {FFF_TEXT_OF_MANY("Checks", "Can be assembled. %n steps."), {}, steps};
 }
 
+Message canOtherwiseSentence(const Finding &finding, const Model &)
+{
+    const AssemblyOrder &order = *finding.details<AssemblyOrder>();
+    if (order.inEachOther == 1)
+        return {FFF_TEXT("Checks", "Could be assembled, if two sections did not take up the same "
+                                   "place."),
+                {}};
+    return {FFF_TEXT_OF_MANY("Checks",
+                             "Could be assembled, if %n pairs of sections did not take up "
+                             "the same place."),
+            {},
+            order.inEachOther};
+}
+
 constexpr Text kShowText = FFF_TEXT("Checks", "Show the steps");
 
 std::vector<FindingAction> showSteps(const Finding &finding, const Analysis &)
@@ -127,9 +141,19 @@ const ActionKind kMakeAssemblable{plainWords<kMakeText>, assemblable};
 
 const FindingKind kCanAssemble{"canAssemble", Subject::Assembly,
                                FFF_TEXT("Checks", "Can be assembled"), canSentence, showSteps};
+const FindingKind kCanOtherwiseAssemble{"interference", Subject::Assembly,
+                                        FFF_TEXT("Checks", "In each other"), canOtherwiseSentence,
+                                        showSteps};
 const FindingKind kCannotAssemble{
-    "cannotAssemble", Subject::Assembly, FFF_TEXT("Checks", "Cannot be assembled"),
-    cannotSentence,   makeAssemblable,   cannotLook};
+    "cannotAssemble",
+    Subject::Assembly,
+    FFF_TEXT("Checks", "Cannot be assembled"),
+    cannotSentence,
+    makeAssemblable,
+    cannotLook,
+    nullptr,
+    nullptr,
+    FFF_TEXT("Checks", "Shorten one of them, or turn it so that it slides the way of the others.")};
 const FindingKind kOrderUnknown{"orderUnknown", Subject::Assembly,
                                 FFF_TEXT("Checks", "Order not found"), unknownSentence};
 
@@ -137,10 +161,14 @@ void findOrder(const LookedAtPlan &at, std::vector<Finding> &found)
 {
     const Model &model = at.analysis.model;
     switch (at.plan.plan.verdict) {
-    case AssemblyPlan::Verdict::Possible:
-        found.push_back(makeFinding(kCanAssemble, Severity::Good,
-                                    AssemblyOrder{static_cast<int>(at.plan.plan.steps.size())}));
+    case AssemblyPlan::Verdict::Possible: {
+        const AssemblyOrder order{static_cast<int>(at.plan.plan.steps.size()),
+                                  static_cast<int>(pairsInEachOther(at.plan, at.rules.touching))};
+        found.push_back(order.inEachOther > 0
+                            ? makeFinding(kCanOtherwiseAssemble, Severity::Warning, order)
+                            : makeFinding(kCanAssemble, Severity::Good, order));
         return;
+    }
     case AssemblyPlan::Verdict::Impossible: {
         Finding finding = makeFinding(kCannotAssemble, Severity::Error);
         const std::vector<int> sections = sectionsOf(at.plan.plan.locked, at.plan);

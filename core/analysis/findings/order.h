@@ -9,6 +9,7 @@ namespace fff {
 struct AssemblyOrder
 {
     int steps = 0;
+    int inEachOther = 0; // pairs of sections
 };
 /// Of kCannotAssemble.
 struct Blocked
@@ -26,6 +27,8 @@ struct OrderUnknown
 };
 
 extern const FindingKind kCanAssemble;
+/// There is an order, but for parts that take up the same place where they end up.
+extern const FindingKind kCanOtherwiseAssemble;
 extern const FindingKind kCannotAssemble; // parts that block each other
 extern const FindingKind kOrderUnknown;   // not found within the time
 extern const ActionKind kMakeAssemblable; // slits turned round (flips.h)

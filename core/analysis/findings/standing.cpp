@@ -1,24 +1,23 @@
 #include "core/analysis/findings/standing.h"
 
 #include "core/analysis/dropping.h"
+#include "core/analysis/findings/broader_base.h"
 #include "core/analysis/footing.h"
 #include "core/base/tolerances.h"
 
 #include <algorithm>
-#include <numeric>
 
 namespace fff {
 
 namespace {
 
-using Group = std::vector<int>;
+using Group = std::vector<int>; // bodies
 
 // --- what can be done
 
 //: %1 is the name of a section
-constexpr CountedText kStretchStep{
-    FFF_TEXT("Step", "Stretch %1 to the ground"),
-    FFF_TEXT_OF_MANY("Step", "Stretch %n sections to the ground")};
+constexpr CountedText kStretchStep{FFF_TEXT("Step", "Stretch %1 to the ground"),
+                                   FFF_TEXT_OF_MANY("Step", "Stretch %n sections to the ground")};
 
 Message stretchWords(const FindingAction &, const Finding &finding, const Model &model)
 {
@@ -32,13 +31,11 @@ Message stretchWords(const FindingAction &, const Finding &finding, const Model 
 std::optional<FindingEdit> stretched(const FindingAction &, const Finding &finding,
                                      const Analysis &analysis, const Flips *)
 {
-    Group group;
-    for (const SectionRef &section : finding.sections)
-        group.push_back(analysis.model.indexOf(section));
-    if (group.empty()) { // the whole model
-        group.resize(analysis.model.sectionCount());
-        std::iota(group.begin(), group.end(), 0);
-    }
+    const int section =
+        finding.sections.empty() ? 0 : analysis.model.indexOf(finding.sections.front());
+    if (section < 0 || analysis.bodies.countOf(section) == 0)
+        return {};
+    const Group group = groupOf(analysis, section);
     std::optional<Document> next = standingOn(analysis, group, finding.details<Footing>()->feet);
     if (!next)
         return {};
@@ -65,7 +62,12 @@ std::optional<FindingEdit> dropped(const FindingAction &, const Finding &finding
 
 std::vector<FindingAction> stretch(const Finding &, const Analysis &)
 {
-    return {{&kStretchToGround}};
+    return {{&kStretchToGround}, {&kWidenBase}, {&kAddFoot}};
+}
+
+std::vector<FindingAction> broaden(const Finding &, const Analysis &)
+{
+    return {{&kWidenBase}, {&kAddFoot}};
 }
 
 std::vector<FindingAction> drop(const Finding &, const Analysis &)
@@ -207,17 +209,12 @@ const FindingKind &kindOf(const Stability &stability)
 }
 
 /// The sections of a group that reach below the ground.
-std::vector<SectionRef> sunkSections(const Analysis &analysis, const Group &group)
+std::vector<SectionRef> sunkSections(const Analysis &analysis, Group group)
 {
-    Group sunk;
-    for (const int section : group) {
-        const auto bodies = analysis.bodies.of(section);
-        if (std::any_of(bodies.begin(), bodies.end(), [](const BodyPointer &body) {
-                return body->contact().lowestMiddle < -kGroundSunk;
-            }))
-            sunk.push_back(section);
-    }
-    return analysis.model.refs(sunk);
+    std::erase_if(group, [&](int body) {
+        return analysis.bodies.at(body).contact().lowestMiddle >= -kGroundSunk;
+    });
+    return analysis.model.refs(sectionsOf(analysis.bodies, group));
 }
 
 Finding standingOf(const Looked &at, const Group &group, CheckCaches::OfStance &stance)
@@ -230,7 +227,7 @@ Finding standingOf(const Looked &at, const Group &group, CheckCaches::OfStance &
     footing.side = towards(stability.fall);
     footing.support = stability.support;
     footing.edge = stability.nearest;
-    footing.sections = static_cast<int>(group.size());
+    footing.sections = static_cast<int>(sectionsOf(at.analysis.bodies, group).size());
     const Vec3 &centre = footing.mass.centre;
     Finding finding = makeFinding(kindOf(stability), Severity::Error);
     finding.at = Vec3(centre.x(), 0.0, centre.z());
@@ -253,7 +250,7 @@ Finding standingOf(const Looked &at, const Group &group, CheckCaches::OfStance &
     if (finding.is(kBelowGround))
         finding.sections = sunkSections(at.analysis, group);
     else if (at.groups.size() > 1)
-        finding.sections = at.analysis.model.refs(group);
+        finding.sections = at.analysis.model.refs(sectionsOf(at.analysis.bodies, group));
     finding.setDetails(std::move(footing));
     return finding;
 }
@@ -268,13 +265,27 @@ const FindingKind kStands{
     nullptr,  footingLook};
 const FindingKind kUnsteady{
     "unsteady", Subject::Stability, FFF_TEXT("Checks", "Tips easily"), unsteadySentence,
-    nullptr,    footingLook};
+    broaden,    footingLook};
 const FindingKind kTopples{
-    "topples", Subject::Stability, FFF_TEXT("Checks", "Falls over"), topplesSentence,
-    stretch,   footingLook};
+    "topples",
+    Subject::Stability,
+    FFF_TEXT("Checks", "Falls over"),
+    topplesSentence,
+    stretch,
+    footingLook,
+    nullptr,
+    nullptr,
+    FFF_TEXT("Checks", "Give it another foot, or move weight over those it has.")};
 const FindingKind kLineSupport{
-    "lineSupport", Subject::Stability, FFF_TEXT("Checks", "Falls over"), lineSentence,
-    stretch,       footingLook};
+    "lineSupport",
+    Subject::Stability,
+    FFF_TEXT("Checks", "Falls over"),
+    lineSentence,
+    stretch,
+    footingLook,
+    nullptr,
+    nullptr,
+    FFF_TEXT("Checks", "Give it another foot, or move weight over those it has.")};
 const FindingKind kNoContact{
     "noContact", Subject::Stability, FFF_TEXT("Checks", "Not on the ground"), noContactSentence,
     drop,        footingLook};

@@ -1,5 +1,7 @@
 #include "core/analysis/findings/thin_webs.h"
 
+#include "core/analysis/findings/moving_slits.h"
+
 namespace fff {
 
 namespace {
@@ -19,6 +21,11 @@ Message thinSentence(const Finding &finding, const Model &model)
             ? FFF_TEXT("Checks", "%1: only %2 stay between its slit for %3 and a hole.")
             : FFF_TEXT("Checks", "%1: only %2 stay between its slit for %3 and its edge.");
     return {text, {nameAt(finding, model, 0), lengthOf(web.width), namesOf(model, finding.others)}};
+}
+
+std::vector<FindingAction> widenWeb(const Finding &, const Analysis &)
+{
+    return {{&kCutLessDeep}, {&kMoveSlit}};
 }
 
 /// The webs of each section, worked out anew where its slits or its stock are other ones.
@@ -61,8 +68,15 @@ Finding foundOf(const Web &web, std::size_t section, const Analysis &analysis)
 
 } // namespace
 
-const FindingKind kThinWeb{"thinWeb", Subject::Joints, FFF_TEXT("Checks", "Thin web"),
-                           thinSentence};
+const FindingKind kThinWeb{"thinWeb",
+                           Subject::Joints,
+                           FFF_TEXT("Checks", "Thin web"),
+                           thinSentence,
+                           widenWeb,
+                           nullptr,
+                           nullptr,
+                           nullptr,
+                           FFF_TEXT("Checks", "Make the section wider there, or move the slit.")};
 const FindingKind kSlitsMeet{"slitsMeet", Subject::Joints,
                              FFF_TEXT("Checks", "Slits run into each other"), slitsMeetSentence};
 

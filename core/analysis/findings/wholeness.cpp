@@ -2,6 +2,8 @@
 
 #include "core/fabrication/wholeness.h"
 
+#include <set>
+
 namespace fff {
 
 namespace {
@@ -10,7 +12,8 @@ Message dividedSentence(const Finding &finding, const Model &model)
 {
     const int parts = finding.details<DividedSection>()->parts;
     return {
-        FFF_TEXT("Checks", "The slits of %1 divide it into %2."),
+        FFF_TEXT("Checks",
+                 "The slits of %1 divide it into %2, which other sections hold together."),
         {nameAt(finding, model, 0), Message{FFF_TEXT_OF_MANY("Checks", "%n parts"), {}, parts}}};
 }
 
@@ -68,9 +71,14 @@ void findFailures(const Looked &at, std::vector<Finding> &found)
 void findDivided(const Looked &at, std::vector<Finding> &found)
 {
     const Model &model = at.analysis.model;
+    const Bodies &bodies = at.analysis.bodies;
+    std::set<int> loose; // of these it is said that they fall apart
+    for (std::size_t g = 1; g < at.groups.size(); ++g)
+        for (const int section : sectionsOf(bodies, at.groups[g]))
+            loose.insert(section);
     for (std::size_t i = 0; i < model.sectionCount(); ++i) {
         const std::size_t parts = at.analysis.cuts[i]->parts().size();
-        if (parts == 1)
+        if (parts == 1 || (parts > 1 && loose.contains(static_cast<int>(i))))
             continue;
         Finding finding = parts == 0 ? makeFinding(kNothingLeft, Severity::Error)
                                      : makeFinding(kDivided, Severity::Warning,

@@ -12,7 +12,7 @@ struct DividedSection
     int parts = 0;
 };
 
-extern const FindingKind kDivided;     // its slits divide a section into several parts
+extern const FindingKind kDivided;     // its slits divide a section into several parts, all held
 extern const FindingKind kNothingLeft; // its slits leave nothing of a section
 extern const FindingKind kNotCutOut; // what they leave could not be worked out; all else counts it
                                      // without them

@@ -11,6 +11,7 @@ fff_tests(tests_session LIBRARIES fff::session Polyclipping::Polyclipping TESTS
     core/session/tst_gap
     core/session/tst_hard_crossings
     core/session/tst_layout_models
+    core/session/tst_loose_pieces
     core/session/tst_mark_distances
     core/session/tst_operation_commands
     core/session/tst_own_finding
@@ -41,6 +42,7 @@ endif()
 
 # What joints hold, by an oracle of its own.
 fff_tests(tests_held LIBRARIES fff::session TESTS
+    core/session/tst_grips
     core/session/tst_held_judge
     core/session/tst_held_pairs)
 target_sources(tests_held PRIVATE

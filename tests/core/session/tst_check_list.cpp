@@ -76,7 +76,7 @@ void TestCheckList::rulesAreFollowedAtOnce()
         return {};
     };
     QVERIFY(!severityOf(kShallowAngle));
-    session.scheduler().setRules({radians(45.0), std::chrono::milliseconds(0)});
+    session.scheduler().setRules({radians(45.0), 0.3, std::chrono::milliseconds(0)});
     QCOMPARE(severityOf(kShallowAngle), Severity::Warning);
     QCOMPARE(severityOf(kOrderUnknown), Severity::Unknown);
     QCOMPARE(list.age(), CheckList::Age::Current);

@@ -140,12 +140,12 @@ void TestOwnFinding::aStageIsOneLine()
     };
     session.commit(QStringLiteral("Draw"), eggCrate(2, 2));
     QVERIFY(crowd());
-    const std::vector<FindingAction> &actions = list.actionsOf(*crowd());
-    QCOMPARE(actions.size(), std::size_t(1));
-    QCOMPARE(messageText(actions.front().kind->words(actions.front(), *crowd(), list.model())),
+    const std::vector<Mend> &mends = list.mendsOf(*crowd());
+    QCOMPARE(mends.size(), std::size_t(1));
+    const FindingAction action = mends.front().action;
+    QCOMPARE(messageText(action.kind->words(action, *crowd(), list.model())),
              QStringLiteral("Thin out"));
-    session.commit(QStringLiteral("Thin out"),
-                   carriedOut(actions.front(), *crowd(), session.currentAnalysis())->document);
+    session.commit(QStringLiteral("Thin out"), list.mendNow(action, *crowd())->edit->document);
     QVERIFY(!crowd());
     // Its failure is said in its place.
     session.scheduler().setCompute(kCrowding.name,

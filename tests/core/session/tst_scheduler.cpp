@@ -418,10 +418,10 @@ void TestScheduler::randomEditsWithCancels()
             QStringList lines;
             for (const Finding &finding : all) {
                 lines += findingText(finding, of.result(kAnalysed)->analysis->model);
-                if (const auto *actions = of.result(kMends)->of(finding))
-                    for (const FindingAction &action : *actions)
-                        lines += messageText(action.kind->words(
-                            action, finding, of.result(kAnalysed)->analysis->model));
+                if (const auto *mends = of.result(kMends)->of(finding))
+                    for (const Mend &mend : *mends)
+                        lines += messageText(mend.action.kind->words(
+                            mend.action, finding, of.result(kAnalysed)->analysis->model));
             }
             return lines;
         };

@@ -1,0 +1,101 @@
+#include "core/analysis/captives.h"
+
+#include "core/assembly/collisions.h"
+
+#include <algorithm>
+
+namespace fff {
+
+namespace {
+
+/// Bodies whose boxes are this near may be in the way, mm.
+constexpr double kNear = 2.0 * kEscape;
+
+/// To the faces, edges and corners of a cube in the frame, unit.
+void addDirections(const Frame &frame, std::vector<Vec3> &directions)
+{
+    for (int i = -1; i <= 1; ++i)
+        for (int k = -1; k <= 1; ++k)
+            for (int m = -1; m <= 1; ++m)
+                if (i != 0 || k != 0 || m != 0)
+                    directions.push_back(
+                        (i * frame.x + k * frame.y + m * frame.normal()).normalized());
+}
+
+/// One group against all that is near to it.
+class Escape
+{
+public:
+    Escape(const Bodies &bodies, const std::vector<int> &group)
+    {
+        std::vector<SolidPointer> solids;
+        const auto add = [&](int body) {
+            const Result<SolidPointer> &solid = bodies.at(body).solid();
+            m_isKnown = m_isKnown && solid;
+            if (solid)
+                solids.push_back(*solid);
+        };
+        for (const int body : group)
+            add(body);
+        m_own = static_cast<int>(solids.size());
+        for (int other = 0; other < static_cast<int>(bodies.size()); ++other) {
+            const auto isNear = [&](int body) {
+                return distanceBetween(bodies.at(body).box(), bodies.at(other).box()) <= kNear;
+            };
+            if (std::find(group.begin(), group.end(), other) != group.end() ||
+                std::none_of(group.begin(), group.end(), isNear))
+                continue;
+            add(other);
+            addDirections(bodies.at(other).frame(), m_directions);
+        }
+        for (const int body : group)
+            addDirections(bodies.at(body).frame(), m_directions);
+        m_all = static_cast<int>(solids.size());
+        if (m_isKnown)
+            m_collisions.use(std::move(solids));
+    }
+
+    bool isPossible()
+    {
+        return !m_isKnown || m_own == m_all ||
+               std::any_of(m_directions.begin(), m_directions.end(),
+                           [this](const Vec3 &direction) { return isFree(direction); });
+    }
+
+private:
+    bool isFree(const Vec3 &direction)
+    {
+        const int way = m_collisions.way(direction);
+        for (int own = 0; own < m_own; ++own)
+            for (int other = m_own; other < m_all; ++other)
+                if (m_collisions.wayUntil(own, other, way) < kEscape)
+                    return false;
+        return true;
+    }
+
+    Collisions m_collisions;
+    std::vector<Vec3> m_directions;
+    int m_own = 0, m_all = 0;
+    bool m_isKnown = true;
+};
+
+} // namespace
+
+std::vector<std::vector<int>> withCaptives(const Analysis &analysis,
+                                           std::vector<std::vector<int>> groups)
+{
+    std::vector<std::vector<int>> held;
+    for (std::size_t g = 0; g < groups.size(); ++g) {
+        const bool isLooked = g > 0 && g <= kMostGroups && groups[g].size() <= kMostInGroup;
+        if (isLooked && !Escape(analysis.bodies, groups[g]).isPossible()) {
+            std::vector<int> &first = held.front();
+            first.insert(first.end(), groups[g].begin(), groups[g].end());
+            std::sort(first.begin(), first.end());
+        } else {
+            held.push_back(std::move(groups[g]));
+        }
+    }
+    return held;
+}
+
+} // namespace fff

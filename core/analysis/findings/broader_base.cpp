@@ -1,0 +1,199 @@
+#include "core/analysis/findings/broader_base.h"
+
+#include "core/analysis/findings/standing.h"
+#include "core/base/tolerances.h"
+#include "core/geometry/boolean.h"
+#include "core/model/edits.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+
+namespace fff {
+
+namespace {
+
+//: %1 is the name of a section
+constexpr Text kWidenStep = FFF_TEXT("Step", "Widen the base of %1");
+//: %1 is the name of a section
+constexpr Text kFootStep = FFF_TEXT("Step", "Add a foot to %1");
+
+/// A toe, and a foot, are so many thicknesses high at their root, and at their end.
+constexpr double kRootHeight = 5.0, kEndHeight = 2.0;
+/// A foot goes on so far beyond the section that it is across, in thicknesses, at least.
+constexpr double kLeastFoot = 6.0;
+/// Farther than this nobody wants a foot to reach, mm.
+constexpr double kLongest = 400.0;
+/// By so much what is stretched stands more firmly than it has to.
+constexpr double kFirmly = 1.2;
+
+/// How an upright section stands on the ground.
+struct Stand
+{
+    int section = 0;
+    Vec2 along = Vec2::Zero();   // (x, z), unit: the section's line on the ground
+    double from = 0.0, to = 0.0; // mm along that line, from its origin: where it touches
+    Vec2 origin = Vec2::Zero();  // (x, z)
+    Vec2 at(double s) const { return origin + s * along; }
+};
+
+std::optional<Stand> standOf(const Analysis &analysis, int section)
+{
+    const Model &model = analysis.model;
+    const auto index = static_cast<std::size_t>(section);
+    const Section &own = *model.section(index);
+    const Vec3 normal = own.frame.normal();
+    // Only a plate that stands upright has an edge to be made longer.
+    if (std::abs(normal.y()) > kPracticallyParallel || !model.ref(index).drawn.isValid())
+        return {};
+    const Vec3 along = normal.cross(Vec3::UnitY()).normalized();
+    Stand stand{section, Vec2(along.x(), along.z()), std::numeric_limits<double>::infinity(),
+                -std::numeric_limits<double>::infinity(),
+                Vec2(own.frame.origin.x(), own.frame.origin.z())};
+    for (const Vec2 &p : own.shape->region().outer) {
+        const Vec3 at = own.frame.toWorld(p);
+        if (std::abs(at.y()) > kGroundSunk)
+            continue;
+        const double s = stand.along.dot(Vec2(at.x(), at.z()) - stand.origin);
+        stand.from = std::min(stand.from, s);
+        stand.to = std::max(stand.to, s);
+    }
+    return stand.from <= stand.to ? std::optional(stand) : std::nullopt;
+}
+
+/// Of the sections that the finding is about.
+std::vector<Stand> standsOf(const Finding &finding, const Analysis &analysis)
+{
+    std::vector<Stand> stands;
+    const int count = static_cast<int>(analysis.model.sectionCount());
+    for (int section = 0; section < count; ++section) {
+        const SectionRef ref = analysis.model.ref(static_cast<std::size_t>(section));
+        const auto &about = finding.sections;
+        if (!about.empty() && std::find(about.begin(), about.end(), ref) == about.end())
+            continue;
+        if (const auto stand = standOf(analysis, section))
+            stands.push_back(*stand);
+    }
+    return stands;
+}
+
+/// Where the centre of mass lies over the ground, (x, z), and how far beside that it takes a foot.
+struct Need
+{
+    Vec2 centre = Vec2::Zero();
+    double reach = 0.0; // mm
+};
+
+Need needOf(const Footing &footing)
+{
+    const Vec3 &centre = footing.mass.centre;
+    return {Vec2(centre.x(), centre.z()), kFirmly * centre.y() * std::tan(kSteadyTilt)};
+}
+
+/// Above the ground on a section's plane: from along the line and upwards to frame coordinates.
+Vec2 onPlane(const Section &section, const Stand &stand, double s, double height)
+{
+    const Vec2 at = stand.at(s);
+    return section.frame.toLocal(Vec3(at.x(), height, at.y()));
+}
+
+std::optional<FindingEdit> widened(const FindingAction &, const Finding &finding,
+                                   const Analysis &analysis, const Flips *)
+{
+    const Footing &footing = *finding.details<Footing>();
+    const Need need = needOf(footing);
+    std::optional<FindingEdit> best;
+    double shortest = kLongest;
+    for (const Stand &stand : standsOf(finding, analysis)) {
+        const auto index = static_cast<std::size_t>(stand.section);
+        const Section &section = *analysis.model.section(index);
+        const double thickness = analysis.model.stockOf(index).thickness;
+        const double centre = stand.along.dot(need.centre - stand.origin);
+        const double before = stand.from - (centre - need.reach);
+        const double behind = centre + need.reach - stand.to;
+        const bool isBehind = behind > before;
+        const double by = std::max(before, behind);
+        if (by <= 0.0 || by >= shortest)
+            continue;
+        const double sign = isBehind ? 1.0 : -1.0, end = isBehind ? stand.to : stand.from;
+        const double root = kRootHeight * thickness, tip = kEndHeight * thickness;
+        // From inside of the section, so that the two are one.
+        const double inside = std::min(root, stand.to - stand.from);
+        Polygon toe{onPlane(section, stand, end - sign * inside, 0.0),
+                    onPlane(section, stand, end + sign * by, 0.0),
+                    onPlane(section, stand, end + sign * by, tip),
+                    onPlane(section, stand, end, root),
+                    onPlane(section, stand, end - sign * inside, root)};
+        if (signedArea(toe) < 0.0)
+            std::reverse(toe.begin(), toe.end());
+        const auto all = windingRegions({section.shape->contour(), Contour::ofPolygon(toe)},
+                                        WindingRule::Positive, kCutChord);
+        if (!all || all->size() != 1)
+            continue;
+        Result<ShapePointer> shape = Shape::make(all->front().outer, section.shape->holes());
+        if (!shape)
+            continue;
+        Result<Document> next = setShape(analysis.model.document, section.id, *std::move(shape));
+        if (!next)
+            continue;
+        shortest = by;
+        best = FindingEdit{Step(kWidenStep, {Named{section.name}}), *std::move(next)};
+    }
+    return best;
+}
+
+std::optional<FindingEdit> footAdded(const FindingAction &, const Finding &finding,
+                                     const Analysis &analysis, const Flips *)
+{
+    const Need need = needOf(*finding.details<Footing>());
+    const std::vector<Stand> stands = standsOf(finding, analysis);
+    std::optional<FindingEdit> best;
+    double shortest = kLongest;
+    for (const Stand &stand : stands) {
+        const auto index = static_cast<std::size_t>(stand.section);
+        const Section &section = *analysis.model.section(index);
+        const double thickness = analysis.model.stockOf(index).thickness;
+        const double margin = kRootHeight * thickness;
+        if (stand.to - stand.from < 2.0 * margin)
+            continue; // no room for a slit with two walls
+        const Vec2 across(-stand.along.y(), stand.along.x());
+        const double beside = across.dot(need.centre - stand.origin);
+        const double s = std::clamp(stand.along.dot(need.centre - stand.origin),
+                                    stand.from + margin, stand.to - margin);
+        const double reach = std::max(kLeastFoot * thickness, need.reach);
+        const double left = std::max(reach, reach - beside),
+                     right = std::max(reach, reach + beside);
+        if (left + right >= shortest)
+            continue;
+        const double root = kRootHeight * thickness, tip = kEndHeight * thickness;
+        const Polygon outline{{-left, 0.0},   {right, 0.0},    {right, tip},
+                              {margin, root}, {-margin, root}, {-left, tip}};
+        Result<ShapePointer> shape = Shape::make(Contour::ofPolygon(outline));
+        if (!shape)
+            continue;
+        const Vec2 at = stand.at(s);
+        NewSection foot;
+        foot.shape = *std::move(shape);
+        foot.frame = {Vec3(at.x(), 0.0, at.y()), Vec3(across.x(), 0.0, across.y()), Vec3::UnitY()};
+        foot.stock = section.stock;
+        foot.parent = Parent{section.ref(), onPlane(section, stand, s, 0.0),
+                             onPlane(section, stand, s, root)};
+        Result<Document> next = addSection(analysis.model.document, std::move(foot));
+        if (!next)
+            continue;
+        shortest = left + right;
+        best = FindingEdit{Step(kFootStep, {Named{section.name}}), *std::move(next)};
+    }
+    return best;
+}
+
+constexpr Text kWidenText = FFF_TEXT("Checks", "Widen the base");
+constexpr Text kFootText = FFF_TEXT("Checks", "Add a foot");
+
+} // namespace
+
+const ActionKind kWidenBase{plainWords<kWidenText>, widened};
+const ActionKind kAddFoot{plainWords<kFootText>, footAdded};
+
+} // namespace fff

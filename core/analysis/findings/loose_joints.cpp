@@ -1,0 +1,78 @@
+#include "core/analysis/findings/loose_joints.h"
+
+#include "core/analysis/findings/moving_slits.h"
+#include "core/analysis/findings/touching_pairs.h"
+
+#include <algorithm>
+
+namespace fff {
+
+namespace {
+
+Message looseJointSentence(const Finding &finding, const Model &model)
+{
+    const LooseJoint &loose = *finding.details<LooseJoint>();
+    const Named host = nameAt(finding, model, 0), guest = nameAt(finding, model, 1);
+    switch (loose.slit.why) {
+    case NoGrip::OneWall:
+        //: %1 and %2 are names of sections
+        return {FFF_TEXT("Checks", "%1 does not hold %2: its slit runs along its edge and has "
+                                   "material on one side only."),
+                {host, guest}};
+    case NoGrip::CutThrough:
+        //: %1 and %2 are names of sections
+        return {FFF_TEXT("Checks", "%1 does not hold %2: its slits cut it right through there."),
+                {host, guest}};
+    case NoGrip::Shallow:
+        //: %1 and %2 are names of sections, %3 is a length
+        return {FFF_TEXT("Checks", "%1 does not hold %2: its slit is less than %3 deep."),
+                {host, guest, lengthOf(kGripDepth)}};
+    case NoGrip::Empty:
+        break;
+    }
+    //: %1 and %2 are names of sections
+    return {FFF_TEXT("Checks", "%1 does not hold %2: other slits take away what would be in its "
+                               "slit."),
+            {host, guest}};
+}
+
+std::vector<FindingAction> moveIn(const Finding &, const Analysis &)
+{
+    return {{&kMoveIn}};
+}
+
+} // namespace
+
+const FindingKind kLooseJoint{
+    "looseJoint",
+    Subject::Joints,
+    FFF_TEXT("Checks", "Slit holds nothing"),
+    looseJointSentence,
+    moveIn,
+    nullptr,
+    nullptr,
+    nullptr,
+    FFF_TEXT("Checks", "Move the slit in from the edge, or let one of them end before the other.")};
+
+void findLooseJoints(const Looked &at, std::vector<Finding> &found)
+{
+    const Analysis &analysis = at.analysis;
+    for (const Joint &joint : analysis.assembly.joints) {
+        const std::optional<LooseSlit> &loose = analysis.grips.of(joint).loose;
+        if (!loose || onlyTouch(joint, at.rules))
+            continue;
+        const bool isInA = loose->isInA;
+        Finding finding = makeFinding(kLooseJoint, Severity::Warning, LooseJoint{*loose});
+        finding.sections = analysis.model.refs(isInA ? std::vector{joint.a, joint.b}
+                                                     : std::vector{joint.b, joint.a});
+        finding.joint = JointRef(finding.sections[0], finding.sections[1]);
+        const auto host = static_cast<std::size_t>(isInA ? joint.a : joint.b);
+        const auto &slits = analysis.assembly.slits[host];
+        if (static_cast<std::size_t>(loose->slit) < slits.size())
+            finding.at = analysis.model.section(host)->frame.toWorld(
+                slits[static_cast<std::size_t>(loose->slit)].inner);
+        found.push_back(std::move(finding));
+    }
+}
+
+} // namespace fff

@@ -1,0 +1,116 @@
+#include "core/analysis/findings/loose_pieces.h"
+
+#include "core/assembly/joint_editing.h"
+#include "core/operations/evaluate.h"
+
+#include <algorithm>
+#include <map>
+
+namespace fff {
+
+namespace {
+
+Message loosePiecesSentence(const Finding &finding, const Model &model)
+{
+    const LoosePieces &pieces = *finding.details<LoosePieces>();
+    const Named name = nameAt(finding, model, 0);
+    const WidthAndHeight size{pieces.width, pieces.height};
+    if (pieces.loose == 1)
+        //: %1 is the name of a section, %2 a number from 2 on, %3 a size
+        return {
+            FFF_TEXT("Checks", "Slits cut %1 into %2 parts; one of them, %3, is held by nothing."),
+            {name, pieces.parts, size}};
+    //: %1 is the name of a section, %2 and %3 are numbers from 2 on, %4 is a size
+    return {FFF_TEXT("Checks", "Slits cut %1 into %2 parts; %3 are held by nothing, the largest of "
+                               "them %4."),
+            {name, pieces.parts, pieces.loose, size}};
+}
+
+constexpr Text kTurnText = FFF_TEXT("Checks", "Turn slits round");
+//: %1 is the name of a section
+constexpr Text kTurnStep = FFF_TEXT("Step", "Turn slits of %1 round");
+
+/// So many of its joints are turned round, one at a time.
+constexpr int kMostTurned = 24;
+
+int loosePiecesOf(const Analysis &analysis)
+{
+    const auto groups = heldGroups(analysis);
+    return static_cast<int>(groups.size());
+}
+
+/// Of the joints of the section that fell apart the one that leaves least loose when its slits open
+/// to the other side.
+std::optional<FindingEdit> turned(const FindingAction &, const Finding &finding,
+                                  const Analysis &analysis, const Flips *)
+{
+    const Model &model = analysis.model;
+    const int section = model.indexOf(finding.sections.front());
+    std::optional<FindingEdit> best;
+    int least = loosePiecesOf(analysis), tried = 0;
+    for (const Joint &joint : analysis.assembly.joints) {
+        if ((joint.a != section && joint.b != section) || tried >= kMostTurned)
+            continue;
+        const JointRef ref(model.ref(static_cast<std::size_t>(joint.a)),
+                           model.ref(static_cast<std::size_t>(joint.b)));
+        const JointEdit edit = flipSlits(model, ref);
+        if (!edit || edit->document.isSame(model.document))
+            continue;
+        ++tried;
+        AnalysisCaches caches;
+        caches.last = AnalysisPointer(AnalysisPointer(), &analysis); // it outlives them
+        const int loose = loosePiecesOf(analyse(evaluate(edit->document, model), caches));
+        if (loose < least) {
+            least = loose;
+            best = FindingEdit{Step(kTurnStep, {nameAt(finding, model, 0)}), edit->document};
+        }
+    }
+    return best;
+}
+
+std::vector<FindingAction> turnSlits(const Finding &, const Analysis &)
+{
+    return {{&kTurnSlits}};
+}
+
+} // namespace
+
+const ActionKind kTurnSlits{plainWords<kTurnText>, turned};
+
+const FindingKind kLoosePieces{
+    .name = "loosePieces",
+    .subject = Subject::Connection,
+    .title = FFF_TEXT("Checks", "Loose parts"),
+    .sentence = loosePiecesSentence,
+    .actions = turnSlits,
+    .weight = [](const Finding &finding) { return finding.details<LoosePieces>()->loose; },
+    .advice = FFF_TEXT("Checks", "Let one of the sections that cross there end before the others, "
+                                 "or move it aside.")};
+
+bool isLoosePiece(const Bodies &bodies, const std::vector<int> &group)
+{
+    return group.size() == 1 && bodies.countOf(bodies.sectionOf(group.front())) > 1;
+}
+
+void findLoosePieces(const Looked &at, std::vector<Finding> &found)
+{
+    const Bodies &bodies = at.analysis.bodies;
+    std::map<int, std::vector<int>> loose; // bodies by their sections
+    for (std::size_t g = 1; g < at.groups.size(); ++g)
+        if (isLoosePiece(bodies, at.groups[g]))
+            loose[bodies.sectionOf(at.groups[g].front())].push_back(at.groups[g].front());
+    for (const auto &[section, pieces] : loose) {
+        // Bodies of a section come the largest first.
+        const Body &largest = bodies.at(*std::min_element(pieces.begin(), pieces.end()));
+        const Box2 box = bounds(largest.outline().region.outer);
+        Finding finding =
+            makeFinding(kLoosePieces, Severity::Error,
+                        LoosePieces{bodies.countOf(section), static_cast<int>(pieces.size()),
+                                    box.size().x(), box.size().y()});
+        finding.sections = {at.analysis.model.ref(static_cast<std::size_t>(section))};
+        finding.at = largest.mass().centre;
+        found.push_back(std::move(finding));
+    }
+}
+
+} // namespace fff

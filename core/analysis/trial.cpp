@@ -1,0 +1,115 @@
+#include "core/analysis/trial.h"
+
+#include "core/analysis/analysed.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <utility>
+
+namespace fff {
+
+namespace {
+
+/// Problems of joints are told apart by their kinds, all others by what their badges are about.
+using Matter = std::pair<Subject, const FindingKind *>;
+
+Matter matterOf(const Finding &finding)
+{
+    const bool isOfJoints = finding.subject() == Subject::Joints;
+    return {finding.subject(), isOfJoints ? finding.kind : nullptr};
+}
+
+int weightOf(const Finding &finding)
+{
+    return finding.kind->weight ? finding.kind->weight(finding) : 1;
+}
+
+std::map<Matter, Burden> burdensOf(std::span<const Finding> found)
+{
+    std::map<Matter, Burden> burdens;
+    for (const Finding &finding : found) {
+        if (finding.severity == Severity::Good || finding.severity == Severity::Note)
+            continue;
+        Burden &burden = burdens[matterOf(finding)];
+        int &count = finding.severity == Severity::Error     ? burden.errors
+                     : finding.severity == Severity::Warning ? burden.warnings
+                                                             : burden.unknown;
+        count += weightOf(finding);
+    }
+    return burdens;
+}
+
+Burden burdenOf(const std::map<Matter, Burden> &burdens, const Matter &matter)
+{
+    const auto found = burdens.find(matter);
+    return found == burdens.end() ? Burden() : found->second;
+}
+
+} // namespace
+
+Trials::Trials(const std::vector<Stage> &stages)
+{
+    std::set<std::string_view> wanted;
+    for (auto stage = stages.rbegin(); stage != stages.rend(); ++stage)
+        if (stage->findings || wanted.contains(stage->name))
+            wanted.insert(stage->inputs.begin(), stage->inputs.end());
+    for (const Stage &stage : stages)
+        if (stage.findings || wanted.contains(stage.name))
+            m_stages.push_back(stage);
+}
+
+std::optional<Trials::Outcome> Trials::of(Model model, const CheckRules &rules,
+                                          std::stop_token stop)
+{
+    Snapshot::Results results{{kModel.name, std::make_shared<const Model>(std::move(model))},
+                              {kRules.name, std::make_shared<const CheckRules>(rules)}};
+    Outcome outcome;
+    Progress progress;
+    for (const Stage &stage : m_stages) {
+        Snapshot::Results inputs;
+        for (const char *input : stage.inputs)
+            inputs[input] = results.at(input);
+        const auto before = m_before.find(stage.name);
+        Result<std::shared_ptr<const void>> result = failure(ErrorCode::StageFailed);
+        try {
+            result = stage.compute(Snapshot(0, std::move(inputs)),
+                                   before == m_before.end() ? nullptr : before->second.get(),
+                                   progress, stop);
+        } catch (...) { // the stage says so of the model that is there
+        }
+        if (!result) {
+            m_before.clear();
+            return {};
+        }
+        results[stage.name] = *result;
+        if (stage.findings) {
+            const std::vector<Finding> &found = stage.findings(result->get());
+            outcome.findings.insert(outcome.findings.end(), found.begin(), found.end());
+        }
+    }
+    if (const auto analysed = results.find(kAnalysed.name); analysed != results.end())
+        outcome.analysis = static_cast<const Analysed *>(analysed->second.get())->analysis;
+    m_before = std::move(results);
+    return outcome;
+}
+
+bool isNoWorse(std::span<const Finding> before, std::span<const Finding> after)
+{
+    const std::map<Matter, Burden> was = burdensOf(before), is = burdensOf(after);
+    return std::all_of(is.begin(), is.end(),
+                       [&](const auto &of) { return !(burdenOf(was, of.first) < of.second); });
+}
+
+bool helps(const Finding &finding, std::span<const Finding> before, std::span<const Finding> after)
+{
+    const Matter matter = matterOf(finding);
+    if (burdenOf(burdensOf(after), matter) < burdenOf(burdensOf(before), matter))
+        return true;
+    // What weighs nothing, a note, is mended when it is not said any more.
+    return finding.severity <= Severity::Note &&
+           std::none_of(after.begin(), after.end(),
+                        [&](const Finding &other) { return isSameVerdict(finding, other); });
+}
+
+} // namespace fff

@@ -1,0 +1,322 @@
+#include "core/assembly/grips.h"
+
+#include "core/assembly/intervals.h"
+#include "core/assembly/rings_near.h"
+#include "core/base/groups.h"
+
+#include <algorithm>
+#include <array>
+#include <map>
+
+namespace fff {
+
+namespace {
+
+/// A guest that ends so much before a mortise's end has room to move, mm, beyond the clearance.
+constexpr double kMortisePlay = 0.3;
+
+/// A stretch of a slit's depth, mm from its bottom.
+struct Span
+{
+    double from = 0.0, to = 0.0;
+};
+using Spans = std::vector<Span>; // apart, ascending
+
+double depthOf(const Spans &spans)
+{
+    double sum = 0.0;
+    for (const Span &span : spans)
+        sum += span.to - span.from;
+    return sum;
+}
+
+Spans common(const Spans &x, const Spans &y)
+{
+    Spans both;
+    for (std::size_t i = 0, k = 0; i < x.size() && k < y.size();) {
+        const Span span{std::max(x[i].from, y[k].from), std::min(x[i].to, y[k].to)};
+        if (span.from < span.to)
+            both.push_back(span);
+        x[i].to < y[k].to ? ++i : ++k;
+    }
+    return both;
+}
+
+/// Of each piece of a cut section where a line is inside of it, as far as `length`.
+std::vector<Spans> insideOf(const CutSection &cut, const PlaneLine &line, double length)
+{
+    std::vector<Spans> inside(cut.parts().size());
+    for (std::size_t i = 0; i < inside.size(); ++i) {
+        const RingsNear rings(
+            line, cut.parts()[i].region, [&]() -> const RegionTree & { return cut.trees()[i]; },
+            0.0);
+        for (const Interval &interval : intervalsOn(line, rings.region())) {
+            const Span span{std::max(interval.from.at, 0.0), std::min(interval.to.at, length)};
+            if (span.from < span.to)
+                inside[i].push_back(span);
+        }
+    }
+    return inside;
+}
+
+/// One of the two sections as the other's slits see it.
+struct Mate
+{
+    const std::vector<Slit> &slits;
+    const CutSection &cut;
+    const Frame &frame;
+};
+
+/// What one section's slits have between their walls: [its piece][the other's piece], mm.
+class Held
+{
+public:
+    Held(std::size_t pieces, std::size_t others) : m_others(others), m_depths(pieces * others, 0.0)
+    {
+    }
+    double &at(std::size_t piece, std::size_t other) { return m_depths[piece * m_others + other]; }
+    double most() const
+    {
+        return m_depths.empty() ? 0.0 : *std::max_element(m_depths.begin(), m_depths.end());
+    }
+
+private:
+    std::size_t m_others;
+    std::vector<double> m_depths;
+};
+
+/// The walls of one slit, and what of the other section stands between them.
+struct Walls
+{
+    std::array<std::vector<Spans>, 2> sides; // to the left and to the right, of each own piece
+    std::array<std::vector<char>, 2> ends;   // whether it closes the ends, of each own piece
+    std::vector<Spans> guest;                // of each piece of the other
+    double length = 0.0;                     // mm, of the slit
+    Vec2 left = Vec2::Zero();                // unit, from the slit to its left wall
+};
+
+Walls wallsOf(const Slit &slit, const Mate &host, const Mate &guest)
+{
+    const Vec2 way = slit.mouth - slit.inner;
+    const double length = way.norm();
+    const PlaneLine axis{slit.inner, way / length};
+    Walls walls;
+    walls.length = length;
+    for (const int end : {0, 1}) {
+        const Vec2 beyond =
+            axis.at(end == 0 ? -kGripWall : length + kGripWall); // just behind the end
+        for (const CurvedRegion &piece : host.cut.parts())
+            walls.ends[static_cast<std::size_t>(end)].push_back(
+                !slit.isOpen && locate(beyond, piece.region) == Side::Inside);
+    }
+    walls.left = perpendicular(axis.direction);
+    const double beside = 0.5 * slit.width + kGripWall;
+    for (const int side : {0, 1}) {
+        const Vec2 offset = (side == 0 ? beside : -beside) * walls.left;
+        walls.sides[static_cast<std::size_t>(side)] =
+            insideOf(host.cut, {axis.point + offset, axis.direction}, length);
+    }
+    const auto toGuest = [&](const Vec2 &direction) {
+        return guest.frame.directionToLocal(host.frame.directionToWorld(direction));
+    };
+    walls.guest = insideOf(
+        guest.cut,
+        {guest.frame.toLocal(host.frame.toWorld(axis.point)), toGuest(axis.direction).normalized()},
+        length);
+    return walls;
+}
+
+/// Of a mortise, whether the own piece closes both of its ends, and the guest fills it from one to
+/// the other: else the guest goes on along the axis.
+bool isClosed(const Walls &walls, std::size_t own, std::size_t other)
+{
+    const Spans &guest = walls.guest[other];
+    return walls.ends[0][own] && walls.ends[1][own] && !guest.empty() &&
+           guest.front().from <= kMortisePlay && guest.back().to >= walls.length - kMortisePlay;
+}
+
+/// Why the slit holds nothing; of what it has between its walls by now nothing is enough.
+LooseSlit whyLoose(const Walls &walls, double held)
+{
+    LooseSlit loose;
+    std::array<double, 2> depths{0.0, 0.0}; // of each wall, the most of any piece
+    double inside = 0.0;
+    for (const Spans &guest : walls.guest) {
+        inside = std::max(inside, depthOf(guest));
+        for (const std::size_t side : {0U, 1U})
+            for (const Spans &wall : walls.sides[side])
+                depths[side] = std::max(depths[side], depthOf(common(wall, guest)));
+    }
+    loose.depth = std::max(depths[0], depths[1]);
+    const double least = std::min(depths[0], depths[1]);
+    if (!(inside >= kGripDepth))
+        loose.why = inside > 0.0 && held > 0.0 ? NoGrip::Shallow : NoGrip::Empty;
+    else if (least >= kGripDepth)
+        loose.why = NoGrip::CutThrough;
+    else if (loose.depth >= kGripDepth) {
+        loose.why = NoGrip::OneWall;
+        loose.missing = depths[0] < depths[1] ? walls.left : Vec2(-walls.left);
+    } else
+        loose.why = held > 0.0 || loose.depth > 0.0 ? NoGrip::Shallow : NoGrip::Empty;
+    return loose;
+}
+
+/// Adds what the slits of `host` hold of `guest`. Why the one that holds most does not hold
+/// enough, if none does; nothing where it has no slits at all.
+std::optional<LooseSlit> addHeld(const Joint &joint, const Mate &host, const Mate &guest,
+                                 Held &held)
+{
+    std::optional<LooseSlit> loose;
+    for (std::size_t i = 0; i < host.slits.size(); ++i) {
+        const Slit &slit = host.slits[i];
+        if (slit.joint != joint.id || slit.role != SlitRole::Slit || slit.overlap < 0 ||
+            slit.inner == slit.mouth)
+            continue;
+        const Walls walls = wallsOf(slit, host, guest);
+        for (std::size_t own = 0; own < host.cut.parts().size(); ++own) {
+            const Spans both = common(walls.sides[0][own], walls.sides[1][own]);
+            for (std::size_t other = 0; !both.empty() && other < walls.guest.size(); ++other)
+                if (joint.kind != JointKind::Mortise || isClosed(walls, own, other))
+                    held.at(own, other) += depthOf(common(both, walls.guest[other]));
+        }
+        LooseSlit why = whyLoose(walls, held.most());
+        why.slit = static_cast<int>(i);
+        if (!loose || why.depth > loose->depth)
+            loose = why;
+    }
+    if (held.most() >= kGripDepth)
+        return {};
+    return loose;
+}
+
+bool isOneEnough(JointKind kind)
+{
+    return kind == JointKind::Mortise || kind == JointKind::Tabs;
+}
+
+} // namespace
+
+JointGrips gripsOf(const Joint &joint, const std::vector<Slit> &slitsOfA,
+                   const std::vector<Slit> &slitsOfB, const CutSection &a, const CutSection &b,
+                   const Frame &frameOfA, const Frame &frameOfB)
+{
+    JointGrips grips;
+    if (joint.kind == JointKind::None)
+        return grips;
+    const Mate mateA{slitsOfA, a, frameOfA}, mateB{slitsOfB, b, frameOfB};
+    const std::size_t countA = a.parts().size(), countB = b.parts().size();
+    Held inA(countA, countB), inB(countB, countA);
+    const std::optional<LooseSlit> looseA = addHeld(joint, mateA, mateB, inA);
+    std::optional<LooseSlit> looseB = addHeld(joint, mateB, mateA, inB);
+    for (std::size_t i = 0; i < countA; ++i) {
+        for (std::size_t k = 0; k < countB; ++k) {
+            const Grip grip{static_cast<int>(i), static_cast<int>(k), inA.at(i, k), inB.at(k, i)};
+            const auto [least, most] = std::minmax(grip.inA, grip.inB);
+            if ((isOneEnough(joint.kind) ? most : least) >= kGripDepth)
+                grips.held.push_back(grip);
+        }
+    }
+    if (grips.held.empty()) {
+        if (looseB)
+            looseB->isInA = false;
+        grips.loose = looseA ? looseA : looseB;
+        if (!grips.loose) // each holds some piece, but no two hold each other
+            grips.loose = LooseSlit{NoGrip::CutThrough};
+    }
+    return grips;
+}
+
+const JointGrips &Grips::of(const Joint &joint) const
+{
+    const auto row = static_cast<std::size_t>(joint.a);
+    return m_rows[row][static_cast<std::size_t>(joint.id) - 1 - m_starts[row]]->grips;
+}
+
+Grips Grips::find(const Model &model, const Assembly &assembly,
+                  const std::vector<CutSectionPointer> &cuts, const Grips &before,
+                  const std::optional<std::vector<int>> &places)
+{
+    static const std::vector<KnownPointer> none;
+    Grips grips;
+    const SharedRows<Joint> &rows = assembly.joints.rows();
+    grips.m_rows.resize(rows.size());
+    grips.m_starts.reserve(rows.size());
+    for (std::size_t a = 0; a < rows.size(); ++a) {
+        grips.m_starts.push_back(assembly.joints.start(a));
+        const std::vector<Joint> &joints = rows[a];
+        if (joints.empty())
+            continue;
+        const std::size_t place = places ? static_cast<std::size_t>((*places)[a]) : a;
+        const bool isKnown = place < before.m_rows.size();
+        const std::vector<KnownPointer> &knownRow = isKnown ? before.m_rows[place] : none;
+        const auto isOf = [&](const KnownPointer &known, const Joint &joint) {
+            return known->crossing == joint.crossing && known->a == cuts[a] &&
+                   known->b == cuts[static_cast<std::size_t>(joint.b)];
+        };
+        if (knownRow.size() == joints.size() &&
+            std::equal(knownRow.begin(), knownRow.end(), joints.begin(), isOf)) {
+            grips.m_rows.share(a, before.m_rows.pointer(place));
+            continue;
+        }
+        std::vector<KnownPointer> row;
+        row.reserve(joints.size());
+        std::map<const Crossing *, KnownPointer> byCrossing;
+        if (isKnown && knownRow.size() != joints.size())
+            for (const KnownPointer &known : knownRow)
+                byCrossing.emplace(known->crossing.get(), known);
+        for (std::size_t i = 0; i < joints.size(); ++i) {
+            const Joint &joint = joints[i];
+            KnownPointer known;
+            if (knownRow.size() == joints.size())
+                known = knownRow[i];
+            else if (const auto found = byCrossing.find(joint.crossing.get());
+                     found != byCrossing.end())
+                known = found->second;
+            if (known && isOf(known, joint)) {
+                row.push_back(std::move(known));
+                continue;
+            }
+            const auto b = static_cast<std::size_t>(joint.b);
+            row.push_back(std::make_shared<const Known>(
+                Known{joint.crossing, cuts[a], cuts[b],
+                      gripsOf(joint, assembly.slits[a], assembly.slits[b], *cuts[a], *cuts[b],
+                              model.section(a)->frame, model.section(b)->frame)}));
+        }
+        grips.m_rows.set(a, std::move(row));
+    }
+    return grips;
+}
+
+std::vector<int> sectionsOf(const Bodies &bodies, const std::vector<int> &group)
+{
+    std::vector<int> sections;
+    for (const int body : group)
+        sections.push_back(bodies.sectionOf(body));
+    std::sort(sections.begin(), sections.end());
+    sections.erase(std::unique(sections.begin(), sections.end()), sections.end());
+    return sections;
+}
+
+std::vector<std::vector<int>> heldGroups(const Bodies &bodies, const JointList &joints,
+                                         const Grips &grips)
+{
+    Groups held(bodies.size());
+    for (const Joint &joint : joints) {
+        if (joint.kind == JointKind::None)
+            continue;
+        for (const Grip &grip : grips.of(joint).held)
+            held.join(static_cast<std::size_t>(bodies.firstOf(joint.a) + grip.a),
+                      static_cast<std::size_t>(bodies.firstOf(joint.b) + grip.b));
+    }
+    std::vector<std::vector<int>> groups;
+    for (const std::vector<std::size_t> &group : held.all())
+        groups.emplace_back(group.begin(), group.end());
+    const auto sizeOf = [&](const std::vector<int> &group) {
+        return std::pair(sectionsOf(bodies, group).size(), group.size());
+    };
+    std::stable_sort(groups.begin(), groups.end(),
+                     [&](const auto &x, const auto &y) { return sizeOf(x) > sizeOf(y); });
+    return groups;
+}
+
+} // namespace fff

@@ -1,0 +1,300 @@
+#include <QTest> // first: moc cannot read some of the standard library before it
+
+#include "core/analysis/checks.h"
+#include "core/analysis/findings/broader_base.h"
+#include "core/analysis/findings/loose_joints.h"
+#include "core/analysis/findings/loose_pieces.h"
+#include "core/analysis/findings/moving_slits.h"
+#include "core/analysis/findings/touching_pairs.h"
+#include "core/analysis/findings/turning_square.h"
+#include "core/analysis/findings/waste.h"
+#include "core/analysis/plan_checks.h"
+#include "core/base/units.h"
+#include "core/session/check_list.h"
+#include "core/session/session.h"
+#include "tests/core/analysed.h"
+#include "tests/core/assembly/plates.h"
+#include "tests/core/session/all_findings.h"
+#include "tests/test_program.h"
+
+#include <QLocale>
+
+using namespace fff;
+using namespace fff::test;
+
+namespace {
+
+Frame shelfAt(double y)
+{
+    return {{0, y, 0}, Vec3::UnitX(), -Vec3::UnitZ()};
+}
+
+/// Two plates across each other on the ground.
+Document twoAcrossEachOther()
+{
+    const ShapePointer plate = plateOf(-50, 0, 50, 60);
+    return withSection(withSection(newDocument(), plate, front()), plate, side());
+}
+
+/// A plate, and one that runs along its edge: 1.5 mm of it would be beyond.
+Document alongTheEdge(double at)
+{
+    return withSection(withSection(newDocument(), plateOf(-50, 0, 50, 60), front()),
+                       plateOf(-40, 0, 40, 60), side(at));
+}
+
+struct Judged
+{
+    Analysis analysis;
+    std::vector<Finding> all;
+};
+
+Judged judged(const Document &document)
+{
+    Judged judged{analysed(document), {}};
+    judged.all = checks(judged.analysis);
+    for (Finding &finding : planChecks(judged.analysis, planOf(judged.analysis)))
+        judged.all.push_back(std::move(finding));
+    return judged;
+}
+
+bool hasError(const std::vector<Finding> &all)
+{
+    return std::any_of(all.begin(), all.end(),
+                       [](const Finding &finding) { return finding.severity == Severity::Error; });
+}
+
+/// What is offered for the first finding of the kind.
+std::vector<Mend> mendsOf(CheckList &list, const FindingKind &kind)
+{
+    list.finish();
+    const Finding *finding = find(list.all(), kind);
+    return finding ? list.mendsOf(*finding) : std::vector<Mend>();
+}
+
+const Mend *find(const std::vector<Mend> &mends, const ActionKind &kind)
+{
+    const auto mend = std::find_if(mends.begin(), mends.end(),
+                                   [&](const Mend &one) { return one.action.kind == &kind; });
+    return mend == mends.end() ? nullptr : &*mend;
+}
+
+/// Does it, and says whether that is one step of the history which undo takes back to the very
+/// document.
+bool isDoneAndUndone(Session &session, CheckList &list, const Mend &mend)
+{
+    const Document before = session.committed().document;
+    session.commit(QStringLiteral("Mend"), mend.edit->document);
+    list.finish();
+    const bool isDone = !session.committed().document.isSame(before);
+    session.history()->undo();
+    list.finish();
+    return isDone && session.committed().document.isSame(before);
+}
+
+} // namespace
+
+class TestLoosePieces : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void initTestCase() { QLocale::setDefault(QLocale::c()); }
+
+    void squaresThroughOneCentre();
+    void shelfAcrossTwoCrossed();
+    void sectionAlongAnEdge_data();
+    void sectionAlongAnEdge();
+    void itIsMovedIn();
+    void whatStandsOnALineGetsAFoot();
+    void aShallowAngleIsTurnedSquare();
+    void aThinWebIsWidened();
+    void chipsAreWaste();
+    void whatOnlyTouchesIsOneLine();
+    void pressedFarTooTight();
+    void partsInOnePlace();
+};
+
+// Wrong: green over a model that falls into pieces which nothing holds.
+void TestLoosePieces::squaresThroughOneCentre()
+{
+    const ShapePointer square = plateOf(-50, -50, 50, 50);
+    Document document = newDocument();
+    document = withSection(document, square, front());
+    document = withSection(document, square, side());
+    document = withSection(document, square, shelfAt(0));
+    const Judged found = judged(document);
+    QVERIFY(hasError(found.all));
+    const bool isWhole = found.analysis.bodies.size() == 3;
+    if (!isWhole)
+        QVERIFY(fff::test::find(found.all, kLoosePieces) ||
+                fff::test::find(found.all, kNotConnected) ||
+                worst(found.all, Subject::Assembly) == Severity::Error);
+}
+
+// Wrong: the link cuts the body into four parts, and everything is green.
+void TestLoosePieces::shelfAcrossTwoCrossed()
+{
+    const Document document =
+        withSection(twoAcrossEachOther(), plateOf(-50, -50, 50, 50), shelfAt(30));
+    QVERIFY(hasError(judged(document).all));
+    Session session;
+    CheckList list(session);
+    session.commit(QStringLiteral("Draw"), document);
+    list.finish();
+    const std::vector<Finding> before = list.all();
+    int offered = 0;
+    for (const Finding &finding : before) {
+        for (const Mend &mend : list.mendsOf(finding)) {
+            if (!mend.isEdit())
+                continue;
+            ++offered;
+            const std::vector<Finding> after = judged(mend.edit->document).all;
+            QVERIFY2(isNoWorse(before, after), qPrintable(findingText(finding, list.model())));
+        }
+        // A person is told what to do where no link does it.
+        if (finding.severity == Severity::Error && list.isMendless(finding))
+            QVERIFY2(finding.kind->advice.source, finding.kind->name);
+    }
+    qInfo("%d links are offered", offered);
+}
+
+void TestLoosePieces::sectionAlongAnEdge_data()
+{
+    QTest::addColumn<double>("at");
+    QTest::addColumn<bool>("holds");
+    QTest::newRow("in the middle") << 0.0 << true;
+    QTest::newRow("with a wall of a mm") << 47.5 << true;
+    QTest::newRow("half beyond the edge") << 49.5 << false;
+    QTest::newRow("with all of its thickness beside it") << 50.0 << false;
+}
+
+// Wrong: a step with one wall is called a joint.
+void TestLoosePieces::sectionAlongAnEdge()
+{
+    QFETCH(double, at);
+    QFETCH(bool, holds);
+    const Judged found = judged(alongTheEdge(at));
+    QCOMPARE(fff::test::find(found.all, kConnected) != nullptr, holds);
+    QCOMPARE(hasError(found.all), !holds);
+    const Finding *loose = fff::test::find(found.all, kLooseJoint);
+    QCOMPARE(loose != nullptr, !holds);
+    if (!holds)
+        QVERIFY(findingText(*loose, found.analysis.model)
+                    .contains(QStringLiteral("material on one side only")));
+}
+
+void TestLoosePieces::itIsMovedIn()
+{
+    Session session;
+    CheckList list(session);
+    session.commit(QStringLiteral("Draw"), alongTheEdge(49.5));
+    const std::vector<Mend> mends = mendsOf(list, kLooseJoint);
+    const Mend *moveIn = ::find(mends, kMoveIn);
+    QVERIFY(moveIn);
+    QVERIFY(!moveIn->changes.isEmpty());
+    QVERIFY(isDoneAndUndone(session, list, *moveIn));
+    const Judged after = judged(moveIn->edit->document);
+    QVERIFY(fff::test::find(after.all, kConnected));
+    QVERIFY(!fff::test::find(after.all, kLooseJoint));
+}
+
+void TestLoosePieces::whatStandsOnALineGetsAFoot()
+{
+    Session session;
+    CheckList list(session);
+    session.commit(QStringLiteral("Draw"),
+                   withSection(newDocument(), plateOf(-50, 0, 50, 60), front()));
+    std::vector<Mend> mends = mendsOf(list, kUnsteady);
+    if (mends.empty())
+        mends = mendsOf(list, kLineSupport);
+    const Mend *foot = ::find(mends, kAddFoot);
+    QVERIFY(foot);
+    QVERIFY(isDoneAndUndone(session, list, *foot));
+    const Judged after = judged(foot->edit->document);
+    QVERIFY(fff::test::find(after.all, kStands));
+    QVERIFY(!hasError(after.all));
+}
+
+void TestLoosePieces::aShallowAngleIsTurnedSquare()
+{
+    Session session;
+    CheckList list(session);
+    const ShapePointer plate = plateOf(-50, 0, 50, 60);
+    session.commit(QStringLiteral("Draw"), withSection(withSection(newDocument(), plate, front()),
+                                                       plate, turned(radians(20.0))));
+    const std::vector<Mend> mends = mendsOf(list, kShallowAngle);
+    const Mend *square = ::find(mends, kTurnSquare);
+    QVERIFY(square);
+    QVERIFY(isDoneAndUndone(session, list, *square));
+    const Model after = evaluate(square->edit->document);
+    QVERIFY(std::abs(after.section(0)->frame.normal().dot(after.section(1)->frame.normal())) <
+            1e-12);
+}
+
+void TestLoosePieces::aThinWebIsWidened()
+{
+    Session session;
+    CheckList list(session);
+    session.commit(QStringLiteral("Draw"), alongTheEdge(47.5));
+    const std::vector<Mend> mends = mendsOf(list, kThinWeb);
+    const Mend *moved = ::find(mends, kMoveSlit);
+    QVERIFY(moved);
+    QVERIFY(isDoneAndUndone(session, list, *moved));
+    QVERIFY(!fff::test::find(judged(moved->edit->document).all, kThinWeb));
+}
+
+// Wrong: what nobody finds on the bed of a laser has a number of its own.
+void TestLoosePieces::chipsAreWaste()
+{
+    // A spike that ends just beyond the slit: its tip is cut off.
+    const ShapePointer spiky =
+        polygonShape({{-50, 0}, {50, 0}, {50, 60}, {2.05, 60}, {1.9, 62}, {-2, 60}, {-50, 60}});
+    const Document document =
+        withSection(withSection(newDocument(), spiky, front()), plateOf(-50, 0, 50, 59), side());
+    const Judged found = judged(document);
+    for (const CutSectionPointer &cut : found.analysis.cuts)
+        QVERIFY(cut->parts().size() == 1);
+    if (!found.analysis.cuts.front()->waste().empty())
+        QCOMPARE(findingText(*fff::test::find(found.all, kWaste), found.analysis.model)
+                     .contains(QStringLiteral("waste")),
+                 true);
+    QVERIFY(!fff::test::find(found.all, kLoosePieces));
+}
+
+void TestLoosePieces::whatOnlyTouchesIsOneLine()
+{
+    // Three plates whose upper edges reach 0.2 mm into a level one.
+    Document document = withSection(newDocument(), plateOf(-60, -60, 60, 60), shelfAt(60));
+    for (const double at : {-30.0, 0.0, 30.0})
+        document = withSection(document, plateOf(-20, 0, 20, 58.7), front(at));
+    const Judged found = judged(document);
+    const auto count = std::count_if(found.all.begin(), found.all.end(), [](const Finding &one) {
+        return one.subject() == Subject::Joints && one.severity > Severity::Good;
+    });
+    QCOMPARE(count, 1);
+    const Finding *touching = fff::test::find(found.all, kTouching);
+    QVERIFY(touching);
+    QCOMPARE(touching->severity, Severity::Note);
+}
+
+void TestLoosePieces::pressedFarTooTight()
+{
+    Document document = twoAcrossEachOther();
+    Stock stock = *document.stocks.front();
+    stock.clearance = -0.2;
+    QVERIFY(!fff::test::find(judged(*setStock(document, stock)).all, kTightSlits));
+    stock.clearance = -2.0;
+    QVERIFY(fff::test::find(judged(*setStock(document, stock)).all, kTightSlits));
+}
+
+// Wrong: parts that take up one place are said to go together.
+void TestLoosePieces::partsInOnePlace()
+{
+    Document document = withSection(twoAcrossEachOther(), plateOf(-20, 0, 20, 40), front(1.0));
+    const Judged found = judged(document);
+    QVERIFY(!fff::test::find(found.all, kCanAssemble));
+}
+
+FFF_TEST(TestLoosePieces)
+#include "tst_loose_pieces.moc"
