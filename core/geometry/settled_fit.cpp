@@ -95,9 +95,9 @@ double lengthOf(const FittedPiece &piece)
     return (piece.curve.p3 - piece.curve.p0).norm();
 }
 
-void SettledFit::follow(const std::vector<Vec2> &samples)
+void SettledFit::follow(const std::vector<Vec2> &samples, std::size_t count)
 {
-    while (samples.size() > m_next)
+    while (count > m_next)
         settle(samples, m_next);
 }
 

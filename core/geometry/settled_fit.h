@@ -26,7 +26,9 @@ public:
 
     /// Settles what `samples` (all looked at, SampledLine::usable) let be settled, of which the
     /// last may still change. All but that one are those of the call before, and further ones.
-    void follow(const std::vector<Vec2> &samples);
+    void follow(const std::vector<Vec2> &samples) { follow(samples, samples.size()); }
+    /// The same of the first so many of them.
+    void follow(const std::vector<Vec2> &samples, std::size_t count);
 
     /// From the first sample on, each where the one before ends. What is in it never changes.
     const std::vector<FittedPiece> &pieces() const { return m_pieces; }

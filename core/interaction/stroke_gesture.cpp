@@ -7,6 +7,7 @@
 #include "core/interaction/snapping.h"
 #include "core/interaction/stroke_words.h"
 #include "core/model/ground.h"
+#include "core/stroke/twitch.h"
 
 #include <algorithm>
 #include <cmath>
@@ -65,18 +66,20 @@ Vec2 seenSize(const Camera &camera, const ContourTarget &target, const Section &
     return isUpright ? size : Vec2(size.y(), size.x());
 }
 
-Text refusalOf(const StrokeContour &contour)
+Hint refusalOf(const StrokeContour &contour)
 {
     switch (contour.refusal) {
     case StrokeContour::Refusal::NoArea:
-        return hints::kNoArea;
+        return Hint::refusal(hints::kNoArea);
     case StrokeContour::Refusal::CrossesWithoutLoop:
-        return hints::kCrossesWithoutLoop;
+        return Hint::refusal(hints::kCrossesWithoutLoop);
+    case StrokeContour::Refusal::Twitch:
+        return Hint::refusal(hints::kTwitch, {lengthOf(kTwitch)});
     case StrokeContour::Refusal::None:
     case StrokeContour::Refusal::TooShort:
         break;
     }
-    return hints::kTooShort;
+    return Hint::refusal(hints::kTooShort);
 }
 
 } // namespace
@@ -361,8 +364,8 @@ GestureReply StrokeGesture::over() const
         reply.note = Hint::refusal(hints::kNeverLeft, {Named{m_ground->section->name}});
         break;
     case Stroke::Refusal::TooShort:
-        reply.note = Hint::refusal(m_stroke.samples().empty() ? hints::kTooShort
-                                                              : refusalOf(m_stroke.contour()));
+        reply.note = m_stroke.samples().empty() ? Hint::refusal(hints::kTooShort)
+                                                : refusalOf(m_stroke.contour());
         break;
     case Stroke::Refusal::None:
         break;

@@ -38,6 +38,10 @@ inline constexpr Text kNeverLeft = FFF_TEXT(
     "Hint", "Nothing drawn: the slit never left %1. Start inside and drag across its edge.");
 inline constexpr Text kTooShort =
     FFF_TEXT("Hint", "Nothing drawn: the line is too short to enclose anything.");
+//: %1 is a length
+inline constexpr Text kTwitch =
+    FFF_TEXT("Hint", "Nothing drawn: a line of less than %1 is taken for a slip of the hand, "
+                     "unless it closes a loop.");
 inline constexpr Text kNoArea =
     FFF_TEXT("Hint", "Nothing drawn: the line goes there and back and encloses nothing.");
 inline constexpr Text kCrossesWithoutLoop =

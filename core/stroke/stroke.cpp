@@ -117,7 +117,7 @@ double Stroke::turnProgress(double time) const
 const StrokeContour &Stroke::contour() const
 {
     if (!m_contour)
-        m_contour = strokeContour(m_line.points(), m_settled, m_options.contour);
+        m_contour = strokeContour(m_line.points(), m_meant, m_options.contour);
     return *m_contour;
 }
 
@@ -158,11 +158,13 @@ void Stroke::moveInDeadZone(const Vec2 &point)
 void Stroke::addSample(const Vec2 &point)
 {
     const Vec2 meant = m_hand.follow(point);
-    if (m_hand.beginsAnew())
+    if (m_hand.beginsAnew()) {
         m_line.clear();
+        m_meant.clear();
+    }
     if (!m_line.add(meant))
         return;
-    m_settled.follow(m_line.points());
+    m_meant.follow(m_line.points());
     m_contour.reset();
 }
 

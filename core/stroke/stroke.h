@@ -48,7 +48,7 @@ public:
 
     explicit Stroke(const Options &options)
         : m_options(options), m_hand(options.contour.tolerance),
-          m_line(kThinning * options.contour.tolerance), m_settled(settledFit(options.contour))
+          m_line(kThinning * options.contour.tolerance), m_meant(fitOptions(options.contour))
     {
     }
 
@@ -84,8 +84,8 @@ public:
     const std::vector<Vec2> &samples() const { return m_line.points(); }
     /// Changes with them.
     std::uint64_t revision() const { return m_line.revision(); }
-    /// What of the fit stays as it is, whatever is drawn next.
-    const SettledFit &settled() const { return m_settled; }
+    /// What is fitted, and what of that stays as it is, whatever is drawn next.
+    const MeantLine &meant() const { return m_meant; }
     /// What a release would make now. Kept until the next sample that adds something.
     const StrokeContour &contour() const;
 
@@ -105,7 +105,7 @@ private:
     Vec2 m_last = Vec2::Zero();
     SteadyHand m_hand;
     ThinnedLine m_line;
-    SettledFit m_settled;
+    MeantLine m_meant;
     mutable std::optional<StrokeContour> m_contour;
 };
 

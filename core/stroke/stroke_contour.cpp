@@ -5,7 +5,9 @@
 #include "core/geometry/fit.h"
 #include "core/geometry/sampled_line.h"
 #include "core/stroke/closed_fit.h"
+#include "core/stroke/line_ends.h"
 #include "core/stroke/settled_half.h"
+#include "core/stroke/twitch.h"
 
 #include <algorithm>
 
@@ -16,7 +18,10 @@ namespace {
 using Refusal = StrokeContour::Refusal;
 
 /// What is smaller than this many tolerances is a slip of the hand, not a shape.
-constexpr double kSmallestExtent = 5.0;
+constexpr double kSmallestExtent = 3.0;
+/// What is smaller than this many tolerances is fitted as if it were that large; to this part of
+/// the tolerance at least, which is what a pixel is good for.
+constexpr double kFittedExtent = 20.0, kFinestFit = 0.2;
 
 /// What it takes to close a segment, and to take one apart where the contour crosses itself, in
 /// samples.
@@ -80,16 +85,31 @@ void close(std::vector<CubicBezier> chain, double tolerance, StrokeContour &stro
     stroke.refusal = Refusal::None;
 }
 
-void closePlain(const std::vector<Vec2> &samples, const SettledFit &settled, double tolerance,
-                StrokeContour &stroke)
+/// Those along what the ends leave, as pieces of that line.
+std::vector<FittedPiece> within(const MeantEnds &ends, const std::vector<FittedPiece> &settled)
+{
+    std::vector<FittedPiece> pieces;
+    for (FittedPiece piece : settled) {
+        if (piece.from < ends.from || piece.to > ends.to)
+            continue;
+        piece.from = piece.from - ends.from + ends.place;
+        piece.to = piece.to - ends.from + ends.place;
+        pieces.push_back(piece);
+    }
+    return pieces;
+}
+
+void closePlain(const MeantLine &meant, double tolerance, double smallest, StrokeContour &stroke)
 {
     const FitOptions options{.tolerance = tolerance, .work = &stroke.work};
-    if (auto loop = closedFit(samples, settled.pieces(), options)) {
+    const MeantEnds ends = meantEnds(meant.points(), tolerance);
+    const std::vector<FittedPiece> settled = within(ends, meant.settled().pieces());
+    if (auto loop = closedFit(ends.line, settled, options)) {
         stroke.fitted = *std::move(loop);
-        close(stroke.fitted, tolerance, stroke);
+        close(stroke.fitted, smallest, stroke);
         return;
     }
-    stroke.fitted = fitAround(samples, settled.pieces(), options);
+    stroke.fitted = fitAround(ends.line, settled, options);
     if (stroke.fitted.empty())
         return;
     CubicBezier &last = stroke.fitted.back();
@@ -101,15 +121,15 @@ void closePlain(const std::vector<Vec2> &samples, const SettledFit &settled, dou
     std::vector<CubicBezier> chain = stroke.fitted;
     if (stroke.closing)
         chain.push_back(*stroke.closing);
-    close(std::move(chain), tolerance, stroke);
+    close(std::move(chain), smallest, stroke);
 }
 
 /// False when the halves would not meet; then nothing is changed.
-bool closeMirrored(const std::vector<Vec2> &samples, const SettledFit &settled, double tolerance,
-                   StrokeContour &stroke)
+bool closeMirrored(const MeantLine &meant, double tolerance, double smallest, StrokeContour &stroke)
 {
-    std::optional<MirroredHalf> half = mirroredHalf(samples, *stroke.axis, *stroke.symmetry,
-                                                    tolerance, settled.pieces(), &stroke.work);
+    std::optional<MirroredHalf> half =
+        mirroredHalf(meant.points(), *stroke.axis, *stroke.symmetry, tolerance,
+                     meant.settled().pieces(), &stroke.work);
     if (!half)
         return false;
     std::vector<CubicBezier> chain = std::move(half->outline);
@@ -120,46 +140,65 @@ bool closeMirrored(const std::vector<Vec2> &samples, const SettledFit &settled, 
     stroke.mirrored = std::move(half->mirrored);
     stroke.wasCrossing = half->wasCrossing;
     stroke.wasCutAtAxis = half->wasCut;
-    close(std::move(chain), tolerance, stroke);
+    close(std::move(chain), smallest, stroke);
     return true;
+}
+
+/// tolerance: that it is fitted to
+void closeFitted(const std::vector<Vec2> &samples, const MeantLine &meant, double tolerance,
+                 const StrokeContourOptions &options, StrokeContour &stroke)
+{
+    if (options.axis)
+        stroke.symmetry = judgeSymmetry(samples, *options.axis, options.mirrorRatio);
+    stroke.isMirrored = stroke.symmetry && stroke.symmetry->isOneSided && options.isSymmetryOn;
+    if (stroke.isMirrored && closeMirrored(meant, tolerance, options.tolerance, stroke))
+        return;
+    stroke.doHalvesMeet = !stroke.isMirrored;
+    stroke.isMirrored = false;
+    closePlain(meant, tolerance, options.tolerance, stroke);
 }
 
 } // namespace
 
-SettledFit settledFit(const StrokeContourOptions &options)
+FitOptions fitOptions(const StrokeContourOptions &options)
 {
-    return SettledFit({.tolerance = options.tolerance});
+    return {.tolerance = options.tolerance};
 }
 
 StrokeContour strokeContour(const std::vector<Vec2> &samples, const StrokeContourOptions &options)
 {
     const std::vector<Vec2> usable = SampledLine::usable(samples);
-    SettledFit settled = settledFit(options);
-    settled.follow(usable);
-    return strokeContour(usable, settled, options);
+    MeantLine meant(fitOptions(options));
+    meant.follow(usable);
+    return strokeContour(usable, meant, options);
 }
 
-StrokeContour strokeContour(const std::vector<Vec2> &samples, const SettledFit &settled,
+StrokeContour strokeContour(const std::vector<Vec2> &samples, const MeantLine &meant,
                             const StrokeContourOptions &options)
 {
     StrokeContour stroke;
     stroke.refusal = Refusal::TooShort;
     stroke.axis = options.axis;
     const Box2 drawn = bounds(samples);
+    const double extent = drawn.isEmpty() ? 0.0 : drawn.size().maxCoeff();
     // Joins to the axis would make something even of a slip of the hand.
-    if (drawn.isEmpty() || drawn.size().maxCoeff() < kSmallestExtent * options.tolerance) {
+    const bool isDot = extent < kSmallestExtent * options.tolerance;
+    if (isDot || isTwitch(samples)) {
+        if (!isDot)
+            stroke.refusal = Refusal::Twitch;
         const FitOptions plain{.tolerance = options.tolerance, .work = &stroke.work};
-        stroke.fitted = fitAround(samples, settled.pieces(), plain);
+        stroke.fitted = fitAround(meant.points(), meant.settled().pieces(), plain);
         return stroke;
     }
-    if (options.axis)
-        stroke.symmetry = judgeSymmetry(samples, *options.axis, options.mirrorRatio);
-    stroke.isMirrored = stroke.symmetry && stroke.symmetry->isOneSided && options.isSymmetryOn;
-    if (stroke.isMirrored && closeMirrored(samples, settled, options.tolerance, stroke))
-        return stroke;
-    stroke.doHalvesMeet = !stroke.isMirrored;
-    stroke.isMirrored = false;
-    closePlain(samples, settled, options.tolerance, stroke);
+    const double tolerance =
+        std::clamp(extent / kFittedExtent, kFinestFit * options.tolerance, options.tolerance);
+    if (tolerance < options.tolerance && meant.settled().pieces().empty()) {
+        MeantLine small({.tolerance = tolerance});
+        small.follow(samples);
+        closeFitted(samples, small, tolerance, options, stroke);
+    } else {
+        closeFitted(samples, meant, options.tolerance, options, stroke);
+    }
     return stroke;
 }
 

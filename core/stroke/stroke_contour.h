@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/geometry/contour.h"
-#include "core/geometry/settled_fit.h"
+#include "core/stroke/meant_line.h"
 #include "core/stroke/symmetry.h"
 
 #include <optional>
@@ -29,6 +29,7 @@ struct StrokeContour
     enum class Refusal {
         None,
         TooShort,           // no line yet, or a dot
+        Twitch,             // twitch.h
         NoArea,             // it goes there and back, along a line
         CrossesWithoutLoop, // it crosses itself, but no loop of it is large enough
     };
@@ -56,12 +57,12 @@ struct StrokeContour
 /// samples: canvas coordinates, mm. A function of all samples, so that nothing jumps at the
 /// release.
 StrokeContour strokeContour(const std::vector<Vec2> &samples, const StrokeContourOptions &options);
-/// The same while it is drawn: `settled` follows the samples, all of which are looked at
-/// (SampledLine::usable), with the options of settledFit().
-StrokeContour strokeContour(const std::vector<Vec2> &samples, const SettledFit &settled,
+/// The same while it is drawn: `meant` follows the samples, all of which are looked at
+/// (SampledLine::usable), with fitOptions().
+StrokeContour strokeContour(const std::vector<Vec2> &samples, const MeantLine &meant,
                             const StrokeContourOptions &options);
 
-/// What follows the samples of such a stroke.
-SettledFit settledFit(const StrokeContourOptions &options);
+/// How such a stroke is fitted.
+FitOptions fitOptions(const StrokeContourOptions &options);
 
 } // namespace fff

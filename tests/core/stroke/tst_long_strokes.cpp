@@ -178,8 +178,8 @@ void TestLongStrokes::fitHoldsForAllSamples()
 {
     QFETCH(Line, line);
     const Stroke stroke = drawn(line);
-    const std::vector<CubicBezier> chain =
-        fitAround(stroke.samples(), stroke.settled().pieces(), {.tolerance = kTolerance});
+    const std::vector<CubicBezier> chain = fitAround(
+        stroke.meant().points(), stroke.meant().settled().pieces(), {.tolerance = kTolerance});
     for (std::size_t i = 0; i + 1 < chain.size(); ++i)
         QCOMPARE(chain[i].p3, chain[i + 1].p0);
     const Line flat = flattened(chain);
@@ -205,7 +205,7 @@ void TestLongStrokes::settledPiecesStay()
     std::vector<FittedPiece> before;
     for (std::size_t i = 0; i < line.size(); ++i) {
         stroke.move({0.0, line[i]});
-        const std::vector<FittedPiece> &now = stroke.settled().pieces();
+        const std::vector<FittedPiece> &now = stroke.meant().settled().pieces();
         QVERIFY(now.size() >= before.size());
         if (now.size() == before.size())
             continue;
@@ -213,7 +213,7 @@ void TestLongStrokes::settledPiecesStay()
             QVERIFY(isSame(now[k].curve, before[k].curve));
         before = now;
         const std::vector<CubicBezier> chain =
-            fitAround(stroke.samples(), now, {.tolerance = kTolerance});
+            fitAround(stroke.meant().points(), now, {.tolerance = kTolerance});
         for (std::size_t k = 0; k < now.size(); ++k)
             QVERIFY(isSame(chain[k], now[k].curve));
     }
@@ -330,15 +330,15 @@ void TestLongStrokes::anEventCostsTheSame()
     stroke.beginOnCanvas({0.0, line.front()});
     std::size_t early = 0, late = 0, settledEarly = 0, settledLate = 0;
     for (std::size_t i = 0; i < line.size(); ++i) {
-        const std::size_t before = stroke.settled().work();
+        const std::size_t before = stroke.meant().settled().work();
         stroke.move({0.0, line[i]});
-        const std::size_t settling = stroke.settled().work() - before;
+        const std::size_t settling = stroke.meant().settled().work() - before;
         std::size_t &most = i < line.size() / 4 ? settledEarly : settledLate;
         most = std::max(most, settling);
         if (i % 499 != 0)
             continue;
         std::size_t work = 0;
-        fitAround(stroke.samples(), stroke.settled().pieces(),
+        fitAround(stroke.meant().points(), stroke.meant().settled().pieces(),
                   {.tolerance = kTolerance, .work = &work});
         std::size_t &mostWork = i < line.size() / 4 ? early : late;
         mostWork = std::max(mostWork, work);
@@ -349,8 +349,8 @@ void TestLongStrokes::anEventCostsTheSame()
     QVERIFY2(late <= 3 * early, qPrintable(text(early, late)));
     QVERIFY2(settledLate <= 3 * settledEarly + 1000, qPrintable(text(settledEarly, settledLate)));
     // A settled sample is looked at a few hundred times in all.
-    QVERIFY2(stroke.settled().work() <= 600 * stroke.samples().size(),
-             qPrintable(text(stroke.samples().size(), stroke.settled().work())));
+    QVERIFY2(stroke.meant().settled().work() <= 600 * stroke.samples().size(),
+             qPrintable(text(stroke.samples().size(), stroke.meant().settled().work())));
 }
 
 /// A hundred thousand samples on one spot, or trembling on it, take no memory and make no joints.
@@ -379,7 +379,7 @@ void TestLongStrokes::shortStrokesAreFittedAsOne()
 {
     const Stroke stroke = drawn(along(bays, 450));
     QCOMPARE(stroke.samples().size(), std::size_t(451));
-    QVERIFY(stroke.settled().pieces().empty());
+    QVERIFY(stroke.meant().settled().pieces().empty());
 }
 
 /// A long stroke that comes back to where it began is closed as smoothly as a short one, and no
@@ -389,7 +389,7 @@ void TestLongStrokes::closedLongStrokesHaveNoDent()
     const auto closedBays = [](double u) { return bays(0.993 * u); };
     const StrokeContour usual = drawn(along(closedBays, 480)).contour();
     const Stroke stroke = drawn(along(closedBays, 40000));
-    QVERIFY(stroke.settled().pieces().size() > 2);
+    QVERIFY(stroke.meant().settled().pieces().size() > 2);
     const StrokeContour &contour = stroke.contour();
     QVERIFY(contour.contour);
     QVERIFY(!usual.closing && !contour.closing);
@@ -419,7 +419,7 @@ void TestLongStrokes::mirroredHalvesKeepWhatIsSettled()
     const Stroke stroke = drawn(along(half, 30000), MirrorAxis());
     const StrokeContour &contour = stroke.contour();
     QVERIFY(contour.isMirrored && contour.contour);
-    const std::vector<FittedPiece> &settled = stroke.settled().pieces();
+    const std::vector<FittedPiece> &settled = stroke.meant().settled().pieces();
     QVERIFY(settled.size() > 8);
     std::size_t found = 0;
     for (const FittedPiece &piece : settled) {

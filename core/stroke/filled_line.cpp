@@ -1,0 +1,121 @@
+#include "core/stroke/filled_line.h"
+
+#include "core/base/tolerances.h"
+#include "core/geometry/bezier.h"
+#include "core/geometry/sampled_line.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace fff {
+
+namespace {
+
+/// Tolerances from one sample to the next from which on there is a way to be filled, and between
+/// the places that fill it.
+constexpr double kLeastGap = 1.5, kStep = 2.0;
+/// Of a tolerance, what a bend has to stand out to be one.
+constexpr double kLeastBulge = 0.1;
+/// Turns that are corners, radians: whatever is beside them, beside one, and where nothing is.
+constexpr double kSharp = 1.48, kNextToSharp = 0.95, kLonely = 0.4;
+/// Of a turn, what its neighbours turn at most where it is lonely.
+constexpr double kLoneliness = 0.35;
+/// A neighbour nearer than this part of the way is not what the hand's turn shows at.
+constexpr double kComparable = 0.2;
+/// Places on one way at most.
+constexpr double kMostPlaces = 64.0;
+
+class Ways
+{
+public:
+    Ways(const std::vector<Vec2> &points) : m_points(points) {}
+
+    std::size_t size() const { return m_points.size(); }
+    Vec2 way(std::size_t i) const { return m_points[i + 1] - m_points[i]; }
+    bool isInner(std::size_t i) const { return i > 0 && i + 1 < size(); }
+    /// Signed; 0 at the ends.
+    double turn(std::size_t i) const
+    {
+        if (!isInner(i))
+            return 0.0;
+        const Vec2 in = way(i - 1), out = way(i);
+        return std::atan2(cross(in, out), in.dot(out));
+    }
+    bool isCorner(std::size_t i) const
+    {
+        const double here = std::abs(turn(i));
+        if (here >= kSharp)
+            return true;
+        const double before = i > 0 ? std::abs(turn(i - 1)) : 0.0;
+        const double after = std::abs(turn(i + 1));
+        if (here >= kNextToSharp && std::max(before, after) >= kSharp)
+            return true;
+        return here >= kLonely && std::max(before, after) <= kLoneliness * here;
+    }
+    /// Which way the line passes a sample, unit; none at a corner and where there is no telling.
+    std::optional<Vec2> passing(std::size_t i, double length) const
+    {
+        if (!isInner(i) || isCorner(i))
+            return {};
+        const Vec2 in = way(i - 1), out = way(i);
+        const double a = in.norm(), b = out.norm();
+        if (std::min(a, b) < kComparable * length)
+            return {};
+        return Vec2((in / (a * a) + out / (b * b)).normalized());
+    }
+
+private:
+    const std::vector<Vec2> &m_points;
+};
+
+/// The same way at the other end of the chord, if the bend is the arc of a circle.
+Vec2 acrossChord(const Vec2 &way, const Vec2 &chord)
+{
+    return 2.0 * chord.dot(way) * chord - way;
+}
+
+void addWay(const Ways &ways, const Vec2 &from, std::size_t i, double tolerance,
+            std::vector<Vec2> &result)
+{
+    const Vec2 gap = ways.way(i);
+    const double length = gap.norm();
+    if (length < kLeastGap * tolerance)
+        return;
+    const Vec2 chord = gap / length;
+    std::optional<Vec2> out = ways.passing(i, length), in = ways.passing(i + 1, length);
+    if (!out && !in)
+        return;
+    if (!out)
+        out = acrossChord(*in, chord);
+    if (!in)
+        in = acrossChord(*out, chord);
+    const double leaving = turnBetween(*out, chord), coming = turnBetween(*in, chord);
+    if (std::max(leaving, coming) * length < 4.0 * kLeastBulge * tolerance)
+        return;
+    const double handle = length / (3.0 * std::pow(std::cos(0.25 * (leaving + coming)), 2.0));
+    const Vec2 to = from + gap;
+    const CubicBezier bend{from, from + handle * *out, to - handle * *in, to};
+    const double pieces = std::clamp(std::ceil(length / (kStep * tolerance)), 4.0, kMostPlaces);
+    for (double k = 1.0; k < pieces; ++k)
+        result.push_back(bend.at(k / pieces));
+}
+
+} // namespace
+
+void fill(const std::vector<Vec2> &samples, double tolerance, std::size_t from,
+          std::vector<Vec2> &result, std::vector<std::size_t> &places)
+{
+    const Ways ways(samples);
+    places.resize(std::min(from, places.size()));
+    result.resize(places.empty() ? 0 : places.back() + 1);
+    for (std::size_t i = places.size(); i < samples.size(); ++i) {
+        if (i > 0)
+            addWay(ways, samples[i - 1], i - 1, tolerance, result);
+        if (result.empty() || (samples[i] - result.back()).norm() > kClipGrid)
+            result.push_back(samples[i]);
+        places.push_back(result.size() - 1);
+    }
+}
+
+} // namespace fff
