@@ -27,6 +27,10 @@ constexpr double kCornerReach = 1.5;
 constexpr double kConcentration = 0.45;
 /// Of the angle that makes a corner, what the curves that meet there have to turn by themselves.
 constexpr double kSharpness = 0.7;
+/// Reaches to each side of a corner that say whether it stands out, how far off a cubic its sides
+/// lie on the mean, as a part of their length and the sine of half the turn, and the part of that
+/// from which on it does.
+constexpr double kCornerSide = 2.5, kCornerOff = 0.072, kStandsOut = 0.55;
 /// Of an edge of the simplified line, the middle part that says whether it stands for a straight
 /// run: its ends reach into the bends beside it.
 constexpr double kCore = 0.7;
@@ -221,11 +225,64 @@ std::vector<std::size_t> SampledLine::corners(double angle) const
         const std::size_t from = kept > 0 ? result[kept - 1] : 0;
         const std::size_t to = k + 1 < found.size() ? found[k + 1] : size() - 1;
         const CurveEnd before = endJoint(from, found[k]), after = startJoint(found[k], to);
-        if (turnBetween(before.direction, after.direction) >= kSharpness * angle)
+        const double turn = turnBetween(before.direction, after.direction);
+        if (turn >= kSharpness * angle && standsOut(found[k], from, to, turn))
             result[kept++] = found[k];
     }
     result.resize(kept);
     return result;
+}
+
+/// Of the samples [from, to] from the polynomial of so many coefficients that is nearest to them, a
+/// function of the way along, mm²; one that passes the sample `at`, where it has to.
+template <int Count>
+double SampledLine::meanSquareOff(std::size_t at, std::size_t from, std::size_t to,
+                                  bool isThroughPoint) const
+{
+    using Matrix = Eigen::Matrix<double, Count, Count>;
+    Matrix matrix = Matrix::Zero();
+    Eigen::Matrix<double, Count, 2> right = Eigen::Matrix<double, Count, 2>::Zero();
+    const auto powers = [&](std::size_t i) {
+        Eigen::Matrix<double, Count, 1> v;
+        const double s = (m_along[i] - m_along[at]) / m_reach;
+        v[0] = isThroughPoint ? 0.0 : 1.0;
+        double power = 1.0;
+        for (int k = 1; k < Count; ++k)
+            v[k] = power *= s;
+        return v;
+    };
+    double weight = 0.0;
+    for (std::size_t i = from; i <= to; ++i) {
+        const auto v = powers(i);
+        matrix += m_weight[i] * v * v.transpose();
+        right += m_weight[i] * v * (m_points[i] - m_points[at]).transpose();
+        weight += m_weight[i];
+    }
+    for (int k = 0; k < Count; ++k)
+        matrix(k, k) += kSingular * weight;
+    const Eigen::Matrix<double, Count, 2> x = matrix.ldlt().solve(right);
+    double sum = 0.0;
+    for (std::size_t i = from; i <= to; ++i)
+        sum +=
+            m_weight[i] * (x.transpose() * powers(i) - (m_points[i] - m_points[at])).squaredNorm();
+    return sum / weight;
+}
+
+/// Whether the samples around lie about a cubic as they do about a corner that turns so much, and
+/// not as those of a bend or of a shaky hand do.
+bool SampledLine::standsOut(std::size_t at, std::size_t from, std::size_t to, double turn) const
+{
+    const double side =
+        std::min({kCornerSide * m_reach, lengthBetween(from, at), lengthBetween(at, to)});
+    const std::size_t first = std::max(indexAt(m_along[at] - side), from);
+    const std::size_t last = std::min(indexAt(m_along[at] + side), to);
+    if (!(side > 0.0) || first + 1 >= at || last <= at + 1)
+        return true; // too few samples to tell
+    const double smooth = meanSquareOff<4>(at, first, last, false);
+    const double apart =
+        0.5 * (meanSquareOff<3>(at, first, at, true) + meanSquareOff<3>(at, at, last, true));
+    const double expected = kCornerOff * side * std::sin(0.5 * turn);
+    return smooth - apart >= kStandsOut * kStandsOut * expected * expected;
 }
 
 /// Least squares over the samples [from, to], each counting for the line it stands for.

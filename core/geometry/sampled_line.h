@@ -61,8 +61,8 @@ public:
     std::size_t indexAt(double along) const;
 
     /// Samples at which the line turns by more than `angle` (radians) all at once: as seen over a
-    /// reach and a half, and most of it over half of that, too. In order, without the first and the
-    /// last sample. O(n).
+    /// reach and a half, and most of it over half of that, too; and no bend accounts for it. In
+    /// order, without the first and the last sample. O(n).
     std::vector<std::size_t> corners(double angle) const;
 
     /// At a sample between `from` and `to`, with no corner between them: where a parabola through
@@ -103,6 +103,10 @@ private:
     double turnAt(std::size_t at, double reach) const;
     std::size_t sharpest(std::size_t at, double reach) const;
     Parabola parabola(std::size_t at, std::size_t from, std::size_t to, bool isThroughPoint) const;
+    bool standsOut(std::size_t at, std::size_t from, std::size_t to, double turn) const;
+    template <int Count>
+    double meanSquareOff(std::size_t at, std::size_t from, std::size_t to,
+                         bool isThroughPoint) const;
     CurveEnd joint(std::size_t at, std::size_t from, std::size_t to, bool isEnd) const;
     Vec2 meanBetween(std::size_t from, std::size_t to) const;
     StraightRun extended(StraightRun run, const Vec2 &base, double leaving, std::size_t lowest,

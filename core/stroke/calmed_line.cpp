@@ -28,7 +28,8 @@ struct Window
     std::size_t before = 0, after = 0;
 };
 constexpr std::array kWindows{Window{12, 12}, Window{8, 8},  Window{14, 4}, Window{4, 14},
-                              Window{5, 5},   Window{14, 1}, Window{1, 14}, Window{3, 3}};
+                              Window{5, 5},   Window{14, 1}, Window{1, 14}, Window{3, 3},
+                              Window{14, 0},  Window{0, 14}, Window{9, 0},  Window{0, 9}};
 
 double medianOf(std::array<double, 2 * kNoiseWindow + 1> &values, std::size_t count)
 {

@@ -27,7 +27,7 @@ constexpr double kWorth = 0.1;
 constexpr double kPointsAt = 0.26;
 /// Corners: the least turn between ends, that which needs no straight ends, and how much of it
 /// their bends may account for. What they may bend over kWay to be straight, radians.
-constexpr double kCornerTurn = 0.6, kSharpTurn = 1.2, kBent = 0.4, kStraight = 0.35;
+constexpr double kCornerTurn = 0.6, kSharpTurn = 1.2, kBent = 0.22, kStraight = 0.35;
 /// How far ends are led on to a corner: in gaps, and in tolerances besides.
 constexpr double kLedGaps = 1.6, kLedOn = 8.0;
 /// Ends that are within so many tolerances, and turn by less, closedLine() joins as they are.

@@ -21,7 +21,7 @@ using Refusal = StrokeContour::Refusal;
 constexpr double kSmallestExtent = 3.0;
 /// What is smaller than this many tolerances is fitted as if it were that large; to this part of
 /// the tolerance at least, which is what a pixel is good for.
-constexpr double kFittedExtent = 20.0, kFinestFit = 0.2;
+constexpr double kFittedExtent = 16.0, kFinestFit = 0.4;
 
 /// What it takes to close a segment, and to take one apart where the contour crosses itself, in
 /// samples.

@@ -16,6 +16,7 @@ using namespace fff::test;
 namespace {
 
 constexpr double kTolerance = 2.0;
+constexpr double kDrift = 60.0; // px
 
 /// Where on an outline the hand begins.
 struct Start
@@ -31,7 +32,7 @@ const std::vector<Start> &starts()
         const Outline star = spikyOutline(150.0, 65.0, 5);
         const double edge = star.length() / 10.0;
         const Outline box = polygonOutline("box", {{0, 0}, {260, 0}, {260, 160}, {0, 160}});
-        const Outline concave = concaveOutline(110.0);
+        const Outline concave = concaveOutline(170.0);
         return std::vector<Start>{
             {"a circle", roundOutline(100.0, 100.0), false},
             {"an ellipse at its tip", roundOutline(160.0, 70.0), false},
@@ -71,9 +72,13 @@ Samples straightOn(const Start &start, double by, double aside)
     const double length = start.outline.length();
     const double heading = headingAt(start.outline, length - 4.0);
     SloppyHand hand;
-    hand.along(start.outline, 0.0, length - 30.0);
-    const Vec2 off = aside * perpendicular(SloppyHand::way(heading));
-    hand.to(start.outline.at(0.0) + off);
+    hand.along(start.outline, 0.0, length - kDrift);
+    // Bit by bit beside it, so that the hand itself draws no corner.
+    for (double s = 4.0; s <= kDrift; s += 4.0) {
+        const double u = s / kDrift;
+        const Vec2 off = aside * u * u * (3.0 - 2.0 * u) * perpendicular(SloppyHand::way(heading));
+        hand.to(start.outline.at(length - kDrift + s) + off);
+    }
     hand.by(by, heading);
     return hand.samples();
 }
@@ -128,8 +133,8 @@ const std::vector<Case> &cases()
          5.0},
         {"goes on to its right", [](const Start &s, double by) { return straightOn(s, by, -5.0); },
          5.0},
-        {"stops short", short_, 0.0},
-        {"starts late", late, 0.0},
+        {"stops short", short_, 3.0},
+        {"starts late", late, 3.0},
         {"hooks back to the left",
          [](const Start &s, double by) { return hookAtEnd(s, by, 2.4, 0.0); }, 0.0},
         {"hooks back to the right",
