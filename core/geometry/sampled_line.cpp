@@ -31,6 +31,8 @@ constexpr double kSharpness = 0.7;
 /// lie on the mean, as a part of their length and the sine of half the turn, and the part of that
 /// from which on it does.
 constexpr double kCornerSide = 2.5, kCornerOff = 0.072, kStandsOut = 0.55;
+/// And so many times as far, squared, as from two parabolas that meet there.
+constexpr double kTimesApart = 1.8;
 /// Of an edge of the simplified line, the middle part that says whether it stands for a straight
 /// run: its ends reach into the bends beside it.
 constexpr double kCore = 0.7;
@@ -282,7 +284,8 @@ bool SampledLine::standsOut(std::size_t at, std::size_t from, std::size_t to, do
     const double apart =
         0.5 * (meanSquareOff<3>(at, first, at, true) + meanSquareOff<3>(at, at, last, true));
     const double expected = kCornerOff * side * std::sin(0.5 * turn);
-    return smooth - apart >= kStandsOut * kStandsOut * expected * expected;
+    return smooth - apart >= kStandsOut * kStandsOut * expected * expected &&
+           smooth >= kTimesApart * apart;
 }
 
 /// Least squares over the samples [from, to], each counting for the line it stands for.

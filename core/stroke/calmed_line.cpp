@@ -10,7 +10,7 @@ namespace fff {
 namespace {
 
 /// Samples to each side whose differences say how large the noise is, and fewer do not.
-constexpr std::size_t kNoiseWindow = 12, kFewestDifferences = 12;
+constexpr std::size_t kNoiseWindow = 16, kFewestDifferences = 12;
 /// Mean squares of the differences of noise, in those of a coordinate's noise.
 constexpr double kThirdDifferences = 20.0;
 /// The median of what is a square of two equal normal numbers, in their variance.
@@ -20,16 +20,17 @@ constexpr double kNoiseRatio = 1.6;
 /// Noise in tolerances: less is left alone, so much is taken off, and more is meant.
 constexpr double kLeastNoise = 0.25, kWholeNoise = 0.4, kMostNoise = 1.6;
 /// Standard deviations that residuals may be above what the noise makes them.
-constexpr double kResiduals = 2.2;
+constexpr double kResiduals = 3.0;
 
-/// Samples before and after that a parabola is laid through, those that take most off first.
+/// Samples before and after that a parabola is laid through; to both sides first, then to one, as
+/// beside a corner, and few of them where the way bends too much for more.
 struct Window
 {
     std::size_t before = 0, after = 0;
 };
-constexpr std::array kWindows{Window{12, 12}, Window{8, 8},  Window{14, 4}, Window{4, 14},
-                              Window{5, 5},   Window{14, 1}, Window{1, 14}, Window{3, 3},
-                              Window{14, 0},  Window{0, 14}, Window{9, 0},  Window{0, 9}};
+constexpr std::array kWindows{Window{20, 20}, Window{12, 12}, Window{8, 8},  Window{14, 4},
+                              Window{4, 14},  Window{14, 1},  Window{1, 14}, Window{14, 0},
+                              Window{0, 14},  Window{5, 5},   Window{3, 3}};
 
 double medianOf(std::array<double, 2 * kNoiseWindow + 1> &values, std::size_t count)
 {

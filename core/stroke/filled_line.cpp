@@ -18,9 +18,9 @@ constexpr double kLeastGap = 1.5, kStep = 2.0;
 /// Of a tolerance, what a bend has to stand out to be one.
 constexpr double kLeastBulge = 0.1;
 /// Turns that are corners, radians: whatever is beside them, beside one, and where nothing is.
-constexpr double kSharp = 1.48, kNextToSharp = 0.95, kLonely = 0.4;
+constexpr double kSharp = 1.48, kNextToSharp = 0.95, kLonely = 0.65;
 /// Of a turn, what its neighbours turn at most where it is lonely.
-constexpr double kLoneliness = 0.35;
+constexpr double kLoneliness = 0.3;
 /// A neighbour nearer than this part of the way is not what the hand's turn shows at.
 constexpr double kComparable = 0.2;
 /// Places on one way at most.
