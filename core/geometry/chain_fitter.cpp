@@ -22,9 +22,10 @@ constexpr std::array kShares{0.5, 0.3, 0.7, 0.15, 0.85};
 
 } // namespace
 
-ChainFitter::ChainFitter(const SampledLine &line, double tolerance, double reach)
-    : m_line(line), m_tolerance(tolerance), m_reach(reach), m_spans(line, tolerance),
-      m_joints(line.size())
+ChainFitter::ChainFitter(const SampledLine &line, double tolerance, double reach,
+                         double leastCorner)
+    : m_line(line), m_tolerance(tolerance), m_reach(reach), m_leastCorner(leastCorner),
+      m_spans(line, tolerance), m_joints(line.size())
 {
 }
 
@@ -242,10 +243,10 @@ std::optional<std::size_t> ChainFitter::firstForced(const std::vector<Piece> &pi
     return {};
 }
 
-void ChainFitter::smoothen(Stretch &before, Stretch &after)
+void ChainFitter::smoothen(Stretch &before, Stretch &after, double leastCorner)
 {
     const Vec2 &in = before.end.direction, &out = after.start.direction;
-    if (turnBetween(in, out) >= kLeastCorner)
+    if (turnBetween(in, out) >= leastCorner)
         return;
     before.end.direction = after.start.direction = (in + out).normalized();
     before.isEndGiven = after.isStartGiven = true;
@@ -268,7 +269,7 @@ void ChainFitter::fitSmooth(const Stretch &stretch)
         before.end = m_line.endJoint(stretch.from, corner);
         after.start = m_line.startJoint(corner, stretch.to);
         before.isEndGiven = after.isStartGiven = false;
-        smoothen(before, after);
+        smoothen(before, after, m_leastCorner);
         fit(before);
         fit(after);
         return;

@@ -31,13 +31,13 @@ public:
         bool isStartGiven = false, isEndGiven = false; // its direction has to be kept
     };
 
-    ChainFitter(const SampledLine &line, double tolerance, double reach);
+    /// leastCorner: of two directions that meet; less is none, radians
+    ChainFitter(const SampledLine &line, double tolerance, double reach, double leastCorner);
 
     void fit(const Stretch &stretch);
 
-    /// Makes one direction of the two that meet in a corner that turns by less than kLeastCorner.
-    static void smoothen(Stretch &before, Stretch &after);
-    static constexpr double kLeastCorner = 0.35; // radians
+    /// Makes one direction of the two that meet in a corner that turns by less than `leastCorner`.
+    static void smoothen(Stretch &before, Stretch &after, double leastCorner);
 
     /// A segment of the chain, and the samples of the line that it runs from and to.
     struct Link
@@ -76,7 +76,7 @@ private:
                                 double share);
 
     const SampledLine &m_line;
-    const double m_tolerance, m_reach;
+    const double m_tolerance, m_reach, m_leastCorner;
     SpanFitter m_spans;
     std::vector<std::optional<CurveEnd>> m_joints; // that were asked for
     Stretch m_stretch;

@@ -20,8 +20,9 @@ constexpr double kLargestOverlap = 0.25;
 constexpr double kSmoothOffset = 4.0;
 /// The gap times the turn over it, in tolerances: an arc stands out from its chord by an eighth.
 constexpr double kLargestBulge = 4.0;
-/// Ends that turn by more than this, in radians, meet in a corner.
-constexpr double kCornerTurn = 0.7;
+/// Ends that turn by less than this, in radians, go on in one direction; by more than that, they
+/// meet in a corner.
+constexpr double kSmoothTurn = 0.4, kCornerTurn = 0.7;
 /// Tolerances between ends that meet in a corner: along the last one, and beside it.
 constexpr double kCornerGap = 8.0, kCornerOffset = 3.0;
 /// The offset is shared out over so many times its size.
@@ -125,8 +126,8 @@ std::optional<std::vector<Vec2>> closedLine(const std::vector<Vec2> &samples, do
     const double over =
         std::min(std::max(kSharing * beside.norm(), reach), kLargestOverlap * length);
     if (turned < kCornerTurn) {
-        if (along < -tolerance || beside.norm() > kSmoothOffset * tolerance ||
-            along * turned > kLargestBulge * tolerance)
+        if (turned > kSmoothTurn || along < -tolerance ||
+            beside.norm() > kSmoothOffset * tolerance || along * turned > kLargestBulge * tolerance)
             return {};
         lead(line, 0.5 * beside, over, true);
         lead(line, -0.5 * beside, over, false);

@@ -17,6 +17,8 @@ constexpr int kHandleHalvings = 8;
 constexpr double kPointsAt = 0.26, kClosingCorner = 0.79;
 /// Directions at a joint that differ by less, in radians, are one: corners turn by far more.
 constexpr double kSameDirectionOfJoints = 1e-6;
+/// Of the angle that makes a corner, what directions that meet have to turn by to be one.
+constexpr double kLeastCorner = 0.7;
 /// A closed line is continued by so many reaches at both ends, so that it is judged as without any.
 constexpr double kOverlap = 8.0;
 
@@ -116,7 +118,8 @@ public:
             from = run.from;
             joint = run.start;
         }
-        ChainFitter fitter(m_line, options.tolerance, options.reach * options.tolerance);
+        ChainFitter fitter(m_line, options.tolerance, options.reach * options.tolerance,
+                           kLeastCorner * options.cornerAngle);
         ChainFitter::Stretch stretch{from, to, joint, joint, 0, m_line.size() - 1};
         stretch.isStartGiven = stretch.isEndGiven = true;
         fitter.fit(stretch);
@@ -161,14 +164,15 @@ std::vector<ChainFitter::Link> fitLinks(const SampledLine &line, const FitOption
     std::vector<std::size_t> stops = line.corners(options.cornerAngle);
     stops.insert(stops.begin(), 0);
     stops.push_back(line.size() - 1);
-    ChainFitter fitter(line, options.tolerance, options.reach * options.tolerance);
+    const double leastCorner = kLeastCorner * options.cornerAngle;
+    ChainFitter fitter(line, options.tolerance, options.reach * options.tolerance, leastCorner);
     std::vector<ChainFitter::Stretch> stretches;
     for (std::size_t i = 0; i + 1 < stops.size(); ++i) {
         const std::size_t from = stops[i], to = stops[i + 1];
         stretches.push_back(
             {from, to, line.startJoint(from, to), line.endJoint(from, to), from, to});
         if (i > 0)
-            ChainFitter::smoothen(stretches[i - 1], stretches[i]);
+            ChainFitter::smoothen(stretches[i - 1], stretches[i], leastCorner);
     }
     if (options.startDirection) {
         stretches.front().start.direction = *options.startDirection;

@@ -41,8 +41,9 @@ struct FittedPiece
 ///          At corners the direction breaks (by 0.2 at least) and the sample itself is kept;
 ///          elsewhere the chain is G1. Straight runs are true lines (CubicBezier::line). No segment
 ///          crosses itself. Empty for fewer than two different samples.
-/// A function of all samples, made anew each time; settled_fit.h is for lines that grow. Cost O(n + segments log n) for usual strokes: 300 samples take half a millisecond at
-/// most, 2,000 less than four (where the benchmarks' kernel takes 80).
+/// A function of all samples, made anew each time; settled_fit.h is for lines that grow. Cost O(n +
+/// segments log n) for usual strokes: 300 samples take half a millisecond at most, 2,000 less than
+/// four (where the benchmarks' kernel takes 80).
 ///
 /// How it is done and from which papers: sampled_line.h (what is a corner, which way the line
 /// goes), fit_span.h (one cubic), chain_fitter.h (the fewest of them). The frame is that of P.

@@ -33,6 +33,8 @@ constexpr double kSharpness = 0.7;
 constexpr double kCornerSide = 2.5, kCornerOff = 0.072, kStandsOut = 0.55;
 /// And so many times as far, squared, as from two parabolas that meet there.
 constexpr double kTimesApart = 1.8;
+/// With fewer samples a cubic follows any corner.
+constexpr std::size_t kToTell = 9;
 /// Of an edge of the simplified line, the middle part that says whether it stands for a straight
 /// run: its ends reach into the bends beside it.
 constexpr double kCore = 0.7;
@@ -278,8 +280,8 @@ bool SampledLine::standsOut(std::size_t at, std::size_t from, std::size_t to, do
         std::min({kCornerSide * m_reach, lengthBetween(from, at), lengthBetween(at, to)});
     const std::size_t first = std::max(indexAt(m_along[at] - side), from);
     const std::size_t last = std::min(indexAt(m_along[at] + side), to);
-    if (!(side > 0.0) || first + 1 >= at || last <= at + 1)
-        return true; // too few samples to tell
+    if (!(side > 0.0) || last < first + kToTell)
+        return true;
     const double smooth = meanSquareOff<4>(at, first, last, false);
     const double apart =
         0.5 * (meanSquareOff<3>(at, first, at, true) + meanSquareOff<3>(at, at, last, true));

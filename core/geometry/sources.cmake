@@ -31,6 +31,7 @@ target_sources(fff_core PRIVATE
     geometry/raw_offset.cpp
     geometry/region_tree.cpp
     geometry/ring_nesting.cpp
+    geometry/round_fit.cpp
     geometry/sampled_line.cpp
     geometry/settled_fit.cpp
     geometry/side_of_line.cpp

@@ -4,6 +4,7 @@
 
 #include "core/interaction/interaction.h"
 #include "core/interaction/selection.h"
+#include "core/interaction/shape_offer.h"
 
 namespace fff {
 
@@ -33,6 +34,7 @@ struct GestureReply
     State state = State::Running;
     std::optional<Document> preview; // show this; none: show the committed document
     std::optional<Commit> commit;    // of a gesture, only when over
+    std::optional<ShapeOffer> offer; // in place of what is committed, until something is done
     std::optional<Hint> note;        // why it came to nothing, or what there is to know
     std::optional<Camera> returnTo;  // turn the view back to where it was
     std::optional<Camera> turnTo;    // turn the view there, as a view of its own

@@ -218,6 +218,11 @@ void Interaction::handle(const PointerEvent &event)
 bool Interaction::escape(double time)
 {
     advance(time);
+    if (d->offered) {
+        d->offer({});
+        d->update();
+        return true;
+    }
     const bool hadNote = d->note.has_value();
     d->note.reset();
     // A tool knows best how to go back from what its button does.
@@ -453,6 +458,7 @@ void Interaction::modelChanged()
     if (model.document.isSame(d->document))
         return; // a preview came or went
     d->document = model.document;
+    d->offer({});
     d->cancelGesture();
     if (d->tool && !d->isToolCommitting) {
         GestureContext with = d->context();

@@ -18,6 +18,7 @@ void Interaction::Private::press(const PointerEvent &event)
     stopMotion();
     motion.history.interrupt();
     note.reset();
+    offer({});
     motion.isTouched = true;
     pressed = event.button;
     if (isSecondClick(event) && addPointAt(event))

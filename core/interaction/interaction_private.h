@@ -1,7 +1,8 @@
 // What Interaction keeps between events, for the files that implement it: interaction.cpp (what
 // others ask), interaction_pointer.cpp (events), interaction_replies.cpp (what gestures and tools
 // answer), interaction_tool.cpp (the tool in the hand), interaction_points.cpp (control points),
-// interaction_joints.cpp (marks of joints), interaction_sections.cpp (edits of whole sections).
+// interaction_joints.cpp (marks of joints), interaction_sections.cpp (edits of whole sections),
+// interaction_offer.cpp (what a stroke was meant to be).
 #pragma once
 
 #include "core/interaction/click_selection.h"
@@ -110,6 +111,7 @@ public:
     {
         cancelGesture();
         note.reset();
+        offer({});
         if (!edit)
             note = Note{edit.error(), now + kNoteTime};
         else if (edit->note)
@@ -133,6 +135,7 @@ public:
     bool nudgeMeetingPoints(const JointRef &joint, const Vec2 &arrow, double distance);
     void clearOverlay();
     void update();
+    void offer(std::optional<ShapeOffer> shape);
     void turn(const Camera &to, double start, double duration);
     void stopMotion();
     void feedClick(const PointerEvent &press);
@@ -168,6 +171,7 @@ public:
     Hovering hovering;
     Modifiers modifiers;
 
+    std::optional<ShapeOffer> offered;
     Overlay overlay;
     Hovered hovered;
     std::optional<Note> note;

@@ -55,6 +55,7 @@ void Interaction::Private::carryOut(GestureReply &reply)
         document = reply.commit->document;
         if (reply.commit->step.words.text == steps::kDrawSection && !view.isolated.empty())
             view.isolated.insert(document.sections.back()->id); // or it would be a ghost at once
+        offer(std::move(reply.offer));
         host.commit(reply.commit->step, std::move(reply.commit->document));
     }
     if (reply.selectOperation) {

@@ -38,6 +38,7 @@ void Interaction::Private::feedTool(const PointerEvent &event)
         motion.finish();
         motion.history.interrupt();
         note.reset();
+        offer({});
         motion.isTouched = true;
         isToolPressed = true;
         toolPress = event;
@@ -101,6 +102,7 @@ void Interaction::pickUp(std::unique_ptr<Tool> tool, double time)
     d->cancelGesture();
     d->stopMotion();
     d->note.reset();
+    d->offer({});
     d->tool = std::move(tool);
     d->points.clear(); // they are not seen meanwhile
     d->hovering.unmark(d->hovered);

@@ -56,12 +56,13 @@ struct Overlay
     Signs drawn;    // of the gesture, and of a stroke within a tool, as long as they last
     Signs held;     // of the tool in the hand (Tool::mark), anew after each event
     Signs selected; // of what is selected
+    Signs offered;  // of what a stroke was meant to be (shape_offer.h)
 
     /// Among all of them.
     template <class Kind>
     const Kind *find() const
     {
-        for (const Signs *signs : {&drawn, &held, &selected})
+        for (const Signs *signs : {&drawn, &held, &selected, &offered})
             if (const Kind *found = signs->find<Kind>())
                 return found;
         return nullptr;

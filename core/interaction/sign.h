@@ -32,6 +32,7 @@ enum class SignRole {
     Plane,     // that waits to be drawn on
     DeadZone,  // where nothing is drawn yet
     Slit,
+    Offer, // what a stroke was meant to be
 };
 
 namespace sign {

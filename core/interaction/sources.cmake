@@ -16,6 +16,7 @@ target_sources(fff_core PRIVATE
     interaction/hovering.cpp
     interaction/interaction.cpp
     interaction/interaction_joints.cpp
+    interaction/interaction_offer.cpp
     interaction/interaction_operations.cpp
     interaction/interaction_pointer.cpp
     interaction/interaction_points.cpp
@@ -48,6 +49,7 @@ target_sources(fff_core PRIVATE
     interaction/selection.cpp
     interaction/sight.cpp
     interaction/slit_turn.cpp
+    interaction/shape_offer.cpp
     interaction/snapping.cpp
     interaction/steps_player.cpp
     interaction/steps_tool.cpp

@@ -229,6 +229,7 @@ GestureReply StrokeGesture::reply(GestureContext &context)
         break;
     case Stroke::State::Done:
         updateDrawn(context);
+        updateOffer(context);
         return done();
     case Stroke::State::Cancelled:
         return over();
@@ -327,6 +328,17 @@ void StrokeGesture::updateDrawn(const GestureContext &context)
                               {context.settings.cutsAtGround, context.settings.naming});
 }
 
+/// Of what is committed, once: what is drawn is no more than that as long as the hand goes on. What
+/// is mirrored stays its own image, and what crossed itself was no circle.
+void StrokeGesture::updateOffer(const GestureContext &context)
+{
+    const StrokeContour &contour = m_stroke.contour();
+    if (!m_drawn || !*m_drawn || contour.isMirrored || contour.wasCrossing)
+        return;
+    m_offer = shapeOffer(context.model.document, m_target, *contour.contour, m_stroke.tolerance(),
+                         {context.settings.cutsAtGround, context.settings.naming});
+}
+
 GestureReply StrokeGesture::done()
 {
     if (!m_drawn || !*m_drawn) {
@@ -349,6 +361,7 @@ GestureReply StrokeGesture::done()
     tell(contour.wasCutAtAxis, hints::kCutAtAxis);
     tell(!contour.doHalvesMeet, hints::kHalvesDoNotMeet);
     reply.commit = {std::move(drawn.step), std::move(drawn.document)};
+    reply.offer = std::move(m_offer);
     return reply;
 }
 

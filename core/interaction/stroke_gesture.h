@@ -58,6 +58,7 @@ private:
     void updateOverlay(GestureContext &context) const;
     void followSamples(GestureContext &context) const;
     void updateDrawn(const GestureContext &context);
+    void updateOffer(const GestureContext &context);
     GestureReply reply(GestureContext &context);
     GestureReply running() const;
     GestureReply over() const;
@@ -77,6 +78,7 @@ private:
     std::uint64_t m_drawnRevision = 0;                       // of the samples of m_drawn
     bool m_drawnMirrored = false;                            // and whether it was mirrored
     std::optional<tl::expected<DrawnContour, Hint>> m_drawn; // none: nothing is enclosed yet
+    std::optional<ShapeOffer> m_offer;                       // of what is committed
     // What showing the contour may cost, and cost the last time, in samples looked at.
     std::size_t m_credit, m_price = 0;
     bool m_isBehind = false; // samples are not in what is shown yet

@@ -8,6 +8,7 @@
 #include "core/session/joint_commands.h"
 #include "core/session/mark_commands.h"
 #include "core/session/measure_commands.h"
+#include "core/session/offer_commands.h"
 #include "core/session/operation_commands.h"
 #include "core/session/point_commands.h"
 #include "core/session/section_commands.h"
@@ -113,6 +114,7 @@ void registerSessionCommands(CommandRegistry &registry, Session &session, Intera
     registerToolCommands(registry, session, interaction);
     registerSectionCommands(registry, session, interaction);
     registerFigureCommands(registry, session, interaction);
+    registerOfferCommands(registry, interaction);
     registerMarkCommands(registry, session, interaction);
     registerDrawingCommands(registry, session, interaction);
     registerMeasureCommands(registry, session, interaction);

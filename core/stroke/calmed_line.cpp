@@ -16,7 +16,7 @@ constexpr double kThirdDifferences = 20.0;
 /// The median of what is a square of two equal normal numbers, in their variance.
 constexpr double kMedianOfSquares = 1.386;
 /// Third differences to second ones (squares): 3.3 of noise alone, far below 1 of a smooth way.
-constexpr double kNoiseRatio = 1.6;
+constexpr double kNoiseRatio = 1.1;
 /// Noise in tolerances: less is left alone, so much is taken off, and more is meant.
 constexpr double kLeastNoise = 0.25, kWholeNoise = 0.4, kMostNoise = 1.6;
 /// Standard deviations that residuals may be above what the noise makes them.

@@ -289,10 +289,6 @@ private:
         const double apart = gap().norm();
         if (left() <= 0.0 || apart <= kTogether * m_tolerance)
             return;
-        if (const auto at = crossingOfEnds(m_way, m_kept, left())) {
-            m_kept = *at;
-            return;
-        }
         const Vec2 towards = gap() / apart;
         Kept best = m_kept;
         double least = apart;
@@ -303,6 +299,8 @@ private:
                 best = kept;
             }
         };
+        if (const auto at = crossingOfEnds(m_way, m_kept, left()))
+            consider(*at, 0.0);
         double distance = 0.0;
         if (turnBetween(in().way, towards) > kPointsAt) {
             const double s = nearest(m_way, m_kept.to - left(), m_kept.to, start(), distance);

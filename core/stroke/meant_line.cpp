@@ -13,6 +13,10 @@ namespace {
 constexpr std::size_t kChanging = kCalmLookAround + 1;
 constexpr std::size_t kOpen = kChanging + kFillLookAround + 1;
 
+/// Part of the samples that are noise, and points to a sample, from which on corners are in doubt;
+/// and what still is one then, radians.
+constexpr double kGuessed = 0.3, kFilled = 1.5, kCornerInDoubt = 0.85;
+
 std::size_t before(std::size_t count, std::size_t by)
 {
     return count > by ? count - by : 0;
@@ -27,8 +31,19 @@ void MeantLine::follow(const std::vector<Vec2> &samples)
     calm(samples, m_options.tolerance, before(m_followed, kChanging), m_calmed);
     fill(m_calmed, m_options.tolerance, before(m_followed, kOpen), m_points, m_places);
     m_followed = samples.size();
+    // Those that do not change any more.
+    for (; m_counted + kOpen < m_followed; ++m_counted)
+        m_moved += m_calmed[m_counted] != samples[m_counted] ? 1 : 0;
     if (m_followed > kOpen)
         m_settled.follow(m_points, m_places[m_followed - kOpen]);
+}
+
+double MeantLine::cornerAngle() const
+{
+    const bool isNoisy = kGuessed * static_cast<double>(m_counted) < double(m_moved);
+    const bool isFilled = kFilled * static_cast<double>(m_followed) < double(m_points.size());
+    return isNoisy || isFilled ? std::max(kCornerInDoubt, m_options.cornerAngle)
+                               : m_options.cornerAngle;
 }
 
 void MeantLine::clear()

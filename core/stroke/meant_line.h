@@ -25,6 +25,9 @@ public:
 
     /// No two equal in a row; the first is the first sample but for noise, and the last the last.
     const std::vector<Vec2> &points() const { return m_points; }
+    /// The angle that is a corner of it (FitOptions): a larger one where much of it is guessed, as
+    /// noise or bends between samples are.
+    double cornerAngle() const;
     /// Of the points.
     const SettledFit &settled() const { return m_settled; }
 
@@ -32,6 +35,8 @@ private:
     FitOptions m_options;
     std::size_t m_followed = 0; // samples
     std::vector<Vec2> m_calmed; // as many
+    std::size_t m_moved = 0;    // of them those that are not the samples, among the first m_counted
+    std::size_t m_counted = 0;
     std::vector<Vec2> m_points;
     std::vector<std::size_t> m_places; // of the samples among the points
     SettledFit m_settled;

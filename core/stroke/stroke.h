@@ -73,6 +73,7 @@ public:
     const Vec2 &slitFrom() const { return m_slitFrom; }
     const Vec2 &slitTo() const { return m_slitTo; }
     double slitLength() const { return (m_slitTo - m_slitFrom).norm(); }
+    double tolerance() const { return m_options.contour.tolerance; }
     double deadZoneRadius() const { return m_options.deadZoneRadius; }
     /// ms
     double turnEnd() const { return m_turnStart + m_options.turnTime; }

@@ -7,6 +7,7 @@
 #include "core/stroke/closed_fit.h"
 #include "core/stroke/line_ends.h"
 #include "core/stroke/settled_half.h"
+#include "core/stroke/small_round.h"
 #include "core/stroke/twitch.h"
 
 #include <algorithm>
@@ -21,6 +22,7 @@ using Refusal = StrokeContour::Refusal;
 constexpr double kSmallestExtent = 3.0;
 /// What is smaller than this many tolerances is fitted as if it were that large; to this part of
 /// the tolerance at least, which is what a pixel is good for.
+constexpr double kSmallCorner = 0.85; // radians
 constexpr double kFittedExtent = 16.0, kFinestFit = 0.4;
 
 /// What it takes to close a segment, and to take one apart where the contour crosses itself, in
@@ -101,8 +103,14 @@ std::vector<FittedPiece> within(const MeantEnds &ends, const std::vector<FittedP
 
 void closePlain(const MeantLine &meant, double tolerance, double smallest, StrokeContour &stroke)
 {
-    const FitOptions options{.tolerance = tolerance, .work = &stroke.work};
+    const FitOptions options{
+        .tolerance = tolerance, .cornerAngle = meant.cornerAngle(), .work = &stroke.work};
     const MeantEnds ends = meantEnds(meant.points(), tolerance);
+    if (auto loop = smallRound(ends.line, smallest)) {
+        stroke.fitted = *std::move(loop);
+        close(stroke.fitted, smallest, stroke);
+        return;
+    }
     const std::vector<FittedPiece> settled = within(ends, meant.settled().pieces());
     if (auto loop = closedFit(ends.line, settled, options)) {
         stroke.fitted = *std::move(loop);
@@ -193,7 +201,7 @@ StrokeContour strokeContour(const std::vector<Vec2> &samples, const MeantLine &m
     const double tolerance =
         std::clamp(extent / kFittedExtent, kFinestFit * options.tolerance, options.tolerance);
     if (tolerance < options.tolerance && meant.settled().pieces().empty()) {
-        MeantLine small({.tolerance = tolerance});
+        MeantLine small({.tolerance = tolerance, .cornerAngle = kSmallCorner});
         small.follow(samples);
         closeFitted(samples, small, tolerance, options, stroke);
     } else {

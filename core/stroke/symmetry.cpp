@@ -6,6 +6,7 @@
 #include "core/geometry/fit.h"
 #include "core/geometry/halfplane_clip.h"
 #include "core/stroke/closed_fit.h"
+#include "core/stroke/line_ends.h"
 #include "core/stroke/settled_half.h"
 
 #include <algorithm>
@@ -209,6 +210,18 @@ HalfLine halfLine(Line line, double tolerance, double largest)
     return half;
 }
 
+/// Without hooks after which its ends are further from the axis than before.
+Line withoutHooksAtAxis(const Line &line, double tolerance)
+{
+    const WithoutHooks kept = withoutHooks(line, tolerance);
+    const auto height = [&](std::size_t i) { return std::abs(line[i].y()); };
+    const std::size_t last = line.size() - 1;
+    const std::size_t from = height(kept.from) < height(0) ? kept.from : 0;
+    const std::size_t to = height(kept.to) < height(last) ? kept.to : last;
+    const auto at = [&](std::size_t i) { return line.begin() + static_cast<std::ptrdiff_t>(i); };
+    return from < to ? Line(at(from), at(to + 1)) : line;
+}
+
 /// Where the line goes from its first point, over a reach. Unit, zero for a point.
 Vec2 directionOver(std::span<const Vec2> line, double reach)
 {
@@ -392,7 +405,7 @@ std::optional<MirroredHalf> mirroredHalf(const std::vector<Vec2> &samples, const
     const double largest = std::max(verdict.left, verdict.right);
     if (line.size() < 2 || !(largest > kClipGrid))
         return {};
-    HalfLine half = halfLine(line, tolerance, largest);
+    HalfLine half = halfLine(withoutHooksAtAxis(line, tolerance), tolerance, largest);
 
     FitOptions options;
     options.tolerance = tolerance;

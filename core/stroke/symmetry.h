@@ -64,6 +64,7 @@ struct MirroredHalf
 ///     by no more than the fit's reach; it is drawn out to it in a straight line;
 ///   - stops short of the axis otherwise gets a join: as near to the arc of a circle as a cubic
 ///     comes, on in its direction, onto the axis at a right angle.
+/// A hook at an end, that goes back from the axis as the hand is lifted or put down, is left out.
 /// A stroke that runs along the axis, within the fit's reach of it, as one does who draws the whole
 /// half, is cut off where it comes to it: the run along the axis is left out.
 /// A stroke that closes beside the axis (a wing, a wheel) is opened where it comes next to it: what

@@ -63,10 +63,10 @@ private:
 void Drawing::signs()
 {
     const SignScene scene{isGroundALine(), m_scene.edited, m_scene.operation, m_scene.unit};
-    paintSigns(
-        m_pen,
-        {&m_scene.selected, &m_scene.overlay.drawn, &m_scene.dimensions, &m_scene.overlay.held},
-        scene, m_locale);
+    paintSigns(m_pen,
+               {&m_scene.selected, &m_scene.overlay.drawn, &m_scene.dimensions,
+                &m_scene.overlay.held, &m_scene.overlay.offered},
+               scene, m_locale);
 }
 
 /// Seen from the side the ground is a line.

@@ -37,6 +37,7 @@ constexpr RoleLook kLooks[] = {
       .fill = 0.13,
       .isCased = false}},
     {SignRole::Slit, {.colour = &ViewStyle::slit, .fill = 0.45}},
+    {SignRole::Offer, {.colour = &ViewStyle::guide, .width = 1.6, .dash = 6.0, .gap = 4.0}},
 };
 
 } // namespace

@@ -23,7 +23,7 @@ struct Start
 {
     const char *name;
     Outline outline; // from there on
-    bool isCorner;
+    double radius;   // of its bend there, px: what is left out of one nobody can tell
 };
 
 const std::vector<Start> &starts()
@@ -34,17 +34,17 @@ const std::vector<Start> &starts()
         const Outline box = polygonOutline("box", {{0, 0}, {260, 0}, {260, 160}, {0, 160}});
         const Outline concave = concaveOutline(170.0);
         return std::vector<Start>{
-            {"a circle", roundOutline(100.0, 100.0), false},
-            {"an ellipse at its tip", roundOutline(160.0, 70.0), false},
-            {"a small circle", roundOutline(40.0, 40.0), false},
-            {"a bulge of a concave one", concave, false},
-            {"a bay of a concave one", concave.from(concave.length() / 6.0), false},
-            {"a side of a concave one", concave.from(concave.length() / 12.0), false},
-            {"a tip of a spiky one", star, true},
-            {"an inner corner of a spiky one", star.from(edge), true},
-            {"an edge of a spiky one", star.from(0.5 * edge), false},
-            {"a corner of a box", box, true},
-            {"an edge of a box", box.from(130.0), false},
+            {"a circle", roundOutline(100.0, 100.0), 100.0},
+            {"an ellipse at its tip", roundOutline(160.0, 70.0), 30.0},
+            {"a small circle", roundOutline(40.0, 40.0), 40.0},
+            {"a bulge of a concave one", concave, 68.0},
+            {"a bay of a concave one", concave.from(concave.length() / 6.0), 29.0},
+            {"a side of a concave one", concave.from(concave.length() / 12.0), 100.0},
+            {"a tip of a spiky one", star, 100.0},
+            {"an inner corner of a spiky one", star.from(edge), 100.0},
+            {"an edge of a spiky one", star.from(0.5 * edge), 100.0},
+            {"a corner of a box", box, 100.0},
+            {"an edge of a box", box.from(130.0), 100.0},
         };
     }();
     return all;
@@ -121,7 +121,8 @@ struct Case
 {
     const char *name;
     Ends ends;
-    double allowed; // px that the contour may be off, of the tolerance and of `by`: see misfits()
+    double allowed = 0.0; // px that the contour may be off, besides
+    bool isGap = false;   // something is not drawn
 };
 
 const std::vector<Case> &cases()
@@ -133,8 +134,8 @@ const std::vector<Case> &cases()
          5.0},
         {"goes on to its right", [](const Start &s, double by) { return straightOn(s, by, -5.0); },
          5.0},
-        {"stops short", short_, 3.0},
-        {"starts late", late, 3.0},
+        {"stops short", short_, 3.0, true},
+        {"starts late", late, 3.0, true},
         {"hooks back to the left",
          [](const Start &s, double by) { return hookAtEnd(s, by, 2.4, 0.0); }, 0.0},
         {"hooks back to the right",
@@ -179,6 +180,8 @@ void TestForgivingEnds::neverABarbOrANotch()
     const Case &ends = cases()[static_cast<std::size_t>(how)];
     QStringList wrong;
     for (const double by : {5.0, 10.0, 20.0, 30.0, 45.0, 60.0}) {
+        if (ends.isGap && by > 1.2 * from.radius)
+            continue;
         const Samples samples = ends.ends(from, by);
         const StrokeContour stroke = strokeContour(samples, {.tolerance = kTolerance});
         if (!stroke.contour) {

@@ -1,0 +1,32 @@
+#include "core/interaction/interaction_private.h"
+
+namespace fff {
+
+// What a stroke was meant to be, until the next thing is done.
+
+void Interaction::Private::offer(std::optional<ShapeOffer> shape)
+{
+    offered = std::move(shape);
+    overlay.offered = offered ? offered->signs : Signs();
+}
+
+bool Interaction::hasOffer() const
+{
+    return d->offered.has_value();
+}
+
+void Interaction::takeOffer(double time)
+{
+    d->moveOn(time);
+    if (!d->offered)
+        return;
+    ShapeOffer taken = *std::move(d->offered);
+    d->offer({});
+    d->note.reset();
+    d->document = taken.document;
+    d->host.commit(taken.step, std::move(taken.document));
+    d->hover();
+    d->update();
+}
+
+} // namespace fff

@@ -1,0 +1,31 @@
+// What is said of shapes that a stroke was meant to be.
+#pragma once
+
+#include "core/base/text.h"
+
+namespace fff::hints {
+
+// On the chip; B is the key that takes it.
+inline constexpr Text kOfferCircle = FFF_TEXT("Hint", "B: make it a circle");
+inline constexpr Text kOfferEllipse = FFF_TEXT("Hint", "B: make it an ellipse");
+inline constexpr Text kOfferStraight = FFF_TEXT("Hint", "B: make its lines straight");
+inline constexpr Text kOfferRightAngles = FFF_TEXT("Hint", "B: make its corners right angles");
+
+} // namespace fff::hints
+
+namespace fff::steps {
+
+//: %1 is the name of a section
+inline constexpr Text kMakeCircle = FFF_TEXT("Step", "Make %1 a circle");
+//: %1 is the name of a section
+inline constexpr Text kMakeEllipse = FFF_TEXT("Step", "Make %1 an ellipse");
+//: %1 is the name of a section
+inline constexpr Text kRoundHole = FFF_TEXT("Step", "Make the hole in %1 a circle");
+//: %1 is the name of a section
+inline constexpr Text kOvalHole = FFF_TEXT("Step", "Make the hole in %1 an ellipse");
+//: %1 is the name of a section
+inline constexpr Text kStraightenLines = FFF_TEXT("Step", "Straighten lines of %1");
+//: %1 is the name of a section
+inline constexpr Text kMakeRightAngles = FFF_TEXT("Step", "Make corners of %1 right angles");
+
+} // namespace fff::steps

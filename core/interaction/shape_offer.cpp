@@ -1,0 +1,66 @@
+#include "core/interaction/shape_offer.h"
+
+#include "core/interaction/offer_words.h"
+#include "core/stroke/meant_shape.h"
+
+namespace fff {
+
+namespace {
+
+/// Below the lower edge of what was drawn, px.
+constexpr double kBelow = 20.0;
+
+struct OfferTexts
+{
+    Text chip, step, stepOfHole;
+};
+
+OfferTexts textsOf(MeantShape::Kind kind)
+{
+    switch (kind) {
+    case MeantShape::Kind::Circle:
+        return {hints::kOfferCircle, steps::kMakeCircle, steps::kRoundHole};
+    case MeantShape::Kind::Ellipse:
+        return {hints::kOfferEllipse, steps::kMakeEllipse, steps::kOvalHole};
+    case MeantShape::Kind::StraightLines:
+        return {hints::kOfferStraight, steps::kStraightenLines, steps::kStraightenLines};
+    case MeantShape::Kind::RightAngles:
+        break;
+    }
+    return {hints::kOfferRightAngles, steps::kMakeRightAngles, steps::kMakeRightAngles};
+}
+
+/// Its lowest place on the canvas, in the middle.
+Vec3 below(const Contour &drawn, const Frame &canvas)
+{
+    const Box2 box = drawn.bounds();
+    const bool isUpsideDown = canvas.y.y() < 0.0;
+    return canvas.toWorld({box.center().x(), isUpsideDown ? box.max.y() : box.min.y()});
+}
+
+} // namespace
+
+std::optional<ShapeOffer> shapeOffer(const Document &before, const ContourTarget &target,
+                                     const Contour &drawn, double tolerance,
+                                     const DrawingRules &rules)
+{
+    const std::optional<MeantShape> meant = meantShape(drawn, tolerance);
+    if (!meant)
+        return {};
+    tl::expected<DrawnContour, Hint> made =
+        meant->figure ? drawFigure(before, target, *meant->figure, rules)
+                      : drawContour(before, target, meant->contour, rules);
+    if (!made)
+        return {};
+    const OfferTexts texts = textsOf(meant->kind);
+    const bool isHole = target.purpose == ContourTarget::Purpose::Hole;
+    ShapeOffer offer;
+    offer.step = {isHole ? texts.stepOfHole : texts.step, {Named{made->name}}};
+    offer.document = std::move(made->document);
+    offer.signs.add(sign::Curve{SignRole::Offer, target.canvas, meant->contour});
+    offer.signs.add(sign::Label{
+        SignRole::Offer, {below(drawn, target.canvas)}, Message{texts.chip}, {0.0, kBelow}});
+    return offer;
+}
+
+} // namespace fff
