@@ -24,34 +24,39 @@ struct Outline
     Samples line;
     Samples corners;
 
-    double length() const
-    {
-        double sum = 0.0;
-        for (std::size_t i = 0; i < line.size(); ++i)
-            sum += (line[(i + 1) % line.size()] - line[i]).norm();
-        return sum;
-    }
+    double length() const { return along().back(); }
     /// So far along it, mm; any number of times round.
-    Vec2 at(double along) const
+    Vec2 at(double place) const
     {
         const double whole = length();
-        along = std::fmod(std::fmod(along, whole) + whole, whole);
-        for (std::size_t i = 0;; i = (i + 1) % line.size()) {
-            const Vec2 &a = line[i], &b = line[(i + 1) % line.size()];
-            const double edge = (b - a).norm();
-            if (along <= edge)
-                return a + (edge > 0.0 ? along / edge : 0.0) * (b - a);
-            along -= edge;
-        }
+        place = std::fmod(std::fmod(place, whole) + whole, whole);
+        const auto after = std::upper_bound(along().begin(), along().end() - 1, place);
+        const auto i = static_cast<std::size_t>(after - along().begin()) - 1;
+        const double edge = along()[i + 1] - along()[i];
+        const Vec2 &from = line[i], &to = line[(i + 1) % line.size()];
+        return from + (edge > 0.0 ? (place - m_along[i]) / edge : 0.0) * (to - from);
     }
     /// The same from another place on.
     Outline from(double along) const
     {
-        Outline result{name, {}, corners};
+        Outline result{name, {}, corners, {}};
         const int count = static_cast<int>(length() / 0.5);
         for (int i = 0; i < count; ++i)
             result.line.push_back(at(along + i * 0.5));
         return result;
+    }
+
+    mutable std::vector<double> m_along; // of each point, and once round
+
+private:
+    const std::vector<double> &along() const
+    {
+        if (m_along.empty()) {
+            m_along = {0.0};
+            for (std::size_t i = 0; i < line.size(); ++i)
+                m_along.push_back(m_along.back() + (line[(i + 1) % line.size()] - line[i]).norm());
+        }
+        return m_along;
     }
 };
 
@@ -64,7 +69,7 @@ inline Outline roundOutline(double rx, double ry)
         },
         720);
     line.pop_back();
-    return {"round", line, {}};
+    return {"round", line, {}, {}};
 }
 
 /// With three bays.
@@ -78,7 +83,7 @@ inline Outline concaveOutline(double size)
         },
         1440);
     line.pop_back();
-    return {"concave", line, {}};
+    return {"concave", line, {}, {}};
 }
 
 inline Outline polygonOutline(const std::string &name, const Samples &corners)
@@ -87,7 +92,7 @@ inline Outline polygonOutline(const std::string &name, const Samples &corners)
     closed.push_back(corners.front());
     Samples line = lines(closed, 1.0);
     line.pop_back();
-    return {name, line, corners};
+    return {name, line, corners, {}};
 }
 
 inline Outline spikyOutline(double outer, double inner, int tips)
