@@ -59,7 +59,7 @@ std::optional<ShapeOffer> shapeOffer(const Document &before, const ContourTarget
     offer.document = std::move(made->document);
     offer.signs.add(sign::Curve{SignRole::Offer, target.canvas, meant->contour});
     offer.signs.add(sign::Label{
-        SignRole::Offer, {below(drawn, target.canvas)}, Message{texts.chip}, {0.0, kBelow}});
+        SignRole::Offer, {below(drawn, target.canvas)}, Message{texts.chip, {}}, {0.0, kBelow}});
     return offer;
 }
 

@@ -19,18 +19,21 @@ constexpr double kMedianOfSquares = 1.386;
 constexpr double kNoiseRatio = 1.1;
 /// Noise in tolerances: less is left alone, so much is taken off, and more is meant.
 constexpr double kLeastNoise = 0.25, kWholeNoise = 0.4, kMostNoise = 1.6;
-/// Standard deviations that residuals may be above what the noise makes them.
-constexpr double kResiduals = 3.0;
-
-/// Samples before and after that a parabola is laid through; to both sides first, then to one, as
-/// beside a corner, and few of them where the way bends too much for more.
+/// Samples before and after that a parabola is laid through.
 struct Window
 {
     std::size_t before = 0, after = 0;
 };
-constexpr std::array kWindows{Window{20, 20}, Window{12, 12}, Window{8, 8},  Window{14, 4},
-                              Window{4, 14},  Window{14, 1},  Window{1, 14}, Window{14, 0},
-                              Window{0, 14},  Window{5, 5},   Window{3, 3}};
+/// Few of them to both sides, more as long as they say the same, and those beside a corner.
+constexpr Window kFew{5, 5}, kFewest{3, 3};
+constexpr std::array kMore{Window{8, 8}, Window{12, 12}, Window{20, 20}};
+constexpr std::array kOneSided{Window{14, 1}, Window{1, 14}, Window{14, 0},
+                               Window{0, 14}, Window{9, 0},  Window{0, 9}};
+/// Standard deviations that residuals may be above what the noise makes them: of few samples, and
+/// of more. Of the noise, by how much few and more may differ.
+/// Samples beside one that have a say.
+constexpr std::size_t kBeside = 2;
+constexpr double kOfFew = 2.5, kOfMore = 1.5, kDiffer = 0.55;
 
 double medianOf(std::array<double, 2 * kNoiseWindow + 1> &values, std::size_t count)
 {
@@ -60,19 +63,34 @@ double noiseAt(const std::vector<Vec2> &p, std::size_t i)
     return std::sqrt(ofThird / (kThirdDifferences * kMedianOfSquares));
 }
 
-/// Where the parabola through the window passes the sample; none where it cannot follow.
-std::optional<Vec2> passing(const std::vector<Vec2> &p, std::size_t i, const Window &window,
-                            double noise)
+/// A parabola in time, laid through the samples around one of them.
+struct Parabola
+{
+    std::size_t from = 0, to = 0;
+    double middle = 0.0;
+    Vec2 base = Vec2::Zero(), slope = Vec2::Zero(), bend = Vec2::Zero();
+
+    Vec2 at(std::size_t i) const
+    {
+        const double t = static_cast<double>(i) - middle;
+        return base + t * slope + t * t * bend;
+    }
+};
+
+/// None where it cannot follow the samples within the noise.
+std::optional<Parabola> laid(const std::vector<Vec2> &p, std::size_t i, const Window &window,
+                             double noise, double deviations)
 {
     if (i < window.before || i + window.after >= p.size())
         return {};
-    const std::size_t from = i - window.before, to = i + window.after;
+    Parabola result{i - window.before, i + window.after};
     // Moments about the window's middle: those of odd powers vanish.
-    const double middle = 0.5 * static_cast<double>(from + to), count = double(to - from + 1);
+    result.middle = 0.5 * static_cast<double>(result.from + result.to);
+    const auto count = static_cast<double>(result.to - result.from + 1);
     double m2 = 0.0, m4 = 0.0;
     Vec2 sum = Vec2::Zero(), first = Vec2::Zero(), second = Vec2::Zero();
-    for (std::size_t k = from; k <= to; ++k) {
-        const double t = static_cast<double>(k) - middle;
+    for (std::size_t k = result.from; k <= result.to; ++k) {
+        const double t = static_cast<double>(k) - result.middle;
         const Vec2 off = p[k] - p[i];
         m2 += t * t;
         m4 += t * t * t * t;
@@ -81,33 +99,52 @@ std::optional<Vec2> passing(const std::vector<Vec2> &p, std::size_t i, const Win
         second += t * t * off;
     }
     const double determinant = count * m4 - m2 * m2;
-    const Vec2 base = (m4 * sum - m2 * second) / determinant;
-    const Vec2 slope = first / m2;
-    const Vec2 bend = (count * second - m2 * sum) / determinant;
+    result.base = p[i] + (m4 * sum - m2 * second) / determinant;
+    result.slope = first / m2;
+    result.bend = (count * second - m2 * sum) / determinant;
     double residuals = 0.0;
-    for (std::size_t k = from; k <= to; ++k) {
-        const double t = static_cast<double>(k) - middle;
-        residuals += (p[k] - p[i] - base - t * slope - t * t * bend).squaredNorm();
-    }
+    for (std::size_t k = result.from; k <= result.to; ++k)
+        residuals += (p[k] - result.at(k)).squaredNorm();
     const double freedom = 2.0 * (count - 3.0);
-    const double most = freedom * (1.0 + kResiduals * std::sqrt(2.0 / freedom));
+    const double most = freedom * (1.0 + deviations * std::sqrt(2.0 / freedom));
     if (residuals > most * noise * noise)
         return {};
-    const double t = static_cast<double>(i) - middle;
-    return Vec2(p[i] + base + t * slope + t * t * bend);
+    return result;
 }
 
-Vec2 calmedAt(const std::vector<Vec2> &p, std::size_t i, double tolerance)
+/// The longest that follows the samples around one, which are noise.
+std::optional<Parabola> longest(const std::vector<Vec2> &p, std::size_t i, double noise)
+{
+    if (std::optional<Parabola> best = laid(p, i, kFew, noise, kOfFew)) {
+        const Vec2 few = best->at(i);
+        for (const Window &window : kMore) {
+            const std::optional<Parabola> more = laid(p, i, window, noise, kOfMore);
+            if (!more || (more->at(i) - few).norm() > kDiffer * noise)
+                break;
+            best = more;
+        }
+        return best;
+    }
+    for (const Window &window : kOneSided)
+        if (const std::optional<Parabola> meant = laid(p, i, window, noise, kOfMore))
+            return meant;
+    return laid(p, i, kFewest, noise, kOfFew);
+}
+
+/// What is known around a sample.
+struct Local
+{
+    double share = 0.0; // of the noise that is taken off; 0: it is none
+    std::optional<Parabola> meant;
+};
+
+Local localAt(const std::vector<Vec2> &p, std::size_t i, double tolerance)
 {
     const double noise = noiseAt(p, i);
     if (noise < kLeastNoise * tolerance || noise > kMostNoise * tolerance)
-        return p[i];
-    const double share =
-        std::clamp((noise / tolerance - kLeastNoise) / (kWholeNoise - kLeastNoise), 0.0, 1.0);
-    for (const Window &window : kWindows)
-        if (const std::optional<Vec2> meant = passing(p, i, window, noise))
-            return p[i] + share * (*meant - p[i]);
-    return p[i];
+        return {};
+    return {std::min((noise / tolerance - kLeastNoise) / (kWholeNoise - kLeastNoise), 1.0),
+            longest(p, i, noise)};
 }
 
 } // namespace
@@ -116,8 +153,28 @@ void calm(const std::vector<Vec2> &samples, double tolerance, std::size_t from,
           std::vector<Vec2> &result)
 {
     result.resize(samples.size());
-    for (std::size_t i = from; i < samples.size(); ++i)
-        result[i] = calmedAt(samples, i, tolerance);
+    const std::size_t first = from > kBeside ? from - kBeside : 0;
+    std::vector<Local> locals;
+    for (std::size_t i = first; i < samples.size(); ++i)
+        locals.push_back(localAt(samples, i, tolerance));
+    for (std::size_t i = from; i < samples.size(); ++i) {
+        result[i] = samples[i];
+        const Local &here = locals[i - first];
+        if (!here.meant)
+            continue;
+        // The mean of what those beside it say, so that the line does not jump between them.
+        Vec2 sum = Vec2::Zero();
+        double count = 0.0;
+        for (std::size_t k = i > first + kBeside ? i - kBeside : first;
+             k <= std::min(i + kBeside, samples.size() - 1); ++k) {
+            const std::optional<Parabola> &meant = locals[k - first].meant;
+            if (!meant || i < meant->from || i > meant->to)
+                continue;
+            sum += meant->at(i);
+            count += 1.0;
+        }
+        result[i] += here.share * (sum / count - samples[i]);
+    }
 }
 
 } // namespace fff

@@ -27,6 +27,6 @@ namespace fff {
 void calm(const std::vector<Vec2> &samples, double tolerance, std::size_t from,
           std::vector<Vec2> &result);
 
-inline constexpr std::size_t kCalmLookAround = 20;
+inline constexpr std::size_t kCalmLookAround = 22;
 
 } // namespace fff

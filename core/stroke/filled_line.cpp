@@ -18,13 +18,17 @@ constexpr double kLeastGap = 1.5, kStep = 2.0;
 /// Of a tolerance, what a bend has to stand out to be one.
 constexpr double kLeastBulge = 0.1;
 /// Turns that are corners, radians: whatever is beside them, beside one, and where nothing is.
-constexpr double kSharp = 1.48, kNextToSharp = 0.95, kLonely = 0.65;
+constexpr double kSharp = 1.48, kNextToSharp = 0.85, kLonely = 0.65;
 /// Of a turn, what its neighbours turn at most where it is lonely.
 constexpr double kLoneliness = 0.3;
 /// A neighbour nearer than this part of the way is not what the hand's turn shows at.
 constexpr double kComparable = 0.2;
 /// Places on one way at most.
 constexpr double kMostPlaces = 64.0;
+/// Of a loop of few samples: how many there are, tolerances between them on the mean; and in such
+/// steps, how near to the start they are there again, and how near the last other one is.
+constexpr std::size_t kFewestRound = 5, kMostRound = 48;
+constexpr double kLeastStep = 3.0, kThere = 0.5, kNearStart = 1.7;
 
 class Ways
 {
@@ -116,6 +120,42 @@ void fill(const std::vector<Vec2> &samples, double tolerance, std::size_t from,
             result.push_back(samples[i]);
         places.push_back(result.size() - 1);
     }
+}
+
+std::optional<std::vector<Vec2>> filledRound(const std::vector<Vec2> &samples, double tolerance)
+{
+    if (samples.size() < kFewestRound || samples.size() > kMostRound)
+        return {};
+    double length = 0.0;
+    for (std::size_t i = 0; i + 1 < samples.size(); ++i)
+        length += (samples[i + 1] - samples[i]).norm();
+    const double step = length / static_cast<double>(samples.size() - 1);
+    if (step < kLeastStep * tolerance)
+        return {};
+    std::vector<Vec2> loop = samples;
+    const Vec2 ahead = loop[1] - loop[0];
+    // Where the hand is there again, or has just passed it.
+    const auto isThere = [&] {
+        const Vec2 way = loop.back() - loop[loop.size() - 2], off = loop[0] - loop.back();
+        const double back = -way.dot(off) / way.squaredNorm(); // parts of the last way
+        return off.norm() < kThere * step ||
+               (off.norm() < 1.5 * step && -off.dot(ahead) > 0.8 * off.norm() * ahead.norm()) ||
+               (back > 0.1 && back < 1.0 && std::abs(cross(way, off)) < kThere * step * way.norm());
+    };
+    while (loop.size() > kFewestRound - 1 && isThere())
+        loop.pop_back();
+    if ((loop.back() - loop[0]).norm() > kNearStart * step)
+        return {};
+    constexpr std::size_t kAround = kFillLookAround + 1;
+    std::vector<Vec2> round(loop.end() - kAround, loop.end());
+    round.insert(round.end(), loop.begin(), loop.end());
+    round.insert(round.end(), loop.begin(), loop.begin() + kAround + 1);
+    std::vector<Vec2> filled;
+    std::vector<std::size_t> places;
+    fill(round, tolerance, 0, filled, places);
+    return std::vector<Vec2>(filled.begin() + static_cast<std::ptrdiff_t>(places[kAround]),
+                             filled.begin() +
+                                 static_cast<std::ptrdiff_t>(places[kAround + loop.size()] + 1));
 }
 
 } // namespace fff

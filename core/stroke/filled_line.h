@@ -4,6 +4,7 @@
 #include "core/geometry/vector.h"
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace fff {
@@ -26,5 +27,9 @@ void fill(const std::vector<Vec2> &samples, double tolerance, std::size_t from,
           std::vector<Vec2> &result, std::vector<std::size_t> &places);
 
 inline constexpr std::size_t kFillLookAround = 2;
+
+/// The same all round, of few samples that are far apart and come back to where they began, which
+/// is where the result begins and ends; what of them lies beyond is left out. None for all others.
+std::optional<std::vector<Vec2>> filledRound(const std::vector<Vec2> &samples, double tolerance);
 
 } // namespace fff

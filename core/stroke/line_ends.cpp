@@ -36,6 +36,8 @@ constexpr double kBeside = 3.5, kSmoothTurn = 0.25;
 constexpr double kNotch = 0.5;
 /// Steps in tolerances by which ends are cut back until it is none, and part of the length in all.
 constexpr double kStepBack = 3.0, kMostBack = 0.1;
+/// And no more tolerances, and times what they are beside each other.
+constexpr double kBackAnyway = 10.0, kBackBeside = 4.0;
 /// Tolerances within which ends are in one place.
 constexpr double kTogether = 0.25;
 constexpr std::size_t kRun = 24; // edges that have a box in common
@@ -355,7 +357,12 @@ private:
     /// Until what closes the ends goes where they point.
     void cutBack()
     {
-        const double most = std::min(kMostBack * m_way.length(), 0.45 * m_kept.length());
+        const Vec2 apart = gap();
+        const double beside = std::abs(cross(out().way, apart));
+        const double most = std::min({kMostBack * m_way.length(), 0.45 * m_kept.length(),
+                                      kBackAnyway * m_tolerance + kBackBeside * beside});
+        if (apart.norm() <= m_tolerance && turnBetween(out().way, in().way) < kNotch)
+            return;
         const Kept before = m_kept;
         for (double back = 0.0; back <= most; back += kStepBack * m_tolerance) {
             m_kept = {before.from + back, before.to - back};

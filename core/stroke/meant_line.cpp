@@ -15,7 +15,7 @@ constexpr std::size_t kOpen = kChanging + kFillLookAround + 1;
 
 /// Part of the samples that are noise, and points to a sample, from which on corners are in doubt;
 /// and what still is one then, radians.
-constexpr double kGuessed = 0.3, kFilled = 1.5, kCornerInDoubt = 0.85;
+constexpr double kGuessed = 0.3, kFilled = 1.5, kNoisyCorner = 0.85, kFilledCorner = 0.7;
 
 std::size_t before(std::size_t count, std::size_t by)
 {
@@ -42,8 +42,8 @@ double MeantLine::cornerAngle() const
 {
     const bool isNoisy = kGuessed * static_cast<double>(m_counted) < double(m_moved);
     const bool isFilled = kFilled * static_cast<double>(m_followed) < double(m_points.size());
-    return isNoisy || isFilled ? std::max(kCornerInDoubt, m_options.cornerAngle)
-                               : m_options.cornerAngle;
+    const double least = isNoisy ? kNoisyCorner : isFilled ? kFilledCorner : 0.0;
+    return std::max(least, m_options.cornerAngle);
 }
 
 void MeantLine::clear()

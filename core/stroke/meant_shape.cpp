@@ -15,7 +15,7 @@ namespace fff {
 namespace {
 
 /// Off a circle and an ellipse, as a part of the radius: on the mean, and at most.
-constexpr double kCircleMean = 0.05, kCircleMost = 0.13, kEllipseMean = 0.036, kEllipseMost = 0.1;
+constexpr double kCircleMean = 0.042, kCircleMost = 0.11, kEllipseMean = 0.032, kEllipseMost = 0.09;
 /// Axes whose ratio is above this are a circle's; below that a needle's.
 constexpr double kRound = 0.85, kNeedle = 0.2;
 /// Of the hull's area, what a line without bays encloses.

@@ -12,7 +12,7 @@ namespace fff {
 namespace {
 
 /// Of the tolerance, what the line is off the ellipse, on the mean and at most.
-constexpr double kMeanOff = 0.27, kMostOff = 0.8;
+constexpr double kMeanOff = 0.32, kMostOff = 1.0;
 /// Of the extent, what the ends are apart at most; of the longer half axis, the shorter at least.
 constexpr double kEndsApart = 0.4, kSlimmest = 0.3;
 

@@ -12,6 +12,8 @@ namespace {
 
 /// Halvings of the way across the dead zone's border: down to the last bit.
 constexpr int kBisections = 60;
+/// Samples after which what is meant by them is followed, so that none of them costs much.
+constexpr std::size_t kFollowed = 32;
 
 } // namespace
 
@@ -114,10 +116,16 @@ double Stroke::turnProgress(double time) const
     return easeInOutCubic((time - m_turnStart) / m_options.turnTime);
 }
 
+const MeantLine &Stroke::meant() const
+{
+    m_meant.follow(m_line.points());
+    return m_meant;
+}
+
 const StrokeContour &Stroke::contour() const
 {
     if (!m_contour)
-        m_contour = strokeContour(m_line.points(), m_meant, m_options.contour);
+        m_contour = strokeContour(m_line.points(), meant(), m_options.contour);
     return *m_contour;
 }
 
@@ -164,7 +172,8 @@ void Stroke::addSample(const Vec2 &point)
     }
     if (!m_line.add(meant))
         return;
-    m_meant.follow(m_line.points());
+    if (m_line.points().size() % kFollowed == 0)
+        m_meant.follow(m_line.points());
     m_contour.reset();
 }
 

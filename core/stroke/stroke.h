@@ -86,7 +86,7 @@ public:
     /// Changes with them.
     std::uint64_t revision() const { return m_line.revision(); }
     /// What is fitted, and what of that stays as it is, whatever is drawn next.
-    const MeantLine &meant() const { return m_meant; }
+    const MeantLine &meant() const;
     /// What a release would make now. Kept until the next sample that adds something.
     const StrokeContour &contour() const;
 
@@ -106,7 +106,7 @@ private:
     Vec2 m_last = Vec2::Zero();
     SteadyHand m_hand;
     ThinnedLine m_line;
-    MeantLine m_meant;
+    mutable MeantLine m_meant; // follows when it is looked at, and every so often
     mutable std::optional<StrokeContour> m_contour;
 };
 

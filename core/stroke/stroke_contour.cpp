@@ -5,6 +5,7 @@
 #include "core/geometry/fit.h"
 #include "core/geometry/sampled_line.h"
 #include "core/stroke/closed_fit.h"
+#include "core/stroke/filled_line.h"
 #include "core/stroke/line_ends.h"
 #include "core/stroke/settled_half.h"
 #include "core/stroke/small_round.h"
@@ -101,11 +102,13 @@ std::vector<FittedPiece> within(const MeantEnds &ends, const std::vector<FittedP
     return pieces;
 }
 
-void closePlain(const MeantLine &meant, double tolerance, double smallest, StrokeContour &stroke)
+void closePlain(const std::vector<Vec2> &samples, const MeantLine &meant, double tolerance,
+                double smallest, StrokeContour &stroke)
 {
+    const std::optional<std::vector<Vec2>> hasty = filledRound(samples, tolerance);
     const FitOptions options{
         .tolerance = tolerance, .cornerAngle = meant.cornerAngle(), .work = &stroke.work};
-    const MeantEnds ends = meantEnds(meant.points(), tolerance);
+    const MeantEnds ends = meantEnds(hasty ? *hasty : meant.points(), tolerance);
     if (auto loop = smallRound(ends.line, smallest)) {
         stroke.fitted = *std::move(loop);
         close(stroke.fitted, smallest, stroke);
@@ -163,7 +166,7 @@ void closeFitted(const std::vector<Vec2> &samples, const MeantLine &meant, doubl
         return;
     stroke.doHalvesMeet = !stroke.isMirrored;
     stroke.isMirrored = false;
-    closePlain(meant, tolerance, options.tolerance, stroke);
+    closePlain(samples, meant, tolerance, options.tolerance, stroke);
 }
 
 } // namespace

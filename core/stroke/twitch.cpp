@@ -19,8 +19,8 @@ bool isTwitch(const std::vector<Vec2> &samples)
     if (box.isEmpty())
         return true;
     const double extent = box.size().maxCoeff();
-    if (extent >= kTwitch)
-        return false;
+    if (!(extent > 0.0) || extent >= kTwitch)
+        return extent < kTwitch;
     double way = 0.0;
     for (std::size_t i = 0; i + 1 < samples.size(); ++i)
         way += (samples[i + 1] - samples[i]).norm();

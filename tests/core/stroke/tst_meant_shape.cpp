@@ -249,7 +249,9 @@ void TestMeantShape::smallLoopsAreNoTwitches()
     const StrokeContourOptions fine{.tolerance = 0.2};
     QCOMPARE(strokeContour(lines({{0, 0}, {3, 2}, {5, 0}}, 0.2), fine).refusal,
              StrokeContour::Refusal::Twitch);
-    const auto eye = [](double t) { return 2.5 * Vec2(std::cos(6.4 * t), std::sin(6.4 * t)); };
+    const auto eye = [](double t) -> Vec2 {
+        return 2.5 * Vec2(std::cos(6.4 * t), std::sin(6.4 * t));
+    };
     for (const double tolerance : {0.2, 1.0})
         QVERIFY(strokeContour(curve(eye, 40), {.tolerance = tolerance}).contour);
 }
