@@ -32,7 +32,7 @@ constexpr std::array kOneSided{Window{14, 1}, Window{1, 14}, Window{14, 0},
 /// Standard deviations that residuals may be above what the noise makes them: of few samples, and
 /// of more. Of the noise, by how much few and more may differ.
 /// Samples beside one that have a say.
-constexpr std::size_t kBeside = 2;
+constexpr std::size_t kNeighbours = 2;
 constexpr double kOfFew = 2.5, kOfMore = 1.5, kDiffer = 0.55;
 
 double medianOf(std::array<double, 2 * kNoiseWindow + 1> &values, std::size_t count)
@@ -153,27 +153,29 @@ void calm(const std::vector<Vec2> &samples, double tolerance, std::size_t from,
           std::vector<Vec2> &result)
 {
     result.resize(samples.size());
-    const std::size_t first = from > kBeside ? from - kBeside : 0;
+    const std::size_t first = from > kNeighbours ? from - kNeighbours : 0;
     std::vector<Local> locals;
     for (std::size_t i = first; i < samples.size(); ++i)
         locals.push_back(localAt(samples, i, tolerance));
     for (std::size_t i = from; i < samples.size(); ++i) {
         result[i] = samples[i];
         const Local &here = locals[i - first];
-        if (!here.meant)
+        if (here.share <= 0.0)
             continue;
-        // The mean of what those beside it say, so that the line does not jump between them.
+        // The mean of what those beside it say, so that the line does not jump between them; also
+        // where the sample is off by so much that none of its own can follow it.
         Vec2 sum = Vec2::Zero();
         double count = 0.0;
-        for (std::size_t k = i > first + kBeside ? i - kBeside : first;
-             k <= std::min(i + kBeside, samples.size() - 1); ++k) {
+        for (std::size_t k = i > first + kNeighbours ? i - kNeighbours : first;
+             k <= std::min(i + kNeighbours, samples.size() - 1); ++k) {
             const std::optional<Parabola> &meant = locals[k - first].meant;
             if (!meant || i < meant->from || i > meant->to)
                 continue;
             sum += meant->at(i);
             count += 1.0;
         }
-        result[i] += here.share * (sum / count - samples[i]);
+        if (count > 0.0)
+            result[i] += here.share * (sum / count - samples[i]);
     }
 }
 

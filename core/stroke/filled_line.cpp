@@ -139,7 +139,7 @@ std::optional<std::vector<Vec2>> filledRound(const std::vector<Vec2> &samples, d
         const Vec2 way = loop.back() - loop[loop.size() - 2], off = loop[0] - loop.back();
         const double back = -way.dot(off) / way.squaredNorm(); // parts of the last way
         return off.norm() < kThere * step ||
-               (off.norm() < 1.5 * step && -off.dot(ahead) > 0.8 * off.norm() * ahead.norm()) ||
+               (off.norm() < 1.6 * step && -off.dot(ahead) > 0.5 * off.norm() * ahead.norm()) ||
                (back > 0.1 && back < 1.0 && std::abs(cross(way, off)) < kThere * step * way.norm());
     };
     while (loop.size() > kFewestRound - 1 && isThere())

@@ -13,10 +13,12 @@ namespace {
 
 /// Lengths in tolerances: of the line from which on its ends are looked at, of a hook, of the ways
 /// by which its turn is judged, and of what says where an end points.
-constexpr double kLeastLength = 12.0, kLongestHook = 40.0, kHookWay = 3.0, kWay = 12.0,
+constexpr double kLeastLength = 12.0, kLongestHook = 40.0, kHookWay = 4.0, kWay = 12.0,
                  kLeastWay = 3.0;
 /// Radians by which a hook turns back, at least.
 constexpr double kHookTurn = 1.7;
+/// Tolerances that it is long at least: less is a tremble.
+constexpr double kLeastHook = 1.0;
 /// Of the line's length, what is cut off, or comes between the ends, at most.
 constexpr double kMostCut = 0.25;
 /// Tolerances, and part of the length: ends that are further apart than both are open on purpose.
@@ -219,7 +221,7 @@ std::optional<double> hookAtEnd(const Way &way, const Kept &kept, double toleran
             break;
         const Vec2 before = way.point(i) - way.at(std::max(s - over, kept.from));
         const Vec2 after = way.at(std::min(s + over, kept.to)) - way.point(i);
-        if (after.norm() < 0.5 * tolerance)
+        if (after.norm() < kLeastHook * tolerance)
             continue;
         const double turn = turnBetween(before, after);
         if (turn <= sharpest)

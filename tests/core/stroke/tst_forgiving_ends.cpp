@@ -16,7 +16,8 @@ using namespace fff::test;
 namespace {
 
 constexpr double kTolerance = 2.0;
-constexpr double kDrift = 60.0; // px
+constexpr double kDrift = 60.0;     // px
+constexpr double kBentAside = 45.0; // degrees
 
 /// Where on an outline the hand begins.
 struct Start
@@ -141,9 +142,13 @@ const std::vector<Case> &cases()
         {"hooks back to the right",
          [](const Start &s, double by) { return hookAtEnd(s, by, -2.4, 0.0); }, 0.0},
         {"stops short and hooks back",
-         [](const Start &s, double by) { return hookAtEnd(s, 0.5 * by, 2.7, 12.0); }, 0.0},
+         [](const Start &s, double by) { return hookAtEnd(s, std::max(5.0, 0.5 * by), 2.7, 12.0); },
+         0.0},
         {"goes on and hooks back",
-         [](const Start &s, double by) { return hookAtEnd(s, 0.5 * by, -2.7, -10.0); }, 0.0},
+         [](const Start &s, double by) {
+             return hookAtEnd(s, std::max(5.0, 0.5 * by), -2.7, -10.0);
+         },
+         0.0},
         {"hooks at its start, left",
          [](const Start &s, double by) { return hookAtStart(s, by, 0.7, 0.0); }, 0.0},
         {"hooks at its start, right",
@@ -189,7 +194,9 @@ void TestForgivingEnds::neverABarbOrANotch()
             continue;
         }
         const Misfit off = misfit(*stroke.contour, from.outline);
-        if (off.distance > 6.0 + ends.allowed + 0.12 * by || off.falseCorners > 0 ||
+        // A hand that comes in beside its start has bent the line itself.
+        const double bend = ends.allowed > 0.0 && !ends.isGap ? kBentAside : 0.0;
+        if (off.distance > 6.0 + ends.allowed + 0.12 * by || off.sharpestFalse > bend ||
             off.lostCorners > 0)
             wrong.append(QStringLiteral("%1: %2 px off, %3 false corners (%4°), %5 lost")
                              .arg(by)
