@@ -62,7 +62,7 @@ std::span<const MenuRow> ActionSetTexts::menus()
         {QT_TR_NOOP("Shape b&y numbers"),
          "section.addShape | section.addCircle section.addEllipse section.addRectangle "
          "section.addPolygon "
-         "section.addStar section.addSlot",
+         "section.addStar section.addSlot | section.takeOffer",
          "shapes"},
         {QT_TR_NOOP("P&oints"),
          "point.insert point.delete | point.smooth point.symmetric point.corner", "points"},
