@@ -220,6 +220,26 @@ def main():
     plain().slit(up, over).to((900, 200), (900, 420), (672, 420), (672, 208)).release().save(
         "rectangle")
     plain().slit(up, over).arc((782, 200), 110, 180, 538, 160).release().save("circle")
+    # Ends that go too far, stop short or hook back; what is offered, and what is too small.
+    star = [(782 + r * math.cos(a), 200 + r * math.sin(a)) for k in range(11)
+            for r, a in [((150 if k % 2 == 0 else 66), math.pi * (1 + k / 5))]]
+    for name, end in (("spiky_overshot", (star[10][0] - 28, star[10][1] - 9)),
+                      ("spiky_short", tuple(0.75 * a + 0.25 * b
+                                            for a, b in zip(star[10], star[9]))),
+                      ("spiky_hooked", (star[10][0] + 12, star[10][1] + 22))):
+        script = plain().slit(up, over).to(star[0], *star[1:10], step=5)
+        if name != "spiky_short":
+            script.to(star[10], step=5)
+        script.to(end, step=5).release().save(name)
+    plain().slit(up, over).arc((782, 200), 110, 180, 560, 120).release().save("circle_overshot")
+    plain().slit(up, over).arc((782, 200), 110, 180, 560, 120).release().key("B").save(
+        "circle_taken")
+    script = plain().slit(up, over).arc((782, 200), 110, 180, 560, 120).release().key("B")
+    script.wait(50).key("Z", "control").save("circle_taken_back")
+    plain().slit(up, over).arc((782, 200), 110, 180, 540, 9).release().save("circle_in_a_moment")
+    script = body().click(480, 320).command("section.addHole").wait(TURN)
+    script.press(605, 400).arc((600, 400), 5, 0, 370, 18).release().save("eye")
+    body().slit(up, over).by((36, 0), (3, 9), step=2).release().save("twitch")
     body().view("front").click(640, 400).command("view.top").wait(500).command(
         "view.previous").wait(500).save("previous_view")
     band = body().press(380, 240, "shift").to((900, 580), modifiers=("shift",)).release("shift")

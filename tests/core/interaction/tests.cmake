@@ -13,6 +13,7 @@ fff_tests(tests_interaction LIBRARIES fff::session TESTS
     core/interaction/tst_pick
     core/interaction/tst_point_gesture
     core/interaction/tst_problem_marks
+    core/interaction/tst_shape_offers
     core/interaction/tst_snapping
     core/interaction/tst_steps_player
     core/interaction/tst_transform_tool

@@ -178,6 +178,7 @@ private Q_SLOTS:
     void groundCutsFlat();
     void planesAreWhereTheyAreCalled();
     void shapesWithAKnownAnswer();
+    void endsAndSmallOnes();
     void roomIsMade();
     void selectionByRubberBand();
     void droppedToTheGround();
@@ -223,6 +224,13 @@ void TestStrokes::strokes_data()
     row("tiny_contour", nothing(hints::kTooShort));
     row("there_and_back", nothing(hints::kNoArea));
     row("self_crossing", {2, 2, Drawn, hints::kCrossesItself, false});
+    for (const char *name :
+         {"spiky_overshot", "spiky_short", "spiky_hooked", "circle_overshot", "circle_in_a_moment"})
+        row(name, {2, 2, Drawn, {}, false});
+    row("circle_taken", {2, 3, Drawn, {}, false});
+    row("circle_taken_back", {2, 3, Drawn, {}, false});
+    row("eye", {1, 2, Drawn, {}, false, 0});
+    row("twitch", nothing(hints::kTwitch));
     row("mirrored_at_6_1", {2, 2, Mirrored});
     row("first_mirrored_by_shift", {1, 1, Mirrored, {}, true, 0});
     row("mirrored_downwards", {2, 2, Mirrored});
@@ -432,6 +440,42 @@ void TestStrokes::shapesWithAKnownAnswer()
 
 /// A slit near the view's edge comes towards its middle while the cursor rests in the dead zone,
 /// and the cursor does not get out of it by that.
+/// No barb, no notch, and no corner that nobody drew; what was offered is a figure by numbers.
+void TestStrokes::endsAndSmallOnes()
+{
+    const auto corners = [](const Contour &contour) {
+        const std::vector<double> turns = turnsOf(contour);
+        return std::count_if(turns.begin(), turns.end(),
+                             [](double turn) { return turn > radians(20.0); });
+    };
+    for (const char *name : {"spiky_overshot", "spiky_short", "spiky_hooked"}) {
+        Player player;
+        QVERIFY(player.play(QLatin1String(name)));
+        QVERIFY2(corners(player.sections()[1]->shape->contour()) == 10, name);
+    }
+    for (const char *name : {"circle_overshot", "circle_in_a_moment", "circle_taken"}) {
+        Player player;
+        QVERIFY(player.play(QLatin1String(name)));
+        const Section &section = *player.sections()[1];
+        QVERIFY2(corners(section.shape->contour()) == 0, name);
+        const double radius = 110.0 * player.watched.scale;
+        const double area = std::abs(section.shape->contour().signedArea());
+        QVERIFY2(std::abs(area / (std::numbers::pi * radius * radius) - 1.0) < 0.05, name);
+        const bool isTaken = QByteArray(name) == "circle_taken";
+        QCOMPARE(section.figures.size(), std::size_t(isTaken ? 1 : 0));
+        QCOMPARE(player.interaction.hasOffer(), !isTaken);
+    }
+    Player back, drawn, eye;
+    QVERIFY(back.play(QStringLiteral("circle_taken_back")));
+    QVERIFY(drawn.play(QStringLiteral("circle_overshot")));
+    QVERIFY(!back.interaction.hasOffer() && back.sections()[1]->figures.empty());
+    QVERIFY(back.sections()[1]->shape->contour() == drawn.sections()[1]->shape->contour());
+    QVERIFY(eye.play(QStringLiteral("eye")));
+    const std::vector<Contour> &holes = eye.sections()[0]->shape->holes();
+    QCOMPARE(holes.size(), std::size_t(1));
+    QCOMPARE(corners(holes[0]), 0);
+}
+
 void TestStrokes::roomIsMade()
 {
     Player player;
