@@ -20,6 +20,8 @@
 #include <QUndoView>
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 using namespace fff;
 using namespace fff::ui;
@@ -33,6 +35,7 @@ private Q_SLOTS:
     void cleanup() { closeWindow(); }
 
     void aSecondAcrossTheFirst();
+    void whatWasMeantIsOffered();
     void shiftKeepsOneSide();
     void propertiesTellWhatIsDrawn();
     void aHole();
@@ -115,6 +118,29 @@ void TestDrawing::aSecondAcrossTheFirst()
 
 /// What would be wrong: the copied half stays although Shift is held, or comes only with the next
 /// move of the mouse.
+/// A circle by hand, a key, and one step back.
+void TestDrawing::whatWasMeantIsOffered()
+{
+    std::vector<QPoint> round;
+    for (int i = 0; i <= 40; ++i) {
+        const double a = 2.0 * std::numbers::pi * i / 39.0;
+        round.push_back(middle() +
+                        QPoint(qRound(130.0 * std::cos(a)), qRound(124.0 * std::sin(a))));
+    }
+    drag(round);
+    QCOMPARE(count(), std::size_t(1));
+    QVERIFY(interaction().hasOffer());
+    QVERIFY(first().figures.empty());
+    key(Qt::Key_B);
+    QCOMPARE(first().figures.size(), std::size_t(1));
+    QVERIFY(!interaction().hasOffer());
+    key(Qt::Key_B); // nothing is offered any more
+    QCOMPARE(steps(), 2);
+    key(Qt::Key_Z, Qt::ControlModifier);
+    QVERIFY(first().figures.empty());
+    QCOMPARE(count(), std::size_t(1));
+}
+
 void TestDrawing::shiftKeepsOneSide()
 {
     drawFirst();
