@@ -406,13 +406,21 @@ Viewport::Seen Viewport::seen() const
     const Overlay &overlay = interaction.overlay();
     Hovered hovered = interaction.hovered();
     hovered.slitStart.reset(); // nothing is seen of that
-    return {interaction.camera(),     interaction.view(),
-            interaction.selection(),  presentlyOutlined(),
-            m_bench.ghosts(),         hovered,
-            selectedSigns(),          overlay.held,
-            !overlay.drawn.isEmpty(), interaction.operationInFocus(),
-            interaction.hasGesture(), overlay.find<sign::Stroke>() || hasPath(overlay),
-            interaction.marks(),      litMark(),
+    return {interaction.camera(),
+            interaction.view(),
+            interaction.selection(),
+            presentlyOutlined(),
+            m_bench.ghosts(),
+            hovered,
+            selectedSigns(),
+            overlay.held,
+            overlay.offered,
+            !overlay.drawn.isEmpty(),
+            interaction.operationInFocus(),
+            interaction.hasGesture(),
+            overlay.find<sign::Stroke>() || hasPath(overlay),
+            interaction.marks(),
+            litMark(),
             m_bench.problemLook()};
 }
 

@@ -71,7 +71,7 @@ private:
         std::vector<SectionRef> selection, outlined;
         std::vector<SectionPointer> ghosts;
         Hovered hovered;
-        Signs selected, held;
+        Signs selected, held, offered;
         bool isDrawn = false;  // a gesture shows something: that is not compared
         OperationId operation; // in focus
         bool hasGesture = false, isGhosted = false;
