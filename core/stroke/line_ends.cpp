@@ -303,8 +303,9 @@ private:
                 best = kept;
             }
         };
-        if (const auto at = crossingOfEnds(m_way, m_kept, left()))
-            consider(*at, 0.0);
+        const auto crossing = crossingOfEnds(m_way, m_kept, left());
+        if (crossing)
+            consider(*crossing, 0.0);
         // Nearer still beyond what may be cut off is no nearest approach.
         double distance = 0.0;
         if (turnBetween(in().way, towards) > kPointsAt) {
@@ -319,6 +320,8 @@ private:
             if (s < most - m_tolerance)
                 consider({s, m_kept.to}, distance);
         }
+        m_isLoop = crossing && best.length() == crossing->length() &&
+                   m_kept.length() - best.length() > kLongestHook * m_tolerance;
         m_kept = best;
     }
 
@@ -387,6 +390,7 @@ private:
     MeantEnds line() const
     {
         MeantEnds result;
+        result.isLoop = m_isLoop;
         result.to = m_points.size() - 1;
         while (result.from < result.to && m_way.along(result.from) < m_kept.from)
             ++result.from;
@@ -418,6 +422,7 @@ private:
     Kept m_kept;
     double m_budget = 0.0; // mm that may be cut off in all
     std::optional<Vec2> m_corner;
+    bool m_isLoop = false;
 };
 
 } // namespace
@@ -425,7 +430,7 @@ private:
 MeantEnds meantEnds(const std::vector<Vec2> &samples, double tolerance)
 {
     if (samples.size() < 4)
-        return {samples, 0, samples.empty() ? 0 : samples.size() - 1, 0};
+        return {samples, 0, samples.empty() ? 0 : samples.size() - 1, 0, false};
     return MeetingEnds(samples, tolerance).meant();
 }
 

@@ -109,6 +109,7 @@ void closePlain(const std::vector<Vec2> &samples, const MeantLine &meant, double
     const FitOptions options{
         .tolerance = tolerance, .cornerAngle = meant.cornerAngle(), .work = &stroke.work};
     const MeantEnds ends = meantEnds(hasty ? *hasty : meant.points(), tolerance);
+    stroke.wasCrossing = ends.isLoop;
     if (auto loop = smallRound(ends.line, smallest)) {
         stroke.fitted = *std::move(loop);
         close(stroke.fitted, smallest, stroke);

@@ -242,7 +242,7 @@ void TestStrokes::strokes_data()
             {0, 1, Nothing, {}, true, turns});
     }
     row("cut_at_the_ground", {2, 2, Drawn, hints::kCutAtGround, false});
-    row("below_the_ground_on_purpose");
+    row("below_the_ground_on_purpose", {2, 2, Drawn, {}, false}); // its ends are led to a corner
     row("all_below_the_ground", {1, 1, Nothing, hints::kBelowGround, true, 0});
     for (const char *plane : {"plane_ground", "plane_front", "plane_side", "plane_parallel"})
         row(plane, {2, 2, Drawn, {}, true, 0});
