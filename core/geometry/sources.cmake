@@ -21,6 +21,7 @@ target_sources(fff_core PRIVATE
     geometry/halfplane_clip.cpp
     geometry/line_clip.cpp
     geometry/mapped_contour.cpp
+    geometry/mirrored_boundaries.cpp
     geometry/moments.cpp
     geometry/notch.cpp
     geometry/offset.cpp

@@ -358,12 +358,6 @@ std::vector<FittedPiece> settledIn(const Line &half, const Line &samples, const 
 
 } // namespace
 
-Vec2 MirrorAxis::mirrored(const Vec2 &p) const
-{
-    const Vec2 normal = perpendicular(direction);
-    return p - 2.0 * normal.dot(p - point) * normal;
-}
-
 SymmetryVerdict judgeSymmetry(const std::vector<Vec2> &samples, const MirrorAxis &axis,
                               double ratio)
 {

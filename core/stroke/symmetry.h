@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/geometry/bezier.h"
+#include "core/geometry/mirror_axis.h"
 
 #include <optional>
 #include <vector>
@@ -11,17 +12,6 @@ namespace fff {
 
 /// Of the larger distance to the smaller one from which on a stroke is mirrored (paper: 6.0).
 inline constexpr double kMirrorRatio = 6.0;
-
-/// The line across which a stroke is mirrored: a slit's, or the vertical through the start of the
-/// first section's.
-struct MirrorAxis
-{
-    Vec2 point = Vec2::Zero();
-    Vec2 direction = Vec2::UnitX(); // unit
-
-    /// p mirrored across it.
-    Vec2 mirrored(const Vec2 &p) const;
-};
 
 /// How far a stroke reaches on both sides of the axis, and what follows.
 struct SymmetryVerdict
