@@ -3,11 +3,13 @@
 #include "core/base/tolerances.h"
 #include "core/geometry/boolean.h"
 #include "core/interaction/contour_words.h"
+#include "core/interaction/snapping.h"
 #include "core/model/edit_words.h"
 #include "core/model/edits.h"
 #include "core/model/figures.h"
 #include "core/model/ground.h"
 #include "core/model/mended_shape.h"
+#include "core/model/symmetric_section.h"
 
 #include <algorithm>
 #include <cmath>
@@ -65,17 +67,44 @@ tl::expected<DrawnContour, Hint> withShape(const Document &document, const Secti
     return drawn;
 }
 
-tl::expected<DrawnContour, Hint> newSection(const Document &document, const ContourTarget &target,
-                                            const Contour &contour, const Naming &naming)
+/// The axis, where what was kept of the contour is symmetric to it.
+std::optional<MirrorAxis> symmetricTo(const Shape &shape, const MirrorAxis &axis)
 {
-    const Result<ShapePointer> shape = Shape::make(contour);
+    return isSymmetric(shape, axis) ? std::optional(axis) : std::nullopt;
+}
+
+/// From the coordinates of one frame to those of another one in the same plane.
+MirrorAxis inFrame(const MirrorAxis &axis, const Frame &from, const Frame &to)
+{
+    return {to.toLocal(from.toWorld(axis.point)),
+            to.directionToLocal(from.directionToWorld(axis.direction)).normalized()};
+}
+Result<Contour> inFrame(const Contour &contour, const Frame &from, const Frame &to)
+{
+    if (from == to)
+        return contour;
+    std::vector<Vec2> points;
+    for (const Vec2 &p : contour.points())
+        points.push_back(to.toLocal(from.toWorld(p)));
+    return Contour::fromPoints(std::move(points));
+}
+
+tl::expected<DrawnContour, Hint> newSection(const Document &document, const ContourTarget &target,
+                                            const Contour &contour, const DrawingRules &rules)
+{
+    NewSection section;
+    section.frame = seenFrame(target);
+    const Result<Contour> placed = inFrame(contour, target.canvas, section.frame);
+    const Result<ShapePointer> shape =
+        placed ? Shape::make(*placed) : Result<ShapePointer>(tl::unexpected(placed.error()));
     if (!shape)
         return refused(hints::kFailed);
-    NewSection section;
-    section.name = freeSectionName(document, naming);
+    section.name = freeSectionName(document, rules.naming);
     section.shape = *shape;
-    section.frame = target.canvas;
     section.parent = target.parent;
+    if (rules.axis)
+        section.symmetry =
+            symmetricTo(*section.shape, inFrame(*rules.axis, target.canvas, section.frame));
     Result<Document> next = addSection(document, std::move(section));
     if (!next)
         return refused(hints::kFailed);
@@ -89,12 +118,23 @@ tl::expected<DrawnContour, Hint> newSection(const Document &document, const Cont
 }
 
 tl::expected<DrawnContour, Hint> redrawn(const Document &document, SectionId id,
-                                         const Contour &contour)
+                                         const Contour &contour,
+                                         const std::optional<MirrorAxis> &axis)
 {
     const Section *section = document.find(id);
     if (!section)
         return refused(hints::kFailed);
-    return withShape(document, *section, contour, section->shape->holes(), kRedrawSection);
+    tl::expected<DrawnContour, Hint> drawn =
+        withShape(document, *section, contour, section->shape->holes(), kRedrawSection);
+    if (!drawn)
+        return drawn;
+    const Shape &shape = *drawn->document.find(id)->shape;
+    Result<Document> next = setSymmetry(std::move(drawn->document), id,
+                                        axis ? symmetricTo(shape, *axis) : std::nullopt);
+    if (!next)
+        return refused(hints::kFailed);
+    drawn->document = *std::move(next);
+    return drawn;
 }
 
 /// In the contour and away from all other holes: nothing has to be mended.
@@ -155,6 +195,21 @@ ContourTarget ContourTarget::hole(const Section &section)
     return target;
 }
 
+Frame seenFrame(const ContourTarget &target)
+{
+    const Frame &canvas = target.canvas;
+    const auto eye = Eigen::Quaterniond::FromTwoVectors(Vec3::UnitZ(), canvas.normal());
+    Frame frame = ownGrid(canvas, eye);
+    Vec3 x = frame.x;
+    for (const Vec3 &other : {frame.y, Vec3(-frame.x), Vec3(-frame.y)})
+        if (other.dot(target.right) > x.dot(target.right) + kSameDirection)
+            x = other;
+    // The very axes where they differ by rounding alone.
+    if ((x - canvas.x).norm() < kSameDirection)
+        return canvas;
+    return {canvas.origin, x, frame.x.cross(frame.y).cross(x).normalized()};
+}
+
 std::optional<MirrorAxis> slitAxis(const ContourTarget &target, const Document &document)
 {
     std::optional<Parent> parent = target.parent;
@@ -198,9 +253,10 @@ tl::expected<DrawnContour, Hint> drawContour(const Document &document, const Con
     if (pieces->empty())
         return refused(hints::kBelowGround);
     const Contour &kept = pieces->front().outer;
-    tl::expected<DrawnContour, Hint> drawn = target.purpose == ContourTarget::Purpose::Redraw
-                                                 ? redrawn(document, target.section, kept)
-                                                 : newSection(document, target, kept, rules.naming);
+    tl::expected<DrawnContour, Hint> drawn =
+        target.purpose == ContourTarget::Purpose::Redraw
+            ? redrawn(document, target.section, kept, rules.axis)
+            : newSection(document, target, kept, rules);
     if (!drawn)
         return drawn;
     drawn->isCutAtGround = !(kept == contour);
@@ -220,7 +276,14 @@ tl::expected<DrawnContour, Hint> drawFigure(const Document &document, const Cont
     tl::expected<DrawnContour, Hint> drawn = drawContour(document, target, *contour, rules);
     if (!drawn)
         return drawn;
-    Result<Document> with = addFigure(drawn->document, drawn->section.drawn, figure);
+    Figure placed = figure;
+    const Frame &frame = drawn->document.find(drawn->section.drawn)->frame;
+    if (!(frame == target.canvas)) {
+        placed.centre = frame.toLocal(target.canvas.toWorld(figure.centre));
+        const Vec2 right = frame.directionToLocal(target.canvas.x);
+        placed.turn += std::atan2(right.y(), right.x());
+    }
+    Result<Document> with = addFigure(drawn->document, drawn->section.drawn, placed);
     if (with)
         drawn->document = *std::move(with);
     return drawn;

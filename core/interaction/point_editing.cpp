@@ -6,6 +6,7 @@
 #include "core/model/edits.h"
 #include "core/model/ground.h"
 #include "core/model/origin.h"
+#include "core/model/symmetric_section.h"
 
 #include <algorithm>
 #include <array>
@@ -95,6 +96,11 @@ PointEdit withEditedShape(const Document &document, SectionId id, const Result<S
     ShapePointer kept = *shape;
     if (rules.mirror && !(*kept == *section->shape)) {
         const Result<ShapePointer> whole = withImage(*section->shape, *kept, *rules.mirror);
+        if (!whole)
+            return tl::unexpected(whyNoShape(whole.error(), *section));
+        kept = *whole;
+    } else if (const MirrorAxis *axis = symmetryOf(*section); axis && !(*kept == *section->shape)) {
+        const Result<ShapePointer> whole = symmetrised(*section->shape, kept, *axis);
         if (!whole)
             return tl::unexpected(whyNoShape(whole.error(), *section));
         kept = *whole;

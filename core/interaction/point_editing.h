@@ -35,7 +35,8 @@ struct PointRules
     std::optional<Halfplane> mirror = {};
 };
 
-/// The section with this shape. `places`: of the points to be selected, frame coordinates.
+/// The section with this shape; one that stays symmetric (symmetric_section.h) on both sides.
+/// `places`: of the points to be selected, frame coordinates.
 /// Refused where it is locked (Locked), or as the shape was: WouldCrossItself, WouldMeetHole,
 /// WouldBeEmpty, TooFewPoints; where nothing of it is above the ground, WouldBeBelowGround.
 PointEdit withEditedShape(const Document &document, SectionId section,

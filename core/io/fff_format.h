@@ -10,6 +10,7 @@
 //                         "parent": { "section": ref, "slitFrom": [x, y], "slitTo": [x, y],
 //                                     "free" },
 //                         "frame": { "origin": [x, y, z], "x": [...], "y": [...] },
+//                         "symmetry": { "point": [x, y], "direction": [x, y] },
 //                         "figures": [ { "kind", "centre": [x, y], "turn",
 //                                        "numbers": { "key": number } } ],
 //                         "marks": [ { "kind": "engraved|scored", "paths": [ [[x, y], ...], ... ],
@@ -31,18 +32,19 @@
 // Strengths and modulus are null when not rated; "parent", "holes", "weights", "joints", and of a
 // joint all but its two sections, may be missing; of a section "locked", and of a parent "free"
 // (then false), of a section "figures" (core/geometry/figure.h), which say what boundaries were
-// made of, as far as they are as those still, "marks" (core/model/mark.h), of a mark "lettering";
-// "dimensions" and "numbers" (core/model/dimension.h, named_number.h), of an anchor "section";
-// "blobs" (core/model/blob.h), whose bytes are beside the JSON (core/io/fff_file.h), of these
-// "mediaType" and "name"; of a stock "slitEnd" (then square), "toolDiameter" (3.175), "leadIn" and
-// "bumps" (0); of an operation "on" (then true) and "exceptions". Kinds of operations, their roles
-// and parameters: core/operations; a file keeps also those that do not count. `joints` are those of
-// which something is wanted (core/model/joint_override.h). A contour has three control points a
-// segment, p0 h h, a segment on each line; the last closes onto the first. A ref is the id of a
-// drawn section, or { "operation": id, "instance": "key" } for one that an operation makes; the
-// latter may name nothing now (dormant). `shapes` stand in the order of their first use; sections
-// that name the same index share one Shape, as they did when written. Unknown keys are passed over:
-// what changes the meaning of a file raises its version.
+// made of, as far as they are as those still, "symmetry", to which line it stays symmetric when its
+// points are edited (core/model/symmetric_section.h), "marks" (core/model/mark.h), of a mark
+// "lettering"; "dimensions" and "numbers" (core/model/dimension.h, named_number.h), of an anchor
+// "section"; "blobs" (core/model/blob.h), whose bytes are beside the JSON (core/io/fff_file.h), of
+// these "mediaType" and "name"; of a stock "slitEnd" (then square), "toolDiameter" (3.175),
+// "leadIn" and "bumps" (0); of an operation "on" (then true) and "exceptions". Kinds of operations,
+// their roles and parameters: core/operations; a file keeps also those that do not count. `joints`
+// are those of which something is wanted (core/model/joint_override.h). A contour has three control
+// points a segment, p0 h h, a segment on each line; the last closes onto the first. A ref is the id
+// of a drawn section, or { "operation": id, "instance": "key" } for one that an operation makes;
+// the latter may name nothing now (dormant). `shapes` stand in the order of their first use;
+// sections that name the same index share one Shape, as they did when written. Unknown keys are
+// passed over: what changes the meaning of a file raises its version.
 #pragma once
 
 #include "core/io/blobs.h"

@@ -44,6 +44,7 @@ private:
     ShapePointer readShape(const JsonCursor &cursor);
     Frame readFrame(const JsonCursor &cursor, const std::string &sectionName);
     std::optional<Parent> readParent(const JsonCursor &cursor);
+    std::optional<MirrorAxis> readSymmetry(const JsonCursor &cursor);
     SectionPointer readSection(const JsonCursor &cursor, const std::vector<ShapePointer> &shapes);
     Weight readWeight(const JsonCursor &cursor);
     JointOverride readJoint(const JsonCursor &cursor);
@@ -225,6 +226,17 @@ std::optional<Parent> FffReader::readParent(const JsonCursor &cursor)
     return parent;
 }
 
+std::optional<MirrorAxis> FffReader::readSymmetry(const JsonCursor &cursor)
+{
+    if (!cursor.exists())
+        return std::nullopt;
+    const JsonCursor direction = cursor.member("direction");
+    MirrorAxis axis{cursor.member("point").point2(), direction.point2()};
+    if (!m_problems.failed() && std::abs(axis.direction.norm() - 1.0) > kExactFrame)
+        direction.failExpected(QT_TRANSLATE_NOOP("Error", "a direction of length 1"));
+    return axis;
+}
+
 SectionPointer FffReader::readSection(const JsonCursor &cursor,
                                       const std::vector<ShapePointer> &shapes)
 {
@@ -242,6 +254,7 @@ SectionPointer FffReader::readSection(const JsonCursor &cursor,
         section->isLocked = locked.truth();
     section->parent = readParent(cursor.member("parent"));
     section->frame = readFrame(cursor.member("frame"), section->name);
+    section->symmetry = readSymmetry(cursor.member("symmetry"));
     section->figures = readFigures(cursor.member("figures"), section->shape);
     section->marks = readMarks(cursor.member("marks"));
     return section;

@@ -124,6 +124,13 @@ void writeSection(JsonWriter &json, const Section &section, std::size_t shapeInd
     json.member("x", section.frame.x);
     json.member("y", section.frame.y);
     json.endObject();
+    if (section.symmetry) {
+        json.key("symmetry");
+        json.beginObject(Layout::Line);
+        json.member("point", section.symmetry->point);
+        json.member("direction", section.symmetry->direction);
+        json.endObject();
+    }
     writeFigures(json, section);
     writeMarks(json, section);
     json.endObject();

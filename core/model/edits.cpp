@@ -109,6 +109,7 @@ Result<Document> addSections(Document document, std::vector<NewSection> sections
         next.name = section.name.empty() ? freeSectionName(document) : std::move(section.name);
         next.parent = std::move(section.parent);
         next.shape = std::move(section.shape);
+        next.symmetry = section.symmetry;
         next.frame = section.frame;
         next.stock = stock;
         document.sections.push_back(std::make_shared<const Section>(std::move(next)));

@@ -17,6 +17,7 @@ struct NewSection
     ShapePointer shape;
     Frame frame;
     StockId stock; // invalid: the document's current one
+    std::optional<MirrorAxis> symmetry = {};
 };
 
 /// Appends a section; its id is the document's nextId. Errors also: UnknownReference of its stock,

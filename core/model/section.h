@@ -4,6 +4,7 @@
 #include "core/base/ids.h"
 #include "core/geometry/figure.h"
 #include "core/geometry/frame.h"
+#include "core/geometry/mirror_axis.h"
 #include "core/model/mark.h"
 #include "core/model/shape.h"
 
@@ -63,6 +64,10 @@ struct Section
     /// the edits of the shape (core/model/figures.h).
     std::vector<Figure> figures = {};
     std::vector<MarkPointer> marks = {}; // never null; on the side that the normal points to
+
+    /// To which it was made symmetric and shall stay so when its points are edited, frame
+    /// coordinates; counts as long as it is (core/model/symmetric_section.h).
+    std::optional<MirrorAxis> symmetry = {};
 
     SectionRef ref() const { return id.isValid() ? SectionRef(id) : made; }
     /// Same values; shapes are compared by their curves.

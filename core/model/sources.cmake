@@ -24,5 +24,6 @@ target_sources(fff_core PRIVATE
     model/shape_change.cpp
     model/step.cpp
     model/stock.cpp
+    model/symmetric_section.cpp
     model/transformed.cpp
 )

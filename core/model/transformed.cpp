@@ -35,6 +35,9 @@ Result<Section> stretched(Section section, const PlaneMap &map, const ShapeMap &
             figures.push_back(*std::move(next));
     section.figures = std::move(figures);
     section.marks = mapped(section.marks, map.matrix, map.about);
+    if (section.symmetry)
+        section.symmetry = MirrorAxis{map(section.symmetry->point),
+                                      (map.matrix * section.symmetry->direction).normalized()};
     return section;
 }
 

@@ -4,9 +4,11 @@
 #include "core/interaction/pick_section_tool.h"
 #include "core/interaction/section_editing.h"
 #include "core/interaction/section_words.h"
+#include "core/interaction/symmetry_editing.h"
 #include "core/interaction/transform_tool.h"
 #include "core/model/edit_words.h"
 #include "core/model/origin.h"
+#include "core/model/symmetric_section.h"
 #include "core/operations/evaluate.h"
 #include "core/operations/operation_kind.h"
 #include "core/session/command_rules.h"
@@ -160,6 +162,12 @@ public:
         m_interaction.carryOut(locked(model(), sections(), switched(parameters, isLocked())), time);
         return {};
     }
+    Result<void> keepSymmetric(const CommandParameters &parameters, double time) const
+    {
+        m_interaction.carryOut(
+            keptSymmetric(model(), sections(), switched(parameters, isSymmetric())), time);
+        return {};
+    }
     Result<void> makeOrthogonal(const CommandParameters &, double time) const
     {
         m_interaction.carryOut(fff::madeOrthogonal(model(), sections(), takesChildren()), time);
@@ -252,6 +260,20 @@ public:
             return origin && origin->section->isLocked;
         });
     }
+    bool isSymmetric() const
+    {
+        const std::vector<SectionRef> all = sections();
+        return !all.empty() && std::all_of(all.begin(), all.end(), [this](const SectionRef &ref) {
+            return symmetryOf(*model().find(ref)) != nullptr;
+        });
+    }
+    bool canBeSymmetric() const
+    {
+        const std::vector<SectionRef> all = sections();
+        return std::any_of(all.begin(), all.end(), [this](const SectionRef &ref) {
+            return symmetryAxis(*model().find(ref), model().document).has_value();
+        });
+    }
 
 private:
     const Model &model() const { return m_session.committed(); }
@@ -322,6 +344,9 @@ void registerSectionCommands(CommandRegistry &registry, Session &session, Intera
     const CommandRule drawn = needsAmongSelected(
         interaction, [commands] { return commands.hasDrawn(); },
         FFF_TEXT("Command", "What is selected is made by an operation"));
+    const CommandRule symmetric = needsAmongSelected(
+        interaction, [commands] { return commands.canBeSymmetric(); },
+        FFF_TEXT("Command", "What is selected is not symmetric"));
     const CommandRule made = needsAmongSelected(
         interaction, [commands] { return commands.hasMade(); },
         FFF_TEXT("Command", "What is selected is drawn"));
@@ -334,6 +359,8 @@ void registerSectionCommands(CommandRegistry &registry, Session &session, Intera
         {"section.place", &Commands::place, selected},
         {"section.free", &Commands::free, onSome, [commands] { return commands.isFree(); }},
         {"section.lock", &Commands::lock, drawn, [commands] { return commands.isLocked(); }},
+        {"section.symmetric", &Commands::keepSymmetric, symmetric,
+         [commands] { return commands.isSymmetric(); }},
         {"section.makeOrthogonal", &Commands::makeOrthogonal, onSome},
         {"section.snapNormal", &Commands::snapNormal, drawn},
         {"section.putOn", &Commands::putOn,

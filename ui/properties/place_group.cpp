@@ -5,6 +5,7 @@
 #include "core/interaction/section_editing.h"
 #include "core/model/moving.h"
 #include "core/model/origin.h"
+#include "core/model/symmetric_section.h"
 #include "ui/bench/workbench.h"
 #include "ui/properties/number_edit.h"
 
@@ -52,6 +53,10 @@ PlaceGroup::PlaceGroup(Workbench &bench, QWidget *parent)
     addSwitch(PlaceGroupTexts::tr("Locked"), "sectionLocked",
               PlaceGroupTexts::tr("It stays as it is, unless what it is on is moved"),
               "section.lock", [](const Section &section) { return section.isLocked; });
+    addSwitch(PlaceGroupTexts::tr("Symmetric"), "sectionSymmetric",
+              PlaceGroupTexts::tr("What is done to points of one half is done to the other one"),
+              "section.symmetric",
+              [](const Section &section) { return symmetryOf(section) != nullptr; });
 }
 
 void PlaceGroup::add(PropertyRow *row)
