@@ -1,8 +1,11 @@
 #include "core/interaction/figure_editing.h"
 
+#include "core/base/tolerances.h"
 #include "core/interaction/contour_words.h"
+#include "core/interaction/pick.h"
 #include "core/interaction/point_editing.h"
 #include "core/interaction/section_editing.h"
+#include "core/interaction/snapping.h"
 #include "core/model/edit_words.h"
 #include "core/model/figures.h"
 
@@ -16,6 +19,9 @@ namespace {
 
 /// A section that rises by less (sine) counts as level.
 constexpr double kLevel = 0.02;
+/// Sine of the lean of a plane that something can stand in (30°), and of the angle at which the
+/// view looks down on an upright plane too flatly to draw in it (60°).
+constexpr double kStands = 0.5, kLooksDown = 0.866;
 /// Of a hole that nobody gave a place: of the section's size, and how many places are tried along
 /// each of its sides.
 constexpr double kShare = 1.0 / 3.0;
@@ -34,6 +40,47 @@ SectionEdit edited(tl::expected<DrawnContour, Hint> drawn)
     return result;
 }
 
+/// The plane that the figure is to lie in, x to the right and y up as it is seen.
+Frame planeOf(const Model &model, const FigurePlace &place)
+{
+    const Eigen::Quaterniond &view = place.camera.orientation;
+    const auto &sections = model.document.sections;
+    const Section *section = place.section;
+    if (!section && !sections.empty())
+        section = sections.back().get();
+    if (section)
+        return ownGrid(section->frame, view);
+    const Vec3 backward = place.camera.backward();
+    if (std::abs(backward.y()) > kLooksDown)
+        return ownGrid({Vec3::Zero(), Vec3::UnitX(), -Vec3::UnitZ()}, view);
+    const Vec3 normal = Vec3(backward.x(), 0.0, backward.z()).normalized();
+    return {Vec3::Zero(), Vec3::UnitY().cross(normal), Vec3::UnitY()};
+}
+
+/// How far to the right the box has to go so that it is beside what lies in that plane.
+double wayToTheRight(const Model &model, const Frame &plane, const Box2 &box)
+{
+    std::vector<Box2> there;
+    for (std::size_t i = 0; i < model.sectionCount(); ++i) {
+        const Section &section = *model.section(i);
+        if (section.frame.normal().cross(plane.normal()).norm() > kPracticallyParallel ||
+            std::abs(plane.height(section.frame.origin)) > model.stockOf(i).thickness)
+            continue;
+        Box2 own;
+        for (const Vec2 &p : section.shape->region().outer)
+            own.extend(plane.toLocal(section.frame.toWorld(p)));
+        there.push_back(own);
+    }
+    std::sort(there.begin(), there.end(),
+              [](const Box2 &a, const Box2 &b) { return a.max.x() < b.max.x(); });
+    double way = 0.0;
+    for (const Box2 &own : there)
+        if (own.min.y() < box.max.y() + kBeside && own.max.y() > box.min.y() - kBeside &&
+            own.min.x() < box.max.x() + way + kBeside && own.max.x() > box.min.x() + way - kBeside)
+            way = own.max.x() + kBeside - box.min.x();
+    return way;
+}
+
 } // namespace
 
 double uprightTurn(const Frame &frame)
@@ -42,7 +89,8 @@ double uprightTurn(const Frame &frame)
     return up.norm() <= kLevel ? 0.0 : std::atan2(up.y(), up.x()) - 0.5 * std::numbers::pi;
 }
 
-SectionEdit addedFigure(const Model &model, Figure figure, const DrawingRules &rules)
+SectionEdit addedFigure(const Model &model, Figure figure, const FigurePlace &place,
+                        const DrawingRules &rules)
 {
     figure.centre = Vec2::Zero();
     const Result<Contour> contour = contourOf(figure);
@@ -51,11 +99,16 @@ SectionEdit addedFigure(const Model &model, Figure figure, const DrawingRules &r
     Box2 box;
     for (const Vec2 &p : contour->flatten(kFineChord).points)
         box.extend(p);
-    const Box3 there = model.bounds();
-    Frame frame;
-    frame.origin.y() = kFineChord - box.min.y(); // or the ground would cut off a hair of it
-    if (!there.isEmpty())
-        frame.origin.x() = there.max.x() + kBeside - box.min.x();
+    const Frame plane = planeOf(model, place);
+    Vec2 middle = pointOnPlane(place.camera, place.viewport, plane, 0.5 * place.viewport)
+                      .value_or(Vec2::Zero());
+    if (plane.y.y() > kLevel) { // above the ground, which would cut off a hair of what touches it
+        const double lowest = (kFineChord - plane.origin.y()) / plane.y.y() - box.min.y();
+        const bool stands = std::abs(plane.normal().y()) < kStands;
+        middle.y() = stands ? lowest : std::max(lowest, middle.y());
+    }
+    middle.x() += wayToTheRight(model, plane, {middle + box.min, middle + box.max});
+    const Frame frame{plane.toWorld(middle), plane.x, plane.y};
     SectionEdit edit =
         edited(drawFigure(model.document, ContourTarget::newSection(frame), figure, rules));
     if (edit)

@@ -62,7 +62,10 @@ GestureReply FigureTool::begin(GestureContext &context, double)
 
 void FigureTool::setCanvas(CanvasChoice canvas, const GestureContext &context)
 {
-    m_targets.emplace(canvas.target.canvas, context.camera.orientation);
+    const Frame &frame = canvas.target.canvas;
+    const Eigen::Quaterniond &view = context.camera.orientation;
+    const bool isFirst = context.model.sectionCount() == 0;
+    m_targets.emplace(frame, isFirst ? canvasGrid(frame, view) : ownGrid(frame, view));
     m_targets->addModel(context.model, context.view, {});
     m_canvas = std::move(canvas);
     m_target = m_canvas.target;

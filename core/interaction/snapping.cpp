@@ -43,7 +43,7 @@ std::vector<Line> linesOf(const SnapTargets &targets)
         lines.push_back({1, at.y(), point});
     }
     if (targets.meetsGround())
-        lines.push_back({1, 0.0, {}});
+        lines.push_back({1, *targets.ground(), {}});
     return lines;
 }
 
@@ -130,10 +130,17 @@ double gridStep(double millimetresPerPixel)
     return 10.0 * power;
 }
 
-SnapTargets::SnapTargets(const Frame &canvas, const Eigen::Quaterniond &orientation)
-    : m_canvas(canvas), m_grid(canvasGrid(canvas, orientation)),
-      m_meetsGround(!isLevel(canvas.normal()))
+Frame ownGrid(const Frame &canvas, const Eigen::Quaterniond &orientation)
 {
+    Frame grid = canvasGrid(canvas, orientation);
+    grid.origin = canvas.origin;
+    return grid;
+}
+
+SnapTargets::SnapTargets(const Frame &canvas, const Frame &grid) : m_canvas(canvas), m_grid(grid)
+{
+    if (!isLevel(canvas.normal()))
+        m_ground = -grid.origin.y() / grid.y.y();
 }
 
 void SnapTargets::addIfOn(const Vec3 &world)

@@ -26,6 +26,10 @@ namespace fff {
 /// there is no such line, it is nearest to the world's origin, and x is the world's.
 Frame canvasGrid(const Frame &canvas, const Eigen::Quaterniond &orientation);
 
+/// The same axes, counted from the canvas' own origin: of a section that is there, and of a slit.
+/// Where a plane rises by a few degrees only, it meets the ground metres away.
+Frame ownGrid(const Frame &canvas, const Eigen::Quaterniond &orientation);
+
 /// Distance of the grid's lines, mm: the smallest of 1, 2, 5 · 10ⁿ that is kGridPixels or more.
 double gridStep(double millimetresPerPixel);
 inline constexpr double kGridPixels = 8.0;
@@ -37,7 +41,12 @@ class SnapTargets
 {
 public:
     /// orientation: of the camera, for which way the grid's x goes.
-    SnapTargets(const Frame &canvas, const Eigen::Quaterniond &orientation);
+    SnapTargets(const Frame &canvas, const Eigen::Quaterniond &orientation)
+        : SnapTargets(canvas, canvasGrid(canvas, orientation))
+    {
+    }
+    /// grid: canvasGrid() or ownGrid().
+    SnapTargets(const Frame &canvas, const Frame &grid);
 
     /// A point to be drawn to.
     void addPoint(const Vec2 &point) { m_points.push_back(point); }
@@ -51,8 +60,9 @@ public:
     const Frame &grid() const { return m_grid; }
     const std::vector<Vec2> &points() const { return m_points; }
     const std::vector<Vec2> &aligned() const { return m_aligned; }
-    /// The grid's y = 0 is the ground.
-    bool meetsGround() const { return m_meetsGround; }
+    bool meetsGround() const { return m_ground.has_value(); }
+    /// Where it does, at the grid's y, mm.
+    const std::optional<double> &ground() const { return m_ground; }
     Vec2 toGrid(const Vec2 &point) const { return m_grid.toLocal(m_canvas.toWorld(point)); }
     Vec2 fromGrid(const Vec2 &point) const { return m_canvas.toLocal(m_grid.toWorld(point)); }
 
@@ -62,7 +72,7 @@ private:
 
     Frame m_canvas, m_grid;
     std::vector<Vec2> m_points, m_aligned;
-    bool m_meetsGround = false;
+    std::optional<double> m_ground;
 };
 
 /// A point, and what caught it.

@@ -3,6 +3,7 @@
 #include "core/base/units.h"
 #include "core/interaction/figure_editing.h"
 #include "core/interaction/figure_tool.h"
+#include "core/interaction/section_view.h"
 #include "core/model/figures.h"
 #include "core/model/origin.h"
 #include "core/session/command_rules.h"
@@ -65,7 +66,11 @@ public:
         if (wanted != "section" && !hasSection)
             return failure(ErrorCode::BadValue, "as", {wanted, "a section that is selected"});
         m_interaction.layDown(time);
-        m_interaction.carryOut(edit(kind, *figure, wanted, parameters), time);
+        const SectionEdit made = edit(kind, *figure, wanted, parameters);
+        const bool isSection = made && wanted == "section";
+        m_interaction.carryOut(made, time);
+        if (isSection)
+            lookAtLast(time);
         return {};
     }
 
@@ -120,12 +125,24 @@ private:
     {
         const InteractionSettings &settings = m_interaction.settings();
         if (as == "section")
-            return addedFigure(model(), figure, {settings.cutsAtGround, settings.naming});
+            return addedFigure(model(), figure,
+                               {m_interaction.targetCamera(), m_interaction.viewport(), section()},
+                               {settings.cutsAtGround, settings.naming});
         if (as == "contour")
             return figureContour(model(), section()->ref(), kind);
         return parameters.contains("x") || parameters.contains("y")
                    ? figureHole(model(), section()->ref(), figure)
                    : figureHoleInside(model(), section()->ref(), figure);
+    }
+
+    /// Unless it is seen well as the view is.
+    void lookAtLast(double time) const
+    {
+        const std::optional<Camera> camera =
+            cameraAtSection(*model().document.sections.back(), m_interaction.targetCamera(),
+                            m_interaction.viewport());
+        if (camera)
+            m_interaction.turnTo(*camera, time, m_interaction.settings().turnTime);
     }
 
     /// What is not said stays.
