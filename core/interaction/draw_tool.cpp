@@ -4,6 +4,7 @@
 #include "core/base/units.h"
 #include "core/interaction/contour_words.h"
 #include "core/interaction/facing.h"
+#include "core/interaction/section_view.h"
 #include "core/interaction/snapping.h"
 
 #include <cmath>
@@ -11,10 +12,12 @@
 
 namespace fff {
 
-Camera cameraAtCanvas(const ContourTarget &target, const GestureContext &context)
+std::optional<Camera> cameraAtCanvas(const ContourTarget &target, const GestureContext &context)
 {
     const Frame &canvas = target.canvas;
     const Section *section = context.model.document.find(target.section);
+    if (section && isSeenFaced(*section, context.camera, context.viewport))
+        return {};
     Vec3 middle = canvas.origin;
     if (section)
         middle = section->frame.toWorld(section->shape->bounds().center());
@@ -140,7 +143,7 @@ void DrawTool::mark(GestureContext &context, bool)
                      origin, context.viewport))) < std::sin(kMinDrawAngle);
     context.overlay.drawn.remove<sign::Rulers>(); // of the stroke: these follow the view
     context.overlay.held.add(
-        sign::Rulers{canvasGrid(m_canvas.target.canvas, context.camera.orientation)});
+        sign::Rulers{ownGrid(m_canvas.target.canvas, context.camera.orientation)});
     if (m_canvas.distance && !m_stroke)
         context.overlay.held.add(planeMark(m_canvas.target.canvas, context));
 }

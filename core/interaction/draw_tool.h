@@ -43,9 +43,10 @@ private:
     bool m_isOnEdge = false; // as the view looks at the canvas now
 };
 
-/// The view straight at a canvas after the least turn, what is to be seen of it in the middle: the
-/// target's section, or what the model has there.
-Camera cameraAtCanvas(const ContourTarget &target, const GestureContext &context);
+/// The view straight at a canvas from its nearer side, what is to be seen of it in the middle: the
+/// target's section, or what the model has there. None where the section is seen and faced already
+/// (section_view.h): then it is drawn on as it is seen.
+std::optional<Camera> cameraAtCanvas(const ContourTarget &target, const GestureContext &context);
 
 /// A plane as a frame round what the model has there, for one that is moved to and fro.
 sign::Region planeMark(const Frame &canvas, const GestureContext &context);

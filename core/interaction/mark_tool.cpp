@@ -10,6 +10,7 @@
 #include "core/interaction/mark_editing.h"
 #include "core/interaction/mark_words.h"
 #include "core/interaction/section_editing.h"
+#include "core/interaction/section_view.h"
 #include "core/interaction/stroke_words.h"
 #include "core/model/origin.h"
 
@@ -43,7 +44,7 @@ GestureReply MarkTool::begin(GestureContext &context, double)
     return take(selected.front(), context);
 }
 
-/// The view turns to look at the section's front.
+/// The view turns to look at the section's front, unless it faces that already.
 GestureReply MarkTool::take(const SectionRef &ref, GestureContext &context)
 {
     GestureReply reply;
@@ -57,14 +58,20 @@ GestureReply MarkTool::take(const SectionRef &ref, GestureContext &context)
     m_canvas = section.frame;
     m_before = context.camera;
     m_solo.begin(ref, context.view);
+    reply.select = {{ref}};
     const Vec3 middle = section.frame.toWorld(section.shape->bounds().center());
+    const bool isFromBehind =
+        section.frame.normal().dot(context.camera.towardsEye(middle, context.viewport)) < 0.0;
+    if (isFromBehind)
+        reply.note = Hint(hints::kEngravesFront, {Named{m_name}});
+    else if (isSeenFaced(section, context.camera, context.viewport))
+        return reply;
     Eigen::Quaterniond facing =
         facingOrientation(context.camera.orientation, section.frame.normal());
     if ((facing * Vec3::UnitZ()).dot(section.frame.normal()) < 0.0)
         facing = Eigen::AngleAxisd(std::numbers::pi, facing * Vec3::UnitY()) * facing;
     const Camera camera = turned(context.camera, facing, middle, context.viewport);
     reply.turnTo = pinned(camera, middle, 0.5 * context.viewport, context.viewport);
-    reply.select = {{ref}};
     return reply;
 }
 
@@ -209,7 +216,7 @@ bool MarkTool::isOnSection(const Mark &mark, const GestureContext &context) cons
 void MarkTool::mark(GestureContext &context, bool)
 {
     if (m_section)
-        context.overlay.held.add(sign::Rulers{canvasGrid(m_canvas, context.camera.orientation)});
+        context.overlay.held.add(sign::Rulers{ownGrid(m_canvas, context.camera.orientation)});
 }
 
 GestureReply MarkTool::interrupt(GestureContext &)

@@ -1,6 +1,7 @@
 // Draws what is engraved or scored on a section: a drag draws a line, a click sets words, which are
 // then written in Properties. The view turns to the section's front, which is the side that the
-// machine sees. It stays in the hand until it is laid down.
+// machine sees, also when it looks from behind, and says so then. It stays in the hand until it is
+// laid down.
 //
 //     no section   the next click picks one
 //     section      a drag draws a line as the hand goes; with Shift a straight one, in one of the

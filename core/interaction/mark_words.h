@@ -11,6 +11,10 @@ inline constexpr Text kDrawMark = FFF_TEXT(
     "Hint", "Drag to draw a line on %1; <kbd>Shift</kbd> keeps it straight. Click to set words.");
 inline constexpr Text kDrawingMark =
     FFF_TEXT("Hint", "Release to leave the line so. <kbd>Esc</kbd> cancels.");
+//: %1 is the name of a section, seen from behind until now
+inline constexpr Text kEngravesFront =
+    FFF_TEXT("Hint", "%1 is engraved on its front, the one face that the laser reaches; the view "
+                     "has turned to it.");
 inline constexpr Text kMarkOutside = FFF_TEXT("Hint", "Nothing engraved: that lies beside %1.");
 inline constexpr Text kLetterUnknown =
     FFF_TEXT("Hint", "There is no letter \u201c%1\u201d to engrave.");

@@ -55,7 +55,7 @@ std::optional<GestureReply> PenTool::useCanvas(CanvasChoice canvas, GestureConte
         m_viewBefore = context.camera;
     GestureReply reply;
     reply.turnTo = cameraAtCanvas(canvas.target, context);
-    Camera there = *reply.turnTo;
+    Camera there = reply.turnTo.value_or(context.camera);
     setCanvas(std::move(canvas), false,
               {context.model, context.settings, context.viewport, there, context.overlay,
                context.hovered, context.view, context.selection, context.points});
@@ -65,7 +65,8 @@ std::optional<GestureReply> PenTool::useCanvas(CanvasChoice canvas, GestureConte
 void PenTool::setCanvas(CanvasChoice choice, bool isFirst, const GestureContext &context)
 {
     const Frame &frame = choice.target.canvas;
-    SnapTargets targets(frame, context.camera.orientation);
+    const Eigen::Quaterniond &view = context.camera.orientation;
+    SnapTargets targets(frame, isFirst ? canvasGrid(frame, view) : ownGrid(frame, view));
     const SectionRef own =
         choice.target.section.isValid() ? SectionRef(choice.target.section) : SectionRef();
     // A hole is drawn to the contour around it; a contour that is redrawn goes away.

@@ -7,6 +7,7 @@
 #include "core/io/document_file.h"
 #include "core/io/svg_reader.h"
 #include "core/model/figures.h"
+#include "core/model/symmetric_section.h"
 #include "tests/test_program.h"
 #include "tests/ui/view_hand.h"
 #include "tests/ui/window_program.h"
@@ -15,6 +16,7 @@
 #include "ui/docks/library_dock.h"
 
 #include <QAccessible>
+#include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QFile>
@@ -25,6 +27,7 @@
 #include <QTemporaryDir>
 #include <QTimer>
 #include <QToolButton>
+#include <QTreeWidget>
 #include <algorithm>
 
 using namespace fff;
@@ -41,6 +44,8 @@ private Q_SLOTS:
     void aShapeIsDraggedThenTyped();
     void theBarSaysWhichShape();
     void wordsAreSetAndWritten();
+    void engravingBeginsFromTheOutline();
+    void symmetryIsSwitchedOff();
     void marksAreChangedInTheirGroup();
     void aLengthIsTypedInTheBar();
     void aDimensionIsKeptAndTyped();
@@ -126,6 +131,42 @@ void TestMakingWindow::wordsAreSetAndWritten()
     QCOMPARE(first().marks.front()->lettering->text, std::string("Kim"));
     QCOMPARE(steps(), before + 2); // set, written
     QVERIFY(interaction().tool());
+}
+
+// Wrong: after a click in the Outline the key looks for a name that begins with it.
+void TestMakingWindow::engravingBeginsFromTheOutline()
+{
+    addPlate();
+    bench().run(QStringLiteral("view.right")); // on edge
+    QTRY_VERIFY(!interaction().isAnimating());
+    bench().select({});
+    auto *tree = find<QTreeWidget>("outlineTree");
+    QVERIFY(tree);
+    QTest::mouseClick(tree->viewport(), Qt::LeftButton, {},
+                      tree->visualItemRect(tree->topLevelItem(0)).center());
+    QCOMPARE(interaction().selection(), std::vector<SectionRef>{first().id});
+    QVERIFY(tree->hasFocus());
+    QTest::keyClick(tree, Qt::Key_E);
+    QVERIFY(interaction().tool());
+    QCOMPARE(interaction().tool()->command(), std::string_view("section.mark"));
+    QVERIFY(m_view->hasFocus());
+    QTRY_VERIFY(!interaction().isAnimating());
+    QVERIFY(first().frame.normal().dot(interaction().camera().backward()) > 0.999);
+    click(onScreen(first().frame.toWorld(first().shape->bounds().center())));
+    QCOMPARE(first().marks.size(), std::size_t(1));
+}
+
+// Wrong: nobody could let the halves of a section differ.
+void TestMakingWindow::symmetryIsSwitchedOff()
+{
+    addPlate();
+    auto *box = find<QCheckBox>("sectionSymmetric");
+    QVERIFY(box && box->isEnabled() && !box->isChecked());
+    QTest::mouseClick(box, Qt::LeftButton, {}, QPoint(6, box->height() / 2));
+    QVERIFY(symmetryOf(first()));
+    QVERIFY(box->isChecked());
+    QTest::mouseClick(box, Qt::LeftButton, {}, QPoint(6, box->height() / 2));
+    QVERIFY(!symmetryOf(first()));
 }
 
 void TestMakingWindow::marksAreChangedInTheirGroup()

@@ -151,6 +151,11 @@ OutlineDock::OutlineDock(Workbench &bench, const CheckList &list, QWidget *paren
     followModel();
 }
 
+void OutlineDock::addKey(QAction *action)
+{
+    m_tree->addAction(action);
+}
+
 void OutlineDock::refreshColours()
 {
     markProblems();

@@ -33,6 +33,9 @@ public:
 
     /// In the colours of the theme.
     void refreshColours();
+    /// Its key is also one of the list of sections, as of the view: it does something to what is
+    /// selected there.
+    void addKey(QAction *action);
     /// Rows made or placed since the start: a test sees that an edit does not make all of them.
     int rowsTouched() const { return m_rowsTouched; }
 

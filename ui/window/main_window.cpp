@@ -165,6 +165,7 @@ void MainWindow::makeDocks()
     connect(&settings(), &Settings::checksChanged, this, followRules);
     followRules();
     m_outline = new OutlineDock(*m_bench, *m_checkList, this);
+    m_outline->addKey(m_actions->action("section.mark"));
     m_history = new HistoryDock(*m_bench, this);
     m_library = new LibraryDock(*m_bench, this);
     m_checks = new ChecksDock(*m_bench, *m_checkList, this);
