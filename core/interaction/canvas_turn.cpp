@@ -1,5 +1,6 @@
 #include "core/interaction/canvas_turn.h"
 
+#include "core/base/easing.h"
 #include "core/base/tolerances.h"
 #include "core/interaction/facing.h"
 
@@ -37,9 +38,15 @@ CanvasTurn::CanvasTurn(const Camera &now, const Frame &ground, const Vec2 &from,
 {
     const Vec3 x = ground.directionToWorld((to - from).normalized()).normalized();
     const Vec3 y = ground.normal().normalized();
-    Eigen::Quaterniond orientation = facingOrientation(now.orientation, x.cross(y));
-    const Vec3 backward = orientation * Vec3::UnitZ();
+    const Vec3 eye = now.towardsEye(m_slitEnd, viewport);
+    m_isTurning = !isFaced(x.cross(y), eye);
+    Eigen::Quaterniond orientation =
+        m_isTurning ? facingOrientation(now.orientation, x.cross(y)) : now.orientation;
+    const Vec3 backward = m_isTurning ? orientation * Vec3::UnitZ() : eye;
     m_canvas = {ground.toWorld(from), x, x.cross(y).dot(backward) > 0.0 ? y : Vec3(-y)};
+    m_from = m_to = retargeted(now, m_slitEnd, viewport);
+    if (!m_isTurning)
+        return;
 
     const double tilt = std::numbers::pi / 2.0 - angle;
     if (tilt > kSameDirection) {
@@ -52,18 +59,24 @@ CanvasTurn::CanvasTurn(const Camera &now, const Frame &ground, const Vec2 &from,
         const auto looksUp = [](const Eigen::Quaterniond &view) {
             return (view * Vec3::UnitZ()).y() < -kSameDirection;
         };
-        // Never up from below.
-        orientation = looksUp(nearer) ? (isOneNearer ? other : one) : nearer;
+        const Eigen::Quaterniond &farther = isOneNearer ? other : one;
+        // Not up from below, if it can be helped.
+        orientation = looksUp(nearer) && !looksUp(farther) ? farther : nearer;
     }
     m_to = now;
     m_to.orientation = orientation;
     m_to.target = m_slitEnd;
-    m_from = retargeted(now, m_slitEnd, viewport);
 }
 
 Camera CanvasTurn::at(double progress, const Vec2 &cursor, const Vec2 &viewport) const
 {
     return pinned(interpolated(m_from, m_to, progress), m_slitEnd, cursor, viewport);
+}
+
+Camera QuickTurn::at(double now, const Vec2 &viewport) const
+{
+    const double part = time > 0.0 ? easeInOutCubic((now - start) / time) : 1.0;
+    return turn.at(progress + part * (1.0 - progress), from + part * (pin - from), viewport);
 }
 
 Vec2 RoomPan::way(const Camera &camera, const Vec2 &viewport) const

@@ -38,6 +38,12 @@ struct GestureReply
     std::optional<Hint> note;        // why it came to nothing, or what there is to know
     std::optional<Camera> returnTo;  // turn the view back to where it was
     std::optional<Camera> turnTo;    // turn the view there, as a view of its own
+    struct Settling
+    {
+        Camera camera;
+        double time = 0.0; // ms
+    };
+    std::optional<Settling> settling; // over in the middle of a turn: the view goes on to there
     std::optional<std::vector<SectionRef>> select;
     std::optional<OperationId> selectOperation; // of what is committed
     /// Of a tool: the press was a click that it has no use for.

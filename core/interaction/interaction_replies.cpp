@@ -48,6 +48,8 @@ void Interaction::Private::carryOut(GestureReply &reply)
         selection.select(*std::move(reply.select));
     if (reply.returnTo)
         motion.animate(*reply.returnTo, now, std::min(kReturnTime, settings.turnTime));
+    if (reply.settling)
+        motion.animate(reply.settling->camera, now, reply.settling->time);
     if (reply.turnTo)
         turn(*reply.turnTo, now, settings.turnTime);
     if (reply.commit) {

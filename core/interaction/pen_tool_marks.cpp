@@ -1,5 +1,6 @@
 // What the pen shows and says of itself.
 #include "core/interaction/contour_words.h"
+#include "core/interaction/cue.h"
 #include "core/interaction/draw_tool.h"
 #include "core/interaction/pen_tool.h"
 #include "core/interaction/pen_words.h"
@@ -14,7 +15,9 @@ void PenTool::mark(GestureContext &context, bool hasCursor)
     m_over.reset();
     if (m_slit) {
         if (m_press && m_press->isDrag)
-            signs.add(m_slit->line());
+            m_slit->show(context, signs);
+        if (m_slit->state() == SlitTurn::State::Turn)
+            signs.add(cueAt(hints::kWait, m_event.position, context.camera, context.viewport));
         return;
     }
     if (!m_canvas) {
@@ -35,7 +38,8 @@ void PenTool::mark(GestureContext &context, bool hasCursor)
                                  : std::string()});
     }
     if (canvas.targets.meetsGround() && !canvas.isFirst)
-        signs.add(sign::Ground{canvas.targets.grid().origin, canvas.targets.grid().x});
+        signs.add(sign::Ground{canvas.targets.grid().toWorld({0.0, *canvas.targets.ground()}),
+                               canvas.targets.grid().x});
     if (canvas.choice.distance && m_path.isEmpty())
         signs.add(planeMark(target.canvas, context));
     signs.add(sign::Rulers{canvas.targets.grid()});

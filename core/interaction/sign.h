@@ -33,6 +33,8 @@ enum class SignRole {
     DeadZone,  // where nothing is drawn yet
     Slit,
     Offer, // what a stroke was meant to be
+    Guide, // that what is drawn goes along
+    Cue,   // what the hand may do now
 };
 
 namespace sign {

@@ -24,8 +24,9 @@ Stroke::Options slitOptions(const GestureContext &context)
 SlitTurn::SlitTurn(const PointerEvent &press, const Hit &hit, const GestureContext &context)
     : m_ref(context.model.ref(static_cast<std::size_t>(hit.section))),
       m_section(context.model.section(static_cast<std::size_t>(hit.section))),
-      m_stroke(slitOptions(context)), m_before(context.camera), m_cursor(press.position),
-      m_now(press.time)
+      m_stroke(slitOptions(context)),
+      m_guides(context.model, m_section, hit.local, context.camera.orientation),
+      m_before(context.camera), m_cursor(press.position), m_now(press.time)
 {
     m_stroke.beginInSection(m_section->shape, {press.time, hit.local});
 }
@@ -39,6 +40,7 @@ void SlitTurn::move(const PointerEvent &event, GestureContext &context)
             pointOnPlane(context.camera, context.viewport, m_section->frame, event.position);
         if (point)
             m_stroke.move({event.time, *point});
+        m_guide = m_guides.lead(m_stroke, context.settings.snaps && !event.modifiers.control);
         if (m_stroke.state() == Stroke::State::Turn)
             beginTurn(context);
         else if (isTooShort())
@@ -54,12 +56,18 @@ void SlitTurn::beginTurn(GestureContext &context)
                    context.settings.turnAngle, context.viewport);
     m_target = ContourTarget::newSection(m_turn->canvas(),
                                          Parent{m_ref, m_stroke.slitFrom(), m_stroke.slitTo()});
+    m_target.right = m_turn->right();
     m_room.canvas = m_target.canvas;
     m_room.slitLength = m_stroke.slitLength();
     m_room.deadZone = std::numeric_limits<double>::infinity(); // clicks may be anywhere
     m_room.speed = turnTime > 0.0 ? kRoomPerTurn * context.viewport.x() / turnTime
                                   : std::numeric_limits<double>::infinity();
     m_state = State::Turn;
+    if (m_turn->isTurning())
+        return;
+    context.camera = m_turn->view();
+    m_stroke.endTurn();
+    m_state = State::Room;
 }
 
 void SlitTurn::advance(double time, GestureContext &context)
@@ -91,10 +99,12 @@ void SlitTurn::finish(GestureContext &context)
     }
 }
 
-sign::Slit SlitTurn::line() const
+void SlitTurn::show(const GestureContext &context, Signs &signs) const
 {
-    return {m_section->frame.toWorld(m_stroke.slitFrom()),
-            m_section->frame.toWorld(m_stroke.slitTo()), isTurned(), m_section->name};
+    signs.add(sign::Slit{m_section->frame.toWorld(m_stroke.slitFrom()),
+                         m_section->frame.toWorld(m_stroke.slitTo()), isTurned(), m_section->name});
+    if (m_guide && (m_state == State::Slit || m_state == State::Turn))
+        m_guides.show(*m_guide, context.camera, context.viewport, signs);
 }
 
 } // namespace fff

@@ -7,6 +7,7 @@
 #include "core/interaction/canvas_turn.h"
 #include "core/interaction/contour_target.h"
 #include "core/interaction/gesture.h"
+#include "core/interaction/slit_guides.h"
 #include "core/stroke/stroke.h"
 
 namespace fff {
@@ -32,7 +33,8 @@ public:
     const ContourTarget &target() const { return m_target; }
     /// The view before.
     const Camera &before() const { return m_before; }
-    sign::Slit line() const;
+    /// The slit, and the guide that it goes along until the view has turned.
+    void show(const GestureContext &context, Signs &signs) const;
 
 private:
     void beginTurn(GestureContext &context);
@@ -40,6 +42,8 @@ private:
     SectionRef m_ref;
     SectionPointer m_section;
     Stroke m_stroke;
+    SlitGuides m_guides;
+    std::optional<SlitGuide> m_guide; // that it goes along
     State m_state = State::Slit;
     Camera m_before;
     ContourTarget m_target;

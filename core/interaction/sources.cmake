@@ -13,6 +13,7 @@ target_sources(fff_core PRIVATE
     interaction/figure_tool.cpp
     interaction/gizmo.cpp
     interaction/gizmo_drag.cpp
+    interaction/hand_in_turn.cpp
     interaction/hovering.cpp
     interaction/interaction.cpp
     interaction/interaction_joints.cpp
@@ -46,14 +47,17 @@ target_sources(fff_core PRIVATE
     interaction/routing.cpp
     interaction/rubber_band.cpp
     interaction/section_editing.cpp
+    interaction/section_view.cpp
     interaction/selection.cpp
     interaction/sight.cpp
+    interaction/slit_guides.cpp
     interaction/slit_turn.cpp
     interaction/shape_offer.cpp
     interaction/snapping.cpp
     interaction/steps_player.cpp
     interaction/steps_tool.cpp
     interaction/stroke_gesture.cpp
+    interaction/symmetry_editing.cpp
     interaction/transform_tool.cpp
     interaction/turning_drag.cpp
     interaction/view_cube.cpp

@@ -3,6 +3,7 @@
 #include "core/base/tolerances.h"
 #include "core/base/units.h"
 #include "core/interaction/contour_words.h"
+#include "core/interaction/cue.h"
 #include "core/interaction/pick.h"
 #include "core/interaction/snapping.h"
 #include "core/interaction/stroke_words.h"
@@ -20,6 +21,8 @@ namespace {
 
 /// What showing a contour costs besides its fit, in samples that are looked at.
 constexpr std::size_t kLeastPrice = 2000;
+/// So many radii of the dead zone a hand may stray that waits for the turn.
+constexpr double kSlip = 1.5;
 /// Largest part of the viewport's width that the view moves in a turn's time to make room.
 constexpr double kRoomPerTurn = 0.5;
 
@@ -53,17 +56,12 @@ std::optional<sign::Ground> groundLineOf(const Frame &canvas)
     return sign::Ground{canvas.toWorld(above->point), canvas.directionToWorld(above->along())};
 }
 
-/// Of what is drawn, as it lies on the screen: width and height.
-Vec2 seenSize(const Camera &camera, const ContourTarget &target, const Section &section,
-              const Contour &contour)
+/// Of what is drawn, along the axes of its section, which are those that are seen: width and
+/// height.
+Vec2 seenSize(const ContourTarget &target, const Section &section, const Contour &contour)
 {
     const bool isHole = target.purpose == ContourTarget::Purpose::Hole;
-    const Vec2 size =
-        (isHole ? bounds(contour.polygon(kDrawChord)) : section.shape->bounds()).size();
-    const Vec3 right = camera.right();
-    const bool isUpright =
-        std::abs(target.canvas.x.dot(right)) >= std::abs(target.canvas.y.dot(right));
-    return isUpright ? size : Vec2(size.y(), size.x());
+    return (isHole ? bounds(contour.polygon(kDrawChord)) : section.shape->bounds()).size();
 }
 
 Hint refusalOf(const StrokeContour &contour)
@@ -114,11 +112,17 @@ StrokeGesture::StrokeGesture(const PointerEvent &press, const Hit &hit,
     const auto index = static_cast<std::size_t>(hit.section);
     m_ground = Ground{context.model.ref(index), context.model.section(index)};
     m_stroke.beginInSection(m_ground->section->shape, {press.time, hit.local});
+    m_guides.emplace(context.model, m_ground->section, hit.local, context.camera.orientation);
 }
 
 std::optional<Vec2> StrokeGesture::pointAt(const Vec2 &screen, const GestureContext &context) const
 {
-    return pointOnPlane(context.camera, context.viewport, plane(), screen);
+    return pointOnPlane(view(context), context.viewport, plane(), screen);
+}
+
+Camera StrokeGesture::view(const GestureContext &context) const
+{
+    return m_quick ? m_quick->ended(context.viewport) : context.camera;
 }
 
 const Frame &StrokeGesture::plane() const
@@ -133,13 +137,14 @@ GestureReply StrokeGesture::handle(const PointerEvent &event, GestureContext &co
     m_cursor = event.position;
     m_stroke.setSymmetryOn(m_mirrors != event.modifiers.shift);
     if (event.type != PointerEvent::Type::Modifiers) {
-        const bool wasInSection = m_stroke.state() == Stroke::State::Slit;
-        if (const std::optional<Vec2> at = pointAt(event.position, context))
-            m_stroke.move({event.time, *at});
-        if (wasInSection && m_stroke.state() == Stroke::State::Turn)
-            beginTurn(context);
+        if (m_stroke.state() == Stroke::State::Turn)
+            followHand(event, context);
+        else
+            moveTo(event, context);
         advance(event.time, context);
     }
+    if (m_stroke.state() == Stroke::State::Slit)
+        leadSlit(event, context);
     if (event.type == PointerEvent::Type::Release)
         m_stroke.release();
     else if (m_stroke.state() == Stroke::State::Contour && !isToShow(event)) {
@@ -150,6 +155,23 @@ GestureReply StrokeGesture::handle(const PointerEvent &event, GestureContext &co
         return running();
     }
     return reply(context);
+}
+
+void StrokeGesture::moveTo(const PointerEvent &event, GestureContext &context)
+{
+    const bool wasInSection = m_stroke.state() == Stroke::State::Slit;
+    if (const std::optional<Vec2> at = pointAt(event.position, context))
+        m_stroke.move({event.time, *at});
+    if (!wasInSection || m_stroke.state() != Stroke::State::Turn)
+        return;
+    leadSlit(event, context);
+    beginTurn(event, context);
+}
+
+/// Ctrl leaves it free.
+void StrokeGesture::leadSlit(const PointerEvent &event, const GestureContext &context)
+{
+    m_guide = m_guides->lead(m_stroke, context.settings.snaps && !event.modifiers.control);
 }
 
 /// A move shows what it is paid for, a frame what it has time for.
@@ -176,33 +198,78 @@ bool StrokeGesture::canShow()
 
 void StrokeGesture::advance(double time, GestureContext &context)
 {
-    if (m_stroke.state() == Stroke::State::Turn) {
-        const double end = m_stroke.turnEnd();
-        m_stroke.advance(time);
-        context.camera = m_turn->at(m_stroke.turnProgress(time), m_cursor, context.viewport);
-        m_now = std::min(time, end);
-        updateOverlay(context);
+    if (m_stroke.state() == Stroke::State::Turn)
+        turnView(time, context);
+    if (m_quick) {
+        context.camera = m_quick->at(time, context.viewport);
+        m_now = std::min(time, m_quick->end());
+        if (time >= m_quick->end())
+            m_quick.reset();
+        else if (m_stroke.state() == Stroke::State::DeadZone)
+            updateOverlay(context);
     }
-    if (m_stroke.state() == Stroke::State::DeadZone)
+    if (m_stroke.state() == Stroke::State::DeadZone && !m_quick)
         makeRoom(time, context);
     m_now = std::max(m_now, time);
 }
 
-bool StrokeGesture::isAnimating() const
+void StrokeGesture::turnView(double time, GestureContext &context)
 {
-    return m_stroke.state() == Stroke::State::Turn || m_isMovingToRoom || m_isBehind;
+    const double end = m_stroke.turnEnd();
+    if (time >= end && m_hand->isUnderWay(end)) {
+        goOn(end, context);
+        return;
+    }
+    m_stroke.advance(time);
+    context.camera = m_turn->at(m_stroke.turnProgress(time), m_cursor, context.viewport);
+    m_now = std::min(time, end);
+    updateOverlay(context);
 }
 
-void StrokeGesture::beginTurn(GestureContext &context)
+bool StrokeGesture::isAnimating() const
+{
+    return m_stroke.state() == Stroke::State::Turn || m_quick || m_isMovingToRoom || m_isBehind;
+}
+
+void StrokeGesture::beginTurn(const PointerEvent &event, GestureContext &context)
 {
     m_turn.emplace(context.camera, m_ground->section->frame, m_stroke.slitFrom(), m_stroke.slitTo(),
                    context.settings.turnAngle, context.viewport);
     m_target = ContourTarget::newSection(
         m_turn->canvas(), Parent{m_ground->ref, m_stroke.slitFrom(), m_stroke.slitTo()});
+    m_target.right = m_turn->right();
     const double turnTime = context.settings.turnTime;
     m_room = RoomPan{m_target.canvas, m_stroke.slitLength(), m_stroke.deadZoneRadius(),
                      turnTime > 0.0 ? kRoomPerTurn * context.viewport.x() / turnTime
                                     : std::numeric_limits<double>::infinity()};
+    m_hand.emplace(HandInTurn::Sample{event.time, event.position},
+                   kSlip * context.settings.deadZoneFraction * context.viewport.x());
+    if (m_turn->isTurning())
+        return;
+    context.camera = m_turn->view();
+    m_stroke.endTurn();
+    moveTo(event, context);
+}
+
+/// The hand in the turn: seen from its end, it may have begun to draw.
+void StrokeGesture::followHand(const PointerEvent &event, GestureContext &context)
+{
+    m_hand->follow({event.time, event.position});
+    if (m_hand->isDrawing())
+        goOn(event.time, context);
+}
+
+/// It did not wait: what it drew since it left the section counts.
+void StrokeGesture::goOn(double time, GestureContext &context)
+{
+    const std::vector<HandInTurn::Sample> &way = m_hand->way();
+    m_quick = QuickTurn{
+        *m_turn, m_stroke.turnProgress(time),           way.back().place, way.front().place,
+        time,    kQuickTurn * context.settings.turnTime};
+    m_stroke.endTurn();
+    for (const HandInTurn::Sample &sample : way)
+        if (const std::optional<Vec2> at = pointAt(sample.place, context))
+            m_stroke.move({sample.time, *at});
 }
 
 /// While the cursor rests in the dead zone, or moves in it, the slit comes away from the edge.
@@ -230,7 +297,7 @@ GestureReply StrokeGesture::reply(GestureContext &context)
     case Stroke::State::Done:
         updateDrawn(context);
         updateOffer(context);
-        return done();
+        return done(context);
     case Stroke::State::Cancelled:
         return over();
     default:
@@ -248,6 +315,15 @@ GestureReply StrokeGesture::running() const
     return reply;
 }
 
+/// From the ground for what comes first, else as the section will count.
+Frame StrokeGesture::rulers(const GestureContext &context) const
+{
+    const Eigen::Quaterniond orientation = view(context).orientation;
+    if (context.model.sectionCount() == 0)
+        return canvasGrid(m_target.canvas, orientation);
+    return m_target.section.isValid() ? ownGrid(m_target.canvas, orientation) : seenFrame(m_target);
+}
+
 void StrokeGesture::updateOverlay(GestureContext &context) const
 {
     Signs signs;
@@ -262,10 +338,12 @@ void StrokeGesture::updateOverlay(GestureContext &context) const
                                     m_stroke.deadZoneRadius()});
         }
         signs.add(std::move(slit));
+        if (m_guide && (state == Stroke::State::Slit || state == Stroke::State::Turn))
+            m_guides->show(*m_guide, context.camera, context.viewport, signs);
     }
     if (state == Stroke::State::Contour) {
         const StrokeContour &contour = m_stroke.contour();
-        signs.add(sign::Rulers{canvasGrid(m_target.canvas, context.camera.orientation)});
+        signs.add(sign::Rulers{rulers(context)});
         sign::Stroke &stroke = signs.put(sign::Stroke());
         stroke.canvas = m_target.canvas;
         stroke.samples = m_stroke.samples();
@@ -286,11 +364,14 @@ void StrokeGesture::updateOverlay(GestureContext &context) const
         if (m_drawn && *m_drawn) {
             const Section &drawn = *(*m_drawn)->document.find((*m_drawn)->section.drawn);
             stroke.section = drawn.name;
-            stroke.size = seenSize(context.camera, m_target, drawn, *contour.contour);
+            stroke.size = seenSize(m_target, drawn, *contour.contour);
             if ((*m_drawn)->isCutAtGround)
                 stroke.cut = contour.contour;
         }
     }
+    if (state == Stroke::State::Turn || state == Stroke::State::DeadZone)
+        signs.add(cueAt(state == Stroke::State::Turn ? hints::kWait : hints::kGoOn, m_cursor,
+                        context.camera, context.viewport));
     if (state == Stroke::State::Contour || state == Stroke::State::DeadZone)
         if (const std::optional<sign::Ground> line = groundLineOf(m_target.canvas))
             signs.add(*line);
@@ -325,7 +406,8 @@ void StrokeGesture::updateDrawn(const GestureContext &context)
     m_drawn.reset();
     if (contour.contour)
         m_drawn = drawContour(context.model.document, m_target, *contour.contour,
-                              {context.settings.cutsAtGround, context.settings.naming});
+                              {context.settings.cutsAtGround, context.settings.naming,
+                               contour.isMirrored ? contour.axis : std::nullopt});
 }
 
 /// Of what is committed, once: what is drawn is no more than that as long as the hand goes on. What
@@ -339,7 +421,7 @@ void StrokeGesture::updateOffer(const GestureContext &context)
                          {context.settings.cutsAtGround, context.settings.naming});
 }
 
-GestureReply StrokeGesture::done()
+GestureReply StrokeGesture::done(const GestureContext &context)
 {
     if (!m_drawn || !*m_drawn) {
         GestureReply failed = over();
@@ -362,6 +444,8 @@ GestureReply StrokeGesture::done()
     tell(!contour.doHalvesMeet, hints::kHalvesDoNotMeet);
     reply.commit = {std::move(drawn.step), std::move(drawn.document)};
     reply.offer = std::move(m_offer);
+    if (m_quick)
+        reply.settling = {m_quick->ended(context.viewport), m_quick->end() - m_now};
     return reply;
 }
 

@@ -5,6 +5,8 @@
 #include "core/interaction/canvas_turn.h"
 #include "core/interaction/contour_target.h"
 #include "core/interaction/gesture.h"
+#include "core/interaction/hand_in_turn.h"
+#include "core/interaction/slit_guides.h"
 #include "core/stroke/stroke.h"
 
 namespace fff {
@@ -12,6 +14,12 @@ namespace fff {
 /// The plane of the first section: through (0, kFirstPlaneHeight, 0), facing the camera.
 Frame firstCanvas(const Camera &camera);
 
+/// A hand that does not wait for the turn (HandInTurn) loses nothing of its way: it is taken as a
+/// way on the screen that the turn ends with, from the slit's end on. That is what the hand means:
+/// a stroke of less than a second is over before what it sees could guide it, and on its way the
+/// canvas is seen on edge, where a pixel is a metre. So haste and patience draw the same. The rest
+/// of the turn is quick then.
+///
 /// The contour is shown with every move as long as the moves pay for it: each adds kCreditOfMove
 /// to what there is from the beginning, which is enough for all of a usual stroke. Of a long one,
 /// moves show the line of the cursor alone until it is paid for; a frame (Interaction::advance) or
@@ -24,6 +32,8 @@ public:
     static constexpr std::size_t kFirstCredit = 3'000'000, kCreditOfMove = 400;
     static constexpr std::size_t kMostOfFrame = 80'000;
     static constexpr double kRest = 120.0; // ms
+    /// Of a turn's time, what the rest of it takes for a hand that does not wait.
+    static constexpr double kQuickTurn = 0.3;
 
     // The camera's target lies at the depth of what was pressed, so that pixels count there.
     // Shift, while it is held, switches local symmetry over.
@@ -50,11 +60,19 @@ private:
     /// None where that plane is seen on edge.
     std::optional<Vec2> pointAt(const Vec2 &screen, const GestureContext &context) const;
     Hint releaseHint(const std::string &section) const;
-    void beginTurn(GestureContext &context);
+    /// That what is drawn is meant in.
+    Camera view(const GestureContext &context) const;
+    void leadSlit(const PointerEvent &event, const GestureContext &context);
+    void moveTo(const PointerEvent &event, GestureContext &context);
+    void beginTurn(const PointerEvent &event, GestureContext &context);
+    void followHand(const PointerEvent &event, GestureContext &context);
+    void goOn(double time, GestureContext &context);
+    void turnView(double time, GestureContext &context);
     void makeRoom(double time, GestureContext &context);
     bool isToShow(const PointerEvent &event);
     bool canShow();
     bool isDear() const { return m_price > kMostOfFrame; }
+    Frame rulers(const GestureContext &context) const;
     void updateOverlay(GestureContext &context) const;
     void followSamples(GestureContext &context) const;
     void updateDrawn(const GestureContext &context);
@@ -62,14 +80,18 @@ private:
     GestureReply reply(GestureContext &context);
     GestureReply running() const;
     GestureReply over() const;
-    GestureReply done();
+    GestureReply done(const GestureContext &context);
 
     Stroke m_stroke;
     bool m_mirrors = true; // as it is set
     bool m_isAxisSlit = true;
     std::optional<Ground> m_ground;
+    std::optional<SlitGuides> m_guides; // of the slit
+    std::optional<SlitGuide> m_guide;   // that it goes along
     ContourTarget m_target;
     std::optional<CanvasTurn> m_turn;
+    std::optional<HandInTurn> m_hand;
+    std::optional<QuickTurn> m_quick; // until it is over
     std::optional<RoomPan> m_room;
     Camera m_before;    // of the stroke: where Esc returns to
     Vec2 m_cursor;      // px

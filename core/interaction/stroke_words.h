@@ -8,7 +8,7 @@ namespace fff::hints {
 inline constexpr Text kLeaveSection =
     FFF_TEXT("Hint", "Drag on to leave %1; the slit ends at its edge. <kbd>Esc</kbd> cancels.");
 inline constexpr Text kTurning =
-    FFF_TEXT("Hint", "Turning to the new plane; move on when it stops.");
+    FFF_TEXT("Hint", "Turning to the new plane; wait until it stops, or draw on at once.");
 inline constexpr Text kLeaveDeadZone =
     FFF_TEXT("Hint", "Leave the grey zone where the contour shall begin. Release here cancels.");
 inline constexpr Text kDrawContour =
@@ -33,6 +33,9 @@ inline constexpr Text kReleaseToRedrawMirrored =
 inline constexpr Text kReleaseToMirrorFirst =
     FFF_TEXT("Hint", "<b>Release</b> to make the section, mirrored across the vertical. Hold "
                      "<kbd>Shift</kbd> to keep only this side.");
+// Beside the cursor, while the view turns and when it has turned.
+inline constexpr Text kWait = FFF_TEXT("Cue", "Wait");
+inline constexpr Text kGoOn = FFF_TEXT("Cue", "Go on");
 // When it is over.
 inline constexpr Text kNeverLeft = FFF_TEXT(
     "Hint", "Nothing drawn: the slit never left %1. Start inside and drag across its edge.");

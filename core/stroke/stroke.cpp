@@ -29,7 +29,7 @@ void Stroke::beginInSection(ShapePointer shape, const Sample &sample)
 {
     assert(m_state == State::Idle && "a stroke begins once");
     m_interior.emplace(std::move(shape));
-    m_slitFrom = m_slitTo = m_last = sample.point;
+    m_slitFrom = m_slitTo = m_slitDrawn = m_last = sample.point;
     m_state = State::Slit;
 }
 
@@ -53,6 +53,12 @@ void Stroke::move(const Sample &sample)
     case State::Cancelled:
         break;
     }
+}
+
+void Stroke::leadSlit(const std::optional<Vec2> &to)
+{
+    if (m_state == State::Slit || m_state == State::Turn)
+        m_slitTo = to.value_or(m_slitDrawn);
 }
 
 void Stroke::viewMoved(const Vec2 &point)
@@ -100,8 +106,13 @@ void Stroke::cancel()
 
 void Stroke::advance(double time)
 {
-    if (m_state != State::Turn || time < turnEnd())
-        return;
+    if (m_state == State::Turn && time >= turnEnd())
+        endTurn();
+}
+
+void Stroke::endTurn()
+{
+    assert(m_state == State::Turn && "it has left the section, and nothing is drawn yet");
     m_state = State::DeadZone;
     // The turn kept the slit's end under the cursor.
     m_last = {slitLength(), 0.0};
@@ -133,7 +144,7 @@ void Stroke::moveInSection(const Sample &sample)
 {
     const std::optional<Vec2> leaving = m_interior->leavingPoint(m_last, sample.point);
     m_last = sample.point;
-    m_slitTo = leaving.value_or(sample.point);
+    m_slitTo = m_slitDrawn = leaving.value_or(sample.point);
     if (!leaving)
         return;
     if (slitLength() < kMinOverlap) {

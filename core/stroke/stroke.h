@@ -16,6 +16,7 @@ namespace fff {
 ///     Slit      move that leaves the shape -> Turn       holes are outside
 ///     Slit      release                    -> Cancelled  NeverLeft
 ///     Turn      advance past its end       -> DeadZone   positions are not looked at
+///     Turn      endTurn                    -> DeadZone   the hand does not wait
 ///     DeadZone  move that leaves the zone  -> Contour    begins on the zone's border
 ///     Turn, DeadZone  release              -> Cancelled  TooShort
 ///     Contour   release                    -> Done       or Cancelled, TooShort, without an area
@@ -57,6 +58,9 @@ public:
     void beginInSection(ShapePointer shape, const Sample &sample);
     /// Call advance(sample.time) before it: after a turn the point is one on the canvas.
     void move(const Sample &sample);
+    /// The slit ends there, not at the cursor or where the way left: a guide leads it. None: it is
+    /// as it was drawn. Only in Slit, and in Turn before anything has looked at the slit.
+    void leadSlit(const std::optional<Vec2> &to);
     /// The view has moved while the cursor rested in the dead zone, and is over this point now.
     void viewMoved(const Vec2 &point);
     /// Whether what is one-sided is mirrored; may change while it is drawn.
@@ -65,10 +69,14 @@ public:
     void release();
     void cancel();
     void advance(double time);
+    /// Positions count from now on: those that come next are on the canvas.
+    void endTurn();
 
     State state() const { return m_state; }
     Refusal refusal() const { return m_refusal; }
 
+    /// Of the section that the slit is in; only once it has begun there.
+    const Interior &interior() const { return *m_interior; }
     /// The slit in the section's frame; until it has left, it ends at the cursor.
     const Vec2 &slitFrom() const { return m_slitFrom; }
     const Vec2 &slitTo() const { return m_slitTo; }
@@ -102,7 +110,8 @@ private:
     Refusal m_refusal = Refusal::None;
     std::optional<Interior> m_interior;
     Vec2 m_slitFrom = Vec2::Zero(), m_slitTo = Vec2::Zero();
-    double m_turnStart = 0.0; // ms
+    Vec2 m_slitDrawn = Vec2::Zero(); // its end, led by nothing
+    double m_turnStart = 0.0;        // ms
     Vec2 m_last = Vec2::Zero();
     SteadyHand m_hand;
     ThinnedLine m_line;

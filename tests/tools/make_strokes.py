@@ -129,6 +129,12 @@ def main():
     body().press(*up).to(over, step=1000).wait(TURN).blob().release().save("slit_in_one_jump")
     moving = body().press(*up).to(over, step=5)
     moving.by((60, -30), (-40, 50), step=4).wait(TURN).blob().release().save("moves_in_the_turn")
+    # Slit and outline in one go.
+    hasty = body().press(*up).to(over, step=20)
+    hasty.blob(130).release().wait(TURN).save("in_haste")
+    hasty = body().press(640, 400).to((640, 230), step=20)
+    hasty.to((660, 170), (740, 200), (760, 300), (720, 390), (641, 420)).release()
+    hasty.wait(TURN).save("in_haste_mirrored")
 
     # Through a hole.
     hole = body().click(480, 320).command("section.addHole").wait(TURN)

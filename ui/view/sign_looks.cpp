@@ -38,6 +38,8 @@ constexpr RoleLook kLooks[] = {
       .isCased = false}},
     {SignRole::Slit, {.colour = &ViewStyle::slit, .fill = 0.45}},
     {SignRole::Offer, {.colour = &ViewStyle::guide, .width = 1.6, .dash = 6.0, .gap = 4.0}},
+    {SignRole::Guide, {.colour = &ViewStyle::guide, .width = 1.4, .dash = 4.0, .gap = 3.0}},
+    {SignRole::Cue, {.colour = &ViewStyle::text}},
 };
 
 } // namespace

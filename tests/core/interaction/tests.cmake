@@ -1,8 +1,10 @@
 fff_tests(tests_interaction LIBRARIES fff::session TESTS
     core/interaction/tst_camera
     core/interaction/tst_drawings
+    core/interaction/tst_facing
     core/interaction/tst_figure_tool
     core/interaction/tst_figures
+    core/interaction/tst_hasty_stroke
     core/interaction/tst_interaction
     core/interaction/tst_joint_gesture
     core/interaction/tst_long_strokes_shown
@@ -14,14 +16,20 @@ fff_tests(tests_interaction LIBRARIES fff::session TESTS
     core/interaction/tst_point_gesture
     core/interaction/tst_problem_marks
     core/interaction/tst_shape_offers
+    core/interaction/tst_slit_guides
     core/interaction/tst_snapping
     core/interaction/tst_steps_player
+    core/interaction/tst_symmetric_section
     core/interaction/tst_transform_tool
     core/interaction/tst_view_cube
     core/interaction/tst_view_history
     ALONE
+        core/interaction/tst_facing
+        core/interaction/tst_hasty_stroke
         core/interaction/tst_interaction
         core/interaction/tst_joint_gesture
         core/interaction/tst_pick
         core/interaction/tst_problem_marks
+        core/interaction/tst_slit_guides
+        core/interaction/tst_symmetric_section
         core/interaction/tst_view_cube)

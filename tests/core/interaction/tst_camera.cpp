@@ -72,6 +72,7 @@ private Q_SLOTS:
     void namedViewsLookAsDefined_data();
     void namedViewsLookAsDefined();
     void facingLaws();
+    void facingGoesToTheNearerSideWhateverTheLean();
     void facingExamples_data();
     void facingExamples();
     static void bothProjections_data();
@@ -221,7 +222,7 @@ void TestCamera::namedViewsLookAsDefined()
     QVERIFY(untouched.coeffs() == Eigen::Quaterniond::Identity().coeffs());
 }
 
-/// Frontoparallel, never from below, world up never downwards on the screen.
+/// Frontoparallel, from the nearer side, world up never downwards on the screen.
 void TestCamera::facingLaws()
 {
     Random random(5);
@@ -231,11 +232,40 @@ void TestCamera::facingLaws()
         Camera camera;
         camera.orientation = facingOrientation(current.orientation, normal);
         QVERIFY(camera.backward().cross(normal).norm() < 1e-9);
-        QVERIFY(camera.backward().y() >= -1e-9);
+        QVERIFY(camera.backward().dot(current.backward()) > -0.0088);
         QVERIFY(camera.up().y() >= -1e-9);
         // Facing again turns no further.
         const Eigen::Quaterniond again = facingOrientation(camera.orientation, normal);
         QVERIFY(again.angularDistance(camera.orientation) < 1e-6);
+    }
+}
+
+// Wrong: a plane that leans a degree away from the eye is looked at from behind, past the model.
+void TestCamera::facingGoesToTheNearerSideWhateverTheLean()
+{
+    for (const char *name : {"front", "right", "iso1", "iso2", "iso3", "iso4"})
+        for (int turn = 0; turn < 360; turn += 5)
+            for (int lean = -5; lean <= 5; ++lean) {
+                const Camera current = named(name);
+                const double about = radians(turn), up = radians(lean);
+                const Vec3 normal(std::cos(up) * std::cos(about), std::sin(up),
+                                  std::cos(up) * std::sin(about));
+                Camera camera;
+                camera.orientation = facingOrientation(current.orientation, normal);
+                const double faced = normal.dot(current.backward());
+                if (std::abs(faced) > 0.0088)
+                    QVERIFY(camera.backward().dot(faced > 0.0 ? normal : Vec3(-normal)) > 0.999);
+                // From level views no farther than to the plane's side and upright on it.
+                const double angle =
+                    std::acos(std::clamp(camera.backward().dot(current.backward()), -1.0, 1.0));
+                QVERIFY(angle < radians(90.6));
+            }
+    // Seen on edge from the front, the same side for every lean.
+    for (int lean = -5; lean <= 5; ++lean) {
+        Camera camera = named("front");
+        camera.orientation = facingOrientation(
+            camera.orientation, Vec3(std::cos(radians(lean)), std::sin(radians(lean)), 0.0));
+        QVERIFY(camera.backward().x() > 0.99);
     }
 }
 

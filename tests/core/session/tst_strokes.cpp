@@ -217,6 +217,8 @@ void TestStrokes::strokes_data()
                              "shift_keeps_one_side",
                              "symmetry_is_off"})
         row(name);
+    row("in_haste", {2, 2, Drawn, {}, true, 0}); // it does not wait for the turn's end
+    row("in_haste_mirrored", {2, 2, Mirrored, {}, true, 0});
     row("hole_is_left_into", {2, 3});
     row("hole_is_jumped_over", {2, 3});
     row("press_without_drag", {1, 1, Nothing, {}, true, 0});
@@ -295,8 +297,14 @@ void TestStrokes::strokes()
     const sign::Stroke &stroke = *watched.stroke;
     QCOMPARE(stroke.isMirrored, wanted.outcome == Mirrored);
     const Section &section = *document.sections.back();
+    // The section has its x to the right and y up, the canvas its x along the slit.
+    const auto onSection = [&](const Vec2 &p) {
+        return section.frame.toLocal(stroke.canvas.toWorld(p));
+    };
     if (stroke.isMirrored) {
-        QVERIFY(isMirrorImageOfItself(section.shape->contour(), *stroke.axis));
+        const Vec2 from = onSection(stroke.axis->point);
+        const Vec2 along = onSection(stroke.axis->point + stroke.axis->direction) - from;
+        QVERIFY(isMirrorImageOfItself(section.shape->contour(), {from, along.normalized()}));
         return;
     }
     if (!wanted.isWholeStroke)
@@ -309,9 +317,9 @@ void TestStrokes::strokes()
     const PolylineDistance toOutline = toRing(contour.polygon(0.01));
     for (const Vec2 &sample : stroke.samples)
         QVERIFY2(
-            toOutline(sample) < bound,
-            qPrintable(
-                QStringLiteral("a sample is %1 px away").arg(toOutline(sample) / watched.scale)));
+            toOutline(onSection(sample)) < bound,
+            qPrintable(QStringLiteral("a sample is %1 px away")
+                           .arg(toOutline(onSection(sample)) / watched.scale)));
     std::vector<Vec2> fitted;
     for (const CubicBezier &piece : stroke.fitted) {
         for (int i = 0; i <= 32; ++i)

@@ -1,0 +1,17 @@
+// A word beside the cursor: what the hand may do now. Where the eyes are, since nobody reads the
+// status line in the middle of a stroke.
+#pragma once
+
+#include "core/interaction/camera.h"
+#include "core/interaction/sign.h"
+
+namespace fff {
+
+inline sign::Label cueAt(Text words, const Vec2 &cursor, const Camera &camera, const Vec2 &viewport)
+{
+    constexpr double kBelow = 34.0; // px, clear of the cursor
+    return {
+        SignRole::Cue, {camera.pointAt(cursor, viewport)}, Message{words, {}}, Vec2(0.0, kBelow)};
+}
+
+} // namespace fff
