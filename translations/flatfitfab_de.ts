@@ -2321,6 +2321,26 @@
         <source>There is no other section</source>
         <translation>Es gibt keine andere Scheibe</translation>
     </message>
+    <message>
+        <source>Ma&amp;ke it what is offered</source>
+        <translation>An&amp;gebotenes übernehmen</translation>
+    </message>
+    <message>
+        <source>Take the offer</source>
+        <translation>Übernehmen</translation>
+    </message>
+    <message>
+        <source>Make a circle, an ellipse, straight lines or right angles of what was just drawn nearly so</source>
+        <translation>Macht einen Kreis, eine Ellipse, gerade Linien oder rechte Winkel aus dem, was gerade beinahe so gezeichnet wurde</translation>
+    </message>
+    <message>
+        <source>Nothing that was just drawn is nearly a circle, an ellipse, straight or at a right angle</source>
+        <translation>Nichts gerade Gezeichnetes ist beinahe ein Kreis, eine Ellipse, gerade oder rechtwinklig</translation>
+    </message>
+    <message>
+        <source>What is selected is not symmetric</source>
+        <translation>Das Gewählte ist nicht symmetrisch</translation>
+    </message>
 </context>
 <context>
     <name>CommandLine</name>
@@ -2386,6 +2406,17 @@
     <message>
         <source>cutting files, true to size</source>
         <translation>Schneiddateien in wahrer Größe</translation>
+    </message>
+</context>
+<context>
+    <name>Cue</name>
+    <message>
+        <source>Wait</source>
+        <translation>Warten</translation>
+    </message>
+    <message>
+        <source>Go on</source>
+        <translation>Weiter</translation>
     </message>
 </context>
 <context>
@@ -3562,10 +3593,6 @@
         <translation>Weiterziehen, bis %1 verlassen ist; der Schlitz endet am Rand. &lt;kbd&gt;Esc&lt;/kbd&gt; bricht ab.</translation>
     </message>
     <message>
-        <source>Turning to the new plane; move on when it stops.</source>
-        <translation>Die Ansicht dreht sich zur neuen Ebene; weiter, wenn sie steht.</translation>
-    </message>
-    <message>
         <source>Leave the grey zone where the contour shall begin. Release here cancels.</source>
         <translation>Den grauen Bereich dort verlassen, wo die Kontur beginnen soll. Loslassen bricht ab.</translation>
     </message>
@@ -3723,6 +3750,41 @@
     <message>
         <source>Nothing deleted: a joint is where two sections meet. Delete one of them, or choose the kind “None”.</source>
         <translation>Nichts gelöscht: Eine Verbindung ist, wo zwei Scheiben sich treffen. Lösche eine davon oder wähle die Art „Keine“.</translation>
+    </message>
+    <message>
+        <source>%1 is engraved on its front, the one face that the laser reaches; the view has turned to it.</source>
+        <extracomment>%1 is the name of a section, seen from behind until now</extracomment>
+        <translation>%1 wird auf der Vorderseite graviert, der einzigen Seite, die der Laser erreicht; die Ansicht hat sich zu ihr gedreht.</translation>
+    </message>
+    <message>
+        <source>B: make it a circle</source>
+        <translation>B: zum Kreis machen</translation>
+    </message>
+    <message>
+        <source>B: make it an ellipse</source>
+        <translation>B: zur Ellipse machen</translation>
+    </message>
+    <message>
+        <source>B: make its lines straight</source>
+        <translation>B: Linien gerade machen</translation>
+    </message>
+    <message>
+        <source>B: make its corners right angles</source>
+        <translation>B: Ecken rechtwinklig machen</translation>
+    </message>
+    <message>
+        <source>Turning to the new plane; wait until it stops, or draw on at once.</source>
+        <translation>Die Ansicht dreht sich zur neuen Ebene; warten, bis sie steht, oder gleich weiterzeichnen.</translation>
+    </message>
+    <message>
+        <source>Nothing drawn: a line of less than %1 is taken for a slip of the hand, unless it closes a loop.</source>
+        <extracomment>%1 is a length</extracomment>
+        <translation>Nichts gezeichnet: Eine Linie von weniger als %1 gilt als Ausrutscher, wenn sie keine Schleife schließt.</translation>
+    </message>
+    <message>
+        <source>%1 is not symmetric: its halves differ.</source>
+        <extracomment>%1 is the name of a section</extracomment>
+        <translation>%1 ist nicht symmetrisch: ihre Hälften sind verschieden.</translation>
     </message>
 </context>
 <context>
@@ -4860,6 +4922,60 @@
         <source>Turn %1 to 90°</source>
         <extracomment>%1 is the name of a section</extracomment>
         <translation>%1 auf 90° drehen</translation>
+    </message>
+    <message>
+        <source>Make %1 a circle</source>
+        <extracomment>%1 is the name of a section</extracomment>
+        <translation>%1 zum Kreis machen</translation>
+    </message>
+    <message>
+        <source>Make %1 an ellipse</source>
+        <extracomment>%1 is the name of a section</extracomment>
+        <translation>%1 zur Ellipse machen</translation>
+    </message>
+    <message>
+        <source>Make the hole in %1 a circle</source>
+        <extracomment>%1 is the name of a section</extracomment>
+        <translation>Loch in %1 zum Kreis machen</translation>
+    </message>
+    <message>
+        <source>Make the hole in %1 an ellipse</source>
+        <extracomment>%1 is the name of a section</extracomment>
+        <translation>Loch in %1 zur Ellipse machen</translation>
+    </message>
+    <message>
+        <source>Straighten lines of %1</source>
+        <extracomment>%1 is the name of a section</extracomment>
+        <translation>Linien von %1 gerade machen</translation>
+    </message>
+    <message>
+        <source>Make corners of %1 right angles</source>
+        <extracomment>%1 is the name of a section</extracomment>
+        <translation>Ecken von %1 rechtwinklig machen</translation>
+    </message>
+    <message>
+        <source>Keep %1 symmetric</source>
+        <extracomment>%1 is the name of a section</extracomment>
+        <translation>%1 symmetrisch halten</translation>
+    </message>
+    <message numerus="yes">
+        <source>Keep %n sections symmetric</source>
+        <translation>
+            <numerusform>%n Scheibe symmetrisch halten</numerusform>
+            <numerusform>%n Scheiben symmetrisch halten</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Let the halves of %1 differ</source>
+        <extracomment>%1 is the name of a section</extracomment>
+        <translation>Hälften von %1 verschieden sein lassen</translation>
+    </message>
+    <message numerus="yes">
+        <source>Let the halves of %n sections differ</source>
+        <translation>
+            <numerusform>Hälften von %n Scheibe verschieden sein lassen</numerusform>
+            <numerusform>Hälften von %n Scheiben verschieden sein lassen</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -7025,6 +7141,14 @@
     <message>
         <source>Which way it faces: across its plane, of length 1</source>
         <translation>Wohin sie schaut: quer zu ihrer Ebene, der Länge 1</translation>
+    </message>
+    <message>
+        <source>Symmetric</source>
+        <translation>Symmetrisch</translation>
+    </message>
+    <message>
+        <source>What is done to points of one half is done to the other one</source>
+        <translation>Was mit Punkten der einen Hälfte geschieht, geschieht auch mit denen der anderen</translation>
     </message>
 </context>
 <context>

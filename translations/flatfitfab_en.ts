@@ -364,6 +364,20 @@
             <numerusform>Remove holes of %n sections</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>Keep %n sections symmetric</source>
+        <translation>
+            <numerusform>Keep %n section symmetric</numerusform>
+            <numerusform>Keep %n sections symmetric</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Let the halves of %n sections differ</source>
+        <translation>
+            <numerusform>Let the halves of %n section differ</numerusform>
+            <numerusform>Let the halves of %n sections differ</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::AgoText</name>

@@ -44,7 +44,8 @@ endif()
 fff_tests(tests_held LIBRARIES fff::session TESTS
     core/session/tst_grips
     core/session/tst_held_judge
-    core/session/tst_held_pairs)
+    core/session/tst_held_pairs
+    core/session/tst_mending)
 target_sources(tests_held PRIVATE
     core/session/edge_grid.cpp
     core/session/held_judge.cpp
