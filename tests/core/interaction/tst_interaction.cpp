@@ -300,7 +300,7 @@ void TestInteraction::refusalsSayWhy_data()
     QTest::newRow("in the slit") << 0 << hints::kNeverLeft;
     QTest::newRow("in the turn") << 1 << hints::kTooShort;
     QTest::newRow("in the dead zone") << 2 << hints::kTooShort;
-    QTest::newRow("a contour without an area") << 3 << hints::kNoArea;
+    QTest::newRow("a slip of the hand") << 3 << hints::kTwitch;
 }
 
 /// Takes a stroke to a phase and leaves the button down.
