@@ -1,5 +1,7 @@
 #include "core/io/json_syntax.h"
 
+#include "core/io/json_keys.h"
+
 #include <QtCore/QCoreApplication>
 #include <algorithm>
 #include <cctype>
@@ -129,6 +131,16 @@ std::string lineAt(std::string_view text, std::size_t offset)
     return std::to_string(1 + std::count(text.begin(), end, '\n'));
 }
 
+bool checkKeys(std::string_view json, Problems &problems)
+{
+    const std::optional<RepeatedKey> repeated = repeatedKey(json);
+    if (repeated)
+        problems.fail(
+            ErrorCode::BadSyntax, lineAt(json, repeated->at),
+            {quoted(repeated->key), QT_TRANSLATE_NOOP("Error", "each key of an object only once")});
+    return !repeated;
+}
+
 } // namespace
 
 bool checkCharacters(std::string_view json, Problems &problems)
@@ -152,7 +164,8 @@ QJsonDocument parseJson(std::string_view bytes, Problems &problems)
     const QJsonDocument json = QJsonDocument::fromJson(
         QByteArray::fromRawData(text.data(), static_cast<qsizetype>(text.size())), &error);
     if (error.error == QJsonParseError::NoError)
-        return checkCharacters(text, problems) ? json : QJsonDocument();
+        return checkCharacters(text, problems) && checkKeys(text, problems) ? json
+                                                                            : QJsonDocument();
 
     const std::size_t offset =
         std::min(static_cast<std::size_t>(std::max(error.offset, 0)), text.size());

@@ -11,8 +11,9 @@
 
 namespace fff::io {
 
-/// A null document, and an error in `problems` (Truncated, BadSyntax, NonFinite), when the text is
-/// not JSON, or has an escape sequence for half a character. A byte-order mark at the start is
+/// A null document, and an error in `problems` at the line (Truncated, BadSyntax, NonFinite), when
+/// the text is not JSON, or has an escape sequence for half a character, or an object has a key
+/// twice: what the first one holds would be gone without a word. A byte-order mark at the start is
 /// passed over.
 QJsonDocument parseJson(std::string_view bytes, Problems &problems);
 

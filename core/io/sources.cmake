@@ -18,6 +18,7 @@ target_sources(fff_io PRIVATE
     flatfab_text.cpp
     formats.cpp
     json_cursor.cpp
+    json_keys.cpp
     json_syntax.cpp
     json_writer.cpp
     loaded_document.cpp

@@ -48,6 +48,9 @@ void TestErrorText::sentences_data()
     row("a section that is not cut out", {NotCutOut, "fish.fff", {"Rib 3"}},
         "fish.fff: \"Rib 3\" could not be cut out: what its slits leave of it could not be worked "
         "out");
+    row("a key that is there twice",
+        {BadSyntax, "a.fff:82", {"sections", "each key of an object only once"}},
+        "a.fff:82: found \"sections\", expected each key of an object only once");
     row("no model", {NotAModel, "a.png", {}},
         "a.png: not a model, expected a .fff file or a .txt file of FlatFab");
     row("an entry of an archive", {BadArchive, "a.fff:blobs/x", {"this entry is damaged"}},

@@ -474,6 +474,17 @@ void TestFffFormat::malformed_data()
     row("an error behind a byte-order mark", "\xEF\xBB\xBF" + edited("83.82", "nan"), NonFinite,
         "a.fff:64");
     row("a byte-order mark alone", "\xEF\xBB\xBF", Truncated, "a.fff:1");
+    // Wrong: the last one would win in silence, and a model would open without its sections.
+    row("a list of sections twice", edited("\"operations\": []", "\"sections\": []"), BadSyntax,
+        "a.fff:82");
+    row("a key twice in an object of an object",
+        edited("\"density\": 640.5", "\"density\": 640.5, \"density\": 1"), BadSyntax,
+        "a.fff:" + std::to_string(lineOf("\"density\": 640.5")));
+    row("a key twice, once escaped",
+        edited("\"version\": 3", "\"version\": 3, \"v\\u0065rsion\": 1"), BadSyntax, "a.fff:3");
+    row("a key twice in a place nobody reads",
+        edited("\"operations\": []", "\"x\": [{\"a\": [{\"b\": 1}, {}], \"a\"\n: 2}]"), BadSyntax,
+        "a.fff:82");
     // Wrong: it would be written as another text, and no two programs would agree which.
     row("the first half of a character", edited("Rückwand", "R\\ud83dckwand"), BadSyntax,
         "a.fff:60");
