@@ -10,6 +10,7 @@
 #include <cstring>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <set>
 
 #include <minizip/unzip.h>
@@ -100,6 +101,7 @@ constexpr const char *kEntries = QT_TRANSLATE_NOOP("Error", "entries");
 constexpr const char *kListDamaged =
     QT_TRANSLATE_NOOP("Error", "the list of what is packed in it is damaged");
 constexpr const char *kDamaged = QT_TRANSLATE_NOOP("Error", "this entry is damaged");
+constexpr const char *kEncrypted = QT_TRANSLATE_NOOP("Error", "this entry is encrypted");
 
 /// What stands beside the archive would be gone with the next save.
 constexpr const char *kMoreThanPacked =
@@ -113,17 +115,42 @@ std::uint32_t numberAt(std::string_view bytes, std::size_t at)
     return number;
 }
 
-/// Whether the list of entries ends where the record of its end begins, and that ends the file.
-bool endsWithItsList(std::string_view bytes, std::size_t comment)
+std::size_t shortAt(std::string_view bytes, std::size_t at)
 {
-    constexpr std::size_t kEndSize = 22, kLocator = 20;
-    if (bytes.size() < kEndSize + comment)
+    return static_cast<unsigned char>(bytes[at]) |
+           std::size_t(static_cast<unsigned char>(bytes[at + 1])) << 8;
+}
+
+constexpr std::size_t kEndSize = 22; // bytes of the record that ends an archive, but its comment
+
+/// Whether the list of entries ends where this record of its end begins, and that, with its
+/// comment, ends the file.
+bool isEnd(std::string_view bytes, std::size_t at)
+{
+    constexpr std::size_t kLocator = 20;
+    if (bytes.size() < kEndSize || at > bytes.size() - kEndSize ||
+        at + kEndSize + shortAt(bytes, at + 20) != bytes.size())
         return false;
-    const std::size_t end = bytes.size() - kEndSize - comment;
-    if (bytes.substr(end, 4) != "PK\5\6")
-        return false;
-    const bool is64 = end >= kLocator && bytes.substr(end - kLocator, 4) == "PK\6\7";
-    return is64 || std::size_t(numberAt(bytes, end + 12)) + numberAt(bytes, end + 16) == end;
+    const bool is64 = at >= kLocator && bytes.substr(at - kLocator, 4) == "PK\6\7";
+    return is64 || std::size_t(numberAt(bytes, at + 12)) + numberAt(bytes, at + 16) == at;
+}
+
+/// The archive without its comment, in which minizip would take any such bytes for the end; nothing
+/// where its end is not to be found, or may be in two places.
+std::optional<std::string_view> withoutComment(std::string_view bytes)
+{
+    constexpr std::size_t kLongestEnd = kEndSize + 0xFFFF;
+    constexpr std::string_view kSignature = "PK\5\6";
+    std::optional<std::size_t> end;
+    std::size_t at = bytes.size() - std::min(bytes.size(), kLongestEnd);
+    for (at = bytes.find(kSignature, at); at < bytes.size(); at = bytes.find(kSignature, at + 1)) {
+        if (!isEnd(bytes, at))
+            continue;
+        if (end)
+            return std::nullopt;
+        end = at;
+    }
+    return end ? std::optional(bytes.substr(0, *end + kEndSize)) : std::nullopt;
 }
 
 bool isTooDense(std::size_t unpacked, std::uint64_t packed)
@@ -136,6 +163,7 @@ struct Listed
 {
     std::string name;
     unz_file_info64 info;
+    ZPOS64_T at; // in the list
 
     /// For places: a name that is not one of ours may be anything.
     std::string in(const std::string &archive) const { return placeOfEntry(archive, name); }
@@ -144,9 +172,10 @@ struct Listed
 class Unpacker
 {
 public:
-    Unpacker(std::string_view bytes, const std::string &place) : m_place(place)
+    Unpacker(std::string_view bytes, const std::string &place)
+        : m_place(place), m_hasEnd(withoutComment(bytes).has_value())
     {
-        m_memory.read = bytes;
+        m_memory.read = withoutComment(bytes).value_or(bytes);
         zlib_filefunc64_def functions = functionsOf(m_memory);
         m_file.reset(unzOpen2_64(nullptr, &functions));
     }
@@ -163,9 +192,11 @@ private:
     };
 
     Result<void> checkSum() const;
+    Result<void> checkItself(const Listed &entry) const;
     Result<std::string> unpack(const Listed &entry);
 
     const std::string &m_place;
+    bool m_hasEnd;
     Memory m_memory;
     std::unique_ptr<void, Close> m_file;
     std::vector<Listed> m_entries;
@@ -178,7 +209,7 @@ Result<void> Unpacker::list()
     unz_global_info64 global = {};
     if (!m_file || unzGetGlobalInfo64(m_file.get(), &global) != UNZ_OK)
         return bad(m_place, kListDamaged);
-    if (!endsWithItsList(m_memory.read, global.size_comment))
+    if (!m_hasEnd)
         return bad(m_place, kMoreThanPacked);
     if (global.number_entry > kMostEntries)
         return tooMany(m_place, global.number_entry, kMostEntries, kEntries);
@@ -192,6 +223,7 @@ Result<void> Unpacker::list()
             return bad(m_place, kListDamaged);
         entry.name.assign(name.data(),
                           std::min<std::size_t>(entry.info.size_filename, kLongestName));
+        entry.at = unzGetOffset64(m_file.get());
         m_entries.push_back(std::move(entry));
     }
     return {};
@@ -206,7 +238,7 @@ Result<void> Unpacker::check() const
         if (!known.insert(entry.name).second)
             return bad(place, QT_TRANSLATE_NOOP("Error", "this entry is there twice"));
         if (entry.info.flag & 1)
-            return bad(place, QT_TRANSLATE_NOOP("Error", "this entry is encrypted"));
+            return bad(place, kEncrypted);
         // Sizes of 64 bits, which minizip reads on some systems only.
         constexpr ZPOS64_T k64 = 0xFFFFFFFF;
         const bool is64 = entry.info.compressed_size == k64 || entry.info.uncompressed_size == k64;
@@ -218,7 +250,32 @@ Result<void> Unpacker::check() const
         if (entry.info.uncompressed_size > kMostEntryBytes)
             return tooMany(place, entry.info.uncompressed_size, kMostEntryBytes, kBytes);
     }
-    return checkSum();
+    if (Result<void> sum = checkSum(); !sum)
+        return sum;
+    for (const Listed &entry : m_entries)
+        if (Result<void> itself = checkItself(entry); !itself)
+            return itself;
+    return {};
+}
+
+/// What stands before an entry's bytes must say what the list says, or programs that go by the one
+/// and by the other would see two different archives. minizip compares the rest.
+Result<void> Unpacker::checkItself(const Listed &entry) const
+{
+    constexpr std::size_t kListedSize = 46, kHeadSize = 30;
+    const std::string_view bytes = m_memory.read;
+    if (entry.at + kListedSize > bytes.size() || bytes.substr(entry.at, 4) != "PK\1\2")
+        return bad(m_place, kListDamaged);
+    const std::size_t head = numberAt(bytes, entry.at + 42);
+    if (head + kHeadSize > bytes.size() || bytes.substr(head, 4) != "PK\3\4")
+        return bad(entry.in(m_place), kDamaged);
+    if (shortAt(bytes, head + 6) & 1)
+        return bad(entry.in(m_place), kEncrypted);
+    if (bytes.substr(head + kHeadSize, shortAt(bytes, head + 26)) != entry.name)
+        return bad(entry.in(m_place),
+                   QT_TRANSLATE_NOOP("Error", "this entry itself has another name than the list "
+                                              "of what is packed gives it"));
+    return {};
 }
 
 /// No byte is packed in two entries, or a small file would unpack to their product.

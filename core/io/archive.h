@@ -51,9 +51,11 @@ Result<std::vector<std::string>> entryNames(std::string_view bytes, const std::s
 /// are counted while they are unpacked.
 ///
 /// place   how errors call the file; those of an entry are at place:NAME
-/// Errors  BadArchive  a list of entries that is damaged; bytes beside the archive; an entry that is there twice, encrypted,
-///                     packed in an unknown way, or damaged, or that has more than kMostRatio bytes
-///                     a packed one; entries that share bytes
+/// Errors  BadArchive  a list of entries that is damaged; bytes beside the archive; an entry that
+/// is there twice, encrypted,
+///                     packed in an unknown way, damaged, or called otherwise than the list says,
+///                     or that has more than kMostRatio bytes a packed one; entries that share
+///                     bytes
 ///         BadCount    more entries or bytes than the limits above
 Result<std::vector<ArchiveEntry>> unpacked(std::string_view bytes, const std::string &place);
 

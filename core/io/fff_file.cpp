@@ -19,10 +19,12 @@ std::string nameOf(const std::string &sha256)
     return std::string(kBlobs) + sha256;
 }
 
-/// No other name has a place in there, so none can lead out of a folder.
+/// No other name has a place in there, so none can lead out of a folder. Other programs pack the
+/// folder of the blobs, too.
 bool belongs(std::string_view name)
 {
-    return name == kDocument || (name.starts_with(kBlobs) && isSha256(name.substr(kBlobs.size())));
+    return name == kDocument || name == kBlobs ||
+           (name.starts_with(kBlobs) && isSha256(name.substr(kBlobs.size())));
 }
 
 tl::unexpected<Error> bad(const std::string &name, const std::string &entry, const char *what)
@@ -67,6 +69,8 @@ Result<Content> contentOf(std::string_view bytes, const std::string &name)
             hasDocument = true;
             continue;
         }
+        if (entry.name == kBlobs && entry.bytes.empty())
+            continue;
         std::string hash = entry.name.substr(kBlobs.size());
         if (sha256Of(entry.bytes) != hash)
             return bad(name, entry.name,

@@ -4,7 +4,8 @@
 //     document.json      the same JSON, which names them
 //     blobs/SHA256       the bytes of each, by their hash in 64 hexadecimal digits
 //
-// and nothing else. Which of the two it is is decided by what is in it.
+// and nothing else, but that "blobs/" may be an entry itself, as in what other programs pack. Which
+// of the two it is is decided by what is in it.
 #pragma once
 
 #include "core/io/formats.h"

@@ -40,7 +40,9 @@ struct MadeEntry
     std::uint64_t size = 0; // unpacked
     std::uint16_t method = 0, flags = 0;
     std::optional<std::uint64_t> packedSize = std::nullopt;
-    std::optional<std::size_t> sameAs = std::nullopt; // has no bytes of its own, but this one's
+    std::optional<std::size_t> sameAs = std::nullopt;  // has no bytes of its own, but this one's
+    std::optional<std::string> ownName = std::nullopt; // before its bytes, other than in the list
+    std::optional<std::uint16_t> ownFlags = std::nullopt;
 
     static MadeEntry stored(std::string name, const std::string &bytes)
     {
@@ -57,7 +59,8 @@ class MadeArchive
 public:
     /// count: of entries, as the end says.
     static std::string of(const std::vector<MadeEntry> &entries,
-                          std::optional<std::uint64_t> count = std::nullopt)
+                          std::optional<std::uint64_t> count = std::nullopt,
+                          const std::string &comment = {})
     {
         MadeArchive archive;
         std::vector<std::uint64_t> places;
@@ -66,7 +69,7 @@ public:
         const std::uint64_t start = archive.m_bytes.size();
         for (std::size_t i = 0; i < entries.size(); ++i)
             archive.addListed(entries[i], places[i]);
-        archive.addEnd(start, count.value_or(entries.size()));
+        archive.addEnd(start, count.value_or(entries.size()), comment);
         return archive.m_bytes;
     }
 
@@ -116,8 +119,11 @@ private:
     {
         const std::uint64_t place = m_bytes.size();
         put(0x04034b50, 4);
-        putCommon(entry);
-        m_bytes += entry.name;
+        MadeEntry itself = entry;
+        itself.name = entry.ownName.value_or(entry.name);
+        itself.flags = entry.ownFlags.value_or(entry.flags);
+        putCommon(itself);
+        m_bytes += itself.name;
         putLargeSizes(entry);
         m_bytes += entry.packed;
         return place;
@@ -135,7 +141,7 @@ private:
         m_bytes += entry.name;
         putLargeSizes(entry);
     }
-    void addEnd(std::uint64_t start, std::uint64_t count)
+    void addEnd(std::uint64_t start, std::uint64_t count, const std::string &comment)
     {
         const std::uint64_t size = m_bytes.size() - start;
         const bool isMany = count > std::numeric_limits<std::uint16_t>::max();
@@ -163,7 +169,8 @@ private:
         put(isMany ? 0xFFFF : count, 2);
         put(isMany ? kLarge : size, 4);
         put(isMany ? kLarge : start, 4);
-        put(0, 2);
+        put(comment.size(), 2);
+        m_bytes += comment;
     }
 
     std::string m_bytes;

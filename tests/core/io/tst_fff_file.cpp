@@ -107,6 +107,8 @@ private Q_SLOTS:
     void textAloneIsNotHalfRead();
     void aFileOnDisk();
     void madeArchivesAreRead();
+    void packedAgainByOthers_data();
+    void packedAgainByOthers();
     void hostile_data();
     void hostile();
     void tooMuch_data();
@@ -266,6 +268,41 @@ void TestFffFile::madeArchivesAreRead()
     QVERIFY(io::readFffFile(many, "a.fff"));
 }
 
+void TestFffFile::packedAgainByOthers_data()
+{
+    QTest::addColumn<std::string>("bytes");
+    const std::string picture = noise(3000);
+    const std::vector<MadeEntry> entries{documentWith({picture}), blob(picture)};
+    const auto row = [](const char *name, const std::string &bytes) {
+        QTest::newRow(name) << bytes;
+    };
+    const auto commented = [&](const std::string &comment) {
+        return MadeArchive::of(entries, std::nullopt, comment);
+    };
+    row("with the folder of the blobs",
+        MadeArchive::of({MadeEntry::stored("blobs/", ""), entries[0], entries[1]}));
+    row("with a comment", commented("packed on a rainy day"));
+    row("with a comment like the end", commented("PK\5\6"));
+    row("with a comment that has a whole end",
+        commented("see PK\5\6" + std::string(18, '\0') + " there"));
+    row("with a comment that is an archive", commented(MadeArchive::of({named("x")})));
+    row("with the longest comment", commented("PK\5\6" + std::string(0xFFFF - 4, '\6')));
+    row("with a blob that looks like the end", [] {
+        const std::string end = "PK\5\6" + std::string(18, '\0');
+        return MadeArchive::of({documentWith({end}), blob(end)}, std::nullopt, "a comment");
+    }());
+}
+
+// Wrong: a file that was only unpacked and packed again does not open.
+void TestFffFile::packedAgainByOthers()
+{
+    QFETCH(std::string, bytes);
+    const auto loaded = io::readFffFile(bytes, "a.fff");
+    QVERIFY2(loaded, loaded ? "" : qPrintable(io::errorText(loaded.error())));
+    QCOMPARE(loaded->document.blobs.size(), 1u);
+    QVERIFY(loaded->document.sections.size() == 2);
+}
+
 void TestFffFile::hostile_data()
 {
     addColumns();
@@ -291,7 +328,10 @@ void TestFffFile::hostile_data()
         ":document.json x");
     row("a zero byte behind a blob's name", with(named("blobs/" + hash + '\0')), BadArchive,
         ":blobs/" + hash.substr(0, 34) + "…");
-    row("a folder", with(named("blobs/")), BadArchive, ":blobs/");
+    row("a folder that has bytes", with(named("blobs/")), BadArchive, ":blobs/");
+    row("a folder alone", MadeArchive::of({MadeEntry::stored("blobs/", "")}), BadArchive,
+        ":document.json");
+    row("another folder", with(MadeEntry::stored("pictures/", "")), BadArchive, ":pictures/");
     row("a file in a deeper folder", with(named("blobs/x/" + hash)), BadArchive,
         ":blobs/x/" + hash.substr(0, 32) + "…");
     row("capital digits", with(named("blobs/" + std::string(64, 'A'))), BadArchive,
@@ -329,6 +369,27 @@ void TestFffFile::hostile_data()
     row("encrypted",
         MadeArchive::of({changed(documentWith({}), [](MadeEntry &entry) { entry.flags = 1; })}),
         BadArchive, ":document.json");
+    row("encrypted, as it says itself",
+        MadeArchive::of({changed(documentWith({}), [](MadeEntry &entry) { entry.ownFlags = 1; })}),
+        BadArchive, ":document.json");
+    row("called otherwise, as it says itself",
+        MadeArchive::of(
+            {changed(documentWith({}), [](MadeEntry &entry) { entry.ownName = "document.exe_"; })}),
+        BadArchive, ":document.json");
+    row(
+        "an end in the comment that is as good",
+        [] {
+            // Two lists, one in the comment: which of them is it?
+            const std::string first = MadeArchive::of({documentWith({})});
+            std::string end = first.substr(first.size() - 22);
+            const std::size_t place = first.size();
+            for (std::size_t i = 0; i < 4; ++i) {
+                end[12 + i] = '\0';
+                end[16 + i] = static_cast<char>(place >> (8 * i) & 0xFF);
+            }
+            return MadeArchive::of({documentWith({})}, std::nullopt, end);
+        }(),
+        BadArchive);
     row("packed in an unknown way",
         MadeArchive::of({changed(documentWith({}), [](MadeEntry &entry) { entry.method = 12; })}),
         BadArchive, ":document.json");
