@@ -4,6 +4,7 @@
 #include "core/io/fff_format.h"
 #include "core/io/json_writer.h"
 #include "core/session/slot_blobs.h"
+#include "core/session/slot_files.h"
 
 #include <QCoreApplication>
 #include <QDir>
@@ -18,20 +19,6 @@
 namespace fff {
 
 namespace {
-
-const QString kDocumentSuffix = QStringLiteral(".fff");
-const QString kLockSuffix = QStringLiteral(".lock");
-const QString kBlobsSuffix = QStringLiteral(".blobs");
-
-QString documentPath(const QString &slot)
-{
-    return slot + kDocumentSuffix;
-}
-
-QString blobsPath(const QString &slot)
-{
-    return slot + kBlobsSuffix;
-}
 
 /// {"recovery": {...},} as the first member of the document's object: readers of `.fff` pass it
 /// over, and both are replaced in one go.
@@ -62,56 +49,15 @@ RecoveryEntry entryOf(const QString &slot, const std::string &bytes)
     entry.time =
         QDateTime::fromString(recovery[QLatin1String("time")].toString(), Qt::ISODateWithMs);
     if (!entry.time.isValid())
-        entry.time = QFileInfo(documentPath(slot)).lastModified();
+        entry.time = QFileInfo(slotDocument(slot)).lastModified();
     entry.time = entry.time.toUTC();
     return entry;
-}
-
-/// What is left of a slot: its document, copies of it that were being written, and its blobs.
-void removeFiles(const QString &slot)
-{
-    const QFileInfo document(documentPath(slot));
-    const QStringList names = document.dir().entryList({document.fileName() + u'*'}, QDir::Files);
-    for (const QString &name : names)
-        document.dir().remove(name);
-    removeOtherSlotBlobs(blobsPath(slot), {});
-}
-
-/// Slots by their paths, each once, whichever of their files are there.
-QStringList slotsIn(const QString &folder)
-{
-    QStringList paths;
-    const QDir dir(folder);
-    const auto all = QDir::Files | QDir::Dirs | QDir::NoDotAndDotDot | QDir::Hidden;
-    for (const QFileInfo &file : dir.entryInfoList(all)) {
-        // A copy that was being written is called "NAME.fff.XXXXXX".
-        const QString name = file.fileName();
-        const bool isOurs = file.isDir()
-                                ? name.endsWith(kBlobsSuffix)
-                                : name.contains(kDocumentSuffix) || name.endsWith(kLockSuffix);
-        const QString path = dir.filePath(name.left(name.indexOf(u'.')));
-        if (isOurs && name.indexOf(u'.') > 0 && !paths.contains(path))
-            paths.append(path);
-    }
-    return paths;
-}
-
-/// Holds no document that any program could read. One that cannot be read now may be later.
-bool isWaste(const QString &slot)
-{
-    if (!QFile::exists(documentPath(slot)))
-        return true;
-    const Result<std::string> bytes = io::readFile(documentPath(slot));
-    if (!bytes)
-        return false;
-    const Result<io::LoadedDocument> document = io::readFff(*bytes);
-    return !document && document.error().code != ErrorCode::NewerVersion;
 }
 
 } // namespace
 
 RecoverySlot::RecoverySlot(const QString &path)
-    : m_path(path), m_lock(std::make_unique<SlotLock>(path + kLockSuffix))
+    : m_path(path), m_lock(std::make_unique<SlotLock>(slotLock(path)))
 {
 }
 
@@ -125,7 +71,7 @@ std::unique_ptr<RecoverySlot> RecoverySlot::take(const QString &slot)
 
 bool RecoverySlot::isHeld(const QString &slot)
 {
-    return SlotLock::isHeld(slot + kLockSuffix);
+    return SlotLock::isHeld(slotLock(slot));
 }
 
 std::unique_ptr<RecoverySlot> RecoverySlot::make(const QString &folder)
@@ -144,19 +90,19 @@ Result<void> RecoverySlot::write(const Document &document, const RecoveryEntry &
     // Nothing that could not be opened again replaces a copy that can.
     if (const auto again = io::readFff(text); !again)
         return tl::unexpected(again.error());
-    if (Result<void> kept = writeSlotBlobs(blobsPath(m_path), document); !kept)
+    if (Result<void> kept = writeSlotBlobs(slotBlobFolder(m_path), document); !kept)
         return kept;
     io::WriteOptions options;
     options.isThereAtOnce = true;
-    Result<void> written = io::writeFile(documentPath(m_path), text, options);
+    Result<void> written = io::writeFile(slotDocument(m_path), text, options);
     if (written)
-        removeOtherSlotBlobs(blobsPath(m_path), document);
+        removeOtherSlotBlobs(slotBlobFolder(m_path), document);
     return written;
 }
 
 void RecoverySlot::remove()
 {
-    removeFiles(m_path);
+    removeSlotFiles(m_path);
     m_lock.reset();
 }
 
@@ -166,13 +112,13 @@ QList<RecoveryEntry> listRecoverable(const QString &folder)
     for (const QString &path : slotsIn(folder)) {
         if (RecoverySlot::isHeld(path))
             continue; // its program runs
-        const Result<std::string> bytes = io::readFile(documentPath(path));
-        if (bytes && io::readFff(*bytes)) {
+        const Result<std::string> bytes = io::readFile(slotDocument(path));
+        if (bytes && readSlotDocument(*bytes)) {
             entries.append(entryOf(path, *bytes));
-        } else if (isWaste(path)) {
+        } else if (!QFile::exists(slotDocument(path))) {
             // It may have become another program's slot by now, and a document.
             const std::unique_ptr<RecoverySlot> slot = RecoverySlot::take(path);
-            if (slot && isWaste(path))
+            if (slot && !QFile::exists(slotDocument(path)))
                 slot->remove();
         }
     }
@@ -186,8 +132,8 @@ Result<io::LoadedDocument> readRecoverable(const RecoveryEntry &entry)
 {
     io::ReadOptions options;
     options.name = entry.name.toStdString();
-    options.blobs = slotBlobs(blobsPath(entry.slot));
-    return io::readDocument(documentPath(entry.slot), options);
+    options.blobs = slotBlobs(slotBlobFolder(entry.slot));
+    return io::readDocument(slotDocument(entry.slot), options);
 }
 
 bool discardRecoverable(const RecoveryEntry &entry)

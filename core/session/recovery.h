@@ -29,8 +29,8 @@ struct RecoveryEntry
 };
 
 /// Newest first: every slot whose program is gone. Those of running programs, this one included,
-/// are never among them. What no program could read and nobody holds is cleaned away; documents of
-/// a newer version are left for it. No entries for a folder that is not there.
+/// are never among them. What is left of a slot without a document is cleaned away; one that cannot
+/// be read stays (core/session/unreadable_work.h). No entries for a folder that is not there.
 QList<RecoveryEntry> listRecoverable(const QString &folder);
 
 /// To look at, say for a thumbnail; Autosave::adopt opens it. Errors  those of io::readDocument

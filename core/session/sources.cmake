@@ -30,7 +30,9 @@ target_sources(fff_session PRIVATE
     session_host.cpp
     set_aside.cpp
     slot_blobs.cpp
+    slot_files.cpp
     slot_lock.cpp
     tool_commands.cpp
+    unreadable_work.cpp
     view_commands.cpp
 )

@@ -86,16 +86,18 @@ void MessageBar::showNext(Severity severity, const QStringList &lines, std::vect
     if (isHidden())
         show(severity, lines, std::move(verbs));
     else
-        m_next = [this, severity, lines, verbs = std::move(verbs)] {
-            show(severity, lines, verbs);
-        };
+        m_next.push_back(
+            [this, severity, lines, verbs = std::move(verbs)] { show(severity, lines, verbs); });
 }
 
 void MessageBar::close()
 {
     hide();
-    if (const auto next = std::exchange(m_next, {}))
-        next();
+    if (m_next.empty())
+        return;
+    const std::function<void()> next = std::move(m_next.front());
+    m_next.erase(m_next.begin());
+    next();
 }
 
 void MessageBar::setVerbs(std::vector<Verb> verbs)

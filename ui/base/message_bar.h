@@ -47,7 +47,7 @@ private:
     void close();
     void setVerbs(std::vector<Verb> verbs);
 
-    std::function<void()> m_next; // shows what waits
+    std::vector<std::function<void()>> m_next; // show what waits, in this order
     Severity m_severity = Severity::Warning;
     QLabel *m_icon = nullptr;
     QLabel *m_text = nullptr;

@@ -2,14 +2,20 @@
 
 #include "core/io/error_text.h"
 #include "core/session/autosave.h"
+#include "core/session/unreadable_work.h"
 #include "ui/base/ago_text.h"
 #include "ui/base/message_bar.h"
 #include "ui/bench/workbench.h"
 #include "ui/files/document_files.h"
 #include "ui/settings/settings.h"
 
+#include <QDesktopServices>
+#include <QDir>
 #include <QFileInfo>
+#include <QSet>
+#include <QUrl>
 
+#include <algorithm>
 #include <optional>
 
 namespace fff::ui {
@@ -30,6 +36,19 @@ std::optional<RecoveryEntry> entryOf(const QString &id)
             return entry;
     }
     return std::nullopt;
+}
+
+/// Of all windows: what was set aside is found once, and told until somebody has read it.
+struct Unreadable
+{
+    QList<UnreadableWork> found;
+    QSet<QString> noted;
+};
+
+Unreadable &unreadableSoFar()
+{
+    static Unreadable unreadable;
+    return unreadable;
 }
 
 } // namespace
@@ -105,6 +124,42 @@ void UnsavedWork::forget(const QString &id)
 {
     if (const std::optional<RecoveryEntry> entry = entryOf(id))
         discardRecoverable(*entry);
+}
+
+std::vector<UnreadableCopy> UnsavedWork::unreadable()
+{
+    auto &[found, noted] = unreadableSoFar();
+    found.removeIf([](const UnreadableWork &work) { return !QFileInfo::exists(work.path); });
+    for (const UnreadableWork &work : setUnreadableAside(folder())) {
+        if (std::none_of(found.begin(), found.end(),
+                         [&](const UnreadableWork &one) { return one.path == work.path; }))
+            found.append(work);
+    }
+    std::vector<UnreadableCopy> copies;
+    for (const UnreadableWork &work : found) {
+        if (noted.contains(work.path))
+            continue;
+        const QString path = QDir::toNativeSeparators(work.path);
+        copies.push_back(
+            {work.path,
+             work.why.code == ErrorCode::NewerVersion
+                 ? tr("A copy of unsaved work was made by a newer FlatFitFab; it is "
+                      "kept as %1.")
+                       .arg(path)
+                 : tr("A copy of unsaved work could not be read; it is kept as %1.").arg(path),
+             io::errorText(work.why)});
+    }
+    return copies;
+}
+
+void UnsavedWork::takeNote(const QString &path)
+{
+    unreadableSoFar().noted.insert(path);
+}
+
+void UnsavedWork::showInFolder(const QString &path)
+{
+    QDesktopServices::openUrl(QUrl::fromLocalFile(QFileInfo(path).absolutePath()));
 }
 
 } // namespace fff::ui

@@ -25,6 +25,14 @@ struct RecoveredWork
     QString text; // "untitled, 14 steps, 2 minutes ago"
 };
 
+/// A row of what cannot be recovered, but is kept.
+struct UnreadableCopy
+{
+    QString path; // of the file
+    QString text; // that it is kept, and where
+    QString why;  // in words
+};
+
 class UnsavedWork : public QObject
 {
     Q_OBJECT
@@ -42,6 +50,12 @@ public:
     static std::vector<RecoveredWork> recoverable();
     /// A person wants it no more.
     static void forget(const QString &id);
+
+    /// What crashes have left that cannot be read, until a person has taken note of it; what is
+    /// damaged in no later run of the program.
+    static std::vector<UnreadableCopy> unreadable();
+    static void takeNote(const QString &path);
+    static void showInFolder(const QString &path);
 
 private:
     void follow();

@@ -25,6 +25,23 @@ namespace {
 
 constexpr int kLeftWidth = 260, kMargin = 24, kGap = 16; // px
 constexpr int kHeadingSize = 20;                         // px, UI.md section 4
+constexpr int kRowIcon = 20;                             // px
+
+void clear(QVBoxLayout *rows)
+{
+    while (QLayoutItem *item = rows->takeAt(0)) {
+        item->widget()->hide();
+        item->widget()->deleteLater();
+        delete item;
+    }
+}
+
+QPushButton *makeButton(const QString &text, const char *name)
+{
+    auto *button = new QPushButton(text);
+    button->setObjectName(QLatin1String(name));
+    return button;
+}
 
 } // namespace
 
@@ -94,6 +111,8 @@ QWidget *StartPage::makeLeft()
 QWidget *StartPage::makeMiddle()
 {
     auto *page = new QWidget;
+    m_unreadable = new QVBoxLayout;
+    m_unreadable->setSpacing(8);
     m_recovered = new QVBoxLayout;
     m_recovered->setSpacing(8);
     m_recentHeading = makeHeading(tr("Recent"));
@@ -105,6 +124,7 @@ QWidget *StartPage::makeMiddle()
     auto *column = new QVBoxLayout(page);
     column->setContentsMargins(kMargin, kMargin, kMargin, kMargin);
     column->setSpacing(12);
+    column->addLayout(m_unreadable);
     column->addLayout(m_recovered);
     column->addWidget(m_recentHeading);
     column->addWidget(m_recent);
@@ -134,39 +154,60 @@ QLabel *StartPage::makeHeading(const QString &text)
     return heading;
 }
 
+/// What a person should know or may go on with, and what can be done about it.
+QFrame *StartPage::addRow(QVBoxLayout *rows, const QPixmap &icon, const QString &text,
+                          std::initializer_list<QPushButton *> buttons)
+{
+    auto *row = new QFrame(this);
+    auto *picture = new QLabel(row);
+    picture->setPixmap(icon);
+    auto *words = new QLabel(text, row);
+    words->setTextFormat(Qt::PlainText);
+    words->setWordWrap(true);
+    auto *line = new QHBoxLayout(row);
+    line->setContentsMargins(12, 8, 8, 8);
+    line->setSpacing(12);
+    line->addWidget(picture);
+    line->addWidget(words, 1);
+    for (QPushButton *button : buttons)
+        line->addWidget(button);
+    rows->addWidget(row);
+    return row;
+}
+
 void StartPage::setRecovered(const std::vector<RecoveredWork> &works)
 {
-    while (QLayoutItem *item = m_recovered->takeAt(0)) {
-        item->widget()->hide();
-        item->widget()->deleteLater();
-        delete item;
-    }
+    clear(m_recovered);
+    const QPixmap icon =
+        tintedPixmap(QStringLiteral("clock"), kRowIcon, theme().accent, devicePixelRatioF());
     for (const RecoveredWork &work : works) {
-        auto *row = new QFrame(this);
-        row->setObjectName(QStringLiteral("recoveredRow"));
-        row->setProperty("recovered", true);
-        auto *icon = new QLabel(row);
-        icon->setPixmap(
-            tintedPixmap(QStringLiteral("clock"), 20, theme().accent, devicePixelRatioF()));
-        //: %1 is a model's name, how much was done, and when
-        auto *text = new QLabel(tr("Recovered: %1").arg(work.text), row);
-        text->setTextFormat(Qt::PlainText);
-        text->setWordWrap(true);
-        auto *open = new QPushButton(tr("Open it"), row);
-        open->setObjectName(QStringLiteral("recoverOpen"));
-        auto *discard = new QPushButton(tr("Discard"), row);
-        discard->setObjectName(QStringLiteral("recoverDiscard"));
+        QPushButton *open = makeButton(tr("Open it"), "recoverOpen");
+        QPushButton *discard = makeButton(tr("Discard"), "recoverDiscard");
         const QString id = work.id;
         connect(open, &QPushButton::clicked, this, [this, id] { Q_EMIT recoverWanted(id); });
         connect(discard, &QPushButton::clicked, this, [this, id] { Q_EMIT discardWanted(id); });
-        auto *line = new QHBoxLayout(row);
-        line->setContentsMargins(12, 8, 8, 8);
-        line->setSpacing(12);
-        line->addWidget(icon);
-        line->addWidget(text, 1);
-        line->addWidget(open);
-        line->addWidget(discard);
-        m_recovered->addWidget(row);
+        //: %1 is a model's name, how much was done, and when
+        auto *row = addRow(m_recovered, icon, tr("Recovered: %1").arg(work.text), {open, discard});
+        row->setObjectName(QStringLiteral("recoveredRow"));
+        row->setProperty("recovered", true);
+        dress(row);
+    }
+}
+
+void StartPage::setUnreadable(const std::vector<UnreadableCopy> &copies)
+{
+    clear(m_unreadable);
+    const QPixmap icon =
+        tintedPixmap(QStringLiteral("warn"), kRowIcon, theme().warning, devicePixelRatioF());
+    for (const UnreadableCopy &copy : copies) {
+        QPushButton *show = makeButton(tr("Show the folder"), "unreadableShow");
+        QPushButton *note = makeButton(tr("OK"), "unreadableNote");
+        const QString path = copy.path;
+        connect(show, &QPushButton::clicked, this, [this, path] { Q_EMIT folderWanted(path); });
+        connect(note, &QPushButton::clicked, this, [this, path] { Q_EMIT noteTaken(path); });
+        auto *row = addRow(m_unreadable, icon, copy.text, {show, note});
+        row->setObjectName(QStringLiteral("unreadableRow"));
+        row->setToolTip(copy.why);
         dress(row);
     }
 }

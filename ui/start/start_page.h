@@ -8,8 +8,10 @@
 
 #include <QWidget>
 
+#include <initializer_list>
 #include <vector>
 
+class QFrame;
 class QLabel;
 class QPushButton;
 class QVBoxLayout;
@@ -26,6 +28,7 @@ public:
     explicit StartPage(QWidget *parent = nullptr);
 
     void setRecovered(const std::vector<RecoveredWork> &works);
+    void setUnreadable(const std::vector<UnreadableCopy> &copies);
 
 Q_SIGNALS:
     void newWanted();
@@ -34,6 +37,8 @@ Q_SIGNALS:
     void sampleChosen(const QString &path);
     void recoverWanted(const QString &id);
     void discardWanted(const QString &id);
+    void folderWanted(const QString &path);
+    void noteTaken(const QString &path);
 
 protected:
     void changeEvent(QEvent *event) override;
@@ -43,6 +48,8 @@ protected:
 private:
     QWidget *makeLeft();
     QWidget *makeMiddle();
+    QFrame *addRow(QVBoxLayout *rows, const QPixmap &icon, const QString &text,
+                   std::initializer_list<QPushButton *> buttons);
     QLabel *makeHeading(const QString &text);
     void fillRecent();
     void fillSamples();
@@ -59,7 +66,7 @@ private:
 
     Thumbnails m_thumbnails;
     QPushButton *m_new = nullptr;
-    QVBoxLayout *m_recovered = nullptr;
+    QVBoxLayout *m_unreadable = nullptr, *m_recovered = nullptr;
     QLabel *m_recentHeading = nullptr;
     CardGrid *m_recent = nullptr, *m_samples = nullptr;
     std::vector<Shown> m_shownRecent, m_shownSamples;

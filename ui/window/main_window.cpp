@@ -309,16 +309,25 @@ void MainWindow::showStartPage()
             UnsavedWork::forget(id);
             page->setRecovered(UnsavedWork::recoverable());
         });
+        connect(page, &StartPage::folderWanted, page, &UnsavedWork::showInFolder);
+        connect(page, &StartPage::noteTaken, page, [page](const QString &path) {
+            UnsavedWork::takeNote(path);
+            page->setUnreadable(UnsavedWork::unreadable());
+        });
         m_middle->addWidget(page);
     }
     m_middle->setCurrentIndex(1);
     m_status->setStanding(tr("Begin a model of your own, go on with one, or look at a sample."));
     m_middle->currentWidget()->setFocus();
-    static_cast<StartPage *>(m_middle->currentWidget())->setRecovered(UnsavedWork::recoverable());
+    auto *page = static_cast<StartPage *>(m_middle->currentWidget());
+    page->setUnreadable(UnsavedWork::unreadable());
+    page->setRecovered(UnsavedWork::recoverable());
 }
 
 void MainWindow::offerRecovered()
 {
+    if (m_middle->currentIndex() != 1)
+        tellUnreadable();
     const std::vector<RecoveredWork> works = UnsavedWork::recoverable();
     if (works.empty() || m_middle->currentIndex() == 1)
         return;
@@ -334,6 +343,21 @@ void MainWindow::offerRecovered()
     m_messages->showNext(MessageBar::Severity::Info, {tr("Recovered: %1").arg(works.front().text)},
                          {{tr("Open it"), [this, id] { recover(id); }},
                           {tr("Discard"), [id] { UnsavedWork::forget(id); }}});
+}
+
+void MainWindow::tellUnreadable()
+{
+    QStringList lines;
+    QString last;
+    for (const UnreadableCopy &copy : UnsavedWork::unreadable()) {
+        lines += copy.text;
+        last = copy.path;
+        UnsavedWork::takeNote(copy.path);
+    }
+    if (!lines.isEmpty())
+        m_messages->showNext(
+            MessageBar::Severity::Warning, lines,
+            {{tr("Show the folder"), [last] { UnsavedWork::showInFolder(last); }}});
 }
 
 void MainWindow::recover(const QString &id)

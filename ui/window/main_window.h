@@ -50,6 +50,8 @@ public:
     /// What a crash left: rows of the start page where that is shown, else a message. Once, at
     /// start.
     void offerRecovered();
+    /// What it left and cannot be read: the same as a message.
+    void tellUnreadable();
     /// In this window while nothing was done in it, else in a new one.
     void recover(const QString &id);
     /// Closes without the question about unsaved changes, which was asked already.

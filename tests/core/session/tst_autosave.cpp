@@ -5,10 +5,13 @@
 #include "core/io/blobs.h"
 #include "core/io/document_file.h"
 #include "core/io/error_text.h"
+#include "core/io/fff_file.h"
 #include "core/io/fff_format.h"
 #include "core/model/edits.h"
 #include "core/session/autosave.h"
+#include "core/session/unreadable_work.h"
 #include "tests/core/assembly/plates.h"
+#include "tests/core/io/made_archive.h"
 #include "tests/test_program.h"
 
 #include <QDir>
@@ -120,6 +123,10 @@ private Q_SLOTS:
     void whatACrashLeftIsOffered();
     void brokenSlots_data();
     void brokenSlots();
+    void damagedSlotsKeepTheirBlobs();
+    void whatIsHeldIsNotSetAside();
+    void linksAreLeftAlone();
+    void aPackedDocumentIsOffered();
     void aFullFolderIsToldOnceAndTriedAgain();
     void blobsAreKeptBesideTheText();
     void blobsAreWrittenOnce();
@@ -387,27 +394,119 @@ void TestAutosave::brokenSlots_data()
 {
     QTest::addColumn<QString>("file");
     QTest::addColumn<QByteArray>("bytes");
-    QTest::addColumn<bool>("stays");
-    QTest::newRow("an empty document") << "a.fff" << QByteArray() << false;
-    QTest::newRow("half a document") << "a.fff" << QByteArray("{\"format\": \"FlatFit") << false;
-    QTest::newRow("no model") << "a.fff" << QByteArray("\x89PNG\0\0", 6) << false;
-    QTest::newRow("a copy that was being written") << "a.fff.Xy12ab" << QByteArray("{}") << false;
+    QTest::addColumn<QString>("kept"); // where it is then; empty: nowhere
+    QTest::addColumn<bool>("isTold");
+    const QString aside = QStringLiteral("damaged/a.fff");
+    const auto damaged = [&](const char *name, const QByteArray &bytes) {
+        QTest::newRow(name) << "a.fff" << bytes << aside << true;
+    };
+    const QByteArray whole =
+        QByteArray::fromStdString(io::writeFff(withPlate(newDocument(), 0)).value());
+    damaged("an empty document", {});
+    damaged("a document of one byte", "{");
+    damaged("half a document", "{\"format\": \"FlatFit");
+    damaged("a document that was cut off", whole.left(whole.size() / 2));
+    damaged("a stock without a thickness",
+            QByteArray(whole).replace("\"thickness\": 3", "\"thickness\": 0"));
+    damaged("no model", QByteArray("\x89PNG\0\0", 6));
+    damaged("a ZIP of too many entries",
+            QByteArray::fromStdString(test::MadeArchive::of(
+                {test::MadeEntry::stored("document.json", whole.toStdString())}, 65'535)));
+    QTest::newRow("a copy that was being written")
+        << "a.fff.Xy12ab" << QByteArray("{}") << QString() << false;
     QTest::newRow("the lock of a program that is gone")
-        << "a.lock" << QByteArray("999999999\nflatfitfab\n\n") << false;
+        << "a.lock" << QByteArray("999999999\nflatfitfab\n\n") << QString() << false;
     QTest::newRow("a document of a newer version")
-        << "a.fff" << QByteArray("{\"format\": \"FlatFitFab\", \"version\": 99}") << true;
-    QTest::newRow("a file of somebody else") << "notes.txt" << QByteArray("notes") << true;
+        << "a.fff" << QByteArray("{\"format\": \"FlatFitFab\", \"version\": 99}") << "a.fff"
+        << true;
+    QTest::newRow("a file of somebody else")
+        << "notes.txt" << QByteArray("notes") << "notes.txt" << false;
 }
 
 void TestAutosave::brokenSlots()
 {
     QFETCH(QString, file);
     QFETCH(QByteArray, bytes);
-    QFETCH(bool, stays);
+    QFETCH(QString, kept);
+    QFETCH(bool, isTold);
     QVERIFY(QDir().mkpath(folder()));
     put(QDir(folder()).filePath(file), bytes);
     QVERIFY(listRecoverable(folder()).isEmpty());
-    QCOMPARE(filesIn(folder()), stays ? QStringList(file) : QStringList());
+    const QList<UnreadableWork> works = setUnreadableAside(folder());
+    QVERIFY(listRecoverable(folder()).isEmpty());
+    QCOMPARE(works.size(), isTold ? 1 : 0);
+    const QString path = QDir(folder()).filePath(kept);
+    QVERIFY(!isTold || works.front().path == path);
+    if (!kept.isEmpty())
+        QCOMPARE(io::readFile(path).value(), bytes.toStdString());
+    QCOMPARE(filesIn(folder()), kept == file ? QStringList(file) : QStringList());
+    // Wrong: it is told at each start, or moved on and on.
+    QCOMPARE(setUnreadableAside(folder()).size(), isTold && kept == file ? 1 : 0);
+    QVERIFY(kept.isEmpty() || QFile::exists(path));
+}
+
+// Wrong: pictures of what could still be mended by hand are gone; an earlier copy is replaced.
+void TestAutosave::damagedSlotsKeepTheirBlobs()
+{
+    const QString slot = QDir(folder()).filePath(QStringLiteral("a"));
+    for (const QByteArray bytes : {"first", "second"}) {
+        QVERIFY(QDir().mkpath(blobsOf(slot)));
+        put(pathOf(slot, "one"), bytes);
+        put(slot + QStringLiteral(".fff"), bytes);
+        QCOMPARE(setUnreadableAside(folder()).size(), 1);
+    }
+    QVERIFY(listRecoverable(folder()).isEmpty());
+    const QString aside = QDir(folder()).filePath(QStringLiteral("damaged/a"));
+    for (const auto &[to, bytes] :
+         {std::pair(aside, "first"), std::pair(aside + QStringLiteral("-2"), "second")}) {
+        QCOMPARE(io::readFile(to + QStringLiteral(".fff")).value(), std::string(bytes));
+        QCOMPARE(io::readFile(pathOf(to, "one")).value(), std::string(bytes));
+    }
+}
+
+// Wrong: what somebody writes just now is taken from under their hands.
+void TestAutosave::whatIsHeldIsNotSetAside()
+{
+    const QString slot = QDir(folder()).filePath(QStringLiteral("a"));
+    QVERIFY(QDir().mkpath(folder()));
+    const auto held = RecoverySlot::take(slot);
+    put(slot + QStringLiteral(".fff"), "{");
+    QVERIFY(held && setUnreadableAside(folder()).isEmpty());
+    QVERIFY(QFile::exists(slot + QStringLiteral(".fff")));
+}
+
+// Wrong: a file elsewhere is taken for a copy, or what leads to it goes.
+void TestAutosave::linksAreLeftAlone()
+{
+    QVERIFY(QDir().mkpath(folder()));
+    const QDir elsewhere(m_folder->path());
+    put(elsewhere.filePath(QStringLiteral("mine.fff")), "{");
+    const QStringList links{folder() + QStringLiteral("/a.fff"),
+                            folder() + QStringLiteral("/b.fff"),
+                            folder() + QStringLiteral("/c.blobs")};
+    QVERIFY(QFile::link(elsewhere.filePath(QStringLiteral("mine.fff")), links[0]));
+    QVERIFY(QFile::link(elsewhere.filePath(QStringLiteral("nowhere.fff")), links[1]));
+    QVERIFY(QFile::link(elsewhere.path(), links[2]));
+    put(folder() + QStringLiteral("/b.lock"), "");
+    QVERIFY(listRecoverable(folder()).isEmpty());
+    QVERIFY(setUnreadableAside(folder()).isEmpty());
+    for (const QString &link : links)
+        QVERIFY2(QFileInfo(link).isSymLink(), qPrintable(link));
+    QVERIFY(QFile::exists(elsewhere.filePath(QStringLiteral("mine.fff"))));
+}
+
+// A copy may be the very file that somebody put there by hand.
+void TestAutosave::aPackedDocumentIsOffered()
+{
+    QVERIFY(QDir().mkpath(folder()));
+    const Document document =
+        addBlob(withPlate(newDocument(), 0), io::makeBlob("one", "image/png", "fish.png"));
+    put(folder() + QStringLiteral("/a.fff"),
+        QByteArray::fromStdString(io::writeFffFile(document).value()));
+    QVERIFY(setUnreadableAside(folder()).isEmpty());
+    const QList<RecoveryEntry> entries = listRecoverable(folder());
+    QCOMPARE(entries.size(), 1);
+    QVERIFY(readRecoverable(entries.front())->document == document);
 }
 
 void TestAutosave::aFullFolderIsToldOnceAndTriedAgain()

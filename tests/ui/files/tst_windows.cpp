@@ -10,6 +10,7 @@
 #include "ui/files/unsaved_work.h"
 #include "ui/start/start_page.h"
 
+#include <QDesktopServices>
 #include <QDir>
 #include <QDragEnterEvent>
 #include <QDropEvent>
@@ -25,6 +26,16 @@
 
 using namespace fff;
 using namespace fff::ui;
+
+/// In place of a file manager.
+class FolderShown : public QObject
+{
+    Q_OBJECT
+public:
+    QStringList folders;
+public Q_SLOTS:
+    void show(const QUrl &url) { folders += url.toLocalFile(); }
+};
 
 class TestWindows : public QObject
 {
@@ -59,6 +70,8 @@ private Q_SLOTS:
     void solidsAreExportedByTheirSuffix();
     void sheetsHaveAFileEach();
     void aCrashIsRecoveredFrom();
+    void whatCannotBeReadIsKeptAndSaid();
+    void whatCannotBeReadIsAMessageWithoutAStartPage();
     void whatIsDiscardedIsGone();
     void savedAndForgottenWorkIsNotOffered();
 
@@ -68,6 +81,7 @@ private:
     void drop(QWidget *on, const QStringList &paths);
     void change(MainWindow &window, double side);
     void crash(double side);
+    QStringList unreadableRows();
 
     std::unique_ptr<QTemporaryDir> m_folder;
     MainWindow *m_window = nullptr;
@@ -484,6 +498,73 @@ void TestWindows::aCrashIsRecoveredFrom()
     QVERIFY(m_window->files().path().isEmpty());
     QVERIFY(!page->isVisible());
     QVERIFY(UnsavedWork::recoverable().empty()); // it is this window's now
+}
+
+/// Of a window's start page, as they are said.
+QStringList TestWindows::unreadableRows()
+{
+    QCoreApplication::processEvents(); // rows are shown with the next layout
+    QStringList texts;
+    for (QFrame *row : m_window->findChildren<QFrame *>(QStringLiteral("unreadableRow")))
+        if (row->isVisible())
+            texts += row->findChildren<QLabel *>().back()->text();
+    return texts;
+}
+
+// Wrong: the only copy of somebody's work is gone, or nobody learns that it is there.
+void TestWindows::whatCannotBeReadIsKeptAndSaid()
+{
+    const QString folder = m_folder->filePath(QStringLiteral("recovery"));
+    QVERIFY(QDir().mkpath(folder));
+    QVERIFY(io::writeFile(folder + QStringLiteral("/old.fff"), "{\"format\": \"FlatF"));
+    QVERIFY(io::writeFile(folder + QStringLiteral("/new.fff"),
+                          "{\"format\": \"FlatFitFab\", \"version\": 99}"));
+    const QString kept = folder + QStringLiteral("/damaged/old.fff");
+    m_window->showStartPage();
+    const QStringList both{
+        QStringLiteral("A copy of unsaved work was made by a newer FlatFitFab; it is kept as %1.")
+            .arg(QDir::toNativeSeparators(folder + QStringLiteral("/new.fff"))),
+        QStringLiteral("A copy of unsaved work could not be read; it is kept as %1.")
+            .arg(QDir::toNativeSeparators(kept))};
+    QCOMPARE(unreadableRows(), both);
+    QCOMPARE(io::readFile(kept).value(), std::string("{\"format\": \"FlatF"));
+    m_window->showStartPage(); // still to be read
+    QCOMPARE(unreadableRows(), both);
+
+    FolderShown shown;
+    QDesktopServices::setUrlHandler(QStringLiteral("file"), &shown, "show");
+    const auto press = [this](int row, const char *button) {
+        QList<QPushButton *> visible;
+        for (auto *one : m_window->findChildren<QPushButton *>(QLatin1String(button)))
+            if (one->isVisible())
+                visible += one;
+        QTest::mouseClick(visible.at(row), Qt::LeftButton);
+    };
+    press(1, "unreadableShow");
+    QDesktopServices::unsetUrlHandler(QStringLiteral("file"));
+    QCOMPARE(shown.folders, QStringList{QFileInfo(kept).absolutePath()});
+    press(1, "unreadableNote");
+    QCOMPARE(unreadableRows(), both.mid(0, 1));
+    press(0, "unreadableNote");
+    m_window->showStartPage();
+    QVERIFY(unreadableRows().isEmpty());
+    QVERIFY(QFile::exists(kept) && QFile::exists(folder + QStringLiteral("/new.fff")));
+}
+
+// Wrong: who has switched the start page off is told nothing, or only the last of several things.
+void TestWindows::whatCannotBeReadIsAMessageWithoutAStartPage()
+{
+    crash(63);
+    const QString folder = m_folder->filePath(QStringLiteral("recovery"));
+    QVERIFY(io::writeFile(folder + QStringLiteral("/old.fff"), ""));
+    openFiles(*m_window, {file("gone.fff")});
+    m_window->offerRecovered();
+    QVERIFY(messagesOf(*m_window)->text().startsWith(QStringLiteral("gone.fff")));
+    m_window->findChild<QToolButton *>(QStringLiteral("closeMessage"))->click();
+    QVERIFY(messagesOf(*m_window)->text().startsWith(
+        QStringLiteral("A copy of unsaved work could not be read; it is kept as ")));
+    m_window->findChild<QToolButton *>(QStringLiteral("closeMessage"))->click();
+    QVERIFY(messagesOf(*m_window)->text().startsWith(QStringLiteral("Recovered: untitled")));
 }
 
 void TestWindows::whatIsDiscardedIsGone()
