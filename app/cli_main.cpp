@@ -4,7 +4,6 @@
 
 #include <QGuiApplication>
 #include <QLocale>
-#include <QTextStream>
 
 #include <algorithm>
 #include <clocale>
@@ -79,10 +78,12 @@ int main(int argc, char *argv[])
     for (const fff::cli::Verb &verb : fff::cli::verbs())
         if (first == QLatin1String(verb.name))
             return verb.run(arguments.mid(1));
-    QTextStream err(stderr);
-    if (!first.isEmpty())
-        err << QCoreApplication::translate("CommandLine", "There is no \"%1\".").arg(first)
-            << "\n\n";
-    err << helpText();
+    if (!first.isEmpty()) {
+        fff::cli::printError(
+            QCoreApplication::translate("CommandLine", "There is no \"%1\".").arg(first));
+        fff::cli::printError({});
+    }
+    for (const QString &line : helpText().chopped(1).split(u'\n'))
+        fff::cli::printError(line);
     return fff::cli::WrongUse;
 }

@@ -5,11 +5,9 @@
 #include "core/model/operation_edits.h"
 
 #include <QCoreApplication>
-#include <QTextStream>
 
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <cstring>
 #include <limits>
 
@@ -119,11 +117,6 @@ std::optional<Vec2> sizeOf(const QString &text)
         size.maxCoeff() > kMaxCoordinate)
         return std::nullopt;
     return size;
-}
-
-void printError(const QString &line)
-{
-    QTextStream(stderr) << line << Qt::endl;
 }
 
 std::span<const Verb> verbs()
@@ -341,16 +334,6 @@ int report(Error error, const QString &file)
 {
     error.place = file.toStdString();
     return report(error);
-}
-
-int print(const std::string &text)
-{
-    const bool isWritten =
-        std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0;
-    if (isWritten)
-        return Done;
-    printError(tr("Standard output could not be written."));
-    return CannotWrite;
 }
 
 } // namespace fff::cli

@@ -1,6 +1,7 @@
 // The verbs of flatfitfab-cli and what they share: options, reading, exit statuses.
 #pragma once
 
+#include "app/cli/terminal.h"
 #include "core/analysis/analysis.h"
 #include "core/base/result.h"
 #include "core/base/tolerances.h"
@@ -92,15 +93,11 @@ std::optional<int> applyOptions(Document &document, const DocumentOptions &optio
 /// "600x400": two positive numbers.
 std::optional<Vec2> sizeOf(const QString &text);
 
-/// One line on standard error.
-void printError(const QString &line);
 /// Prints one line on standard error and gives the status that fits the error's code.
 int report(const Error &error);
 /// The same of an error that is about all of a file.
 int report(Error error, const QString &file);
 int wrongUse(const Verb &verb, const QString &reason);
-/// Writes text to standard output. CannotWrite when it was closed.
-int print(const std::string &text);
 
 /// The options of all formats for reading, or for writing, and their values as far as they are
 /// given. Prints and sets `status` as number() does.

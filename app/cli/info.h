@@ -4,6 +4,8 @@
 #include "core/analysis/assembly_plan.h"
 #include "core/fabrication/part.h"
 
+#include <QStringList>
+
 #include <chrono>
 #include <string>
 
@@ -15,13 +17,13 @@ struct InfoContext
     std::string format; // "fff" or "flatfab"
 };
 
-/// Lengths mm, angles degrees, masses kg. All texts end with a line end.
+/// Lengths mm, angles degrees, masses kg. JSON ends with a line end; texts are lines.
 std::string infoJson(const Analysis &analysis, const ModelPlan &plan, const InfoContext &context);
-std::string infoText(const Analysis &analysis, const ModelPlan &plan, const InfoContext &context);
+QStringList infoText(const Analysis &analysis, const ModelPlan &plan, const InfoContext &context);
 
 /// Outlines as designed: slits cut, clearance included, kerf not; and the order of assembly.
 std::string partsJson(const std::vector<Part> &parts, const Model &model, const AssemblyPlan &plan);
-std::string partsText(const std::vector<Part> &parts, const Model &model, const AssemblyPlan &plan);
+QStringList partsText(const std::vector<Part> &parts, const Model &model, const AssemblyPlan &plan);
 
 /// So long an order of assembly is looked for; nobody waits for a frame here.
 inline constexpr std::chrono::seconds kPlanningTime(10);

@@ -57,7 +57,7 @@ QString stepLine(const AssemblyPlan &plan, const std::vector<StepGroup> &groups,
 
 } // namespace
 
-std::string infoText(const Analysis &analysis, const ModelPlan &plan, const InfoContext &context)
+QStringList infoText(const Analysis &analysis, const ModelPlan &plan, const InfoContext &context)
 {
     const Model &model = analysis.model;
     const auto groups = heldGroups(analysis);
@@ -99,10 +99,10 @@ std::string infoText(const Analysis &analysis, const ModelPlan &plan, const Info
                      .arg(QString::fromStdString(stock->name), QString::number(stock->thickness),
                           sizeText(stock->sheet));
     }
-    return lines.join(u'\n').toStdString() + '\n';
+    return lines;
 }
 
-std::string partsText(const std::vector<Part> &parts, const Model &model, const AssemblyPlan &plan)
+QStringList partsText(const std::vector<Part> &parts, const Model &model, const AssemblyPlan &plan)
 {
     QStringList lines;
     for (const Part &part : parts) {
@@ -122,7 +122,7 @@ std::string partsText(const std::vector<Part> &parts, const Model &model, const 
     const std::vector<StepGroup> groups = stepGroups(plan);
     for (std::size_t i = 0; i < plan.steps.size() && plan.steps.size() > 1; ++i)
         lines += stepLine(plan, groups, i);
-    return lines.join(u'\n').toStdString() + '\n';
+    return lines;
 }
 
 } // namespace fff::cli

@@ -5,7 +5,6 @@
 #include "core/operations/evaluate.h"
 
 #include <QFileInfo>
-#include <QTextStream>
 
 #include <cmath>
 #include <optional>
@@ -91,6 +90,13 @@ struct Wish
     QString path;
 };
 
+/// Of a list of names, when there are any.
+void printNames(const char *text, const std::vector<std::string> &names)
+{
+    if (!names.empty())
+        printError(tr(text).arg(joined(names)));
+}
+
 int writeSolids(const Wish &wish, const Document &document, const QString &input)
 {
     const Result<Analysis> analysis = analysed(document, input);
@@ -123,28 +129,24 @@ int writeCuttingFile(const QCommandLineParser &parser, const Wish &wish, const D
             : io::writeFile(wish.path, file->whole);
     if (!written)
         return report(written.error());
-    QTextStream err(stderr);
-    err << tr("Parts: %1, sheets: %2, %3 % used.")
-               .arg(file->partCount)
-               .arg(file->sheetCount())
-               .arg(std::lround(100.0 * file->usedShare));
+    QString made = tr("Parts: %1, sheets: %2, %3 % used.")
+                       .arg(file->partCount)
+                       .arg(file->sheetCount())
+                       .arg(std::lround(100.0 * file->usedShare));
     if (file->slitWidth)
-        err << ' '
-            << tr("Narrowest slit as drawn: %1 mm.").arg(QString::number(*file->slitWidth, 'f', 2));
-    err << Qt::endl;
-    if (!file->oversized.empty())
-        err << tr("Too large for the sheet, on sheets of their own: %1")
-                   .arg(joined(file->oversized))
-            << Qt::endl;
-    if (!file->unmarked.empty())
-        err << tr("Too slim to carry a number: %1").arg(joined(file->unmarked)) << Qt::endl;
-    if (!file->uncut.empty())
-        err << tr("A hole or a notch narrower than the kerf is not cut: %1")
-                   .arg(joined(file->uncut))
-            << Qt::endl;
-    if (!file->unmarkedJoints.empty())
-        err << tr("No room for the numbers of all joints: %1").arg(joined(file->unmarkedJoints))
-            << Qt::endl;
+        made +=
+            u' ' +
+            tr("Narrowest slit as drawn: %1 mm.").arg(QString::number(*file->slitWidth, 'f', 2));
+    printError(made);
+    printNames(
+        QT_TRANSLATE_NOOP("CommandLine", "Too large for the sheet, on sheets of their own: %1"),
+        file->oversized);
+    printNames(QT_TRANSLATE_NOOP("CommandLine", "Too slim to carry a number: %1"), file->unmarked);
+    printNames(
+        QT_TRANSLATE_NOOP("CommandLine", "A hole or a notch narrower than the kerf is not cut: %1"),
+        file->uncut);
+    printNames(QT_TRANSLATE_NOOP("CommandLine", "No room for the numbers of all joints: %1"),
+               file->unmarkedJoints);
     return Done;
 }
 

@@ -90,7 +90,7 @@ std::string problemsJson(const std::vector<Problem> &problems)
 }
 
 /// Worst first, good last, as the window lists them.
-std::string checksText(const std::vector<Finding> &found, const std::vector<Problem> &problems,
+QStringList checksText(const std::vector<Finding> &found, const std::vector<Problem> &problems,
                        const Model &model)
 {
     QStringList lines;
@@ -104,7 +104,7 @@ std::string checksText(const std::vector<Finding> &found, const std::vector<Prob
     if (lines.isEmpty())
         lines += QCoreApplication::translate("CommandLine",
                                              "Nothing to check: the model has no section.");
-    return lines.join(u'\n').toStdString() + '\n';
+    return lines;
 }
 
 } // namespace
@@ -121,8 +121,9 @@ int runCheck(const QStringList &arguments)
     std::vector<Problem> problems = problemsOf(found, model.analysis.model);
     for (Problem &problem : problemsOf(model.warnings))
         problems.push_back(std::move(problem));
-    if (const int printed = print(model.asJson ? problemsJson(problems)
-                                               : checksText(found, problems, model.analysis.model)))
+    if (const int printed = model.asJson
+                                ? print(problemsJson(problems))
+                                : printLines(checksText(found, problems, model.analysis.model)))
         return printed;
     return std::any_of(problems.begin(), problems.end(),
                        [](const Problem &problem) { return problem.isError; })

@@ -17,8 +17,8 @@ int runInfo(const QStringList &arguments)
     const ModelPlan plan = planOf(model.analysis, timeLimit(kPlanningTime));
     if (plan.failure)
         report(*plan.failure, model.file);
-    return print(model.asJson ? infoJson(model.analysis, plan, context)
-                              : infoText(model.analysis, plan, context));
+    return model.asJson ? print(infoJson(model.analysis, plan, context))
+                        : printLines(infoText(model.analysis, plan, context));
 }
 
 } // namespace fff::cli

@@ -3,8 +3,6 @@
 #include "core/operations/evaluate.h"
 #include "core/session/operation_text.h"
 
-#include <QTextStream>
-
 namespace fff::cli {
 
 namespace {
@@ -112,25 +110,28 @@ std::string kindsJson()
     return json.take();
 }
 
-std::string kindsText()
+QStringList kindsText()
 {
-    QString text;
-    QTextStream out(&text);
+    QStringList lines;
+    const auto listed = [](const char *key, const char *label) {
+        return QStringLiteral("    ") + QString::fromLatin1(key).leftJustified(14) +
+               operationText(label);
+    };
     for (const OperationKind *kind : operationKinds()) {
-        out << kind->key << ": " << operationText(kind->summary) << '\n';
+        lines +=
+            QStringLiteral("%1: %2").arg(QLatin1String(kind->key), operationText(kind->summary));
         for (const InputSpec &input : kind->inputs)
-            out << "    " << QString::fromLatin1(input.role).leftJustified(14)
-                << operationText(input.label) << '\n';
+            lines += listed(input.role, input.label);
         const Operation standard = newOperation(*kind);
         for (const ParameterSpec &spec : kind->parameters) {
-            out << "    " << QString::fromLatin1(spec.key).leftJustified(14)
-                << operationText(spec.label) << ": " << QString::fromStdString(rangeText(spec));
+            QString line = listed(spec.key, spec.label) + QStringLiteral(": ") +
+                           QString::fromStdString(rangeText(spec));
             if (spec.unit == Unit::Length || spec.unit == Unit::Angle || spec.unit == Unit::Share)
-                out << ' ' << unitName(spec.unit);
-            out << '\n';
+                line += u' ' + QLatin1String(unitName(spec.unit));
+            lines += line;
         }
     }
-    return text.toStdString();
+    return lines;
 }
 
 std::string modelJson(const Model &model, const QString &file)
@@ -191,25 +192,25 @@ QString tr(const char *text)
     return QCoreApplication::translate("CommandLine", text);
 }
 
-std::string modelText(const Model &model)
+QStringList modelText(const Model &model)
 {
-    QString text;
-    QTextStream out(&text);
+    QStringList lines;
     if (model.document.operations.empty())
-        out << tr("The model has no operations.") << '\n';
+        lines += tr("The model has no operations.");
     for (const OperationPointer &operation : model.document.operations) {
         const OperationResult *result = model.resultOf(operation->id);
         const int count = result ? countOf(*result) : 0;
         const QString made =
             count == 1 ? tr("1 section")
                        : QCoreApplication::translate("CommandLine", "%n sections", nullptr, count);
-        out << QString::fromStdString(operation->name) << ": " << kindName(*operation) << ", "
-            << (operation->isOn ? made : tr("off")) << '\n';
+        lines += QStringLiteral("%1: %2, %3")
+                     .arg(QString::fromStdString(operation->name), kindName(*operation),
+                          operation->isOn ? made : tr("off"));
         if (result)
             for (const OperationNotice &notice : result->notices)
-                out << "    " << noticeText(notice, *operation) << '\n';
+                lines += QStringLiteral("    ") + noticeText(notice, *operation);
     }
-    return text.toStdString();
+    return lines;
 }
 
 } // namespace
@@ -228,7 +229,7 @@ int runOperations(const QStringList &arguments)
         return *found.status;
     const bool asJson = parser.isSet(QStringLiteral("json"));
     if (!hasFile)
-        return print(asJson ? kindsJson() : kindsText());
+        return asJson ? print(kindsJson()) : printLines(kindsText());
     std::optional<int> status;
     const std::optional<DocumentOptions> options = documentOptions(parser, verb, status);
     if (!options)
@@ -237,7 +238,7 @@ int runOperations(const QStringList &arguments)
     if (loaded.status)
         return *loaded.status;
     const Model model = evaluate(loaded.document);
-    return print(asJson ? modelJson(model, found.files.front()) : modelText(model));
+    return asJson ? print(modelJson(model, found.files.front())) : printLines(modelText(model));
 }
 
 } // namespace fff::cli

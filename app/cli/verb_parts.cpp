@@ -64,8 +64,9 @@ int runParts(const QStringList &arguments)
         analysis.bodies = bodiesOf(analysis.model, *cuts);
     }
     const std::vector<Part> parts = makeParts(analysis.model, analysis.assembly, analysis.bodies);
-    return print(parser.isSet(QStringLiteral("json")) ? partsJson(parts, analysis.model, plan)
-                                                      : partsText(parts, analysis.model, plan));
+    return parser.isSet(QStringLiteral("json"))
+               ? print(partsJson(parts, analysis.model, plan))
+               : printLines(partsText(parts, analysis.model, plan));
 }
 
 } // namespace fff::cli

@@ -2,6 +2,8 @@
 #include <QTest> // first: moc stumbles over some standard headers
 
 #include "core/io/document_file.h"
+#include "core/model/operation_edits.h"
+#include "core/operations/operation_kind.h"
 #include "tests/app/cli_run.h"
 #include "tests/core/assembly/plates.h"
 #include "tests/test_program.h"
@@ -83,6 +85,7 @@ private Q_SLOTS:
     void checkListsWhatTheReaderMended();
     void infoTellsHowItStands();
     void sheetsAsFiles();
+    void namesDoNothingToATerminal();
     void solidsAreExported();
     void renderNeedsADisplayAndSaysSo();
     void onlyRenderNeedsADisplay();
@@ -496,6 +499,39 @@ void TestCli::sheetsAsFiles()
                                       QStringLiteral("svg")})
                  .status,
              1);
+}
+
+// Wrong: a model from somebody else clears the screen, or makes up lines that we never wrote.
+void TestCli::namesDoNothingToATerminal()
+{
+    const std::string evil = std::string("a\nb\x1b[2Jc\0d\x7f\xc2\x9b", 13);
+    Document document = newDocument();
+    Stock stock = *document.stocks.front();
+    stock.name = evil;
+    document = setStock(document, stock).value();
+    document = withSection(std::move(document), polygonShape(rectangle(-30, 0, 30, 60)), front());
+    document = *renameSection(document, document.sections.front()->id, evil);
+    Operation operation = newOperation(*operationKind("linear"));
+    operation.name = evil;
+    document = addOperation(document, operation);
+    QVERIFY(io::writeDocument(path("evil.fff"), document));
+    const QByteArray shown = "a␊b␛[2Jc␀d␡�";
+    for (const QStringList &verb :
+         {QStringList{QStringLiteral("info")}, QStringList{QStringLiteral("parts")},
+          QStringList{QStringLiteral("check"), QStringLiteral("--sheet"), QStringLiteral("9x9")},
+          QStringList{QStringLiteral("operations")},
+          QStringList{QStringLiteral("export"), QStringLiteral("--sheet"), QStringLiteral("9x9"),
+                      QStringLiteral("-o"), path("out.svg")}}) {
+        const Run result = run(verb + QStringList{path("evil.fff")});
+        const QByteArray all = result.out + result.err;
+        QVERIFY2(all.contains(shown), verb.front().toUtf8() + ": " + all);
+        for (const char c : all)
+            QVERIFY2(c == '\n' || (c != 0x7F && static_cast<unsigned char>(c) >= 0x20), all);
+    }
+    const Run json = run({QStringLiteral("parts"), path("evil.fff"), QStringLiteral("--json")});
+    const QJsonObject part =
+        QJsonDocument::fromJson(json.out)[QLatin1String("parts")][0].toObject();
+    QCOMPARE(part[QLatin1String("section")].toString(), QString::fromStdString(evil));
 }
 
 void TestCli::solidsAreExported()
