@@ -97,6 +97,15 @@ void printNames(const char *text, const std::vector<std::string> &names)
         printError(tr(text).arg(joined(names)));
 }
 
+void printOlder(const Wish &wish, std::size_t count)
+{
+    QStringList names;
+    for (const QString &file : io::olderFiles(wish.path, count, wish.format.suffix()))
+        names += QFileInfo(file).fileName();
+    if (!names.isEmpty())
+        printError(tr("Older sheets are still there: %1").arg(names.join(QStringLiteral(", "))));
+}
+
 int writeSolids(const Wish &wish, const Document &document, const QString &input)
 {
     const Result<Analysis> analysis = analysed(document, input);
@@ -147,6 +156,8 @@ int writeCuttingFile(const QCommandLineParser &parser, const Wish &wish, const D
         file->uncut);
     printNames(QT_TRANSLATE_NOOP("CommandLine", "No room for the numbers of all joints: %1"),
                file->unmarkedJoints);
+    if (options.isFilePerSheet)
+        printOlder(wish, file->sheets.size());
     return Done;
 }
 

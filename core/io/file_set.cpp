@@ -38,6 +38,23 @@ void restore(const std::vector<Before> &done)
     }
 }
 
+/// What numbers stand between in the names of a set.
+struct SetName
+{
+    QString before, behind;
+
+    SetName(const QString &path, const QString &usual)
+    {
+        const QString suffix = QFileInfo(path).suffix();
+        before = (suffix.isEmpty() ? path : path.chopped(suffix.size() + 1)) + u'-';
+        behind = u'.' + (suffix.isEmpty() ? usual : suffix);
+    }
+    QString of(std::size_t number, int digits) const
+    {
+        return before + QString::number(number).rightJustified(digits, u'0') + behind;
+    }
+};
+
 } // namespace
 
 int digitsFor(std::size_t count)
@@ -48,16 +65,21 @@ int digitsFor(std::size_t count)
 std::vector<NamedBytes> numberedFiles(const QString &path, const std::vector<std::string> &contents,
                                       const QString &usual, int digits)
 {
-    const QString suffix = QFileInfo(path).suffix();
-    const QString base = suffix.isEmpty() ? path : path.chopped(suffix.size() + 1);
+    const SetName name(path, usual);
     std::vector<NamedBytes> files;
     for (const std::string &bytes : contents)
-        files.push_back(
-            {QStringLiteral("%1-%2.%3")
-                 .arg(base, QString::number(files.size() + 1).rightJustified(digits, u'0'),
-                      suffix.isEmpty() ? usual : suffix),
-             bytes});
+        files.push_back({name.of(files.size() + 1, digits), bytes});
     return files;
+}
+
+std::vector<QString> olderFiles(const QString &path, std::size_t count, const QString &usual)
+{
+    const SetName name(path, usual);
+    std::vector<QString> older;
+    for (std::size_t number = count + 1; number <= kMostLeft; ++number)
+        if (const QString file = name.of(number, 1); QFileInfo::exists(file))
+            older.push_back(file);
+    return older;
 }
 
 Result<void> writeFiles(const std::vector<NamedBytes> &files)

@@ -25,6 +25,13 @@ int digitsFor(std::size_t count);
 std::vector<NamedBytes> numberedFiles(const QString &path, const std::vector<std::string> &contents,
                                       const QString &usual, int digits = 1);
 
+/// What numberedFiles() of more contents has left beside `count` of them: files of higher numbers,
+/// up to kMostLeft, in their order. They may be anybody's.
+std::vector<QString> olderFiles(const QString &path, std::size_t count, const QString &usual);
+
+/// Nobody cuts as many sheets; higher numbers are years and the like.
+inline constexpr std::size_t kMostLeft = 999;
+
 /// All of them or none: everything is on the disk under temporary names before the first is put in
 /// its place. Errors  CannotWrite with the path and the system's reason; what was there before is
 /// there again.

@@ -488,6 +488,16 @@ void TestCli::sheetsAsFiles()
              3); // two parts, one of them with a hole
     QCOMPARE(width, QStringLiteral("112mm"));
 
+    QVERIFY(!written.err.contains("Older"));
+    // Wrong: who cuts all files that are there cuts sheets of another model.
+    for (const char *name : {"cut-3.svg", "cut-12.svg", "cut-2024.svg", "cut-4.obj", "cut-x.svg"})
+        QVERIFY(io::writeFile(path(name), "old"));
+    const Run fewer = run(common + QStringList{path("cut.svg")});
+    QCOMPARE(fewer.status, 0);
+    QVERIFY2(fewer.err.contains("Older sheets are still there: cut-3.svg, cut-12.svg\n"),
+             fewer.err);
+    QCOMPARE(*io::readFile(path("cut-3.svg")), std::string("old"));
+
     // A folder in the way of the second: the first keeps what it had.
     QVERIFY(QFile::remove(path("cut-2.svg")));
     QVERIFY(QDir(m_folder->path()).mkdir(QStringLiteral("cut-2.svg")));

@@ -129,7 +129,10 @@ bool Exporting::writeDrawing(const QString &path, bool isFilePerSheet)
     });
     if (!*written)
         return tellFailure(path, written->error());
-    m_messages.show(MessageBar::Severity::Warning, warningsOf(file)); // hides without any
+    QStringList warnings = warningsOf(file);
+    if (isFilePerSheet)
+        warnings += olderSheets(path, files.size(), options.format->suffix());
+    m_messages.show(MessageBar::Severity::Warning, warnings); // hides without any
     const auto nameOf = [](const io::NamedBytes &one) { return QFileInfo(one.path).fileName(); };
     tellDone(file, files.size() == 1
                        ? nameOf(files.front())
@@ -192,6 +195,17 @@ bool Exporting::tellFailure(const QString &path, const Error &error)
             Qt::SingleShotConnection);
     m_refusal = failure;
     return false;
+}
+
+QStringList Exporting::olderSheets(const QString &path, std::size_t count, const QString &suffix)
+{
+    QStringList names;
+    for (const QString &file : io::olderFiles(path, count, suffix))
+        names += QFileInfo(file).fileName();
+    return names.isEmpty()
+               ? QStringList()
+               : QStringList{
+                     tr("Older sheets are still there: %1.").arg(names.join(QStringLiteral(", ")))};
 }
 
 QStringList Exporting::warningsOf(const io::CuttingFile &file)

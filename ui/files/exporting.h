@@ -47,6 +47,8 @@ private:
     bool finishAnalysis(const QString &path);
     bool tellFailure(const QString &path, const fff::Error &error);
     static QStringList warningsOf(const io::CuttingFile &file);
+    /// What an earlier export with more sheets has left, in a sentence; empty: nothing.
+    static QStringList olderSheets(const QString &path, std::size_t count, const QString &suffix);
 
     Workbench &m_bench;
     MessageBar &m_messages;

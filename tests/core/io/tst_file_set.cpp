@@ -17,6 +17,7 @@ private Q_SLOTS:
     void allAreWritten();
     void noneIsWrittenWhenOneCannotBe_data();
     void noneIsWrittenWhenOneCannotBe();
+    void whatAnEarlierSetLeft();
 };
 
 void TestFileSet::allAreWritten()
@@ -55,6 +56,23 @@ void TestFileSet::noneIsWrittenWhenOneCannotBe()
     QCOMPARE(*io::readFile(old), std::string("old"));
     QVERIFY(!QFile::exists(fresh));
     QCOMPARE(QDir(folder.path()).entryList(QDir::Files).size(), 1);
+}
+
+void TestFileSet::whatAnEarlierSetLeft()
+{
+    const QTemporaryDir folder;
+    const auto file = [&](const char *name) { return folder.filePath(QLatin1String(name)); };
+    const QString plan = file("plan.svg");
+    for (const io::NamedBytes &one :
+         io::numberedFiles(plan, std::vector<std::string>(12, "old"), QStringLiteral("svg")))
+        QVERIFY(io::writeFile(one.path, one.bytes));
+    for (const char *name : {"plan-013.svg", "plan-2024.svg", "plan-14.obj", "plan-x.svg",
+                             "a plan-14.svg", "plan-14.svg.bak"})
+        QVERIFY(io::writeFile(file(name), "mine"));
+    const std::vector<QString> older{file("plan-10.svg"), file("plan-11.svg"), file("plan-12.svg")};
+    QVERIFY(io::olderFiles(plan, 9, QStringLiteral("svg")) == older);
+    QVERIFY(io::olderFiles(file("plan"), 9, QStringLiteral("svg")) == older);
+    QVERIFY(io::olderFiles(plan, 12, QStringLiteral("svg")).empty());
 }
 
 FFF_TEST(TestFileSet)

@@ -459,6 +459,16 @@ void TestWindows::sheetsHaveAFileEach()
     QVERIFY(m_window->files().exportSheets(file("a.svg")));
     QCOMPARE(asked, 2);
     QVERIFY(io::readFile(file("a-2.svg")).value() != "mine");
+    QVERIFY(!messagesOf(*m_window)->text().contains(QStringLiteral("Older")));
+
+    // Wrong: who cuts all files that are there cuts sheets of another model.
+    QVERIFY(io::writeFile(file("a-3.svg"), "older"));
+    answer(QStringLiteral("Replace"), &asked);
+    QVERIFY(m_window->files().exportSheets(file("a.svg")));
+    QVERIFY2(messagesOf(*m_window)->text().contains(
+                 QStringLiteral("Older sheets are still there: a-3.svg.")),
+             qPrintable(messagesOf(*m_window)->text()));
+    QCOMPARE(io::readFile(file("a-3.svg")).value(), std::string("older"));
 }
 
 /// What a program that was killed leaves: the slot, and a lock that nobody holds.
