@@ -118,7 +118,9 @@ QStringList partsText(const std::vector<Part> &parts, const Model &model, const 
         lines += line;
     }
     if (lines.isEmpty())
-        lines += tr("Nothing to cut: the model has no section.");
+        lines += model.sectionCount() == 0
+                     ? tr("Nothing to cut: the model has no section.")
+                     : tr("Nothing to cut: the slits leave nothing of any section.");
     const std::vector<StepGroup> groups = stepGroups(plan);
     for (std::size_t i = 0; i < plan.steps.size() && plan.steps.size() > 1; ++i)
         lines += stepLine(plan, groups, i);

@@ -1,8 +1,12 @@
 #include "app/cli/output.h"
 
+#include "app/cli/info.h"
+#include "core/analysis/plan_checks.h"
+#include "core/fabrication/wholeness.h"
 #include "core/io/cutting_file.h"
 #include "core/io/file_set.h"
 #include "core/operations/evaluate.h"
+#include "core/session/finding_text.h"
 
 #include <QFileInfo>
 
@@ -77,8 +81,12 @@ Result<Analysis> analysed(const Document &document, const QString &input)
 {
     AnalysisCaches caches;
     Analysis analysis = analyse(evaluate(document), caches);
-    if (analysis.model.sectionCount() == 0)
-        return failure(ErrorCode::NothingToExport, input.toStdString());
+    const std::size_t sections = analysis.model.sectionCount();
+    if (sections == 0 || sectionsWithoutPart(analysis.bodies).size() == sections) {
+        Error nothing = nothingToExport(analysis).value();
+        nothing.place = input.toStdString();
+        return tl::unexpected(std::move(nothing));
+    }
     return analysis;
 }
 
@@ -95,6 +103,21 @@ void printNames(const char *text, const std::vector<std::string> &names)
 {
     if (!names.empty())
         printError(tr(text).arg(joined(names)));
+}
+
+/// What was written, but cannot be put together, or not as it was meant.
+void printImpossible(const Analysis &analysis)
+{
+    std::vector<std::string> names;
+    for (const int section : sectionsWithoutPart(analysis.bodies))
+        names.push_back(analysis.model.section(static_cast<std::size_t>(section))->name);
+    printNames(QT_TRANSLATE_NOOP("CommandLine", "Slits leave nothing of these, so they have no "
+                                                "part: %1"),
+               names);
+    const ModelPlan plan = planOf(analysis, timeLimit(kPlanningTime));
+    for (const Finding &finding : planChecks(analysis, plan))
+        if (finding.severity == Severity::Error)
+            printError(findingText(finding, analysis.model));
 }
 
 void printOlder(const Wish &wish, std::size_t count)
@@ -115,8 +138,10 @@ int writeSolids(const Wish &wish, const Document &document, const QString &input
         wish.format.writeSolids(analysis->model, analysis->bodies, wish.values);
     if (!solids)
         return report(solids.error(), input);
-    const Result<void> written = io::writeFile(wish.path, *solids);
-    return written ? Done : report(written.error());
+    if (const Result<void> written = io::writeFile(wish.path, *solids); !written)
+        return report(written.error());
+    printImpossible(*analysis);
+    return Done;
 }
 
 int writeCuttingFile(const QCommandLineParser &parser, const Wish &wish, const Document &document,
@@ -158,6 +183,7 @@ int writeCuttingFile(const QCommandLineParser &parser, const Wish &wish, const D
                file->unmarkedJoints);
     if (options.isFilePerSheet)
         printOlder(wish, file->sheets.size());
+    printImpossible(*analysis);
     return Done;
 }
 

@@ -99,14 +99,24 @@ Result<void> judgeWritten(const Analysis &analysis, const Layout &layout,
 
 } // namespace
 
+tl::unexpected<Error> nothingToExport(const Analysis &analysis)
+{
+    return analysis.model.sectionCount() == 0
+               ? failure(ErrorCode::NothingToExport)
+               : failure(ErrorCode::NothingToExport, {}, {analysis.model.section(0)->name});
+}
+
 Result<Cutting> makeCutting(const Analysis &analysis, const CuttingOptions &options)
 {
     if (const Result<void> known = haveParts(analysis.model, analysis.bodies); !known)
         return tl::unexpected(known.error());
     std::vector<Part> parts = makeParts(analysis.model, analysis.assembly, analysis.bodies);
     if (parts.empty())
-        return failure(ErrorCode::NothingToExport);
+        return nothingToExport(analysis);
     Cutting cutting;
+    for (const int section : sectionsWithoutPart(analysis.bodies))
+        cutting.withoutPart.push_back(
+            analysis.model.section(static_cast<std::size_t>(section))->name);
     cutting.partCount = static_cast<int>(parts.size());
     const auto slitWidth = narrowestDrawn(analysis, options.compensatesKerf);
     if (!slitWidth)

@@ -22,8 +22,9 @@ struct Cutting
 {
     CuttingDrawing drawing;
     int partCount = 0;
-    double usedShare = 0.0;             // of the sheets' area that parts cover, 0 … 1
-    std::vector<std::string> oversized; // names of sections with a part that fits no sheet
+    double usedShare = 0.0;               // of the sheets' area that parts cover, 0 … 1
+    std::vector<std::string> withoutPart; // names of sections of which slits leave nothing
+    std::vector<std::string> oversized;   // names of sections with a part that fits no sheet
     std::vector<std::string> unmarked; // names of sections with a part too slim to carry its number
     std::vector<std::string> unmarkedJoints; // the same for the numbers of all its joints
     std::vector<std::string> uncut;  // with a hole or a notch that is narrower than the kerf
@@ -32,9 +33,12 @@ struct Cutting
     int sheetCount() const { return static_cast<int>(drawing.sheets.size()); }
 };
 
-/// Errors  NothingToExport for a model without sections; as haveParts(); MarksNotCut; ClosedSlit
-/// for a slit that the kerf closes, CannotOffset for a part without a path, with the section's
-/// name.
+/// Errors  NothingToExport for a model without sections, or of which slits leave nothing; as
+/// haveParts(); MarksNotCut; ClosedSlit for a slit that the kerf closes, CannotOffset for a part
+/// without a path, with the section's name.
 Result<Cutting> makeCutting(const Analysis &analysis, const CuttingOptions &options = {});
+
+/// Of a model that has no part: whether because it has no section, or because slits leave nothing.
+tl::unexpected<Error> nothingToExport(const Analysis &analysis);
 
 } // namespace fff

@@ -32,7 +32,7 @@ enum class ErrorCode {
     CannotOffset,     // no path runs round an outline at the kerf's half everywhere; args: section,
                       // kerf
     ClosedSlit,       // a slit that the kerf closes; args: section, the slit's width, the kerf
-    NothingToExport,  // no section, so no part
+    NothingToExport,  // no section, so no part; args: a section, where slits leave nothing of any
     UnknownCommand,   // args: the command's id
     BadEvent,         // an event that makes no sense here; args: what, what was expected
     Unsupported,      // args: what

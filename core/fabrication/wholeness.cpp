@@ -41,6 +41,15 @@ std::vector<int> uncutSections(const Bodies &bodies)
     return sectionsThat(bodies, [](const CutSection &cut) { return cut.failure().has_value(); });
 }
 
+std::vector<int> sectionsWithoutPart(const Bodies &bodies)
+{
+    std::vector<int> sections;
+    for (int section = 0; section < static_cast<int>(bodies.sectionCount()); ++section)
+        if (bodies.of(section).empty())
+            sections.push_back(section);
+    return sections;
+}
+
 std::vector<int> sectionsWithoutSolid(const Bodies &bodies)
 {
     return sectionsThat(

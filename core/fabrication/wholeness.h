@@ -13,6 +13,8 @@ namespace fff {
 std::vector<const Operation *> failedOperations(const Model &model);
 /// The sections that could not be cut out, by their indices in the model that the bodies are of.
 std::vector<int> uncutSections(const Bodies &bodies);
+/// Those of which slits leave nothing: no part comes of them.
+std::vector<int> sectionsWithoutPart(const Bodies &bodies);
 /// Those without a solid: these, and those that have no triangles. Computes what is not known yet.
 std::vector<int> sectionsWithoutSolid(const Bodies &bodies);
 

@@ -177,7 +177,9 @@ QString errorSentence(const Error &error)
     case ErrorCode::ClosedSlit:
         return closedSlit(args);
     case ErrorCode::NothingToExport:
-        return ErrorTexts::tr("there is no section yet, so there is nothing to cut");
+        return hasArg ? ErrorTexts::tr(
+                            "slits leave nothing of any section, so there is nothing to cut")
+                      : ErrorTexts::tr("there is no section yet, so there is nothing to cut");
     case ErrorCode::UnknownCommand:
         return hasArg ? ErrorTexts::tr("there is no command \"%1\"").arg(verbatim(args, 0))
                       : ErrorTexts::tr("there is no such command");

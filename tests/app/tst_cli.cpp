@@ -5,6 +5,7 @@
 #include "core/model/operation_edits.h"
 #include "core/operations/operation_kind.h"
 #include "tests/app/cli_run.h"
+#include "tests/core/assembly/known_models.h"
 #include "tests/core/assembly/plates.h"
 #include "tests/test_program.h"
 
@@ -57,6 +58,23 @@ QStringList cutPaths(const QString &file, QString *viewBox = nullptr, QString *w
     return xml.hasError() ? QStringList() : paths;
 }
 
+/// Narrower than two slits, which reach into it from both ends and beyond its middle.
+Document withAStripOfSlits()
+{
+    Document document = withSection(newDocument(), polygonShape(rectangle(-1, 10, 1, 40)), side(0));
+    for (const double way : {-1.0, 1.0}) {
+        document = withSection(std::move(document), polygonShape(rectangle(-30, 5, 30, 45)),
+                               front(0.1 * way));
+        JointOverride wanted;
+        wanted.a = document.sections.front()->ref();
+        wanted.b = document.sections.back()->ref();
+        wanted.opens = Vec2(0, way);
+        wanted.shares = {{{0.1 * way, 25}, 0.6}};
+        document = setJointOverride(std::move(document), wanted).value();
+    }
+    return document;
+}
+
 } // namespace
 
 class TestCli : public QObject
@@ -85,6 +103,7 @@ private Q_SLOTS:
     void checkListsWhatTheReaderMended();
     void infoTellsHowItStands();
     void sheetsAsFiles();
+    void whatCannotBeMadeIsSaid();
     void namesDoNothingToATerminal();
     void solidsAreExported();
     void renderNeedsADisplayAndSaysSo();
@@ -509,6 +528,32 @@ void TestCli::sheetsAsFiles()
                                       QStringLiteral("svg")})
                  .status,
              1);
+}
+
+void TestCli::whatCannotBeMadeIsSaid()
+{
+    const auto exported = [&](const Document &document) {
+        QFile::remove(path("out.svg"));
+        if (!io::writeDocument(path("some.fff"), document))
+            return Run();
+        return run({QStringLiteral("export"), path("some.fff"), QStringLiteral("-o"),
+                    path("out.svg"), QStringLiteral("--kerf"), QStringLiteral("0")});
+    };
+    const Run some = exported(withAStripOfSlits());
+    QCOMPARE(some.status, 0);
+    QVERIFY2(some.err.contains("Slits leave nothing of these, so they have no part: Section 1\n"),
+             some.err);
+    QVERIFY(QFile::exists(path("out.svg")));
+
+    const Run locked = exported(triangle());
+    QCOMPARE(locked.status, 0);
+    QVERIFY2(locked.err.contains("\nSections block each other. "), locked.err);
+    QVERIFY(QFile::exists(path("out.svg")));
+
+    const Run plain =
+        exported(withSection(newDocument(), polygonShape(rectangle(-30, 0, 30, 60)), front()));
+    QCOMPARE(plain.status, 0);
+    QCOMPARE(plain.err.count('\n'), 1);
 }
 
 // Wrong: a model from somebody else clears the screen, or makes up lines that we never wrote.

@@ -211,6 +211,9 @@ QStringList Exporting::olderSheets(const QString &path, std::size_t count, const
 QStringList Exporting::warningsOf(const io::CuttingFile &file)
 {
     QStringList warnings;
+    for (const std::string &section : file.withoutPart)
+        warnings += tr("The slits of %1 leave nothing of it. It is not cut.")
+                        .arg(QString::fromStdString(section));
     for (const std::string &section : file.oversized) {
         warnings += tr("%1 is larger than the sheet. It lies on a sheet of its own size.")
                         .arg(QString::fromStdString(section));

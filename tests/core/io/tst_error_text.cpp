@@ -37,6 +37,8 @@ void TestErrorText::sentences_data()
         "thickness: this value is not possible here");
     row("no place", {NothingToExport, "", {}},
         "there is no section yet, so there is nothing to cut");
+    row("slits leave nothing", {NothingToExport, "a.fff", {"Rib"}},
+        "a.fff: slits leave nothing of any section, so there is nothing to cut");
     row("system's reason", {CannotWrite, "/a/b.fff", {"No space left on device"}},
         "/a/b.fff: could not be written: No space left on device");
     row("newer version", {NewerVersion, "a.fff:$.version", {"7", "5"}},
