@@ -2407,6 +2407,30 @@
         <source>cutting files, true to size</source>
         <translation>Schneiddateien in wahrer Größe</translation>
     </message>
+    <message>
+        <source>Slits leave nothing of these, so they have no part: %1</source>
+        <translation>Die Schlitze lassen von diesen nichts übrig, sie haben also kein Teil: %1</translation>
+    </message>
+    <message>
+        <source>Too large for the sheet, on sheets of their own: %1</source>
+        <translation>Zu groß für die Platte, auf eigenen Platten: %1</translation>
+    </message>
+    <message>
+        <source>Too slim to carry a number: %1</source>
+        <translation>Zu schmal für eine Nummer: %1</translation>
+    </message>
+    <message>
+        <source>A hole or a notch narrower than the kerf is not cut: %1</source>
+        <translation>Ein Loch oder eine Kerbe, schmaler als die Schnittfuge, wird nicht geschnitten: %1</translation>
+    </message>
+    <message>
+        <source>No room for the numbers of all joints: %1</source>
+        <translation>Kein Platz für die Nummern aller Verbindungen: %1</translation>
+    </message>
+    <message>
+        <source>Standard output could not be written.</source>
+        <translation>Die Standardausgabe ließ sich nicht schreiben.</translation>
+    </message>
 </context>
 <context>
     <name>Cue</name>
@@ -3072,6 +3096,18 @@
     <message>
         <source>there is more in this file than what is packed in it</source>
         <translation>in der Datei steht mehr als das, was darin gepackt ist</translation>
+    </message>
+    <message>
+        <source>this entry itself has another name than the list of what is packed gives it</source>
+        <translation>dieser Eintrag selbst heißt anders als in der Liste des Gepackten</translation>
+    </message>
+    <message>
+        <source>slits leave nothing of any section, so there is nothing to cut</source>
+        <translation>die Schlitze lassen von keiner Scheibe etwas übrig, es gibt also nichts zu schneiden</translation>
+    </message>
+    <message>
+        <source>each key of an object only once</source>
+        <translation>jeder Schlüssel eines Objekts nur einmal</translation>
     </message>
 </context>
 <context>
@@ -5033,24 +5069,12 @@
         <translation>--sheet: gefunden: „%1“, erwartet: Breite x Höhe in mm, etwa 600x400.</translation>
     </message>
     <message>
-        <source>Standard output could not be written.</source>
-        <translation>Die Standardausgabe ließ sich nicht schreiben.</translation>
-    </message>
-    <message>
         <source>%1 × %2 mm</source>
         <translation>%1 × %2 mm</translation>
     </message>
     <message>
         <source>Narrowest slit as drawn: %1 mm.</source>
         <translation>Schmalster Schlitz, wie gezeichnet: %1 mm.</translation>
-    </message>
-    <message>
-        <source>Too large for the sheet, on sheets of their own: %1</source>
-        <translation>Zu groß für die Platte, auf eigenen Platten: %1</translation>
-    </message>
-    <message>
-        <source>Too slim to carry a number: %1</source>
-        <translation>Zu schmal für eine Nummer: %1</translation>
     </message>
     <message>
         <source>The file to write; - is standard output.</source>
@@ -5201,10 +5225,6 @@
         <translation>Schritt %1: die Teile %2 zusammen; das verbindet, was mit den Schritten %3 und %4 zusammengesetzt ist</translation>
     </message>
     <message>
-        <source>No room for the numbers of all joints: %1</source>
-        <translation>Kein Platz für die Nummern aller Verbindungen: %1</translation>
-    </message>
-    <message>
         <source>For machines; steps are counted from 0.</source>
         <translation>Für Programme; Schritte zählen ab 0.</translation>
     </message>
@@ -5215,10 +5235,6 @@
     <message>
         <source>-o: a file needs a name.</source>
         <translation>-o: Eine Datei braucht einen Namen.</translation>
-    </message>
-    <message>
-        <source>A hole or a notch narrower than the kerf is not cut: %1</source>
-        <translation>Ein Loch oder eine Kerbe, schmaler als die Schnittfuge, wird nicht geschnitten: %1</translation>
     </message>
     <message>
         <source>a %1 file</source>
@@ -5251,6 +5267,70 @@
     <message>
         <source>%1 is of no kind that can be written; expected %2.</source>
         <translation>%1 ist von keiner Art, die geschrieben werden kann; erwartet: %2.</translation>
+    </message>
+    <message>
+        <source>Sections: %1</source>
+        <translation>Scheiben: %1</translation>
+    </message>
+    <message>
+        <source>Joints: %1</source>
+        <translation>Verbindungen: %1</translation>
+    </message>
+    <message>
+        <source>%1 and %2 meet, but no slit lets them slide together.</source>
+        <translation>%1 und %2 treffen sich, aber kein Schlitz lässt sie zusammenstecken.</translation>
+    </message>
+    <message>
+        <source>All sections hold together.</source>
+        <translation>Alle Scheiben halten zusammen.</translation>
+    </message>
+    <message>
+        <source>Not connected to the rest: %1</source>
+        <translation>Nicht mit dem Rest verbunden: %1</translation>
+    </message>
+    <message>
+        <source>Size %1 × %2 × %3 mm (width, height, depth)</source>
+        <translation>Größe %1 × %2 × %3 mm (Breite, Höhe, Tiefe)</translation>
+    </message>
+    <message>
+        <source>Mass %1 g</source>
+        <translation>Masse %1 g</translation>
+    </message>
+    <message>
+        <source>Stock %1, %2 mm, sheets of %3</source>
+        <translation>Material %1, %2 mm, Platten von %3</translation>
+    </message>
+    <message>
+        <source>Part %1: %2, %3</source>
+        <translation>Teil %1: %2, %3</translation>
+    </message>
+    <message>
+        <source>, joints %1</source>
+        <translation>, Verbindungen %1</translation>
+    </message>
+    <message>
+        <source>Nothing to cut: the model has no section.</source>
+        <translation>Nichts zu schneiden: Das Modell hat keine Scheibe.</translation>
+    </message>
+    <message>
+        <source>Nothing to cut: the slits leave nothing of any section.</source>
+        <translation>Nichts zu schneiden: Die Schlitze lassen von keiner Scheibe etwas übrig.</translation>
+    </message>
+    <message>
+        <source>Older sheets are still there: %1</source>
+        <translation>Ältere Platten sind noch da: %1</translation>
+    </message>
+    <message>
+        <source>The model has no operations.</source>
+        <translation>Das Modell hat keine Operationen.</translation>
+    </message>
+    <message>
+        <source>1 section</source>
+        <translation>1 Scheibe</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>aus</translation>
     </message>
 </context>
 <context>
@@ -6005,6 +6085,14 @@
         <source>%1 has a hole or a notch that is narrower than the kerf and is not cut.</source>
         <translation>%1 hat ein Loch oder eine Kerbe, schmaler als die Schnittfuge; sie werden nicht geschnitten.</translation>
     </message>
+    <message>
+        <source>Older sheets are still there: %1.</source>
+        <translation>Ältere Platten sind noch da: %1.</translation>
+    </message>
+    <message>
+        <source>The slits of %1 leave nothing of it. It is not cut.</source>
+        <translation>Die Schlitze von %1 lassen nichts davon übrig. Es wird nicht geschnitten.</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::ExpressionText</name>
@@ -6675,6 +6763,10 @@
     <message>
         <source>Begin a model of your own, go on with one, or look at a sample.</source>
         <translation>Ein eigenes Modell beginnen, an einem weiterarbeiten oder ein Beispiel ansehen.</translation>
+    </message>
+    <message>
+        <source>Show the folder</source>
+        <translation>Ordner anzeigen</translation>
     </message>
 </context>
 <context>
@@ -7965,6 +8057,14 @@
         <extracomment>%1 is a number of sections, %2 when it was saved</extracomment>
         <translation>%1, %2</translation>
     </message>
+    <message>
+        <source>Show the folder</source>
+        <translation>Ordner anzeigen</translation>
+    </message>
+    <message>
+        <source>OK</source>
+        <translation>OK</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::StatusLine</name>
@@ -8520,6 +8620,14 @@
             <numerusform>%n Schritte</numerusform>
         </translation>
     </message>
+    <message>
+        <source>A copy of unsaved work was made by a newer FlatFitFab; it is kept as %1.</source>
+        <translation>Eine Kopie ungespeicherter Arbeit stammt von einem neueren FlatFitFab; sie bleibt unter %1.</translation>
+    </message>
+    <message>
+        <source>A copy of unsaved work could not be read; it is kept as %1.</source>
+        <translation>Eine Kopie ungespeicherter Arbeit ließ sich nicht lesen; sie bleibt unter %1.</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::ViewCube</name>
@@ -8586,65 +8694,6 @@
     <message>
         <source>SCRIPT</source>
         <translation>SKRIPT</translation>
-    </message>
-</context>
-<context>
-    <name>std</name>
-    <message>
-        <source>Sections: %1</source>
-        <translation>Scheiben: %1</translation>
-    </message>
-    <message>
-        <source>Joints: %1</source>
-        <translation>Verbindungen: %1</translation>
-    </message>
-    <message>
-        <source>%1 and %2 meet, but no slit lets them slide together.</source>
-        <translation>%1 und %2 treffen sich, aber kein Schlitz lässt sie zusammenstecken.</translation>
-    </message>
-    <message>
-        <source>All sections hold together.</source>
-        <translation>Alle Scheiben halten zusammen.</translation>
-    </message>
-    <message>
-        <source>Not connected to the rest: %1</source>
-        <translation>Nicht mit dem Rest verbunden: %1</translation>
-    </message>
-    <message>
-        <source>Size %1 × %2 × %3 mm (width, height, depth)</source>
-        <translation>Größe %1 × %2 × %3 mm (Breite, Höhe, Tiefe)</translation>
-    </message>
-    <message>
-        <source>Mass %1 g</source>
-        <translation>Masse %1 g</translation>
-    </message>
-    <message>
-        <source>Stock %1, %2 mm, sheets of %3</source>
-        <translation>Material %1, %2 mm, Platten von %3</translation>
-    </message>
-    <message>
-        <source>Part %1: %2, %3</source>
-        <translation>Teil %1: %2, %3</translation>
-    </message>
-    <message>
-        <source>, joints %1</source>
-        <translation>, Verbindungen %1</translation>
-    </message>
-    <message>
-        <source>Nothing to cut: the model has no section.</source>
-        <translation>Nichts zu schneiden: Das Modell hat keine Scheibe.</translation>
-    </message>
-    <message>
-        <source>The model has no operations.</source>
-        <translation>Das Modell hat keine Operationen.</translation>
-    </message>
-    <message>
-        <source>off</source>
-        <translation>aus</translation>
-    </message>
-    <message>
-        <source>1 section</source>
-        <translation>1 Scheibe</translation>
     </message>
 </context>
 </TS>

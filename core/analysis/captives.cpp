@@ -52,7 +52,7 @@ public:
             addDirections(bodies.at(body).frame(), m_directions);
         m_all = static_cast<int>(solids.size());
         if (m_isKnown)
-            m_collisions.use(std::move(solids));
+            use(std::move(solids));
     }
 
     bool isPossible()
@@ -63,6 +63,19 @@ public:
     }
 
 private:
+    /// What is in each other already may be so, as deep as it is: it stops only what goes deeper.
+    void use(const std::vector<SolidPointer> &solids)
+    {
+        m_collisions.use(solids);
+        Collisions::Depths depths;
+        for (int own = 0; own < m_own; ++own)
+            for (int other = m_own; other < m_all; ++other)
+                if (const auto &overlap = m_collisions.overlap(own, other))
+                    depths[{own, other}] = overlap->depth + Collisions::kNearParts;
+        if (!depths.empty())
+            m_collisions.use(solids, std::move(depths));
+    }
+
     bool isFree(const Vec3 &direction)
     {
         const int way = m_collisions.way(direction);

@@ -358,6 +358,10 @@ private:
         const double most = kLedGaps * between.norm() + kLedOn * m_tolerance;
         if (std::max(std::abs(on), std::abs(back)) > most)
             return true;
+        const double cut = std::max(-on, 0.0) + std::max(back, 0.0);
+        if (cut > left())
+            return true;
+        m_isLoop = m_isLoop || cut > kLongestHook * m_tolerance;
         m_corner = end() + on * a.way;
         m_kept.to = std::max(m_kept.to + std::min(on, 0.0), m_kept.from);
         m_kept.from = std::min(m_kept.from - std::min(back, 0.0), m_kept.to);

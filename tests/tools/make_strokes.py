@@ -245,7 +245,7 @@ def main():
     plain().slit(up, over).arc((782, 200), 110, 180, 540, 9).release().save("circle_in_a_moment")
     script = body().click(480, 320).command("section.addHole").wait(TURN)
     script.press(605, 400).arc((600, 400), 5, 0, 370, 18).release().save("eye")
-    body().slit(up, over).by((36, 0), (2, 7), step=2).release().save("twitch")
+    body().slit(up, over).by((36, 0), (22, 6), step=2).release().save("twitch")
     body().view("front").click(640, 400).command("view.top").wait(500).command(
         "view.previous").wait(500).save("previous_view")
     band = body().press(380, 240, "shift").to((900, 580), modifiers=("shift",)).release("shift")

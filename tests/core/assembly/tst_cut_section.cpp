@@ -214,7 +214,8 @@ void TestCutSection::formsAreCutAsTheBooleanDoes()
         }
         CutCache cache;
         const auto cut = cutSection(disc, slits, cache);
-        const auto parts = *cutShape(*disc, slits, kCutChord);
+        const std::vector<CurvedRegion> parts =
+            CutSection(*cutShape(*disc, slits, kCutChord)).parts(); // without chips
         QCOMPARE(cut->parts().size(), parts.size());
         double difference = cut->area();
         bool isSame = true;

@@ -17,7 +17,7 @@ namespace {
 /// What came of the verdicts on some models.
 struct Verdicts
 {
-    int held = 0, loose = 0;
+    int held = 0, loose = 0, inEachOther = 0;
     QByteArrayList notHeld; // called held, but free beyond their ways
     QByteArrayList caught;  // called loose, but held by all others together
 };
@@ -45,7 +45,13 @@ void judgeVerdicts(const QByteArray &model, const Analysis &analysis, Verdicts &
             continue;
         ++verdicts.loose;
         const int body = groups[g].front();
-        if (!judgedAmongAll(pieces, body).getsAway())
+        const Freedom freedom = judgedAmongAll(pieces, body);
+        if (freedom.getsAway())
+            continue;
+        // Where it is in another one, which is a fault of its own, nobody can tell.
+        if (freedom.inEachOther >= kFreeDepth)
+            ++verdicts.inEachOther;
+        else
             verdicts.caught +=
                 model + " | piece " + QByteArray::number(bodies.at(body).key().piece) + " of " +
                 QByteArray::fromStdString(analysis.model.nameOf(bodies.at(body).key().section));
@@ -84,9 +90,9 @@ void TestGrips::say(const Verdicts &verdicts)
         qInfo("not held | %s", line.constData());
     for (const QByteArray &line : verdicts.caught)
         qInfo("caught | %s", line.constData());
-    qInfo("%d held, of these %lld not; %d loose, of these %lld caught", verdicts.held,
-          static_cast<long long>(verdicts.notHeld.size()), verdicts.loose,
-          static_cast<long long>(verdicts.caught.size()));
+    qInfo("%d held, of these %lld not; %d loose, of these %lld caught, and %d in another one",
+          verdicts.held, static_cast<long long>(verdicts.notHeld.size()), verdicts.loose,
+          static_cast<long long>(verdicts.caught.size()), verdicts.inEachOther);
 }
 
 void TestGrips::judgeFile(const QString &path)

@@ -178,8 +178,9 @@ void TestLoosePieces::sectionAlongAnEdge()
     QCOMPARE(fff::test::find(found.all, kConnected) != nullptr, holds);
     QCOMPARE(hasError(found.all), !holds);
     const Finding *loose = fff::test::find(found.all, kLooseJoint);
-    QCOMPARE(loose != nullptr, !holds);
-    if (!holds)
+    const bool doTheyMeet = at < 50.0; // else there is no slit at all
+    QCOMPARE(loose != nullptr, !holds && doTheyMeet);
+    if (loose)
         QVERIFY(findingText(*loose, found.analysis.model)
                     .contains(QStringLiteral("material on one side only")));
 }

@@ -35,10 +35,11 @@ constexpr Subject kSubjects[] = {Subject::Connection, Subject::Stability, Subjec
 std::pair<int, int> seenOf(const std::vector<Finding> &all, Subject subject)
 {
     const auto count = [&](Severity severity) {
-        return static_cast<int>(
-            std::count_if(all.begin(), all.end(), [&](const Finding &finding) {
-                return finding.subject() == subject && finding.severity == severity;
-            }));
+        int sum = 0; // of loose pieces each by itself
+        for (const Finding &finding : all)
+            if (finding.subject() == subject && finding.severity == severity)
+                sum += finding.kind->weight ? finding.kind->weight(finding) : 1;
+        return sum;
     };
     return {count(Severity::Error), count(Severity::Warning)};
 }
@@ -84,8 +85,9 @@ void TestMending::noLinkMakesAnythingWorse()
                 if (!mend.isEdit())
                     continue;
                 ++links;
-                const QString name = QStringLiteral("drawing %1: %2").arg(seed).arg(
-                    findingText(finding, list.model()));
+                const QString name = QStringLiteral("drawing %1: %2")
+                                         .arg(seed)
+                                         .arg(findingText(finding, list.model()));
                 ++kinds[QString::fromLatin1(finding.kind->name)];
                 const std::vector<Finding> after = foundIn(mend.edit->document);
                 for (const Subject subject : kSubjects) {

@@ -121,11 +121,11 @@ void TestPlanChecks::whatOtherJointsArePressedByHidesNothing()
     const Said before = saidOf(document);
     QVERIFY(std::none_of(before.checks.begin(), before.checks.end(), isInterference));
     const ShapePointer plate = polygonShape(rectangle(200, 0, 240, 40));
-    document = withSection(withSection(document, plate, front()), plate, front(2.7));
+    document = withSection(withSection(document, plate, front()), plate, front(2.6));
     const Said said = saidOf(document);
     const auto found = std::find_if(said.checks.begin(), said.checks.end(), isInterference);
     QVERIFY(found != said.checks.end());
-    QVERIFY(std::abs(found->details<Interference>()->depth - 0.3) < 1e-6);
+    QVERIFY(std::abs(found->details<Interference>()->depth - 0.4) < 1e-6);
 }
 
 /// What would be wrong: sections that meet at 8° are in each other, and nobody says why.
