@@ -43,8 +43,8 @@ inline constexpr double kTouchingDepth = 1e-3;
 
 /// Smallest area of a contour, a hole or a part, in mm²; below it is dust.
 inline constexpr double kMinArea = 1e-3;
-/// What slits cut off a section that is smaller, in mm², is waste, not a part: nobody finds it again
-/// on a machine's bed.
+/// What slits cut off a section that is smaller, in mm², is waste, not a part: nobody finds it
+/// again on a machine's bed.
 inline constexpr double kWasteArea = 1.0;
 
 /// Points found along rays, which start beyond everything, are off by no more than this.

@@ -316,10 +316,9 @@ void TestStrokes::strokes()
                                  : section.shape->contour();
     const PolylineDistance toOutline = toRing(contour.polygon(0.01));
     for (const Vec2 &sample : stroke.samples)
-        QVERIFY2(
-            toOutline(onSection(sample)) < bound,
-            qPrintable(QStringLiteral("a sample is %1 px away")
-                           .arg(toOutline(onSection(sample)) / watched.scale)));
+        QVERIFY2(toOutline(onSection(sample)) < bound,
+                 qPrintable(QStringLiteral("a sample is %1 px away")
+                                .arg(toOutline(onSection(sample)) / watched.scale)));
     std::vector<Vec2> fitted;
     for (const CubicBezier &piece : stroke.fitted) {
         for (int i = 0; i <= 32; ++i)
