@@ -103,6 +103,8 @@ ChecksDock::ChecksDock(Workbench &bench, const CheckList &list, QWidget *parent)
             m_list.scheduler().cancel(stage->name);
     });
     foot->addWidget(m_stop);
+    content->setBackgroundRole(QPalette::Base);
+    content->setAutoFillBackground(true);
     // Rows that move each time something is worked out are hard to read, and to hit.
     QSizePolicy kept = m_footer->sizePolicy();
     kept.setRetainSizeWhenHidden(true);
