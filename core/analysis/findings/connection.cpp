@@ -85,16 +85,25 @@ std::vector<FindingAction> mendsOf(const Finding &finding, const Analysis &analy
     return all;
 }
 
-/// How far the groups after the first are from all other bodies. What is known stays so.
-void refreshGaps(const Looked &at)
+/// The groups that are said to be loose; of pieces it is said with their section.
+std::vector<const std::vector<int> *> looseGroups(const Looked &at)
+{
+    std::vector<const std::vector<int> *> loose;
+    for (std::size_t g = 1; g < at.groups.size(); ++g)
+        if (!isLoosePiece(at.analysis.bodies, at.groups[g]))
+            loose.push_back(&at.groups[g]);
+    return loose;
+}
+
+/// How far the first of these are from all other bodies. What is known stays so.
+void refreshGaps(const Looked &at, const std::vector<const std::vector<int> *> &loose)
 {
     std::vector<CheckCaches::OfGroup> gaps;
-    for (std::size_t g = 1; g < std::min(at.groups.size(), kMaxMeasuredGroups + 1); ++g) {
+    for (std::size_t i = 0; i < std::min(loose.size(), kMaxMeasuredGroups); ++i) {
         const auto known = std::find_if(at.caches.gaps.begin(), at.caches.gaps.end(),
-                                        [&](const auto &gap) { return gap.group == at.groups[g]; });
-        gaps.push_back(known != at.caches.gaps.end()
-                           ? std::move(*known)
-                           : measuredGap(at.analysis.bodies, at.groups[g]));
+                                        [&](const auto &gap) { return gap.group == *loose[i]; });
+        gaps.push_back(known != at.caches.gaps.end() ? std::move(*known)
+                                                     : measuredGap(at.analysis.bodies, *loose[i]));
     }
     at.caches.gaps = std::move(gaps);
 }
@@ -126,7 +135,8 @@ const FindingKind kNotConnected{"notConnected",
 
 void findConnection(const Looked &at, std::vector<Finding> &found)
 {
-    refreshGaps(at);
+    const auto loose = looseGroups(at);
+    refreshGaps(at, loose);
     const Bodies &bodies = at.analysis.bodies;
     const Model &model = at.analysis.model;
     if (at.groups.size() == 1) {
@@ -134,14 +144,12 @@ void findConnection(const Looked &at, std::vector<Finding> &found)
             kConnected, Severity::Good,
             Connection{static_cast<int>(model.sectionCount()), holdingJoints(at.analysis)}));
     }
-    for (std::size_t g = 1; g < at.groups.size(); ++g) {
-        if (isLoosePiece(bodies, at.groups[g]))
-            continue; // it is said of its section
+    for (std::size_t i = 0; i < loose.size(); ++i) {
         Finding finding = makeFinding(kNotConnected, Severity::Error);
-        finding.sections = model.refs(sectionsOf(bodies, at.groups[g]));
+        finding.sections = model.refs(sectionsOf(bodies, *loose[i]));
         Gap gap;
-        if (g <= at.caches.gaps.size() && at.caches.gaps[g - 1].other >= 0) {
-            const CheckCaches::OfGroup &known = at.caches.gaps[g - 1];
+        if (i < at.caches.gaps.size() && at.caches.gaps[i].other >= 0) {
+            const CheckCaches::OfGroup &known = at.caches.gaps[i];
             gap = {model.ref(static_cast<std::size_t>(known.other)), known.distance};
             finding.at = known.at;
             finding.others = {*gap.other};
