@@ -1,8 +1,10 @@
 #include "core/geometry/polygon.h"
 
+#include "core/geometry/segment_distance.h"
 #include "core/geometry/side_of_line.h"
 
 #include <cmath>
+#include <limits>
 
 namespace fff {
 
@@ -76,14 +78,8 @@ namespace {
 double distanceToBoundary(const Vec2 &point, const Polygon &polygon)
 {
     double nearest = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0, j = polygon.size() - 1; i < polygon.size(); j = i++) {
-        const Vec2 edge = polygon[i] - polygon[j];
-        const double lengthSquared = edge.squaredNorm();
-        const double share =
-            lengthSquared > 0.0 ? edge.dot(point - polygon[j]) / lengthSquared : 0.0;
-        const Vec2 foot = polygon[j] + std::clamp(share, 0.0, 1.0) * edge;
-        nearest = std::min(nearest, (point - foot).norm());
-    }
+    for (std::size_t i = 0, j = polygon.size() - 1; i < polygon.size(); j = i++)
+        nearest = std::min(nearest, distanceToSegment(point, polygon[j], polygon[i]));
     return nearest;
 }
 

@@ -2,9 +2,8 @@
 // turns a corner, which way it goes. Internal to geometry.
 #pragma once
 
-#include "core/geometry/vector.h"
+#include "core/geometry/directions.h"
 
-#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <vector>
@@ -17,12 +16,6 @@ struct CurveEnd
     Vec2 position = Vec2::Zero();
     Vec2 direction = Vec2::UnitX(); // unit
 };
-
-/// Between two directions, radians, 0 … π.
-inline double turnBetween(const Vec2 &a, const Vec2 &b)
-{
-    return std::abs(std::atan2(cross(a, b), a.dot(b)));
-}
 
 /// Samples that lie in a straight line: true lines of what was drawn, not arcs that pass for one.
 struct StraightRun

@@ -1,5 +1,6 @@
 #include "core/interaction/gizmo.h"
 
+#include "core/geometry/segment_distance.h"
 #include "core/interaction/snapping.h"
 #include "core/model/origin.h"
 #include "core/operations/moving_model.h"
@@ -45,14 +46,6 @@ Frame ownFrame(const Section &section, const Section *host, const Eigen::Quatern
     }
     frame.origin = section.frame.toWorld(section.shape->bounds().center());
     return frame;
-}
-
-double distanceToLine(const Vec2 &p, const Vec2 &from, const Vec2 &to)
-{
-    const Vec2 way = to - from;
-    const double length2 = way.squaredNorm();
-    const double t = length2 > 0.0 ? std::clamp((p - from).dot(way) / length2, 0.0, 1.0) : 0.0;
-    return (from + t * way - p).norm();
 }
 
 } // namespace
@@ -197,7 +190,7 @@ GizmoPart GizmoLook::partAt(const Vec2 &position, double reach) const
         return best;
     const GizmoPart moves[] = {MoveX, MoveY, MoveZ}, turns[] = {TurnX, TurnY, TurnZ};
     for (int axis : {0, 1, 2})
-        offer(moves[axis], distanceToLine(position, m_centre, tip(axis)), reach);
+        offer(moves[axis], distanceToSegment(position, m_centre, tip(axis)), reach);
     // An arrow crosses rings: near its tip and its root it is the arrow's.
     for (int axis : {0, 1, 2}) {
         if (!isSeen(turns[axis]))
@@ -206,7 +199,7 @@ GizmoPart GizmoLook::partAt(const Vec2 &position, double reach) const
         double distance = std::numeric_limits<double>::infinity();
         for (std::size_t i = 0; i < line.size(); ++i)
             distance =
-                std::min(distance, distanceToLine(position, line[i], line[(i + 1) % line.size()]));
+                std::min(distance, distanceToSegment(position, line[i], line[(i + 1) % line.size()]));
         offer(turns[axis], distance, reach);
     }
     return best;

@@ -1,6 +1,7 @@
 #include "core/interaction/joint_marks.h"
 
 #include "core/base/tolerances.h"
+#include "core/geometry/segment_distance.h"
 
 #include <algorithm>
 
@@ -25,14 +26,6 @@ void addOutlines(const Model &model, int host, const std::vector<Slit> &slits, J
             look.slits.push_back(std::move(outline));
         }
     }
-}
-
-double distanceToSegment(const Vec2 &p, const Vec2 &a, const Vec2 &b)
-{
-    const Vec2 way = b - a;
-    const double square = way.squaredNorm();
-    const double t = square > 0.0 ? std::clamp((p - a).dot(way) / square, 0.0, 1.0) : 0.0;
-    return (p - (a + t * way)).norm();
 }
 
 /// As it is drawn, on one of the slits of that overlap.

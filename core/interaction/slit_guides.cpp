@@ -1,6 +1,7 @@
 #include "core/interaction/slit_guides.h"
 
 #include "core/base/tolerances.h"
+#include "core/geometry/directions.h"
 #include "core/interaction/snapping.h"
 
 #include <algorithm>
@@ -36,11 +37,6 @@ void addFeet(const CubicBezier &curve, const Vec2 &from, std::vector<Vec2> &feet
         }
         feet.push_back(curve.at(0.5 * (t0 + t1)));
     }
-}
-
-double angleBetween(const Vec2 &a, const Vec2 &b)
-{
-    return std::abs(std::atan2(cross(a, b), a.dot(b)));
 }
 
 } // namespace
@@ -107,7 +103,7 @@ std::optional<SlitGuide> SlitGuides::lead(Stroke &stroke, bool snaps) const
     std::optional<SlitGuide> nearest;
     double least = kReach;
     for (const Direction &direction : m_directions) {
-        const double angle = angleBetween(direction.along, way);
+        const double angle = turnBetween(direction.along, way);
         // What is as near as the one before is no better.
         if (angle > least || (nearest && angle > least - kSameDirection))
             continue;

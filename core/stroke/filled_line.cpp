@@ -43,8 +43,7 @@ public:
     {
         if (!isInner(i))
             return 0.0;
-        const Vec2 in = way(i - 1), out = way(i);
-        return std::atan2(cross(in, out), in.dot(out));
+        return signedTurn(way(i - 1), way(i));
     }
     bool isCorner(std::size_t i) const
     {

@@ -1,7 +1,8 @@
 #include "core/stroke/line_ends.h"
 
 #include "core/base/tolerances.h"
-#include "core/geometry/sampled_line.h"
+#include "core/geometry/directions.h"
+#include "core/stroke/line_way.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,10 +12,9 @@ namespace fff {
 
 namespace {
 
-/// Lengths in tolerances: of the line from which on its ends are looked at, of a hook, of the ways
-/// by which its turn is judged, and of what says where an end points.
-constexpr double kLeastLength = 12.0, kLongestHook = 40.0, kHookWay = 4.0, kWay = 12.0,
-                 kLeastWay = 3.0;
+/// Lengths in tolerances: of the line from which on its ends are looked at, of a hook, and of the
+/// ways by which its turn is judged.
+constexpr double kLeastLength = 12.0, kLongestHook = 40.0, kHookWay = 4.0;
 /// Radians by which a hook turns back, at least.
 constexpr double kHookTurn = 1.7;
 /// Tolerances that it is long at least: less is a tremble.
@@ -28,7 +28,7 @@ constexpr double kWorth = 0.1;
 /// An end that points at the other within this angle goes on there, radians.
 constexpr double kPointsAt = 0.26;
 /// Corners: the least turn between ends, that which needs no straight ends, and how much of it
-/// their bends may account for. What they may bend over kWay to be straight, radians.
+/// their bends may account for. What they may bend over kPointingWay to be straight, radians.
 constexpr double kCornerTurn = 0.6, kSharpTurn = 1.2, kBent = 0.22, kStraight = 0.35;
 /// How far ends are led on to a corner: in gaps, and in tolerances besides.
 constexpr double kLedGaps = 1.6, kLedOn = 8.0;
@@ -42,172 +42,9 @@ constexpr double kStepBack = 3.0, kMostBack = 0.1;
 constexpr double kBackAnyway = 10.0, kBackBeside = 4.0;
 /// Tolerances within which ends are in one place.
 constexpr double kTogether = 0.25;
-constexpr std::size_t kRun = 24; // edges that have a box in common
-
-/// Samples with how far along the line each is.
-class Way
-{
-public:
-    explicit Way(const std::vector<Vec2> &points) : m_points(points), m_along(points.size(), 0.0)
-    {
-        for (std::size_t i = 1; i < points.size(); ++i)
-            m_along[i] = m_along[i - 1] + (points[i] - points[i - 1]).norm();
-    }
-
-    double length() const { return m_along.back(); }
-    double along(std::size_t i) const { return m_along[i]; }
-    const Vec2 &point(std::size_t i) const { return m_points[i]; }
-    std::size_t size() const { return m_points.size(); }
-    /// The edge that it lies on.
-    std::size_t edgeAt(double s) const
-    {
-        const auto after = std::upper_bound(m_along.begin(), m_along.end(), s);
-        const auto i = static_cast<std::size_t>(after - m_along.begin());
-        return std::min(i > 0 ? i - 1 : 0, size() - 2);
-    }
-    Vec2 at(double s) const
-    {
-        const std::size_t i = edgeAt(s);
-        const double edge = m_along[i + 1] - m_along[i];
-        const double share = edge > 0.0 ? std::clamp((s - m_along[i]) / edge, 0.0, 1.0) : 0.0;
-        return m_points[i] + share * (m_points[i + 1] - m_points[i]);
-    }
-
-private:
-    const std::vector<Vec2> &m_points;
-    std::vector<double> m_along; // mm
-};
-
-/// What of the way is kept, by lengths along it.
-struct Kept
-{
-    double from = 0.0, to = 0.0;
-    double length() const { return to - from; }
-};
-
-/// Where the line points at one of its ends, outwards at the last and inwards at the first; and by
-/// how much it bends over a mm, to the left.
-struct Pointing
-{
-    Vec2 way = Vec2::UnitX();
-    double bend = 0.0;
-};
-
-double signedTurn(const Vec2 &a, const Vec2 &b)
-{
-    return std::atan2(cross(a, b), a.dot(b));
-}
-
-Vec2 turnedBy(const Vec2 &way, double angle)
-{
-    return std::cos(angle) * way + std::sin(angle) * perpendicular(way);
-}
-
-/// Of the circle through the end and two places before it.
-Pointing pointingAt(const Way &way, const Kept &kept, bool isEnd, double tolerance)
-{
-    const double sign = isEnd ? -1.0 : 1.0, end = isEnd ? kept.to : kept.from;
-    Pointing result;
-    for (double over = std::min(kWay * tolerance, 0.2 * kept.length());;
-         over = std::max(0.5 * over, kLeastWay * tolerance)) {
-        const Vec2 last = way.at(end), middle = way.at(end + sign * 0.5 * over),
-                   first = way.at(end + sign * over);
-        const Vec2 near = sign * (middle - last), far = sign * (first - middle);
-        if (near.norm() <= kClipGrid || far.norm() <= kClipGrid)
-            return result;
-        const double turn = isEnd ? signedTurn(far, near) : signedTurn(near, far);
-        result.way = turnedBy(near.normalized(), (isEnd ? 0.5 : -0.5) * turn);
-        result.bend = turn / (0.5 * over);
-        // A corner so near to the end says nothing about it.
-        if (std::abs(turn) < kCornerTurn || over <= kLeastWay * tolerance)
-            return result;
-    }
-}
-
-/// Boxes of runs of edges within a stretch of the way.
-struct EdgeRun
-{
-    std::size_t first = 0, end = 0;
-    Box2 box;
-};
-
-std::vector<EdgeRun> runsWithin(const Way &way, double from, double to)
-{
-    std::vector<EdgeRun> runs;
-    for (std::size_t i = way.edgeAt(from), last = way.edgeAt(to); i <= last; i += kRun) {
-        EdgeRun run{i, std::min(i + kRun, last + 1), {}};
-        for (std::size_t k = run.first; k <= run.end; ++k)
-            run.box.extend(way.point(k));
-        runs.push_back(run);
-    }
-    return runs;
-}
-
-/// The place within a stretch that is nearest to a point.
-double nearest(const Way &way, double from, double to, const Vec2 &p, double &distance)
-{
-    double best = from;
-    distance = (way.at(from) - p).norm();
-    for (std::size_t i = way.edgeAt(from); i <= way.edgeAt(to); ++i) {
-        const Vec2 edge = way.point(i + 1) - way.point(i);
-        const double squared = edge.squaredNorm();
-        const double share =
-            squared > 0.0 ? std::clamp(edge.dot(p - way.point(i)) / squared, 0.0, 1.0) : 0.0;
-        const double s =
-            std::clamp(way.along(i) + share * (way.along(i + 1) - way.along(i)), from, to);
-        const double here = (way.at(s) - p).norm();
-        if (here < distance) {
-            distance = here;
-            best = s;
-        }
-    }
-    return best;
-}
-
-/// Where the two edges cross, as parts of them. A touch does not count.
-std::optional<Vec2> crossing(const Vec2 &a, const Vec2 &b, const Vec2 &c, const Vec2 &d)
-{
-    const Vec2 one = b - a, two = d - c;
-    const double determinant = cross(one, two);
-    if (std::abs(determinant) <= kParallelSine * one.norm() * two.norm())
-        return {};
-    const double u = cross(c - a, two) / determinant, v = cross(c - a, one) / determinant;
-    if (u < 0.0 || u > 1.0 || v < 0.0 || v > 1.0)
-        return {};
-    return Vec2(u, v);
-}
-
-/// Where the last part of the way crosses the first one, so that least is cut off.
-std::optional<Kept> crossingOfEnds(const Way &way, const Kept &kept, double budget)
-{
-    std::optional<Kept> best;
-    const auto tail = runsWithin(way, kept.to - budget, kept.to);
-    for (const EdgeRun &a : runsWithin(way, kept.from, kept.from + budget)) {
-        for (const EdgeRun &b : tail) {
-            if (!a.box.intersects(b.box))
-                continue;
-            for (std::size_t i = a.first; i < a.end; ++i) {
-                for (std::size_t k = std::max(b.first, i + 2); k < b.end; ++k) {
-                    const auto at =
-                        crossing(way.point(i), way.point(i + 1), way.point(k), way.point(k + 1));
-                    if (!at)
-                        continue;
-                    const Kept here{way.along(i) + at->x() * (way.along(i + 1) - way.along(i)),
-                                    way.along(k) + at->y() * (way.along(k + 1) - way.along(k))};
-                    if (here.from < kept.from || here.to > kept.to ||
-                        kept.length() - here.length() > budget)
-                        continue;
-                    if (!best || here.length() > best->length())
-                        best = here;
-                }
-            }
-        }
-    }
-    return best;
-}
 
 /// Where the line turns back near its end, that it goes back from there; none where it does not.
-std::optional<double> hookAtEnd(const Way &way, const Kept &kept, double tolerance)
+std::optional<double> hookAtEnd(const LineWay &way, const KeptStretch &kept, double tolerance)
 {
     const double longest = std::min(kLongestHook * tolerance, kMostCut * kept.length());
     const double over = kHookWay * tolerance;
@@ -232,11 +69,11 @@ std::optional<double> hookAtEnd(const Way &way, const Kept &kept, double toleran
     return base;
 }
 
-std::optional<double> hookAtStart(const std::vector<Vec2> &points, const Way &way, const Kept &kept,
-                                  double tolerance)
+std::optional<double> hookAtStart(const std::vector<Vec2> &points, const LineWay &way,
+                                  const KeptStretch &kept, double tolerance)
 {
     const std::vector<Vec2> back(points.rbegin(), points.rend());
-    const Way reversed(back);
+    const LineWay reversed(back);
     const auto base =
         hookAtEnd(reversed, {way.length() - kept.to, way.length() - kept.from}, tolerance);
     if (!base)
@@ -273,8 +110,8 @@ private:
     Vec2 start() const { return m_way.at(m_kept.from); }
     Vec2 end() const { return m_way.at(m_kept.to); }
     Vec2 gap() const { return start() - end(); }
-    Pointing out() const { return pointingAt(m_way, m_kept, true, m_tolerance); }
-    Pointing in() const { return pointingAt(m_way, m_kept, false, m_tolerance); }
+    EndPointing out() const { return pointingAt(m_way, m_kept, true, m_tolerance, kCornerTurn); }
+    EndPointing in() const { return pointingAt(m_way, m_kept, false, m_tolerance, kCornerTurn); }
 
     /// Those after which the ends are further apart than before.
     void dropHooks()
@@ -294,9 +131,9 @@ private:
         if (left() <= 0.0 || apart <= kTogether * m_tolerance)
             return;
         const Vec2 towards = gap() / apart;
-        Kept best = m_kept;
+        KeptStretch best = m_kept;
         double leastCost = apart;
-        const auto consider = [&](const Kept &kept, double distance) {
+        const auto consider = [&](const KeptStretch &kept, double distance) {
             const double cost = distance + kWorth * (m_kept.length() - kept.length());
             if (cost < leastCost) {
                 leastCost = cost;
@@ -310,13 +147,13 @@ private:
         double distance = 0.0;
         if (turnBetween(in().way, towards) > kPointsAt) {
             const double least = m_kept.to - left();
-            const double s = nearest(m_way, least, m_kept.to, start(), distance);
+            const double s = nearestAlong(m_way, least, m_kept.to, start(), distance);
             if (s > least + m_tolerance)
                 consider({m_kept.from, s}, distance);
         }
         if (turnBetween(out().way, towards) > kPointsAt) {
             const double most = m_kept.from + left();
-            const double s = nearest(m_way, m_kept.from, most, end(), distance);
+            const double s = nearestAlong(m_way, m_kept.from, most, end(), distance);
             if (s < most - m_tolerance)
                 consider({s, m_kept.to}, distance);
         }
@@ -326,7 +163,7 @@ private:
     }
 
     /// Whether ends that point so meet in a corner.
-    bool isCorner(const Pointing &a, const Pointing &b, double apart) const
+    bool isCorner(const EndPointing &a, const EndPointing &b, double apart) const
     {
         const double turn = turnBetween(a.way, b.way);
         if (turn < kCornerTurn)
@@ -335,13 +172,14 @@ private:
         if (bends * apart > kBent * turn)
             return false;
         return turn >= kSharpTurn ||
-               std::max(std::abs(a.bend), std::abs(b.bend)) * kWay * m_tolerance <= kStraight;
+               std::max(std::abs(a.bend), std::abs(b.bend)) * kPointingWay * m_tolerance <=
+                   kStraight;
     }
 
     /// True when the ends are a corner.
     bool leadToCorner()
     {
-        const Pointing a = out(), b = in();
+        const EndPointing a = out(), b = in();
         const Vec2 between = gap();
         if (!isCorner(a, b, between.norm()))
             return false;
@@ -377,10 +215,10 @@ private:
                                       kBackAnyway * m_tolerance + kBackBeside * beside});
         if (apart.norm() <= m_tolerance && turnBetween(out().way, in().way) < kNotch)
             return;
-        const Kept before = m_kept;
+        const KeptStretch before = m_kept;
         for (double back = 0.0; back <= most; back += kStepBack * m_tolerance) {
             m_kept = {before.from + back, before.to - back};
-            const Pointing a = out(), b = in();
+            const EndPointing a = out(), b = in();
             const Vec2 between = gap();
             if (turnBetween(a.way, b.way) < kSmoothTurn &&
                 std::abs(cross(a.way, between)) <= kBeside * m_tolerance)
@@ -421,9 +259,9 @@ private:
     }
 
     const std::vector<Vec2> &m_points;
-    Way m_way;
+    LineWay m_way;
     double m_tolerance; // mm
-    Kept m_kept;
+    KeptStretch m_kept;
     double m_budget = 0.0; // mm that may be cut off in all
     std::optional<Vec2> m_corner;
     bool m_isLoop = false;
@@ -443,8 +281,8 @@ WithoutHooks withoutHooks(const std::vector<Vec2> &samples, double tolerance)
     WithoutHooks result{0, samples.empty() ? 0 : samples.size() - 1};
     if (samples.size() < 4)
         return result;
-    const Way way(samples);
-    const Kept all{0.0, way.length()};
+    const LineWay way(samples);
+    const KeptStretch all{0.0, way.length()};
     if (way.length() < kLeastLength * tolerance)
         return result;
     if (const auto base = hookAtEnd(way, all, tolerance))

@@ -4,6 +4,7 @@ target_sources(fff_core PRIVATE
     stroke/filled_line.cpp
     stroke/leaving.cpp
     stroke/line_ends.cpp
+    stroke/line_way.cpp
     stroke/meant_line.cpp
     stroke/meant_shape.cpp
     stroke/pen_path.cpp

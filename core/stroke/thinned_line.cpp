@@ -1,6 +1,7 @@
 #include "core/stroke/thinned_line.h"
 
 #include "core/base/tolerances.h"
+#include "core/geometry/segment_distance.h"
 
 #include <algorithm>
 
@@ -15,14 +16,6 @@ constexpr std::size_t kMostLeftOut = 24;
 constexpr std::size_t kEdgesBack = 96;
 constexpr double kSurroundings = 14.0;
 
-double distanceToEdge(const Vec2 &p, const Vec2 &a, const Vec2 &b)
-{
-    const Vec2 way = b - a;
-    const double length = way.squaredNorm();
-    const double share = length > 0.0 ? std::clamp(way.dot(p - a) / length, 0.0, 1.0) : 0.0;
-    return (a + share * way - p).norm();
-}
-
 } // namespace
 
 /// Beside what was drawn last, as long as that has not been left.
@@ -33,7 +26,7 @@ bool ThinnedLine::isBesideLine(const Vec2 &p) const
         const Vec2 &a = m_points[last - back - 1], &b = m_points[last - back];
         if ((b - p).norm() > kSurroundings * m_error)
             return false;
-        if (distanceToEdge(p, a, b) <= m_error)
+        if (distanceToSegment(p, a, b) <= m_error)
             return true;
     }
     return false;
@@ -47,7 +40,7 @@ bool ThinnedLine::canMoveEnd(const Vec2 &to) const
     if ((to - from).norm() > kLongestStep * m_error)
         return false;
     return std::all_of(m_leftOut.begin(), m_leftOut.end(),
-                       [&](const Vec2 &p) { return distanceToEdge(p, from, to) <= m_error; });
+                       [&](const Vec2 &p) { return distanceToSegment(p, from, to) <= m_error; });
 }
 
 /// The line stays as it is.
