@@ -4,7 +4,6 @@
 #include "core/assembly/found_joint.h"
 #include "core/assembly/kept_joint.h"
 #include "core/assembly/realigned.h"
-#include "core/base/groups.h"
 #include "core/model/changes.h"
 
 #include <algorithm>
@@ -360,20 +359,6 @@ Assembly assemble(const Model &model, const Model &previous, const Assembly &las
         renewJoints(difference, concerned, found, count, assembly.joints) || moved.hasNewIds;
     renewSlits(difference, concerned, found, assembly.joints, hasNewIds, assembly.slits);
     return assembly;
-}
-
-std::vector<std::vector<int>> connectedGroups(std::size_t sectionCount, const JointList &joints)
-{
-    Groups connected(sectionCount);
-    for (const Joint &joint : joints)
-        if (joint.kind != JointKind::None) // else they collide, nothing holds
-            connected.join(static_cast<std::size_t>(joint.a), static_cast<std::size_t>(joint.b));
-    std::vector<std::vector<int>> groups;
-    for (const std::vector<std::size_t> &group : connected.all())
-        groups.emplace_back(group.begin(), group.end());
-    std::stable_sort(groups.begin(), groups.end(),
-                     [](const auto &x, const auto &y) { return x.size() > y.size(); });
-    return groups;
 }
 
 } // namespace fff

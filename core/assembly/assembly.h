@@ -16,8 +16,4 @@ Assembly assemble(const Model &model);
 /// joints), but nothing is computed for that.
 Assembly assemble(const Model &model, const Model &previous, const Assembly &before);
 
-/// Groups of sections that joints hold together, as indices into the model; the largest group
-/// first, then by their first section. A section without joints is a group of its own.
-std::vector<std::vector<int>> connectedGroups(std::size_t sectionCount, const JointList &joints);
-
 } // namespace fff

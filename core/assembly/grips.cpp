@@ -290,9 +290,9 @@ Grips Grips::find(const Model &model, const Assembly &assembly,
 std::vector<int> sectionsOf(const Bodies &bodies, const std::vector<int> &group)
 {
     std::vector<int> sections;
-    for (const int body : group)
+    sections.reserve(group.size());
+    for (const int body : group) // which come in the order of their sections
         sections.push_back(bodies.sectionOf(body));
-    std::sort(sections.begin(), sections.end());
     sections.erase(std::unique(sections.begin(), sections.end()), sections.end());
     return sections;
 }
@@ -308,14 +308,23 @@ std::vector<std::vector<int>> heldGroups(const Bodies &bodies, const JointList &
             held.join(static_cast<std::size_t>(bodies.firstOf(joint.a) + grip.a),
                       static_cast<std::size_t>(bodies.firstOf(joint.b) + grip.b));
     }
-    std::vector<std::vector<int>> groups;
-    for (const std::vector<std::size_t> &group : held.all())
-        groups.emplace_back(group.begin(), group.end());
-    const auto sizeOf = [&](const std::vector<int> &group) {
-        return std::pair(sectionsOf(bodies, group).size(), group.size());
+    struct Sized
+    {
+        std::size_t sections = 0;
+        std::vector<int> bodies;
     };
-    std::stable_sort(groups.begin(), groups.end(),
-                     [&](const auto &x, const auto &y) { return sizeOf(x) > sizeOf(y); });
+    std::vector<Sized> sized;
+    for (const std::vector<std::size_t> &group : held.all()) {
+        std::vector<int> members(group.begin(), group.end());
+        const std::size_t sections = sectionsOf(bodies, members).size();
+        sized.push_back({sections, std::move(members)});
+    }
+    std::stable_sort(sized.begin(), sized.end(), [](const Sized &x, const Sized &y) {
+        return std::pair(x.sections, x.bodies.size()) > std::pair(y.sections, y.bodies.size());
+    });
+    std::vector<std::vector<int>> groups;
+    for (Sized &group : sized)
+        groups.push_back(std::move(group.bodies));
     return groups;
 }
 

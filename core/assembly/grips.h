@@ -97,7 +97,7 @@ private:
     std::vector<std::size_t> m_starts; // how many joints come before those of a row
 };
 
-/// The sections of these bodies (indices into the list), each once, ascending.
+/// The sections of these bodies (indices into the list, ascending), each once, ascending.
 std::vector<int> sectionsOf(const Bodies &bodies, const std::vector<int> &group);
 
 /// Bodies that joints hold together, as indices into the list; the group with the most sections

@@ -1,4 +1,5 @@
 #include "core/assembly/assembly.h"
+#include "tests/core/analysed.h"
 #include "tests/core/assembly/plates.h"
 #include "tests/test_program.h"
 
@@ -95,8 +96,7 @@ void TestAssembly::groupsAreTheConnectedOnes()
 {
     Document document = eggCrate(2);
     document = withSection(std::move(document), polygonShape(rectangle(900, 0, 950, 50)), front());
-    const Assembly assembly = assemble(evaluate(document));
-    const auto groups = connectedGroups(document.sections.size(), assembly.joints);
+    const auto groups = heldGroups(analysed(document));
     QCOMPARE(groups.size(), std::size_t(2));
     QCOMPARE(groups[0].size(), std::size_t(4));
     QCOMPARE(groups[1], std::vector<int>{4});
@@ -106,7 +106,7 @@ void TestAssembly::emptyModel()
 {
     const Assembly assembly = assemble(evaluate(newDocument()));
     QVERIFY(assembly.joints.empty());
-    QVERIFY(connectedGroups(0, JointList()).empty());
+    QVERIFY(heldGroups(analysed(newDocument())).empty());
 }
 
 FFF_TEST(TestAssembly)

@@ -427,7 +427,7 @@ void TestChecks::mechanicsCases()
                  -force.y() / kGravity});
         }
         const Analysis analysis = analysed(document);
-        const auto groups = connectedGroups(document.sections.size(), analysis.assembly.joints);
+        const auto groups = heldGroups(analysis);
         const QString verdict = truth[QLatin1String("verdict")].toString();
         if (verdict == QStringLiteral("topples")) {
             ++toppling;
