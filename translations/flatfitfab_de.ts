@@ -5676,6 +5676,10 @@
         <source>Checking…</source>
         <translation>Wird geprüft…</translation>
     </message>
+    <message>
+        <source>Still checking. It is done as soon as that is known.</source>
+        <translation>Es wird noch geprüft. Es geschieht, sobald das bekannt ist.</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::CommandSearch</name>

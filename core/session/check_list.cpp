@@ -119,18 +119,21 @@ bool CheckList::isMendless(const Finding &finding) const
     return known && known->empty();
 }
 
-const Mend *CheckList::mendNow(const FindingAction &action, const Finding &finding) const
+bool CheckList::areMendsOf(const Model &model) const
 {
-    m_scheduler.finish(kMends.name);
     const auto mends = m_scheduler.result(kMends);
-    if (!mends || !mends->analysis->model.document.isSame(m_session.committed().document))
-        return nullptr;
-    const std::vector<Mend> *known = mends->of(finding);
+    return mends && mends->analysis->model.document.isSame(model.document);
+}
+
+const Mend *CheckList::mendFor(const FindingAction &action, const Finding &finding) const
+{
+    const auto mends = m_scheduler.result(kMends);
+    const std::vector<Mend> *known = mends ? mends->of(finding) : nullptr;
     if (!known)
         return nullptr;
     const auto mend = std::find_if(known->begin(), known->end(),
                                    [&](const Mend &other) { return other.action == action; });
-    return mend == known->end() ? nullptr : &*mend;
+    return mend == known->end() || !mend->isEdit() ? nullptr : &*mend;
 }
 
 QString CheckList::reportOf(const Finding &finding) const

@@ -40,8 +40,10 @@ public:
     const std::vector<Mend> &mendsOf(const Finding &finding) const;
     /// It is known that nothing is offered.
     bool isMendless(const Finding &finding) const;
-    /// The same of the model that is there now; waits until that is worked out.
-    const Mend *mendNow(const FindingAction &action, const Finding &finding) const;
+    /// Whether what can be done is worked out of this model.
+    bool areMendsOf(const Model &model) const;
+    /// What an action makes of the model that it is worked out of; null where it is not offered.
+    const Mend *mendFor(const FindingAction &action, const Finding &finding) const;
     /// Where the model was set aside at which the finding's stage broke; empty: nowhere.
     QString reportOf(const Finding &finding) const;
     Scheduler &scheduler() const { return m_scheduler; }

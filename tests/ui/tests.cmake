@@ -18,6 +18,7 @@ fff_tests(tests_ui LIBRARIES fff::ui TESTS
     ui/dialogs/tst_dialogs
     ui/docks/tst_operations_docks
     ui/docks/tst_stage_failures
+    ui/docks/tst_trying_out
     ui/files/tst_format_filters
     ui/files/tst_progress
     ui/files/tst_windows

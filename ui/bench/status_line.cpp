@@ -123,6 +123,11 @@ void StatusLine::say(const QString &sentence)
 
 void StatusLine::sayMarked(const QString &sentence)
 {
+    if (sentence.isEmpty()) {
+        m_held.stop();
+        showHint();
+        return;
+    }
     showSentence(sentence, false);
     m_held.start();
 }

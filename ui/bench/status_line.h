@@ -24,7 +24,7 @@ public:
 
     /// Says what was done, for some seconds or until the next press. No marks in it.
     void say(const QString &sentence);
-    /// The same with marks (ui/sentence_label.h).
+    /// The same with marks (ui/sentence_label.h). Empty: what was said last is over.
     void sayMarked(const QString &sentence);
     /// What the history did: "Undid “Draw Rib 3”. Ctrl+Shift+Z brings it back."
     void sayUndone(const QString &step);

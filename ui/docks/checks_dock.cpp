@@ -30,6 +30,7 @@
 #include <QUrl>
 
 #include <algorithm>
+#include <utility>
 
 namespace fff::ui {
 
@@ -153,6 +154,7 @@ ChecksDock::ChecksDock(Workbench &bench, const CheckList &list, QWidget *parent)
         for (std::size_t i = 0; i < m_widgets.size(); ++i)
             m_widgets[i]->setLit(static_cast<int>(i) == row);
     });
+    connect(&bench.session(), &Session::committedChanged, this, [this] { m_wish.reset(); });
     // Without the dock there are no rows that the numbers could be of.
     connect(toggleViewAction(), &QAction::toggled, this, &ChecksDock::markProblems);
     connect(&bench, &Workbench::selectionChanged, this, [this] {
@@ -255,6 +257,8 @@ void ChecksDock::refresh()
         forgetChoice(); // it is mended
     markProblems();
     refreshFooter();
+    if (m_wish && m_list.areMendsOf(m_bench.session().committed()))
+        carryOutWish();
 }
 
 /// The numbers in the view. A problem without a place of its own stands where its sections are; a
@@ -458,19 +462,31 @@ void ChecksDock::act(int row, int index)
     }
 }
 
-/// On the model that is there now, which the row may be older than.
+/// On the model that is there now, which the row may be older than. The window does not wait until
+/// that is judged.
 void ChecksDock::carryOut(const FindingAction &action, const Finding &finding)
 {
-    const Mend *mend = m_bench.session().hasPreview() ? nullptr : m_list.mendNow(action, finding);
+    m_wish = {action, finding};
+    if (m_list.areMendsOf(m_bench.session().committed()))
+        carryOutWish();
+    else
+        Q_EMIT said(tr("Still checking. It is done as soon as that is known."));
+}
+
+void ChecksDock::carryOutWish()
+{
+    const auto [action, finding] = *std::exchange(m_wish, {});
+    const Mend *mend = m_bench.session().hasPreview() ? nullptr : m_list.mendFor(action, finding);
     if (!mend) {
         Q_EMIT said(tr("The model has changed; that cannot be done any more."));
         return;
     }
     const FindingEdit edit = *mend->edit; // it goes with the model
+    m_isTrying = false;
     m_bench.setTried(nullptr);
     m_bench.commit(edit.step, edit.document);
-    if (!edit.said.isEmpty())
-        Q_EMIT said(messageText(edit.said));
+    const Message &done = edit.said.isEmpty() ? edit.step.words : edit.said;
+    Q_EMIT said(messageText(done).toHtmlEscaped());
 }
 
 void ChecksDock::tryOut(int row, int index, bool isOver)
@@ -485,8 +501,11 @@ void ChecksDock::tryOut(int row, int index, bool isOver)
     const bool isOfNow = mend && mend->tried && !m_bench.session().hasPreview() &&
                          m_list.age() == CheckList::Age::Current;
     m_bench.setTried(isOfNow ? mend->tried : nullptr);
-    Q_EMIT said(isOfNow && !mend->changes.isEmpty() ? messageText(mend->changes).toHtmlEscaped()
-                                                    : QString());
+    if (isOfNow)
+        Q_EMIT said(messageText(mend->changes).toHtmlEscaped());
+    else if (m_isTrying)
+        Q_EMIT said(QString()); // that is over
+    m_isTrying = isOfNow;
 }
 
 } // namespace fff::ui

@@ -70,6 +70,7 @@ private:
     void tryOut(int row, int index, bool isOver);
     void showStock(const Finding &finding);
     void carryOut(const FindingAction &action, const Finding &finding);
+    void carryOutWish();
     std::optional<Finding> focusedFinding() const;
     void returnFocus(const Finding &finding);
     std::vector<int> problems() const; // rows
@@ -89,6 +90,9 @@ private:
     QTimer *m_spin = nullptr;
     int m_angle = 0; // degrees, of the spinner
     bool m_isChoosing = false;
+    bool m_isTrying = false; // what a link would make is shown, and said
+    /// To be done as soon as it is known what that makes of the model that is there.
+    std::optional<std::pair<FindingAction, Finding>> m_wish;
 };
 
 } // namespace fff::ui

@@ -145,7 +145,7 @@ void TestOwnFinding::aStageIsOneLine()
     const FindingAction action = mends.front().action;
     QCOMPARE(messageText(action.kind->words(action, *crowd(), list.model())),
              QStringLiteral("Thin out"));
-    session.commit(QStringLiteral("Thin out"), list.mendNow(action, *crowd())->edit->document);
+    session.commit(QStringLiteral("Thin out"), list.mendFor(action, *crowd())->edit->document);
     QVERIFY(!crowd());
     // Its failure is said in its place.
     session.scheduler().setCompute(kCrowding.name,

@@ -1,0 +1,146 @@
+#include <QTest> // first: moc stumbles over some standard headers
+
+#include "core/session/scheduler.h"
+#include "core/session/session.h"
+#include "tests/core/assembly/plates.h"
+#include "tests/test_program.h"
+#include "ui/base/field_style.h"
+#include "ui/bench/workbench.h"
+#include "ui/docks/check_row.h"
+#include "ui/settings/settings.h"
+#include "ui/window/main_window.h"
+
+#include <QAbstractButton>
+#include <QApplication>
+#include <QFile>
+#include <QTemporaryDir>
+
+#include <memory>
+
+using namespace fff;
+using namespace fff::test;
+using namespace fff::ui;
+
+/// What a link would make is seen while the cursor is on it, and nothing has been done.
+class TestTryingOut : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init();
+    void cleanup();
+
+    void itIsSeenAsLongAsTheCursorIsThere();
+    void anotherModelEndsIt();
+    void aClickDoesIt();
+    void aClickTooEarlyIsNotLost();
+
+private:
+    Session &session() { return m_window->bench().session(); }
+    Workbench &bench() { return m_window->bench(); }
+    /// Two plates that do not hold each other: one runs along the other's edge.
+    static Document loose()
+    {
+        return withSection(withSection(newDocument(), plateOf(-50, 0, 50, 60), front()),
+                           plateOf(-40, 0, 40, 60), side(49.5));
+    }
+    QAbstractButton *link() const
+    {
+        const auto *row = m_window->findChild<CheckRow *>(QStringLiteral("checkRow0"));
+        return row ? row->findChild<QAbstractButton *>(QStringLiteral("checkLink0")) : nullptr;
+    }
+    void finish()
+    {
+        session().scheduler().finish();
+        QCoreApplication::processEvents();
+    }
+    void hover(bool isOver)
+    {
+        const QPointF at(3, 3);
+        QEnterEvent enter(at, at, at);
+        QEvent leave(QEvent::Leave);
+        QCoreApplication::sendEvent(link(), isOver ? static_cast<QEvent *>(&enter) : &leave);
+    }
+    std::unique_ptr<QTemporaryDir> m_folder;
+    std::unique_ptr<MainWindow> m_window;
+};
+
+void TestTryingOut::init()
+{
+    m_folder = std::make_unique<QTemporaryDir>();
+    Settings::setFile(m_folder->filePath(QStringLiteral("settings.ini")));
+    qputenv("XDG_DATA_HOME", QFile::encodeName(m_folder->path()));
+    m_window = std::make_unique<MainWindow>();
+    m_window->resize(1280, 800);
+    m_window->show();
+    QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
+    session().commit(QStringLiteral("Draw"), loose());
+    finish();
+    QTRY_VERIFY(link());
+}
+
+void TestTryingOut::cleanup()
+{
+    m_window.reset();
+}
+
+void TestTryingOut::itIsSeenAsLongAsTheCursorIsThere()
+{
+    const Document before = session().committed().document;
+    QVERIFY(!bench().tried());
+    hover(true);
+    QVERIFY(bench().tried());
+    QVERIFY(&bench().shownModel() == &bench().tried()->model);
+    QVERIFY(bench().differsInTrial(session().committed().ref(1)));
+    hover(false);
+    QVERIFY(!bench().tried());
+    QVERIFY(&bench().shownModel() == &session().model());
+    QVERIFY(session().committed().document.isSame(before));
+    QCOMPARE(session().history()->count(), 1);
+}
+
+// Wrong: the view goes on showing what some edit would have made of a model that is gone.
+void TestTryingOut::anotherModelEndsIt()
+{
+    hover(true);
+    QVERIFY(bench().tried());
+    session().commit(QStringLiteral("Draw"), withPlate(loose(), 90.0));
+    finish();
+    QTRY_VERIFY(!bench().tried());
+}
+
+void TestTryingOut::aClickDoesIt()
+{
+    hover(true);
+    const Document tried = bench().tried()->model.document;
+    link()->click();
+    QVERIFY(session().committed().document.isSame(tried));
+    QVERIFY(!bench().tried());
+    session().history()->undo();
+    QVERIFY(!session().committed().document.isSame(tried));
+}
+
+// Wrong: the window waits for what is judged, or a click on what is being judged does nothing.
+void TestTryingOut::aClickTooEarlyIsNotLost()
+{
+    // The same model but for a name: the same link, whose effect is not worked out yet.
+    Document renamed = session().committed().document;
+    Section section = *renamed.sections.front();
+    section.name = "Body";
+    renamed.sections.front() = std::make_shared<const Section>(section);
+    session().commit(QStringLiteral("Rename"), renamed);
+    QVERIFY(link());
+    link()->click();
+    QCOMPARE(session().history()->count(), 2); // not done yet
+    QTRY_COMPARE(session().history()->count(), 3);
+    QCOMPARE(session().committed().document.sections.front()->name, std::string("Body"));
+}
+
+FFF_TEST_WITH(TestTryingOut, [](int argc, char *argv[]) {
+    QLocale::setDefault(QLocale(QLocale::English, QLocale::UnitedKingdom));
+    QApplication application(argc, argv);
+    QApplication::setStyle(new FieldStyle);
+    TestTryingOut test;
+    return QTest::qExec(&test, argc, argv);
+})
+#include "tst_trying_out.moc"
