@@ -56,7 +56,7 @@ Led led(const Model &model, const SectionPointer &section, const Vec2 &from, con
 SectionPointer upright(const ShapePointer &shape)
 {
     Section section;
-    section.id = SectionId(1);
+    section.id = SectionId{1};
     section.shape = shape;
     section.frame = {Vec3(0, 100, 0), Vec3::UnitX(), Vec3::UnitY()};
     return std::make_shared<const Section>(section);
