@@ -2330,16 +2330,16 @@
         <translation>Übernehmen</translation>
     </message>
     <message>
-        <source>Make a circle, an ellipse, straight lines or right angles of what was just drawn nearly so</source>
-        <translation>Macht einen Kreis, eine Ellipse, gerade Linien oder rechte Winkel aus dem, was gerade beinahe so gezeichnet wurde</translation>
-    </message>
-    <message>
-        <source>Nothing that was just drawn is nearly a circle, an ellipse, straight or at a right angle</source>
-        <translation>Nichts gerade Gezeichnetes ist beinahe ein Kreis, eine Ellipse, gerade oder rechtwinklig</translation>
-    </message>
-    <message>
         <source>What is selected is not symmetric</source>
         <translation>Das Gewählte ist nicht symmetrisch</translation>
+    </message>
+    <message>
+        <source>Make a circle, an ellipse, straight lines or right angles of what was just drawn nearly so, or move its slit in from the edge</source>
+        <translation>Aus dem eben ungefähr so Gezeichneten einen Kreis, eine Ellipse, gerade Linien oder rechte Winkel machen, oder seinen Schlitz vom Rand hereinrücken</translation>
+    </message>
+    <message>
+        <source>Nothing is offered for what was just drawn</source>
+        <translation>Für das eben Gezeichnete wird nichts angeboten</translation>
     </message>
 </context>
 <context>
@@ -2441,6 +2441,14 @@
     <message>
         <source>Go on</source>
         <translation>Weiter</translation>
+    </message>
+    <message>
+        <source>Too near the edge: the slit would hold nothing</source>
+        <translation>Zu nah am Rand: Der Schlitz hielte nichts</translation>
+    </message>
+    <message>
+        <source>Too near the edge: the slit would hold nothing. B: move it in</source>
+        <translation>Zu nah am Rand: Der Schlitz hielte nichts. B: hereinrücken</translation>
     </message>
 </context>
 <context>
@@ -3822,6 +3830,10 @@
         <extracomment>%1 is the name of a section</extracomment>
         <translation>%1 ist nicht symmetrisch: ihre Hälften sind verschieden.</translation>
     </message>
+    <message>
+        <source>B: move its slit in from the edge</source>
+        <translation>B: Schlitz vom Rand hereinrücken</translation>
+    </message>
 </context>
 <context>
     <name>Operation</name>
@@ -5012,6 +5024,11 @@
             <numerusform>Hälften von %n Scheibe verschieden sein lassen</numerusform>
             <numerusform>Hälften von %n Scheiben verschieden sein lassen</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Move %1 in from the edge</source>
+        <extracomment>%1 is the name of a section</extracomment>
+        <translation>%1 vom Rand hereinrücken</translation>
     </message>
 </context>
 <context>

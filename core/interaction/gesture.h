@@ -67,6 +67,10 @@ public:
     /// Leaves no trace but what the reply says.
     virtual GestureReply cancel(GestureContext &context) = 0;
 
+    /// What it draws could be made better by one key (Interaction::takeOffer).
+    virtual bool hasOffer() const { return false; }
+    virtual void takeOffer() {}
+
     /// It puts the marks of joints among what is selected by itself.
     virtual bool marksJoints() const { return false; }
     /// The same of the handles of an operation.

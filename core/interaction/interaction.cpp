@@ -270,12 +270,18 @@ void Interaction::Private::moveOn(double time)
     update();
 }
 
-/// A frame is about to be seen: what a stroke has taken in and not shown yet is shown. To it this
-/// is an event that changes nothing.
+/// A frame is about to be seen: what a stroke has taken in and not shown yet is shown.
 void Interaction::Private::showLate()
 {
     const bool isDrawn = gesture ? gesture->isAnimating() : isToolPressed && tool->isAnimating();
-    if (!overlay.drawn.find<sign::Stroke>() || !isDrawn || !hovering.position())
+    if (overlay.drawn.find<sign::Stroke>() && isDrawn)
+        showNow();
+}
+
+/// An event that changes nothing shows what has changed meanwhile.
+void Interaction::Private::showNow()
+{
+    if (!hovering.position())
         return;
     PointerEvent event;
     event.type = PointerEvent::Type::Modifiers;

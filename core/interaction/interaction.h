@@ -183,10 +183,10 @@ public:
     /// nearest to the arrow. arrow: unit, right and up; distance: mm. False when the arrow is
     /// not for what is selected.
     bool nudge(const Vec2 &arrow, double distance, double time);
-    /// What was just drawn is offered as what it was meant to be (shape_offer.h). Until the next
-    /// press, edit or Esc.
+    /// What was just drawn is offered as what it was meant to be (shape_offer.h), until the next
+    /// press, edit or Esc; or what is being drawn is (Gesture::hasOffer).
     bool hasOffer() const;
-    /// Commits it; does nothing where there is none.
+    /// Commits it, or goes on with it; does nothing where there is none.
     void takeOffer(double time);
     /// What edits of points go by.
     PointRules pointRules() const;

@@ -2,7 +2,7 @@
 
 namespace fff {
 
-// What a stroke was meant to be, until the next thing is done.
+// What a stroke was meant to be, while it is drawn and until the next thing is done.
 
 void Interaction::Private::offer(std::optional<ShapeOffer> shape)
 {
@@ -12,12 +12,17 @@ void Interaction::Private::offer(std::optional<ShapeOffer> shape)
 
 bool Interaction::hasOffer() const
 {
-    return d->offered.has_value();
+    return d->offered || (d->gesture && d->gesture->hasOffer());
 }
 
 void Interaction::takeOffer(double time)
 {
     d->moveOn(time);
+    if (d->gesture && d->gesture->hasOffer()) {
+        d->gesture->takeOffer();
+        d->showNow();
+        return;
+    }
     if (!d->offered)
         return;
     ShapeOffer taken = *std::move(d->offered);

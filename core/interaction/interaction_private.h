@@ -74,6 +74,7 @@ public:
 
     void moveOn(double time);
     void showLate();
+    void showNow();
 
     void press(const PointerEvent &event);
     void move(const PointerEvent &event);

@@ -10,6 +10,12 @@ inline constexpr Text kOfferCircle = FFF_TEXT("Hint", "B: make it a circle");
 inline constexpr Text kOfferEllipse = FFF_TEXT("Hint", "B: make it an ellipse");
 inline constexpr Text kOfferStraight = FFF_TEXT("Hint", "B: make its lines straight");
 inline constexpr Text kOfferRightAngles = FFF_TEXT("Hint", "B: make its corners right angles");
+inline constexpr Text kOfferMoveIn = FFF_TEXT("Hint", "B: move its slit in from the edge");
+// While it is drawn.
+inline constexpr Text kOneWall =
+    FFF_TEXT("Cue", "Too near the edge: the slit would hold nothing");
+inline constexpr Text kOneWallOffer =
+    FFF_TEXT("Cue", "Too near the edge: the slit would hold nothing. B: move it in");
 
 } // namespace fff::hints
 
@@ -27,5 +33,7 @@ inline constexpr Text kOvalHole = FFF_TEXT("Step", "Make the hole in %1 an ellip
 inline constexpr Text kStraightenLines = FFF_TEXT("Step", "Straighten lines of %1");
 //: %1 is the name of a section
 inline constexpr Text kMakeRightAngles = FFF_TEXT("Step", "Make corners of %1 right angles");
+//: %1 is the name of a section
+inline constexpr Text kMoveIn = FFF_TEXT("Step", "Move %1 in from the edge");
 
 } // namespace fff::steps

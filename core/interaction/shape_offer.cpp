@@ -40,6 +40,11 @@ Vec3 below(const Contour &drawn, const Frame &canvas)
 
 } // namespace
 
+sign::Label offerChip(Text words, const Contour &drawn, const Frame &canvas)
+{
+    return {SignRole::Offer, {below(drawn, canvas)}, Message{words, {}}, {0.0, kBelow}};
+}
+
 std::optional<ShapeOffer> shapeOffer(const Document &before, const ContourTarget &target,
                                      const Contour &drawn, double tolerance,
                                      const DrawingRules &rules)
@@ -58,8 +63,7 @@ std::optional<ShapeOffer> shapeOffer(const Document &before, const ContourTarget
     offer.step = {isHole ? texts.stepOfHole : texts.step, {Named{made->name}}};
     offer.document = std::move(made->document);
     offer.signs.add(sign::Curve{SignRole::Offer, target.canvas, meant->contour});
-    offer.signs.add(sign::Label{
-        SignRole::Offer, {below(drawn, target.canvas)}, Message{texts.chip, {}}, {0.0, kBelow}});
+    offer.signs.add(offerChip(texts.chip, drawn, target.canvas));
     return offer;
 }
 

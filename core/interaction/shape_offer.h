@@ -16,6 +16,9 @@ struct ShapeOffer
     Signs signs;       // the chip
 };
 
+/// The chip of an offer, below what was drawn.
+sign::Label offerChip(Text words, const Contour &drawn, const Frame &canvas);
+
 /// Of a contour as it was drawn, before the ground cut it. What is offered is judged like a drawn
 /// one: none where that would be refused, or where nothing better was meant.
 ///

@@ -35,6 +35,7 @@ enum class SignRole {
     Offer, // what a stroke was meant to be
     Guide, // that what is drawn goes along
     Cue,   // what the hand may do now
+    Doubt, // what will not do what it is for
 };
 
 namespace sign {

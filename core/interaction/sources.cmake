@@ -52,6 +52,7 @@ target_sources(fff_core PRIVATE
     interaction/sight.cpp
     interaction/slit_guides.cpp
     interaction/slit_turn.cpp
+    interaction/slit_walls.cpp
     interaction/shape_offer.cpp
     interaction/snapping.cpp
     interaction/steps_player.cpp

@@ -3,8 +3,9 @@
 #include "core/base/tolerances.h"
 #include "core/base/units.h"
 #include "core/interaction/contour_words.h"
-#include "core/interaction/cue.h"
+#include "core/interaction/offer_words.h"
 #include "core/interaction/pick.h"
+#include "core/interaction/slit_walls.h"
 #include "core/interaction/snapping.h"
 #include "core/interaction/stroke_words.h"
 #include "core/model/ground.h"
@@ -127,8 +128,10 @@ GestureReply StrokeGesture::handle(const PointerEvent &event, GestureContext &co
             moveTo(event, context);
         advance(event.time, context);
     }
-    if (m_stroke.state() == Stroke::State::Slit)
+    if (m_stroke.state() == Stroke::State::Slit) {
         leadSlit(event, context);
+        lookAtWalls(context);
+    }
     if (event.type == PointerEvent::Type::Release)
         m_stroke.release();
     else if (m_stroke.state() == Stroke::State::Contour && !isToShow(event)) {
@@ -156,6 +159,13 @@ void StrokeGesture::moveTo(const PointerEvent &event, GestureContext &context)
 void StrokeGesture::leadSlit(const PointerEvent &event, const GestureContext &context)
 {
     m_guide = m_guides->lead(m_stroke, context.settings.snaps && !event.modifiers.control);
+}
+
+void StrokeGesture::lookAtWalls(const GestureContext &context)
+{
+    m_missing = judgedSlit(context.model.document, *m_ground->section, m_stroke.interior(),
+                           m_stroke.slitFrom(), m_stroke.slitTo())
+                    .missing;
 }
 
 /// A move shows what it is paid for, a frame what it has time for.
@@ -222,6 +232,16 @@ void StrokeGesture::beginTurn(const PointerEvent &event, GestureContext &context
     m_target = ContourTarget::newSection(
         m_turn->canvas(), Parent{m_ground->ref, m_stroke.slitFrom(), m_stroke.slitTo()});
     m_target.right = m_turn->right();
+    lookAtWalls(context);
+    if (m_missing) {
+        const Document &document = context.model.document;
+        if (std::optional<Parent> slit = movedIn(document, *m_ground->section, m_stroke.interior(),
+                                                 *m_target.parent, *m_missing)) {
+            m_movedIn = m_target;
+            m_movedIn->canvas.origin = m_ground->section->frame.toWorld(slit->slitFrom);
+            m_movedIn->parent = std::move(slit);
+        }
+    }
     const double turnTime = context.settings.turnTime;
     m_room = RoomPan{m_target.canvas, m_stroke.slitLength(), m_stroke.deadZoneRadius(),
                      turnTime > 0.0 ? kRoomPerTurn * context.viewport.x() / turnTime
@@ -304,14 +324,16 @@ GestureReply StrokeGesture::running() const
 void StrokeGesture::updateDrawn(const GestureContext &context)
 {
     const StrokeContour &contour = m_stroke.contour();
-    if (m_stroke.revision() == m_drawnRevision && contour.isMirrored == m_drawnMirrored)
+    if (m_stroke.revision() == m_drawnRevision && contour.isMirrored == m_drawnMirrored &&
+        m_isMovedIn == m_drawnMovedIn)
         return;
     m_drawnRevision = m_stroke.revision();
     m_drawnMirrored = contour.isMirrored;
+    m_drawnMovedIn = m_isMovedIn;
     m_price = contour.work + kLeastPrice;
     m_drawn.reset();
     if (contour.contour)
-        m_drawn = drawContour(context.model.document, m_target, *contour.contour,
+        m_drawn = drawContour(context.model.document, target(), *contour.contour,
                               {context.settings.cutsAtGround, context.settings.naming,
                                contour.isMirrored ? contour.axis : std::nullopt});
 }
@@ -320,11 +342,45 @@ void StrokeGesture::updateDrawn(const GestureContext &context)
 /// is mirrored stays its own image, and what crossed itself was no circle.
 void StrokeGesture::updateOffer(const GestureContext &context)
 {
-    const StrokeContour &contour = m_stroke.contour();
-    if (!m_drawn || !*m_drawn || contour.isMirrored || contour.wasCrossing)
+    if (!m_drawn || !*m_drawn)
         return;
-    m_offer = shapeOffer(context.model.document, m_target, *contour.contour, m_stroke.tolerance(),
+    offerMovedIn(context);
+    const StrokeContour &contour = m_stroke.contour();
+    if (m_offer || contour.isMirrored || contour.wasCrossing)
+        return;
+    m_offer = shapeOffer(context.model.document, target(), *contour.contour, m_stroke.tolerance(),
                          {context.settings.cutsAtGround, context.settings.naming});
+}
+
+bool StrokeGesture::hasOffer() const
+{
+    return m_movedIn && !m_isMovedIn;
+}
+
+/// A section whose slit would hold nothing, where it is held when it is moved in.
+void StrokeGesture::offerMovedIn(const GestureContext &context)
+{
+    if (!hasOffer())
+        return;
+    const StrokeContour &contour = m_stroke.contour();
+    const Document &before = context.model.document;
+    const DrawnContour &drawn = **m_drawn;
+    tl::expected<DrawnContour, Hint> moved =
+        drawContour(before, *m_movedIn, *contour.contour,
+                    {context.settings.cutsAtGround, context.settings.naming,
+                     contour.isMirrored ? contour.axis : std::nullopt});
+    if (!moved)
+        return;
+    const auto judged = [&](const DrawnContour &one) {
+        return judgedSlit(before, *m_ground->section, *one.document.find(one.section.drawn));
+    };
+    if (judged(drawn).isHeld || !judged(*moved).isHeld)
+        return;
+    m_offer = ShapeOffer();
+    m_offer->step = {steps::kMoveIn, {Named{moved->name}}};
+    m_offer->signs.add(sign::Curve{SignRole::Offer, m_movedIn->canvas, *contour.contour});
+    m_offer->signs.add(offerChip(hints::kOfferMoveIn, *contour.contour, m_movedIn->canvas));
+    m_offer->document = std::move(moved->document);
 }
 
 GestureReply StrokeGesture::done(const GestureContext &context)

@@ -46,6 +46,9 @@ public:
     void advance(double time, GestureContext &context) override;
     bool isAnimating() const override;
     GestureReply cancel(GestureContext &context) override;
+    /// The slit has material on one side only: moved in from the edge it has it on both.
+    bool hasOffer() const override;
+    void takeOffer() override { m_isMovedIn = true; }
     Hint hint() const override;
     Cursor cursor() const override;
 
@@ -57,12 +60,15 @@ private:
     };
 
     const Frame &plane() const; // that the cursor is on
+    /// What is made: on that plane, or on one beside it.
+    const ContourTarget &target() const { return m_isMovedIn ? *m_movedIn : m_target; }
     /// None where that plane is seen on edge.
     std::optional<Vec2> pointAt(const Vec2 &screen, const GestureContext &context) const;
     Hint releaseHint(const std::string &section) const;
     /// That what is drawn is meant in.
     Camera view(const GestureContext &context) const;
     void leadSlit(const PointerEvent &event, const GestureContext &context);
+    void lookAtWalls(const GestureContext &context);
     void moveTo(const PointerEvent &event, GestureContext &context);
     void beginTurn(const PointerEvent &event, GestureContext &context);
     void followHand(const PointerEvent &event, GestureContext &context);
@@ -73,10 +79,12 @@ private:
     bool canShow();
     bool isDear() const { return m_price > kMostOfFrame; }
     Frame rulers(const GestureContext &context) const;
+    void addWalls(Signs &signs) const;
     void updateOverlay(GestureContext &context) const;
     void followSamples(GestureContext &context) const;
     void updateDrawn(const GestureContext &context);
     void updateOffer(const GestureContext &context);
+    void offerMovedIn(const GestureContext &context);
     GestureReply reply(GestureContext &context);
     GestureReply running() const;
     GestureReply over() const;
@@ -89,6 +97,9 @@ private:
     std::optional<SlitGuides> m_guides; // of the slit
     std::optional<SlitGuide> m_guide;   // that it goes along
     ContourTarget m_target;
+    std::optional<Vec3> m_missing;          // world, unit: where the slit has no wall
+    std::optional<ContourTarget> m_movedIn; // where it has
+    bool m_isMovedIn = false;
     std::optional<CanvasTurn> m_turn;
     std::optional<HandInTurn> m_hand;
     std::optional<QuickTurn> m_quick; // until it is over
@@ -98,7 +109,8 @@ private:
     double m_now = 0.0; // ms
     bool m_isMovingToRoom = false;
     std::uint64_t m_drawnRevision = 0;                       // of the samples of m_drawn
-    bool m_drawnMirrored = false;                            // and whether it was mirrored
+    bool m_drawnMirrored = false;                            // and whether it was mirrored,
+    bool m_drawnMovedIn = false;                             // and moved in
     std::optional<tl::expected<DrawnContour, Hint>> m_drawn; // none: nothing is enclosed yet
     std::optional<ShapeOffer> m_offer;                       // of what is committed
     // What showing the contour may cost, and cost the last time, in samples looked at.

@@ -1,6 +1,7 @@
 // What a stroke shows while it is drawn: its signs, its words and the cursor.
 #include "core/base/tolerances.h"
 #include "core/interaction/cue.h"
+#include "core/interaction/offer_words.h"
 #include "core/interaction/snapping.h"
 #include "core/interaction/stroke_gesture.h"
 #include "core/interaction/stroke_words.h"
@@ -35,8 +36,21 @@ Frame StrokeGesture::rulers(const GestureContext &context) const
 {
     const Eigen::Quaterniond orientation = view(context).orientation;
     if (context.model.sectionCount() == 0)
-        return canvasGrid(m_target.canvas, orientation);
-    return m_target.section.isValid() ? ownGrid(m_target.canvas, orientation) : seenFrame(m_target);
+        return canvasGrid(target().canvas, orientation);
+    return m_target.section.isValid() ? ownGrid(target().canvas, orientation) : seenFrame(target());
+}
+
+/// Says at the slit that it will hold nothing, and how it would.
+void StrokeGesture::addWalls(Signs &signs) const
+{
+    constexpr double kAbove = 34.0; // px, clear of the cursor and of what is said below it
+    if (!m_missing || m_isMovedIn)
+        return;
+    const Frame &frame = m_ground->section->frame;
+    signs.add(sign::Label{SignRole::Doubt,
+                          {frame.toWorld(m_stroke.slitTo())},
+                          Message{m_movedIn ? hints::kOneWallOffer : hints::kOneWall, {}},
+                          {0.0, -kAbove}});
 }
 
 void StrokeGesture::updateOverlay(GestureContext &context) const
@@ -45,14 +59,17 @@ void StrokeGesture::updateOverlay(GestureContext &context) const
     const Stroke::State state = m_stroke.state();
     if (m_ground) {
         const Frame &frame = m_ground->section->frame;
-        sign::Slit slit{frame.toWorld(m_stroke.slitFrom()), frame.toWorld(m_stroke.slitTo()),
+        const Parent *moved = m_isMovedIn ? &*m_movedIn->parent : nullptr;
+        sign::Slit slit{frame.toWorld(moved ? moved->slitFrom : m_stroke.slitFrom()),
+                        frame.toWorld(moved ? moved->slitTo : m_stroke.slitTo()),
                         state != Stroke::State::Slit, m_ground->section->name};
         if (state == Stroke::State::DeadZone) {
             slit.clearance = m_stroke.deadZoneRadius();
-            signs.add(sign::Capsule{SignRole::DeadZone, m_target.canvas, m_stroke.slitLength(),
+            signs.add(sign::Capsule{SignRole::DeadZone, target().canvas, m_stroke.slitLength(),
                                     m_stroke.deadZoneRadius()});
         }
         signs.add(std::move(slit));
+        addWalls(signs);
         if (m_guide && (state == Stroke::State::Slit || state == Stroke::State::Turn))
             m_guides->show(*m_guide, context.camera, context.viewport, signs);
     }
@@ -60,7 +77,7 @@ void StrokeGesture::updateOverlay(GestureContext &context) const
         const StrokeContour &contour = m_stroke.contour();
         signs.add(sign::Rulers{rulers(context)});
         sign::Stroke &stroke = signs.put(sign::Stroke());
-        stroke.canvas = m_target.canvas;
+        stroke.canvas = target().canvas;
         stroke.samples = m_stroke.samples();
         stroke.fitted = contour.fitted;
         stroke.opening = contour.opening;
@@ -88,7 +105,7 @@ void StrokeGesture::updateOverlay(GestureContext &context) const
         signs.add(cueAt(state == Stroke::State::Turn ? hints::kWait : hints::kGoOn, m_cursor,
                         context.camera, context.viewport));
     if (state == Stroke::State::Contour || state == Stroke::State::DeadZone)
-        if (const std::optional<sign::Ground> line = groundLineOf(m_target.canvas))
+        if (const std::optional<sign::Ground> line = groundLineOf(target().canvas))
             signs.add(*line);
     context.overlay.drawn = std::move(signs);
 }

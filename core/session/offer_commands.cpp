@@ -9,7 +9,7 @@ constexpr CommandWords kOfferWords[] = {
      FFF_TEXT("Command", "Take the offer"), "B", "figure_draw",
      FFF_TEXT("Command",
               "Make a circle, an ellipse, straight lines or right angles of what was just drawn "
-              "nearly so"),
+              "nearly so, or move its slit in from the edge"),
      true},
 };
 
@@ -23,8 +23,7 @@ void registerOfferCommands(CommandRegistry &registry, Interaction &interaction)
                       return {};
                   },
                   needs([&interaction] { return interaction.hasOffer(); },
-                        FFF_TEXT("Command", "Nothing that was just drawn is nearly a circle, an "
-                                            "ellipse, straight or at a right angle"))});
+                        FFF_TEXT("Command", "Nothing is offered for what was just drawn"))});
     registry.offer(kOfferWords);
 }
 

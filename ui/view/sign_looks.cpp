@@ -40,6 +40,7 @@ constexpr RoleLook kLooks[] = {
     {SignRole::Offer, {.colour = &ViewStyle::guide, .width = 1.6, .dash = 6.0, .gap = 4.0}},
     {SignRole::Guide, {.colour = &ViewStyle::guide, .width = 1.4, .dash = 4.0, .gap = 3.0}},
     {SignRole::Cue, {.colour = &ViewStyle::text}},
+    {SignRole::Doubt, {.colour = &ViewStyle::warning}},
 };
 
 } // namespace

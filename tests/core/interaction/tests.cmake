@@ -17,6 +17,7 @@ fff_tests(tests_interaction LIBRARIES fff::session TESTS
     core/interaction/tst_problem_marks
     core/interaction/tst_shape_offers
     core/interaction/tst_slit_guides
+    core/interaction/tst_slit_walls
     core/interaction/tst_snapping
     core/interaction/tst_steps_player
     core/interaction/tst_symmetric_section
