@@ -19,7 +19,7 @@ struct CurvedRegion
 };
 
 /// (outer non-zero) minus (each hole) minus (each cut), as connected pieces, largest first; pieces
-/// below kMinArea are left out.
+/// below kMinArea are left out. What hangs together by a point only is two pieces.
 ///
 /// contour   counter-clockwise or not, must not cross itself (resolveCrossings mends that)
 /// holes     any winding; may touch or overlap each other and the contour

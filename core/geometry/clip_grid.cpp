@@ -2,7 +2,9 @@
 
 #include "core/base/fault_point.h"
 #include "core/base/tolerances.h"
+#include "core/geometry/box_runs.h"
 #include "core/geometry/grid_predicates.h"
+#include "core/geometry/segment_distance.h"
 
 #include <algorithm>
 #include <bit>
@@ -183,6 +185,60 @@ std::vector<GridRegion> separated(const std::vector<GridRegion> &regions)
     return nested(std::move(loops));
 }
 
+Vec2 inSteps(const GridPoint &p)
+{
+    return {static_cast<double>(p.x), static_cast<double>(p.y)};
+}
+
+/// The ring with those of its corners put in that lie on its edges, but for their own.
+GridRing withTouches(GridRing ring)
+{
+    constexpr double kTouch = kClipSlack / kClipGrid; // steps
+    struct Touch
+    {
+        std::size_t edge = 0;
+        double along = 0.0; // steps from the edge's start
+        GridPoint corner;
+    };
+    const std::size_t count = ring.size();
+    const auto at = [&](std::size_t i) -> const GridPoint & { return ring[i < count ? i : 0]; };
+    BoxRuns edges;
+    edges.fill(count, [&](std::size_t i) {
+        Box2 box;
+        box.extend(inSteps(at(i)));
+        box.extend(inSteps(at(i + 1)));
+        return box;
+    });
+    std::vector<Touch> touches;
+    for (const GridPoint &corner : ring) {
+        const Vec2 p = inSteps(corner);
+        const Box2 near{p - Vec2::Constant(kTouch), p + Vec2::Constant(kTouch)};
+        edges.any([&](const Box2 &box) { return box.intersects(near); },
+                  [&](std::size_t i) {
+                      const Vec2 from = inSteps(at(i)), to = inSteps(at(i + 1));
+                      const double along = (p - from).dot((to - from).normalized());
+                      if (along > kTouch && along < (to - from).norm() - kTouch &&
+                          distanceToSegment(p, from, to) <= kTouch)
+                          touches.push_back({i, along, corner});
+                      return false;
+                  });
+    }
+    if (touches.empty())
+        return ring;
+    std::sort(touches.begin(), touches.end(), [](const Touch &a, const Touch &b) {
+        return a.edge != b.edge ? a.edge < b.edge : a.along < b.along;
+    });
+    GridRing whole;
+    whole.reserve(count + touches.size());
+    auto touch = touches.begin();
+    for (std::size_t i = 0; i < count; ++i) {
+        whole.push_back(ring[i]);
+        for (; touch != touches.end() && touch->edge == i; ++touch)
+            whole.push_back(touch->corner);
+    }
+    return whole;
+}
+
 /// Throws what Clipper throws.
 std::vector<GridRegion> execute(const std::vector<GridRing> &subjects, Winding rule,
                                 const std::vector<GridRing> &clips)
@@ -250,6 +306,22 @@ double area(const GridRegion &region)
     for (const GridRing &hole : region.holes)
         result -= std::abs(signedArea(hole));
     return result;
+}
+
+std::vector<GridRegion> apartAtPoints(std::vector<GridRegion> regions)
+{
+    bool touches = false;
+    const auto look = [&](GridRing &ring) {
+        const std::size_t count = ring.size();
+        ring = withTouches(std::move(ring));
+        touches |= ring.size() != count;
+    };
+    for (GridRegion &region : regions) {
+        look(region.outer);
+        for (GridRing &hole : region.holes)
+            look(hole);
+    }
+    return touches ? separated(regions) : regions;
 }
 
 Result<std::vector<GridRegion>> clip(const std::vector<GridRing> &subjects, Winding rule,

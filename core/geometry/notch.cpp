@@ -6,6 +6,7 @@
 #include "core/geometry/curve_crossing.h"
 #include "core/geometry/curve_recovery.h"
 #include "core/geometry/grid_predicates.h"
+#include "core/geometry/segment_distance.h"
 
 #include <algorithm>
 
@@ -121,6 +122,11 @@ bool NotchFinder::Data::find(const Notch &notch, const GridRing &snapped, std::s
     for (std::size_t s = 0; s < snapped.size(); ++s) {
         const GridPoint &from = snapped[s], &to = snapped[next(s, snapped.size())];
         const int sideOfA = sideOf(from, to, a), sideOfB = sideOf(from, to, b);
+        // A corner on a side leaves a point to hang by, or nothing: rounding would tell.
+        const Vec2 &corner = notch.corners[s], &other = notch.corners[next(s, snapped.size())];
+        if (distanceToSegment(start, corner, other) <= kClipSlack ||
+            distanceToSegment(corner, start, end) <= kClipSlack)
+            return false;
         if (sideOfA * sideOfB > 0)
             continue;
         const int sidesOfEnds = sideOf(a, b, from) * sideOf(a, b, to);

@@ -43,6 +43,14 @@ void refresh(const Analysis &analysis, WebCaches &caches)
     }
 }
 
+/// What is no wall to a slit (assembly/grips.h) is none here either.
+Severity severityOf(double width, double thickness)
+{
+    if (width < kGripWall)
+        return Severity::Error;
+    return width >= 0.5 * thickness ? Severity::Note : Severity::Warning;
+}
+
 Finding foundOf(const Web &web, std::size_t section, const Analysis &analysis)
 {
     const Model &model = analysis.model;
@@ -52,9 +60,10 @@ Finding foundOf(const Web &web, std::size_t section, const Analysis &analysis)
     };
     const bool isBetweenSlits = web.between == Web::Between::Slits;
     const bool isTouching = isBetweenSlits && !(web.width > 0.0);
-    const bool isNote = web.width >= 0.5 * model.stockOf(section).thickness;
     Finding finding =
-        makeFinding(isTouching ? kSlitsMeet : kThinWeb, isNote ? Severity::Note : Severity::Warning,
+        makeFinding(isTouching ? kSlitsMeet : kThinWeb,
+                    isTouching ? Severity::Warning
+                               : severityOf(web.width, model.stockOf(section).thickness),
                     ThinWeb{web.width, web.between == Web::Between::SlitAndHole});
     finding.sections = {model.ref(section)};
     finding.others = {guestOf(web.slit)};

@@ -1,11 +1,13 @@
+#include <QTest> // first: moc cannot read some of the standard library before it
+
 #include "core/base/tolerances.h"
+#include "core/base/units.h"
 #include "core/geometry/boolean.h"
 #include "core/geometry/clip_grid.h"
 #include "tests/core/geometry/curve_distance.h"
 #include "tests/core/shapes.h"
 #include "tests/test_program.h"
 
-#include <QTest>
 
 using namespace fff;
 using namespace fff::test;
@@ -120,6 +122,8 @@ private Q_SLOTS:
     void contourWithoutCutsComesBack_data();
     void contourWithoutCutsComesBack();
     void touchingContourFallsApart();
+    void whatHangsByAPointFallsApart_data();
+    void whatHangsByAPointFallsApart();
     void crossingsLieOnCurveAndCut_data();
     void crossingsLieOnCurveAndCut();
     void curvesAreKept();
@@ -184,6 +188,43 @@ void TestBoolean::touchingContourFallsApart()
     QCOMPARE(result.size(), 2U);
     QCOMPARE(curvedArea(result), 400.0);
     QCOMPARE(whatIsWrong(result, {two}, {}, kCutChord), QString());
+}
+
+void TestBoolean::whatHangsByAPointFallsApart_data()
+{
+    QTest::addColumn<double>("wall");
+    QTest::addColumn<std::size_t>("pieces");
+    QTest::newRow("on the corner") << 20.0 << std::size_t(2);
+    QTest::newRow("a step of the grid off, which is rounding") << 20.0 + kClipGrid
+                                                               << std::size_t(2);
+    QTest::newRow("the same on the other side") << 20.0 - kClipGrid << std::size_t(2);
+    QTest::newRow("a web that stays") << 20.01 << std::size_t(1);
+    QTest::newRow("parted by far") << 19.99 << std::size_t(2);
+}
+
+/// A notch that comes from one side as far as the wall of a slit: what is above it and what is
+/// below it hang together by the notch's corner.
+void TestBoolean::whatHangsByAPointFallsApart()
+{
+    QFETCH(double, wall);
+    QFETCH(std::size_t, pieces);
+    for (const double degrees : {0.0, 30.0, 45.0, 77.0}) {
+        const double c = std::cos(radians(degrees)), s = std::sin(radians(degrees));
+        const auto turned = [&](Polygon polygon) {
+            for (Vec2 &p : polygon)
+                p = Vec2(c * p.x() - s * p.y(), s * p.x() + c * p.y());
+            return polygon;
+        };
+        const Contour notched = polygonContour(
+            turned({{0, 0}, {40, 0}, {40, 30}, {0, 30}, {0, 20}, {20, 15}, {0, 10}}));
+        const Polygon slit = turned({{wall, -5}, {wall + 3, -5}, {wall + 3, 35}, {wall, 35}});
+        const auto result = *subtract(notched, {}, {slit}, kCutChord);
+        QCOMPARE(result.size(), pieces + 1);
+        double area = 0.0;
+        for (const CurvedRegion &piece : result)
+            area += fff::area(piece.region);
+        QVERIFY(std::abs(area - (40 * 30 - 0.5 * 20 * 10 - 3 * 30)) < 0.1);
+    }
 }
 
 void TestBoolean::crossingsLieOnCurveAndCut_data()

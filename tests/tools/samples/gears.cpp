@@ -39,7 +39,7 @@ void gears(const std::string &folder)
                  {"outerRadius", 64.0},
                  {"innerRadius", 55.0},
                  {"tooth", "trapezium"},
-                 {"phase", radians(0.0)}});
+                 {"phase", radians(8.0)}});
     maker.apply(
         "radial", "Ring of holes", {{"section", {large}}},
         {{"kind", "holes"}, {"sectors", 8.0}, {"outerRadius", 40.0}, {"innerRadius", 22.0}});
