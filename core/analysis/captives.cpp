@@ -1,6 +1,7 @@
 #include "core/analysis/captives.h"
 
 #include "core/assembly/collisions.h"
+#include "core/base/tolerances.h"
 
 #include <algorithm>
 
@@ -22,11 +23,24 @@ void addDirections(const Frame &frame, std::vector<Vec3> &directions)
                         (i * frame.x + k * frame.y + m * frame.normal()).normalized());
 }
 
+/// The same along the line that the planes of two bodies have, and square to it in either of them:
+/// what slides out of a slit slides so.
+void addDirections(const Frame &one, const Frame &other, std::vector<Vec3> &directions)
+{
+    const Vec3 axis = one.normal().cross(other.normal());
+    if (axis.norm() <= kPracticallyParallel)
+        return;
+    const Vec3 along = axis.normalized();
+    for (const Frame *frame : {&one, &other})
+        addDirections(Frame{Vec3::Zero(), along, frame->normal().cross(along)}, directions);
+}
+
 /// One group against all that is near to it.
 class Escape
 {
 public:
-    Escape(const Bodies &bodies, const std::vector<int> &group)
+    /// gone   of each body whether it is not there
+    Escape(const Bodies &bodies, const std::vector<int> &group, const std::vector<char> &gone)
     {
         std::vector<SolidPointer> solids;
         const auto add = [&](int body) {
@@ -42,11 +56,15 @@ public:
             const auto isNear = [&](int body) {
                 return distanceBetween(bodies.at(body).box(), bodies.at(other).box()) <= kNear;
             };
-            if (std::find(group.begin(), group.end(), other) != group.end() ||
+            if (gone[static_cast<std::size_t>(other)] ||
+                std::find(group.begin(), group.end(), other) != group.end() ||
                 std::none_of(group.begin(), group.end(), isNear))
                 continue;
             add(other);
             addDirections(bodies.at(other).frame(), m_directions);
+            for (const int body : group)
+                if (isNear(body))
+                    addDirections(bodies.at(body).frame(), bodies.at(other).frame(), m_directions);
         }
         for (const int body : group)
             addDirections(bodies.at(body).frame(), m_directions);
@@ -97,10 +115,32 @@ private:
 std::vector<std::vector<int>> withCaptives(const Analysis &analysis,
                                            std::vector<std::vector<int>> groups)
 {
+    const auto isLooked = [&](std::size_t g) {
+        return g > 0 && g <= kMostGroups && groups[g].size() <= kMostInGroup;
+    };
+    std::vector<char> isCaught(groups.size(), 0), gone(analysis.bodies.size(), 0);
+    const auto letGo = [&](std::size_t g) {
+        isCaught[g] = 0;
+        for (const int body : groups[g])
+            gone[static_cast<std::size_t>(body)] = 1;
+    };
+    for (std::size_t g = 0; g < groups.size(); ++g)
+        isCaught[g] = isLooked(g) ? 1 : 0;
+    for (std::size_t g = 1; g < groups.size(); ++g)
+        if (!isLooked(g))
+            letGo(g);
+    // What gets away keeps nothing else: once it is gone, more may be free.
+    for (bool isMore = true; isMore;) {
+        isMore = false;
+        for (std::size_t g = 1; g < groups.size(); ++g)
+            if (isCaught[g] && Escape(analysis.bodies, groups[g], gone).isPossible()) {
+                letGo(g);
+                isMore = true;
+            }
+    }
     std::vector<std::vector<int>> held;
     for (std::size_t g = 0; g < groups.size(); ++g) {
-        const bool isLooked = g > 0 && g <= kMostGroups && groups[g].size() <= kMostInGroup;
-        if (isLooked && !Escape(analysis.bodies, groups[g]).isPossible()) {
+        if (isCaught[g]) {
             std::vector<int> &first = held.front();
             first.insert(first.end(), groups[g].begin(), groups[g].end());
             std::sort(first.begin(), first.end());
