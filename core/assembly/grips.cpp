@@ -157,7 +157,7 @@ LooseSlit whyLoose(const Walls &walls, double held)
         loose.why = NoGrip::OneWall;
         loose.missing = depths[0] < depths[1] ? walls.left : Vec2(-walls.left);
     } else
-        loose.why = held > 0.0 || loose.depth > 0.0 ? NoGrip::Shallow : NoGrip::Empty;
+        loose.why = held > 0.0 || loose.depth > 0.0 ? NoGrip::Shallow : NoGrip::NoWall;
     return loose;
 }
 

@@ -32,6 +32,7 @@ enum class NoGrip {
     OneWall,    // material stands on one of its sides only
     CutThrough, // what stands on its two sides are two pieces
     Shallow,    // it holds, but over less than kGripDepth
+    NoWall,     // material stands on neither of its sides
     Empty,      // nothing of the other section is in it
 };
 

@@ -27,6 +27,11 @@ Message looseJointSentence(const Finding &finding, const Model &model)
         //: %1 and %2 are names of sections, %3 is a length
         return {FFF_TEXT("Checks", "%1 does not hold %2: its slit is less than %3 deep."),
                 {host, guest, lengthOf(kGripDepth)}};
+    case NoGrip::NoWall:
+        //: %1 and %2 are names of sections
+        return {FFF_TEXT("Checks", "%1 does not hold %2: its slit leaves no material on either "
+                                   "side."),
+                {host, guest}};
     case NoGrip::Empty:
         break;
     }

@@ -3,6 +3,7 @@
 #include "core/base/tolerances.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace fff {
 
@@ -26,6 +27,13 @@ Message tightSentence(const Finding &finding, const Model &)
 {
     return {FFF_TEXT("Checks", "Slits are %1 narrower than what goes into them. That is too tight "
                                "for any material."),
+            {widthOf(finding.details<NarrowSlit>()->tool)}};
+}
+
+Message wideSentence(const Finding &finding, const Model &)
+{
+    return {FFF_TEXT("Checks", "Slits are %1 wider than what goes into them, which is loose in "
+                               "them then."),
             {widthOf(finding.details<NarrowSlit>()->tool)}};
 }
 
@@ -66,10 +74,10 @@ Finding below(double least, double tool, Severity severity, const Analysis &anal
 }
 
 /// Nothing where none of its sections has a slit.
-std::optional<Finding> tightOf(const Analysis &analysis, const Stock &stock)
+std::optional<Finding> misfitOf(const FindingKind &kind, Severity severity,
+                                const Analysis &analysis, const Stock &stock)
 {
-    Finding finding =
-        makeFinding(kTightSlits, Severity::Warning, NarrowSlit{0.0, -stock.clearance});
+    Finding finding = makeFinding(kind, severity, NarrowSlit{0.0, std::abs(stock.clearance)});
     for (std::size_t i = 0; i < analysis.model.sectionCount(); ++i)
         if (analysis.model.section(i)->stock == stock.id && !analysis.assembly.slits[i].empty())
             finding.sections.push_back(analysis.model.ref(i));
@@ -93,6 +101,8 @@ const ActionKind kWidenSlits{plainWords<kWidenText>};
 
 const FindingKind kTightSlits{"tightSlits", Subject::Joints, FFF_TEXT("Checks", "Slits too tight"),
                               tightSentence, widen};
+const FindingKind kWideSlits{"wideSlits", Subject::Joints, FFF_TEXT("Checks", "Slits too wide"),
+                             wideSentence, widen};
 const FindingKind kNarrowSlit{"narrowSlit", Subject::Joints,
                               FFF_TEXT("Checks", "Slit narrower than the tool"), narrowSentence,
                               widen};
@@ -108,8 +118,14 @@ void findNarrowSlits(const Looked &at, std::vector<Finding> &found)
         if (!finding.sections.empty())
             found.push_back(std::move(finding));
         else if (stock->clearance < -kTightest)
-            if (auto tight = tightOf(at.analysis, *stock))
+            if (auto tight = misfitOf(kTightSlits, Severity::Warning, at.analysis, *stock))
                 found.push_back(*std::move(tight));
+        // Where there is room for a second sheet nothing is held at all.
+        const Severity severity =
+            stock->clearance >= stock->thickness ? Severity::Error : Severity::Warning;
+        if (stock->clearance > kWidest)
+            if (auto wide = misfitOf(kWideSlits, severity, at.analysis, *stock))
+                found.push_back(*std::move(wide));
     }
 }
 

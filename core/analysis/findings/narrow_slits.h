@@ -1,4 +1,4 @@
-// Slits that the mill's tool does not go into, or that the kerf closes.
+// Slits that the mill's tool does not go into, that the kerf closes, that are too tight or too wide.
 #pragma once
 
 #include "core/analysis/finder.h"
@@ -20,10 +20,11 @@ struct NarrowSlit
     double tool = 0.0; // its diameter, or the kerf
 };
 
-/// A negative clearance of more than this, mm, presses harder than any material gives.
-inline constexpr double kTightest = 0.3;
+/// A negative clearance of more than this, mm, presses harder than any material gives; a positive
+/// one of more than that leaves what is in a slit to rattle and lean.
+inline constexpr double kTightest = 0.3, kWidest = 0.5;
 
-extern const FindingKind kTightSlits; // of a stock
+extern const FindingKind kTightSlits, kWideSlits; // of a stock
 extern const FindingKind kNarrowSlit;
 extern const ActionKind kWidenSlits; // of the stock of its sections
 

@@ -6,6 +6,11 @@ namespace {
 
 Message wasteSentence(const Finding &finding, const Model &model)
 {
+    if (finding.details<Waste>()->chips == 1)
+        //: %1 is the name of a section
+        return {FFF_TEXT("Checks", "Slits cut a chip under 1 mm² off %1. It is waste and gets no "
+                                   "number."),
+                {namesOf(model, finding.sections)}};
     //: %1 names sections
     return {FFF_TEXT_OF_MANY("Checks", "Slits cut %n chips under 1 mm² off %1. They are waste and "
                                        "get no number."),
