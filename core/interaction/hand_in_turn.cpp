@@ -56,7 +56,11 @@ bool HandInTurn::isFast(double time, double haste) const
 
 bool HandInTurn::isDrawing() const
 {
-    return isFast(m_way.back().time, kHasteInBend) && strayed(m_way) > m_slip;
+    const double time = m_way.back().time;
+    if (isFast(time, kHasteInBend) && strayed(m_way) > m_slip)
+        return true;
+    return isFast(time, kHaste) &&
+           (m_way.back().place - m_way.front().place).norm() > kFar * m_slip;
 }
 
 bool HandInTurn::isUnderWay(double time) const

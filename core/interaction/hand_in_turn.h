@@ -25,13 +25,16 @@ public:
     static constexpr double kHasteInBend = 0.15, kHaste = 0.25;
     /// At rest: no farther than this (px) for this long (ms).
     static constexpr double kStill = 6.0, kRest = 150.0;
+    /// So many slips away, and so fast, it did not overshoot the edge: it draws, straight as it is,
+    /// and may rest where it has come to.
+    static constexpr double kFar = 3.0;
 
     /// slip: how far a hand strays that draws nothing, px.
     HandInTurn(const Sample &leaving, double slip);
 
     void follow(const Sample &sample);
 
-    /// It is fast and has left the straight way: this is an outline.
+    /// It is fast and has left the straight way, or come far on it: this is an outline.
     bool isDrawing() const;
     /// At the end of the turn: it is fast, and on its way still.
     bool isUnderWay(double time) const;
