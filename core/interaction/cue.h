@@ -9,9 +9,8 @@ namespace fff {
 
 inline sign::Label cueAt(Text words, const Vec2 &cursor, const Camera &camera, const Vec2 &viewport)
 {
-    constexpr double kBelow = 34.0; // px, clear of the cursor
-    return {
-        SignRole::Cue, {camera.pointAt(cursor, viewport)}, Message{words, {}}, Vec2(0.0, kBelow)};
+    const Vec2 aside(44.0, 30.0); // px, clear of the cursor and of a slit that is level or upright
+    return {SignRole::Cue, {camera.pointAt(cursor, viewport)}, Message{words, {}}, aside};
 }
 
 } // namespace fff

@@ -118,6 +118,7 @@ struct Slit
     Vec3 from = Vec3::Zero(), to = Vec3::Zero(); // pressed point, cursor or leaving point
     bool hasLeft = false;                        // `to` is where the stroke left the section
     std::string section;                         // its name
+    Text guide = {};                             // what it goes along; empty: nothing
     double clearance = 0.0;                      // mm that its words keep off it, besides
     bool operator==(const Slit &) const = default;
 };

@@ -19,6 +19,8 @@ constexpr int kHalvings = 60;
 /// Of the slit's length, how far along the contour a guide may move its end: one that leaves almost
 /// along the edge would end up somewhere else.
 constexpr double kFarthest = 0.25;
+/// Radians: an edge that a hand drew is off level or upright by so much without meaning it.
+constexpr double kOfWorld = 0.035;
 /// How far a guide is seen beyond the slit, px.
 constexpr double kBeyond = 60.0;
 
@@ -101,11 +103,15 @@ std::optional<SlitGuide> SlitGuides::lead(Stroke &stroke, bool snaps) const
     if (!snaps || length < kMinOverlap)
         return {};
     std::optional<SlitGuide> nearest;
-    double least = kReach;
+    double least = 0.0; // of the nearest
     for (const Direction &direction : m_directions) {
         const double angle = turnBetween(direction.along, way);
         // What is as near as the one before is no better.
-        if (angle > least || (nearest && angle > least - kSameDirection))
+        // One that nearly fits and is the world's goes before one that a hand drew.
+        const bool isOfWorld = direction.kind == SlitGuide::Kind::Level ||
+                               direction.kind == SlitGuide::Kind::Upright;
+        const double rank = isOfWorld ? angle - kOfWorld : angle;
+        if (angle > kReach || (nearest && rank > least - kSameDirection))
             continue;
         const double reach = hasLeft ? (1.0 + kFarthest) * length : way.dot(direction.along);
         Vec2 to = m_from + reach * direction.along;
@@ -116,11 +122,26 @@ std::optional<SlitGuide> SlitGuides::lead(Stroke &stroke, bool snaps) const
             to = *leaving;
         }
         nearest = {direction.kind, to};
-        least = angle;
+        least = rank;
     }
     if (nearest)
         stroke.leadSlit(nearest->to);
     return nearest;
+}
+
+Text nameOf(SlitGuide::Kind kind)
+{
+    switch (kind) {
+    case SlitGuide::Kind::Level:
+        return FFF_TEXT("Cue", "level");
+    case SlitGuide::Kind::Upright:
+        return FFF_TEXT("Cue", "upright");
+    case SlitGuide::Kind::RightAngle:
+        return FFF_TEXT("Cue", "square to the edge");
+    case SlitGuide::Kind::Parallel:
+        break;
+    }
+    return FFF_TEXT("Cue", "parallel to the last one");
 }
 
 void SlitGuides::show(const SlitGuide &guide, const Camera &camera, const Vec2 &viewport,
@@ -128,7 +149,8 @@ void SlitGuides::show(const SlitGuide &guide, const Camera &camera, const Vec2 &
 {
     const Vec3 from = m_section->frame.toWorld(m_from), to = m_section->frame.toWorld(guide.to);
     const Vec3 beyond = kBeyond * camera.scaleAt(to, viewport) * (to - from).normalized();
-    signs.add(sign::Line{SignRole::Guide, {from - beyond, to + beyond}});
+    signs.add(sign::Line{SignRole::Guide, {from - beyond, from}});
+    signs.add(sign::Line{SignRole::Guide, {to, to + beyond}});
     if (guide.kind == SlitGuide::Kind::Parallel)
         signs.add(sign::Line{SignRole::Guide, {m_last->front(), m_last->back()}});
 }

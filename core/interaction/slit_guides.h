@@ -20,6 +20,9 @@ struct SlitGuide
     Vec2 to = Vec2::Zero(); // where the slit ends on it, section's coordinates
 };
 
+/// What is said of a slit that goes along it.
+Text nameOf(SlitGuide::Kind kind);
+
 class SlitGuides
 {
 public:
@@ -37,7 +40,7 @@ public:
     /// guide would leave elsewhere, and without `snaps`.
     std::optional<SlitGuide> lead(Stroke &stroke, bool snaps) const;
 
-    /// The guide's line, and of a parallel the slit that it follows.
+    /// The guide's line beyond the slit, and of a parallel the slit that it follows.
     void show(const SlitGuide &guide, const Camera &camera, const Vec2 &viewport,
               Signs &signs) const;
 

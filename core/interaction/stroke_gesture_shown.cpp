@@ -43,7 +43,7 @@ Frame StrokeGesture::rulers(const GestureContext &context) const
 /// Says at the slit that it will hold nothing, and how it would.
 void StrokeGesture::addWalls(Signs &signs) const
 {
-    constexpr double kAbove = 34.0; // px, clear of the cursor and of what is said below it
+    constexpr double kAbove = 56.0; // px, clear of the cursor and of the slit's length
     if (!m_missing || m_isMovedIn)
         return;
     const Frame &frame = m_ground->section->frame;
@@ -68,10 +68,12 @@ void StrokeGesture::updateOverlay(GestureContext &context) const
             signs.add(sign::Capsule{SignRole::DeadZone, target().canvas, m_stroke.slitLength(),
                                     m_stroke.deadZoneRadius()});
         }
+        if (m_guide && (state == Stroke::State::Slit || state == Stroke::State::Turn)) {
+            slit.guide = nameOf(m_guide->kind);
+            m_guides->show(*m_guide, context.camera, context.viewport, signs);
+        }
         signs.add(std::move(slit));
         addWalls(signs);
-        if (m_guide && (state == Stroke::State::Slit || state == Stroke::State::Turn))
-            m_guides->show(*m_guide, context.camera, context.viewport, signs);
     }
     if (state == Stroke::State::Contour) {
         const StrokeContour &contour = m_stroke.contour();
@@ -129,7 +131,8 @@ Hint StrokeGesture::hint() const
 {
     switch (m_stroke.state()) {
     case Stroke::State::Slit:
-        return {hints::kLeaveSection, {Named{m_ground->section->name}}};
+        return {m_guide ? hints::kLeaveGuided : hints::kLeaveSection,
+                {Named{m_ground->section->name}}};
     case Stroke::State::Turn:
         return hints::kTurning;
     case Stroke::State::DeadZone:

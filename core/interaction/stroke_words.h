@@ -7,6 +7,9 @@ namespace fff::hints {
 
 inline constexpr Text kLeaveSection =
     FFF_TEXT("Hint", "Drag on to leave %1; the slit ends at its edge. <kbd>Esc</kbd> cancels.");
+inline constexpr Text kLeaveGuided =
+    FFF_TEXT("Hint", "Drag on to leave %1. <kbd>Ctrl</kbd> leaves the slit as you draw it. "
+                     "<kbd>Esc</kbd> cancels.");
 inline constexpr Text kTurning =
     FFF_TEXT("Hint", "Turning to the new plane; wait until it stops, or draw on at once.");
 inline constexpr Text kLeaveDeadZone =

@@ -1,5 +1,7 @@
 #include "ui/view/stroke_marks.h"
 
+#include "core/session/message_text.h"
+
 #include <QCoreApplication>
 
 #include <algorithm>
@@ -181,10 +183,19 @@ void paintSlit(MarkPen &pen, const sign::Slit &slit, LengthUnit unit, const QLoc
     double reach = 22.0; // px, from the slit to its chip
     if (slit.clearance > 0.0)
         reach = slit.clearance / pen.camera().scaleAt(slit.to, pen.viewport()) + 14.0;
-    pen.chip({0.5 * (from.x() + to.x()) - reach, 0.5 * (from.y() + to.y())}, MarkPen::Anchor::Right,
-             //: %1 is its length, with a unit
-             StrokeMarksTexts::tr("Slit %1").arg(lengthText(length, unit, 1, 1, locale)),
-             pen.style().slit);
+    const QString text = lengthText(length, unit, 1, 1, locale);
+    const QString words =
+        slit.guide == Text()
+            //: %1 is its length, with a unit
+            ? StrokeMarksTexts::tr("Slit %1").arg(text)
+            //: %1 is its length, with a unit; %2 says what it goes along: "level"
+            : StrokeMarksTexts::tr("Slit %1, %2")
+                  .arg(text, messageText(slit.guide));
+    const QPointF middle = 0.5 * (from + to), way = to - from;
+    if (std::abs(way.x()) > std::abs(way.y()))
+        pen.chip(middle - QPointF(0.0, reach), MarkPen::Anchor::Middle, words, pen.style().slit);
+    else
+        pen.chip(middle - QPointF(reach, 0.0), MarkPen::Anchor::Right, words, pen.style().slit);
 }
 
 void paintEnd(MarkPen &pen, const sign::Stroke &stroke, LengthUnit unit, const QLocale &locale)
