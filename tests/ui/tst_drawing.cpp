@@ -36,6 +36,7 @@ private Q_SLOTS:
 
     void aSecondAcrossTheFirst();
     void whatWasMeantIsOffered();
+    void offerIsClicked();
     void shiftKeepsOneSide();
     void propertiesTellWhatIsDrawn();
     void aHole();
@@ -139,6 +140,37 @@ void TestDrawing::whatWasMeantIsOffered()
     key(Qt::Key_Z, Qt::ControlModifier);
     QVERIFY(first().figures.empty());
     QCOMPARE(count(), std::size_t(1));
+}
+
+/// A click on the words takes it, too; one beside them does without it.
+void TestDrawing::offerIsClicked()
+{
+    const auto draw = [this] {
+        std::vector<QPoint> round;
+        for (int i = 0; i <= 40; ++i) {
+            const double a = 2.0 * std::numbers::pi * i / 39.0;
+            round.push_back(middle() +
+                            QPoint(qRound(130.0 * std::cos(a)), qRound(124.0 * std::sin(a))));
+        }
+        drag(round);
+        QVERIFY(interaction().hasOffer());
+    };
+    draw();
+    QTest::qWait(50); // it is painted
+    const QPoint words = middle() + QPoint(0, 124 + 20);
+    QTest::mouseMove(m_view, words);
+    QTRY_COMPARE(m_view->cursor().shape(), Qt::PointingHandCursor);
+    QTest::mouseClick(m_view, Qt::LeftButton, {}, words);
+    QCOMPARE(first().figures.size(), std::size_t(1));
+    QVERIFY(!interaction().hasOffer() && !interaction().hasGesture());
+    QCOMPARE(steps(), 2);
+    key(Qt::Key_Z, Qt::ControlModifier);
+    key(Qt::Key_Z, Qt::ControlModifier);
+    draw();
+    QTest::qWait(50);
+    QTest::mouseClick(m_view, Qt::LeftButton, {}, middle() + QPoint(0, 124 + 90));
+    QVERIFY(!interaction().hasOffer());
+    QVERIFY(first().figures.empty());
 }
 
 void TestDrawing::shiftKeepsOneSide()

@@ -186,13 +186,17 @@ void Viewport::paintMarks()
     scene.unit = settings().unit();
     const bool isDrawing =
         overlay.find<sign::Slit>() || overlay.find<sign::Stroke>() || hasPath(overlay);
-    if (!isDrawing)
+    // Problems are those of what is there, not of what is tried.
+    if (!isDrawing && !m_bench.tried())
         scene.marks =
             placeMarks(interaction.marks(), interaction.camera(), scene.viewport, scene.view);
     scene.litMark = litMark();
+    m_offer = {};
+    scene.offer = &m_offer;
     if (!isDrawing && !m_steps) {
         scene.ghosts = m_bench.ghosts();
-        scene.problems = m_bench.problemLook();
+        if (!m_bench.tried())
+            scene.problems = m_bench.problemLook();
     }
     scene.steps = m_steps ? &m_steps->marks : nullptr;
     if (scene.view.clip) // of the handle's place; every vertex is looked at for it
@@ -265,20 +269,35 @@ void Viewport::showFocus(bool shows)
         update();
 }
 
+bool Viewport::isOnOffer(const QPointF &place) const
+{
+    const Interaction &interaction = m_bench.interaction();
+    return !interaction.hasGesture() && interaction.hasOffer() && m_offer.contains(place);
+}
+
 void Viewport::mousePressEvent(QMouseEvent *event)
 {
     showFocus(false);
-    m_input.press(event);
+    m_isOfferPressed = event->button() == Qt::LeftButton && isOnOffer(event->position());
+    if (m_isOfferPressed)
+        m_bench.interaction().takeOffer(m_bench.clock().observe(event->timestamp()));
+    else
+        m_input.press(event);
 }
 
 void Viewport::mouseMoveEvent(QMouseEvent *event)
 {
+    if (m_isOfferPressed)
+        return;
+    if (std::exchange(m_isOnOffer, isOnOffer(event->position())) != m_isOnOffer)
+        refresh(); // the cursor says that it can be clicked
     m_input.move(event);
 }
 
 void Viewport::mouseReleaseEvent(QMouseEvent *event)
 {
-    m_input.release(event);
+    if (!std::exchange(m_isOfferPressed, false))
+        m_input.release(event);
 }
 
 void Viewport::mouseDoubleClickEvent(QMouseEvent *event)
@@ -434,7 +453,9 @@ void Viewport::refresh()
         m_wake.start(std::max(1, static_cast<int>(std::ceil(*wake - m_bench.clock().now()))));
     else
         m_wake.stop();
-    const QCursor shape = cursorFor(interaction.cursor(), devicePixelRatioF());
+    m_isOnOffer = m_isOnOffer && interaction.hasOffer();
+    const QCursor shape = m_isOnOffer ? QCursor(Qt::PointingHandCursor)
+                                      : cursorFor(interaction.cursor(), devicePixelRatioF());
     if (cursor() != shape)
         setCursor(shape);
 

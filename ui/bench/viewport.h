@@ -92,6 +92,7 @@ private:
     std::vector<SectionRef> presentlyOutlined() const;
     int litMark() const;
     void watchAnalysis();
+    bool isOnOffer(const QPointF &place) const;
     void paintMarks();
     void paintStepsFrame(QPainter &painter) const;
 
@@ -118,6 +119,9 @@ private:
     QElapsedTimer m_sinceStart;
     bool m_isPictureChanged = false;
     QImage m_marks; // what is painted over the picture
+    QRectF m_offer; // where the words of an offer are, px; empty: there is none
+    bool m_isOnOffer = false;      // the cursor is
+    bool m_isOfferPressed = false; // until the button is let go
     int m_paintCount = 0;
 };
 

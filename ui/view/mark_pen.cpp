@@ -66,7 +66,7 @@ void MarkPen::ring(const QPointF &centre, double radius, const QColor &colour)
     m_painter.drawEllipse(centre, radius, radius);
 }
 
-void MarkPen::chip(const QPointF &place, Anchor anchor, const QString &text, const QColor &colour)
+QRectF MarkPen::chip(const QPointF &place, Anchor anchor, const QString &text, const QColor &colour)
 {
     m_painter.save();
     QFont font = m_painter.font();
@@ -83,6 +83,7 @@ void MarkPen::chip(const QPointF &place, Anchor anchor, const QString &text, con
     m_painter.drawRoundedRect(QRectF(box.toAlignedRect()).adjusted(0.5, 0.5, -0.5, -0.5), 3.0, 3.0);
     m_painter.drawText(box, Qt::AlignCenter, text);
     m_painter.restore();
+    return box;
 }
 
 } // namespace fff::ui

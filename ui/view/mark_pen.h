@@ -43,8 +43,8 @@ public:
     /// Which point of a chip is given.
     enum class Anchor { Left, Right, Middle };
     /// Words in a box with a frame in their colour, whole also at the view's edge. `place`: of the
-    /// middle of that side.
-    void chip(const QPointF &place, Anchor anchor, const QString &text, const QColor &colour);
+    /// middle of that side. Where it is, px.
+    QRectF chip(const QPointF &place, Anchor anchor, const QString &text, const QColor &colour);
 
 private:
     QPainter &m_painter;

@@ -62,7 +62,8 @@ private:
 /// Of gestures and tools, and of what is selected.
 void Drawing::signs()
 {
-    const SignScene scene{isGroundALine(), m_scene.edited, m_scene.operation, m_scene.unit};
+    const SignScene scene{isGroundALine(), m_scene.edited, m_scene.operation, m_scene.unit,
+                          m_scene.offer};
     paintSigns(m_pen,
                {&m_scene.selected, &m_scene.overlay.drawn, &m_scene.dimensions,
                 &m_scene.overlay.held, &m_scene.overlay.offered},

@@ -41,6 +41,7 @@ struct OverlayScene
     const OperationKind *operation = nullptr; // whose handles there are
     Signs selected = {};                      // overlay.selected, as it is shown
     Signs dimensions = {};                    // of the model
+    QRectF *offer = nullptr;                  // is told where the words of an offer are, px
 };
 
 /// Leaves the painter's state changed. Lengths are written as the locale has them.

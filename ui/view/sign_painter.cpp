@@ -115,8 +115,11 @@ public:
     }
     void operator()(const sign::Label &label)
     {
-        if (m_layer == Layer::Lengths)
-            paintSign(m_pen, label, m_scene.unit, m_locale);
+        if (m_layer != Layer::Lengths)
+            return;
+        const QRectF box = paintSign(m_pen, label, m_scene.unit, m_locale);
+        if (label.role == SignRole::Offer && m_scene.offer)
+            *m_scene.offer = box;
     }
     void operator()(const sign::Region &region)
     {
@@ -220,7 +223,7 @@ void paintSign(MarkPen &pen, const sign::Handle &handle)
     pen.ring(pen.screen(handle.at), look.radius, pen.style().*look.colour);
 }
 
-void paintSign(MarkPen &pen, const sign::Label &label, LengthUnit unit, const QLocale &locale)
+QRectF paintSign(MarkPen &pen, const sign::Label &label, LengthUnit unit, const QLocale &locale)
 {
     QPointF middle;
     for (const Vec3 &place : label.places)
@@ -229,8 +232,8 @@ void paintSign(MarkPen &pen, const sign::Label &label, LengthUnit unit, const QL
     const auto *way = std::get_if<sign::Way>(&label.words);
     const QString text = way ? wayText(*way, unit, locale)
                              : messageText(std::get<Message>(label.words), unitWords(unit, locale));
-    pen.chip(middle + QPointF(label.offset.x(), label.offset.y()), MarkPen::Anchor::Middle, text,
-             pen.style().*lookOf(label.role).colour);
+    return pen.chip(middle + QPointF(label.offset.x(), label.offset.y()), MarkPen::Anchor::Middle,
+                    text, pen.style().*lookOf(label.role).colour);
 }
 
 void paintSign(MarkPen &pen, const sign::Region &region)

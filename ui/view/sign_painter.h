@@ -16,7 +16,8 @@ namespace fff::ui {
 void paintSign(MarkPen &pen, const sign::Line &line);
 void paintSign(MarkPen &pen, const sign::Curve &curve);
 void paintSign(MarkPen &pen, const sign::Handle &handle);
-void paintSign(MarkPen &pen, const sign::Label &label, LengthUnit unit, const QLocale &locale);
+/// Where its words are, px.
+QRectF paintSign(MarkPen &pen, const sign::Label &label, LengthUnit unit, const QLocale &locale);
 void paintSign(MarkPen &pen, const sign::Region &region);
 void paintSign(MarkPen &pen, const sign::Capsule &capsule);
 void paintSign(MarkPen &pen, const sign::Arrow &arrow);
@@ -29,6 +30,7 @@ struct SignScene
     SectionPointer edited = {};               // whose points are shown, as it is shown
     const OperationKind *operation = nullptr; // whose handles there are
     LengthUnit unit = LengthUnit::Millimetre;
+    QRectF *offer = nullptr; // is told where the words of an offer are
 };
 
 /// All of them, what lies under others first, whatever the order in which they came. Leaves the
