@@ -1,6 +1,7 @@
 // What a trial changes, in words.
 #include "core/analysis/trial.h"
 
+#include "core/analysis/finding.h"
 #include "core/model/changes.h"
 
 #include <algorithm>
@@ -14,6 +15,8 @@ struct Difference
 {
     int turned = 0;                                  // joints whose slits open to the other side
     int made = 0, gone = 0, moved = 0, reshaped = 0; // sections
+    Named one;                                       // of these, where there is one
+    double way = 0.0;                                // mm, by which one was moved
     int morePieces = 0;                              // sections that are cut into more pieces
 };
 
@@ -34,20 +37,24 @@ Difference differenceOf(const Analysis &before, const Analysis &after)
         const int was = before.model.indexOf(ref), is = after.model.indexOf(ref);
         if (was < 0) {
             ++difference.made;
+            difference.one = nameOf(after.model, ref);
             continue;
         }
+        difference.one = nameOf(before.model, ref);
         const Section &old = *before.model.section(static_cast<std::size_t>(was));
         const Section &now = *after.model.section(static_cast<std::size_t>(is));
         if (old.shape != now.shape)
             ++difference.reshaped;
         else if (!(old.frame == now.frame))
             ++difference.moved;
+        difference.way = (now.frame.origin - old.frame.origin).norm();
     }
     for (std::size_t i = 0; i < before.model.sectionCount(); ++i) {
         const int is = after.model.indexOf(before.model.ref(i));
-        if (is < 0)
+        if (is < 0) {
             ++difference.gone;
-        else if (after.bodies.countOf(is) > before.bodies.countOf(static_cast<int>(i)))
+            difference.one = nameOf(before.model, before.model.ref(i));
+        } else if (after.bodies.countOf(is) > before.bodies.countOf(static_cast<int>(i)))
             ++difference.morePieces;
     }
     for (const Joint &joint : before.assembly.joints) {
@@ -80,24 +87,33 @@ Message changesBetween(const Analysis &before, const Analysis &after,
 {
     const Difference difference = differenceOf(before, after);
     std::vector<Message> parts;
-    const auto add = [&parts](int count, const Text &one, const Text &many) {
+    const auto add = [&parts](int count, Message one, const Text &many) {
         if (count > 0)
-            parts.push_back(count == 1 ? Message{one, {}} : Message{many, {}, count});
+            parts.push_back(count == 1 ? std::move(one) : Message{many, {}, count});
     };
-    add(difference.turned, FFF_TEXT("Checks", "One joint turned round"),
+    const Named &name = difference.one;
+    add(difference.turned, {FFF_TEXT("Checks", "One joint turned round"), {}},
         FFF_TEXT_OF_MANY("Checks", "%n joints turned round"));
-    add(difference.moved, FFF_TEXT("Checks", "One section moved"),
+    add(difference.moved,
+        //: %1 is the name of a section, %2 a length
+        {FFF_TEXT("Checks", "%1 moved by %2"), {name, lengthOf(difference.way)}},
         FFF_TEXT_OF_MANY("Checks", "%n sections moved"));
-    add(difference.reshaped, FFF_TEXT("Checks", "One section with another outline"),
-        FFF_TEXT_OF_MANY("Checks", "%n sections with another outline"));
-    add(difference.made, FFF_TEXT("Checks", "One section more"),
-        FFF_TEXT_OF_MANY("Checks", "%n sections more"));
-    add(difference.gone, FFF_TEXT("Checks", "One section less"),
-        FFF_TEXT_OF_MANY("Checks", "%n sections less"));
+    add(difference.reshaped,
+        //: %1 is the name of a section
+        {FFF_TEXT("Checks", "%1 given another outline"), {name}},
+        FFF_TEXT_OF_MANY("Checks", "%n sections given another outline"));
+    add(difference.made,
+        //: %1 is the name of a section
+        {FFF_TEXT("Checks", "%1 added"), {name}}, FFF_TEXT_OF_MANY("Checks", "%n sections added"));
+    add(difference.gone,
+        //: %1 is the name of a section
+        {FFF_TEXT("Checks", "%1 deleted"), {name}},
+        FFF_TEXT_OF_MANY("Checks", "%n sections deleted"));
     if (difference.turned > 0 && difference.morePieces == 0)
         parts.push_back({FFF_TEXT("Checks", "nothing is cut through"), {}});
-    add(problemsIn(foundBefore) - problemsIn(foundAfter), FFF_TEXT("Checks", "one problem less"),
-        FFF_TEXT_OF_MANY("Checks", "%n problems less"));
+    add(problemsIn(foundBefore) - problemsIn(foundAfter),
+        {FFF_TEXT("Checks", "one problem solved"), {}},
+        FFF_TEXT_OF_MANY("Checks", "%n problems solved"));
     Message all;
     for (Message &part : parts)
         all = all.isEmpty() ? std::move(part) : Message{kListed, {std::move(all), std::move(part)}};

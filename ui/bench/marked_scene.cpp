@@ -58,8 +58,10 @@ void markScene(Scene &scene, const Workbench &bench)
         section.isSibling = hoveredOperation.isValid() && ref.operation == hoveredOperation;
         section.isMade = !made.empty() && made.contains(ref);
         section.isGhost = isDrawing ? isAsItWas(i) : section.isGhost;
-        if (isTried)
+        if (isTried) {
             section.isHovered = bench.differsInTrial(ref);
+            section.isGhost = !section.isHovered;
+        }
     }
 }
 
