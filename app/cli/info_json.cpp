@@ -1,6 +1,7 @@
 #include "app/cli/info.h"
 
 #include "core/analysis/check_rules.h"
+#include "core/analysis/findings/loose_pieces.h"
 #include "core/analysis/footing.h"
 #include "core/assembly/cycles.h"
 #include "core/assembly/step_groups.h"
@@ -11,6 +12,7 @@
 #include "core/model/joint_kind_names.h"
 
 #include <algorithm>
+#include <set>
 
 namespace fff::cli {
 
@@ -119,7 +121,7 @@ void writeJoint(JsonWriter &json, const Model &model, const Joint &joint)
 }
 
 /// Each connected group stands or falls by itself: the model is stable when all of them are, by the
-/// smallest of their margins.
+/// smallest of their margins. Of a piece that slits cut off nobody asks whether it stands.
 void writeStability(JsonWriter &json, const Analysis &analysis,
                     const std::vector<std::vector<int>> &groups)
 {
@@ -128,6 +130,8 @@ void writeStability(JsonWriter &json, const Analysis &analysis,
     bool isStable = !groups.empty();
     std::optional<double> margin, tipAngle;
     for (const std::vector<int> &group : groups) {
+        if (&group != &groups.front() && isLoosePiece(analysis.bodies, group))
+            continue;
         const Stability stability = stabilityOf(analysis, group);
         contacts += stability.contacts;
         corners.insert(corners.end(), stability.support.begin(), stability.support.end());
@@ -284,9 +288,12 @@ std::string infoJson(const Analysis &analysis, const ModelPlan &plan, const Info
     json.member("components", groups.size());
     json.key("unconnected");
     json.beginArray(JsonWriter::Layout::Line);
+    std::set<int> unconnected; // each once, whatever fell off it
     for (std::size_t g = 1; g < groups.size(); ++g)
         for (const int section : sectionsOf(analysis.bodies, groups[g]))
-            json.value(model.section(static_cast<std::size_t>(section))->name);
+            unconnected.insert(section);
+    for (const int section : unconnected)
+        json.value(model.section(static_cast<std::size_t>(section))->name);
     json.endArray();
     writeCycles(json, analysis);
     writeAssemblability(json, model, plan);

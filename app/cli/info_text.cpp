@@ -1,6 +1,7 @@
 #include "app/cli/info.h"
 
 #include "core/analysis/checks.h"
+#include "core/analysis/findings/loose_pieces.h"
 #include "core/analysis/plan_checks.h"
 #include "core/assembly/step_groups.h"
 #include "core/fabrication/summary.h"
@@ -79,7 +80,11 @@ QStringList infoText(const Analysis &analysis, const ModelPlan &plan, const Info
         QStringList names;
         for (std::size_t g = 1; g < groups.size(); ++g)
             for (const int section : sectionsOf(analysis.bodies, groups[g]))
-                names += nameOf(model, section);
+                names += isLoosePiece(analysis.bodies, groups[g])
+                             //: %1 is the name of a section
+                             ? tr("a piece of %1").arg(nameOf(model, section))
+                             : nameOf(model, section);
+        names.removeDuplicates();
         lines += tr("Not connected to the rest: %1").arg(names.join(QStringLiteral(", ")));
     }
     if (!bounds.isEmpty()) {

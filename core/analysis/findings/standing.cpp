@@ -2,6 +2,7 @@
 
 #include "core/analysis/dropping.h"
 #include "core/analysis/findings/broader_base.h"
+#include "core/analysis/findings/loose_pieces.h"
 #include "core/analysis/footing.h"
 #include "core/base/tolerances.h"
 
@@ -300,6 +301,8 @@ void findStanding(const Looked &at, std::vector<Finding> &found)
     std::vector<Finding> bad;
     int standing = 0;
     for (std::size_t g = 0; g < at.groups.size(); ++g) {
+        if (g > 0 && isLoosePiece(at.analysis.bodies, at.groups[g]))
+            continue; // whether it stands is not what is wrong with it
         Finding finding = standingOf(at, at.groups[g], at.caches.stances[g]);
         if (finding.is(kStands) || finding.is(kUnsteady)) {
             const Footing &footing = *finding.details<Footing>();
