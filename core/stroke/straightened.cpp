@@ -21,6 +21,8 @@ constexpr double kEdgeCorner = 0.44;
 constexpr double kLeastEdge = 8.0, kBentBy = 1.0, kBentShare = 0.035, kMostBent = 0.06;
 /// Lines that lie along or across the others within this angle do so, and level ones within that.
 constexpr double kNearlyAlong = 0.17, kNearlyLevel = 0.06;
+/// A line that is level or upright within this keeps the others so.
+constexpr double kLevel = 0.03;
 /// Tolerances, and part of the shorter of its lines, that a corner may go to where these meet.
 constexpr double kCornerWay = 4.0, kCornerShare = 0.2;
 /// Radians, and tolerances, by which a right angle and a corner are off for it to be worth a word.
@@ -108,6 +110,7 @@ double offAxes(double angle, double axes)
 std::optional<double> axesOf(const std::vector<Edge> &edges)
 {
     Vec2 sum = Vec2::Zero();
+    bool isOneLevel = false; // or upright: as it was meant to stay
     for (std::size_t i = 0; i < edges.size(); ++i) {
         const Edge &a = edges[i], &b = edges[(i + 1) % edges.size()];
         if (!a.isStraight || !b.isStraight || offRight(a, b) > kNearlyRight)
@@ -115,12 +118,13 @@ std::optional<double> axesOf(const std::vector<Edge> &edges)
         for (const Edge *edge : {&a, &b}) {
             const double angle = 4.0 * angleOf(edge->way);
             sum += edge->length * Vec2(std::cos(angle), std::sin(angle));
+            isOneLevel = isOneLevel || std::abs(offAxes(angleOf(edge->way), 0.0)) <= kLevel;
         }
     }
     if (sum.isZero())
         return {};
     const double axes = 0.25 * angleOf(sum);
-    return std::abs(offAxes(axes, 0.0)) <= kNearlyLevel ? 0.0 : axes;
+    return std::abs(offAxes(axes, 0.0)) <= (isOneLevel ? kNearlyAlong : kNearlyLevel) ? 0.0 : axes;
 }
 
 /// True when one of them is turned by more than is worth a word.
