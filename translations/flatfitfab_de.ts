@@ -733,10 +733,6 @@
             <numerusform>%n Verbindungen umgedreht</numerusform>
         </translation>
     </message>
-    <message>
-        <source>One section moved</source>
-        <translation>Eine Scheibe verschoben</translation>
-    </message>
     <message numerus="yes">
         <source>%n sections moved</source>
         <translation>
@@ -745,52 +741,8 @@
         </translation>
     </message>
     <message>
-        <source>One section with another outline</source>
-        <translation>Eine Scheibe mit anderem Umriss</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n sections with another outline</source>
-        <translation>
-            <numerusform>%n Scheibe mit anderem Umriss</numerusform>
-            <numerusform>%n Scheiben mit anderem Umriss</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>One section more</source>
-        <translation>Eine Scheibe mehr</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n sections more</source>
-        <translation>
-            <numerusform>%n Scheibe mehr</numerusform>
-            <numerusform>%n Scheiben mehr</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>One section less</source>
-        <translation>Eine Scheibe weniger</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n sections less</source>
-        <translation>
-            <numerusform>%n Scheibe weniger</numerusform>
-            <numerusform>%n Scheiben weniger</numerusform>
-        </translation>
-    </message>
-    <message>
         <source>nothing is cut through</source>
         <translation>nichts wird durchgeschnitten</translation>
-    </message>
-    <message>
-        <source>one problem less</source>
-        <translation>ein Problem weniger</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n problems less</source>
-        <translation>
-            <numerusform>%n Problem weniger</numerusform>
-            <numerusform>%n Probleme weniger</numerusform>
-        </translation>
     </message>
     <message>
         <source>Move the slit in from the edge, or let one of them end before the other.</source>
@@ -799,6 +751,76 @@
     <message>
         <source>Make the section wider there, or move the slit.</source>
         <translation>Machen Sie die Scheibe dort breiter, oder versetzen Sie den Schlitz.</translation>
+    </message>
+    <message>
+        <source>%1 does not hold %2: its slit leaves no material on either side.</source>
+        <extracomment>%1 and %2 are names of sections</extracomment>
+        <translation>%1 hält %2 nicht: Der Schlitz lässt auf keiner Seite Material stehen.</translation>
+    </message>
+    <message>
+        <source>Slits are %1 wider than what goes into them, which is loose in them then.</source>
+        <translation>Schlitze sind %1 breiter als das, was hineinkommt; es sitzt dann locker.</translation>
+    </message>
+    <message>
+        <source>Slits too wide</source>
+        <translation>Schlitze zu weit</translation>
+    </message>
+    <message>
+        <source>Slits cut a chip under 1 mm² off %1. It is waste and gets no number.</source>
+        <extracomment>%1 is the name of a section</extracomment>
+        <translation>Schlitze schneiden von %1 einen Splitter unter 1 mm² ab. Er ist Abfall und bekommt keine Nummer.</translation>
+    </message>
+    <message>
+        <source>%1 moved by %2</source>
+        <extracomment>%1 is the name of a section, %2 a length</extracomment>
+        <translation>%1 um %2 verschoben</translation>
+    </message>
+    <message>
+        <source>%1 given another outline</source>
+        <extracomment>%1 is the name of a section</extracomment>
+        <translation>%1 mit anderem Umriss</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n sections given another outline</source>
+        <translation>
+            <numerusform>%n Scheibe mit anderem Umriss</numerusform>
+            <numerusform>%n Scheiben mit anderem Umriss</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 added</source>
+        <extracomment>%1 is the name of a section</extracomment>
+        <translation>%1 hinzugefügt</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n sections added</source>
+        <translation>
+            <numerusform>%n Scheibe hinzugefügt</numerusform>
+            <numerusform>%n Scheiben hinzugefügt</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 deleted</source>
+        <extracomment>%1 is the name of a section</extracomment>
+        <translation>%1 gelöscht</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n sections deleted</source>
+        <translation>
+            <numerusform>%n Scheibe gelöscht</numerusform>
+            <numerusform>%n Scheiben gelöscht</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>one problem solved</source>
+        <translation>ein Problem gelöst</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n problems solved</source>
+        <translation>
+            <numerusform>%n Problem gelöst</numerusform>
+            <numerusform>%n Probleme gelöst</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -2450,6 +2472,22 @@
         <source>Too near the edge: the slit would hold nothing. B: move it in</source>
         <translation>Zu nah am Rand: Der Schlitz hielte nichts. B: hereinrücken</translation>
     </message>
+    <message>
+        <source>level</source>
+        <translation>waagrecht</translation>
+    </message>
+    <message>
+        <source>upright</source>
+        <translation>senkrecht</translation>
+    </message>
+    <message>
+        <source>square to the edge</source>
+        <translation>rechtwinklig zum Rand</translation>
+    </message>
+    <message>
+        <source>parallel to the last one</source>
+        <translation>parallel zum letzten</translation>
+    </message>
 </context>
 <context>
     <name>Error</name>
@@ -3833,6 +3871,10 @@
     <message>
         <source>B: move its slit in from the edge</source>
         <translation>B: Schlitz vom Rand hereinrücken</translation>
+    </message>
+    <message>
+        <source>Drag on to leave %1. &lt;kbd&gt;Ctrl&lt;/kbd&gt; leaves the slit as you draw it. &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
+        <translation>Ziehen Sie weiter aus %1 hinaus. &lt;kbd&gt;Strg&lt;/kbd&gt; lässt den Schlitz, wie Sie ihn zeichnen. &lt;kbd&gt;Esc&lt;/kbd&gt; bricht ab.</translation>
     </message>
 </context>
 <context>
@@ -7156,6 +7198,11 @@
         <source>%1 × %2 from the last point</source>
         <extracomment>how far it is to the side (%1) and up or down (%2, with a unit)</extracomment>
         <translation>%1 × %2 vom letzten Punkt</translation>
+    </message>
+    <message>
+        <source>Slit %1, %2</source>
+        <extracomment>%1 is its length, with a unit; %2 says what it goes along: &quot;level&quot;</extracomment>
+        <translation>Schlitz %1, %2</translation>
     </message>
 </context>
 <context>

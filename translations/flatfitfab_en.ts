@@ -114,31 +114,31 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n sections with another outline</source>
+        <source>%n sections given another outline</source>
         <translation>
-            <numerusform>%n section with another outline</numerusform>
-            <numerusform>%n sections with another outline</numerusform>
+            <numerusform>%n section given another outline</numerusform>
+            <numerusform>%n sections given another outline</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n sections more</source>
+        <source>%n sections added</source>
         <translation>
-            <numerusform>%n section more</numerusform>
-            <numerusform>%n sections more</numerusform>
+            <numerusform>%n section added</numerusform>
+            <numerusform>%n sections added</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n sections less</source>
+        <source>%n sections deleted</source>
         <translation>
-            <numerusform>%n section less</numerusform>
-            <numerusform>%n sections less</numerusform>
+            <numerusform>%n section deleted</numerusform>
+            <numerusform>%n sections deleted</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n problems less</source>
+        <source>%n problems solved</source>
         <translation>
-            <numerusform>%n problem less</numerusform>
-            <numerusform>%n problems less</numerusform>
+            <numerusform>%n problem solved</numerusform>
+            <numerusform>%n problems solved</numerusform>
         </translation>
     </message>
 </context>
