@@ -19,6 +19,9 @@ constexpr double kLeastGap = 1.5, kStep = 2.0;
 constexpr double kLeastBulge = 0.1;
 /// Turns that are corners, radians: whatever is beside them, beside one, and where nothing is.
 constexpr double kSharp = 1.48, kNextToSharp = 0.85, kLonely = 0.65;
+/// The tip of an oval: of its turn, what both neighbours turn the same way at least, no corners
+/// themselves, and how far it turns at most.
+constexpr double kBesideTip = 0.33, kMostTip = 2.0;
 /// Of a turn, what its neighbours turn at most where it is lonely.
 constexpr double kLoneliness = 0.3;
 /// A neighbour nearer than this part of the way is not what the hand's turn shows at.
@@ -49,12 +52,22 @@ public:
     {
         const double here = std::abs(turn(i));
         if (here >= kSharp)
-            return true;
+            return !isTip(i);
         const double before = i > 0 ? std::abs(turn(i - 1)) : 0.0;
         const double after = std::abs(turn(i + 1));
         if (here >= kNextToSharp && std::max(before, after) >= kSharp)
             return true;
         return here >= kLonely && std::max(before, after) <= kLoneliness * here;
+    }
+    /// Of a slim oval, whose line bends more and more towards it.
+    bool isTip(std::size_t i) const
+    {
+        const double here = turn(i);
+        const auto leadsUp = [&](double beside) {
+            return beside * here > 0.0 && std::abs(beside) >= kBesideTip * std::abs(here) &&
+                   std::abs(beside) < kNextToSharp;
+        };
+        return std::abs(here) <= kMostTip && i > 0 && leadsUp(turn(i - 1)) && leadsUp(turn(i + 1));
     }
     /// Which way the line passes a sample, unit; none at a corner and where there is no telling.
     std::optional<Vec2> passing(std::size_t i, double length) const
