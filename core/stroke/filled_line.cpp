@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <tuple>
+#include <utility>
 
 namespace fff {
 
@@ -26,6 +28,9 @@ constexpr double kBesideTip = 0.33, kMostTip = 2.0;
 constexpr double kLoneliness = 0.3;
 /// A neighbour nearer than this part of the way is not what the hand's turn shows at.
 constexpr double kComparable = 0.2;
+/// Over which part of a way among many samples the line before and after it is judged, by how much
+/// it turns there on one side at most, radians, and on the other at least, as a part of that.
+constexpr double kLedOver = 0.3, kMostLed = 1.2, kAlike = 0.4;
 /// Places on one way at most.
 constexpr double kMostPlaces = 64.0;
 /// Of a loop of few samples: how many there are, tolerances between them on the mean; and in such
@@ -81,6 +86,36 @@ public:
         return Vec2((in / (a * a) + out / (b * b)).normalized());
     }
 
+    /// Which way the line comes to a sample, or goes on from it, unit; none where it is not dense
+    /// beside a way of this length.
+    std::optional<Vec2> dense(std::size_t i, double length, bool isBefore) const
+    {
+        for (std::size_t k = 1; k < kFillLookAround && (isBefore ? k <= i : i + k < size()); ++k) {
+            const std::size_t at = isBefore ? i - k : i + k;
+            if (way(isBefore ? at : at - 1).norm() >= kComparable * length)
+                return {};
+            const Vec2 chord = isBefore ? m_points[i] - m_points[at] : m_points[at] - m_points[i];
+            if (chord.norm() >= kLedOver * length)
+                return Vec2(chord.normalized());
+        }
+        return {};
+    }
+    /// Where it leaves for the way from a sample and comes from it, where that lies among many.
+    std::optional<std::pair<Vec2, Vec2>> led(std::size_t i) const
+    {
+        const Vec2 gap = way(i);
+        const std::optional<Vec2> out = dense(i, gap.norm(), true),
+                                  in = dense(i + 1, gap.norm(), false);
+        if (!out || !in)
+            return {};
+        const double leaving = signedTurn(*out, gap), coming = signedTurn(gap, *in);
+        const double less = std::min(std::abs(leaving), std::abs(coming)),
+                     more = std::max(std::abs(leaving), std::abs(coming));
+        if (leaving * coming <= 0.0 || less < kAlike * more || more > kMostLed)
+            return {};
+        return std::pair(*out, *in);
+    }
+
 private:
     const std::vector<Vec2> &m_points;
 };
@@ -99,7 +134,11 @@ void addWay(const Ways &ways, const Vec2 &from, std::size_t i, double tolerance,
     if (length < kLeastGap * tolerance)
         return;
     const Vec2 chord = gap / length;
-    std::optional<Vec2> out = ways.passing(i, length), in = ways.passing(i + 1, length);
+    std::optional<Vec2> out, in;
+    if (const auto led = ways.led(i))
+        std::tie(out, in) = *led;
+    else
+        std::tie(out, in) = std::pair(ways.passing(i, length), ways.passing(i + 1, length));
     if (!out && !in)
         return;
     if (!out)
@@ -158,7 +197,7 @@ std::optional<std::vector<Vec2>> filledRound(const std::vector<Vec2> &samples, d
         loop.pop_back();
     if ((loop.back() - loop[0]).norm() > kNearStart * step)
         return {};
-    constexpr std::size_t kAround = kFillLookAround + 1;
+    constexpr std::size_t kAround = 3;
     std::vector<Vec2> round(loop.end() - kAround, loop.end());
     round.insert(round.end(), loop.begin(), loop.end());
     round.insert(round.end(), loop.begin(), loop.begin() + kAround + 1);

@@ -18,6 +18,8 @@ namespace fff {
 ///   - turns by kSharp or more, and is no tip that bends lead up to; or by kNextToSharp beside such a
 ///     one; or
 ///   - turns, and its neighbours hardly do: long straight, turn, long straight.
+/// Where a few samples are missing among many, the bend leads from where the line comes to where it
+/// goes on, if it turns on both sides about as much; at a corner it does on one alone.
 /// What the bend keeps within a tenth of a tolerance of the straight way is left as it is.
 ///
 /// tolerance  of the fit, mm
@@ -27,7 +29,7 @@ namespace fff {
 void fill(const std::vector<Vec2> &samples, double tolerance, std::size_t from,
           std::vector<Vec2> &result, std::vector<std::size_t> &places);
 
-inline constexpr std::size_t kFillLookAround = 2;
+inline constexpr std::size_t kFillLookAround = 8;
 
 /// The same all round, of few samples that are far apart and come back to where they began, which
 /// is where the result begins and ends; what of them lies beyond is left out. None for all others.
