@@ -34,6 +34,9 @@ constexpr std::array kOneSided{Window{14, 1}, Window{1, 14}, Window{14, 0},
 /// Samples beside one that have a say.
 constexpr std::size_t kNeighbours = 2;
 constexpr double kOfFew = 2.5, kOfMore = 1.5, kDiffer = 0.55;
+/// The same where nothing follows, not from one side either: it is no corner, but more noise than
+/// elsewhere.
+constexpr double kOfWild = 16.0;
 
 double medianOf(std::array<double, 2 * kNoiseWindow + 1> &values, std::size_t count)
 {
@@ -128,7 +131,9 @@ std::optional<Parabola> longest(const std::vector<Vec2> &p, std::size_t i, doubl
     for (const Window &window : kOneSided)
         if (const std::optional<Parabola> meant = laid(p, i, window, noise, kOfMore))
             return meant;
-    return laid(p, i, kFewest, noise, kOfFew);
+    if (const std::optional<Parabola> meant = laid(p, i, kFewest, noise, kOfFew))
+        return meant;
+    return laid(p, i, kFew, noise, kOfWild);
 }
 
 /// What is known around a sample.
