@@ -40,6 +40,9 @@ constexpr double kNotch = 0.5;
 constexpr double kStepBack = 3.0, kMostBack = 0.1;
 /// And no more tolerances, and times what they are beside each other.
 constexpr double kBackAnyway = 10.0, kBackBeside = 4.0;
+/// What a hand does that is put down or lifted: no longer than this, in tolerances, and turned from
+/// where the end points by more than that, radians.
+constexpr double kNub = 2.5, kNubTurn = 0.7;
 /// Tolerances within which ends are in one place.
 constexpr double kTogether = 0.25;
 
@@ -98,8 +101,10 @@ public:
             if (gap().norm() <= std::max(kFarApart * m_tolerance, kFarApartShare * length) ||
                 crossingOfEnds(m_way, m_kept, left())) {
                 cutBeyond();
-                if (!leadToCorner())
+                if (!leadToCorner()) {
                     cutBack();
+                    dropNubs();
+                }
             }
         }
         return line();
@@ -227,6 +232,23 @@ private:
                 return;
         }
         m_kept = before;
+    }
+
+    /// So that what leads one end to the other sees where they go.
+    void dropNubs()
+    {
+        const Vec2 out = this->out().way, in = this->in().way;
+        const double most = std::min(kNub * m_tolerance, 0.1 * m_kept.length());
+        const auto nub = [&](double end, double inward, const Vec2 &way) {
+            for (double cut = 0.0; cut < most; cut += 0.5 * m_tolerance) {
+                const Vec2 tip = m_way.at(end + inward * cut);
+                const Vec2 stub = inward * (m_way.at(end + inward * (cut + m_tolerance)) - tip);
+                if (stub.norm() > kClipGrid && turnBetween(stub, way) <= kNubTurn)
+                    return cut;
+            }
+            return 0.0; // it goes on so: that is no nub
+        };
+        m_kept = {m_kept.from + nub(m_kept.from, 1.0, in), m_kept.to - nub(m_kept.to, -1.0, out)};
     }
 
     MeantEnds line() const
