@@ -255,6 +255,7 @@ private:
     {
         MeantEnds result;
         result.isLoop = m_isLoop;
+        result.isCorner = m_corner.has_value();
         result.to = m_points.size() - 1;
         while (result.from < result.to && m_way.along(result.from) < m_kept.from)
             ++result.from;
@@ -294,7 +295,7 @@ private:
 MeantEnds meantEnds(const std::vector<Vec2> &samples, double tolerance)
 {
     if (samples.size() < 4)
-        return {samples, 0, samples.empty() ? 0 : samples.size() - 1, 0, false};
+        return {samples, 0, samples.empty() ? 0 : samples.size() - 1, 0, false, false};
     return MeetingEnds(samples, tolerance).meant();
 }
 

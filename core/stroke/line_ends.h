@@ -14,6 +14,8 @@ struct MeantEnds
     std::vector<Vec2> line;
     /// Of the samples those that are kept, and what the first of them is in the line.
     std::size_t from = 0, to = 0, place = 0;
+    /// The line begins and ends at a corner.
+    bool isCorner = false;
     /// The ends cross, and so much lay beyond that it was no slip of the hand: a loop was kept.
     bool isLoop = false;
 };

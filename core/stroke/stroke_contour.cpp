@@ -116,7 +116,9 @@ void closePlain(const std::vector<Vec2> &samples, const MeantLine &meant, double
         return;
     }
     const std::vector<FittedPiece> settled = within(ends, meant.settled().pieces());
-    if (auto loop = closedFit(ends.line, settled, options)) {
+    // Nothing leads on over a corner, so there is nothing to share out.
+    auto loop = ends.isCorner ? std::nullopt : closedFit(ends.line, settled, options);
+    if (loop) {
         stroke.fitted = *std::move(loop);
         close(stroke.fitted, smallest, stroke);
         return;
