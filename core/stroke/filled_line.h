@@ -15,11 +15,11 @@ namespace fff {
 ///
 /// At a sample that the line turns at, the bend passes as the circle through it and its neighbours
 /// does. It is a corner, and ways to it are as straight as what comes before lets them be, where it
-///   - turns by kSharp or more, and is no tip that bends lead up to; or by kNextToSharp beside such a
-///     one; or
+///   - turns by kSharp or more, and is no tip that bends lead up to; or by kNextToSharp beside
+///     such a one; or
 ///   - turns, and its neighbours hardly do: long straight, turn, long straight.
-/// Where a few samples are missing among many, the bend leads from where the line comes to where it
-/// goes on, if it turns on both sides about as much; at a corner it does on one alone.
+/// Where a few samples are missing among many, the bend leads from where the line comes to where
+/// it goes on, if it turns on both sides about as much; at a corner it does on one alone.
 /// What the bend keeps within a tenth of a tolerance of the straight way is left as it is.
 ///
 /// tolerance  of the fit, mm
