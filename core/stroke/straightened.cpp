@@ -23,6 +23,8 @@ constexpr double kLeastEdge = 8.0, kBentBy = 1.0, kBentShare = 0.035, kMostBent 
 constexpr double kNearlyAlong = 0.17, kNearlyLevel = 0.06;
 /// A line that is level or upright within this keeps the others so.
 constexpr double kLevel = 0.03;
+/// Tolerances that a line between two others is long that is none, but their corner cut off.
+constexpr double kCutCorner = 2.0;
 /// Tolerances, and part of the shorter of its lines, that a corner may go to where these meet.
 constexpr double kCornerWay = 4.0, kCornerShare = 0.2;
 /// Radians, and tolerances, by which a right angle and a corner are off for it to be worth a word.
@@ -87,6 +89,24 @@ std::vector<Edge> edgesOf(const Contour &contour, double tolerance)
         edges.push_back(edgeOf(contour, corners[k], count, tolerance));
     }
     return edges;
+}
+
+/// Without those that a hasty or noisy corner has in place of its tip; true when there were any.
+bool dropCutCorners(std::vector<Edge> &edges, double tolerance)
+{
+    const std::size_t count = edges.size();
+    for (std::size_t i = 0; i < edges.size() && edges.size() > 3;) {
+        const Edge &before = edges[(i + edges.size() - 1) % edges.size()],
+                   &after = edges[(i + 1) % edges.size()];
+        const Vec2 way = edges[i].to - edges[i].from;
+        const bool isCut = edges[i].length < kCutCorner * tolerance && before.isStraight &&
+                           after.isStraight && cross(before.way, way) * cross(way, after.way) > 0.0;
+        if (isCut)
+            edges.erase(edges.begin() + static_cast<std::ptrdiff_t>(i));
+        else
+            ++i;
+    }
+    return edges.size() < count;
 }
 
 /// Off a right angle, radians; of two straight edges.
@@ -184,10 +204,10 @@ std::vector<double> turnsAtJoints(const Contour &contour)
 std::optional<Straightened> straightened(const Contour &drawn, double tolerance)
 {
     std::vector<Edge> edges = edgesOf(drawn, tolerance);
+    bool isChanged = dropCutCorners(edges, tolerance);
     Straightened result;
     result.hasRightAngles = turnAlongEachOther(edges);
     std::vector<Vec2> corners; // where each edge starts
-    bool isChanged = false;
     for (std::size_t i = 0; i < edges.size(); ++i) {
         const Edge &before = edges[(i + edges.size() - 1) % edges.size()];
         corners.push_back(cornerBetween(before, edges[i], tolerance));
