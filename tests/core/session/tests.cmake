@@ -9,6 +9,7 @@ fff_tests(tests_session LIBRARIES fff::session Polyclipping::Polyclipping TESTS
     core/session/tst_failures
     core/session/tst_flips
     core/session/tst_gap
+    core/session/tst_hands
     core/session/tst_hard_crossings
     core/session/tst_layout_models
     core/session/tst_loose_pieces
