@@ -33,6 +33,9 @@ constexpr double kSharpness = 0.7;
 constexpr double kCornerSide = 2.5, kCornerOff = 0.072, kStandsOut = 0.55;
 /// And so many times as far, squared, as from two parabolas that meet there.
 constexpr double kTimesApart = 1.8;
+/// A step aside by a shaky hand: its width and the way over it in reaches, and by how much the line
+/// may turn over it, radians.
+constexpr double kStepWidth = 0.45, kStepWay = 1.5, kStepTurn = 0.35;
 /// With fewer samples a cubic follows any corner.
 constexpr std::size_t kToTell = 9;
 /// Of an edge of the simplified line, the middle part that says whether it stands for a straight
@@ -223,7 +226,7 @@ std::vector<std::size_t> SampledLine::corners(double angle) const
     }
     settle();
     // Bends look like corners from afar: what two parabolas that end there say is nearer.
-    const std::vector<std::size_t> found = result;
+    const std::vector<std::size_t> found = withoutSteps(result);
     std::size_t kept = 0;
     for (std::size_t k = 0; k < found.size(); ++k) {
         const std::size_t from = kept > 0 ? result[kept - 1] : 0;
@@ -234,6 +237,31 @@ std::vector<std::size_t> SampledLine::corners(double angle) const
             result[kept++] = found[k];
     }
     result.resize(kept);
+    return result;
+}
+
+/// Without pairs of them between which the line only goes over to another track beside its own.
+std::vector<std::size_t> SampledLine::withoutSteps(const std::vector<std::size_t> &corners) const
+{
+    std::vector<std::size_t> result;
+    for (std::size_t k = 0; k < corners.size(); ++k) {
+        result.push_back(corners[k]);
+        if (k + 1 == corners.size() ||
+            lengthBetween(corners[k], corners[k + 1]) > kStepWay * m_reach)
+            continue;
+        const std::size_t a = corners[k], b = corners[k + 1];
+        const double side = kCornerSide * m_reach;
+        if (m_along[a] < side || length() - m_along[b] < side)
+            continue;
+        const Vec2 before = directionBetween(indexAt(m_along[a] - side), a),
+                   after = directionBetween(b, indexAt(m_along[b] + side));
+        const Vec2 over = m_points[b] - m_points[a], way = unit(before + after);
+        if (turnBetween(before, after) > kStepTurn || way.dot(over) <= 0.0 ||
+            std::abs(cross(way, over)) > kStepWidth * m_reach)
+            continue;
+        result.pop_back();
+        ++k;
+    }
     return result;
 }
 

@@ -96,6 +96,7 @@ private:
     double turnAt(std::size_t at, double reach) const;
     std::size_t sharpest(std::size_t at, double reach) const;
     Parabola parabola(std::size_t at, std::size_t from, std::size_t to, bool isThroughPoint) const;
+    std::vector<std::size_t> withoutSteps(const std::vector<std::size_t> &corners) const;
     bool standsOut(std::size_t at, std::size_t from, std::size_t to, double turn) const;
     template <int Count>
     double meanSquareOff(std::size_t at, std::size_t from, std::size_t to,

@@ -160,7 +160,7 @@ void TestHands::hands_data()
     row("13_box_noisy", {0.5, 0.3, 4, right, 0.5});
     row("14_box_hasty", {2, 0.3, 4, right, 1.25});
     row("15_box_overshot", {1, 0.2, 4, right, 0.5});
-    row("16_box_from_a_side", {1.25, 0.4, 4, right, 0.5}, "a slow tremor has corners");
+    row("16_box_from_a_side", {1.25, 0.4, 4, right, 0.5});
     row("17_box_rounded", {0.5, 0.2, 0, none});
     row("18_star_patient", {0.75, 0.2, 10, straight, 0.75});
     row("19_star_noisy", {1, 0.2, 10, straight, 0.5},
