@@ -399,7 +399,12 @@ std::optional<MirroredHalf> mirroredHalf(const std::vector<Vec2> &samples, const
     const double largest = std::max(verdict.left, verdict.right);
     if (line.size() < 2 || !(largest > kClipGrid))
         return {};
-    HalfLine half = halfLine(withoutHooksAtAxis(line, tolerance), tolerance, largest);
+    // At first, what is over the axis may be no more than a hook.
+    const auto isOver = [](const Vec2 &p) { return p.y() > 0.0; };
+    const Line kept = withoutHooksAtAxis(line, tolerance);
+    if (std::none_of(kept.begin(), kept.end(), isOver))
+        return {};
+    HalfLine half = halfLine(kept, tolerance, largest);
 
     FitOptions options;
     options.tolerance = tolerance;

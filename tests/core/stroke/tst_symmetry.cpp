@@ -308,6 +308,8 @@ void TestSymmetry::nothingToMirror_data()
     row("there and back on the axis", {{0, 0}, {50, 0}, {0, 0}}, Refusal::NoArea);
     row("straight away from the axis", lines({{0, 0}, {0, 30}}, 1.0), Refusal::NoArea);
     row("away and back", lines({{0, 0}, {0, 30}, {0.1, 0}}, 1.0), Refusal::NoArea);
+    row("a hook alone over the axis", lines({{0, -0.1}, {20, -0.1}, {19.5, 0.7}}, 0.5),
+        Refusal::NoArea);
 }
 
 void TestSymmetry::nothingToMirror()
