@@ -61,6 +61,7 @@ void markScene(Scene &scene, const Workbench &bench)
         if (isTried) {
             section.isHovered = bench.differsInTrial(ref);
             section.isGhost = !section.isHovered;
+            section.isProblem = section.isFaulty = false; // those are of what is there
         }
     }
 }

@@ -186,8 +186,7 @@ void Viewport::paintMarks()
     scene.unit = settings().unit();
     const bool isDrawing =
         overlay.find<sign::Slit>() || overlay.find<sign::Stroke>() || hasPath(overlay);
-    // Problems are those of what is there, not of what is tried.
-    if (!isDrawing && !m_bench.tried())
+    if (!isDrawing)
         scene.marks =
             placeMarks(interaction.marks(), interaction.camera(), scene.viewport, scene.view);
     scene.litMark = litMark();
@@ -195,8 +194,7 @@ void Viewport::paintMarks()
     scene.offer = &m_offer;
     if (!isDrawing && !m_steps) {
         scene.ghosts = m_bench.ghosts();
-        if (!m_bench.tried())
-            scene.problems = m_bench.problemLook();
+        scene.problems = m_bench.problemLook();
     }
     scene.steps = m_steps ? &m_steps->marks : nullptr;
     if (scene.view.clip) // of the handle's place; every vertex is looked at for it
@@ -280,7 +278,7 @@ void Viewport::mousePressEvent(QMouseEvent *event)
     showFocus(false);
     m_isOfferPressed = event->button() == Qt::LeftButton && isOnOffer(event->position());
     if (m_isOfferPressed)
-        m_bench.interaction().takeOffer(m_bench.clock().observe(event->timestamp()));
+        m_bench.run(QStringLiteral("section.takeOffer"));
     else
         m_input.press(event);
 }

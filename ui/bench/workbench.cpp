@@ -277,6 +277,7 @@ void Workbench::setTried(AnalysisPointer tried)
     if (tried == m_tried)
         return;
     m_tried = std::move(tried);
+    setMarksAside(m_tried != nullptr); // those are of what is there
     Q_EMIT triedChanged();
 }
 
