@@ -68,7 +68,7 @@ std::vector<Sign> oneOfEach()
             sign::Region{SignRole::Plane, {{-60, -40, 0}, {50, -40, 0}, {50, 40, 0}}},
             sign::Capsule{SignRole::DeadZone, canvas, 40.0, 20.0},
             sign::Band{{{100, 100}, {260, 210}}},
-            sign::Slit{{0, 0, 0}, {40, 0, 0}, true, "Rib", 20.0},
+            sign::Slit{{0, 0, 0}, {40, 0, 0}, true, "Rib", {}, 20.0},
             sign::Ground{{0, -20, 0}, Vec3::UnitX()},
             sign::Rulers{canvas}};
 }
