@@ -5391,6 +5391,11 @@
         <source>off</source>
         <translation>aus</translation>
     </message>
+    <message>
+        <source>a piece of %1</source>
+        <extracomment>%1 is the name of a section</extracomment>
+        <translation>ein Stück von %1</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::AboutDialog</name>

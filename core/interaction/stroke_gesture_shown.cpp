@@ -43,7 +43,7 @@ Frame StrokeGesture::rulers(const GestureContext &context) const
 /// Says at the slit that it will hold nothing, and how it would.
 void StrokeGesture::addWalls(Signs &signs) const
 {
-    constexpr double kAbove = 56.0; // px, clear of the cursor and of the slit's length
+    constexpr double kAbove = 86.0; // px, clear of the zone round the slit and of its length
     if (!m_missing || m_isMovedIn)
         return;
     const Frame &frame = m_ground->section->frame;
