@@ -12,11 +12,11 @@ namespace fff {
 /// have come kEscape. What gets away itself is in nobody's way. The order of the others stays.
 ///
 /// Shifts are tried in the 26 directions to faces, edges and corners of a cube, in the frame of
-/// each body of the group and of each that it touches, and along the line that both planes have. So a group that could only get away by
-/// turning, or between these directions, is taken to be caught: it is not said to be loose. Groups
-/// of more than kMostInGroup bodies, and all beyond kMostGroups, are not looked at.
-/// O(groups · neighbours · directions) of looks at pairs of solids, once more after each that gets
-/// away.
+/// each body of the group and of each that it touches, and along the line that both planes have. So
+/// a group that could only get away by turning, or between these directions, is taken to be caught:
+/// it is not said to be loose. Groups of more than kMostInGroup bodies, and all beyond kMostGroups,
+/// are not looked at. O(groups · neighbours · directions) of looks at pairs of solids, once more
+/// after each that gets away.
 std::vector<std::vector<int>> withCaptives(const Analysis &analysis,
                                            std::vector<std::vector<int>> groups);
 

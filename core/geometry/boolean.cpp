@@ -170,9 +170,8 @@ Result<std::vector<CurvedRegion>> subtractContours(const Contour &contour,
     clips.reserve(sources.size() - 1);
     for (std::size_t i = 1; i < sources.size(); ++i)
         clips.push_back(counterClockwise(sources[i].snapped));
-    return withCurves(
-        sources, grid,
-        clip({sources.front().snapped}, Winding::NonZero, clips).map(apartAtPoints));
+    return withCurves(sources, grid,
+                      clip({sources.front().snapped}, Winding::NonZero, clips).map(apartAtPoints));
 }
 
 Result<std::vector<CurvedRegion>> windingRegions(const std::vector<Contour> &contours,

@@ -71,9 +71,9 @@ double area(const GridRegion &region);
 
 enum class Winding { NonZero, Positive, Negative };
 
-/// Apart where they hang together by a point only: where a corner of a ring comes so near to an edge
-/// of the same ring (kClipSlack) that rounding alone is between them. What rings of booleans share
-/// as a corner is apart already.
+/// Apart where they hang together by a point only: where a corner of a ring comes so near to an
+/// edge of the same ring (kClipSlack) that rounding alone is between them. What rings of booleans
+/// share as a corner is apart already.
 std::vector<GridRegion> apartAtPoints(std::vector<GridRegion> regions);
 
 /// (what `subjects` wind round, by that rule) minus (what any of `clips` encloses, non-zero).

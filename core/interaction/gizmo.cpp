@@ -198,8 +198,8 @@ GizmoPart GizmoLook::partAt(const Vec2 &position, double reach) const
         const std::vector<Vec2> line = ring(axis);
         double distance = std::numeric_limits<double>::infinity();
         for (std::size_t i = 0; i < line.size(); ++i)
-            distance =
-                std::min(distance, distanceToSegment(position, line[i], line[(i + 1) % line.size()]));
+            distance = std::min(distance,
+                                distanceToSegment(position, line[i], line[(i + 1) % line.size()]));
         offer(turns[axis], distance, reach);
     }
     return best;

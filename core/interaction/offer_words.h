@@ -12,8 +12,7 @@ inline constexpr Text kOfferStraight = FFF_TEXT("Hint", "B: make its lines strai
 inline constexpr Text kOfferRightAngles = FFF_TEXT("Hint", "B: make its corners right angles");
 inline constexpr Text kOfferMoveIn = FFF_TEXT("Hint", "B: move its slit in from the edge");
 // While it is drawn.
-inline constexpr Text kOneWall =
-    FFF_TEXT("Cue", "Too near the edge: the slit would hold nothing");
+inline constexpr Text kOneWall = FFF_TEXT("Cue", "Too near the edge: the slit would hold nothing");
 inline constexpr Text kOneWallOffer =
     FFF_TEXT("Cue", "Too near the edge: the slit would hold nothing. B: move it in");
 

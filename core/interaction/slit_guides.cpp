@@ -108,8 +108,8 @@ std::optional<SlitGuide> SlitGuides::lead(Stroke &stroke, bool snaps) const
         const double angle = turnBetween(direction.along, way);
         // What is as near as the one before is no better.
         // One that nearly fits and is the world's goes before one that a hand drew.
-        const bool isOfWorld = direction.kind == SlitGuide::Kind::Level ||
-                               direction.kind == SlitGuide::Kind::Upright;
+        const bool isOfWorld =
+            direction.kind == SlitGuide::Kind::Level || direction.kind == SlitGuide::Kind::Upright;
         const double rank = isOfWorld ? angle - kOfWorld : angle;
         if (angle > kReach || (nearest && rank > least - kSameDirection))
             continue;

@@ -118,8 +118,8 @@ private:
     FramePace m_pace;
     QElapsedTimer m_sinceStart;
     bool m_isPictureChanged = false;
-    QImage m_marks; // what is painted over the picture
-    QRectF m_offer; // where the words of an offer are, px; empty: there is none
+    QImage m_marks;                // what is painted over the picture
+    QRectF m_offer;                // where the words of an offer are, px; empty: there is none
     bool m_isOnOffer = false;      // the cursor is
     bool m_isOfferPressed = false; // until the button is let go
     int m_paintCount = 0;

@@ -189,8 +189,7 @@ void paintSlit(MarkPen &pen, const sign::Slit &slit, LengthUnit unit, const QLoc
             //: %1 is its length, with a unit
             ? StrokeMarksTexts::tr("Slit %1").arg(text)
             //: %1 is its length, with a unit; %2 says what it goes along: "level"
-            : StrokeMarksTexts::tr("Slit %1, %2")
-                  .arg(text, messageText(slit.guide));
+            : StrokeMarksTexts::tr("Slit %1, %2").arg(text, messageText(slit.guide));
     const QPointF middle = 0.5 * (from + to), way = to - from;
     if (std::abs(way.x()) > std::abs(way.y()))
         pen.chip(middle - QPointF(0.0, reach), MarkPen::Anchor::Middle, words, pen.style().slit);

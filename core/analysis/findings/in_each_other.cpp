@@ -148,15 +148,15 @@ void findInterferences(const LookedAtPlan &at, std::vector<Finding> &found)
         const double angle = angleBetween(model, pair);
         const bool isTooShallow = !joint && angle > kPracticallyParallel && angle < kMinJointAngle;
         // What is deep in another one cannot be made; a little is filed away.
-        const double thinner = std::min(model.stockOf(static_cast<std::size_t>(pair.first)).thickness,
-                                        model.stockOf(static_cast<std::size_t>(pair.second)).thickness);
-        const Severity severity =
-            how->depth > 0.5 * thinner ? Severity::Error : Severity::Warning;
+        const double thinner =
+            std::min(model.stockOf(static_cast<std::size_t>(pair.first)).thickness,
+                     model.stockOf(static_cast<std::size_t>(pair.second)).thickness);
+        const Severity severity = how->depth > 0.5 * thinner ? Severity::Error : Severity::Warning;
         // Too shallow an angle is why there is no slit.
-        Finding finding = isTooShallow ? makeFinding(kShallowAngle, Severity::Error,
-                                                     ShallowAngle{angle, kMinJointAngle})
-                                       : makeFinding(kInterference, severity,
-                                                     Interference{how->depth, joint != nullptr});
+        Finding finding =
+            isTooShallow
+                ? makeFinding(kShallowAngle, Severity::Error, ShallowAngle{angle, kMinJointAngle})
+                : makeFinding(kInterference, severity, Interference{how->depth, joint != nullptr});
         finding.sections = model.refs({pair.first, pair.second});
         finding.at = how->at;
         if (joint)

@@ -1,4 +1,5 @@
-// Slits that the mill's tool does not go into, that the kerf closes, that are too tight or too wide.
+// Slits that the mill's tool does not go into, that the kerf closes, that are too tight or too
+// wide.
 #pragma once
 
 #include "core/analysis/finder.h"

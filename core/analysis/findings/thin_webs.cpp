@@ -60,11 +60,10 @@ Finding foundOf(const Web &web, std::size_t section, const Analysis &analysis)
     };
     const bool isBetweenSlits = web.between == Web::Between::Slits;
     const bool isTouching = isBetweenSlits && !(web.width > 0.0);
-    Finding finding =
-        makeFinding(isTouching ? kSlitsMeet : kThinWeb,
-                    isTouching ? Severity::Warning
-                               : severityOf(web.width, model.stockOf(section).thickness),
-                    ThinWeb{web.width, web.between == Web::Between::SlitAndHole});
+    Finding finding = makeFinding(
+        isTouching ? kSlitsMeet : kThinWeb,
+        isTouching ? Severity::Warning : severityOf(web.width, model.stockOf(section).thickness),
+        ThinWeb{web.width, web.between == Web::Between::SlitAndHole});
     finding.sections = {model.ref(section)};
     finding.others = {guestOf(web.slit)};
     if (isBetweenSlits)

@@ -8,7 +8,6 @@
 #include "tests/core/shapes.h"
 #include "tests/test_program.h"
 
-
 using namespace fff;
 using namespace fff::test;
 
@@ -195,8 +194,8 @@ void TestBoolean::whatHangsByAPointFallsApart_data()
     QTest::addColumn<double>("wall");
     QTest::addColumn<std::size_t>("pieces");
     QTest::newRow("on the corner") << 20.0 << std::size_t(2);
-    QTest::newRow("a step of the grid off, which is rounding") << 20.0 + kClipGrid
-                                                               << std::size_t(2);
+    QTest::newRow("a step of the grid off, which is rounding")
+        << 20.0 + kClipGrid << std::size_t(2);
     QTest::newRow("the same on the other side") << 20.0 - kClipGrid << std::size_t(2);
     QTest::newRow("a web that stays") << 20.01 << std::size_t(1);
     QTest::newRow("parted by far") << 19.99 << std::size_t(2);

@@ -91,9 +91,8 @@ void judgeCaught(const QByteArray &model, const Analysis &analysis,
         ++verdicts.held;
         const Freedom freedom = judgedAmong(pieces, group.front(), isThere);
         const bool isShifted =
-            std::any_of(freedom.free.begin(), freedom.free.end(), [](const SmallMove &move) {
-                return move.kind == SmallMove::Kind::Shift;
-            });
+            std::any_of(freedom.free.begin(), freedom.free.end(),
+                        [](const SmallMove &move) { return move.kind == SmallMove::Kind::Shift; });
         if (freedom.inEachOther >= kFreeDepth)
             ++verdicts.inEachOther; // nobody can tell here either
         else if (!freedom.touches || isShifted)
@@ -203,7 +202,8 @@ void TestGrips::drawings()
     // leads out of them.
     QVERIFY(verdicts.notHeld.size() <= 5);
     QVERIFY(verdicts.held > 700 && verdicts.loose > 300);
-    // Known: a piece that gets away by grazing another one, by a little more than the judge lets it.
+    // Known: a piece that gets away by grazing another one, by a little more than the judge lets
+    // it.
     QVERIFY(verdicts.caught.size() <= 1);
 }
 
