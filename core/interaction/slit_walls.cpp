@@ -97,12 +97,12 @@ SlitJudged judgedSlit(const Document &document, const Section &ground, const Sec
 SlitJudged judgedSlit(const Document &document, const Section &ground, const Interior &interior,
                       const Vec2 &from, const Vec2 &to)
 {
-    const std::optional<Section> guest = standIn(document, ground, from, to);
-    if (!guest)
+    if ((to - from).norm() < kMinOverlap)
         return {};
     if (isBetweenWalls(document, interior, from, to))
         return {true, {}};
-    return judgedSlit(document, ground, *guest);
+    const std::optional<Section> guest = standIn(document, ground, from, to);
+    return guest ? judgedSlit(document, ground, *guest) : SlitJudged();
 }
 
 std::optional<Parent> movedIn(const Document &document, const Section &ground,

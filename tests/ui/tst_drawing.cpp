@@ -53,6 +53,18 @@ private Q_SLOTS:
     void thePenTellsWhatItChanges();
 
 private:
+    /// Nearly a circle, a little further than once round.
+    void drawRound()
+    {
+        std::vector<QPoint> round;
+        for (int i = 0; i <= 40; ++i) {
+            const double a = 2.0 * std::numbers::pi * i / 39.0;
+            round.push_back(middle() +
+                            QPoint(qRound(130.0 * std::cos(a)), qRound(124.0 * std::sin(a))));
+        }
+        drag(round);
+    }
+
     QString text(const char *name)
     {
         const auto *label = m_window->findChild<QLabel *>(QLatin1String(name));
@@ -117,18 +129,10 @@ void TestDrawing::aSecondAcrossTheFirst()
     QTRY_COMPARE(session().analysis().assembly.joints.size(), std::size_t(1));
 }
 
-/// What would be wrong: the copied half stays although Shift is held, or comes only with the next
-/// move of the mouse.
 /// A circle by hand, a key, and one step back.
 void TestDrawing::whatWasMeantIsOffered()
 {
-    std::vector<QPoint> round;
-    for (int i = 0; i <= 40; ++i) {
-        const double a = 2.0 * std::numbers::pi * i / 39.0;
-        round.push_back(middle() +
-                        QPoint(qRound(130.0 * std::cos(a)), qRound(124.0 * std::sin(a))));
-    }
-    drag(round);
+    drawRound();
     QCOMPARE(count(), std::size_t(1));
     QVERIFY(interaction().hasOffer());
     QVERIFY(first().figures.empty());
@@ -145,17 +149,8 @@ void TestDrawing::whatWasMeantIsOffered()
 /// A click on the words takes it, too; one beside them does without it.
 void TestDrawing::offerIsClicked()
 {
-    const auto draw = [this] {
-        std::vector<QPoint> round;
-        for (int i = 0; i <= 40; ++i) {
-            const double a = 2.0 * std::numbers::pi * i / 39.0;
-            round.push_back(middle() +
-                            QPoint(qRound(130.0 * std::cos(a)), qRound(124.0 * std::sin(a))));
-        }
-        drag(round);
-        QVERIFY(interaction().hasOffer());
-    };
-    draw();
+    drawRound();
+    QVERIFY(interaction().hasOffer());
     QTest::qWait(50); // it is painted
     const QPoint words = middle() + QPoint(0, 124 + 20);
     QTest::mouseMove(m_view, words);
@@ -166,13 +161,16 @@ void TestDrawing::offerIsClicked()
     QCOMPARE(steps(), 2);
     key(Qt::Key_Z, Qt::ControlModifier);
     key(Qt::Key_Z, Qt::ControlModifier);
-    draw();
+    drawRound();
+    QVERIFY(interaction().hasOffer());
     QTest::qWait(50);
     QTest::mouseClick(m_view, Qt::LeftButton, {}, middle() + QPoint(0, 124 + 90));
     QVERIFY(!interaction().hasOffer());
     QVERIFY(first().figures.empty());
 }
 
+/// What would be wrong: the copied half stays although Shift is held, or comes only with the next
+/// move of the mouse.
 void TestDrawing::shiftKeepsOneSide()
 {
     drawFirst();
