@@ -96,13 +96,13 @@ Body::Body(BodyKey key, CutSectionPointer cut, std::size_t piece, const Frame &f
 
 const Box3 &Body::box() const
 {
-    std::call_once(m_boxOnce, [this] { m_box = boundsOf(slab()); });
+    m_boxOnce.run([this] { m_box = boundsOf(slab()); });
     return m_box;
 }
 
 const MassProperties &Body::mass() const
 {
-    std::call_once(m_massOnce, [this] {
+    m_massOnce.run([this] {
         Moments total = m_cut->parts().size() == 1 ? m_cut->moments() : moments(outline().outer);
         if (m_cut->parts().size() > 1)
             for (const Contour &hole : outline().holes)
@@ -116,13 +116,13 @@ const MassProperties &Body::mass() const
 
 const GroundContact &Body::contact() const
 {
-    std::call_once(m_contactOnce, [this] { m_contact = contactOf(slab()); });
+    m_contactOnce.run([this] { m_contact = contactOf(slab()); });
     return m_contact;
 }
 
 const Result<SolidPointer> &Body::solid() const
 {
-    std::call_once(m_solidOnce, [this] {
+    m_solidOnce.run([this] {
         const auto &triangles = m_cut->triangulations();
         if (m_cut->failure())
             m_solid = failure(ErrorCode::NotCutOut);

@@ -7,10 +7,10 @@
 #include "core/assembly/slab.h"
 #include "core/assembly/solid.h"
 #include "core/assembly/stability.h"
+#include "core/base/once.h"
 #include "core/model/model.h"
 
 #include <memory>
-#include <mutex>
 #include <span>
 #include <vector>
 
@@ -65,7 +65,7 @@ private:
     std::size_t m_piece;
     Frame m_frame;
     double m_thickness, m_density;
-    mutable std::once_flag m_boxOnce, m_massOnce, m_contactOnce, m_solidOnce;
+    mutable Once m_boxOnce, m_massOnce, m_contactOnce, m_solidOnce;
     mutable Box3 m_box;
     mutable MassProperties m_mass;
     mutable GroundContact m_contact;

@@ -240,7 +240,7 @@ CutSection::CutSection(const Shape &shape, const std::vector<Slit> &slits, const
 
 const Result<std::vector<Triangulation>> &CutSection::triangulations() const
 {
-    std::call_once(m_once, [this] {
+    m_once.run([this] {
         std::size_t bytes = 0;
         for (const CurvedRegion &part : m_parts) {
             Result<Triangulation> made = triangulate(part.region);
@@ -258,7 +258,7 @@ const Result<std::vector<Triangulation>> &CutSection::triangulations() const
 
 const std::vector<RegionTree> &CutSection::trees() const
 {
-    std::call_once(m_treesOnce, [this] {
+    m_treesOnce.run([this] {
         for (const CurvedRegion &part : m_parts)
             m_trees.emplace_back(part.region);
         // A box for every eight edges, and for every eight of these.
@@ -280,7 +280,7 @@ double CutSection::area() const
 
 const Moments &CutSection::moments() const
 {
-    std::call_once(m_momentsOnce, [this] {
+    m_momentsOnce.run([this] {
         for (const CurvedRegion &part : m_parts) {
             m_moments += fff::moments(part.outer);
             for (const Contour &hole : part.holes)

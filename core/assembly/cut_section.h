@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/assembly/joint.h"
+#include "core/base/once.h"
 #include "core/geometry/boolean.h"
 #include "core/geometry/notch.h"
 #include "core/geometry/region_tree.h"
@@ -90,7 +91,7 @@ private:
     mutable double m_compensatedKerf = 0.0;
     mutable Result<Paths> m_compensated; // null: not asked for yet
     mutable std::atomic<std::size_t> m_triangleBytes = 0, m_treeBytes = 0, m_compensatedBytes = 0;
-    mutable std::once_flag m_once, m_treesOnce, m_momentsOnce;
+    mutable Once m_once, m_treesOnce, m_momentsOnce;
     mutable Moments m_moments;
     mutable Result<std::vector<Triangulation>> m_triangulations;
     mutable std::vector<RegionTree> m_trees;

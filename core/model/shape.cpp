@@ -59,31 +59,30 @@ Result<ShapePointer> Shape::make(Contour contour, std::vector<Contour> holes, Po
         return result;
     // Nobody else has seen it yet.
     const Shape &shape = **result;
-    std::call_once(shape.m_chordsOnce, [&] {
+    shape.m_chordsOnce.run([&] {
         shape.m_chords =
             isTurned ? reversed(chords, shape.m_contour.segmentCount()) : std::move(chords);
     });
     if (isPlain && shape.m_holes.empty())
-        std::call_once(shape.m_plainOnce, [&shape] { shape.m_isPlain = true; });
+        shape.m_plainOnce.run([&shape] { shape.m_isPlain = true; });
     return result;
 }
 
 const Polyline &Shape::chords() const
 {
-    std::call_once(m_chordsOnce, [this] { m_chords = m_contour.flatten(kCutChord); });
+    m_chordsOnce.run([this] { m_chords = m_contour.flatten(kCutChord); });
     return m_chords;
 }
 
 bool Shape::isPlain() const
 {
-    std::call_once(m_plainOnce,
-                   [this] { m_isPlain = fff::isPlain(m_contour, m_holes, kCutChord); });
+    m_plainOnce.run([this] { m_isPlain = fff::isPlain(m_contour, m_holes, kCutChord); });
     return m_isPlain;
 }
 
 const Region &Shape::region() const
 {
-    std::call_once(m_regionOnce, [this] {
+    m_regionOnce.run([this] {
         m_region.outer = chords().points;
         for (const Contour &hole : m_holes)
             m_region.holes.push_back(hole.flatten(kCutChord).points);
@@ -94,7 +93,7 @@ const Region &Shape::region() const
 
 const RegionTree &Shape::boundaries() const
 {
-    std::call_once(m_boundariesOnce, [this] { m_boundaries.emplace(region()); });
+    m_boundariesOnce.run([this] { m_boundaries.emplace(region()); });
     return *m_boundaries;
 }
 
@@ -106,7 +105,7 @@ const Box2 &Shape::bounds() const
 
 const Result<Triangulation> &Shape::triangulation() const
 {
-    std::call_once(m_triangulationOnce, [this] { m_triangulation = triangulate(region()); });
+    m_triangulationOnce.run([this] { m_triangulation = triangulate(region()); });
     return m_triangulation;
 }
 

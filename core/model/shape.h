@@ -2,6 +2,7 @@
 // all that follows from it alone. Derived values are computed at first use, once, from any thread.
 #pragma once
 
+#include "core/base/once.h"
 #include "core/base/result.h"
 #include "core/geometry/contour.h"
 #include "core/geometry/moments.h"
@@ -9,7 +10,6 @@
 #include "core/geometry/triangulation.h"
 
 #include <memory>
-#include <mutex>
 #include <optional>
 #include <vector>
 
@@ -65,8 +65,7 @@ private:
     std::vector<Contour> m_holes;
     Moments m_moments;
     mutable Polyline m_chords;
-    mutable std::once_flag m_chordsOnce, m_regionOnce, m_triangulationOnce, m_plainOnce,
-        m_boundariesOnce;
+    mutable Once m_chordsOnce, m_regionOnce, m_triangulationOnce, m_plainOnce, m_boundariesOnce;
     mutable bool m_isPlain = false;
     mutable Region m_region;
     mutable Box2 m_bounds;
