@@ -29,7 +29,8 @@ AnalysisPointer analyseNext(const Model &model, AnalysisCaches &caches)
                                : cutSection(shape, slits[i], caches.cuts, known.get());
     }
     analysis.bodies = bodiesOf(model, analysis.cuts, last.bodies, places);
-    analysis.grips = Grips::find(model, analysis.assembly, analysis.cuts, last.grips, places);
+    analysis.grips = Grips::find(model, analysis.assembly, analysis.cuts,
+                                 {last.assembly, last.cuts, last.grips}, places);
     caches.cuts.trim(analysis.cuts.size());
     caches.last = std::make_shared<const Analysis>(std::move(analysis));
     return caches.last;
@@ -42,8 +43,14 @@ Analysis analyse(const Model &model, AnalysisCaches &caches)
 
 std::vector<std::vector<int>> heldGroups(const Analysis &analysis)
 {
-    return withCaptives(analysis,
-                        heldGroups(analysis.bodies, analysis.assembly.joints, analysis.grips));
+    CaptiveCache cache;
+    return heldGroups(analysis, cache);
+}
+
+std::vector<std::vector<int>> heldGroups(const Analysis &analysis, CaptiveCache &cache)
+{
+    return withCaptives(
+        analysis, heldGroups(analysis.bodies, analysis.assembly.joints, analysis.grips), cache);
 }
 
 std::vector<int> groupOf(const Analysis &analysis, int section)

@@ -16,8 +16,10 @@ struct Analysis
     Grips grips;                         // what the joints hold of these
 };
 
+struct CaptiveCache;
 /// Of its bodies, with those that all others hold together (captives.h).
 std::vector<std::vector<int>> heldGroups(const Analysis &analysis);
+std::vector<std::vector<int>> heldGroups(const Analysis &analysis, CaptiveCache &cache);
 /// The one of these groups that the section's largest body is in.
 std::vector<int> groupOf(const Analysis &analysis, int section);
 

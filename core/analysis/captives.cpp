@@ -35,39 +35,51 @@ void addDirections(const Frame &one, const Frame &other, std::vector<Vec3> &dire
         addDirections(Frame{Vec3::Zero(), along, frame->normal().cross(along)}, directions);
 }
 
+/// The bodies that may be in the way of a group. gone: of each body whether it is not there.
+std::vector<int> nearTo(const std::vector<int> &group, const Bodies &bodies,
+                        const std::vector<char> &gone)
+{
+    Box3 reach;
+    for (const int body : group)
+        reach.extend(bodies.at(body).box());
+    std::vector<int> near;
+    for (int other = 0; other < static_cast<int>(bodies.size()); ++other) {
+        const Box3 &box = bodies.at(other).box();
+        if (!gone[static_cast<std::size_t>(other)] && distanceBetween(reach, box) <= kNear &&
+            std::find(group.begin(), group.end(), other) == group.end() &&
+            std::any_of(group.begin(), group.end(), [&](int body) {
+                return distanceBetween(bodies.at(body).box(), box) <= kNear;
+            }))
+            near.push_back(other);
+    }
+    return near;
+}
+
 /// One group against all that is near to it.
 class Escape
 {
 public:
-    /// gone   of each body whether it is not there
-    Escape(const Bodies &bodies, const std::vector<int> &group, const std::vector<char> &gone)
+    Escape(const std::vector<BodyPointer> &group, const std::vector<BodyPointer> &near)
     {
         std::vector<SolidPointer> solids;
-        const auto add = [&](int body) {
-            const Result<SolidPointer> &solid = bodies.at(body).solid();
+        const auto add = [&](const Body &body) {
+            const Result<SolidPointer> &solid = body.solid();
             m_isKnown = m_isKnown && solid;
             if (solid)
                 solids.push_back(*solid);
         };
-        for (const int body : group)
-            add(body);
+        for (const BodyPointer &body : group)
+            add(*body);
         m_own = static_cast<int>(solids.size());
-        for (int other = 0; other < static_cast<int>(bodies.size()); ++other) {
-            const auto isNear = [&](int body) {
-                return distanceBetween(bodies.at(body).box(), bodies.at(other).box()) <= kNear;
-            };
-            if (gone[static_cast<std::size_t>(other)] ||
-                std::find(group.begin(), group.end(), other) != group.end() ||
-                std::none_of(group.begin(), group.end(), isNear))
-                continue;
-            add(other);
-            addDirections(bodies.at(other).frame(), m_directions);
-            for (const int body : group)
-                if (isNear(body))
-                    addDirections(bodies.at(body).frame(), bodies.at(other).frame(), m_directions);
+        for (const BodyPointer &other : near) {
+            add(*other);
+            addDirections(other->frame(), m_directions);
+            for (const BodyPointer &body : group)
+                if (distanceBetween(body->box(), other->box()) <= kNear)
+                    addDirections(body->frame(), other->frame(), m_directions);
         }
-        for (const int body : group)
-            addDirections(bodies.at(body).frame(), m_directions);
+        for (const BodyPointer &body : group)
+            addDirections(body->frame(), m_directions);
         m_all = static_cast<int>(solids.size());
         if (m_isKnown)
             use(std::move(solids));
@@ -110,10 +122,54 @@ private:
     bool m_isKnown = true;
 };
 
+/// Whether groups get away, each worked out once among the same bodies.
+class Escapes
+{
+public:
+    Escapes(const Bodies &bodies, CaptiveCache &cache) : m_bodies(bodies), m_cache(cache) {}
+
+    bool isPossible(const std::vector<int> &group, const std::vector<char> &gone)
+    {
+        Known looked{pointers(group), pointers(nearTo(group, m_bodies, gone))};
+        for (const std::vector<Known> *list : {&m_asked, &m_cache.known})
+            for (const Known &known : *list)
+                if (known.own == looked.own && known.near == looked.near) {
+                    looked.getsAway = known.getsAway;
+                    return keep(std::move(looked), list != &m_asked);
+                }
+        looked.getsAway = Escape(looked.own, looked.near).isPossible();
+        return keep(std::move(looked), true);
+    }
+    /// What was not asked for is forgotten.
+    void finish() { m_cache.known = std::move(m_asked); }
+
+private:
+    using Known = CaptiveCache::Known;
+
+    bool keep(Known known, bool isNew)
+    {
+        const bool getsAway = known.getsAway;
+        if (isNew)
+            m_asked.push_back(std::move(known));
+        return getsAway;
+    }
+    std::vector<BodyPointer> pointers(const std::vector<int> &bodies) const
+    {
+        std::vector<BodyPointer> pointers;
+        for (const int body : bodies)
+            pointers.push_back(m_bodies.all()[static_cast<std::size_t>(body)]);
+        return pointers;
+    }
+
+    const Bodies &m_bodies;
+    CaptiveCache &m_cache;
+    std::vector<Known> m_asked;
+};
+
 } // namespace
 
-std::vector<std::vector<int>> withCaptives(const Analysis &analysis,
-                                           std::vector<std::vector<int>> groups)
+std::vector<std::vector<int>>
+withCaptives(const Analysis &analysis, std::vector<std::vector<int>> groups, CaptiveCache &cache)
 {
     const auto isLooked = [&](std::size_t g) {
         return g > 0 && g <= kMostGroups && groups[g].size() <= kMostInGroup;
@@ -129,15 +185,17 @@ std::vector<std::vector<int>> withCaptives(const Analysis &analysis,
     for (std::size_t g = 1; g < groups.size(); ++g)
         if (!isLooked(g))
             letGo(g);
+    Escapes escapes(analysis.bodies, cache);
     // What gets away keeps nothing else: once it is gone, more may be free.
     for (bool isMore = true; isMore;) {
         isMore = false;
         for (std::size_t g = 1; g < groups.size(); ++g)
-            if (isCaught[g] && Escape(analysis.bodies, groups[g], gone).isPossible()) {
+            if (isCaught[g] && escapes.isPossible(groups[g], gone)) {
                 letGo(g);
                 isMore = true;
             }
     }
+    escapes.finish();
     std::vector<std::vector<int>> held;
     for (std::size_t g = 0; g < groups.size(); ++g) {
         if (isCaught[g]) {

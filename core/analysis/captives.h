@@ -7,6 +7,18 @@
 
 namespace fff {
 
+/// What was found out about groups, each with all bodies near to it. Not for several threads at
+/// once.
+struct CaptiveCache
+{
+    struct Known
+    {
+        std::vector<BodyPointer> own, near;
+        bool getsAway = false;
+    };
+    std::vector<Known> known; // of the last time
+};
+
 /// The groups (heldGroups() of bodies and joints), with those joined to the first one that cannot
 /// get away from all others: wherever they are shifted to, something is in their way before they
 /// have come kEscape. What gets away itself is in nobody's way. The order of the others stays.
@@ -16,9 +28,9 @@ namespace fff {
 /// a group that could only get away by turning, or between these directions, is taken to be caught:
 /// it is not said to be loose. Groups of more than kMostInGroup bodies, and all beyond kMostGroups,
 /// are not looked at. O(groups · neighbours · directions) of looks at pairs of solids, once more
-/// after each that gets away.
-std::vector<std::vector<int>> withCaptives(const Analysis &analysis,
-                                           std::vector<std::vector<int>> groups);
+/// after each that gets away; nothing for a group that is among the same bodies as the last time.
+std::vector<std::vector<int>>
+withCaptives(const Analysis &analysis, std::vector<std::vector<int>> groups, CaptiveCache &cache);
 
 /// mm; a press fit gives less.
 inline constexpr double kEscape = 0.3;

@@ -2,7 +2,7 @@
 // on the sections that it touches.
 #pragma once
 
-#include "core/analysis/analysis.h"
+#include "core/analysis/captives.h"
 #include "core/fabrication/layout.h"
 
 #include <memory>
@@ -50,6 +50,7 @@ struct CheckCaches
     int count = 0;                   // of checks
     std::vector<OfGroup> gaps;       // of loose groups
     LayoutCache layout;
+    CaptiveCache captives;
 };
 
 /// Works out what is not known of the sections of this model, and forgets of groups what they may

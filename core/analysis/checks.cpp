@@ -37,7 +37,7 @@ std::vector<Finding> checks(const Analysis &analysis, CheckCaches &caches,
     refreshCaches(analysis, layout, caches);
     if (count == 0)
         return found;
-    const Looked at{analysis, layout, rules, caches, heldGroups(analysis)};
+    const Looked at{analysis, layout, rules, caches, heldGroups(analysis, caches.captives)};
     for (const Finder find : by)
         find(at, found);
     return found;

@@ -1,5 +1,6 @@
 #include "core/assembly/grips.h"
 
+#include "core/assembly/cut_change.h"
 #include "core/assembly/intervals.h"
 #include "core/assembly/rings_near.h"
 #include "core/base/groups.h"
@@ -161,16 +162,24 @@ LooseSlit whyLoose(const Walls &walls, double held)
     return loose;
 }
 
+/// A section's slits stand in the order of its joints.
+struct ByJoint
+{
+    bool operator()(const Slit &slit, int joint) const { return slit.joint < joint; }
+    bool operator()(int joint, const Slit &slit) const { return joint < slit.joint; }
+};
+
 /// Adds what the slits of `host` hold of `guest`. Why the one that holds most does not hold
 /// enough, if none does; nothing where it has no slits at all.
 std::optional<LooseSlit> addHeld(const Joint &joint, const Mate &host, const Mate &guest,
                                  Held &held)
 {
     std::optional<LooseSlit> loose;
-    for (std::size_t i = 0; i < host.slits.size(); ++i) {
-        const Slit &slit = host.slits[i];
-        if (slit.joint != joint.id || slit.role != SlitRole::Slit || slit.overlap < 0 ||
-            slit.inner == slit.mouth)
+    const auto [first, last] =
+        std::equal_range(host.slits.begin(), host.slits.end(), joint.id, ByJoint());
+    for (auto at = first; at != last; ++at) {
+        const Slit &slit = *at;
+        if (slit.role != SlitRole::Slit || slit.overlap < 0 || slit.inner == slit.mouth)
             continue;
         const Walls walls = wallsOf(slit, host, guest);
         for (std::size_t own = 0; own < host.cut.parts().size(); ++own) {
@@ -180,7 +189,7 @@ std::optional<LooseSlit> addHeld(const Joint &joint, const Mate &host, const Mat
                     held.at(own, other) += depthOf(common(both, walls.guest[other]));
         }
         LooseSlit why = whyLoose(walls, held.most());
-        why.slit = static_cast<int>(i);
+        why.slit = static_cast<int>(at - host.slits.begin());
         if (!loose || why.depth > loose->depth)
             loose = why;
     }
@@ -188,6 +197,57 @@ std::optional<LooseSlit> addHeld(const Joint &joint, const Mate &host, const Mat
         return {};
     return loose;
 }
+
+/// Beside which joints both sections are cut as they were.
+class Untouched
+{
+public:
+    Untouched(const Assembly &assembly, const std::vector<CutSectionPointer> &cuts,
+              const Grips::Before &before, const std::optional<std::vector<int>> &places)
+        : m_changed(cuts.size(), 0), m_sides(assembly.joints.size(), 0)
+    {
+        for (std::size_t i = 0; i < cuts.size(); ++i) {
+            const std::size_t place = places ? static_cast<std::size_t>((*places)[i]) : i;
+            const bool isKnown = place < before.cuts.size();
+            if (isKnown && cuts[i] == before.cuts[place])
+                continue;
+            m_changed[i] = 1;
+            if (isKnown)
+                findUntouched(assembly.slits[i],
+                              CutChange(*cuts[i], assembly.slits[i], *before.cuts[place],
+                                        before.assembly.slits[place]));
+        }
+    }
+
+    /// Of one whose crossing is what it was.
+    bool has(const Joint &joint) const
+    {
+        return m_changed[static_cast<std::size_t>(joint.a)] +
+                   m_changed[static_cast<std::size_t>(joint.b)] ==
+               m_sides[static_cast<std::size_t>(joint.id) - 1];
+    }
+
+private:
+    void findUntouched(const std::vector<Slit> &slits, const CutChange &change)
+    {
+        if (change.isEverywhere())
+            return;
+        for (auto from = slits.begin(); from != slits.end();) {
+            const auto to = std::find_if(
+                from, slits.end(), [&](const Slit &slit) { return slit.joint != from->joint; });
+            // What is looked at of a joint lies along its axis.
+            if (std::none_of(from, to, [&](const Slit &slit) {
+                    return slit.role != SlitRole::Slit || !slit.isOpen ||
+                           change.isNear(slit, 0.5 * slit.width + 2.0 * kGripWall);
+                }))
+                ++m_sides[static_cast<std::size_t>(from->joint) - 1];
+            from = to;
+        }
+    }
+
+    std::vector<char> m_changed; // of each section whether its cut is another one
+    std::vector<char> m_sides;   // of each joint how many of these are the same beside it
+};
 
 bool isOneEnough(JointKind kind)
 {
@@ -233,12 +293,14 @@ const JointGrips &Grips::of(const Joint &joint) const
 }
 
 Grips Grips::find(const Model &model, const Assembly &assembly,
-                  const std::vector<CutSectionPointer> &cuts, const Grips &before,
+                  const std::vector<CutSectionPointer> &cuts, const Before &before,
                   const std::optional<std::vector<int>> &places)
 {
     static const std::vector<KnownPointer> none;
     Grips grips;
     const SharedRows<Joint> &rows = assembly.joints.rows();
+    const SharedRows<KnownPointer> &knownRows = before.grips.m_rows;
+    const Untouched untouched(assembly, cuts, before, places);
     grips.m_rows.resize(rows.size());
     grips.m_starts.reserve(rows.size());
     for (std::size_t a = 0; a < rows.size(); ++a) {
@@ -247,15 +309,16 @@ Grips Grips::find(const Model &model, const Assembly &assembly,
         if (joints.empty())
             continue;
         const std::size_t place = places ? static_cast<std::size_t>((*places)[a]) : a;
-        const bool isKnown = place < before.m_rows.size();
-        const std::vector<KnownPointer> &knownRow = isKnown ? before.m_rows[place] : none;
+        const bool isKnown = place < knownRows.size();
+        const std::vector<KnownPointer> &knownRow = isKnown ? knownRows[place] : none;
+        const bool isSameRow =
+            isKnown && rows.pointer(a) == before.assembly.joints.rows().pointer(place);
         const auto isOf = [&](const KnownPointer &known, const Joint &joint) {
-            return known->crossing == joint.crossing && known->a == cuts[a] &&
-                   known->b == cuts[static_cast<std::size_t>(joint.b)];
+            return untouched.has(joint) && (isSameRow || known->crossing == joint.crossing);
         };
         if (knownRow.size() == joints.size() &&
             std::equal(knownRow.begin(), knownRow.end(), joints.begin(), isOf)) {
-            grips.m_rows.share(a, before.m_rows.pointer(place));
+            grips.m_rows.share(a, knownRows.pointer(place));
             continue;
         }
         std::vector<KnownPointer> row;
@@ -278,7 +341,7 @@ Grips Grips::find(const Model &model, const Assembly &assembly,
             }
             const auto b = static_cast<std::size_t>(joint.b);
             row.push_back(std::make_shared<const Known>(
-                Known{joint.crossing, cuts[a], cuts[b],
+                Known{joint.crossing,
                       gripsOf(joint, assembly.slits[a], assembly.slits[b], *cuts[a], *cuts[b],
                               model.section(a)->frame, model.section(b)->frame)}));
         }

@@ -79,18 +79,24 @@ class Grips
 public:
     const JointGrips &of(const Joint &joint) const;
 
+    /// What was found for another model.
+    struct Before
+    {
+        const Assembly &assembly;
+        const std::vector<CutSectionPointer> &cuts;
+        const Grips &grips;
+    };
     /// cuts    belong to the model, one a section
-    /// before  of another model, with the places of the sections in that one (placesBefore()):
-    ///         joints whose sections are cut as they were are not looked at again
+    /// before  with the places of the sections in that model (placesBefore()): joints beside which
+    ///         their sections are cut as they were are not looked at again
     static Grips find(const Model &model, const Assembly &assembly,
-                      const std::vector<CutSectionPointer> &cuts, const Grips &before = {},
+                      const std::vector<CutSectionPointer> &cuts, const Before &before,
                       const std::optional<std::vector<int>> &places = std::nullopt);
 
 private:
     struct Known
     {
         std::shared_ptr<const Crossing> crossing;
-        CutSectionPointer a, b;
         JointGrips grips;
     };
     using KnownPointer = std::shared_ptr<const Known>;

@@ -4,6 +4,7 @@ target_sources(fff_core PRIVATE
     assembly/body.cpp
     assembly/collisions.cpp
     assembly/crossing.cpp
+    assembly/cut_change.cpp
     assembly/cut_section.cpp
     assembly/cycles.cpp
     assembly/encounter.cpp

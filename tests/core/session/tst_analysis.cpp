@@ -49,6 +49,11 @@ QString difference(const Analysis &a, const Analysis &b)
     }
     if (!(a.assembly.slits == b.assembly.slits))
         return QStringLiteral("the slits");
+    for (const Joint &joint : a.assembly.joints) {
+        const JointGrips &x = a.grips.of(joint), &y = b.grips.of(joint);
+        if (x.held != y.held || x.loose != y.loose)
+            return QStringLiteral("what joint %1 holds").arg(joint.id);
+    }
     for (std::size_t i = 0; i < a.model.sectionCount(); ++i) {
         if (a.assembly.boxes[i].min != b.assembly.boxes[i].min ||
             a.assembly.boxes[i].max != b.assembly.boxes[i].max)
