@@ -41,7 +41,7 @@ struct LooseSlit
 {
     NoGrip why = NoGrip::OneWall;
     bool isInA = true;           // whose it is
-    int slit = 0;                // index among the section's
+    int slit = 0;                // which of the joint's in that section
     double depth = 0.0;          // mm: of the larger of what its walls hold
     Vec2 missing = Vec2::Zero(); // OneWall: unit, frame coordinates, to where no wall is
     bool operator==(const LooseSlit &other) const

@@ -102,4 +102,15 @@ bool Slit::operator==(const Slit &other) const
            (form == other.form || (form && other.form && *form == *other.form));
 }
 
+std::span<const Slit> slitsOfJoint(const std::vector<Slit> &slits, int joint)
+{
+    struct ByJoint
+    {
+        bool operator()(const Slit &slit, int id) const { return slit.joint < id; }
+        bool operator()(int id, const Slit &slit) const { return id < slit.joint; }
+    };
+    const auto [first, last] = std::equal_range(slits.begin(), slits.end(), joint, ByJoint());
+    return {first, last};
+}
+
 } // namespace fff

@@ -8,6 +8,7 @@
 #include "core/model/model.h"
 
 #include <memory>
+#include <span>
 #include <vector>
 
 namespace fff {
@@ -99,6 +100,9 @@ struct Joint
     JointKind kind = JointKind::CrossLap;
     std::shared_ptr<const Crossing> crossing;
 };
+
+/// Those of one joint (its id), among all of a section, which stand in the order of the joints.
+std::span<const Slit> slitsOfJoint(const std::vector<Slit> &slits, int joint);
 
 /// Whether the sections come apart along the joint's axis; of a mortise and of tabs one of them
 /// comes out of the other square to it, in its own plane.

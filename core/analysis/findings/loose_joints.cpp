@@ -72,7 +72,7 @@ void findLooseJoints(const Looked &at, std::vector<Finding> &found)
                                                      : std::vector{joint.b, joint.a});
         finding.joint = JointRef(finding.sections[0], finding.sections[1]);
         const auto host = static_cast<std::size_t>(isInA ? joint.a : joint.b);
-        const auto &slits = analysis.assembly.slits[host];
+        const auto slits = slitsOfJoint(analysis.assembly.slits[host], joint.id);
         if (static_cast<std::size_t>(loose->slit) < slits.size())
             finding.at = analysis.model.section(host)->frame.toWorld(
                 slits[static_cast<std::size_t>(loose->slit)].inner);
