@@ -160,10 +160,10 @@ std::optional<Stop> stopOf(Collisions &collisions, const std::vector<Slide> &sli
 std::vector<SolidPointer> solidsOf(const Bodies &bodies, const std::function<bool()> &isOutOfTime)
 {
     std::vector<SolidPointer> solids;
-    for (const BodyPointer &body : bodies.all()) {
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
         if (isOutOfTime && isOutOfTime())
             return {};
-        solids.push_back(*body->solid());
+        solids.push_back(*bodies[i].solid());
     }
     return solids;
 }

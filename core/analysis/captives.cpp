@@ -157,7 +157,7 @@ private:
     {
         std::vector<BodyPointer> pointers;
         for (const int body : bodies)
-            pointers.push_back(m_bodies.all()[static_cast<std::size_t>(body)]);
+            pointers.push_back(m_bodies.pointer(body));
         return pointers;
     }
 

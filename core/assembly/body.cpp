@@ -141,10 +141,25 @@ bool Body::isOf(const SectionRef &section, const CutSectionPointer &cut, const F
            m_key.section == section;
 }
 
+/// Some sections after each other, what their bodies were made of, and these.
+struct Bodies::Run
+{
+    struct Source
+    {
+        SectionPointer section;
+        CutSectionPointer cut;
+    };
+    std::vector<Source> sources;
+    std::vector<int> counts; // of bodies, of each of these
+    std::vector<BodyPointer> bodies;
+};
+
 std::span<const BodyPointer> Bodies::of(int section) const
 {
-    return std::span(m_all).subspan(static_cast<std::size_t>(firstOf(section)),
-                                    static_cast<std::size_t>(countOf(section)));
+    const int count = countOf(section);
+    if (count == 0)
+        return {};
+    return {m_all[static_cast<std::size_t>(firstOf(section))], static_cast<std::size_t>(count)};
 }
 
 Box3 Bodies::boxOf(int section) const
@@ -166,53 +181,106 @@ MassProperties Bodies::massOf(int section) const
 MassProperties Bodies::mass() const
 {
     MassProperties sum;
-    for (const BodyPointer &body : m_all)
-        sum += body->mass();
+    for (const BodyPointer *body : m_all)
+        sum += (*body)->mass();
     return sum;
 }
 
-void Bodies::add(std::span<const BodyPointer> ofNext)
+void Bodies::add(RunPointer run)
 {
-    m_sections.insert(m_sections.end(), ofNext.size(), static_cast<int>(sectionCount()));
-    m_all.insert(m_all.end(), ofNext.begin(), ofNext.end());
-    m_first.push_back(static_cast<int>(m_all.size()));
+    const BodyPointer *next = run->bodies.data();
+    for (const int count : run->counts) {
+        m_sections.insert(m_sections.end(), static_cast<std::size_t>(count),
+                          static_cast<int>(sectionCount()));
+        for (int i = 0; i < count; ++i)
+            m_all.push_back(next++);
+        m_first.push_back(static_cast<int>(m_all.size()));
+    }
+    m_runs.push_back(std::move(run));
 }
 
-void Bodies::reserve(std::size_t sections)
+/// Makes the list of one model from that of another one.
+class BodyLister
 {
-    m_all.reserve(sections); // mostly each is one piece
-    m_sections.reserve(sections);
-    m_first.reserve(sections + 1);
-}
+public:
+    BodyLister(const Model &model, const std::vector<CutSectionPointer> &cuts, const Bodies &before,
+               const std::optional<std::vector<int>> &places)
+        : m_model(model), m_cuts(cuts), m_before(before), m_places(places),
+          m_hasSameStocks(model.document.stocks == before.m_stocks)
+    {
+    }
+
+    Bodies list() const
+    {
+        Bodies bodies;
+        bodies.m_stocks = m_model.document.stocks;
+        const std::size_t count = m_cuts.size();
+        bodies.m_all.reserve(count); // mostly each is one piece
+        bodies.m_sections.reserve(count);
+        bodies.m_first.reserve(count + 1);
+        for (std::size_t first = 0; first < count; first += kInRun)
+            bodies.add(runFrom(first, std::min(first + kInRun, count)));
+        return bodies;
+    }
+
+private:
+    using Run = Bodies::Run;
+    static constexpr std::size_t kInRun = 32;
+
+    Bodies::RunPointer runFrom(std::size_t first, std::size_t last) const
+    {
+        if (const std::size_t index = first / kInRun; !m_places && index < m_before.m_runs.size()) {
+            const Bodies::RunPointer &known = m_before.m_runs[index];
+            bool isSame = m_hasSameStocks && known->sources.size() == last - first;
+            for (std::size_t i = first; isSame && i < last; ++i) {
+                const Run::Source &source = known->sources[i - first];
+                isSame = source.section == m_model.section(i) && source.cut == m_cuts[i];
+            }
+            if (isSame)
+                return known;
+        }
+        auto run = std::make_shared<Run>();
+        for (std::size_t i = first; i < last; ++i) {
+            const std::size_t before = run->bodies.size();
+            addBodies(i, *run);
+            run->sources.push_back({m_model.section(i), m_cuts[i]});
+            run->counts.push_back(static_cast<int>(run->bodies.size() - before));
+        }
+        return run;
+    }
+
+    void addBodies(std::size_t i, Run &run) const
+    {
+        const Section &section = *m_model.section(i);
+        const Stock &stock = m_model.stockOf(i);
+        const SectionRef ref = section.ref();
+        const int place = m_places ? (*m_places)[i] : static_cast<int>(i);
+        if (place >= 0 && static_cast<std::size_t>(place) < m_before.sectionCount()) {
+            const std::span<const BodyPointer> known = m_before.of(place);
+            if (!known.empty() && known.front()->isOf(ref, m_cuts[i], section.frame,
+                                                      stock.thickness, stock.density)) {
+                run.bodies.insert(run.bodies.end(), known.begin(), known.end());
+                return;
+            }
+        }
+        const std::vector<int> numbers = pieceNumbers(*section.shape, m_cuts[i]->parts());
+        for (std::size_t k = 0; k < numbers.size(); ++k)
+            run.bodies.push_back(std::make_shared<const Body>(BodyKey{ref, numbers[k]}, m_cuts[i],
+                                                              k, section.frame, stock.thickness,
+                                                              stock.density));
+    }
+
+    const Model &m_model;
+    const std::vector<CutSectionPointer> &m_cuts;
+    const Bodies &m_before;
+    const std::optional<std::vector<int>> &m_places;
+    bool m_hasSameStocks;
+};
 
 Bodies bodiesOf(const Model &model, const std::vector<CutSectionPointer> &cuts,
                 const Bodies &before, const std::optional<std::vector<int>> &places)
 {
-    Bodies bodies;
-    bodies.reserve(cuts.size());
-    std::vector<BodyPointer> made;
-    for (std::size_t i = 0; i < cuts.size(); ++i) {
-        const Section &section = *model.section(i);
-        const Stock &stock = model.stockOf(i);
-        const SectionRef ref = section.ref();
-        const int place = places ? (*places)[i] : static_cast<int>(i);
-        if (place >= 0 && static_cast<std::size_t>(place) < before.sectionCount()) {
-            const std::span<const BodyPointer> known = before.of(place);
-            if (!known.empty() &&
-                known.front()->isOf(ref, cuts[i], section.frame, stock.thickness, stock.density)) {
-                bodies.add(known);
-                continue;
-            }
-        }
-        made.clear();
-        const std::vector<int> numbers = pieceNumbers(*section.shape, cuts[i]->parts());
-        for (std::size_t k = 0; k < numbers.size(); ++k)
-            made.push_back(std::make_shared<const Body>(BodyKey{ref, numbers[k]}, cuts[i], k,
-                                                        section.frame, stock.thickness,
-                                                        stock.density));
-        bodies.add(made);
-    }
-    return bodies;
+    return BodyLister(model, cuts, before, places).list();
 }
 
 } // namespace fff

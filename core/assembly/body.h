@@ -74,14 +74,15 @@ private:
 
 using BodyPointer = std::shared_ptr<const Body>;
 
-/// All bodies of a model by its sections, larger ones of a section first.
+/// All bodies of a model by its sections, larger ones of a section first. Kept in runs of sections,
+/// which the lists of two models share where nothing in them differs.
 class Bodies
 {
 public:
     std::size_t size() const { return m_all.size(); }
-    const Body &operator[](std::size_t index) const { return *m_all[index]; }
-    const Body &at(int index) const { return *m_all[static_cast<std::size_t>(index)]; }
-    const std::vector<BodyPointer> &all() const { return m_all; }
+    const Body &operator[](std::size_t index) const { return **m_all[index]; }
+    const Body &at(int index) const { return **m_all[static_cast<std::size_t>(index)]; }
+    const BodyPointer &pointer(int index) const { return *m_all[static_cast<std::size_t>(index)]; }
 
     std::size_t sectionCount() const { return m_first.size() - 1; }
     /// The index in the model of the section that a body is of.
@@ -97,12 +98,16 @@ public:
     /// Of all of them.
     MassProperties mass() const;
 
-    /// Of the next section.
-    void add(std::span<const BodyPointer> ofNext);
-    void reserve(std::size_t sections);
-
 private:
-    std::vector<BodyPointer> m_all;
+    friend class BodyLister;
+
+    struct Run;
+    using RunPointer = std::shared_ptr<const Run>;
+    void add(RunPointer run);
+
+    std::vector<std::shared_ptr<const Stock>> m_stocks; // of the model
+    std::vector<RunPointer> m_runs;
+    std::vector<const BodyPointer *> m_all; // in the runs
     std::vector<int> m_sections;
     std::vector<int> m_first{0}; // of each section, and behind the last one their number
 };

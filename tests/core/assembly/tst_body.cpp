@@ -104,11 +104,11 @@ void TestBody::unchangedBodiesAreTheSameObjects()
     rest.erase(rest.begin() + 1);
     const Bodies second = bodiesOf(after, rest, first, placesBefore(after, before));
     QCOMPARE(second.size(), std::size_t(4));
-    QCOMPARE(second.all()[0], first.all()[0]);
-    QCOMPARE(second.all()[1], first.all()[2]);
-    QVERIFY(second.all()[2] != first.all()[3]);
+    QCOMPARE(second.pointer(0), first.pointer(0));
+    QCOMPARE(second.pointer(1), first.pointer(2));
+    QVERIFY(second.pointer(2) != first.pointer(3));
     QCOMPARE(second[2].key(), first[3].key());
-    QCOMPARE(second.all()[3], first.all()[4]);
+    QCOMPARE(second.pointer(3), first.pointer(4));
     for (int i = 0; i < 4; ++i)
         QCOMPARE(second.sectionOf(i), i);
 }
