@@ -160,10 +160,10 @@ std::optional<Stop> stopOf(Collisions &collisions, const std::vector<Slide> &sli
 std::vector<SolidPointer> solidsOf(const Bodies &bodies, const std::function<bool()> &isOutOfTime)
 {
     std::vector<SolidPointer> solids;
-    for (std::size_t i = 0; i < bodies.size(); ++i) {
+    for (const Body &body : bodies) {
         if (isOutOfTime && isOutOfTime())
             return {};
-        solids.push_back(*bodies[i].solid());
+        solids.push_back(*body.solid());
     }
     return solids;
 }

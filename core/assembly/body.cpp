@@ -181,8 +181,8 @@ MassProperties Bodies::massOf(int section) const
 MassProperties Bodies::mass() const
 {
     MassProperties sum;
-    for (const BodyPointer *body : m_all)
-        sum += (*body)->mass();
+    for (const Body &body : *this)
+        sum += body.mass();
     return sum;
 }
 

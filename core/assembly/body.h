@@ -84,6 +84,11 @@ public:
     const Body &at(int index) const { return **m_all[static_cast<std::size_t>(index)]; }
     const BodyPointer &pointer(int index) const { return *m_all[static_cast<std::size_t>(index)]; }
 
+    /// Of `const Body &`.
+    class Iterator;
+    Iterator begin() const;
+    Iterator end() const;
+
     std::size_t sectionCount() const { return m_first.size() - 1; }
     /// The index in the model of the section that a body is of.
     int sectionOf(int body) const { return m_sections[static_cast<std::size_t>(body)]; }
@@ -111,6 +116,45 @@ private:
     std::vector<int> m_sections;
     std::vector<int> m_first{0}; // of each section, and behind the last one their number
 };
+
+class Bodies::Iterator
+{
+public:
+    using value_type = Body;
+    using difference_type = std::ptrdiff_t;
+    using iterator_category = std::forward_iterator_tag;
+    using pointer = const Body *;
+    using reference = const Body &;
+
+    Iterator() = default;
+    explicit Iterator(const BodyPointer *const *at) : m_at(at) {}
+    reference operator*() const { return ***m_at; }
+    pointer operator->() const { return (*m_at)->get(); }
+    Iterator &operator++()
+    {
+        ++m_at;
+        return *this;
+    }
+    Iterator operator++(int)
+    {
+        Iterator before = *this;
+        ++*this;
+        return before;
+    }
+    bool operator==(const Iterator &) const = default;
+
+private:
+    const BodyPointer *const *m_at = nullptr;
+};
+
+inline Bodies::Iterator Bodies::begin() const
+{
+    return Iterator(m_all.data());
+}
+inline Bodies::Iterator Bodies::end() const
+{
+    return Iterator(m_all.data() + m_all.size());
+}
 
 /// cuts    belong to the model, one a section
 /// before  of another model: bodies that are the same stay the same objects

@@ -145,8 +145,8 @@ AssemblyStepsPointer assemblySteps(AnalysisPointer analysis, const ModelPlan &pl
     steps->analysis = std::move(analysis);
     steps->bodies = plan.bodies;
     std::vector<Box3> boxes;
-    for (std::size_t i = 0; i < plan.bodies.size(); ++i)
-        boxes.push_back(plan.bodies[i].box());
+    for (const Body &body : plan.bodies)
+        boxes.push_back(body.box());
     steps->playback = Playback(plan.plan, std::move(boxes));
     steps->groups = stepGroups(plan.plan);
     steps->mates = matesOf(*steps, plan.plan);

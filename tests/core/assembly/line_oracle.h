@@ -44,9 +44,9 @@ struct CutPlate
 inline std::vector<CutPlate> platesOf(const Bodies &bodies)
 {
     std::vector<CutPlate> plates;
-    for (const BodyPointer &body : bodies.all()) {
-        const Region &region = body->outline().region;
-        plates.push_back({&region, body->frame(), 0.5 * body->thickness(), bounds(region.outer)});
+    for (const Body &body : bodies) {
+        const Region &region = body.outline().region;
+        plates.push_back({&region, body.frame(), 0.5 * body.thickness(), bounds(region.outer)});
     }
     return plates;
 }

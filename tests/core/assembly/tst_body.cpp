@@ -126,9 +126,9 @@ void TestBody::piecesKeepTheirNames()
         const Bodies bodies = bodiesOf(model, {std::make_shared<const CutSection>(*parts)});
         QCOMPARE(bodies.size(), std::size_t(2));
         QVERIFY(bodies[0].key() != bodies[1].key());
-        for (const BodyPointer &body : bodies.all())
-            if (body->box().min.x() < 1.0)
-                left.push_back(body->key());
+        for (const Body &body : bodies)
+            if (body.box().min.x() < 1.0)
+                left.push_back(body.key());
     }
     QCOMPARE(left.size(), std::size_t(5));
     QCOMPARE(std::count(left.begin(), left.end(), left.front()), 5);
@@ -139,16 +139,16 @@ void TestBody::solidsAreTheOutlines()
     const Model model = twoSections(polygonShape(rectangle(-50, 0, 50, 50)), front(),
                                     polygonShape(rectangle(-50, 20, 50, 90)), side());
     const Bodies bodies = bodiesOf(model, cutsOf(model));
-    for (const BodyPointer &body : bodies.all()) {
-        const Result<SolidPointer> &solid = body->solid();
+    for (const Body &body : bodies) {
+        const Result<SolidPointer> &solid = body.solid();
         QVERIFY(solid);
-        QCOMPARE(*solid, *body->solid());
+        QCOMPARE(*solid, *body.solid());
         double area = 0.0;
         for (const auto &triangle : (*solid)->triangles)
             area += 0.5 * (triangle[1] - triangle[0]).cross(triangle[2] - triangle[0]).norm();
-        QVERIFY(std::abs(area - body->cut()->area()) < 1e-6);
-        QVERIFY(((*solid)->box.min - body->box().min).norm() < 1e-9);
-        QVERIFY(((*solid)->box.max - body->box().max).norm() < 1e-9);
+        QVERIFY(std::abs(area - body.cut()->area()) < 1e-6);
+        QVERIFY(((*solid)->box.min - body.box().min).norm() < 1e-9);
+        QVERIFY(((*solid)->box.max - body.box().max).norm() < 1e-9);
     }
 }
 

@@ -87,9 +87,9 @@ bool isAlongAny(const SmallMove &move, const std::vector<Vec3> &ways)
 std::vector<JudgedPiece> judgedPieces(const Bodies &bodies)
 {
     std::vector<JudgedPiece> pieces;
-    for (const BodyPointer &body : bodies.all()) {
-        const Region &region = body->outline().region;
-        pieces.emplace_back(Prism{region.outer, region.holes, body->frame(), body->thickness()});
+    for (const Body &body : bodies) {
+        const Region &region = body.outline().region;
+        pieces.emplace_back(Prism{region.outer, region.holes, body.frame(), body.thickness()});
     }
     return pieces;
 }
