@@ -135,32 +135,33 @@ Vec3 middleOf(const std::vector<Vec3> &points, const Axes &axes)
     return middle;
 }
 
-/// turn: the slack's, about the first of the axes
+/// The slack's own turn is about the first of the axes.
 void addTurns(const std::vector<Vec3> &touching, const Axes &axes, const Names &names,
-              const Vec3 &middle, double amount, double turn, Moves &moves)
+              const Vec3 &middle, const Slack &slack, Moves &moves)
 {
     for (std::size_t i = 0; i < axes.size(); ++i) {
         double radius = kLeastRadius;
         for (const Vec3 &p : touching)
             radius = std::max(radius, (p - middle).cross(axes[i]).norm());
-        const double angle = amount / radius + (i == 0 ? turn : 0.0);
+        const double angle = kTellingMove / radius + slack.play / std::min(radius, slack.depth) +
+                             (i == 0 ? slack.turn : 0.0);
         for (const int sign : {1, -1})
             moves.turn(sign * axes[i], middle, angle, signedName(sign, names[i]));
     }
 }
 
-void addMoves(const Facing &facing, double amount, double turn, Moves &moves)
+void addMoves(const Facing &facing, double amount, const Slack &slack, Moves &moves)
 {
     const Vec3 axis = axisOf(*facing.piece, *facing.other);
     const Axes ofPiece = axesOf(*facing.piece, axis), ofOther = axesOf(*facing.other, axis);
     const Vec3 middle =
         0.5 * (middleOf(facing.touching, ofPiece) + middleOf(facing.touching, ofOther));
     addShifts(ofPiece, kOfPiece, amount, moves);
-    addTurns(facing.touching, ofPiece, kOfPiece, middle, amount, turn, moves);
+    addTurns(facing.touching, ofPiece, kOfPiece, middle, slack, moves);
     if (std::abs(ofPiece[1].dot(ofOther[1])) > 1.0 - kSameWay)
         return; // the same axes
     addShifts(ofOther, kOfOther, amount, moves);
-    addTurns(facing.touching, ofOther, kOfOther, middle, amount, turn, moves);
+    addTurns(facing.touching, ofOther, kOfOther, middle, slack, moves);
 }
 
 double wayOf(const SmallMove &move, const std::vector<Vec3> &points)
@@ -236,7 +237,7 @@ Freedom judge(const JudgedPiece &piece, std::span<const JudgedPiece *const> othe
         freedom.inEachOther = std::max(freedom.inEachOther, facing.inEachOther);
         if (!facing.touching.empty()) {
             freedom.touches = true;
-            addMoves(facing, amount, slack.turn, moves);
+            addMoves(facing, amount, slack, moves);
         }
         facings.push_back(std::move(facing));
     }

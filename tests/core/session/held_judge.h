@@ -5,6 +5,7 @@
 
 #include "tests/core/session/judged_piece.h"
 
+#include <limits>
 #include <span>
 #include <string>
 #include <vector>
@@ -24,6 +25,9 @@ struct Slack
     /// sheet, so that it is wider than what is in it, which turns up to the same angle on the
     /// other side: π − 2 × the angle between the planes.
     double turn = 0.0;
+    /// mm, of the walls that are said to hold: the play lets a piece turn between them until its
+    /// ends are at both walls.
+    double depth = std::numeric_limits<double>::infinity();
 };
 
 struct SmallMove
@@ -61,7 +65,7 @@ struct Freedom
 /// the normal of each of the two, and across these: shifts in the 26 directions to the faces, edges
 /// and corners of a cube, and along the ways given; turns through the middle of where the two
 /// touch. A shift is by the play and what tells. A turn moves the farthest point of where they
-/// touch by as much, beyond the slack's. All of the way must be free, in steps of 0.2 mm.
+/// touch by as much, beyond what the slack leaves. All of the way must be free, in steps of 0.2 mm.
 Freedom judge(const JudgedPiece &piece, std::span<const JudgedPiece *const> others,
               const Slack &slack = {}, std::span<const Vec3> ways = {});
 inline Freedom judge(const JudgedPiece &piece, const JudgedPiece &other, const Slack &slack = {},

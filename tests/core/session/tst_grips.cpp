@@ -109,6 +109,9 @@ void judgeVerdicts(const QByteArray &model, const Analysis &analysis, Verdicts &
         for (const Grip &grip : analysis.grips.of(joint).held) {
             pairs.push_back(pairOf(analysis, joint, bodies.firstOf(joint.b) + grip.b,
                                    bodies.firstOf(joint.a) + grip.a));
+            pairs.back().slack.depth = std::min(grip.inA, grip.inB) > 0.0
+                                           ? std::min(grip.inA, grip.inB)
+                                           : std::max(grip.inA, grip.inB);
             pairs.back().name += " | held over " + QByteArray::number(grip.inA, 'f', 2) + " and " +
                                  QByteArray::number(grip.inB, 'f', 2) + " mm";
         }
@@ -200,7 +203,7 @@ void TestGrips::drawings()
     say(verdicts);
     // Known: pieces between walls so short, or so far apart, that one slanting shift or one turn
     // leads out of them.
-    QVERIFY(verdicts.notHeld.size() <= 5);
+    QVERIFY(verdicts.notHeld.size() <= 3);
     QVERIFY(verdicts.held > 700 && verdicts.loose > 300);
     // Known: a piece that gets away by grazing another one, by a little more than the judge lets
     // it.
