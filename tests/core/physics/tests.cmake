@@ -1,0 +1,10 @@
+fff_tests(tests_physics LIBRARIES fff::core TESTS
+    core/physics/tst_equilibrium)
+
+# For any folder of reference cases: a program of its own.
+add_executable(tst_reference_cases
+    ${CMAKE_CURRENT_LIST_DIR}/reference_case.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/tst_reference_cases.cpp)
+target_link_libraries(tst_reference_cases PRIVATE fff::core Qt6::Core)
+target_compile_definitions(tst_reference_cases PRIVATE FFF_SHARED="${FFF_TESTS_FOLDER}/../../shared")
+add_test(NAME core/physics/tst_reference_cases COMMAND tst_reference_cases)
