@@ -16,8 +16,10 @@ constexpr double kEnoughDescent = 0.1;
 constexpr double kNothingLeft = 1e-14;
 /// The same once the springs that press are settled: refinement does the rest (no unit).
 constexpr double kLittleLeft = 1e-9;
-/// Reached in each step by conjugate gradients (no unit).
-constexpr double kGradientError = 1e-12;
+/// Reached in each step by conjugate gradients: refinement does the rest (no unit).
+constexpr double kGradientError = 1e-8;
+/// Factors that cost more than so many solutions are kept as long as they serve (no unit).
+constexpr double kWorthGradients = 20.0;
 constexpr int kMostPasses = 300;
 constexpr int kPassesByGuess = 40; // after so many, every pass goes to the least along its way
 constexpr int kMostRefinements = 8;
@@ -154,16 +156,9 @@ bool ContactSearch::use(const std::vector<char> &active)
                 addSpring(m_net.pressing[i], m_system);
         }
     }
-    if (m_hasFactors) {
-        int changes = 0;
-        for (std::size_t i = 0; i < active.size(); ++i)
-            changes += m_factorised[i] != active[i];
-        // Each change takes conjugate gradients one step more, in exact arithmetic.
-        constexpr double kSlack = 3.0;
-        if (changes == 0 ||
-            kSlack * (changes + 1.0) * m_system.solvingWork() < m_system.factorisingWork())
-            return true;
-    }
+    if (m_hasFactors && (m_factorised == m_active || m_system.factorisingWork() >
+                                                         kWorthGradients * m_system.solvingWork()))
+        return true;
     return factorise();
 }
 
@@ -183,7 +178,7 @@ Eigen::VectorXd ContactSearch::step(const Eigen::VectorXd &residual)
     Eigen::VectorXd z = m_system.solved(left), way = z;
     double size = left.dot(z);
     const double enough = kGradientError * residual.norm();
-    const int most = static_cast<int>(m_system.factorisingWork() / m_system.solvingWork()) + 1;
+    const int most = static_cast<int>(m_system.factorisingWork() / m_system.solvingWork());
     for (int i = 0; i < most; ++i) {
         const Eigen::VectorXd image = m_system.times(way);
         const double share = size / way.dot(image);
