@@ -142,16 +142,16 @@ double slidingForce(const Structure &structure, const Component &component,
         const Foot &foot = structure.feet[i];
         if (!foot.isPinned)
             continue;
-        isTurnHeld = isTurnHeld || (pinned > 0 && (polygon.onPlane(foot.point) -
-                                                   polygon.onPlane(pin)).norm() > kTouchingDepth);
+        isTurnHeld = isTurnHeld ||
+                     (pinned > 0 &&
+                      (polygon.onPlane(foot.point) - polygon.onPlane(pin)).norm() > kTouchingDepth);
         pin = foot.point;
         ++pinned;
     }
     if (isTurnHeld)
         return 0.0;
     const Vec3 centre = pinned > 0 ? pin : about;
-    const double turn =
-        std::abs((sum.moment + (about - centre).cross(sum.force)).dot(up));
+    const double turn = std::abs((sum.moment + (about - centre).cross(sum.force)).dot(up));
     const double arm = std::max(polygon.meanDistance(polygon.onPlane(centre)), kTouchingDepth);
     const double push = pinned > 0 ? 0.0 : (sum.force - up.dot(sum.force) * up).norm();
     const double needed = std::hypot(push, turn / arm);
@@ -207,15 +207,15 @@ BodyBalance bodyBalance(const Structure &structure, const Component &component,
     body.margin = signedDistance(polygon.hull(), point, &nearest);
     body.nearest = body.onGround + polygon.direction(nearest - point);
     body.edge = polygon.edgeAt(point);
-    body.sliding = support.arePinned
-                       ? 0.0
-                       : slidingForce(structure, component, polygon, body.onGround,
-                                      {sum.force, sum.moment + (about - body.onGround).cross(sum.force),
-                                       sum.scale});
+    body.sliding =
+        support.arePinned
+            ? 0.0
+            : slidingForce(
+                  structure, component, polygon, body.onGround,
+                  {sum.force, sum.moment + (about - body.onGround).cross(sum.force), sum.scale});
     const bool doesSlide = body.sliding > std::max(0.0, support.friction) * body.pressing;
     body.areAllHeld = support.arePinned || (body.sliding > 0.0 && !doesSlide);
-    const double lineArea =
-        kSupportLineShare * structure.thickness * extent(structure, component);
+    const double lineArea = kSupportLineShare * structure.thickness * extent(structure, component);
     const bool isLine = polygon.area() <= 0.0 || polygon.area() < lineArea;
     if (isLine)
         body.balance = Balance::LineSupport;
@@ -223,8 +223,8 @@ BodyBalance bodyBalance(const Structure &structure, const Component &component,
         body.balance = Balance::Topples;
     else
         body.balance = doesSlide ? Balance::Slides : Balance::Stands;
-    const bool isOnLine = isLine && polygon.hull().size() == 2 &&
-                          body.margin > -kOnSupportLine * structure.size;
+    const bool isOnLine =
+        isLine && polygon.hull().size() == 2 && body.margin > -kOnSupportLine * structure.size;
     body.canCarry = body.balance == Balance::Stands || (isOnLine && !doesSlide);
     return body;
 }

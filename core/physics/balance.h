@@ -8,8 +8,8 @@
 
 namespace fff {
 
-/// What becomes of a component. Of several that hold, the first that is found, in the order Floating
-/// or NoContact, LineSupport, Topples, Slides, Mechanism.
+/// What becomes of a component. Of several that hold, the first that is found, in the order
+/// Floating or NoContact, LineSupport, Topples, Slides, Mechanism.
 enum class Balance {
     Stands,
     Topples,     // its resultant meets the ground outside the inside of the support polygon
@@ -23,9 +23,9 @@ enum class Balance {
 /// How the ground holds feet, and what links are taken to do.
 struct Support
 {
-    bool arePinned = false; // every foot is held horizontally; else it slides but for friction
-    double friction = 0.0;  // coefficient (no unit), of feet that slide
-    bool isAxisFree = false;      // links do not resist turning about their slits' axes
+    bool arePinned = false;  // every foot is held horizontally; else it slides but for friction
+    double friction = 0.0;   // coefficient (no unit), of feet that slide
+    bool isAxisFree = false; // links do not resist turning about their slits' axes
     bool isGripUnlimited = false; // links are not pulled apart, whatever their grip
 
     bool operator==(const Support &) const = default;
@@ -35,11 +35,11 @@ struct Support
 struct BodyBalance
 {
     Balance balance = Balance::NoContact;
-    double pressing = 0.0;        // N, of all weights and loads, towards the ground
-    Vec3 onGround = Vec3::Zero(); // where their resultant meets the plane of the feet, mm
-    double margin = 0.0;          // mm from there to the nearest edge of the support polygon,
-                                  // negative outside; of a line always ≤ 0. 0 without feet
-    Vec3 nearest = Vec3::Zero();  // of that edge, the point that is nearest
+    double pressing = 0.0;           // N, of all weights and loads, towards the ground
+    Vec3 onGround = Vec3::Zero();    // where their resultant meets the plane of the feet, mm
+    double margin = 0.0;             // mm from there to the nearest edge of the support polygon,
+                                     // negative outside; of a line always ≤ 0. 0 without feet
+    Vec3 nearest = Vec3::Zero();     // of that edge, the point that is nearest
     std::array<int, 2> edge{-1, -1}; // feet at the ends of that edge, over which it topples; −1
                                      // without feet
     double sliding = 0.0;            // N of friction that feet need which are not pinned; a turn

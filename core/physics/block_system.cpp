@@ -55,8 +55,8 @@ void BlockSystem::addCoupling(int a, int b, const Block6 &block)
 {
     const int upper = std::min(a, b), lower = std::max(a, b);
     const std::vector<int> &below = m_below[upper];
-    const int rank = static_cast<int>(std::lower_bound(below.begin(), below.end(), lower) -
-                                      below.begin());
+    const int rank =
+        static_cast<int>(std::lower_bound(below.begin(), below.end(), lower) - below.begin());
     for (int column = 0; column < kBlock; ++column) {
         double *values = m_matrix.valuePtr() + columnStarts()[kBlock * upper + column] +
                          (kBlock - column) + kBlock * rank;

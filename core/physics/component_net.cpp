@@ -17,9 +17,9 @@ constexpr double kGripBeyondReach = 1e3;
 
 int localOf(const Component &component, int member)
 {
-    return static_cast<int>(std::lower_bound(component.members.begin(), component.members.end(),
-                                             member) -
-                            component.members.begin());
+    return static_cast<int>(
+        std::lower_bound(component.members.begin(), component.members.end(), member) -
+        component.members.begin());
 }
 
 double footStiffness(const Foot &foot)
@@ -62,8 +62,7 @@ void addAnchors(const Structure &structure, const Component &component, Componen
     }
     const std::array<Vec3, 2> axes = groundAxes(structure.up);
     const auto add = [&](int foot, const Vec3 &direction) {
-        found.net.holding.push_back(
-            footSpring(structure, component, foot, direction, found.net));
+        found.net.holding.push_back(footSpring(structure, component, foot, direction, found.net));
         found.anchors.push_back(foot);
     };
     if (found.held.empty()) {

@@ -13,11 +13,11 @@ namespace fff {
 struct ComponentNet
 {
     SpringNet net;
-    std::vector<int> held;    // for each pair of net.holding, from the first on, its foot
-    std::vector<int> anchors; // for each of net.holding after those, the foot it is at
+    std::vector<int> held;     // for each pair of net.holding, from the first on, its foot
+    std::vector<int> anchors;  // for each of net.holding after those, the foot it is at
     std::vector<double> grips; // N, of each of component.links; infinite where none is bounded
-    std::vector<int> bounded; // for each of net.pressing after those of the feet, the place in
-                              // component.links
+    std::vector<int> bounded;  // for each of net.pressing after those of the feet, the place in
+                               // component.links
 };
 
 /// isBounded  links give way at their grip, unless that is beyond all reason; else they hold

@@ -66,8 +66,9 @@ bool isSound(const Member &member)
 bool isSound(const Structure &structure)
 {
     const auto isGood = [&structure](const auto &thing) { return isSound(structure, thing); };
-    return structure.gravity.allFinite() && structure.up.allFinite() &&
-           std::isfinite(structure.size) && std::isfinite(structure.thickness) &&
+    return structure.gravity.allFinite() && structure.up.allFinite() && structure.up.norm() > 0.0 &&
+           std::isfinite(structure.size) && structure.size > 0.0 &&
+           std::isfinite(structure.thickness) &&
            std::all_of(structure.members.begin(), structure.members.end(),
                        [](const Member &member) { return isSound(member); }) &&
            std::all_of(structure.links.begin(), structure.links.end(), isGood) &&

@@ -7,8 +7,8 @@ namespace fff {
 
 namespace {
 
-/// Added to each stiffness on the diagonal, as a share of it (no unit): what moves freely then has a
-/// pivot, and no answer changes, as the residual is taken without it.
+/// Added to each stiffness on the diagonal, as a share of it (no unit): what moves freely then has
+/// a pivot, and no answer changes, as the residual is taken without it.
 constexpr double kSoftness = 1e-13;
 /// A pass that takes the slope down to this share went far enough (no unit).
 constexpr double kEnoughDescent = 0.1;
@@ -156,8 +156,8 @@ bool ContactSearch::use(const std::vector<char> &active)
                 addSpring(m_net.pressing[i], m_system);
         }
     }
-    if (m_hasFactors && (m_factorised == m_active || m_system.factorisingWork() >
-                                                         kWorthGradients * m_system.solvingWork()))
+    if (m_hasFactors && (m_factorised == m_active ||
+                         m_system.factorisingWork() > kWorthGradients * m_system.solvingWork()))
         return true;
     return factorise();
 }
@@ -254,8 +254,8 @@ Eigen::VectorXd ContactSearch::leftOver(const Eigen::VectorXd &load,
     return left;
 }
 
-/// How many times `way` to go from where it is to the least; `slope` is that of the start, negative.
-/// Nothing when it goes down for ever.
+/// How many times `way` to go from where it is to the least; `slope` is that of the start,
+/// negative. Nothing when it goes down for ever.
 std::optional<double> ContactSearch::leastAlong(const Eigen::VectorXd &way, double slope) const
 {
     // The slope's own slope, and where springs begin or end to press.

@@ -50,10 +50,10 @@ struct SpringNet
 
 struct SpringForces
 {
-    std::vector<Vec6> joints;             // on a, about the point: N, N·mm
+    std::vector<Vec6> joints;              // on a, about the point: N, N·mm
     std::vector<double> holding, pressing; // N, along the rows
-    Eigen::VectorXd displacements;        // 6 for each member, as SpringNet counts them, mm
-    double residual = 0.0;                // largest of what is left over on a member, N
+    Eigen::VectorXd displacements;         // 6 for each member, as SpringNet counts them, mm
+    double residual = 0.0;                 // largest of what is left over on a member, N
 };
 
 /// Solves a net for one load after another.
@@ -103,11 +103,11 @@ private:
 
     SpringNet m_net;
     BlockSystem m_system;
-    Eigen::VectorXd m_base;           // its values without what only presses
-    std::vector<char> m_active;       // pressing, as the matrix has them
-    std::vector<char> m_factorised;   // as the factors have them
-    Eigen::VectorXd m_soft;           // what is added to the diagonal, N/mm
-    Eigen::VectorXd m_displacements;  // of the last solve
+    Eigen::VectorXd m_base;          // its values without what only presses
+    std::vector<char> m_active;      // pressing, as the matrix has them
+    std::vector<char> m_factorised;  // as the factors have them
+    Eigen::VectorXd m_soft;          // what is added to the diagonal, N/mm
+    Eigen::VectorXd m_displacements; // of the last solve
     Eigen::VectorXd m_motion;
     bool m_isWritten = false, m_hasFactors = false;
     int m_passes = 0, m_factorisations = 0;

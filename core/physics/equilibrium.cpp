@@ -63,8 +63,7 @@ public:
         std::optional<SpringForces> forces = search(false);
         if (!forces) {
             // The rigid body test and this can differ by rounding only, unless links turn.
-            m_state.balance =
-                m_support.isAxisFree ? Balance::Mechanism : Balance::Topples;
+            m_state.balance = m_support.isAxisFree ? Balance::Mechanism : Balance::Topples;
             return;
         }
         write(*forces);
@@ -72,8 +71,8 @@ public:
             return;
         for (std::size_t i = 0; i < m_state.parts.links.size(); ++i) {
             const int link = m_state.parts.links[i];
-            if (m_result.links[link].pull > std::max(0.0, m_structure.links[link].grip) +
-                                                kPullRounding * m_state.body.scale)
+            if (m_result.links[link].pull >
+                std::max(0.0, m_structure.links[link].grip) + kPullRounding * m_state.body.scale)
                 m_state.openLinks.push_back(link);
         }
         if (m_state.openLinks.empty())
@@ -93,8 +92,8 @@ private:
     /// The springs of `found` in balance with the loads, pinned feet held only while they press.
     std::optional<SpringForces> search(bool isBounded)
     {
-        m_net = componentNet(m_structure, m_state.parts, m_state.body, m_support.isAxisFree,
-                             isBounded);
+        m_net =
+            componentNet(m_structure, m_state.parts, m_state.body, m_support.isAxisFree, isBounded);
         const int variant = (m_state.body.areAllHeld ? 1 : 0) + (m_support.isAxisFree ? 2 : 0) +
                             (isBounded ? 4 : 0);
         EquilibriumCache::Kept &kept = m_cache.at(m_state.parts.members.front(), variant);
@@ -213,8 +212,7 @@ private:
         std::map<int, Wrench> sums;
         double largest = 0.0;
         const auto add = [&](int member, const Vec3 &point, const Vec3 &force, const Vec3 &moment) {
-            const Vec3 about =
-                moment + (point - m_structure.members[member].centroid).cross(force);
+            const Vec3 about = moment + (point - m_structure.members[member].centroid).cross(force);
             sums[member].force += force;
             sums[member].moment += about;
             largest = std::max({largest, force.norm(), about.norm() / size});

@@ -54,15 +54,15 @@ struct ComponentState
 
 struct Equilibrium
 {
-    std::vector<LinkForce> links;      // as in the structure; 0 where there are no forces
-    std::vector<FootForce> feet;       // "
-    std::vector<RigidMotion> members;  // of each about its centroid
-    std::vector<double> residuals;     // of each member: what forces and moments leave over, by the
-                                       // largest force or moment / size of its component (no unit)
-    double worstResidual = 0.0;        // above kTrustedResidual the numbers are not to be shown
+    std::vector<LinkForce> links;     // as in the structure; 0 where there are no forces
+    std::vector<FootForce> feet;      // "
+    std::vector<RigidMotion> members; // of each about its centroid
+    std::vector<double> residuals;    // of each member: what forces and moments leave over, by the
+                                      // largest force or moment / size of its component (no unit)
+    double worstResidual = 0.0;       // above kTrustedResidual the numbers are not to be shown
     std::vector<ComponentState> components;
-    bool isSound = true; // all of the structure was finite and sound; else the rest of it was taken,
-                         // and worstResidual is 1
+    bool isSound = true; // all of the structure was finite and sound; else the rest of it was
+                         // taken, and worstResidual is 1
 
     /// The worst of the components', in the order of Balance's comment; NoContact without any.
     Balance balance() const;

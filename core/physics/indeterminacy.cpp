@@ -40,8 +40,8 @@ int indeterminacy(const Structure &structure, const Component &component, bool a
             addRow(foot.point, axes[1]);
         }
     }
-    const Vec6 squares = Eigen::SelfAdjointEigenSolver<Block6>(gram, Eigen::EigenvaluesOnly)
-                             .eigenvalues();
+    const Vec6 squares =
+        Eigen::SelfAdjointEigenSolver<Block6>(gram, Eigen::EigenvaluesOnly).eigenvalues();
     const double least = kSameRow * kSameRow * squares.maxCoeff();
     const int rank = static_cast<int>((squares.array() > least).count());
     const int links = static_cast<int>(component.links.size());

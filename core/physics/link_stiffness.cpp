@@ -9,12 +9,12 @@ namespace fff {
 
 namespace {
 
-constexpr double kLeastModulus = 1.0;             // MPa; softer is no sheet
-constexpr double kLeastThickness = 0.05;          // mm
-constexpr double kTightWalls = 0.29;              // no unit
-constexpr double kOneWall = 0.155;                // no unit
-constexpr double kAboutAxis = 0.15;               // no unit
-constexpr double kSlitBottom = 0.5;               // no unit
+constexpr double kLeastModulus = 1.0;                 // MPa; softer is no sheet
+constexpr double kLeastThickness = 0.05;              // mm
+constexpr double kTightWalls = 0.29;                  // no unit
+constexpr double kOneWall = 0.155;                    // no unit
+constexpr double kAboutAxis = 0.15;                   // no unit
+constexpr double kSlitBottom = 0.5;                   // no unit
 constexpr double kAlongNormal = kPracticallyParallel; // sine, no unit
 
 double atLeast(double value, double least)

@@ -25,7 +25,8 @@ struct LinkSprings
 ///     about n_a   c E_a t_a L_a²,  c = 0.29 tight, 0.155 with play (one wall of two presses)
 ///     about n_b   c E_b t_b L_b²
 ///     about axis  0.15 (E_a t_a² L_b + E_b t_b² L_a)       an estimate, to a factor of two
-///     along n_b   1.0 E_a t_a      along n_a  1.0 E_b t_b      along axis  0.5 min(E_a t_a, E_b t_b)
+///     along n_b   1.0 E_a t_a      along n_a  1.0 E_b t_b      along axis  0.5 min(E_a t_a, E_b
+///     t_b)
 ///
 /// n are the plates' normals, t their thickness, L the depth of their slits. Of plates that are not
 /// square to each other, the mean of both choices of which normal is an axis: which of the two

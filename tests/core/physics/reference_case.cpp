@@ -127,10 +127,10 @@ int sectionNamed(const ReferenceCase &found, const QJsonValue &id)
 std::optional<Balance> balanceOf(const QString &verdict)
 {
     const std::pair<const char *, Balance> words[] = {
-        {"float", Balance::Floating},      {"no contact", Balance::NoContact},
-        {"toppl", Balance::Topples},       {"line support", Balance::LineSupport},
+        {"float", Balance::Floating},       {"no contact", Balance::NoContact},
+        {"toppl", Balance::Topples},        {"line support", Balance::LineSupport},
         {"unstable", Balance::LineSupport}, {"slide", Balance::Slides},
-        {"mechanism", Balance::Mechanism}, {"stand", Balance::Stands}};
+        {"mechanism", Balance::Mechanism},  {"stand", Balance::Stands}};
     for (const auto &[word, balance] : words) {
         if (verdict.contains(key(word), Qt::CaseInsensitive))
             return balance;
@@ -203,8 +203,7 @@ ReferenceTruth truthOf(const QJsonObject &json, const ReferenceCase &found, cons
     if (json.contains(key("margin_mm")))
         truth.margin = json[key("margin_mm")].toDouble();
     if (json.contains(key("resultant_point_mm")))
-        truth.resultant =
-            groundPointOf(json[key("resultant_point_mm")], found.structure, ground);
+        truth.resultant = groundPointOf(json[key("resultant_point_mm")], found.structure, ground);
     truth.components = groupsOf(json[key("components")]);
     truth.unsupported = groupsOf(json[key("unsupported")]);
     return truth;
@@ -270,8 +269,8 @@ bool addContacts(const QJsonArray &contacts, ReferenceCase &found)
         foot.isPinned = friction.toString() == key("pinned");
         if (friction.isDouble())
             found.friction = std::max(found.friction, friction.toDouble());
-        foot.stiffness = found.sections[foot.member].material.modulus *
-                         found.sections[foot.member].thickness;
+        foot.stiffness =
+            found.sections[foot.member].material.modulus * found.sections[foot.member].thickness;
         found.structure.feet.push_back(foot);
     }
     return true;

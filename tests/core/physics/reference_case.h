@@ -81,8 +81,8 @@ struct ReferenceTruth
     std::map<std::string, Wrench> joints; // on a, about the joint's point
     std::vector<ReferenceCut> cuts;
     std::optional<Balance> balance;
-    std::optional<double> margin;      // mm
-    std::optional<Vec3> resultant;     // mm; on the ground
+    std::optional<double> margin;  // mm
+    std::optional<Vec3> resultant; // mm; on the ground
     std::vector<std::vector<std::string>> components, unsupported;
 };
 
@@ -92,10 +92,10 @@ struct ReferenceCase
     std::vector<ReferenceSection> sections;
     std::vector<std::string> joints; // ids, as structure.links
     std::vector<ReferenceClamp> clamps;
-    std::vector<ReferencePatch> patches; // as structure.loads
-    Structure structure;                 // links hold whatever pulls at them
-    double friction = 0.0;               // no unit
-    ReferenceTruth truth;                // slit faces glued
+    std::vector<ReferencePatch> patches;     // as structure.loads
+    Structure structure;                     // links hold whatever pulls at them
+    double friction = 0.0;                   // no unit
+    ReferenceTruth truth;                    // slit faces glued
     ReferenceTruth contact, contactWithPlay; // slit faces that only press
     QJsonObject json;                        // all of it
 };

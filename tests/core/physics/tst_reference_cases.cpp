@@ -91,7 +91,10 @@ public:
         if (std::abs(truth) > tolerance)
             std::snprintf(ratio, sizeof(ratio), "%.5f", ours / truth);
         std::printf("%-34s %-26s %13.6g %13.6g %9s  %s\n", m_case.c_str(), what.c_str(), truth,
-                    ours, ratio, isIn ? "ok" : isJudged ? "OUT" : "(open)");
+                    ours, ratio,
+                    isIn       ? "ok"
+                    : isJudged ? "OUT"
+                               : "(open)");
         m_isWithin = m_isWithin && (isIn || !isJudged);
     }
     void vector(const std::string &what, const Vec3 &truth, const Vec3 &ours, double tolerance,
@@ -210,7 +213,8 @@ void compareForces(const ReferenceCase &found, const Equilibrium &ours,
                       ours.feet[i].force, tolerances.reaction * largest, !isOpen);
     for (const auto &[id, wrench] : found.truth.joints) {
         largest = std::max(largest, wrench.force.norm());
-        leverage = std::max({leverage, wrench.moment.norm(), wrench.force.norm() * structure.thickness});
+        leverage =
+            std::max({leverage, wrench.moment.norm(), wrench.force.norm() * structure.thickness});
     }
     for (std::size_t i = 0; i < found.joints.size(); ++i) {
         const auto truth = found.truth.joints.find(found.joints[i]);
@@ -267,8 +271,7 @@ int compareAll(const QDir &folder)
         if (name == key("index.json"))
             continue;
         QString error;
-        const std::optional<ReferenceCase> found =
-            readReferenceCase(folder.filePath(name), &error);
+        const std::optional<ReferenceCase> found = readReferenceCase(folder.filePath(name), &error);
         if (!found) {
             std::fprintf(stderr, "%s\n", qPrintable(error));
             return 2;
