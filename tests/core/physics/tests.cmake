@@ -1,7 +1,8 @@
 fff_tests(tests_physics LIBRARIES fff::core TESTS
     core/physics/tst_balance
     core/physics/tst_equilibrium
-    core/physics/tst_equilibrium_laws)
+    core/physics/tst_equilibrium_laws
+    core/physics/tst_link_stiffness)
 
 # For any folder of reference cases: a program of its own.
 add_executable(tst_reference_cases
