@@ -137,6 +137,24 @@ inline double largest(const Structure &structure, const Equilibrium &solution)
     return most;
 }
 
+inline Vec3 sumOfReactions(const Equilibrium &found)
+{
+    Vec3 sum = Vec3::Zero();
+    for (const FootForce &foot : found.feet)
+        sum += foot.force;
+    return sum;
+}
+
+inline Vec3 sumOfLoads(const Structure &structure)
+{
+    Vec3 sum = Vec3::Zero();
+    for (const Member &member : structure.members)
+        sum += member.mass * structure.gravity;
+    for (const Load &load : structure.loads)
+        sum += load.force;
+    return sum;
+}
+
 /// How far apart two solutions of a structure are, by its largest force (no unit).
 inline double difference(const Structure &structure, const Equilibrium &a, const Equilibrium &b)
 {

@@ -1,6 +1,7 @@
 fff_tests(tests_physics LIBRARIES fff::core TESTS
     core/physics/tst_balance
     core/physics/tst_equilibrium
+    core/physics/tst_equilibrium_extremes
     core/physics/tst_equilibrium_laws
     core/physics/tst_link_stiffness)
 
