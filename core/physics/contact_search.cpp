@@ -10,6 +10,9 @@ namespace {
 /// Added to each stiffness on the diagonal, as a share of it (no unit): what moves freely then has
 /// a pivot, and no answer changes, as the residual is taken without it.
 constexpr double kSoftness = 1e-13;
+/// Of the stiffest: what has no stiffness at all is taken for this when that share is added (no
+/// unit).
+constexpr double kLeastStiffness = 1e-6;
 /// A pass that takes the slope down to this share went far enough (no unit).
 constexpr double kEnoughDescent = 0.1;
 /// Forces left over, as a share of the load, below which nothing is left to do (no unit).
@@ -98,7 +101,8 @@ void ContactSearch::writeBase()
     // As soft as the springs would make it all together, so that it hangs on no set of them.
     for (const SpringNet::Spring &spring : m_net.pressing)
         addSpring(spring, m_system);
-    m_soft = kSoftness * m_system.diagonal();
+    const Eigen::VectorXd diagonal = m_system.diagonal();
+    m_soft = kSoftness * diagonal.cwiseMax(kLeastStiffness * diagonal.maxCoeff());
     m_system.setValues(m_base);
     m_system.addToDiagonal(m_soft);
     m_base = m_system.values();

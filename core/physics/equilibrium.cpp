@@ -62,8 +62,12 @@ public:
     {
         std::optional<SpringForces> forces = search(false);
         if (!forces) {
-            // The rigid body test and this can differ by rounding only, unless links turn.
-            m_state.balance = m_support.isAxisFree ? Balance::Mechanism : Balance::Topples;
+            // The rigid body test and this can differ by rounding only, unless links turn or pins
+            // are lifted.
+            if (m_arePinsLifted)
+                m_state.balance = Balance::Slides;
+            else
+                m_state.balance = m_support.isAxisFree ? Balance::Mechanism : Balance::Topples;
             return;
         }
         write(*forces);
@@ -112,9 +116,12 @@ private:
             m_state.passes += search.passes();
             m_state.factorisations += search.factorisations();
             if (!next) {
-                if (!forces)
-                    writeMotion(search.motion());
-                return forces;
+                // Pins that would have to hold are in the air.
+                m_arePinsLifted = forces.has_value();
+                if (forces)
+                    m_state.body.sliding = horizontal(*forces);
+                writeMotion(search.motion());
+                return {};
             }
             forces = std::move(next);
             std::vector<char> pressing = holdingWhilePressing(*forces);
@@ -124,6 +131,15 @@ private:
             search.hold(isOn);
         }
         return forces;
+    }
+
+    /// What the springs that hold feet give together, N.
+    double horizontal(const SpringForces &forces) const
+    {
+        Vec3 sum = Vec3::Zero();
+        for (std::size_t i = 0; i < forces.holding.size(); ++i)
+            sum += forces.holding[i] * m_net.net.holding[i].rowA.head<3>();
+        return sum.norm();
     }
 
     std::vector<char> holdingWhilePressing(const SpringForces &forces) const
@@ -260,6 +276,7 @@ private:
     ComponentState &m_state;
     Equilibrium &m_result;
     ComponentNet m_net;
+    bool m_arePinsLifted = false; // those that would have to hold
 };
 
 int severity(Balance balance)

@@ -72,6 +72,14 @@ void TestBalance::verdicts_data()
     QTest::newRow("turned about its one pin") << turned << Balance::Slides;
     turned.feet[1].isPinned = true;
     QTest::newRow("turned, held by two pins") << turned << Balance::Stands;
+    Structure lifting = block(fourFeet(), {0, 0});
+    lifting.loads.push_back({0, {30, 0, 50}, {1, -10, 0}, Vec3::Zero()});
+    lifting.feet[0].isPinned = true;
+    QTest::newRow("pushed, held by a pin that presses") << lifting << Balance::Stands;
+    std::swap(lifting.feet[0].isPinned, lifting.feet[2].isPinned);
+    lifting.loads[0].point = {49, 0, 49};
+    lifting.loads[0].force = {1, -100, 1};
+    QTest::newRow("pushed, its one pin in the air") << lifting << Balance::Slides;
     Structure tipped = table;
     tipped.loads.push_back({0, {10, 30, -20}, Vec3::Zero(), {0, 0, -600}});
     QTest::newRow("tipped by a moment") << tipped << Balance::Topples;
