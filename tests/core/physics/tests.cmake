@@ -3,7 +3,10 @@ fff_tests(tests_physics LIBRARIES fff::core TESTS
     core/physics/tst_equilibrium
     core/physics/tst_equilibrium_extremes
     core/physics/tst_equilibrium_laws
-    core/physics/tst_link_stiffness)
+    core/physics/tst_link_stiffness
+    ALONE
+        core/physics/tst_equilibrium
+        core/physics/tst_equilibrium_laws)
 
 # For any folder of reference cases: a program of its own.
 add_executable(tst_reference_cases
