@@ -6,8 +6,8 @@ import pathlib
 import re
 import sys
 
-CORE = ["base", "geometry", "model", "assembly", "operations", "physics", "fabrication", "analysis", "stroke", "interaction", "io",
-        "session"]
+CORE = ["base", "geometry", "model", "assembly", "operations", "physics", "fabrication", "analysis", "stroke",
+        "interaction", "io", "session"]
 UI = ["view", "settings", "base", "bench", "actions", "properties", "cards", "docks", "dialogs", "files", "start", "steps",
       "window"]
 # In what order whole folders stand; a file of one of these may use all of those before.

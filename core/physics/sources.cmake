@@ -4,7 +4,18 @@ target_sources(fff_core PRIVATE
     physics/component_net.cpp
     physics/components.cpp
     physics/contact_search.cpp
+    physics/elastic_equilibrium.cpp
     physics/equilibrium.cpp
     physics/indeterminacy.cpp
+    physics/least_energy.cpp
+    physics/link_compliance.cpp
     physics/link_stiffness.cpp
+    physics/plate_attachment.cpp
+    physics/plate_element.cpp
+    physics/plate_flexibility.cpp
+    physics/plate_locator.cpp
+    physics/plate_mesh.cpp
+    physics/plate_model.cpp
+    physics/plate_sizing.cpp
+    physics/plate_stress.cpp
 )

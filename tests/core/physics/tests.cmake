@@ -1,12 +1,16 @@
 fff_tests(tests_physics LIBRARIES fff::core TESTS
     core/physics/tst_balance
+    core/physics/tst_elastic_equilibrium
     core/physics/tst_equilibrium
     core/physics/tst_equilibrium_extremes
     core/physics/tst_equilibrium_laws
     core/physics/tst_link_stiffness
+    core/physics/tst_plate_model
     ALONE
+        core/physics/tst_elastic_equilibrium
         core/physics/tst_equilibrium
-        core/physics/tst_equilibrium_laws)
+        core/physics/tst_equilibrium_laws
+        core/physics/tst_plate_model)
 
 # For any folder of reference cases: a program of its own.
 add_executable(tst_reference_cases

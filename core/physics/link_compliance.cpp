@@ -1,0 +1,30 @@
+#include "core/physics/link_compliance.h"
+
+#include "core/physics/link_stiffness.h"
+
+namespace fff {
+
+Eigen::Matrix3d linkAxes(const Link &link)
+{
+    const Vec3 axis = link.axis.normalized();
+    const Vec3 first = (link.normalA - axis * axis.dot(link.normalA)).normalized();
+    Eigen::Matrix3d axes;
+    axes << first, axis.cross(first), axis;
+    return axes;
+}
+
+Eigen::Matrix<double, 6, 1> linkCompliance(const Link &link)
+{
+    const LinkSprings springs = linkSprings(link, false);
+    const Eigen::Matrix3d axes = linkAxes(link);
+    const auto along = [&axes](const Eigen::Matrix3d &stiffness) -> Vec3 {
+        return (axes.transpose() * stiffness * axes).diagonal();
+    };
+    Eigen::Matrix<double, 6, 1> stiffness;
+    stiffness << along(springs.across.topLeftCorner<3, 3>()),
+        along(springs.across.bottomRightCorner<3, 3>());
+    stiffness[2] = springs.along;
+    return stiffness.cwiseInverse();
+}
+
+} // namespace fff
