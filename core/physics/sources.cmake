@@ -4,12 +4,18 @@ target_sources(fff_core PRIVATE
     physics/component_net.cpp
     physics/components.cpp
     physics/contact_search.cpp
+    physics/cut_forces.cpp
+    physics/cut_sides.cpp
     physics/elastic_equilibrium.cpp
     physics/equilibrium.cpp
     physics/indeterminacy.cpp
     physics/least_energy.cpp
+    physics/line_cut.cpp
     physics/link_compliance.cpp
     physics/link_stiffness.cpp
+    physics/neck.cpp
+    physics/neck_stress.cpp
+    physics/nominal_stress.cpp
     physics/plate_attachment.cpp
     physics/plate_element.cpp
     physics/plate_flexibility.cpp
@@ -18,4 +24,8 @@ target_sources(fff_core PRIVATE
     physics/plate_model.cpp
     physics/plate_sizing.cpp
     physics/plate_stress.cpp
+    physics/section_cuts.cpp
+    physics/section_outline.cpp
+    physics/section_stress.cpp
+    physics/stress_places.cpp
 )

@@ -1,4 +1,4 @@
-fff_tests(tests_physics LIBRARIES fff::core TESTS
+fff_tests(tests_physics LIBRARIES fff::core Polyclipping::Polyclipping TESTS
     core/physics/tst_balance
     core/physics/tst_elastic_equilibrium
     core/physics/tst_equilibrium
@@ -6,11 +6,13 @@ fff_tests(tests_physics LIBRARIES fff::core TESTS
     core/physics/tst_equilibrium_laws
     core/physics/tst_link_stiffness
     core/physics/tst_plate_model
+    core/physics/tst_section_stress
     ALONE
         core/physics/tst_elastic_equilibrium
         core/physics/tst_equilibrium
         core/physics/tst_equilibrium_laws
-        core/physics/tst_plate_model)
+        core/physics/tst_plate_model
+        core/physics/tst_section_stress)
 
 # For any folder of reference cases: a program of its own.
 add_executable(tst_reference_cases

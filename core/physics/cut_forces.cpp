@@ -1,0 +1,109 @@
+#include "core/physics/cut_forces.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace fff {
+
+namespace {
+
+/// lever × f of a lever in the plane.
+Vec3 momentOf(const Vec2 &lever, const Vec3 &f)
+{
+    return Vec3(lever.x(), lever.y(), 0.0).cross(f);
+}
+
+} // namespace
+
+Vec3 SideForce::momentAbout(const Vec2 &point, const Vec2 &base) const
+{
+    return moment + momentOf(base - point, force);
+}
+
+SideForce plusForce(const SectionOutline &outline, const LineCut &cut,
+                    const std::vector<AppliedForce> &forces, std::span<const PlusShare> shares,
+                    const Vec3 &arealWeight)
+{
+    SideForce side;
+    side.force = cut.plus.area * arealWeight;
+    side.moment = momentOf(cut.plus.first, arealWeight);
+    for (std::size_t i = 0; i < forces.size(); ++i) {
+        if (shares[i].share == 0.0)
+            continue;
+        const Vec3 f = shares[i].share * forces[i].force;
+        side.force += f;
+        side.moment +=
+            shares[i].share * forces[i].moment + momentOf(shares[i].at - outline.base(), f);
+    }
+    return side;
+}
+
+SideForce allForce(const SectionOutline &outline, const std::vector<AppliedForce> &forces,
+                   const Vec3 &arealWeight)
+{
+    SideForce all;
+    all.force = outline.total().area * arealWeight;
+    all.moment = momentOf(outline.total().first, arealWeight);
+    for (const AppliedForce &f : forces) {
+        all.force += f.force;
+        all.moment += f.moment + momentOf(f.at - outline.base(), f.force);
+    }
+    return all;
+}
+
+CutForces resolved(const SideForce &side, const Vec2 &base, const Vec2 &middle, const Vec2 &across)
+{
+    const Vec3 moment = side.momentAbout(middle, base);
+    const Vec2 normal(across.y(), -across.x());
+    CutForces result;
+    result.axial = side.force.head<2>().dot(normal);
+    result.shear = side.force.head<2>().dot(across);
+    result.plate = side.force.z();
+    result.inPlane = moment.z();
+    result.bending = moment.head<2>().dot(across);
+    result.torsion = moment.head<2>().dot(normal);
+    return result;
+}
+
+CutForces forcesOn(const SectionOutline &outline, const LineCut &cut, int index, const Neck &neck,
+                   const SideForce &side)
+{
+    if (cut.chords.size() == 1)
+        return resolved(side, outline.base(), neck.middle(), neck.across);
+    // Thickness drops out of all shares: lengths stand for areas.
+    double length = 0.0, first = 0.0, cubes = 0.0, second = 0.0;
+    for (const Chord &c : cut.chords) {
+        const double l = c.length();
+        length += l;
+        first += l * 0.5 * (c.from + c.to);
+        cubes += l * l * l;
+    }
+    const double middle = first / length;
+    for (const Chord &c : cut.chords) {
+        const double l = c.length(), away = 0.5 * (c.from + c.to) - middle;
+        second += l * l * l / 12.0 + l * away * away;
+    }
+    const CutForces all = resolved(side, outline.base(), cut.line.at(middle), cut.line.direction);
+    const Chord &chord = cut.chords[static_cast<std::size_t>(index)];
+    const double l = chord.length(), away = 0.5 * (chord.from + chord.to) - middle;
+    const double share = l / length, cube = l * l * l;
+    CutForces part;
+    part.axial = all.axial * share - all.inPlane * l * away / second;
+    part.shear = all.shear * std::max(cube / cubes, share);
+    part.plate = all.plate * share;
+    part.inPlane =
+        std::abs(all.inPlane) * cube / (12.0 * second) + std::abs(part.shear) * neck.halfOpening;
+    part.bending = all.bending * share;
+    part.torsion = all.torsion * share;
+    // Into the frame of the chord's own neck.
+    const double c = cut.line.direction.dot(neck.across);
+    const double s = cross(cut.line.direction, neck.across);
+    CutForces turned = part;
+    turned.axial = c * part.axial + s * part.shear;
+    turned.shear = c * part.shear - s * part.axial;
+    turned.torsion = c * part.torsion + s * part.bending;
+    turned.bending = c * part.bending - s * part.torsion;
+    return turned;
+}
+
+} // namespace fff

@@ -1,0 +1,47 @@
+// What one side of a cut does to the other: statics alone.
+#pragma once
+
+#include "core/physics/cut_sides.h"
+#include "core/physics/nominal_stress.h"
+
+#include <span>
+
+namespace fff {
+
+/// Force and moment of what is on the plus side of a cut, its own weight included; the moment about
+/// the outline's base. N, N·mm, (u, v, n).
+struct SideForce
+{
+    Vec3 force = Vec3::Zero();
+    Vec3 moment = Vec3::Zero();
+
+    /// About another point of the mid-plane.
+    Vec3 momentAbout(const Vec2 &point, const Vec2 &base) const;
+};
+
+SideForce plusForce(const SectionOutline &outline, const LineCut &cut,
+                    const std::vector<AppliedForce> &forces, std::span<const PlusShare> shares,
+                    const Vec3 &arealWeight);
+
+/// All that acts on the piece: zero if it is in equilibrium. About the outline's base.
+SideForce allForce(const SectionOutline &outline, const std::vector<AppliedForce> &forces,
+                   const Vec3 &arealWeight);
+
+/// The parts of it in directions across the neck (`across`, its `normal`) and across the sheet, at
+/// a point.
+CutForces resolved(const SideForce &side, const Vec2 &base, const Vec2 &middle, const Vec2 &across);
+
+/// Of one chord of a cut that crosses holes: a share of the forces by which all of its chords
+/// together act as one section.
+///
+///     A_k = t l_k,  s̄ = ΣA_k s_k / ΣA_k,  I = Σ t l_k³/12 + A_k (s_k − s̄)²,  N, V, M at s̄
+///     N_k = N A_k/A − M A_k (s_k − s̄)/I,   M_k = M t l_k³ / (12 I) + |V_k| e
+///     V_k = V max(l_k³/Σl³, l_k/Σl);  the others in proportion to l_k
+///
+/// with e half of what the holes at the chord reach over normal to the cut (as in a Vierendeel
+/// girder). M is about n, positive as in CutForces. A cut of one chord has it all.
+/// Source  the product's mechanics, 2.8.
+CutForces forcesOn(const SectionOutline &outline, const LineCut &cut, int chord, const Neck &neck,
+                   const SideForce &side);
+
+} // namespace fff

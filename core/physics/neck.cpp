@@ -1,0 +1,293 @@
+#include "core/physics/neck.h"
+
+#include "core/geometry/directions.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+namespace fff {
+
+namespace {
+
+/// An end this near to a vertex lies on it, mm: less than what lasers keep.
+constexpr double kAtVertex = 0.02;
+constexpr double kMinNeck = 0.05; // mm: shorter ones are where rings touch
+/// 45°, and rounding: chords of the grid between straight edges lean by just that.
+constexpr double kMaxLean = std::numbers::pi / 4 + 1e-6;
+/// Normals that differ by less than this length (29°) face the same way.
+constexpr double kSameSideNormals = 0.5;
+/// A vertex that turns by more is a corner, not a stretch of a curve (25°, radians).
+constexpr double kCurveTurn = 0.4363323129985824;
+/// Both rims of a curved bar have one centre, up to this share of its width.
+constexpr double kConcentricShare = 0.5;
+/// Below this radius in widths the inner rim shrinks to a point.
+constexpr double kLeastRadius = 0.55;
+constexpr double kCurvedRadius = 2.0;
+/// Beyond this radius in widths curvature adds less than 2 %.
+constexpr double kStraightRadius = 20.0;
+/// Only what leans less than this from a slit runs beside it (22.5°, its cosine).
+constexpr double kBesideCosine = 0.9238795325112867;
+/// The way from a chord to the slit's corner may touch what both of them touch, mm.
+constexpr double kTouchSlack = 0.05;
+
+/// What may be the outward normal at an end of a chord that leaves the material along `way`.
+struct EndNormals
+{
+    std::array<Vec2, 3> normals;
+    int count = 0;
+
+    void add(const Vec2 &normal) { normals[static_cast<std::size_t>(count++)] = normal; }
+};
+
+EndNormals endNormals(const SectionOutline &outline, const OutlinePoint &point, const Vec2 &way)
+{
+    EndNormals result;
+    int vertex = point.edge;
+    if ((point.at - outline.vertex(point.ring, vertex)).norm() > kAtVertex &&
+        (point.at - outline.vertex(point.ring, ++vertex)).norm() > kAtVertex) {
+        result.add(outline.outward(point.ring, point.edge));
+        return result;
+    }
+    const Vec2 &before = outline.outward(point.ring, vertex - 1);
+    const Vec2 &after = outline.outward(point.ring, vertex);
+    const double turn = cross(before, after) >= 0.0 ? 1.0 : -1.0;
+    const bool isBetween = turn * cross(before, way) >= 0.0 && turn * cross(way, after) >= 0.0 &&
+                           way.dot(before + after) > 0.0;
+    // Beside a re-entrant corner either edge may be where a member ends; a corner that sticks out
+    // is the end of none.
+    const bool isReentrant = outline.isReentrant(point.ring, vertex);
+    if (isBetween)
+        result.add(way);
+    if (isReentrant || (!isBetween && before.dot(way) > after.dot(way)))
+        result.add(before);
+    if (isReentrant || (!isBetween && before.dot(way) <= after.dot(way)))
+        result.add(after);
+    return result;
+}
+
+/// How the chord's section runs: of what the ends allow, between the two faces that are most
+/// opposite to each other, if that still counts; else what leans least.
+void measureLean(const EndNormals &begins, const EndNormals &ends, const Vec2 &way, Neck &neck)
+{
+    bool isFirst = true;
+    double widest = 0.0;
+    for (int i = 0; i < begins.count; ++i) {
+        for (int j = 0; j < ends.count; ++j) {
+            const Vec2 span = ends.normals[static_cast<std::size_t>(j)] -
+                              begins.normals[static_cast<std::size_t>(i)];
+            const bool isSameSide = span.norm() < kSameSideNormals || span.dot(way) <= 0.0;
+            const Vec2 across = isSameSide ? way : Vec2(span.normalized());
+            const double lean = turnBetween(way, across);
+            const bool isGood = !isSameSide && lean <= kMaxLean;
+            const bool wasGood = !neck.isSameSide && neck.lean <= kMaxLean;
+            const bool isBetter = isGood != wasGood ? isGood
+                                  : isGood          ? span.norm() > widest
+                                                    : lean < neck.lean;
+            if (!isFirst && !isBetter)
+                continue;
+            isFirst = false;
+            widest = span.norm();
+            neck.isSameSide = isSameSide;
+            neck.across = across;
+            neck.lean = lean;
+        }
+    }
+}
+
+bool isAtCornerOf(const SectionOutline &outline, const OutlinePoint &point)
+{
+    for (const int index : {point.edge, point.edge + 1})
+        if (outline.isReentrant(point.ring, index) &&
+            (point.at - outline.vertex(point.ring, index)).norm() <= kAtVertex)
+            return true;
+    return false;
+}
+
+/// How a ring goes on from a point.
+struct RingTurn
+{
+    double turn = 0.0; // radians
+    double way = 0.0;  // mm of arc over which it does
+};
+
+/// Within `reach` mm of arc, one way; nothing at a corner. The turn at a vertex stands for the arc
+/// from the middle of the edge before it to that of the one behind.
+std::optional<RingTurn> turnWithin(const SectionOutline &outline, const OutlinePoint &point,
+                                   double reach, int step)
+{
+    int vertex = step > 0 ? point.edge + 1 : point.edge;
+    double way = (outline.vertex(point.ring, vertex) - point.at).norm();
+    RingTurn result{0.0, reach};
+    const int limit =
+        static_cast<int>(outline.rings()[static_cast<std::size_t>(point.ring)].size());
+    for (int count = 0; way < reach && count < limit; ++count) {
+        const double here = signedTurn(outline.outward(point.ring, vertex - 1),
+                                       outline.outward(point.ring, vertex));
+        if (std::abs(here) > kCurveTurn)
+            return std::nullopt;
+        const double edge =
+            (outline.vertex(point.ring, vertex + step) - outline.vertex(point.ring, vertex)).norm();
+        result.turn += here;
+        result.way = way + 0.5 * edge;
+        way += edge;
+        vertex += step;
+    }
+    return result;
+}
+
+/// Curvature of a ring around a point, 1/mm, positive where the material is convex.
+std::optional<double> curvatureAt(const SectionOutline &outline, const OutlinePoint &point,
+                                  double length)
+{
+    const auto back = turnWithin(outline, point, 0.5 * length, -1);
+    const auto on = back ? turnWithin(outline, point, 0.5 * length, 1) : std::nullopt;
+    if (!on)
+        return std::nullopt;
+    return (back->turn + on->turn) / (back->way + on->way);
+}
+
+void measureBend(const SectionOutline &outline, const Chord &chord, Neck &neck)
+{
+    const auto a = curvatureAt(outline, chord.begin, neck.length);
+    const auto b = a && *a != 0.0 ? curvatureAt(outline, chord.end, neck.length) : std::nullopt;
+    if (!b || *a * *b >= 0.0)
+        return;
+    const double outer = 1.0 / std::max(*a, *b), inner = -1.0 / std::min(*a, *b);
+    if (std::abs(outer - inner - neck.length) > kConcentricShare * neck.length)
+        return;
+    const double radius = std::max(0.5 * (outer + inner) / neck.length, kLeastRadius); // in l
+    neck.isCurved = radius < kCurvedRadius;
+    if (radius > kStraightRadius)
+        return;
+    const double ri = radius - 0.5, rn = 1.0 / std::log((radius + 0.5) / ri);
+    neck.bend = std::max(1.0, (rn - ri) / (6.0 * (radius - rn) * ri));
+}
+
+/// What the shadow of a slit leaves of the neck, if that is less than of others.
+void shadow(const PieceShape &shape, int index, Neck &neck)
+{
+    const SlitLine &slit = shape.slits[static_cast<std::size_t>(index)];
+    const double rise = (neck.end - neck.begin).normalized().dot(slit.opening);
+    if (std::abs(rise) < kBesideCosine || !shape.netCuts[static_cast<std::size_t>(index)])
+        return;
+    const Vec2 &low = rise > 0.0 ? neck.begin : neck.end,
+               &high = rise > 0.0 ? neck.end : neck.begin;
+    // Along the slit from its root, and beside its middle.
+    const Vec2 side = perpendicular(slit.opening);
+    const double lowAlong = slit.opening.dot(low - slit.root);
+    const double highAlong = slit.opening.dot(high - slit.root);
+    if (lowAlong >= 0.0 || highAlong <= 0.0)
+        return;
+    const Vec2 level = low + (lowAlong / (lowAlong - highAlong)) * (high - low);
+    const double beside = side.dot(level - slit.root), sign = beside >= 0.0 ? 1.0 : -1.0;
+    // All of the slit is on one side: else the cut ends at its wall, or crosses it.
+    const Vec2 mouth = slit.root + slit.depth * slit.opening, way = high - low;
+    if ((cross(way, slit.root - low) >= 0.0) != (cross(way, mouth - low) >= 0.0) ||
+        sign * side.dot(high - slit.root) <= 0.5 * slit.width + kTouchSlack)
+        return;
+    const auto above = [&](const Vec2 &p) { // over the line at 45° from the root's corner
+        return slit.opening.dot(p - slit.root) -
+               (sign * side.dot(p - slit.root) - 0.5 * slit.width);
+    };
+    const double under = above(low), over = above(high);
+    if (under >= 0.0 || over <= 0.0)
+        return;
+    const Vec2 limit = low + (under / (under - over)) * (high - low);
+    const double limitAlong = slit.opening.dot(limit - slit.root);
+    const double length = (limit - low).norm() * std::cos(neck.lean);
+    if (limitAlong < 0.0 || limitAlong > slit.depth ||
+        (neck.shadowSlit >= 0 && length >= neck.shadowLength))
+        return;
+    const Vec2 corner = slit.root + sign * 0.5 * slit.width * side;
+    if (!shape.outline.isClear(corner, level, kTouchSlack))
+        return;
+    neck.shadowSlit = index;
+    neck.shadowBegin = rise > 0.0 ? low : limit;
+    neck.shadowEnd = rise > 0.0 ? limit : low;
+    neck.shadowLength = length;
+    neck.isNetOnPlus = (rise > 0.0 ? 1.0 : -1.0) * cross(way, slit.root - low) < 0.0;
+    const std::optional<LineCut> &net = shape.netCuts[static_cast<std::size_t>(index)];
+    neck.isOnNetPlus = net->line.across(level) < 0.0;
+}
+
+/// How far the holes that a cut crosses reach beside it.
+void measureHoles(const SectionOutline &outline, const LineCut &cut, const Chord &chord, Neck &neck)
+{
+    int last = 0;
+    for (const OutlineCrossing &c : cut.crossed) {
+        const int ring = c.point.ring;
+        if (ring == last)
+            continue;
+        last = ring;
+        double minus = 0.0, plus = 0.0;
+        for (const Vec2 &p : outline.rings()[static_cast<std::size_t>(ring)]) {
+            const double left = cut.line.across(p);
+            minus = std::max(minus, left);
+            plus = std::max(plus, -left);
+        }
+        neck.zoneMinus = std::max(neck.zoneMinus, minus);
+        neck.zonePlus = std::max(neck.zonePlus, plus);
+        if (ring == chord.begin.ring || ring == chord.end.ring)
+            neck.halfOpening = std::max(neck.halfOpening, 0.5 * (minus + plus));
+    }
+}
+
+} // namespace
+
+bool counts(const Neck &neck)
+{
+    return neck.length >= kMinNeck && neck.lean <= kMaxLean && !neck.isSameSide;
+}
+
+PieceShape::PieceShape(const Region &region, std::vector<SlitLine> given)
+    : outline(region), slits(std::move(given))
+{
+    for (std::size_t ring = 0; ring < outline.rings().size(); ++ring)
+        for (std::size_t i = 0; i < outline.rings()[ring].size(); ++i)
+            if (outline.isReentrant(static_cast<int>(ring), static_cast<int>(i)))
+                corners.push_back(
+                    {static_cast<int>(ring), static_cast<int>(i), outline.rings()[ring][i]});
+    const auto netCut = [this](const CutLine &line) {
+        const std::optional<CutChord> found = cutFrom(outline, line);
+        return found ? std::optional<LineCut>(found->cut) : std::nullopt;
+    };
+    for (const SlitLine &slit : slits)
+        netCuts.push_back(outline.isEmpty()
+                              ? std::optional<LineCut>()
+                              : netCut({outline.nearest(slit.root).at, -slit.opening}));
+    size = outline.bounds().isEmpty() ? 0.0 : outline.bounds().size().norm();
+}
+
+Neck neckOf(const PieceShape &shape, const LineCut &cut, int chordIndex)
+{
+    const Chord &chord = cut.chords[static_cast<std::size_t>(chordIndex)];
+    const Vec2 &way = cut.line.direction;
+    Neck neck;
+    neck.begin = chord.begin.at;
+    neck.end = chord.end.at;
+    measureLean(endNormals(shape.outline, chord.begin, -way),
+                endNormals(shape.outline, chord.end, way), way, neck);
+    neck.length = chord.length() * std::cos(neck.lean);
+    neck.isAtCorner =
+        isAtCornerOf(shape.outline, chord.begin) || isAtCornerOf(shape.outline, chord.end);
+    measureBend(shape.outline, chord, neck);
+    measureHoles(shape.outline, cut, chord, neck);
+    for (int slit = 0; slit < static_cast<int>(shape.slits.size()); ++slit)
+        shadow(shape, slit, neck);
+    const Vec2 middle = neck.middle();
+    neck.isNearCorner =
+        std::any_of(shape.corners.begin(), shape.corners.end(), [&](const ReentrantCorner &c) {
+            const double away = (c.at - middle).norm();
+            return away < neck.length && (c.at - neck.begin).norm() > kAtVertex &&
+                   (c.at - neck.end).norm() > kAtVertex;
+        });
+    const double depth = std::min(cut.minus.area, cut.plus.area) / neck.length; // of a side
+    neck.isStubby = depth < neck.length;
+    neck.isCap = depth < 0.5 * neck.length;
+    return neck;
+}
+
+} // namespace fff

@@ -1,0 +1,199 @@
+#include "core/physics/section_cuts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <optional>
+
+namespace fff {
+
+namespace {
+
+/// A corner has no ligament shorter than this, mm.
+constexpr double kMinLigament = 0.05;
+constexpr int kDirections = 8;
+constexpr double kFanStep = std::numbers::pi / 16;
+constexpr int kFanSteps = 6; // to each side
+/// How far below a slit's root the line square to it runs, mm.
+constexpr double kBelowRoot = 1e-3;
+/// A vertex this near to where the corner of a slit should be is that corner, mm: fillets and
+/// relief cuts are no larger.
+constexpr double kCornerReach = 0.5;
+/// A ligament leans by no more than this from being square to an edge of its corner (40°, radians):
+/// else it would run along the corner's own walls.
+constexpr double kLigamentLean = 0.6981317007977318;
+/// Lines of one direction at the most, whatever the spacing given.
+constexpr int kMaxLines = 1000;
+
+Vec2 unit(double angle)
+{
+    return {std::cos(angle), std::sin(angle)};
+}
+
+Vec2 rotated(const Vec2 &a, double angle)
+{
+    return std::cos(angle) * a + std::sin(angle) * perpendicular(a);
+}
+
+/// What of the edge from a corner's p to q has values ≥ 0 of something linear: narrows from … to.
+void keepPositive(double here, double there, double &from, double &to)
+{
+    if (here < 0.0 && there < 0.0)
+        to = -1.0;
+    else if (here < 0.0)
+        from = std::max(from, here / (here - there));
+    else if (there < 0.0)
+        to = std::min(to, here / (here - there));
+}
+
+/// Which way boundary may face a re-entrant corner: the directions between the inward normals of
+/// its two edges, widened by kLigamentLean, but no more than half of all.
+class FacingCone
+{
+public:
+    FacingCone(const Vec2 &before, const Vec2 &after) // the outward normals
+        : m_low(rotated(-after, -kLigamentLean)), m_high(rotated(-before, kLigamentLean))
+    {
+        // An outward normal turned left is its edge's direction: this points away from the void.
+        m_axis = perpendicular(before) - perpendicular(after);
+        m_isWide = cross(m_low, m_high) <= 0.0;
+    }
+
+    /// The nearest point to the corner, which is the origin, on the edge from p to q.
+    std::optional<Vec2> nearest(const Vec2 &p, const Vec2 &q) const
+    {
+        double from = 0.0, to = 1.0;
+        if (m_isWide) {
+            keepPositive(m_axis.dot(p), m_axis.dot(q), from, to);
+        } else {
+            keepPositive(cross(m_low, p), cross(m_low, q), from, to);
+            keepPositive(cross(p, m_high), cross(q, m_high), from, to);
+        }
+        if (from > to)
+            return std::nullopt;
+        const Vec2 way = q - p;
+        return Vec2(p + std::clamp(-way.dot(p) / way.squaredNorm(), from, to) * way);
+    }
+
+private:
+    Vec2 m_low, m_high, m_axis = Vec2::Zero();
+    bool m_isWide = false;
+};
+
+} // namespace
+
+SectionCuts::SectionCuts(PieceShape shape, const SampleOptions &options) : m_shape(std::move(shape))
+{
+    m_spacing =
+        options.spacing > 0.0 ? options.spacing : std::clamp(m_shape.size / 24.0, 1.0, 10.0);
+    if (m_shape.outline.isEmpty())
+        return;
+    addGrid(std::clamp(options.gridShift, 0.0, 1.0));
+    for (const SlitLine &slit : m_shape.slits)
+        addSlit(slit);
+    for (const ReentrantCorner &corner : m_shape.corners)
+        addLigament(corner);
+}
+
+void SectionCuts::addGrid(double shift)
+{
+    for (int i = 0; i < kDirections; ++i) {
+        const Vec2 direction = unit(std::numbers::pi * i / kDirections);
+        const Vec2 step = perpendicular(direction);
+        double low = std::numeric_limits<double>::infinity(), high = -low;
+        for (const Vec2 &p : m_shape.outline.rings().front()) {
+            low = std::min(low, step.dot(p));
+            high = std::max(high, step.dot(p));
+        }
+        const double lines = std::ceil((high - low) / m_spacing);
+        const double spacing = lines > kMaxLines ? (high - low) / kMaxLines : m_spacing;
+        for (double at = low + shift * spacing; at < high; at += spacing)
+            addLine({at * step, direction}, SampleKind::Grid);
+    }
+}
+
+void SectionCuts::addSlit(const SlitLine &slit)
+{
+    const Vec2 side = perpendicular(slit.opening);
+    for (const double sign : {-0.5, 0.5}) {
+        Vec2 corner = slit.root + sign * slit.width * side;
+        double least = kCornerReach;
+        for (const ReentrantCorner &c : m_shape.corners) {
+            if (const double away = (c.at - corner).norm(); away < least) {
+                least = away;
+                corner = c.at;
+            }
+        }
+        if (least == kCornerReach) // rounded off
+            corner = m_shape.outline.nearest(corner).at;
+        for (int k = -kFanSteps; k <= kFanSteps; ++k)
+            addFrom({corner, rotated(-slit.opening, k * kFanStep)}, SampleKind::SlitFan);
+    }
+    addFrom({m_shape.outline.nearest(slit.root).at, -slit.opening}, SampleKind::NetSection);
+    const CutLine below{slit.root - kBelowRoot * slit.opening, side};
+    if (auto cut = cutAt(m_shape.outline, below, 0.0, 0.0))
+        addChords(std::move(cut->cut), cut->chord, SampleKind::NetSection);
+}
+
+void SectionCuts::addLigament(const ReentrantCorner &corner)
+{
+    const SectionOutline &outline = m_shape.outline;
+    const FacingCone cone(outline.outward(corner.ring, corner.vertex - 1),
+                          outline.outward(corner.ring, corner.vertex));
+    double least = std::numeric_limits<double>::infinity();
+    Vec2 nearest = Vec2::Zero();
+    for (std::size_t ring = 0; ring < outline.rings().size(); ++ring) {
+        const Polygon &points = outline.rings()[ring];
+        const bool isOwn = static_cast<int>(ring) == corner.ring;
+        for (std::size_t i = 0, j = points.size() - 1; i < points.size(); j = i++) {
+            const int edge = static_cast<int>(j), next = static_cast<int>(i);
+            if (isOwn && (edge == corner.vertex || next == corner.vertex))
+                continue;
+            const Vec2 box = (points[i].cwiseMin(points[j]) - corner.at)
+                                 .cwiseMax(corner.at - points[i].cwiseMax(points[j]))
+                                 .cwiseMax(0.0);
+            if (box.norm() >= least)
+                continue;
+            const auto p = cone.nearest(points[j] - corner.at, points[i] - corner.at);
+            if (p && p->norm() < least && p->norm() > kMinLigament) {
+                least = p->norm();
+                nearest = *p;
+            }
+        }
+    }
+    if (least < std::numeric_limits<double>::infinity())
+        addFrom({corner.at, nearest / least}, SampleKind::Ligament);
+}
+
+void SectionCuts::addLine(const CutLine &line, SampleKind kind)
+{
+    std::vector<LineCut> cuts;
+    cutsOn(m_shape.outline, line, 1, cuts);
+    for (LineCut &cut : cuts)
+        addChords(std::move(cut), -1, kind);
+}
+
+void SectionCuts::addFrom(const CutLine &line, SampleKind kind)
+{
+    if (auto cut = cutFrom(m_shape.outline, line))
+        addChords(std::move(cut->cut), cut->chord, kind);
+}
+
+void SectionCuts::addChords(LineCut &&cut, int only, SampleKind kind)
+{
+    bool isKept = false;
+    for (int i = 0; i < static_cast<int>(cut.chords.size()); ++i) {
+        if (only >= 0 && i != only)
+            continue;
+        const Neck neck = neckOf(m_shape, cut, i);
+        if (!counts(neck))
+            continue;
+        m_samples.push_back({kind, static_cast<int>(m_cuts.size()), i, neck});
+        isKept = true;
+    }
+    if (isKept)
+        m_cuts.push_back(std::move(cut));
+}
+
+} // namespace fff

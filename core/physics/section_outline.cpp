@@ -1,0 +1,259 @@
+#include "core/physics/section_outline.h"
+
+#include "core/base/tolerances.h"
+#include "core/geometry/side_of_line.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace fff {
+
+namespace {
+
+/// The second point of a line for the predicate, mm: far enough that its rounding does not tilt the
+/// line over the size of a section, near enough that it adds no digits.
+constexpr double kCutBase = 1024.0;
+/// An inside angle of more is a corner that weakens (200°): its sine and cosine beyond 180°.
+constexpr double kReentrantSine = 0.3420201433256687;
+
+double distanceToBox(const Box2 &box, const Vec2 &p)
+{
+    return (box.min - p).cwiseMax(p - box.max).cwiseMax(0.0).norm();
+}
+
+Polygon withoutRepeats(const Polygon &ring)
+{
+    Polygon kept;
+    kept.reserve(ring.size());
+    for (const Vec2 &p : ring)
+        if (p.allFinite() && (kept.empty() || (p - kept.back()).norm() > kClipGrid))
+            kept.push_back(p);
+    while (kept.size() > 1 && (kept.front() - kept.back()).norm() <= kClipGrid)
+        kept.pop_back();
+    return kept;
+}
+
+std::size_t at(int index)
+{
+    return static_cast<std::size_t>(index);
+}
+
+} // namespace
+
+AreaMoment &AreaMoment::operator+=(const AreaMoment &other)
+{
+    area += other.area;
+    first += other.first;
+    return *this;
+}
+
+AreaMoment &AreaMoment::operator-=(const AreaMoment &other)
+{
+    area -= other.area;
+    first -= other.first;
+    return *this;
+}
+
+SectionOutline::SectionOutline(const Region &region)
+{
+    m_bounds = fff::bounds(region.outer);
+    if (m_bounds.isEmpty())
+        return;
+    m_base = m_bounds.center();
+    addRing(region.outer, false);
+    if (m_rings.empty())
+        return;
+    for (const Polygon &hole : region.holes)
+        addRing(hole, true);
+    for (const std::vector<AreaMoment> &sums : m_sums)
+        m_total += sums.back();
+    buildBridges();
+}
+
+void SectionOutline::addRing(const Polygon &given, bool isHole)
+{
+    Polygon ring = withoutRepeats(given);
+    if (ring.size() < 3)
+        return;
+    if ((signedArea(ring) < 0.0) != isHole)
+        std::reverse(ring.begin(), ring.end());
+    const std::size_t n = ring.size();
+    std::vector<Vec2> outward(n);
+    std::vector<char> reentrant(n);
+    std::vector<AreaMoment> sums(n + 1);
+    for (std::size_t i = 0; i < n; ++i) {
+        const Vec2 &a = ring[i], &b = ring[(i + 1) % n];
+        outward[i] = -perpendicular(b - a).normalized();
+        sums[i + 1] = sums[i];
+        sums[i + 1] += ofStep(a - m_base, b - m_base);
+    }
+    for (std::size_t i = 0; i < n; ++i) {
+        const Vec2 &before = outward[(i + n - 1) % n], &after = outward[i];
+        const double sine = cross(before, after);
+        // A spike into the material turns by nearly 180°, with a sine of nothing.
+        reentrant[i] = sine < -kReentrantSine || (sine < 0.0 && before.dot(after) < 0.0) ? 1 : 0;
+    }
+    BoxRuns edges;
+    edges.fill(n, [&ring, n](std::size_t i) {
+        Box2 box;
+        box.extend(ring[i]);
+        box.extend(ring[(i + 1) % n]);
+        return box;
+    });
+    m_rings.push_back(std::move(ring));
+    m_outward.push_back(std::move(outward));
+    m_reentrant.push_back(std::move(reentrant));
+    m_sums.push_back(std::move(sums));
+    m_edges.push_back(std::move(edges));
+}
+
+void SectionOutline::buildBridges()
+{
+    // From the leftmost vertex of a hole to the left, to the first ring there: that reaches farther
+    // to the left, so the bridges make no circle.
+    std::vector<double> reach;
+    std::vector<OutlineCrossing> found;
+    for (std::size_t ring = 1; ring < m_rings.size(); ++ring) {
+        const Polygon &hole = m_rings[ring];
+        const Vec2 from = *std::min_element(
+            hole.begin(), hole.end(), [](const Vec2 &a, const Vec2 &b) { return a.x() < b.x(); });
+        crossings({from, -Vec2::UnitX()}, 1, found);
+        Bridge bridge{from, {0, 0, 0.0, m_rings.front().front()}};
+        double nearest = std::numeric_limits<double>::infinity();
+        for (const OutlineCrossing &c : found) {
+            if (c.point.ring != static_cast<int>(ring) && c.along >= 0.0 && c.along < nearest) {
+                nearest = c.along;
+                bridge.to = c.point;
+            }
+        }
+        m_bridges.push_back(bridge);
+        reach.push_back(from.x());
+    }
+    m_holeOrder.resize(m_bridges.size());
+    std::iota(m_holeOrder.begin(), m_holeOrder.end(), 1);
+    std::sort(m_holeOrder.begin(), m_holeOrder.end(),
+              [&reach](int a, int b) { return reach[at(a - 1)] < reach[at(b - 1)]; });
+}
+
+Vec2 SectionOutline::vertex(int ring, int index) const
+{
+    const Polygon &points = m_rings[at(ring)];
+    const int n = static_cast<int>(points.size());
+    return points[at(((index % n) + n) % n)];
+}
+
+const Vec2 &SectionOutline::outward(int ring, int edge) const
+{
+    const std::vector<Vec2> &all = m_outward[at(ring)];
+    const int n = static_cast<int>(all.size());
+    return all[at(((edge % n) + n) % n)];
+}
+
+bool SectionOutline::isReentrant(int ring, int index) const
+{
+    const std::vector<char> &all = m_reentrant[at(ring)];
+    const int n = static_cast<int>(all.size());
+    return all[at(((index % n) + n) % n)] != 0;
+}
+
+AreaMoment SectionOutline::ofStep(const Vec2 &a, const Vec2 &b)
+{
+    const double twice = cross(a, b);
+    return {0.5 * twice, (twice / 6.0) * (a + b)};
+}
+
+AreaMoment SectionOutline::upTo(const OutlinePoint &point) const
+{
+    AreaMoment sum = m_sums[at(point.ring)][at(point.edge)];
+    sum += ofStep(m_rings[at(point.ring)][at(point.edge)] - m_base, point.at - m_base);
+    return sum;
+}
+
+void SectionOutline::crossingsOf(std::size_t ring, const CutLine &line, int zero, bool &isTouched,
+                                 std::vector<OutlineCrossing> &found) const
+{
+    const Polygon &points = m_rings[ring];
+    const Vec2 second = line.at(kCutBase);
+    const auto isNear = [&line](const Box2 &box) {
+        const Vec2 half = 0.5 * box.size();
+        const double reach = std::abs(line.direction.y()) * half.x() +
+                             std::abs(line.direction.x()) * half.y() + kClipGrid;
+        return std::abs(line.across(box.center())) <= reach;
+    };
+    const auto isLeft = [&](const Vec2 &p) {
+        const double side = sideOfLine(line.point, second, p);
+        isTouched = isTouched || side == 0.0;
+        return side == 0.0 ? zero > 0 : side > 0.0;
+    };
+    // Edges of a run follow each other: of each, the side of its end is that of the next one's
+    // beginning.
+    std::size_t known = points.size();
+    bool knownSide = false;
+    m_edges[ring].any(isNear, [&](std::size_t i) {
+        const std::size_t j = i + 1 == points.size() ? 0 : i + 1;
+        const bool isFromLeft = known == i ? knownSide : isLeft(points[i]);
+        const bool isToLeft = isLeft(points[j]);
+        known = j;
+        knownSide = isToLeft;
+        if (isFromLeft == isToLeft)
+            return false;
+        const double before = std::abs(line.across(points[i]));
+        const double after = std::abs(line.across(points[j]));
+        const double share = before + after > 0.0 ? before / (before + after) : 0.0;
+        const Vec2 p = points[i] + share * (points[j] - points[i]);
+        found.push_back(
+            {line.along(p), {static_cast<int>(ring), static_cast<int>(i), share, p}, isToLeft});
+        return false;
+    });
+}
+
+bool SectionOutline::crossings(const CutLine &line, int zero,
+                               std::vector<OutlineCrossing> &found) const
+{
+    found.clear();
+    bool isTouched = false;
+    for (std::size_t ring = 0; ring < m_rings.size(); ++ring)
+        crossingsOf(ring, line, zero, isTouched, found);
+    std::sort(found.begin(), found.end(),
+              [](const OutlineCrossing &a, const OutlineCrossing &b) { return a.along < b.along; });
+    return isTouched;
+}
+
+OutlinePoint SectionOutline::nearest(const Vec2 &point) const
+{
+    OutlinePoint best;
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t ring = 0; ring < m_rings.size(); ++ring) {
+        const Polygon &points = m_rings[ring];
+        m_edges[ring].any([&](const Box2 &box) { return distanceToBox(box, point) < least; },
+                          [&](std::size_t i) {
+                              const Vec2 &a = points[i];
+                              const Vec2 way = points[i + 1 == points.size() ? 0 : i + 1] - a;
+                              const double share =
+                                  std::clamp(way.dot(point - a) / way.squaredNorm(), 0.0, 1.0);
+                              const Vec2 here = a + share * way;
+                              if (const double d = (here - point).norm(); d < least) {
+                                  least = d;
+                                  best = {static_cast<int>(ring), static_cast<int>(i), share, here};
+                              }
+                              return false;
+                          });
+    }
+    return best;
+}
+
+bool SectionOutline::isClear(const Vec2 &a, const Vec2 &b, double slack) const
+{
+    const double length = (b - a).norm();
+    if (length <= 2.0 * slack)
+        return true;
+    std::vector<OutlineCrossing> found;
+    crossings({a, (b - a) / length}, 1, found);
+    return std::none_of(found.begin(), found.end(), [&](const OutlineCrossing &c) {
+        return c.along > slack && c.along < length - slack;
+    });
+}
+
+} // namespace fff

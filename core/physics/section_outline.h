@@ -1,0 +1,127 @@
+// The boundary of a piece as cuts across it ask for it: where a line crosses it, and how much area
+// lies along a stretch of it. All lengths in mm, coordinates of the section's frame.
+#pragma once
+
+#include "core/geometry/box_runs.h"
+#include "core/geometry/polygon.h"
+
+#include <vector>
+
+namespace fff {
+
+/// A directed line; `direction` is a unit vector.
+struct CutLine
+{
+    Vec2 point = Vec2::Zero();
+    Vec2 direction = Vec2::UnitX();
+
+    double along(const Vec2 &p) const { return direction.dot(p - point); }
+    double across(const Vec2 &p) const { return cross(direction, p - point); } // positive: left
+    Vec2 at(double s) const { return point + s * direction; }
+};
+
+/// Area and ∫ position dA of it (mm², mm³).
+struct AreaMoment
+{
+    double area = 0.0;
+    Vec2 first = Vec2::Zero();
+
+    AreaMoment &operator+=(const AreaMoment &other);
+    AreaMoment &operator-=(const AreaMoment &other);
+};
+
+/// A point of the boundary, on the edge that begins at vertex `edge` of a ring (0: the outer one).
+struct OutlinePoint
+{
+    int ring = 0;
+    int edge = 0;
+    double share = 0.0; // of the edge, 0 … 1
+    Vec2 at = Vec2::Zero();
+
+    /// Comes before it on the same ring.
+    bool isBefore(const OutlinePoint &other) const
+    {
+        return edge != other.edge ? edge < other.edge : share < other.share;
+    }
+};
+
+/// Where a line crosses the boundary.
+struct OutlineCrossing
+{
+    double along = 0.0; // on the line
+    OutlinePoint point;
+    bool isToLeft = false; // the ring goes over to the line's left side there
+};
+
+/// A piece of material: one outer ring, holes inside and apart from it. Rings may be given in
+/// either orientation; points repeated at once are dropped, rings of fewer than three points too.
+///
+/// Integrals along a ring are prefix sums (Green's theorem), so that any stretch of it costs one
+/// subtraction. They are taken about base(), a point of the piece, to keep their digits.
+class SectionOutline
+{
+public:
+    explicit SectionOutline(const Region &region);
+
+    /// The outer ring counter-clockwise, then the holes, clockwise: material is to their left.
+    const std::vector<Polygon> &rings() const { return m_rings; }
+    bool isEmpty() const { return m_rings.empty(); }
+    const Box2 &bounds() const { return m_bounds; }
+    const Vec2 &base() const { return m_base; }
+    /// Of all the material, about base().
+    const AreaMoment &total() const { return m_total; }
+
+    Vec2 vertex(int ring, int index) const; // index counted around
+    /// Unit, out of the material, of the edge that begins at the vertex.
+    const Vec2 &outward(int ring, int edge) const;
+    /// Inside angle of more than 200° there.
+    bool isReentrant(int ring, int index) const;
+
+    /// What the ring sweeps over about base() from its first vertex to the point; of all of it.
+    AreaMoment upTo(const OutlinePoint &point) const;
+    const AreaMoment &ofRing(int ring) const
+    {
+        return m_sums[static_cast<std::size_t>(ring)].back();
+    }
+    static AreaMoment ofStep(const Vec2 &a, const Vec2 &b); // both about one base
+
+    /// All crossings in their order along the line. A vertex exactly on the line counts as to its
+    /// left when `zero` is 1 and to its right when it is −1. Whether there was one. O(edges near
+    /// the line).
+    bool crossings(const CutLine &line, int zero, std::vector<OutlineCrossing> &found) const;
+
+    OutlinePoint nearest(const Vec2 &point) const;
+    /// The straight way between two points of the material meets no edge; touching is meeting,
+    /// except within `slack` mm of its ends.
+    bool isClear(const Vec2 &a, const Vec2 &b, double slack) const;
+
+    /// From a hole straight to a ring nearer to the outer one, or that itself, inside the material.
+    struct Bridge
+    {
+        Vec2 from = Vec2::Zero();
+        OutlinePoint to;
+    };
+    /// One for each hole, index ring − 1.
+    const std::vector<Bridge> &bridges() const { return m_bridges; }
+    /// Rings 1 … so that each comes after the one its bridge leads to.
+    const std::vector<int> &holeOrder() const { return m_holeOrder; }
+
+private:
+    void addRing(const Polygon &ring, bool isHole);
+    void buildBridges();
+    void crossingsOf(std::size_t ring, const CutLine &line, int zero, bool &isTouched,
+                     std::vector<OutlineCrossing> &found) const;
+
+    std::vector<Polygon> m_rings;
+    std::vector<std::vector<Vec2>> m_outward;
+    std::vector<std::vector<char>> m_reentrant;
+    std::vector<std::vector<AreaMoment>> m_sums; // one more than vertices
+    std::vector<BoxRuns> m_edges;
+    std::vector<Bridge> m_bridges;
+    std::vector<int> m_holeOrder;
+    Box2 m_bounds;
+    Vec2 m_base = Vec2::Zero();
+    AreaMoment m_total;
+};
+
+} // namespace fff

@@ -1,0 +1,168 @@
+#include "core/physics/section_stress.h"
+
+#include "core/physics/neck_stress.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace fff {
+
+namespace {
+
+/// Lines of one direction nearer than this many spacings are refined to the same place.
+constexpr double kSameBracket = 1.5;
+
+std::vector<AppliedForce> finite(const std::vector<AppliedForce> &forces)
+{
+    std::vector<AppliedForce> kept = forces;
+    for (AppliedForce &f : kept) {
+        if (f.at.allFinite() && f.force.allFinite() && f.moment.allFinite())
+            continue;
+        f.at = Vec2::Zero();
+        f.force = f.moment = Vec3::Zero();
+    }
+    return kept;
+}
+
+/// What is left over, as a share of the largest force or, over the size of the piece, moment.
+double shareOf(const SectionCuts &cuts, const SideForce &rest,
+               const std::vector<AppliedForce> &forces, const Vec3 &arealWeight)
+{
+    const double size = cuts.shape().size;
+    double scale = cuts.shape().outline.total().area * arealWeight.norm();
+    for (const AppliedForce &f : forces)
+        scale = std::max({scale, f.force.norm(), size > 0.0 ? f.moment.norm() / size : 0.0});
+    if (!(scale > 0.0) || !(size > 0.0))
+        return 0.0;
+    return std::max(rest.force.norm(), rest.moment.norm() / size) / scale;
+}
+
+/// The worst lines of the grid, each in a bracket of its own.
+std::vector<int> worstLines(const SectionCuts &cuts, const std::vector<NeckStress> &necks,
+                            int count)
+{
+    std::vector<int> order(necks.size());
+    std::iota(order.begin(), order.end(), 0);
+    std::erase_if(order, [&necks](int i) {
+        const NeckStress &neck = necks[static_cast<std::size_t>(i)];
+        return neck.kind != SampleKind::Grid || neck.isLocal || !(neck.neckUse > 0.0);
+    });
+    std::sort(order.begin(), order.end(), [&necks](int a, int b) {
+        return necks[static_cast<std::size_t>(a)].neckUse >
+               necks[static_cast<std::size_t>(b)].neckUse;
+    });
+    std::vector<int> chosen;
+    const auto middle = [&cuts](int i) {
+        return cuts.samples()[static_cast<std::size_t>(i)].neck.middle();
+    };
+    for (const int i : order) {
+        if (static_cast<int>(chosen.size()) >= count)
+            break;
+        const bool isNew = std::none_of(chosen.begin(), chosen.end(), [&](int other) {
+            return (middle(i) - middle(other)).norm() < kSameBracket * cuts.spacing();
+        });
+        if (isNew)
+            chosen.push_back(i);
+    }
+    return chosen;
+}
+
+void findWorst(SectionStress &stress)
+{
+    for (std::size_t i = 0; i < stress.necks.size(); ++i) {
+        const NeckStress &neck = stress.necks[i];
+        if (neck.isLocal)
+            continue;
+        const auto worseThan = [&](int other, double NeckStress::*use) {
+            return other < 0 || neck.*use > stress.necks[static_cast<std::size_t>(other)].*use;
+        };
+        if (worseThan(stress.worstNeck, &NeckStress::neckUse))
+            stress.worstNeck = static_cast<int>(i);
+        if (worseThan(stress.worstCorner, &NeckStress::cornerUse))
+            stress.worstCorner = static_cast<int>(i);
+    }
+}
+
+} // namespace
+
+CutShares cutShares(const SectionCuts &cuts, const std::vector<AppliedForce> &given,
+                    double thickness)
+{
+    CutShares result;
+    if (cuts.shape().outline.isEmpty())
+        return result;
+    result.sites = forceSites(cuts.shape().outline, finite(given), thickness);
+    result.shares.reserve(cuts.cuts().size() * result.sites.size());
+    for (const LineCut &cut : cuts.cuts())
+        for (const ForceSite &site : result.sites)
+            result.shares.push_back(plusShare(cut, site));
+    return result;
+}
+
+SectionStress stressOf(const SectionCuts &cuts, const CutShares &shares,
+                       const std::vector<AppliedForce> &given, const SheetMaterial &sheet,
+                       const StressOptions &options)
+{
+    SectionStress result;
+    if (cuts.shape().outline.isEmpty())
+        return result;
+    const std::vector<AppliedForce> forces = finite(given);
+    const PieceShape &shape = cuts.shape();
+    const LoadedPiece piece{shape, forces, sheet, options.notch,
+                            netForces(shape, shares.sites, forces, sheet.arealWeight)};
+    result.imbalance = allForce(shape.outline, forces, sheet.arealWeight);
+    result.imbalanceShare = shareOf(cuts, result.imbalance, forces, sheet.arealWeight);
+    result.necks.reserve(cuts.samples().size() + static_cast<std::size_t>(options.refined));
+    int last = -1;
+    SideForce plus;
+    for (const CutSample &sample : cuts.samples()) {
+        const auto index = static_cast<std::size_t>(sample.cut);
+        const LineCut &cut = cuts.cuts()[index];
+        if (sample.cut != last)
+            plus = plusForce(shape.outline, cut, forces, shares.ofCut(index), sheet.arealWeight);
+        last = sample.cut;
+        result.necks.push_back(neckStress(piece, cut, sample.chord, sample.neck, sample.kind,
+                                          shares.ofCut(index), plus));
+    }
+    for (const int i : worstLines(cuts, result.necks, options.refined)) {
+        const CutSample &sample = cuts.samples()[static_cast<std::size_t>(i)];
+        if (const auto neck =
+                refined(piece, shares.sites, cuts.cuts()[static_cast<std::size_t>(sample.cut)].line,
+                        sample.neck.middle(), cuts.spacing()))
+            result.necks.push_back(*neck);
+    }
+    findWorst(result);
+    return result;
+}
+
+SectionStress stressOf(const SectionCuts &cuts, const std::vector<AppliedForce> &forces,
+                       const SheetMaterial &sheet, const StressOptions &options)
+{
+    return stressOf(cuts, cutShares(cuts, forces, sheet.thickness), forces, sheet, options);
+}
+
+std::optional<NeckStress> stressOnLine(const PieceShape &shape,
+                                       const std::vector<AppliedForce> &given,
+                                       const SheetMaterial &sheet, const Vec2 &p0, const Vec2 &p1,
+                                       const NotchRule &notch)
+{
+    const double length = (p1 - p0).norm();
+    if (shape.outline.isEmpty() || !(length > 0.0) || !std::isfinite(length))
+        return std::nullopt;
+    const auto found = cutAt(shape.outline, {p0, (p1 - p0) / length}, 0.5 * length, 0.0);
+    if (!found)
+        return std::nullopt;
+    const std::vector<AppliedForce> forces = finite(given);
+    const Neck neck = neckOf(shape, found->cut, found->chord);
+    std::vector<PlusShare> shares;
+    const std::vector<ForceSite> sites = forceSites(shape.outline, forces, sheet.thickness);
+    for (const ForceSite &site : sites)
+        shares.push_back(plusShare(found->cut, site));
+    const SideForce plus = plusForce(shape.outline, found->cut, forces, shares, sheet.arealWeight);
+    const LoadedPiece piece{shape, forces, sheet, notch,
+                            netForces(shape, sites, forces, sheet.arealWeight)};
+    return neckStress(piece, found->cut, found->chord, neck, SampleKind::Given, shares, plus);
+}
+
+} // namespace fff
