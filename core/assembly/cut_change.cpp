@@ -22,7 +22,6 @@ bool cutsTheSame(const Slit &x, const Slit &y)
 CutChange::CutChange(const CutSection &now, const std::vector<Slit> &slitsNow,
                      const CutSection &before, const std::vector<Slit> &slitsBefore)
 {
-    m_isEverywhere = true;
     if (now.parts().size() != 1 || before.parts().size() != 1 || now.failure() ||
         before.failure() || now.waste() != before.waste())
         return;
@@ -57,13 +56,6 @@ CutChange::CutChange(const CutSection &now, const std::vector<Slit> &slitsNow,
             box.extend(bounds(outline));
         m_boxes.push_back(box);
     }
-}
-
-CutChange CutChange::everywhere()
-{
-    CutChange change;
-    change.m_isEverywhere = true;
-    return change;
 }
 
 bool CutChange::isNear(const Slit &slit, double beside) const

@@ -12,22 +12,18 @@ namespace fff {
 class CutChange
 {
 public:
-    /// Nothing has changed.
-    CutChange() = default;
     /// Two cuts of the same shape with their slits. Where slits changed what is a piece, or a chip
     /// fell off, it may differ everywhere.
     CutChange(const CutSection &now, const std::vector<Slit> &slitsNow, const CutSection &before,
               const std::vector<Slit> &slitsBefore);
-    static CutChange everywhere();
 
-    bool isNowhere() const { return !m_isEverywhere && m_boxes.empty(); }
     bool isEverywhere() const { return m_isEverywhere; }
     /// Whether it may reach what lies `beside` mm or nearer to the slit's axis, however far along
     /// that.
     bool isNear(const Slit &slit, double beside) const;
 
 private:
-    bool m_isEverywhere = false;
+    bool m_isEverywhere = true;
     std::vector<Box2> m_boxes; // of slits that came, went or changed
 };
 
