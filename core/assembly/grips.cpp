@@ -93,12 +93,14 @@ struct Walls
 {
     std::array<std::vector<Spans>, 2> sides; // to the left and to the right, of each own piece
     std::array<std::vector<char>, 2> ends;   // whether it closes the ends, of each own piece
-    std::vector<Spans> guest;                // of each piece of the other
+    std::vector<Spans> guest;                // of each piece of the other, on the axis
+    std::array<std::vector<Spans>, 2> press; // and where it touches these walls
     double length = 0.0;                     // mm, of the slit
     Vec2 left = Vec2::Zero();                // unit, from the slit to its left wall
 };
 
-Walls wallsOf(const Slit &slit, const Mate &host, const Mate &guest)
+/// ownHalf: of the slit that the guest has, mm; 0 without one
+Walls wallsOf(const Slit &slit, const Mate &host, const Mate &guest, double ownHalf)
 {
     const Vec2 way = slit.mouth - slit.inner;
     const double length = way.norm();
@@ -122,10 +124,25 @@ Walls wallsOf(const Slit &slit, const Mate &host, const Mate &guest)
     const auto toGuest = [&](const Vec2 &direction) {
         return guest.frame.directionToLocal(host.frame.directionToWorld(direction));
     };
-    walls.guest = insideOf(
-        guest.cut,
-        {guest.frame.toLocal(host.frame.toWorld(axis.point)), toGuest(axis.direction).normalized()},
-        length);
+    const PlaneLine inGuest{guest.frame.toLocal(host.frame.toWorld(axis.point)),
+                            toGuest(axis.direction).normalized()};
+    walls.guest = insideOf(guest.cut, inGuest, length);
+    // The cosine of the angle between the planes, along what is to the left in the guest.
+    const Vec2 slant = toGuest(walls.left);
+    const double cosine = slant.norm();
+    const bool isOblique = ownHalf * cosine > kGripPlay;
+    for (const int side : {0, 1}) {
+        std::vector<Spans> &press = walls.press[static_cast<std::size_t>(side)];
+        if (!isOblique) {
+            press = walls.guest;
+            continue;
+        }
+        const double offset = (ownHalf - kGripPlay / cosine) * (side == 0 ? 1.0 : -1.0);
+        press = insideOf(guest.cut, {inGuest.point + (offset / cosine) * slant, inGuest.direction},
+                         length);
+        for (std::size_t i = 0; i < press.size(); ++i)
+            press[i] = common(press[i], walls.guest[i]);
+    }
     return walls;
 }
 
@@ -143,17 +160,20 @@ LooseSlit whyLoose(const Walls &walls, double held)
 {
     LooseSlit loose;
     std::array<double, 2> depths{0.0, 0.0}; // of each wall, the most of any piece
-    double inside = 0.0;
-    for (const Spans &guest : walls.guest) {
-        inside = std::max(inside, depthOf(guest));
+    double inside = 0.0, pressed = 0.0;
+    for (std::size_t i = 0; i < walls.guest.size(); ++i) {
+        inside = std::max(inside, depthOf(walls.guest[i]));
+        pressed = std::max(pressed, depthOf(common(walls.press[0][i], walls.press[1][i])));
         for (const std::size_t side : {0U, 1U})
             for (const Spans &wall : walls.sides[side])
-                depths[side] = std::max(depths[side], depthOf(common(wall, guest)));
+                depths[side] = std::max(depths[side], depthOf(common(wall, walls.press[side][i])));
     }
     loose.depth = std::max(depths[0], depths[1]);
     const double least = std::min(depths[0], depths[1]);
     if (!(inside >= kGripDepth))
         loose.why = inside > 0.0 && held > 0.0 ? NoGrip::Shallow : NoGrip::Empty;
+    else if (!(pressed >= kGripDepth))
+        loose.why = NoGrip::Shallow;
     else if (least >= kGripDepth)
         loose.why = NoGrip::CutThrough;
     else if (loose.depth >= kGripDepth) {
@@ -171,16 +191,21 @@ std::optional<LooseSlit> addHeld(const Joint &joint, const Mate &host, const Mat
 {
     std::optional<LooseSlit> loose;
     const std::span<const Slit> slits = slitsOfJoint(host.slits, joint.id);
+    double ownHalf = 0.0;
+    for (const Slit &slit : slitsOfJoint(guest.slits, joint.id))
+        if (slit.role == SlitRole::Slit)
+            ownHalf = std::max(ownHalf, 0.5 * slit.width);
     for (auto at = slits.begin(); at != slits.end(); ++at) {
         const Slit &slit = *at;
         if (slit.role != SlitRole::Slit || slit.overlap < 0 || slit.inner == slit.mouth)
             continue;
-        const Walls walls = wallsOf(slit, host, guest);
+        const Walls walls = wallsOf(slit, host, guest, ownHalf);
         for (std::size_t own = 0; own < host.cut.parts().size(); ++own) {
             const Spans both = common(walls.sides[0][own], walls.sides[1][own]);
             for (std::size_t other = 0; !both.empty() && other < walls.guest.size(); ++other)
                 if (joint.kind != JointKind::Mortise || isClosed(walls, own, other))
-                    held.at(own, other) += depthOf(common(both, walls.guest[other]));
+                    held.at(own, other) +=
+                        depthOf(common(both, common(walls.press[0][other], walls.press[1][other])));
         }
         LooseSlit why = whyLoose(walls, held.most());
         why.slit = static_cast<int>(at - slits.begin());

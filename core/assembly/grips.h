@@ -17,6 +17,8 @@ namespace fff {
 inline constexpr double kGripDepth = 0.5;
 /// So far from its slit, mm, a wall has to have material; less burns away.
 inline constexpr double kGripWall = 0.05;
+/// By so much, mm, what is in a slit may move across it before a wall of an oblique slit stops it.
+inline constexpr double kGripPlay = 0.1;
 
 /// Two pieces, and over which depth each has the other between two walls of its slits.
 struct Grip
@@ -61,10 +63,12 @@ struct JointGrips
 ///
 /// A slit of one section grips a piece of the other over the depth, along the joint's axis, at
 /// which that piece has material on the axis while one and the same piece of its own section stands
-/// kGripWall beside both of its walls. Two pieces hold each other where each grips the other so
-/// over kGripDepth, all slits of the joint together: then each keeps the other from moving along
-/// its own normal and from turning, and the bottoms of the slits from one way of the axis. In a
-/// mortise, and of tabs, the slit of the one section has walls all round, and is enough.
+/// kGripWall beside both of its walls. The walls of an oblique slit touch the other section beside
+/// the axis only, with an edge each, half the width of its own slit away: there it has to have
+/// material, too, but for what kGripPlay allows. Two pieces hold each other where each grips the
+/// other so over kGripDepth, all slits of the joint together: then each keeps the other from moving
+/// along its own normal and from turning, and the bottoms of the slits from one way of the axis. In
+/// a mortise, and of tabs, the slit of the one section has walls all round, and is enough.
 ///
 /// a, b       cuts of the joint's sections with these slits; frames, where they are
 /// Source     what keeps a slit joint together is that each part stands in the other's slot: J.
