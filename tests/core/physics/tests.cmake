@@ -4,8 +4,11 @@ fff_tests(tests_physics LIBRARIES fff::core Polyclipping::Polyclipping TESTS
     core/physics/tst_equilibrium
     core/physics/tst_equilibrium_extremes
     core/physics/tst_equilibrium_laws
+    core/physics/tst_line_cut
     core/physics/tst_link_stiffness
+    core/physics/tst_neck
     core/physics/tst_plate_model
+    core/physics/tst_section_extremes
     core/physics/tst_section_stress
     ALONE
         core/physics/tst_elastic_equilibrium

@@ -2,192 +2,16 @@
 #include <QTest> // first: moc stumbles over some standard headers
 
 #include "core/physics/stress_places.h"
+#include "tests/core/physics/loaded_section.h"
 #include "tests/core/physics/section_case.h"
 #include "tests/test_program.h"
 
 #include <QDir>
 
-#include <functional>
 #include <numbers>
-#include <random>
 
 using namespace fff;
 using namespace fff::test;
-
-namespace {
-
-Polygon box(double x0, double y0, double x1, double y1)
-{
-    return {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}};
-}
-
-Polygon circle(const Vec2 &centre, double radius, int corners)
-{
-    Polygon ring;
-    for (int i = 0; i < corners; ++i) {
-        const double a = 2.0 * std::numbers::pi * i / corners;
-        ring.push_back(centre + radius * Vec2(std::cos(a), std::sin(a)));
-    }
-    return ring;
-}
-
-Vec3 leverCross(const Vec2 &lever, const Vec3 &f)
-{
-    return Vec3(lever.x(), lever.y(), 0).cross(f);
-}
-
-AppliedForce forceAt(const Vec2 &at, const Vec3 &force, const Vec3 &moment = Vec3::Zero())
-{
-    AppliedForce f;
-    f.at = at;
-    f.force = force;
-    f.moment = moment;
-    return f;
-}
-
-/// The forces with one more that holds them.
-std::vector<AppliedForce> heldAt(const Vec2 &at, std::vector<AppliedForce> forces)
-{
-    AppliedForce held = forceAt(at, Vec3::Zero());
-    held.kind = ForceKind::Clamp;
-    for (const AppliedForce &f : forces) {
-        held.force -= f.force;
-        held.moment -= f.moment + leverCross(f.at - at, f.force);
-    }
-    forces.push_back(held);
-    return forces;
-}
-
-/// A beam with a slit from above, a waist and a window; held on the left, loaded at its right end.
-struct Sample
-{
-    Region region;
-    std::vector<SlitLine> slits;
-    std::vector<AppliedForce> forces;
-    SheetMaterial sheet;
-};
-
-Sample beamWithSlit()
-{
-    Sample s;
-    s.region.outer = {{0, 0},   {120, 0}, {140, 14}, {160, 0}, {220, 0}, {220, 40},
-                      {83, 40}, {83, 20}, {77, 20},  {77, 40}, {0, 40}};
-    s.region.holes = {circle({180, 22}, 7, 40)};
-    s.slits = {{{80, 20}, {0, 1}, 20.0, 6.0}};
-    s.forces = heldAt({0, 20}, {forceAt({220, 20}, {3, -10, 1.5}, {20, -30, 40})});
-    return s;
-}
-
-Region mapped(const Region &region, const std::function<Vec2(const Vec2 &)> &map)
-{
-    Region result = region;
-    for (Vec2 &p : result.outer)
-        p = map(p);
-    for (Polygon &hole : result.holes)
-        for (Vec2 &p : hole)
-            p = map(p);
-    return result;
-}
-
-/// Points in the plane by `map`, directions by `turn` (a matrix of the plane); `across`: what the
-/// direction across the sheet becomes (±1), `spin` what a moment's sign does.
-Sample mapped(const Sample &s, const Eigen::Matrix2d &turn, const Vec2 &shift, double scale)
-{
-    Sample r = s;
-    const bool isMirror = turn.determinant() < 0.0;
-    r.region = mapped(s.region, [&](const Vec2 &p) -> Vec2 { return scale * (turn * p) + shift; });
-    for (SlitLine &slit : r.slits) {
-        slit.root = scale * (turn * slit.root) + shift;
-        slit.opening = turn * slit.opening;
-        slit.depth *= scale;
-        slit.width *= scale;
-    }
-    const auto polar = [&](const Vec3 &a) { // n stays
-        Vec3 b(0, 0, a.z());
-        b.head<2>() = turn * a.head<2>();
-        return b;
-    };
-    for (AppliedForce &f : r.forces) {
-        f.at = scale * (turn * f.at) + shift;
-        f.force = polar(f.force);
-        f.moment = (isMirror ? -1.0 : 1.0) * scale * polar(f.moment);
-        f.radius *= scale;
-    }
-    r.sheet.thickness *= scale;
-    r.sheet.arealWeight = polar(s.sheet.arealWeight);
-    return r;
-}
-
-SectionStress stressOfSample(const Sample &s, const SampleOptions &options = {}, int refined = 3)
-{
-    StressOptions stress;
-    stress.refined = refined;
-    return stressOf(SectionCuts(PieceShape(s.region, s.slits), options), s.forces, s.sheet, stress);
-}
-
-double worstOf(const SectionStress &stress)
-{
-    return stress.worstNeck < 0 ? 0.0
-                                : stress.necks[static_cast<std::size_t>(stress.worstNeck)].neckUse;
-}
-
-bool isFinite(const SectionStress &stress)
-{
-    for (const NeckStress &n : stress.necks)
-        if (!std::isfinite(n.neckUse) || !std::isfinite(n.cornerUse) || !std::isfinite(n.length) ||
-            !n.begin.allFinite() || !n.end.allFinite() || n.length <= 0.0)
-            return false;
-    return std::isfinite(stress.imbalanceShare);
-}
-
-/// Area and first moment of what of a region lies to the right of a line, by Clipper.
-AreaMoment rightByClipper(const Region &region, const CutLine &line)
-{
-    const Vec2 back = line.at(-1000), on = line.at(1000),
-               right(line.direction.y(), -line.direction.x());
-    ClipperLib::Clipper clipper;
-    const auto add = [&clipper](const Polygon &polygon, ClipperLib::PolyType type) {
-        clipper.AddPath(pathOf(polygon), type, true);
-    };
-    add(region.outer, ClipperLib::ptSubject);
-    for (const Polygon &hole : region.holes)
-        add(hole, ClipperLib::ptSubject);
-    add({back, on, on + 1000 * right, back + 1000 * right}, ClipperLib::ptClip);
-    ClipperLib::Paths paths;
-    clipper.Execute(ClipperLib::ctIntersection, paths, ClipperLib::pftEvenOdd,
-                    ClipperLib::pftEvenOdd);
-    AreaMoment sum; // of triangles from the origin: holes come with their sign
-    for (const ClipperLib::Path &path : paths) {
-        const Polygon ring = ringOf(path);
-        for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++) {
-            const double twice = ring[j].x() * ring[i].y() - ring[i].x() * ring[j].y();
-            sum.area += 0.5 * twice;
-            sum.first += twice / 6.0 * (ring[i] + ring[j]);
-        }
-    }
-    return sum;
-}
-
-/// A star of many corners with holes in it.
-Region starWithHoles(std::mt19937 &random)
-{
-    std::uniform_real_distribution<double> radius(40, 60), hole(2, 6);
-    Region region;
-    const int corners = 5 + static_cast<int>(random() % 60);
-    for (int i = 0; i < corners; ++i) {
-        const double a = 2.0 * std::numbers::pi * i / corners;
-        region.outer.push_back(radius(random) * Vec2(std::cos(a), std::sin(a)));
-    }
-    const int holes = static_cast<int>(random() % 6);
-    for (int i = 0; i < holes; ++i) {
-        const double a = 2.0 * std::numbers::pi * i / std::max(1, holes);
-        region.holes.push_back(circle(18.0 * Vec2(std::cos(a), std::sin(a)), hole(random),
-                                      3 + static_cast<int>(random() % 9)));
-    }
-    return region;
-}
-
-} // namespace
 
 class TestSectionStress : public QObject
 {
@@ -198,26 +22,13 @@ private Q_SLOTS:
     void caseCuts();
     void holeLeftOutFails();
     void netSectionIsTheWorst();
-    void sidesAreThoseOfClipper();
-    void forcesAreOnTheirSides();
-    void bothSidesAgree();
     void gridMayBeShifted();
     void modelMayBeMoved_data();
     void modelMayBeMoved();
     void stressesAreLinear();
-    void ringsMayRunEitherWay();
     void cachedSidesAreTheSame();
     void imbalanceIsReported();
-    void nominalFormulas();
-    void notchFactorAtCorners();
-    void curvedBarIsRaised();
-    void windowLoadedWithinIsRedundant();
-    void legMayBuckle();
     void placesAreThinned();
-    void nastyRegions_data();
-    void nastyRegions();
-    void nastyForces();
-    void thousandsOfVertices();
 };
 
 void TestSectionStress::caseCuts_data()
@@ -329,89 +140,6 @@ void TestSectionStress::netSectionIsTheWorst()
     QVERIFY(std::abs(at(50.0) - 40.0) < 1e-9);
 }
 
-void TestSectionStress::sidesAreThoseOfClipper()
-{
-    // Wrong: a side of a cut is not the area, or not where, that a polygon library finds.
-    std::mt19937 random(11);
-    std::uniform_real_distribution<double> place(-20, 20), angle(0, std::numbers::pi);
-    int compared = 0, overHoles = 0;
-    for (int i = 0; i < 400; ++i) {
-        const Region region = starWithHoles(random);
-        const SectionOutline outline(region);
-        const double a = angle(random);
-        const CutLine line{{place(random), place(random)}, {std::cos(a), std::sin(a)}};
-        std::vector<LineCut> cuts;
-        cutsOn(outline, line, 1, cuts);
-        if (cuts.size() != 1) // what lies to the right of the line is then more than one side
-            continue;
-        const AreaMoment expected = rightByClipper(region, line);
-        const AreaMoment &found = cuts.front().plus;
-        const Vec2 first = found.first + found.area * outline.base();
-        QVERIFY2(std::abs(found.area - expected.area) < 1e-3,
-                 qPrintable(QStringLiteral("%1: %2 %3").arg(i).arg(found.area).arg(expected.area)));
-        QVERIFY((first - expected.first).norm() < 0.1);
-        ++compared;
-        overHoles += cuts.front().chords.size() > 1 ? 1 : 0;
-    }
-    QVERIFY2(compared > 100 && overHoles > 30,
-             qPrintable(QStringLiteral("%1 %2").arg(compared).arg(overHoles)));
-}
-
-void TestSectionStress::forcesAreOnTheirSides()
-{
-    // Wrong: a force is taken to be on the other side of a cut than where it is.
-    std::mt19937 random(5);
-    std::uniform_real_distribution<double> place(-55, 55), angle(0, std::numbers::pi);
-    int compared = 0;
-    for (int i = 0; i < 200; ++i) {
-        const Region region = starWithHoles(random);
-        const SectionOutline outline(region);
-        const double a = angle(random);
-        const CutLine line{{0.3 * place(random), 0.3 * place(random)}, {std::cos(a), std::sin(a)}};
-        std::vector<LineCut> cuts;
-        cutsOn(outline, line, 1, cuts);
-        for (int k = 0; cuts.size() == 1 && k < 20; ++k) {
-            const Vec2 p(place(random), place(random));
-            if (locate(p, region) != Side::Inside)
-                continue;
-            QCOMPARE(isOnPlusSide(cuts.front(), held(outline, p)), line.across(p) < 0.0);
-            ++compared;
-        }
-    }
-    QVERIFY(compared > 500);
-    // A U: to the right of the line but beyond the other arm's cut.
-    const SectionOutline u(
-        {{{0, 0}, {60, 0}, {60, 50}, {40, 50}, {40, 20}, {20, 20}, {20, 50}, {0, 50}}, {}});
-    std::vector<LineCut> cuts;
-    cutsOn(u, {{0, 40}, {1, 0}}, 1, cuts);
-    QCOMPARE(cuts.size(), std::size_t(2));
-    // Plus is below the line: all but the tip of the arm that is cut.
-    QVERIFY(isOnPlusSide(cuts[0], held(u, {50, 45})));
-    QVERIFY(!isOnPlusSide(cuts[0], held(u, {10, 45})));
-    QVERIFY(isOnPlusSide(cuts[1], held(u, {10, 45})));
-    QVERIFY(!isOnPlusSide(cuts[1], held(u, {50, 45})));
-}
-
-void TestSectionStress::bothSidesAgree()
-{
-    // Wrong: the minus side does not give the opposite of the plus side, in equilibrium.
-    Sample s = beamWithSlit();
-    s.sheet.arealWeight = {0.001, -0.002, 0.0005};
-    const PieceShape shape(s.region, s.slits);
-    const AreaMoment &total = shape.outline.total();
-    const Vec2 centre = shape.outline.base() + total.first / total.area;
-    s.forces =
-        heldAt({0, 20}, {s.forces.front(), forceAt(centre, total.area * s.sheet.arealWeight)});
-    s.forces.erase(s.forces.begin() + 1); // its weight is the sheet's own
-    for (const double x : {30.0, 60.0, 100.0, 130.0, 180.0, 200.0}) {
-        const auto there = stressOnLine(shape, s.forces, s.sheet, {x, 0}, {x, 18});
-        const auto back = stressOnLine(shape, s.forces, s.sheet, {x, 18}, {x, 0});
-        QVERIFY(there && back);
-        QVERIFY(std::abs(there->forces.axial - back->forces.axial) < 1e-9);
-        QVERIFY(std::abs(there->stress.neck - back->stress.neck) < 1e-9);
-    }
-}
-
 void TestSectionStress::gridMayBeShifted()
 {
     // Wrong: where the lines of the grid happen to lie decides what the worst stress is.
@@ -491,17 +219,6 @@ void TestSectionStress::stressesAreLinear()
                 1e-9 * (once.necks[i].neckUse + 1e-9));
 }
 
-void TestSectionStress::ringsMayRunEitherWay()
-{
-    // Wrong: a ring that is given the other way round changes what is material.
-    const Sample s = beamWithSlit();
-    Sample other = s;
-    std::reverse(other.region.outer.begin(), other.region.outer.end());
-    std::reverse(other.region.holes[0].begin(), other.region.holes[0].end());
-    const double a = worstOf(stressOfSample(s)), b = worstOf(stressOfSample(other));
-    QVERIFY(std::abs(a - b) < 1e-9 * a);
-}
-
 void TestSectionStress::cachedSidesAreTheSame()
 {
     // Wrong: sides that are kept while forces change give another answer than all made anew.
@@ -528,119 +245,6 @@ void TestSectionStress::imbalanceIsReported()
     QVERIFY((stress.imbalance.force - Vec3(3, -10, 1.5)).norm() < 1e-12);
 }
 
-void TestSectionStress::nominalFormulas()
-{
-    // Wrong: a formula of beams is not the one of the books.
-    SheetMaterial sheet;
-    sheet.thickness = 4.0;
-    Neck neck;
-    neck.length = 10.0;
-    CutForces forces;
-    forces.axial = -80.0;   // 2 MPa
-    forces.inPlane = 200.0; // 6 · 200 / (4 · 100) = 3 MPa
-    forces.bending = -80.0; // 6 · 80 / (10 · 16) = 3 MPa
-    const NominalStress plain = nominalStress(forces, neck, sheet, {});
-    QCOMPARE(plain.axial, 2.0);
-    QCOMPARE(plain.inPlane, 3.0);
-    QCOMPARE(plain.plate, 3.0);
-    QCOMPARE(plain.neck, 8.0);
-    forces = {};
-    forces.torsion = 160.0; // (3 + 1.8 · 0.4) · 160 / (10 · 16) = 3.72 MPa
-    forces.shear = 40.0;    // 1.5 MPa
-    forces.plate = -20.0;   // less
-    const NominalStress brittle = nominalStress(forces, neck, sheet, {});
-    QVERIFY(std::abs(brittle.shear - 5.22) < 1e-12);
-    QVERIFY(std::abs(brittle.neck - 5.22) < 1e-12);
-    sheet.isDuctile = true;
-    QVERIFY(std::abs(nominalStress(forces, neck, sheet, {}).neck - std::sqrt(3.0) * 5.22) < 1e-12);
-}
-
-void TestSectionStress::notchFactorAtCorners()
-{
-    // Wrong: a sharp corner weakens by another factor than measured, or a plain edge by any.
-    SheetMaterial sheet;
-    sheet.thickness = 4.0;
-    Neck neck;
-    neck.length = 4.0;
-    CutForces forces;
-    forces.axial = 16.0;   // 1 MPa
-    forces.bending = 32.0; // 6 · 32 / (4 · 16) = 3 MPa
-    NotchRule notch;
-    QCOMPARE(nominalStress(forces, neck, sheet, notch).corner, 4.0);
-    neck.isAtCorner = true;
-    const NominalStress stress = nominalStress(forces, neck, sheet, notch);
-    const double k = 0.56 + 0.53 * 4.0; // √(4 / 0.25) = 4
-    QVERIFY(std::abs(stress.notch - k) < 1e-12);
-    QVERIFY(std::abs(stress.corner - (k + 3.0 * (1.0 + 0.5 * (k - 1.0)))) < 1e-12);
-    QCOMPARE(stress.neck, 4.0);
-    neck.length = 40.0;
-    QCOMPARE(nominalStress(forces, neck, sheet, notch).notch, 5.0);
-    notch.cap = 9.0;
-    QVERIFY(std::abs(nominalStress(forces, neck, sheet, notch).notch - 7.26) < 0.01);
-}
-
-void TestSectionStress::curvedBarIsRaised()
-{
-    // Wrong: a strongly curved bar is taken for a straight one, or a straight one for curved.
-    for (const double ratio : {1.0, 2.1, 5.0}) { // R / l
-        const double l = 10.0, radius = ratio * l;
-        Polygon bar;
-        constexpr int kSteps = 60;
-        for (int i = 0; i <= kSteps; ++i)
-            bar.push_back((radius + 0.5 * l) * Vec2(std::cos(std::numbers::pi * i / kSteps),
-                                                    std::sin(std::numbers::pi * i / kSteps)));
-        for (int i = kSteps; i >= 0; --i)
-            bar.push_back((radius - 0.5 * l) * Vec2(std::cos(std::numbers::pi * i / kSteps),
-                                                    std::sin(std::numbers::pi * i / kSteps)));
-        const PieceShape shape(Region{bar, {}});
-        const auto found = cutAt(shape.outline, {{0, 0}, {0, 1}}, radius, 0.0);
-        QVERIFY(found.has_value());
-        const Neck neck = neckOf(shape, found->cut, found->chord);
-        const double expected = ratio == 1.0 ? 1.52 : ratio == 2.1 ? 1.19 : 1.07;
-        QVERIFY2(std::abs(neck.bend - expected) < 0.03, qPrintable(QString::number(neck.bend)));
-        QCOMPARE(neck.isCurved, ratio < 2.0);
-    }
-    const PieceShape straight(Region{box(0, 0, 100, 10), {}});
-    const auto cut = cutAt(straight.outline, {{50, 0}, {0, 1}}, 5.0, 0.0);
-    QCOMPARE(neckOf(straight, cut->cut, cut->chord).bend, 1.0);
-    // A round disc is no bar.
-    const PieceShape disc(Region{circle({0, 0}, 30, 64), {}});
-    const auto across = cutAt(disc.outline, {{0, -40}, {0, 1}}, 40.0, 0.0);
-    QCOMPARE(neckOf(disc, across->cut, across->chord).bend, 1.0);
-}
-
-void TestSectionStress::windowLoadedWithinIsRedundant()
-{
-    // Wrong: it goes unsaid that statics cannot tell how a load beside a window is shared.
-    const PieceShape shape(Region{box(0, 0, 200, 50), {box(60, 10, 140, 40)}});
-    const SheetMaterial sheet;
-    const auto at = [&](const Vec2 &load) {
-        return stressOnLine(shape, heldAt({0, 25}, {forceAt(load, {0, -5, 0})}), sheet, {90, 0},
-                            {90, 10});
-    };
-    QVERIFY(at({110, 45})->doubts.isRedundant);
-    QVERIFY(!at({190, 25})->doubts.isRedundant);
-}
-
-void TestSectionStress::legMayBuckle()
-{
-    // Wrong: a slender leg under a third of Euler's load and more is not warned of, or a stout one
-    // is.
-    const PieceShape shape(Region{box(0, 0, 10, 300), {}});
-    SheetMaterial sheet;
-    sheet.thickness = 3.0;
-    // I = 10 · 27 / 12 = 22.5, a third of π² · 3200 · 22.5 / (4 · 300²) = 0.66 N.
-    const auto pressed = [&](double force) {
-        return stressOnLine(shape,
-                            {forceAt({5, 0}, {0, force, 0}), forceAt({5, 300}, {0, -force, 0})},
-                            sheet, {0, 150}, {10, 150})
-            ->doubts.mayBuckle;
-    };
-    QVERIFY(!pressed(0.6));
-    QVERIFY(pressed(0.7));
-    QVERIFY(!pressed(-100.0));
-}
-
 void TestSectionStress::placesAreThinned()
 {
     // Wrong: the weakest places are not shown worst first, or one place is shown over and over.
@@ -663,112 +267,6 @@ void TestSectionStress::placesAreThinned()
         }
     }
     QVERIFY2(atCorner >= 1 && atCorner <= 4, qPrintable(QString::number(atCorner)));
-}
-
-void TestSectionStress::nastyRegions_data()
-{
-    QTest::addColumn<Polygon>("outer");
-    QTest::addColumn<std::vector<Polygon>>("holes");
-    const std::vector<Polygon> none;
-    QTest::newRow("nothing") << Polygon() << none;
-    QTest::newRow("a line") << Polygon{{0, 0}, {10, 0}} << none;
-    QTest::newRow("no area") << Polygon{{0, 0}, {10, 0}, {20, 0}} << none;
-    QTest::newRow("collinear points")
-        << Polygon{{0, 0}, {10, 0}, {20, 0}, {40, 0}, {40, 5}, {40, 20}, {20, 20}, {0, 20}, {0, 10}}
-        << none;
-    QTest::newRow("repeated points")
-        << Polygon{{0, 0}, {0, 0}, {40, 0}, {40, 0}, {40, 20}, {0, 20}, {0, 20}, {0, 0}} << none;
-    QTest::newRow("spike out") << Polygon{{0, 0},     {40, 0},  {40, 10}, {90, 10},
-                                          {40, 10.0}, {40, 20}, {0, 20}}
-                               << none;
-    QTest::newRow("spike in") << Polygon{{0, 0},     {40, 0},  {40, 10}, {15, 10},
-                                         {40, 10.0}, {40, 20}, {0, 20}}
-                              << none;
-    QTest::newRow("ligament of nothing")
-        << Polygon{{0, 0}, {20, 10}, {40, 0}, {40, 20}, {20, 10}, {0, 20}} << none;
-    QTest::newRow("hole that nearly touches")
-        << box(0, 0, 40, 20) << std::vector<Polygon>{box(10, 1e-9, 20, 12)};
-    QTest::newRow("hole that touches")
-        << box(0, 0, 40, 20) << std::vector<Polygon>{box(10, 0, 20, 12)};
-    QTest::newRow("holes that touch each other")
-        << box(0, 0, 40, 20) << std::vector<Polygon>{box(10, 5, 20, 12), box(20, 5, 30, 12)};
-    QTest::newRow("hole without area")
-        << box(0, 0, 40, 20) << std::vector<Polygon>{{{5, 5}, {10, 5}, {8, 5}}};
-    QTest::newRow("tiny") << box(0, 0, 1e-4, 2e-4) << none;
-    QTest::newRow("huge") << box(0, 0, 1e6, 1e6) << none;
-    QTest::newRow("thin and long") << box(0, 0, 1e5, 0.1) << none;
-    QTest::newRow("not numbers") << Polygon{{0, 0}, {std::nan(""), 0}, {40, 20}, {0, 20}} << none;
-}
-
-void TestSectionStress::nastyRegions()
-{
-    // Wrong: a shape that no one would draw makes a number that is none, or no end.
-    QFETCH(Polygon, outer);
-    QFETCH(std::vector<Polygon>, holes);
-    const std::vector<SlitLine> slits{{{20, 10}, {0, 1}, 10.0, 3.0}, {{500, 10}, {1, 0}, 0.0, 0.0}};
-    Sample s{
-        {outer, holes}, slits, heldAt({0, 10}, {forceAt({40, 10}, {1, -2, 3}, {4, 5, 6})}), {}};
-    s.sheet.arealWeight = {0, -0.01, 0};
-    AppliedForce link = forceAt({20, 10}, {0.1, 0.2, 0.3});
-    link.kind = ForceKind::Link;
-    link.slit = slits.front();
-    s.forces.push_back(link);
-    const SectionStress stress = stressOfSample(s);
-    QVERIFY(isFinite(stress));
-    QVERIFY(weakestPlaces(stress).size() <= stress.necks.size());
-    const auto line =
-        stressOnLine(PieceShape(s.region, s.slits), s.forces, s.sheet, {7, -50}, {7, 60});
-    QVERIFY(!line || std::isfinite(line->neckUse));
-}
-
-void TestSectionStress::nastyForces()
-{
-    // Wrong: a force outside of the material, one that is no number or none at all does harm.
-    const PieceShape shape(Region{box(0, 0, 40, 20), {}});
-    const SectionCuts cuts(shape);
-    SheetMaterial sheet;
-    QVERIFY(isFinite(stressOf(cuts, {}, sheet)));
-    QCOMPARE(worstOf(stressOf(cuts, {}, sheet)), 0.0);
-    const double nan = std::nan("");
-    QVERIFY(isFinite(
-        stressOf(cuts, {forceAt({nan, 0}, {1, 0, 0}), forceAt({0, 0}, {nan, 0, 0})}, sheet)));
-    // Held and loaded from beyond both ends: the same as at the ends.
-    const auto inside = stressOnLine(shape, heldAt({-30, 10}, {forceAt({70, 10}, {0, -1, 0})}),
-                                     sheet, {20, 0}, {20, 20});
-    QVERIFY(inside.has_value());
-    QVERIFY(std::abs(inside->forces.inPlane + 50.0) < 1e-9);
-    sheet.strength = 0.0;
-    QVERIFY(isFinite(stressOf(cuts, heldAt({0, 10}, {forceAt({40, 10}, {0, -1, 0})}), sheet)));
-    sheet.thickness = 0.0;
-    QVERIFY(isFinite(stressOf(cuts, heldAt({0, 10}, {forceAt({40, 10}, {0, -1, 0})}), sheet)));
-    QVERIFY(!stressOnLine(shape, {}, sheet, {5, 5}, {5, 5}));
-    QVERIFY(!stressOnLine(shape, {}, sheet, {50, 0}, {50, 5}));
-}
-
-void TestSectionStress::thousandsOfVertices()
-{
-    // Wrong: a finely flattened, rough outline takes for ever, or its cuts miss their crossings.
-    std::mt19937 random(3);
-    std::uniform_real_distribution<double> rough(0.97, 1.03);
-    Polygon outer;
-    constexpr int kCorners = 4000;
-    for (int i = 0; i < kCorners; ++i) {
-        const double a = 2.0 * std::numbers::pi * i / kCorners;
-        outer.push_back(100.0 * rough(random) * Vec2(std::cos(a), std::sin(a)));
-    }
-    const Region region{outer, {circle({20, 10}, 20, 2000)}};
-    const PieceShape shape(region);
-    QVERIFY(std::abs(shape.outline.total().area - area(region)) < 1e-6);
-    std::vector<LineCut> cuts;
-    cutsOn(shape.outline, {{0, 10}, {0, 1}}, 1, cuts);
-    QVERIFY(!cuts.empty());
-    const auto found = stressOnLine(shape, heldAt({-95, 0}, {forceAt({95, 0}, {0, -1, 0})}), {},
-                                    {20, 35}, {20, 90});
-    QVERIFY(found.has_value());
-    const SectionStress stress =
-        stressOf(SectionCuts(shape), heldAt({-95, 0}, {forceAt({95, 0}, {0, -1, 0})}), {});
-    QVERIFY(isFinite(stress));
-    QVERIFY(stress.necks.size() > 50);
 }
 
 FFF_TEST(TestSectionStress)

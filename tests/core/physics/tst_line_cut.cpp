@@ -1,0 +1,198 @@
+// Cuts through a piece: what they part, and on which side forces are.
+#include <QTest> // first: moc stumbles over some standard headers
+
+#include "tests/core/physics/loaded_section.h"
+#include "tests/core/physics/section_case.h"
+#include "tests/test_program.h"
+
+#include <numbers>
+#include <random>
+
+using namespace fff;
+using namespace fff::test;
+
+namespace {
+
+/// Area and first moment of what of a region lies to the right of a line, by Clipper.
+AreaMoment rightByClipper(const Region &region, const CutLine &line)
+{
+    const Vec2 back = line.at(-1000), on = line.at(1000),
+               right(line.direction.y(), -line.direction.x());
+    ClipperLib::Clipper clipper;
+    const auto add = [&clipper](const Polygon &polygon, ClipperLib::PolyType type) {
+        clipper.AddPath(pathOf(polygon), type, true);
+    };
+    add(region.outer, ClipperLib::ptSubject);
+    for (const Polygon &hole : region.holes)
+        add(hole, ClipperLib::ptSubject);
+    add({back, on, on + 1000 * right, back + 1000 * right}, ClipperLib::ptClip);
+    ClipperLib::Paths paths;
+    clipper.Execute(ClipperLib::ctIntersection, paths, ClipperLib::pftEvenOdd,
+                    ClipperLib::pftEvenOdd);
+    AreaMoment sum; // of triangles from the origin: holes come with their sign
+    for (const ClipperLib::Path &path : paths) {
+        const Polygon ring = ringOf(path);
+        for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++) {
+            const double twice = ring[j].x() * ring[i].y() - ring[i].x() * ring[j].y();
+            sum.area += 0.5 * twice;
+            sum.first += twice / 6.0 * (ring[i] + ring[j]);
+        }
+    }
+    return sum;
+}
+
+/// A star of many corners with holes in it.
+Region starWithHoles(std::mt19937 &random)
+{
+    std::uniform_real_distribution<double> radius(40, 60), hole(2, 6);
+    Region region;
+    const int corners = 5 + static_cast<int>(random() % 60);
+    for (int i = 0; i < corners; ++i) {
+        const double a = 2.0 * std::numbers::pi * i / corners;
+        region.outer.push_back(radius(random) * Vec2(std::cos(a), std::sin(a)));
+    }
+    const int holes = static_cast<int>(random() % 6);
+    for (int i = 0; i < holes; ++i) {
+        const double a = 2.0 * std::numbers::pi * i / std::max(1, holes);
+        region.holes.push_back(circle(18.0 * Vec2(std::cos(a), std::sin(a)), hole(random),
+                                      3 + static_cast<int>(random() % 9)));
+    }
+    return region;
+}
+
+} // namespace
+
+class TestLineCut : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void sidesAreThoseOfClipper();
+    void forcesAreOnTheirSides();
+    void bothSidesAgree();
+    void ringsMayRunEitherWay();
+    void thousandsOfVertices();
+};
+
+void TestLineCut::sidesAreThoseOfClipper()
+{
+    // Wrong: a side of a cut is not the area, or not where, that a polygon library finds.
+    std::mt19937 random(11);
+    std::uniform_real_distribution<double> place(-20, 20), angle(0, std::numbers::pi);
+    int compared = 0, overHoles = 0;
+    for (int i = 0; i < 400; ++i) {
+        const Region region = starWithHoles(random);
+        const SectionOutline outline(region);
+        const double a = angle(random);
+        const CutLine line{{place(random), place(random)}, {std::cos(a), std::sin(a)}};
+        std::vector<LineCut> cuts;
+        cutsOn(outline, line, 1, cuts);
+        if (cuts.size() != 1) // what lies to the right of the line is then more than one side
+            continue;
+        const AreaMoment expected = rightByClipper(region, line);
+        const AreaMoment &found = cuts.front().plus;
+        const Vec2 first = found.first + found.area * outline.base();
+        QVERIFY2(std::abs(found.area - expected.area) < 1e-3,
+                 qPrintable(QStringLiteral("%1: %2 %3").arg(i).arg(found.area).arg(expected.area)));
+        QVERIFY((first - expected.first).norm() < 0.1);
+        ++compared;
+        overHoles += cuts.front().chords.size() > 1 ? 1 : 0;
+    }
+    QVERIFY2(compared > 100 && overHoles > 30,
+             qPrintable(QStringLiteral("%1 %2").arg(compared).arg(overHoles)));
+}
+
+void TestLineCut::forcesAreOnTheirSides()
+{
+    // Wrong: a force is taken to be on the other side of a cut than where it is.
+    std::mt19937 random(5);
+    std::uniform_real_distribution<double> place(-55, 55), angle(0, std::numbers::pi);
+    int compared = 0;
+    for (int i = 0; i < 200; ++i) {
+        const Region region = starWithHoles(random);
+        const SectionOutline outline(region);
+        const double a = angle(random);
+        const CutLine line{{0.3 * place(random), 0.3 * place(random)}, {std::cos(a), std::sin(a)}};
+        std::vector<LineCut> cuts;
+        cutsOn(outline, line, 1, cuts);
+        for (int k = 0; cuts.size() == 1 && k < 20; ++k) {
+            const Vec2 p(place(random), place(random));
+            if (locate(p, region) != Side::Inside)
+                continue;
+            QCOMPARE(isOnPlusSide(cuts.front(), held(outline, p)), line.across(p) < 0.0);
+            ++compared;
+        }
+    }
+    QVERIFY(compared > 500);
+    // A U: to the right of the line but beyond the other arm's cut.
+    const SectionOutline u(
+        {{{0, 0}, {60, 0}, {60, 50}, {40, 50}, {40, 20}, {20, 20}, {20, 50}, {0, 50}}, {}});
+    std::vector<LineCut> cuts;
+    cutsOn(u, {{0, 40}, {1, 0}}, 1, cuts);
+    QCOMPARE(cuts.size(), std::size_t(2));
+    // Plus is below the line: all but the tip of the arm that is cut.
+    QVERIFY(isOnPlusSide(cuts[0], held(u, {50, 45})));
+    QVERIFY(!isOnPlusSide(cuts[0], held(u, {10, 45})));
+    QVERIFY(isOnPlusSide(cuts[1], held(u, {10, 45})));
+    QVERIFY(!isOnPlusSide(cuts[1], held(u, {50, 45})));
+}
+
+void TestLineCut::bothSidesAgree()
+{
+    // Wrong: the minus side does not give the opposite of the plus side, in equilibrium.
+    Sample s = beamWithSlit();
+    s.sheet.arealWeight = {0.001, -0.002, 0.0005};
+    const PieceShape shape(s.region, s.slits);
+    const AreaMoment &total = shape.outline.total();
+    const Vec2 centre = shape.outline.base() + total.first / total.area;
+    s.forces =
+        heldAt({0, 20}, {s.forces.front(), forceAt(centre, total.area * s.sheet.arealWeight)});
+    s.forces.erase(s.forces.begin() + 1); // its weight is the sheet's own
+    for (const double x : {30.0, 60.0, 100.0, 130.0, 180.0, 200.0}) {
+        const auto there = stressOnLine(shape, s.forces, s.sheet, {x, 0}, {x, 18});
+        const auto back = stressOnLine(shape, s.forces, s.sheet, {x, 18}, {x, 0});
+        QVERIFY(there && back);
+        QVERIFY(std::abs(there->forces.axial - back->forces.axial) < 1e-9);
+        QVERIFY(std::abs(there->stress.neck - back->stress.neck) < 1e-9);
+    }
+}
+
+void TestLineCut::ringsMayRunEitherWay()
+{
+    // Wrong: a ring that is given the other way round changes what is material.
+    const Sample s = beamWithSlit();
+    Sample other = s;
+    std::reverse(other.region.outer.begin(), other.region.outer.end());
+    std::reverse(other.region.holes[0].begin(), other.region.holes[0].end());
+    const double a = worstOf(stressOfSample(s)), b = worstOf(stressOfSample(other));
+    QVERIFY(std::abs(a - b) < 1e-9 * a);
+}
+
+void TestLineCut::thousandsOfVertices()
+{
+    // Wrong: a finely flattened, rough outline takes for ever, or its cuts miss their crossings.
+    std::mt19937 random(3);
+    std::uniform_real_distribution<double> rough(0.97, 1.03);
+    Polygon outer;
+    constexpr int kCorners = 4000;
+    for (int i = 0; i < kCorners; ++i) {
+        const double a = 2.0 * std::numbers::pi * i / kCorners;
+        outer.push_back(100.0 * rough(random) * Vec2(std::cos(a), std::sin(a)));
+    }
+    const Region region{outer, {circle({20, 10}, 20, 2000)}};
+    const PieceShape shape(region);
+    QVERIFY(std::abs(shape.outline.total().area - area(region)) < 1e-6);
+    std::vector<LineCut> cuts;
+    cutsOn(shape.outline, {{0, 10}, {0, 1}}, 1, cuts);
+    QVERIFY(!cuts.empty());
+    const auto found = stressOnLine(shape, heldAt({-95, 0}, {forceAt({95, 0}, {0, -1, 0})}), {},
+                                    {20, 35}, {20, 90});
+    QVERIFY(found.has_value());
+    const SectionStress stress =
+        stressOf(SectionCuts(shape), heldAt({-95, 0}, {forceAt({95, 0}, {0, -1, 0})}), {});
+    QVERIFY(isFinite(stress));
+    QVERIFY(stress.necks.size() > 50);
+}
+
+FFF_TEST(TestLineCut)
+#include "tst_line_cut.moc"
