@@ -19,6 +19,12 @@ constexpr double kMinNeck = 0.05; // mm: shorter ones are where rings touch
 constexpr double kMaxLean = std::numbers::pi / 4 + 1e-6;
 /// Normals that differ by less than this length (29°) face the same way.
 constexpr double kSameSideNormals = 0.5;
+/// A vertex that turns by less is one of a curve, for the direction in which the boundary faces
+/// (20°, its sine): from there on it may be re-entrant.
+constexpr double kSmoothSine = 0.3420201433256687;
+/// Its turn is spread over no more than this share of the chord to both sides: a member does not
+/// feel which way a short stretch of its boundary faces.
+constexpr double kSmoothShare = 0.25;
 /// A vertex that turns by more is a corner, not a stretch of a curve (25°, radians).
 constexpr double kCurveTurn = 0.4363323129985824;
 /// Both rims of a curved bar have one centre, up to this share of its width.
@@ -42,17 +48,44 @@ struct EndNormals
     void add(const Vec2 &normal) { normals[static_cast<std::size_t>(count++)] = normal; }
 };
 
-EndNormals endNormals(const SectionOutline &outline, const OutlinePoint &point, const Vec2 &way)
+bool isSmooth(const Vec2 &before, const Vec2 &after)
+{
+    return before.dot(after) > 0.0 && std::abs(cross(before, after)) < kSmoothSine;
+}
+
+/// The outward normal of the curve that an edge is a chord of: the turn at a vertex is spread over
+/// half of the shorter of its edges, to both sides, and over no more than `reach` mm.
+Vec2 smoothNormal(const SectionOutline &outline, const OutlinePoint &point, double reach)
+{
+    const Vec2 &own = outline.outward(point.ring, point.edge);
+    const int other = point.share < 0.5 ? point.edge - 1 : point.edge + 1;
+    const Vec2 &next = outline.outward(point.ring, other);
+    if (!isSmooth(own, next))
+        return own;
+    const Vec2 vertex = outline.vertex(point.ring, std::max(point.edge, other));
+    const auto length = [&](int edge) {
+        return (outline.vertex(point.ring, edge + 1) - outline.vertex(point.ring, edge)).norm();
+    };
+    const double spread = std::min({0.5 * length(point.edge), 0.5 * length(other), reach});
+    const double away = (point.at - vertex).norm();
+    if (away >= spread)
+        return own;
+    return (own + 0.5 * (1.0 - away / spread) * (next - own)).normalized();
+}
+
+EndNormals endNormals(const SectionOutline &outline, const OutlinePoint &point, const Vec2 &way,
+                      double chord)
 {
     EndNormals result;
     int vertex = point.edge;
-    if ((point.at - outline.vertex(point.ring, vertex)).norm() > kAtVertex &&
-        (point.at - outline.vertex(point.ring, ++vertex)).norm() > kAtVertex) {
-        result.add(outline.outward(point.ring, point.edge));
-        return result;
-    }
+    const bool isAtVertex = (point.at - outline.vertex(point.ring, vertex)).norm() <= kAtVertex ||
+                            (point.at - outline.vertex(point.ring, ++vertex)).norm() <= kAtVertex;
     const Vec2 &before = outline.outward(point.ring, vertex - 1);
     const Vec2 &after = outline.outward(point.ring, vertex);
+    if (!isAtVertex || isSmooth(before, after)) {
+        result.add(smoothNormal(outline, point, kSmoothShare * chord));
+        return result;
+    }
     const double turn = cross(before, after) >= 0.0 ? 1.0 : -1.0;
     const bool isBetween = turn * cross(before, way) >= 0.0 && turn * cross(way, after) >= 0.0 &&
                            way.dot(before + after) > 0.0;
@@ -268,8 +301,8 @@ Neck neckOf(const PieceShape &shape, const LineCut &cut, int chordIndex)
     Neck neck;
     neck.begin = chord.begin.at;
     neck.end = chord.end.at;
-    measureLean(endNormals(shape.outline, chord.begin, -way),
-                endNormals(shape.outline, chord.end, way), way, neck);
+    measureLean(endNormals(shape.outline, chord.begin, -way, chord.length()),
+                endNormals(shape.outline, chord.end, way, chord.length()), way, neck);
     neck.length = chord.length() * std::cos(neck.lean);
     neck.isAtCorner =
         isAtCornerOf(shape.outline, chord.begin) || isAtCornerOf(shape.outline, chord.end);

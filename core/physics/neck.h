@@ -41,9 +41,11 @@ struct PieceShape
 /// The cross-section of the member that a chord cuts.
 ///
 /// Of the two outward normals at the chord's ends the medial axis has the half: the section runs
-/// along v̄ = (n_end − n_begin), normalised, and is l = chord · cos ∠(chord, v̄) long. At a vertex
-/// the normal is the chord's own where that lies between those of the two edges, else the nearer
-/// one; at a re-entrant one also each of them, whichever is most opposite to the other end's.
+/// along v̄ = (n_end − n_begin), normalised, and is l = chord · cos ∠(chord, v̄) long. Where the
+/// boundary turns little from edge to edge it is a curve, and the normal changes along its edges;
+/// at a corner the normal is the chord's own where that lies between those of the two edges, else
+/// the nearer one; at a re-entrant one also each of them, whichever is most opposite to the other
+/// end's.
 ///
 /// Beside a slit's wall the material above the slit's root is shadowed for what comes around the
 /// root: only what lies below a line at 45° from the root's corner counts, so that l grows by as

@@ -15,8 +15,11 @@ constexpr double kPlateWidths = 3.0;
 constexpr double kBucklingShare = 1.0 / 3.0;
 /// A link whose root is this near to a slit's is in that slit, mm.
 constexpr double kSameRoot = 0.1;
-/// Steps of golden section: the bracket of two spacings shrinks to a thousandth.
-constexpr int kGoldenSteps = 15;
+/// Steps of golden section: the bracket of two spacings shrinks to a fiftieth.
+constexpr int kGoldenSteps = 8;
+/// A cut that leans by less is square (1°, radians), and it is after so many turns of it.
+constexpr double kSquareLean = 0.017453292519943295;
+constexpr int kSquarings = 4;
 
 bool isLoaded(const AppliedForce &force)
 {
@@ -85,6 +88,46 @@ NeckDoubts doubtsOf(const LoadedPiece &piece, const LineCut &cut, const Neck &ne
     return doubts;
 }
 
+struct FoundNeck
+{
+    CutChord cut;
+    Neck neck;
+};
+
+/// What cuts the member at the line squarely: turned to how the section of the nearest chord runs,
+/// until it leans no more. The squarest of these; `reach` mm is how far the first chord may be.
+std::optional<FoundNeck> squareNeck(const PieceShape &shape, CutLine line, double reach)
+{
+    std::optional<FoundNeck> best;
+    std::vector<LineCut> cuts;
+    for (int i = 0; i < kSquarings; ++i) {
+        cutsOn(shape.outline, line, 1, cuts);
+        const LineCut *cut = nullptr;
+        int chord = 0;
+        double least = reach;
+        for (const LineCut &c : cuts) {
+            for (std::size_t k = 0; k < c.chords.size(); ++k) {
+                const double away = std::max({0.0, c.chords[k].from, -c.chords[k].to});
+                if (away < least) {
+                    least = away;
+                    cut = &c;
+                    chord = static_cast<int>(k);
+                }
+            }
+        }
+        if (!cut)
+            break;
+        const Neck neck = neckOf(shape, *cut, chord);
+        if (!counts(neck) || (best && neck.lean >= best->neck.lean))
+            break;
+        best = FoundNeck{{*cut, chord}, neck};
+        if (neck.lean < kSquareLean)
+            break;
+        line = {neck.middle(), neck.across};
+    }
+    return best;
+}
+
 } // namespace
 
 std::vector<NetForce> netForces(const PieceShape &shape, const std::vector<ForceSite> &sites,
@@ -148,46 +191,29 @@ NeckStress neckStress(const LoadedPiece &piece, const LineCut &cut, int chord, c
 }
 
 std::optional<NeckStress> refined(const LoadedPiece &piece, const std::vector<ForceSite> &sites,
-                                  const CutLine &line, const Vec2 &middle, double spacing)
+                                  const Neck &seed, double spacing)
 {
-    const Vec2 step = perpendicular(line.direction);
-    std::vector<LineCut> cuts;
     std::vector<PlusShare> shares(sites.size());
     std::optional<NeckStress> best;
     const auto use = [&](double shift) {
-        const CutLine moved{middle + shift * step, line.direction};
-        cutsOn(piece.shape.outline, moved, 1, cuts);
-        // The chord that is nearest to the one we come from.
-        const LineCut *cut = nullptr;
-        int chord = 0;
-        double least = spacing;
-        for (const LineCut &c : cuts) {
-            for (std::size_t i = 0; i < c.chords.size(); ++i) {
-                const double away = std::max({0.0, c.chords[i].from, -c.chords[i].to});
-                if (away < least) {
-                    least = away;
-                    cut = &c;
-                    chord = static_cast<int>(i);
-                }
-            }
-        }
-        if (!cut)
+        const auto found =
+            squareNeck(piece.shape, {seed.middle() + shift * seed.normal(), seed.across}, spacing);
+        if (!found)
             return 0.0;
-        const Neck neck = neckOf(piece.shape, *cut, chord);
-        if (!counts(neck))
-            return 0.0;
+        const LineCut &cut = found->cut.cut;
         std::transform(sites.begin(), sites.end(), shares.begin(),
-                       [cut](const ForceSite &site) { return plusShare(*cut, site); });
+                       [&cut](const ForceSite &site) { return plusShare(cut, site); });
         const SideForce plus =
-            plusForce(piece.shape.outline, *cut, piece.forces, shares, piece.sheet.arealWeight);
-        const NeckStress here =
-            neckStress(piece, *cut, chord, neck, SampleKind::Refined, shares, plus);
+            plusForce(piece.shape.outline, cut, piece.forces, shares, piece.sheet.arealWeight);
+        const NeckStress here = neckStress(piece, cut, found->cut.chord, found->neck,
+                                           SampleKind::Refined, shares, plus);
         if (here.isLocal)
             return 0.0;
         if (!best || here.neckUse > best->neckUse)
             best = here;
         return here.neckUse;
     };
+    use(0.0);
     constexpr double kGolden = std::numbers::phi - 1.0;
     double low = -spacing, high = spacing;
     double a = high - kGolden * (high - low), b = low + kGolden * (high - low);

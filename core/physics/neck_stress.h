@@ -27,9 +27,9 @@ struct LoadedPiece
 NeckStress neckStress(const LoadedPiece &piece, const LineCut &cut, int chord, const Neck &neck,
                       SampleKind kind, std::span<const PlusShare> shares, const SideForce &plus);
 
-/// The line of the grid that is worst between its neighbours, by golden section, `spacing` mm to
-/// both sides of where it is. Nothing if there is no neck on these lines.
+/// The worst cut square to a member, along it by golden section, `spacing` mm to both sides of
+/// where `seed` is. Nothing if there is no neck there.
 std::optional<NeckStress> refined(const LoadedPiece &piece, const std::vector<ForceSite> &sites,
-                                  const CutLine &line, const Vec2 &middle, double spacing);
+                                  const Neck &seed, double spacing);
 
 } // namespace fff

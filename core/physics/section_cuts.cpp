@@ -13,6 +13,8 @@ namespace {
 /// A corner has no ligament shorter than this, mm.
 constexpr double kMinLigament = 0.05;
 constexpr int kDirections = 8;
+/// A line of the grid that leans by more than one step of the directions is left to a squarer one.
+constexpr double kMaxGridLean = std::numbers::pi / kDirections;
 constexpr double kFanStep = std::numbers::pi / 16;
 constexpr int kFanSteps = 6; // to each side
 /// How far below a slit's root the line square to it runs, mm.
@@ -187,7 +189,7 @@ void SectionCuts::addChords(LineCut &&cut, int only, SampleKind kind)
         if (only >= 0 && i != only)
             continue;
         const Neck neck = neckOf(m_shape, cut, i);
-        if (!counts(neck))
+        if (!counts(neck) || (kind == SampleKind::Grid && neck.lean > kMaxGridLean))
             continue;
         m_samples.push_back({kind, static_cast<int>(m_cuts.size()), i, neck});
         isKept = true;

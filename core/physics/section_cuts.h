@@ -33,10 +33,9 @@ struct SampleOptions
 
 /// Cuts and the necks on them that count.
 ///
-/// 8 directions; at each slit's root rays in steps of 11.25° to 67.5° from both corners, one from
-/// its middle, and the line square to it just below; at every re-entrant corner the shortest
-/// ligament.
-/// Source  the product's mechanics, 2.2.
+/// 8 directions, of each what is about square to a member; at each slit's root rays in steps
+/// of 11.25° to 67.5° from both corners, one from its middle, and the line square to it just below;
+/// at every re-entrant corner the shortest ligament. Source  the product's mechanics, 2.2.
 class SectionCuts
 {
 public:

@@ -4,13 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace fff {
 
 namespace {
 
-/// Lines of one direction nearer than this many spacings are refined to the same place.
+/// Lines of the grid nearer than this many spacings are refined to the same place.
 constexpr double kSameBracket = 1.5;
 
 std::vector<AppliedForce> finite(const std::vector<AppliedForce> &forces)
@@ -38,41 +37,37 @@ double shareOf(const SectionCuts &cuts, const SideForce &rest,
     return std::max(rest.force.norm(), rest.moment.norm() / size) / scale;
 }
 
-/// The worst lines of the grid, each in a bracket of its own.
-std::vector<int> worstLines(const SectionCuts &cuts, const std::vector<NeckStress> &necks,
-                            int count)
+/// Moves the worst lines of the grid, each in a bracket of its own, to where it is worst.
+void refineWorst(const SectionCuts &cuts, const CutShares &shares, const LoadedPiece &piece,
+                 int count, std::vector<NeckStress> &necks)
 {
-    std::vector<int> order(necks.size());
-    std::iota(order.begin(), order.end(), 0);
-    std::erase_if(order, [&necks](int i) {
-        const NeckStress &neck = necks[static_cast<std::size_t>(i)];
-        return neck.kind != SampleKind::Grid || neck.isLocal || !(neck.neckUse > 0.0);
-    });
-    std::sort(order.begin(), order.end(), [&necks](int a, int b) {
-        return necks[static_cast<std::size_t>(a)].neckUse >
-               necks[static_cast<std::size_t>(b)].neckUse;
-    });
-    std::vector<int> chosen;
-    const auto middle = [&cuts](int i) {
-        return cuts.samples()[static_cast<std::size_t>(i)].neck.middle();
-    };
-    for (const int i : order) {
-        if (static_cast<int>(chosen.size()) >= count)
-            break;
-        const bool isNew = std::none_of(chosen.begin(), chosen.end(), [&](int other) {
-            return (middle(i) - middle(other)).norm() < kSameBracket * cuts.spacing();
-        });
-        if (isNew)
-            chosen.push_back(i);
+    const std::vector<CutSample> &samples = cuts.samples();
+    for (int k = 0; k < count; ++k) {
+        int worst = -1;
+        for (std::size_t i = 0; i < samples.size(); ++i)
+            if (samples[i].kind == SampleKind::Grid && necks[i].counts() &&
+                necks[i].neckUse >
+                    (worst < 0 ? 0.0 : necks[static_cast<std::size_t>(worst)].neckUse))
+                worst = static_cast<int>(i);
+        if (worst < 0)
+            return;
+        const Neck &seed = samples[static_cast<std::size_t>(worst)].neck;
+        const auto found = refined(piece, shares.sites, seed, cuts.spacing());
+        if (!found)
+            return;
+        necks.push_back(*found);
+        for (std::size_t i = 0; i < samples.size(); ++i)
+            if (samples[i].kind == SampleKind::Grid &&
+                (samples[i].neck.middle() - seed.middle()).norm() < kSameBracket * cuts.spacing())
+                necks[i].isCovered = true;
     }
-    return chosen;
 }
 
 void findWorst(SectionStress &stress)
 {
     for (std::size_t i = 0; i < stress.necks.size(); ++i) {
         const NeckStress &neck = stress.necks[i];
-        if (neck.isLocal)
+        if (!neck.counts())
             continue;
         const auto worseThan = [&](int other, double NeckStress::*use) {
             return other < 0 || neck.*use > stress.necks[static_cast<std::size_t>(other)].*use;
@@ -125,13 +120,7 @@ SectionStress stressOf(const SectionCuts &cuts, const CutShares &shares,
         result.necks.push_back(neckStress(piece, cut, sample.chord, sample.neck, sample.kind,
                                           shares.ofCut(index), plus));
     }
-    for (const int i : worstLines(cuts, result.necks, options.refined)) {
-        const CutSample &sample = cuts.samples()[static_cast<std::size_t>(i)];
-        if (const auto neck =
-                refined(piece, shares.sites, cuts.cuts()[static_cast<std::size_t>(sample.cut)].line,
-                        sample.neck.middle(), cuts.spacing()))
-            result.necks.push_back(*neck);
-    }
+    refineWorst(cuts, shares, piece, options.refined, result.necks);
     findWorst(result);
     return result;
 }

@@ -32,6 +32,10 @@ struct NeckStress
     /// A force acts on the end of the piece that it cuts off, which is less deep than half of l: it
     /// goes straight to its support, not as in a beam. Not among the worst.
     bool isLocal = false;
+    /// A line of the grid next to where a refined one has been looked for, which stands for it. Not
+    /// among the worst either.
+    bool isCovered = false;
+    bool counts() const { return !isLocal && !isCovered; }
     CutForces forces;
     NominalStress stress;
     double neckUse = 0.0, cornerUse = 0.0; // stress / strength, without and with the notch factor
@@ -41,7 +45,8 @@ struct NeckStress
 struct StressOptions
 {
     NotchRule notch;
-    int refined = 3; // of the worst lines of the grid so many are moved to where it is worst
+    int refined =
+        3; // of the worst lines of the grid so many are turned and moved to where it is worst
 };
 
 /// The sides of all cuts for forces that act at certain places. Valid as long as these stay (and
@@ -64,7 +69,7 @@ CutShares cutShares(const SectionCuts &cuts, const std::vector<AppliedForce> &fo
 struct SectionStress
 {
     std::vector<NeckStress> necks; // all samples, then the refined ones
-    int worstNeck = -1;            // of `necks` that are not local, by neckUse; −1 without any
+    int worstNeck = -1;            // of `necks` that count, by neckUse; −1 without any
     int worstCorner = -1;          // by cornerUse
     /// What is left over of all forces with the weight; zero in equilibrium. Each cut would have it
     /// between its two sides. The moment is about the middle of the piece's bounds.

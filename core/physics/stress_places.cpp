@@ -24,7 +24,7 @@ std::vector<int> weakestPlaces(const SectionStress &stress, const PlaceOptions &
         const NeckStress &neck = of(i);
         if (neck.cornerUse < options.least)
             break;
-        if (neck.isLocal)
+        if (!neck.counts())
             continue;
         const bool isCorner = neck.stress.notch > 1.0;
         const Vec2 middle = 0.5 * (neck.begin + neck.end);

@@ -55,7 +55,6 @@ inline std::vector<AppliedForce> heldAt(const Vec2 &at, std::vector<AppliedForce
     return forces;
 }
 
-/// A beam with a slit from above, a waist and a window; held on the left, loaded at its right end.
 struct Sample
 {
     Region region;
@@ -64,6 +63,7 @@ struct Sample
     SheetMaterial sheet;
 };
 
+/// A beam with a slit from above, a waist and a window; held on the left, loaded at its right end.
 inline Sample beamWithSlit()
 {
     Sample s;
@@ -72,6 +72,42 @@ inline Sample beamWithSlit()
     s.region.holes = {circle({180, 22}, 7, 40)};
     s.slits = {{{80, 20}, {0, 1}, 20.0, 6.0}};
     s.forces = heldAt({0, 20}, {forceAt({220, 20}, {3, -10, 1.5}, {20, -30, 40})});
+    return s;
+}
+
+/// Half an ellipse about `middle` from the left to the right over its upper side.
+inline Polygon archOver(const Vec2 &middle, double rx, double ry, int edges)
+{
+    Polygon line;
+    for (int i = 0; i <= edges; ++i) {
+        const double a = std::numbers::pi * (1.0 - static_cast<double>(i) / edges);
+        line.push_back(middle + Vec2(rx * std::cos(a), ry * std::sin(a)));
+    }
+    return line;
+}
+
+/// A bar of 220 × 40 that an arch from below narrows to 40 − ry at x = 140, held on the left and
+/// loaded at its right end.
+inline Sample barWithWaist(double rx, double ry, int edges)
+{
+    Sample s;
+    s.region.outer = {{0, 40}, {0, 0}};
+    for (const Vec2 &p : archOver({140, 0}, rx, ry, edges))
+        s.region.outer.push_back(p);
+    s.region.outer.insert(s.region.outer.end(), {{220, 0}, {220, 40}});
+    s.forces = heldAt({0, 20}, {forceAt({220, 20}, {3, -10, 1.5}, {20, -30, 40})});
+    return s;
+}
+
+/// A bar that gets narrower to the middle, or to its right end.
+inline Sample taperedBar(bool hasWaist)
+{
+    Sample s;
+    if (hasWaist)
+        s.region.outer = {{0, 0}, {100, 12}, {200, 0}, {200, 40}, {100, 28}, {0, 40}};
+    else
+        s.region.outer = {{0, 0}, {200, 12}, {200, 24}, {0, 40}};
+    s.forces = heldAt({0, 20}, {forceAt({200, 18}, {3, -10, 1.5}, {20, -30, 40})});
     return s;
 }
 
