@@ -13,6 +13,28 @@ Vec3 momentOf(const Vec2 &lever, const Vec3 &f)
     return Vec3(lever.x(), lever.y(), 0.0).cross(f);
 }
 
+/// What of a link's force is on a side: what walls bear on their stretches, the rest at its root.
+void addLink(const SectionOutline &outline, const AppliedForce &link, const PlusShare &plus,
+             SlitFit fit, SideForce &side)
+{
+    const Vec2 e = perpendicular(link.slit.opening);
+    const Vec3 across(e.x(), e.y(), 0.0);
+    const WallPressure pressure(link);
+    WallForce pressed;
+    for (const bool isLeft : {true, false}) {
+        const WallStretch &stretch = plus.walls[isLeft ? 0 : 1];
+        const WallForce part = pressure.on(isLeft, stretch.from, stretch.to, fit);
+        pressed.force += part.force;
+        pressed.moment += part.moment;
+    }
+    const Vec3 onWalls = pressed.force * across;
+    const Vec3 rest = plus.share * (link.force - across.dot(link.force) * across);
+    side.force += onWalls + rest;
+    side.moment += momentOf(link.at - outline.base(), onWalls) + pressed.moment * Vec3::UnitZ();
+    side.moment += plus.share * Vec3(link.moment.x(), link.moment.y(), 0.0) +
+                   momentOf(plus.at - outline.base(), rest);
+}
+
 } // namespace
 
 Vec3 SideForce::momentAbout(const Vec2 &point, const Vec2 &base) const
@@ -22,12 +44,16 @@ Vec3 SideForce::momentAbout(const Vec2 &point, const Vec2 &base) const
 
 SideForce plusForce(const SectionOutline &outline, const LineCut &cut,
                     const std::vector<AppliedForce> &forces, std::span<const PlusShare> shares,
-                    const Vec3 &arealWeight)
+                    const Vec3 &arealWeight, SlitFit fit)
 {
     SideForce side;
     side.force = cut.plus.area * arealWeight;
     side.moment = momentOf(cut.plus.first, arealWeight);
     for (std::size_t i = 0; i < forces.size(); ++i) {
+        if (shares[i].hasWalls) {
+            addLink(outline, forces[i], shares[i], fit, side);
+            continue;
+        }
         if (shares[i].share == 0.0)
             continue;
         const Vec3 f = shares[i].share * forces[i].force;

@@ -3,6 +3,7 @@
 
 #include "core/physics/cut_sides.h"
 #include "core/physics/nominal_stress.h"
+#include "core/physics/wall_pressure.h"
 
 #include <span>
 
@@ -21,7 +22,7 @@ struct SideForce
 
 SideForce plusForce(const SectionOutline &outline, const LineCut &cut,
                     const std::vector<AppliedForce> &forces, std::span<const PlusShare> shares,
-                    const Vec3 &arealWeight);
+                    const Vec3 &arealWeight, SlitFit fit = SlitFit::Loose);
 
 /// All that acts on the piece: zero if it is in equilibrium. About the outline's base.
 SideForce allForce(const SectionOutline &outline, const std::vector<AppliedForce> &forces,

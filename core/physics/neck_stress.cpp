@@ -145,7 +145,7 @@ std::vector<NetForce> netForces(const PieceShape &shape, const std::vector<Force
             const AppliedForce &f = forces[k];
             if (f.kind != ForceKind::Link || (f.at - shape.slits[i].root).norm() > kSameRoot)
                 continue;
-            shares[k].share = 0.0;
+            shares[k] = {};
             own.force += f.force;
             own.moment += SideForce{f.force, f.moment}.momentAbout(shape.outline.base(), f.at);
         }
@@ -167,6 +167,17 @@ NeckStress neckStress(const LoadedPiece &piece, const LineCut &cut, int chord, c
     result.length = neck.length;
     result.forces = forcesOn(outline, cut, chord, neck, plus);
     result.stress = nominalStress(result.forces, neck, piece.sheet, piece.notch);
+    if (std::any_of(shares.begin(), shares.end(),
+                    [](const PlusShare &share) { return share.isPartOfSlit(); })) {
+        const SideForce tight =
+            plusForce(outline, cut, piece.forces, shares, piece.sheet.arealWeight, SlitFit::Tight);
+        const CutForces forces = forcesOn(outline, cut, chord, neck, tight);
+        const NominalStress stress = nominalStress(forces, neck, piece.sheet, piece.notch);
+        if (stress.neck > result.stress.neck) {
+            result.forces = forces;
+            result.stress = stress;
+        }
+    }
     if (neck.shadowSlit >= 0) {
         const Neck lit = inShadow(neck);
         const SideForce around = aroundRoot(piece, neck);

@@ -131,6 +131,7 @@ void SectionCuts::addSlit(const SlitLine &slit)
             corner = m_shape.outline.nearest(corner).at;
         for (int k = -kFanSteps; k <= kFanSteps; ++k)
             addFrom({corner, rotated(-slit.opening, k * kFanStep)}, SampleKind::SlitFan);
+        addFrom({corner, sign > 0.0 ? side : Vec2(-side)}, SampleKind::ProngRoot);
     }
     addFrom({m_shape.outline.nearest(slit.root).at, -slit.opening}, SampleKind::NetSection);
     const CutLine below{slit.root - kBelowRoot * slit.opening, side};

@@ -11,6 +11,7 @@ namespace fff {
 enum class SampleKind {
     Grid,       // a line of the grid
     SlitFan,    // from a corner of a slit's root
+    ProngRoot,  // from a corner of a slit's root, square to the slit
     NetSection, // through a slit's root
     Ligament,   // from a corner to the nearest boundary beyond the material
     Refined,    // found between lines of the grid, for certain forces
@@ -33,9 +34,11 @@ struct SampleOptions
 
 /// Cuts and the necks on them that count.
 ///
-/// 8 directions, of each what is about square to a member; at each slit's root rays in steps
-/// of 11.25° to 67.5° from both corners, one from its middle, and the line square to it just below;
-/// at every re-entrant corner the shortest ligament. Source  the product's mechanics, 2.2.
+/// 8 directions, of each what is about square to a member; at each slit's root rays in steps of
+/// 11.25° to 67.5° from both corners, the roots of the two prongs beside it, a ray from its middle,
+/// and the line square to it just below; at every re-entrant corner the shortest ligament.
+///
+/// Source  the product's mechanics, 2.2.
 class SectionCuts
 {
 public:

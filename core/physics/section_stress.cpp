@@ -37,6 +37,13 @@ double shareOf(const SectionCuts &cuts, const SideForce &rest,
     return std::max(rest.force.norm(), rest.moment.norm() / size) / scale;
 }
 
+/// Crosses the same member, no more than `reach` mm away.
+bool isBeside(const Neck &neck, const Neck &other, double reach)
+{
+    const Vec2 way = neck.middle() - other.middle();
+    return way.norm() < reach && std::abs(other.across.dot(way)) < 0.5 * other.length;
+}
+
 /// Moves the worst lines of the grid, each in a bracket of its own, to where it is worst.
 void refineWorst(const SectionCuts &cuts, const CutShares &shares, const LoadedPiece &piece,
                  int count, std::vector<NeckStress> &necks)
@@ -58,7 +65,7 @@ void refineWorst(const SectionCuts &cuts, const CutShares &shares, const LoadedP
         necks.push_back(*found);
         for (std::size_t i = 0; i < samples.size(); ++i)
             if (samples[i].kind == SampleKind::Grid &&
-                (samples[i].neck.middle() - seed.middle()).norm() < kSameBracket * cuts.spacing())
+                isBeside(samples[i].neck, seed, kSameBracket * cuts.spacing()))
                 necks[i].isCovered = true;
     }
 }

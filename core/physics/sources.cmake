@@ -28,4 +28,5 @@ target_sources(fff_core PRIVATE
     physics/section_outline.cpp
     physics/section_stress.cpp
     physics/stress_places.cpp
+    physics/wall_pressure.cpp
 )
