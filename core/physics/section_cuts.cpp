@@ -10,7 +10,7 @@ namespace fff {
 
 namespace {
 
-/// A corner has no ligament shorter than this, mm.
+/// Material that is no wider than this holds nothing, mm: where two corners meet at a point.
 constexpr double kMinLigament = 0.05;
 constexpr int kDirections = 8;
 /// A line of the grid that leans by more than one step of the directions is left to a squarer one.
@@ -87,8 +87,9 @@ private:
 
 SectionCuts::SectionCuts(PieceShape shape, const SampleOptions &options) : m_shape(std::move(shape))
 {
-    m_spacing =
-        options.spacing > 0.0 ? options.spacing : std::clamp(m_shape.size / 24.0, 1.0, 10.0);
+    m_spacing = std::max(options.spacing > 0.0 ? options.spacing
+                                               : std::clamp(m_shape.size / 24.0, 1.0, 10.0),
+                         m_shape.size / kMaxLines);
     if (m_shape.outline.isEmpty())
         return;
     addGrid(std::clamp(options.gridShift, 0.0, 1.0));
@@ -108,9 +109,7 @@ void SectionCuts::addGrid(double shift)
             low = std::min(low, step.dot(p));
             high = std::max(high, step.dot(p));
         }
-        const double lines = std::ceil((high - low) / m_spacing);
-        const double spacing = lines > kMaxLines ? (high - low) / kMaxLines : m_spacing;
-        for (double at = low + shift * spacing; at < high; at += spacing)
+        for (double at = low + shift * m_spacing; at < high; at += m_spacing)
             addLine({at * step, direction}, SampleKind::Grid);
     }
 }
@@ -159,7 +158,9 @@ void SectionCuts::addLigament(const ReentrantCorner &corner)
             if (box.norm() >= least)
                 continue;
             const auto p = cone.nearest(points[j] - corner.at, points[i] - corner.at);
-            if (p && p->norm() < least && p->norm() > kMinLigament) {
+            if (p && p->norm() <= kMinLigament) {
+                m_isPinched = true;
+            } else if (p && p->norm() < least) {
                 least = p->norm();
                 nearest = *p;
             }

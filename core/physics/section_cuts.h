@@ -48,6 +48,8 @@ public:
     const std::vector<LineCut> &cuts() const { return m_cuts; }
     const std::vector<CutSample> &samples() const { return m_samples; }
     double spacing() const { return m_spacing; } // mm
+    /// Somewhere it hangs together by less than 0.05 mm, or touches itself: no cut is made there.
+    bool isPinched() const { return m_isPinched; }
 
 private:
     void addGrid(double shift);
@@ -61,6 +63,7 @@ private:
     std::vector<LineCut> m_cuts;
     std::vector<CutSample> m_samples;
     double m_spacing = 1.0;
+    bool m_isPinched = false;
 };
 
 } // namespace fff

@@ -12,14 +12,31 @@ namespace {
 /// Lines of the grid nearer than this many spacings are refined to the same place.
 constexpr double kSameBracket = 1.5;
 
-std::vector<AppliedForce> finite(const std::vector<AppliedForce> &forces)
+/// More N or N·mm than this are no force on a sheet, and too many digits for sums of squares.
+constexpr double kLargestForce = 1e15;
+
+bool isUsable(const AppliedForce &f)
+{
+    const auto isForce = [](const Vec3 &a) {
+        return a.allFinite() && a.cwiseAbs().maxCoeff() <= kLargestForce;
+    };
+    return f.at.allFinite() && isForce(f.force) && isForce(f.moment) && std::isfinite(f.radius) &&
+           f.slit.root.allFinite() && f.slit.opening.allFinite() && std::isfinite(f.slit.depth) &&
+           std::isfinite(f.slit.width);
+}
+
+bool isUsable(const SheetMaterial &sheet)
+{
+    return sheet.arealWeight.allFinite() && sheet.thickness > 0.0 && sheet.strength > 0.0 &&
+           std::isfinite(sheet.thickness) && std::isfinite(sheet.strength);
+}
+
+std::vector<AppliedForce> usable(const std::vector<AppliedForce> &forces)
 {
     std::vector<AppliedForce> kept = forces;
     for (AppliedForce &f : kept) {
-        if (f.at.allFinite() && f.force.allFinite() && f.moment.allFinite())
-            continue;
-        f.at = Vec2::Zero();
-        f.force = f.moment = Vec3::Zero();
+        if (!isUsable(f))
+            f = {};
     }
     return kept;
 }
@@ -94,7 +111,7 @@ CutShares cutShares(const SectionCuts &cuts, const std::vector<AppliedForce> &gi
     CutShares result;
     if (cuts.shape().outline.isEmpty())
         return result;
-    result.sites = forceSites(cuts.shape().outline, finite(given), thickness);
+    result.sites = forceSites(cuts.shape().outline, usable(given), thickness);
     result.shares.reserve(cuts.cuts().size() * result.sites.size());
     for (const LineCut &cut : cuts.cuts())
         for (const ForceSite &site : result.sites)
@@ -107,9 +124,9 @@ SectionStress stressOf(const SectionCuts &cuts, const CutShares &shares,
                        const StressOptions &options)
 {
     SectionStress result;
-    if (cuts.shape().outline.isEmpty())
+    if (cuts.shape().outline.isEmpty() || !isUsable(sheet))
         return result;
-    const std::vector<AppliedForce> forces = finite(given);
+    const std::vector<AppliedForce> forces = usable(given);
     const PieceShape &shape = cuts.shape();
     const LoadedPiece piece{shape, forces, sheet, options.notch,
                             netForces(shape, shares.sites, forces, sheet.arealWeight)};
@@ -129,6 +146,9 @@ SectionStress stressOf(const SectionCuts &cuts, const CutShares &shares,
     }
     refineWorst(cuts, shares, piece, options.refined, result.necks);
     findWorst(result);
+    result.isWorkedOut =
+        result.worstNeck >= 0 && !cuts.isPinched() &&
+        std::all_of(given.begin(), given.end(), [](const AppliedForce &f) { return isUsable(f); });
     return result;
 }
 
@@ -144,12 +164,12 @@ std::optional<NeckStress> stressOnLine(const PieceShape &shape,
                                        const NotchRule &notch)
 {
     const double length = (p1 - p0).norm();
-    if (shape.outline.isEmpty() || !(length > 0.0) || !std::isfinite(length))
+    if (shape.outline.isEmpty() || !(length > 0.0) || !std::isfinite(length) || !isUsable(sheet))
         return std::nullopt;
     const auto found = cutAt(shape.outline, {p0, (p1 - p0) / length}, 0.5 * length, 0.0);
     if (!found)
         return std::nullopt;
-    const std::vector<AppliedForce> forces = finite(given);
+    const std::vector<AppliedForce> forces = usable(given);
     const Neck neck = neckOf(shape, found->cut, found->chord);
     std::vector<PlusShare> shares;
     const std::vector<ForceSite> sites = forceSites(shape.outline, forces, sheet.thickness);

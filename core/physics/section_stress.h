@@ -68,6 +68,9 @@ CutShares cutShares(const SectionCuts &cuts, const std::vector<AppliedForce> &fo
 
 struct SectionStress
 {
+    /// False where the numbers are not to be relied on: there is no neck that counts, the piece
+    /// hangs together by points, a force or the sheet is no number, or one that no sheet has.
+    bool isWorkedOut = false;
     std::vector<NeckStress> necks; // all samples, then the refined ones
     int worstNeck = -1;            // of `necks` that count, by neckUse; −1 without any
     int worstCorner = -1;          // by cornerUse
@@ -80,8 +83,8 @@ struct SectionStress
 /// Stresses on all samples.
 ///
 /// `forces` with the weight are in equilibrium; if they are not, that is reported and the plus
-/// side's are taken, not a mean of both (which would hide it). Numbers in `forces` that are not
-/// finite count as no force.
+/// side's are taken, not a mean of both (which would hide it). Forces that are no numbers
+/// count as none, and it is then not worked out.
 /// O(samples · forces), and some cuts more for what is refined.
 SectionStress stressOf(const SectionCuts &cuts, const CutShares &shares,
                        const std::vector<AppliedForce> &forces, const SheetMaterial &sheet,
@@ -90,7 +93,7 @@ SectionStress stressOf(const SectionCuts &cuts, const std::vector<AppliedForce> 
                        const SheetMaterial &sheet, const StressOptions &options = {});
 
 /// The same on a given line: of the stretch of material on it that contains the middle between p0
-/// and p1. Nothing if that is not in the material.
+/// and p1. Nothing if that is not in the material, or for what no sheet is made of.
 std::optional<NeckStress> stressOnLine(const PieceShape &shape,
                                        const std::vector<AppliedForce> &forces,
                                        const SheetMaterial &sheet, const Vec2 &p0, const Vec2 &p1,

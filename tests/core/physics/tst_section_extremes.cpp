@@ -6,6 +6,7 @@
 #include "tests/test_program.h"
 
 #include <cmath>
+#include <limits>
 
 using namespace fff;
 using namespace fff::test;
@@ -18,6 +19,10 @@ private Q_SLOTS:
     void nastyRegions_data();
     void nastyRegions();
     void nastyForces();
+    void whatIsNotWorkedOutSaysSo();
+    void longPlates_data();
+    void longPlates();
+    void slitThroughAllOfIt();
 };
 
 void TestSectionExtremes::nastyRegions_data()
@@ -98,6 +103,98 @@ void TestSectionExtremes::nastyForces()
     QVERIFY(isFinite(stressOf(cuts, heldAt({0, 10}, {forceAt({40, 10}, {0, -1, 0})}), sheet)));
     QVERIFY(!stressOnLine(shape, {}, sheet, {5, 5}, {5, 5}));
     QVERIFY(!stressOnLine(shape, {}, sheet, {50, 0}, {50, 5}));
+}
+
+void TestSectionExtremes::whatIsNotWorkedOutSaysSo()
+{
+    // Wrong: a piece that hangs by a point, forces that are no numbers or a sheet of nothing pass
+    // for one that holds.
+    const auto forces = heldAt({0, 10}, {forceAt({40, 10}, {0, -1, 0})});
+    const auto isWorkedOut = [](const Polygon &outer, const std::vector<AppliedForce> &given,
+                                const SheetMaterial &sheet) {
+        const SectionStress stress =
+            stressOf(SectionCuts(PieceShape(Region{outer, {}})), given, sheet);
+        return stress.isWorkedOut && isFinite(stress);
+    };
+    const Polygon plate = box(0, 0, 40, 20);
+    SheetMaterial sheet;
+    QVERIFY(isWorkedOut(plate, forces, sheet));
+    QVERIFY(isWorkedOut(plate, {}, sheet));
+    QVERIFY(!isWorkedOut({}, forces, sheet));
+    QVERIFY(!isWorkedOut(box(0, 0, 1e-4, 2e-4), forces, sheet));
+    for (const double half : {0.0, 0.02})
+        QVERIFY(!isWorkedOut({{0, 0}, {20, 10 - half}, {40, 0}, {40, 20}, {20, 10 + half}, {0, 20}},
+                             forces, sheet));
+    QVERIFY(
+        isWorkedOut({{0, 0}, {20, 9.9}, {40, 0}, {40, 20}, {20, 10.1}, {0, 20}}, forces, sheet));
+    for (const double bad : {std::nan(""), std::numeric_limits<double>::infinity(), 1e200}) {
+        auto given = forces;
+        given.front().force.y() = bad;
+        QVERIFY(!isWorkedOut(plate, given, sheet));
+    }
+    for (const double bad : {std::nan(""), 0.0, -1.0}) {
+        SheetMaterial none;
+        none.thickness = bad;
+        QVERIFY(!isWorkedOut(plate, forces, none));
+        none = {};
+        none.strength = bad;
+        QVERIFY(!isWorkedOut(plate, forces, none));
+    }
+    sheet.arealWeight.x() = std::nan("");
+    QVERIFY(!isWorkedOut(plate, forces, sheet));
+}
+
+void TestSectionExtremes::longPlates_data()
+{
+    QTest::addColumn<double>("length");
+    QTest::addColumn<double>("width");
+    QTest::newRow("a strip") << 400.0 << 1.0;
+    QTest::newRow("4000 widths") << 4000.0 << 1.0;
+    QTest::newRow("4000 widths of 10 mm") << 4e4 << 10.0;
+    QTest::newRow("a million widths") << 1e5 << 0.1;
+}
+
+void TestSectionExtremes::longPlates()
+{
+    // Wrong: of a plate as long as a wire the stress is no number, or that of another place: lines
+    // are then farther apart than what is searched between them.
+    QFETCH(double, length);
+    QFETCH(double, width);
+    // Twice as deep at both ends: the worst place is in the middle, between two lines.
+    Sample s;
+    s.region.outer = {{0, -0.5 * width},     {0.37 * length, 0},     {length, -0.5 * width},
+                      {length, 1.5 * width}, {0.37 * length, width}, {0, 1.5 * width}};
+    s.forces = {forceAt({0, 0.5 * width}, {-1, 0, 0}), forceAt({length, 0.5 * width}, {1, 0, 0})};
+    const double expected = 1.0 / (width * s.sheet.thickness) / s.sheet.strength;
+    for (const double shift : {0.0, 0.3, 0.8}) {
+        SampleOptions options;
+        options.gridShift = shift;
+        const SectionStress stress = stressOfSample(s, options);
+        QVERIFY(isFinite(stress) && stress.isWorkedOut);
+        QVERIFY2(std::abs(worstOf(stress) - expected) < 0.01 * expected,
+                 qPrintable(QStringLiteral("%1 %2").arg(worstOf(stress)).arg(expected)));
+    }
+}
+
+void TestSectionExtremes::slitThroughAllOfIt()
+{
+    // Wrong: a piece that a slit parts from the rest, with that slit's joint on it, makes a number
+    // that is none, or loses forces.
+    for (const Polygon &piece : {box(0, 0, 77, 40), box(83, 0, 220, 40)}) {
+        Sample s = beamWithSlit();
+        s.region = {piece, {}};
+        s.slits.front().root = {80, 0};
+        s.slits.front().depth = 40.0;
+        AppliedForce link = forceAt({80, 0}, {2, -5, 1}, {20, 30, 150});
+        link.kind = ForceKind::Link;
+        link.slit = s.slits.front();
+        s.forces = heldAt(0.5 * (piece[0] + piece[2]), {link});
+        const SectionStress stress = stressOfSample(s);
+        QVERIFY(isFinite(stress));
+        QVERIFY(stress.isWorkedOut);
+        QVERIFY(stress.imbalanceShare < 1e-12);
+        QVERIFY(worstOf(stress) > 0.0);
+    }
 }
 
 FFF_TEST(TestSectionExtremes)
