@@ -62,11 +62,9 @@ Vec2 smoothNormal(const SectionOutline &outline, const OutlinePoint &point, doub
     const Vec2 &next = outline.outward(point.ring, other);
     if (!isSmooth(own, next))
         return own;
-    const Vec2 vertex = outline.vertex(point.ring, std::max(point.edge, other));
-    const auto length = [&](int edge) {
-        return (outline.vertex(point.ring, edge + 1) - outline.vertex(point.ring, edge)).norm();
-    };
-    const double spread = std::min({0.5 * length(point.edge), 0.5 * length(other), reach});
+    const Vec2 &vertex = outline.vertex(point.ring, std::max(point.edge, other));
+    const double spread = std::min({0.5 * outline.length(point.ring, point.edge),
+                                    0.5 * outline.length(point.ring, other), reach});
     const double away = (point.at - vertex).norm();
     if (away >= spread)
         return own;
@@ -157,12 +155,10 @@ std::optional<RingTurn> turnWithin(const SectionOutline &outline, const OutlineP
     const int limit =
         static_cast<int>(outline.rings()[static_cast<std::size_t>(point.ring)].size());
     for (int count = 0; way < reach && count < limit; ++count) {
-        const double here = signedTurn(outline.outward(point.ring, vertex - 1),
-                                       outline.outward(point.ring, vertex));
+        const double here = outline.turn(point.ring, vertex);
         if (std::abs(here) > kCurveTurn)
             return std::nullopt;
-        const double edge =
-            (outline.vertex(point.ring, vertex + step) - outline.vertex(point.ring, vertex)).norm();
+        const double edge = outline.length(point.ring, step > 0 ? vertex : vertex - 1);
         result.turn += here;
         result.way = way + 0.5 * edge;
         way += edge;
@@ -294,7 +290,7 @@ PieceShape::PieceShape(const Region &region, std::vector<SlitLine> given)
     size = outline.bounds().isEmpty() ? 0.0 : outline.bounds().size().norm();
 }
 
-Neck neckOf(const PieceShape &shape, const LineCut &cut, int chordIndex)
+Neck neckOf(const PieceShape &shape, const LineCut &cut, int chordIndex, double maxLean)
 {
     const Chord &chord = cut.chords[static_cast<std::size_t>(chordIndex)];
     const Vec2 &way = cut.line.direction;
@@ -304,6 +300,8 @@ Neck neckOf(const PieceShape &shape, const LineCut &cut, int chordIndex)
     measureLean(endNormals(shape.outline, chord.begin, -way, chord.length()),
                 endNormals(shape.outline, chord.end, way, chord.length()), way, neck);
     neck.length = chord.length() * std::cos(neck.lean);
+    if (neck.lean > maxLean)
+        return neck;
     neck.isAtCorner =
         isAtCornerOf(shape.outline, chord.begin) || isAtCornerOf(shape.outline, chord.end);
     measureBend(shape.outline, chord, neck);

@@ -4,6 +4,7 @@
 
 #include "core/physics/line_cut.h"
 
+#include <numbers>
 #include <optional>
 #include <vector>
 
@@ -85,6 +86,8 @@ struct Neck
 /// its ends are on two sides of a member.
 bool counts(const Neck &neck);
 
-Neck neckOf(const PieceShape &shape, const LineCut &cut, int chord);
+/// Of what leans by more than `maxLean`, radians, no more than that is measured.
+Neck neckOf(const PieceShape &shape, const LineCut &cut, int chord,
+            double maxLean = std::numbers::pi);
 
 } // namespace fff

@@ -75,7 +75,7 @@ NeckDoubts doubtsOf(const LoadedPiece &piece, const LineCut &cut, const Neck &ne
         if (!isLoaded(piece.forces[i]))
             continue;
         const double away = (piece.forces[i].at - middle).norm();
-        if (away - piece.forces[i].radius < neck.length)
+        if (away - piece.forces[i].radius < neck.length || shares[i].isPartOfSlit())
             doubts.isNearForce = true;
         double &side = shares[i].share >= 0.5 ? plus : minus;
         side = std::min(side, away);
@@ -206,11 +206,13 @@ std::optional<NeckStress> refined(const LoadedPiece &piece, const std::vector<Fo
 {
     std::vector<PlusShare> shares(sites.size());
     std::optional<NeckStress> best;
+    Vec2 across = seed.across; // what is square at one place nearly is at the next
     const auto use = [&](double shift) {
         const auto found =
-            squareNeck(piece.shape, {seed.middle() + shift * seed.normal(), seed.across}, spacing);
+            squareNeck(piece.shape, {seed.middle() + shift * seed.normal(), across}, spacing);
         if (!found)
             return 0.0;
+        across = found->neck.across;
         const LineCut &cut = found->cut.cut;
         std::transform(sites.begin(), sites.end(), shares.begin(),
                        [&cut](const ForceSite &site) { return plusShare(cut, site); });

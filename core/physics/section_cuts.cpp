@@ -190,8 +190,9 @@ void SectionCuts::addChords(LineCut &&cut, int only, SampleKind kind)
     for (int i = 0; i < static_cast<int>(cut.chords.size()); ++i) {
         if (only >= 0 && i != only)
             continue;
-        const Neck neck = neckOf(m_shape, cut, i);
-        if (!counts(neck) || (kind == SampleKind::Grid && neck.lean > kMaxGridLean))
+        const double maxLean = kind == SampleKind::Grid ? kMaxGridLean : std::numbers::pi;
+        const Neck neck = neckOf(m_shape, cut, i, maxLean);
+        if (!counts(neck) || neck.lean > maxLean)
             continue;
         m_samples.push_back({kind, static_cast<int>(m_cuts.size()), i, neck});
         isKept = true;

@@ -1,6 +1,7 @@
 #include "core/physics/section_outline.h"
 
 #include "core/base/tolerances.h"
+#include "core/geometry/directions.h"
 #include "core/geometry/side_of_line.h"
 
 #include <algorithm>
@@ -38,6 +39,13 @@ Polygon withoutRepeats(const Polygon &ring)
 std::size_t at(int index)
 {
     return static_cast<std::size_t>(index);
+}
+
+template <class Value>
+const Value &around(const std::vector<Value> &all, int index)
+{
+    const int n = static_cast<int>(all.size());
+    return all[at(index < 0 ? index + n : index >= n ? index - n : index)];
 }
 
 } // namespace
@@ -81,17 +89,20 @@ void SectionOutline::addRing(const Polygon &given, bool isHole)
         std::reverse(ring.begin(), ring.end());
     const std::size_t n = ring.size();
     std::vector<Vec2> outward(n);
+    std::vector<double> lengths(n), turns(n);
     std::vector<char> reentrant(n);
     std::vector<AreaMoment> sums(n + 1);
     for (std::size_t i = 0; i < n; ++i) {
         const Vec2 &a = ring[i], &b = ring[(i + 1) % n];
-        outward[i] = -perpendicular(b - a).normalized();
+        lengths[i] = (b - a).norm();
+        outward[i] = -perpendicular(b - a) / lengths[i];
         sums[i + 1] = sums[i];
         sums[i + 1] += ofStep(a - m_base, b - m_base);
     }
     for (std::size_t i = 0; i < n; ++i) {
         const Vec2 &before = outward[(i + n - 1) % n], &after = outward[i];
         const double sine = cross(before, after);
+        turns[i] = signedTurn(before, after);
         // A spike into the material turns by nearly 180°, with a sine of nothing.
         reentrant[i] = sine < -kReentrantSine || (sine < 0.0 && before.dot(after) < 0.0) ? 1 : 0;
     }
@@ -104,6 +115,8 @@ void SectionOutline::addRing(const Polygon &given, bool isHole)
     });
     m_rings.push_back(std::move(ring));
     m_outward.push_back(std::move(outward));
+    m_lengths.push_back(std::move(lengths));
+    m_turns.push_back(std::move(turns));
     m_reentrant.push_back(std::move(reentrant));
     m_sums.push_back(std::move(sums));
     m_edges.push_back(std::move(edges));
@@ -137,25 +150,29 @@ void SectionOutline::buildBridges()
               [&reach](int a, int b) { return reach[at(a - 1)] < reach[at(b - 1)]; });
 }
 
-Vec2 SectionOutline::vertex(int ring, int index) const
+const Vec2 &SectionOutline::vertex(int ring, int index) const
 {
-    const Polygon &points = m_rings[at(ring)];
-    const int n = static_cast<int>(points.size());
-    return points[at(((index % n) + n) % n)];
+    return around(m_rings[at(ring)], index);
 }
 
 const Vec2 &SectionOutline::outward(int ring, int edge) const
 {
-    const std::vector<Vec2> &all = m_outward[at(ring)];
-    const int n = static_cast<int>(all.size());
-    return all[at(((edge % n) + n) % n)];
+    return around(m_outward[at(ring)], edge);
+}
+
+double SectionOutline::length(int ring, int edge) const
+{
+    return around(m_lengths[at(ring)], edge);
+}
+
+double SectionOutline::turn(int ring, int index) const
+{
+    return around(m_turns[at(ring)], index);
 }
 
 bool SectionOutline::isReentrant(int ring, int index) const
 {
-    const std::vector<char> &all = m_reentrant[at(ring)];
-    const int n = static_cast<int>(all.size());
-    return all[at(((index % n) + n) % n)] != 0;
+    return around(m_reentrant[at(ring)], index) != 0;
 }
 
 AreaMoment SectionOutline::ofStep(const Vec2 &a, const Vec2 &b)

@@ -71,9 +71,13 @@ public:
     /// Of all the material, about base().
     const AreaMoment &total() const { return m_total; }
 
-    Vec2 vertex(int ring, int index) const; // index counted around
+    // Indices are counted around, at most once more in either direction.
+    const Vec2 &vertex(int ring, int index) const;
     /// Unit, out of the material, of the edge that begins at the vertex.
     const Vec2 &outward(int ring, int edge) const;
+    double length(int ring, int edge) const; // mm
+    /// From the edge before a vertex to the one behind, radians: positive where it is convex.
+    double turn(int ring, int index) const;
     /// Inside angle of more than 200° there.
     bool isReentrant(int ring, int index) const;
 
@@ -114,6 +118,8 @@ private:
 
     std::vector<Polygon> m_rings;
     std::vector<std::vector<Vec2>> m_outward;
+    std::vector<std::vector<double>> m_lengths;
+    std::vector<std::vector<double>> m_turns;
     std::vector<std::vector<char>> m_reentrant;
     std::vector<std::vector<AreaMoment>> m_sums; // one more than vertices
     std::vector<BoxRuns> m_edges;
