@@ -6,8 +6,14 @@ namespace fff::cli {
 
 AnalysedFile analysedFile(const char *verbName, const QStringList &arguments)
 {
-    AnalysedFile result;
     QCommandLineParser parser;
+    return analysedFile(verbName, arguments, parser);
+}
+
+AnalysedFile analysedFile(const char *verbName, const QStringList &arguments,
+                          QCommandLineParser &parser)
+{
+    AnalysedFile result;
     parser.addOption(
         {QStringLiteral("json"), QCoreApplication::translate("CommandLine", "For machines.")});
     addDocumentOptions(parser);

@@ -16,7 +16,10 @@ struct AnalysedFile
     bool asJson = false;
 };
 
-/// For a verb with one file, --json and the options that override the document.
+/// For a verb with one file, --json and the options that override the document, besides those that
+/// the parser has already.
+AnalysedFile analysedFile(const char *verb, const QStringList &arguments,
+                          QCommandLineParser &parser);
 AnalysedFile analysedFile(const char *verb, const QStringList &arguments);
 
 } // namespace fff::cli

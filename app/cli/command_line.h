@@ -34,6 +34,7 @@ std::span<const Verb> verbs();
 
 int runInfo(const QStringList &arguments);
 int runCheck(const QStringList &arguments);
+int runSimulate(const QStringList &arguments);
 int runParts(const QStringList &arguments);
 int runExport(const QStringList &arguments);
 int runRender(const QStringList &arguments); // only where the window is built

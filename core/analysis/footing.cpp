@@ -47,7 +47,8 @@ Stability stabilityOf(const Bodies &bodies, const Group &group, const MassProper
     return stability(contact, mass.centre, thinnest, box.size().maxCoeff());
 }
 
-/// The body of a section that something at this point, in frame coordinates, is on.
+} // namespace
+
 int bodyAt(const Bodies &bodies, int section, const Vec2 &point)
 {
     int nearest = bodies.firstOf(section);
@@ -63,8 +64,6 @@ int bodyAt(const Bodies &bodies, int section, const Vec2 &point)
     }
     return nearest;
 }
-
-} // namespace
 
 MassProperties loadedMass(const Analysis &analysis, const std::vector<int> &group)
 {

@@ -8,6 +8,10 @@
 
 namespace fff {
 
+/// The body of a section that something at this point, in frame coordinates, is on, or nearest to;
+/// of a section that has bodies.
+int bodyAt(const Bodies &bodies, int section, const Vec2 &point);
+
 /// Of a group of bodies (indices into the list), with the weights that hang on them: on that of a
 /// section's which is there, or nearest.
 MassProperties loadedMass(const Analysis &analysis, const std::vector<int> &group);

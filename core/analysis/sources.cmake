@@ -37,7 +37,9 @@ target_sources(fff_core PRIVATE
     analysis/planned.cpp
     analysis/stage.cpp
     analysis/stages.cpp
+    analysis/strength.cpp
     analysis/stretching.cpp
+    analysis/structure_of.cpp
     analysis/touching.cpp
     analysis/trial.cpp
     analysis/trial_words.cpp

@@ -92,6 +92,22 @@ public:
         if (isLow(a) != isLow(b))
             corners.push_back(onGround(passing(at(a), at(b))));
     }
+    /// Where stretches begin and end that are low; of a ring that is low all round those of its
+    /// hull.
+    void addEnds(std::vector<Vec2> &ends) const
+    {
+        if (lowStretches() > 0 && std::find(m_isLow.begin(), m_isLow.end(), 0) == m_isLow.end()) {
+            std::vector<Vec2> all;
+            for (std::size_t i = 0; i < count(); ++i)
+                all.push_back(onGround(at(i)));
+            const Polygon hull = convexHull(all);
+            ends.insert(ends.end(), hull.begin(), hull.end());
+            return;
+        }
+        for (std::size_t i = 0, j = count() - 1; i < count(); j = i++)
+            if (isLow(i) != isLow(j))
+                ends.push_back(onGround(passing(at(i), at(j))));
+    }
     /// Stretches that are low; the whole ring is one.
     int lowStretches() const
     {
@@ -171,6 +187,18 @@ GroundContact contactOf(const Slab &slab)
         contact.corners = outermost(contact.corners);
     }
     return contact;
+}
+
+std::vector<Vec3> feetOf(const Slab &slab)
+{
+    const double half = 0.5 * slab.thickness;
+    std::vector<Vec2> ends;
+    for (const double offset : {-half, half})
+        Face(slab, offset).addEnds(ends);
+    std::vector<Vec3> feet;
+    for (const Vec2 &end : ends)
+        feet.push_back({end.x(), 0.0, end.y()});
+    return feet;
 }
 
 GroundContact together(std::span<const GroundContact *const> contacts)

@@ -24,6 +24,10 @@ struct GroundContact
 /// Of one slab: what is low of it, whether or not something else hangs lower. Of its corners those
 /// of their hull.
 GroundContact contactOf(const Slab &slab);
+/// Points at which one slab stands on the ground: of each of its two faces that is there the ends
+/// of each stretch of outline; of a face that is there with all of it those of its hull. World, mm,
+/// at Y = 0.
+std::vector<Vec3> feetOf(const Slab &slab);
 /// What of several slabs counts when they are one body.
 GroundContact together(std::span<const GroundContact *const> contacts);
 

@@ -51,6 +51,34 @@ LinkStiffness acrossAxis(const Vec3 &normal, const Vec3 &axis, const SlitWalls &
     return stiffness;
 }
 
+/// Of a plate that comes out of the other one along the axis.
+LinkSprings slotSprings(const Link &link, const SlitWalls &a, const SlitWalls &b, double length,
+                        double thicknessA, double thicknessB, bool isAxisFree)
+{
+    const Vec3 axis = link.axis.normalized();
+    const bool isHostA =
+        std::abs(link.normalA.dot(axis)) > std::abs(link.normalB.dot(axis)); // the axis is its way
+    const Vec3 &guestNormal = isHostA ? link.normalB : link.normalA;
+    const SlitWalls &host = isHostA ? a : b, &guest = isHostA ? b : a;
+    const double deep = isHostA ? thicknessA : thicknessB; // mm, of the slot's walls
+    Vec3 across = guestNormal - guestNormal.dot(axis) * axis;
+    across = across.norm() > kAlongNormal ? Vec3(across.normalized()) : Vec3(axis.unitOrthogonal());
+    const Vec3 along = axis.cross(across);
+    const double walls = link.isTight ? kTightWalls : kOneWall;
+    const auto about = [](const Vec3 &way, double stiffness) {
+        return Eigen::Matrix3d(stiffness * way * way.transpose());
+    };
+    LinkSprings springs;
+    springs.across.topLeftCorner<3, 3>() = about(across, host.press) + about(along, guest.press);
+    springs.across.bottomRightCorner<3, 3>() = about(across, walls * guest.press * deep * deep) +
+                                               about(axis, walls * host.press * length * length);
+    if (!isAxisFree)
+        springs.across.bottomRightCorner<3, 3>() +=
+            about(along, walls * host.press * deep * length);
+    springs.along = kSlitBottom * std::min(a.press, b.press);
+    return springs;
+}
+
 } // namespace
 
 LinkSprings linkSprings(const Link &link, bool isAxisFree)
@@ -59,11 +87,13 @@ LinkSprings linkSprings(const Link &link, bool isAxisFree)
     const double modulusB = atLeast(link.modulusB, kLeastModulus);
     const double thicknessA = atLeast(link.thicknessA, kLeastThickness);
     const double thicknessB = atLeast(link.thicknessB, kLeastThickness);
-    double depthA = atLeast(link.depthA, kMinOverlap), depthB = atLeast(link.depthB, kMinOverlap);
-    if (link.kind == LinkKind::Slot)
-        depthA = depthB = std::max(depthA, depthB);
+    const double depthA = atLeast(link.depthA, kMinOverlap);
+    const double depthB = atLeast(link.depthB, kMinOverlap);
     const SlitWalls a = slitWalls(modulusA, thicknessA, depthA, link.isTight);
     const SlitWalls b = slitWalls(modulusB, thicknessB, depthB, link.isTight);
+    if (link.kind == LinkKind::Slot)
+        return slotSprings(link, a, b, std::max(depthA, depthB), thicknessA, thicknessB,
+                           isAxisFree);
     const Vec3 axis = link.axis.normalized();
     LinkSprings springs;
     springs.across =

@@ -30,9 +30,12 @@ struct LinkSprings
 ///
 /// n are the plates' normals, t their thickness, L the depth of their slits. Of plates that are not
 /// square to each other, the mean of both choices of which normal is an axis: which of the two
-/// sections is called `a` then makes no difference. A slot is taken for slits as deep as it is
-/// long: an estimate. What is no positive number is taken for very little, so that the stiffness
-/// is positive definite but for what is freed.
+/// sections is called `a` then makes no difference. A slot of length L, as deep as its host h is
+/// thick, holds its guest g in the same ways, by analogy: 1.0 E_h t_h across the guest, 1.0 E_g t_g
+/// along the slot, c E_g t_g t_h² about the guest's normal, c E_h t_h L² about the way out, c E_h
+/// t_h² L about the slot; the last is an estimate, and is what an axis that is free leaves out.
+/// What is no positive number is taken for very little, so that the stiffness is positive definite
+/// but for what is freed.
 ///
 /// isAxisFree  without the resistance about the axis
 /// Source  the product's mechanics, section 1.3: plane stress of a slit with a rigid insert.

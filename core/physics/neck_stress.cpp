@@ -88,6 +88,20 @@ NeckDoubts doubtsOf(const LoadedPiece &piece, const LineCut &cut, const Neck &ne
     return doubts;
 }
 
+/// Through a foot, or a load that is spread, which is wider than the neck: it presses on the tip
+/// beyond as much as on what is before, and bends neither.
+bool isWithinPatch(const LoadedPiece &piece, const Neck &neck, std::span<const PlusShare> shares)
+{
+    for (std::size_t i = 0; i < piece.forces.size(); ++i) {
+        const AppliedForce &force = piece.forces[i];
+        const bool isParted = shares[i].share > 0.0 && shares[i].share < 1.0;
+        const double least = force.kind == ForceKind::Foot ? piece.sheet.thickness : 0.0;
+        if (isParted && !shares[i].hasWalls && neck.length < std::max(2.0 * force.radius, least))
+            return true;
+    }
+    return false;
+}
+
 struct FoundNeck
 {
     CutChord cut;
@@ -196,8 +210,9 @@ NeckStress neckStress(const LoadedPiece &piece, const LineCut &cut, int chord, c
     result.neckUse = strength > 0.0 ? result.stress.neck / strength : 0.0;
     result.cornerUse = strength > 0.0 ? result.stress.corner / strength : 0.0;
     result.doubts = doubtsOf(piece, cut, neck, shares, result.forces);
-    result.isLocal = neck.isCap && result.doubts.isNearForce &&
-                     (kind == SampleKind::Grid || kind == SampleKind::Refined);
+    result.isLocal = isWithinPatch(piece, neck, shares) ||
+                     (neck.isCap && result.doubts.isNearForce &&
+                      (kind == SampleKind::Grid || kind == SampleKind::Refined));
     return result;
 }
 

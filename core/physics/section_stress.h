@@ -30,7 +30,8 @@ struct NeckStress
     double length = 0.0;                           // l, mm: effective
     bool isShadowed = false; // by a slit, and that is worse than all of the chord
     /// A force acts on the end of the piece that it cuts off, which is less deep than half of l: it
-    /// goes straight to its support, not as in a beam. Not among the worst.
+    /// goes straight to its support, not as in a beam. Or it goes through a foot, or a load that is
+    /// spread, wider than l. Not among the worst.
     bool isLocal = false;
     /// A line of the grid next to where a refined one has been looked for, which stands for it. Not
     /// among the worst either.

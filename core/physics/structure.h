@@ -28,13 +28,14 @@ struct Link
     LinkKind kind = LinkKind::Slits;
     Vec3 point = Vec3::Zero(); // where the two slits meet, mm
     Vec3 axis = Vec3::UnitZ(); // unit: the way in which the slit of a opens; that of b opens along
-                               // −axis. A force on a along +axis pulls the link apart
+                               // −axis. Of a slot: against the way in which a comes out. A force
+                               // on a along +axis pulls the link apart
     Vec3 normalA = Vec3::UnitX(), normalB = Vec3::UnitY(); // unit, of the plates
-    double depthA = 0.0, depthB = 0.0;                     // mm, of their slits
-    double thicknessA = 0.0, thicknessB = 0.0;             // mm, of the plates
-    double modulusA = 0.0, modulusB = 0.0;                 // MPa
-    bool isTight = true; // both walls of a slit press; false: it has play
-    double grip = 0.0;   // N that friction or glue holds against being pulled apart
+    double depthA = 0.0, depthB = 0.0;         // mm, of their slits; of a slot its length
+    double thicknessA = 0.0, thicknessB = 0.0; // mm, of the plates
+    double modulusA = 0.0, modulusB = 0.0;     // MPa
+    bool isTight = true;                       // both walls of a slit press; false: it has play
+    double grip = 0.0; // N that friction or glue holds against being pulled apart
 
     bool operator==(const Link &) const = default;
 };

@@ -23,6 +23,7 @@ private Q_SLOTS:
     void longPlates_data();
     void longPlates();
     void slitThroughAllOfIt();
+    void tipUnderAFoot();
 };
 
 void TestSectionExtremes::nastyRegions_data()
@@ -195,6 +196,24 @@ void TestSectionExtremes::slitThroughAllOfIt()
         QVERIFY(stress.imbalanceShare < 1e-12);
         QVERIFY(worstOf(stress) > 0.0);
     }
+}
+
+// Wrong: half of a foot's force is hung on what of a corner is thinner than the foot.
+void TestSectionExtremes::tipUnderAFoot()
+{
+    const Region stand{{{-103, 0}, {103, 0}, {20, 100}, {-20, 100}}, {}};
+    std::vector<AppliedForce> forces{forceAt({0, 95}, {0, -10, 0})};
+    for (const double side : {-1.0, 1.0}) {
+        forces.push_back(forceAt({side * 102.957, 0}, {0, 5, 0}));
+        forces.back().kind = ForceKind::Foot;
+    }
+    const SheetMaterial sheet;
+    const SectionStress stress = stressOf(SectionCuts(PieceShape(stand)), forces, sheet);
+    QVERIFY(stress.isWorkedOut);
+    QVERIFY(stress.worstNeck >= 0);
+    const NeckStress &worst = stress.necks[static_cast<std::size_t>(stress.worstNeck)];
+    QVERIFY2(worst.length > 0.5 * sheet.thickness, qPrintable(QString::number(worst.length)));
+    QVERIFY2(worst.stress.neck < 10.0, qPrintable(QString::number(worst.stress.neck))); // MPa
 }
 
 FFF_TEST(TestSectionExtremes)

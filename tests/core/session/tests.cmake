@@ -23,12 +23,16 @@ fff_tests(tests_session LIBRARIES fff::session Polyclipping::Polyclipping TESTS
     core/session/tst_scheduler
     core/session/tst_session
     core/session/tst_slit_ends
+    core/session/tst_strength
     core/session/tst_stretching
     core/session/tst_strokes
     core/session/tst_they_fit
     core/session/tst_tool_replays
-    ALONE core/session/tst_tool_replays)
+    ALONE
+        core/session/tst_strength
+        core/session/tst_tool_replays)
 target_sources(tests_session PRIVATE bench/generated_models.cpp)
+target_compile_definitions(tests_session PRIVATE FFF_SAMPLES="${CMAKE_SOURCE_DIR}/resources/samples")
 
 # They count what is allocated in all of the program.
 fff_tests(tests_memory LIBRARIES fff::session TESTS

@@ -1,0 +1,26 @@
+// What holds and what does not, as JSON and as text.
+#pragma once
+
+#include "core/analysis/strength.h"
+
+#include <QStringList>
+
+#include <string>
+
+namespace fff::cli {
+
+/// What simulate has worked out.
+struct Simulated
+{
+    Strength strength;
+    BearableMass bearable;
+    double millisecondsOfForces = 0.0, millisecondsOfMasses = 0.0;
+};
+
+/// Sentences about what a person has to know besides the verdict.
+QStringList strengthWarnings(const Simulated &simulated, const Analysis &analysis);
+
+std::string strengthJson(const Simulated &simulated, const Analysis &analysis, const QString &file);
+QStringList strengthText(const Simulated &simulated, const Analysis &analysis);
+
+} // namespace fff::cli

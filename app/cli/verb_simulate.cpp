@@ -1,0 +1,35 @@
+#include "app/cli/analysed_file.h"
+#include "app/cli/strength_text.h"
+#include "app/cli/weight_options.h"
+
+#include <QElapsedTimer>
+
+namespace fff::cli {
+
+int runSimulate(const QStringList &arguments)
+{
+    QCommandLineParser parser;
+    addWeightOptions(parser);
+    AnalysedFile model = analysedFile("simulate", arguments, parser);
+    if (model.status)
+        return *model.status;
+    if (const auto status = hangWeights(parser, verbNamed("simulate"), model.analysis))
+        return *status;
+    const StrengthRules rules;
+    StrengthCaches caches;
+    Simulated simulated;
+    const auto milliseconds = [](const QElapsedTimer &timer) {
+        return 1e-6 * static_cast<double>(timer.nsecsElapsed());
+    };
+    QElapsedTimer timer;
+    timer.start();
+    simulated.strength = strengthOf(model.analysis, rules, caches);
+    simulated.millisecondsOfForces = milliseconds(timer);
+    timer.restart();
+    simulated.bearable = bearableMass(model.analysis, simulated.strength, rules, caches);
+    simulated.millisecondsOfMasses = milliseconds(timer);
+    return model.asJson ? print(strengthJson(simulated, model.analysis, model.file))
+                        : printLines(strengthText(simulated, model.analysis));
+}
+
+} // namespace fff::cli

@@ -1,0 +1,85 @@
+// Whether a model holds: forces between its bodies, stresses within them, under what hangs on it.
+#pragma once
+
+#include "core/analysis/structure_of.h"
+#include "core/physics/equilibrium.h"
+#include "core/physics/section_stress.h"
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace fff {
+
+struct StrengthRules
+{
+    double safety = 2.0; // factor on every stress, for the verdict only
+    NotchRule notch;
+    Support support;
+    /// N: what a slit without play holds by friction against being pulled apart, about the weight
+    /// of 10 g. No more is counted on; with play it is nothing.
+    double snugGrip = 0.1;
+};
+
+enum class HoldVerdict {
+    Holds,        // the worst corner times the safety factor is within what the sheet bears
+    BarelyHolds,  // only the worst neck is
+    Breaks,       // not even that
+    PullsOut,     // a joint is pulled open, and what hangs on it moves
+    Unstable,     // it does not stand, or moves within itself
+    NotRated,     // nothing breaks of which that is known; of some sheet it is not
+    NotWorkedOut, // forces or stresses could not be computed
+};
+
+/// Of one body, the worst of the envelope.
+struct BodyStrength
+{
+    bool isWorkedOut = false;               // forces and stresses are there
+    std::optional<double> strength;         // MPa, of its sheet; none: not rated
+    std::optional<NeckStress> neck, corner; // the worst without and with the notch factor; none
+                                            // where nothing strains it
+    /// stress / strength; 0 where that is not known.
+    double neckUse = 0.0, cornerUse = 0.0;
+};
+
+struct Strength
+{
+    ModelStructure made;
+    std::vector<Equilibrium> envelope;     // never empty; the first is that of the support as given
+    std::vector<BodyStrength> bodies;      // by their places in the list
+    int worst = -1;                        // body, by cornerUse; −1: none is strained
+    double neckUse = 0.0, cornerUse = 0.0; // the largest of all
+    HoldVerdict verdict = HoldVerdict::NotWorkedOut;
+
+    const Equilibrium &equilibrium() const { return envelope.front(); }
+};
+
+/// What stays the same from one model to the next. Not for several threads at once.
+struct StrengthCaches
+{
+    std::map<BodyPointer, std::shared_ptr<const SectionCuts>> cuts;
+    EquilibriumCache equilibria;
+};
+
+/// The lower one of those that are known, MPa.
+std::optional<double> strengthOf(const Stock &stock);
+
+Strength strengthOf(const Analysis &analysis, const StrengthRules &rules, StrengthCaches &caches);
+
+/// How much all weights together may be, scaled alike.
+struct BearableMass
+{
+    /// kg in sum, at which the worst corner, and the worst neck, reach what the sheet bears,
+    /// without the safety factor. None: it does not stand until then, or bears more than kMostScale
+    /// times what is there.
+    std::optional<double> cracksFrom, breaksAt;
+};
+inline constexpr double kMostScale = 1e4;
+
+/// `strength` belongs to the analysis and the rules. Nothing without weights, or where it does not
+/// stand. About ten solutions of the structure.
+BearableMass bearableMass(const Analysis &analysis, const Strength &strength,
+                          const StrengthRules &rules, StrengthCaches &caches);
+
+} // namespace fff

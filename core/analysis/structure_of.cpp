@@ -1,0 +1,251 @@
+#include "core/analysis/structure_of.h"
+
+#include "core/analysis/footing.h"
+#include "core/assembly/intervals.h"
+#include "core/base/tolerances.h"
+
+#include <algorithm>
+#include <limits>
+#include <optional>
+
+namespace fff {
+
+namespace {
+
+/// MPa, of sheets whose modulus nobody knows: it only shares out what several links bear together.
+constexpr double kUsualModulus = 3000.0;
+
+double modulusOf(const Stock &stock)
+{
+    return stock.modulus.value_or(kUsualModulus);
+}
+
+const Slit *slitAt(const Analysis &analysis, int section, const Joint &joint, int overlap)
+{
+    for (const Slit &slit :
+         slitsOfJoint(analysis.assembly.slits[static_cast<std::size_t>(section)], joint.id))
+        if (slit.role == SlitRole::Slit && slit.overlap == overlap && slit.inner != slit.mouth)
+            return &slit;
+    return nullptr;
+}
+
+/// One of the two sections of a joint at one of its overlaps.
+struct LinkSide
+{
+    int section = 0;
+    const Slit *slit = nullptr;
+    const Section *placed = nullptr;
+    const CutSection *cut = nullptr;
+    const Stock *stock = nullptr;
+};
+
+LinkSide sideOf(const Analysis &analysis, const Joint &joint, int section, int overlap)
+{
+    const auto index = static_cast<std::size_t>(section);
+    return {section, slitAt(analysis, section, joint, overlap), analysis.model.section(index).get(),
+            analysis.cuts[index].get(), &analysis.model.stockOf(index)};
+}
+
+/// Whether a piece is what one of the two slits holds, or is held by: its material stands beside
+/// the walls of its own slit, or, without one, in the other's.
+bool isPieceAt(const CurvedRegion &piece, const LinkSide &side, const Overlap &overlap,
+               const Axis &axis)
+{
+    constexpr std::array kShares{0.5, 0.1, 0.9, 0.3, 0.7};
+    for (const double share : kShares) {
+        const Vec2 at =
+            side.placed->frame.toLocal(axis.at(overlap.from + share * (overlap.to - overlap.from)));
+        if (!side.slit) {
+            if (locate(at, piece.region) == Side::Inside)
+                return true;
+            continue;
+        }
+        const Vec2 way = (side.slit->mouth - side.slit->inner).normalized();
+        const Vec2 beside = (0.5 * side.slit->width + kGripWall) * perpendicular(way);
+        if (locate(at + beside, piece.region) == Side::Inside &&
+            locate(at - beside, piece.region) == Side::Inside)
+            return true;
+    }
+    return false;
+}
+
+std::optional<Grip> gripAt(const JointGrips &grips, const LinkSide &a, const LinkSide &b,
+                           const Overlap &overlap, const Axis &axis)
+{
+    if (grips.held.size() == 1)
+        return grips.held.front();
+    for (const Grip &grip : grips.held)
+        if (isPieceAt(a.cut->parts()[static_cast<std::size_t>(grip.a)], a, overlap, axis) &&
+            isPieceAt(b.cut->parts()[static_cast<std::size_t>(grip.b)], b, overlap, axis))
+            return grip;
+    return {};
+}
+
+/// The slit as far as the other section is in it, or a point.
+SlitLine lineOf(const LinkSide &side, const Vec3 &point, double depth)
+{
+    SlitLine line;
+    line.root = side.placed->frame.toLocal(point);
+    if (!side.slit)
+        return line;
+    line.opening = (side.slit->mouth - side.slit->inner).normalized();
+    line.width = side.slit->width;
+    if (side.slit->isOpen) {
+        line.root = side.slit->inner;
+        line.depth = depth;
+    }
+    return line;
+}
+
+Vec3 wayOf(const LinkSide &side)
+{
+    return side.placed->frame.directionToWorld((side.slit->mouth - side.slit->inner).normalized());
+}
+
+/// In which the guest of a mortise, or with tabs, comes out of its host; of a mortise, one of both.
+Vec3 wayOut(const Analysis &analysis, const Joint &joint, const LinkSide &guest)
+{
+    const Vec3 through =
+        guest.placed->frame.normal().cross(joint.crossing->axis.direction).normalized();
+    for (const Slit &slit :
+         slitsOfJoint(analysis.assembly.slits[static_cast<std::size_t>(guest.section)], joint.id))
+        if (slit.role == SlitRole::Tab)
+            return through.dot(guest.placed->frame.directionToWorld(slit.inner - slit.mouth)) > 0.0
+                       ? through
+                       : Vec3(-through);
+    return through;
+}
+
+void addLink(const Analysis &analysis, const Joint &joint, int index, ModelStructure &made)
+{
+    const Overlap &overlap = joint.crossing->overlaps[static_cast<std::size_t>(index)];
+    const Axis &axis = joint.crossing->axis;
+    const LinkSide a = sideOf(analysis, joint, joint.a, index),
+                   b = sideOf(analysis, joint, joint.b, index);
+    if (!a.slit && !b.slit)
+        return;
+    const auto grip = gripAt(analysis.grips.of(joint), a, b, overlap, axis);
+    if (!grip)
+        return;
+    Link link;
+    link.a = analysis.bodies.firstOf(joint.a) + grip->a;
+    link.b = analysis.bodies.firstOf(joint.b) + grip->b;
+    link.normalA = a.placed->frame.normal();
+    link.normalB = b.placed->frame.normal();
+    link.thicknessA = a.stock->thickness;
+    link.thicknessB = b.stock->thickness;
+    link.modulusA = modulusOf(*a.stock);
+    link.modulusB = modulusOf(*b.stock);
+    link.isTight = (a.slit ? a : b).stock->clearance <= 0.0;
+    LinkPlace place{joint.id, index, {}, joint.kind == JointKind::Mortise};
+    if (slidesAlongAxis(joint.kind)) {
+        const double meet = std::clamp(overlap.meet, overlap.from, overlap.to);
+        link.kind = LinkKind::Slits;
+        link.point = axis.at(meet);
+        link.axis = a.slit ? wayOf(a) : Vec3(-wayOf(b));
+        const bool isUp = link.axis.dot(axis.direction) > 0.0;
+        const double above = overlap.to - meet, below = meet - overlap.from;
+        link.depthA = a.slit ? (isUp ? above : below) : 0.0;
+        link.depthB = b.slit ? (isUp ? below : above) : 0.0;
+    } else {
+        const bool isHostA = a.slit && !(b.slit && b.slit->role == SlitRole::Slit);
+        const Vec3 out = wayOut(analysis, joint, isHostA ? b : a);
+        link.kind = LinkKind::Slot;
+        link.point = axis.at(0.5 * (overlap.from + overlap.to));
+        link.axis = isHostA ? out : Vec3(-out);
+        link.depthA = link.depthB = overlap.to - overlap.from;
+    }
+    place.slits = {lineOf(a, link.point, link.depthA), lineOf(b, link.point, link.depthB)};
+    made.structure.links.push_back(link);
+    made.links.push_back(place);
+}
+
+void addFeet(const Analysis &analysis, Structure &structure)
+{
+    const Bodies &bodies = analysis.bodies;
+    for (const std::vector<int> &group :
+         heldGroups(bodies, analysis.assembly.joints, analysis.grips)) {
+        std::vector<const GroundContact *> contacts;
+        for (const int body : group)
+            contacts.push_back(&bodies.at(body).contact());
+        if (together(contacts).stretches == 0)
+            continue;
+        for (const int body : group) {
+            if (bodies.at(body).contact().stretches == 0)
+                continue;
+            const Stock &stock =
+                analysis.model.stockOf(static_cast<std::size_t>(bodies.sectionOf(body)));
+            for (const Vec3 &point : feetOf(bodies.at(body).slab()))
+                structure.feet.push_back({body, point, modulusOf(stock) * stock.thickness, false});
+        }
+    }
+}
+
+void addWeights(const Analysis &analysis, ModelStructure &made)
+{
+    const Model &model = analysis.model;
+    const Bodies &bodies = analysis.bodies;
+    for (std::size_t i = 0; i < model.document.weights.size(); ++i) {
+        const Weight &weight = model.document.weights[i];
+        const int section = model.indexOf(weight.section);
+        if (section < 0 || bodies.countOf(section) == 0)
+            continue;
+        const int body = bodyAt(bodies, section, weight.position);
+        if (locate(weight.position, bodies.at(body).outline().region) == Side::Outside)
+            made.besideWeight.push_back(static_cast<int>(i));
+        made.structure.loads.push_back({body, bodies.at(body).frame().toWorld(weight.position),
+                                        weight.mass * made.structure.gravity, Vec3::Zero()});
+    }
+}
+
+} // namespace
+
+ModelStructure structureOf(const Analysis &analysis)
+{
+    ModelStructure made;
+    Structure &structure = made.structure;
+    Box3 box;
+    structure.thickness = std::numeric_limits<double>::infinity();
+    for (const Body &body : analysis.bodies) {
+        structure.members.push_back({body.mass().mass, body.mass().centre});
+        structure.thickness = std::min(structure.thickness, body.thickness());
+        box.extend(body.box());
+    }
+    if (structure.members.empty())
+        structure.thickness = Structure().thickness;
+    else
+        structure.size = std::max(box.size().maxCoeff(), kMinOverlap);
+    for (const Joint &joint : analysis.assembly.joints) {
+        if (joint.kind == JointKind::None || analysis.grips.of(joint).held.empty())
+            continue;
+        for (std::size_t i = 0; i < joint.crossing->overlaps.size(); ++i)
+            addLink(analysis, joint, static_cast<int>(i), made);
+    }
+    addFeet(analysis, structure);
+    addWeights(analysis, made);
+    return made;
+}
+
+std::vector<SlitLine> slitsOf(const Analysis &analysis, int body)
+{
+    const int section = analysis.bodies.sectionOf(body);
+    const Region &region = analysis.bodies.at(body).outline().region;
+    const Shape &shape = *analysis.model.section(static_cast<std::size_t>(section))->shape;
+    std::vector<SlitLine> lines;
+    for (const Slit &slit : analysis.assembly.slits[static_cast<std::size_t>(section)]) {
+        if (slit.role != SlitRole::Slit || !slit.isOpen || slit.inner == slit.mouth)
+            continue;
+        const Vec2 way = (slit.mouth - slit.inner).normalized();
+        if (locate(slit.bottom() - kGripWall * way, region) != Side::Inside)
+            continue;
+        // The mouth lies beyond the contour: as deep as there is material beside it.
+        double depth = (slit.mouth - slit.inner).norm();
+        for (const Interval &interval : intervalsOn({slit.inner, way}, shape.region()))
+            if (interval.from.at <= kMinOverlap && interval.to.at > kMinOverlap)
+                depth = std::min(depth, interval.to.at);
+        lines.push_back({slit.inner, way, depth, slit.width});
+    }
+    return lines;
+}
+
+} // namespace fff
