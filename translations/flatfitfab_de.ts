@@ -2453,6 +2453,10 @@
         <source>Standard output could not be written.</source>
         <translation>Die Standardausgabe ließ sich nicht schreiben.</translation>
     </message>
+    <message>
+        <source>Whether it holds: forces, stresses and what it bears</source>
+        <translation>Ob es hält: Kräfte, Spannungen und was es trägt</translation>
+    </message>
 </context>
 <context>
     <name>Cue</name>
@@ -5395,6 +5399,126 @@
         <source>a piece of %1</source>
         <extracomment>%1 is the name of a section</extracomment>
         <translation>ein Stück von %1</translation>
+    </message>
+    <message>
+        <source>Stands.</source>
+        <translation>Steht.</translation>
+    </message>
+    <message>
+        <source>Falls over.</source>
+        <translation>Fällt um.</translation>
+    </message>
+    <message>
+        <source>Stands on a line only: it falls to either side.</source>
+        <translation>Steht nur auf einer Linie: fällt zur einen oder anderen Seite.</translation>
+    </message>
+    <message>
+        <source>A part of it has nothing to stand on.</source>
+        <translation>Ein Teil davon hat nichts, worauf er steht.</translation>
+    </message>
+    <message>
+        <source>It does not touch the ground.</source>
+        <translation>Es berührt den Boden nicht.</translation>
+    </message>
+    <message>
+        <source>Slides away over the ground.</source>
+        <translation>Rutscht auf dem Boden weg.</translation>
+    </message>
+    <message>
+        <source>Moves within itself.</source>
+        <translation>Ist in sich beweglich.</translation>
+    </message>
+    <message>
+        <source>Holds.</source>
+        <translation>Hält.</translation>
+    </message>
+    <message>
+        <source>Barely holds: it may crack in a corner.</source>
+        <translation>Hält knapp: In einer Ecke kann es reißen.</translation>
+    </message>
+    <message>
+        <source>Breaks.</source>
+        <translation>Bricht.</translation>
+    </message>
+    <message>
+        <source>A joint is pulled open.</source>
+        <translation>Eine Verbindung wird auseinandergezogen.</translation>
+    </message>
+    <message>
+        <source>What does not stand still is not looked at for strength.</source>
+        <translation>Was nicht stillsteht, wird nicht auf Festigkeit geprüft.</translation>
+    </message>
+    <message>
+        <source>Not rated: the strength of a stock is not known.</source>
+        <translation>Nicht bewertet: Die Festigkeit eines Materials ist nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>Whether it holds could not be worked out.</source>
+        <translation>Ob es hält, konnte nicht ermittelt werden.</translation>
+    </message>
+    <message>
+        <source>%1 presses on the ground with %2 N.</source>
+        <translation>%1 drückt mit %2 N auf den Boden.</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation type="unfinished">%1: %2</translation>
+    </message>
+    <message>
+        <source>Joint %1–%2 is pulled open with %3 N: glue it, or turn its slits round.</source>
+        <translation>Die Verbindung %1–%2 wird mit %3 N auseinandergezogen: kleben oder die Schlitze umdrehen.</translation>
+    </message>
+    <message>
+        <source>Joints share what they bear in more than one way (indeterminate, %1): the worst of several ways counts.</source>
+        <translation>Die Verbindungen können die Last auf mehr als eine Weise tragen (unbestimmt, %1): Die schlimmste von mehreren zählt.</translation>
+    </message>
+    <message>
+        <source>The stress in %1 could not be worked out.</source>
+        <translation>Die Spannung in %1 konnte nicht ermittelt werden.</translation>
+    </message>
+    <message>
+        <source>%1 is not rated: no strength is known of its stock.</source>
+        <translation>%1 ist nicht bewertet: Die Festigkeit des Materials ist nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>A weight of %1 is on no material of %2; the nearest part of it bears it.</source>
+        <translation>Ein Gewicht von %1 liegt auf keinem Material von %2; die nächste Stelle trägt es.</translation>
+    </message>
+    <message>
+        <source>Weakest in %1: %2 of what its stock bears in the neck, %3 in the corner.</source>
+        <translation>Am schwächsten in %1: im Hals %2 dessen, was das Material trägt, in der Ecke %3.</translation>
+    </message>
+    <message>
+        <source>May crack from %1 in all.</source>
+        <translation>Kann ab insgesamt %1 reißen.</translation>
+    </message>
+    <message>
+        <source>Breaks at %1 in all.</source>
+        <translation>Bricht bei insgesamt %1.</translation>
+    </message>
+    <message>
+        <source>Weighs %1 N with all that hangs on it.</source>
+        <translation>Wiegt mit allem, was daran hängt, %1 N.</translation>
+    </message>
+    <message>
+        <source>Hang a weight on a section, at its middle or at X,Y in mm: &quot;Rib 4=350g&quot;, &quot;Rib 4@10,25=0.35kg&quot;. As often as you like.</source>
+        <translation>Hängt ein Gewicht an eine Scheibe, in ihre Mitte oder bei X,Y in mm: „Rib 4=350g“, „Rib 4@10,25=0.35kg“. Beliebig oft.</translation>
+    </message>
+    <message>
+        <source>--weight %1: expected NAME=MASS, as in &quot;Rib 4=350g&quot;.</source>
+        <translation>--weight %1: erwartet wird NAME=MASSE, zum Beispiel „Rib 4=350g“.</translation>
+    </message>
+    <message>
+        <source>--weight %1: expected a mass above 0 and up to 1000000 kg behind the =, with g, kg, oz or lb.</source>
+        <translation>--weight %1: hinter dem = wird eine Masse über 0 und bis 1000000 kg erwartet, mit g, kg, oz oder lb.</translation>
+    </message>
+    <message>
+        <source>--weight %1: there is no section &quot;%2&quot;.</source>
+        <translation>--weight %1: Eine Scheibe „%2“ gibt es nicht.</translation>
+    </message>
+    <message>
+        <source>--weight %1: slits leave nothing of &quot;%2&quot;.</source>
+        <translation>--weight %1: Schlitze lassen von „%2“ nichts übrig.</translation>
     </message>
 </context>
 <context>

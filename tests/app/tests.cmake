@@ -1,8 +1,11 @@
 fff_tests(tests_app LIBRARIES fff::session TESTS
     app/tst_cli
     app/tst_cli_assembly
-    app/tst_cli_input)
-target_compile_definitions(tests_app PRIVATE FFF_CLI="$<TARGET_FILE:flatfitfab-cli>")
+    app/tst_cli_input
+    app/tst_cli_simulate
+    ALONE app/tst_cli_simulate)
+target_compile_definitions(tests_app PRIVATE FFF_CLI="$<TARGET_FILE:flatfitfab-cli>"
+    FFF_SAMPLES="${CMAKE_SOURCE_DIR}/resources/samples")
 add_dependencies(tests_app flatfitfab-cli)
 if(UNIX) # what the verbs print is caught
     fff_tests(tests_faults LIBRARIES fff_cli TESTS app/tst_cli_formats app/tst_faults)

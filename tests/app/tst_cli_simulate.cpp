@@ -1,0 +1,101 @@
+// `simulate`, as scripts read it.
+#include <QTest> // first: moc stumbles over some standard headers
+
+#include "tests/app/cli_run.h"
+#include "tests/test_program.h"
+
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+
+using namespace fff;
+using namespace fff::test;
+using namespace Qt::Literals::StringLiterals;
+
+namespace {
+
+const QString kStand = QStringLiteral(FFF_SAMPLES "/glass_three_legs.fff");
+
+QJsonObject simulated(const QStringList &options = {})
+{
+    return QJsonDocument::fromJson(
+               run(QStringList{u"simulate"_s, kStand, u"--json"_s} + options).out)
+        .object();
+}
+
+} // namespace
+
+class TestCliSimulate : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void tellsForcesAndStresses();
+    void weightsOfOneRun();
+    void wrongWeights_data();
+    void wrongWeights();
+};
+
+// Wrong: a script adds up the numbers and they do not.
+void TestCliSimulate::tellsForcesAndStresses()
+{
+    const QJsonObject told = simulated();
+    QCOMPARE(told[u"equilibrium"].toString(), u"stable"_s);
+    QCOMPARE(told[u"verdict"].toString(), u"barelyHolds"_s);
+    double carried = 0.0;
+    for (const QJsonValue &reaction : told[u"reactions"].toArray())
+        carried += reaction[u"force"][1].toDouble();
+    const double weight = told[u"totalWeight"].toDouble();
+    QVERIFY(weight > 0.0 && std::abs(carried - weight) < 1e-9 * weight);
+    QVERIFY(told[u"residual"].toDouble() < 1e-9);
+    QVERIFY(!told[u"joints"].toArray().isEmpty());
+    double worst = 0.0;
+    for (const QJsonValue &section : told[u"sections"].toArray()) {
+        QVERIFY(section[u"maxStress"].toDouble() <= section[u"maxStressFactored"].toDouble());
+        worst = std::max(worst, section[u"utilisation"].toDouble());
+    }
+    QVERIFY(worst > 0.0);
+    QCOMPARE(told[u"maxUtilisation"].toDouble(), worst);
+    QVERIFY(told[u"cracksFrom"].toDouble() < told[u"breaksAt"].toDouble());
+    const Run asText = run({u"simulate"_s, kStand});
+    QCOMPARE(asText.status, 0);
+    QVERIFY(asText.out.contains("Barely holds"));
+}
+
+// Wrong: the weight is not there, or stays in the file.
+void TestCliSimulate::weightsOfOneRun()
+{
+    const double before = simulated()[u"totalWeight"].toDouble();
+    const double with = simulated({u"--weight"_s, u"Shelf=100g"_s, u"--weight"_s,
+                                   u"Shelf@5,5=1kg"_s})[u"totalWeight"]
+                            .toDouble();
+    QVERIFY(std::abs(with - before - 1.1 * 9.81) < 1e-9);
+    QCOMPARE(simulated()[u"totalWeight"].toDouble(), before);
+}
+
+void TestCliSimulate::wrongWeights_data()
+{
+    QTest::addColumn<QString>("weight");
+    QTest::newRow("no mass") << u"Shelf"_s;
+    QTest::newRow("no unit") << u"Shelf=3"_s;
+    QTest::newRow("nothing") << u"Shelf=0g"_s;
+    QTest::newRow("less than nothing") << u"Shelf=-1kg"_s;
+    QTest::newRow("more than all") << u"Shelf=1000001kg"_s;
+    QTest::newRow("no number") << u"Shelf=e5kg"_s;
+    QTest::newRow("nobody") << u"Nobody=3g"_s;
+    QTest::newRow("a place that is none") << u"Shelf@a,b=3g"_s;
+    QTest::newRow("nowhere") << u"Shelf@1e300,0=3g"_s;
+}
+
+// Wrong: it goes on with something else, or does not say with what it cannot.
+void TestCliSimulate::wrongWeights()
+{
+    QFETCH(QString, weight);
+    const Run told = run({u"simulate"_s, kStand, u"--weight"_s, weight});
+    QCOMPARE(told.status, 1);
+    QVERIFY(told.out.isEmpty());
+    QVERIFY(told.err.contains(weight.toUtf8()));
+}
+
+FFF_TEST(TestCliSimulate)
+#include "tst_cli_simulate.moc"
