@@ -8,7 +8,10 @@ namespace fff {
 
 namespace {
 
-constexpr double kCubicMetre = 1e9;    // mm³
+constexpr double kCubicMetre = 1e9; // mm³
+/// Of several ways to bear a load those are refined whose stresses by the grid are within this
+/// share of the worst: refining adds less.
+constexpr double kNearlyWorst = 0.8;
 constexpr double kMassAccuracy = 1e-4; // share of a mass that is looked for
 constexpr int kMostSteps = 40;         // of that search
 
@@ -29,11 +32,11 @@ AppliedForce appliedIn(const Frame &frame, ForceKind kind, const Vec2 &at, const
 }
 
 /// What acts on each body.
-std::vector<std::vector<AppliedForce>> forcesOn(const Bodies &bodies, const ModelStructure &made,
-                                                const Structure &loaded,
-                                                const Equilibrium &equilibrium)
+using ForcesOnBodies = std::vector<std::vector<AppliedForce>>;
+ForcesOnBodies forcesOn(const Bodies &bodies, const ModelStructure &made, const Structure &loaded,
+                        const Equilibrium &equilibrium)
 {
-    std::vector<std::vector<AppliedForce>> forces(bodies.size());
+    ForcesOnBodies forces(bodies.size());
     const auto add = [&](int body, ForceKind kind, const Vec2 &at, const Vec3 &point,
                          const Vec3 &force, const Vec3 &moment) -> AppliedForce & {
         auto &list = forces[static_cast<std::size_t>(body)];
@@ -51,9 +54,8 @@ std::vector<std::vector<AppliedForce>> forcesOn(const Bodies &bodies, const Mode
     }
     for (std::size_t i = 0; i < loaded.feet.size(); ++i) {
         const Foot &foot = loaded.feet[i];
-        if (equilibrium.feet[i].force != Vec3::Zero())
-            add(foot.member, ForceKind::Foot, bodies.at(foot.member).frame().toLocal(foot.point),
-                foot.point, equilibrium.feet[i].force, Vec3::Zero());
+        add(foot.member, ForceKind::Foot, bodies.at(foot.member).frame().toLocal(foot.point),
+            foot.point, equilibrium.feet[i].force, Vec3::Zero());
     }
     for (const Load &load : loaded.loads)
         add(load.member, ForceKind::Load, bodies.at(load.member).frame().toLocal(load.point),
@@ -75,17 +77,22 @@ public:
         strength.envelope = solveEnvelope(loaded, m_rules.support, m_caches.equilibria);
         const Bodies &bodies = m_analysis.bodies;
         strength.bodies.assign(bodies.size(), {});
-        std::vector<char> hasForces = bodiesWithForces(strength.equilibrium());
-        for (std::size_t i = 0; i < bodies.size(); ++i) {
-            strength.bodies[i].strength = strengthOf(stockOf(static_cast<int>(i)));
-            strength.bodies[i].isWorkedOut = hasForces[i];
-        }
+        std::vector<std::vector<char>> hasForces;
+        std::vector<ForcesOnBodies> forces;
         for (const Equilibrium &equilibrium : strength.envelope) {
-            hasForces = bodiesWithForces(equilibrium);
-            const auto forces = forcesOn(bodies, strength.made, loaded, equilibrium);
-            for (std::size_t i = 0; i < bodies.size(); ++i)
-                if (hasForces[i])
-                    addWorst(static_cast<int>(i), forces[i], strength.bodies[i]);
+            hasForces.push_back(bodiesWithForces(equilibrium));
+            forces.push_back(forcesOn(bodies, strength.made, loaded, equilibrium));
+        }
+        for (std::size_t i = 0; i < bodies.size(); ++i) {
+            BodyStrength &body = strength.bodies[i];
+            body.strength = strengthOf(stockOf(static_cast<int>(i)));
+            body.isWorkedOut = hasForces.front()[i];
+            std::vector<const std::vector<AppliedForce> *> cases;
+            for (std::size_t k = 0; k < forces.size(); ++k)
+                if (hasForces[k][i])
+                    cases.push_back(&forces[k][i]);
+            if (!cases.empty())
+                findWorst(static_cast<int>(i), cases, body);
         }
         strength.worst = -1;
         strength.neckUse = strength.cornerUse = 0.0;
@@ -141,25 +148,47 @@ private:
         return sheet;
     }
 
-    void addWorst(int index, const std::vector<AppliedForce> &forces, BodyStrength &body) const
+    /// Of the cases, which act in the same places, those are looked at closely that may be worst.
+    void findWorst(int index, const std::vector<const std::vector<AppliedForce> *> &cases,
+                   BodyStrength &body) const
     {
-        const SectionStress stress =
-            stressOf(cutsOf(index), forces, sheetOf(index), {m_rules.notch, 3});
-        body.isWorkedOut = body.isWorkedOut && stress.isWorkedOut;
-        const auto keepWorse = [&](int neck, double NeckStress::*use,
-                                   std::optional<NeckStress> &worst) {
-            if (neck < 0)
-                return;
-            const NeckStress &found = stress.necks[static_cast<std::size_t>(neck)];
-            if (!worst || found.*use > (*worst).*use)
-                worst = found;
+        const SectionCuts &cuts = cutsOf(index);
+        const SheetMaterial sheet = sheetOf(index);
+        const CutShares shares = cutShares(cuts, *cases.front(), sheet.thickness);
+        const auto stressed = [&](std::size_t k, int refined) {
+            return stressOf(cuts, shares, *cases[k], sheet, {m_rules.notch, refined});
         };
-        keepWorse(stress.worstNeck, &NeckStress::neckUse, body.neck);
-        keepWorse(stress.worstCorner, &NeckStress::cornerUse, body.corner);
+        std::vector<double> neck(cases.size(), 0.0), corner(cases.size(), 0.0);
+        for (std::size_t k = 0; cases.size() > 1 && k < cases.size(); ++k) {
+            const SectionStress stress = stressed(k, 0);
+            neck[k] = useOf(stress, stress.worstNeck, &NeckStress::neckUse);
+            corner[k] = useOf(stress, stress.worstCorner, &NeckStress::cornerUse);
+        }
+        const double worstNeck = *std::max_element(neck.begin(), neck.end());
+        const double worstCorner = *std::max_element(corner.begin(), corner.end());
+        for (std::size_t k = 0; k < cases.size(); ++k) {
+            if (neck[k] < kNearlyWorst * worstNeck && corner[k] < kNearlyWorst * worstCorner)
+                continue;
+            const SectionStress stress = stressed(k, StressOptions().refined);
+            body.isWorkedOut = body.isWorkedOut && stress.isWorkedOut;
+            keepWorse(stress, stress.worstNeck, &NeckStress::neckUse, body.neck);
+            keepWorse(stress, stress.worstCorner, &NeckStress::cornerUse, body.corner);
+        }
         if (body.strength) {
             body.neckUse = body.neck ? body.neck->neckUse : 0.0;
             body.cornerUse = body.corner ? body.corner->cornerUse : 0.0;
         }
+    }
+
+    static double useOf(const SectionStress &stress, int neck, double NeckStress::*use)
+    {
+        return neck < 0 ? 0.0 : stress.necks[static_cast<std::size_t>(neck)].*use;
+    }
+    static void keepWorse(const SectionStress &stress, int neck, double NeckStress::*use,
+                          std::optional<NeckStress> &worst)
+    {
+        if (neck >= 0 && (!worst || useOf(stress, neck, use) > (*worst).*use))
+            worst = stress.necks[static_cast<std::size_t>(neck)];
     }
 
     const Analysis &m_analysis;

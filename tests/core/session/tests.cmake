@@ -2,6 +2,7 @@ fff_tests(tests_session LIBRARIES fff::session Polyclipping::Polyclipping TESTS
     core/session/tst_assembly_plan
     core/session/tst_assembly_steps
     core/session/tst_autosave
+    core/session/tst_case_models
     core/session/tst_check_actions
     core/session/tst_check_list
     core/session/tst_checks
@@ -29,9 +30,11 @@ fff_tests(tests_session LIBRARIES fff::session Polyclipping::Polyclipping TESTS
     core/session/tst_they_fit
     core/session/tst_tool_replays
     ALONE
+        core/physics/reference_case
+        core/session/tst_case_models
         core/session/tst_strength
         core/session/tst_tool_replays)
-target_sources(tests_session PRIVATE bench/generated_models.cpp)
+target_sources(tests_session PRIVATE bench/generated_models.cpp core/physics/reference_case.cpp)
 target_compile_definitions(tests_session PRIVATE FFF_SAMPLES="${CMAKE_SOURCE_DIR}/resources/samples")
 
 # They count what is allocated in all of the program.
