@@ -2457,6 +2457,10 @@
         <source>Whether it holds: forces, stresses and what it bears</source>
         <translation>Ob es hält: Kräfte, Spannungen und was es trägt</translation>
     </message>
+    <message>
+        <source>Sections bend where joints share a load: finite elements of each; takes seconds.</source>
+        <translation>Scheiben biegen sich, wo sich Verbindungen eine Last teilen: finite Elemente für jede; dauert Sekunden.</translation>
+    </message>
 </context>
 <context>
     <name>Cue</name>
@@ -5519,6 +5523,10 @@
     <message>
         <source>--weight %1: slits leave nothing of &quot;%2&quot;.</source>
         <translation>--weight %1: Schlitze lassen von „%2“ nichts übrig.</translation>
+    </message>
+    <message>
+        <source>%1 could not be worked out as a sheet that bends, and is taken for rigid.</source>
+        <translation>%1 ließ sich nicht als Platte berechnen, die sich biegt, und gilt als starr.</translation>
     </message>
 </context>
 <context>

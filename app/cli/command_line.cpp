@@ -23,7 +23,7 @@ constexpr std::array kVerbs = {
         QT_TRANSLATE_NOOP("CommandLine",
                           "Whether it holds together, stands, can be assembled and fits the sheet"),
         runCheck},
-    Verb{"simulate", "FILE [--json] [--weight NAME[@X,Y]=MASS] [options]",
+    Verb{"simulate", "FILE [--json] [--accurate] [--weight NAME[@X,Y]=MASS] [options]",
          QT_TRANSLATE_NOOP("CommandLine", "Whether it holds: forces, stresses and what it bears"),
          runSimulate},
     Verb{"parts", "FILE [--json] [--tolerance MM] [options]",

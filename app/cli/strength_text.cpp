@@ -265,7 +265,10 @@ QStringList strengthWarnings(const Simulated &simulated, const Analysis &analysi
                          .arg(quoted(analysis, link.a), quoted(analysis, link.b),
                               figure(equilibrium.links[i].asked));
     }
-    if (equilibrium.indeterminacy() > 0)
+    for (const int body : strength.stiff)
+        lines += tr("%1 could not be worked out as a sheet that bends, and is taken for rigid.")
+                     .arg(quoted(analysis, body));
+    if (equilibrium.indeterminacy() > 0 && !strength.isElastic)
         lines += tr("Joints share what they bear in more than one way (indeterminate, %1): the "
                     "worst of several ways counts.")
                      .arg(equilibrium.indeterminacy());

@@ -9,13 +9,18 @@ namespace fff::cli {
 int runSimulate(const QStringList &arguments)
 {
     QCommandLineParser parser;
+    parser.addOption({QStringLiteral("accurate"),
+                      QCoreApplication::translate("CommandLine",
+                                                  "Sections bend where joints share a load: finite "
+                                                  "elements of each; takes seconds.")});
     addWeightOptions(parser);
     AnalysedFile model = analysedFile("simulate", arguments, parser);
     if (model.status)
         return *model.status;
     if (const auto status = hangWeights(parser, verbNamed("simulate"), model.analysis))
         return *status;
-    const StrengthRules rules;
+    StrengthRules rules;
+    rules.isElastic = parser.isSet(QStringLiteral("accurate"));
     StrengthCaches caches;
     Simulated simulated;
     const auto milliseconds = [](const QElapsedTimer &timer) {

@@ -2,6 +2,7 @@ target_sources(fff_core PRIVATE
     analysis/analysed.cpp
     analysis/analysis.cpp
     analysis/assembly_plan.cpp
+    analysis/bending_bodies.cpp
     analysis/captives.cpp
     analysis/check_caches.cpp
     analysis/checks.cpp

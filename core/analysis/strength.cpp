@@ -72,9 +72,18 @@ public:
     {
     }
 
-    void strain(const Structure &loaded, Strength &strength) const
+    /// Under its own weight and so much of the loads.
+    void strain(double scale, Strength &strength) const
     {
+        Structure loaded = strength.made.structure;
+        for (Load &load : loaded.loads) {
+            load.force *= scale;
+            load.moment *= scale;
+        }
         strength.envelope = solveEnvelope(loaded, m_rules.support, m_caches.equilibria);
+        if (m_rules.isElastic && strength.equilibrium().indeterminacy() > 0 &&
+            strength.equilibrium().balance() == Balance::Stands)
+            bend(scale, loaded, strength);
         const Bodies &bodies = m_analysis.bodies;
         strength.bodies.assign(bodies.size(), {});
         std::vector<std::vector<char>> hasForces;
@@ -107,6 +116,43 @@ public:
     }
 
 private:
+    /// The forces of bodies that bend in place of those of rigid ones, where there are such.
+    void bend(double scale, const Structure &loaded, Strength &strength) const
+    {
+        const auto bending = BendingBodies::of(m_analysis, strength.made, m_caches.bending);
+        if (!bending)
+            return; // nobody stops it
+        strength.stiff = bending->stiff();
+        const std::vector<MemberFlexibility> members = bending->under(scale);
+        std::vector<Equilibrium> bent;
+        for (const FootHold hold : {FootHold::Frictionless, FootHold::Pinned}) {
+            const auto solved = elasticEquilibrium(loaded, members, hold);
+            if (solved && solved->isBalanced())
+                bent.push_back(bentBy(*solved, loaded, strength.equilibrium()));
+            else if (hold == FootHold::Frictionless)
+                return;
+        }
+        strength.envelope = std::move(bent);
+        strength.isElastic = true;
+    }
+
+    static Equilibrium bentBy(const ElasticEquilibrium &solved, const Structure &loaded,
+                              Equilibrium rigid)
+    {
+        for (std::size_t i = 0; i < loaded.links.size(); ++i) {
+            LinkForce &force = rigid.links[i];
+            force.onA = {solved.links[i].head<3>(), solved.links[i].tail<3>()};
+            force.pull = force.onA.force.dot(loaded.links[i].axis);
+            force.isOpen = solved.isParted[i];
+            force.asked = std::max(0.0, force.pull);
+        }
+        for (std::size_t i = 0; i < loaded.feet.size(); ++i)
+            rigid.feet[i] = {solved.feet[i], !solved.isLifted[i]};
+        rigid.residuals = solved.residual;
+        rigid.worstResidual = solved.worstResidual;
+        return rigid;
+    }
+
     /// In equilibrium, whether or not all the rest is.
     std::vector<char> bodiesWithForces(const Equilibrium &equilibrium) const
     {
@@ -292,7 +338,7 @@ Strength strengthOf(const Analysis &analysis, const StrengthRules &rules, Streng
         link.grip = link.isTight ? rules.snugGrip : 0.0;
     turnMortises(strength.made, rules, caches);
     const Straining straining(analysis, rules, caches);
-    straining.strain(strength.made.structure, strength);
+    straining.strain(1.0, strength);
     strength.verdict = verdictOf(strength, rules.safety);
     std::map<BodyPointer, std::shared_ptr<const SectionCuts>> used;
     for (std::size_t i = 0; i < analysis.bodies.size(); ++i)
@@ -319,12 +365,7 @@ BearableMass bearableMass(const Analysis &analysis, const Strength &strength,
             return found->second;
         Strength scaled;
         scaled.made = strength.made;
-        Structure loaded = structure;
-        for (Load &load : loaded.loads) {
-            load.force *= scale;
-            load.moment *= scale;
-        }
-        straining.strain(loaded, scaled);
+        straining.strain(scale, scaled);
         std::optional<std::pair<double, double>> uses;
         if (scaled.equilibrium().balance() == Balance::Stands)
             uses.emplace(scaled.neckUse, scaled.cornerUse);

@@ -1,7 +1,7 @@
 // Whether a model holds: forces between its bodies, stresses within them, under what hangs on it.
 #pragma once
 
-#include "core/analysis/structure_of.h"
+#include "core/analysis/bending_bodies.h"
 #include "core/physics/equilibrium.h"
 #include "core/physics/section_stress.h"
 
@@ -20,6 +20,9 @@ struct StrengthRules
     /// N: what a slit without play holds by friction against being pulled apart, about the weight
     /// of 10 g. No more is counted on; with play it is nothing.
     double snugGrip = 0.1;
+    /// Bodies bend when joints share a load in more than one way; else they are rigid. Takes
+    /// finite elements of each body.
+    bool isElastic = false;
 };
 
 enum class HoldVerdict {
@@ -47,6 +50,8 @@ struct Strength
 {
     ModelStructure made;
     std::vector<Equilibrium> envelope;     // never empty; the first is that of the support as given
+    bool isElastic = false;                // these are of bodies that bend
+    std::vector<int> stiff;                // bodies that should, but were taken for rigid
     std::vector<BodyStrength> bodies;      // by their places in the list
     int worst = -1;                        // body, by cornerUse; −1: none is strained
     double neckUse = 0.0, cornerUse = 0.0; // the largest of all
@@ -60,6 +65,7 @@ struct StrengthCaches
 {
     std::map<BodyPointer, std::shared_ptr<const SectionCuts>> cuts;
     EquilibriumCache equilibria;
+    BendingBodies::Cache bending;
 };
 
 /// The lower one of those that are known, MPa.
