@@ -5466,7 +5466,7 @@
     </message>
     <message>
         <source>%1: %2</source>
-        <translation type="unfinished">%1: %2</translation>
+        <translation>%1: %2</translation>
     </message>
     <message>
         <source>Joint %1–%2 is pulled open with %3 N: glue it, or turn its slits round.</source>
