@@ -111,8 +111,8 @@ Result<PlateModel> plateOf(const Body &body, const Stock &stock, const LongWork 
 }
 
 /// Fills in how it gives.
-Result<void> work(BendingBody &bending, int index, const Body &body, const PlateModel &model,
-                  const Vec3 &gravity, const LongWork &work)
+Result<void> fillIn(BendingBody &bending, int index, const Body &body, const PlateModel &model,
+                    const Vec3 &gravity, const LongWork &work)
 {
     const Frame &frame = body.frame();
     std::vector<PlateAttachment> attachments;
@@ -172,8 +172,8 @@ Result<BendingBodies> BendingBodies::of(const Analysis &analysis, const ModelStr
             const Stock &stock =
                 analysis.model.stockOf(static_cast<std::size_t>(analysis.bodies.sectionOf(index)));
             const Result<PlateModel> model = plateOf(*body, stock, {longWork.stop, {}});
-            const Result<void> worked = model ? work(bending, index, *body, *model,
-                                                     made.structure.gravity, {longWork.stop, {}})
+            const Result<void> worked = model ? fillIn(bending, index, *body, *model,
+                                                       made.structure.gravity, {longWork.stop, {}})
                                               : tl::unexpected(model.error());
             if (!worked) {
                 if (worked.error().code == ErrorCode::Cancelled)
