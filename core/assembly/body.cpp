@@ -225,7 +225,7 @@ public:
 
 private:
     using Run = Bodies::Run;
-    static constexpr std::size_t kInRun = 32;
+    static constexpr std::size_t kInRun = 8;
 
     Bodies::RunPointer runFrom(std::size_t first, std::size_t last) const
     {
