@@ -5528,6 +5528,10 @@
         <source>%1 could not be worked out as a sheet that bends, and is taken for rigid.</source>
         <translation>%1 ließ sich nicht als Platte berechnen, die sich biegt, und gilt als starr.</translation>
     </message>
+    <message>
+        <source>How sections bend could not be worked out; they are taken for rigid.</source>
+        <translation>Wie sich die Scheiben biegen, konnte nicht ermittelt werden; sie gelten als starr.</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::AboutDialog</name>

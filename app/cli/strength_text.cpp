@@ -268,6 +268,8 @@ QStringList strengthWarnings(const Simulated &simulated, const Analysis &analysi
     for (const int body : strength.stiff)
         lines += tr("%1 could not be worked out as a sheet that bends, and is taken for rigid.")
                      .arg(quoted(analysis, body));
+    if (strength.isBendingLost)
+        lines += tr("How sections bend could not be worked out; they are taken for rigid.");
     if (equilibrium.indeterminacy() > 0 && !strength.isElastic)
         lines += tr("Joints share what they bear in more than one way (indeterminate, %1): the "
                     "worst of several ways counts.")
@@ -329,8 +331,8 @@ std::string strengthJson(const Simulated &simulated, const Analysis &analysis, c
     json.endArray();
     json.key("milliseconds");
     json.beginObject(JsonWriter::Layout::Line);
-    json.member("strength", simulated.millisecondsOfForces);
-    json.member("masses", simulated.millisecondsOfMasses);
+    json.member("equilibrium", simulated.millisecondsOfForces);
+    json.member("stress", simulated.millisecondsOfStresses);
     json.endObject();
     json.endObject();
     return json.take();

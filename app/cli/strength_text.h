@@ -14,7 +14,7 @@ struct Simulated
 {
     Strength strength;
     BearableMass bearable;
-    double millisecondsOfForces = 0.0, millisecondsOfMasses = 0.0;
+    double millisecondsOfForces = 0.0, millisecondsOfStresses = 0.0;
 };
 
 /// Sentences about what a person has to know besides the verdict.

@@ -28,11 +28,12 @@ int runSimulate(const QStringList &arguments)
     };
     QElapsedTimer timer;
     timer.start();
-    simulated.strength = strengthOf(model.analysis, rules, caches);
+    simulated.strength = forcesIn(model.analysis, rules, caches);
     simulated.millisecondsOfForces = milliseconds(timer);
     timer.restart();
+    addStresses(model.analysis, rules, caches, simulated.strength);
+    simulated.millisecondsOfStresses = milliseconds(timer);
     simulated.bearable = bearableMass(model.analysis, simulated.strength, rules, caches);
-    simulated.millisecondsOfMasses = milliseconds(timer);
     return model.asJson ? print(strengthJson(simulated, model.analysis, model.file))
                         : printLines(strengthText(simulated, model.analysis));
 }

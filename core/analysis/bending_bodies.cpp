@@ -16,40 +16,32 @@ struct BendingBody
 
 namespace {
 
-constexpr double kUsualModulus = 3000.0;   // MPa; all bodies give less or more alike
 constexpr double kUsualPoisson = 0.3;      // no unit; of wood and plastics 0.3 to 0.4
 constexpr double kCubicMillimetres = 1e-9; // m³
 
-Vec3 inFrame(const Frame &frame, const Vec3 &v)
+/// What holds and loads each body.
+std::vector<BendingBody> actingOn(const Structure &structure)
 {
-    return {frame.x.dot(v), frame.y.dot(v), frame.normal().dot(v)};
-}
-
-/// What acts on a body besides links.
-BendingBody actingOn(const ModelStructure &made, int body)
-{
-    BendingBody bending;
-    const Structure &structure = made.structure;
+    std::vector<BendingBody> bodies(structure.members.size());
+    const auto of = [&](int body) -> BendingBody & {
+        return bodies[static_cast<std::size_t>(body)];
+    };
     for (std::size_t i = 0; i < structure.links.size(); ++i) {
-        const Link &link = structure.links[i];
-        if (link.a == body || link.b == body) {
-            bending.at.push_back({MemberAttachment::Kind::Link, static_cast<int>(i)});
-            bending.links.push_back(link);
+        for (const int body : {structure.links[i].a, structure.links[i].b}) {
+            of(body).at.push_back({MemberAttachment::Kind::Link, static_cast<int>(i)});
+            of(body).links.push_back(structure.links[i]);
         }
     }
     for (std::size_t i = 0; i < structure.feet.size(); ++i) {
-        if (structure.feet[i].member == body) {
-            bending.at.push_back({MemberAttachment::Kind::Foot, static_cast<int>(i)});
-            bending.feet.push_back(structure.feet[i].point);
-        }
+        const Foot &foot = structure.feet[i];
+        of(foot.member).at.push_back({MemberAttachment::Kind::Foot, static_cast<int>(i)});
+        of(foot.member).feet.push_back(foot.point);
     }
     for (const Load &load : structure.loads) {
-        if (load.member == body) {
-            bending.loadPoints.push_back(load.point);
-            bending.loadForces.push_back(load.force);
-        }
+        of(load.member).loadPoints.push_back(load.point);
+        of(load.member).loadForces.push_back(load.force);
     }
-    return bending;
+    return bodies;
 }
 
 /// But for the numbers of links and feet, which change with others.
@@ -104,7 +96,7 @@ Result<PlateModel> plateOf(const Body &body, const Stock &stock, const LongWork 
         return tl::unexpected(mesh.error());
     PlateMaterial material;
     material.thickness = stock.thickness;
-    material.modulus = stock.modulus.value_or(kUsualModulus);
+    material.modulus = modulusOf(stock);
     material.poisson = kUsualPoisson;
     material.density = stock.density * kCubicMillimetres;
     return PlateModel::make(*std::move(mesh), material, {}, work);
@@ -154,10 +146,11 @@ Result<BendingBodies> BendingBodies::of(const Analysis &analysis, const ModelStr
     BendingBodies bodies;
     Cache used;
     const std::size_t count = analysis.bodies.size();
+    std::vector<BendingBody> held = actingOn(made.structure);
     for (std::size_t i = 0; i < count; ++i) {
         const int index = static_cast<int>(i);
         const BodyPointer &body = analysis.bodies.pointer(index);
-        BendingBody bending = actingOn(made, index);
+        BendingBody &bending = held[i];
         if (longWork.isStopped())
             return failure(ErrorCode::Cancelled);
         if (bending.at.size() < 2) { // one place gives nothing that could be shared

@@ -13,21 +13,18 @@ constexpr double kCubicMetre = 1e9; // mm³
 /// share of the worst: refining adds less.
 constexpr double kNearlyWorst = 0.8;
 constexpr double kMassAccuracy = 1e-4; // share of a mass that is looked for
+constexpr double kLeastStep = 1e-3;    // share of the bracket that a step of it takes off
 constexpr int kMostSteps = 40;         // of that search
 
 /// A wrench about a point of the world, in a body's frame.
 AppliedForce appliedIn(const Frame &frame, ForceKind kind, const Vec2 &at, const Vec3 &point,
                        const Vec3 &force, const Vec3 &moment)
 {
-    const Vec3 normal = frame.normal();
-    const auto local = [&](const Vec3 &v) {
-        return Vec3(frame.x.dot(v), frame.y.dot(v), normal.dot(v));
-    };
     AppliedForce applied;
     applied.kind = kind;
     applied.at = at;
-    applied.force = local(force);
-    applied.moment = local(moment + (point - frame.toWorld(at)).cross(force));
+    applied.force = inFrame(frame, force);
+    applied.moment = inFrame(frame, moment + (point - frame.toWorld(at)).cross(force));
     return applied;
 }
 
@@ -75,15 +72,22 @@ public:
     /// Under its own weight and so much of the loads.
     void strain(double scale, Strength &strength) const
     {
-        Structure loaded = strength.made.structure;
-        for (Load &load : loaded.loads) {
-            load.force *= scale;
-            load.moment *= scale;
-        }
+        balance(scale, strength);
+        stress(scale, strength);
+    }
+
+    void balance(double scale, Strength &strength) const
+    {
+        const Structure loaded = loadedBy(scale, strength);
         strength.envelope = solveEnvelope(loaded, m_rules.support, m_caches.equilibria);
         if (m_rules.isElastic && strength.equilibrium().indeterminacy() > 0 &&
             strength.equilibrium().balance() == Balance::Stands)
             bend(scale, loaded, strength);
+    }
+
+    void stress(double scale, Strength &strength) const
+    {
+        const Structure loaded = loadedBy(scale, strength);
         const Bodies &bodies = m_analysis.bodies;
         strength.bodies.assign(bodies.size(), {});
         std::vector<std::vector<char>> hasForces;
@@ -116,6 +120,16 @@ public:
     }
 
 private:
+    static Structure loadedBy(double scale, const Strength &strength)
+    {
+        Structure loaded = strength.made.structure;
+        for (Load &load : loaded.loads) {
+            load.force *= scale;
+            load.moment *= scale;
+        }
+        return loaded;
+    }
+
     /// The forces of bodies that bend in place of those of rigid ones, where there are such.
     void bend(double scale, const Structure &loaded, Strength &strength) const
     {
@@ -129,8 +143,10 @@ private:
             const auto solved = elasticEquilibrium(loaded, members, hold);
             if (solved && solved->isBalanced())
                 bent.push_back(bentBy(*solved, loaded, strength.equilibrium()));
-            else if (hold == FootHold::Frictionless)
+            else if (hold == FootHold::Frictionless) {
+                strength.isBendingLost = true;
                 return;
+            }
         }
         strength.envelope = std::move(bent);
         strength.isElastic = true;
@@ -186,7 +202,7 @@ private:
         const Vec3 weight = stock.density / kCubicMetre * stock.thickness * Structure().gravity;
         SheetMaterial sheet;
         sheet.thickness = stock.thickness;
-        sheet.arealWeight = {frame.x.dot(weight), frame.y.dot(weight), frame.normal().dot(weight)};
+        sheet.arealWeight = inFrame(frame, weight);
         sheet.strength =
             strengthOf(stock).value_or(1.0); // unknown: uses are MPa, and not looked at
         if (stock.modulus)
@@ -207,6 +223,7 @@ private:
         std::vector<double> neck(cases.size(), 0.0), corner(cases.size(), 0.0);
         for (std::size_t k = 0; cases.size() > 1 && k < cases.size(); ++k) {
             const SectionStress stress = stressed(k, 0);
+            body.isWorkedOut = body.isWorkedOut && stress.isWorkedOut;
             neck[k] = useOf(stress, stress.worstNeck, &NeckStress::neckUse);
             corner[k] = useOf(stress, stress.worstCorner, &NeckStress::cornerUse);
         }
@@ -309,7 +326,7 @@ std::optional<double> scaleAtOne(const std::function<std::optional<double>(doubl
         const double share = (1.0 - *atLow) / (*atHigh - *atLow);
         // Where the line says, but never only at one end for ever.
         const double middle =
-            low + std::clamp(i % 3 == 2 ? 0.5 : share, 1e-3, 1.0 - 1e-3) * (high - low);
+            low + std::clamp(i % 3 == 2 ? 0.5 : share, kLeastStep, 1.0 - kLeastStep) * (high - low);
         const auto at = useAt(middle);
         if (!at)
             return {};
@@ -330,21 +347,33 @@ std::optional<double> strengthOf(const Stock &stock)
     return stock.tensileStrength ? stock.tensileStrength : stock.flexuralStrength;
 }
 
-Strength strengthOf(const Analysis &analysis, const StrengthRules &rules, StrengthCaches &caches)
+Strength forcesIn(const Analysis &analysis, const StrengthRules &rules, StrengthCaches &caches)
 {
     Strength strength;
     strength.made = structureOf(analysis);
     for (Link &link : strength.made.structure.links)
         link.grip = link.isTight ? rules.snugGrip : 0.0;
     turnMortises(strength.made, rules, caches);
-    const Straining straining(analysis, rules, caches);
-    straining.strain(1.0, strength);
+    Straining(analysis, rules, caches).balance(1.0, strength);
+    return strength;
+}
+
+void addStresses(const Analysis &analysis, const StrengthRules &rules, StrengthCaches &caches,
+                 Strength &strength)
+{
+    Straining(analysis, rules, caches).stress(1.0, strength);
     strength.verdict = verdictOf(strength, rules.safety);
     std::map<BodyPointer, std::shared_ptr<const SectionCuts>> used;
     for (std::size_t i = 0; i < analysis.bodies.size(); ++i)
         if (auto found = caches.cuts.extract(analysis.bodies.pointer(static_cast<int>(i))))
             used.insert(std::move(found));
     caches.cuts = std::move(used);
+}
+
+Strength strengthOf(const Analysis &analysis, const StrengthRules &rules, StrengthCaches &caches)
+{
+    Strength strength = forcesIn(analysis, rules, caches);
+    addStresses(analysis, rules, caches, strength);
     return strength;
 }
 

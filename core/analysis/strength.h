@@ -52,6 +52,7 @@ struct Strength
     std::vector<Equilibrium> envelope;     // never empty; the first is that of the support as given
     bool isElastic = false;                // these are of bodies that bend
     std::vector<int> stiff;                // bodies that should, but were taken for rigid
+    bool isBendingLost = false;            // they should, but no forces were found that agree
     std::vector<BodyStrength> bodies;      // by their places in the list
     int worst = -1;                        // body, by cornerUse; −1: none is strained
     double neckUse = 0.0, cornerUse = 0.0; // the largest of all
@@ -72,6 +73,10 @@ struct StrengthCaches
 std::optional<double> strengthOf(const Stock &stock);
 
 Strength strengthOf(const Analysis &analysis, const StrengthRules &rules, StrengthCaches &caches);
+/// The two halves of it: forces without stresses or verdict, and these.
+Strength forcesIn(const Analysis &analysis, const StrengthRules &rules, StrengthCaches &caches);
+void addStresses(const Analysis &analysis, const StrengthRules &rules, StrengthCaches &caches,
+                 Strength &strength);
 
 /// How much all weights together may be, scaled alike.
 struct BearableMass

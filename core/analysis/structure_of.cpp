@@ -12,13 +12,7 @@ namespace fff {
 
 namespace {
 
-/// MPa, of sheets whose modulus nobody knows: it only shares out what several links bear together.
-constexpr double kUsualModulus = 3000.0;
-
-double modulusOf(const Stock &stock)
-{
-    return stock.modulus.value_or(kUsualModulus);
-}
+constexpr double kUsualModulus = 3000.0; // MPa, of plywood and acrylic about
 
 const Slit *slitAt(const Analysis &analysis, int section, const Joint &joint, int overlap)
 {
@@ -148,7 +142,7 @@ void addLink(const Analysis &analysis, const Joint &joint, int index, ModelStruc
         link.depthA = a.slit ? (isUp ? above : below) : 0.0;
         link.depthB = b.slit ? (isUp ? below : above) : 0.0;
     } else {
-        const bool isHostA = a.slit && !(b.slit && b.slit->role == SlitRole::Slit);
+        const bool isHostA = a.slit != nullptr;
         const Vec3 out = wayOut(analysis, joint, isHostA ? b : a);
         link.kind = LinkKind::Slot;
         link.point = axis.at(0.5 * (overlap.from + overlap.to));
@@ -224,6 +218,16 @@ ModelStructure structureOf(const Analysis &analysis)
     addFeet(analysis, structure);
     addWeights(analysis, made);
     return made;
+}
+
+double modulusOf(const Stock &stock)
+{
+    return stock.modulus.value_or(kUsualModulus);
+}
+
+Vec3 inFrame(const Frame &frame, const Vec3 &v)
+{
+    return {frame.x.dot(v), frame.y.dot(v), frame.normal().dot(v)};
 }
 
 std::vector<SlitLine> slitsOf(const Analysis &analysis, int body)

@@ -37,6 +37,12 @@ struct ModelStructure
 /// mm, kg, N, MPa; Y up, gravity 9.81 m/s².
 ModelStructure structureOf(const Analysis &analysis);
 
+/// MPa; of a stock of which it is not known a usual one: it only shares out what several bear
+/// together.
+double modulusOf(const Stock &stock);
+/// A vector of the world as (u, v, n) of a section's frame.
+Vec3 inFrame(const Frame &frame, const Vec3 &v);
+
 /// All slits that a body has, for the stresses in it: those that end in its material.
 std::vector<SlitLine> slitsOf(const Analysis &analysis, int body);
 

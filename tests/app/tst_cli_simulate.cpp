@@ -57,6 +57,8 @@ void TestCliSimulate::tellsForcesAndStresses()
     QVERIFY(worst > 0.0);
     QCOMPARE(told[u"maxUtilisation"].toDouble(), worst);
     QVERIFY(told[u"cracksFrom"].toDouble() < told[u"breaksAt"].toDouble());
+    QVERIFY(told[u"milliseconds"][u"equilibrium"].isDouble());
+    QVERIFY(told[u"milliseconds"][u"stress"].isDouble());
     const Run asText = run({u"simulate"_s, kStand});
     QCOMPARE(asText.status, 0);
     QVERIFY(asText.out.contains("Barely holds"));
