@@ -1,7 +1,7 @@
 // What holds and what does not, as JSON and as text.
 #pragma once
 
-#include "core/analysis/strength.h"
+#include "core/analysis/bearable_mass.h"
 
 #include <QStringList>
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/analysis/bending_bodies.h"
+#include "core/analysis/strength_rules.h"
 #include "core/physics/equilibrium.h"
 #include "core/physics/section_stress.h"
 
@@ -11,19 +12,6 @@
 #include <vector>
 
 namespace fff {
-
-struct StrengthRules
-{
-    double safety = 2.0; // factor on every stress, for the verdict only
-    NotchRule notch;
-    Support support;
-    /// N: what a slit without play holds by friction against being pulled apart, about the weight
-    /// of 10 g. No more is counted on; with play it is nothing.
-    double snugGrip = 0.1;
-    /// Bodies bend when joints share a load in more than one way; else they are rigid. Takes
-    /// finite elements of each body.
-    bool isElastic = false;
-};
 
 enum class HoldVerdict {
     Holds,        // the worst corner times the safety factor is within what the sheet bears
@@ -44,6 +32,8 @@ struct BodyStrength
                                             // where nothing strains it
     /// stress / strength; 0 where that is not known.
     double neckUse = 0.0, cornerUse = 0.0;
+    std::vector<NeckStress> lines; // all that are strained noticeably, of each the worst; where the
+                                   // strength is known
 };
 
 struct Strength
@@ -55,6 +45,7 @@ struct Strength
     bool isBendingLost = false;            // they should, but no forces were found that agree
     std::vector<BodyStrength> bodies;      // by their places in the list
     int worst = -1;                        // body, by cornerUse; −1: none is strained
+    int worstNeck = -1;                    // body, by neckUse
     double neckUse = 0.0, cornerUse = 0.0; // the largest of all
     HoldVerdict verdict = HoldVerdict::NotWorkedOut;
 
@@ -78,19 +69,7 @@ Strength forcesIn(const Analysis &analysis, const StrengthRules &rules, Strength
 void addStresses(const Analysis &analysis, const StrengthRules &rules, StrengthCaches &caches,
                  Strength &strength);
 
-/// How much all weights together may be, scaled alike.
-struct BearableMass
-{
-    /// kg in sum, at which the worst corner, and the worst neck, reach what the sheet bears,
-    /// without the safety factor. None: it does not stand until then, or bears more than kMostScale
-    /// times what is there.
-    std::optional<double> cracksFrom, breaksAt;
-};
-inline constexpr double kMostScale = 1e4;
-
-/// `strength` belongs to the analysis and the rules. Nothing without weights, or where it does not
-/// stand. About ten solutions of the structure.
-BearableMass bearableMass(const Analysis &analysis, const Strength &strength,
-                          const StrengthRules &rules, StrengthCaches &caches);
+/// A joint of what does not stand is pulled open.
+bool isPulledApart(const Equilibrium &equilibrium);
 
 } // namespace fff

@@ -37,6 +37,8 @@ struct NotchRule
 {
     double radius = 0.25; // mm, of a corner that a laser cuts
     double cap = 5.0;
+
+    bool operator==(const NotchRule &) const = default;
 };
 
 /// Area of a disc of radius 1 beyond a line at distance `h` (−1 … 1) from its centre, as a share of

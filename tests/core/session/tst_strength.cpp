@@ -1,7 +1,7 @@
 // Whether a model holds, from the model to the verdict: what the stresses are is tested in physics.
 #include <QTest> // first: moc stumbles over some standard headers
 
-#include "core/analysis/strength.h"
+#include "core/analysis/bearable_mass.h"
 #include "core/io/document_file.h"
 #include "core/model/edits.h"
 #include "core/operations/evaluate.h"

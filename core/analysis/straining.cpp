@@ -1,0 +1,295 @@
+#include "core/analysis/straining.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace fff {
+
+namespace {
+
+constexpr double kCubicMetre = 1e9; // mm³
+/// Of several ways to bear a load those are refined whose stresses by the grid are within this
+/// share of the worst: refining adds less.
+constexpr double kNearlyWorst = 0.8;
+/// Lines that are strained by less than this, a share of what the sheet bears, are not kept.
+constexpr double kLeastShown = 0.005;
+
+/// A wrench about a point of the world, in a body's frame.
+AppliedForce appliedIn(const Frame &frame, ForceKind kind, const Vec2 &at, const Vec3 &point,
+                       const Vec3 &force, const Vec3 &moment)
+{
+    AppliedForce applied;
+    applied.kind = kind;
+    applied.at = at;
+    applied.force = inFrame(frame, force);
+    applied.moment = inFrame(frame, moment + (point - frame.toWorld(at)).cross(force));
+    return applied;
+}
+
+/// What acts on each body.
+using ForcesOnBodies = std::vector<std::vector<AppliedForce>>;
+ForcesOnBodies forcesOn(const Bodies &bodies, const ModelStructure &made, const Structure &loaded,
+                        const Equilibrium &equilibrium)
+{
+    ForcesOnBodies forces(bodies.size());
+    const auto add = [&](int body, ForceKind kind, const Vec2 &at, const Vec3 &point,
+                         const Vec3 &force, const Vec3 &moment) -> AppliedForce & {
+        auto &list = forces[static_cast<std::size_t>(body)];
+        list.push_back(appliedIn(bodies.at(body).frame(), kind, at, point, force, moment));
+        return list.back();
+    };
+    for (std::size_t i = 0; i < loaded.links.size(); ++i) {
+        const Link &link = loaded.links[i];
+        const LinkPlace &place = made.links[i];
+        const Wrench &onA = equilibrium.links[i].onA;
+        add(link.a, ForceKind::Link, place.slits[0].root, link.point, onA.force, onA.moment).slit =
+            place.slits[0];
+        add(link.b, ForceKind::Link, place.slits[1].root, link.point, -onA.force, -onA.moment)
+            .slit = place.slits[1];
+    }
+    for (std::size_t i = 0; i < loaded.feet.size(); ++i) {
+        const Foot &foot = loaded.feet[i];
+        add(foot.member, ForceKind::Foot, bodies.at(foot.member).frame().toLocal(foot.point),
+            foot.point, equilibrium.feet[i].force, Vec3::Zero());
+    }
+    for (const Load &load : loaded.loads)
+        add(load.member, ForceKind::Load, bodies.at(load.member).frame().toLocal(load.point),
+            load.point, load.force, load.moment);
+    return forces;
+}
+
+Structure loadedBy(double scale, const Strength &strength)
+{
+    Structure loaded = strength.made.structure;
+    for (Load &load : loaded.loads) {
+        load.force *= scale;
+        load.moment *= scale;
+    }
+    return loaded;
+}
+
+/// The forces of bodies that bend in place of those of rigid ones.
+Equilibrium bentBy(const ElasticEquilibrium &solved, const Structure &loaded, Equilibrium rigid)
+{
+    for (std::size_t i = 0; i < loaded.links.size(); ++i) {
+        LinkForce &force = rigid.links[i];
+        force.onA = {solved.links[i].head<3>(), solved.links[i].tail<3>()};
+        force.pull = force.onA.force.dot(loaded.links[i].axis);
+        force.isOpen = solved.isParted[i];
+        force.asked = std::max(0.0, force.pull);
+    }
+    for (std::size_t i = 0; i < loaded.feet.size(); ++i)
+        rigid.feet[i] = {solved.feet[i], !solved.isLifted[i]};
+    rigid.residuals = solved.residual;
+    rigid.worstResidual = solved.worstResidual;
+    return rigid;
+}
+
+double useOf(const SectionStress &stress, int neck, double NeckStress::*use)
+{
+    return neck < 0 ? 0.0 : stress.necks[static_cast<std::size_t>(neck)].*use;
+}
+
+void keepWorse(const SectionStress &stress, int neck, double NeckStress::*use,
+               std::optional<NeckStress> &worst)
+{
+    if (neck >= 0 && (!worst || useOf(stress, neck, use) > (*worst).*use))
+        worst = stress.necks[static_cast<std::size_t>(neck)];
+}
+
+/// Of each line the worst of several ways to bear a load.
+class KeptLines
+{
+public:
+    void add(const SectionStress &stress, std::size_t samples)
+    {
+        m_samples.resize(samples);
+        for (std::size_t i = 0; i < stress.necks.size(); ++i) {
+            const NeckStress &neck = stress.necks[i];
+            if (!neck.counts() || neck.cornerUse < kLeastShown)
+                continue;
+            if (i >= samples)
+                m_refined.push_back(neck);
+            else if (!m_samples[i] || neck.cornerUse > m_samples[i]->cornerUse)
+                m_samples[i] = neck;
+        }
+    }
+
+    std::vector<NeckStress> take()
+    {
+        std::vector<NeckStress> lines = std::move(m_refined);
+        for (const auto &line : m_samples)
+            if (line)
+                lines.push_back(*line);
+        return lines;
+    }
+
+private:
+    std::vector<std::optional<NeckStress>> m_samples;
+    std::vector<NeckStress> m_refined;
+};
+
+} // namespace
+
+void Straining::balance(double scale, Strength &strength) const
+{
+    const Structure loaded = loadedBy(scale, strength);
+    strength.envelope = solveEnvelope(loaded, m_rules.support, m_caches.equilibria);
+    if (m_rules.isElastic && strength.equilibrium().indeterminacy() > 0 &&
+        strength.equilibrium().balance() == Balance::Stands)
+        bend(scale, loaded, strength);
+}
+
+/// The forces of bodies that bend in place of those of rigid ones, where there are such.
+void Straining::bend(double scale, const Structure &loaded, Strength &strength) const
+{
+    const auto bending = BendingBodies::of(m_analysis, strength.made, m_caches.bending);
+    if (!bending)
+        return; // nobody stops it
+    strength.stiff = bending->stiff();
+    const std::vector<MemberFlexibility> members = bending->under(scale);
+    std::vector<Equilibrium> bent;
+    for (const FootHold hold : {FootHold::Frictionless, FootHold::Pinned}) {
+        const auto solved = elasticEquilibrium(loaded, members, hold);
+        if (solved && solved->isBalanced())
+            bent.push_back(bentBy(*solved, loaded, strength.equilibrium()));
+        else if (hold == FootHold::Frictionless) {
+            strength.isBendingLost = true;
+            return;
+        }
+    }
+    strength.envelope = std::move(bent);
+    strength.isElastic = true;
+}
+
+void Straining::stress(double scale, Strength &strength) const
+{
+    strength.bodies.assign(m_analysis.bodies.size(), {});
+    std::vector<int> all(m_analysis.bodies.size());
+    std::iota(all.begin(), all.end(), 0);
+    strain(scale, all, true, strength);
+}
+
+void Straining::stress(double scale, std::span<const int> bodies, Strength &strength) const
+{
+    strength.bodies.resize(m_analysis.bodies.size());
+    strain(scale, bodies, false, strength);
+}
+
+void Straining::strain(double scale, std::span<const int> bodies, bool withLines,
+                       Strength &strength) const
+{
+    const Structure loaded = loadedBy(scale, strength);
+    std::vector<std::vector<char>> hasForces;
+    std::vector<ForcesOnBodies> forces;
+    for (const Equilibrium &equilibrium : strength.envelope) {
+        hasForces.push_back(bodiesWithForces(equilibrium));
+        forces.push_back(forcesOn(m_analysis.bodies, strength.made, loaded, equilibrium));
+    }
+    for (const int index : bodies) {
+        const auto i = static_cast<std::size_t>(index);
+        std::vector<const std::vector<AppliedForce> *> cases;
+        for (std::size_t k = 0; k < forces.size(); ++k)
+            if (hasForces[k][i])
+                cases.push_back(&forces[k][i]);
+        BodyStrength &body = strength.bodies[i];
+        body = cases.empty() ? BodyStrength() : worstOf(index, cases, withLines);
+        body.strength = strengthOf(stockOf(index));
+        body.isWorkedOut = hasForces.front()[i] && (cases.empty() || body.isWorkedOut);
+    }
+    strength.worst = -1;
+    strength.neckUse = strength.cornerUse = 0.0;
+    for (std::size_t i = 0; i < strength.bodies.size(); ++i) {
+        const BodyStrength &body = strength.bodies[i];
+        if (body.neckUse > strength.neckUse) {
+            strength.neckUse = body.neckUse;
+            strength.worstNeck = static_cast<int>(i);
+        }
+        if (body.cornerUse > strength.cornerUse) {
+            strength.cornerUse = body.cornerUse;
+            strength.worst = static_cast<int>(i);
+        }
+    }
+}
+
+/// In equilibrium, whether or not all the rest is.
+std::vector<char> Straining::bodiesWithForces(const Equilibrium &equilibrium) const
+{
+    std::vector<char> has(m_analysis.bodies.size(), 0);
+    for (const ComponentState &state : equilibrium.components)
+        for (const int member : state.parts.members)
+            has[static_cast<std::size_t>(member)] =
+                state.hasForces && state.balance == Balance::Stands;
+    return has;
+}
+
+const Stock &Straining::stockOf(int body) const
+{
+    return m_analysis.model.stockOf(static_cast<std::size_t>(m_analysis.bodies.sectionOf(body)));
+}
+
+const SectionCuts &Straining::cutsOf(int body) const
+{
+    auto &kept = m_caches.cuts[m_analysis.bodies.pointer(body)];
+    if (!kept)
+        kept = std::make_shared<const SectionCuts>(
+            PieceShape(m_analysis.bodies.at(body).outline().region, slitsOf(m_analysis, body)));
+    return *kept;
+}
+
+SheetMaterial Straining::sheetOf(int body) const
+{
+    const Stock &stock = stockOf(body);
+    const Frame &frame = m_analysis.bodies.at(body).frame();
+    const Vec3 weight = stock.density / kCubicMetre * stock.thickness * Structure().gravity;
+    SheetMaterial sheet;
+    sheet.thickness = stock.thickness;
+    sheet.arealWeight = inFrame(frame, weight);
+    sheet.strength = strengthOf(stock).value_or(1.0); // unknown: uses are MPa, and not looked at
+    if (stock.modulus)
+        sheet.modulus = *stock.modulus;
+    return sheet;
+}
+
+/// Of the cases, which act in the same places, those are looked at closely that may be worst.
+BodyStrength Straining::worstOf(int index,
+                                const std::vector<const std::vector<AppliedForce> *> &cases,
+                                bool withLines) const
+{
+    BodyStrength body;
+    body.isWorkedOut = true;
+    const SectionCuts &cuts = cutsOf(index);
+    const SheetMaterial sheet = sheetOf(index);
+    const CutShares shares = cutShares(cuts, *cases.front(), sheet.thickness);
+    KeptLines lines;
+    const auto stressed = [&](std::size_t k, int refined) {
+        SectionStress stress = stressOf(cuts, shares, *cases[k], sheet, {m_rules.notch, refined});
+        body.isWorkedOut = body.isWorkedOut && stress.isWorkedOut;
+        if (withLines)
+            lines.add(stress, cuts.samples().size());
+        return stress;
+    };
+    std::vector<double> neck(cases.size(), 0.0), corner(cases.size(), 0.0);
+    for (std::size_t k = 0; cases.size() > 1 && k < cases.size(); ++k) {
+        const SectionStress stress = stressed(k, 0);
+        neck[k] = useOf(stress, stress.worstNeck, &NeckStress::neckUse);
+        corner[k] = useOf(stress, stress.worstCorner, &NeckStress::cornerUse);
+    }
+    const double worstNeck = *std::max_element(neck.begin(), neck.end());
+    const double worstCorner = *std::max_element(corner.begin(), corner.end());
+    for (std::size_t k = 0; k < cases.size(); ++k) {
+        if (neck[k] < kNearlyWorst * worstNeck && corner[k] < kNearlyWorst * worstCorner)
+            continue;
+        const SectionStress stress = stressed(k, StressOptions().refined);
+        keepWorse(stress, stress.worstNeck, &NeckStress::neckUse, body.neck);
+        keepWorse(stress, stress.worstCorner, &NeckStress::cornerUse, body.corner);
+    }
+    if (strengthOf(stockOf(index))) {
+        body.neckUse = body.neck ? body.neck->neckUse : 0.0;
+        body.cornerUse = body.corner ? body.corner->cornerUse : 0.0;
+        body.lines = lines.take();
+    }
+    return body;
+}
+
+} // namespace fff

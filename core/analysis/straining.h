@@ -1,0 +1,42 @@
+// Balances a model and strains its bodies, under so much of what hangs on it.
+#pragma once
+
+#include "core/analysis/strength.h"
+
+#include <span>
+
+namespace fff {
+
+/// A structure, the solutions that count, and the bodies' stresses under them.
+class Straining
+{
+public:
+    Straining(const Analysis &analysis, const StrengthRules &rules, StrengthCaches &caches)
+        : m_analysis(analysis), m_rules(rules), m_caches(caches)
+    {
+    }
+
+    /// Its forces under its own weight and so much of the loads.
+    void balance(double scale, Strength &strength) const;
+    /// The stresses of all bodies under these forces.
+    void stress(double scale, Strength &strength) const;
+    /// Of these bodies alone, without the lines that are shown; the others' are left as they are.
+    void stress(double scale, std::span<const int> bodies, Strength &strength) const;
+
+private:
+    void bend(double scale, const Structure &loaded, Strength &strength) const;
+    std::vector<char> bodiesWithForces(const Equilibrium &equilibrium) const;
+    const Stock &stockOf(int body) const;
+    const SectionCuts &cutsOf(int body) const;
+    SheetMaterial sheetOf(int body) const;
+    BodyStrength worstOf(int index, const std::vector<const std::vector<AppliedForce> *> &cases,
+                         bool withLines) const;
+    void strain(double scale, std::span<const int> bodies, bool withLines,
+                Strength &strength) const;
+
+    const Analysis &m_analysis;
+    const StrengthRules &m_rules;
+    StrengthCaches &m_caches;
+};
+
+} // namespace fff
