@@ -36,6 +36,8 @@ enum class SignRole {
     Guide, // that what is drawn goes along
     Cue,   // what the hand may do now
     Doubt, // what will not do what it is for
+    Weight,
+    WeightInHand, // that the cursor is over, or moves
 };
 
 namespace sign {

@@ -66,4 +66,5 @@ target_sources(fff_core PRIVATE
     interaction/view_gestures.cpp
     interaction/view_history.cpp
     interaction/view_motion.cpp
+    interaction/weight_tool.cpp
 )

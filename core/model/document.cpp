@@ -56,6 +56,13 @@ const Operation *Document::find(OperationId id) const
     return it == operations.end() ? nullptr : it->get();
 }
 
+const Weight *Document::find(WeightId id) const
+{
+    const auto it = std::find_if(weights.begin(), weights.end(),
+                                 [id](const Weight &weight) { return weight.id == id; });
+    return it == weights.end() ? nullptr : &*it;
+}
+
 const Blob *Document::findBlob(std::string_view sha256) const
 {
     const auto found = std::lower_bound(

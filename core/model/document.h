@@ -15,6 +15,8 @@
 
 namespace fff {
 
+inline constexpr double kMaxWeight = 1e6; // kg
+
 /// A mass at a point of a section.
 struct Weight
 {
@@ -52,6 +54,7 @@ struct Document
     const Section *find(SectionId id) const;
     const Stock *find(StockId id) const;
     const Operation *find(OperationId id) const;
+    const Weight *find(WeightId id) const;
     const Blob *findBlob(std::string_view sha256) const;
     /// Of two sections in any order, or null. O(log overrides).
     const JointOverride *jointOverride(const SectionRef &first, const SectionRef &second) const;

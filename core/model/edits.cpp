@@ -242,14 +242,38 @@ Result<Document> removeStock(Document document, StockId id, StockId replacement)
     return document;
 }
 
-Result<Document> addWeight(Document document, Weight weight)
+namespace {
+
+Result<void> checked(const Document &document, const Weight &weight)
 {
-    if (!(std::isfinite(weight.mass) && weight.mass > 0.0))
+    if (!(std::isfinite(weight.mass) && weight.mass > 0.0 && weight.mass <= kMaxWeight))
         return failure(ErrorCode::BadValue, "mass");
     if (weight.section.drawn.isValid() && !document.find(weight.section.drawn))
         return unknown(weight.section.drawn);
+    return {};
+}
+
+} // namespace
+
+Result<Document> addWeight(Document document, Weight weight)
+{
+    if (Result<void> sound = checked(document, weight); !sound)
+        return tl::unexpected(std::move(sound.error()));
     weight.id = WeightId{document.nextId++};
     document.weights.push_back(std::move(weight));
+    return document;
+}
+
+Result<Document> setWeight(Document document, const Weight &weight)
+{
+    if (Result<void> sound = checked(document, weight); !sound)
+        return tl::unexpected(std::move(sound.error()));
+    const auto found = std::find_if(document.weights.begin(), document.weights.end(),
+                                    [&](const Weight &w) { return w.id == weight.id; });
+    if (found == document.weights.end())
+        return unknown(weight.id);
+    if (!(*found == weight))
+        *found = weight;
     return document;
 }
 

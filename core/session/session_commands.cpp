@@ -15,6 +15,7 @@
 #include "core/session/selection_commands.h"
 #include "core/session/tool_commands.h"
 #include "core/session/view_commands.h"
+#include "core/session/weight_commands.h"
 
 namespace fff {
 
@@ -110,6 +111,7 @@ void registerSessionCommands(CommandRegistry &registry, Session &session, Intera
 {
     registerEdits(registry, session, interaction);
     registerViewCommands(registry, session, interaction);
+    registerWeightCommands(registry, session, interaction);
     registerSelectionCommands(registry, session, interaction);
     registerToolCommands(registry, session, interaction);
     registerSectionCommands(registry, session, interaction);
