@@ -822,6 +822,172 @@
             <numerusform>%n Probleme gelöst</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Strong enough</source>
+        <translation>Fest genug</translation>
+    </message>
+    <message>
+        <source>Holds %1</source>
+        <extracomment>%1 is a mass</extracomment>
+        <translation>Hält %1</translation>
+    </message>
+    <message>
+        <source>Barely strong enough</source>
+        <translation>Kaum fest genug</translation>
+    </message>
+    <message>
+        <source>Barely holds %1</source>
+        <extracomment>%1 is a mass</extracomment>
+        <translation>Hält %1 nur knapp</translation>
+    </message>
+    <message>
+        <source>Will break</source>
+        <translation>Bricht</translation>
+    </message>
+    <message>
+        <source>Too weak</source>
+        <translation>Zu schwach</translation>
+    </message>
+    <message>
+        <source>Breaks under %1</source>
+        <extracomment>%1 is a mass</extracomment>
+        <translation>Bricht unter %1</translation>
+    </message>
+    <message>
+        <source>Too weak for %1</source>
+        <translation>Zu schwach für %1</translation>
+    </message>
+    <message>
+        <source>%1. %2</source>
+        <extracomment>a verdict such as &quot;Holds 350 g&quot; and sentences about it</extracomment>
+        <translation>%1. %2</translation>
+    </message>
+    <message>
+        <source>%1 may crack %2 from %3;</source>
+        <extracomment>%1 is a section, %2 a place such as &quot;beside its slit for Body&quot;, %3 a mass</extracomment>
+        <translation>%1 kann %2 ab %3 reißen;</translation>
+    </message>
+    <message>
+        <source>its neck breaks at %1.</source>
+        <extracomment>the section that was just named; %1 is a mass</extracomment>
+        <translation>seine engste Stelle bricht bei %1.</translation>
+    </message>
+    <message>
+        <source>the neck of %1 breaks at %2.</source>
+        <extracomment>%1 is a section, %2 a mass</extracomment>
+        <translation>die engste Stelle von %1 bricht bei %2.</translation>
+    </message>
+    <message>
+        <source>%1 may crack %2 from %3.</source>
+        <translation>%1 kann %2 ab %3 reißen.</translation>
+    </message>
+    <message>
+        <source>From %1 on a joint is pulled open.</source>
+        <translation>Ab %1 wird eine Verbindung aufgezogen.</translation>
+    </message>
+    <message>
+        <source>From %1 on it does not stand.</source>
+        <translation>Ab %1 steht es nicht mehr.</translation>
+    </message>
+    <message>
+        <source>It would bear far more.</source>
+        <translation>Es trüge weit mehr.</translation>
+    </message>
+    <message>
+        <source>Nothing strains it.</source>
+        <translation>Nichts beansprucht es.</translation>
+    </message>
+    <message>
+        <source>Weakest is %1, %2: %3 % of what it bears.</source>
+        <extracomment>%1 is a section, %2 a place such as &quot;beside its slit for Body&quot;, %3 a number of percent</extracomment>
+        <translation>Am schwächsten ist %1, %2: %3 % dessen, was es trägt.</translation>
+    </message>
+    <message>
+        <source>The neck of %1 is strained to %2 % of what it bears.</source>
+        <extracomment>%1 is a section, %2 a number of percent</extracomment>
+        <translation>Die engste Stelle von %1 ist zu %2 % dessen beansprucht, was sie trägt.</translation>
+    </message>
+    <message>
+        <source>That leaves less than the safety factor of %1.</source>
+        <extracomment>%1 is a number such as 2</extracomment>
+        <translation>Das ist weniger Reserve als der Sicherheitsfaktor %1.</translation>
+    </message>
+    <message>
+        <source>Strength unknown. No strength is set for the stock of %1.</source>
+        <translation>Festigkeit unbekannt. Für das Material von %1 ist keine Festigkeit eingetragen.</translation>
+    </message>
+    <message>
+        <source>Strength unknown. The forces between the sections could not be worked out.</source>
+        <translation>Festigkeit unbekannt. Die Kräfte zwischen den Teilen konnten nicht ermittelt werden.</translation>
+    </message>
+    <message>
+        <source>Strength unknown. The stress in %1 could not be worked out.</source>
+        <translation>Festigkeit unbekannt. Die Spannung in %1 konnte nicht ermittelt werden.</translation>
+    </message>
+    <message>
+        <source>Slides away. Its feet do not hold it against what pushes it.</source>
+        <translation>Rutscht weg. Seine Füße halten nicht gegen das, was schiebt.</translation>
+    </message>
+    <message>
+        <source>Comes loose. Nothing keeps %1 where it is.</source>
+        <translation>Löst sich. Nichts hält %1 an seinem Platz.</translation>
+    </message>
+    <message>
+        <source>Pulled open. The joint of %1 and %2 is pulled apart with %3 N.</source>
+        <extracomment>%3 is a number of newtons</extracomment>
+        <translation>Aufgezogen. Die Verbindung von %1 und %2 wird mit %3 N auseinandergezogen.</translation>
+    </message>
+    <message>
+        <source>Pulled at. The joint of %1 and %2 is pulled with %3 N; the others hold without it.</source>
+        <translation>Auf Zug. An der Verbindung von %1 und %2 ziehen %3 N; die anderen halten ohne sie.</translation>
+    </message>
+    <message>
+        <source>Off the material. A weight on %1 hangs over no material; the nearest part of it bears it.</source>
+        <translation>Neben dem Material. Ein Gewicht auf %1 hängt über keinem Material; das nächste Stück trägt es.</translation>
+    </message>
+    <message>
+        <source>Turn its slits round</source>
+        <translation>Ihre Schlitze umdrehen</translation>
+    </message>
+    <message>
+        <source>Use thicker stock, make it wider there, or hang less on it.</source>
+        <translation>Nimm dickeres Material, mach es dort breiter oder häng weniger daran.</translation>
+    </message>
+    <message>
+        <source>Strength unknown</source>
+        <translation>Festigkeit unbekannt</translation>
+    </message>
+    <message>
+        <source>Comes loose</source>
+        <translation>Löst sich</translation>
+    </message>
+    <message>
+        <source>Pulled open</source>
+        <translation>Aufgezogen</translation>
+    </message>
+    <message>
+        <source>Glue it.</source>
+        <translation>Kleb sie.</translation>
+    </message>
+    <message>
+        <source>Off the material</source>
+        <translation>Neben dem Material</translation>
+    </message>
+    <message>
+        <source>beside its slit for %1</source>
+        <extracomment>where a part may break; %1 is the name of a section</extracomment>
+        <translation>neben dem Schlitz für %1</translation>
+    </message>
+    <message>
+        <source>at an inner corner</source>
+        <extracomment>where a part may break</extracomment>
+        <translation>an einer inneren Ecke</translation>
+    </message>
+    <message>
+        <source>at its neck</source>
+        <extracomment>where a part may break</extracomment>
+        <translation>an der engsten Stelle</translation>
+    </message>
 </context>
 <context>
     <name>Command</name>
@@ -2363,6 +2529,34 @@
         <source>Nothing is offered for what was just drawn</source>
         <translation>Für das eben Gezeichnete wird nichts angeboten</translation>
     </message>
+    <message>
+        <source>Stress &amp;lines</source>
+        <translation>Spannungs&amp;linien</translation>
+    </message>
+    <message>
+        <source>Stress</source>
+        <translation>Spannung</translation>
+    </message>
+    <message>
+        <source>Show where the model is strained most</source>
+        <translation>Zeigt, wo das Modell am stärksten beansprucht ist</translation>
+    </message>
+    <message>
+        <source>Add &amp;weight</source>
+        <translation>&amp;Gewicht anhängen</translation>
+    </message>
+    <message>
+        <source>Weight</source>
+        <translation>Gewicht</translation>
+    </message>
+    <message>
+        <source>Hang a weight on a section, to see what it bears</source>
+        <translation>Hängt ein Gewicht an ein Teil, um zu sehen, was es trägt</translation>
+    </message>
+    <message>
+        <source>There is no weight on the model</source>
+        <translation>Am Modell hängt kein Gewicht</translation>
+    </message>
 </context>
 <context>
     <name>CommandLine</name>
@@ -3884,6 +4078,18 @@
         <source>Drag on to leave %1. &lt;kbd&gt;Ctrl&lt;/kbd&gt; leaves the slit as you draw it. &lt;kbd&gt;Esc&lt;/kbd&gt; cancels.</source>
         <translation>Ziehen Sie weiter aus %1 hinaus. &lt;kbd&gt;Strg&lt;/kbd&gt; lässt den Schlitz, wie Sie ihn zeichnen. &lt;kbd&gt;Esc&lt;/kbd&gt; bricht ab.</translation>
     </message>
+    <message>
+        <source>Click a place on a section to hang %1 there. &lt;kbd&gt;Esc&lt;/kbd&gt; ends.</source>
+        <translation>Klick auf eine Stelle eines Teils, um dort %1 anzuhängen. &lt;kbd&gt;Esc&lt;/kbd&gt; beendet es.</translation>
+    </message>
+    <message>
+        <source>Drag to move the weight; its mass is under &lt;b&gt;Physics&lt;/b&gt;.</source>
+        <translation>Zieh, um das Gewicht zu verschieben; seine Masse steht unter &lt;b&gt;Physik&lt;/b&gt;.</translation>
+    </message>
+    <message>
+        <source>Nothing hung there: click on a section.</source>
+        <translation>Nichts angehängt: Klick auf ein Teil.</translation>
+    </message>
 </context>
 <context>
     <name>Operation</name>
@@ -4520,6 +4726,10 @@
         <extracomment>%1 is what would have been found out: &quot;the order of assembly&quot;, %2 a sentence</extracomment>
         <translation>Nicht zu ermitteln: %1. Der Grund: %2.</translation>
     </message>
+    <message>
+        <source>whether it holds</source>
+        <translation>ob es hält</translation>
+    </message>
 </context>
 <context>
     <name>Step</name>
@@ -5079,6 +5289,25 @@
         <source>Move %1 in from the edge</source>
         <extracomment>%1 is the name of a section</extracomment>
         <translation>%1 vom Rand hereinrücken</translation>
+    </message>
+    <message>
+        <source>Hang %1 on %2</source>
+        <extracomment>%1 is a mass, %2 the name of a section</extracomment>
+        <translation>%1 an %2 hängen</translation>
+    </message>
+    <message>
+        <source>Move the weight on %1</source>
+        <extracomment>%1 is the name of a section</extracomment>
+        <translation>Gewicht an %1 verschieben</translation>
+    </message>
+    <message>
+        <source>Set a weight to %1</source>
+        <extracomment>%1 is a mass</extracomment>
+        <translation>Gewicht auf %1 setzen</translation>
+    </message>
+    <message>
+        <source>Remove a weight</source>
+        <translation>Gewicht entfernen</translation>
     </message>
 </context>
 <context>
@@ -7366,6 +7595,102 @@
     </message>
 </context>
 <context>
+    <name>fff::ui::PhysicsDock</name>
+    <message>
+        <source>Physics</source>
+        <translation>Physik</translation>
+    </message>
+    <message>
+        <source>Display</source>
+        <translation>Anzeige</translation>
+    </message>
+    <message>
+        <source>Stress lines</source>
+        <translation>Spannungslinien</translation>
+    </message>
+    <message>
+        <source>Weakest places</source>
+        <translation>Schwächste Stellen</translation>
+    </message>
+    <message>
+        <source>Loads</source>
+        <translation>Lasten</translation>
+    </message>
+    <message>
+        <source>Put a weight on the model to see what it bears.</source>
+        <translation>Häng ein Gewicht an das Modell, um zu sehen, was es trägt.</translation>
+    </message>
+    <message>
+        <source>Own weight</source>
+        <translation>Eigengewicht</translation>
+    </message>
+    <message>
+        <source>On the ground</source>
+        <translation>Auf dem Boden</translation>
+    </message>
+    <message>
+        <source>Add weight</source>
+        <translation>Gewicht anhängen</translation>
+    </message>
+    <message>
+        <source>How strict</source>
+        <translation>Wie streng</translation>
+    </message>
+    <message>
+        <source>Safety factor</source>
+        <translation>Sicherheitsfaktor</translation>
+    </message>
+    <message>
+        <source>So many times what is there has to be borne for it to hold</source>
+        <translation>So viel mal so viel, wie da ist, muss es tragen, damit es hält</translation>
+    </message>
+    <message>
+        <source>g</source>
+        <translation>g</translation>
+    </message>
+    <message>
+        <source>Remove this weight</source>
+        <translation>Dieses Gewicht entfernen</translation>
+    </message>
+    <message>
+        <source>Draw a section to see what it bears.</source>
+        <translation>Zeichne ein Teil, um zu sehen, was es trägt.</translation>
+    </message>
+    <message>
+        <source>Whether it holds could not be worked out.</source>
+        <translation>Ob es hält, konnte nicht ermittelt werden.</translation>
+    </message>
+    <message>
+        <source>Older than the drawing, working…</source>
+        <translation>Älter als die Zeichnung, wird ermittelt…</translation>
+    </message>
+    <message>
+        <source>It does not stand; no stress is shown.</source>
+        <translation>Es steht nicht; Spannungen werden nicht gezeigt.</translation>
+    </message>
+    <message>
+        <source>A joint is pulled open; no stress is shown.</source>
+        <translation>Eine Verbindung wird aufgezogen; Spannungen werden nicht gezeigt.</translation>
+    </message>
+    <message>
+        <source>Strength unknown: a stock is not rated. Set its strength under Stocks.</source>
+        <translation>Festigkeit unbekannt: Für ein Material ist keine eingetragen. Trag sie unter Materialien ein.</translation>
+    </message>
+    <message>
+        <source>Up to date. Joints share the load; the worst way to share it counts.</source>
+        <translation>Aktuell. Verbindungen teilen sich die Last; die ungünstigste Teilung zählt.</translation>
+    </message>
+    <message>
+        <source>Up to date. All forces balance.</source>
+        <translation>Aktuell. Alle Kräfte sind im Gleichgewicht.</translation>
+    </message>
+    <message>
+        <source>%1, %2: %3&#x202f;%</source>
+        <extracomment>the name of a section, a place in it such as &quot;at its neck&quot;, a number of percent</extracomment>
+        <translation>%1, %2: %3&#x202f;%</translation>
+    </message>
+</context>
+<context>
     <name>fff::ui::PlaceGroup</name>
     <message>
         <source>Place</source>
@@ -8790,6 +9115,18 @@
     <message>
         <source>Remove stock %1</source>
         <translation>Material %1 entfernen</translation>
+    </message>
+</context>
+<context>
+    <name>fff::ui::StressMarks</name>
+    <message>
+        <source>Stress</source>
+        <translation>Spannung</translation>
+    </message>
+    <message>
+        <source>%1&#x202f;%</source>
+        <extracomment>%1 is a number of percent</extracomment>
+        <translation>%1&#x202f;%</translation>
     </message>
 </context>
 <context>

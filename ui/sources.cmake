@@ -53,6 +53,7 @@ target_sources(fff_ui PRIVATE
     docks/operation_tree.cpp
     docks/outline_dock.cpp
     docks/outline_marks.cpp
+    docks/physics_dock.cpp
     docks/problem_box.cpp
     docks/properties_dock.cpp
     docks/properties_header.cpp

@@ -1,6 +1,8 @@
 #include "app/cli/analysed_file.h"
 #include "app/cli/info.h"
+#include "core/analysis/bearable_mass.h"
 #include "core/analysis/checks.h"
+#include "core/analysis/findings/strength_findings.h"
 #include "core/analysis/plan_checks.h"
 #include "core/io/error_text.h"
 #include "core/io/json_writer.h"
@@ -118,6 +120,14 @@ int runCheck(const QStringList &arguments)
     for (Finding &finding :
          planChecks(model.analysis, planOf(model.analysis, timeLimit(kPlanningTime))))
         found.push_back(std::move(finding));
+    if (model.analysis.model.sectionCount() > 0) {
+        const StrengthRules rules;
+        StrengthCaches caches;
+        const Strength strength = strengthOf(model.analysis, rules, caches);
+        const BearableMass bearable = bearableMass(model.analysis, strength, rules, caches);
+        for (Finding &finding : strengthFindings(model.analysis, strength, bearable, rules))
+            found.push_back(std::move(finding));
+    }
     std::vector<Problem> problems = problemsOf(found, model.analysis.model);
     for (Problem &problem : problemsOf(model.warnings))
         problems.push_back(std::move(problem));

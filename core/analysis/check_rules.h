@@ -1,6 +1,8 @@
 // What a person wants of the checks.
 #pragma once
 
+#include "core/analysis/strength_rules.h"
+
 #include <chrono>
 
 namespace fff {
@@ -11,6 +13,7 @@ struct CheckRules
     /// mm: sections that overlap by less only touch, which is no fault.
     double touching = 0.3;
     std::chrono::milliseconds planningTime{1000};
+    StrengthRules strength = {};
 
     bool operator==(const CheckRules &) const = default;
 };

@@ -44,6 +44,12 @@ std::optional<Severity> worst(const std::vector<Finding> &findings, Subject subj
     return result;
 }
 
+Message titleOf(const Finding &finding)
+{
+    const FindingKind &kind = *finding.kind;
+    return kind.titled ? kind.titled(finding) : Message{kind.title, {}};
+}
+
 NamedSections namesOf(const Model &model, const std::vector<SectionRef> &sections)
 {
     NamedSections named;

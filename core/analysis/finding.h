@@ -25,7 +25,7 @@ struct FindingAction;
 struct ActionKind;
 
 /// A badge speaks about a subject; its severity is the worst of that subject's findings.
-enum class Subject { Connection, Stability, Assembly, Size, Mass, Joints };
+enum class Subject { Connection, Stability, Assembly, Strength, Size, Mass, Joints };
 
 enum class Severity { Good, Unknown, Note, Warning, Error }; // ordered
 /// Published: "good", "unknown", "note", "warning", "error".
@@ -50,6 +50,8 @@ struct FindingKind
     int (*weight)(const Finding &) = nullptr;
     /// What a person can do about it where nothing is offered; may be empty.
     Text advice = {};
+    /// Its title where that has something of the finding in it: "Holds 350 g". Null: `title` is it.
+    Message (*titled)(const Finding &) = nullptr;
 };
 
 /// A value. What only its kind knows of is in its details, which copies share.
@@ -109,6 +111,7 @@ std::optional<Severity> worst(const std::vector<Finding> &findings, Subject subj
 
 // For sentences.
 
+Message titleOf(const Finding &finding);
 NamedSections namesOf(const Model &model, const std::vector<SectionRef> &sections);
 Named nameOf(const Model &model, const SectionRef &section);
 /// Of one of its sections, by its place; empty where it has none there.

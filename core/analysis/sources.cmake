@@ -2,6 +2,7 @@ target_sources(fff_core PRIVATE
     analysis/analysed.cpp
     analysis/analysis.cpp
     analysis/assembly_plan.cpp
+    analysis/bearable_mass.cpp
     analysis/bending_bodies.cpp
     analysis/captives.cpp
     analysis/check_caches.cpp
@@ -23,6 +24,7 @@ target_sources(fff_core PRIVATE
     analysis/findings/rings.cpp
     analysis/findings/sheet_fit.cpp
     analysis/findings/standing.cpp
+    analysis/findings/strength_findings.cpp
     analysis/findings/thin_webs.cpp
     analysis/findings/total_mass.cpp
     analysis/findings/touching_pairs.cpp
@@ -32,17 +34,21 @@ target_sources(fff_core PRIVATE
     analysis/flips.cpp
     analysis/footing.cpp
     analysis/gap.cpp
+    analysis/holding.cpp
     analysis/joining_move.cpp
     analysis/mends.cpp
     analysis/plan_checks.cpp
     analysis/planned.cpp
     analysis/stage.cpp
     analysis/stages.cpp
+    analysis/straining.cpp
     analysis/strength.cpp
+    analysis/stress_lines.cpp
     analysis/stretching.cpp
     analysis/structure_of.cpp
     analysis/touching.cpp
     analysis/trial.cpp
     analysis/trial_words.cpp
     analysis/verdicts.cpp
+    analysis/weak_place.cpp
 )

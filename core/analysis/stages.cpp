@@ -1,6 +1,7 @@
 #include "core/analysis/stages.h"
 
 #include "core/analysis/analysed.h"
+#include "core/analysis/holding.h"
 #include "core/analysis/mends.h"
 #include "core/analysis/planned.h"
 #include "core/analysis/verdicts.h"
@@ -20,6 +21,9 @@ std::vector<Stage> allStages()
         makeStage(kPlanned, FFF_TEXT("Stage", "the order of assembly"),
                   {kAnalysed.name, kRules.name}, Always, planned)
             .failingAs(kOrderNotWorkedOut),
+        makeStage(kHolding, FFF_TEXT("Stage", "whether it holds"), {kAnalysed.name, kRules.name},
+                  Always, holding)
+            .failingAs(kStrengthNotWorkedOut),
         makeStage(kFlips, FFF_TEXT("Stage", "what frees parts that block each other"),
                   {kAnalysed.name, kPlanned.name, kRules.name}, WhenSettled, foundFlips),
     };

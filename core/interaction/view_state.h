@@ -28,6 +28,7 @@ struct ViewState
 {
     bool isXray = false;
     bool hasGround = true;         // grid, ground line and shadow
+    bool showsStress = false;      // the weakest cross-sections
     std::set<SectionRef> isolated; // not empty: all others stand back as ghosts
     std::set<SectionRef> hidden;   // neither drawn nor picked
     std::set<SectionRef> problems; // drawn red and hatched: of the problem that is looked at

@@ -53,6 +53,8 @@ constexpr CommandWords kViewWords[] = {
      "cut_open", FFF_TEXT("Command", "Cut the model open with a plane, to look inside"), true},
     {"view.shadow", FFF_TEXT("Command", "&Ground and shadow"), FFF_TEXT("Command", "Ground"), "",
      "ground_shadow", FFF_TEXT("Command", "Show the ground with its grid and the model's shadow")},
+    {"check.stress", FFF_TEXT("Command", "Stress &lines"), FFF_TEXT("Command", "Stress"), "Shift+S",
+     "stress", FFF_TEXT("Command", "Show where the model is strained most"), true},
 };
 
 /// ms, as the view cube turns and as views are fitted.
@@ -180,6 +182,10 @@ void registerLooks(CommandRegistry &registry, Session &session, Interaction &int
     addSwitch(
         registry, "view.shadow", interaction, [](const ViewState &view) { return view.hasGround; },
         [](ViewState &view, bool on) { view.hasGround = on; });
+    addSwitch(
+        registry, "check.stress", interaction,
+        [](const ViewState &view) { return view.showsStress; },
+        [](ViewState &view, bool on) { view.showsStress = on; });
     addSwitch(
         registry, "view.isolate", interaction,
         [](const ViewState &view) { return !view.isolated.empty(); },

@@ -113,6 +113,7 @@ set(icon_names
     step_previous
     steps
     stocks
+    stress
     symmetry
     transform
     trash
@@ -127,6 +128,7 @@ set(icon_names
     view_right
     view_top
     warn
+    weight
     with_children
     working
     xray

@@ -233,6 +233,7 @@ ViewStyle Theme::viewStyle() const
         style.faceBrightness = 0.94;
     }
     if (isHighContrast) {
+        style.isForColourBlind = true;
         style.top = style.bottom = window;
         style.gridFine = isDark ? QColor(0x5a, 0x5a, 0x5a) : QColor(0xa6, 0xa6, 0xa6);
         style.gridStrong = isDark ? QColor(0xa6, 0xa6, 0xa6) : QColor(0x5a, 0x5a, 0x5a);

@@ -33,9 +33,14 @@ CheckWords checkWords(const Finding &finding, const Model &model)
     const QString whole = findingText(finding, model, unitsInUse());
     const qsizetype end = whole.indexOf(QStringLiteral(". "));
     if (end < 0)
-        return {messageText(finding.kind->title), whole};
+        return {verdictText(finding), whole};
     // Its first sentence is the verdict.
     return {whole.left(end), whole.mid(end + 2)};
+}
+
+QString verdictText(const Finding &finding)
+{
+    return messageText(titleOf(finding), unitsInUse());
 }
 
 QString actionText(const FindingAction &action, const Finding &finding, const Model &model)

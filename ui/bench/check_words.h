@@ -17,6 +17,9 @@ struct CheckWords
 /// In the unit that is set. `model` is the one that was checked.
 CheckWords checkWords(const Finding &finding, const Model &model);
 
+/// The verdict in a few words, for a badge.
+QString verdictText(const Finding &finding);
+
 /// What a link says: "Move it to Body".
 QString actionText(const FindingAction &action, const Finding &finding, const Model &model);
 

@@ -1,6 +1,7 @@
 #include "ui/bench/viewport.h"
 
 #include "core/model/origin.h"
+#include "core/session/scheduler.h"
 #include "ui/base/cursors.h"
 #include "ui/base/focus_frame.h"
 #include "ui/base/theme.h"
@@ -104,6 +105,12 @@ Viewport::Viewport(Workbench &bench, QWidget *parent)
             m_triedBuilder.setAnalysis(m_bench.tried());
         rebuildScene();
     });
+    const auto stressChanged = [this] {
+        if (m_bench.interaction().view().showsStress)
+            update();
+    };
+    connect(&bench.session().scheduler(), &Scheduler::published, this, stressChanged);
+    connect(&bench.session().scheduler(), &Scheduler::aged, this, stressChanged);
     m_builder.setAnalysis(bench.session().analysisPointer());
     rebuildScene();
 }
@@ -207,8 +214,12 @@ void Viewport::paintMarks()
         scene.edited = editedSection(model, points->section);
     if (const Operation *operation = model.document.find(interaction.selectedOperation()))
         scene.operation = operationKind(operation->kind);
-    if (!m_steps)
+    if (!m_steps) {
         scene.dimensions = dimensionSigns(model, over.dimension);
+        for (const Sign &sign : weightSigns(model, scene.view, over.weight))
+            scene.dimensions.add(sign);
+        showStress(scene);
+    }
     if (m_busyTurn.isActive())
         scene.busy = m_busyTurns;
     QPainter painter(&m_marks);
@@ -224,6 +235,23 @@ void Viewport::paintMarks()
         painter.setPen(pen);
         painter.drawRect(inside);
     }
+}
+
+/// Of what was worked out last; it says where that is older than what is seen.
+void Viewport::showStress(OverlayScene &scene)
+{
+    const Scheduler &scheduler = m_bench.session().scheduler();
+    const auto held = scheduler.result(kHolding);
+    if (!scene.view.showsStress || !held || m_bench.session().model().sectionCount() == 0)
+        return;
+    if (held != m_held) {
+        m_held = held;
+        m_stress = {};
+        m_stress.lines = stressLines(*held->analysis, held->strength, m_stress.least);
+        m_stress.analysis = held->analysis;
+    }
+    m_stress.isOlder = scheduler.age(kHolding.name) != Scheduler::Age::Current;
+    scene.stress = &m_stress;
 }
 
 /// The view shows something else than the model as it is edited: nobody may miss that.

@@ -277,19 +277,41 @@ void Workbench::setTried(AnalysisPointer tried)
     if (tried == m_tried)
         return;
     m_tried = std::move(tried);
+    compareTried();
     setMarksAside(m_tried != nullptr); // those are of what is there
     Q_EMIT triedChanged();
 }
 
+/// Sections that are others themselves; where there are none, those whose slits are.
+void Workbench::compareTried()
+{
+    m_differing.clear();
+    m_wasThere.clear();
+    if (!m_tried)
+        return;
+    const Analysis &now = m_session.analysis();
+    const Model &before = now.model, &after = m_tried->model;
+    for (std::size_t i = 0; i < before.sectionCount(); ++i) {
+        const int is = after.indexOf(before.ref(i));
+        if (is >= 0 && after.section(static_cast<std::size_t>(is)) == before.section(i))
+            continue;
+        m_wasThere.push_back(before.section(i));
+        if (is >= 0)
+            m_differing.insert(before.ref(i));
+    }
+    for (std::size_t i = 0; i < after.sectionCount(); ++i)
+        if (before.indexOf(after.ref(i)) < 0)
+            m_differing.insert(after.ref(i));
+    if (!m_wasThere.empty() || !m_differing.empty())
+        return;
+    for (std::size_t i = 0; i < after.sectionCount(); ++i)
+        if (m_tried->assembly.slits[i] != now.assembly.slits[i])
+            m_differing.insert(after.ref(i));
+}
+
 bool Workbench::differsInTrial(const SectionRef &ref) const
 {
-    const Analysis &now = m_session.analysis();
-    const int is = m_tried ? m_tried->model.indexOf(ref) : -1, was = now.model.indexOf(ref);
-    if (is < 0 || was < 0)
-        return is != was;
-    const auto after = static_cast<std::size_t>(is), before = static_cast<std::size_t>(was);
-    return m_tried->model.section(after) != now.model.section(before) ||
-           m_tried->assembly.slits[after] != now.assembly.slits[before];
+    return m_differing.contains(ref);
 }
 
 const Model &Workbench::shownModel() const

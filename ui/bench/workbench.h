@@ -14,6 +14,7 @@
 #include <QObject>
 
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 
@@ -78,7 +79,7 @@ public:
     /// Outlined as if the cursor were on them, sorted; those that are not there now are passed
     /// over. With them ghosts of sections that are not there now, or not as they are.
     void setOutlined(std::vector<SectionRef> sections, std::vector<SectionPointer> ghosts = {});
-    const std::vector<SectionPointer> &ghosts() const { return m_ghosts; }
+    const std::vector<SectionPointer> &ghosts() const { return m_tried ? m_wasThere : m_ghosts; }
     const std::vector<SectionRef> &outlined() const { return m_outlined; }
 
     /// Shows a model that an edit would make in place of the one that is there, as long as somebody
@@ -130,6 +131,7 @@ private:
     void announceChanges();
     void followSettings();
     void showMarks();
+    void compareTried();
 
     Session m_session;
     SessionHost m_host;
@@ -143,6 +145,8 @@ private:
     std::vector<SectionRef> m_outlined;
     std::vector<SectionPointer> m_ghosts;
     AnalysisPointer m_tried;
+    std::set<SectionRef> m_differing;       // in that
+    std::vector<SectionPointer> m_wasThere; // what is no more in that, or otherwise
     std::vector<ProblemMark> m_marks;
     ProblemLook m_look;
     const ProblemLook m_noLook;

@@ -24,6 +24,7 @@
 #include <QLabel>
 #include <QScopedValueRollback>
 #include <QScrollArea>
+#include <QScrollBar>
 #include <QTimer>
 #include <QToolButton>
 #include <QTransform>
@@ -66,6 +67,9 @@ ChecksDock::ChecksDock(Workbench &bench, const CheckList &list, QWidget *parent)
     m_area->setWidgetResizable(true);
     m_area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     m_area->setFocusPolicy(Qt::NoFocus);
+    // The link goes from under the cursor, and no event says so.
+    connect(m_area->verticalScrollBar(), &QScrollBar::valueChanged, this,
+            [this] { tryOut(0, 0, false); });
     auto *rows = new QWidget(m_area);
     rows->setObjectName(QStringLiteral("checksRows"));
     rows->setBackgroundRole(QPalette::Base);

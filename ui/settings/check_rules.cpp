@@ -7,8 +7,13 @@ namespace fff::ui {
 
 CheckRules checkRules(const Settings &settings)
 {
-    return {radians(settings.shallowAngle()), 0.001 * settings.touching(),
-            std::chrono::milliseconds(settings.planningTime())};
+    CheckRules rules;
+    rules.shallowAngle = radians(settings.shallowAngle());
+    rules.touching = 0.001 * settings.touching();
+    rules.planningTime = std::chrono::milliseconds(settings.planningTime());
+    constexpr double kTenth = 0.1;
+    rules.strength.safety = kTenth * settings.safetyFactor();
+    return rules;
 }
 
 } // namespace fff::ui

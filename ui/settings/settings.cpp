@@ -25,6 +25,7 @@ const QString kMotion = QStringLiteral("view/motion");
 const QString kTurnAngle = QStringLiteral("drawing/turnAngle");
 const QString kNavigation = QStringLiteral("view/navigation");
 const QString kShallow = QStringLiteral("checks/shallowAngle");
+const QString kSafety = QStringLiteral("checks/safetyFactor");
 const QString kTouching = QStringLiteral("checks/touching");
 const QString kPlanning = QStringLiteral("checks/planningTime");
 const QString kAutosave = QStringLiteral("files/autosaveInterval");
@@ -38,6 +39,7 @@ constexpr int kTurnTimeDefault = 800;  // ms
 constexpr int kTurnAngleDefault = 90;  // degrees
 constexpr int kShallowDefault = 30;    // degrees
 constexpr int kTouchingDefault = 300;  // µm
+constexpr int kSafetyDefault = 20;     // tenths
 constexpr int kPlanningDefault = 1000; // ms
 constexpr int kAutosaveDefault = 10;   // s
 
@@ -312,6 +314,20 @@ void Settings::setTouching(int micrometres)
     if (micrometres == touching())
         return;
     store(kTouching, micrometres);
+    Q_EMIT checksChanged();
+}
+
+int Settings::safetyFactor() const
+{
+    return numberOf(m_store.value(kSafety), kMinSafety, kMaxSafety, kSafetyDefault);
+}
+
+void Settings::setSafetyFactor(int tenths)
+{
+    tenths = std::clamp(tenths, kMinSafety, kMaxSafety);
+    if (tenths == safetyFactor())
+        return;
+    store(kSafety, tenths);
     Q_EMIT checksChanged();
 }
 

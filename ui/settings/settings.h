@@ -85,6 +85,9 @@ public:
     static constexpr int kMinPlanningTime = 100, kMaxPlanningTime = 60000; // ms
     int planningTime() const; // that an order of assembly is looked for; ms
     void setPlanningTime(int milliseconds);
+    static constexpr int kMinSafety = 10, kMaxSafety = 100; // tenths
+    int safetyFactor() const;                               // on every stress; tenths
+    void setSafetyFactor(int tenths);
 
     // Files
     static constexpr int kMinAutosaveInterval = 5, kMaxAutosaveInterval = 30; // s

@@ -2,6 +2,7 @@
 
 #include "core/interaction/pick.h"
 #include "core/interaction/snapping.h"
+#include "core/interaction/weight_tool.h"
 #include "core/model/dimensions.h"
 
 #include <algorithm>
@@ -151,6 +152,23 @@ Signs dimensionSigns(const Model &model, DimensionId lit)
         const SignRole role = isLit ? SignRole::Measured : SignRole::Dimension;
         signs.add(sign::Line{role, {*from, *to}, true});
         signs.add(sign::Label{role, {*from, *to}, sign::Way{*to - *from, true}});
+    }
+    return signs;
+}
+
+Signs weightSigns(const Model &model, const ViewState &view, WeightId lit)
+{
+    const Vec2 kAbove(0.0, -22.0); // px
+    Signs signs;
+    for (const Weight &weight : model.document.weights) {
+        const auto place = placeOf(model, weight);
+        if (!place || view.isHidden(weight.section))
+            continue;
+        const bool isLit = lit.isValid() && weight.id == lit;
+        const SignRole role = isLit ? SignRole::WeightInHand : SignRole::Weight;
+        signs.add(sign::Handle{role, *place});
+        signs.add(sign::Label{
+            role, {*place}, Message{Text{nullptr, "%1"}, {massOf(weight.mass)}}, kAbove});
     }
     return signs;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/interaction/overlay.h"
+#include "core/interaction/view_state.h"
 #include "ui/view/length_unit.h"
 #include "ui/view/mark_pen.h"
 
@@ -9,6 +10,9 @@ namespace fff::ui {
 
 /// Those of the model whose ends are there.
 Signs dimensionSigns(const Model &model, DimensionId lit);
+
+/// Weights whose sections are seen, with their masses.
+Signs weightSigns(const Model &model, const ViewState &view, WeightId lit);
 
 /// The level one along the ground, where that is seen, else at the lower edge; the upright one at
 /// the left edge, where it is in nobody's way.

@@ -34,6 +34,11 @@ public:
     void hoveredName();
     void progress();
     void problems() { paintProblems(m_pen, m_scene.problems, m_scene.unit, m_locale); }
+    void stress()
+    {
+        if (m_scene.stress)
+            paintStress(m_pen, *m_scene.stress, m_scene.view, m_locale);
+    }
     void marks();
     void mark(const PlacedMark &mark, bool isLit);
     void steps()
@@ -303,6 +308,7 @@ void paintOverlay(QPainter &painter, const OverlayScene &scene, const ViewStyle 
     Drawing drawing(painter, scene, style, locale);
     drawing.ground();
     drawing.ghosts();
+    drawing.stress();
     drawing.problems();
     drawing.signs();
     drawing.steps();

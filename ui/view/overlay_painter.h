@@ -9,6 +9,7 @@
 #include "core/operations/operation_kind.h"
 #include "ui/view/length_unit.h"
 #include "ui/view/step_marks.h"
+#include "ui/view/stress_marks.h"
 #include "ui/view/view_style.h"
 
 #include <QLocale>
@@ -41,6 +42,7 @@ struct OverlayScene
     const OperationKind *operation = nullptr; // whose handles there are
     Signs selected = {};                      // overlay.selected, as it is shown
     Signs dimensions = {};                    // of the model
+    const StressMarks *stress = nullptr;      // null: not shown
     QRectF *offer = nullptr;                  // is told where the words of an offer are, px
 };
 

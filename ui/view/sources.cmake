@@ -37,6 +37,7 @@ target_sources(fff_view PRIVATE
     view/steps_paper.cpp
     view/steps_scene.cpp
     view/stock_look.cpp
+    view/stress_marks.cpp
     view/stroke_marks.cpp
     view/view_cube_painter.cpp
 )

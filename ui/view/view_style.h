@@ -28,11 +28,12 @@ struct ViewStyle
     QColor made = QColor(0x5f, 0x4b, 0xb6); // marks of the operation that is selected
     QColor madeFace = QColor(0xcf, 0xc4, 0xf2), madeSide = QColor(0x7c, 0x6a, 0xc8); // its sections
     QColor problemHatch = QColor(0xb3, 0x26, 0x1e);
-    QColor casing;               // round the outline of a selected section; invalid: none
-    bool casesHover = false;     // and of a hovered one
-    double hoverAlpha = 0.6;     // of its outline
-    double siblingAlpha = 0.4;   // of those that the same operation made
-    double faceBrightness = 1.0; // of the stocks' faces
+    QColor casing;                 // round the outline of a selected section; invalid: none
+    bool isForColourBlind = false; // stress is told by lightness
+    bool casesHover = false;       // and of a hovered one
+    double hoverAlpha = 0.6;       // of its outline
+    double siblingAlpha = 0.4;     // of those that the same operation made
+    double faceBrightness = 1.0;   // of the stocks' faces
 
     double edgeWidth = 1.0, silhouetteWidth = 1.4; // px
     double engravedWidth = 1.8, scoredWidth = 0.9; // px, of lines that are drawn on sections

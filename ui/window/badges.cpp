@@ -22,7 +22,7 @@ namespace {
 constexpr int kMargin = 10, kGap = 6; // px
 constexpr int kGlyphsOnly = 640;      // px; a narrower view has no words on the badges
 constexpr Subject kSubjects[] = {Subject::Stability, Subject::Connection, Subject::Assembly,
-                                 Subject::Joints, Subject::Size};
+                                 Subject::Strength,  Subject::Joints,     Subject::Size};
 
 /// They judge what is not made yet.
 bool isDrawing(const Workbench &bench)
@@ -87,7 +87,7 @@ void Badges::refresh()
         }
         if (shown) {
             const CheckWords words = checkWords(*shown, m_list.model());
-            m_badges[i]->setContent({shown->severity, messageText(shown->kind->title),
+            m_badges[i]->setContent({shown->severity, verdictText(*shown),
                                      QStringLiteral("%1. %2").arg(words.title, words.text),
                                      m_list.age() != CheckList::Age::Current, m_isDrawing});
         }

@@ -38,7 +38,7 @@ MainToolBar::MainToolBar(Workbench &bench, const ActionSet &actions, QWidget *pa
     m_rotational = actions.action("operation.rotational");
     makeRepeat();
     m_afterOperations = addSeparator();
-    addAction(actions.action("view.fitAll"));
+    actions.fill(this, {"physics.addWeight", "check.stress"});
 
     for (QAction *action : this->actions()) {
         if (QWidget *button = widgetForAction(action); button && !action->isSeparator())

@@ -17,6 +17,7 @@
 #include "ui/docks/history_dock.h"
 #include "ui/docks/library_dock.h"
 #include "ui/docks/outline_dock.h"
+#include "ui/docks/physics_dock.h"
 #include "ui/docks/properties_dock.h"
 #include "ui/files/document_files.h"
 #include "ui/files/file_drop.h"
@@ -170,6 +171,7 @@ void MainWindow::makeDocks()
     m_library = new LibraryDock(*m_bench, this);
     m_checks = new ChecksDock(*m_bench, *m_checkList, this);
     m_properties = new PropertiesDock(*m_bench, *m_checkList, this);
+    m_physics = new PhysicsDock(*m_bench, this);
     m_badges = new Badges(*m_bench, *m_checkList, m_view);
     m_bar = new CanvasBar(*m_bench, *m_actions, m_view);
     if (auto *viewport = qobject_cast<Viewport *>(m_view)) {
@@ -184,6 +186,7 @@ void MainWindow::makeDocks()
     m_layout = new WindowLayout(*this);
     // The order is that of the tabs in a narrow window.
     m_layout->add(m_properties, WindowLayout::Place::Right);
+    m_layout->add(m_physics, WindowLayout::Place::Right);
     m_layout->add(m_outline, WindowLayout::Place::Left);
     m_layout->add(m_checks, WindowLayout::Place::LeftBelow);
     m_layout->add(m_history, WindowLayout::Place::Left);
@@ -388,6 +391,7 @@ void MainWindow::refreshTheme()
     m_outline->refreshColours();
     m_history->refreshColours();
     m_checks->refreshColours();
+    m_physics->refreshColours();
     m_badges->refreshColours();
     m_bar->update();
     m_steps->refresh();

@@ -23,6 +23,7 @@ class LibraryDock;
 class MainToolBar;
 class MessageBar;
 class OutlineDock;
+class PhysicsDock;
 class PropertiesDock;
 class StatusLine;
 class StepsExport;
@@ -91,6 +92,7 @@ private:
     HistoryDock *m_history = nullptr;
     LibraryDock *m_library = nullptr;
     ChecksDock *m_checks = nullptr;
+    PhysicsDock *m_physics = nullptr;
     PropertiesDock *m_properties = nullptr;
     Badges *m_badges = nullptr;
     CanvasBar *m_bar = nullptr;   // numbers for the tool in the hand

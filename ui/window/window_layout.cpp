@@ -20,7 +20,7 @@ constexpr int kTabBorders = 30;   // px beside a tab's name (resources/style/win
 constexpr int kBelowHeight = 272; // px
 constexpr int kTwoColumns = 1280; // px; a narrower window has all docks at the right
 /// Of what saveState() writes. Counted up when docks change so that an old state makes no sense.
-constexpr int kVersion = 3;
+constexpr int kVersion = 4;
 
 /// All names of the tabs can be read, also long ones.
 int narrowWidth(const std::vector<QDockWidget *> &docks)

@@ -30,6 +30,8 @@ const FindingKind kNotWorkedOut{"notWorkedOut", Subject::Joints,
                                 FFF_TEXT("Checks", "Not worked out"), failureSentence};
 const FindingKind kOrderNotWorkedOut{"notWorkedOut", Subject::Assembly,
                                      FFF_TEXT("Checks", "Not worked out"), failureSentence};
+const FindingKind kStrengthNotWorkedOut{"notWorkedOut", Subject::Strength,
+                                        FFF_TEXT("Checks", "Not worked out"), failureSentence};
 
 Finding notWorkedOut(const Stage &stage, Error why)
 {

@@ -16,7 +16,8 @@ struct StageFailure
 };
 
 extern const FindingKind kNotWorkedOut;
-extern const FindingKind kOrderNotWorkedOut; // the same, of how the model is put together
+extern const FindingKind kOrderNotWorkedOut;    // the same, of how the model is put together
+extern const FindingKind kStrengthNotWorkedOut; // of whether it holds
 
 extern const ActionKind kTryAgain;   // its stage
 extern const ActionKind kShowReport; // where the model was set aside

@@ -1,0 +1,378 @@
+#include "core/analysis/findings/strength_findings.h"
+
+#include "core/analysis/finding_action.h"
+#include "core/assembly/joint_editing.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace fff {
+
+namespace {
+
+// --- what is said
+
+const Held &heldOf(const Finding &finding)
+{
+    return *finding.details<Held>();
+}
+
+Message holdsTitle(const Finding &finding)
+{
+    if (heldOf(finding).placed == 0.0)
+        return {FFF_TEXT("Checks", "Strong enough"), {}};
+    //: %1 is a mass
+    return {FFF_TEXT("Checks", "Holds %1"), {massOf(heldOf(finding).placed)}};
+}
+
+Message barelyTitle(const Finding &finding)
+{
+    if (heldOf(finding).placed == 0.0)
+        return {FFF_TEXT("Checks", "Barely strong enough"), {}};
+    //: %1 is a mass
+    return {FFF_TEXT("Checks", "Barely holds %1"), {massOf(heldOf(finding).placed)}};
+}
+
+/// It may hold all the same, with less to spare than is wanted.
+Message weakTitle(const Finding &finding)
+{
+    const Held &held = heldOf(finding);
+    const bool breaks = held.neckUse > 1.0;
+    if (held.placed == 0.0)
+        return {breaks ? FFF_TEXT("Checks", "Will break") : FFF_TEXT("Checks", "Too weak"), {}};
+    //: %1 is a mass
+    return {breaks ? FFF_TEXT("Checks", "Breaks under %1") : FFF_TEXT("Checks", "Too weak for %1"),
+            {massOf(held.placed)}};
+}
+
+Message titledSentence(Message title, Message rest)
+{
+    //: a verdict such as "Holds 350 g" and sentences about it
+    return {FFF_TEXT("Checks", "%1. %2"), {std::move(title), std::move(rest)}};
+}
+
+/// What gives way first, and under how much.
+Message limitsOf(const Held &held, const Model &model)
+{
+    const BearableMass &bearable = held.bearable;
+    if (held.cracks && bearable.cracksFrom && held.breaks && bearable.breaksAt) {
+        const Message crack{
+            //: %1 is a section, %2 a place such as "beside its slit for Body", %3 a mass
+            FFF_TEXT("Checks", "%1 may crack %2 from %3;"),
+            {nameOf(model, held.cracks->section), spotText(*held.cracks, model),
+             massOf(*bearable.cracksFrom)}};
+        const bool isSame = held.cracks->section == held.breaks->section;
+        const Message breaks =
+            isSame ? Message{//: the section that was just named; %1 is a mass
+                             FFF_TEXT("Checks", "its neck breaks at %1."),
+                             {massOf(*bearable.breaksAt)}}
+                   : Message{//: %1 is a section, %2 a mass
+                             FFF_TEXT("Checks", "the neck of %1 breaks at %2."),
+                             {nameOf(model, held.breaks->section), massOf(*bearable.breaksAt)}};
+        return joined(crack, breaks);
+    }
+    Message cracks;
+    if (held.cracks && bearable.cracksFrom)
+        cracks = {FFF_TEXT("Checks", "%1 may crack %2 from %3."),
+                  {nameOf(model, held.cracks->section), spotText(*held.cracks, model),
+                   massOf(*bearable.cracksFrom)}};
+    Message falls;
+    if (bearable.fallsFrom)
+        falls = {bearable.isPulledOut ? FFF_TEXT("Checks", "From %1 on a joint is pulled open.")
+                                      : FFF_TEXT("Checks", "From %1 on it does not stand."),
+                 {massOf(*bearable.fallsFrom)}};
+    if (cracks.isEmpty() && falls.isEmpty())
+        return {FFF_TEXT("Checks", "It would bear far more."), {}};
+    return cracks.isEmpty() ? falls : joined(cracks, falls);
+}
+
+Message ownWeightSentence(const Finding &finding, const Model &model)
+{
+    const Held &held = heldOf(finding);
+    if (!held.weakest)
+        return {FFF_TEXT("Checks", "Nothing strains it."), {}};
+    //: %1 is a section, %2 a place such as "beside its slit for Body", %3 a number of percent
+    return {FFF_TEXT("Checks", "Weakest is %1, %2: %3 % of what it bears."),
+            {nameOf(model, held.weakest->section), spotText(*held.weakest, model),
+             percentOf(held.cornerUse)}};
+}
+
+template <Message (*title)(const Finding &)>
+Message heldSentence(const Finding &finding, const Model &model)
+{
+    return titledSentence(title(finding), heldOf(finding).placed > 0.0
+                                              ? limitsOf(heldOf(finding), model)
+                                              : ownWeightSentence(finding, model));
+}
+
+Message weakSentence(const Finding &finding, const Model &model)
+{
+    const Held &held = heldOf(finding);
+    Message sentence = heldSentence<weakTitle>(finding, model);
+    if (held.placed == 0.0 && held.breaks)
+        sentence = titledSentence(
+            weakTitle(finding),
+            //: %1 is a section, %2 a number of percent
+            {FFF_TEXT("Checks", "The neck of %1 is strained to %2 % of what it bears."),
+             {nameOf(model, held.breaks->section), percentOf(held.neckUse)}});
+    if (held.neckUse > 1.0)
+        return sentence;
+    return joined(std::move(sentence),
+                  //: %1 is a number such as 2
+                  {FFF_TEXT("Checks", "That leaves less than the safety factor of %1."),
+                   {Decimal{held.safety}}});
+}
+
+Message notRatedSentence(const Finding &finding, const Model &model)
+{
+    return {FFF_TEXT("Checks", "Strength unknown. No strength is set for the stock of %1."),
+            {namesOf(model, finding.sections)}};
+}
+
+Message strengthUnknownSentence(const Finding &finding, const Model &model)
+{
+    if (finding.sections.empty())
+        return {FFF_TEXT("Checks", "Strength unknown. The forces between the sections could not be "
+                                   "worked out."),
+                {}};
+    return {FFF_TEXT("Checks", "Strength unknown. The stress in %1 could not be worked out."),
+            {namesOf(model, finding.sections)}};
+}
+
+Message movesSentence(const Finding &finding, const Model &model)
+{
+    if (finding.sections.empty())
+        return {FFF_TEXT("Checks", "Slides away. Its feet do not hold it against what pushes it."),
+                {}};
+    return {FFF_TEXT("Checks", "Comes loose. Nothing keeps %1 where it is."),
+            {namesOf(model, finding.sections)}};
+}
+
+Message pulledSentence(const Finding &finding, const Model &model)
+{
+    const bool isApart = finding.severity == Severity::Error;
+    //: %3 is a number of newtons
+    return {
+        isApart
+            ? FFF_TEXT("Checks", "Pulled open. The joint of %1 and %2 is pulled apart with %3 N.")
+            : FFF_TEXT("Checks", "Pulled at. The joint of %1 and %2 is pulled with %3 N; the "
+                                 "others hold without it."),
+        {nameAt(finding, model, 0), nameAt(finding, model, 1),
+         Decimal{finding.details<PulledJoint>()->force, 1}}};
+}
+
+Message besideSentence(const Finding &finding, const Model &model)
+{
+    return {FFF_TEXT("Checks", "Off the material. A weight on %1 hangs over no material; the "
+                               "nearest part of it bears it."),
+            {nameAt(finding, model, 0)}};
+}
+
+// --- what can be done
+
+constexpr Text kTurnText = FFF_TEXT("Checks", "Turn its slits round");
+
+std::optional<FindingEdit> slitsTurned(const FindingAction &, const Finding &finding,
+                                       const Analysis &analysis, const Flips *)
+{
+    JointEdit edit = flipSlits(analysis.model, JointRef(finding.sections[0], finding.sections[1]));
+    if (!edit || edit->document.isSame(analysis.model.document))
+        return {};
+    return FindingEdit{std::move(edit->step), std::move(edit->document)};
+}
+
+const ActionKind kTurnPulledSlits{plainWords<kTurnText>, slitsTurned};
+
+std::vector<FindingAction> turnSlits(const Finding &, const Analysis &)
+{
+    return {{&kTurnPulledSlits}};
+}
+
+// --- how it is found
+
+std::optional<WeakPlace> placeIn(const Analysis &analysis, const Strength &strength, int body,
+                                 std::optional<NeckStress> BodyStrength::*which)
+{
+    if (body < 0)
+        return {};
+    const auto &neck = strength.bodies[static_cast<std::size_t>(body)].*which;
+    return neck ? std::optional(weakPlaceOf(analysis, body, *neck)) : std::nullopt;
+}
+
+std::vector<SectionRef> sectionsWhere(const Analysis &analysis, const Strength &strength,
+                                      bool (*is)(const BodyStrength &))
+{
+    std::set<int> sections;
+    for (std::size_t i = 0; i < strength.bodies.size(); ++i)
+        if (is(strength.bodies[i]))
+            sections.insert(analysis.bodies.sectionOf(static_cast<int>(i)));
+    return analysis.model.refs({sections.begin(), sections.end()});
+}
+
+/// Links that are pulled apart, each joint once, by its strongest pull.
+void findPulled(const Analysis &analysis, const Strength &strength, std::vector<Finding> &found)
+{
+    const Equilibrium &equilibrium = strength.equilibrium();
+    const bool isApart = strength.verdict == HoldVerdict::PullsOut;
+    std::map<int, std::size_t> strongest; // by the joint
+    for (std::size_t i = 0; i < equilibrium.links.size(); ++i) {
+        if (!equilibrium.links[i].isOpen)
+            continue;
+        const auto [known, isNew] = strongest.emplace(strength.made.links[i].joint, i);
+        if (!isNew && equilibrium.links[i].asked > equilibrium.links[known->second].asked)
+            known->second = i;
+    }
+    for (const auto &[joint, link] : strongest) {
+        const Link &pulled = strength.made.structure.links[link];
+        // Where all of it stands without the joint, that is for whoever wants to know.
+        Finding finding = makeFinding(kPulledOpen, isApart ? Severity::Error : Severity::Note,
+                                      PulledJoint{equilibrium.links[link].asked});
+        for (const int body : {pulled.a, pulled.b})
+            finding.sections.push_back(
+                analysis.model.ref(static_cast<std::size_t>(analysis.bodies.sectionOf(body))));
+        finding.at = pulled.point;
+        finding.joint = JointRef(std::min(finding.sections[0], finding.sections[1]),
+                                 std::max(finding.sections[0], finding.sections[1]));
+        found.push_back(std::move(finding));
+    }
+}
+
+/// What moves though it would stand as one piece; whether it stands is said elsewhere.
+void findMoving(const Analysis &analysis, const Strength &strength, std::vector<Finding> &found)
+{
+    for (const ComponentState &state : strength.equilibrium().components) {
+        const bool isLoose = state.balance == Balance::Mechanism && state.openLinks.empty();
+        if (!isLoose && state.balance != Balance::Slides)
+            continue;
+        Finding finding = makeFinding(kMovesWithin, Severity::Error);
+        if (isLoose) {
+            std::set<int> sections;
+            for (const int body : state.offenders)
+                sections.insert(analysis.bodies.sectionOf(body));
+            finding.sections = analysis.model.refs({sections.begin(), sections.end()});
+        }
+        found.push_back(std::move(finding));
+    }
+}
+
+/// One verdict on all of it; none where it does not stand.
+void findVerdict(const Analysis &analysis, const Strength &strength, const BearableMass &bearable,
+                 const StrengthRules &rules, std::vector<Finding> &found)
+{
+    const auto held = [&](const FindingKind &kind, Severity severity) {
+        Held details{placedMass(strength),
+                     strength.cornerUse,
+                     strength.neckUse,
+                     rules.safety,
+                     placeIn(analysis, strength, strength.worst, &BodyStrength::corner),
+                     placeIn(analysis, strength, bearable.cracksIn, &BodyStrength::corner),
+                     placeIn(analysis, strength,
+                             bearable.breaksIn < 0 ? strength.worstNeck : bearable.breaksIn,
+                             &BodyStrength::neck),
+                     bearable};
+        Finding finding = makeFinding(kind, severity);
+        // Of what holds nothing is marked.
+        if (details.weakest && severity > Severity::Good) {
+            finding.sections = {details.weakest->section};
+            finding.at = 0.5 * (details.weakest->from + details.weakest->to);
+        }
+        finding.setDetails(std::move(details));
+        found.push_back(std::move(finding));
+    };
+    const auto about = [&](const FindingKind &kind, std::vector<SectionRef> sections) {
+        Finding finding = makeFinding(kind, Severity::Unknown);
+        finding.sections = std::move(sections);
+        found.push_back(std::move(finding));
+    };
+    switch (strength.verdict) {
+    case HoldVerdict::Holds:
+        return held(kHolds, Severity::Good);
+    case HoldVerdict::BarelyHolds:
+        return held(kBarelyHolds, Severity::Warning);
+    case HoldVerdict::Breaks:
+        return held(kTooWeak, Severity::Error);
+    case HoldVerdict::NotRated:
+        return about(kNotRated, sectionsWhere(analysis, strength, [](const BodyStrength &body) {
+                         return !body.strength;
+                     }));
+    case HoldVerdict::NotWorkedOut:
+        return about(kStrengthUnknown,
+                     sectionsWhere(analysis, strength,
+                                   [](const BodyStrength &body) { return !body.isWorkedOut; }));
+    case HoldVerdict::PullsOut:
+    case HoldVerdict::Unstable:
+        return;
+    }
+}
+
+} // namespace
+
+const FindingKind kHolds{"holds",
+                         Subject::Strength,
+                         FFF_TEXT("Checks", "Strong enough"),
+                         heldSentence<holdsTitle>,
+                         nullptr,
+                         nullptr,
+                         nullptr,
+                         nullptr,
+                         {},
+                         holdsTitle};
+const FindingKind kBarelyHolds{"barelyHolds",
+                               Subject::Strength,
+                               FFF_TEXT("Checks", "Barely strong enough"),
+                               heldSentence<barelyTitle>,
+                               nullptr,
+                               nullptr,
+                               nullptr,
+                               nullptr,
+                               {},
+                               barelyTitle};
+const FindingKind kTooWeak{"tooWeak",
+                           Subject::Strength,
+                           FFF_TEXT("Checks", "Too weak"),
+                           weakSentence,
+                           nullptr,
+                           nullptr,
+                           nullptr,
+                           nullptr,
+                           FFF_TEXT("Checks", "Use thicker stock, make it wider there, or hang "
+                                              "less on it."),
+                           weakTitle};
+const FindingKind kNotRated{"notRated", Subject::Strength, FFF_TEXT("Checks", "Strength unknown"),
+                            notRatedSentence};
+const FindingKind kStrengthUnknown{"strengthUnknown", Subject::Strength,
+                                   FFF_TEXT("Checks", "Strength unknown"), strengthUnknownSentence};
+const FindingKind kMovesWithin{"movesWithin", Subject::Strength, FFF_TEXT("Checks", "Comes loose"),
+                               movesSentence};
+const FindingKind kPulledOpen{"pulledOpen",   Subject::Strength, FFF_TEXT("Checks", "Pulled open"),
+                              pulledSentence, turnSlits,         nullptr,
+                              nullptr,        nullptr,           FFF_TEXT("Checks", "Glue it.")};
+const FindingKind kWeightBeside{"weightBeside", Subject::Strength,
+                                FFF_TEXT("Checks", "Off the material"), besideSentence};
+
+double placedMass(const Strength &strength)
+{
+    double sum = 0.0; // N
+    for (const Load &load : strength.made.structure.loads)
+        sum += load.force.norm();
+    return sum / strength.made.structure.gravity.norm();
+}
+
+std::vector<Finding> strengthFindings(const Analysis &analysis, const Strength &strength,
+                                      const BearableMass &bearable, const StrengthRules &rules)
+{
+    std::vector<Finding> found;
+    findVerdict(analysis, strength, bearable, rules, found);
+    findMoving(analysis, strength, found);
+    findPulled(analysis, strength, found);
+    for (const int index : strength.made.besideWeight) {
+        Finding finding = makeFinding(kWeightBeside, Severity::Note);
+        finding.sections = {
+            analysis.model.document.weights[static_cast<std::size_t>(index)].section};
+        found.push_back(std::move(finding));
+    }
+    return found;
+}
+
+} // namespace fff

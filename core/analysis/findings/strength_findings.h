@@ -1,0 +1,36 @@
+// Whether the model holds: what breaks, what comes apart, and of what that is not known.
+#pragma once
+
+#include "core/analysis/bearable_mass.h"
+#include "core/analysis/finding.h"
+#include "core/analysis/weak_place.h"
+
+namespace fff {
+
+extern const FindingKind kHolds, kBarelyHolds, kTooWeak, kNotRated, kStrengthUnknown, kMovesWithin,
+    kPulledOpen, kWeightBeside;
+
+/// Of the verdict on all of it.
+struct Held
+{
+    double placed = 0.0; // kg that hang on it; 0: its own weight alone
+    double cornerUse = 0.0, neckUse = 0.0;
+    double safety = 1.0;
+    std::optional<WeakPlace> weakest, cracks, breaks;
+    BearableMass bearable;
+};
+
+/// Of a joint that is pulled open.
+struct PulledJoint
+{
+    double force = 0.0; // N
+};
+
+/// One verdict on all of it where it stands, and what is wrong beside that.
+std::vector<Finding> strengthFindings(const Analysis &analysis, const Strength &strength,
+                                      const BearableMass &bearable, const StrengthRules &rules);
+
+/// kg: all weights of the model that are there; pushes count as the mass that would weigh as much.
+double placedMass(const Strength &strength);
+
+} // namespace fff

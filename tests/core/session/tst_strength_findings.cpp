@@ -1,0 +1,209 @@
+// What is said of whether a model holds.
+#include <QTest> // first: moc stumbles over some standard headers
+
+#include "core/analysis/findings/strength_findings.h"
+#include "core/analysis/holding.h"
+#include "core/analysis/stress_lines.h"
+#include "core/io/document_file.h"
+#include "core/session/check_list.h"
+#include "core/session/finding_text.h"
+#include "core/session/session.h"
+#include "tests/test_program.h"
+
+#include <cmath>
+
+using namespace fff;
+using namespace fff::test;
+
+namespace {
+
+Document sampleNamed(const char *name)
+{
+    const auto loaded = io::readDocument(QStringLiteral(FFF_SAMPLES) + u'/' + QLatin1String(name));
+    return loaded ? loaded->document : Document();
+}
+
+/// Verdicts on a model in a session.
+struct Judged
+{
+    Session session;
+    CheckList list{session};
+
+    explicit Judged(Document document)
+    {
+        session.reset(std::move(document));
+        list.finish();
+    }
+    void become(Document document)
+    {
+        session.commit(QStringLiteral("Change"), std::move(document));
+        list.finish();
+    }
+    std::vector<Finding> strength() const
+    {
+        std::vector<Finding> found;
+        for (const Finding &finding : list.all())
+            if (finding.subject() == Subject::Strength && finding.severity != Severity::Note)
+                found.push_back(finding);
+        return found;
+    }
+    const Holding &held() const { return *session.scheduler().result(kHolding); }
+};
+
+Document scaledWeights(Document document, double factor)
+{
+    for (Weight &weight : document.weights)
+        weight.mass *= factor;
+    return document;
+}
+
+Document inStock(Document document, std::optional<double> strength)
+{
+    for (auto &stock : document.stocks) {
+        Stock other = *stock;
+        other.tensileStrength = other.flexuralStrength = strength;
+        stock = std::make_shared<const Stock>(other);
+    }
+    return document;
+}
+
+} // namespace
+
+class TestStrengthFindings : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void oneVerdictNamesWhatHangs();
+    void fromHoldingToBreaking();
+    void theSafetyFactorIsTheVerdictsAlone();
+    void notRatedIsUnknown();
+    void whatFallsHasNoVerdict();
+    void linesAreFewAndInTheMaterial();
+    void ofNothingNothingIsSaid();
+};
+
+// Wrong: a badge that says nothing of the glass, or a number that is not that of the weights.
+void TestStrengthFindings::oneVerdictNamesWhatHangs()
+{
+    const Document document = sampleNamed("glass_four_legs.fff");
+    double placed = 0.0;
+    for (const Weight &weight : document.weights)
+        placed += weight.mass;
+    Judged judged(document);
+    QCOMPARE(judged.strength().size(), std::size_t(1));
+    const Finding finding = judged.strength().front();
+    QVERIFY(finding.details<Held>());
+    QVERIFY(std::abs(finding.details<Held>()->placed - placed) < 1e-12);
+    const QString title = messageText(titleOf(finding));
+    QVERIFY2(title.contains(metricUnits().mass(placed)), qPrintable(title));
+    QVERIFY(findingText(finding, judged.list.model()).startsWith(title + u'.'));
+    Document bare = document;
+    bare.weights.clear();
+    judged.become(bare);
+    QCOMPARE(judged.strength().size(), std::size_t(1));
+    QCOMPARE(judged.strength().front().details<Held>()->placed, 0.0);
+}
+
+// Wrong: what holds less is said to hold, or limits that it has passed already.
+void TestStrengthFindings::fromHoldingToBreaking()
+{
+    const Document document = sampleNamed("glass_three_legs.fff");
+    Judged judged(document);
+    const BearableMass bearable = judged.held().bearable;
+    QVERIFY(bearable.cracksFrom && bearable.breaksAt);
+    const double placed = placedMass(judged.held().strength);
+    const auto verdictAt = [&](double mass) {
+        judged.become(scaledWeights(document, mass / placed));
+        return judged.strength().front();
+    };
+    // The factor is 2, and all stresses but those of its own weight are in proportion.
+    QVERIFY(verdictAt(0.3 * *bearable.cracksFrom).is(kHolds));
+    const Finding barely = verdictAt(0.9 * *bearable.cracksFrom);
+    QVERIFY(barely.is(kBarelyHolds) || *bearable.breaksAt < 1.8 * *bearable.cracksFrom);
+    const Finding weak = verdictAt(0.9 * *bearable.breaksAt);
+    QVERIFY(weak.is(kTooWeak));
+    QVERIFY(messageText(titleOf(weak)).startsWith(QStringLiteral("Too weak")));
+    const Finding broken = verdictAt(1.1 * *bearable.breaksAt);
+    QVERIFY(broken.is(kTooWeak));
+    QVERIFY(messageText(titleOf(broken)).startsWith(QStringLiteral("Breaks")));
+    QCOMPARE(broken.severity, Severity::Error);
+    QVERIFY(!broken.sections.empty());
+    // The masses at which it gives way are those that they were.
+    const BearableMass again = judged.held().bearable;
+    QVERIFY(again.breaksAt && std::abs(*again.breaksAt - *bearable.breaksAt) < 2e-3 * placed);
+}
+
+// Wrong: masses that hang on how strict a person is.
+void TestStrengthFindings::theSafetyFactorIsTheVerdictsAlone()
+{
+    const Document document = sampleNamed("glass_three_legs.fff");
+    Judged judged(document);
+    const double breaksAt = *judged.held().bearable.breaksAt;
+    const double use = judged.held().strength.neckUse;
+    CheckRules strict;
+    strict.strength.safety = 1.01 / use;
+    judged.session.scheduler().setRules(strict);
+    judged.list.finish();
+    QVERIFY(judged.strength().front().is(kTooWeak));
+    QVERIFY(std::abs(*judged.held().bearable.breaksAt - breaksAt) < 1e-3 * breaksAt);
+    strict.strength.safety = 0.99 / judged.held().strength.cornerUse;
+    judged.session.scheduler().setRules(strict);
+    judged.list.finish();
+    QVERIFY(judged.strength().front().is(kHolds));
+}
+
+// Wrong: a green verdict on what nobody knows the strength of.
+void TestStrengthFindings::notRatedIsUnknown()
+{
+    Judged judged(inStock(sampleNamed("glass_four_legs.fff"), std::nullopt));
+    QCOMPARE(judged.strength().size(), std::size_t(1));
+    QVERIFY(judged.strength().front().is(kNotRated));
+    QCOMPARE(judged.strength().front().severity, Severity::Unknown);
+    QVERIFY(stressLines(*judged.held().analysis, judged.held().strength, 0.0).empty());
+}
+
+// Wrong: stresses of what lies on its side.
+void TestStrengthFindings::whatFallsHasNoVerdict()
+{
+    Document document = sampleNamed("glass_four_legs.fff");
+    Weight weight = document.weights.front();
+    weight.position = {5000.0, 0.0};
+    weight.mass = 50.0;
+    document.weights = {weight};
+    Judged judged(document);
+    for (const Finding &finding : judged.strength())
+        QVERIFY(!finding.details<Held>());
+    QVERIFY(!judged.held().bearable.breaksAt);
+    QVERIFY(stressLines(*judged.held().analysis, judged.held().strength, 0.0).empty());
+}
+
+// Wrong: lines that bury the model, or run where nothing is.
+void TestStrengthFindings::linesAreFewAndInTheMaterial()
+{
+    Judged judged(sampleNamed("glass_three_legs.fff"));
+    const Analysis &analysis = *judged.held().analysis;
+    const std::vector<StressLine> lines = stressLines(analysis, judged.held().strength, 0.05);
+    QVERIFY(!lines.empty());
+    QVERIFY(lines.size() < 60 * analysis.bodies.size());
+    QCOMPARE(lines.back().use, judged.held().strength.cornerUse);
+    for (const StressLine &line : lines) {
+        QVERIFY(line.use >= 0.05);
+        const Body &body = analysis.bodies.at(line.body);
+        const Vec2 middle = body.frame().toLocal(0.5 * (line.from + line.to));
+        QVERIFY(distanceTo(middle, body.outline().region) < 1e-6);
+    }
+    QVERIFY(stressLines(analysis, judged.held().strength, 0.9).size() <= lines.size());
+}
+
+// Wrong: a crash in whoever looks at the forces before there is a section.
+void TestStrengthFindings::ofNothingNothingIsSaid()
+{
+    Judged judged(newDocument());
+    QVERIFY(judged.strength().empty());
+    QVERIFY(!judged.held().strength.envelope.empty());
+    QVERIFY(stressLines(*judged.held().analysis, judged.held().strength, 0.0).empty());
+}
+
+FFF_TEST(TestStrengthFindings)
+#include "tst_strength_findings.moc"

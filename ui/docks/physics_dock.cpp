@@ -1,0 +1,322 @@
+#include "ui/docks/physics_dock.h"
+
+#include "core/analysis/findings/strength_findings.h"
+#include "core/analysis/holding.h"
+#include "core/session/message_text.h"
+#include "core/session/scheduler.h"
+#include "ui/base/icon.h"
+#include "ui/base/theme.h"
+#include "ui/bench/measures.h"
+#include "ui/bench/workbench.h"
+#include "ui/docks/dock_title.h"
+#include "ui/properties/number_edit.h"
+#include "ui/properties/property_rows.h"
+#include "ui/properties/varying_rows.h"
+#include "ui/settings/settings.h"
+#include "ui/view/stress_marks.h"
+
+#include <QCheckBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPainter>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+namespace fff::ui {
+
+namespace {
+
+constexpr std::size_t kMostPlaces = 8;
+constexpr double kLeastPlace = 0.01;          // of what the sheet bears: less is not listed
+constexpr int kFieldWidth = 96, kMargin = 12; // px
+constexpr double kGrams = 1000.0, kTenths = 10.0;
+constexpr NumberEdit::Range kMass{0.1, kMaxWeight *kGrams, 10.0, 0, 1}; // g
+constexpr NumberEdit::Range kSafety{0.1 * Settings::kMinSafety, 0.1 * Settings::kMaxSafety, 0.1, 1,
+                                    1};
+
+QIcon chipOf(double use, double pixelRatio)
+{
+    QPixmap picture(QSize(10, 14) * pixelRatio);
+    picture.setDevicePixelRatio(pixelRatio);
+    picture.fill(stressColour(use, theme().viewStyle().isForColourBlind));
+    return picture;
+}
+
+QString newtons(double force, const QLocale &locale)
+{
+    return locale.toString(force, 'f', 2) + QStringLiteral("\u202fN");
+}
+
+} // namespace
+
+PhysicsDock::PhysicsDock(Workbench &bench, QWidget *parent)
+    : QDockWidget(tr("Physics"), parent), m_bench(bench)
+{
+    dressDock(this, "physicsDock");
+    auto *area = new QScrollArea(this);
+    area->setFrameShape(QFrame::NoFrame);
+    area->setWidgetResizable(true);
+    area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    area->setFocusPolicy(Qt::NoFocus);
+    area->setAccessibleName(tr("Physics"));
+    auto *page = new QWidget(area);
+    page->setBackgroundRole(QPalette::Base);
+    page->setAutoFillBackground(true);
+    auto *column = new QVBoxLayout(page);
+    column->setContentsMargins(kMargin, 0, kMargin, kMargin);
+    column->setSpacing(0);
+
+    auto *state = new QWidget(page);
+    auto *stateRow = new QHBoxLayout(state);
+    stateRow->setContentsMargins(0, 8, 0, 4);
+    stateRow->setSpacing(8);
+    m_stateIcon = new QLabel(state);
+    m_state = new QLabel(state);
+    m_state->setObjectName(QStringLiteral("physicsState"));
+    m_state->setWordWrap(true);
+    stateRow->addWidget(m_stateIcon, 0, Qt::AlignTop);
+    stateRow->addWidget(m_state, 1);
+    column->addWidget(state);
+
+    auto *display = new PropertyGroup(tr("Display"), page);
+    m_lines = new QCheckBox;
+    connect(m_lines, &QCheckBox::clicked, this, [this](bool on) {
+        m_bench.run(QStringLiteral("check.stress"), {{"on", on ? "true" : "false"}});
+    });
+    display->add(new EditorRow(tr("Stress lines"), "physicsLines", m_lines, {}, display));
+    column->addWidget(display);
+
+    makeLoads(page);
+    column->addWidget(m_loads);
+    m_placesGroup = new PropertyGroup(tr("Weakest places"), page);
+    for (std::size_t i = 0; i < kMostPlaces; ++i) {
+        auto *button = new QPushButton;
+        button->setObjectName(QStringLiteral("weakPlace%1").arg(i));
+        button->setFlat(true);
+        button->setAutoDefault(false);
+        button->setStyleSheet(QStringLiteral("text-align: left; padding: 3px 0px;"));
+        connect(button, &QPushButton::clicked, this, [this, i] {
+            if (i < m_shown.size())
+                frame(m_shown[i].place);
+        });
+        m_placesGroup->add(button);
+        m_places.push_back(button);
+    }
+    column->addWidget(m_placesGroup);
+    makeRules(page);
+    column->addWidget(page->findChild<QWidget *>(QStringLiteral("physicsRules")));
+    column->addStretch(1);
+    area->setWidget(page);
+    setWidget(area);
+
+    const auto again = [this] { refresh(); };
+    connect(&bench.session().scheduler(), &Scheduler::published, this, again);
+    connect(&bench.session().scheduler(), &Scheduler::aged, this, again);
+    connect(&bench.session(), &Session::modelChanged, this, again);
+    connect(&bench, &Workbench::viewStateChanged, this, again);
+    connect(&settings(), &Settings::checksChanged, this, again);
+    connect(&settings(), &Settings::unitChanged, this, again);
+}
+
+/// It is not kept up to date while nobody sees it.
+void PhysicsDock::showEvent(QShowEvent *event)
+{
+    QDockWidget::showEvent(event);
+    refresh();
+}
+
+void PhysicsDock::makeLoads(QWidget *parent)
+{
+    m_loads = new PropertyGroup(tr("Loads"), parent);
+    m_empty = new QLabel(tr("Put a weight on the model to see what it bears."));
+    m_empty->setWordWrap(true);
+    m_empty->setContentsMargins(0, 4, 0, 4);
+    m_empty->setForegroundRole(QPalette::PlaceholderText);
+    m_loads->add(m_empty);
+    auto *weights = new PropertyGroup(QString(), parent);
+    weights->findChild<QPushButton *>()->hide(); // it stands under the heading of the loads
+    m_loads->add(weights);
+    m_weights = new VaryingRows(*weights);
+    const auto sum = [this](const QString &name, const char *objectName,
+                            std::function<QString()> read) {
+        auto *row = new TextRow(name, objectName, std::move(read), m_loads);
+        m_loads->add(row);
+        m_sums.push_back(row);
+    };
+    sum(tr("Own weight"), "physicsOwn",
+        [this] { return massText(Measures(m_bench.session()).mass(), locale()); });
+    sum(tr("On the ground"), "physicsGround", [this] {
+        double force = 0.0;
+        if (m_held)
+            for (const FootForce &foot : m_held->strength.equilibrium().feet)
+                force += foot.force.y();
+        return force > 0.0 ? newtons(force, locale()) : QString(QChar(0x2013));
+    });
+    auto *add = new QPushButton(themedIcon(QStringLiteral("weight")), tr("Add weight"));
+    add->setObjectName(QStringLiteral("physicsAdd"));
+    add->setAutoDefault(false);
+    connect(add, &QPushButton::clicked, this,
+            [this] { m_bench.run(QStringLiteral("physics.addWeight")); });
+    auto *row = new QWidget;
+    auto *buttons = new QHBoxLayout(row);
+    buttons->setContentsMargins(0, 4, 0, 8);
+    buttons->addWidget(add);
+    m_loads->add(row);
+}
+
+void PhysicsDock::makeRules(QWidget *parent)
+{
+    auto *rules = new PropertyGroup(tr("How strict"), parent);
+    rules->setObjectName(QStringLiteral("physicsRules"));
+    auto *safety = new NumberEdit(kSafety, QString());
+    safety->setFixedWidth(kFieldWidth);
+    connect(safety, &NumberEdit::numberEdited, this, [](double factor) {
+        settings().setSafetyFactor(static_cast<int>(std::lround(kTenths * factor)));
+    });
+    auto *row = new EditorRow(
+        tr("Safety factor"), "physicsSafety", safety,
+        [safety] { safety->setNumber(settings().safetyFactor() / kTenths); }, rules);
+    row->setToolTip(tr("So many times what is there has to be borne for it to hold"));
+    rules->add(row);
+    m_rules.push_back(row);
+}
+
+void PhysicsDock::addWeightRow(std::size_t index)
+{
+    const QString id = QStringLiteral("weight%1").arg(index);
+    const Document &document = m_bench.session().model().document;
+    auto *mass = new NumberEdit(kMass, tr("g"));
+    mass->setFixedWidth(kFieldWidth);
+    connect(mass, &NumberEdit::numberEdited, this, [this, index](double grams) {
+        m_bench.run(QStringLiteral("physics.setWeight"),
+                    {{"weight", std::to_string(index)},
+                     {"mass", QString::number(grams / kGrams, 'g', 17).toStdString()}});
+    });
+    auto *row = new EditorRow(
+        QString::fromStdString(m_bench.session().model().nameOf(document.weights[index].section)),
+        id.toLatin1().constData(), mass, [this, index, mass] {
+            const auto &weights = m_bench.session().model().document.weights;
+            if (index < weights.size())
+                mass->setNumber(kGrams * weights[index].mass);
+        });
+    row->addButton(QStringLiteral("trash"), (id + QStringLiteral(".delete")).toLatin1().constData(),
+                   tr("Remove this weight"), [this, index] {
+                       m_bench.run(QStringLiteral("physics.removeWeight"),
+                                   {{"weight", std::to_string(index)}});
+                   });
+    m_weights->add(row);
+}
+
+void PhysicsDock::refresh()
+{
+    if (!isVisible())
+        return;
+    const bool isEmpty = m_bench.session().model().sectionCount() == 0;
+    m_held = isEmpty ? nullptr : m_bench.session().scheduler().result(kHolding);
+    m_lines->setChecked(m_bench.interaction().view().showsStress);
+    refreshState();
+    refreshLoads();
+    refreshPlaces();
+    for (PropertyRow *row : m_rules)
+        row->refresh();
+}
+
+/// What is known, how old it is, and why it is not.
+void PhysicsDock::refreshState()
+{
+    const Scheduler &scheduler = m_bench.session().scheduler();
+    const auto say = [&](const char *icon, const QColor &colour, const QString &words) {
+        m_stateIcon->setPixmap(tintedPixmap(QLatin1String(icon), 16, colour, devicePixelRatioF()));
+        m_state->setText(words);
+    };
+    if (m_bench.session().model().sectionCount() == 0)
+        return say("unknown", theme().muted, tr("Draw a section to see what it bears."));
+    if (scheduler.failureOf(kHolding.name))
+        return say("warn", theme().warning, tr("Whether it holds could not be worked out."));
+    if (!m_held || scheduler.age(kHolding.name) != Scheduler::Age::Current)
+        return say("working", theme().muted, tr("Older than the drawing, working…"));
+    const Strength &strength = m_held->strength;
+    switch (strength.verdict) {
+    case HoldVerdict::Unstable:
+        return say("err", theme().problem, tr("It does not stand; no stress is shown."));
+    case HoldVerdict::PullsOut:
+        return say("err", theme().problem, tr("A joint is pulled open; no stress is shown."));
+    case HoldVerdict::NotWorkedOut:
+        return say("warn", theme().warning, tr("Whether it holds could not be worked out."));
+    case HoldVerdict::NotRated:
+        return say("warn", theme().warning,
+                   tr("Strength unknown: a stock is not rated. Set its strength under Stocks."));
+    case HoldVerdict::Holds:
+    case HoldVerdict::BarelyHolds:
+    case HoldVerdict::Breaks:
+        break;
+    }
+    if (strength.equilibrium().indeterminacy() > 0 && !strength.isElastic)
+        return say("check", theme().good,
+                   tr("Up to date. Joints share the load; the worst way to share it counts."));
+    say("check", theme().good, tr("Up to date. All forces balance."));
+}
+
+void PhysicsDock::refreshLoads()
+{
+    const Model &model = m_bench.session().model();
+    QString what;
+    for (const Weight &weight : model.document.weights)
+        what += QStringLiteral("%1 %2\n").arg(QString::number(weight.id.value),
+                                              QString::fromStdString(model.nameOf(weight.section)));
+    m_empty->setVisible(model.document.weights.empty());
+    if (m_weights->become(what))
+        for (std::size_t i = 0; i < model.document.weights.size(); ++i)
+            addWeightRow(i);
+    m_weights->refresh();
+    for (PropertyRow *row : m_sums)
+        row->refresh();
+}
+
+std::vector<PhysicsDock::Place> PhysicsDock::weakestPlaces() const
+{
+    std::vector<Place> places;
+    if (!m_held || stressLines(*m_held->analysis, m_held->strength, kLeastPlace).empty())
+        return places;
+    const auto &bodies = m_held->strength.bodies;
+    for (std::size_t i = 0; i < bodies.size(); ++i)
+        if (bodies[i].corner && bodies[i].cornerUse >= kLeastPlace)
+            places.push_back(
+                {weakPlaceOf(*m_held->analysis, static_cast<int>(i), *bodies[i].corner),
+                 bodies[i].cornerUse});
+    std::stable_sort(places.begin(), places.end(),
+                     [](const Place &a, const Place &b) { return a.use > b.use; });
+    if (places.size() > kMostPlaces)
+        places.resize(kMostPlaces);
+    return places;
+}
+
+void PhysicsDock::refreshPlaces()
+{
+    m_shown = weakestPlaces();
+    m_placesGroup->setVisible(!m_shown.empty());
+    for (std::size_t i = 0; i < m_places.size(); ++i) {
+        m_places[i]->setVisible(i < m_shown.size());
+        if (i >= m_shown.size())
+            continue;
+        const Model &model = m_held->analysis->model;
+        //: the name of a section, a place in it such as "at its neck", a number of percent
+        m_places[i]->setText(
+            tr("%1, %2: %3\u202f%")
+                .arg(QString::fromStdString(model.nameOf(m_shown[i].place.section)),
+                     messageText(spotText(m_shown[i].place, model)),
+                     locale().toString(100.0 * m_shown[i].use, 'f', 0)));
+        m_places[i]->setIcon(chipOf(m_shown[i].use, devicePixelRatioF()));
+    }
+}
+
+void PhysicsDock::frame(const WeakPlace &place)
+{
+    m_bench.select({place.section});
+    m_bench.run(QStringLiteral("view.fitSelection"));
+}
+
+} // namespace fff::ui

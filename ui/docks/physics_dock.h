@@ -1,0 +1,69 @@
+// What hangs on the model, and how it bears it: the state of what is worked out, loads, the weakest
+// places, how strict the verdict is.
+#pragma once
+
+#include <QDockWidget> // first: moc stumbles over some standard headers
+
+#include "core/analysis/weak_place.h"
+
+#include <vector>
+
+class QCheckBox;
+class QLabel;
+class QPushButton;
+
+namespace fff {
+class CheckList;
+struct Holding;
+} // namespace fff
+
+namespace fff::ui {
+
+class PropertyGroup;
+class PropertyRow;
+class VaryingRows;
+class Workbench;
+
+class PhysicsDock : public QDockWidget
+{
+    Q_OBJECT
+public:
+    PhysicsDock(Workbench &bench, QWidget *parent = nullptr);
+
+    /// In the colours of the theme.
+    void refreshColours() { refresh(); }
+
+protected:
+    void showEvent(QShowEvent *event) override;
+
+private:
+    /// A row of the weakest places.
+    struct Place
+    {
+        WeakPlace place;
+        double use = 0.0;
+    };
+
+    void makeLoads(QWidget *parent);
+    void makeRules(QWidget *parent);
+    void addWeightRow(std::size_t index);
+    void refresh();
+    void refreshState();
+    void refreshLoads();
+    void refreshPlaces();
+    std::vector<Place> weakestPlaces() const;
+    void frame(const WeakPlace &place);
+
+    Workbench &m_bench;
+    std::shared_ptr<const Holding> m_held; // null: nothing is known
+    QLabel *m_stateIcon = nullptr, *m_state = nullptr;
+    QCheckBox *m_lines = nullptr;
+    PropertyGroup *m_loads = nullptr, *m_placesGroup = nullptr;
+    VaryingRows *m_weights = nullptr;
+    std::vector<PropertyRow *> m_sums, m_rules;
+    QLabel *m_empty = nullptr;
+    std::vector<QPushButton *> m_places;
+    std::vector<Place> m_shown; // one a button
+};
+
+} // namespace fff::ui

@@ -1,0 +1,182 @@
+#include "ui/view/stress_marks.h"
+
+#include "core/interaction/pick.h"
+#include "core/interaction/view_cube.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace fff::ui {
+
+namespace {
+
+struct StressTexts
+{
+    Q_DECLARE_TR_FUNCTIONS(fff::ui::StressMarks)
+};
+
+constexpr double kLeast = 0.2;                     // share of the limit that the colours begin at
+constexpr double kThinnest = 1.5, kThickest = 4.0; // px
+constexpr double kOlder = 0.4;                     // alpha
+constexpr double kBarWidth = 12.0, kBarHeight = 160.0; // px
+
+using Palette = std::array<QColor, 5>; // at 20, 40, 60, 80, 100 %
+
+const Palette &paletteOf(bool isForColourBlind)
+{
+    static const Palette hues{QColor(0x2b, 0x4c, 0xd8), QColor(0x1b, 0x8f, 0xc9),
+                              QColor(0x2f, 0xa3, 0x5a), QColor(0xe0, 0xa1, 0x1b),
+                              QColor(0xd2, 0x26, 0x1c)};
+    static const Palette lightness{QColor(0xf0, 0xe0, 0x4a), QColor(0xf4, 0x93, 0x4a),
+                                   QColor(0xcf, 0x4a, 0x79), QColor(0x84, 0x07, 0xa6),
+                                   QColor(0x23, 0x04, 0x83)};
+    return isForColourBlind ? lightness : hues;
+}
+
+double widthOf(double use)
+{
+    const double share = std::clamp((use - kLeast) / (1.0 - kLeast), 0.0, 1.0);
+    return kThinnest + share * (kThickest - kThinnest);
+}
+
+/// On the face towards the eye.
+Vec3 onFace(const Vec3 &point, const StressLine &line, const Camera &camera)
+{
+    const double side = line.normal.dot(camera.backward()) < 0.0 ? -1.0 : 1.0;
+    return point + side * line.half * line.normal;
+}
+
+/// Whether nothing stands before its middle.
+bool isSeen(const StressLine &line, const StressMarks &marks, const ViewState &view, MarkPen &pen)
+{
+    if (view.isHidden(marks.analysis->model.ref(static_cast<std::size_t>(line.section))))
+        return false;
+    const Vec3 middle = 0.5 * (line.from + line.to);
+    const Camera &camera = pen.camera();
+    const Ray ray = camera.rayThrough(camera.toScreen(middle, pen.viewport()), pen.viewport());
+    const double distance = (middle - ray.origin).dot(ray.direction);
+    for (const Hit &hit : pick(marks.analysis->model, ray, view)) {
+        if (hit.section != line.section && hit.distance < distance - line.half)
+            return false;
+        if (hit.distance >= distance)
+            break;
+    }
+    return true;
+}
+
+void paintLine(MarkPen &pen, const StressLine &line, double alpha)
+{
+    const QPointF from = pen.screen(onFace(line.from, line, pen.camera()));
+    const QPointF to = pen.screen(onFace(line.to, line, pen.camera()));
+    QPainterPath path(from);
+    path.lineTo(to);
+    QPainter &painter = pen.painter();
+    const double width = widthOf(line.use);
+    const QColor colour = stressColour(line.use, pen.style().isForColourBlind);
+    const QColor casing = pen.style().casing.isValid() ? pen.style().casing : QColor(Qt::white);
+    const bool isOver = line.use > 1.0;
+    painter.strokePath(path, roundPen(faded(casing, alpha), width + 2.0 + (isOver ? 3.0 : 0.0)));
+    if (!isOver) {
+        painter.strokePath(path, roundPen(faded(colour, alpha), width));
+        return;
+    }
+    const QPointF way = to - from;
+    const double length = std::max(1e-9, std::hypot(way.x(), way.y()));
+    const QPointF across = 2.2 / length * QPointF(-way.y(), way.x());
+    for (const double side : {-1.0, 1.0}) {
+        QPainterPath one(from + side * across);
+        one.lineTo(to + side * across);
+        painter.strokePath(one, roundPen(faded(colour, alpha), 2.0));
+    }
+}
+
+/// Where the bar stands: under the cube.
+void paintLegend(MarkPen &pen, const StressMarks &marks, const QLocale &locale)
+{
+    QPainter &painter = pen.painter();
+    const ViewStyle &style = pen.style();
+    const double limit = marks.lines.empty() ? 0.0 : marks.lines.back().limit;
+    QFont font = painter.font();
+    font.setPixelSize(12);
+    painter.setFont(font);
+    const double right = pen.viewport().x() - 8.0, top = 116.0;
+    const QRectF ground(right - 108.0, top, 108.0, kBarHeight + 62.0);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(faded(style.panel, 0.72));
+    painter.drawRoundedRect(ground, 3.0, 3.0);
+    const QRectF bar(ground.left() + 12.0, ground.top() + 44.0, kBarWidth, kBarHeight);
+    const auto heightOf = [&](double use) {
+        return bar.bottom() - bar.height() * (use - marks.least) / (1.0 - marks.least);
+    };
+    painter.setPen(style.text);
+    QFont bold = font;
+    bold.setWeight(QFont::DemiBold);
+    painter.setFont(bold);
+    painter.drawText(QRectF(ground.left() + 12.0, ground.top() + 4.0, 90.0, 18.0),
+                     Qt::AlignLeft | Qt::AlignVCenter, StressTexts::tr("Stress"));
+    painter.setFont(font);
+    QLinearGradient ramp(bar.bottomLeft(), bar.topLeft());
+    constexpr int kStops = 16;
+    for (int i = 0; i <= kStops; ++i) {
+        const double share = static_cast<double>(i) / kStops;
+        ramp.setColorAt(
+            share, stressColour(marks.least + share * (1.0 - marks.least), style.isForColourBlind));
+    }
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(ramp);
+    painter.drawRect(bar);
+    const auto write = [&](double x, double y, const QString &text, const QColor &colour) {
+        painter.setPen(colour);
+        painter.drawText(QRectF(x - 36.0, y - 9.0, 36.0, 18.0), Qt::AlignRight | Qt::AlignVCenter,
+                         text);
+    };
+    const double percents = bar.right() + 34.0, stresses = bar.right() + 76.0;
+    write(percents, ground.top() + 32.0, QStringLiteral("%"), style.muted);
+    write(stresses, ground.top() + 32.0, QStringLiteral("MPa"), style.muted);
+    for (const double use : {0.2, 0.4, 0.6, 0.8, 1.0}) {
+        if (use < marks.least)
+            continue;
+        write(percents, heightOf(use), locale.toString(100.0 * use, 'f', 0), style.text);
+        if (limit > 0.0)
+            write(stresses, heightOf(use), locale.toString(limit * use, 'g', 3), style.muted);
+    }
+}
+
+} // namespace
+
+QColor stressColour(double use, bool isForColourBlind)
+{
+    const Palette &palette = paletteOf(isForColourBlind);
+    const double at = std::clamp((use - kLeast) / (1.0 - kLeast), 0.0, 1.0) *
+                      static_cast<double>(palette.size() - 1);
+    const auto i = std::min(static_cast<std::size_t>(at), palette.size() - 2);
+    const double share = at - static_cast<double>(i);
+    const auto mixed = [&](int a, int b) {
+        return static_cast<int>(std::lround((1.0 - share) * a + share * b));
+    };
+    const QColor &a = palette[i], &b = palette[i + 1];
+    return {mixed(a.red(), b.red()), mixed(a.green(), b.green()), mixed(a.blue(), b.blue())};
+}
+
+void paintStress(MarkPen &pen, const StressMarks &marks, const ViewState &view,
+                 const QLocale &locale)
+{
+    for (const StressLine &line : marks.lines)
+        if (isSeen(line, marks, view, pen))
+            paintLine(pen, line, marks.isOlder ? kOlder : 1.0);
+    if (!marks.lines.empty() && marks.lines.back().use > 1.0) {
+        const StressLine &worst = marks.lines.back();
+        constexpr double kBeside = 24.0; // px
+        pen.chip(pen.screen(0.5 * (worst.from + worst.to)) + QPointF(kBeside, -kBeside),
+                 MarkPen::Anchor::Left,
+                 //: %1 is a number of percent
+                 StressTexts::tr("%1\u202f%").arg(locale.toString(100.0 * worst.use, 'f', 0)),
+                 stressColour(worst.use, pen.style().isForColourBlind));
+    }
+    paintLegend(pen, marks, locale);
+}
+
+} // namespace fff::ui
