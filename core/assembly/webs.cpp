@@ -4,6 +4,7 @@
 #include "core/geometry/region_tree.h"
 
 #include <algorithm>
+#include <array>
 #include <optional>
 
 namespace fff {
@@ -204,8 +205,10 @@ private:
     void addToHoles(std::size_t slit);
     void addToContour(std::size_t slit);
     struct Sides;
-    static Sides plainSides(const Slit &slit, double wallLength);
-    static Sides formedSides(const Slit &slit, const Taken &taken, double wallLength);
+    using Lengths = std::array<double, 2>; // of the left wall and the right one, mm
+    Lengths wallLengths(std::size_t slit) const;
+    static Sides plainSides(const Slit &slit, const Lengths &walls);
+    static Sides formedSides(const Slit &slit, const Taken &taken, const Lengths &walls);
 
     const std::vector<Slit> &m_slits;
     double m_limit;
@@ -265,30 +268,59 @@ struct Webs::Sides
     std::vector<Segment> bottom, walls;
 };
 
+/// As far from its mouth as a contour may slant; of a wall that the contour crosses, as far from
+/// there. What is left of it deeper in may be thin all the same.
+Webs::Lengths Webs::wallLengths(std::size_t index) const
+{
+    const Slit &slit = m_slits[index];
+    const Vec2 along = slit.mouth - slit.inner;
+    const double taper = kMouthTaper * m_limit, length = along.norm() - taper - slit.width;
+    const Vec2 forwards = along.normalized(), across = perpendicular(forwards);
+    Lengths lengths{length, length};
+    if (!slit.isOpen || !(length > 0.0))
+        return lengths;
+    for (std::size_t k = 0; k < 2; ++k) {
+        const Vec2 from = slit.inner + (k == 0 ? 0.5 : -0.5) * slit.width * across;
+        const Segment wall{from, from + length * forwards};
+        m_contour.visitNear(grown(m_boxes[index], m_limit), [&](const Vec2 &a, const Vec2 &b) {
+            if (!areCrossing(wall, {a, b}))
+                return;
+            const double above = across.dot(a - from), below = across.dot(b - from);
+            const Vec2 at = a + (b - a) * (above / (above - below));
+            lengths[k] = std::min(lengths[k], forwards.dot(at - from) - taper);
+        });
+    }
+    return lengths;
+}
+
 /// Of the plain rectangle; a mortise has none.
-Webs::Sides Webs::plainSides(const Slit &slit, double wallLength)
+Webs::Sides Webs::plainSides(const Slit &slit, const Lengths &walls)
 {
     const Vec2 forwards = (slit.mouth - slit.inner).normalized();
     const Vec2 half = 0.5 * slit.width * perpendicular(forwards);
     Sides sides;
     sides.bottom.push_back({slit.inner - half, slit.inner + half});
-    for (const Vec2 &side : {half, Vec2(-half)})
-        if (wallLength > 0.0)
-            sides.walls.push_back({slit.inner + side, slit.inner + side + wallLength * forwards});
+    for (std::size_t k = 0; k < 2; ++k) {
+        const Vec2 from = slit.inner + (k == 0 ? half : Vec2(-half));
+        if (walls[k] > 0.0)
+            sides.walls.push_back({from, from + walls[k] * forwards});
+    }
     return sides;
 }
 
 /// With what the form adds.
-Webs::Sides Webs::formedSides(const Slit &slit, const Taken &taken, double wallLength)
+Webs::Sides Webs::formedSides(const Slit &slit, const Taken &taken, const Lengths &walls)
 {
     constexpr double kAtBottom = 1e-6; // mm: rounding of an arc that ends there
     const Vec2 forwards = (slit.mouth - slit.inner).normalized();
-    Sides sides = plainSides(slit, wallLength);
+    const Vec2 across = perpendicular(forwards);
+    Sides sides = plainSides(slit, walls);
     taken.visitEdges([&](const Segment &edge) {
         const double a = forwards.dot(edge.a - slit.inner), b = forwards.dot(edge.b - slit.inner);
+        const bool isLeft = across.dot(0.5 * (edge.a + edge.b) - slit.inner) > 0.0;
         if (std::max(a, b) <= kAtBottom)
             sides.bottom.push_back(edge);
-        else if (std::max(a, b) <= wallLength)
+        else if (std::max(a, b) <= walls[isLeft ? 0 : 1])
             sides.walls.push_back(edge);
     });
     return sides;
@@ -298,11 +330,10 @@ void Webs::addToContour(std::size_t index)
 {
     const Slit &slit = m_slits[index];
     const Taken &taken = m_taken[index];
-    const Vec2 along = slit.mouth - slit.inner;
-    const Vec2 forwards = along.normalized();
-    const double length = along.norm() - kMouthTaper * m_limit - slit.width;
-    const Sides plain = plainSides(slit, length);
-    const Sides sides = slit.form ? formedSides(slit, taken, length) : plain;
+    const Vec2 forwards = (slit.mouth - slit.inner).normalized();
+    const Lengths walls = wallLengths(index);
+    const Sides plain = plainSides(slit, walls);
+    const Sides sides = slit.form ? formedSides(slit, taken, walls) : plain;
     const auto keep = [&](const Sides &of, const Segment &edge, Nearest2 &nearest) {
         for (const Segment &wall : of.walls)
             keepNearest(wall, edge, nearest);

@@ -45,6 +45,7 @@ private Q_SLOTS:
     void besideAHole();
     void belowASlitAndBesideIt();
     void aSlantingMouthIsNoWeb();
+    void aWallThatRunsOutOfTheEdge();
     void aMortiseNearTheEdge();
     void manyCostTheirNeighbours();
 };
@@ -120,6 +121,21 @@ void TestWebs::aSlantingMouthIsNoWeb()
     slit.mouth = {50, 71.55};
     slit.width = 3.0;
     QVERIFY(thinWebs(slope, {slit}, kLimit).empty());
+}
+
+// Wrong: a slit whose wall is a hair for most of its depth, since it runs out of the edge further
+// up.
+void TestWebs::aWallThatRunsOutOfTheEdge()
+{
+    // The wall at x = 18.5 has 0.6 mm beside it at the bottom and none from y = 40 on.
+    const Region slim{{{17.7, 0}, {60, 0}, {60, 60}, {18.9, 60}}, {}};
+    const std::vector<Web> webs = thinWebs(slim, {slitAt(20, 10)}, kLimit);
+    QCOMPARE(webs.size(), std::size_t(1));
+    QCOMPARE(webs[0].between, Between::SlitAndContour);
+    QVERIFY(webs[0].width > 0.0 && webs[0].width < 0.6);
+    // A contour that goes steeply across the slit is its mouth.
+    const Region chamfered{{{10, 0}, {60, 0}, {60, 60}, {40, 60}, {10, 30}}, {}};
+    QVERIFY(thinWebs(chamfered, {slitAt(20, 10)}, kLimit).empty());
 }
 
 void TestWebs::aMortiseNearTheEdge()
