@@ -25,18 +25,22 @@ int weightOf(const Finding &finding)
     return finding.kind->weight ? finding.kind->weight(finding) : 1;
 }
 
+void add(const Finding &finding, Burden &burden)
+{
+    if (finding.severity == Severity::Good || finding.severity == Severity::Note)
+        return;
+    int &count = finding.severity == Severity::Error     ? burden.errors
+                 : finding.severity == Severity::Warning ? burden.warnings
+                                                         : burden.unknown;
+    count += weightOf(finding);
+}
+
 std::map<Matter, Burden> burdensOf(std::span<const Finding> found)
 {
     std::map<Matter, Burden> burdens;
-    for (const Finding &finding : found) {
-        if (finding.severity == Severity::Good || finding.severity == Severity::Note)
-            continue;
-        Burden &burden = burdens[matterOf(finding)];
-        int &count = finding.severity == Severity::Error     ? burden.errors
-                     : finding.severity == Severity::Warning ? burden.warnings
-                                                             : burden.unknown;
-        count += weightOf(finding);
-    }
+    for (const Finding &finding : found)
+        if (finding.severity != Severity::Good && finding.severity != Severity::Note)
+            add(finding, burdens[matterOf(finding)]);
     return burdens;
 }
 
@@ -44,6 +48,16 @@ Burden burdenOf(const std::map<Matter, Burden> &burdens, const Matter &matter)
 {
     const auto found = burdens.find(matter);
     return found == burdens.end() ? Burden() : found->second;
+}
+
+/// Of what is said of the very same sections. Nothing where nothing is.
+std::optional<Burden> burdenOfSame(std::span<const Finding> found, const Finding &finding)
+{
+    std::optional<Burden> burden;
+    for (const Finding &other : found)
+        if (isSameVerdict(finding, other) && finding.others == other.others)
+            add(other, burden ? *burden : burden.emplace());
+    return burden;
 }
 
 } // namespace
@@ -98,18 +112,23 @@ bool isNoWorse(std::span<const Finding> before, std::span<const Finding> after)
 {
     const std::map<Matter, Burden> was = burdensOf(before), is = burdensOf(after);
     return std::all_of(is.begin(), is.end(),
-                       [&](const auto &of) { return !(burdenOf(was, of.first) < of.second); });
+                       [&](const auto &of) { return !(burdenOf(was, of.first) < of.second); }) &&
+           std::all_of(after.begin(), after.end(), [&](const Finding &finding) {
+               const std::optional<Burden> known = burdenOfSame(before, finding);
+               return !known || !(*known < *burdenOfSame(after, finding));
+           });
 }
 
 bool helps(const Finding &finding, std::span<const Finding> before, std::span<const Finding> after)
 {
-    const Matter matter = matterOf(finding);
-    if (burdenOf(burdensOf(after), matter) < burdenOf(burdensOf(before), matter))
-        return true;
+    const std::optional<Burden> still = burdenOfSame(after, finding);
     // What weighs nothing, a note, is mended when it is not said any more.
-    return finding.severity <= Severity::Note &&
-           std::none_of(after.begin(), after.end(),
-                        [&](const Finding &other) { return isSameVerdict(finding, other); });
+    if (finding.severity <= Severity::Note)
+        return !still;
+    const std::optional<Burden> was = burdenOfSame(before, finding);
+    const Matter matter = matterOf(finding);
+    return (!still || !was || *still < *was) &&
+           burdenOf(burdensOf(after), matter) < burdenOf(burdensOf(before), matter);
 }
 
 } // namespace fff

@@ -43,9 +43,10 @@ struct Burden
     auto operator<=>(const Burden &) const = default;
 };
 
-/// Whether nothing is worse: no badge, and no kind of problem of joints.
+/// Whether nothing is worse: no badge, no kind of problem of joints, and none of what is said of
+/// the same sections before and after.
 bool isNoWorse(std::span<const Finding> before, std::span<const Finding> after);
-/// Whether less is wrong with what the finding is about, or what it says has gone.
+/// Whether what it says has gone, or become less, and less is wrong with what it is about.
 bool helps(const Finding &finding, std::span<const Finding> before, std::span<const Finding> after);
 
 /// What differs, in a few words for whoever asks before it is done: "6 joints turned round, nothing
