@@ -23,7 +23,7 @@ const char *nameOf(Severity severity)
 
 bool isSameVerdict(const Finding &a, const Finding &b)
 {
-    return a.kind == b.kind && a.sections == b.sections;
+    return a.kind == b.kind && a.sections == b.sections && a.others == b.others;
 }
 
 std::vector<SectionRef> concerned(const Finding &finding)

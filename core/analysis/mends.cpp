@@ -79,10 +79,15 @@ std::vector<FindingRow> inRows(const std::vector<Finding> &findings)
 
 const std::vector<Mend> *Mends::of(const Finding &finding) const
 {
-    const auto known = std::find_if(ofFindings.begin(), ofFindings.end(), [&](const auto &mended) {
-        return isSameVerdict(mended.first, finding);
-    });
-    return known == ofFindings.end() ? nullptr : &known->second;
+    const std::vector<Mend> *same = nullptr;
+    for (const auto &[mended, mends] : ofFindings) {
+        if (!isSameVerdict(mended, finding))
+            continue;
+        if (mended.at == finding.at)
+            return &mends; // of several between the same sections it is this one
+        same = same ? same : &mends;
+    }
+    return same;
 }
 
 Stage mendsOf(const std::vector<Stage> &others)

@@ -55,7 +55,7 @@ std::optional<Burden> burdenOfSame(std::span<const Finding> found, const Finding
 {
     std::optional<Burden> burden;
     for (const Finding &other : found)
-        if (isSameVerdict(finding, other) && finding.others == other.others)
+        if (isSameVerdict(finding, other))
             add(other, burden ? *burden : burden.emplace());
     return burden;
 }
