@@ -37,6 +37,7 @@ private Q_SLOTS:
     void aSecondAcrossTheFirst();
     void whatWasMeantIsOffered();
     void offerIsClicked();
+    void aSlitIsMovedInBeforeItsOutlineBegins();
     void shiftKeepsOneSide();
     void propertiesTellWhatIsDrawn();
     void aHole();
@@ -127,6 +128,25 @@ void TestDrawing::aSecondAcrossTheFirst()
     QVERIFY(section.parent);
     QVERIFY(std::abs(section.frame.normal().dot(first().frame.normal())) < 1e-9);
     QTRY_COMPARE(session().analysis().assembly.joints.size(), std::size_t(1));
+}
+
+// Wrong: the key that the words at the slit name does nothing until the outline has begun.
+void TestDrawing::aSlitIsMovedInBeforeItsOutlineBegins()
+{
+    box(middle() + QPoint(-150, -60), middle() + QPoint(150, 60));
+    QCOMPARE(count(), std::size_t(1));
+    const QPoint from = middle() + QPoint(-147, 20);
+    move(from);
+    press(from, {}, 1000);
+    for (int i = 1; i <= 10; ++i)
+        move(from - QPoint(0, 10 * i));
+    QTRY_VERIFY(interaction().hasOffer());
+    QVERIFY(!interaction().overlay().find<sign::Stroke>());
+    key(Qt::Key_B);
+    QVERIFY(!interaction().hasOffer());
+    key(Qt::Key_Escape);
+    release(m_cursor);
+    QCOMPARE(count(), std::size_t(1));
 }
 
 /// A circle by hand, a key, and one step back.

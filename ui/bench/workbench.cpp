@@ -351,7 +351,9 @@ void Workbench::announceChanges()
     if (!(m_view == m_interaction->view()) || m_offered != offered || m_projection != projection ||
         m_couldGoBack != canGoBack || m_toolCommand != toolCommand || !(m_asked == asked) ||
         m_couldUndoInTool != m_interaction->canUndoInTool() ||
-        m_couldRedoInTool != m_interaction->canRedoInTool()) {
+        m_couldRedoInTool != m_interaction->canRedoInTool() ||
+        m_hadOffer != m_interaction->hasOffer()) {
+        m_hadOffer = m_interaction->hasOffer();
         m_couldUndoInTool = m_interaction->canUndoInTool();
         m_couldRedoInTool = m_interaction->canRedoInTool();
         m_toolCommand = toolCommand;

@@ -158,6 +158,7 @@ private:
     Tool::Asked m_asked;                     // by it
     std::vector<std::string_view> m_offered; // commands that go with it
     bool m_couldUndoInTool = false, m_couldRedoInTool = false;
+    bool m_hadOffer = false; // its key has to know
     EventClock m_clock;
     CommandRegistry m_commands;
     std::string m_viewToShow; // asked for before there was a size
