@@ -988,6 +988,10 @@
         <extracomment>where a part may break</extracomment>
         <translation>an der engsten Stelle</translation>
     </message>
+    <message>
+        <source>How much it would bear could not be worked out.</source>
+        <translation>Wie viel es trüge, konnte nicht ermittelt werden.</translation>
+    </message>
 </context>
 <context>
     <name>Command</name>

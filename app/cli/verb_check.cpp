@@ -1,8 +1,7 @@
 #include "app/cli/analysed_file.h"
 #include "app/cli/info.h"
-#include "core/analysis/bearable_mass.h"
 #include "core/analysis/checks.h"
-#include "core/analysis/findings/strength_findings.h"
+#include "core/analysis/holding.h"
 #include "core/analysis/plan_checks.h"
 #include "core/io/error_text.h"
 #include "core/io/json_writer.h"
@@ -121,12 +120,9 @@ int runCheck(const QStringList &arguments)
          planChecks(model.analysis, planOf(model.analysis, timeLimit(kPlanningTime))))
         found.push_back(std::move(finding));
     if (model.analysis.model.sectionCount() > 0) {
-        const StrengthRules rules;
-        StrengthCaches caches;
-        const Strength strength = strengthOf(model.analysis, rules, caches);
-        const BearableMass bearable = bearableMass(model.analysis, strength, rules, caches);
-        for (Finding &finding : strengthFindings(model.analysis, strength, bearable, rules))
-            found.push_back(std::move(finding));
+        const Holding held = holdingOf(std::make_shared<const Analysis>(model.analysis), {},
+                                       std::make_shared<StrengthCaches>());
+        found.insert(found.end(), held.findings.begin(), held.findings.end());
     }
     std::vector<Problem> problems = problemsOf(found, model.analysis.model);
     for (Problem &problem : problemsOf(model.warnings))

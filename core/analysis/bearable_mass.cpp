@@ -83,8 +83,11 @@ public:
                 return std::pair(*scale, worstOf(*strained, use));
             m_known.clear();
         }
+        m_isLost = true;
         return {};
     }
+    /// A search was given up.
+    bool isLost() const { return m_isLost; }
 
     /// From which factor on it does not stand; nothing where it does under all.
     std::optional<std::pair<double, bool>> falls() const
@@ -156,18 +159,25 @@ private:
     const Strength &m_strength;
     std::vector<int> m_all;
     std::set<int> m_looked;
+    bool m_isLost = false;
     std::map<double, std::optional<Strength>> m_known; // by the scale
 };
 
 } // namespace
 
+double placedMass(const Structure &structure)
+{
+    double sum = 0.0; // N
+    for (const Load &load : structure.loads)
+        sum += load.force.norm();
+    return sum / structure.gravity.norm();
+}
+
 BearableMass bearableMass(const Analysis &analysis, const Strength &strength,
                           const StrengthRules &rules, StrengthCaches &caches)
 {
     const Structure &structure = strength.made.structure;
-    double placed = 0.0;
-    for (const Load &load : structure.loads)
-        placed += load.force.norm() / structure.gravity.norm();
+    const double placed = placedMass(structure);
     if (!(placed > 0.0) || strength.equilibrium().balance() != Balance::Stands)
         return {};
     Search search(analysis, strength, rules, caches);
@@ -186,6 +196,7 @@ BearableMass bearableMass(const Analysis &analysis, const Strength &strength,
             bearable.isPulledOut = found->second;
         }
     }
+    bearable.isFound = !search.isLost();
     return bearable;
 }
 

@@ -17,8 +17,12 @@ struct BearableMass
     /// stands under all that was tried.
     std::optional<double> fallsFrom;
     bool isPulledOut = false; // that is how
+    bool isFound = false;     // all of this was looked for to its end
 };
 inline constexpr double kMostScale = 1e4;
+
+/// kg: all weights of the model that are there; pushes count as the mass that would weigh as much.
+double placedMass(const Structure &structure);
 
 /// `strength` belongs to the analysis and the rules. Nothing without weights, or where it does not
 /// stand. About ten solutions of the structure, and the stresses of all bodies for two or three of

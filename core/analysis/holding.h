@@ -15,6 +15,10 @@ struct Holding
     std::shared_ptr<StrengthCaches> caches; // the stage's own
 };
 
+/// As the stage has it.
+Holding holdingOf(AnalysisPointer analysis, const StrengthRules &rules,
+                  std::shared_ptr<StrengthCaches> caches);
+
 inline constexpr StageOf<Holding> kHolding{"holding"};
 
 Result<Holding> holding(const Snapshot &snapshot, const Holding *previous, Progress &progress,

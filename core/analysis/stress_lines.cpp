@@ -33,12 +33,17 @@ bool isNew(const NeckStress &line, const std::vector<const NeckStress *> &kept)
 
 } // namespace
 
+bool areStressesKnown(const Strength &strength)
+{
+    return strength.verdict != HoldVerdict::NotWorkedOut &&
+           strength.verdict != HoldVerdict::Unstable && strength.verdict != HoldVerdict::PullsOut;
+}
+
 std::vector<StressLine> stressLines(const Analysis &analysis, const Strength &strength,
                                     double least)
 {
     std::vector<StressLine> lines;
-    if (strength.verdict == HoldVerdict::NotWorkedOut ||
-        strength.verdict == HoldVerdict::Unstable || strength.verdict == HoldVerdict::PullsOut)
+    if (!areStressesKnown(strength))
         return lines;
     for (std::size_t i = 0; i < strength.bodies.size(); ++i) {
         const BodyStrength &body = strength.bodies[i];

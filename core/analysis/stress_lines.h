@@ -18,6 +18,9 @@ struct StressLine
     double limit = 0.0;                          // MPa, what it bears
 };
 
+/// Whether forces are known and can be trusted; else nothing is shown of the stresses.
+bool areStressesKnown(const Strength &strength);
+
 /// Of all lines that are strained by at least `least` of what the sheet bears, with the notch
 /// factor, the worst: at most one in 3 mm along a neck and four at a corner; the worst last. Empty
 /// where forces are not known or not to be trusted.

@@ -4,6 +4,7 @@
 #include "core/model/joint_kind_names.h"
 #include "core/session/command_rules.h"
 #include "core/session/message_text.h"
+#include "core/session/operation_script.h"
 
 #include <algorithm>
 #include <array>
@@ -30,15 +31,6 @@ std::string givenText(const CommandParameters &parameters, const std::string &na
 {
     const auto found = parameters.find(name);
     return found == parameters.end() ? std::string() : found->second;
-}
-
-/// By its name, in what is there now; none: no section, or a joint's, has it.
-std::optional<SectionRef> sectionNamed(const Model &model, const std::string &name)
-{
-    for (std::size_t i = 0; i < model.sectionCount(); ++i)
-        if (model.section(i)->name == name)
-            return model.ref(i);
-    return {};
 }
 
 /// By the names of its two sections, whether they meet or not.

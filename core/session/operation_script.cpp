@@ -28,6 +28,14 @@ Result<OperationInput> inputNamed(const Model &model, const std::string &key,
 
 } // namespace
 
+std::optional<SectionRef> sectionNamed(const Model &model, const std::string &name)
+{
+    for (std::size_t i = 0; i < model.sectionCount(); ++i)
+        if (model.section(i)->name == name)
+            return model.ref(i);
+    return {};
+}
+
 const std::string *textOf(const CommandParameters &parameters, const std::string &key)
 {
     const auto found = parameters.find(key);

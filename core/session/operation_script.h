@@ -1,4 +1,4 @@
-// What scripts say of operations: the parameters of the commands of operation_commands.h.
+// What scripts say of sections and operations, as parameters of commands.
 #pragma once
 
 #include "core/interaction/commands.h"
@@ -9,6 +9,9 @@ namespace fff {
 
 /// Null when nothing is said of it.
 const std::string *textOf(const CommandParameters &parameters, const std::string &key);
+
+/// By its name, in what is there now; none: no section has it.
+std::optional<SectionRef> sectionNamed(const Model &model, const std::string &name);
 
 /// By the parameter "operation", else the one that is meant without a name (may be invalid).
 /// Errors  BadValue, place = "operation".

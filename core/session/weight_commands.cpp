@@ -39,9 +39,10 @@ public:
                                  time);
             return {};
         }
-        const Section *section = named(*name);
-        if (!section)
+        const std::optional<SectionRef> ref = sectionNamed(m_session.committed(), *name);
+        if (!ref)
             return failure(ErrorCode::BadValue, "section", {*name, "the name of a section"});
+        const Section *section = m_session.committed().find(*ref);
         Weight weight;
         weight.section = section->ref();
         const Vec2 middle = section->shape->centroid();
@@ -81,15 +82,6 @@ public:
     }
 
 private:
-    const Section *named(const std::string &name) const
-    {
-        const Model &model = m_session.committed();
-        for (std::size_t i = 0; i < model.sectionCount(); ++i)
-            if (model.section(i)->name == name)
-                return model.section(i).get();
-        return nullptr;
-    }
-
     Result<Weight> weightOf(const CommandParameters &parameters) const
     {
         const std::vector<Weight> &weights = m_session.committed().document.weights;

@@ -109,7 +109,11 @@ Viewport::Viewport(Workbench &bench, QWidget *parent)
         if (m_bench.interaction().view().showsStress)
             update();
     };
-    connect(&bench.session().scheduler(), &Scheduler::published, this, stressChanged);
+    connect(&bench.session().scheduler(), &Scheduler::published, this,
+            [stressChanged](std::string_view stage) {
+                if (stage == kHolding.name)
+                    stressChanged();
+            });
     connect(&bench.session().scheduler(), &Scheduler::aged, this, stressChanged);
     m_builder.setAnalysis(bench.session().analysisPointer());
     rebuildScene();

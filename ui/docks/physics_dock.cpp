@@ -113,7 +113,11 @@ PhysicsDock::PhysicsDock(Workbench &bench, QWidget *parent)
     setWidget(area);
 
     const auto again = [this] { refresh(); };
-    connect(&bench.session().scheduler(), &Scheduler::published, this, again);
+    connect(&bench.session().scheduler(), &Scheduler::published, this,
+            [this](std::string_view stage) {
+                if (stage == kHolding.name)
+                    refresh();
+            });
     connect(&bench.session().scheduler(), &Scheduler::aged, this, again);
     connect(&bench.session(), &Session::modelChanged, this, again);
     connect(&bench, &Workbench::viewStateChanged, this, again);
@@ -279,7 +283,7 @@ void PhysicsDock::refreshLoads()
 std::vector<PhysicsDock::Place> PhysicsDock::weakestPlaces() const
 {
     std::vector<Place> places;
-    if (!m_held || stressLines(*m_held->analysis, m_held->strength, kLeastPlace).empty())
+    if (!m_held || !areStressesKnown(m_held->strength))
         return places;
     const auto &bodies = m_held->strength.bodies;
     for (std::size_t i = 0; i < bodies.size(); ++i)

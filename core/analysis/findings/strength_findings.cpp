@@ -83,7 +83,10 @@ Message limitsOf(const Held &held, const Model &model)
                                       : FFF_TEXT("Checks", "From %1 on it does not stand."),
                  {massOf(*bearable.fallsFrom)}};
     if (cracks.isEmpty() && falls.isEmpty())
-        return {FFF_TEXT("Checks", "It would bear far more."), {}};
+        return {bearable.isFound
+                    ? FFF_TEXT("Checks", "It would bear far more.")
+                    : FFF_TEXT("Checks", "How much it would bear could not be worked out."),
+                {}};
     return cracks.isEmpty() ? falls : joined(cracks, falls);
 }
 
@@ -261,7 +264,7 @@ void findVerdict(const Analysis &analysis, const Strength &strength, const Beara
                  const StrengthRules &rules, std::vector<Finding> &found)
 {
     const auto held = [&](const FindingKind &kind, Severity severity) {
-        Held details{placedMass(strength),
+        Held details{placedMass(strength.made.structure),
                      strength.cornerUse,
                      strength.neckUse,
                      rules.safety,
@@ -350,14 +353,6 @@ const FindingKind kPulledOpen{"pulledOpen",   Subject::Strength, FFF_TEXT("Check
                               nullptr,        nullptr,           FFF_TEXT("Checks", "Glue it.")};
 const FindingKind kWeightBeside{"weightBeside", Subject::Strength,
                                 FFF_TEXT("Checks", "Off the material"), besideSentence};
-
-double placedMass(const Strength &strength)
-{
-    double sum = 0.0; // N
-    for (const Load &load : strength.made.structure.loads)
-        sum += load.force.norm();
-    return sum / strength.made.structure.gravity.norm();
-}
 
 std::vector<Finding> strengthFindings(const Analysis &analysis, const Strength &strength,
                                       const BearableMass &bearable, const StrengthRules &rules)

@@ -30,7 +30,4 @@ struct PulledJoint
 std::vector<Finding> strengthFindings(const Analysis &analysis, const Strength &strength,
                                       const BearableMass &bearable, const StrengthRules &rules);
 
-/// kg: all weights of the model that are there; pushes count as the mass that would weigh as much.
-double placedMass(const Strength &strength);
-
 } // namespace fff

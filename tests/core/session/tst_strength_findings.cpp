@@ -112,7 +112,7 @@ void TestStrengthFindings::fromHoldingToBreaking()
     Judged judged(document);
     const BearableMass bearable = judged.held().bearable;
     QVERIFY(bearable.cracksFrom && bearable.breaksAt);
-    const double placed = placedMass(judged.held().strength);
+    const double placed = placedMass(judged.held().strength.made.structure);
     const auto verdictAt = [&](double mass) {
         judged.become(scaledWeights(document, mass / placed));
         return judged.strength().front();
