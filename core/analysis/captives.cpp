@@ -1,6 +1,8 @@
 #include "core/analysis/captives.h"
 
 #include "core/assembly/collisions.h"
+#include "core/assembly/locking.h"
+#include "core/base/groups.h"
 #include "core/base/tolerances.h"
 
 #include <algorithm>
@@ -122,15 +124,39 @@ private:
     bool m_isKnown = true;
 };
 
+std::vector<BodyPointer> pointersOf(const std::vector<int> &group, const Bodies &bodies)
+{
+    std::vector<BodyPointer> pointers;
+    for (const int body : group)
+        pointers.push_back(bodies.pointer(body));
+    return pointers;
+}
+
+/// Adds how a touches b, each by what it is of the things.
+void addContacts(const Body &a, const Body &b, int thingOfA, int thingOfB,
+                 std::vector<RigidContact> &contacts)
+{
+    if (distanceBetween(a.box(), b.box()) > kEscape)
+        return;
+    for (const Contact &contact : contactsOf(a, b, kEscape))
+        contacts.push_back({thingOfA, thingOfB, contact});
+    for (Contact contact : contactsOf(b, a, kEscape)) {
+        contact.normal = -contact.normal; // as a feels it
+        contacts.push_back({thingOfA, thingOfB, contact});
+    }
+}
+
 /// Whether groups get away, each worked out once among the same bodies.
 class Escapes
 {
 public:
     Escapes(const Bodies &bodies, CaptiveCache &cache) : m_bodies(bodies), m_cache(cache) {}
 
+    /// Shifted alone.
     bool isPossible(const std::vector<int> &group, const std::vector<char> &gone)
     {
-        Known looked{pointers(group), pointers(nearTo(group, m_bodies, gone))};
+        Known looked{pointersOf(group, m_bodies),
+                     pointersOf(nearTo(group, m_bodies, gone), m_bodies)};
         for (const std::vector<Known> *list : {&m_asked, &m_cache.known})
             for (const Known &known : *list)
                 if (known.own == looked.own && known.near == looked.near) {
@@ -140,12 +166,53 @@ public:
         looked.getsAway = Escape(looked.own, looked.near).isPossible();
         return keep(std::move(looked), true);
     }
+
+    /// Of each of the groups, which touch each other, whether it does among all of them.
+    std::vector<char> together(const std::vector<const std::vector<int> *> &groups,
+                               const std::vector<char> &gone)
+    {
+        KnownTogether looked;
+        std::vector<int> all;
+        for (const std::vector<int> *group : groups) {
+            looked.groups.push_back(pointersOf(*group, m_bodies));
+            all.insert(all.end(), group->begin(), group->end());
+        }
+        looked.near = pointersOf(nearTo(all, m_bodies, gone), m_bodies);
+        const auto known = std::find_if(
+            m_cache.together.begin(), m_cache.together.end(), [&](const KnownTogether &one) {
+                return one.groups == looked.groups && one.near == looked.near;
+            });
+        looked.getAway = known != m_cache.together.end() ? known->getAway : getAway(looked);
+        return m_together.emplace_back(std::move(looked)).getAway;
+    }
+
     /// What was not asked for is forgotten.
-    void finish() { m_cache.known = std::move(m_asked); }
+    void finish()
+    {
+        m_cache.known = std::move(m_asked);
+        m_cache.together = std::move(m_together);
+    }
 
 private:
     using Known = CaptiveCache::Known;
+    using KnownTogether = CaptiveCache::KnownTogether;
 
+    static std::vector<char> getAway(const KnownTogether &looked)
+    {
+        std::vector<RigidContact> contacts;
+        for (std::size_t i = 0; i < looked.groups.size(); ++i)
+            for (const BodyPointer &body : looked.groups[i]) {
+                for (const BodyPointer &other : looked.near)
+                    addContacts(*body, *other, static_cast<int>(i), RigidContact::kAtRest,
+                                contacts);
+                for (std::size_t k = i + 1; k < looked.groups.size(); ++k)
+                    for (const BodyPointer &other : looked.groups[k])
+                        addContacts(*body, *other, static_cast<int>(i), static_cast<int>(k),
+                                    contacts);
+            }
+        return movable(contacts, static_cast<int>(looked.groups.size()),
+                       {kCaptivePlay, kCaptiveMove});
+    }
     bool keep(Known known, bool isNew)
     {
         const bool getsAway = known.getsAway;
@@ -153,17 +220,99 @@ private:
             m_asked.push_back(std::move(known));
         return getsAway;
     }
-    std::vector<BodyPointer> pointers(const std::vector<int> &bodies) const
-    {
-        std::vector<BodyPointer> pointers;
-        for (const int body : bodies)
-            pointers.push_back(m_bodies.pointer(body));
-        return pointers;
-    }
 
     const Bodies &m_bodies;
     CaptiveCache &m_cache;
     std::vector<Known> m_asked;
+    std::vector<KnownTogether> m_together;
+};
+
+/// The groups that nothing has got away of yet.
+class Captives
+{
+public:
+    Captives(const Bodies &bodies, const std::vector<std::vector<int>> &groups, CaptiveCache &cache)
+        : m_bodies(bodies), m_groups(groups), m_escapes(bodies, cache),
+          m_isCaught(groups.size(), 0), m_gone(bodies.size(), 0)
+    {
+        for (std::size_t g = 1; g < groups.size(); ++g) {
+            m_isCaught[g] = 1;
+            if (g > kMostGroups || groups[g].size() > kMostInGroup)
+                letGo(g);
+        }
+    }
+
+    /// Of each group whether it is caught.
+    std::vector<char> find() &&
+    {
+        // What gets away keeps nothing else: once it is gone, more may be free.
+        while (letGoAlone() || letGoTogether()) {
+        }
+        m_escapes.finish();
+        return std::move(m_isCaught);
+    }
+
+private:
+    void letGo(std::size_t g)
+    {
+        m_isCaught[g] = 0;
+        for (const int body : m_groups[g])
+            m_gone[static_cast<std::size_t>(body)] = 1;
+    }
+    bool letGoAlone()
+    {
+        bool isMore = false;
+        for (std::size_t g = 1; g < m_groups.size(); ++g)
+            if (m_isCaught[g] && m_escapes.isPossible(m_groups[g], m_gone)) {
+                letGo(g);
+                isMore = true;
+            }
+        return isMore;
+    }
+    bool letGoTogether()
+    {
+        bool isMore = false;
+        for (const std::vector<std::size_t> &cluster : clusters()) {
+            std::vector<const std::vector<int> *> groups;
+            for (const std::size_t g : cluster)
+                groups.push_back(&m_groups[g]);
+            const std::vector<char> free = cluster.size() > kMostTogether
+                                               ? std::vector<char>(cluster.size(), 1)
+                                               : m_escapes.together(groups, m_gone);
+            for (std::size_t i = 0; i < cluster.size(); ++i)
+                if (free[i]) {
+                    letGo(cluster[i]);
+                    isMore = true;
+                }
+        }
+        return isMore;
+    }
+    /// Of what is caught that which may touch each other.
+    std::vector<std::vector<std::size_t>> clusters() const
+    {
+        Groups clusters(m_groups.size());
+        for (std::size_t g = 1; g < m_groups.size(); ++g)
+            for (std::size_t h = g + 1; h < m_groups.size(); ++h)
+                if (m_isCaught[g] && m_isCaught[h] && isNear(m_groups[g], m_groups[h]))
+                    clusters.join(g, h);
+        std::vector<std::vector<std::size_t>> all = clusters.all();
+        std::erase_if(all, [&](const auto &cluster) { return !m_isCaught[cluster.front()]; });
+        return all;
+    }
+    bool isNear(const std::vector<int> &group, const std::vector<int> &other) const
+    {
+        return std::any_of(group.begin(), group.end(), [&](int a) {
+            return std::any_of(other.begin(), other.end(), [&](int b) {
+                return distanceBetween(m_bodies.at(a).box(), m_bodies.at(b).box()) <= kNear;
+            });
+        });
+    }
+
+    const Bodies &m_bodies;
+    const std::vector<std::vector<int>> &m_groups;
+    Escapes m_escapes;
+    std::vector<char> m_isCaught; // of each group
+    std::vector<char> m_gone;     // of each body
 };
 
 } // namespace
@@ -171,31 +320,7 @@ private:
 std::vector<std::vector<int>>
 withCaptives(const Analysis &analysis, std::vector<std::vector<int>> groups, CaptiveCache &cache)
 {
-    const auto isLooked = [&](std::size_t g) {
-        return g > 0 && g <= kMostGroups && groups[g].size() <= kMostInGroup;
-    };
-    std::vector<char> isCaught(groups.size(), 0), gone(analysis.bodies.size(), 0);
-    const auto letGo = [&](std::size_t g) {
-        isCaught[g] = 0;
-        for (const int body : groups[g])
-            gone[static_cast<std::size_t>(body)] = 1;
-    };
-    for (std::size_t g = 0; g < groups.size(); ++g)
-        isCaught[g] = isLooked(g) ? 1 : 0;
-    for (std::size_t g = 1; g < groups.size(); ++g)
-        if (!isLooked(g))
-            letGo(g);
-    Escapes escapes(analysis.bodies, cache);
-    // What gets away keeps nothing else: once it is gone, more may be free.
-    for (bool isMore = true; isMore;) {
-        isMore = false;
-        for (std::size_t g = 1; g < groups.size(); ++g)
-            if (isCaught[g] && escapes.isPossible(groups[g], gone)) {
-                letGo(g);
-                isMore = true;
-            }
-    }
-    escapes.finish();
+    const std::vector<char> isCaught = Captives(analysis.bodies, groups, cache).find();
     std::vector<std::vector<int>> held;
     for (std::size_t g = 0; g < groups.size(); ++g) {
         if (isCaught[g]) {

@@ -16,24 +16,36 @@ struct CaptiveCache
         std::vector<BodyPointer> own, near;
         bool getsAway = false;
     };
-    std::vector<Known> known; // of the last time
+    struct KnownTogether
+    {
+        std::vector<std::vector<BodyPointer>> groups; // that touch each other
+        std::vector<BodyPointer> near;
+        std::vector<char> getAway; // of each group
+    };
+    // Of the last time.
+    std::vector<Known> known;
+    std::vector<KnownTogether> together;
 };
 
 /// The groups (heldGroups() of bodies and joints), with those joined to the first one that cannot
-/// get away from all others: wherever they are shifted to, something is in their way before they
-/// have come kEscape. What gets away itself is in nobody's way. The order of the others stays.
+/// get away from it: whatever they do, alone or all at once, shifted and turned, they do not come
+/// far before something is in the way that cannot get out of it, either. What gets away
+/// itself is in nobody's way. The order of the others stays.
 ///
-/// Shifts are tried in the 26 directions to faces, edges and corners of a cube, in the frame of
-/// each body of the group and of each that it touches, and along the line that both planes have. So
-/// a group that could only get away by turning, or between these directions, is taken to be caught:
-/// it is not said to be loose. Groups of more than kMostInGroup bodies, and all beyond kMostGroups,
-/// are not looked at. O(groups · neighbours · directions) of looks at pairs of solids, once more
+/// Each is first shifted alone, in the 26 directions to faces, edges and corners of a cube, in the
+/// frame of each body of the group and of each that it touches, and along the line that both planes
+/// have. What is stopped is looked at together with all others that are, as rigid things that press
+/// on each other and on the first group (locking.h). Groups of more than kMostInGroup bodies, all
+/// beyond kMostGroups, and more than kMostTogether that touch each other are not looked at: they
+/// stay by themselves. O(groups · neighbours · directions) of looks at pairs of solids, once more
 /// after each that gets away; nothing for a group that is among the same bodies as the last time.
 std::vector<std::vector<int>>
 withCaptives(const Analysis &analysis, std::vector<std::vector<int>> groups, CaptiveCache &cache);
 
 /// mm; a press fit gives less.
 inline constexpr double kEscape = 0.3;
-inline constexpr std::size_t kMostInGroup = 8, kMostGroups = 32;
+/// mm: cutting takes so much off at each side of a slit, and what then moves by no more is held.
+inline constexpr double kCaptivePlay = 0.05, kCaptiveMove = 0.7;
+inline constexpr std::size_t kMostInGroup = 8, kMostGroups = 32, kMostTogether = 6;
 
 } // namespace fff

@@ -62,14 +62,6 @@ std::vector<Spans> insideOf(const CutSection &cut, const PlaneLine &line, double
     return inside;
 }
 
-/// One of the two sections as the other's slits see it.
-struct Mate
-{
-    const std::vector<Slit> &slits;
-    const CutSection &cut;
-    const Frame &frame;
-};
-
 /// What one section's slits have between their walls: [its piece][the other's piece], mm.
 class Held
 {
@@ -100,7 +92,7 @@ struct Walls
 };
 
 /// ownHalf: of the slit that the guest has, mm; 0 without one
-Walls wallsOf(const Slit &slit, const Mate &host, const Mate &guest, double ownHalf)
+Walls wallsOf(const Slit &slit, const GripSide &host, const GripSide &guest, double ownHalf)
 {
     const Vec2 way = slit.mouth - slit.inner;
     const double length = way.norm();
@@ -156,9 +148,10 @@ bool isClosed(const Walls &walls, std::size_t own, std::size_t other)
 }
 
 /// Why the slit holds nothing; of what it has between its walls by now nothing is enough.
-LooseSlit whyLoose(const Walls &walls, double held)
+LooseSlit whyLoose(const Walls &walls, double held, double needed)
 {
     LooseSlit loose;
+    loose.needed = needed;
     std::array<double, 2> depths{0.0, 0.0}; // of each wall, the most of any piece
     double inside = 0.0, pressed = 0.0;
     for (std::size_t i = 0; i < walls.guest.size(); ++i) {
@@ -170,13 +163,13 @@ LooseSlit whyLoose(const Walls &walls, double held)
     }
     loose.depth = std::max(depths[0], depths[1]);
     const double least = std::min(depths[0], depths[1]);
-    if (!(inside >= kGripDepth))
+    if (!(inside >= needed))
         loose.why = inside > 0.0 && held > 0.0 ? NoGrip::Shallow : NoGrip::Empty;
-    else if (!(pressed >= kGripDepth))
+    else if (!(pressed >= needed))
         loose.why = NoGrip::Shallow;
-    else if (least >= kGripDepth)
+    else if (least >= needed)
         loose.why = NoGrip::CutThrough;
-    else if (loose.depth >= kGripDepth) {
+    else if (loose.depth >= needed) {
         loose.why = NoGrip::OneWall;
         loose.missing = depths[0] < depths[1] ? walls.left : Vec2(-walls.left);
     } else
@@ -186,10 +179,11 @@ LooseSlit whyLoose(const Walls &walls, double held)
 
 /// Adds what the slits of `host` hold of `guest`. Why the one that holds most does not hold
 /// enough, if none does; nothing where it has no slits at all.
-std::optional<LooseSlit> addHeld(const Joint &joint, const Mate &host, const Mate &guest,
+std::optional<LooseSlit> addHeld(const Joint &joint, const GripSide &host, const GripSide &guest,
                                  Held &held)
 {
     std::optional<LooseSlit> loose;
+    const double needed = gripDepth(guest.thickness);
     const std::span<const Slit> slits = slitsOfJoint(host.slits, joint.id);
     double ownHalf = 0.0;
     for (const Slit &slit : slitsOfJoint(guest.slits, joint.id))
@@ -207,12 +201,12 @@ std::optional<LooseSlit> addHeld(const Joint &joint, const Mate &host, const Mat
                     held.at(own, other) +=
                         depthOf(common(both, common(walls.press[0][other], walls.press[1][other])));
         }
-        LooseSlit why = whyLoose(walls, held.most());
+        LooseSlit why = whyLoose(walls, held.most(), needed);
         why.slit = static_cast<int>(at - slits.begin());
         if (!loose || why.depth > loose->depth)
             loose = why;
     }
-    if (held.most() >= kGripDepth)
+    if (held.most() >= needed)
         return {};
     return loose;
 }
@@ -275,23 +269,26 @@ bool isOneEnough(JointKind kind)
 
 } // namespace
 
-JointGrips gripsOf(const Joint &joint, const std::vector<Slit> &slitsOfA,
-                   const std::vector<Slit> &slitsOfB, const CutSection &a, const CutSection &b,
-                   const Frame &frameOfA, const Frame &frameOfB)
+double gripDepth(double thickness)
+{
+    return std::max(kLeastGripDepth, std::sqrt(2.0 * kGripLoss * thickness));
+}
+
+JointGrips gripsOf(const Joint &joint, const GripSide &a, const GripSide &b)
 {
     JointGrips grips;
     if (joint.kind == JointKind::None)
         return grips;
-    const Mate mateA{slitsOfA, a, frameOfA}, mateB{slitsOfB, b, frameOfB};
-    const std::size_t countA = a.parts().size(), countB = b.parts().size();
+    const std::size_t countA = a.cut.parts().size(), countB = b.cut.parts().size();
     Held inA(countA, countB), inB(countB, countA);
-    const std::optional<LooseSlit> looseA = addHeld(joint, mateA, mateB, inA);
-    std::optional<LooseSlit> looseB = addHeld(joint, mateB, mateA, inB);
+    const std::optional<LooseSlit> looseA = addHeld(joint, a, b, inA);
+    std::optional<LooseSlit> looseB = addHeld(joint, b, a, inB);
+    const double neededInA = gripDepth(b.thickness), neededInB = gripDepth(a.thickness);
     for (std::size_t i = 0; i < countA; ++i) {
         for (std::size_t k = 0; k < countB; ++k) {
             const Grip grip{static_cast<int>(i), static_cast<int>(k), inA.at(i, k), inB.at(k, i)};
-            const auto [least, most] = std::minmax(grip.inA, grip.inB);
-            if ((isOneEnough(joint.kind) ? most : least) >= kGripDepth)
+            const bool holdsB = grip.inA >= neededInA, holdsA = grip.inB >= neededInB;
+            if (isOneEnough(joint.kind) ? holdsA || holdsB : holdsA && holdsB)
                 grips.held.push_back(grip);
         }
     }
@@ -320,6 +317,15 @@ Grips Grips::find(const Model &model, const Assembly &assembly,
     const SharedRows<Joint> &rows = assembly.joints.rows();
     const SharedRows<KnownPointer> &knownRows = before.grips.m_rows;
     const Untouched untouched(assembly, cuts, before, places);
+    const auto side = [&](int section) {
+        const auto i = static_cast<std::size_t>(section);
+        return GripSide{assembly.slits[i], *cuts[i], model.section(i)->frame,
+                        model.stockOf(i).thickness};
+    };
+    const auto thicknesses = [&](const Joint &joint) {
+        return std::array{model.stockOf(static_cast<std::size_t>(joint.a)).thickness,
+                          model.stockOf(static_cast<std::size_t>(joint.b)).thickness};
+    };
     grips.m_rows.resize(rows.size());
     grips.m_starts.reserve(rows.size());
     for (std::size_t a = 0; a < rows.size(); ++a) {
@@ -333,7 +339,8 @@ Grips Grips::find(const Model &model, const Assembly &assembly,
         const bool isSameRow =
             isKnown && rows.pointer(a) == before.assembly.joints.rows().pointer(place);
         const auto isOf = [&](const KnownPointer &known, const Joint &joint) {
-            return untouched.has(joint) && (isSameRow || known->crossing == joint.crossing);
+            return untouched.has(joint) && known->thicknesses == thicknesses(joint) &&
+                   (isSameRow || known->crossing == joint.crossing);
         };
         if (knownRow.size() == joints.size() &&
             std::equal(knownRow.begin(), knownRow.end(), joints.begin(), isOf)) {
@@ -358,11 +365,8 @@ Grips Grips::find(const Model &model, const Assembly &assembly,
                 row.push_back(std::move(known));
                 continue;
             }
-            const auto b = static_cast<std::size_t>(joint.b);
-            row.push_back(std::make_shared<const Known>(
-                Known{joint.crossing,
-                      gripsOf(joint, assembly.slits[a], assembly.slits[b], *cuts[a], *cuts[b],
-                              model.section(a)->frame, model.section(b)->frame)}));
+            row.push_back(std::make_shared<const Known>(Known{
+                joint.crossing, thicknesses(joint), gripsOf(joint, side(joint.a), side(joint.b))}));
         }
         grips.m_rows.set(a, std::move(row));
     }

@@ -3,6 +3,7 @@ target_sources(fff_core PRIVATE
     assembly/blocking.cpp
     assembly/body.cpp
     assembly/collisions.cpp
+    assembly/contacts.cpp
     assembly/crossing.cpp
     assembly/cut_change.cpp
     assembly/cut_section.cpp
@@ -18,6 +19,8 @@ target_sources(fff_core PRIVATE
     assembly/joint_wish.cpp
     assembly/kept_joint.cpp
     assembly/lobes.cpp
+    assembly/locking.cpp
+    assembly/nonnegative_fit.cpp
     assembly/planning.cpp
     assembly/playback.cpp
     assembly/prism_pair.cpp

@@ -26,7 +26,7 @@ Message looseJointSentence(const Finding &finding, const Model &model)
     case NoGrip::Shallow:
         //: %1 and %2 are names of sections, %3 is a length
         return {FFF_TEXT("Checks", "%1 does not hold %2: its slit is less than %3 deep."),
-                {host, guest, lengthOf(kGripDepth)}};
+                {host, guest, lengthOf(loose.slit.needed)}};
     case NoGrip::NoWall:
         //: %1 and %2 are names of sections
         return {FFF_TEXT("Checks", "%1 does not hold %2: its slit leaves no material on either "

@@ -20,7 +20,9 @@ Message thinSentence(const Finding &finding, const Model &model)
         : web.isByAHole
             ? FFF_TEXT("Checks", "%1: only %2 stay between its slit for %3 and a hole.")
             : FFF_TEXT("Checks", "%1: only %2 stay between its slit for %3 and its edge.");
-    return {text, {nameAt(finding, model, 0), lengthOf(web.width), namesOf(model, finding.others)}};
+    // Lengths are said to a tenth: what is next to nothing must not read as nothing.
+    const Quantity width = web.width < 0.1 ? widthOf(web.width) : lengthOf(web.width);
+    return {text, {nameAt(finding, model, 0), width, namesOf(model, finding.others)}};
 }
 
 std::vector<FindingAction> widenWeb(const Finding &, const Analysis &)

@@ -164,6 +164,55 @@ void addMoves(const Facing &facing, double amount, const Slack &slack, Moves &mo
     addTurns(facing.touching, ofOther, kOfOther, middle, slack, moves);
 }
 
+Vec3 randomUnit(std::mt19937 &random)
+{
+    const auto number = [&] { return 2.0 * (static_cast<double>(random()) / 4294967295.0) - 1.0; };
+    for (;;) {
+        const Vec3 v(number(), number(), number());
+        if (v.norm() > 0.1 && v.norm() < 1.0)
+            return v.normalized();
+    }
+}
+
+void addRandomMoves(const std::vector<Facing> &facings, double amount, int more, Moves &moves)
+{
+    std::mt19937 random(3);
+    std::vector<Vec3> axes, touching;
+    Vec3 low = Vec3::Constant(1e9), high = -low;
+    for (const Facing &facing : facings) {
+        for (const Vec3 &p : facing.touching) {
+            low = low.cwiseMin(p);
+            high = high.cwiseMax(p);
+        }
+        touching.insert(touching.end(), facing.touching.begin(), facing.touching.end());
+        const Vec3 axis = axisOf(*facing.piece, *facing.other);
+        for (const JudgedPiece *piece : {facing.piece, facing.other})
+            for (const Vec3 &one : axesOf(*piece, axis))
+                axes.push_back(one);
+    }
+    if (touching.empty())
+        return;
+    const Vec3 middle = 0.5 * (low + high);
+    const double size = std::max((high - low).norm(), 2.0);
+    for (int i = 0; i < more; ++i) {
+        moves.shift(randomUnit(random), amount, "random");
+        Vec3 through = touching[random() % touching.size()];
+        if (i % 4 == 1)
+            through = middle + 0.5 * size * randomUnit(random);
+        else if (i % 4 == 2)
+            through += 4.0 * randomUnit(random);
+        else if (i % 4 == 3)
+            through = {i & 8 ? low.x() : high.x(), i & 16 ? low.y() : high.y(),
+                       i & 32 ? low.z() : high.z()};
+        const Vec3 axis = random() % 3 == 0 ? randomUnit(random) : axes[random() % axes.size()];
+        double radius = kLeastRadius;
+        for (const Vec3 &p : touching)
+            radius = std::max(radius, (p - through).cross(axis).norm());
+        moves.turn(axis, through, amount / radius, "random");
+        moves.turn(-axis, through, amount / radius, "random");
+    }
+}
+
 double wayOf(const SmallMove &move, const std::vector<Vec3> &points)
 {
     if (move.kind == SmallMove::Kind::Shift)
@@ -246,6 +295,34 @@ Freedom judge(const JudgedPiece &piece, std::span<const JudgedPiece *const> othe
         if (std::none_of(facings.begin(), facings.end(),
                          [&](const Facing &facing) { return isBlocked(facing, move); }))
             freedom.free.push_back(move);
+    return freedom;
+}
+
+Freedom judgeTogether(std::span<const JudgedPiece *const> group,
+                      std::span<const JudgedPiece *const> others, int more, const Slack &slack)
+{
+    const double amount = slack.play + kTellingMove;
+    std::vector<Facing> facings;
+    Moves moves;
+    Freedom freedom;
+    for (const JudgedPiece *piece : group)
+        for (const JudgedPiece *other : others) {
+            Facing facing = facingOf(*piece, *other, slack);
+            freedom.inEachOther = std::max(freedom.inEachOther, facing.inEachOther);
+            if (!facing.touching.empty()) {
+                freedom.touches = true;
+                addMoves(facing, amount, slack, moves);
+            }
+            facings.push_back(std::move(facing));
+        }
+    addRandomMoves(facings, amount, more, moves);
+    freedom.tried = static_cast<int>(moves.all().size());
+    for (const SmallMove &move : moves.all())
+        if (std::none_of(facings.begin(), facings.end(),
+                         [&](const Facing &facing) { return isBlocked(facing, move); })) {
+            freedom.free.push_back(move);
+            break;
+        }
     return freedom;
 }
 

@@ -75,4 +75,12 @@ inline Freedom judge(const JudgedPiece &piece, const JudgedPiece &other, const S
     return judge(piece, std::span(&only, 1), slack, ways);
 }
 
+/// Pieces moved as one against all others, in more ways than judge() has: beside these `more`
+/// shifts in random directions, and turns, about the same axes and random ones, through random
+/// points near where they touch and through the corners of their box. What gets away so is loose;
+/// what does not may be all the same.
+Freedom judgeTogether(std::span<const JudgedPiece *const> group,
+                      std::span<const JudgedPiece *const> others, int more,
+                      const Slack &slack = {});
+
 } // namespace fff::test
