@@ -35,6 +35,23 @@ void addLink(const SectionOutline &outline, const AppliedForce &link, const Plus
                    momentOf(plus.at - outline.base(), rest);
 }
 
+void addPart(const SectionOutline &outline, const AppliedForce &force, const PlusShare &plus,
+             SlitFit fit, SideForce &side)
+{
+    if (plus.hasWalls)
+        return addLink(outline, force, plus, fit, side);
+    if (plus.share == 0.0)
+        return;
+    const Vec3 f = plus.share * force.force;
+    side.force += f;
+    side.moment += plus.share * force.moment + momentOf(plus.at - outline.base(), f);
+}
+
+SideForce allOf(const SectionOutline &outline, const AppliedForce &force)
+{
+    return {force.force, force.moment + momentOf(force.at - outline.base(), force.force)};
+}
+
 } // namespace
 
 Vec3 SideForce::momentAbout(const Vec2 &point, const Vec2 &base) const
@@ -42,25 +59,68 @@ Vec3 SideForce::momentAbout(const Vec2 &point, const Vec2 &base) const
     return moment + momentOf(base - point, force);
 }
 
-SideForce plusForce(const SectionOutline &outline, const LineCut &cut,
-                    const std::vector<AppliedForce> &forces, std::span<const PlusShare> shares,
-                    const Vec3 &arealWeight, SlitFit fit)
+SideForce &SideForce::operator+=(const SideForce &other)
+{
+    force += other.force;
+    moment += other.moment;
+    return *this;
+}
+
+SideForce &SideForce::operator-=(const SideForce &other)
+{
+    force -= other.force;
+    moment -= other.moment;
+    return *this;
+}
+
+SummedForces::SummedForces(const SectionOutline &outline, const ForceSites &sites,
+                           const std::vector<AppliedForce> &forces)
+    : m_sites(sites), m_forces(forces)
+{
+    SideForce sum;
+    int loaded = 0;
+    m_sums.push_back(sum);
+    m_loaded.push_back(loaded);
+    for (int place = 0; place < sites.size(); ++place) {
+        const AppliedForce &force = at(place);
+        sum += allOf(outline, force);
+        loaded += force.force.isZero(0.0) && force.moment.isZero(0.0) ? 0 : 1;
+        m_sums.push_back(sum);
+        m_loaded.push_back(loaded);
+    }
+}
+
+SideForce SummedForces::sum(int begin, int end) const
+{
+    SideForce sum = m_sums[static_cast<std::size_t>(end)];
+    return sum -= m_sums[static_cast<std::size_t>(begin)];
+}
+
+int SummedForces::loaded(int begin, int end) const
+{
+    return m_loaded[static_cast<std::size_t>(end)] - m_loaded[static_cast<std::size_t>(begin)];
+}
+
+SideForce plusForce(const SectionOutline &outline, const LineCut &cut, const SummedForces &forces,
+                    const PlusSites &plus, const Vec3 &arealWeight, SlitFit fit)
 {
     SideForce side;
     side.force = cut.plus.area * arealWeight;
     side.moment = momentOf(cut.plus.first, arealWeight);
-    for (std::size_t i = 0; i < forces.size(); ++i) {
-        if (shares[i].hasWalls) {
-            addLink(outline, forces[i], shares[i], fit, side);
-            continue;
+    // Stretch by stretch, around what is near, so that nothing is taken off again.
+    auto near = plus.near.begin();
+    for (const PlusSites::Run &run : plus.runs) {
+        int from = run.begin;
+        for (; near != plus.near.end() && near->place < run.end; ++near) {
+            if (near->place < run.begin)
+                continue;
+            side += forces.sum(from, near->place);
+            from = near->place + 1;
         }
-        if (shares[i].share == 0.0)
-            continue;
-        const Vec3 f = shares[i].share * forces[i].force;
-        side.force += f;
-        side.moment +=
-            shares[i].share * forces[i].moment + momentOf(shares[i].at - outline.base(), f);
+        side += forces.sum(from, run.end);
     }
+    for (const PlusSites::Near &one : plus.near)
+        addPart(outline, forces.at(one.place), one.plus, fit, side);
     return side;
 }
 
@@ -70,10 +130,8 @@ SideForce allForce(const SectionOutline &outline, const std::vector<AppliedForce
     SideForce all;
     all.force = outline.total().area * arealWeight;
     all.moment = momentOf(outline.total().first, arealWeight);
-    for (const AppliedForce &f : forces) {
-        all.force += f.force;
-        all.moment += f.moment + momentOf(f.at - outline.base(), f.force);
-    }
+    for (const AppliedForce &force : forces)
+        all += allOf(outline, force);
     return all;
 }
 

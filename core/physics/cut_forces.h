@@ -1,7 +1,7 @@
 // What one side of a cut does to the other: statics alone.
 #pragma once
 
-#include "core/physics/cut_sides.h"
+#include "core/physics/force_sites.h"
 #include "core/physics/nominal_stress.h"
 #include "core/physics/wall_pressure.h"
 
@@ -18,11 +18,39 @@ struct SideForce
 
     /// About another point of the mid-plane.
     Vec3 momentAbout(const Vec2 &point, const Vec2 &base) const;
+
+    SideForce &operator+=(const SideForce &other);
+    SideForce &operator-=(const SideForce &other);
 };
 
-SideForce plusForce(const SectionOutline &outline, const LineCut &cut,
-                    const std::vector<AppliedForce> &forces, std::span<const PlusShare> shares,
-                    const Vec3 &arealWeight, SlitFit fit = SlitFit::Loose);
+/// The forces at their sites, summed along the boundary. Both outlive it.
+class SummedForces
+{
+public:
+    SummedForces(const SectionOutline &outline, const ForceSites &sites,
+                 const std::vector<AppliedForce> &forces);
+
+    const ForceSites &sites() const { return m_sites; }
+    const AppliedForce &at(int place) const
+    {
+        return m_forces[static_cast<std::size_t>(m_sites.forceAt(place))];
+    }
+    /// Of these places.
+    SideForce sum(int begin, int end) const;
+    /// How many of these are not zero.
+    int loaded(int begin, int end) const;
+    bool isLoaded(int place) const { return loaded(place, place + 1) > 0; }
+
+private:
+    const ForceSites &m_sites;
+    const std::vector<AppliedForce> &m_forces;
+    std::vector<SideForce> m_sums; // before each place, and behind the last one
+    std::vector<int> m_loaded;     // as these
+};
+
+/// O(runs + what is near).
+SideForce plusForce(const SectionOutline &outline, const LineCut &cut, const SummedForces &forces,
+                    const PlusSites &plus, const Vec3 &arealWeight, SlitFit fit = SlitFit::Loose);
 
 /// All that acts on the piece: zero if it is in equilibrium. About the outline's base.
 SideForce allForce(const SectionOutline &outline, const std::vector<AppliedForce> &forces,

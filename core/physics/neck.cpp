@@ -195,6 +195,13 @@ void measureBend(const SectionOutline &outline, const Chord &chord, Neck &neck)
     neck.bend = std::max(1.0, (rn - ri) / (6.0 * (radius - rn) * ri));
 }
 
+/// Where the shadow of a slit ends at the most: at its mouth's height, at 45° from its root.
+Box2 shadowedBy(const SlitLine &slit)
+{
+    const Vec2 around = Vec2::Constant(std::numbers::sqrt2 * slit.depth + slit.width);
+    return {slit.root - around, slit.root + around};
+}
+
 /// What the shadow of a slit leaves of the neck, if that is less than of others.
 void shadow(const PieceShape &shape, int index, Neck &neck)
 {
@@ -279,6 +286,10 @@ PieceShape::PieceShape(const Region &region, std::vector<SlitLine> given)
             if (outline.isReentrant(static_cast<int>(ring), static_cast<int>(i)))
                 corners.push_back(
                     {static_cast<int>(ring), static_cast<int>(i), outline.rings()[ring][i]});
+    slitZones.fill(slits.size(), [this](std::size_t i) { return shadowedBy(slits[i]); });
+    cornerBoxes.fill(corners.size(), [this](std::size_t i) {
+        return Box2{corners[i].at, corners[i].at};
+    });
     const auto netCut = [this](const CutLine &line) {
         const std::optional<CutChord> found = cutFrom(outline, line);
         return found ? std::optional<LineCut>(found->cut) : std::nullopt;
@@ -306,14 +317,21 @@ Neck neckOf(const PieceShape &shape, const LineCut &cut, int chordIndex, double 
         isAtCornerOf(shape.outline, chord.begin) || isAtCornerOf(shape.outline, chord.end);
     measureBend(shape.outline, chord, neck);
     measureHoles(shape.outline, cut, chord, neck);
-    for (int slit = 0; slit < static_cast<int>(shape.slits.size()); ++slit)
-        shadow(shape, slit, neck);
+    Box2 box;
+    box.extend(neck.begin);
+    box.extend(neck.end);
+    shape.slitZones.any([&box](const Box2 &zone) { return zone.intersects(box); },
+                        [&](std::size_t slit) {
+                            shadow(shape, static_cast<int>(slit), neck);
+                            return false;
+                        });
     const Vec2 middle = neck.middle();
-    neck.isNearCorner =
-        std::any_of(shape.corners.begin(), shape.corners.end(), [&](const ReentrantCorner &c) {
-            const double away = (c.at - middle).norm();
-            return away < neck.length && (c.at - neck.begin).norm() > kAtVertex &&
-                   (c.at - neck.end).norm() > kAtVertex;
+    neck.isNearCorner = shape.cornerBoxes.any(
+        [&](const Box2 &corners) { return distanceToBox(corners, middle) < neck.length; },
+        [&](std::size_t i) {
+            const Vec2 &at = shape.corners[i].at;
+            return (at - middle).norm() < neck.length && (at - neck.begin).norm() > kAtVertex &&
+                   (at - neck.end).norm() > kAtVertex;
         });
     const double depth = std::min(cut.minus.area, cut.plus.area) / neck.length; // of a side
     neck.isStubby = depth < neck.length;

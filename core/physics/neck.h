@@ -36,6 +36,8 @@ struct PieceShape
     std::vector<std::optional<LineCut>>
         netCuts; // of each slit, from its root on, away from its mouth
     std::vector<ReentrantCorner> corners;
+    BoxRuns slitZones; // of each slit what of the piece it may shadow
+    BoxRuns cornerBoxes;
     double size = 0.0; // diagonal of its bounds
 };
 

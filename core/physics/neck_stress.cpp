@@ -21,11 +21,6 @@ constexpr int kGoldenSteps = 8;
 constexpr double kSquareLean = 0.017453292519943295;
 constexpr int kSquarings = 4;
 
-bool isLoaded(const AppliedForce &force)
-{
-    return !force.force.isZero(0.0) || !force.moment.isZero(0.0);
-}
-
 Neck inShadow(const Neck &neck)
 {
     Neck lit = neck;
@@ -60,46 +55,110 @@ bool isSlenderlyPressed(const CutForces &forces, const Neck &neck, const SheetMa
     return -forces.axial > kBucklingShare * euler;
 }
 
+/// How far the nearest force on one side of a cut is from a point, mm; endless without any.
+double distanceToForce(const SummedForces &forces, const PlusSites &plus, bool isPlus,
+                       const Vec2 &point)
+{
+    double least = std::numeric_limits<double>::infinity();
+    const auto look = [&](int place) {
+        if (forces.isLoaded(place))
+            least = std::min(least, (forces.at(place).at - point).norm());
+    };
+    for (const PlusSites::Near &near : plus.near)
+        if ((near.plus.share >= 0.5) == isPlus)
+            look(near.place);
+    const auto lookAlong = [&](int begin, int end) {
+        forces.sites().boxes().walk(
+            [&](const Box2 &box, std::size_t first, std::size_t last) {
+                const int from = std::max(begin, static_cast<int>(first));
+                const int to = std::min(end, static_cast<int>(last));
+                return from < to && forces.loaded(from, to) > 0 &&
+                       distanceToBox(box, point) < least;
+            },
+            [&](std::size_t i) {
+                const int place = static_cast<int>(i);
+                if (begin <= place && place < end && !plus.nearAt(place))
+                    look(place);
+                return false;
+            });
+    };
+    int from = 0;
+    for (const PlusSites::Run &run : plus.runs) {
+        isPlus ? lookAlong(run.begin, run.end) : lookAlong(from, run.begin);
+        from = run.end;
+    }
+    if (!isPlus)
+        lookAlong(from, forces.sites().size());
+    return least;
+}
+
+/// A force acts nearer to a neck's middle than it is long.
+bool isNearForce(const SummedForces &forces, const Neck &neck)
+{
+    const Vec2 middle = neck.middle();
+    return forces.sites().boxes().any(
+        [&](const Box2 &box) { return distanceToBox(box, middle) < neck.length; },
+        [&](std::size_t i) {
+            const int place = static_cast<int>(i);
+            const AppliedForce &force = forces.at(place);
+            return forces.isLoaded(place) &&
+                   (force.at - middle).norm() - force.radius < neck.length;
+        });
+}
+
+/// A force acts beside the holes that the cut crosses.
+bool isBesideHoles(const SummedForces &forces, const LineCut &cut, const Neck &neck)
+{
+    const Vec2 direction = cut.line.direction.cwiseAbs();
+    return forces.sites().boxes().any(
+        [&](const Box2 &box) {
+            const Vec2 half = 0.5 * box.size();
+            const double left = cut.line.across(box.min + half);
+            const double reach = half.x() * direction.y() + half.y() * direction.x();
+            return left - reach < neck.zoneMinus && -left - reach < neck.zonePlus;
+        },
+        [&](std::size_t i) {
+            const int place = static_cast<int>(i);
+            const double left = cut.line.across(forces.at(place).at);
+            return forces.isLoaded(place) && left < neck.zoneMinus && -left < neck.zonePlus;
+        });
+}
+
 NeckDoubts doubtsOf(const LoadedPiece &piece, const LineCut &cut, const Neck &neck,
-                    std::span<const PlusShare> shares, const CutForces &forces)
+                    const PlusSites &sites, const CutForces &forces)
 {
     NeckDoubts doubts;
     doubts.isStubby = neck.isStubby;
     doubts.isNearCorner = neck.isNearCorner;
     doubts.isCurved = neck.isCurved;
     doubts.isNarrow = neck.length < kPlateWidths * piece.sheet.thickness;
-    const Vec2 middle = neck.middle();
-    constexpr double kNone = std::numeric_limits<double>::infinity();
-    double plus = kNone, minus = kNone;
-    for (std::size_t i = 0; i < piece.forces.size(); ++i) {
-        if (!isLoaded(piece.forces[i]))
-            continue;
-        const double away = (piece.forces[i].at - middle).norm();
-        if (away - piece.forces[i].radius < neck.length || shares[i].isPartOfSlit())
-            doubts.isNearForce = true;
-        double &side = shares[i].share >= 0.5 ? plus : minus;
-        side = std::min(side, away);
-        const double left = cut.line.across(piece.forces[i].at);
-        if (cut.chords.size() > 1 && left < neck.zoneMinus && -left < neck.zonePlus)
-            doubts.isRedundant = true;
+    doubts.isNearForce =
+        std::any_of(sites.near.begin(), sites.near.end(),
+                    [&](const PlusSites::Near &near) {
+                        return near.plus.isPartOfSlit() && piece.forces.isLoaded(near.place);
+                    }) ||
+        isNearForce(piece.forces, neck);
+    doubts.isRedundant = cut.chords.size() > 1 && isBesideHoles(piece.forces, cut, neck);
+    if (cut.chords.size() == 1 && forces.axial < 0.0) {
+        double length = 0.0;
+        for (const bool isPlus : {true, false})
+            length += distanceToForce(piece.forces, sites, isPlus, neck.middle());
+        doubts.mayBuckle =
+            std::isfinite(length) && isSlenderlyPressed(forces, neck, piece.sheet, length);
     }
-    if (cut.chords.size() == 1 && plus < kNone && minus < kNone)
-        doubts.mayBuckle = isSlenderlyPressed(forces, neck, piece.sheet, plus + minus);
     return doubts;
 }
 
 /// Through a foot, or a load that is spread, which is wider than the neck: it presses on the tip
 /// beyond as much as on what is before, and bends neither.
-bool isWithinPatch(const LoadedPiece &piece, const Neck &neck, std::span<const PlusShare> shares)
+bool isWithinPatch(const LoadedPiece &piece, const Neck &neck, const PlusSites &sites)
 {
-    for (std::size_t i = 0; i < piece.forces.size(); ++i) {
-        const AppliedForce &force = piece.forces[i];
-        const bool isParted = shares[i].share > 0.0 && shares[i].share < 1.0;
+    return std::any_of(sites.near.begin(), sites.near.end(), [&](const PlusSites::Near &near) {
+        const AppliedForce &force = piece.forces.at(near.place);
+        const bool isParted = near.plus.share > 0.0 && near.plus.share < 1.0;
         const double least = force.kind == ForceKind::Foot ? piece.sheet.thickness : 0.0;
-        if (isParted && !shares[i].hasWalls && neck.length < std::max(2.0 * force.radius, least))
-            return true;
-    }
-    return false;
+        return isParted && !near.plus.hasWalls && neck.length < std::max(2.0 * force.radius, least);
+    });
 }
 
 struct FoundNeck
@@ -144,34 +203,47 @@ std::optional<FoundNeck> squareNeck(const PieceShape &shape, CutLine line, doubl
 
 } // namespace
 
-std::vector<NetForce> netForces(const PieceShape &shape, const std::vector<ForceSite> &sites,
-                                const std::vector<AppliedForce> &forces, const Vec3 &arealWeight)
+std::vector<PlusSites> onNetCuts(const PieceShape &shape, const ForceSites &sites)
 {
+    std::vector<PlusSites> plus;
+    for (const std::optional<LineCut> &cut : shape.netCuts)
+        plus.push_back(cut ? sites.onPlusSide(*cut) : PlusSites());
+    return plus;
+}
+
+std::vector<NetForce> netForces(const PieceShape &shape, const SummedForces &forces,
+                                const std::vector<PlusSites> &plus, const Vec3 &arealWeight)
+{
+    const SectionOutline &outline = shape.outline;
     std::vector<NetForce> nets(shape.slits.size());
-    std::vector<PlusShare> shares(sites.size());
     for (std::size_t i = 0; i < nets.size(); ++i) {
         if (!shape.netCuts[i])
             continue;
         const LineCut &cut = *shape.netCuts[i];
-        SideForce own; // what its own partner does to the slit
-        for (std::size_t k = 0; k < sites.size(); ++k) {
-            shares[k] = plusShare(cut, sites[k]);
-            const AppliedForce &f = forces[k];
-            if (f.kind != ForceKind::Link || (f.at - shape.slits[i].root).norm() > kSameRoot)
-                continue;
-            shares[k] = {};
-            own.force += f.force;
-            own.moment += SideForce{f.force, f.moment}.momentAbout(shape.outline.base(), f.at);
-        }
-        nets[i].plus = plusForce(shape.outline, cut, forces, shares, arealWeight);
-        nets[i].minus.force = -nets[i].plus.force - own.force;
-        nets[i].minus.moment = -nets[i].plus.moment - own.moment;
+        // Without what its own partner does to the slit.
+        PlusSites others = plus[i];
+        SideForce own;
+        const Vec2 root = shape.slits[i].root;
+        forces.sites().boxes().any(
+            [&root](const Box2 &box) { return distanceToBox(box, root) <= kSameRoot; },
+            [&](std::size_t k) {
+                const int place = static_cast<int>(k);
+                const AppliedForce &f = forces.at(place);
+                if (f.kind != ForceKind::Link || (f.at - root).norm() > kSameRoot)
+                    return false;
+                own += forces.sum(place, place + 1);
+                others.setNear(place, {});
+                return false;
+            });
+        nets[i].plus = plusForce(outline, cut, forces, others, arealWeight);
+        nets[i].minus -= nets[i].plus;
+        nets[i].minus -= own;
     }
     return nets;
 }
 
 NeckStress neckStress(const LoadedPiece &piece, const LineCut &cut, int chord, const Neck &neck,
-                      SampleKind kind, std::span<const PlusShare> shares, const SideForce &plus)
+                      SampleKind kind, const PlusSites &sites, const SideForce &plus)
 {
     const SectionOutline &outline = piece.shape.outline;
     NeckStress result;
@@ -181,10 +253,10 @@ NeckStress neckStress(const LoadedPiece &piece, const LineCut &cut, int chord, c
     result.length = neck.length;
     result.forces = forcesOn(outline, cut, chord, neck, plus);
     result.stress = nominalStress(result.forces, neck, piece.sheet, piece.notch);
-    if (std::any_of(shares.begin(), shares.end(),
-                    [](const PlusShare &share) { return share.isPartOfSlit(); })) {
+    if (std::any_of(sites.near.begin(), sites.near.end(),
+                    [](const PlusSites::Near &near) { return near.plus.isPartOfSlit(); })) {
         const SideForce tight =
-            plusForce(outline, cut, piece.forces, shares, piece.sheet.arealWeight, SlitFit::Tight);
+            plusForce(outline, cut, piece.forces, sites, piece.sheet.arealWeight, SlitFit::Tight);
         const CutForces forces = forcesOn(outline, cut, chord, neck, tight);
         const NominalStress stress = nominalStress(forces, neck, piece.sheet, piece.notch);
         if (stress.neck > result.stress.neck) {
@@ -209,17 +281,15 @@ NeckStress neckStress(const LoadedPiece &piece, const LineCut &cut, int chord, c
     const double strength = piece.sheet.strength;
     result.neckUse = strength > 0.0 ? result.stress.neck / strength : 0.0;
     result.cornerUse = strength > 0.0 ? result.stress.corner / strength : 0.0;
-    result.doubts = doubtsOf(piece, cut, neck, shares, result.forces);
-    result.isLocal = isWithinPatch(piece, neck, shares) ||
+    result.doubts = doubtsOf(piece, cut, neck, sites, result.forces);
+    result.isLocal = isWithinPatch(piece, neck, sites) ||
                      (neck.isCap && result.doubts.isNearForce &&
                       (kind == SampleKind::Grid || kind == SampleKind::Refined));
     return result;
 }
 
-std::optional<NeckStress> refined(const LoadedPiece &piece, const std::vector<ForceSite> &sites,
-                                  const Neck &seed, double spacing)
+std::optional<NeckStress> refined(const LoadedPiece &piece, const Neck &seed, double spacing)
 {
-    std::vector<PlusShare> shares(sites.size());
     std::optional<NeckStress> best;
     Vec2 across = seed.across; // what is square at one place nearly is at the next
     const auto use = [&](double shift) {
@@ -229,12 +299,11 @@ std::optional<NeckStress> refined(const LoadedPiece &piece, const std::vector<Fo
             return 0.0;
         across = found->neck.across;
         const LineCut &cut = found->cut.cut;
-        std::transform(sites.begin(), sites.end(), shares.begin(),
-                       [&cut](const ForceSite &site) { return plusShare(cut, site); });
+        const PlusSites sites = piece.forces.sites().onPlusSide(cut);
         const SideForce plus =
-            plusForce(piece.shape.outline, cut, piece.forces, shares, piece.sheet.arealWeight);
-        const NeckStress here = neckStress(piece, cut, found->cut.chord, found->neck,
-                                           SampleKind::Refined, shares, plus);
+            plusForce(piece.shape.outline, cut, piece.forces, sites, piece.sheet.arealWeight);
+        const NeckStress here =
+            neckStress(piece, cut, found->cut.chord, found->neck, SampleKind::Refined, sites, plus);
         if (here.isLocal)
             return 0.0;
         if (!best || here.neckUse > best->neckUse)

@@ -11,25 +11,28 @@ struct NetForce
     SideForce plus, minus;
 };
 
-std::vector<NetForce> netForces(const PieceShape &shape, const std::vector<ForceSite> &sites,
-                                const std::vector<AppliedForce> &forces, const Vec3 &arealWeight);
+/// plus  of each slit's net cut; nothing where it has none
+std::vector<NetForce> netForces(const PieceShape &shape, const SummedForces &forces,
+                                const std::vector<PlusSites> &plus, const Vec3 &arealWeight);
+/// Of each slit's net cut.
+std::vector<PlusSites> onNetCuts(const PieceShape &shape, const ForceSites &sites);
 
 struct LoadedPiece
 {
     const PieceShape &shape;
-    const std::vector<AppliedForce> &forces;
+    const SummedForces &forces;
     const SheetMaterial &sheet;
     const NotchRule &notch;
     std::vector<NetForce> nets; // of the shape's slits
 };
 
-/// `shares`: of the forces, on this cut.
+/// sites  on the plus side of this cut
+/// plus   what they and the weight come to
 NeckStress neckStress(const LoadedPiece &piece, const LineCut &cut, int chord, const Neck &neck,
-                      SampleKind kind, std::span<const PlusShare> shares, const SideForce &plus);
+                      SampleKind kind, const PlusSites &sites, const SideForce &plus);
 
 /// The worst cut square to a member, along it by golden section, `spacing` mm to both sides of
 /// where `seed` is. Nothing if there is no neck there.
-std::optional<NeckStress> refined(const LoadedPiece &piece, const std::vector<ForceSite> &sites,
-                                  const Neck &seed, double spacing);
+std::optional<NeckStress> refined(const LoadedPiece &piece, const Neck &seed, double spacing);
 
 } // namespace fff

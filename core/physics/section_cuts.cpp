@@ -120,12 +120,16 @@ void SectionCuts::addSlit(const SlitLine &slit)
     for (const double sign : {-0.5, 0.5}) {
         Vec2 corner = slit.root + sign * slit.width * side;
         double least = kCornerReach;
-        for (const ReentrantCorner &c : m_shape.corners) {
-            if (const double away = (c.at - corner).norm(); away < least) {
-                least = away;
-                corner = c.at;
-            }
-        }
+        const Vec2 wanted = corner;
+        m_shape.cornerBoxes.any([&](const Box2 &box) { return distanceToBox(box, wanted) < least; },
+                                [&](std::size_t i) {
+                                    const Vec2 &at = m_shape.corners[i].at;
+                                    if (const double away = (at - wanted).norm(); away < least) {
+                                        least = away;
+                                        corner = at;
+                                    }
+                                    return false;
+                                });
         if (least == kCornerReach) // rounded off
             corner = m_shape.outline.nearest(corner).at;
         for (int k = -kFanSteps; k <= kFanSteps; ++k)
@@ -145,27 +149,19 @@ void SectionCuts::addLigament(const ReentrantCorner &corner)
                           outline.outward(corner.ring, corner.vertex));
     double least = std::numeric_limits<double>::infinity();
     Vec2 nearest = Vec2::Zero();
-    for (std::size_t ring = 0; ring < outline.rings().size(); ++ring) {
-        const Polygon &points = outline.rings()[ring];
-        const bool isOwn = static_cast<int>(ring) == corner.ring;
-        for (std::size_t i = 0, j = points.size() - 1; i < points.size(); j = i++) {
-            const int edge = static_cast<int>(j), next = static_cast<int>(i);
-            if (isOwn && (edge == corner.vertex || next == corner.vertex))
-                continue;
-            const Vec2 box = (points[i].cwiseMin(points[j]) - corner.at)
-                                 .cwiseMax(corner.at - points[i].cwiseMax(points[j]))
-                                 .cwiseMax(0.0);
-            if (box.norm() >= least)
-                continue;
-            const auto p = cone.nearest(points[j] - corner.at, points[i] - corner.at);
-            if (p && p->norm() <= kMinLigament) {
-                m_isPinched = true;
-            } else if (p && p->norm() < least) {
-                least = p->norm();
-                nearest = *p;
-            }
+    outline.visitNear(corner.at, least, [&](int ring, int edge) {
+        const int count = static_cast<int>(outline.rings()[static_cast<std::size_t>(ring)].size());
+        if (ring == corner.ring && (edge == corner.vertex || (edge + 1) % count == corner.vertex))
+            return;
+        const auto p = cone.nearest(outline.vertex(ring, edge) - corner.at,
+                                    outline.vertex(ring, edge + 1) - corner.at);
+        if (p && p->norm() <= kMinLigament) {
+            m_isPinched = true;
+        } else if (p && p->norm() < least) {
+            least = p->norm();
+            nearest = *p;
         }
-    }
+    });
     if (least < std::numeric_limits<double>::infinity())
         addFrom({corner.at, nearest / least}, SampleKind::Ligament);
 }

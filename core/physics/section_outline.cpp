@@ -19,11 +19,6 @@ constexpr double kCutBase = 1024.0;
 /// An inside angle of more is a corner that weakens (200°): its sine and cosine beyond 180°.
 constexpr double kReentrantSine = 0.3420201433256687;
 
-double distanceToBox(const Box2 &box, const Vec2 &p)
-{
-    return (box.min - p).cwiseMax(p - box.max).cwiseMax(0.0).norm();
-}
-
 Polygon withoutRepeats(const Polygon &ring)
 {
     Polygon kept;

@@ -20,6 +20,12 @@ struct CutLine
     Vec2 at(double s) const { return point + s * direction; }
 };
 
+/// 0 inside, mm.
+inline double distanceToBox(const Box2 &box, const Vec2 &p)
+{
+    return (box.min - p).cwiseMax(p - box.max).cwiseMax(0.0).norm();
+}
+
 /// Area and ∫ position dA of it (mm², mm³).
 struct AreaMoment
 {
@@ -94,6 +100,18 @@ public:
     /// the line).
     bool crossings(const CutLine &line, int zero, std::vector<OutlineCrossing> &found) const;
 
+    /// Calls visit(ring, edge) for all edges that are nearer to the point than `reach` mm, which
+    /// the call may lower, and for some more, in their order.
+    template <class Visit>
+    void visitNear(const Vec2 &point, const double &reach, Visit visit) const
+    {
+        for (std::size_t ring = 0; ring < m_rings.size(); ++ring)
+            m_edges[ring].any([&](const Box2 &box) { return distanceToBox(box, point) < reach; },
+                              [&](std::size_t edge) {
+                                  visit(static_cast<int>(ring), static_cast<int>(edge));
+                                  return false;
+                              });
+    }
     OutlinePoint nearest(const Vec2 &point) const;
     /// The straight way between two points of the material meets no edge; touching is meeting,
     /// except within `slack` mm of its ends.

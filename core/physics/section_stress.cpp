@@ -62,8 +62,8 @@ bool isBeside(const Neck &neck, const Neck &other, double reach)
 }
 
 /// Moves the worst lines of the grid, each in a bracket of its own, to where it is worst.
-void refineWorst(const SectionCuts &cuts, const CutShares &shares, const LoadedPiece &piece,
-                 int count, std::vector<NeckStress> &necks)
+void refineWorst(const SectionCuts &cuts, const LoadedPiece &piece, int count,
+                 std::vector<NeckStress> &necks)
 {
     const std::vector<CutSample> &samples = cuts.samples();
     for (int k = 0; k < count; ++k) {
@@ -76,7 +76,7 @@ void refineWorst(const SectionCuts &cuts, const CutShares &shares, const LoadedP
         if (worst < 0)
             return;
         const Neck &seed = samples[static_cast<std::size_t>(worst)].neck;
-        const auto found = refined(piece, shares.sites, seed, cuts.spacing());
+        const auto found = refined(piece, seed, cuts.spacing());
         if (!found)
             return;
         necks.push_back(*found);
@@ -111,11 +111,11 @@ CutShares cutShares(const SectionCuts &cuts, const std::vector<AppliedForce> &gi
     CutShares result;
     if (cuts.shape().outline.isEmpty())
         return result;
-    result.sites = forceSites(cuts.shape().outline, usable(given), thickness);
-    result.shares.reserve(cuts.cuts().size() * result.sites.size());
+    result.sites = ForceSites(cuts.shape().outline, usable(given), thickness);
+    result.cuts.reserve(cuts.cuts().size());
     for (const LineCut &cut : cuts.cuts())
-        for (const ForceSite &site : result.sites)
-            result.shares.push_back(plusShare(cut, site));
+        result.cuts.push_back(result.sites.onPlusSide(cut));
+    result.nets = onNetCuts(cuts.shape(), result.sites);
     return result;
 }
 
@@ -128,8 +128,9 @@ SectionStress stressOf(const SectionCuts &cuts, const CutShares &shares,
         return result;
     const std::vector<AppliedForce> forces = usable(given);
     const PieceShape &shape = cuts.shape();
-    const LoadedPiece piece{shape, forces, sheet, options.notch,
-                            netForces(shape, shares.sites, forces, sheet.arealWeight)};
+    const SummedForces summed(shape.outline, shares.sites, forces);
+    const LoadedPiece piece{shape, summed, sheet, options.notch,
+                            netForces(shape, summed, shares.nets, sheet.arealWeight)};
     result.imbalance = allForce(shape.outline, forces, sheet.arealWeight);
     result.imbalanceShare = shareOf(cuts, result.imbalance, forces, sheet.arealWeight);
     result.necks.reserve(cuts.samples().size() + static_cast<std::size_t>(options.refined));
@@ -139,12 +140,12 @@ SectionStress stressOf(const SectionCuts &cuts, const CutShares &shares,
         const auto index = static_cast<std::size_t>(sample.cut);
         const LineCut &cut = cuts.cuts()[index];
         if (sample.cut != last)
-            plus = plusForce(shape.outline, cut, forces, shares.ofCut(index), sheet.arealWeight);
+            plus = plusForce(shape.outline, cut, summed, shares.cuts[index], sheet.arealWeight);
         last = sample.cut;
         result.necks.push_back(neckStress(piece, cut, sample.chord, sample.neck, sample.kind,
-                                          shares.ofCut(index), plus));
+                                          shares.cuts[index], plus));
     }
-    refineWorst(cuts, shares, piece, options.refined, result.necks);
+    refineWorst(cuts, piece, options.refined, result.necks);
     findWorst(result);
     result.isWorkedOut =
         result.worstNeck >= 0 && !cuts.isPinched() &&
@@ -171,14 +172,13 @@ std::optional<NeckStress> stressOnLine(const PieceShape &shape,
         return std::nullopt;
     const std::vector<AppliedForce> forces = usable(given);
     const Neck neck = neckOf(shape, found->cut, found->chord);
-    std::vector<PlusShare> shares;
-    const std::vector<ForceSite> sites = forceSites(shape.outline, forces, sheet.thickness);
-    for (const ForceSite &site : sites)
-        shares.push_back(plusShare(found->cut, site));
-    const SideForce plus = plusForce(shape.outline, found->cut, forces, shares, sheet.arealWeight);
-    const LoadedPiece piece{shape, forces, sheet, notch,
-                            netForces(shape, sites, forces, sheet.arealWeight)};
-    return neckStress(piece, found->cut, found->chord, neck, SampleKind::Given, shares, plus);
+    const ForceSites sites(shape.outline, forces, sheet.thickness);
+    const SummedForces summed(shape.outline, sites, forces);
+    const PlusSites onPlus = sites.onPlusSide(found->cut);
+    const SideForce plus = plusForce(shape.outline, found->cut, summed, onPlus, sheet.arealWeight);
+    const LoadedPiece piece{shape, summed, sheet, notch,
+                            netForces(shape, summed, onNetCuts(shape, sites), sheet.arealWeight)};
+    return neckStress(piece, found->cut, found->chord, neck, SampleKind::Given, onPlus, plus);
 }
 
 } // namespace fff

@@ -54,13 +54,9 @@ struct StressOptions
 /// the cuts live); the forces themselves may change.
 struct CutShares
 {
-    std::vector<ForceSite> sites;
-    std::vector<PlusShare> shares; // [cut · sites + site]
-
-    std::span<const PlusShare> ofCut(std::size_t cut) const
-    {
-        return std::span(shares).subspan(cut * sites.size(), sites.size());
-    }
+    ForceSites sites;
+    std::vector<PlusSites> cuts; // of each cut
+    std::vector<PlusSites> nets; // of each slit's net cut
 };
 
 /// `thickness` of the sheet, mm.
@@ -86,7 +82,8 @@ struct SectionStress
 /// `forces` with the weight are in equilibrium; if they are not, that is reported and the plus
 /// side's are taken, not a mean of both (which would hide it). Forces that are no numbers
 /// count as none, and it is then not worked out.
-/// O(samples · forces), and some cuts more for what is refined.
+/// O(forces + samples · (log forces + forces near the cut)), and some cuts more for what is
+/// refined.
 SectionStress stressOf(const SectionCuts &cuts, const CutShares &shares,
                        const std::vector<AppliedForce> &forces, const SheetMaterial &sheet,
                        const StressOptions &options = {});

@@ -8,6 +8,7 @@ target_sources(fff_core PRIVATE
     physics/cut_sides.cpp
     physics/elastic_equilibrium.cpp
     physics/equilibrium.cpp
+    physics/force_sites.cpp
     physics/indeterminacy.cpp
     physics/least_energy.cpp
     physics/line_cut.cpp

@@ -20,8 +20,9 @@ Message thinSentence(const Finding &finding, const Model &model)
         : web.isByAHole
             ? FFF_TEXT("Checks", "%1: only %2 stay between its slit for %3 and a hole.")
             : FFF_TEXT("Checks", "%1: only %2 stay between its slit for %3 and its edge.");
-    // Lengths are said to a tenth: what is next to nothing must not read as nothing.
-    const Quantity width = web.width < 0.1 ? widthOf(web.width) : lengthOf(web.width);
+    // Lengths are said to a tenth, widths to a hundredth: what is left must not read as nothing.
+    const Quantity width =
+        web.width < 0.1 ? widthOf(std::max(web.width, 0.01)) : lengthOf(web.width);
     return {text, {nameAt(finding, model, 0), width, namesOf(model, finding.others)}};
 }
 

@@ -69,6 +69,7 @@ class TestLineCut : public QObject
 private Q_SLOTS:
     void sidesAreThoseOfClipper();
     void forcesAreOnTheirSides();
+    void sumsAreThoseOfEachForce();
     void bothSidesAgree();
     void ringsMayRunEitherWay();
     void thousandsOfVertices();
@@ -135,6 +136,63 @@ void TestLineCut::forcesAreOnTheirSides()
     QVERIFY(!isOnPlusSide(cuts[0], held(u, {10, 45})));
     QVERIFY(isOnPlusSide(cuts[1], held(u, {10, 45})));
     QVERIFY(!isOnPlusSide(cuts[1], held(u, {50, 45})));
+}
+
+void TestLineCut::sumsAreThoseOfEachForce()
+{
+    // Wrong: what is summed along the boundary is not what all forces on that side come to, looked
+    // at one by one.
+    std::mt19937 random(7);
+    std::uniform_real_distribution<double> place(-55, 55), angle(0, std::numbers::pi),
+        newton(-9, 9);
+    int compared = 0, parted = 0, whole = 0;
+    for (int i = 0; i < 300; ++i) {
+        const Region region = starWithHoles(random);
+        const SectionOutline outline(region);
+        std::vector<AppliedForce> forces;
+        for (int k = 0; k < 40; ++k) {
+            AppliedForce force;
+            force.at = {place(random), place(random)};
+            if (locate(force.at, region) != Side::Inside)
+                continue;
+            force.kind = static_cast<ForceKind>(random() % 3);
+            force.force = {newton(random), newton(random), newton(random)};
+            force.moment = {newton(random), newton(random), newton(random)};
+            force.radius = random() % 2 ? 0.1 * std::abs(newton(random)) : 0.0;
+            if (force.kind == ForceKind::Link) {
+                force.at = outline.nearest(force.at).at;
+                const double a = 2.0 * angle(random);
+                force.slit = {force.at,
+                              {std::cos(a), std::sin(a)},
+                              random() % 2 ? 0.0 : std::abs(newton(random)),
+                              3.0};
+            }
+            forces.push_back(force);
+        }
+        const ForceSites sites(outline, forces, 3.0);
+        const SummedForces summed(outline, sites, forces);
+        const double a = angle(random);
+        const CutLine line{{0.5 * place(random), 0.5 * place(random)}, {std::cos(a), std::sin(a)}};
+        std::vector<LineCut> cuts;
+        cutsOn(outline, line, 1, cuts);
+        for (const LineCut &cut : cuts) {
+            PlusSites each; // no run: all one by one
+            for (int p = 0; p < sites.size(); ++p)
+                each.near.push_back({p, plusShare(cut, sites.at(p))});
+            const PlusSites found = sites.onPlusSide(cut);
+            for (const SlitFit fit : {SlitFit::Loose, SlitFit::Tight}) {
+                const SideForce one = plusForce(outline, cut, summed, each, {1, 2, 3}, fit),
+                                all = plusForce(outline, cut, summed, found, {1, 2, 3}, fit);
+                QVERIFY((one.force - all.force).norm() < 1e-9);
+                QVERIFY((one.moment - all.moment).norm() < 1e-7);
+            }
+            ++compared;
+            parted += static_cast<int>(found.near.size());
+            whole += sites.size() - static_cast<int>(found.near.size());
+        }
+    }
+    QVERIFY2(compared > 300 && parted > 500 && whole > 3000,
+             qPrintable(QStringLiteral("%1 %2 %3").arg(compared).arg(parted).arg(whole)));
 }
 
 void TestLineCut::bothSidesAgree()
