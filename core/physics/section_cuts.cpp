@@ -1,5 +1,7 @@
 #include "core/physics/section_cuts.h"
 
+#include "core/base/tolerances.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -25,6 +27,8 @@ constexpr double kCornerReach = 0.5;
 /// A ligament leans by no more than this from being square to an edge of its corner (40°, radians):
 /// else it would run along the corner's own walls.
 constexpr double kLigamentLean = 0.6981317007977318;
+/// Lines this near are one, mm.
+constexpr double kSameLine = 1e-6;
 /// Lines of one direction at the most, whatever the spacing given.
 constexpr int kMaxLines = 1000;
 
@@ -138,8 +142,24 @@ void SectionCuts::addSlit(const SlitLine &slit)
     }
     addFrom({m_shape.outline.nearest(slit.root).at, -slit.opening}, SampleKind::NetSection);
     const CutLine below{slit.root - kBelowRoot * slit.opening, side};
-    if (auto cut = cutAt(m_shape.outline, below, 0.0, 0.0))
+    if (isKnown(below))
+        return;
+    if (auto cut = cutAt(m_shape.outline, below, 0.0, 0.0)) {
+        const Chord &chord = cut->cut.chords[static_cast<std::size_t>(cut->chord)];
+        m_squareNets.push_back({below, chord.from, chord.to});
         addChords(std::move(cut->cut), cut->chord, SampleKind::NetSection);
+    }
+}
+
+/// Slits that are cut to one height have one line square to them.
+bool SectionCuts::isKnown(const CutLine &line) const
+{
+    return std::any_of(m_squareNets.begin(), m_squareNets.end(), [&line](const Stretch &known) {
+        const double along = known.line.along(line.point);
+        return known.from < along && along < known.to &&
+               std::abs(known.line.across(line.point)) < kSameLine &&
+               std::abs(cross(known.line.direction, line.direction)) < kSameDirection;
+    });
 }
 
 void SectionCuts::addLigament(const ReentrantCorner &corner)
