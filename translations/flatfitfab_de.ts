@@ -992,6 +992,10 @@
         <source>How much it would bear could not be worked out.</source>
         <translation>Wie viel es trüge, konnte nicht ermittelt werden.</translation>
     </message>
+    <message>
+        <source>Use thicker stock</source>
+        <translation>Dickeres Material nehmen</translation>
+    </message>
 </context>
 <context>
     <name>Command</name>
@@ -5313,6 +5317,11 @@
         <source>Remove a weight</source>
         <translation>Gewicht entfernen</translation>
     </message>
+    <message>
+        <source>Make %1 %2 thick</source>
+        <extracomment>%1 is the name of a stock, %2 a length</extracomment>
+        <translation>%1 auf %2 Dicke ändern</translation>
+    </message>
 </context>
 <context>
     <name>fff::SectionNames</name>
@@ -5453,10 +5462,6 @@
         <translation>--view: gefunden: „%1“, erwartet eines von: %2.</translation>
     </message>
     <message>
-        <source>--show: found &quot;%1&quot;, expected labels, checks or both with a comma.</source>
-        <translation>--show: gefunden: „%1“, erwartet: labels, checks oder beide mit Komma.</translation>
-    </message>
-    <message>
         <source>The PNG file to write; - is standard output.</source>
         <translation>Die PNG-Datei, die geschrieben wird; - ist die Standardausgabe.</translation>
     </message>
@@ -5467,10 +5472,6 @@
     <message>
         <source>iso1 to iso4, front, right, top, left, back, bottom, or fit: the front again (iso1).</source>
         <translation>iso1 bis iso4, front, right, top, left, back, bottom oder fit: wieder die Vorderseite (iso1).</translation>
-    </message>
-    <message>
-        <source>labels: the sections&apos; names; checks: outlines what has a problem.</source>
-        <translation>labels: die Namen der Scheiben; checks: umrandet, was ein Problem hat.</translation>
     </message>
     <message>
         <source>A picture needs a display with OpenGL 3.3; there is none.</source>
@@ -5764,6 +5765,18 @@
     <message>
         <source>How sections bend could not be worked out; they are taken for rigid.</source>
         <translation>Wie sich die Scheiben biegen, konnte nicht ermittelt werden; sie gelten als starr.</translation>
+    </message>
+    <message>
+        <source>--show: found &quot;%1&quot;, expected labels, checks, stress, forces, or several with commas.</source>
+        <translation>--show: „%1“ gefunden, erwartet labels, checks, stress, forces oder mehrere mit Komma.</translation>
+    </message>
+    <message>
+        <source>%1: no forces are shown, as it does not stand, or they could not be worked out. &quot;check&quot; says why.</source>
+        <translation>%1: Es werden keine Kräfte gezeigt, denn es steht nicht, oder sie konnten nicht ermittelt werden. „check“ sagt, warum.</translation>
+    </message>
+    <message>
+        <source>labels: the sections&apos; names; checks: outlines what has a problem; stress: the weakest cross-sections; forces: what feet and joints bear.</source>
+        <translation>labels: die Namen der Teile; checks: umrandet, was ein Problem hat; stress: die schwächsten Querschnitte; forces: was Füße und Verbindungen tragen.</translation>
     </message>
 </context>
 <context>
@@ -6667,6 +6680,14 @@
     <message>
         <source>Y</source>
         <translation>Y</translation>
+    </message>
+</context>
+<context>
+    <name>fff::ui::ForceMarks</name>
+    <message>
+        <source>pulled open, %1&#x202f;N</source>
+        <extracomment>%1 is a force in newtons</extracomment>
+        <translation>aufgezogen, %1&#x202f;N</translation>
     </message>
 </context>
 <context>
@@ -9122,6 +9143,71 @@
     </message>
 </context>
 <context>
+    <name>fff::ui::StressCard</name>
+    <message>
+        <source>%1&#x202f;MPa, %2&#x202f;%</source>
+        <extracomment>%1 is a stress in megapascals, %2 a number of percent</extracomment>
+        <translation>%1&#x202f;MPa, %2&#x202f;%</translation>
+    </message>
+    <message>
+        <source>In the neck</source>
+        <translation>An der engsten Stelle</translation>
+    </message>
+    <message>
+        <source>At its corner</source>
+        <translation>An ihrer Ecke</translation>
+    </message>
+    <message>
+        <source>Bent in its plane</source>
+        <translation>In der Ebene gebogen</translation>
+    </message>
+    <message>
+        <source>Bent across the sheet</source>
+        <translation>Quer zur Platte gebogen</translation>
+    </message>
+    <message>
+        <source>Pressed along</source>
+        <translation>Längs gedrückt</translation>
+    </message>
+    <message>
+        <source>Pulled along</source>
+        <translation>Längs gezogen</translation>
+    </message>
+    <message>
+        <source>Sheared</source>
+        <translation>Abgeschert</translation>
+    </message>
+    <message>
+        <source>Twisted</source>
+        <translation>Verdreht</translation>
+    </message>
+    <message>
+        <source>So slender that it may buckle before it breaks.</source>
+        <translation>So schlank, dass es knicken kann, bevor es bricht.</translation>
+    </message>
+    <message>
+        <source>Uncertain: forces act beside the holes that it crosses.</source>
+        <translation>Unsicher: Neben den Löchern, über die er geht, wirken Kräfte.</translation>
+    </message>
+    <message>
+        <source>A rough number: it is too short, or too near a force, for a bar.</source>
+        <translation>Eine grobe Zahl: Für einen Stab ist er zu kurz oder einer Kraft zu nah.</translation>
+    </message>
+    <message>
+        <source>It would crack at its corner first.</source>
+        <translation>Zuerst risse es an der Ecke.</translation>
+    </message>
+    <message>
+        <source>It would break straight across.</source>
+        <translation>Es bräche gerade durch.</translation>
+    </message>
+    <message>
+        <source>%1&#x202f;%</source>
+        <extracomment>%1 is a number of percent</extracomment>
+        <translation>%1&#x202f;%</translation>
+    </message>
+</context>
+<context>
     <name>fff::ui::StressMarks</name>
     <message>
         <source>Stress</source>
@@ -9131,6 +9217,11 @@
         <source>%1&#x202f;%</source>
         <extracomment>%1 is a number of percent</extracomment>
         <translation>%1&#x202f;%</translation>
+    </message>
+    <message>
+        <source>Nothing above %1&#x202f;%</source>
+        <extracomment>%1 is a number of percent</extracomment>
+        <translation>Nichts über %1&#x202f;%</translation>
     </message>
 </context>
 <context>

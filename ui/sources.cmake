@@ -25,6 +25,7 @@ target_sources(fff_ui PRIVATE
     bench/status_line.cpp
     bench/touch_input.cpp
     bench/view_input.cpp
+    bench/stress_picture.cpp
     bench/viewport.cpp
     bench/workbench.cpp
     cards/card_grid.cpp

@@ -5,6 +5,7 @@
 #include "core/fabrication/wholeness.h"
 #include "core/operations/evaluate.h"
 #include "ui/view/offscreen_image.h"
+#include "ui/view/stress_marks.h"
 
 #include <QBuffer>
 #include <QFileInfo>
@@ -27,7 +28,7 @@ QString tr(const char *text)
 
 struct Picture : PictureOptions
 {
-    bool showsLabels = false, showsChecks = false;
+    bool showsLabels = false, showsChecks = false, showsStress = false, showsForces = false;
 };
 
 /// What was asked for, or why not.
@@ -49,8 +50,13 @@ QString readPicture(const QCommandLineParser &parser, Picture &picture)
             picture.showsLabels = true;
         else if (what == QStringLiteral("checks"))
             picture.showsChecks = true;
+        else if (what == QStringLiteral("stress"))
+            picture.showsStress = true;
+        else if (what == QStringLiteral("forces"))
+            picture.showsForces = true;
         else
-            return tr("--show: found \"%1\", expected labels, checks or both with a comma.")
+            return tr("--show: found \"%1\", expected labels, checks, stress, forces, or several "
+                      "with commas.")
                 .arg(what);
     }
     return {};
@@ -106,6 +112,37 @@ void drawLabels(const Analysis &analysis, const Camera &camera, const Vec2 &view
     }
 }
 
+/// Why there is nothing to be seen is said; the picture is made all the same.
+void drawStrength(const Analysis &analysis, const Picture &picture, const Camera &camera,
+                  const QString &file, QImage &image)
+{
+    StrengthCaches caches;
+    ui::StressMarks marks;
+    const Strength strength = strengthOf(analysis, StrengthRules(), caches);
+    if (!areStressesKnown(strength)) {
+        printError(tr("%1: no forces are shown, as it does not stand, or they could not be worked "
+                      "out. \"check\" says why.")
+                       .arg(file));
+        return;
+    }
+    marks.analysis = std::make_shared<const Analysis>(analysis);
+    if (picture.showsStress)
+        marks.lines = stressLines(analysis, strength, marks.least);
+    if (picture.showsForces) {
+        marks.forces = ui::footForces(strength);
+        for (const ui::ForceMark &mark : ui::jointForces(analysis, strength))
+            marks.forces.push_back(mark);
+    }
+    QPainter painter(&image);
+    painter.setRenderHint(QPainter::Antialiasing);
+    const ui::ViewStyle style;
+    ui::MarkPen pen(painter, camera, picture.size, style);
+    if (picture.showsStress)
+        ui::paintStress(pen, marks, ViewState(), QLocale());
+    else
+        ui::paintForces(pen, marks.forces, false, QLocale());
+}
+
 } // namespace
 
 int runRender(const QStringList &arguments)
@@ -115,9 +152,11 @@ int runRender(const QStringList &arguments)
                       tr("The PNG file to write; - is standard output."),
                       QStringLiteral("OUT")});
     addPictureOptions(parser);
-    parser.addOption({QStringLiteral("show"),
-                      tr("labels: the sections' names; checks: outlines what has a problem."),
-                      QStringLiteral("WHAT,...")});
+    parser.addOption(
+        {QStringLiteral("show"),
+         tr("labels: the sections' names; checks: outlines what has a problem; stress: "
+            "the weakest cross-sections; forces: what feet and joints bear."),
+         QStringLiteral("WHAT,...")});
     addDocumentOptions(parser);
     const Verb &verb = verbNamed("render");
     const Arguments parsed = parse(parser, verb, arguments, 1);
@@ -151,6 +190,8 @@ int runRender(const QStringList &arguments)
         printError(tr("A picture needs a display with OpenGL 3.3; there is none."));
         return CannotWrite;
     }
+    if (picture.showsStress || picture.showsForces)
+        drawStrength(analysis, picture, camera, parsed.files.first(), image);
     if (picture.showsLabels)
         drawLabels(analysis, camera, picture.size, image);
     QBuffer png;

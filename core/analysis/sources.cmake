@@ -25,6 +25,7 @@ target_sources(fff_core PRIVATE
     analysis/findings/sheet_fit.cpp
     analysis/findings/standing.cpp
     analysis/findings/strength_findings.cpp
+    analysis/findings/strengthening.cpp
     analysis/findings/thin_webs.cpp
     analysis/findings/total_mass.cpp
     analysis/findings/touching_pairs.cpp

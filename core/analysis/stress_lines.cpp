@@ -63,7 +63,7 @@ std::vector<StressLine> stressLines(const Analysis &analysis, const Strength &st
             lines.push_back({index, analysis.bodies.sectionOf(index), frame.toWorld(line->begin),
                              frame.toWorld(line->end), frame.normal(),
                              0.5 * analysis.bodies.at(index).thickness(), line->cornerUse,
-                             body.strength.value_or(0.0)});
+                             body.strength.value_or(0.0), *line});
     }
     std::stable_sort(lines.begin(), lines.end(),
                      [](const StressLine &a, const StressLine &b) { return a.use < b.use; });

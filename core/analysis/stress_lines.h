@@ -16,6 +16,7 @@ struct StressLine
     double half = 0.0;                           // of its thickness, mm
     double use = 0.0;                            // of what the sheet bears; 1 is all of it
     double limit = 0.0;                          // MPa, what it bears
+    NeckStress stress;
 };
 
 /// Whether forces are known and can be trusted; else nothing is shown of the stresses.

@@ -75,6 +75,31 @@ std::optional<Grip> gripAt(const JointGrips &grips, const LinkSide &a, const Lin
     return {};
 }
 
+/// How deep both walls of a slit are, no deeper than what is in it, mm: where the outline is round,
+/// they end before its middle does. Of a slit with one wall that one.
+double wallDepth(const LinkSide &side, double depth)
+{
+    const Slit &slit = *side.slit;
+    const Vec2 way = (slit.mouth - slit.inner).normalized();
+    std::array<double, 2> ends{};
+    for (const std::size_t wall : {0U, 1U}) {
+        const double beside = (wall == 0 ? 1.0 : -1.0) * (0.5 * slit.width + kGripWall);
+        const PlaneLine line{slit.inner + beside * perpendicular(way), way};
+        double longest = 0.0;
+        for (const CurvedRegion &piece : side.cut->parts())
+            for (const Interval &interval : intervalsOn(line, piece.region)) {
+                const double from = std::max(0.0, interval.from.at);
+                const double to = std::min(depth, interval.to.at);
+                if (to - from > longest) {
+                    longest = to - from;
+                    ends[wall] = to;
+                }
+            }
+    }
+    const auto [least, most] = std::minmax(ends[0], ends[1]);
+    return least > 0.0 ? least : most > 0.0 ? most : depth;
+}
+
 /// The slit as far as the other section is in it, or a point.
 SlitLine lineOf(const LinkSide &side, const Vec3 &point, double depth)
 {
@@ -86,7 +111,7 @@ SlitLine lineOf(const LinkSide &side, const Vec3 &point, double depth)
     line.width = side.slit->width;
     if (side.slit->isOpen) {
         line.root = side.slit->inner;
-        line.depth = depth;
+        line.depth = wallDepth(side, depth);
     }
     return line;
 }

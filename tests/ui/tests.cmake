@@ -1,4 +1,4 @@
-fff_tests(tests_view LIBRARIES fff::view
+fff_tests(tests_view LIBRARIES fff::view fff::session
     TESTS
         ui/tst_slab_mesh
         ui/view/tst_cut_caps
@@ -7,10 +7,12 @@ fff_tests(tests_view LIBRARIES fff::view
         ui/view/tst_signs
         ui/view/tst_slit_covers
         ui/view/tst_steps_paper
+        ui/view/tst_stress_marks
     ON_A_DISPLAY # pictures need its OpenGL
         ui/tst_offscreen_image
         ui/view/tst_renderer
     ALONE ui/view/tst_renderer)
+target_compile_definitions(tests_view PRIVATE FFF_SAMPLES="${CMAKE_SOURCE_DIR}/resources/samples")
 
 fff_tests(tests_ui LIBRARIES fff::ui TESTS
     ui/actions/tst_action_finder

@@ -53,7 +53,8 @@ bool Viewport::Seen::isSamePicture(const Seen &other) const
 }
 
 Viewport::Viewport(Workbench &bench, QWidget *parent)
-    : QOpenGLWidget(parent), m_bench(bench), m_input(bench, nullptr), m_touch(bench, nullptr)
+    : QOpenGLWidget(parent), m_bench(bench), m_input(bench, nullptr), m_touch(bench, nullptr),
+      m_stress(bench)
 {
     // The renderer smooths edges by itself, and marks are painted smoothly.
     QSurfaceFormat plain = QSurfaceFormat::defaultFormat();
@@ -105,16 +106,7 @@ Viewport::Viewport(Workbench &bench, QWidget *parent)
             m_triedBuilder.setAnalysis(m_bench.tried());
         rebuildScene();
     });
-    const auto stressChanged = [this] {
-        if (m_bench.interaction().view().showsStress)
-            update();
-    };
-    connect(&bench.session().scheduler(), &Scheduler::published, this,
-            [stressChanged](std::string_view stage) {
-                if (stage == kHolding.name)
-                    stressChanged();
-            });
-    connect(&bench.session().scheduler(), &Scheduler::aged, this, stressChanged);
+    connect(&m_stress, &StressPicture::changed, this, qOverload<>(&QWidget::update));
     m_builder.setAnalysis(bench.session().analysisPointer());
     rebuildScene();
 }
@@ -222,7 +214,7 @@ void Viewport::paintMarks()
         scene.dimensions = dimensionSigns(model, over.dimension);
         for (const Sign &sign : weightSigns(model, scene.view, over.weight))
             scene.dimensions.add(sign);
-        showStress(scene);
+        scene.stress = m_stress.marks();
     }
     if (m_busyTurn.isActive())
         scene.busy = m_busyTurns;
@@ -239,23 +231,6 @@ void Viewport::paintMarks()
         painter.setPen(pen);
         painter.drawRect(inside);
     }
-}
-
-/// Of what was worked out last; it says where that is older than what is seen.
-void Viewport::showStress(OverlayScene &scene)
-{
-    const Scheduler &scheduler = m_bench.session().scheduler();
-    const auto held = scheduler.result(kHolding);
-    if (!scene.view.showsStress || !held || m_bench.session().model().sectionCount() == 0)
-        return;
-    if (held != m_held) {
-        m_held = held;
-        m_stress = {};
-        m_stress.lines = stressLines(*held->analysis, held->strength, m_stress.least);
-        m_stress.analysis = held->analysis;
-    }
-    m_stress.isOlder = scheduler.age(kHolding.name) != Scheduler::Age::Current;
-    scene.stress = &m_stress;
 }
 
 /// The view shows something else than the model as it is edited: nobody may miss that.
@@ -308,6 +283,7 @@ bool Viewport::isOnOffer(const QPointF &place) const
 void Viewport::mousePressEvent(QMouseEvent *event)
 {
     showFocus(false);
+    m_stress.leave();
     m_isOfferPressed = event->button() == Qt::LeftButton && isOnOffer(event->position());
     if (m_isOfferPressed)
         m_bench.run(QStringLiteral("section.takeOffer"));
@@ -322,6 +298,7 @@ void Viewport::mouseMoveEvent(QMouseEvent *event)
     if (std::exchange(m_isOnOffer, isOnOffer(event->position())) != m_isOnOffer)
         refresh(); // the cursor says that it can be clicked
     m_input.move(event);
+    m_stress.hover(event->position(), Vec2(width(), height()));
 }
 
 void Viewport::mouseReleaseEvent(QMouseEvent *event)
@@ -388,9 +365,10 @@ bool Viewport::event(QEvent *event)
         m_touch.handle(static_cast<QTouchEvent *>(event));
         return true;
     }
-    if (event->type() == QEvent::Leave)
+    if (event->type() == QEvent::Leave) {
         m_input.leave();
-    else if (event->type() == QEvent::WindowBlocked)
+        m_stress.leave();
+    } else if (event->type() == QEvent::WindowBlocked)
         m_input.letGo();
     else if (event->type() == QEvent::FocusIn)
         showFocus(m_showsFocus || isOfKeys(static_cast<QFocusEvent *>(event)->reason()));

@@ -2,15 +2,14 @@
 // The clock is that of the events.
 #pragma once
 
-#include "core/analysis/holding.h"
 #include "core/analysis/problem_look.h"
 #include "core/interaction/interaction.h"
+#include "ui/bench/stress_picture.h"
 #include "ui/bench/touch_input.h"
 #include "ui/bench/view_input.h"
 #include "ui/view/frame_pace.h"
 #include "ui/view/renderer.h"
 #include "ui/view/scene.h"
-#include "ui/view/stress_marks.h"
 
 #include <QElapsedTimer>
 #include <QImage>
@@ -97,7 +96,6 @@ private:
     void watchAnalysis();
     bool isOnOffer(const QPointF &place) const;
     void paintMarks();
-    void showStress(OverlayScene &scene);
     void paintStepsFrame(QPainter &painter) const;
 
     /// ms; by it frames are timed, and drawn the simpler the longer they take.
@@ -110,8 +108,7 @@ private:
     SceneBuilder m_builder, m_triedBuilder; // of the session's analysis, and of what is tried
     Scene m_scene;
     std::shared_ptr<const StepsPicture> m_steps; // shown instead
-    std::shared_ptr<const Holding> m_held;       // that the stress lines are of
-    StressMarks m_stress;
+    StressPicture m_stress;
     bool m_isUsable = false;
     bool m_showsFocus = false; // a frame says that keys go here
     QTimer m_frames;

@@ -39,6 +39,11 @@ public:
         if (m_scene.stress)
             paintStress(m_pen, *m_scene.stress, m_scene.view, m_locale);
     }
+    void askedLine()
+    {
+        if (m_scene.stress)
+            paintAskedLine(m_pen, *m_scene.stress, m_locale);
+    }
     void marks();
     void mark(const PlacedMark &mark, bool isLit);
     void steps()
@@ -319,7 +324,9 @@ void paintOverlay(QPainter &painter, const OverlayScene &scene, const ViewStyle 
         drawing.scaleBar();
     drawing.cube();
     drawing.progress();
-    drawing.hoveredName();
+    if (!scene.stress || !scene.stress->hasCard) // which has it
+        drawing.hoveredName();
+    drawing.askedLine();
 }
 
 } // namespace fff::ui

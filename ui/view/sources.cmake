@@ -3,6 +3,7 @@ target_sources(fff_view PRIVATE
     view/cut_caps.cpp
     view/edge_array.cpp
     view/frame_pace.cpp
+    view/force_marks.cpp
     view/gizmo_marks.cpp
     view/gl.cpp
     view/ground_painter.cpp
@@ -37,6 +38,7 @@ target_sources(fff_view PRIVATE
     view/steps_paper.cpp
     view/steps_scene.cpp
     view/stock_look.cpp
+    view/stress_card.cpp
     view/stress_marks.cpp
     view/stroke_marks.cpp
     view/view_cube_painter.cpp

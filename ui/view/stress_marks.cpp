@@ -2,6 +2,7 @@
 
 #include "core/interaction/pick.h"
 #include "core/interaction/view_cube.h"
+#include "ui/view/stress_card.h"
 
 #include <QCoreApplication>
 
@@ -18,9 +19,12 @@ struct StressTexts
     Q_DECLARE_TR_FUNCTIONS(fff::ui::StressMarks)
 };
 
-constexpr double kLeast = 0.2;                     // share of the limit that the colours begin at
-constexpr double kThinnest = 1.5, kThickest = 4.0; // px
-constexpr double kOlder = 0.4;                     // alpha
+constexpr double kLeast = 0.2;                      // share of the limit that the colours begin at
+constexpr double kThinnest = 1.5, kThickest = 4.0;  // px
+constexpr double kOlder = 0.4;                      // alpha
+constexpr double kReach = 6.0;                      // px from a line: it is meant
+constexpr double kRing = 24.0;                      // px across
+constexpr double kMargin = 8.0, kLegendTop = 116.0; // px: under the cube
 constexpr double kBarWidth = 12.0, kBarHeight = 160.0; // px
 
 using Palette = std::array<QColor, 5>; // at 20, 40, 60, 80, 100 %
@@ -50,13 +54,13 @@ Vec3 onFace(const Vec3 &point, const StressLine &line, const Camera &camera)
 }
 
 /// Whether nothing stands before its middle.
-bool isSeen(const StressLine &line, const StressMarks &marks, const ViewState &view, MarkPen &pen)
+bool isSeen(const StressLine &line, const StressMarks &marks, const ViewState &view,
+            const Camera &camera, const Vec2 &viewport)
 {
     if (view.isHidden(marks.analysis->model.ref(static_cast<std::size_t>(line.section))))
         return false;
     const Vec3 middle = 0.5 * (line.from + line.to);
-    const Camera &camera = pen.camera();
-    const Ray ray = camera.rayThrough(camera.toScreen(middle, pen.viewport()), pen.viewport());
+    const Ray ray = camera.rayThrough(camera.toScreen(middle, viewport), viewport);
     const double distance = (middle - ray.origin).dot(ray.direction);
     for (const Hit &hit : pick(marks.analysis->model, ray, view)) {
         if (hit.section != line.section && hit.distance < distance - line.half)
@@ -102,7 +106,7 @@ void paintLegend(MarkPen &pen, const StressMarks &marks, const QLocale &locale)
     QFont font = painter.font();
     font.setPixelSize(12);
     painter.setFont(font);
-    const double right = pen.viewport().x() - 8.0, top = 116.0;
+    const double right = pen.viewport().x() - kMargin, top = kLegendTop;
     const QRectF ground(right - 108.0, top, 108.0, kBarHeight + 62.0);
     painter.setPen(Qt::NoPen);
     painter.setBrush(faded(style.panel, 0.72));
@@ -161,11 +165,35 @@ QColor stressColour(double use, bool isForColourBlind)
     return {mixed(a.red(), b.red()), mixed(a.green(), b.green()), mixed(a.blue(), b.blue())};
 }
 
+int lineAt(const QPointF &point, const StressMarks &marks, const Camera &camera,
+           const Vec2 &viewport, const ViewState &view)
+{
+    const Vec2 at(point.x(), point.y());
+    const auto distanceTo = [&](const StressLine &line) {
+        const Vec2 from = camera.toScreen(onFace(line.from, line, camera), viewport);
+        const Vec2 way = camera.toScreen(onFace(line.to, line, camera), viewport) - from;
+        const double square = way.squaredNorm();
+        const double share = square > 0.0 ? std::clamp(way.dot(at - from) / square, 0.0, 1.0) : 0.0;
+        return (from + share * way - at).norm();
+    };
+    int best = -1;
+    double least = kReach;
+    for (int i = static_cast<int>(marks.lines.size()) - 1; i >= 0; --i) { // what is on top first
+        const StressLine &line = marks.lines[static_cast<std::size_t>(i)];
+        const double distance = distanceTo(line);
+        if (distance < least && isSeen(line, marks, view, camera, viewport)) {
+            least = distance;
+            best = i;
+        }
+    }
+    return best;
+}
+
 void paintStress(MarkPen &pen, const StressMarks &marks, const ViewState &view,
                  const QLocale &locale)
 {
     for (const StressLine &line : marks.lines)
-        if (isSeen(line, marks, view, pen))
+        if (isSeen(line, marks, view, pen.camera(), pen.viewport()))
             paintLine(pen, line, marks.isOlder ? kOlder : 1.0);
     if (!marks.lines.empty() && marks.lines.back().use > 1.0) {
         const StressLine &worst = marks.lines.back();
@@ -176,7 +204,28 @@ void paintStress(MarkPen &pen, const StressMarks &marks, const ViewState &view,
                  StressTexts::tr("%1\u202f%").arg(locale.toString(100.0 * worst.use, 'f', 0)),
                  stressColour(worst.use, pen.style().isForColourBlind));
     }
-    paintLegend(pen, marks, locale);
+    paintForces(pen, marks.forces, marks.isOlder, locale);
+    if (marks.lines.empty())
+        pen.chip({pen.viewport().x() - kMargin, kLegendTop + 11.0}, MarkPen::Anchor::Right,
+                 //: %1 is a number of percent
+                 StressTexts::tr("Nothing above %1\u202f%")
+                     .arg(locale.toString(100.0 * marks.least, 'f', 0)),
+                 pen.style().muted);
+    else
+        paintLegend(pen, marks, locale);
+}
+
+void paintAskedLine(MarkPen &pen, const StressMarks &marks, const QLocale &locale)
+{
+    if (marks.lit < 0 || marks.lit >= static_cast<int>(marks.lines.size()))
+        return;
+    const StressLine &lit = marks.lines[static_cast<std::size_t>(marks.lit)];
+    const QPointF middle = pen.screen(onFace(0.5 * (lit.from + lit.to), lit, pen.camera()));
+    QPainterPath ring;
+    ring.addEllipse(middle, 0.5 * kRing, 0.5 * kRing);
+    pen.cased(ring, QPen(pen.style().accent, 2.0));
+    if (marks.hasCard)
+        paintStressCard(pen, *marks.analysis, lit, middle, locale);
 }
 
 } // namespace fff::ui

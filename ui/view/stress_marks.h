@@ -4,6 +4,7 @@
 
 #include "core/analysis/stress_lines.h"
 #include "core/interaction/view_state.h"
+#include "ui/view/force_marks.h"
 #include "ui/view/mark_pen.h"
 
 #include <QLocale>
@@ -15,14 +16,24 @@ struct StressMarks
     std::vector<StressLine> lines; // the worst last
     AnalysisPointer analysis;      // that they are of
     double least = 0.2;            // what the legend begins with
+    std::vector<ForceMark> forces; // at feet and joints
     bool isOlder = false;          // than the model that is shown
+    int lit = -1;                  // the line that is ringed; −1: none
+    bool hasCard = false;          // what is known of that one is shown, too
 };
 
 /// From 20 % to 100 % of what the sheet bears: from blue to red, or from yellow to dark blue.
 QColor stressColour(double use, bool isForColourBlind);
 
+/// The line that is seen at a point of the view, px, or near enough to it to be meant; −1: none.
+int lineAt(const QPointF &point, const StressMarks &marks, const Camera &camera,
+           const Vec2 &viewport, const ViewState &view);
+
 /// Lines behind a section are hidden.
 void paintStress(MarkPen &pen, const StressMarks &marks, const ViewState &view,
                  const QLocale &locale);
+
+/// The ring round the line that is asked about, and its card, over all else.
+void paintAskedLine(MarkPen &pen, const StressMarks &marks, const QLocale &locale);
 
 } // namespace fff::ui

@@ -1,6 +1,7 @@
 #include "core/analysis/findings/strength_findings.h"
 
 #include "core/analysis/finding_action.h"
+#include "core/analysis/findings/strengthening.h"
 #include "core/assembly/joint_editing.h"
 
 #include <algorithm>
@@ -325,7 +326,7 @@ const FindingKind kBarelyHolds{"barelyHolds",
                                Subject::Strength,
                                FFF_TEXT("Checks", "Barely strong enough"),
                                heldSentence<barelyTitle>,
-                               nullptr,
+                               strengthen,
                                nullptr,
                                nullptr,
                                nullptr,
@@ -335,7 +336,7 @@ const FindingKind kTooWeak{"tooWeak",
                            Subject::Strength,
                            FFF_TEXT("Checks", "Too weak"),
                            weakSentence,
-                           nullptr,
+                           strengthen,
                            nullptr,
                            nullptr,
                            nullptr,

@@ -2,9 +2,11 @@
 #include <QTest> // first: moc stumbles over some standard headers
 
 #include "core/analysis/findings/strength_findings.h"
+#include "core/analysis/findings/strengthening.h"
 #include "core/analysis/holding.h"
 #include "core/analysis/stress_lines.h"
 #include "core/io/document_file.h"
+#include "core/model/edits.h"
 #include "core/session/check_list.h"
 #include "core/session/finding_text.h"
 #include "core/session/session.h"
@@ -77,6 +79,9 @@ private Q_SLOTS:
     void oneVerdictNamesWhatHangs();
     void fromHoldingToBreaking();
     void theSafetyFactorIsTheVerdictsAlone();
+    void whatIsTooWeakIsMended_data();
+    void whatIsTooWeakIsMended();
+    void thicknessChangesItLittleByLittle();
     void notRatedIsUnknown();
     void whatFallsHasNoVerdict();
     void linesAreFewAndInTheMaterial();
@@ -151,6 +156,65 @@ void TestStrengthFindings::theSafetyFactorIsTheVerdictsAlone()
     judged.session.scheduler().setRules(strict);
     judged.list.finish();
     QVERIFY(judged.strength().front().is(kHolds));
+}
+
+void TestStrengthFindings::whatIsTooWeakIsMended_data()
+{
+    QTest::addColumn<double>("factor"); // on the weights
+    QTest::newRow("barely") << 1.0;
+    QTest::newRow("too weak") << 3.0;
+}
+
+// Wrong: a verdict that leaves a person alone, or a link after which it is no better.
+void TestStrengthFindings::whatIsTooWeakIsMended()
+{
+    QFETCH(double, factor);
+    const Document document = scaledWeights(sampleNamed("glass_three_legs.fff"), factor);
+    Judged judged(document);
+    const std::vector<Finding> before = judged.strength();
+    const auto verdict = std::find_if(before.begin(), before.end(),
+                                      [](const Finding &f) { return f.details<Held>(); });
+    QVERIFY(verdict != before.end() && verdict->severity > Severity::Good);
+    const std::vector<Mend> mends = judged.list.mendsOf(*verdict);
+    QVERIFY(!mends.empty());
+    const double use = verdict->details<Held>()->cornerUse;
+    bool isThicker = false;
+    for (const Mend &mend : mends) {
+        QVERIFY(mend.isEdit());
+        isThicker = isThicker || mend.action.kind == &kThickerStock;
+        Judged after(mend.edit->document);
+        QVERIFY(after.held().strength.cornerUse < use);
+        QVERIFY(after.held().strength.verdict == HoldVerdict::Holds ||
+                verdict->severity == Severity::Error);
+        QCOMPARE(mend.edit->document.weights, document.weights);
+    }
+    QVERIFY(isThicker);
+}
+
+// Wrong: forces on walls of a slit that are not there, as where an outline is round they end before
+// the slit's middle does: a tip of nothing broke under 0.2 g, and the next thickness bore 8 kg.
+void TestStrengthFindings::thicknessChangesItLittleByLittle()
+{
+    const Document document = sampleNamed("glass_three_legs.fff");
+    double last = 0.0;
+    for (double thickness = 3.0; thickness <= 12.0; thickness += 0.5) {
+        Document thicker = document;
+        for (const auto &stock : document.stocks) {
+            Stock changed = *stock;
+            changed.thickness = thickness;
+            thicker = *setStock(std::move(thicker), changed);
+        }
+        const Judged judged(thicker);
+        const std::optional<double> cracksFrom = judged.held().bearable.cracksFrom;
+        QVERIFY2(cracksFrom, qPrintable(QString::number(thickness)));
+        if (last > 0.0)
+            QVERIFY2(*cracksFrom > 0.8 * last && *cracksFrom < 1.25 * last,
+                     qPrintable(QStringLiteral("%1 mm: %2 kg after %3 kg")
+                                    .arg(thickness)
+                                    .arg(*cracksFrom)
+                                    .arg(last)));
+        last = *cracksFrom;
+    }
 }
 
 // Wrong: a green verdict on what nobody knows the strength of.

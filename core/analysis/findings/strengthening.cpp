@@ -1,0 +1,153 @@
+#include "core/analysis/findings/strengthening.h"
+
+#include "core/analysis/findings/strength_findings.h"
+#include "core/assembly/joint_editing.h"
+#include "core/model/edits.h"
+#include "core/operations/evaluate.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace fff {
+
+namespace {
+
+//: %1 is the name of a stock, %2 a length
+constexpr Text kThickenStep = FFF_TEXT("Step", "Make %1 %2 thick");
+
+/// mm: sheets that are sold.
+constexpr std::array kUsual{1.0, 1.5, 2.0,  2.5,  3.0,  4.0,  5.0, 6.0,
+                            8.0, 9.0, 10.0, 12.0, 15.0, 18.0, 21.0};
+/// Nobody makes the same thing of a sheet so many times as thick.
+constexpr double kMostThicker = 4.0;
+/// What is left of a slit's depth, tried in this order.
+constexpr std::array kLeftOfDepth{0.85, 0.7, 0.55, 0.4};
+
+HoldVerdict verdictOn(const Document &document, const Analysis &before, double safety)
+{
+    AnalysisCaches caches;
+    StrengthCaches strengthCaches;
+    StrengthRules rules;
+    rules.safety = safety;
+    const Analysis analysis = analyse(evaluate(document, before.model), caches);
+    return strengthOf(analysis, rules, strengthCaches).verdict;
+}
+
+bool isBetter(HoldVerdict verdict, const Finding &finding)
+{
+    return verdict == HoldVerdict::Holds ||
+           (verdict == HoldVerdict::BarelyHolds && finding.severity == Severity::Error);
+}
+
+/// Of all candidates the first that holds, or else the first that nearly does.
+template <class Candidates, class Make>
+std::optional<FindingEdit> firstThatHolds(const Candidates &candidates, const Finding &finding,
+                                          const Analysis &analysis, Make make)
+{
+    std::optional<FindingEdit> nearly;
+    for (const double candidate : candidates) {
+        std::optional<FindingEdit> edit = make(candidate);
+        if (!edit)
+            continue;
+        const HoldVerdict verdict =
+            verdictOn(edit->document, analysis, finding.details<Held>()->safety);
+        if (verdict == HoldVerdict::Holds)
+            return edit;
+        if (!nearly && isBetter(verdict, finding))
+            nearly = std::move(edit);
+    }
+    return nearly;
+}
+
+std::optional<FindingEdit> thickened(const FindingAction &, const Finding &finding,
+                                     const Analysis &analysis, const Flips *)
+{
+    const int section = analysis.model.indexOf(finding.sections.front());
+    if (section < 0)
+        return {};
+    const Stock stock = analysis.model.stockOf(static_cast<std::size_t>(section));
+    std::vector<double> thicker;
+    for (const double thickness : kUsual)
+        if (thickness > stock.thickness && thickness <= kMostThicker * stock.thickness)
+            thicker.push_back(thickness);
+    return firstThatHolds(
+        thicker, finding, analysis, [&](double thickness) -> std::optional<FindingEdit> {
+            Stock changed = stock;
+            changed.thickness = thickness;
+            Result<Document> next = setStock(analysis.model.document, changed);
+            if (!next)
+                return {};
+            return FindingEdit{Step(kThickenStep, {Named{stock.name}, lengthOf(thickness)}),
+                               *std::move(next)};
+        });
+}
+
+/// The slit that the weakest place ends at.
+const Slit *weakeningSlit(const WeakPlace &place, const Analysis &analysis)
+{
+    const int host = analysis.model.indexOf(place.section);
+    const int guest = place.guest ? analysis.model.indexOf(*place.guest) : -1;
+    if (host < 0 || guest < 0)
+        return nullptr;
+    const auto index = static_cast<std::size_t>(host);
+    const Frame &frame = analysis.model.section(index)->frame;
+    const Vec2 from = frame.toLocal(place.from), to = frame.toLocal(place.to);
+    const auto distance = [&](const Slit &slit) {
+        return std::min((slit.inner - from).norm(), (slit.inner - to).norm());
+    };
+    const Slit *nearest = nullptr;
+    for (const Slit &slit : analysis.assembly.slits[index])
+        if (slit.guest == guest && slit.role == SlitRole::Slit &&
+            (!nearest || distance(slit) < distance(*nearest)))
+            nearest = &slit;
+    return nearest;
+}
+
+std::optional<FindingEdit> cutShallower(const FindingAction &, const Finding &finding,
+                                        const Analysis &analysis, const Flips *)
+{
+    const WeakPlace &place = *finding.details<Held>()->weakest;
+    const Slit *slit = weakeningSlit(place, analysis);
+    if (!slit || !place.guest)
+        return {};
+    const Model &model = analysis.model;
+    const JointRef ref(place.section, *place.guest);
+    const int a = model.indexOf(ref.a), b = model.indexOf(ref.b);
+    const Joint *joint = analysis.assembly.joints.find(std::min(a, b), std::max(a, b));
+    if (!joint)
+        return {};
+    const Frame &frame =
+        model.section(static_cast<std::size_t>(model.indexOf(place.section)))->frame;
+    const Vec3 out = frame.directionToWorld(slit->mouth - slit->inner);
+    const double sign = out.dot(joint->crossing->axis.direction) > 0.0 ? 1.0 : -1.0;
+    return firstThatHolds(
+        kLeftOfDepth, finding, analysis, [&](double left) -> std::optional<FindingEdit> {
+            JointEdit edit = nudgeMeetingPoints(model, ref, sign * (1.0 - left) * out.norm());
+            if (!edit || edit->document.isSame(model.document))
+                return {};
+            return FindingEdit{std::move(edit->step), std::move(edit->document)};
+        });
+}
+
+constexpr Text kThickerText = FFF_TEXT("Checks", "Use thicker stock");
+constexpr Text kShallowerText = FFF_TEXT("Checks", "Cut the slit less deep");
+
+} // namespace
+
+const ActionKind kThickerStock{plainWords<kThickerText>, thickened};
+const ActionKind kShallowerSlit{plainWords<kShallowerText>, cutShallower};
+
+std::vector<FindingAction> strengthen(const Finding &finding, const Analysis &)
+{
+    const Held *held = finding.details<Held>();
+    std::vector<FindingAction> all;
+    if (!held || !held->weakest || finding.sections.empty())
+        return all;
+    if (held->weakest->guest)
+        all.push_back({&kShallowerSlit});
+    all.push_back({&kThickerStock});
+    return all;
+}
+
+} // namespace fff

@@ -1,0 +1,185 @@
+// Stresses and forces over the view: what is asked about, and what is said of it.
+#include <QTest> // first: moc stumbles over some standard headers
+
+#include "core/analysis/stress_lines.h"
+#include "core/io/document_file.h"
+#include "core/operations/evaluate.h"
+#include "tests/core/analysed.h"
+#include "tests/test_program.h"
+#include "ui/view/offscreen_image.h"
+#include "ui/view/scene.h"
+#include "ui/view/stress_card.h"
+#include "ui/view/stress_marks.h"
+
+#include <QGuiApplication>
+#include <QImage>
+
+#include <cmath>
+
+using namespace fff;
+using namespace fff::test;
+using namespace fff::ui;
+
+namespace {
+
+const Vec2 kSize(900.0, 700.0);
+
+struct Loaded
+{
+    AnalysisPointer analysis;
+    Strength strength;
+    StressMarks marks;
+    Camera camera;
+
+    explicit Loaded(const char *sample, double factor = 1.0)
+    {
+        const auto file =
+            io::readDocument(QStringLiteral(FFF_SAMPLES) + u'/' + QLatin1String(sample));
+        Document document = file ? file->document : Document();
+        for (Weight &weight : document.weights)
+            weight.mass *= factor;
+        analysis = std::make_shared<const Analysis>(analysed(document));
+        StrengthCaches caches;
+        strength = strengthOf(*analysis, StrengthRules(), caches);
+        marks.lines = stressLines(*analysis, strength, marks.least);
+        marks.analysis = analysis;
+        camera = cameraFor(sceneOf(*analysis), "iso1", kSize);
+    }
+};
+
+QImage painted(const StressMarks &marks, const Camera &camera)
+{
+    QImage image(900, 700, QImage::Format_ARGB32_Premultiplied);
+    image.fill(Qt::white);
+    QPainter painter(&image);
+    painter.setRenderHint(QPainter::Antialiasing);
+    const ViewStyle style;
+    MarkPen pen(painter, camera, kSize, style);
+    paintStress(pen, marks, ViewState(), QLocale::c());
+    paintAskedLine(pen, marks, QLocale::c());
+    return image;
+}
+
+} // namespace
+
+class TestStressMarks : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void theLineUnderTheCursor();
+    void whatItSays();
+    void feetBearTheWeight();
+    void forcesAtJointsAreOpposite();
+    void allIsPaintedWhole();
+};
+
+// Wrong: another line than the one that is pointed at, or one behind a section.
+void TestStressMarks::theLineUnderTheCursor()
+{
+    const Loaded glass("glass_three_legs.fff");
+    QVERIFY(glass.marks.lines.size() > 3);
+    int found = 0;
+    for (const StressLine &line : glass.marks.lines) {
+        const Vec3 middle = 0.5 * (line.from + line.to);
+        const Vec2 at = glass.camera.toScreen(middle, kSize);
+        const int index =
+            lineAt(QPointF(at.x(), at.y()), glass.marks, glass.camera, kSize, ViewState());
+        if (index < 0)
+            continue; // behind another section
+        const StressLine &hit = glass.marks.lines[static_cast<std::size_t>(index)];
+        QVERIFY(hit.section == line.section || hit.use > 0.0);
+        ++found;
+    }
+    QVERIFY(found > 0);
+    QCOMPARE(lineAt({1.0, 1.0}, glass.marks, glass.camera, kSize, ViewState()), -1);
+    ViewState hidden;
+    for (std::size_t i = 0; i < glass.analysis->model.sectionCount(); ++i)
+        hidden.hidden.insert(glass.analysis->model.ref(i));
+    for (const StressLine &line : glass.marks.lines) {
+        const Vec2 at = glass.camera.toScreen(0.5 * (line.from + line.to), kSize);
+        QCOMPARE(lineAt({at.x(), at.y()}, glass.marks, glass.camera, kSize, hidden), -1);
+    }
+}
+
+// Wrong: numbers that are not those of the line.
+void TestStressMarks::whatItSays()
+{
+    const Loaded glass("glass_three_legs.fff");
+    for (const StressLine &line : glass.marks.lines) {
+        const std::vector<StressRow> rows = stressRows(line, QLocale::c());
+        QVERIFY(rows.size() >= 2);
+        const NominalStress &stress = line.stress.stress;
+        QVERIFY(rows[0].value.startsWith(QLocale::c().toString(stress.neck, 'g', 3)));
+        const bool isAtCorner = stress.notch > 1.0;
+        if (isAtCorner)
+            QVERIFY(rows[1].value.endsWith(QLocale::c().toString(100.0 * line.use, 'f', 0) +
+                                           QStringLiteral("\u202f%")));
+        for (const StressRow &row : rows)
+            QVERIFY(!row.what.isEmpty() && !row.value.contains(QStringLiteral("nan")));
+        QVERIFY(!breaksFirst(line).isEmpty());
+    }
+}
+
+// Wrong: an arrow without its force, or one that is not there.
+void TestStressMarks::feetBearTheWeight()
+{
+    const Loaded glass("glass_four_legs.fff");
+    double hanging = 0.0;
+    for (const Weight &weight : glass.analysis->model.document.weights)
+        hanging += weight.mass;
+    const double mass = glass.analysis->bodies.mass().mass + hanging;
+    Vec3 sum = Vec3::Zero();
+    for (const ForceMark &mark : footForces(glass.strength)) {
+        QVERIFY(mark.foot >= 0);
+        sum += mark.force;
+    }
+    // Feet that press with less than shows are left out.
+    QVERIFY(std::abs(sum.y() - 9.81 * mass) < 0.05);
+    const Loaded falling("cutlery_man.fff", 1e4);
+    if (!areStressesKnown(falling.strength))
+        QVERIFY(footForces(falling.strength).empty());
+}
+
+// Wrong: two sections that do not do the opposite to each other.
+void TestStressMarks::forcesAtJointsAreOpposite()
+{
+    const Loaded chair("chair.fff");
+    Vec3 all = Vec3::Zero();
+    const int count = static_cast<int>(chair.analysis->model.sectionCount());
+    std::size_t marks = 0;
+    for (int section = 0; section < count; ++section)
+        for (const ForceMark &mark : jointForces(*chair.analysis, chair.strength, section)) {
+            all += mark.force;
+            ++marks;
+        }
+    QVERIFY(marks > 4);
+    QVERIFY(all.norm() < 1e-9);
+    QCOMPARE(jointForces(*chair.analysis, chair.strength).size(), marks / 2);
+}
+
+// Wrong: a card that runs out of the view.
+void TestStressMarks::allIsPaintedWhole()
+{
+    Loaded glass("glass_three_legs.fff", 4.0);
+    glass.marks.forces = footForces(glass.strength);
+    const QImage plain = painted(glass.marks, glass.camera);
+    for (int i = 0; i < static_cast<int>(glass.marks.lines.size()); i += 5) {
+        glass.marks.lit = i;
+        glass.marks.hasCard = false;
+        const QImage ringed = painted(glass.marks, glass.camera);
+        glass.marks.hasCard = true;
+        const QImage carded = painted(glass.marks, glass.camera);
+        QVERIFY(ringed != plain && carded != ringed);
+        for (int x = 0; x < carded.width(); ++x) {
+            QCOMPARE(carded.pixel(x, 0), plain.pixel(x, 0));
+            QCOMPARE(carded.pixel(x, carded.height() - 1), plain.pixel(x, plain.height() - 1));
+        }
+    }
+    glass.marks.lines.clear();
+    glass.marks.lit = 3; // of what was there before
+    QVERIFY(painted(glass.marks, glass.camera) != plain);
+}
+
+FFF_TEST_WITH(TestStressMarks, fff::testing::runWithin<TestStressMarks, QGuiApplication>)
+#include "tst_stress_marks.moc"

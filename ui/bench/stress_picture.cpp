@@ -1,0 +1,85 @@
+#include "ui/bench/stress_picture.h"
+
+#include "core/session/scheduler.h"
+#include "ui/bench/workbench.h"
+
+namespace fff::ui {
+
+namespace {
+
+constexpr int kCardDelay = 400; // ms that the cursor rests before a card comes
+
+} // namespace
+
+StressPicture::StressPicture(Workbench &bench, QObject *parent) : QObject(parent), m_bench(bench)
+{
+    m_rest.setSingleShot(true);
+    m_rest.setInterval(kCardDelay);
+    connect(&m_rest, &QTimer::timeout, this, [this] {
+        m_marks.hasCard = m_marks.lit >= 0;
+        Q_EMIT changed();
+    });
+    const auto tell = [this] {
+        if (m_bench.interaction().view().showsStress)
+            Q_EMIT changed();
+    };
+    connect(&bench.session().scheduler(), &Scheduler::published, this,
+            [tell](std::string_view stage) {
+                if (stage == kHolding.name)
+                    tell();
+            });
+    connect(&bench.session().scheduler(), &Scheduler::aged, this, tell);
+}
+
+const StressMarks *StressPicture::marks()
+{
+    const Scheduler &scheduler = m_bench.session().scheduler();
+    const auto held = scheduler.result(kHolding);
+    const Interaction &interaction = m_bench.interaction();
+    if (!interaction.view().showsStress || !held || m_bench.session().model().sectionCount() == 0)
+        return nullptr;
+    if (held != m_held) {
+        m_held = held;
+        m_marks = {};
+        m_marks.lines = stressLines(*held->analysis, held->strength, m_marks.least);
+        m_marks.analysis = held->analysis;
+        m_feet = footForces(held->strength);
+    }
+    m_marks.isOlder = scheduler.age(kHolding.name) != Scheduler::Age::Current;
+    m_marks.forces = m_feet;
+    // Those at joints of the section that is chosen, or else under the cursor.
+    const Model &model = held->analysis->model;
+    int section = interaction.hovered().section;
+    if (!interaction.selection().empty())
+        section = model.indexOf(interaction.selection().front());
+    if (section >= 0 && section < static_cast<int>(model.sectionCount()))
+        for (const ForceMark &mark : jointForces(*held->analysis, held->strength, section))
+            m_marks.forces.push_back(mark);
+    return &m_marks;
+}
+
+void StressPicture::hover(const QPointF &point, const Vec2 &viewport)
+{
+    const Interaction &interaction = m_bench.interaction();
+    const bool isAsking =
+        interaction.view().showsStress && m_held && !interaction.hasGesture() && !m_marks.isOlder;
+    light(isAsking ? lineAt(point, m_marks, interaction.camera(), viewport, interaction.view())
+                   : -1);
+}
+
+void StressPicture::leave()
+{
+    light(-1);
+}
+
+void StressPicture::light(int line)
+{
+    if (line == m_marks.lit)
+        return;
+    m_marks.lit = line;
+    m_marks.hasCard = false;
+    line < 0 ? m_rest.stop() : m_rest.start();
+    Q_EMIT changed();
+}
+
+} // namespace fff::ui

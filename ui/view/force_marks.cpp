@@ -1,0 +1,142 @@
+#include "ui/view/force_marks.h"
+
+#include "core/analysis/stress_lines.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+#include <cmath>
+
+namespace fff::ui {
+
+namespace {
+
+struct ForceTexts
+{
+    Q_DECLARE_TR_FUNCTIONS(fff::ui::ForceMarks)
+};
+
+constexpr double kShaft = 2.4, kTip = 7.0;                    // px
+constexpr double kLongestArrow = 40.0, kShortestArrow = 12.0; // px
+constexpr double kApartOnScreen = 48.0;                       // px
+constexpr double kLeastForce = 5e-3;                          // N: less is written as nothing
+constexpr double kBesideFoot = 6.0;                           // px between an arrow and its number
+
+void paintForce(MarkPen &pen, const QPointF &tip, const QPointF &way, const QColor &colour)
+{
+    const double length = std::hypot(way.x(), way.y());
+    const QPointF along = way / length, across(-along.y(), along.x());
+    QPainterPath shaft(tip - way);
+    shaft.lineTo(tip - 0.7 * kTip * along);
+    pen.cased(shaft, QPen(colour, kShaft, Qt::SolidLine, Qt::FlatCap));
+    QPainterPath head(tip);
+    head.lineTo(tip - kTip * along + 0.5 * kTip * across);
+    head.lineTo(tip - kTip * along - 0.5 * kTip * across);
+    head.closeSubpath();
+    pen.painter().fillPath(head, colour);
+}
+
+/// Of feet whose numbers would lie on each other one, where their forces have their middle.
+std::vector<ForceMark> toldApart(const MarkPen &pen, const std::vector<ForceMark> &forces)
+{
+    std::vector<ForceMark> kept;
+    for (const ForceMark &mark : forces) {
+        const QPointF place = pen.screen(mark.at);
+        const auto same = std::find_if(kept.begin(), kept.end(), [&](const ForceMark &other) {
+            const QPointF way = pen.screen(other.at) - place;
+            return mark.foot >= 0 && other.foot == mark.foot &&
+                   std::hypot(way.x(), way.y()) < kApartOnScreen;
+        });
+        if (same == kept.end()) {
+            kept.push_back(mark);
+            continue;
+        }
+        const double before = same->force.norm(), more = mark.force.norm();
+        same->at = (before * same->at + more * mark.at) / (before + more);
+        same->force += mark.force;
+    }
+    return kept;
+}
+
+} // namespace
+
+std::vector<ForceMark> footForces(const Strength &strength)
+{
+    std::vector<ForceMark> marks;
+    if (!areStressesKnown(strength))
+        return marks;
+    const auto &feet = strength.made.structure.feet;
+    for (std::size_t i = 0; i < feet.size(); ++i) {
+        const Vec3 &force = strength.equilibrium().feet[i].force;
+        if (force.norm() > kLeastForce)
+            marks.push_back({feet[i].point, force, feet[i].member});
+    }
+    return marks;
+}
+
+std::vector<ForceMark> jointForces(const Analysis &analysis, const Strength &strength,
+                                   std::optional<int> section)
+{
+    std::vector<ForceMark> marks;
+    if (!areStressesKnown(strength))
+        return marks;
+    const auto &links = strength.made.structure.links;
+    for (std::size_t i = 0; i < links.size(); ++i) {
+        const bool isA = !section || analysis.bodies.sectionOf(links[i].a) == *section;
+        if (!isA && analysis.bodies.sectionOf(links[i].b) != *section)
+            continue;
+        const LinkForce &force = strength.equilibrium().links[i];
+        if (force.onA.force.norm() > kLeastForce || force.isOpen)
+            marks.push_back({links[i].point, isA ? force.onA.force : Vec3(-force.onA.force), -1,
+                             force.isOpen, force.asked});
+    }
+    return marks;
+}
+
+void paintForces(MarkPen &pen, const std::vector<ForceMark> &all, bool isOlder,
+                 const QLocale &locale)
+{
+    const std::vector<ForceMark> forces = toldApart(pen, all);
+    double largest = 0.0;
+    for (const ForceMark &mark : forces)
+        largest = std::max(largest, mark.force.norm());
+    QFont font = pen.painter().font();
+    font.setPixelSize(12);
+    pen.painter().setFont(font);
+    for (const ForceMark &mark : forces) {
+        const double size = mark.force.norm();
+        const QColor colour = mark.isOpen ? pen.style().problem
+                              : isOlder   ? pen.style().muted
+                                          : pen.style().text;
+        const QPointF tip = pen.screen(mark.at);
+        QPointF end = tip;
+        if (size > 0.0) {
+            // One mm of the force's way tells where it points in the view.
+            const QPointF step = pen.screen(mark.at + mark.force / size) - tip;
+            const double onScreen = std::hypot(step.x(), step.y());
+            if (onScreen > 0.0) {
+                const double length = std::max(kShortestArrow, kLongestArrow * size / largest);
+                const QPointF way = length / onScreen * step;
+                paintForce(pen, tip, way, colour);
+                end = tip - way;
+            }
+        }
+        if (mark.isOpen)
+            pen.chip(
+                end + QPointF(kBesideFoot, 0.0), MarkPen::Anchor::Left,
+                //: %1 is a force in newtons
+                ForceTexts::tr("pulled open, %1\u202fN").arg(locale.toString(mark.pull, 'f', 1)),
+                colour);
+        else if (mark.foot >= 0) {
+            const QString text =
+                locale.toString(size, 'f', size < 1.0 ? 2 : 1) + QStringLiteral("\u202fN");
+            QPainterPath path;
+            const double width = QFontMetricsF(font).horizontalAdvance(text);
+            path.addText(end + QPointF(-0.5 * width, kBesideFoot + 10.0), font, text);
+            pen.painter().strokePath(path, roundPen(pen.style().panel, 3.0));
+            pen.painter().fillPath(path, colour);
+        }
+    }
+}
+
+} // namespace fff::ui
