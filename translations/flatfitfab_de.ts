@@ -996,6 +996,22 @@
         <source>Use thicker stock</source>
         <translation>Dickeres Material nehmen</translation>
     </message>
+    <message>
+        <source>%1 then %2 thick</source>
+        <extracomment>%1 is the name of a stock, %2 a length</extracomment>
+        <translation>%1 dann %2 dick</translation>
+    </message>
+    <message>
+        <source>One joint&apos;s slits meet elsewhere</source>
+        <translation>Die Schlitze einer Verbindung treffen sich anderswo</translation>
+    </message>
+    <message numerus="yes">
+        <source>The slits of %n joints meet elsewhere</source>
+        <translation>
+            <numerusform>Die Schlitze von %n Verbindung treffen sich anderswo</numerusform>
+            <numerusform>Die Schlitze von %n Verbindungen treffen sich anderswo</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>Command</name>

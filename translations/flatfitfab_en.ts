@@ -141,6 +141,13 @@
             <numerusform>%n problems solved</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>The slits of %n joints meet elsewhere</source>
+        <translation>
+            <numerusform>The slits of %n joint meet elsewhere</numerusform>
+            <numerusform>The slits of %n joints meet elsewhere</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>CommandLine</name>

@@ -2,6 +2,7 @@
 #include "core/analysis/trial.h"
 
 #include "core/analysis/finding.h"
+#include "core/base/tolerances.h"
 #include "core/model/changes.h"
 
 #include <algorithm>
@@ -18,6 +19,7 @@ struct Difference
     Named one;                                       // of these, where there is one
     double way = 0.0;                                // mm, by which one was moved
     int morePieces = 0;                              // sections that are cut into more pieces
+    int shifted = 0;                                 // joints whose slits meet elsewhere
 };
 
 /// To which side a section's first slit for its mate opens, in the world.
@@ -28,6 +30,17 @@ std::optional<Vec3> mouthOf(const Analysis &analysis, const Joint &joint)
         if (slit.joint == joint.id && slit.role == SlitRole::Slit && slit.isOpen)
             return analysis.model.section(host)->frame.directionToWorld(slit.mouth - slit.inner);
     return {};
+}
+
+/// A stock that is of another thickness then.
+const Stock *thickened(const Analysis &before, const Analysis &after)
+{
+    for (const std::shared_ptr<const Stock> &stock : after.model.document.stocks) {
+        const Stock *was = before.model.document.find(stock->id);
+        if (was && was->thickness != stock->thickness)
+            return stock.get();
+    }
+    return nullptr;
 }
 
 Difference differenceOf(const Analysis &before, const Analysis &after)
@@ -67,7 +80,11 @@ Difference differenceOf(const Analysis &before, const Analysis &after)
         const auto was = mouthOf(before, joint), is = mouthOf(after, *now);
         if (was && is && was->dot(*is) < 0.0)
             ++difference.turned;
+        else if (was && is && std::abs(was->norm() - is->norm()) > kEqualEnds)
+            ++difference.shifted;
     }
+    if (difference.moved + difference.reshaped > 0 || thickened(before, after))
+        difference.shifted = 0; // slits follow these
     return difference;
 }
 
@@ -94,6 +111,12 @@ Message changesBetween(const Analysis &before, const Analysis &after,
     const Named &name = difference.one;
     add(difference.turned, {FFF_TEXT("Checks", "One joint turned round"), {}},
         FFF_TEXT_OF_MANY("Checks", "%n joints turned round"));
+    if (const Stock *stock = thickened(before, after))
+        //: %1 is the name of a stock, %2 a length
+        parts.push_back({FFF_TEXT("Checks", "%1 then %2 thick"),
+                         {Named{stock->name}, lengthOf(stock->thickness)}});
+    add(difference.shifted, {FFF_TEXT("Checks", "One joint's slits meet elsewhere"), {}},
+        FFF_TEXT_OF_MANY("Checks", "The slits of %n joints meet elsewhere"));
     add(difference.moved,
         //: %1 is the name of a section, %2 a length
         {FFF_TEXT("Checks", "%1 moved by %2"), {name, lengthOf(difference.way)}},
