@@ -141,7 +141,7 @@ void TestCli::wrongUse_data()
     row("a picture without pixels", "render a.fff -o x.png --size 0x10");
     row("a picture larger than any driver paints", "render a.fff -o x.png --size 90000x10");
     row("a view from nowhere", "render a.fff -o x.png --view above");
-    row("a show of what is not there", "render a.fff -o x.png --show stress");
+    row("a show of what is not there", "render a.fff -o x.png --show ghosts");
     row("unknown option", "info a.fff --colour red");
     row("option without its value", "info a.fff --thickness");
     row("export without output", "export a.fff");
