@@ -1012,6 +1012,10 @@
             <numerusform>Die Schlitze von %n Verbindungen treffen sich anderswo</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Enter its strength</source>
+        <translation>Seine Festigkeit eintragen</translation>
+    </message>
 </context>
 <context>
     <name>Command</name>

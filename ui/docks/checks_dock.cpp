@@ -4,6 +4,7 @@
 #include "core/analysis/findings/not_worked_out.h"
 #include "core/analysis/findings/order.h"
 #include "core/analysis/findings/sheet_fit.h"
+#include "core/analysis/findings/strengthening.h"
 #include "core/assembly/joint_state.h"
 #include "core/fabrication/summary.h"
 #include "core/session/check_list.h"
@@ -456,7 +457,8 @@ void ChecksDock::act(int row, int index)
         carryOut(action, finding);
     } else if (action.kind == &kShowSteps) {
         Q_EMIT stepsWanted();
-    } else if (action.kind == &kChooseSheet || action.kind == &kWidenSlits) {
+    } else if (action.kind == &kChooseSheet || action.kind == &kWidenSlits ||
+               action.kind == &kEnterStrength) {
         showStock(finding);
     } else if (action.kind == &kTryAgain) {
         m_list.scheduler().tryAgain(finding.details<StageFailure>()->stage);

@@ -344,7 +344,7 @@ const FindingKind kTooWeak{"tooWeak",
                                               "less on it."),
                            weakTitle};
 const FindingKind kNotRated{"notRated", Subject::Strength, FFF_TEXT("Checks", "Strength unknown"),
-                            notRatedSentence};
+                            notRatedSentence, enterStrength};
 const FindingKind kStrengthUnknown{"strengthUnknown", Subject::Strength,
                                    FFF_TEXT("Checks", "Strength unknown"), strengthUnknownSentence};
 const FindingKind kMovesWithin{"movesWithin", Subject::Strength, FFF_TEXT("Checks", "Comes loose"),

@@ -131,12 +131,19 @@ std::optional<FindingEdit> cutShallower(const FindingAction &, const Finding &fi
 }
 
 constexpr Text kThickerText = FFF_TEXT("Checks", "Use thicker stock");
+constexpr Text kEnterText = FFF_TEXT("Checks", "Enter its strength");
 constexpr Text kShallowerText = FFF_TEXT("Checks", "Cut the slit less deep");
 
 } // namespace
 
 const ActionKind kThickerStock{plainWords<kThickerText>, thickened};
+const ActionKind kEnterStrength{plainWords<kEnterText>};
 const ActionKind kShallowerSlit{plainWords<kShallowerText>, cutShallower};
+
+std::vector<FindingAction> enterStrength(const Finding &, const Analysis &)
+{
+    return {{&kEnterStrength}};
+}
 
 std::vector<FindingAction> strengthen(const Finding &finding, const Analysis &)
 {
