@@ -267,6 +267,8 @@ Weight FffReader::readWeight(const JsonCursor &cursor)
     weight.section = readRef(cursor.member("section"));
     weight.position = cursor.member("position").point2();
     weight.mass = cursor.member("mass").positive();
+    if (const JsonCursor name = cursor.member("name"); name.exists())
+        weight.name = name.text();
     return weight;
 }
 

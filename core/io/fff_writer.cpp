@@ -144,6 +144,8 @@ void writeWeight(JsonWriter &json, const Weight &weight)
     writeRef(json, weight.section);
     json.member("position", weight.position);
     json.member("mass", weight.mass);
+    if (!weight.name.empty())
+        json.member("name", weight.name);
     json.endObject();
 }
 

@@ -10,6 +10,7 @@
 #include "core/model/stock.h"
 
 #include <memory>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -24,11 +25,12 @@ struct Weight
     SectionRef section;
     Vec2 position = Vec2::Zero(); // frame coordinates of the section, mm
     double mass = 0.35;           // kg
+    std::string name = {};        // may be empty: it has none of its own
 
     bool operator==(const Weight &other) const
     {
         return id == other.id && section == other.section && position == other.position &&
-               mass == other.mass;
+               mass == other.mass && name == other.name;
     }
 };
 

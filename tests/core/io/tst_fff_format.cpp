@@ -147,6 +147,9 @@ void TestFffFormat::writeThenReadIsEqual_data()
     odd = renameSection(odd, odd.sections[0]->id, std::string("\"\\\n\t\x01\0 🐟", 11)).value();
     odd = renameSection(odd, odd.sections[1]->id, "").value();
     QTest::newRow("odd names") << odd;
+    Document named = twoSections();
+    named.weights.front().name = "Cup \"of\" tea – 茶";
+    QTest::newRow("a weight with a name") << named;
     Document wanted = twoSections();
     JointOverride joint;
     joint.a = wanted.sections[0]->id;
@@ -392,6 +395,8 @@ void TestFffFormat::malformed_data()
         UnknownReference, "a.fff:$.weights[0].section.operation");
     row("a weight on no section", edited("\"section\": 4", "\"section\": 44"), UnknownReference,
         "a.fff:$.weights[0].section");
+    row("a weight whose name is a number", edited("\"mass\": 0.35", "\"mass\": 0.35, \"name\": 7"),
+        BadValue, "a.fff:$.weights[0].name");
     row("a weight of 0", edited("0.35", "0"), BadValue, "a.fff:$.weights[0].mass");
     const auto joint = [](const std::string &text) {
         return edited("\"joints\": []", "\"joints\": [" + text + "]");

@@ -55,7 +55,7 @@ std::string difference(const Model &a, const Model &b)
         return "weights";
     for (std::size_t i = 0; i < d.weights.size(); ++i)
         if (a.indexOf(d.weights[i].section) != b.indexOf(e.weights[i].section) ||
-            d.weights[i].mass != e.weights[i].mass ||
+            d.weights[i].mass != e.weights[i].mass || d.weights[i].name != e.weights[i].name ||
             d.weights[i].position != e.weights[i].position)
             return "weight";
     if (d.jointOverrides.size() != e.jointOverrides.size())
@@ -186,6 +186,7 @@ void TestExcerpt::keysFollowTheirIds()
     Document document = setExceptionState(model.document, hidden, Exception::State::Hidden).value();
     Weight weight;
     weight.section = weighed;
+    weight.name = "Cup";
     document = addWeight(document, weight).value();
     test::add(document, "Hat", shapeOf(circle({0, 0}, 5.0)), frontFrame(),
               Parent{weighed, {0, 0}, {1, 1}});
