@@ -104,6 +104,11 @@ std::pair<Hint, Cursor> hoverHint(const Hovered &hovered, const Overlay &overlay
         return {{hints::kChooseProblem, {Named{std::to_string(hovered.problem)}}}, Cursor::Hand};
     if (hovered.isCutHandle)
         return {hints::kMoveCut, Cursor::MoveCross};
+    if (const Weight *weight = model.document.find(hovered.weight))
+        return {
+            {weight->id == selection.weight() ? hints::kMoveSelectedWeight : hints::kSelectWeight,
+             {massOf(weight->mass), Named{model.nameOf(weight->section)}}},
+            Cursor::Hand};
     if (model.sectionCount() == 0)
         return {hints::kDrawFirstSection, Cursor::Pencil};
     if (hovered.section >= 0) {

@@ -1,5 +1,4 @@
 #include "core/interaction/interaction_private.h"
-#include "core/interaction/section_editing.h"
 
 namespace fff {
 
@@ -428,34 +427,6 @@ void Interaction::carryOut(SectionEdit edit, double time)
     advance(time);
     d->carryOut(std::move(edit));
     d->update();
-}
-
-bool Interaction::nudge(const Vec2 &arrow, double distance, double time)
-{
-    advance(time);
-    if (d->tool && !d->tool->leavesArrows())
-        return false; // it has the keys
-    if (const std::optional<JointRef> joint = d->selection.joint()) {
-        const bool isMoved = d->nudgeMeetingPoints(*joint, arrow, distance);
-        d->update();
-        return isMoved;
-    }
-    const Camera &camera = d->motion.camera;
-    const Model &model = d->host.model();
-    if (!d->points.isEmpty()) {
-        const SectionPointer section = editedSection(model, d->selection.sections().front());
-        const Vec2 by = distance * arrowAxis(section->frame, camera, arrow);
-        carryOut(movedSelection(documentOfPoints(), d->points, by, pointRules()), time);
-        return true;
-    }
-    if (d->selection.sections().empty())
-        return false;
-    Transform transform;
-    transform.way = distance * arrowAxis(camera, arrow);
-    carryOut(
-        transformed(model, d->selection.sections(), transform, {}, d->settings.takesChildren, true),
-        time);
-    return true;
 }
 
 void Interaction::modelChanged()

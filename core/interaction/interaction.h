@@ -157,6 +157,9 @@ public:
     /// Not valid unless an operation is selected, in place of sections.
     OperationId selectedOperation() const;
     void selectOperation(OperationId id);
+    /// Not valid unless a weight is selected, in place of all else.
+    WeightId selectedWeight() const;
+    void selectWeight(WeightId id);
     /// It, or the one that made all that is selected.
     OperationId operationInFocus() const;
     /// The sections that are selected and there; of an operation those that it made or changed.
@@ -179,9 +182,9 @@ public:
     /// Commits an edit of sections, or says why it was refused.
     void carryOut(SectionEdit edit, double time);
     /// An arrow key: where the slits of the selected joint meet goes along its axis if that runs so
-    /// on the screen; the selected points, else the selected sections, go along the axis that is
-    /// nearest to the arrow. arrow: unit, right and up; distance: mm. False when the arrow is
-    /// not for what is selected.
+    /// on the screen; the selected weight, the selected points, else the selected sections, go
+    /// along the axis that is nearest to the arrow. arrow: unit, right and up; distance: mm. False
+    /// when the arrow is not for what is selected.
     bool nudge(const Vec2 &arrow, double distance, double time);
     /// What was just drawn is offered as what it was meant to be (shape_offer.h), until the next
     /// press, edit or Esc; or what is being drawn is (Gesture::hasOffer).

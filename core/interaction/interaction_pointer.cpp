@@ -160,6 +160,11 @@ void Interaction::Private::click(const PointerEvent &begin)
         selection.selectJoint(mark->joint);
         return;
     }
+    if (const WeightId weight = weightAt(begin.position); weight.isValid()) {
+        points.clear();
+        selection.selectWeight(weight);
+        return;
+    }
     lastClick = begin;
     if (clickPoint(begin))
         return;
@@ -184,6 +189,7 @@ void Interaction::Private::hoverMarks()
 {
     hoverOperation();
     hoverJoint();
+    hoverWeight();
     hoverPoint();
 }
 
@@ -191,8 +197,8 @@ void Interaction::Private::hoverPoint()
 {
     hoveredPoint.reset();
     const std::optional<Vec2> &at = hovering.position();
-    if (!at || hoveredJoint || hoveredHandle || motion.animation || tool || hovered.cubePart ||
-        hovered.problem > 0 || hovered.isCutHandle)
+    if (!at || hoveredJoint || hoveredHandle || hovered.weight.isValid() || motion.animation ||
+        tool || hovered.cubePart || hovered.problem > 0 || hovered.isCutHandle)
         return;
     if (const auto section = sectionWithPoints(sight(), selection))
         hoveredPoint = pointTargetAt(sight(), *section, points, *at);

@@ -1,9 +1,10 @@
 #include "core/interaction/interaction_private.h"
 #include "core/interaction/section_editing.h"
+#include "core/interaction/weight_editing.h"
 
 namespace fff {
 
-// Edits of whole sections, which come from keys, commands and fields.
+// Edits of whole sections, which come from keys, commands and fields; arrow keys.
 
 /// A tool in the hand goes on with what comes of it.
 void Interaction::Private::carryOut(SectionEdit edit)
@@ -18,6 +19,43 @@ void Interaction::Private::carryOut(SectionEdit edit)
     }
     clicks.forget();
     hover();
+}
+
+bool Interaction::nudge(const Vec2 &arrow, double distance, double time)
+{
+    advance(time);
+    if (d->tool && !d->tool->leavesArrows())
+        return false; // it has the keys
+    if (const std::optional<JointRef> joint = d->selection.joint()) {
+        const bool isMoved = d->nudgeMeetingPoints(*joint, arrow, distance);
+        d->update();
+        return isMoved;
+    }
+    const Camera &camera = d->motion.camera;
+    const Model &model = d->host.model();
+    if (d->selection.weight().isValid()) {
+        const Weight *weight = model.document.find(d->selection.weight());
+        const Section *section = weight ? model.find(weight->section) : nullptr;
+        if (!section)
+            return false;
+        const Vec2 by = distance * arrowAxis(section->frame, camera, arrow);
+        carryOut(movedWeight(model, weight->id, by), time);
+        return true;
+    }
+    if (!d->points.isEmpty()) {
+        const SectionPointer section = editedSection(model, d->selection.sections().front());
+        const Vec2 by = distance * arrowAxis(section->frame, camera, arrow);
+        carryOut(movedSelection(documentOfPoints(), d->points, by, pointRules()), time);
+        return true;
+    }
+    if (d->selection.sections().empty())
+        return false;
+    Transform transform;
+    transform.way = distance * arrowAxis(camera, arrow);
+    carryOut(
+        transformed(model, d->selection.sections(), transform, {}, d->settings.takesChildren, true),
+        time);
+    return true;
 }
 
 } // namespace fff

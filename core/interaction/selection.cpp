@@ -9,12 +9,14 @@ namespace fff {
 
 void Selection::select(std::vector<SectionRef> sections)
 {
-    if (sections != m_sections || m_joint || m_operation.isValid()) {
+    if (sections != m_sections || m_joint || m_operation.isValid() || m_weight.isValid()) {
         m_before.clear();
         m_lost.reset();
         m_lostOperation = {};
+        m_lostWeight = {};
     }
     m_operation = {};
+    m_weight = {};
     m_joint.reset();
     m_origin.clear();
     m_sections = std::move(sections);
@@ -29,6 +31,7 @@ void Selection::selectJoint(const JointRef &joint)
     m_before.clear();
     m_lost.reset();
     m_lostOperation = m_operation = {};
+    m_lostWeight = m_weight = {};
     m_sections.clear();
     m_joint = joint;
 }
@@ -37,7 +40,18 @@ void Selection::selectOperation(OperationId id)
 {
     select({});
     m_lostOperation = {};
+    m_lostWeight = {};
     m_operation = id;
+}
+
+void Selection::selectWeight(WeightId id)
+{
+    select({});
+    m_before.clear();
+    m_lost.reset();
+    m_lostOperation = {};
+    m_lostWeight = {};
+    m_weight = id;
 }
 
 void Selection::leaveJoint(const Model &model)
@@ -82,9 +96,21 @@ bool Selection::followOperation(const Document &document)
     return m_operation.isValid();
 }
 
+/// The same of a weight.
+bool Selection::followWeight(const Document &document)
+{
+    if (m_weight.isValid() && !document.find(m_weight)) {
+        m_lostWeight = std::exchange(m_weight, {});
+        return true;
+    }
+    if (m_lostWeight.isValid() && isEmpty() && document.find(m_lostWeight))
+        selectWeight(m_lostWeight);
+    return m_weight.isValid();
+}
+
 void Selection::follow(const Model &model)
 {
-    if (followOperation(model.document))
+    if (followOperation(model.document) || followWeight(model.document))
         return;
     if (m_joint) {
         followJoint(model);
@@ -113,6 +139,7 @@ void Selection::forget()
     m_before.clear();
     m_lost.reset();
     m_lostOperation = m_operation = {};
+    m_lostWeight = m_weight = {};
     m_joint.reset();
     m_origin.clear();
 }

@@ -1,5 +1,5 @@
-// What is selected, sections, a joint or an operation, and how it comes back when Undo brings back
-// what was deleted.
+// What is selected, sections, a joint, an operation or a weight, and how it comes back when Undo
+// brings back what was deleted.
 #pragma once
 
 #include "core/model/joint_ref.h"
@@ -18,10 +18,16 @@ public:
     const std::optional<JointRef> &joint() const { return m_joint; }
     /// While one is selected neither a section nor a joint is; not valid: none is.
     OperationId operation() const { return m_operation; }
-    bool isEmpty() const { return m_sections.empty() && !m_joint && !m_operation.isValid(); }
+    /// While one is selected nothing else is; not valid: none is.
+    WeightId weight() const { return m_weight; }
+    bool isEmpty() const
+    {
+        return m_sections.empty() && !m_joint && !m_operation.isValid() && !m_weight.isValid();
+    }
     void select(std::vector<SectionRef> sections);
     void selectJoint(const JointRef &joint);
     void selectOperation(OperationId id);
+    void selectWeight(WeightId id);
     /// One step back from sections or an operation: from one section that an operation made to
     /// that, else to nothing.
     void goBack();
@@ -39,6 +45,7 @@ public:
 private:
     void followJoint(const Model &model);
     bool followOperation(const Document &document);
+    bool followWeight(const Document &document);
 
     std::vector<SectionRef> m_sections;
     std::vector<SectionRef> m_before, m_left; // before sections of it went, and what stayed
@@ -46,6 +53,7 @@ private:
     std::optional<JointRef> m_lost;   // a joint that went
     std::vector<SectionRef> m_origin; // sections that were selected before the joint
     OperationId m_operation, m_lostOperation;
+    WeightId m_weight, m_lostWeight;
 };
 
 /// The selected sections that are there; of a selected operation those that it made or changed.

@@ -176,7 +176,8 @@ void registerNudges(CommandRegistry &registry, Interaction &interaction)
                           needs(
                               [&interaction] {
                                   return !interaction.selection().empty() ||
-                                         interaction.selectedJoint().has_value();
+                                         interaction.selectedJoint().has_value() ||
+                                         interaction.selectedWeight().isValid();
                               },
                               kNothingSelected)});
     };

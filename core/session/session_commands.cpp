@@ -1,6 +1,7 @@
 #include "core/session/session_commands.h"
 
 #include "core/interaction/section_editing.h"
+#include "core/interaction/weight_editing.h"
 #include "core/session/command_rules.h"
 #include "core/session/copy_commands.h"
 #include "core/session/drawing_commands.h"
@@ -82,26 +83,32 @@ void registerEdits(CommandRegistry &registry, Session &session, Interaction &int
                                           ? Argument(kSetPoint)
                                           : stepNamed(session.history()->redoText())}};
                   }});
-    registry.add("edit.delete",
-                 {[&](const CommandParameters &, double time) -> Result<void> {
-                      if (interaction.selectedJoint()) {
-                          interaction.say(Hint::refusal(hints::kJointNotDeleted), time);
-                          return {};
-                      }
-                      if (interaction.selectedOperation().isValid())
-                          return registry.run("operation.delete", {}, time);
-                      if (!interaction.points().isEmpty())
-                          return registry.run("point.delete", {}, time);
-                      interaction.carryOut(deleted(session.committed(), interaction.selection()),
-                                           time);
-                      return {};
-                  },
-                  needs(
-                      [&] {
-                          return !interaction.selection().empty() || interaction.selectedJoint() ||
-                                 interaction.selectedOperation().isValid();
-                      },
-                      kNothingSelected)});
+    registry.add(
+        "edit.delete",
+        {[&](const CommandParameters &, double time) -> Result<void> {
+             if (interaction.selectedJoint()) {
+                 interaction.say(Hint::refusal(hints::kJointNotDeleted), time);
+                 return {};
+             }
+             if (interaction.selectedOperation().isValid())
+                 return registry.run("operation.delete", {}, time);
+             if (interaction.selectedWeight().isValid()) {
+                 interaction.carryOut(
+                     removedWeight(session.committed(), interaction.selectedWeight()), time);
+                 return {};
+             }
+             if (!interaction.points().isEmpty())
+                 return registry.run("point.delete", {}, time);
+             interaction.carryOut(deleted(session.committed(), interaction.selection()), time);
+             return {};
+         },
+         needs(
+             [&] {
+                 return !interaction.selection().empty() || interaction.selectedJoint() ||
+                        interaction.selectedOperation().isValid() ||
+                        interaction.selectedWeight().isValid();
+             },
+             kNothingSelected)});
     registry.offer(kSessionWords);
 }
 

@@ -1,6 +1,7 @@
 #include "core/session/weight_commands.h"
 
 #include "core/interaction/section_edit.h"
+#include "core/interaction/weight_editing.h"
 #include "core/interaction/weight_tool.h"
 #include "core/interaction/weight_words.h"
 #include "core/model/edit_words.h"
@@ -10,6 +11,7 @@
 
 #include <memory>
 #include <tuple>
+#include <utility>
 
 namespace fff {
 
@@ -59,17 +61,25 @@ public:
                         Step(steps::kAddWeight, {massOf(weight.mass), Named{section->name}}), time);
     }
 
+    /// What is not said stays. One step, whatever is said.
     Result<void> set(const CommandParameters &parameters, double time) const
     {
         Result<Weight> weight = weightOf(parameters);
         if (!weight)
             return tl::unexpected(weight.error());
-        const Result<double> mass = numberOf(parameters, "mass", weight->mass);
-        if (!mass)
-            return tl::unexpected(mass.error());
-        weight->mass = *mass;
-        return carryOut(setWeight(m_session.committed().document, *weight),
-                        Step(steps::kSetWeight, {massOf(*mass)}), time);
+        for (const auto &[key, number] :
+             {std::pair("mass", &weight->mass), std::pair("x", &weight->position.x()),
+              std::pair("y", &weight->position.y())}) {
+            const Result<double> value = numberOf(parameters, key, *number);
+            if (!value)
+                return tl::unexpected(value.error());
+            *number = *value;
+        }
+        if (const std::string *name = textOf(parameters, "name"))
+            weight->name = *name;
+        const Document &document = m_session.committed().document;
+        return carryOut(setWeight(document, *weight), changeOf(*document.find(weight->id), *weight),
+                        time);
     }
 
     Result<void> remove(const CommandParameters &parameters, double time) const
@@ -77,14 +87,59 @@ public:
         const Result<Weight> weight = weightOf(parameters);
         if (!weight)
             return tl::unexpected(weight.error());
-        return carryOut(removeWeight(m_session.committed().document, weight->id),
-                        steps::kRemoveWeight, time);
+        m_interaction.carryOut(removedWeight(m_session.committed(), weight->id), time);
+        return {};
+    }
+
+    Result<void> select(const CommandParameters &parameters, double) const
+    {
+        const Result<Weight> weight = weightOf(parameters);
+        if (!weight)
+            return tl::unexpected(weight.error());
+        m_interaction.selectWeight(weight->id);
+        return {};
+    }
+
+    Result<void> heavier(const CommandParameters &parameters, double time) const
+    {
+        return addMass(1.0, parameters, time);
+    }
+    Result<void> lighter(const CommandParameters &parameters, double time) const
+    {
+        return addMass(-1.0, parameters, time);
     }
 
 private:
+    Result<void> addMass(double sign, const CommandParameters &parameters, double time) const
+    {
+        const Result<Weight> weight = weightOf(parameters);
+        if (!weight)
+            return tl::unexpected(weight.error());
+        const Result<double> mass = numberOf(parameters, "mass", kMassStep);
+        if (!mass)
+            return tl::unexpected(mass.error());
+        m_interaction.carryOut(withMassAdded(m_session.committed(), weight->id, sign * *mass),
+                               time);
+        return {};
+    }
+
+    Step changeOf(const Weight &before, const Weight &after) const
+    {
+        if (before.mass != after.mass)
+            return Step(steps::kSetWeight, {massOf(after.mass)});
+        if (before.name != after.name)
+            return nameStep(before, after.name);
+        return Step(steps::kMoveWeight, {Named{m_session.committed().nameOf(after.section)}});
+    }
+
+    /// The one that is meant, or without a number the selected one, else the first.
     Result<Weight> weightOf(const CommandParameters &parameters) const
     {
-        const std::vector<Weight> &weights = m_session.committed().document.weights;
+        const Document &document = m_session.committed().document;
+        if (const Weight *selected = document.find(m_interaction.selectedWeight());
+            selected && !parameters.contains("weight"))
+            return *selected;
+        const std::vector<Weight> &weights = document.weights;
         const Result<double> index = numberOf(parameters, "weight", 0.0);
         if (!index)
             return tl::unexpected(index.error());
@@ -124,6 +179,9 @@ void registerWeightCommands(CommandRegistry &registry, Session &session, Interac
               FFF_TEXT("Command", "There is no weight on the model"));
     registry.add("physics.setWeight", {runner(&WeightCommands::set), hasWeights});
     registry.add("physics.removeWeight", {runner(&WeightCommands::remove), hasWeights});
+    registry.add("physics.selectWeight", {runner(&WeightCommands::select), hasWeights});
+    registry.add("physics.heavier", {runner(&WeightCommands::heavier), hasWeights});
+    registry.add("physics.lighter", {runner(&WeightCommands::lighter), hasWeights});
     registry.offer(kWeightWords);
 }
 

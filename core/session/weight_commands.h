@@ -1,4 +1,5 @@
-// physics.addWeight, physics.setWeight and physics.removeWeight: weights that hang on sections.
+// physics.addWeight, setWeight, removeWeight, selectWeight, heavier and lighter: weights that hang
+// on sections.
 #pragma once
 
 #include "core/interaction/commands.h"
@@ -8,8 +9,9 @@
 namespace fff {
 
 /// addWeight takes up the tool; with "section" (its name), "mass" (kg) and perhaps "x" and "y" (mm,
-/// its frame) it hangs one there. The others take "weight", its place in the list, and setWeight
-/// "mass". Session and interaction outlive the registry.
+/// its frame) it hangs one there. The others take "weight", its place in the list (without it: the
+/// selected one, else the first); setWeight "mass", "x", "y" and "name", heavier and lighter the
+/// "mass" to add or take off (10 g without it). Session and interaction outlive the registry.
 void registerWeightCommands(CommandRegistry &registry, Session &session, Interaction &interaction);
 
 } // namespace fff

@@ -21,6 +21,7 @@ fff_tests(tests_ui LIBRARIES fff::ui TESTS
     ui/docks/tst_operations_docks
     ui/docks/tst_stage_failures
     ui/docks/tst_trying_out
+    ui/docks/tst_weight_docks
     ui/files/tst_format_filters
     ui/files/tst_progress
     ui/files/tst_windows

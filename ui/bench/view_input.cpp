@@ -262,7 +262,7 @@ bool ViewInput::keyPress(QKeyEvent *event)
         Q_EMIT enterPressed();
         return true;
     }
-    return nudge(event) || tellOfModifiers(event);
+    return nudge(event) || changeMass(event) || tellOfModifiers(event);
 }
 
 /// Arrow keys move what is selected by 1 mm, finely with Ctrl, coarsely with Shift.
@@ -293,6 +293,18 @@ bool ViewInput::nudge(QKeyEvent *event)
         return false; // Alt and the like are someone else's
     m_bench.clock().observe(event->timestamp());
     return m_bench.nudge(arrow, distance);
+}
+
+/// + and − make the selected weight heavier and lighter by 10 g; with sections they are for points.
+bool ViewInput::changeMass(QKeyEvent *event)
+{
+    const bool isLighter = event->key() == Qt::Key_Minus;
+    if ((!isLighter && event->key() != Qt::Key_Plus) ||
+        !m_bench.interaction().selectedWeight().isValid())
+        return false;
+    m_bench.clock().observe(event->timestamp());
+    m_bench.run(isLighter ? QStringLiteral("physics.lighter") : QStringLiteral("physics.heavier"));
+    return true;
 }
 
 /// A gesture may do something else while Shift or Ctrl is held, also when the mouse rests.

@@ -69,6 +69,7 @@ private:
     bool takesNumber(const QKeyEvent *event) const;
     bool tellOfModifiers(QKeyEvent *event);
     bool nudge(QKeyEvent *event);
+    bool changeMass(QKeyEvent *event);
     void erase(QTabletEvent *event);
 
     Workbench &m_bench;

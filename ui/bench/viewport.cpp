@@ -212,7 +212,8 @@ void Viewport::paintMarks()
         scene.operation = operationKind(operation->kind);
     if (!m_steps) {
         scene.dimensions = dimensionSigns(model, over.dimension);
-        for (const Sign &sign : weightSigns(model, scene.view, over.weight))
+        for (const Sign &sign :
+             weightSigns(model, scene.view, over.weight, interaction.selectedWeight()))
             scene.dimensions.add(sign);
         scene.stress = m_stress.marks();
     }

@@ -155,6 +155,12 @@ void Workbench::selectOperation(OperationId id)
     announceChanges();
 }
 
+void Workbench::selectWeight(WeightId id)
+{
+    m_interaction->selectWeight(id);
+    announceChanges();
+}
+
 void Workbench::editJoint(JointEdit edit)
 {
     if (edit)
@@ -322,8 +328,10 @@ const Model &Workbench::shownModel() const
 void Workbench::announceChanges()
 {
     if (m_selection != m_interaction->selection() || m_joint != m_interaction->selectedJoint() ||
-        m_operation != m_interaction->selectedOperation()) {
+        m_operation != m_interaction->selectedOperation() ||
+        m_weight != m_interaction->selectedWeight()) {
         m_selection = m_interaction->selection();
+        m_weight = m_interaction->selectedWeight();
         m_operation = m_interaction->selectedOperation();
         // What is asked for is of the one that was selected.
         const Tool *held = m_interaction->tool();

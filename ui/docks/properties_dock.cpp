@@ -114,7 +114,8 @@ void PropertiesDock::refresh()
     const bool hasOperation = m_bench.interaction().selectedOperation().isValid();
     m_jointPage->follow();
     m_operationPage->follow();
-    m_modelPage->setVisible(!hasSection && !hasJoint && !hasOperation && !isDrawing);
+    const bool hasWeight = m_bench.interaction().selectedWeight().isValid();
+    m_modelPage->setVisible(!hasSection && !hasJoint && !hasOperation && !hasWeight && !isDrawing);
     m_operationPage->setVisible(hasOperation && !isDrawing);
     m_jointPage->setVisible(hasJoint && !isDrawing);
     m_sectionPage->setVisible(hasSection && !isDrawing);
@@ -130,7 +131,7 @@ void PropertiesDock::refresh()
         m_operationPage->refresh();
     else if (hasSection)
         m_sectionPage->refresh();
-    else
+    else if (!hasWeight) // of that the header says all
         m_modelPage->refresh();
 }
 

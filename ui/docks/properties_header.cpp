@@ -7,6 +7,7 @@
 #include "core/session/operation_text.h"
 #include "ui/base/icon.h"
 #include "ui/base/theme.h"
+#include "ui/bench/measures.h"
 #include "ui/bench/workbench.h"
 #include "ui/properties/joint_words.h"
 
@@ -88,8 +89,11 @@ void PropertiesHeader::refresh()
     const std::optional<JointRef> &joint = m_bench.interaction().selectedJoint();
     const Operation *operation =
         m_bench.session().model().document.find(m_bench.interaction().selectedOperation());
+    const Weight *weight =
+        m_bench.session().model().document.find(m_bench.interaction().selectedWeight());
     const QString icon = joint              ? QStringLiteral("joint")
                          : operation        ? QString::fromStdString(operation->kind)
+                         : weight           ? QStringLiteral("weight")
                          : sections.empty() ? QStringLiteral("view_iso")
                                             : QStringLiteral("section");
     m_icon->setPixmap(tintedPixmap(icon, 22, theme().accent, devicePixelRatioF()));
@@ -109,6 +113,12 @@ void PropertiesHeader::refresh()
         name = QString::fromStdString(operation->name);
         kind = kindOf(*operation);
         m_isOn->setChecked(operation->isOn);
+    } else if (weight) {
+        name = weight->name.empty() ? tr("Weight") : QString::fromStdString(weight->name);
+        //: %1 is a mass, %2 the name of a section
+        kind = tr("%1 on %2")
+                   .arg(massText(weight->mass, locale()),
+                        QString::fromStdString(m_bench.session().model().nameOf(weight->section)));
     } else if (sections.empty()) {
         name = tr("Model");
         kind = tr("Nothing is selected");

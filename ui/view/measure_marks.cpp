@@ -156,7 +156,7 @@ Signs dimensionSigns(const Model &model, DimensionId lit)
     return signs;
 }
 
-Signs weightSigns(const Model &model, const ViewState &view, WeightId lit)
+Signs weightSigns(const Model &model, const ViewState &view, WeightId hovered, WeightId selected)
 {
     const Vec2 kAbove(0.0, -22.0); // px
     Signs signs;
@@ -164,11 +164,14 @@ Signs weightSigns(const Model &model, const ViewState &view, WeightId lit)
         const auto place = placeOf(model, weight);
         if (!place || view.isHidden(weight.section))
             continue;
-        const bool isLit = lit.isValid() && weight.id == lit;
+        const bool isLit = weight.id == hovered || weight.id == selected;
         const SignRole role = isLit ? SignRole::WeightInHand : SignRole::Weight;
         signs.add(sign::Handle{role, *place});
-        signs.add(sign::Label{
-            role, {*place}, Message{Text{nullptr, "%1"}, {massOf(weight.mass)}}, kAbove});
+        const Message words =
+            weight.name.empty()
+                ? Message{Text{nullptr, "%1"}, {massOf(weight.mass)}}
+                : Message{Text{nullptr, "%1, %2"}, {Named{weight.name}, massOf(weight.mass)}};
+        signs.add(sign::Label{role, {*place}, words, kAbove});
     }
     return signs;
 }

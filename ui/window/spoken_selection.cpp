@@ -59,6 +59,12 @@ QString spokenSelection(const Workbench &bench, const CheckList &checks)
     if (const Operation *operation = model.document.find(interaction.selectedOperation()))
         return SpokenSelectionTexts::tr("%1, operation")
             .arg(QString::fromStdString(operation->name));
+    if (const Weight *weight = model.document.find(interaction.selectedWeight()))
+        //: %1 is the name of a section
+        return weight->name.empty()
+                   ? SpokenSelectionTexts::tr("Weight on %1")
+                         .arg(QString::fromStdString(model.nameOf(weight->section)))
+                   : QString::fromStdString(weight->name);
     const std::vector<SectionRef> &selected = interaction.selection();
     if (selected.size() > 1)
         return SpokenSelectionTexts::tr("%n sections selected", nullptr,

@@ -24,6 +24,7 @@ fff_tests(tests_interaction LIBRARIES fff::session TESTS
     core/interaction/tst_transform_tool
     core/interaction/tst_view_cube
     core/interaction/tst_view_history
+    core/interaction/tst_weight_editing
     core/interaction/tst_weight_tool
     ALONE
         core/interaction/tst_facing
