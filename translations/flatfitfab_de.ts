@@ -4118,6 +4118,19 @@
         <source>Nothing hung there: click on a section.</source>
         <translation>Nichts angehängt: Klick auf ein Teil.</translation>
     </message>
+    <message>
+        <source>Click to select the weight of %1 on %2.</source>
+        <translation>Klicken, um das Gewicht von %1 auf %2 auszuwählen.</translation>
+    </message>
+    <message>
+        <source>Arrow keys move the weight of %1 on %2 by 1&#x202f;mm; &lt;kbd&gt;+&lt;/kbd&gt; and &lt;kbd&gt;−&lt;/kbd&gt; change it, &lt;kbd&gt;Del&lt;/kbd&gt; removes it.</source>
+        <translation>Pfeiltasten bewegen das Gewicht von %1 auf %2 um 1&#x202f;mm; &lt;kbd&gt;+&lt;/kbd&gt; und &lt;kbd&gt;−&lt;/kbd&gt; ändern es, &lt;kbd&gt;Entf&lt;/kbd&gt; entfernt es.</translation>
+    </message>
+    <message>
+        <source>The weight stays where it hangs: there it would be beside %1.</source>
+        <extracomment>%1 is the name of a section</extracomment>
+        <translation>Das Gewicht bleibt, wo es hängt: dort wäre es neben %1.</translation>
+    </message>
 </context>
 <context>
     <name>Operation</name>
@@ -5341,6 +5354,11 @@
         <source>Make %1 %2 thick</source>
         <extracomment>%1 is the name of a stock, %2 a length</extracomment>
         <translation>%1 auf %2 Dicke ändern</translation>
+    </message>
+    <message>
+        <source>Call a weight %1</source>
+        <extracomment>%1 is a name</extracomment>
+        <translation>Ein Gewicht %1 nennen</translation>
     </message>
 </context>
 <context>
@@ -7987,6 +8005,15 @@
         <extracomment>%1 is the kind of an operation, %2 a number of sections</extracomment>
         <translation>%1 · %2 · aktuell</translation>
     </message>
+    <message>
+        <source>Weight</source>
+        <translation>Gewicht</translation>
+    </message>
+    <message>
+        <source>%1 on %2</source>
+        <extracomment>%1 is a mass, %2 the name of a section</extracomment>
+        <translation>%1 auf %2</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::RecentMenu</name>
@@ -8559,6 +8586,11 @@
             <numerusform>%n Scheibe gewählt</numerusform>
             <numerusform>%n Scheiben gewählt</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Weight on %1</source>
+        <extracomment>%1 is the name of a section</extracomment>
+        <translation>Gewicht auf %1</translation>
     </message>
 </context>
 <context>
