@@ -210,8 +210,7 @@ private:
                         addContacts(*body, *other, static_cast<int>(i), static_cast<int>(k),
                                     contacts);
             }
-        return movable(contacts, static_cast<int>(looked.groups.size()),
-                       {kCaptivePlay, kCaptiveMove});
+        return movable(contacts, static_cast<int>(looked.groups.size()), {kGripLoss, kCaptiveMove});
     }
     bool keep(Known known, bool isNew)
     {

@@ -44,8 +44,8 @@ withCaptives(const Analysis &analysis, std::vector<std::vector<int>> groups, Cap
 
 /// mm; a press fit gives less.
 inline constexpr double kEscape = 0.3;
-/// mm: cutting takes so much off at each side of a slit, and what then moves by no more is held.
-inline constexpr double kCaptivePlay = 0.05, kCaptiveMove = 0.7;
+/// mm: what moves by no more, once cutting has taken off kGripLoss at every contact, is held.
+inline constexpr double kCaptiveMove = 0.7;
 inline constexpr std::size_t kMostInGroup = 8, kMostGroups = 32, kMostTogether = 6;
 
 } // namespace fff

@@ -45,7 +45,8 @@ const StressMarks *StressPicture::marks()
         m_marks.analysis = held->analysis;
         m_feet = footForces(held->strength);
     }
-    m_marks.isOlder = scheduler.age(kHolding.name) != Scheduler::Age::Current;
+    m_marks.isOlder =
+        scheduler.age(kHolding.name) != Scheduler::Age::Current || m_bench.tried() != nullptr;
     m_marks.forces = m_feet;
     // Those at joints of the section that is chosen, or else under the cursor.
     const Model &model = held->analysis->model;

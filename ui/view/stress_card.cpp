@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace fff::ui {
 
@@ -67,7 +68,7 @@ void paintNeck(MarkPen &pen, const Analysis &analysis, const StressLine &line, c
     QTransform flat;
     flat.translate(box.center().x(), box.center().y());
     flat.scale(scale, -scale);
-    flat.rotateRadians(0.5 * std::acos(-1.0) - std::atan2(way.y(), way.x()));
+    flat.rotateRadians(0.5 * std::numbers::pi - std::atan2(way.y(), way.x()));
     const Vec2 middle = 0.5 * (neck.begin + neck.end);
     flat.translate(-middle.x(), -middle.y());
     const Region &region = analysis.bodies.at(line.body).outline().region;

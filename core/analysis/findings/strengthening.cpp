@@ -24,15 +24,25 @@ constexpr double kMostThicker = 4.0;
 /// What is left of a slit's depth, tried in this order.
 constexpr std::array kLeftOfDepth{0.85, 0.7, 0.55, 0.4};
 
-HoldVerdict verdictOn(const Document &document, const Analysis &before, double safety)
+/// Judges one candidate after the other, each for the work of what differs from the one before.
+class Judging
 {
-    AnalysisCaches caches;
-    StrengthCaches strengthCaches;
-    StrengthRules rules;
-    rules.safety = safety;
-    const Analysis analysis = analyse(evaluate(document, before.model), caches);
-    return strengthOf(analysis, rules, strengthCaches).verdict;
-}
+public:
+    Judging(const Analysis &before, double safety) : m_before(before) { m_rules.safety = safety; }
+
+    HoldVerdict verdictOn(const Document &document)
+    {
+        const AnalysisPointer analysis =
+            analyseNext(evaluate(document, m_before.model), m_analysis);
+        return strengthOf(*analysis, m_rules, m_strength).verdict;
+    }
+
+private:
+    const Analysis &m_before;
+    AnalysisCaches m_analysis;
+    StrengthRules m_rules;
+    StrengthCaches m_strength;
+};
 
 bool isBetter(HoldVerdict verdict, const Finding &finding)
 {
@@ -45,13 +55,13 @@ template <class Candidates, class Make>
 std::optional<FindingEdit> firstThatHolds(const Candidates &candidates, const Finding &finding,
                                           const Analysis &analysis, Make make)
 {
+    Judging judging(analysis, finding.details<Held>()->safety);
     std::optional<FindingEdit> nearly;
     for (const double candidate : candidates) {
         std::optional<FindingEdit> edit = make(candidate);
         if (!edit)
             continue;
-        const HoldVerdict verdict =
-            verdictOn(edit->document, analysis, finding.details<Held>()->safety);
+        const HoldVerdict verdict = judging.verdictOn(edit->document);
         if (verdict == HoldVerdict::Holds)
             return edit;
         if (!nearly && isBetter(verdict, finding))
