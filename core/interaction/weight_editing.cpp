@@ -20,81 +20,60 @@ SectionEdit edited(Result<Document> next, Step step)
     return EditedSections{*std::move(next), std::move(step)};
 }
 
-/// Of an arrow key, or of + and −, pressed again.
-std::string mergesAs(const char *what, WeightId id)
+/// A key that is pressed again goes on with the same step.
+SectionEdit merging(SectionEdit edit, const char *what, WeightId id)
 {
-    return std::string(what) + " " + std::to_string(id.value);
+    if (edit)
+        edit->step.merges = std::string(what) + " " + std::to_string(id.value);
+    return edit;
 }
 
-SectionEdit placed(const Model &model, WeightId id, const Vec2 &position, const char *merges)
+Step stepTo(const Weight &before, const Weight &after, const Section &section)
 {
-    const Weight *found = model.document.find(id);
-    const Section *section = found ? model.find(found->section) : nullptr;
-    if (!section || !position.allFinite())
-        return refused(hints::kEditFailed);
-    if (section->isLocked)
-        return refused(hints::kLocked, {Named{section->name}});
-    if (locate(position, section->shape->region()) == Side::Outside)
-        return refused(hints::kWeightBeside, {Named{section->name}});
-    Weight weight = *found;
-    weight.position = position;
-    Step step(steps::kMoveWeight, {Named{section->name}});
-    if (merges)
-        step.merges = mergesAs(merges, id);
-    return edited(setWeight(model.document, weight), std::move(step));
+    if (before.mass != after.mass)
+        return {steps::kSetWeight, {massOf(after.mass)}};
+    if (before.name == after.name)
+        return {steps::kMoveWeight, {Named{section.name}}};
+    if (before.name.empty())
+        return {steps::kNameWeight, {Named{after.name}}};
+    return {steps::kRename, {Named{before.name}}};
 }
 
 } // namespace
 
+SectionEdit changedWeight(const Model &model, const Weight &weight)
+{
+    const Weight *before = model.document.find(weight.id);
+    const Section *section = before ? model.find(weight.section) : nullptr;
+    if (!section || !weight.position.allFinite())
+        return refused(hints::kEditFailed);
+    if (weight.position != before->position) {
+        if (section->isLocked)
+            return refused(hints::kLocked, {Named{section->name}});
+        if (locate(weight.position, section->shape->region()) == Side::Outside)
+            return refused(hints::kWeightBeside, {Named{section->name}});
+    }
+    return edited(setWeight(model.document, weight), stepTo(*before, weight, *section));
+}
+
 SectionEdit movedWeight(const Model &model, WeightId id, const Vec2 &by)
 {
-    const Weight *weight = model.document.find(id);
-    if (!weight)
+    const Weight *before = model.document.find(id);
+    if (!before)
         return refused(hints::kEditFailed);
-    return placed(model, id, weight->position + by, "weight");
-}
-
-SectionEdit placedWeight(const Model &model, WeightId id, const Vec2 &position)
-{
-    return placed(model, id, position, nullptr);
-}
-
-SectionEdit withMass(const Model &model, WeightId id, double mass)
-{
-    const Weight *found = model.document.find(id);
-    if (!found)
-        return refused(hints::kEditFailed);
-    Weight weight = *found;
-    weight.mass = mass;
-    return edited(setWeight(model.document, weight), Step(steps::kSetWeight, {massOf(mass)}));
+    Weight weight = *before;
+    weight.position += by;
+    return merging(changedWeight(model, weight), "weight", id);
 }
 
 SectionEdit withMassAdded(const Model &model, WeightId id, double mass)
 {
-    const Weight *weight = model.document.find(id);
-    if (!weight)
+    const Weight *before = model.document.find(id);
+    if (!before)
         return refused(hints::kEditFailed);
-    SectionEdit edit =
-        withMass(model, id, std::round((weight->mass + mass) * kMilligrams) / kMilligrams);
-    if (edit)
-        edit->step.merges = mergesAs("mass", id);
-    return edit;
-}
-
-SectionEdit renamedWeight(const Model &model, WeightId id, const std::string &name)
-{
-    const Weight *found = model.document.find(id);
-    if (!found)
-        return refused(hints::kEditFailed);
-    Weight weight = *found;
-    weight.name = name;
-    return edited(setWeight(model.document, weight), nameStep(*found, name));
-}
-
-Step nameStep(const Weight &weight, const std::string &name)
-{
-    return weight.name.empty() ? Step(steps::kNameWeight, {Named{name}})
-                               : Step(steps::kRename, {Named{weight.name}});
+    Weight weight = *before;
+    weight.mass = std::round((weight.mass + mass) * kMilligrams) / kMilligrams;
+    return merging(changedWeight(model, weight), "mass", id);
 }
 
 SectionEdit removedWeight(const Model &model, WeightId id)

@@ -77,9 +77,11 @@ public:
         }
         if (const std::string *name = textOf(parameters, "name"))
             weight->name = *name;
-        const Document &document = m_session.committed().document;
-        return carryOut(setWeight(document, *weight), changeOf(*document.find(weight->id), *weight),
-                        time);
+        // A number that is none is the script's fault; what is refused is said to the person.
+        if (const auto next = setWeight(m_session.committed().document, *weight); !next)
+            return tl::unexpected(next.error());
+        m_interaction.carryOut(changedWeight(m_session.committed(), *weight), time);
+        return {};
     }
 
     Result<void> remove(const CommandParameters &parameters, double time) const
@@ -121,15 +123,6 @@ private:
         m_interaction.carryOut(withMassAdded(m_session.committed(), weight->id, sign * *mass),
                                time);
         return {};
-    }
-
-    Step changeOf(const Weight &before, const Weight &after) const
-    {
-        if (before.mass != after.mass)
-            return Step(steps::kSetWeight, {massOf(after.mass)});
-        if (before.name != after.name)
-            return nameStep(before, after.name);
-        return Step(steps::kMoveWeight, {Named{m_session.committed().nameOf(after.section)}});
     }
 
     /// The one that is meant, or without a number the selected one, else the first.

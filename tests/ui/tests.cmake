@@ -58,7 +58,8 @@ set(windows
     ui/tst_pens_and_fingers
     ui/tst_point_editing
     ui/tst_script_player
-    ui/tst_transform_window)
+    ui/tst_transform_window
+    ui/tst_weight_keys)
 fff_tests(tests_window LIBRARIES fff::ui ON_A_DISPLAY ${windows})
 # The program itself, killed while it works.
 target_compile_definitions(tests_window PRIVATE FFF_WINDOW="$<TARGET_FILE:flatfitfab>")

@@ -127,8 +127,11 @@ void TestWeightEditing::besideTheSectionItStays()
     desk.run("nudge.up", {{"distance", "10"}});
     QVERIFY(desk.session.committed().document.isSame(at));
     QCOMPARE(desk.hint(), hints::kWeightBeside);
-    QVERIFY(!placedWeight(desk.session.committed(), at.weights[0].id, Vec2(300, 0)));
-    QVERIFY(placedWeight(desk.session.committed(), at.weights[0].id, Vec2(-99, 0)));
+    Weight placed = at.weights[0];
+    placed.position = {300, 0};
+    QVERIFY(!changedWeight(desk.session.committed(), placed));
+    placed.position = {-99, 0};
+    QVERIFY(changedWeight(desk.session.committed(), placed));
 }
 
 // Wrong: what a person wants to stay as it is changes.
@@ -184,8 +187,9 @@ void TestWeightEditing::namesByCommand()
     QCOMPARE(desk.weights()[0].position, Vec2(-10, 25));
     QCOMPARE(desk.steps(), steps + 1);
     QCOMPARE(desk.lastStep(), QStringLiteral("Rename Cup"));
-    const SectionEdit bare =
-        renamedWeight(desk.session.committed(), desk.weights()[0].id, std::string());
+    Weight nameless = desk.weights()[0];
+    nameless.name.clear();
+    const SectionEdit bare = changedWeight(desk.session.committed(), nameless);
     QVERIFY(bare && bare->document.weights[0].name.empty());
     desk.run("edit.undo");
     QVERIFY(desk.session.committed().document.isSame(desk.before));
@@ -196,10 +200,11 @@ void TestWeightEditing::ofOneThatIsNotThere()
     HungDesk desk;
     const Model &model = desk.session.committed();
     const WeightId nobody{12345};
+    Weight unknown;
+    unknown.id = nobody;
     for (const SectionEdit &edit :
-         {movedWeight(model, nobody, Vec2(1, 0)), placedWeight(model, nobody, Vec2(0, 0)),
-          withMass(model, nobody, 1.0), withMassAdded(model, nobody, 1.0),
-          renamedWeight(model, nobody, "Cup"), removedWeight(model, nobody)})
+         {changedWeight(model, unknown), movedWeight(model, nobody, Vec2(1, 0)),
+          withMassAdded(model, nobody, 1.0), removedWeight(model, nobody)})
         QVERIFY(!edit);
     desk.interaction.selectWeight(nobody);
     QVERIFY(!desk.isSelected());
