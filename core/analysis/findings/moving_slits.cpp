@@ -99,29 +99,36 @@ std::optional<FindingEdit> slitMoved(const FindingAction &, const Finding &findi
     return movedBy(analysis.model, finding.others.front(), web->host->frame.directionToWorld(way));
 }
 
-constexpr Text kLessDeepText = FFF_TEXT("Checks", "Cut the slit less deep");
-
 std::optional<FindingEdit> cutLessDeep(const FindingAction &, const Finding &finding,
                                        const Analysis &analysis, const Flips *)
 {
     const std::optional<WebSlit> web = slitOf(finding, analysis);
     if (!web)
         return {};
+    return cutLessDeepBy(web->lacks + kSpare, *web->slit, finding.sections.front(),
+                         finding.others.front(), analysis);
+}
+
+} // namespace
+
+std::optional<FindingEdit> cutLessDeepBy(double by, const Slit &slit, const SectionRef &host,
+                                         const SectionRef &guest, const Analysis &analysis)
+{
     const Model &model = analysis.model;
-    const JointRef ref(finding.sections.front(), finding.others.front());
-    const int a = model.indexOf(ref.a), b = model.indexOf(ref.b);
-    const Joint *joint = analysis.assembly.joints.find(std::min(a, b), std::max(a, b));
+    const int own = model.indexOf(host), other = model.indexOf(guest);
+    if (own < 0 || other < 0)
+        return {};
+    const Joint *joint = analysis.assembly.joints.find(std::min(own, other), std::max(own, other));
     if (!joint)
         return {};
-    const Vec3 out = web->host->frame.directionToWorld(web->slit->mouth - web->slit->inner);
+    const Vec3 out = model.section(static_cast<std::size_t>(own))
+                         ->frame.directionToWorld(slit.mouth - slit.inner);
     const double sign = out.dot(joint->crossing->axis.direction) > 0.0 ? 1.0 : -1.0;
-    JointEdit edit = nudgeMeetingPoints(model, ref, sign * (web->lacks + kSpare));
+    JointEdit edit = nudgeMeetingPoints(model, JointRef(host, guest), sign * by);
     if (!edit || edit->document.isSame(model.document))
         return {};
     return FindingEdit{std::move(edit->step), std::move(edit->document)};
 }
-
-} // namespace
 
 const ActionKind kMoveIn{moveInWords, movedIn};
 const ActionKind kMoveSlit{moveSlitWords, slitMoved};

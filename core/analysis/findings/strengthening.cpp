@@ -1,7 +1,7 @@
 #include "core/analysis/findings/strengthening.h"
 
+#include "core/analysis/findings/moving_slits.h"
 #include "core/analysis/findings/strength_findings.h"
-#include "core/assembly/joint_editing.h"
 #include "core/model/edits.h"
 #include "core/operations/evaluate.h"
 
@@ -119,36 +119,22 @@ std::optional<FindingEdit> cutShallower(const FindingAction &, const Finding &fi
 {
     const WeakPlace &place = *finding.details<Held>()->weakest;
     const Slit *slit = weakeningSlit(place, analysis);
-    if (!slit || !place.guest)
+    if (!slit)
         return {};
-    const Model &model = analysis.model;
-    const JointRef ref(place.section, *place.guest);
-    const int a = model.indexOf(ref.a), b = model.indexOf(ref.b);
-    const Joint *joint = analysis.assembly.joints.find(std::min(a, b), std::max(a, b));
-    if (!joint)
-        return {};
-    const Frame &frame =
-        model.section(static_cast<std::size_t>(model.indexOf(place.section)))->frame;
-    const Vec3 out = frame.directionToWorld(slit->mouth - slit->inner);
-    const double sign = out.dot(joint->crossing->axis.direction) > 0.0 ? 1.0 : -1.0;
-    return firstThatHolds(
-        kLeftOfDepth, finding, analysis, [&](double left) -> std::optional<FindingEdit> {
-            JointEdit edit = nudgeMeetingPoints(model, ref, sign * (1.0 - left) * out.norm());
-            if (!edit || edit->document.isSame(model.document))
-                return {};
-            return FindingEdit{std::move(edit->step), std::move(edit->document)};
-        });
+    const double depth = (slit->mouth - slit->inner).norm();
+    return firstThatHolds(kLeftOfDepth, finding, analysis, [&](double left) {
+        return cutLessDeepBy((1.0 - left) * depth, *slit, place.section, *place.guest, analysis);
+    });
 }
 
 constexpr Text kThickerText = FFF_TEXT("Checks", "Use thicker stock");
 constexpr Text kEnterText = FFF_TEXT("Checks", "Enter its strength");
-constexpr Text kShallowerText = FFF_TEXT("Checks", "Cut the slit less deep");
 
 } // namespace
 
 const ActionKind kThickerStock{plainWords<kThickerText>, thickened};
 const ActionKind kEnterStrength{plainWords<kEnterText>};
-const ActionKind kShallowerSlit{plainWords<kShallowerText>, cutShallower};
+const ActionKind kShallowerSlit{plainWords<kLessDeepText>, cutShallower};
 
 std::vector<FindingAction> enterStrength(const Finding &, const Analysis &)
 {
