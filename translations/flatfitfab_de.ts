@@ -9275,6 +9275,14 @@
         <extracomment>%1 is a number of percent</extracomment>
         <translation>Nichts über %1&#x202f;%</translation>
     </message>
+    <message>
+        <source>Stress unknown</source>
+        <translation>Spannung unbekannt</translation>
+    </message>
+    <message>
+        <source>Strength unknown</source>
+        <translation>Festigkeit unbekannt</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::ThicknessField</name>

@@ -117,7 +117,6 @@ void drawStrength(const Analysis &analysis, const Picture &picture, const Camera
                   const QString &file, QImage &image)
 {
     StrengthCaches caches;
-    ui::StressMarks marks;
     const Strength strength = strengthOf(analysis, StrengthRules(), caches);
     if (!areStressesKnown(strength)) {
         printError(tr("%1: no forces are shown, as it does not stand, or they could not be worked "
@@ -125,9 +124,7 @@ void drawStrength(const Analysis &analysis, const Picture &picture, const Camera
                        .arg(file));
         return;
     }
-    marks.analysis = std::make_shared<const Analysis>(analysis);
-    if (picture.showsStress)
-        marks.lines = stressLines(analysis, strength, marks.least);
+    ui::StressMarks marks = ui::stressMarksOf(std::make_shared<const Analysis>(analysis), strength);
     if (picture.showsForces) {
         marks.forces = ui::footForces(strength);
         for (const ui::ForceMark &mark : ui::jointForces(analysis, strength))

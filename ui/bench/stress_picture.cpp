@@ -40,9 +40,7 @@ const StressMarks *StressPicture::marks()
         return nullptr;
     if (held != m_held) {
         m_held = held;
-        m_marks = {};
-        m_marks.lines = stressLines(*held->analysis, held->strength, m_marks.least);
-        m_marks.analysis = held->analysis;
+        m_marks = stressMarksOf(held->analysis, held->strength);
         m_feet = footForces(held->strength);
     }
     m_marks.isOlder =

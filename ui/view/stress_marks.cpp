@@ -165,6 +165,28 @@ QColor stressColour(double use, bool isForColourBlind)
     return {mixed(a.red(), b.red()), mixed(a.green(), b.green()), mixed(a.blue(), b.blue())};
 }
 
+StressMarks stressMarksOf(AnalysisPointer analysis, const Strength &strength)
+{
+    StressMarks marks;
+    marks.lines = stressLines(*analysis, strength, marks.least);
+    marks.isKnown = areStressesKnown(strength);
+    marks.isRated = std::all_of(strength.bodies.begin(), strength.bodies.end(),
+                                [](const BodyStrength &body) { return body.strength.has_value(); });
+    marks.analysis = std::move(analysis);
+    return marks;
+}
+
+QString withoutLines(const StressMarks &marks, const QLocale &locale)
+{
+    if (!marks.isKnown)
+        return StressTexts::tr("Stress unknown");
+    if (!marks.isRated)
+        return StressTexts::tr("Strength unknown");
+    //: %1 is a number of percent
+    return StressTexts::tr("Nothing above %1\u202f%")
+        .arg(locale.toString(100.0 * marks.least, 'f', 0));
+}
+
 int lineAt(const QPointF &point, const StressMarks &marks, const Camera &camera,
            const Vec2 &viewport, const ViewState &view)
 {
@@ -207,10 +229,7 @@ void paintStress(MarkPen &pen, const StressMarks &marks, const ViewState &view,
     paintForces(pen, marks.forces, marks.isOlder, locale);
     if (marks.lines.empty())
         pen.chip({pen.viewport().x() - kMargin, kLegendTop + 11.0}, MarkPen::Anchor::Right,
-                 //: %1 is a number of percent
-                 StressTexts::tr("Nothing above %1\u202f%")
-                     .arg(locale.toString(100.0 * marks.least, 'f', 0)),
-                 pen.style().muted);
+                 withoutLines(marks, locale), pen.style().muted);
     else
         paintLegend(pen, marks, locale);
 }

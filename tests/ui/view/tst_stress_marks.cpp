@@ -3,6 +3,7 @@
 
 #include "core/analysis/stress_lines.h"
 #include "core/io/document_file.h"
+#include "core/model/edits.h"
 #include "core/operations/evaluate.h"
 #include "tests/core/analysed.h"
 #include "tests/test_program.h"
@@ -41,8 +42,7 @@ struct Loaded
         analysis = std::make_shared<const Analysis>(analysed(document));
         StrengthCaches caches;
         strength = strengthOf(*analysis, StrengthRules(), caches);
-        marks.lines = stressLines(*analysis, strength, marks.least);
-        marks.analysis = analysis;
+        marks = stressMarksOf(analysis, strength);
         camera = cameraFor(sceneOf(*analysis), "iso1", kSize);
     }
 };
@@ -71,6 +71,7 @@ private Q_SLOTS:
     void whatItSays();
     void feetBearTheWeight();
     void forcesAtJointsAreOpposite();
+    void whatIsNotKnownIsSaid();
     void allIsPaintedWhole();
 };
 
@@ -156,6 +157,33 @@ void TestStressMarks::forcesAtJointsAreOpposite()
     QVERIFY(marks > 4);
     QVERIFY(all.norm() < 1e-9);
     QCOMPARE(jointForces(*chair.analysis, chair.strength).size(), marks / 2);
+}
+
+// Wrong: that nothing is strained, of what nobody knows the strength of, or of what falls over.
+void TestStressMarks::whatIsNotKnownIsSaid()
+{
+    const QLocale c = QLocale::c();
+    QCOMPARE(withoutLines(Loaded("chair.fff").marks, c), QStringLiteral("Nothing above 20\u202f%"));
+    const auto file =
+        io::readDocument(QStringLiteral(FFF_SAMPLES) + QStringLiteral("/glass_three_legs.fff"));
+    Document unrated = file->document;
+    for (const auto &stock : file->document.stocks) {
+        Stock changed = *stock;
+        changed.tensileStrength.reset();
+        changed.flexuralStrength.reset();
+        unrated = *setStock(std::move(unrated), changed);
+    }
+    const auto wordsOf = [&](const Document &document) {
+        const auto analysis = std::make_shared<const Analysis>(analysed(document));
+        StrengthCaches caches;
+        const StressMarks marks =
+            stressMarksOf(analysis, strengthOf(*analysis, StrengthRules(), caches));
+        return marks.lines.empty() ? withoutLines(marks, c) : QStringLiteral("lines");
+    };
+    QCOMPARE(wordsOf(file->document), QStringLiteral("lines"));
+    QCOMPARE(wordsOf(unrated), QStringLiteral("Strength unknown"));
+    // In the air.
+    QCOMPARE(wordsOf(moveAll(file->document, Vec3(0, 50, 0))), QStringLiteral("Stress unknown"));
 }
 
 // Wrong: a card that runs out of the view.
