@@ -96,10 +96,12 @@ void paintNeck(MarkPen &pen, const Analysis &analysis, const StressLine &line, c
     QPainterPath scaleBar(end);
     scaleBar.lineTo(end - QPointF(bar * scale, 0.0));
     pen.cased(scaleBar, QPen(pen.style().text, 1.4));
-    painter.setPen(pen.style().text);
-    painter.drawText(QRectF(end.x() - 120.0, end.y() - 20.0, 120.0, 16.0),
-                     Qt::AlignRight | Qt::AlignVCenter,
-                     locale.toString(bar, 'g', 3) + QStringLiteral("\u202fmm"));
+    const QString length = locale.toString(bar, 'g', 3) + QStringLiteral("\u202fmm");
+    const double width = QFontMetricsF(painter.font()).horizontalAdvance(length);
+    QPainterPath words; // on the stock or beside it
+    words.addText(end - QPointF(width, 6.0), painter.font(), length);
+    painter.strokePath(words, roundPen(pen.style().panel, 3.0));
+    painter.fillPath(words, pen.style().text);
     painter.restore();
 }
 
