@@ -4081,10 +4081,6 @@
         <translation>B: Linien gerade machen</translation>
     </message>
     <message>
-        <source>B: make its corners right angles</source>
-        <translation>B: Ecken rechtwinklig machen</translation>
-    </message>
-    <message>
         <source>Turning to the new plane; wait until it stops, or draw on at once.</source>
         <translation>Die Ansicht dreht sich zur neuen Ebene; warten, bis sie steht, oder gleich weiterzeichnen.</translation>
     </message>
@@ -4130,6 +4126,10 @@
         <source>The weight stays where it hangs: there it would be beside %1.</source>
         <extracomment>%1 is the name of a section</extracomment>
         <translation>Das Gewicht bleibt, wo es hängt: dort wäre es neben %1.</translation>
+    </message>
+    <message>
+        <source>B: make corners right angles</source>
+        <translation>B: Ecken rechtwinklig machen</translation>
     </message>
 </context>
 <context>

@@ -7,13 +7,18 @@
 
 namespace fff {
 
-/// To the nearest point from a to b; they may be one.
-inline double distanceToSegment(const Vec2 &p, const Vec2 &a, const Vec2 &b)
+/// The point from a to b that is nearest; they may be one.
+inline Vec2 nearestOfSegment(const Vec2 &p, const Vec2 &a, const Vec2 &b)
 {
     const Vec2 way = b - a;
     const double squared = way.squaredNorm();
     const double share = squared > 0.0 ? std::clamp(way.dot(p - a) / squared, 0.0, 1.0) : 0.0;
-    return (a + share * way - p).norm();
+    return a + share * way;
+}
+
+inline double distanceToSegment(const Vec2 &p, const Vec2 &a, const Vec2 &b)
+{
+    return (nearestOfSegment(p, a, b) - p).norm();
 }
 
 } // namespace fff

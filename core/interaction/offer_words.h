@@ -9,7 +9,7 @@ namespace fff::hints {
 inline constexpr Text kOfferCircle = FFF_TEXT("Hint", "B: make it a circle");
 inline constexpr Text kOfferEllipse = FFF_TEXT("Hint", "B: make it an ellipse");
 inline constexpr Text kOfferStraight = FFF_TEXT("Hint", "B: make its lines straight");
-inline constexpr Text kOfferRightAngles = FFF_TEXT("Hint", "B: make its corners right angles");
+inline constexpr Text kOfferRightAngles = FFF_TEXT("Hint", "B: make corners right angles");
 inline constexpr Text kOfferMoveIn = FFF_TEXT("Hint", "B: move its slit in from the edge");
 // While it is drawn.
 inline constexpr Text kOneWall = FFF_TEXT("Cue", "Too near the edge: the slit would hold nothing");

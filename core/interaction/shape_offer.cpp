@@ -49,7 +49,7 @@ std::optional<ShapeOffer> shapeOffer(const Document &before, const ContourTarget
                                      const Contour &drawn, double tolerance,
                                      const DrawingRules &rules)
 {
-    const std::optional<MeantShape> meant = meantShape(drawn, tolerance);
+    const std::optional<MeantShape> meant = meantShape(drawn, tolerance, rules.axis);
     if (!meant)
         return {};
     tl::expected<DrawnContour, Hint> made =

@@ -333,23 +333,28 @@ void StrokeGesture::updateDrawn(const GestureContext &context)
     m_price = contour.work + kLeastPrice;
     m_drawn.reset();
     if (contour.contour)
-        m_drawn = drawContour(context.model.document, target(), *contour.contour,
-                              {context.settings.cutsAtGround, context.settings.naming,
-                               contour.isMirrored ? contour.axis : std::nullopt});
+        m_drawn = drawContour(context.model.document, target(), *contour.contour, rulesOf(context));
+}
+
+DrawingRules StrokeGesture::rulesOf(const GestureContext &context) const
+{
+    const StrokeContour &contour = m_stroke.contour();
+    return {context.settings.cutsAtGround, context.settings.naming,
+            contour.isMirrored ? contour.axis : std::nullopt};
 }
 
 /// Of what is committed, once: what is drawn is no more than that as long as the hand goes on. What
-/// is mirrored stays its own image, and what crossed itself was no circle.
+/// crossed itself was no circle.
 void StrokeGesture::updateOffer(const GestureContext &context)
 {
     if (!m_drawn || !*m_drawn)
         return;
     offerMovedIn(context);
     const StrokeContour &contour = m_stroke.contour();
-    if (m_offer || contour.isMirrored || contour.wasCrossing)
+    if (m_offer || contour.wasCrossing)
         return;
     m_offer = shapeOffer(context.model.document, target(), *contour.contour, m_stroke.tolerance(),
-                         {context.settings.cutsAtGround, context.settings.naming});
+                         rulesOf(context));
 }
 
 bool StrokeGesture::hasOffer() const
@@ -366,9 +371,7 @@ void StrokeGesture::offerMovedIn(const GestureContext &context)
     const Document &before = context.model.document;
     const DrawnContour &drawn = **m_drawn;
     tl::expected<DrawnContour, Hint> moved =
-        drawContour(before, *m_movedIn, *contour.contour,
-                    {context.settings.cutsAtGround, context.settings.naming,
-                     contour.isMirrored ? contour.axis : std::nullopt});
+        drawContour(before, *m_movedIn, *contour.contour, rulesOf(context));
     if (!moved)
         return;
     const auto judged = [&](const DrawnContour &one) {

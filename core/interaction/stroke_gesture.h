@@ -83,6 +83,7 @@ private:
     void updateOverlay(GestureContext &context) const;
     void followSamples(GestureContext &context) const;
     void updateDrawn(const GestureContext &context);
+    DrawingRules rulesOf(const GestureContext &context) const;
     void updateOffer(const GestureContext &context);
     void offerMovedIn(const GestureContext &context);
     GestureReply reply(GestureContext &context);

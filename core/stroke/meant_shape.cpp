@@ -3,6 +3,7 @@
 #include "core/base/tolerances.h"
 #include "core/geometry/boolean.h"
 #include "core/geometry/convex_hull.h"
+#include "core/geometry/mirrored_boundaries.h"
 #include "core/geometry/round_fit.h"
 #include "core/stroke/straightened.h"
 
@@ -53,7 +54,20 @@ std::optional<MeantShape> made(MeantShape::Kind kind, Figure figure)
     return MeantShape{kind, std::move(figure), *std::move(contour)};
 }
 
-std::optional<MeantShape> meantRound(const Contour &drawn)
+/// As near as it can be to what it was, with its middle on the axis, and one of its own along it.
+Figure centredOn(const std::optional<MirrorAxis> &axis, Figure figure)
+{
+    if (!axis)
+        return figure;
+    constexpr double kQuarter = 0.5 * std::numbers::pi;
+    const Vec2 &along = axis->direction;
+    figure.centre -= axis->height(figure.centre) * perpendicular(along);
+    const double way = std::atan2(along.y(), along.x());
+    figure.turn = way + kQuarter * std::round((figure.turn - way) / kQuarter);
+    return figure;
+}
+
+std::optional<MeantShape> meantRound(const Contour &drawn, const std::optional<MirrorAxis> &axis)
 {
     const Polygon line = evenly(drawn);
     if (hasCorner(drawn) || hasBay(line))
@@ -64,23 +78,32 @@ std::optional<MeantShape> meantRound(const Contour &drawn)
     if (ellipse->minor >= kRound * ellipse->major && circle->mean <= kCircleMean * circle->major &&
         circle->most <= kCircleMost * circle->major)
         return made(MeantShape::Kind::Circle,
-                    {"circle", {2.0 * circle->major}, circle->centre, 0.0});
+                    centredOn(axis, {"circle", {2.0 * circle->major}, circle->centre, 0.0}));
     if (ellipse->minor < kNeedle * ellipse->major ||
         ellipse->mean > kEllipseMean * ellipse->size() ||
         ellipse->most > kEllipseMost * ellipse->size())
         return {};
-    return made(
-        MeantShape::Kind::Ellipse,
-        {"ellipse", {2.0 * ellipse->major, 2.0 * ellipse->minor}, ellipse->centre, ellipse->turn});
+    return made(MeantShape::Kind::Ellipse,
+                centredOn(axis, {"ellipse",
+                                 {2.0 * ellipse->major, 2.0 * ellipse->minor},
+                                 ellipse->centre,
+                                 ellipse->turn}));
 }
 
 } // namespace
 
-std::optional<MeantShape> meantShape(const Contour &drawn, double tolerance)
+std::optional<MeantShape> meantShape(const Contour &drawn, double tolerance,
+                                     const std::optional<MirrorAxis> &axis)
 {
-    if (std::optional<MeantShape> round = meantRound(drawn))
+    if (std::optional<MeantShape> round = meantRound(drawn, axis))
         return round;
     std::optional<Straightened> straight = straightened(drawn, tolerance);
+    if (straight && axis) {
+        Result<ClippedPiece> whole = withImage(straight->contour, {}, *axis, true);
+        if (!whole)
+            return {};
+        straight->contour = std::move(whole->outer);
+    }
     if (!straight || !isPlain(straight->contour, {}, kCutChord))
         return {};
     return MeantShape{straight->hasRightAngles ? MeantShape::Kind::RightAngles

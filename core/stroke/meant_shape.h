@@ -3,6 +3,7 @@
 
 #include "core/geometry/contour.h"
 #include "core/geometry/figure.h"
+#include "core/geometry/mirror_axis.h"
 
 #include <optional>
 
@@ -28,7 +29,9 @@ struct MeantShape
 ///     are. Corners go to where the lines meet; curves stay, but for the end that such a line has.
 ///
 /// drawn      free of crossings, canvas coordinates; tolerance: that it was fitted to, mm
-std::optional<MeantShape> meantShape(const Contour &drawn, double tolerance);
+/// axis       of what was mirrored across it: what was meant is the same on both of its sides, too
+std::optional<MeantShape> meantShape(const Contour &drawn, double tolerance,
+                                     const std::optional<MirrorAxis> &axis = {});
 
 inline constexpr double kNearlyRight = 0.24; // radians
 

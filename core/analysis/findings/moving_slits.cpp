@@ -4,6 +4,7 @@
 #include "core/analysis/findings/thin_webs.h"
 #include "core/analysis/joining_move.h"
 #include "core/assembly/joint_editing.h"
+#include "core/geometry/segment_distance.h"
 #include "core/model/moving.h"
 
 #include <algorithm>
@@ -17,6 +18,8 @@ constexpr Text kMovedByStep = FFF_TEXT("Step", "Move %1 by %2");
 
 /// A slit is wide enough apart by so much more than the web that is wanted, mm.
 constexpr double kSpare = 0.05;
+/// Of a way across a slit, what at least counts for the web beside it.
+constexpr double kLeastShare = 0.25;
 
 std::optional<FindingEdit> movedBy(const Model &model, const SectionRef &ref, const Vec3 &way)
 {
@@ -81,6 +84,17 @@ std::optional<WebSlit> slitOf(const Finding &finding, const Analysis &analysis)
     return found.slit ? std::optional(found) : std::nullopt;
 }
 
+Vec2 nearestOn(const Polygon &ring, const Vec2 &p)
+{
+    Vec2 nearest = ring.back();
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+        const Vec2 at = nearestOfSegment(p, ring[i == 0 ? ring.size() - 1 : i - 1], ring[i]);
+        if ((at - p).squaredNorm() < (nearest - p).squaredNorm())
+            nearest = at;
+    }
+    return nearest;
+}
+
 Message moveSlitWords(const FindingAction &, const Finding &finding, const Model &model)
 {
     //: %1 is the name of a section
@@ -94,8 +108,14 @@ std::optional<FindingEdit> slitMoved(const FindingAction &, const Finding &findi
     if (!web)
         return {};
     const Vec2 across = perpendicular((web->slit->mouth - web->slit->inner).normalized());
-    const double side = across.dot(web->host->frame.toLocal(*finding.at) - web->slit->inner);
-    const Vec2 way = (side > 0.0 ? -1.0 : 1.0) * (web->lacks + kSpare) * across;
+    const Vec2 at = web->host->frame.toLocal(*finding.at);
+    const double side = across.dot(at - web->slit->inner);
+    // What stays runs from the slit to `at`, not always across the slit: then moving the slit makes
+    // it wider by less.
+    const Vec2 gap = at - nearestOn(web->slit->outline(), at);
+    const double share =
+        gap.norm() > 0.0 ? std::max(std::abs(across.dot(gap.normalized())), kLeastShare) : 1.0;
+    const Vec2 way = (side > 0.0 ? -1.0 : 1.0) * (web->lacks + kSpare) / share * across;
     return movedBy(analysis.model, finding.others.front(), web->host->frame.directionToWorld(way));
 }
 

@@ -1,6 +1,8 @@
 #include "tests/core/interaction/desk.h"
 
+#include "core/geometry/mirrored_boundaries.h"
 #include "core/model/figures.h"
+#include "core/model/symmetric_section.h"
 #include "tests/test_program.h"
 
 #include <cmath>
@@ -46,7 +48,7 @@ private Q_SLOTS:
     void offerGoesWithTheNextThing();
     void holeIsOffered();
     void groundStillCuts();
-    void mirroredOnesAreNot();
+    void whatIsMirroredStaysSo();
     void blobIsNot();
 };
 
@@ -140,13 +142,29 @@ void TestShapeOffers::groundStillCuts()
     QVERIFY(section.figures.empty());
 }
 
-void TestShapeOffers::mirroredOnesAreNot()
+/// Half a circle beside the axis: the whole one has its middle on it, and both sides go on alike.
+void TestShapeOffers::whatIsMirroredStaysSo()
 {
     Desk desk;
     desk.interaction.settings().mirrorsFirst = true;
-    desk.drag({{640, 200}, {760, 240}, {760, 380}, {640, 420}});
+    const auto at = [](double t) {
+        const double a = std::numbers::pi * (t - 0.5);
+        return Vec2(640.0 + 102.0 * std::cos(a), 300.0 + 98.0 * std::sin(a));
+    };
+    desk.moveTo(at(0.0));
+    desk.press(at(0.0));
+    for (int i = 1; i <= 60; ++i)
+        desk.moveTo(at(i / 60.0), {}, 1);
+    desk.release(desk.cursor);
     QCOMPARE(desk.sections().size(), std::size_t(1));
-    QVERIFY(!desk.interaction.hasOffer());
+    const std::optional<MirrorAxis> axis = desk.sections()[0]->symmetry;
+    QVERIFY(axis && isOffered(desk));
+    desk.run("section.takeOffer");
+    const Section &section = *desk.sections()[0];
+    const Figure *figure = figureOf(section, 0);
+    QVERIFY(figure && figure->kind == "circle");
+    QVERIFY(symmetryOf(section));
+    QVERIFY(std::abs(symmetryOf(section)->height(figure->centre)) < kSameImage);
 }
 
 void TestShapeOffers::blobIsNot()
