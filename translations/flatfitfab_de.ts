@@ -1016,6 +1016,10 @@
         <source>Enter its strength</source>
         <translation>Seine Festigkeit eintragen</translation>
     </message>
+    <message>
+        <source>%1&#x202f;N</source>
+        <translation>%1 N</translation>
+    </message>
 </context>
 <context>
     <name>Command</name>
@@ -2582,8 +2586,32 @@
         <translation>Hängt ein Gewicht an ein Teil, um zu sehen, was es trägt</translation>
     </message>
     <message>
-        <source>There is no weight on the model</source>
-        <translation>Am Modell hängt kein Gewicht</translation>
+        <source>Add &amp;push</source>
+        <translation>&amp;Druck hinzufügen</translation>
+    </message>
+    <message>
+        <source>Push</source>
+        <translation>Druck</translation>
+    </message>
+    <message>
+        <source>Push or pull at a place of a section, to see what it bears</source>
+        <translation>An einer Stelle einer Scheibe drücken oder ziehen, um zu sehen, was sie trägt</translation>
+    </message>
+    <message>
+        <source>Pull &amp;here</source>
+        <translation>&amp;Hier ziehen</translation>
+    </message>
+    <message>
+        <source>Pull</source>
+        <translation>Ziehen</translation>
+    </message>
+    <message>
+        <source>Pull at a section with the mouse and see what it does; nothing is kept</source>
+        <translation>Mit der Maus an einer Scheibe ziehen und sehen, was geschieht; nichts bleibt</translation>
+    </message>
+    <message>
+        <source>Nothing acts on the model: add a weight or a push first</source>
+        <translation>Auf das Modell wirkt nichts: zuerst ein Gewicht oder einen Druck hinzufügen</translation>
     </message>
 </context>
 <context>
@@ -3385,6 +3413,14 @@
         <source>each key of an object only once</source>
         <translation>jeder Schlüssel eines Objekts nur einmal</translation>
     </message>
+    <message>
+        <source>how a load is spread</source>
+        <translation>wie eine Last verteilt ist</translation>
+    </message>
+    <message>
+        <source>a force</source>
+        <translation>eine Kraft</translation>
+    </message>
 </context>
 <context>
     <name>Figure</name>
@@ -4107,16 +4143,8 @@
         <translation>Klick auf eine Stelle eines Teils, um dort %1 anzuhängen. &lt;kbd&gt;Esc&lt;/kbd&gt; beendet es.</translation>
     </message>
     <message>
-        <source>Drag to move the weight; its mass is under &lt;b&gt;Physics&lt;/b&gt;.</source>
-        <translation>Zieh, um das Gewicht zu verschieben; seine Masse steht unter &lt;b&gt;Physik&lt;/b&gt;.</translation>
-    </message>
-    <message>
         <source>Nothing hung there: click on a section.</source>
         <translation>Nichts angehängt: Klick auf ein Teil.</translation>
-    </message>
-    <message>
-        <source>Click to select the weight of %1 on %2.</source>
-        <translation>Klicken, um das Gewicht von %1 auf %2 auszuwählen.</translation>
     </message>
     <message>
         <source>Arrow keys move the weight of %1 on %2 by 1&#x202f;mm; &lt;kbd&gt;+&lt;/kbd&gt; and &lt;kbd&gt;−&lt;/kbd&gt; change it, &lt;kbd&gt;Del&lt;/kbd&gt; removes it.</source>
@@ -4130,6 +4158,82 @@
     <message>
         <source>B: make corners right angles</source>
         <translation>B: Ecken rechtwinklig machen</translation>
+    </message>
+    <message>
+        <source>Drag to move the weight of %1 on %2; click to select it.</source>
+        <translation>Ziehen verschiebt das Gewicht von %1 auf %2; ein Klick wählt es aus.</translation>
+    </message>
+    <message>
+        <source>Drag to move the push of %1 on %2, its tip to turn it; click to select it.</source>
+        <translation>Ziehen verschiebt den Druck von %1 auf %2, an der Spitze dreht es ihn; ein Klick wählt ihn aus.</translation>
+    </message>
+    <message>
+        <source>Arrow keys move the push of %1 on %2 by 1&#x202f;mm; &lt;kbd&gt;+&lt;/kbd&gt; and &lt;kbd&gt;−&lt;/kbd&gt; change it, &lt;kbd&gt;Del&lt;/kbd&gt; removes it.</source>
+        <translation>Pfeiltasten verschieben den Druck von %1 auf %2 um 1 mm; &lt;kbd&gt;+&lt;/kbd&gt; und &lt;kbd&gt;−&lt;/kbd&gt; ändern ihn, &lt;kbd&gt;Entf&lt;/kbd&gt; entfernt ihn.</translation>
+    </message>
+    <message>
+        <source>Press on a section and drag to where it is pushed. &lt;kbd&gt;Esc&lt;/kbd&gt; ends.</source>
+        <translation>Auf eine Scheibe drücken und dorthin ziehen, wohin sie gedrückt wird. &lt;kbd&gt;Esc&lt;/kbd&gt; beendet.</translation>
+    </message>
+    <message>
+        <source>Press on a section and drag to pull it, only to see what happens.</source>
+        <translation>Auf eine Scheibe drücken und daran ziehen, nur um zu sehen, was geschieht.</translation>
+    </message>
+    <message>
+        <source>Release to let it go: nothing is kept.</source>
+        <translation>Loslassen gibt es frei: nichts bleibt.</translation>
+    </message>
+    <message>
+        <source>Drag to move it. &lt;b&gt;Click&lt;/b&gt; selects it.</source>
+        <translation>Ziehen verschiebt es. Ein &lt;b&gt;Klick&lt;/b&gt; wählt es aus.</translation>
+    </message>
+    <message>
+        <source>Drag the tip: its way is that of the push, a longer arrow pushes harder.</source>
+        <translation>An der Spitze ziehen: sie zeigt, wohin gedrückt wird, ein längerer Pfeil drückt stärker.</translation>
+    </message>
+    <message>
+        <source>Release to hang the weight here. &lt;kbd&gt;Esc&lt;/kbd&gt; puts it back.</source>
+        <translation>Loslassen hängt das Gewicht hier auf. &lt;kbd&gt;Esc&lt;/kbd&gt; legt es zurück.</translation>
+    </message>
+    <message>
+        <source>Release to push here. &lt;kbd&gt;Esc&lt;/kbd&gt; puts it back.</source>
+        <translation>Loslassen drückt hier. &lt;kbd&gt;Esc&lt;/kbd&gt; legt ihn zurück.</translation>
+    </message>
+    <message>
+        <source>Nothing to push there: press on a section.</source>
+        <translation>Dort ist nichts zu drücken: auf eine Scheibe drücken.</translation>
+    </message>
+    <message>
+        <source>The push stays where it is: there it would be beside %1.</source>
+        <extracomment>%1 is the name of a section</extracomment>
+        <translation>Der Druck bleibt, wo er ist: dort wäre er neben %1.</translation>
+    </message>
+</context>
+<context>
+    <name>LoadPreset</name>
+    <message>
+        <source>Glass of water</source>
+        <translation>Glas Wasser</translation>
+    </message>
+    <message>
+        <source>Fork</source>
+        <translation>Gabel</translation>
+    </message>
+    <message>
+        <source>Knife</source>
+        <translation>Messer</translation>
+    </message>
+    <message>
+        <source>Spoon</source>
+        <translation>Löffel</translation>
+    </message>
+    <message>
+        <source>Book</source>
+        <translation>Buch</translation>
+    </message>
+    <message>
+        <source>Plant pot</source>
+        <translation>Blumentopf</translation>
     </message>
 </context>
 <context>
@@ -5360,6 +5464,50 @@
         <extracomment>%1 is a name</extracomment>
         <translation>Ein Gewicht %1 nennen</translation>
     </message>
+    <message>
+        <source>Push %1</source>
+        <extracomment>%1 is the name of a section</extracomment>
+        <translation>%1 drücken</translation>
+    </message>
+    <message>
+        <source>Move the push on %1</source>
+        <extracomment>%1 is the name of a section</extracomment>
+        <translation>Druck auf %1 verschieben</translation>
+    </message>
+    <message>
+        <source>Turn the push on %1</source>
+        <extracomment>%1 is the name of a section</extracomment>
+        <translation>Druck auf %1 drehen</translation>
+    </message>
+    <message>
+        <source>Set a push to %1</source>
+        <extracomment>%1 is a force</extracomment>
+        <translation>Druck auf %1 setzen</translation>
+    </message>
+    <message>
+        <source>Call a push %1</source>
+        <extracomment>%1 is a name</extracomment>
+        <translation>Druck %1 nennen</translation>
+    </message>
+    <message>
+        <source>Remove a push</source>
+        <translation>Druck entfernen</translation>
+    </message>
+    <message>
+        <source>Spread what acts on %1</source>
+        <extracomment>%1 is the name of a section</extracomment>
+        <translation>Verteilen, was auf %1 wirkt</translation>
+    </message>
+    <message>
+        <source>Let copies of %1 carry what acts on it</source>
+        <extracomment>%1 is the name of a section</extracomment>
+        <translation>Kopien von %1 tragen, was darauf wirkt</translation>
+    </message>
+    <message>
+        <source>Let copies of %1 be without what acts on it</source>
+        <extracomment>%1 is the name of a section</extracomment>
+        <translation>Kopien von %1 ohne das, was darauf wirkt</translation>
+    </message>
 </context>
 <context>
     <name>fff::SectionNames</name>
@@ -5815,6 +5963,10 @@
     <message>
         <source>labels: the sections&apos; names; checks: outlines what has a problem; stress: the weakest cross-sections; forces: what feet and joints bear.</source>
         <translation>labels: die Namen der Teile; checks: umrandet, was ein Problem hat; stress: die schwächsten Querschnitte; forces: was Füße und Verbindungen tragen.</translation>
+    </message>
+    <message>
+        <source>A push of %1 N is on no material of %2; the nearest part of it bears it.</source>
+        <translation>Ein Druck von %1 N trifft kein Material von %2; das nächste Stück davon trägt ihn.</translation>
     </message>
 </context>
 <context>
@@ -6620,6 +6772,10 @@
         <source>No number is called “%1”.</source>
         <translation>Keine Zahl heißt „%1“.</translation>
     </message>
+    <message>
+        <source>This makes no mass; multiply a mass by a plain number.</source>
+        <translation>Das ergibt keine Masse; eine Masse wird mit einer einfachen Zahl malgenommen.</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::Failures</name>
@@ -7208,6 +7364,163 @@
     </message>
 </context>
 <context>
+    <name>fff::ui::LoadPage</name>
+    <message>
+        <source>Weight</source>
+        <translation>Gewicht</translation>
+    </message>
+    <message>
+        <source>Push</source>
+        <translation>Druck</translation>
+    </message>
+    <message>
+        <source>Where it acts</source>
+        <translation>Wo es wirkt</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Thing</source>
+        <translation>Gegenstand</translation>
+    </message>
+    <message>
+        <source>Plain weight</source>
+        <translation>Nur ein Gewicht</translation>
+    </message>
+    <message>
+        <source>Mass</source>
+        <translation>Masse</translation>
+    </message>
+    <message>
+        <source>Also in kg, oz or lb: 1.5 kg, 2 lb</source>
+        <translation>Auch in kg, oz oder lb: 1,5 kg, 2 lb</translation>
+    </message>
+    <message>
+        <source>ml</source>
+        <translation>ml</translation>
+    </message>
+    <message>
+        <source>Water in it</source>
+        <translation>Wasser darin</translation>
+    </message>
+    <message>
+        <source>Centre of mass</source>
+        <translation>Schwerpunkt</translation>
+    </message>
+    <message>
+        <source>So far above its place: the higher, the sooner all of it tips over</source>
+        <translation>So weit über seiner Stelle: je höher, desto eher kippt alles</translation>
+    </message>
+    <message>
+        <source>N</source>
+        <translation>N</translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation>Kraft</translation>
+    </message>
+    <message>
+        <source>10 N is about as much as 1 kg weighs</source>
+        <translation>10 N ist ungefähr, was 1 kg wiegt</translation>
+    </message>
+    <message>
+        <source>Direction X</source>
+        <translation>Richtung X</translation>
+    </message>
+    <message>
+        <source>Direction Y</source>
+        <translation>Richtung Y</translation>
+    </message>
+    <message>
+        <source>Direction Z</source>
+        <translation>Richtung Z</translation>
+    </message>
+    <message>
+        <source>On</source>
+        <translation>Auf</translation>
+    </message>
+    <message>
+        <source>In the section&apos;s own plane, from its origin</source>
+        <translation>In der Ebene der Scheibe, von deren Ursprung aus</translation>
+    </message>
+    <message>
+        <source>Place X</source>
+        <translation>Stelle X</translation>
+    </message>
+    <message>
+        <source>Place Y</source>
+        <translation>Stelle Y</translation>
+    </message>
+    <message>
+        <source>Spread</source>
+        <translation>Verteilt</translation>
+    </message>
+    <message>
+        <source>At a point</source>
+        <translation>An einem Punkt</translation>
+    </message>
+    <message>
+        <source>Over a patch</source>
+        <translation>Auf einer Fläche</translation>
+    </message>
+    <message>
+        <source>Along the edge</source>
+        <translation>Auf dem Rand</translation>
+    </message>
+    <message>
+        <source>Hanging</source>
+        <translation>Hängend</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Breite</translation>
+    </message>
+    <message>
+        <source>On copies, too</source>
+        <translation>Auch auf Kopien</translation>
+    </message>
+    <message>
+        <source>Copies that operations make of its section carry one each</source>
+        <translation>Kopien, die Operationen von seiner Scheibe machen, tragen je eines</translation>
+    </message>
+</context>
+<context>
+    <name>fff::ui::LoadTree</name>
+    <message>
+        <source>Weights and pushes</source>
+        <translation>Gewichte und Kräfte</translation>
+    </message>
+    <message>
+        <source>F2 renames, Del removes.</source>
+        <translation>F2 benennt um, Entf entfernt.</translation>
+    </message>
+    <message>
+        <source>Weights</source>
+        <translation>Gewichte</translation>
+    </message>
+    <message>
+        <source>Pushes</source>
+        <translation>Kräfte</translation>
+    </message>
+</context>
+<context>
+    <name>fff::ui::Loads</name>
+    <message>
+        <source>Push</source>
+        <translation>Druck</translation>
+    </message>
+    <message>
+        <source>Weight</source>
+        <translation>Gewicht</translation>
+    </message>
+    <message>
+        <source>%1&#x202f;N</source>
+        <translation>%1 N</translation>
+    </message>
+</context>
+<context>
     <name>fff::ui::MainToolBar</name>
     <message>
         <source>Tool bar</source>
@@ -7311,6 +7624,13 @@
     <message>
         <source>Y</source>
         <translation>Y</translation>
+    </message>
+</context>
+<context>
+    <name>fff::ui::MassEdit</name>
+    <message>
+        <source>g</source>
+        <translation>g</translation>
     </message>
 </context>
 <context>
@@ -7708,10 +8028,6 @@
         <translation>So viel mal so viel, wie da ist, muss es tragen, damit es hält</translation>
     </message>
     <message>
-        <source>g</source>
-        <translation>g</translation>
-    </message>
-    <message>
         <source>Remove this weight</source>
         <translation>Dieses Gewicht entfernen</translation>
     </message>
@@ -7751,6 +8067,23 @@
         <source>%1, %2: %3&#x202f;%</source>
         <extracomment>the name of a section, a place in it such as &quot;at its neck&quot;, a number of percent</extracomment>
         <translation>%1, %2: %3&#x202f;%</translation>
+    </message>
+    <message>
+        <source>Add push</source>
+        <translation>Druck hinzufügen</translation>
+    </message>
+    <message>
+        <source>N</source>
+        <translation>N</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <extracomment>what a weight or a push is called, and the section that it is on</extracomment>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>Remove this push</source>
+        <translation>Diesen Druck entfernen</translation>
     </message>
 </context>
 <context>
@@ -8006,12 +8339,8 @@
         <translation>%1 · %2 · aktuell</translation>
     </message>
     <message>
-        <source>Weight</source>
-        <translation>Gewicht</translation>
-    </message>
-    <message>
         <source>%1 on %2</source>
-        <extracomment>%1 is a mass, %2 the name of a section</extracomment>
+        <extracomment>%1 is a mass or a force, %2 the name of a section</extracomment>
         <translation>%1 auf %2</translation>
     </message>
 </context>
@@ -8588,9 +8917,9 @@
         </translation>
     </message>
     <message>
-        <source>Weight on %1</source>
-        <extracomment>%1 is the name of a section</extracomment>
-        <translation>Gewicht auf %1</translation>
+        <source>%1 on %2</source>
+        <extracomment>%1 is what a weight or a push is called, %2 the name of a section</extracomment>
+        <translation>%1 auf %2</translation>
     </message>
 </context>
 <context>

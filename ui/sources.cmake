@@ -19,6 +19,7 @@ target_sources(fff_ui PRIVATE
     bench/check_words.cpp
     bench/clipboard.cpp
     bench/hint_text.cpp
+    bench/load_words.cpp
     bench/marked_scene.cpp
     bench/measures.cpp
     bench/number_names.cpp
@@ -48,6 +49,8 @@ target_sources(fff_ui PRIVATE
     docks/drawing_page.cpp
     docks/history_dock.cpp
     docks/joint_page.cpp
+    docks/load_page.cpp
+    docks/load_tree.cpp
     docks/library_dock.cpp
     docks/model_page.cpp
     docks/operation_page.cpp
@@ -79,8 +82,10 @@ target_sources(fff_ui PRIVATE
     properties/joint_rows.cpp
     properties/joint_words.cpp
     properties/length_edit.cpp
+    properties/load_presets.cpp
     properties/link_row.cpp
     properties/mark_group.cpp
+    properties/mass_edit.cpp
     properties/named_number_group.cpp
     properties/number_edit.cpp
     properties/open_editor.cpp
@@ -117,6 +122,7 @@ target_sources(fff_ui PRIVATE
 )
 include(${CMAKE_SOURCE_DIR}/resources/icons/icons.cmake)
 include(${CMAKE_SOURCE_DIR}/resources/licences/licences.cmake)
+include(${CMAKE_SOURCE_DIR}/resources/loads/loads.cmake)
 include(${CMAKE_SOURCE_DIR}/resources/samples/samples.cmake)
 include(${CMAKE_SOURCE_DIR}/resources/style/style.cmake)
 include(${CMAKE_SOURCE_DIR}/translations/translations.cmake)

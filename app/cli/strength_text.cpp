@@ -240,7 +240,7 @@ double totalWeight(const Structure &structure)
     double sum = 0.0;
     for (const Member &member : structure.members)
         sum += member.mass * structure.gravity.norm();
-    for (const Load &load : structure.loads)
+    for (const MemberLoad &load : structure.loads)
         sum -= load.force.dot(structure.up);
     return sum;
 }
@@ -282,11 +282,16 @@ QStringList strengthWarnings(const Simulated &simulated, const Analysis &analysi
         else if (!section.isRated)
             lines += tr("%1 is not rated: no strength is known of its stock.").arg(name);
     }
-    for (const int index : strength.made.besideWeight) {
-        const Weight &weight = analysis.model.document.weights[static_cast<std::size_t>(index)];
-        lines += tr("A weight of %1 is on no material of %2; the nearest part of it bears it.")
-                     .arg(massText(weight.mass),
-                          QString::fromStdString(analysis.model.nameOf(weight.section)));
+    for (const PlacedLoad &placed : strength.made.besideLoads) {
+        const Load &load = analysis.model.document.loads[static_cast<std::size_t>(placed.load)];
+        const QString name = QString::fromStdString(
+            analysis.model.section(static_cast<std::size_t>(placed.section))->name);
+        lines +=
+            load.isPush()
+                ? tr("A push of %1 N is on no material of %2; the nearest part of it bears it.")
+                      .arg(figure(load.push.norm()), name)
+                : tr("A weight of %1 is on no material of %2; the nearest part of it bears it.")
+                      .arg(massText(load.mass), name);
     }
     return lines;
 }

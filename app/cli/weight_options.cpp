@@ -103,12 +103,13 @@ std::optional<int> hangWeights(const QCommandLineParser &parser, const Verb &ver
             return wrongUse(verb,
                             tr("--weight %1: slits leave nothing of \"%2\".").arg(text, name));
         const Body &body = *analysis.bodies.of(section).front();
-        Weight weight;
-        weight.id = WeightId{model.document.nextId++};
+        Load weight;
+        weight.id = LoadId{model.document.nextId++};
         weight.section = model.ref(static_cast<std::size_t>(section));
         weight.position = place.value_or(body.frame().toLocal(body.mass().centre));
         weight.mass = *mass;
-        model.document.weights.push_back(weight);
+        weight.isRepeated = false;
+        model.document.loads.push_back(weight);
     }
     return std::nullopt;
 }

@@ -168,7 +168,7 @@ private:
 double placedMass(const Structure &structure)
 {
     double sum = 0.0; // N
-    for (const Load &load : structure.loads)
+    for (const MemberLoad &load : structure.loads)
         sum += load.force.norm();
     return sum / structure.gravity.norm();
 }

@@ -37,7 +37,7 @@ std::vector<BendingBody> actingOn(const Structure &structure)
         of(foot.member).at.push_back({MemberAttachment::Kind::Foot, static_cast<int>(i)});
         of(foot.member).feet.push_back(foot.point);
     }
-    for (const Load &load : structure.loads) {
+    for (const MemberLoad &load : structure.loads) {
         of(load.member).loadPoints.push_back(load.point);
         of(load.member).loadForces.push_back(load.force);
     }

@@ -1,5 +1,7 @@
 #include "core/analysis/footing.h"
 
+#include "core/model/placed_loads.h"
+
 #include "core/geometry/convex_hull.h"
 
 #include <algorithm>
@@ -72,13 +74,14 @@ MassProperties loadedMass(const Analysis &analysis, const std::vector<int> &grou
     MassProperties sum;
     for (const int body : group)
         sum += bodies.at(body).mass();
-    for (const Weight &weight : model.document.weights) {
-        const int section = model.indexOf(weight.section);
-        if (section < 0 || bodies.countOf(section) == 0)
+    for (const PlacedLoad &placed : placedLoads(model)) {
+        const Load &load = model.document.loads[static_cast<std::size_t>(placed.load)];
+        if (load.isPush() || bodies.countOf(placed.section) == 0)
             continue;
-        const int body = bodyAt(bodies, section, weight.position);
+        const int body = bodyAt(bodies, placed.section, placed.position);
         if (std::find(group.begin(), group.end(), body) != group.end())
-            sum += {weight.mass, bodies.at(body).frame().toWorld(weight.position)};
+            sum += {load.mass,
+                    bodies.at(body).frame().toWorld(placed.position) + load.height * Vec3::UnitY()};
     }
     return sum;
 }

@@ -34,6 +34,7 @@ target_sources(fff_core PRIVATE
     analysis/findings/wholeness.cpp
     analysis/flips.cpp
     analysis/footing.cpp
+    analysis/load_points.cpp
     analysis/gap.cpp
     analysis/holding.cpp
     analysis/joining_move.cpp

@@ -52,7 +52,7 @@ ForcesOnBodies forcesOn(const Bodies &bodies, const ModelStructure &made, const 
         add(foot.member, ForceKind::Foot, bodies.at(foot.member).frame().toLocal(foot.point),
             foot.point, equilibrium.feet[i].force, Vec3::Zero());
     }
-    for (const Load &load : loaded.loads)
+    for (const MemberLoad &load : loaded.loads)
         add(load.member, ForceKind::Load, bodies.at(load.member).frame().toLocal(load.point),
             load.point, load.force, load.moment);
     return forces;
@@ -61,7 +61,7 @@ ForcesOnBodies forcesOn(const Bodies &bodies, const ModelStructure &made, const 
 Structure loadedBy(double scale, const Strength &strength)
 {
     Structure loaded = strength.made.structure;
-    for (Load &load : loaded.loads) {
+    for (MemberLoad &load : loaded.loads) {
         load.force *= scale;
         load.moment *= scale;
     }

@@ -1,6 +1,7 @@
 #include "core/analysis/structure_of.h"
 
 #include "core/analysis/footing.h"
+#include "core/analysis/load_points.h"
 #include "core/assembly/intervals.h"
 #include "core/base/tolerances.h"
 
@@ -200,20 +201,30 @@ void addFeet(const Analysis &analysis, Structure &structure)
     }
 }
 
-void addWeights(const Analysis &analysis, ModelStructure &made)
+/// In the world, N.
+Vec3 forceOf(const Load &load, const PlacedLoad &placed, const Frame &frame, const Vec3 &gravity)
 {
-    const Model &model = analysis.model;
+    if (!load.isPush())
+        return load.mass * gravity;
+    return placed.push.x() * frame.x + placed.push.y() * frame.y + placed.push.z() * frame.normal();
+}
+
+void addLoads(const Analysis &analysis, ModelStructure &made)
+{
     const Bodies &bodies = analysis.bodies;
-    for (std::size_t i = 0; i < model.document.weights.size(); ++i) {
-        const Weight &weight = model.document.weights[i];
-        const int section = model.indexOf(weight.section);
-        if (section < 0 || bodies.countOf(section) == 0)
+    for (const PlacedLoad &placed : placedLoads(analysis.model)) {
+        if (bodies.countOf(placed.section) == 0)
             continue;
-        const int body = bodyAt(bodies, section, weight.position);
-        if (locate(weight.position, bodies.at(body).outline().region) == Side::Outside)
-            made.besideWeight.push_back(static_cast<int>(i));
-        made.structure.loads.push_back({body, bodies.at(body).frame().toWorld(weight.position),
-                                        weight.mass * made.structure.gravity, Vec3::Zero()});
+        const Load &load = analysis.model.document.loads[static_cast<std::size_t>(placed.load)];
+        const int body = bodyAt(bodies, placed.section, placed.position);
+        const Region &region = bodies.at(body).outline().region;
+        if (locate(placed.position, region) == Side::Outside)
+            made.besideLoads.push_back(placed);
+        const Frame &frame = bodies.at(body).frame();
+        const Vec3 force = forceOf(load, placed, frame, made.structure.gravity);
+        for (const LoadPoint &point : loadPoints(load, placed.position, region))
+            made.structure.loads.push_back(
+                {body, frame.toWorld(point.at), point.share * force, Vec3::Zero()});
     }
 }
 
@@ -241,7 +252,7 @@ ModelStructure structureOf(const Analysis &analysis)
             addLink(analysis, joint, static_cast<int>(i), made);
     }
     addFeet(analysis, structure);
-    addWeights(analysis, made);
+    addLoads(analysis, made);
     return made;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/analysis/analysis.h"
+#include "core/model/placed_loads.h"
 #include "core/physics/neck.h"
 #include "core/physics/structure.h"
 
@@ -22,10 +23,10 @@ struct LinkPlace
 
 struct ModelStructure
 {
-    Structure structure;           // a member is a body, by its place in the list
-    std::vector<LinkPlace> links;  // of each link
-    std::vector<int> besideWeight; // weights, by their place in the document, that are on no
-                                   // material: they hang on the nearest body of their section
+    Structure structure;                 // a member is a body, by its place in the list
+    std::vector<LinkPlace> links;        // of each link
+    std::vector<PlacedLoad> besideLoads; // those on no material: the nearest body of their section
+                                         // bears them
 };
 
 /// Members, links, feet and loads.
@@ -33,7 +34,8 @@ struct ModelStructure
 /// A link is an overlap of a joint where two bodies grip each other (grips.h). Its slits are as
 /// deep as the other section is in them. A slit without clearance is tight. Nothing holds a link
 /// against being pulled apart: grip is 0. Feet are those of groups of bodies that are above the
-/// ground and touch it (stability.h). A weight whose section is not there now is left out. Units
+/// ground and touch it (stability.h). A load acts wherever it is placed
+/// (placed_loads.h), at the points over which it is spread. Units
 /// mm, kg, N, MPa; Y up, gravity 9.81 m/s².
 ModelStructure structureOf(const Analysis &analysis);
 

@@ -64,8 +64,8 @@ std::u32string_view trimmed(std::u32string_view text)
 struct Unit
 {
     std::u32string sign;
-    double size = 1.0; // mm; of a plain number's sign, no matter
-    int power = 0;     // 1: of a length
+    double size = 1.0; // mm or kg; of a plain number's sign, no matter
+    int power = 0;     // 1: of a length or a mass
 };
 
 // Longer signs first: "mm" and "m" begin alike.
@@ -76,25 +76,31 @@ std::vector<Unit> lengthUnits()
             {U"ft", 12 * kInch, 1}, {U"m", 1000.0, 1}, {U"\"", kInch, 1}};
 }
 
-/// A plain number (power 0), a length in mm (1); anything else is no answer.
+std::vector<Unit> massUnits()
+{
+    return {{U"kg", 1.0, 1}, {U"g", 1e-3, 1}, {U"oz", 0.028349523125, 1}, {U"lb", 0.45359237, 1}};
+}
+
+/// A plain number (power 0), a length in mm or a mass in kg (1); anything else is no answer.
 struct Quantity
 {
     double value = 0.0;
     int power = 0;
-    double unit = 0.0; // mm, of the number it ends with; 0: that had none
+    double unit = 0.0; // mm or kg, of the number it ends with; 0: that had none
 };
 
 struct Grammar
 {
     std::vector<Unit> units;
-    enum class Wanted { Number, Length, Any };
+    enum class Wanted { Number, Length, Mass, Any };
     Wanted wanted = Wanted::Number;
-    double ownUnit = 1.0; // mm, of numbers without one, where lengths are meant
+    double ownUnit = 1.0; // mm or kg, of numbers without one, where lengths or masses are meant
     Commas commas = Commas::Decimals;
     std::optional<double> t;
     NumberNames names;
 
-    bool hasLengths() const { return wanted != Wanted::Number; }
+    bool hasLengths() const { return wanted == Wanted::Length || wanted == Wanted::Any; }
+    Fault notWanted() const { return wanted == Wanted::Mass ? Fault::NotAMass : Fault::NotALength; }
 };
 
 /// Recursive descent over: sum = term {± term}, term = factor {×÷ factor}, factor = [±] (number |
@@ -117,16 +123,17 @@ public:
             const bool isLoose = m_text[m_at] == U')';
             all = fail(isLoose ? Fault::LooseParenthesis : Fault::Unreadable, pieceHere());
         }
-        if (all && m_grammar.wanted == Grammar::Wanted::Length)
-            all = asLength(*all);
+        if (all && (m_grammar.wanted == Grammar::Wanted::Length ||
+                    m_grammar.wanted == Grammar::Wanted::Mass))
+            all = inUnits(*all);
         if (all && (all->power < 0 || all->power > 1 ||
                     (all->power == 1 && m_grammar.wanted == Grammar::Wanted::Number)))
-            all = fail(Fault::NotALength);
+            all = fail(m_grammar.notWanted());
         if (!all)
             return m_failed;
         if (!std::isfinite(all->value))
             return {{}, Fault::Unreadable, encoded(trimmed(m_text))};
-        return {all->value, Fault::None, {}, all->power == 1};
+        return {all->value, Fault::None, {}, all->power == 1 && m_grammar.hasLengths()};
     }
 
 private:
@@ -162,11 +169,11 @@ private:
         return end - m_at;
     }
     static bool isNameLetter(char32_t c) { return isLetter(c) || c == U'_'; }
-    std::optional<Quantity> asLength(Quantity q)
+    std::optional<Quantity> inUnits(Quantity q)
     {
         if (q.power == 0)
             return Quantity{q.value * m_grammar.ownUnit, 1, m_grammar.ownUnit};
-        return q.power == 1 ? std::optional(q) : fail(Fault::NotALength);
+        return q.power == 1 ? std::optional(q) : fail(m_grammar.notWanted());
     }
 
     std::optional<Quantity> sum()
@@ -181,8 +188,8 @@ private:
                 return std::nullopt;
             // Two numbers stay one; beside a length a number is one too.
             const bool isPlain = left->power == 0 && right->power == 0;
-            const std::optional<Quantity> a = isPlain ? left : asLength(*left),
-                                          b = isPlain ? right : asLength(*right);
+            const std::optional<Quantity> a = isPlain ? left : inUnits(*left),
+                                          b = isPlain ? right : inUnits(*right);
             if (!a || !b)
                 return std::nullopt;
             left = Quantity{plus ? a->value + b->value : a->value - b->value, a->power, 0.0};
@@ -248,6 +255,8 @@ private:
                                : fail(Fault::NoThickness);
         } else if (const std::u32string_view name = takeName(); !name.empty()) {
             const std::optional<NamedValue> named = m_grammar.names(encoded(name));
+            if (named && named->isLength && m_grammar.wanted == Grammar::Wanted::Mass)
+                return fail(m_grammar.notWanted());
             return named ? std::optional(Quantity{named->value, named->isLength ? 1 : 0, 0.0})
                          : fail(Fault::UnknownName, name);
         } else {
@@ -286,7 +295,7 @@ private:
                 !std::equal(unit.sign.begin(), unit.sign.end(), rest.begin(), isSame))
                 continue;
             if (q.power != 0)
-                return fail(Fault::NotALength);
+                return fail(m_grammar.notWanted());
             m_at += unit.sign.size();
             return Quantity{q.value * unit.size, unit.power, unit.power == 0 ? 0.0 : unit.size};
         }
@@ -354,6 +363,11 @@ Expression readLength(std::string_view text, double unit, Commas commas, std::op
                       const NumberNames &names)
 {
     return Parser(text, {lengthUnits(), Grammar::Wanted::Length, unit, commas, t, names}).read();
+}
+
+Expression readMass(std::string_view text, double unit, Commas commas, const NumberNames &names)
+{
+    return Parser(text, {massUnits(), Grammar::Wanted::Mass, unit, commas, {}, names}).read();
 }
 
 Expression readNumber(std::string_view text, std::string_view sign, Commas commas,

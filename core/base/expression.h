@@ -24,6 +24,7 @@ struct Expression
         UnknownName, // piece: that nothing is called so
         NotALength,  // an area, or a length beside a number of another kind
         NoThickness, // "t" where nothing has one thickness
+        NotAMass,    // a mass times another one, or something that is none
     };
 
     std::optional<double> value; // none with a fault
@@ -54,6 +55,13 @@ enum class Commas {
 /// t     what "t" stands for, mm: the thickness; nothing: it stands for nothing
 Expression readLength(std::string_view text, double unit, Commas commas,
                       std::optional<double> t = std::nullopt, const NumberNames &names = {});
+
+/// A mass, in kg: the same with g, kg, oz and lb. Numbers that have names are no masses, but for
+/// plain ones.
+///
+/// unit  of numbers without one, kg
+Expression readMass(std::string_view text, double unit, Commas commas,
+                    const NumberNames &names = {});
 
 /// A number without a unit, or with `sign` behind it, which changes nothing: "360/7", "2*(3+4) °".
 Expression readNumber(std::string_view text, std::string_view sign, Commas commas,

@@ -19,7 +19,7 @@ struct Id
 
 using SectionId = Id<struct SectionTag>;
 using StockId = Id<struct StockTag>;
-using WeightId = Id<struct WeightTag>;
+using LoadId = Id<struct LoadTag>;
 using OperationId = Id<struct OperationTag>;
 using DimensionId = Id<struct DimensionTag>;
 

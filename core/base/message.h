@@ -54,6 +54,7 @@ struct Quantity
         Length,  // mm
         Width,   // mm, of slits and tools: finer
         Mass,    // kg
+        Force,   // N
         Angle,   // radians; whole degrees, rounded down: what is promised must hold
         Percent, // a share of 1
     };
@@ -86,6 +87,10 @@ inline Quantity widthOf(double mm)
 inline Quantity massOf(double kg)
 {
     return {Quantity::Kind::Mass, kg};
+}
+inline Quantity forceOf(double newtons)
+{
+    return {Quantity::Kind::Force, newtons};
 }
 inline Quantity angleOf(double radians)
 {

@@ -31,9 +31,15 @@ inline constexpr Text kMoveMeetingPoint = FFF_TEXT(
 inline constexpr Text kMoveSelectedMeetingPoint = FFF_TEXT(
     "Hint",
     "Drag to make the slit of %1 deeper and that of %2 shallower; arrow keys move 1\u202fmm.");
-inline constexpr Text kSelectWeight = FFF_TEXT("Hint", "Click to select the weight of %1 on %2.");
+inline constexpr Text kSelectWeight =
+    FFF_TEXT("Hint", "Drag to move the weight of %1 on %2; click to select it.");
 inline constexpr Text kMoveSelectedWeight =
     FFF_TEXT("Hint", "Arrow keys move the weight of %1 on %2 by 1\u202fmm; <kbd>+</kbd> and "
+                     "<kbd>\u2212</kbd> change it, <kbd>Del</kbd> removes it.");
+inline constexpr Text kSelectPush =
+    FFF_TEXT("Hint", "Drag to move the push of %1 on %2, its tip to turn it; click to select it.");
+inline constexpr Text kMoveSelectedPush =
+    FFF_TEXT("Hint", "Arrow keys move the push of %1 on %2 by 1\u202fmm; <kbd>+</kbd> and "
                      "<kbd>\u2212</kbd> change it, <kbd>Del</kbd> removes it.");
 inline constexpr Text kSelectOperation =
     FFF_TEXT("Hint", "%1 is made by %2: click to edit them all, click again for this one.");

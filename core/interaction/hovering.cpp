@@ -12,6 +12,16 @@ namespace {
 /// A name stays while the cursor is this near to where it was shown, px.
 constexpr double kNameReach = 24.0;
 
+Hint hintOf(const Load &load, bool isSelected, const Model &model)
+{
+    const Named on{model.nameOf(load.section)};
+    if (load.isPush())
+        return {isSelected ? hints::kMoveSelectedPush : hints::kSelectPush,
+                {forceOf(load.push.norm()), on}};
+    return {isSelected ? hints::kMoveSelectedWeight : hints::kSelectWeight,
+            {massOf(load.mass), on}};
+}
+
 } // namespace
 
 void Hovering::moveTo(const Vec2 &position)
@@ -104,11 +114,8 @@ std::pair<Hint, Cursor> hoverHint(const Hovered &hovered, const Overlay &overlay
         return {{hints::kChooseProblem, {Named{std::to_string(hovered.problem)}}}, Cursor::Hand};
     if (hovered.isCutHandle)
         return {hints::kMoveCut, Cursor::MoveCross};
-    if (const Weight *weight = model.document.find(hovered.weight))
-        return {
-            {weight->id == selection.weight() ? hints::kMoveSelectedWeight : hints::kSelectWeight,
-             {massOf(weight->mass), Named{model.nameOf(weight->section)}}},
-            Cursor::Hand};
+    if (const Load *load = model.document.find(hovered.load))
+        return {hintOf(*load, load->id == selection.load(), model), Cursor::Hand};
     if (model.sectionCount() == 0)
         return {hints::kDrawFirstSection, Cursor::Pencil};
     if (hovered.section >= 0) {

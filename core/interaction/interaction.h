@@ -158,8 +158,8 @@ public:
     OperationId selectedOperation() const;
     void selectOperation(OperationId id);
     /// Not valid unless a weight is selected, in place of all else.
-    WeightId selectedWeight() const;
-    void selectWeight(WeightId id);
+    LoadId selectedLoad() const;
+    void selectLoad(LoadId id);
     /// It, or the one that made all that is selected.
     OperationId operationInFocus() const;
     /// The sections that are selected and there; of an operation those that it made or changed.

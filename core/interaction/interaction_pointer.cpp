@@ -155,14 +155,14 @@ void Interaction::Private::click(const PointerEvent &begin)
         host.chooseParameter(handle->operation, handle->key);
         return;
     }
+    if (const LoadId load = loadAt(begin.position); load.isValid()) {
+        points.clear();
+        selection.selectLoad(load);
+        return;
+    }
     if (const JointMark *mark = jointMarkAt(begin.position)) {
         points.clear();
         selection.selectJoint(mark->joint);
-        return;
-    }
-    if (const WeightId weight = weightAt(begin.position); weight.isValid()) {
-        points.clear();
-        selection.selectWeight(weight);
         return;
     }
     lastClick = begin;
@@ -188,8 +188,8 @@ void Interaction::Private::hover()
 void Interaction::Private::hoverMarks()
 {
     hoverOperation();
+    hoverLoad();
     hoverJoint();
-    hoverWeight();
     hoverPoint();
 }
 
@@ -197,7 +197,7 @@ void Interaction::Private::hoverPoint()
 {
     hoveredPoint.reset();
     const std::optional<Vec2> &at = hovering.position();
-    if (!at || hoveredJoint || hoveredHandle || hovered.weight.isValid() || motion.animation ||
+    if (!at || hoveredJoint || hoveredHandle || hovered.load.isValid() || motion.animation ||
         tool || hovered.cubePart || hovered.problem > 0 || hovered.isCutHandle)
         return;
     if (const auto section = sectionWithPoints(sight(), selection))

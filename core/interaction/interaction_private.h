@@ -1,7 +1,7 @@
 // What Interaction keeps between events, for the files that implement it: interaction.cpp (what
 // others ask), interaction_pointer.cpp (events), interaction_replies.cpp (what gestures and tools
 // answer), interaction_tool.cpp (the tool in the hand), interaction_points.cpp (control points),
-// interaction_joints.cpp (marks of joints), interaction_weights.cpp (weights),
+// interaction_joints.cpp (marks of joints), interaction_loads.cpp (weights),
 // interaction_sections.cpp (edits of whole sections), interaction_offer.cpp (what a stroke was
 // meant to be).
 #pragma once
@@ -134,8 +134,8 @@ public:
     void hoverOperation();
     void markOperation();
     std::optional<OperationHandle> operationHandleAt(const Vec2 &position);
-    void hoverWeight();
-    WeightId weightAt(const Vec2 &position);
+    void hoverLoad();
+    LoadId loadAt(const Vec2 &position);
     bool nudgeMeetingPoints(const JointRef &joint, const Vec2 &arrow, double distance);
     void clearOverlay();
     void update();

@@ -1,6 +1,6 @@
 #include "core/interaction/interaction_private.h"
+#include "core/interaction/load_editing.h"
 #include "core/interaction/section_editing.h"
-#include "core/interaction/weight_editing.h"
 
 namespace fff {
 
@@ -33,13 +33,13 @@ bool Interaction::nudge(const Vec2 &arrow, double distance, double time)
     }
     const Camera &camera = d->motion.camera;
     const Model &model = d->host.model();
-    if (d->selection.weight().isValid()) {
-        const Weight *weight = model.document.find(d->selection.weight());
+    if (d->selection.load().isValid()) {
+        const Load *weight = model.document.find(d->selection.load());
         const Section *section = weight ? model.find(weight->section) : nullptr;
         if (!section)
             return false;
         const Vec2 by = distance * arrowAxis(section->frame, camera, arrow);
-        carryOut(movedWeight(model, weight->id, by), time);
+        carryOut(movedLoad(model, weight->id, by), time);
         return true;
     }
     if (!d->points.isEmpty()) {

@@ -85,7 +85,7 @@ struct Hovered
     bool isCutHandle = false;         // also while that is dragged
     int problem = 0;                  // number of its mark; 0: none
     DimensionId dimension;            // or in the hand
-    WeightId weight;                  // "
+    LoadId load;                      // "
 
     bool operator==(const Hovered &) const = default;
 };

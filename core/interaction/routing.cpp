@@ -2,6 +2,7 @@
 
 #include "core/interaction/clip_gesture.h"
 #include "core/interaction/joint_gesture.h"
+#include "core/interaction/load_gesture.h"
 #include "core/interaction/operation_gesture.h"
 #include "core/interaction/point_gesture.h"
 #include "core/interaction/rubber_band.h"
@@ -55,6 +56,15 @@ std::unique_ptr<Gesture> onJoint(const PointerEvent &press, const Sight &sight,
     return std::make_unique<JointGesture>(marks[static_cast<std::size_t>(index)], press, context);
 }
 
+std::unique_ptr<Gesture> onLoad(const PointerEvent &press, const GestureContext &context)
+{
+    if (press.button != Button::Left ||
+        dragKind(context.settings.navigation, press.button, press.modifiers) != DragKind::Edit)
+        return nullptr;
+    const std::optional<LoadAt> at = loadAt(press.position, context);
+    return at ? std::make_unique<LoadGesture>(*at, context) : nullptr;
+}
+
 /// Ctrl, which turns the view elsewhere, does something of its own to points and handles.
 std::unique_ptr<Gesture> onPoint(const PointerEvent &press, const Sight &sight,
                                  const GestureContext &context)
@@ -103,6 +113,8 @@ std::unique_ptr<Gesture> gestureFor(const PointerEvent &press, const Sight &sigh
     if (press.button == Button::Left && isOnViewMark(sight, press.position))
         return onViewMark(press, sight, context);
     if (auto gesture = onOperation(press, context))
+        return gesture;
+    if (auto gesture = onLoad(press, context))
         return gesture;
     if (auto gesture = onJoint(press, sight, context))
         return gesture;

@@ -9,14 +9,14 @@ namespace fff {
 
 void Selection::select(std::vector<SectionRef> sections)
 {
-    if (sections != m_sections || m_joint || m_operation.isValid() || m_weight.isValid()) {
+    if (sections != m_sections || m_joint || m_operation.isValid() || m_load.isValid()) {
         m_before.clear();
         m_lost.reset();
         m_lostOperation = {};
-        m_lostWeight = {};
+        m_lostLoad = {};
     }
     m_operation = {};
-    m_weight = {};
+    m_load = {};
     m_joint.reset();
     m_origin.clear();
     m_sections = std::move(sections);
@@ -31,7 +31,7 @@ void Selection::selectJoint(const JointRef &joint)
     m_before.clear();
     m_lost.reset();
     m_lostOperation = m_operation = {};
-    m_lostWeight = m_weight = {};
+    m_lostLoad = m_load = {};
     m_sections.clear();
     m_joint = joint;
 }
@@ -40,18 +40,18 @@ void Selection::selectOperation(OperationId id)
 {
     select({});
     m_lostOperation = {};
-    m_lostWeight = {};
+    m_lostLoad = {};
     m_operation = id;
 }
 
-void Selection::selectWeight(WeightId id)
+void Selection::selectLoad(LoadId id)
 {
     select({});
     m_before.clear();
     m_lost.reset();
     m_lostOperation = {};
-    m_lostWeight = {};
-    m_weight = id;
+    m_lostLoad = {};
+    m_load = id;
 }
 
 void Selection::leaveJoint(const Model &model)
@@ -99,13 +99,13 @@ bool Selection::followOperation(const Document &document)
 /// The same of a weight.
 bool Selection::followWeight(const Document &document)
 {
-    if (m_weight.isValid() && !document.find(m_weight)) {
-        m_lostWeight = std::exchange(m_weight, {});
+    if (m_load.isValid() && !document.find(m_load)) {
+        m_lostLoad = std::exchange(m_load, {});
         return true;
     }
-    if (m_lostWeight.isValid() && isEmpty() && document.find(m_lostWeight))
-        selectWeight(m_lostWeight);
-    return m_weight.isValid();
+    if (m_lostLoad.isValid() && isEmpty() && document.find(m_lostLoad))
+        selectLoad(m_lostLoad);
+    return m_load.isValid();
 }
 
 void Selection::follow(const Model &model)
@@ -139,7 +139,7 @@ void Selection::forget()
     m_before.clear();
     m_lost.reset();
     m_lostOperation = m_operation = {};
-    m_lostWeight = m_weight = {};
+    m_lostLoad = m_load = {};
     m_joint.reset();
     m_origin.clear();
 }

@@ -19,15 +19,15 @@ public:
     /// While one is selected neither a section nor a joint is; not valid: none is.
     OperationId operation() const { return m_operation; }
     /// While one is selected nothing else is; not valid: none is.
-    WeightId weight() const { return m_weight; }
+    LoadId load() const { return m_load; }
     bool isEmpty() const
     {
-        return m_sections.empty() && !m_joint && !m_operation.isValid() && !m_weight.isValid();
+        return m_sections.empty() && !m_joint && !m_operation.isValid() && !m_load.isValid();
     }
     void select(std::vector<SectionRef> sections);
     void selectJoint(const JointRef &joint);
     void selectOperation(OperationId id);
-    void selectWeight(WeightId id);
+    void selectLoad(LoadId id);
     /// One step back from sections or an operation: from one section that an operation made to
     /// that, else to nothing.
     void goBack();
@@ -53,7 +53,7 @@ private:
     std::optional<JointRef> m_lost;   // a joint that went
     std::vector<SectionRef> m_origin; // sections that were selected before the joint
     OperationId m_operation, m_lostOperation;
-    WeightId m_weight, m_lostWeight;
+    LoadId m_load, m_lostLoad;
 };
 
 /// The selected sections that are there; of a selected operation those that it made or changed.

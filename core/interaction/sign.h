@@ -36,8 +36,8 @@ enum class SignRole {
     Guide, // that what is drawn goes along
     Cue,   // what the hand may do now
     Doubt, // what will not do what it is for
-    Weight,
-    WeightInHand, // that the cursor is over, or moves
+    Load,
+    LoadInHand, // that the cursor is over, or moves
 };
 
 namespace sign {
@@ -100,6 +100,7 @@ struct Arrow
 {
     SignRole role = SignRole::Slit;
     Vec3 from = Vec3::Zero(), direction = Vec3::UnitX(); // unit
+    double length = 34.0;                                // px, across the line of sight
     bool operator==(const Arrow &) const = default;
 };
 /// From one corner to the other on the screen, px.

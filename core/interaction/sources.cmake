@@ -24,7 +24,7 @@ target_sources(fff_core PRIVATE
     interaction/interaction_replies.cpp
     interaction/interaction_sections.cpp
     interaction/interaction_tool.cpp
-    interaction/interaction_weights.cpp
+    interaction/interaction_loads.cpp
     interaction/joint_gesture.cpp
     interaction/joint_marks.cpp
     interaction/mark_editing.cpp
@@ -67,6 +67,9 @@ target_sources(fff_core PRIVATE
     interaction/view_gestures.cpp
     interaction/view_history.cpp
     interaction/view_motion.cpp
-    interaction/weight_editing.cpp
-    interaction/weight_tool.cpp
+    interaction/load_drag.cpp
+    interaction/load_editing.cpp
+    interaction/load_gesture.cpp
+    interaction/load_marks.cpp
+    interaction/load_tool.cpp
 )

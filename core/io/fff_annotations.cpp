@@ -182,13 +182,12 @@ std::vector<MarkPointer> readMarks(const JsonCursor &cursor)
     return marks;
 }
 
-std::vector<Dimension> readDimensions(const JsonCursor &cursor,
-                                      const DimensionSurroundings &surroundings)
+std::vector<Dimension> readDimensions(const JsonCursor &cursor, const ReferenceReaders &readers)
 {
-    const auto readAnchor = [&surroundings](const JsonCursor &item) {
+    const auto readAnchor = [&readers](const JsonCursor &item) {
         Anchor anchor;
         if (const JsonCursor section = item.member("section"); section.exists())
-            anchor.section = surroundings.readRef(section);
+            anchor.section = readers.readRef(section);
         anchor.at = item.member("at").point3();
         return anchor;
     };
@@ -197,7 +196,7 @@ std::vector<Dimension> readDimensions(const JsonCursor &cursor,
         return dimensions;
     for (const JsonCursor &item : cursor.items()) {
         Dimension dimension;
-        dimension.id = DimensionId{surroundings.readId(item.member("id"))};
+        dimension.id = DimensionId{readers.readId(item.member("id"))};
         dimension.from = readAnchor(item.member("from"));
         dimension.to = readAnchor(item.member("to"));
         if (dimension.from == dimension.to)

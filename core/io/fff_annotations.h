@@ -22,13 +22,13 @@ void writeNumbers(JsonWriter &json, const Document &document);
 std::vector<Figure> readFigures(const JsonCursor &cursor, const ShapePointer &shape);
 std::vector<MarkPointer> readMarks(const JsonCursor &cursor);
 
-struct DimensionSurroundings
+/// How the reader of the document reads what refers to something else in it.
+struct ReferenceReaders
 {
     std::function<SectionRef(const JsonCursor &)> readRef;
     std::function<std::int64_t(const JsonCursor &)> readId;
 };
-std::vector<Dimension> readDimensions(const JsonCursor &cursor,
-                                      const DimensionSurroundings &surroundings);
+std::vector<Dimension> readDimensions(const JsonCursor &cursor, const ReferenceReaders &readers);
 std::vector<NamedNumber> readNumbers(const JsonCursor &cursor);
 
 } // namespace fff::io

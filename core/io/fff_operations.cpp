@@ -1,5 +1,6 @@
 #include "core/io/fff_operations.h"
 
+#include "core/io/loaded_document.h"
 #include "core/operations/operation_kind.h"
 
 #include <QtCore/QCoreApplication>
@@ -129,7 +130,7 @@ Operation readOperation(const JsonCursor &cursor, const OperationSurroundings &s
     operation.name = cursor.member("name").text();
     const OperationKind *kind = operationKind(operation.kind);
     if (!kind || operation.version > kind->version) {
-        cursor.fail(ErrorCode::Unsupported, {quoted(operation.kind)});
+        cursor.fail(ErrorCode::Unsupported, {io::quoted(operation.kind)});
         return operation;
     }
     if (const JsonCursor on = cursor.member("on"); on.exists())

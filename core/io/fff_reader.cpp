@@ -2,6 +2,7 @@
 #include "core/io/fff_annotations.h"
 #include "core/io/fff_blobs.h"
 #include "core/io/fff_format.h"
+#include "core/io/fff_loads.h"
 #include "core/io/fff_migration.h"
 #include "core/io/fff_operations.h"
 #include "core/io/json_cursor.h"
@@ -46,7 +47,6 @@ private:
     std::optional<Parent> readParent(const JsonCursor &cursor);
     std::optional<MirrorAxis> readSymmetry(const JsonCursor &cursor);
     SectionPointer readSection(const JsonCursor &cursor, const std::vector<ShapePointer> &shapes);
-    Weight readWeight(const JsonCursor &cursor);
     JointOverride readJoint(const JsonCursor &cursor);
     void readJoints(const JsonCursor &cursor, std::vector<JointOverridePointer> &joints);
     std::int64_t readGivenId(const JsonCursor &cursor);
@@ -260,18 +260,6 @@ SectionPointer FffReader::readSection(const JsonCursor &cursor,
     return section;
 }
 
-Weight FffReader::readWeight(const JsonCursor &cursor)
-{
-    Weight weight;
-    weight.id = WeightId{readId(cursor.member("id"))};
-    weight.section = readRef(cursor.member("section"));
-    weight.position = cursor.member("position").point2();
-    weight.mass = cursor.member("mass").positive();
-    if (const JsonCursor name = cursor.member("name"); name.exists())
-        weight.name = name.text();
-    return weight;
-}
-
 JointOverride FffReader::readJoint(const JsonCursor &cursor)
 {
     JointOverride joint;
@@ -398,15 +386,12 @@ Document FffReader::read(const JsonCursor &root)
                 return {};
         }
     }
-    if (const JsonCursor weights = root.member("weights"); weights.exists()) {
-        for (const JsonCursor &item : weights.items())
-            document.weights.push_back(readWeight(item));
-    }
+    const ReferenceReaders readers{
+        .readRef = [this](const JsonCursor &item) { return readRef(item); },
+        .readId = [this](const JsonCursor &item) { return readId(item); }};
+    document.loads = readLoads(root.member("weights"), root.member("pushes"), readers);
     readJoints(root.member("joints"), document.jointOverrides);
-    document.dimensions =
-        readDimensions(root.member("dimensions"),
-                       {.readRef = [this](const JsonCursor &item) { return readRef(item); },
-                        .readId = [this](const JsonCursor &item) { return readId(item); }});
+    document.dimensions = readDimensions(root.member("dimensions"), readers);
     document.numbers = readNumbers(root.member("numbers"));
     if (!m_problems.failed())
         document.blobs = readBlobs(root.member("blobs"), m_blobs, m_problems);

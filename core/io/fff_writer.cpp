@@ -1,6 +1,7 @@
 #include "core/io/fff_annotations.h"
 #include "core/io/fff_blobs.h"
 #include "core/io/fff_format.h"
+#include "core/io/fff_loads.h"
 #include "core/io/fff_operations.h"
 #include "core/io/json_writer.h"
 #include "core/model/joint_kind_names.h"
@@ -136,19 +137,6 @@ void writeSection(JsonWriter &json, const Section &section, std::size_t shapeInd
     json.endObject();
 }
 
-void writeWeight(JsonWriter &json, const Weight &weight)
-{
-    json.beginObject();
-    json.member("id", weight.id.value);
-    json.key("section");
-    writeRef(json, weight.section);
-    json.member("position", weight.position);
-    json.member("mass", weight.mass);
-    if (!weight.name.empty())
-        json.member("name", weight.name);
-    json.endObject();
-}
-
 void writeJoint(JsonWriter &json, const JointOverride &joint)
 {
     json.beginObject();
@@ -222,11 +210,7 @@ Result<std::string> writeFff(const Document &document)
     for (const OperationPointer &operation : document.operations)
         writeOperation(json, *operation);
     json.endArray();
-    json.key("weights");
-    json.beginArray();
-    for (const Weight &weight : document.weights)
-        writeWeight(json, weight);
-    json.endArray();
+    writeLoads(json, document);
     json.key("joints");
     json.beginArray();
     for (const JointOverridePointer &joint : document.jointOverrides)

@@ -1,6 +1,7 @@
 #include "core/io/json_syntax.h"
 
 #include "core/io/json_keys.h"
+#include "core/io/loaded_document.h"
 
 #include <QtCore/QCoreApplication>
 #include <algorithm>
@@ -135,9 +136,9 @@ bool checkKeys(std::string_view json, Problems &problems)
 {
     const std::optional<RepeatedKey> repeated = repeatedKey(json);
     if (repeated)
-        problems.fail(
-            ErrorCode::BadSyntax, lineAt(json, repeated->at),
-            {quoted(repeated->key), QT_TRANSLATE_NOOP("Error", "each key of an object only once")});
+        problems.fail(ErrorCode::BadSyntax, lineAt(json, repeated->at),
+                      {io::quoted(repeated->key),
+                       QT_TRANSLATE_NOOP("Error", "each key of an object only once")});
     return !repeated;
 }
 
@@ -148,9 +149,9 @@ bool checkCharacters(std::string_view json, Problems &problems)
     const std::size_t half = halfCharacter(json);
     if (half == std::string_view::npos)
         return true;
-    problems.fail(
-        ErrorCode::BadSyntax, lineAt(json, half),
-        {quoted(json.substr(half, 6)), QT_TRANSLATE_NOOP("Error", "both halves of a character")});
+    problems.fail(ErrorCode::BadSyntax, lineAt(json, half),
+                  {io::quoted(json.substr(half, 6)),
+                   QT_TRANSLATE_NOOP("Error", "both halves of a character")});
     return false;
 }
 
@@ -173,12 +174,12 @@ QJsonDocument parseJson(std::string_view bytes, Problems &problems)
     const std::string_view token = tokenAt(text, offset);
     const char *expected = expectedBy(error.error);
     if (isNonFinite(token))
-        problems.fail(ErrorCode::NonFinite, where, {quoted(token)});
+        problems.fail(ErrorCode::NonFinite, where, {io::quoted(token)});
     else if (error.error != QJsonParseError::DeepNesting &&
              error.error != QJsonParseError::GarbageAtEnd && endsInToken(text.substr(offset)))
         problems.fail(ErrorCode::Truncated, where, {expected});
     else
-        problems.fail(ErrorCode::BadSyntax, where, {quoted(token), expected});
+        problems.fail(ErrorCode::BadSyntax, where, {io::quoted(token), expected});
     return {};
 }
 

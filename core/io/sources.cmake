@@ -9,6 +9,7 @@ target_sources(fff_io PRIVATE
     fff_annotations.cpp
     fff_blobs.cpp
     fff_file.cpp
+    fff_loads.cpp
     fff_migration.cpp
     fff_operations.cpp
     fff_reader.cpp

@@ -56,11 +56,11 @@ const Operation *Document::find(OperationId id) const
     return it == operations.end() ? nullptr : it->get();
 }
 
-const Weight *Document::find(WeightId id) const
+const Load *Document::find(LoadId id) const
 {
-    const auto it = std::find_if(weights.begin(), weights.end(),
-                                 [id](const Weight &weight) { return weight.id == id; });
-    return it == weights.end() ? nullptr : &*it;
+    const auto it =
+        std::find_if(loads.begin(), loads.end(), [id](const Load &load) { return load.id == id; });
+    return it == loads.end() ? nullptr : &*it;
 }
 
 const Blob *Document::findBlob(std::string_view sha256) const
@@ -95,7 +95,7 @@ const JointOverride *Document::jointOverride(const SectionRef &first,
 bool Document::isSame(const Document &other) const
 {
     return sections == other.sections && stocks == other.stocks && operations == other.operations &&
-           weights == other.weights && jointOverrides == other.jointOverrides &&
+           loads == other.loads && jointOverrides == other.jointOverrides &&
            dimensions == other.dimensions && numbers == other.numbers && blobs == other.blobs &&
            currentStock == other.currentStock;
 }
@@ -103,7 +103,7 @@ bool Document::isSame(const Document &other) const
 bool Document::operator==(const Document &other) const
 {
     return equalValues(sections, other.sections) && equalValues(stocks, other.stocks) &&
-           equalValues(operations, other.operations) && weights == other.weights &&
+           equalValues(operations, other.operations) && loads == other.loads &&
            equalValues(jointOverrides, other.jointOverrides) && dimensions == other.dimensions &&
            numbers == other.numbers && equalValues(blobs, other.blobs) &&
            currentStock == other.currentStock && nextId == other.nextId;

@@ -4,6 +4,7 @@
 #include "core/model/blob.h"
 #include "core/model/dimension.h"
 #include "core/model/joint_override.h"
+#include "core/model/load.h"
 #include "core/model/named_number.h"
 #include "core/model/operation.h"
 #include "core/model/section.h"
@@ -16,24 +17,6 @@
 
 namespace fff {
 
-inline constexpr double kMaxWeight = 1e6; // kg
-
-/// A mass at a point of a section.
-struct Weight
-{
-    WeightId id;
-    SectionRef section;
-    Vec2 position = Vec2::Zero(); // frame coordinates of the section, mm
-    double mass = 0.35;           // kg
-    std::string name = {};        // may be empty: it has none of its own
-
-    bool operator==(const Weight &other) const
-    {
-        return id == other.id && section == other.section && position == other.position &&
-               mass == other.mass && name == other.name;
-    }
-};
-
 /// Order of `sections` is that of drawing. Every section's stock is in `stocks`; `currentStock` is
 /// that of the next section. `nextId` is larger than every id ever given here.
 struct Document
@@ -41,7 +24,7 @@ struct Document
     std::vector<SectionPointer> sections;
     std::vector<std::shared_ptr<const Stock>> stocks;
     std::vector<OperationPointer> operations; // in the order in which they work
-    std::vector<Weight> weights;
+    std::vector<Load> loads;
     std::vector<JointOverridePointer> jointOverrides; // ascending in (a, b), none of them empty
     std::vector<Dimension> dimensions;
     std::vector<NamedNumber> numbers; // by which numbers can be called in fields
@@ -56,7 +39,7 @@ struct Document
     const Section *find(SectionId id) const;
     const Stock *find(StockId id) const;
     const Operation *find(OperationId id) const;
-    const Weight *find(WeightId id) const;
+    const Load *find(LoadId id) const;
     const Blob *findBlob(std::string_view sha256) const;
     /// Of two sections in any order, or null. O(log overrides).
     const JointOverride *jointOverride(const SectionRef &first, const SectionRef &second) const;

@@ -128,7 +128,7 @@ Result<Document> removeSections(Document document, std::span<const SectionId> id
     }
     noteNames(document, ids);
     std::erase_if(document.sections, [&](const SectionPointer &s) { return isRemoved(s->id); });
-    std::erase_if(document.weights, [&](const Weight &w) { return isRemoved(w.section.drawn); });
+    std::erase_if(document.loads, [&](const Load &w) { return isRemoved(w.section.drawn); });
     std::erase_if(document.dimensions, [&](const Dimension &dimension) {
         return isRemoved(dimension.from.section.drawn) || isRemoved(dimension.to.section.drawn);
     });
@@ -239,48 +239,6 @@ Result<Document> removeStock(Document document, StockId id, StockId replacement)
     if (document.currentStock == id)
         document.currentStock = replacement;
     std::erase_if(document.stocks, [id](const auto &stock) { return stock->id == id; });
-    return document;
-}
-
-namespace {
-
-Result<void> checked(const Document &document, const Weight &weight)
-{
-    if (!(std::isfinite(weight.mass) && weight.mass > 0.0 && weight.mass <= kMaxWeight))
-        return failure(ErrorCode::BadValue, "mass");
-    if (weight.section.drawn.isValid() && !document.find(weight.section.drawn))
-        return unknown(weight.section.drawn);
-    return {};
-}
-
-} // namespace
-
-Result<Document> addWeight(Document document, Weight weight)
-{
-    if (Result<void> sound = checked(document, weight); !sound)
-        return tl::unexpected(std::move(sound.error()));
-    weight.id = WeightId{document.nextId++};
-    document.weights.push_back(std::move(weight));
-    return document;
-}
-
-Result<Document> setWeight(Document document, const Weight &weight)
-{
-    if (Result<void> sound = checked(document, weight); !sound)
-        return tl::unexpected(std::move(sound.error()));
-    const auto found = std::find_if(document.weights.begin(), document.weights.end(),
-                                    [&](const Weight &w) { return w.id == weight.id; });
-    if (found == document.weights.end())
-        return unknown(weight.id);
-    if (!(*found == weight))
-        *found = weight;
-    return document;
-}
-
-Result<Document> removeWeight(Document document, WeightId id)
-{
-    if (std::erase_if(document.weights, [id](const Weight &w) { return w.id == id; }) == 0)
-        return unknown(id);
     return document;
 }
 

@@ -44,12 +44,6 @@ Result<Document> setCurrentStock(Document document, StockId id);
 /// "replacement", when that is the stock itself.
 Result<Document> removeStock(Document document, StockId id, StockId replacement);
 
-/// Appends a weight (its id is given). BadValue when the mass is not positive.
-Result<Document> addWeight(Document document, Weight weight);
-/// Replaces the weight with the same id. BadValue as of addWeight().
-Result<Document> setWeight(Document document, const Weight &weight);
-Result<Document> removeWeight(Document document, WeightId id);
-
 /// Replaces what was wanted of the joint of these two sections; an empty one takes it away.
 /// BadValue, place "sections" unless a < b, "share" or "opens" for a share that is none and a
 /// direction without a length.

@@ -221,6 +221,10 @@ Result<void> Mover::put(int index, const Similarity &placement)
     if (!(box.min.cwiseAbs().cwiseMax(box.max.cwiseAbs()).maxCoeff() <= kMaxCoordinate))
         return failure(ErrorCode::NonFinite, before.name);
     follow(*next, before, placement);
+    if (placement.turn.determinant() < 0.0) // the normal is the other one
+        for (Load &load : m_document.loads)
+            if (load.section == before.id)
+                load.push.z() = -load.push.z();
     if (!map.isIdentity())
         mapPlaces(
             m_document, [&](const SectionRef &ref) { return ref == before.id; }, map);

@@ -63,7 +63,7 @@ Result<Document> removeOperation(Document document, OperationId id)
     if (place == document.operations.end())
         return unknown(id);
     document.operations.erase(place);
-    std::erase_if(document.weights, [id](const Weight &w) { return w.section.operation == id; });
+    std::erase_if(document.loads, [id](const Load &w) { return w.section.operation == id; });
     std::erase_if(document.jointOverrides, [id](const JointOverridePointer &joint) {
         return joint->a.operation == id || joint->b.operation == id;
     });

@@ -23,7 +23,7 @@ bool Section::operator==(const Section &other) const
 {
     return id == other.id && made == other.made && name == other.name && parent == other.parent &&
            frame == other.frame && stock == other.stock && isLocked == other.isLocked &&
-           figures == other.figures && symmetry == other.symmetry &&
+           figures == other.figures && symmetry == other.symmetry && copyOf == other.copyOf &&
            std::equal(
                marks.begin(), marks.end(), other.marks.begin(), other.marks.end(),
                [](const MarkPointer &a, const MarkPointer &b) { return a == b || *a == *b; }) &&

@@ -50,6 +50,26 @@ struct Parent
     }
 };
 
+/// Of what an operation copied: from where, so that what a document keeps at places of a section is
+/// there on its copies, too.
+struct CopyOf
+{
+    SectionRef section;
+    std::shared_ptr<const CopyOf> before = {}; // what that one is a copy of; null: of none
+    /// p → matrix p + shift, from its frame coordinates to those of the copy, mm.
+    Eigen::Matrix2d matrix = Eigen::Matrix2d::Identity();
+    Vec2 shift = Vec2::Zero();
+    bool isMirrored = false; // the copy's normal is the other one
+
+    Vec2 operator()(const Vec2 &p) const { return matrix * p + shift; }
+    bool operator==(const CopyOf &other) const
+    {
+        return section == other.section && matrix == other.matrix && shift == other.shift &&
+               isMirrored == other.isMirrored &&
+               (before == other.before || (before && other.before && *before == *other.before));
+    }
+};
+
 struct Section
 {
     SectionId id;         // of a drawn one
@@ -68,6 +88,8 @@ struct Section
     /// To which it was made symmetric and shall stay so when its points are edited, frame
     /// coordinates; counts as long as it is (core/model/symmetric_section.h).
     std::optional<MirrorAxis> symmetry = {};
+    /// Of one that an operation made of another one.
+    std::optional<CopyOf> copyOf = {};
 
     SectionRef ref() const { return id.isValid() ? SectionRef(id) : made; }
     /// Same values; shapes are compared by their curves.

@@ -7,6 +7,7 @@ target_sources(fff_core PRIVATE
     model/ground.cpp
     model/instance_key.cpp
     model/letter_shapes.cpp
+    model/load_edits.cpp
     model/lettering.cpp
     model/mark.cpp
     model/marks.cpp
@@ -17,6 +18,7 @@ target_sources(fff_core PRIVATE
     model/named_numbers.cpp
     model/naming.cpp
     model/origin.cpp
+    model/placed_loads.cpp
     model/operation_edits.cpp
     model/point_edits.cpp
     model/section.cpp

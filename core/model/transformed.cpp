@@ -38,13 +38,28 @@ Result<Section> stretched(Section section, const PlaneMap &map, const ShapeMap &
     if (section.symmetry)
         section.symmetry = MirrorAxis{map(section.symmetry->point),
                                       (map.matrix * section.symmetry->direction).normalized()};
+    if (section.copyOf) {
+        section.copyOf->matrix = map.matrix * section.copyOf->matrix;
+        section.copyOf->shift = map(section.copyOf->shift);
+    }
     return section;
 }
 
 Result<Section> transformed(Section section, const Similarity &placement, const ShapeMap &shapeOf)
 {
     section.frame = placed(section.frame, placement);
+    if (section.copyOf && placement.turn.determinant() < 0.0)
+        section.copyOf->isMirrored = !section.copyOf->isMirrored;
     return stretched(std::move(section), PlaneMap::scaled(placement.scale), shapeOf);
+}
+
+Section asCopy(Section section)
+{
+    std::shared_ptr<const CopyOf> before;
+    if (section.copyOf)
+        before = std::make_shared<const CopyOf>(*std::move(section.copyOf));
+    section.copyOf = CopyOf{section.ref(), std::move(before)};
+    return section;
 }
 
 Parent transformed(Parent parent, const Similarity &placement)
@@ -57,9 +72,9 @@ Parent transformed(Parent parent, const Similarity &placement)
 void mapPlaces(Document &document, const std::function<bool(const SectionRef &)> &isMapped,
                const PlaneMap &map)
 {
-    for (Weight &weight : document.weights)
-        if (isMapped(weight.section))
-            weight.position = map(weight.position);
+    for (Load &load : document.loads)
+        if (isMapped(load.section))
+            load.position = map(load.position);
     for (Dimension &dimension : document.dimensions)
         for (Anchor *anchor : {&dimension.from, &dimension.to})
             if (anchor->section != SectionRef() && isMapped(anchor->section))

@@ -38,6 +38,9 @@ Result<Section> stretched(Section section, const PlaneMap &map,
 /// it is scaled with it. The slit, in the frame of what it is on, stays. Errors  as stretched().
 Result<Section> transformed(Section section, const Similarity &placement,
                             const ShapeMap &shapeOf = mappedShape);
+/// A copy of a section for an operation to make something of: wherever the functions above bring
+/// it, it knows what it is a copy of.
+Section asCopy(Section section);
 /// The slit of a section that goes along with what it is on.
 Parent transformed(Parent parent, const Similarity &placement);
 

@@ -3,7 +3,9 @@
 #include "core/assembly/assembly.h"
 #include "core/model/edits.h"
 #include "core/model/operation_edits.h"
+#include "core/model/placed_loads.h"
 #include "core/operations/evaluate.h"
+#include "core/operations/renamed_instances.h"
 
 #include <algorithm>
 #include <map>
@@ -11,9 +13,6 @@
 namespace fff {
 
 namespace {
-
-/// Generated sections and what is drawn in their place.
-using Replacements = std::map<SectionRef, SectionRef>;
 
 SectionRef follow(const Replacements &replacements, const SectionRef &ref)
 {
@@ -61,8 +60,8 @@ void followInDocument(Document &document, const Model &model, const Replacements
         next.parent->section = follow(replacements, next.parent->section);
         pointer = std::make_shared<const Section>(std::move(next));
     }
-    for (Weight &weight : document.weights)
-        weight.section = follow(replacements, weight.section);
+    for (Load &load : document.loads)
+        load.section = follow(replacements, load.section);
     for (Dimension &dimension : document.dimensions)
         for (Anchor *anchor : {&dimension.from, &dimension.to})
             anchor->section = follow(replacements, anchor->section);
@@ -89,12 +88,52 @@ void followInDocument(Document &document, const Model &model, const Replacements
     }
 }
 
+/// What acts on a copy since it acts on the source is on what is drawn in its place by itself.
+void keepCarriedLoads(Document &document, const Document &before, const Section &copy,
+                      const SectionRef &drawn)
+{
+    for (Load own : carriedLoads(before, copy)) {
+        own.id = LoadId{document.nextId++};
+        own.section = drawn;
+        document.loads.push_back(std::move(own));
+    }
+}
+
+/// Operations below may call what they make otherwise: all that is said of that follows, one
+/// operation after the other, as each may work on what the one before makes.
+Document withRenamed(Document document, const Model &model, Replacements &replacements)
+{
+    std::vector<OperationId> all;
+    for (const OperationPointer &operation : document.operations)
+        all.push_back(operation->id);
+    Model now = evaluate(document, model);
+    for (const OperationId id : all) {
+        const Replacements renamed = renamedInstances(model, now, id);
+        if (renamed.empty())
+            continue;
+        followInDocument(document, model, renamed);
+        for (OperationPointer &pointer : document.operations) {
+            if (pointer->id != id || pointer->exceptions.empty())
+                continue;
+            Operation next = *pointer;
+            next.exceptions.clear();
+            for (const auto &[key, exception] : pointer->exceptions)
+                next.exceptions.emplace(follow(renamed, SectionRef(id, key)).key, exception);
+            pointer = std::make_shared<const Operation>(std::move(next));
+        }
+        replacements.insert(renamed.begin(), renamed.end());
+        now = evaluate(document, now);
+    }
+    return document;
+}
+
 /// Puts the section, as it stands in the model, among the drawn ones; its id is the next one.
 SectionRef draw(Document &document, const Section &section)
 {
     Section drawn = section;
     drawn.id = SectionId{document.nextId++};
     drawn.made = {};
+    drawn.copyOf.reset();
     document.sections.push_back(std::make_shared<const Section>(std::move(drawn)));
     return document.sections.back()->ref();
 }
@@ -161,6 +200,11 @@ Result<Document> baked(const Model &model, OperationId id)
     if (!result)
         return removeOperation(std::move(document), id);
     Replacements replacements;
+    const auto replace = [&](const SectionRef &ref, const Section &section) {
+        const SectionRef drawn = draw(document, section);
+        replacements.emplace(ref, drawn);
+        keepCarriedLoads(document, model.document, section, drawn);
+    };
     std::vector<SectionId> gone;
     // What it changes of others first: it may take the place of a drawn section.
     for (const auto &[ref, section] : result->changed) {
@@ -171,7 +215,7 @@ Result<Document> baked(const Model &model, OperationId id)
                 return without;
             document = *std::move(without);
             if (section)
-                replacements.emplace(ref, draw(document, *section));
+                replace(ref, *section);
             continue;
         }
         const int index = document.indexOf(ref.drawn);
@@ -183,12 +227,15 @@ Result<Document> baked(const Model &model, OperationId id)
             gone.push_back(ref.drawn);
     }
     for (const SectionPointer &section : result->sections)
-        replacements.emplace(section->made, draw(document, *section));
+        replace(section->made, *section);
     followInDocument(document, model, replacements);
     Result<Document> without = removeOperation(std::move(document), id);
     if (without)
         without = removeSections(*std::move(without), gone);
-    return without ? withSlitsKept(*std::move(without), model, replacements) : without;
+    if (!without)
+        return without;
+    Document next = withRenamed(*std::move(without), model, replacements);
+    return withSlitsKept(std::move(next), model, replacements);
 }
 
 Result<Document> detached(const Model &model, const SectionRef &instance)
@@ -199,9 +246,10 @@ Result<Document> detached(const Model &model, const SectionRef &instance)
     Result<Document> next = setException(model.document, instance, {Exception::State::Detached});
     if (!next)
         return next;
-    const Replacements replacements{{instance, draw(*next, *section)}};
+    Replacements replacements{{instance, draw(*next, *section)}};
     followInDocument(*next, model, replacements);
-    return withSlitsKept(*std::move(next), model, replacements);
+    keepCarriedLoads(*next, model.document, *section, replacements.at(instance));
+    return withSlitsKept(withRenamed(*std::move(next), model, replacements), model, replacements);
 }
 
 } // namespace fff

@@ -197,6 +197,7 @@ private:
         section.name = copiedName(from.section->name, between.number);
         section.shape = m_context.kept(between.key, shape);
         section.marks.clear(); // there is nothing half way between two drawings
+        section.copyOf.reset();
         section.frame = {m_root.frame.toWorld(point), axes.col(0), axes.col(1)};
         const double depth =
             (1.0 - between.share) * from.source.depth() + between.share * to.source.depth();

@@ -194,7 +194,7 @@ private:
             return one.parent < 0 ? keyBelow(replica.path, 0) : keyBelow(replica.path, one.key);
         };
         Result<Section> section = transformed(
-            *member.section, replica.placement,
+            asCopy(*member.section), replica.placement,
             [this](const ShapePointer &shape, const PlaneMap &map) { return scaled(shape, map); });
         if (!section)
             return false;

@@ -118,7 +118,7 @@ bool addCopy(OperationContext &context, const Branch &branch, const Copy &copy)
                     : Vec3(copy.stretch * (attachedAt(*member.section, *branch.members[0].section) -
                                            copy.stretchedFrom));
             const Similarity placement = copy.placement * Similarity::moved(carried[i]);
-            section = transformed(*member.section, placement, shapeOf(context, key));
+            section = transformed(asCopy(*member.section), placement, shapeOf(context, key));
             if (section && section->parent) {
                 const std::string &below = branch.members[host].key;
                 section->parent = transformed(*section->parent, placement);

@@ -1,5 +1,6 @@
 #include "core/operations/excerpt.h"
 
+#include "core/model/placed_loads.h"
 #include "core/operations/baking.h"
 #include "core/operations/evaluate.h"
 #include "core/operations/operation_kind.h"
@@ -127,6 +128,7 @@ void Excerpt::addSections()
         Section section = *made;
         section.id = SectionId{m_result.nextId++};
         section.made = {};
+        section.copyOf.reset();
         m_drawn.emplace(made->made, section.id);
         add(section);
     }
@@ -167,12 +169,21 @@ void Excerpt::addOperations()
 
 void Excerpt::addMarks()
 {
-    for (const Weight &weight : m_model.document.weights) {
-        const SectionRef on = newRef(weight.section);
+    for (const Load &load : m_model.document.loads) {
+        const SectionRef on = newRef(load.section);
         if (on == SectionRef())
             continue;
-        m_result.weights.push_back(weight);
-        m_result.weights.back().section = on;
+        m_result.loads.push_back(load);
+        m_result.loads.back().section = on;
+    }
+    // Those on copies that become drawn ones are on these by themselves.
+    for (const auto &[ref, id] : m_drawn) {
+        const Section *copy = m_model.find(ref);
+        for (Load own : copy ? carriedLoads(m_model.document, *copy) : std::vector<Load>()) {
+            own.id = LoadId{m_result.nextId++};
+            own.section = id;
+            m_result.loads.push_back(std::move(own));
+        }
     }
     for (Dimension dimension : m_model.document.dimensions) {
         dimension.from.section = newRef(dimension.from.section);

@@ -163,7 +163,7 @@ public:
                 m_context.made(m_context.shape(key, one.outer, one.holes));
             if (!shape)
                 continue;
-            Section part = m_section;
+            Section part = asCopy(m_section);
             part.name = copiedName(m_section.name, std::to_string(++number));
             part.shape = *shape;
             m_context.add(key, std::move(part));
@@ -211,6 +211,7 @@ private:
         std::replace(connector.name.begin(), connector.name.end(), '/', '.');
         connector.shape = shape;
         connector.marks.clear();
+        connector.copyOf.reset();
         connector.frame = {frame.toWorld(at), seam.axis == 0 ? frame.x : frame.y, frame.normal()};
         Vec2 half = Vec2::Zero();
         half[seam.axis] = 0.5 * m_size;

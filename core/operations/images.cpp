@@ -30,7 +30,7 @@ void ImageMaker::change(const SectionPointer &section, const SectionPointer &nex
 
 Section ImageMaker::imageOf(const Section &section, const Similarity &placement)
 {
-    return transformed(section, placement).value();
+    return transformed(asCopy(section), placement).value();
 }
 
 void ImageMaker::moveSlit(Section &copy, const Similarity &placement)

@@ -175,7 +175,7 @@ void Inserter::addOperations()
 {
     Document here = m_other;
     here.operations.clear();
-    here.weights.clear();
+    here.loads.clear();
     here.dimensions.clear();
     here.jointOverrides.clear();
     Document there = newDocument();
@@ -217,10 +217,10 @@ void Inserter::addOperations()
 void Inserter::addMarks()
 {
     Document &document = m_result.document;
-    for (Weight weight : m_other.weights) {
+    for (Load weight : m_other.loads) {
         weight.id = moved(weight.id);
         weight.section = moved(weight.section);
-        document.weights.push_back(std::move(weight));
+        document.loads.push_back(std::move(weight));
     }
     for (Dimension dimension : m_other.dimensions) {
         dimension.id = moved(dimension.id);

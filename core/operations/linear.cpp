@@ -130,13 +130,13 @@ private:
         const SourceCrossing &source = m_row.source;
         Copy copy{.key = std::to_string(place.number),
                   .number = copyNumber(place.number),
-                  .section = m_row.section};
+                  .section = asCopy(m_row.section)};
         const double inner = source.isMeeting ? innerAt(source, source.overlap.b) : 0.0;
         const Vec3 held = source.axis.at(inner);
         Similarity size;
         if (scale != 1.0) {
             Result<Section> scaled =
-                stretched(m_row.section, {scaling(scale), m_axisInSection.at(inner)},
+                stretched(copy.section, {scaling(scale), m_axisInSection.at(inner)},
                           shapeOf(m_context, copy.key));
             if (!scaled)
                 return false;

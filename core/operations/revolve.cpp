@@ -94,7 +94,7 @@ public:
 
         Copy copy{.key = isOutside ? std::to_string(place.number) : keyBelow("in", place.number),
                   .number = copyNumber(place.number),
-                  .section = m_section,
+                  .section = asCopy(m_section),
                   .placement = inSpace(m_root.frame, motion)};
         if (!isOutside)
             copy.number.append("i");
@@ -148,7 +148,7 @@ private:
         } else {
             copy.placement = copy.placement * Similarity::scaled(scale, about);
         }
-        Result<Section> scaled = stretched(m_section, map, shapeOf(m_context, copy.key));
+        Result<Section> scaled = stretched(asCopy(m_section), map, shapeOf(m_context, copy.key));
         if (!scaled)
             return false;
         copy.section = *std::move(scaled);

@@ -18,6 +18,7 @@ target_sources(fff_core PRIVATE
     operations/operation_kinds.cpp
     operations/operation_words.cpp
     operations/radial.cpp
+    operations/renamed_instances.cpp
     operations/repeat_parameters.cpp
     operations/revolve.cpp
     operations/root_edge.cpp

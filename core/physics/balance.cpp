@@ -42,7 +42,7 @@ Resultant resultant(const Structure &structure, const Component &component, cons
         sum.scale += weight.norm();
     }
     for (int i : component.loads) {
-        const Load &load = structure.loads[i];
+        const MemberLoad &load = structure.loads[i];
         sum.force += load.force;
         sum.moment += (load.point - about).cross(load.force) + load.moment;
         sum.scale += load.force.norm() + load.moment.norm() / structure.size;

@@ -138,7 +138,7 @@ Eigen::VectorXd componentLoad(const Structure &structure, const Component &compo
         add(static_cast<int>(i), Vec3::Zero(),
             structure.members[component.members[i]].mass * structure.gravity, Vec3::Zero());
     for (int i : component.loads) {
-        const Load &given = structure.loads[i];
+        const MemberLoad &given = structure.loads[i];
         add(localOf(component, given.member),
             given.point - structure.members[given.member].centroid, given.force, given.moment);
     }

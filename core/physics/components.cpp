@@ -52,7 +52,7 @@ bool isSound(const Structure &structure, const Foot &foot)
     return isMember(structure, foot.member) && foot.point.allFinite();
 }
 
-bool isSound(const Structure &structure, const Load &load)
+bool isSound(const Structure &structure, const MemberLoad &load)
 {
     return isMember(structure, load.member) && load.point.allFinite() && load.force.allFinite() &&
            load.moment.allFinite();

@@ -18,7 +18,7 @@ struct Component
 /// left out of everything.
 bool isSound(const Structure &structure, const Link &link);
 bool isSound(const Structure &structure, const Foot &foot);
-bool isSound(const Structure &structure, const Load &load);
+bool isSound(const Structure &structure, const MemberLoad &load);
 bool isSound(const Member &member);
 /// Whether all of it is.
 bool isSound(const Structure &structure);

@@ -104,7 +104,7 @@ void setEquations(EnergyProblem &problem, const Structure &structure,
     for (std::size_t i = 0; i < structure.members.size(); ++i)
         problem.constant.segment<3>(6 * static_cast<Eigen::Index>(i)) +=
             structure.members[i].mass * structure.gravity;
-    for (const Load &load : structure.loads) {
+    for (const MemberLoad &load : structure.loads) {
         WrenchVector wrench;
         wrench << load.force, load.moment;
         const Vec3 &centre = structure.members[static_cast<std::size_t>(load.member)].centroid;

@@ -238,7 +238,7 @@ private:
             add(i, member.centroid, member.mass * m_structure.gravity, Vec3::Zero());
         }
         for (int i : parts.loads) {
-            const Load &load = m_structure.loads[i];
+            const MemberLoad &load = m_structure.loads[i];
             add(load.member, load.point, load.force, load.moment);
         }
         for (int i : parts.feet)

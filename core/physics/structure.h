@@ -52,7 +52,7 @@ struct Foot
 };
 
 /// A force, and a moment about its point, on a member.
-struct Load
+struct MemberLoad
 {
     int member = 0;
     Vec3 point = Vec3::Zero();  // mm
@@ -65,7 +65,7 @@ struct Structure
     std::vector<Member> members;
     std::vector<Link> links;
     std::vector<Foot> feet;
-    std::vector<Load> loads;
+    std::vector<MemberLoad> loads;
     Vec3 gravity{0.0, -9.81, 0.0}; // m/s²
     Vec3 up = Vec3::UnitY();       // unit, of the ground
     double size = 100.0;           // mm, of all of it: the scale of moments and of what is a line

@@ -74,6 +74,8 @@ struct ArgumentText
             return units.width(quantity.value);
         case Quantity::Kind::Mass:
             return units.mass(quantity.value);
+        case Quantity::Kind::Force:
+            return MessageTexts::tr("%1\u202fN").arg(QLocale().toString(quantity.value, 'g', 3));
         case Quantity::Kind::Angle:
             return QLocale().toString(std::floor(degrees(quantity.value + kSameDirection)), 'f',
                                       0) +

@@ -177,7 +177,7 @@ void registerNudges(CommandRegistry &registry, Interaction &interaction)
                               [&interaction] {
                                   return !interaction.selection().empty() ||
                                          interaction.selectedJoint().has_value() ||
-                                         interaction.selectedWeight().isValid();
+                                         interaction.selectedLoad().isValid();
                               },
                               kNothingSelected)});
     };

@@ -1,12 +1,13 @@
 #include "core/session/session_commands.h"
 
+#include "core/interaction/load_editing.h"
 #include "core/interaction/section_editing.h"
-#include "core/interaction/weight_editing.h"
 #include "core/session/command_rules.h"
 #include "core/session/copy_commands.h"
 #include "core/session/drawing_commands.h"
 #include "core/session/figure_commands.h"
 #include "core/session/joint_commands.h"
+#include "core/session/load_commands.h"
 #include "core/session/mark_commands.h"
 #include "core/session/measure_commands.h"
 #include "core/session/offer_commands.h"
@@ -16,7 +17,6 @@
 #include "core/session/selection_commands.h"
 #include "core/session/tool_commands.h"
 #include "core/session/view_commands.h"
-#include "core/session/weight_commands.h"
 
 namespace fff {
 
@@ -83,32 +83,32 @@ void registerEdits(CommandRegistry &registry, Session &session, Interaction &int
                                           ? Argument(kSetPoint)
                                           : stepNamed(session.history()->redoText())}};
                   }});
-    registry.add(
-        "edit.delete",
-        {[&](const CommandParameters &, double time) -> Result<void> {
-             if (interaction.selectedJoint()) {
-                 interaction.say(Hint::refusal(hints::kJointNotDeleted), time);
-                 return {};
-             }
-             if (interaction.selectedOperation().isValid())
-                 return registry.run("operation.delete", {}, time);
-             if (interaction.selectedWeight().isValid()) {
-                 interaction.carryOut(
-                     removedWeight(session.committed(), interaction.selectedWeight()), time);
-                 return {};
-             }
-             if (!interaction.points().isEmpty())
-                 return registry.run("point.delete", {}, time);
-             interaction.carryOut(deleted(session.committed(), interaction.selection()), time);
-             return {};
-         },
-         needs(
-             [&] {
-                 return !interaction.selection().empty() || interaction.selectedJoint() ||
-                        interaction.selectedOperation().isValid() ||
-                        interaction.selectedWeight().isValid();
-             },
-             kNothingSelected)});
+    registry.add("edit.delete",
+                 {[&](const CommandParameters &, double time) -> Result<void> {
+                      if (interaction.selectedJoint()) {
+                          interaction.say(Hint::refusal(hints::kJointNotDeleted), time);
+                          return {};
+                      }
+                      if (interaction.selectedOperation().isValid())
+                          return registry.run("operation.delete", {}, time);
+                      if (interaction.selectedLoad().isValid()) {
+                          interaction.carryOut(
+                              removedLoad(session.committed(), interaction.selectedLoad()), time);
+                          return {};
+                      }
+                      if (!interaction.points().isEmpty())
+                          return registry.run("point.delete", {}, time);
+                      interaction.carryOut(deleted(session.committed(), interaction.selection()),
+                                           time);
+                      return {};
+                  },
+                  needs(
+                      [&] {
+                          return !interaction.selection().empty() || interaction.selectedJoint() ||
+                                 interaction.selectedOperation().isValid() ||
+                                 interaction.selectedLoad().isValid();
+                      },
+                      kNothingSelected)});
     registry.offer(kSessionWords);
 }
 
@@ -118,7 +118,7 @@ void registerSessionCommands(CommandRegistry &registry, Session &session, Intera
 {
     registerEdits(registry, session, interaction);
     registerViewCommands(registry, session, interaction);
-    registerWeightCommands(registry, session, interaction);
+    registerLoadCommands(registry, session, interaction);
     registerSelectionCommands(registry, session, interaction);
     registerToolCommands(registry, session, interaction);
     registerSectionCommands(registry, session, interaction);

@@ -35,5 +35,5 @@ target_sources(fff_session PRIVATE
     tool_commands.cpp
     unreadable_work.cpp
     view_commands.cpp
-    weight_commands.cpp
+    load_commands.cpp
 )

@@ -19,8 +19,8 @@ set(icon_names
     cut_at_ground
     cut_open
     detach
-    docks
     dimension
+    docks
     drop_to_ground
     duplicate
     engrave
@@ -88,6 +88,8 @@ set(icon_names
     point_symmetric
     previous_pane
     previous_problem
+    pull
+    push
     put_on
     quit
     radial
@@ -131,8 +133,7 @@ set(icon_names
     weight
     with_children
     working
-    xray
-)
+    xray)
 set(icon_folder ${CMAKE_CURRENT_BINARY_DIR}/icons)
 file(MAKE_DIRECTORY ${icon_folder})
 set(icon_masks)

@@ -1,6 +1,7 @@
 // Weights in a real window: what a click and keys do in the view.
 #include <QTest> // first: moc cannot read some of the standard library before it
 
+#include "core/model/load_edits.h"
 #include "tests/test_program.h"
 #include "tests/ui/view_hand.h"
 #include "tests/ui/window_fixture.h"
@@ -21,7 +22,7 @@ private Q_SLOTS:
     void withoutOneTheyAreForSections();
 
 private:
-    const std::vector<Weight> &weights() const { return session().committed().document.weights; }
+    const std::vector<Load> &weights() const { return session().committed().document.loads; }
     QPoint place() const { return onScreen(first().frame.toWorld(weights().front().position)); }
 
     Document m_before;
@@ -32,8 +33,7 @@ void TestWeightKeys::init()
 {
     openWindow();
     const Document square = squareDocument(100.0);
-    m_before =
-        *addWeight(square, Weight{{}, square.sections.front()->ref(), Vec2(60, 40), 0.35, {}});
+    m_before = *addLoad(square, Load{{}, square.sections.front()->ref(), Vec2(60, 40), 0.35, {}});
     session().reset(m_before);
     bench().showAll("front");
     m_view->setFocus();
@@ -45,7 +45,7 @@ void TestWeightKeys::keysChangeTheOneThatIsClicked()
 {
     move(place());
     click(place());
-    QVERIFY(interaction().selectedWeight().isValid());
+    QVERIFY(interaction().selectedLoad().isValid());
     QVERIFY(interaction().selection().empty());
     key(Qt::Key_Plus, Qt::ShiftModifier); // as on many keyboards
     key(Qt::Key_Plus);

@@ -43,6 +43,8 @@ QString refusalText(const Expression &expression)
         return ExpressionTexts::tr("No number is called \u201c%1\u201d.").arg(piece);
     case Fault::NotALength:
         return ExpressionTexts::tr("This makes no length; multiply a length by a plain number.");
+    case Fault::NotAMass:
+        return ExpressionTexts::tr("This makes no mass; multiply a mass by a plain number.");
     case Fault::NoThickness:
         return ExpressionTexts::tr(
             "\u201ct\u201d is the thickness of the stock; there is not one stock here.");

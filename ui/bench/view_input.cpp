@@ -300,7 +300,7 @@ bool ViewInput::changeMass(QKeyEvent *event)
 {
     const bool isLighter = event->key() == Qt::Key_Minus;
     if ((!isLighter && event->key() != Qt::Key_Plus) ||
-        !m_bench.interaction().selectedWeight().isValid())
+        !m_bench.interaction().selectedLoad().isValid())
         return false;
     m_bench.clock().observe(event->timestamp());
     m_bench.run(isLighter ? QStringLiteral("physics.lighter") : QStringLiteral("physics.heavier"));

@@ -212,8 +212,7 @@ void Viewport::paintMarks()
         scene.operation = operationKind(operation->kind);
     if (!m_steps) {
         scene.dimensions = dimensionSigns(model, over.dimension);
-        for (const Sign &sign :
-             weightSigns(model, scene.view, over.weight, interaction.selectedWeight()))
+        for (const Sign &sign : loadSigns(model, scene.view, over.load, interaction.selectedLoad()))
             scene.dimensions.add(sign);
         scene.stress = m_stress.marks();
     }

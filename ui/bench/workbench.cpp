@@ -155,9 +155,9 @@ void Workbench::selectOperation(OperationId id)
     announceChanges();
 }
 
-void Workbench::selectWeight(WeightId id)
+void Workbench::selectLoad(LoadId id)
 {
-    m_interaction->selectWeight(id);
+    m_interaction->selectLoad(id);
     announceChanges();
 }
 
@@ -329,9 +329,9 @@ void Workbench::announceChanges()
 {
     if (m_selection != m_interaction->selection() || m_joint != m_interaction->selectedJoint() ||
         m_operation != m_interaction->selectedOperation() ||
-        m_weight != m_interaction->selectedWeight()) {
+        m_load != m_interaction->selectedLoad()) {
         m_selection = m_interaction->selection();
-        m_weight = m_interaction->selectedWeight();
+        m_load = m_interaction->selectedLoad();
         m_operation = m_interaction->selectedOperation();
         // What is asked for is of the one that was selected.
         const Tool *held = m_interaction->tool();

@@ -56,7 +56,7 @@ public:
     void select(std::vector<SectionRef> selection);
     void selectJoint(const JointRef &joint);
     void selectOperation(OperationId id);
-    void selectWeight(WeightId id);
+    void selectLoad(LoadId id);
 
     // The view's state: what is hidden, red, isolated, cut open. No step of the history.
     bool isHidden(const SectionRef &ref) const { return m_interaction->view().isHidden(ref); }
@@ -140,7 +140,7 @@ private:
     std::vector<SectionRef> m_selection; // as last announced
     std::optional<JointRef> m_joint;
     OperationId m_operation;
-    WeightId m_weight;
+    LoadId m_load;
     std::vector<PointAddress> m_points;
     Hint m_hint;
     ViewState m_view;

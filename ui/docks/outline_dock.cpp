@@ -9,6 +9,7 @@
 #include "ui/bench/check_words.h"
 #include "ui/bench/workbench.h"
 #include "ui/docks/dock_title.h"
+#include "ui/docks/load_tree.h"
 #include "ui/docks/operation_tree.h"
 #include "ui/docks/outline_marks.h"
 #include "ui/properties/choice_box.h"
@@ -133,6 +134,8 @@ OutlineDock::OutlineDock(Workbench &bench, const CheckList &list, QWidget *paren
     halves->setStretchFactor(0, 3);
     halves->setStretchFactor(1, 2);
     column->addWidget(halves, 1);
+    m_loads = new LoadTree(bench, content);
+    column->addWidget(m_loads);
     setWidget(content);
 
     connect(m_filter, &QLineEdit::textChanged, this, &OutlineDock::applyFilter);
@@ -154,6 +157,7 @@ OutlineDock::OutlineDock(Workbench &bench, const CheckList &list, QWidget *paren
 void OutlineDock::addKey(QAction *action)
 {
     m_tree->addAction(action);
+    m_loads->addKey(action);
 }
 
 void OutlineDock::refreshColours()
@@ -162,6 +166,7 @@ void OutlineDock::refreshColours()
     markHidden();
     m_tree->viewport()->update();
     m_operations->refreshColours();
+    m_loads->refreshColours();
 }
 
 /// What is shown only while a section is drawn.

@@ -22,6 +22,7 @@ class CheckList;
 
 namespace fff::ui {
 
+class LoadTree;
 class OperationTree;
 class Workbench;
 
@@ -67,6 +68,7 @@ private:
     QLabel *m_empty = nullptr;
     QTreeWidgetItem *m_pointedAt = nullptr; // by the mouse
     OperationTree *m_operations = nullptr;
+    LoadTree *m_loads = nullptr;
     std::unordered_map<SectionId, QTreeWidgetItem *> m_items;
     SectionList m_shown;                                // what the items were made of
     std::vector<std::shared_ptr<const Stock>> m_stocks; // likewise

@@ -6,10 +6,11 @@
 #include "core/session/scheduler.h"
 #include "ui/base/icon.h"
 #include "ui/base/theme.h"
+#include "ui/bench/load_words.h"
 #include "ui/bench/measures.h"
 #include "ui/bench/workbench.h"
 #include "ui/docks/dock_title.h"
-#include "ui/properties/number_edit.h"
+#include "ui/properties/mass_edit.h"
 #include "ui/properties/property_rows.h"
 #include "ui/properties/varying_rows.h"
 #include "ui/settings/settings.h"
@@ -34,6 +35,7 @@ constexpr double kLeastPlace = 0.01;          // of what the sheet bears: less i
 constexpr int kFieldWidth = 96, kMargin = 12; // px
 constexpr double kGrams = 1000.0, kTenths = 10.0;
 constexpr NumberEdit::Range kMass{0.1, kMaxWeight *kGrams, 10.0, 0, 1}; // g
+constexpr NumberEdit::Range kForce{0.001, kMaxPush, 0.5, 0, 3};         // N
 constexpr NumberEdit::Range kSafety{0.1 * Settings::kMinSafety, 0.1 * Settings::kMaxSafety, 0.1, 1,
                                     1};
 
@@ -43,11 +45,6 @@ QIcon chipOf(double use, double pixelRatio)
     picture.setDevicePixelRatio(pixelRatio);
     picture.fill(stressColour(use, theme().viewStyle().isForColourBlind));
     return picture;
-}
-
-QString newtons(double force, const QLocale &locale)
-{
-    return locale.toString(force, 'f', 2) + QStringLiteral("\u202fN");
 }
 
 } // namespace
@@ -157,17 +154,22 @@ void PhysicsDock::makeLoads(QWidget *parent)
         if (m_held)
             for (const FootForce &foot : m_held->strength.equilibrium().feet)
                 force += foot.force.y();
-        return force > 0.0 ? newtons(force, locale()) : QString(QChar(0x2013));
+        return force > 0.0 ? forceText(force, locale()) : QString(QChar(0x2013));
     });
-    auto *add = new QPushButton(themedIcon(QStringLiteral("weight")), tr("Add weight"));
-    add->setObjectName(QStringLiteral("physicsAdd"));
-    add->setAutoDefault(false);
-    connect(add, &QPushButton::clicked, this,
-            [this] { m_bench.run(QStringLiteral("physics.addWeight")); });
     auto *row = new QWidget;
     auto *buttons = new QHBoxLayout(row);
     buttons->setContentsMargins(0, 4, 0, 8);
-    buttons->addWidget(add);
+    const auto addButton = [&](const char *icon, const QString &text, const char *name,
+                               const char *command) {
+        auto *button = new QPushButton(themedIcon(QLatin1String(icon)), text);
+        button->setObjectName(QLatin1String(name));
+        button->setAutoDefault(false);
+        connect(button, &QPushButton::clicked, this,
+                [this, command] { m_bench.run(QLatin1String(command)); });
+        buttons->addWidget(button);
+    };
+    addButton("weight", tr("Add weight"), "physicsAdd", "physics.addWeight");
+    addButton("push", tr("Add push"), "physicsPush", "physics.addPush");
     m_loads->add(row);
 }
 
@@ -188,29 +190,34 @@ void PhysicsDock::makeRules(QWidget *parent)
     m_rules.push_back(row);
 }
 
-void PhysicsDock::addWeightRow(std::size_t index)
+void PhysicsDock::addLoadRow(std::size_t index)
 {
-    const QString id = QStringLiteral("weight%1").arg(index);
-    const Document &document = m_bench.session().model().document;
-    auto *mass = new NumberEdit(kMass, tr("g"));
-    mass->setFixedWidth(kFieldWidth);
-    connect(mass, &NumberEdit::numberEdited, this, [this, index](double grams) {
-        m_bench.run(QStringLiteral("physics.setWeight"),
-                    {{"weight", std::to_string(index)},
-                     {"mass", QString::number(grams / kGrams, 'g', 17).toStdString()}});
+    const QString id = QStringLiteral("load%1").arg(index);
+    const Load load = m_bench.session().model().document.loads[index];
+    NumberEdit *amount = load.isPush() ? new NumberEdit(kForce, tr("N")) : new MassEdit(kMass);
+    amount->setFixedWidth(kFieldWidth);
+    const char *key = load.isPush() ? "force" : "mass";
+    const double unit = load.isPush() ? 1.0 : kGrams;
+    connect(amount, &NumberEdit::numberEdited, this, [this, index, key, unit](double value) {
+        m_bench.run(QStringLiteral("physics.setLoad"),
+                    {{"load", std::to_string(index)},
+                     {key, QString::number(value / unit, 'g', 17).toStdString()}});
     });
+    const QString section = QString::fromStdString(m_bench.session().model().nameOf(load.section));
     auto *row = new EditorRow(
-        QString::fromStdString(m_bench.session().model().nameOf(document.weights[index].section)),
-        id.toLatin1().constData(), mass, [this, index, mass] {
-            const auto &weights = m_bench.session().model().document.weights;
-            if (index < weights.size())
-                mass->setNumber(kGrams * weights[index].mass);
+        //: what a weight or a push is called, and the section that it is on
+        load.name.empty() ? section : tr("%1, %2").arg(loadName(load), section),
+        id.toLatin1().constData(), amount, [this, index, amount, unit] {
+            const auto &loads = m_bench.session().model().document.loads;
+            if (index < loads.size())
+                amount->setNumber(
+                    unit * (loads[index].isPush() ? loads[index].push.norm() : loads[index].mass));
         });
-    row->addButton(QStringLiteral("trash"), (id + QStringLiteral(".delete")).toLatin1().constData(),
-                   tr("Remove this weight"), [this, index] {
-                       m_bench.run(QStringLiteral("physics.removeWeight"),
-                                   {{"weight", std::to_string(index)}});
-                   });
+    row->addButton(
+        QStringLiteral("trash"), (id + QStringLiteral(".delete")).toLatin1().constData(),
+        load.isPush() ? tr("Remove this push") : tr("Remove this weight"), [this, index] {
+            m_bench.run(QStringLiteral("physics.removeLoad"), {{"load", std::to_string(index)}});
+        });
     m_weights->add(row);
 }
 
@@ -268,13 +275,14 @@ void PhysicsDock::refreshLoads()
 {
     const Model &model = m_bench.session().model();
     QString what;
-    for (const Weight &weight : model.document.weights)
-        what += QStringLiteral("%1 %2\n").arg(QString::number(weight.id.value),
-                                              QString::fromStdString(model.nameOf(weight.section)));
-    m_empty->setVisible(model.document.weights.empty());
+    for (const Load &load : model.document.loads)
+        what += QStringLiteral("%1 %2 %3\n")
+                    .arg(QString::number(load.id.value), QString::fromStdString(load.name),
+                         QString::fromStdString(model.nameOf(load.section)));
+    m_empty->setVisible(model.document.loads.empty());
     if (m_weights->become(what))
-        for (std::size_t i = 0; i < model.document.weights.size(); ++i)
-            addWeightRow(i);
+        for (std::size_t i = 0; i < model.document.loads.size(); ++i)
+            addLoadRow(i);
     m_weights->refresh();
     for (PropertyRow *row : m_sums)
         row->refresh();

@@ -46,7 +46,7 @@ private:
 
     void makeLoads(QWidget *parent);
     void makeRules(QWidget *parent);
-    void addWeightRow(std::size_t index);
+    void addLoadRow(std::size_t index);
     void refresh();
     void refreshState();
     void refreshLoads();

@@ -6,6 +6,7 @@
 #include "ui/docks/dock_title.h"
 #include "ui/docks/drawing_page.h"
 #include "ui/docks/joint_page.h"
+#include "ui/docks/load_page.h"
 #include "ui/docks/model_page.h"
 #include "ui/docks/operation_page.h"
 #include "ui/docks/problem_box.h"
@@ -36,6 +37,7 @@ PropertiesDock::PropertiesDock(Workbench &bench, const CheckList &list, QWidget 
     m_sectionPage = new SectionPage(bench, content);
     m_jointPage = new JointPage(bench, content);
     m_operationPage = new OperationPage(bench, content);
+    m_loadPage = new LoadPage(bench, content);
     auto *column = new QVBoxLayout(content);
     column->setContentsMargins(16, 12, 12, 12);
     column->setSpacing(0);
@@ -46,6 +48,7 @@ PropertiesDock::PropertiesDock(Workbench &bench, const CheckList &list, QWidget 
     column->addWidget(m_sectionPage);
     column->addWidget(m_jointPage);
     column->addWidget(m_operationPage);
+    column->addWidget(m_loadPage);
     m_drawingPage = new DrawingPage(bench, content);
     column->addWidget(m_drawingPage);
     column->addStretch(1);
@@ -114,8 +117,10 @@ void PropertiesDock::refresh()
     const bool hasOperation = m_bench.interaction().selectedOperation().isValid();
     m_jointPage->follow();
     m_operationPage->follow();
-    const bool hasWeight = m_bench.interaction().selectedWeight().isValid();
-    m_modelPage->setVisible(!hasSection && !hasJoint && !hasOperation && !hasWeight && !isDrawing);
+    m_loadPage->follow();
+    const bool hasLoad = m_bench.interaction().selectedLoad().isValid();
+    m_modelPage->setVisible(!hasSection && !hasJoint && !hasOperation && !hasLoad && !isDrawing);
+    m_loadPage->setVisible(hasLoad && !isDrawing);
     m_operationPage->setVisible(hasOperation && !isDrawing);
     m_jointPage->setVisible(hasJoint && !isDrawing);
     m_sectionPage->setVisible(hasSection && !isDrawing);
@@ -131,7 +136,9 @@ void PropertiesDock::refresh()
         m_operationPage->refresh();
     else if (hasSection)
         m_sectionPage->refresh();
-    else if (!hasWeight) // of that the header says all
+    else if (hasLoad)
+        m_loadPage->refresh();
+    else
         m_modelPage->refresh();
 }
 

@@ -16,6 +16,7 @@ namespace fff::ui {
 
 class DrawingPage;
 class JointPage;
+class LoadPage;
 class ModelPage;
 class OperationPage;
 class ProblemBox;
@@ -47,6 +48,7 @@ private:
     ModelPage *m_modelPage = nullptr;
     SectionPage *m_sectionPage = nullptr;
     JointPage *m_jointPage = nullptr;
+    LoadPage *m_loadPage = nullptr;
     OperationPage *m_operationPage = nullptr;
     DrawingPage *m_drawingPage = nullptr; // while a stroke is drawn
     QTimer m_soon;                        // refreshes once all that came at once is in

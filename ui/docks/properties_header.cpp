@@ -1,12 +1,14 @@
 #include "ui/docks/properties_header.h"
 
 #include "core/assembly/joint_state.h"
+#include "core/interaction/load_editing.h"
 #include "core/model/edit_words.h"
 #include "core/model/edits.h"
 #include "core/model/operation_edits.h"
 #include "core/session/operation_text.h"
 #include "ui/base/icon.h"
 #include "ui/base/theme.h"
+#include "ui/bench/load_words.h"
 #include "ui/bench/measures.h"
 #include "ui/bench/workbench.h"
 #include "ui/properties/joint_words.h"
@@ -89,13 +91,14 @@ void PropertiesHeader::refresh()
     const std::optional<JointRef> &joint = m_bench.interaction().selectedJoint();
     const Operation *operation =
         m_bench.session().model().document.find(m_bench.interaction().selectedOperation());
-    const Weight *weight =
-        m_bench.session().model().document.find(m_bench.interaction().selectedWeight());
-    const QString icon = joint              ? QStringLiteral("joint")
-                         : operation        ? QString::fromStdString(operation->kind)
-                         : weight           ? QStringLiteral("weight")
-                         : sections.empty() ? QStringLiteral("view_iso")
-                                            : QStringLiteral("section");
+    const Load *load =
+        m_bench.session().model().document.find(m_bench.interaction().selectedLoad());
+    const QString icon = joint                    ? QStringLiteral("joint")
+                         : operation              ? QString::fromStdString(operation->kind)
+                         : load && load->isPush() ? QStringLiteral("push")
+                         : load                   ? QStringLiteral("weight")
+                         : sections.empty()       ? QStringLiteral("view_iso")
+                                                  : QStringLiteral("section");
     m_icon->setPixmap(tintedPixmap(icon, 22, theme().accent, devicePixelRatioF()));
 
     QString name, kind;
@@ -113,12 +116,12 @@ void PropertiesHeader::refresh()
         name = QString::fromStdString(operation->name);
         kind = kindOf(*operation);
         m_isOn->setChecked(operation->isOn);
-    } else if (weight) {
-        name = weight->name.empty() ? tr("Weight") : QString::fromStdString(weight->name);
-        //: %1 is a mass, %2 the name of a section
+    } else if (load) {
+        name = loadName(*load);
+        //: %1 is a mass or a force, %2 the name of a section
         kind = tr("%1 on %2")
-                   .arg(massText(weight->mass, locale()),
-                        QString::fromStdString(m_bench.session().model().nameOf(weight->section)));
+                   .arg(loadAmount(*load, locale()),
+                        QString::fromStdString(m_bench.session().model().nameOf(load->section)));
     } else if (sections.empty()) {
         name = tr("Model");
         kind = tr("Nothing is selected");
@@ -131,7 +134,8 @@ void PropertiesHeader::refresh()
         name = tr("%n section(s)", nullptr, static_cast<int>(sections.size()));
         kind = tr("Changes apply to all of them");
     }
-    const bool hasName = m_named.drawn.isValid() || m_named.operation.isValid();
+    const bool hasName =
+        m_named.drawn.isValid() || m_named.operation.isValid() || m_namedLoad.isValid();
     m_isOn->setVisible(operation != nullptr);
     m_name->setVisible(hasName);
     m_title->setVisible(!hasName);
@@ -157,10 +161,12 @@ void PropertiesHeader::nameWhatIsSelected()
             single = ref;
     }
     single.operation = m_bench.interaction().selectedOperation();
-    if (single == m_named)
+    const LoadId load = m_bench.interaction().selectedLoad();
+    if (single == m_named && load == m_namedLoad)
         return;
     rename();
     m_named = single;
+    m_namedLoad = load;
 }
 
 /// "Cross lap · automatic"
@@ -225,6 +231,12 @@ void PropertiesHeader::rename()
     if (operation && !name.empty() && name != operation->name)
         m_bench.commit(Step{steps::kRename, {Named{operation->name}}},
                        renameOperation(document, operation->id, name));
+    if (const Load *load = document.find(m_namedLoad);
+        load && name != load->name && name != loadName(*load).toStdString()) {
+        Load next = *load;
+        next.name = name; // none: it is called what it is
+        m_bench.editSections(changedLoad(m_bench.session().committed(), next));
+    }
     if (section && !name.empty() && name != section->name) {
         m_bench.commit(Step{steps::kRename, {Named{section->name}}},
                        renameSection(document, m_named.drawn, name));

@@ -48,6 +48,7 @@ private:
     QCheckBox *m_isOn = nullptr; // of an operation
     /// Whose name the field has: one drawn section or an operation; none unless one is selected.
     SectionRef m_named;
+    LoadId m_namedLoad; // likewise
 };
 
 /// Indices in the model that is shown, of those selected sections that exist in it.

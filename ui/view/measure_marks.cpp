@@ -1,8 +1,8 @@
 #include "ui/view/measure_marks.h"
 
+#include "core/interaction/load_marks.h"
 #include "core/interaction/pick.h"
 #include "core/interaction/snapping.h"
-#include "core/interaction/weight_tool.h"
 #include "core/model/dimensions.h"
 
 #include <algorithm>
@@ -156,22 +156,15 @@ Signs dimensionSigns(const Model &model, DimensionId lit)
     return signs;
 }
 
-Signs weightSigns(const Model &model, const ViewState &view, WeightId hovered, WeightId selected)
+Signs loadSigns(const Model &model, const ViewState &view, LoadId hovered, LoadId selected)
 {
-    const Vec2 kAbove(0.0, -22.0); // px
     Signs signs;
-    for (const Weight &weight : model.document.weights) {
-        const auto place = placeOf(model, weight);
-        if (!place || view.isHidden(weight.section))
+    for (const PlacedLoad &placed : placedLoads(model)) {
+        const Load &load = model.document.loads[static_cast<std::size_t>(placed.load)];
+        if (view.isHidden(model.ref(static_cast<std::size_t>(placed.section))))
             continue;
-        const bool isLit = weight.id == hovered || weight.id == selected;
-        const SignRole role = isLit ? SignRole::WeightInHand : SignRole::Weight;
-        signs.add(sign::Handle{role, *place});
-        const Message words =
-            weight.name.empty()
-                ? Message{Text{nullptr, "%1"}, {massOf(weight.mass)}}
-                : Message{Text{nullptr, "%1, %2"}, {Named{weight.name}, massOf(weight.mass)}};
-        signs.add(sign::Label{role, {*place}, words, kAbove});
+        const bool isLit = load.id == hovered || load.id == selected;
+        addLoadSigns(load, placed, model, isLit ? SignRole::LoadInHand : SignRole::Load, signs);
     }
     return signs;
 }

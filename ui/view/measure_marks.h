@@ -13,7 +13,7 @@ Signs dimensionSigns(const Model &model, DimensionId lit);
 
 /// Weights whose sections are seen, with their names and masses; what is hovered or selected is
 /// lit.
-Signs weightSigns(const Model &model, const ViewState &view, WeightId hovered, WeightId selected);
+Signs loadSigns(const Model &model, const ViewState &view, LoadId hovered, LoadId selected);
 
 /// The level one along the ground, where that is seen, else at the lower edge; the upright one at
 /// the left edge, where it is in nobody's way.

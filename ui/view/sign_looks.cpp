@@ -41,8 +41,8 @@ constexpr RoleLook kLooks[] = {
     {SignRole::Guide, {.colour = &ViewStyle::guide, .width = 1.4, .dash = 4.0, .gap = 3.0}},
     {SignRole::Cue, {.colour = &ViewStyle::text}},
     {SignRole::Doubt, {.colour = &ViewStyle::warning}},
-    {SignRole::Weight, {.colour = &ViewStyle::text, .radius = 4.5}},
-    {SignRole::WeightInHand, {.colour = &ViewStyle::accent, .radius = 6.0}},
+    {SignRole::Load, {.colour = &ViewStyle::text, .radius = 4.5}},
+    {SignRole::LoadInHand, {.colour = &ViewStyle::accent, .radius = 6.0}},
 };
 
 } // namespace

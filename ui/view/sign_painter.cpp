@@ -25,9 +25,8 @@ struct MeasureMarksTexts
     Q_DECLARE_TR_FUNCTIONS(fff::ui::MeasureMarks)
 };
 
-constexpr double kTickReach = 6.0;                // px, half of the tick at a line's end
-constexpr double kArrow = 34.0, kArrowHead = 8.0; // px
-constexpr double kArrowWidth = 2.4;               // px
+constexpr double kTickReach = 6.0;                    // px, half of the tick at a line's end
+constexpr double kArrowHead = 8.0, kArrowWidth = 2.4; // px
 constexpr double kAhead = 20.0;     // px, to see where a direction leads on the screen
 constexpr double kTowardsEye = 0.2; // of its length that a direction must keep on the screen
 
@@ -269,7 +268,7 @@ void paintSign(MarkPen &pen, const sign::Arrow &arrow)
     if (length < kTowardsEye)
         return; // one looks along it
     const QPointF along = way / length, across(-along.y(), along.x());
-    const QPointF tip = from + kArrow * along;
+    const QPointF tip = from + arrow.length * along;
     QPainterPath path(from);
     path.lineTo(tip);
     path.moveTo(tip - kArrowHead * along + 0.7 * kArrowHead * across);

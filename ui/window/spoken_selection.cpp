@@ -1,6 +1,7 @@
 #include "ui/window/spoken_selection.h"
 
 #include "core/session/check_list.h"
+#include "ui/bench/load_words.h"
 #include "ui/bench/workbench.h"
 #include "ui/properties/stock_choice.h"
 
@@ -59,12 +60,10 @@ QString spokenSelection(const Workbench &bench, const CheckList &checks)
     if (const Operation *operation = model.document.find(interaction.selectedOperation()))
         return SpokenSelectionTexts::tr("%1, operation")
             .arg(QString::fromStdString(operation->name));
-    if (const Weight *weight = model.document.find(interaction.selectedWeight()))
-        //: %1 is the name of a section
-        return weight->name.empty()
-                   ? SpokenSelectionTexts::tr("Weight on %1")
-                         .arg(QString::fromStdString(model.nameOf(weight->section)))
-                   : QString::fromStdString(weight->name);
+    if (const Load *load = model.document.find(interaction.selectedLoad()))
+        //: %1 is what a weight or a push is called, %2 the name of a section
+        return SpokenSelectionTexts::tr("%1 on %2")
+            .arg(loadName(*load), QString::fromStdString(model.nameOf(load->section)));
     const std::vector<SectionRef> &selected = interaction.selection();
     if (selected.size() > 1)
         return SpokenSelectionTexts::tr("%n sections selected", nullptr,

@@ -362,10 +362,9 @@ std::vector<Finding> strengthFindings(const Analysis &analysis, const Strength &
     findVerdict(analysis, strength, bearable, rules, found);
     findMoving(analysis, strength, found);
     findPulled(analysis, strength, found);
-    for (const int index : strength.made.besideWeight) {
+    for (const PlacedLoad &load : strength.made.besideLoads) {
         Finding finding = makeFinding(kWeightBeside, Severity::Note);
-        finding.sections = {
-            analysis.model.document.weights[static_cast<std::size_t>(index)].section};
+        finding.sections = {analysis.model.ref(static_cast<std::size_t>(load.section))};
         found.push_back(std::move(finding));
     }
     return found;

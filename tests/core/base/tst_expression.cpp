@@ -20,6 +20,7 @@ private Q_SLOTS:
     void numbersTakeSumsToo_data();
     void numbersTakeSumsToo();
     void namesStandForLengthsAndNumbers();
+    void massesHaveUnitsOfTheirOwn();
     void blanksOfPrintAreBlanks();
     void aThousandParenthesesAreRefused_data();
     void aThousandParenthesesAreRefused();
@@ -192,6 +193,31 @@ void TestExpression::aThousandParenthesesAreRefused()
     QVERIFY(readAny(text, Commas::Groups).fault == Expression::Fault::Unreadable);
     const std::string few = "1" + std::string(50, '+') + "1 + ((((((((((2))))))))))";
     QCOMPARE(readAny(few, Commas::Groups).value.value_or(0.0), 4.0);
+}
+
+void TestExpression::massesHaveUnitsOfTheirOwn()
+{
+    const auto read = [](const char *text) { return readMass(text, 1e-3, Commas::Groups); };
+    for (const auto &[text, kilograms] :
+         {std::pair("350", 0.35), std::pair("1.5 kg", 1.5), std::pair("2lb", 0.90718474),
+          std::pair("1/2 oz", 0.0141747615625), std::pair("3*45 g", 0.135),
+          std::pair("1 kg + 50", 1.05), std::pair("(1 lb - 3 oz) / 2", 0.1417476156)}) {
+        const Expression mass = read(text);
+        QVERIFY2(mass.value, text);
+        QVERIFY2(std::abs(*mass.value - kilograms) < 1e-9, text);
+        QVERIFY(!mass.isLength);
+    }
+    QVERIFY(read("2 kg * 3 g").fault == Expression::Fault::NotAMass);
+    QVERIFY(read("1 kg / 2 kg").value == 0.0005); // a plain number, of grams
+    QVERIFY(read("5 mm").fault == Expression::Fault::Unreadable);
+    QVERIFY(read("t").fault == Expression::Fault::Unreadable);
+    QVERIFY(read("").fault == Expression::Fault::Empty);
+    const NumberNames names = [](std::string_view name) {
+        return name == "gap" ? std::optional(NamedValue{12.0, true})
+                             : std::optional(NamedValue{3.0, false});
+    };
+    QVERIFY(readMass("gap", 1e-3, Commas::Groups, names).fault == Expression::Fault::NotAMass);
+    QCOMPARE(*readMass("n * 2 kg", 1e-3, Commas::Groups, names).value, 6.0);
 }
 
 FFF_TEST(TestExpression)

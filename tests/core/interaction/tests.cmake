@@ -24,8 +24,8 @@ fff_tests(tests_interaction LIBRARIES fff::session TESTS
     core/interaction/tst_transform_tool
     core/interaction/tst_view_cube
     core/interaction/tst_view_history
-    core/interaction/tst_weight_editing
-    core/interaction/tst_weight_tool
+    core/interaction/tst_load_editing
+    core/interaction/tst_load_tool
     ALONE
         core/interaction/tst_facing
         core/interaction/tst_hasty_stroke

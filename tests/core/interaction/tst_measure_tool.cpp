@@ -5,6 +5,7 @@
 #include "core/interaction/measure_words.h"
 #include "core/io/fff_format.h"
 #include "core/model/edits.h"
+#include "core/model/load_edits.h"
 #include "core/model/named_numbers.h"
 #include "core/model/point_edits.h"
 #include "core/operations/scaled_model.h"
@@ -292,9 +293,9 @@ void TestMeasureTool::scalingBackIsTheIdentity()
             for (std::size_t k = 0; k < a.size(); ++k)
                 QVERIFY((a[k] - b[k]).norm() < 1e-9);
         }
-        for (std::size_t i = 0; i < document.weights.size(); ++i) {
-            QVERIFY((document.weights[i].position - back->weights[i].position).norm() < 1e-9);
-            QCOMPARE(back->weights[i].mass, document.weights[i].mass);
+        for (std::size_t i = 0; i < document.loads.size(); ++i) {
+            QVERIFY((document.loads[i].position - back->loads[i].position).norm() < 1e-9);
+            QCOMPARE(back->loads[i].mass, document.loads[i].mass);
         }
         // What operations make of it is larger by the same factor.
         const Model before = evaluate(document), after = evaluate(*there);
@@ -308,12 +309,12 @@ void TestMeasureTool::scalingLeavesStocksAndMasses()
 {
     MeasureDesk desk;
     Document document = desk.session.committed().document;
-    document = *addWeight(document, {{}, desk.sections().front()->id, Vec2(10, 20), 0.5});
+    document = *addLoad(document, {{}, desk.sections().front()->id, Vec2(10, 20), 0.5});
     const Result<Document> scaled = scaledModel(document, 3.0);
     QVERIFY(scaled);
     QCOMPARE(scaled->stocks, document.stocks);
-    QCOMPARE(scaled->weights.front().mass, 0.5);
-    QCOMPARE(scaled->weights.front().position, Vec2(30, 60));
+    QCOMPARE(scaled->loads.front().mass, 0.5);
+    QCOMPARE(scaled->loads.front().position, Vec2(30, 60));
     QVERIFY(scaledModel(document, 1.0)->isSame(document));
 }
 

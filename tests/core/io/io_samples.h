@@ -3,6 +3,7 @@
 
 #include "core/io/error_text.h"
 #include "core/model/edits.h"
+#include "core/model/load_edits.h"
 
 #include <QtCore/QtGlobal>
 #include <cmath>
@@ -60,11 +61,11 @@ inline Document twoSections()
     second.parent = Parent{document.sections.front()->id, {40, 20}, {40, 65.3125}};
     document = addSection(document, second).value();
 
-    Weight weight;
+    Load weight;
     weight.section = document.sections.back()->id;
     weight.position = {0.1 + 0.2, -5e-7};
     weight.mass = 0.35;
-    return addWeight(document, weight).value();
+    return addLoad(document, weight).value();
 }
 
 /// FlatFab's text of `count` square sections with a side of 2 units, the first with a hole.

@@ -148,7 +148,7 @@ void TestFffFormat::writeThenReadIsEqual_data()
     odd = renameSection(odd, odd.sections[1]->id, "").value();
     QTest::newRow("odd names") << odd;
     Document named = twoSections();
-    named.weights.front().name = "Cup \"of\" tea – 茶";
+    named.loads.front().name = "Cup \"of\" tea – 茶";
     QTest::newRow("a weight with a name") << named;
     Document wanted = twoSections();
     JointOverride joint;
@@ -255,7 +255,7 @@ void TestFffFormat::goldenFileIsRead()
     QCOMPARE(document.sections[0]->name, std::string("Rückwand"));
     QCOMPARE(document.sections[0]->shape->holes().size(), std::size_t(1));
     QCOMPARE(document.sections[1]->parent->section.drawn, document.sections[0]->id);
-    QCOMPARE(document.weights.size(), std::size_t(1));
+    QCOMPARE(document.loads.size(), std::size_t(1));
     QVERIFY(document == twoSections());
 }
 
@@ -669,7 +669,7 @@ void TestFffFormat::frames()
 void TestFffFormat::danglingOperationIsKept()
 {
     Document document = twoSections();
-    document.weights.front().section = SectionRef(OperationId{document.nextId++}, "branch/1/0");
+    document.loads.front().section = SectionRef(OperationId{document.nextId++}, "branch/1/0");
     const auto loaded = io::readFff(io::writeFff(document).value());
     QVERIFY(loaded && loaded->document == document);
 }

@@ -1,5 +1,6 @@
 #include "core/geometry/contour.h"
 #include "core/model/edits.h"
+#include "core/model/load_edits.h"
 #include "tests/core/shapes.h"
 #include "tests/test_program.h"
 
@@ -25,9 +26,9 @@ Document sample()
         if (i == 2)
             section.parent = Parent{document.sections[0]->id, {0, 0}, {0, 20}};
         document = addSection(document, section).value();
-        Weight weight;
+        Load weight;
         weight.section = document.sections.back()->id;
-        document = addWeight(document, weight).value();
+        document = addLoad(document, weight).value();
     }
     return document;
 }
@@ -129,7 +130,7 @@ void TestEdits::unknownReferencesAreRefused()
     QVERIFY(isUnknown(setSectionStock(d, d.sections[0]->id, StockId{999})));
     QVERIFY(isUnknown(setCurrentStock(d, StockId{999})));
     QVERIFY(isUnknown(removeSections(d, std::vector{none})));
-    QVERIFY(isUnknown(removeWeight(d, WeightId{999})));
+    QVERIFY(isUnknown(removeLoad(d, LoadId{999})));
     NewSection section;
     section.shape = disc();
     section.stock = StockId{999};
@@ -151,10 +152,10 @@ void TestEdits::removingASectionTakesItsWeights()
     const Document d = sample();
     const Document after = removeSections(d, std::vector{d.sections[1]->id}).value();
     QCOMPARE(after.sections.size(), 2U);
-    QCOMPARE(after.weights.size(), 2U);
-    for (const Weight &w : after.weights)
+    QCOMPARE(after.loads.size(), 2U);
+    for (const Load &w : after.loads)
         QVERIFY(after.find(w.section.drawn));
-    QCOMPARE(removeWeight(after, after.weights[0].id)->weights.size(), 1U);
+    QCOMPARE(removeLoad(after, after.loads[0].id)->loads.size(), 1U);
 }
 
 // Wrong: deleting one section would delete what was drawn on it, or leave it with a dead parent.
@@ -239,15 +240,15 @@ void TestEdits::removedStocksAreReplaced()
 void TestEdits::weightsAreChecked()
 {
     const Document d = sample();
-    Weight weight = d.weights[0];
+    Load weight = d.loads[0];
     weight.mass = 0.0;
-    QVERIFY(!addWeight(d, weight));
+    QVERIFY(!addLoad(d, weight));
     weight.mass = 0.1;
     weight.section = SectionId{999};
-    QVERIFY(isUnknown(addWeight(d, weight)));
+    QVERIFY(isUnknown(addLoad(d, weight)));
     // On a section that an operation makes, which may not be there just now.
     weight.section = SectionRef(OperationId{5}, "3");
-    QVERIFY(addWeight(d, weight));
+    QVERIFY(addLoad(d, weight));
 }
 
 FFF_TEST(TestEdits)

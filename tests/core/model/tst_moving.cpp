@@ -2,6 +2,7 @@
 
 #include "core/base/units.h"
 #include "core/model/edits.h"
+#include "core/model/load_edits.h"
 #include "core/model/moving.h"
 #include "tests/core/shapes.h"
 #include "tests/test_program.h"
@@ -34,10 +35,10 @@ struct Animal
         rib = add("Rib", {}, Parent{body, {10, 5}, {12, 40}});
         fin = add("Fin", {}, Parent{rib, {2, -3}, {30, 4}});
         tail = add("Tail", {}, Parent{body, {-20, 0}, {-60, 1}});
-        Weight weight;
+        Load weight;
         weight.section = rib;
         weight.position = {4, 7};
-        document = addWeight(document, weight).value();
+        document = addLoad(document, weight).value();
     }
     SectionId add(const char *name, Frame frame, const std::optional<Parent> &parent)
     {
@@ -70,8 +71,8 @@ double difference(const Document &a, const Document &b)
             compare(p.parent->slitTo, q.parent->slitTo);
         }
     }
-    for (std::size_t i = 0; i < a.weights.size(); ++i)
-        compare(a.weights[i].position, b.weights[i].position);
+    for (std::size_t i = 0; i < a.loads.size(); ++i)
+        compare(a.loads[i].position, b.loads[i].position);
     return most;
 }
 
@@ -311,7 +312,7 @@ void TestMoving::scaledWithAllThatIsOnIt()
         if (section->parent)
             QVERIFY((section->parent->slitTo - 2.0 * before.parent->slitTo).norm() <= 1e-9);
     }
-    QCOMPARE(next.weights.front().position, Vec2(8, 14));
+    QCOMPARE(next.loads.front().position, Vec2(8, 14));
 }
 
 // Wrong: what is on a section that is made wider would stay behind, or be deformed.

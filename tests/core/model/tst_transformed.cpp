@@ -128,10 +128,10 @@ Document held(const Section &section, Dice &dice)
     Document document = newDocument();
     document.sections = {std::make_shared<const Section>(section)};
     for (const SectionId on : {section.id, SectionId{9}}) {
-        Weight weight;
+        Load weight;
         weight.section = on;
         weight.position = dice.point();
-        document.weights.push_back(weight);
+        document.loads.push_back(weight);
         const Vec2 from = dice.point();
         document.dimensions.push_back({{}, {on, {from.x(), from.y(), 1.5}}, {{}, dice.place()}});
         JointOverride joint;
@@ -148,7 +148,7 @@ std::vector<Vec3> heldPlaces(const Document &document, SectionId on)
 {
     std::vector<Vec3> places;
     const auto add = [&](const Vec2 &p) { places.emplace_back(p.x(), p.y(), 0.0); };
-    for (const Weight &weight : document.weights)
+    for (const Load &weight : document.loads)
         if (weight.section == SectionRef(on))
             add(weight.position);
     for (const JointOverridePointer &joint : document.jointOverrides)

@@ -1,4 +1,5 @@
 #include "core/assembly/assembly.h"
+#include "core/model/load_edits.h"
 #include "core/operations/baking.h"
 #include "tests/core/operations/operation_models.h"
 #include "tests/test_program.h"
@@ -106,7 +107,7 @@ void TestBaking::whatWasSaidOfInstancesFollows()
     const OperationId id = add(
         bones.document, operation("linear", {{"section", {bones.rib}}, {"along", {bones.spine}}}));
     const SectionRef third(id, "3");
-    bones.document = addWeight(bones.document, {{}, third, {1, 2}, 0.2}).value();
+    bones.document = addLoad(bones.document, {{}, third, {1, 2}, 0.2}).value();
     JointOverride flipped;
     flipped.a = SectionRef(bones.spine);
     flipped.b = third;
@@ -122,7 +123,7 @@ void TestBaking::whatWasSaidOfInstancesFollows()
     for (const Document &next : {baked(model, id).value(), detached(model, third).value()}) {
         const Model after = evaluate(next, model);
         QVERIFY(looks(after) == looks(model));
-        const SectionRef drawn = after.document.weights[0].section;
+        const SectionRef drawn = after.document.loads[0].section;
         QVERIFY(drawn.drawn.isValid());
         QCOMPARE(after.nameOf(drawn), model.nameOf(third));
         QCOMPARE(after.document.find(child)->parent->section, drawn);

@@ -2,6 +2,7 @@
 
 #include "core/io/document_file.h"
 #include "core/io/fff_format.h"
+#include "core/model/load_edits.h"
 #include "core/operations/excerpt.h"
 #include "core/operations/insertion.h"
 #include "tests/core/operations/operation_models.h"
@@ -51,12 +52,12 @@ std::string difference(const Model &a, const Model &b)
             return say("made");
     }
     const Document &d = a.document, &e = b.document;
-    if (d.weights.size() != e.weights.size())
+    if (d.loads.size() != e.loads.size())
         return "weights";
-    for (std::size_t i = 0; i < d.weights.size(); ++i)
-        if (a.indexOf(d.weights[i].section) != b.indexOf(e.weights[i].section) ||
-            d.weights[i].mass != e.weights[i].mass || d.weights[i].name != e.weights[i].name ||
-            d.weights[i].position != e.weights[i].position)
+    for (std::size_t i = 0; i < d.loads.size(); ++i)
+        if (a.indexOf(d.loads[i].section) != b.indexOf(e.loads[i].section) ||
+            d.loads[i].mass != e.loads[i].mass || d.loads[i].name != e.loads[i].name ||
+            d.loads[i].position != e.loads[i].position)
             return "weight";
     if (d.jointOverrides.size() != e.jointOverrides.size())
         return "joints";
@@ -184,10 +185,10 @@ void TestExcerpt::keysFollowTheirIds()
         }
     QVERIFY(hidden.operation.isValid());
     Document document = setExceptionState(model.document, hidden, Exception::State::Hidden).value();
-    Weight weight;
+    Load weight;
     weight.section = weighed;
     weight.name = "Cup";
-    document = addWeight(document, weight).value();
+    document = addLoad(document, weight).value();
     test::add(document, "Hat", shapeOf(circle({0, 0}, 5.0)), frontFrame(),
               Parent{weighed, {0, 0}, {1, 1}});
     model = evaluate(document);
@@ -200,7 +201,7 @@ void TestExcerpt::keysFollowTheirIds()
     }
     const Model there = pasted(copied, busy);
     QCOMPARE(difference(model, there), std::string());
-    const Section *host = there.find(there.document.weights.front().section);
+    const Section *host = there.find(there.document.loads.front().section);
     QVERIFY(host && host->name == model.nameOf(weighed));
 }
 
@@ -280,9 +281,9 @@ void TestExcerpt::namesThatAreTaken()
 void TestExcerpt::whatIsGoneIsNotSpokenOf()
 {
     FishBones bones;
-    Weight weight;
+    Load weight;
     weight.section = bones.spine;
-    bones.document = addWeight(bones.document, weight).value();
+    bones.document = addLoad(bones.document, weight).value();
     JointOverride joint;
     joint.a = bones.spine;
     joint.b = bones.rib;
@@ -290,11 +291,11 @@ void TestExcerpt::whatIsGoneIsNotSpokenOf()
     bones.document = setJointOverride(bones.document, joint).value();
     const Model model = evaluate(bones.document);
     const Document rib = excerpt(model, {bones.rib});
-    QVERIFY(rib.weights.empty() && rib.jointOverrides.empty());
+    QVERIFY(rib.loads.empty() && rib.jointOverrides.empty());
     QVERIFY(!rib.sections.front()->parent);
     QVERIFY(io::readFff(io::writeFff(rib).value()));
     const Document both = excerpt(model, {bones.rib, bones.spine});
-    QCOMPARE(both.weights.size(), std::size_t(1));
+    QCOMPARE(both.loads.size(), std::size_t(1));
     QCOMPARE(both.jointOverrides.size(), std::size_t(1));
 }
 

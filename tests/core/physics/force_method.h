@@ -52,7 +52,7 @@ inline Eigen::VectorXd appliedForces(const Structure &structure)
     Eigen::VectorXd applied = Eigen::VectorXd::Zero(6 * structure.members.size());
     for (std::size_t i = 0; i < structure.members.size(); ++i)
         applied.segment<3>(6 * i) += structure.members[i].mass * structure.gravity;
-    for (const Load &load : structure.loads) {
+    for (const MemberLoad &load : structure.loads) {
         const Vec3 arm = load.point - structure.members[load.member].centroid;
         applied.segment<3>(6 * load.member) += load.force;
         applied.segment<3>(6 * load.member + 3) +=

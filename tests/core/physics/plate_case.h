@@ -248,7 +248,7 @@ inline void addLoads(CasePlate &plate, const PlateCase &plates, int index)
     plate.model.addWeight(plate.loads, inFrame(section.frame, plates.structure.gravity));
     const QJsonArray loads = plates.json["loads"_L1].toArray();
     for (int k = 0; k < static_cast<int>(loads.size()); ++k) {
-        const Load &load = plates.structure.loads[static_cast<std::size_t>(k)];
+        const MemberLoad &load = plates.structure.loads[static_cast<std::size_t>(k)];
         if (load.member != index)
             continue;
         const Vec2 at = section.frame.toLocal(load.point);

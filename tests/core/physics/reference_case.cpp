@@ -280,7 +280,7 @@ bool addLoads(const QJsonArray &loads, ReferenceCase &found)
 {
     for (const QJsonValue &value : loads) {
         const QJsonObject json = value.toObject();
-        Load load;
+        MemberLoad load;
         load.member = sectionNamed(found, json[key("section")]);
         if (load.member < 0)
             return false;

@@ -58,7 +58,7 @@ struct ReferenceClamp
 
 struct ReferencePatch
 {
-    Load load;
+    MemberLoad load;
     double radius = 0.0; // mm, over which the solver spread it; 0: not said
 };
 

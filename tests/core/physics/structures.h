@@ -150,7 +150,7 @@ inline Vec3 sumOfLoads(const Structure &structure)
     Vec3 sum = Vec3::Zero();
     for (const Member &member : structure.members)
         sum += member.mass * structure.gravity;
-    for (const Load &load : structure.loads)
+    for (const MemberLoad &load : structure.loads)
         sum += load.force;
     return sum;
 }

@@ -104,7 +104,7 @@ void TestBalance::verdicts()
         QCOMPARE(component.offenders.empty(), component.balance == Balance::Stands);
     // The same however large the world is around it: a hill's gravity, a stone's.
     structure.gravity *= 1e-3;
-    for (Load &load : structure.loads) {
+    for (MemberLoad &load : structure.loads) {
         load.force *= 1e-3;
         load.moment *= 1e-3;
     }

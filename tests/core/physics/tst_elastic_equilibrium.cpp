@@ -142,7 +142,7 @@ void TestElasticEquilibrium::casesOfAssemblies()
     }
     for (const Member &member : plates->structure.members)
         weight += 9.81 * member.mass;
-    for (const Load &load : plates->structure.loads)
+    for (const MemberLoad &load : plates->structure.loads)
         weight -= load.force.z();
     // Wrong: the ground carries more or less than there is.
     QVERIFY(std::abs(sum / weight - 1.0) < 1e-9);
@@ -187,7 +187,7 @@ void TestElasticEquilibrium::turnedWorldTurnsTheAnswer()
     }
     for (Foot &foot : other.structure.feet)
         foot.point = turn * foot.point + move;
-    for (Load &load : other.structure.loads) {
+    for (MemberLoad &load : other.structure.loads) {
         load.point = turn * load.point + move;
         load.force = turn * load.force;
     }

@@ -39,7 +39,7 @@ Structure placed(Structure structure, const Placement &placement)
     }
     for (Foot &foot : structure.feet)
         foot.point = placement.point(foot.point);
-    for (Load &load : structure.loads) {
+    for (MemberLoad &load : structure.loads) {
         load.point = placement.point(load.point);
         load.force = placement.direction(load.force);
         load.moment = placement.moment(load.moment);
@@ -89,7 +89,7 @@ Structure ordered(const Structure &given, const Order &order)
         structure.feet[i] = given.feet[order.feet[i]];
         structure.feet[i].member = to[structure.feet[i].member];
     }
-    for (Load &load : structure.loads)
+    for (MemberLoad &load : structure.loads)
         load.member = to[load.member];
     return structure;
 }
@@ -111,7 +111,7 @@ Structure inUnit(Structure structure, double perMillimetre)
         foot.point *= perMillimetre;
         foot.stiffness /= perMillimetre;
     }
-    for (Load &load : structure.loads) {
+    for (MemberLoad &load : structure.loads) {
         load.point *= perMillimetre;
         load.moment *= perMillimetre;
     }
@@ -273,10 +273,10 @@ void TestEquilibriumLaws::aLoadInTwo()
     for (unsigned seed = 1; seed <= kSeeds; ++seed) {
         const Structure stand = anyStand(seed);
         Structure split = stand;
-        for (const Load &load : stand.loads) {
+        for (const MemberLoad &load : stand.loads) {
             // A third and two thirds, at places whose mean is where it was.
-            Load &first = split.loads[&load - stand.loads.data()];
-            Load second = load;
+            MemberLoad &first = split.loads[&load - stand.loads.data()];
+            MemberLoad second = load;
             first.force = load.force / 3.0;
             first.moment = load.moment;
             first.point += Vec3(20, 4, -6);
@@ -301,7 +301,7 @@ void TestEquilibriumLaws::twiceTheLoad()
         Structure twice = stand;
         for (Member &member : twice.members)
             member.mass *= 2.0;
-        for (Load &load : twice.loads) {
+        for (MemberLoad &load : twice.loads) {
             load.force *= 2.0;
             load.moment *= 2.0;
         }
@@ -339,7 +339,7 @@ void TestEquilibriumLaws::whatIsHeldUp()
                 sum += foot.force;
             for (const Member &member : stand.members)
                 load += member.mass * stand.gravity;
-            for (const Load &one : stand.loads)
+            for (const MemberLoad &one : stand.loads)
                 load += one.force;
             QVERIFY2((sum + load).norm() < kBalanced * load.norm(),
                      named(seed, (sum + load).norm()).constData());

@@ -13,6 +13,8 @@ fff_tests(tests_session LIBRARIES fff::session Polyclipping::Polyclipping TESTS
     core/session/tst_hands
     core/session/tst_hard_crossings
     core/session/tst_layout_models
+    core/session/tst_load_points
+    core/session/tst_loads_on_copies
     core/session/tst_loose_pieces
     core/session/tst_mark_distances
     core/session/tst_operation_commands

@@ -5,6 +5,7 @@
 #include "core/analysis/footing.h"
 #include "core/analysis/strength.h"
 #include "core/model/edits.h"
+#include "core/model/load_edits.h"
 #include "core/operations/evaluate.h"
 #include "tests/core/physics/reference_case.h"
 #include "tests/core/shapes.h"
@@ -65,13 +66,13 @@ Document documentOf(const ReferenceCase &given)
         made.stock = document.currentStock;
         document = *addSection(std::move(document), made);
     }
-    for (const Load &load : given.structure.loads) {
-        Weight weight;
+    for (const MemberLoad &load : given.structure.loads) {
+        Load weight;
         const Section &on = *document.sections[static_cast<std::size_t>(load.member)];
         weight.section = on.id;
         weight.position = on.frame.toLocal(placed.point(load.point));
         weight.mass = load.force.norm() / given.structure.gravity.norm();
-        document = *addWeight(std::move(document), weight);
+        document = *addLoad(std::move(document), weight);
     }
     return document;
 }
@@ -81,7 +82,7 @@ bool isModel(const ReferenceCase &given)
 {
     if (!given.clamps.empty())
         return false;
-    for (const Load &load : given.structure.loads)
+    for (const MemberLoad &load : given.structure.loads)
         if (load.moment != Vec3::Zero() || std::hypot(load.force.x(), load.force.y()) > 0.0 ||
             load.force.z() >= 0.0)
             return false;

@@ -208,13 +208,12 @@ void TestChecks::weightsTip()
 {
     Document document = cross();
     const auto add = [&](const Vec2 &at) {
-        document.weights.push_back(
-            {WeightId{document.nextId++}, document.sections[0]->id, at, 5.0});
+        document.loads.push_back({LoadId{document.nextId++}, document.sections[0]->id, at, 5.0});
     };
     add({45, 30});
     QVERIFY(find(checks(analysed(document)), kUnsteady) ||
             find(checks(analysed(document)), kStands));
-    document.weights.clear();
+    document.loads.clear();
     document.sections[0] = cross().sections[0];
     add({90, 30}); // beyond the foot, as on an arm
     const Stability found = stabilityOf(analysed(document), {0, 1});
@@ -421,10 +420,9 @@ void TestChecks::mechanicsCases()
                 if (sections[i][QLatin1String("id")] == load[QLatin1String("section")])
                     host = i;
             const Section &section = *document.sections[static_cast<std::size_t>(host)];
-            document.weights.push_back(
-                {WeightId{document.nextId++}, section.id,
-                 section.frame.toLocal(point(load[QLatin1String("point_mm")])),
-                 -force.y() / kGravity});
+            document.loads.push_back({LoadId{document.nextId++}, section.id,
+                                      section.frame.toLocal(point(load[QLatin1String("point_mm")])),
+                                      -force.y() / kGravity});
         }
         const Analysis analysis = analysed(document);
         const auto groups = heldGroups(analysis);

@@ -149,7 +149,7 @@ void TestHistory::tenThousandEditsAndBack()
         session.commit(QStringLiteral("Edit"), edits.next(session.committed().document));
         const Document &document = session.committed().document;
         lists += static_cast<std::int64_t>(
-            16 * (document.sections.size() + document.stocks.size() + document.weights.size()));
+            16 * (document.sections.size() + document.stocks.size() + document.loads.size()));
     }
     const Model last = session.committed();
     const std::int64_t grown = bench::liveBytes() - before;

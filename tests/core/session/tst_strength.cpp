@@ -4,6 +4,7 @@
 #include "core/analysis/bearable_mass.h"
 #include "core/io/document_file.h"
 #include "core/model/edits.h"
+#include "core/model/load_edits.h"
 #include "core/operations/evaluate.h"
 #include "tests/test_program.h"
 #include "tests/told.h"
@@ -46,7 +47,7 @@ double weightOf(const Structure &structure)
     double sum = 0.0;
     for (const Member &member : structure.members)
         sum += member.mass * structure.gravity.norm();
-    for (const Load &load : structure.loads)
+    for (const MemberLoad &load : structure.loads)
         sum -= load.force.dot(structure.up);
     return sum;
 }
@@ -61,7 +62,7 @@ double carriedOf(const Strength &strength)
 
 Document withWeights(Document document, double factor)
 {
-    for (Weight &weight : document.weights)
+    for (Load &weight : document.loads)
         weight.mass *= factor;
     return document;
 }
@@ -153,7 +154,7 @@ void TestStrength::weightsAreBornNearly()
     QVERIFY(bearable.cracksFrom && bearable.breaksAt);
     QVERIFY(*bearable.cracksFrom < *bearable.breaksAt);
     double placed = 0.0;
-    for (const Weight &weight : document.weights)
+    for (const Load &weight : document.loads)
         placed += weight.mass;
     const Strength cracking = strengthOf(withWeights(document, *bearable.cracksFrom / placed));
     const Strength breaking = strengthOf(withWeights(document, *bearable.breaksAt / placed));
@@ -180,17 +181,17 @@ void TestStrength::movedAlongTheGround()
 void TestStrength::weightBesideItsSection()
 {
     Document document = sample("glass_four_legs.fff");
-    Weight weight;
+    Load weight;
     weight.section = document.sections.front()->id;
     weight.position = {1e4, 1e4};
     weight.mass = 1e-3;
-    document = *addWeight(std::move(document), weight);
+    document = *addLoad(std::move(document), weight);
     const Strength strength = strengthOf(document);
-    QCOMPARE(strength.made.besideWeight.size(), std::size_t{1});
-    QCOMPARE(strength.made.structure.loads.size(), document.weights.size());
+    QCOMPARE(strength.made.besideLoads.size(), std::size_t{1});
+    QCOMPARE(strength.made.structure.loads.size(), document.loads.size());
     weight.section = SectionRef(OperationId{77}, "3"); // that is not there now
-    document.weights.push_back(weight);
-    QCOMPARE(strengthOf(document).made.structure.loads.size(), document.weights.size() - 1);
+    document.loads.push_back(weight);
+    QCOMPARE(strengthOf(document).made.structure.loads.size(), document.loads.size() - 1);
 }
 
 // Wrong: a crash, or a verdict on nothing.

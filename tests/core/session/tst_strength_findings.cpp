@@ -15,7 +15,6 @@
 #include <cmath>
 
 using namespace fff;
-using namespace fff::test;
 
 namespace {
 
@@ -54,7 +53,7 @@ struct Judged
 
 Document scaledWeights(Document document, double factor)
 {
-    for (Weight &weight : document.weights)
+    for (Load &weight : document.loads)
         weight.mass *= factor;
     return document;
 }
@@ -93,7 +92,7 @@ void TestStrengthFindings::oneVerdictNamesWhatHangs()
 {
     const Document document = sampleNamed("glass_four_legs.fff");
     double placed = 0.0;
-    for (const Weight &weight : document.weights)
+    for (const Load &weight : document.loads)
         placed += weight.mass;
     Judged judged(document);
     QCOMPARE(judged.strength().size(), std::size_t(1));
@@ -104,7 +103,7 @@ void TestStrengthFindings::oneVerdictNamesWhatHangs()
     QVERIFY2(title.contains(metricUnits().mass(placed)), qPrintable(title));
     QVERIFY(findingText(finding, judged.list.model()).startsWith(title + u'.'));
     Document bare = document;
-    bare.weights.clear();
+    bare.loads.clear();
     judged.become(bare);
     QCOMPARE(judged.strength().size(), std::size_t(1));
     QCOMPARE(judged.strength().front().details<Held>()->placed, 0.0);
@@ -186,7 +185,7 @@ void TestStrengthFindings::whatIsTooWeakIsMended()
         QVERIFY(after.held().strength.cornerUse < use);
         QVERIFY(after.held().strength.verdict == HoldVerdict::Holds ||
                 verdict->severity == Severity::Error);
-        QCOMPARE(mend.edit->document.weights, document.weights);
+        QCOMPARE(mend.edit->document.loads, document.loads);
     }
     QVERIFY(isThicker);
 }
@@ -231,10 +230,10 @@ void TestStrengthFindings::notRatedIsUnknown()
 void TestStrengthFindings::whatFallsHasNoVerdict()
 {
     Document document = sampleNamed("glass_four_legs.fff");
-    Weight weight = document.weights.front();
+    Load weight = document.loads.front();
     weight.position = {5000.0, 0.0};
     weight.mass = 50.0;
-    document.weights = {weight};
+    document.loads = {weight};
     Judged judged(document);
     for (const Finding &finding : judged.strength())
         QVERIFY(!finding.details<Held>());

@@ -3,6 +3,7 @@
 #include "core/assembly/crossing.h"
 #include "core/io/document_file.h"
 #include "core/model/edits.h"
+#include "core/model/load_edits.h"
 #include "core/model/operation_edits.h"
 #include "core/operations/evaluate.h"
 #include "core/operations/operation_kind.h"
@@ -134,11 +135,11 @@ void Maker::open(const SectionRef &a, const SectionRef &b, const Vec2 &way)
 
 void Maker::hang(const SectionRef &section, const Vec2 &position, double kilograms)
 {
-    Weight weight;
+    Load weight;
     weight.section = section;
     weight.position = position;
     weight.mass = kilograms;
-    m_document = taken(addWeight(std::move(m_document), weight), "a weight");
+    m_document = taken(addLoad(std::move(m_document), weight), "a weight");
 }
 
 std::vector<SectionPointer> Maker::sections() const

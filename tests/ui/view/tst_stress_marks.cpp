@@ -37,7 +37,7 @@ struct Loaded
         const auto file =
             io::readDocument(QStringLiteral(FFF_SAMPLES) + u'/' + QLatin1String(sample));
         Document document = file ? file->document : Document();
-        for (Weight &weight : document.weights)
+        for (Load &weight : document.loads)
             weight.mass *= factor;
         analysis = std::make_shared<const Analysis>(analysed(document));
         StrengthCaches caches;
@@ -127,7 +127,7 @@ void TestStressMarks::feetBearTheWeight()
 {
     const Loaded glass("glass_four_legs.fff");
     double hanging = 0.0;
-    for (const Weight &weight : glass.analysis->model.document.weights)
+    for (const Load &weight : glass.analysis->model.document.loads)
         hanging += weight.mass;
     const double mass = glass.analysis->bodies.mass().mass + hanging;
     Vec3 sum = Vec3::Zero();

@@ -2,10 +2,11 @@
 #include <QTest> // first: moc cannot read some of the standard library before it
 
 #include "core/interaction/hover_words.h"
-#include "core/interaction/weight_editing.h"
-#include "core/interaction/weight_words.h"
+#include "core/interaction/load_editing.h"
+#include "core/interaction/load_words.h"
 #include "core/model/edit_words.h"
 #include "core/model/edits.h"
+#include "core/model/load_edits.h"
 #include "tests/core/interaction/desk.h"
 #include "tests/test_program.h"
 
@@ -21,12 +22,12 @@ struct HungDesk : Desk
     {
         addPlate();
         session.commit(QStringLiteral("Hang"),
-                       *addWeight(session.committed().document,
-                                  Weight{{}, sections()[0]->ref(), Vec2(40, 25), 0.35, "Cup"}));
+                       *addLoad(session.committed().document,
+                                Load{{}, sections()[0]->ref(), Vec2(40, 25), 0.35, "Cup"}));
         before = session.committed().document;
     }
-    const std::vector<Weight> &weights() const { return session.committed().document.weights; }
-    bool isSelected() const { return interaction.selectedWeight().isValid(); }
+    const std::vector<Load> &weights() const { return session.committed().document.loads; }
+    bool isSelected() const { return interaction.selectedLoad().isValid(); }
     void select() { click(plate(40, 25)); }
 
     Document before;
@@ -34,7 +35,7 @@ struct HungDesk : Desk
 
 } // namespace
 
-class TestWeightEditing : public QObject
+class TestLoadEditing : public QObject
 {
     Q_OBJECT
 
@@ -52,23 +53,23 @@ private Q_SLOTS:
 };
 
 // Wrong: its section is selected in its place, or what is selected besides stays so.
-void TestWeightEditing::aClickSelectsIt()
+void TestLoadEditing::aClickSelectsIt()
 {
     HungDesk desk;
     desk.click(desk.plate(-50, 0));
     QCOMPARE(desk.interaction.selection().size(), std::size_t(1));
     desk.moveTo(desk.plate(40, 25) + Vec2(4, 3));
-    QCOMPARE(desk.interaction.hovered().weight, desk.weights()[0].id);
+    QCOMPARE(desk.interaction.hovered().load, desk.weights()[0].id);
     QCOMPARE(desk.hint(), hints::kSelectWeight);
     desk.select();
-    QCOMPARE(desk.interaction.selectedWeight(), desk.weights()[0].id);
+    QCOMPARE(desk.interaction.selectedLoad(), desk.weights()[0].id);
     QVERIFY(desk.interaction.selection().empty());
     QCOMPARE(desk.hint(), hints::kMoveSelectedWeight);
     QVERIFY(desk.session.committed().document.isSame(desk.before));
 }
 
 // Wrong: Del would take away both.
-void TestWeightEditing::elseIsSelectedInstead()
+void TestLoadEditing::elseIsSelectedInstead()
 {
     HungDesk desk;
     desk.select();
@@ -78,12 +79,12 @@ void TestWeightEditing::elseIsSelectedInstead()
     desk.select();
     desk.interaction.escape(desk.time);
     QVERIFY(!desk.isSelected());
-    desk.run("physics.selectWeight", {{"weight", "0"}});
+    desk.run("physics.selectLoad", {{"load", "0"}});
     QVERIFY(desk.isSelected());
 }
 
 // Wrong: the section goes, or Undo does not bring back the very document and what was selected.
-void TestWeightEditing::delRemovesIt()
+void TestLoadEditing::delRemovesIt()
 {
     HungDesk desk;
     desk.select();
@@ -98,7 +99,7 @@ void TestWeightEditing::delRemovesIt()
 }
 
 // Wrong: it goes another way than the arrow says, or each press is a step of its own.
-void TestWeightEditing::arrowsMoveIt()
+void TestLoadEditing::arrowsMoveIt()
 {
     HungDesk desk;
     desk.select();
@@ -118,7 +119,7 @@ void TestWeightEditing::arrowsMoveIt()
 }
 
 // Wrong: it hangs on nothing.
-void TestWeightEditing::besideTheSectionItStays()
+void TestLoadEditing::besideTheSectionItStays()
 {
     HungDesk desk;
     desk.select();
@@ -127,15 +128,15 @@ void TestWeightEditing::besideTheSectionItStays()
     desk.run("nudge.up", {{"distance", "10"}});
     QVERIFY(desk.session.committed().document.isSame(at));
     QCOMPARE(desk.hint(), hints::kWeightBeside);
-    Weight placed = at.weights[0];
+    Load placed = at.loads[0];
     placed.position = {300, 0};
-    QVERIFY(!changedWeight(desk.session.committed(), placed));
+    QVERIFY(!changedLoad(desk.session.committed(), placed));
     placed.position = {-99, 0};
-    QVERIFY(changedWeight(desk.session.committed(), placed));
+    QVERIFY(changedLoad(desk.session.committed(), placed));
 }
 
 // Wrong: what a person wants to stay as it is changes.
-void TestWeightEditing::aLockedSectionKeepsIt()
+void TestLoadEditing::aLockedSectionKeepsIt()
 {
     HungDesk desk;
     Document document = desk.before;
@@ -150,7 +151,7 @@ void TestWeightEditing::aLockedSectionKeepsIt()
 }
 
 // Wrong: rounding is seen after some presses.
-void TestWeightEditing::plusAndMinusChangeIt()
+void TestLoadEditing::plusAndMinusChangeIt()
 {
     HungDesk desk;
     desk.select();
@@ -166,11 +167,11 @@ void TestWeightEditing::plusAndMinusChangeIt()
 }
 
 // Wrong: a mass that no balance can be found for.
-void TestWeightEditing::lighterThanNothingItIsNot()
+void TestLoadEditing::lighterThanNothingItIsNot()
 {
     HungDesk desk;
     desk.select();
-    desk.run("physics.setWeight", {{"mass", "0.01"}});
+    desk.run("physics.setLoad", {{"mass", "0.01"}});
     const Document at = desk.session.committed().document;
     desk.run("physics.lighter");
     QVERIFY(desk.session.committed().document.isSame(at));
@@ -178,37 +179,37 @@ void TestWeightEditing::lighterThanNothingItIsNot()
 }
 
 // Wrong: a script cannot say what the fields can, or it is more than one step.
-void TestWeightEditing::namesByCommand()
+void TestLoadEditing::namesByCommand()
 {
     HungDesk desk;
     const int steps = desk.steps();
-    desk.run("physics.setWeight", {{"name", "Book"}, {"x", "-10"}});
+    desk.run("physics.setLoad", {{"name", "Book"}, {"x", "-10"}});
     QCOMPARE(desk.weights()[0].name, std::string("Book"));
     QCOMPARE(desk.weights()[0].position, Vec2(-10, 25));
     QCOMPARE(desk.steps(), steps + 1);
     QCOMPARE(desk.lastStep(), QStringLiteral("Rename Cup"));
-    Weight nameless = desk.weights()[0];
+    Load nameless = desk.weights()[0];
     nameless.name.clear();
-    const SectionEdit bare = changedWeight(desk.session.committed(), nameless);
-    QVERIFY(bare && bare->document.weights[0].name.empty());
+    const SectionEdit bare = changedLoad(desk.session.committed(), nameless);
+    QVERIFY(bare && bare->document.loads[0].name.empty());
     desk.run("edit.undo");
     QVERIFY(desk.session.committed().document.isSame(desk.before));
 }
 
-void TestWeightEditing::ofOneThatIsNotThere()
+void TestLoadEditing::ofOneThatIsNotThere()
 {
     HungDesk desk;
     const Model &model = desk.session.committed();
-    const WeightId nobody{12345};
-    Weight unknown;
+    const LoadId nobody{12345};
+    Load unknown;
     unknown.id = nobody;
     for (const SectionEdit &edit :
-         {changedWeight(model, unknown), movedWeight(model, nobody, Vec2(1, 0)),
-          withMassAdded(model, nobody, 1.0), removedWeight(model, nobody)})
+         {changedLoad(model, unknown), movedLoad(model, nobody, Vec2(1, 0)),
+          withMore(model, nobody, 1.0), removedLoad(model, nobody)})
         QVERIFY(!edit);
-    desk.interaction.selectWeight(nobody);
+    desk.interaction.selectLoad(nobody);
     QVERIFY(!desk.isSelected());
 }
 
-FFF_TEST(TestWeightEditing)
-#include "tst_weight_editing.moc"
+FFF_TEST(TestLoadEditing)
+#include "tst_load_editing.moc"
