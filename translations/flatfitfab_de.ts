@@ -1018,7 +1018,7 @@
     </message>
     <message>
         <source>%1&#x202f;N</source>
-        <translation>%1 N</translation>
+        <translation>%1&#x202f;N</translation>
     </message>
 </context>
 <context>
@@ -2586,10 +2586,6 @@
         <translation>Hängt ein Gewicht an ein Teil, um zu sehen, was es trägt</translation>
     </message>
     <message>
-        <source>Add &amp;push</source>
-        <translation>&amp;Druck hinzufügen</translation>
-    </message>
-    <message>
         <source>Push</source>
         <translation>Druck</translation>
     </message>
@@ -2612,6 +2608,10 @@
     <message>
         <source>Nothing acts on the model: add a weight or a push first</source>
         <translation>Auf das Modell wirkt nichts: zuerst ein Gewicht oder einen Druck hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add p&amp;ush</source>
+        <translation>&amp;Druck hinzufügen</translation>
     </message>
 </context>
 <context>
@@ -4169,7 +4169,7 @@
     </message>
     <message>
         <source>Arrow keys move the push of %1 on %2 by 1&#x202f;mm; &lt;kbd&gt;+&lt;/kbd&gt; and &lt;kbd&gt;−&lt;/kbd&gt; change it, &lt;kbd&gt;Del&lt;/kbd&gt; removes it.</source>
-        <translation>Pfeiltasten verschieben den Druck von %1 auf %2 um 1 mm; &lt;kbd&gt;+&lt;/kbd&gt; und &lt;kbd&gt;−&lt;/kbd&gt; ändern ihn, &lt;kbd&gt;Entf&lt;/kbd&gt; entfernt ihn.</translation>
+        <translation>Pfeiltasten verschieben den Druck von %1 auf %2 um 1&#x202f;mm; &lt;kbd&gt;+&lt;/kbd&gt; und &lt;kbd&gt;−&lt;/kbd&gt; ändern ihn, &lt;kbd&gt;Entf&lt;/kbd&gt; entfernt ihn.</translation>
     </message>
     <message>
         <source>Press on a section and drag to where it is pushed. &lt;kbd&gt;Esc&lt;/kbd&gt; ends.</source>
@@ -4874,6 +4874,10 @@
     <message>
         <source>whether it holds</source>
         <translation>ob es hält</translation>
+    </message>
+    <message>
+        <source>what it bears with sections that bend</source>
+        <translation>was es mit biegsamen Scheiben trägt</translation>
     </message>
 </context>
 <context>
@@ -7517,7 +7521,7 @@
     </message>
     <message>
         <source>%1&#x202f;N</source>
-        <translation>%1 N</translation>
+        <translation>%1&#x202f;N</translation>
     </message>
 </context>
 <context>
@@ -8084,6 +8088,38 @@
     <message>
         <source>Remove this push</source>
         <translation>Diesen Druck entfernen</translation>
+    </message>
+    <message>
+        <source>finite elements</source>
+        <translation>finite Elemente</translation>
+    </message>
+    <message>
+        <source>Sections bend</source>
+        <translation>Scheiben biegen sich</translation>
+    </message>
+    <message>
+        <source>Where joints share what they bear, how stiff sections are decides who bears how much. Takes a while.</source>
+        <translation>Wo Verbindungen sich teilen, was sie tragen, entscheidet die Steifigkeit der Scheiben, welche wie viel trägt. Dauert eine Weile.</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Anhalten</translation>
+    </message>
+    <message>
+        <source>working… %1&#x202f;%</source>
+        <translation>läuft… %1 %</translation>
+    </message>
+    <message>
+        <source>working…</source>
+        <translation>läuft…</translation>
+    </message>
+    <message>
+        <source>stopped</source>
+        <translation>angehalten</translation>
+    </message>
+    <message>
+        <source>could not be worked out</source>
+        <translation>nicht berechenbar</translation>
     </message>
 </context>
 <context>

@@ -18,6 +18,7 @@ target_sources(fff_ui PRIVATE
     base/translations.cpp
     bench/check_words.cpp
     bench/clipboard.cpp
+    bench/held.cpp
     bench/hint_text.cpp
     bench/load_words.cpp
     bench/marked_scene.cpp

@@ -59,8 +59,9 @@ class Search
 {
 public:
     Search(const Analysis &analysis, const Strength &strength, const StrengthRules &rules,
-           StrengthCaches &caches)
-        : m_straining(analysis, rules, caches), m_strength(strength), m_all(analysis.bodies.size())
+           StrengthCaches &caches, const LongWork &work)
+        : m_straining(analysis, rules, caches, work), m_strength(strength),
+          m_all(analysis.bodies.size())
     {
         std::iota(m_all.begin(), m_all.end(), 0);
         look(strength);
@@ -95,7 +96,8 @@ public:
         double low = 1.0, high = kMostScale;
         if (balanceUnder(high).equilibrium().balance() == Balance::Stands)
             return {};
-        for (int i = 0; i < kMostSteps && high - low > kMassAccuracy * high; ++i) {
+        for (int i = 0;
+             i < kMostSteps && high - low > kMassAccuracy * high && !m_straining.isStopped(); ++i) {
             const double middle = std::sqrt(low * high);
             const bool stands = balanceUnder(middle).equilibrium().balance() == Balance::Stands;
             (stands ? low : high) = middle;
@@ -123,6 +125,8 @@ private:
 
     std::optional<double> worstAt(double scale, double BodyStrength::*use)
     {
+        if (m_straining.isStopped())
+            return {};
         auto known = m_known.find(scale);
         if (known == m_known.end()) {
             const std::vector<int> looked(m_looked.begin(), m_looked.end());
@@ -174,13 +178,13 @@ double placedMass(const Structure &structure)
 }
 
 BearableMass bearableMass(const Analysis &analysis, const Strength &strength,
-                          const StrengthRules &rules, StrengthCaches &caches)
+                          const StrengthRules &rules, StrengthCaches &caches, const LongWork &work)
 {
     const Structure &structure = strength.made.structure;
     const double placed = placedMass(structure);
     if (!(placed > 0.0) || strength.equilibrium().balance() != Balance::Stands)
         return {};
-    Search search(analysis, strength, rules, caches);
+    Search search(analysis, strength, rules, caches, work);
     BearableMass bearable;
     if (const auto found = search.find(&BodyStrength::cornerUse)) {
         bearable.cracksFrom = found->first * placed;

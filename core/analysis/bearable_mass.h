@@ -28,6 +28,7 @@ double placedMass(const Structure &structure);
 /// stand. About ten solutions of the structure, and the stresses of all bodies for two or three of
 /// them.
 BearableMass bearableMass(const Analysis &analysis, const Strength &strength,
-                          const StrengthRules &rules, StrengthCaches &caches);
+                          const StrengthRules &rules, StrengthCaches &caches,
+                          const LongWork &work = {});
 
 } // namespace fff

@@ -7,11 +7,11 @@
 namespace fff {
 
 Holding holdingOf(AnalysisPointer analysis, const StrengthRules &rules,
-                  std::shared_ptr<StrengthCaches> caches)
+                  std::shared_ptr<StrengthCaches> caches, const LongWork &work)
 {
     Holding out{std::move(analysis), {}, {}, {}, std::move(caches)};
-    out.strength = strengthOf(*out.analysis, rules, *out.caches);
-    out.bearable = bearableMass(*out.analysis, out.strength, rules, *out.caches);
+    out.strength = strengthOf(*out.analysis, rules, *out.caches, work);
+    out.bearable = bearableMass(*out.analysis, out.strength, rules, *out.caches, work);
     out.findings = strengthFindings(*out.analysis, out.strength, out.bearable, rules);
     return out;
 }
@@ -19,7 +19,9 @@ Holding holdingOf(AnalysisPointer analysis, const StrengthRules &rules,
 Result<Holding> holding(const Snapshot &snapshot, const Holding *previous, Progress &,
                         std::stop_token stop)
 {
-    Holding out = holdingOf(snapshot.get(kAnalysed).analysis, snapshot.get(kRules).strength,
+    StrengthRules rules = snapshot.get(kRules).strength;
+    rules.isElastic = false;
+    Holding out = holdingOf(snapshot.get(kAnalysed).analysis, rules,
                             previous ? previous->caches : std::make_shared<StrengthCaches>());
     if (stop.stop_requested())
         return failure(ErrorCode::Cancelled);

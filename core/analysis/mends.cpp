@@ -95,7 +95,7 @@ Stage mendsOf(const std::vector<Stage> &others)
     std::vector<const char *> inputs{kAnalysed.name, kFlips.name, kRules.name};
     std::vector<Stage> finding;
     for (const Stage &stage : others) {
-        if (!stage.findings)
+        if (!stage.findings || stage.refines)
             continue;
         finding.push_back(stage);
         inputs.push_back(stage.name);

@@ -1,4 +1,5 @@
 target_sources(fff_core PRIVATE
+    analysis/accurate.cpp
     analysis/analysed.cpp
     analysis/analysis.cpp
     analysis/assembly_plan.cpp

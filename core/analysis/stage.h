@@ -104,7 +104,16 @@ struct Stage
     const std::vector<Finding> &(*findings)(const void *result) = nullptr;
     /// What is said in their place when it fails.
     const FindingKind *failing = &kNotWorkedOut;
+    /// The name of a stage that it works out better: its findings, where it has some, stand in
+    /// place of those of that. Nobody waits for it.
+    const char *refines = nullptr;
 
+    Stage refining(const char *other) const
+    {
+        Stage stage = *this;
+        stage.refines = other;
+        return stage;
+    }
     Stage failingAs(const FindingKind &kind) const
     {
         Stage stage = *this;

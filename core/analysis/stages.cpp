@@ -1,5 +1,6 @@
 #include "core/analysis/stages.h"
 
+#include "core/analysis/accurate.h"
 #include "core/analysis/analysed.h"
 #include "core/analysis/holding.h"
 #include "core/analysis/mends.h"
@@ -24,6 +25,9 @@ std::vector<Stage> allStages()
         makeStage(kHolding, FFF_TEXT("Stage", "whether it holds"), {kAnalysed.name, kRules.name},
                   Always, holding)
             .failingAs(kStrengthNotWorkedOut),
+        makeStage(kAccurate, FFF_TEXT("Stage", "what it bears with sections that bend"),
+                  {kAnalysed.name, kRules.name}, WhenSettled, accurate)
+            .refining(kHolding.name),
         makeStage(kFlips, FFF_TEXT("Stage", "what frees parts that block each other"),
                   {kAnalysed.name, kPlanned.name, kRules.name}, WhenSettled, foundFlips),
     };

@@ -143,9 +143,9 @@ void Straining::balance(double scale, Strength &strength) const
 /// The forces of bodies that bend in place of those of rigid ones, where there are such.
 void Straining::bend(double scale, const Structure &loaded, Strength &strength) const
 {
-    const auto bending = BendingBodies::of(m_analysis, strength.made, m_caches.bending);
+    const auto bending = BendingBodies::of(m_analysis, strength.made, m_caches.bending, m_work);
     if (!bending)
-        return; // nobody stops it
+        return; // it was stopped: whoever did so wants none of this
     strength.stiff = bending->stiff();
     const std::vector<MemberFlexibility> members = bending->under(scale);
     std::vector<Equilibrium> bent;

@@ -11,10 +11,13 @@ namespace fff {
 class Straining
 {
 public:
-    Straining(const Analysis &analysis, const StrengthRules &rules, StrengthCaches &caches)
-        : m_analysis(analysis), m_rules(rules), m_caches(caches)
+    Straining(const Analysis &analysis, const StrengthRules &rules, StrengthCaches &caches,
+              const LongWork &work = {})
+        : m_analysis(analysis), m_rules(rules), m_caches(caches), m_work(work)
     {
     }
+
+    bool isStopped() const { return m_work.isStopped(); }
 
     /// Its forces under its own weight and so much of the loads.
     void balance(double scale, Strength &strength) const;
@@ -37,6 +40,7 @@ private:
     const Analysis &m_analysis;
     const StrengthRules &m_rules;
     StrengthCaches &m_caches;
+    LongWork m_work;
 };
 
 } // namespace fff

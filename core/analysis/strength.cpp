@@ -61,14 +61,15 @@ std::optional<double> strengthOf(const Stock &stock)
     return stock.tensileStrength ? stock.tensileStrength : stock.flexuralStrength;
 }
 
-Strength forcesIn(const Analysis &analysis, const StrengthRules &rules, StrengthCaches &caches)
+Strength forcesIn(const Analysis &analysis, const StrengthRules &rules, StrengthCaches &caches,
+                  const LongWork &work)
 {
     Strength strength;
     strength.made = structureOf(analysis);
     for (Link &link : strength.made.structure.links)
         link.grip = link.isTight ? rules.snugGrip : 0.0;
     turnMortises(strength.made, rules, caches);
-    Straining(analysis, rules, caches).balance(1.0, strength);
+    Straining(analysis, rules, caches, work).balance(1.0, strength);
     return strength;
 }
 
@@ -84,9 +85,10 @@ void addStresses(const Analysis &analysis, const StrengthRules &rules, StrengthC
     caches.cuts = std::move(used);
 }
 
-Strength strengthOf(const Analysis &analysis, const StrengthRules &rules, StrengthCaches &caches)
+Strength strengthOf(const Analysis &analysis, const StrengthRules &rules, StrengthCaches &caches,
+                    const LongWork &work)
 {
-    Strength strength = forcesIn(analysis, rules, caches);
+    Strength strength = forcesIn(analysis, rules, caches, work);
     addStresses(analysis, rules, caches, strength);
     return strength;
 }

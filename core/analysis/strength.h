@@ -63,9 +63,12 @@ struct StrengthCaches
 /// The lower one of those that are known, MPa.
 std::optional<double> strengthOf(const Stock &stock);
 
-Strength strengthOf(const Analysis &analysis, const StrengthRules &rules, StrengthCaches &caches);
+/// work: bodies that bend take long; once it is stopped what comes back is of no use.
+Strength strengthOf(const Analysis &analysis, const StrengthRules &rules, StrengthCaches &caches,
+                    const LongWork &work = {});
 /// The two halves of it: forces without stresses or verdict, and these.
-Strength forcesIn(const Analysis &analysis, const StrengthRules &rules, StrengthCaches &caches);
+Strength forcesIn(const Analysis &analysis, const StrengthRules &rules, StrengthCaches &caches,
+                  const LongWork &work = {});
 void addStresses(const Analysis &analysis, const StrengthRules &rules, StrengthCaches &caches,
                  Strength &strength);
 

@@ -60,16 +60,22 @@ std::optional<Burden> burdenOfSame(std::span<const Finding> found, const Finding
     return burden;
 }
 
+/// What takes too long to be asked of each edit is not.
+bool judges(const Stage &stage)
+{
+    return stage.findings && !stage.refines;
+}
+
 } // namespace
 
 Trials::Trials(const std::vector<Stage> &stages)
 {
     std::set<std::string_view> wanted;
     for (auto stage = stages.rbegin(); stage != stages.rend(); ++stage)
-        if (stage->findings || wanted.contains(stage->name))
+        if (judges(*stage) || wanted.contains(stage->name))
             wanted.insert(stage->inputs.begin(), stage->inputs.end());
     for (const Stage &stage : stages)
-        if (stage.findings || wanted.contains(stage.name))
+        if (judges(stage) || wanted.contains(stage.name))
             m_stages.push_back(stage);
 }
 

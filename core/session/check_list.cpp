@@ -68,6 +68,19 @@ void CheckList::add(const Stage &stage)
             m_all.push_back(finding);
 }
 
+/// Another stage knows better of the same model.
+bool CheckList::isRefined(const Stage &stage) const
+{
+    const auto knowsBetter = [&](const Stage &other) {
+        return other.refines && std::string_view(other.refines) == stage.name && other.findings &&
+               !m_scheduler.failureOf(other.name) &&
+               m_scheduler.revisionOf(other.name) == m_scheduler.revisionOf(stage.name) &&
+               m_scheduler.resultNamed(other.name) &&
+               !other.findings(m_scheduler.resultNamed(other.name).get()).empty();
+    };
+    return std::any_of(m_scheduler.stages().begin(), m_scheduler.stages().end(), knowsBetter);
+}
+
 void CheckList::refresh()
 {
     m_all.clear();
@@ -77,7 +90,8 @@ void CheckList::refresh()
         m_plan.reset();
     } else {
         for (const Stage &stage : m_scheduler.stages())
-            add(stage);
+            if (!isRefined(stage))
+                add(stage);
     }
     std::stable_sort(m_all.begin(), m_all.end(),
                      [](const Finding &a, const Finding &b) { return a.subject() < b.subject(); });
@@ -96,7 +110,7 @@ CheckList::Age CheckList::age() const
     if (m_session.model().sectionCount() == 0)
         return age;
     for (const Stage &stage : m_scheduler.stages())
-        if (stage.findings && !m_scheduler.failureOf(stage.name))
+        if (stage.findings && !stage.refines && !m_scheduler.failureOf(stage.name))
             age = std::max(age, m_scheduler.age(stage.name)); // else none of it is among these
     return age;
 }

@@ -58,6 +58,7 @@ private:
     void take(std::string_view stage);
     void keepReport(std::string_view stage, const Error &why);
     void add(const Stage &stage);
+    bool isRefined(const Stage &stage) const;
     void refresh();
 
     const Session &m_session;

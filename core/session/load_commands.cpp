@@ -23,7 +23,7 @@ constexpr double kUsualPush = 5.0; // N
 constexpr CommandWords kLoadWords[] = {
     {"physics.addWeight", FFF_TEXT("Command", "Add &weight"), FFF_TEXT("Command", "Weight"), "W",
      "weight", FFF_TEXT("Command", "Hang a weight on a section, to see what it bears"), true},
-    {"physics.addPush", FFF_TEXT("Command", "Add &push"), FFF_TEXT("Command", "Push"), "", "push",
+    {"physics.addPush", FFF_TEXT("Command", "Add p&ush"), FFF_TEXT("Command", "Push"), "", "push",
      FFF_TEXT("Command", "Push or pull at a place of a section, to see what it bears"), true},
     {"physics.pull", FFF_TEXT("Command", "Pull &here"), FFF_TEXT("Command", "Pull"), "", "pull",
      FFF_TEXT("Command", "Pull at a section with the mouse and see what it does; nothing is kept"),

@@ -1,6 +1,7 @@
 #include "ui/bench/stress_picture.h"
 
 #include "core/session/scheduler.h"
+#include "ui/bench/held.h"
 #include "ui/bench/workbench.h"
 
 namespace fff::ui {
@@ -25,7 +26,7 @@ StressPicture::StressPicture(Workbench &bench, QObject *parent) : QObject(parent
     };
     connect(&bench.session().scheduler(), &Scheduler::published, this,
             [tell](std::string_view stage) {
-                if (stage == kHolding.name)
+                if (isOfHolding(stage))
                     tell();
             });
     connect(&bench.session().scheduler(), &Scheduler::aged, this, tell);
@@ -34,7 +35,7 @@ StressPicture::StressPicture(Workbench &bench, QObject *parent) : QObject(parent
 const StressMarks *StressPicture::marks()
 {
     const Scheduler &scheduler = m_bench.session().scheduler();
-    const auto held = scheduler.result(kHolding);
+    const auto held = heldNow(scheduler);
     const Interaction &interaction = m_bench.interaction();
     if (!interaction.view().showsStress || !held || m_bench.session().model().sectionCount() == 0)
         return nullptr;

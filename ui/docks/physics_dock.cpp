@@ -1,11 +1,13 @@
 #include "ui/docks/physics_dock.h"
 
+#include "core/analysis/accurate.h"
 #include "core/analysis/findings/strength_findings.h"
 #include "core/analysis/holding.h"
 #include "core/session/message_text.h"
 #include "core/session/scheduler.h"
 #include "ui/base/icon.h"
 #include "ui/base/theme.h"
+#include "ui/bench/held.h"
 #include "ui/bench/load_words.h"
 #include "ui/bench/measures.h"
 #include "ui/bench/workbench.h"
@@ -22,9 +24,11 @@
 #include <QPainter>
 #include <QPushButton>
 #include <QScrollArea>
+#include <QToolButton>
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <cmath>
 
 namespace fff::ui {
 
@@ -84,6 +88,14 @@ PhysicsDock::PhysicsDock(Workbench &bench, QWidget *parent)
         m_bench.run(QStringLiteral("check.stress"), {{"on", on ? "true" : "false"}});
     });
     display->add(new EditorRow(tr("Stress lines"), "physicsLines", m_lines, {}, display));
+    m_bends = new QCheckBox(tr("finite elements"));
+    connect(m_bends, &QCheckBox::clicked, this, [](bool on) { settings().setBendsSections(on); });
+    auto *bends = new EditorRow(tr("Sections bend"), "physicsBends", m_bends, {}, display);
+    bends->setToolTip(tr("Where joints share what they bear, how stiff sections are decides who "
+                         "bears how much. Takes a while."));
+    m_stop = bends->addButton(QStringLiteral("close"), "physicsStop", tr("Stop"),
+                              [this] { m_bench.session().scheduler().cancel(kAccurate.name); });
+    display->add(bends);
     column->addWidget(display);
 
     makeLoads(page);
@@ -112,10 +124,11 @@ PhysicsDock::PhysicsDock(Workbench &bench, QWidget *parent)
     const auto again = [this] { refresh(); };
     connect(&bench.session().scheduler(), &Scheduler::published, this,
             [this](std::string_view stage) {
-                if (stage == kHolding.name)
+                if (isOfHolding(stage))
                     refresh();
             });
     connect(&bench.session().scheduler(), &Scheduler::aged, this, again);
+    connect(&bench.session().scheduler(), &Scheduler::progressed, this, again);
     connect(&bench.session(), &Session::modelChanged, this, again);
     connect(&bench, &Workbench::viewStateChanged, this, again);
     connect(&settings(), &Settings::checksChanged, this, again);
@@ -226,13 +239,34 @@ void PhysicsDock::refresh()
     if (!isVisible())
         return;
     const bool isEmpty = m_bench.session().model().sectionCount() == 0;
-    m_held = isEmpty ? nullptr : m_bench.session().scheduler().result(kHolding);
+    m_held = isEmpty ? nullptr : heldNow(m_bench.session().scheduler());
     m_lines->setChecked(m_bench.interaction().view().showsStress);
+    refreshBending();
     refreshState();
     refreshLoads();
     refreshPlaces();
     for (PropertyRow *row : m_rules)
         row->refresh();
+}
+
+/// How far it has come, while it is worked out.
+void PhysicsDock::refreshBending()
+{
+    const Scheduler &scheduler = m_bench.session().scheduler();
+    const bool isOn = settings().bendsSections();
+    const bool isRunning = isOn && scheduler.isRunning(kAccurate.name);
+    m_bends->setChecked(isOn);
+    m_stop->setVisible(isRunning);
+    const double share = scheduler.progress(kAccurate.name);
+    QString text = tr("finite elements");
+    if (isRunning)
+        text = share >= 0.0 ? tr("working… %1\u202f%").arg(std::lround(100.0 * share))
+                            : tr("working…");
+    else if (isOn && scheduler.failureOf(kAccurate.name))
+        text = scheduler.failureOf(kAccurate.name)->code == ErrorCode::Cancelled
+                   ? tr("stopped")
+                   : tr("could not be worked out");
+    m_bends->setText(text);
 }
 
 /// What is known, how old it is, and why it is not.

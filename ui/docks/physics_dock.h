@@ -11,6 +11,7 @@
 class QCheckBox;
 class QLabel;
 class QPushButton;
+class QToolButton;
 
 namespace fff {
 class CheckList;
@@ -48,6 +49,7 @@ private:
     void makeRules(QWidget *parent);
     void addLoadRow(std::size_t index);
     void refresh();
+    void refreshBending();
     void refreshState();
     void refreshLoads();
     void refreshPlaces();
@@ -57,7 +59,8 @@ private:
     Workbench &m_bench;
     std::shared_ptr<const Holding> m_held; // null: nothing is known
     QLabel *m_stateIcon = nullptr, *m_state = nullptr;
-    QCheckBox *m_lines = nullptr;
+    QCheckBox *m_lines = nullptr, *m_bends = nullptr;
+    QToolButton *m_stop = nullptr; // what is worked out with sections that bend
     PropertyGroup *m_loads = nullptr, *m_placesGroup = nullptr;
     VaryingRows *m_weights = nullptr;
     std::vector<PropertyRow *> m_sums, m_rules;

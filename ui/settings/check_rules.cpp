@@ -13,6 +13,7 @@ CheckRules checkRules(const Settings &settings)
     rules.planningTime = std::chrono::milliseconds(settings.planningTime());
     constexpr double kTenth = 0.1;
     rules.strength.safety = kTenth * settings.safetyFactor();
+    rules.strength.isElastic = settings.bendsSections();
     return rules;
 }
 

@@ -26,6 +26,7 @@ const QString kTurnAngle = QStringLiteral("drawing/turnAngle");
 const QString kNavigation = QStringLiteral("view/navigation");
 const QString kShallow = QStringLiteral("checks/shallowAngle");
 const QString kSafety = QStringLiteral("checks/safetyFactor");
+const QString kBends = QStringLiteral("checks/bendsSections");
 const QString kTouching = QStringLiteral("checks/touching");
 const QString kPlanning = QStringLiteral("checks/planningTime");
 const QString kAutosave = QStringLiteral("files/autosaveInterval");
@@ -328,6 +329,19 @@ void Settings::setSafetyFactor(int tenths)
     if (tenths == safetyFactor())
         return;
     store(kSafety, tenths);
+    Q_EMIT checksChanged();
+}
+
+bool Settings::bendsSections() const
+{
+    return m_store.value(kBends, false).toBool();
+}
+
+void Settings::setBendsSections(bool bends)
+{
+    if (bends == bendsSections())
+        return;
+    store(kBends, bends);
     Q_EMIT checksChanged();
 }
 

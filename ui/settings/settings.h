@@ -88,6 +88,8 @@ public:
     static constexpr int kMinSafety = 10, kMaxSafety = 100; // tenths
     int safetyFactor() const;                               // on every stress; tenths
     void setSafetyFactor(int tenths);
+    bool bendsSections() const; // whether forces are also worked out with sections that bend
+    void setBendsSections(bool bends);
 
     // Files
     static constexpr int kMinAutosaveInterval = 5, kMaxAutosaveInterval = 30; // s

@@ -1,4 +1,5 @@
 fff_tests(tests_session LIBRARIES fff::session Polyclipping::Polyclipping TESTS
+    core/session/tst_accurate
     core/session/tst_assembly_plan
     core/session/tst_assembly_steps
     core/session/tst_autosave

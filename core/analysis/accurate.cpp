@@ -1,0 +1,38 @@
+#include "core/analysis/accurate.h"
+
+#include "core/analysis/analysed.h"
+#include "core/analysis/check_rules.h"
+
+#include <algorithm>
+
+namespace fff {
+
+namespace {
+
+/// Of all its time, about: how bodies bend. The rest is what they bear, which nobody can tell
+/// beforehand.
+constexpr double kBendingShare = 0.7;
+
+} // namespace
+
+Result<Accurate> accurate(const Snapshot &snapshot, const Accurate *previous, Progress &progress,
+                          std::stop_token stop)
+{
+    Accurate out;
+    out.caches = previous ? previous->caches : std::make_shared<StrengthCaches>();
+    const StrengthRules &rules = snapshot.get(kRules).strength;
+    if (!rules.isElastic)
+        return out;
+    const LongWork work{stop, [&progress](double share) {
+                            progress.set(std::max(progress.share(), kBendingShare * share));
+                        }};
+    auto held = std::make_shared<const Holding>(
+        holdingOf(snapshot.get(kAnalysed).analysis, rules, out.caches, work));
+    if (stop.stop_requested())
+        return failure(ErrorCode::Cancelled);
+    out.findings = held->findings;
+    out.held = std::move(held);
+    return out;
+}
+
+} // namespace fff

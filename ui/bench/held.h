@@ -1,0 +1,21 @@
+// What is known of whether the model holds: the better of two answers.
+#pragma once
+
+#include "core/analysis/holding.h"
+
+#include <memory>
+#include <string_view>
+
+namespace fff {
+class Scheduler;
+} // namespace fff
+
+namespace fff::ui {
+
+/// With sections that bend where that is known of the model that is there, else with rigid ones.
+/// Null: nothing is known yet.
+std::shared_ptr<const Holding> heldNow(const Scheduler &scheduler);
+/// A stage whose result that may be.
+bool isOfHolding(std::string_view stage);
+
+} // namespace fff::ui
