@@ -828,7 +828,7 @@
     </message>
     <message>
         <source>Holds %1</source>
-        <extracomment>%1 is a mass</extracomment>
+        <extracomment>%1 is a mass or a force</extracomment>
         <translation>Hält %1</translation>
     </message>
     <message>
@@ -837,7 +837,7 @@
     </message>
     <message>
         <source>Barely holds %1</source>
-        <extracomment>%1 is a mass</extracomment>
+        <extracomment>%1 is a mass or a force</extracomment>
         <translation>Hält %1 nur knapp</translation>
     </message>
     <message>
@@ -850,7 +850,7 @@
     </message>
     <message>
         <source>Breaks under %1</source>
-        <extracomment>%1 is a mass</extracomment>
+        <extracomment>%1 is a mass or a force</extracomment>
         <translation>Bricht unter %1</translation>
     </message>
     <message>
@@ -1019,6 +1019,27 @@
     <message>
         <source>%1&#x202f;N</source>
         <translation>%1&#x202f;N</translation>
+    </message>
+    <message>
+        <source>%1 times as much</source>
+        <extracomment>%1 is a number such as 2.5, of all weights and pushes</extracomment>
+        <translation>%1-mal so viel</translation>
+    </message>
+    <message>
+        <source>what acts on it</source>
+        <translation>was darauf wirkt</translation>
+    </message>
+    <message>
+        <source>Pushed over. Without its pushes it would stand.</source>
+        <translation>Umgestoßen. Ohne den Druck stünde es.</translation>
+    </message>
+    <message>
+        <source>Pushed over</source>
+        <translation>Umgestoßen</translation>
+    </message>
+    <message>
+        <source>Give it a broader base or more weight, or push less, or lower down.</source>
+        <translation>Ihm mehr Standfläche oder Gewicht geben, oder weniger oder tiefer unten drücken.</translation>
     </message>
 </context>
 <context>
@@ -8107,7 +8128,7 @@
     </message>
     <message>
         <source>working… %1&#x202f;%</source>
-        <translation>läuft… %1 %</translation>
+        <translation>läuft… %1&#x202f;%</translation>
     </message>
     <message>
         <source>working…</source>

@@ -7,6 +7,9 @@ namespace fff {
 
 namespace {
 
+/// Of a force, the share across the vertical that is more than rounding.
+constexpr double kSideways = 1e-9;
+
 constexpr double kCubicMetre = 1e9; // mm³
 /// Of several ways to bear a load those are refined whose stresses by the grid are within this
 /// share of the worst: refining adds less.
@@ -97,6 +100,14 @@ void keepWorse(const SectionStress &stress, int neck, double NeckStress::*use,
         worst = stress.necks[static_cast<std::size_t>(neck)];
 }
 
+bool isPushedSideways(const Structure &structure)
+{
+    return std::any_of(structure.loads.begin(), structure.loads.end(), [&](const MemberLoad &load) {
+        const Vec3 sideways = load.force - load.force.dot(structure.up) * structure.up;
+        return sideways.norm() > kSideways * load.force.norm();
+    });
+}
+
 /// Of each line the worst of several ways to bear a load.
 class KeptLines
 {
@@ -134,7 +145,10 @@ private:
 void Straining::balance(double scale, Strength &strength) const
 {
     const Structure loaded = loadedBy(scale, strength);
-    strength.envelope = solveEnvelope(loaded, m_rules.support, m_caches.equilibria);
+    Support support = m_rules.support;
+    if (isPushedSideways(loaded))
+        support.friction = std::max(support.friction, m_rules.footFriction);
+    strength.envelope = solveEnvelope(loaded, support, m_caches.equilibria);
     if (m_rules.isElastic && strength.equilibrium().indeterminacy() > 0 &&
         strength.equilibrium().balance() == Balance::Stands)
         bend(scale, loaded, strength);

@@ -22,6 +22,14 @@ void turnMortises(ModelStructure &made, const StrengthRules &rules, StrengthCach
             made.structure.links[i].axis = -made.structure.links[i].axis;
 }
 
+Structure withoutPushes(const ModelStructure &made)
+{
+    Structure bare = made.structure;
+    for (const int load : made.pushLoads)
+        bare.loads[static_cast<std::size_t>(load)].force.setZero();
+    return bare;
+}
+
 HoldVerdict verdictOf(const Strength &strength, double safety)
 {
     const Equilibrium &equilibrium = strength.equilibrium();
@@ -70,6 +78,10 @@ Strength forcesIn(const Analysis &analysis, const StrengthRules &rules, Strength
         link.grip = link.isTight ? rules.snugGrip : 0.0;
     turnMortises(strength.made, rules, caches);
     Straining(analysis, rules, caches, work).balance(1.0, strength);
+    if (!strength.made.pushLoads.empty() && strength.equilibrium().balance() != Balance::Stands)
+        strength.standsUnpushed =
+            solveEquilibrium(withoutPushes(strength.made), rules.support, caches.equilibria)
+                .balance() == Balance::Stands;
     return strength;
 }
 

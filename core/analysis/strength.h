@@ -40,6 +40,7 @@ struct Strength
 {
     ModelStructure made;
     std::vector<Equilibrium> envelope;     // never empty; the first is that of the support as given
+    bool standsUnpushed = false;           // it does not stand, but would without its pushes
     bool isElastic = false;                // these are of bodies that bend
     std::vector<int> stiff;                // bodies that should, but were taken for rigid
     bool isBendingLost = false;            // they should, but no forces were found that agree

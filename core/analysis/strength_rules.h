@@ -11,6 +11,9 @@ struct StrengthRules
     double safety = 2.0; // factor on every stress, for the verdict only
     NotchRule notch;
     Support support;
+    /// Of feet on what they stand on, where something pushes sideways; else they need none. Plywood
+    /// and acrylic on a table have 0.3 and more.
+    double footFriction = 0.3;
     /// N: what a slit without play holds by friction against being pulled apart, about the weight
     /// of 10 g. No more is counted on; with play it is nothing.
     double snugGrip = 0.1;

@@ -222,9 +222,13 @@ void addLoads(const Analysis &analysis, ModelStructure &made)
             made.besideLoads.push_back(placed);
         const Frame &frame = bodies.at(body).frame();
         const Vec3 force = forceOf(load, placed, frame, made.structure.gravity);
-        for (const LoadPoint &point : loadPoints(load, placed.position, region))
+        (load.isPush() ? made.pushes : made.weights) += load.isPush() ? force.norm() : load.mass;
+        for (const LoadPoint &point : loadPoints(load, placed.position, region)) {
+            if (load.isPush())
+                made.pushLoads.push_back(static_cast<int>(made.structure.loads.size()));
             made.structure.loads.push_back(
                 {body, frame.toWorld(point.at), point.share * force, Vec3::Zero()});
+        }
     }
 }
 

@@ -25,6 +25,8 @@ struct ModelStructure
 {
     Structure structure;                 // a member is a body, by its place in the list
     std::vector<LinkPlace> links;        // of each link
+    double weights = 0.0, pushes = 0.0;  // kg and N that act on it, copies and all
+    std::vector<int> pushLoads;          // loads of the structure that are of pushes
     std::vector<PlacedLoad> besideLoads; // those on no material: the nearest body of their section
                                          // bears them
 };

@@ -19,20 +19,39 @@ const Held &heldOf(const Finding &finding)
     return *finding.details<Held>();
 }
 
+/// That many times what acts on it, in the words of what that is.
+Message amountOf(const Held &held, double kilograms)
+{
+    if (held.pushes == 0.0)
+        return {Text{nullptr, "%1"}, {massOf(kilograms)}};
+    const double times = kilograms / held.placed;
+    if (held.weights == 0.0)
+        return {Text{nullptr, "%1"}, {forceOf(times * held.pushes)}};
+    //: %1 is a number such as 2.5, of all weights and pushes
+    return {FFF_TEXT("Checks", "%1 times as much"), {Decimal{times, times < 10.0 ? 1 : 0}}};
+}
+
+Message placedOf(const Held &held)
+{
+    if (held.pushes > 0.0 && held.weights > 0.0)
+        return {FFF_TEXT("Checks", "what acts on it"), {}};
+    return amountOf(held, held.placed);
+}
+
 Message holdsTitle(const Finding &finding)
 {
     if (heldOf(finding).placed == 0.0)
         return {FFF_TEXT("Checks", "Strong enough"), {}};
-    //: %1 is a mass
-    return {FFF_TEXT("Checks", "Holds %1"), {massOf(heldOf(finding).placed)}};
+    //: %1 is a mass or a force
+    return {FFF_TEXT("Checks", "Holds %1"), {placedOf(heldOf(finding))}};
 }
 
 Message barelyTitle(const Finding &finding)
 {
     if (heldOf(finding).placed == 0.0)
         return {FFF_TEXT("Checks", "Barely strong enough"), {}};
-    //: %1 is a mass
-    return {FFF_TEXT("Checks", "Barely holds %1"), {massOf(heldOf(finding).placed)}};
+    //: %1 is a mass or a force
+    return {FFF_TEXT("Checks", "Barely holds %1"), {placedOf(heldOf(finding))}};
 }
 
 /// It may hold all the same, with less to spare than is wanted.
@@ -42,9 +61,9 @@ Message weakTitle(const Finding &finding)
     const bool breaks = held.neckUse > 1.0;
     if (held.placed == 0.0)
         return {breaks ? FFF_TEXT("Checks", "Will break") : FFF_TEXT("Checks", "Too weak"), {}};
-    //: %1 is a mass
+    //: %1 is a mass or a force
     return {breaks ? FFF_TEXT("Checks", "Breaks under %1") : FFF_TEXT("Checks", "Too weak for %1"),
-            {massOf(held.placed)}};
+            {placedOf(held)}};
 }
 
 Message titledSentence(Message title, Message rest)
@@ -62,27 +81,27 @@ Message limitsOf(const Held &held, const Model &model)
             //: %1 is a section, %2 a place such as "beside its slit for Body", %3 a mass
             FFF_TEXT("Checks", "%1 may crack %2 from %3;"),
             {nameOf(model, held.cracks->section), spotText(*held.cracks, model),
-             massOf(*bearable.cracksFrom)}};
+             amountOf(held, *bearable.cracksFrom)}};
         const bool isSame = held.cracks->section == held.breaks->section;
         const Message breaks =
             isSame ? Message{//: the section that was just named; %1 is a mass
                              FFF_TEXT("Checks", "its neck breaks at %1."),
-                             {massOf(*bearable.breaksAt)}}
+                             {amountOf(held, *bearable.breaksAt)}}
                    : Message{//: %1 is a section, %2 a mass
                              FFF_TEXT("Checks", "the neck of %1 breaks at %2."),
-                             {nameOf(model, held.breaks->section), massOf(*bearable.breaksAt)}};
+                             {nameOf(model, held.breaks->section), amountOf(held, *bearable.breaksAt)}};
         return joined(crack, breaks);
     }
     Message cracks;
     if (held.cracks && bearable.cracksFrom)
         cracks = {FFF_TEXT("Checks", "%1 may crack %2 from %3."),
                   {nameOf(model, held.cracks->section), spotText(*held.cracks, model),
-                   massOf(*bearable.cracksFrom)}};
+                   amountOf(held, *bearable.cracksFrom)}};
     Message falls;
     if (bearable.fallsFrom)
         falls = {bearable.isPulledOut ? FFF_TEXT("Checks", "From %1 on a joint is pulled open.")
                                       : FFF_TEXT("Checks", "From %1 on it does not stand."),
-                 {massOf(*bearable.fallsFrom)}};
+                 {amountOf(held, *bearable.fallsFrom)}};
     if (cracks.isEmpty() && falls.isEmpty())
         return {bearable.isFound
                     ? FFF_TEXT("Checks", "It would bear far more.")
@@ -142,6 +161,11 @@ Message strengthUnknownSentence(const Finding &finding, const Model &model)
                 {}};
     return {FFF_TEXT("Checks", "Strength unknown. The stress in %1 could not be worked out."),
             {namesOf(model, finding.sections)}};
+}
+
+Message pushedOverSentence(const Finding &, const Model &)
+{
+    return {FFF_TEXT("Checks", "Pushed over. Without its pushes it would stand."), {}};
 }
 
 Message movesSentence(const Finding &finding, const Model &model)
@@ -260,12 +284,25 @@ void findMoving(const Analysis &analysis, const Strength &strength, std::vector<
     }
 }
 
+/// What its feet do not hold against a push; masses alone are looked at where it is said whether it
+/// stands.
+void findPushedOver(const Strength &strength, std::vector<Finding> &found)
+{
+    const Balance balance = strength.equilibrium().balance();
+    const bool isOver = balance == Balance::Topples || balance == Balance::LineSupport ||
+                        balance == Balance::Floating || balance == Balance::NoContact;
+    if (strength.standsUnpushed && isOver)
+        found.push_back(makeFinding(kPushedOver, Severity::Error));
+}
+
 /// One verdict on all of it; none where it does not stand.
 void findVerdict(const Analysis &analysis, const Strength &strength, const BearableMass &bearable,
                  const StrengthRules &rules, std::vector<Finding> &found)
 {
     const auto held = [&](const FindingKind &kind, Severity severity) {
         Held details{placedMass(strength.made.structure),
+                     strength.made.weights,
+                     strength.made.pushes,
                      strength.cornerUse,
                      strength.neckUse,
                      rules.safety,
@@ -347,6 +384,16 @@ const FindingKind kNotRated{"notRated", Subject::Strength, FFF_TEXT("Checks", "S
                             notRatedSentence, enterStrength};
 const FindingKind kStrengthUnknown{"strengthUnknown", Subject::Strength,
                                    FFF_TEXT("Checks", "Strength unknown"), strengthUnknownSentence};
+const FindingKind kPushedOver{"pushedOver",
+                              Subject::Strength,
+                              FFF_TEXT("Checks", "Pushed over"),
+                              pushedOverSentence,
+                              nullptr,
+                              nullptr,
+                              nullptr,
+                              nullptr,
+                              FFF_TEXT("Checks", "Give it a broader base or more weight, or push "
+                                                 "less, or lower down.")};
 const FindingKind kMovesWithin{"movesWithin", Subject::Strength, FFF_TEXT("Checks", "Comes loose"),
                                movesSentence};
 const FindingKind kPulledOpen{"pulledOpen",   Subject::Strength, FFF_TEXT("Checks", "Pulled open"),
@@ -361,6 +408,7 @@ std::vector<Finding> strengthFindings(const Analysis &analysis, const Strength &
     std::vector<Finding> found;
     findVerdict(analysis, strength, bearable, rules, found);
     findMoving(analysis, strength, found);
+    findPushedOver(strength, found);
     findPulled(analysis, strength, found);
     for (const PlacedLoad &load : strength.made.besideLoads) {
         Finding finding = makeFinding(kWeightBeside, Severity::Note);

@@ -8,12 +8,13 @@
 namespace fff {
 
 extern const FindingKind kHolds, kBarelyHolds, kTooWeak, kNotRated, kStrengthUnknown, kMovesWithin,
-    kPulledOpen, kWeightBeside;
+    kPushedOver, kPulledOpen, kWeightBeside;
 
 /// Of the verdict on all of it.
 struct Held
 {
-    double placed = 0.0; // kg that hang on it; 0: its own weight alone
+    double placed = 0.0; // kg: weights, and pushes as what would weigh as much; 0: none
+    double weights = 0.0, pushes = 0.0; // kg, N: of either
     double cornerUse = 0.0, neckUse = 0.0;
     double safety = 1.0;
     std::optional<WeakPlace> weakest, cracks, breaks;

@@ -75,6 +75,8 @@ class TestStrengthFindings : public QObject
     Q_OBJECT
 
 private Q_SLOTS:
+    void pushesHaveTheirOwnWords();
+    void pushesMoveWhatIsNotHeld();
     void oneVerdictNamesWhatHangs();
     void fromHoldingToBreaking();
     void theSafetyFactorIsTheVerdictsAlone();
@@ -266,6 +268,63 @@ void TestStrengthFindings::ofNothingNothingIsSaid()
     QVERIFY(judged.strength().empty());
     QVERIFY(!judged.held().strength.envelope.empty());
     QVERIFY(stressLines(*judged.held().analysis, judged.held().strength, 0.0).empty());
+}
+
+namespace {
+
+/// The glass stand with this push in the middle of its shelf, and with its weight or without.
+QStringList saidOf(const Vec3 &push, bool hasWeight)
+{
+    Document document =
+        io::readDocument(QStringLiteral(FFF_SAMPLES "/glass_four_legs.fff")).value().document;
+    if (!hasWeight)
+        document.loads.clear();
+    Load load;
+    load.section = document.sections.front()->ref();
+    load.kind = LoadKind::Push;
+    load.push = push;
+    document.loads.push_back(load);
+    document.loads.back().id = LoadId{document.nextId++};
+    AnalysisCaches caches;
+    const auto analysis = analyseNext(evaluate(document), caches);
+    const Holding held = holdingOf(analysis, {}, std::make_shared<StrengthCaches>());
+    QStringList said;
+    for (const Finding &finding : held.findings)
+        if (finding.severity != Severity::Note)
+            said += findingText(finding, analysis->model);
+    return said;
+}
+
+} // namespace
+
+// Wrong: newtons that are said in grams, or a sum of both.
+void TestStrengthFindings::pushesHaveTheirOwnWords()
+{
+    const QStringList alone = saidOf({0.0, 0.0, -5.0}, false);
+    QVERIFY2(alone.size() == 1 && alone[0].startsWith(QStringLiteral("Holds 5\u202FN.")),
+             qPrintable(alone.join(u'|')));
+    QVERIFY(!alone[0].contains(QStringLiteral("kg")));
+    const QStringList both = saidOf({0.0, 0.0, -5.0}, true);
+    QVERIFY2(both.size() == 1 && both[0].startsWith(QStringLiteral("Holds what acts on it.")),
+             qPrintable(both.join(u'|')));
+    QVERIFY(both[0].contains(QStringLiteral("times as much")));
+}
+
+// Wrong: any breath of wind moves it, or nothing does and nobody hears of it.
+void TestStrengthFindings::pushesMoveWhatIsNotHeld()
+{
+    const QStringList held = saidOf({0.5, 0.0, 0.0}, true); // of 6.7 N feet hold 2 N
+    QVERIFY2(held.size() == 1 && held[0].startsWith(QStringLiteral("Holds")),
+             qPrintable(held.join(u'|')));
+    const QStringList slid = saidOf({3.0, 0.0, 0.0}, true);
+    QVERIFY2(slid.size() == 1 && slid[0].startsWith(QStringLiteral("Slides away.")),
+             qPrintable(slid.join(u'|')));
+    const QStringList over = saidOf({30.0, 0.0, 0.0}, true);
+    QVERIFY2(over.size() == 1 && over[0].startsWith(QStringLiteral("Pushed over.")),
+             qPrintable(over.join(u'|')));
+    const QStringList lifted = saidOf({0.0, 0.0, 30.0}, true);
+    QVERIFY2(lifted.size() == 1 && lifted[0].startsWith(QStringLiteral("Pushed over.")),
+             qPrintable(lifted.join(u'|')));
 }
 
 FFF_TEST(TestStrengthFindings)
