@@ -28,6 +28,7 @@ fff_tests(tests_session LIBRARIES fff::session Polyclipping::Polyclipping TESTS
     core/session/tst_session
     core/session/tst_slit_ends
     core/session/tst_strength
+    core/session/tst_strength_edits
     core/session/tst_strength_findings
     core/session/tst_stretching
     core/session/tst_strokes
