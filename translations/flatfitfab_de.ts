@@ -8516,6 +8516,22 @@
         <source>Glass on four legs</source>
         <translation>Glas auf vier Beinen</translation>
     </message>
+    <message>
+        <source>Three thin legs: too weak</source>
+        <translation>Drei dünne Beine: zu schwach</translation>
+    </message>
+    <message>
+        <source>Four thin legs: too weak</source>
+        <translation>Vier dünne Beine: zu schwach</translation>
+    </message>
+    <message>
+        <source>Three thick legs: barely</source>
+        <translation>Drei dicke Beine: knapp</translation>
+    </message>
+    <message>
+        <source>Four thick legs: safe</source>
+        <translation>Vier dicke Beine: sicher</translation>
+    </message>
 </context>
 <context>
     <name>fff::ui::ScaleBar</name>

@@ -1,6 +1,10 @@
 # The models that come with the program. Embedded in fff_ui as :/samples/NAME.fff; their names for people are in
 # ui/start/samples.cpp.
 qt_add_resources(fff_ui samples PREFIX /samples BASE ${CMAKE_CURRENT_LIST_DIR} FILES
+    ${CMAKE_CURRENT_LIST_DIR}/acrylic_thick_four.fff
+    ${CMAKE_CURRENT_LIST_DIR}/acrylic_thick_three.fff
+    ${CMAKE_CURRENT_LIST_DIR}/acrylic_thin_four.fff
+    ${CMAKE_CURRENT_LIST_DIR}/acrylic_thin_three.fff
     ${CMAKE_CURRENT_LIST_DIR}/beetle.fff
     ${CMAKE_CURRENT_LIST_DIR}/bony_fish.fff
     ${CMAKE_CURRENT_LIST_DIR}/bridge.fff

@@ -35,6 +35,10 @@ const Row kRows[] = {
     {"cutlery_man", samples::cutleryMan},
     {"glass_three_legs", samples::glassOnThreeLegs},
     {"glass_four_legs", samples::glassOnFourLegs},
+    {"acrylic_thin_three", samples::acrylicThinThree},
+    {"acrylic_thin_four", samples::acrylicThinFour},
+    {"acrylic_thick_three", samples::acrylicThickThree},
+    {"acrylic_thick_four", samples::acrylicThickFour},
 };
 
 } // namespace

@@ -38,6 +38,10 @@ const Row kRows[] = {
     {"cutlery_man", QT_TRANSLATE_NOOP("fff::ui::Samples", "Cutlery man")},
     {"glass_three_legs", QT_TRANSLATE_NOOP("fff::ui::Samples", "Glass on three legs")},
     {"glass_four_legs", QT_TRANSLATE_NOOP("fff::ui::Samples", "Glass on four legs")},
+    {"acrylic_thin_three", QT_TRANSLATE_NOOP("fff::ui::Samples", "Three thin legs: too weak")},
+    {"acrylic_thin_four", QT_TRANSLATE_NOOP("fff::ui::Samples", "Four thin legs: too weak")},
+    {"acrylic_thick_three", QT_TRANSLATE_NOOP("fff::ui::Samples", "Three thick legs: barely")},
+    {"acrylic_thick_four", QT_TRANSLATE_NOOP("fff::ui::Samples", "Four thick legs: safe")},
 };
 
 } // namespace

@@ -88,6 +88,8 @@ class TestStrength : public QObject
     Q_OBJECT
 
 private Q_SLOTS:
+    void glassesOfThePaper_data();
+    void glassesOfThePaper();
     void models_data();
     void models();
     void glasses();
@@ -214,6 +216,44 @@ void TestStrength::unknownStrength()
     const Strength strength = strengthOf(document);
     QCOMPARE(strength.verdict, HoldVerdict::NotRated);
     QCOMPARE(strength.cornerUse, 0.0);
+}
+
+void TestStrength::glassesOfThePaper_data()
+{
+    QTest::addColumn<HoldVerdict>("verdict");
+    QTest::addColumn<double>("least"); // of what is in the glass when it cracks, kg
+    QTest::addColumn<double>("most");
+    constexpr double kGlass = 0.275, kFull = 0.625;
+    QTest::newRow("acrylic_thin_three.fff") << HoldVerdict::Breaks << 0.1 << kGlass;
+    QTest::newRow("acrylic_thin_four.fff") << HoldVerdict::Breaks << kGlass << kFull;
+    QTest::newRow("acrylic_thick_three.fff") << HoldVerdict::BarelyHolds << kFull << 2.0 * kFull;
+    QTest::newRow("acrylic_thick_four.fff") << HoldVerdict::Holds << 2.0 * kFull << 10.0;
+}
+
+/// Source  J. McCrae et al. 2014, figure 17: three thin legs break before the glass is full, four
+/// as
+///         well, three thick ones may at their slits, four hold.
+void TestStrength::glassesOfThePaper()
+{
+    QFETCH(HoldVerdict, verdict);
+    QFETCH(double, least);
+    QFETCH(double, most);
+    const Document document = sample(QTest::currentDataTag());
+    QCOMPARE(document.loads.size(), std::size_t(1));
+    QCOMPARE(document.loads[0].mass, 0.625);
+    QCOMPARE(document.stocks[0]->density, 1190.0);
+    QCOMPARE(*fff::strengthOf(*document.stocks[0]), 60.0);
+    AnalysisCaches caches;
+    const Analysis analysis = *analyseNext(evaluate(document), caches);
+    StrengthCaches known;
+    const Strength strength = fff::strengthOf(analysis, {}, known);
+    QCOMPARE(strength.verdict, verdict);
+    const BearableMass bearable = bearableMass(analysis, strength, {}, known);
+    QVERIFY(bearable.cracksFrom && bearable.breaksAt);
+    QVERIFY2(*bearable.cracksFrom > least && *bearable.cracksFrom < most,
+             qPrintable(QString::number(*bearable.cracksFrom)));
+    if (verdict == HoldVerdict::BarelyHolds) // where leg and disc meet
+        QVERIFY(*bearable.breaksAt > 2.0 * *bearable.cracksFrom);
 }
 
 FFF_TEST(TestStrength)

@@ -48,7 +48,59 @@ void glass(const std::string &folder, const std::string &name, double legs, doub
     maker.write(folder, name);
 }
 
+/// An arched leg of the stands that the paper tries in acrylic (figure 17): its shank is so wide,
+/// mm, where it bears most, and the hub round its slit for the shelf reaches so far above and below
+/// that.
+Contour archedLeg(double shank, double hub)
+{
+    const double h = 0.5 * shank, level = 62.0;
+    return flowing({{{144, 0}, true},    {{154, 0}, true}, {{152, 10}},
+                    {{138, 36}},         {{112, 60 + h}},  {{80, 70 + h}},
+                    {{62, 74 + h}},      {{58, 86}},       {{63, 104}},
+                    {{64, 114}},         {{56, 119}},      {{49, 110}},
+                    {{44, 98}},          {{46, 86}},       {{42, level + hub + 3}},
+                    {{28, level + hub}}, {{21, level}},    {{28, level - hub}},
+                    {{44, level - hub}}, {{62, 66 - h}},   {{80, 70 - h}},
+                    {{108, 60 - h}},     {{131, 36}},      {{143, 10}}});
+}
+
+/// The acrylic of figure 17.
+Stock paperAcrylic()
+{
+    Stock stock = flatfabAcrylic();
+    stock.kerf = 0.15;
+    return stock;
+}
+
+void acrylicGlass(const std::string &folder, const std::string &name, double legs, Contour leg)
+{
+    Maker maker(paperAcrylic());
+    const SectionRef disc = maker.add("Shelf", lying(62.0), circle({0, 0}, 46));
+    maker.addOn(disc, "Leg", facingFront(0.0), std::move(leg));
+    maker.add("Ring", lying(104.0), circle({0, 0}, 57), {circle({0, 0}, 38)});
+    maker.hang(disc, {0, 0}, kFullGlass);
+    maker.apply("rotational", "Legs", {}, {{"times", legs}});
+    maker.write(folder, name);
+}
+
 } // namespace
+
+void acrylicThinThree(const std::string &folder)
+{
+    acrylicGlass(folder, "acrylic_thin_three", 3.0, archedLeg(2.3, 9.0));
+}
+void acrylicThinFour(const std::string &folder)
+{
+    acrylicGlass(folder, "acrylic_thin_four", 4.0, archedLeg(2.3, 9.0));
+}
+void acrylicThickThree(const std::string &folder)
+{
+    acrylicGlass(folder, "acrylic_thick_three", 3.0, archedLeg(7.0, 7.0));
+}
+void acrylicThickFour(const std::string &folder)
+{
+    acrylicGlass(folder, "acrylic_thick_four", 4.0, archedLeg(12.0, 16.0));
+}
 
 /// Holds a glass of water; one leg is drawn.
 void glassOnThreeLegs(const std::string &folder)

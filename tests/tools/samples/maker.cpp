@@ -56,6 +56,12 @@ Maker::Maker(double thickness) : m_document(newDocument())
     m_document = taken(setStock(m_document, stock), "the stock");
 }
 
+Maker::Maker(Stock stock) : m_document(newDocument())
+{
+    stock.id = m_document.stocks.front()->id;
+    m_document = taken(setStock(m_document, std::move(stock)), "the stock");
+}
+
 SectionRef Maker::add(const std::string &name, const Frame &frame, Contour contour,
                       std::vector<Contour> holes)
 {

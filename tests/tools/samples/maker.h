@@ -18,6 +18,8 @@ class Maker
 public:
     /// Of plates this thick, mm.
     explicit Maker(double thickness = 3.0);
+    /// Of plates of this stock.
+    explicit Maker(Stock stock);
 
     SectionRef add(const std::string &name, const Frame &frame, Contour contour,
                    std::vector<Contour> holes = {});

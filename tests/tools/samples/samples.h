@@ -25,5 +25,9 @@ void gears(const std::string &folder);
 void cutleryMan(const std::string &folder);
 void glassOnThreeLegs(const std::string &folder);
 void glassOnFourLegs(const std::string &folder);
+void acrylicThinThree(const std::string &folder);
+void acrylicThinFour(const std::string &folder);
+void acrylicThickThree(const std::string &folder);
+void acrylicThickFour(const std::string &folder);
 
 } // namespace fff::samples
