@@ -14,7 +14,7 @@ namespace fff {
 namespace {
 
 /// A guest that ends so much before a mortise's end has room to move, mm, beyond the clearance.
-constexpr double kMortisePlay = 0.3;
+constexpr double kMortisePlay = 0.1;
 
 /// A stretch of a slit's depth, mm from its bottom.
 struct Span
