@@ -8116,7 +8116,7 @@
     </message>
     <message>
         <source>Sections bend</source>
-        <translation>Scheiben biegen sich</translation>
+        <translation>Biegsam</translation>
     </message>
     <message>
         <source>Where joints share what they bear, how stiff sections are decides who bears how much. Takes a while.</source>
