@@ -66,6 +66,22 @@ void MarkPen::ring(const QPointF &centre, double radius, const QColor &colour)
     m_painter.drawEllipse(centre, radius, radius);
 }
 
+QRectF MarkPen::freeFrom(const QRectF &box) const
+{
+    constexpr int kSteps = 3;      // up and down
+    constexpr double kApart = 2.0; // px
+    const QRectF view(0.0, 0.0, m_viewport.x(), m_viewport.y());
+    for (int step = 0; step <= kSteps; ++step)
+        for (const double way : {-1.0, 1.0}) {
+            const QRectF moved = box.translated(0.0, way * step * (box.height() + kApart));
+            if ((step == 0 || view.contains(moved)) &&
+                std::none_of(m_taken.begin(), m_taken.end(),
+                             [&](const QRectF &other) { return moved.intersects(other); }))
+                return moved;
+        }
+    return box; // better over another one than far from what it says
+}
+
 QRectF MarkPen::chip(const QPointF &place, Anchor anchor, const QString &text, const QColor &colour)
 {
     m_painter.save();
@@ -78,6 +94,8 @@ QRectF MarkPen::chip(const QPointF &place, Anchor anchor, const QString &text, c
     QRectF box(place.x() - before * width, place.y() - 0.5 * height, width, height);
     box.moveLeft(std::clamp(box.left(), 4.0, std::max(4.0, m_viewport.x() - width - 4.0)));
     box.moveTop(std::clamp(box.top(), 4.0, std::max(4.0, m_viewport.y() - height - 4.0)));
+    box = freeFrom(box);
+    keepFree(box);
     m_painter.setPen(QPen(colour, 1.0));
     m_painter.setBrush(faded(m_style.panel, 0.94));
     m_painter.drawRoundedRect(QRectF(box.toAlignedRect()).adjusted(0.5, 0.5, -0.5, -0.5), 3.0, 3.0);

@@ -43,14 +43,21 @@ public:
     /// Which point of a chip is given.
     enum class Anchor { Left, Right, Middle };
     /// Words in a box with a frame in their colour, whole also at the view's edge. `place`: of the
-    /// middle of that side. Where it is, px.
+    /// middle of that side. Where others are already it steps aside, up or down, if that is near.
+    /// Where it is, px.
     QRectF chip(const QPointF &place, Anchor anchor, const QString &text, const QColor &colour);
+
+    /// No words come there.
+    void keepFree(const QRectF &box) { m_taken.push_back(box); }
+    /// The nearest free one above or below the box; itself where none is near.
+    QRectF freeFrom(const QRectF &box) const;
 
 private:
     QPainter &m_painter;
     const Camera &m_camera;
     const Vec2 m_viewport;
     const ViewStyle &m_style;
+    std::vector<QRectF> m_taken; // by words, and what else is not to be covered
 };
 
 } // namespace fff::ui

@@ -1,6 +1,7 @@
 #include "ui/view/overlay_painter.h"
 
 #include "core/interaction/clip_gesture.h"
+#include "core/interaction/view_cube.h"
 #include "ui/view/problem_marks.h"
 #include "ui/view/scale_bar.h"
 #include "ui/view/sign_painter.h"
@@ -23,6 +24,9 @@ public:
         : m_pen(painter, scene.camera, scene.viewport, style), m_painter(painter), m_scene(scene),
           m_style(style), m_locale(locale)
     {
+        if (const std::optional<Vec2> cube = cubeCentre(scene.viewport))
+            m_pen.keepFree(QRectF(cube->x() - 0.5 * kCubeRoom, cube->y() - 0.5 * kCubeRoom,
+                                  kCubeRoom, kCubeRoom));
     }
 
     void ground();
@@ -211,6 +215,7 @@ void Drawing::hoveredName()
         box.moveRight(place->x() - 10.0);
     if (box.bottom() > m_scene.viewport.y() - 4.0)
         box.moveBottom(place->y() - 10.0);
+    box = m_pen.freeFrom(box);
     m_painter.setPen(QPen(m_style.strong, 1.0));
     m_painter.setBrush(faded(m_style.panel, 0.96));
     m_painter.drawRoundedRect(QRectF(box.toAlignedRect()).adjusted(0.5, 0.5, -0.5, -0.5), 3.0, 3.0);

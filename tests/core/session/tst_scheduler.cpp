@@ -368,8 +368,12 @@ void TestScheduler::randomEditsWithCancels()
     const auto below = [&random](int limit) {
         return std::uniform_int_distribution<int>(0, limit - 1)(random);
     };
+    const auto wantAll = [](Scheduler &of) {
+        for (const Stage &stage : of.stages())
+            of.want(stage.name);
+    };
     Scheduler scheduler;
-    scheduler.want(kMends.name);
+    wantAll(scheduler);
     CheckRules patient;
     patient.planningTime = std::chrono::minutes(10); // else what is found depends on the clock
     scheduler.setRules(patient);
@@ -402,7 +406,7 @@ void TestScheduler::randomEditsWithCancels()
                 }
         }
         Scheduler fresh;
-        fresh.want(kMends.name);
+        wantAll(fresh);
         fresh.setRules(patient);
         fresh.request(static_cast<std::uint64_t>(i), model, false);
         fresh.finish();
