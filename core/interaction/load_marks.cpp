@@ -79,8 +79,8 @@ std::optional<LoadAt> loadAt(const Vec2 &position, const GestureContext &context
     return nearest;
 }
 
-void addLoadSigns(const Load &load, const PlacedLoad &placed, const Model &model, SignRole role,
-                  Signs &signs)
+void addLoadMark(const Load &load, const PlacedLoad &placed, const Model &model, SignRole role,
+                 Signs &signs)
 {
     const Frame &frame = sectionOf(placed, model).frame;
     const Vec3 at = frame.toWorld(placed.position);
@@ -89,7 +89,13 @@ void addLoadSigns(const Load &load, const PlacedLoad &placed, const Model &model
     if (load.isPush())
         signs.add(
             sign::Arrow{role, at, pushInWorld(placed.push, frame) / force, arrowLength(force)});
-    const Quantity amount = load.isPush() ? forceOf(force) : massOf(load.mass);
+}
+
+void addLoadWords(const Load &load, const PlacedLoad &placed, const Model &model, SignRole role,
+                  Signs &signs)
+{
+    const Vec3 at = sectionOf(placed, model).frame.toWorld(placed.position);
+    const Quantity amount = load.isPush() ? forceOf(placed.push.norm()) : massOf(load.mass);
     const Message words = load.name.empty()
                               ? Message{Text{nullptr, "%1"}, {amount}}
                               : Message{Text{nullptr, "%1, %2"}, {Named{load.name}, amount}};

@@ -30,8 +30,11 @@ double forceOfArrow(double length);
 Vec3 pushInWorld(const Vec3 &push, const Frame &frame);
 Vec3 pushInFrame(const Vec3 &push, const Frame &frame);
 
-/// What is drawn of it: a mark, its name and how much it is, of a push its arrow.
-void addLoadSigns(const Load &load, const PlacedLoad &placed, const Model &model, SignRole role,
+/// What is drawn of it: a mark, and of a push its arrow.
+void addLoadMark(const Load &load, const PlacedLoad &placed, const Model &model, SignRole role,
+                 Signs &signs);
+/// Its name and how much it is: words come after all marks, which they keep off.
+void addLoadWords(const Load &load, const PlacedLoad &placed, const Model &model, SignRole role,
                   Signs &signs);
 
 } // namespace fff

@@ -159,13 +159,14 @@ Signs dimensionSigns(const Model &model, DimensionId lit)
 Signs loadSigns(const Model &model, const ViewState &view, LoadId hovered, LoadId selected)
 {
     Signs signs;
-    for (const PlacedLoad &placed : placedLoads(model)) {
-        const Load &load = model.document.loads[static_cast<std::size_t>(placed.load)];
-        if (view.isHidden(model.ref(static_cast<std::size_t>(placed.section))))
-            continue;
-        const bool isLit = load.id == hovered || load.id == selected;
-        addLoadSigns(load, placed, model, isLit ? SignRole::LoadInHand : SignRole::Load, signs);
-    }
+    for (const auto add : {addLoadMark, addLoadWords})
+        for (const PlacedLoad &placed : placedLoads(model)) {
+            const Load &load = model.document.loads[static_cast<std::size_t>(placed.load)];
+            if (view.isHidden(model.ref(static_cast<std::size_t>(placed.section))))
+                continue;
+            const bool isLit = load.id == hovered || load.id == selected;
+            add(load, placed, model, isLit ? SignRole::LoadInHand : SignRole::Load, signs);
+        }
     return signs;
 }
 

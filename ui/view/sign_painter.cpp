@@ -27,6 +27,7 @@ struct MeasureMarksTexts
 
 constexpr double kTickReach = 6.0;                    // px, half of the tick at a line's end
 constexpr double kArrowHead = 8.0, kArrowWidth = 2.4; // px
+constexpr double kLeader = 1.4;                       // px
 constexpr double kAhead = 20.0;     // px, to see where a direction leads on the screen
 constexpr double kTowardsEye = 0.2; // of its length that a direction must keep on the screen
 
@@ -219,7 +220,10 @@ void paintSign(MarkPen &pen, const sign::Curve &curve)
 void paintSign(MarkPen &pen, const sign::Handle &handle)
 {
     const SignLook &look = lookOf(handle.role);
-    pen.ring(pen.screen(handle.at), look.radius, pen.style().*look.colour);
+    const QPointF at = pen.screen(handle.at);
+    pen.ring(at, look.radius, pen.style().*look.colour);
+    pen.keepFree(
+        QRectF(at, QSizeF()).adjusted(-look.radius, -look.radius, look.radius, look.radius));
 }
 
 QRectF paintSign(MarkPen &pen, const sign::Label &label, LengthUnit unit, const QLocale &locale)
@@ -231,8 +235,17 @@ QRectF paintSign(MarkPen &pen, const sign::Label &label, LengthUnit unit, const 
     const auto *way = std::get_if<sign::Way>(&label.words);
     const QString text = way ? wayText(*way, unit, locale)
                              : messageText(std::get<Message>(label.words), unitWords(unit, locale));
-    return pen.chip(middle + QPointF(label.offset.x(), label.offset.y()), MarkPen::Anchor::Middle,
-                    text, pen.style().*lookOf(label.role).colour);
+    const QPointF wanted = middle + QPointF(label.offset.x(), label.offset.y());
+    const QColor &colour = pen.style().*lookOf(label.role).colour;
+    const QRectF box = pen.chip(wanted, MarkPen::Anchor::Middle, text, colour);
+    // Words of one place that had to step aside say whose they are.
+    if (label.places.size() == 1 && std::abs(box.center().y() - wanted.y()) > 0.5 * box.height()) {
+        QPainterPath leader(middle);
+        leader.lineTo(std::clamp(middle.x(), box.left(), box.right()),
+                      box.center().y() < middle.y() ? box.bottom() : box.top());
+        pen.cased(leader, roundPen(colour, kLeader));
+    }
+    return box;
 }
 
 void paintSign(MarkPen &pen, const sign::Region &region)
