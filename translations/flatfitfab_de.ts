@@ -3435,12 +3435,28 @@
         <translation>jeder Schlüssel eines Objekts nur einmal</translation>
     </message>
     <message>
-        <source>how a load is spread</source>
-        <translation>wie eine Last verteilt ist</translation>
+        <source>point, patch or edge</source>
+        <translation>point, patch oder edge</translation>
     </message>
     <message>
-        <source>a force</source>
-        <translation>eine Kraft</translation>
+        <source>point, patch, edge or hanging</source>
+        <translation>point, patch, edge oder hanging</translation>
+    </message>
+    <message>
+        <source>a width from 1 to 10000 mm</source>
+        <translation>eine Breite von 1 bis 10000 mm</translation>
+    </message>
+    <message>
+        <source>a force [x, y, z] above 0, at most 1000000 N</source>
+        <translation>eine Kraft [x, y, z] über 0, höchstens 1000000 N</translation>
+    </message>
+    <message>
+        <source>a height from 0 to 10000 mm</source>
+        <translation>eine Höhe von 0 bis 10000 mm</translation>
+    </message>
+    <message>
+        <source>a part of its mass</source>
+        <translation>einen Teil seiner Masse</translation>
     </message>
 </context>
 <context>

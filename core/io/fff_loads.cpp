@@ -88,38 +88,48 @@ private:
             return;
         const std::optional<Spread> named = spreadNamed(spread.text());
         if (!named || (load.isPush() && *named == Spread::Hanging))
-            spread.failExpected(QT_TRANSLATE_NOOP("Error", "how a load is spread"));
+            spread.failExpected(load.isPush()
+                                    ? QT_TRANSLATE_NOOP("Error", "point, patch or edge")
+                                    : QT_TRANSLATE_NOOP("Error", "point, patch, edge or hanging"));
         else
             load.spread = *named;
         if (const JsonCursor width = cursor.member("width"); width.exists())
-            load.width = rangeOf(width, kLeastSpread, kMostSpread);
+            load.width = within(width, kLeastSpread, kMostSpread,
+                                QT_TRANSLATE_NOOP("Error", "a width from 1 to 10000 mm"));
     }
 
     static void readPush(const JsonCursor &cursor, Load &load)
     {
-        load.push = cursor.point3();
+        const std::vector<JsonCursor> parts =
+            cursor.exists() ? cursor.items() : std::vector<JsonCursor>();
+        if (parts.size() == 3)
+            load.push = {parts[0].number(), parts[1].number(), parts[2].number()};
         if (load.push.isZero(0.0) || !(load.push.norm() <= kMaxPush))
-            cursor.failExpected(QT_TRANSLATE_NOOP("Error", "a force"));
+            cursor.failExpected(
+                QT_TRANSLATE_NOOP("Error", "a force [x, y, z] above 0, at most 1000000 N"));
     }
 
     static void readWeight(const JsonCursor &cursor, Load &load)
     {
         load.mass = cursor.member("mass").positive();
         if (const JsonCursor height = cursor.member("height"); height.exists())
-            load.height = rangeOf(height, 0.0, kMostSpread);
+            load.height = within(height, 0.0, kMostSpread,
+                                 QT_TRANSLATE_NOOP("Error", "a height from 0 to 10000 mm"));
         if (const JsonCursor preset = cursor.member("preset"); preset.exists())
             load.preset = preset.text();
         if (const JsonCursor filled = cursor.member("filled"); filled.exists())
-            load.filled = rangeOf(filled, 0.0, load.mass);
+            load.filled =
+                within(filled, 0.0, load.mass, QT_TRANSLATE_NOOP("Error", "a part of its mass"));
     }
 
-    static double rangeOf(const JsonCursor &cursor, double least, double most)
+    /// The least where it is not in its range, which is said.
+    static double within(const JsonCursor &cursor, double least, double most, const char *expected)
     {
-        const double value = cursor.notNegative();
-        if (value < least || value > most)
-            cursor.fail(ErrorCode::BadValue,
-                        {cursor.shown(), std::to_string(least) + " … " + std::to_string(most)});
-        return std::clamp(value, least, most);
+        const double value = cursor.number();
+        if (value >= least && value <= most)
+            return value;
+        cursor.failExpected(expected);
+        return least;
     }
 
     const ReferenceReaders &m_readers;

@@ -81,7 +81,7 @@ Result<Load> withParameters(const CommandParameters &parameters, Load load, cons
     if (const std::string *spread = textOf(parameters, "spread")) {
         const std::optional<Spread> named = spreadNamed(*spread);
         if (!named)
-            return failure(ErrorCode::BadValue, "spread", {*spread, "how a load is spread"});
+            return failure(ErrorCode::BadValue, "spread", {*spread, "point, patch, edge or hanging"});
         load.spread = *named;
     }
     if (const std::string *repeated = textOf(parameters, "repeated"))

@@ -418,6 +418,26 @@ void TestFffFormat::malformed_data()
         joint(R"({ "a": 2, "b": 4, "shares": [ { "at": [1, 2], "ofA": 1 } ] })"), BadValue,
         "a.fff:$.joints[0].shares[0].ofA");
     row("a weight below 0", edited("0.35", "-0.35"), BadValue, "a.fff:$.weights[0].mass");
+    row("a weight spread as nothing is", edited("0.35", "0.35, \"spread\": \"cloud\""), BadValue,
+        "a.fff:$.weights[0].spread");
+    row("a patch that is a point", edited("0.35", "0.35, \"spread\": \"patch\", \"width\": 0"),
+        BadValue, "a.fff:$.weights[0].width");
+    row("a glass that is fuller than it is heavy", edited("0.35", "0.35, \"filled\": 1"), BadValue,
+        "a.fff:$.weights[0].filled");
+    const auto push = [&](const std::string &rest) {
+        const std::string list =
+            "\"pushes\": [ { \"id\": 9, \"section\": 2, \"position\": [0, 0], " + rest +
+            " } ], \"weights\": [";
+        return test::replacedOnce(edited("\"weights\": [", list), "\"nextId\": 6",
+                                  "\"nextId\": 20");
+    };
+    row("a push without a force", push("\"force\": [0, 0, 0]"), BadValue,
+        "a.fff:$.pushes[0].force");
+    row("a push of two numbers", push("\"force\": [1, 2]"), BadValue, "a.fff:$.pushes[0].force");
+    row("a push beyond all bounds", push("\"force\": [0, 1e7, 0]"), BadValue,
+        "a.fff:$.pushes[0].force");
+    row("a push that hangs", push("\"force\": [0, 1, 0], \"spread\": \"hanging\""), BadValue,
+        "a.fff:$.pushes[0].spread");
     row("a thickness below 0", edited("\"thickness\": 3", "\"thickness\": -3"), BadValue,
         "a.fff:$.stocks[0].thickness");
     row("a thickness that is null", edited("\"thickness\": 3", "\"thickness\": null"), BadValue,
