@@ -15,6 +15,8 @@ namespace {
 
 /// Points of equal areas of a disc: one in the middle, and two rings about it.
 constexpr int kInRings[] = {6, 12};
+/// Of shares that come to 1, what rounding leaves (no unit).
+constexpr double kSharesRounding = 1e-9;
 /// Points of an edge.
 constexpr int kAlongEdge = 9;
 
@@ -35,7 +37,7 @@ bool press(std::vector<LoadPoint> &points, const Vec2 &about)
         }
         const Eigen::LDLT<Eigen::Matrix3d> solver(sums);
         const Vec3 plane = solver.solve(Vec3::UnitX());
-        if (!plane.allFinite() || (sums * plane - Vec3::UnitX()).norm() > 1e-9)
+        if (!plane.allFinite() || (sums * plane - Vec3::UnitX()).norm() > kSharesRounding)
             return false; // they lie on one line, beside it
         for (LoadPoint &point : points)
             point.share = plane.dot(Vec3(1.0, point.at.x() - about.x(), point.at.y() - about.y()));

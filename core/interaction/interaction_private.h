@@ -1,7 +1,7 @@
 // What Interaction keeps between events, for the files that implement it: interaction.cpp (what
 // others ask), interaction_pointer.cpp (events), interaction_replies.cpp (what gestures and tools
 // answer), interaction_tool.cpp (the tool in the hand), interaction_points.cpp (control points),
-// interaction_joints.cpp (marks of joints), interaction_loads.cpp (weights),
+// interaction_joints.cpp (marks of joints), interaction_loads.cpp (loads),
 // interaction_sections.cpp (edits of whole sections), interaction_offer.cpp (what a stroke was
 // meant to be).
 #pragma once

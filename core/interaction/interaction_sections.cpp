@@ -34,12 +34,12 @@ bool Interaction::nudge(const Vec2 &arrow, double distance, double time)
     const Camera &camera = d->motion.camera;
     const Model &model = d->host.model();
     if (d->selection.load().isValid()) {
-        const Load *weight = model.document.find(d->selection.load());
-        const Section *section = weight ? model.find(weight->section) : nullptr;
+        const Load *load = model.document.find(d->selection.load());
+        const Section *section = load ? model.find(load->section) : nullptr;
         if (!section)
             return false;
         const Vec2 by = distance * arrowAxis(section->frame, camera, arrow);
-        carryOut(movedLoad(model, weight->id, by), time);
+        carryOut(movedLoad(model, load->id, by), time);
         return true;
     }
     if (!d->points.isEmpty()) {

@@ -23,12 +23,13 @@ namespace {
 
 constexpr double kGramsOfKilogram = 1000.0;
 constexpr NumberEdit::Range kLoadMass{0.001, kGramsOfKilogram *kMaxWeight, 10.0, 0, 3}; // g
-constexpr NumberEdit::Range kWaterRange{0.0, kGramsOfKilogram *kMaxWeight, 10.0, 0, 1}; // ml
+constexpr NumberEdit::Range kWaterRange{0.0, 1e4, 10.0, 0, 1};                          // ml
 constexpr NumberEdit::Range kPushForce{0.001, kMaxPush, 0.5, 0, 3};                     // N
 constexpr NumberEdit::Range kDirectionPart{-1.0, 1.0, 0.1, 0, 4};
 constexpr LengthEdit::Range kSpreadWidth{kLeastSpread, kMostSpread, 1.0, 1, 3};
 constexpr LengthEdit::Range kCentreHeight{0.0, kMostSpread, 1.0, 1, 3};
 constexpr LengthEdit::Range kLoadPlace{-kMaxCoordinate, kMaxCoordinate, 0.5, 1, 3};
+constexpr int kWaterField = 92; // px: beside its slider
 /// A direction that is less than this is none.
 constexpr double kNoWay = 1e-9;
 
@@ -121,7 +122,9 @@ void LoadPage::addWeightRows(PropertyGroup *group)
             [this, mass] { mass->setNumber(kGramsOfKilogram * load().mass); }, group),
         always)
         ->setToolTip(tr("Also in kg, oz or lb: 1.5 kg, 2 lb"));
-    m_water = new SliderField({0.0, 350.0, 10.0, 5}, new NumberEdit(kWaterRange, tr("ml")), group);
+    auto *field = new NumberEdit(kWaterRange, tr("ml"));
+    field->setFixedWidth(kWaterField);
+    m_water = new SliderField({0.0, 350.0, 10.0, 5}, field, group);
     m_water->setNames("loadWaterSlider", "loadWater.field");
     connect(m_water, &SliderField::dragged, this, [this](double millilitres) {
         preview([millilitres](Load &load) { fill(load, millilitres); });

@@ -159,8 +159,9 @@ Signs dimensionSigns(const Model &model, DimensionId lit)
 Signs loadSigns(const Model &model, const ViewState &view, LoadId hovered, LoadId selected)
 {
     Signs signs;
+    const std::vector<PlacedLoad> all = placedLoads(model);
     for (const auto add : {addLoadMark, addLoadWords})
-        for (const PlacedLoad &placed : placedLoads(model)) {
+        for (const PlacedLoad &placed : all) {
             const Load &load = model.document.loads[static_cast<std::size_t>(placed.load)];
             if (view.isHidden(model.ref(static_cast<std::size_t>(placed.section))))
                 continue;

@@ -166,6 +166,11 @@ void TestWeightDocks::aGlassHoldsWater()
     QCOMPARE(load().name, std::string("Glass of water"));
     QVERIFY(std::abs(load().mass - 0.35) < 1e-12);
     QVERIFY(isShown("loadWater.field"));
+    // Wrong: a field beyond the dock's edge, as wide as the largest number that it takes.
+    const auto *field = m_window->findChild<QWidget *>(QStringLiteral("loadWater.field"));
+    const auto *dock = m_window->findChild<QWidget *>(QStringLiteral("propertiesDock"));
+    QCoreApplication::processEvents();
+    QVERIFY(field->mapTo(dock, QPoint(field->width(), 0)).x() <= dock->width());
     type("loadWater.field", QStringLiteral("350"));
     QVERIFY(std::abs(load().mass - 0.625) < 1e-12);
     QVERIFY(std::abs(load().filled - 0.35) < 1e-12);
