@@ -148,8 +148,9 @@ Result<Cutting> makeCutting(const Analysis &analysis, const CuttingOptions &opti
     cutting.usedShare = usedShare(layout, parts);
     for (const int index : layout.oversized)
         addOnce(cutting.oversized, nameOf(analysis, parts[static_cast<std::size_t>(index)]));
-    cutting.drawing = cuttingDrawing(layout, parts, engravings, analysis.model,
-                                     {options.hasReference, options.compensatesKerf});
+    cutting.drawing =
+        cuttingDrawing(layout, std::move(parts), std::move(engravings), analysis.model,
+                       {options.hasReference, options.compensatesKerf});
     return cutting;
 }
 

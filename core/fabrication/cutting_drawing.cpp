@@ -4,39 +4,29 @@
 
 namespace fff {
 
-namespace {
-
-CuttingPart drawn(const Part &part, const Engraving *engraving, const Placement &placement,
-                  const Model &model)
+CubicBezier CuttingLine::segment(int index) const
 {
-    const auto placed = [&placement](const auto &lines) { // from the part's coordinates
-        return lines.moved([&placement](const Vec2 &p) { return placement.apply(p); });
-    };
-    CuttingPart all;
-    all.number = part.number;
-    all.name = model.section(static_cast<std::size_t>(part.section))->name;
-    const auto add = [&](LineRole role, const auto &lines) {
-        for (const auto &line : lines)
-            all.lines.push_back({role, placed(line)});
-    };
-    if (engraving) {
-        all.label = placed(engraving->strokes);
-        add(LineRole::Engrave, engraving->lines.engraved);
-        add(LineRole::Score, engraving->lines.scored);
-    }
-    all.lines.reserve(all.lines.size() + part.outline.holes.size() + 1);
-    for (const Contour &hole : part.outline.holes)
-        all.lines.push_back({LineRole::InnerCut, placed(CurvePath::around(hole))});
-    all.lines.push_back({LineRole::OuterCut, placed(CurvePath::around(part.outline.outer))});
-    return all;
+    const std::size_t first = 3 * static_cast<std::size_t>(index);
+    const auto at = [&](std::size_t i) { return m_placement->apply(m_points[i]); };
+    const std::size_t last = first + 3;
+    return {at(first), at(first + 1), at(first + 2), at(last < m_points.size() ? last : 0)};
 }
 
-} // namespace
+std::size_t CuttingPart::pointCount() const
+{
+    std::size_t count = hasLabel() ? engraving()->strokes.pointCount() : 0;
+    forLines([&](const CuttingLine &line) {
+        count += 3 * static_cast<std::size_t>(line.segmentCount()) + 1;
+    });
+    return count;
+}
 
-CuttingDrawing cuttingDrawing(const Layout &layout, const std::vector<Part> &parts,
-                              const std::vector<Engraving> &engravings, const Model &model,
+CuttingDrawing cuttingDrawing(const Layout &layout, std::vector<Part> parts,
+                              std::vector<Engraving> engravings, const Model &model,
                               const DrawingOptions &options)
 {
+    const auto source =
+        std::make_shared<const CuttingPart::Source>(std::move(parts), std::move(engravings));
     CuttingDrawing drawing;
     drawing.isKerfApplied = options.isKerfApplied;
     drawing.hasReference = options.hasReference;
@@ -45,10 +35,11 @@ CuttingDrawing cuttingDrawing(const Layout &layout, const std::vector<Part> &par
         all.number = static_cast<int>(drawing.sheets.size());
         all.size = sheet.size;
         all.stock = sheet.stock;
+        all.parts.reserve(sheet.placements.size());
         for (const Placement &placement : sheet.placements) {
-            const auto part = static_cast<std::size_t>(placement.part);
-            all.parts.push_back(drawn(parts[part], engravings.empty() ? nullptr : &engravings[part],
-                                      placement, model));
+            const Part &part = source->parts[static_cast<std::size_t>(placement.part)];
+            all.parts.emplace_back(source, placement,
+                                   model.section(static_cast<std::size_t>(part.section))->name);
         }
     }
     for (const auto &stock : model.document.stocks)

@@ -5,7 +5,10 @@
 #include "core/fabrication/layout.h"
 #include "core/fabrication/marks.h"
 
+#include <memory>
+#include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace fff {
@@ -17,19 +20,74 @@ enum class LineRole {
     OuterCut, // round the part
 };
 
-/// Sheet coordinates: mm, origin at the sheet's lower left, y up.
-struct CuttingLine
+/// Sheet coordinates: mm, origin at the sheet's lower left, y up. A view of what its part keeps,
+/// put there point by point as it is read: a copy of all lines would cost more than writing them.
+class CuttingLine
 {
-    LineRole role = LineRole::OuterCut;
-    CurvePath path; // of cuts closed
+public:
+    /// points     of a contour (3k), or of a path (3k + 1)
+    /// placement  of the part on its sheet; both outlive this
+    CuttingLine(LineRole role, std::span<const Vec2> points, const Placement &placement)
+        : m_points(points), m_placement(&placement), m_role(role)
+    {
+    }
+
+    LineRole role() const { return m_role; }
+    bool isClosed() const // cuts always are
+    {
+        return m_points.size() % 3 == 0 || m_points.front() == m_points.back();
+    }
+    int segmentCount() const { return static_cast<int>(m_points.size() / 3); }
+    Vec2 start() const { return m_placement->apply(m_points.front()); }
+    CubicBezier segment(int index) const;
+
+private:
+    std::span<const Vec2> m_points;
+    const Placement *m_placement;
+    LineRole m_role;
 };
 
-struct CuttingPart
+/// What is cut out, and what is drawn on it.
+class CuttingPart
 {
-    int number = 0;                 // engraved
-    std::string name;               // of its section
-    Strokes label;                  // its number, and those of its joints; sheet coordinates
-    std::vector<CuttingLine> lines; // as they are to be cut: what is drawn, holes, the outside
+public:
+    /// What drawings share.
+    struct Source
+    {
+        std::vector<Part> parts;
+        std::vector<Engraving> engravings; // of each part, or none at all
+    };
+    /// name  of its section
+    CuttingPart(std::shared_ptr<const Source> source, const Placement &placement, std::string name)
+        : m_source(std::move(source)), m_name(std::move(name)), m_placement(placement)
+    {
+    }
+
+    int number() const { return part().number; } // engraved
+    const std::string &name() const { return m_name; }
+    /// Its number, and those of its joints, sheet coordinates: stroke by stroke the points. Empty
+    /// where there is no room for any.
+    template <class Visit> // Visit(bool isFirstOfStroke, const Vec2 &)
+    void forLabel(const Visit &visit) const;
+    bool hasLabel() const { return engraving() && !engraving()->strokes.isEmpty(); }
+    /// As they are to be cut: what is drawn, holes, the outside.
+    template <class Visit> // Visit(const CuttingLine &)
+    void forLines(const Visit &visit) const;
+    /// Of all its lines, and of its label.
+    std::size_t pointCount() const;
+
+private:
+    const Part &part() const { return m_source->parts[static_cast<std::size_t>(m_placement.part)]; }
+    const Engraving *engraving() const
+    {
+        return m_source->engravings.empty()
+                   ? nullptr
+                   : &m_source->engravings[static_cast<std::size_t>(m_placement.part)];
+    }
+
+    std::shared_ptr<const Source> m_source;
+    std::string m_name;
+    Placement m_placement;
 };
 
 struct CuttingSheet
@@ -55,11 +113,39 @@ struct DrawingOptions
 };
 
 /// `layout` and `parts` belong to `model`; `engravings` to the parts, one each, or none at all.
-CuttingDrawing cuttingDrawing(const Layout &layout, const std::vector<Part> &parts,
-                              const std::vector<Engraving> &engravings, const Model &model,
+CuttingDrawing cuttingDrawing(const Layout &layout, std::vector<Part> parts,
+                              std::vector<Engraving> engravings, const Model &model,
                               const DrawingOptions &options = {});
 
 /// The sheet at the index alone, with its stock.
 CuttingDrawing onSheet(const CuttingDrawing &drawing, std::size_t index);
+
+template <class Visit>
+void CuttingPart::forLabel(const Visit &visit) const
+{
+    if (!hasLabel())
+        return;
+    const Strokes &strokes = engraving()->strokes;
+    for (std::size_t i = 0; i < strokes.size(); ++i) {
+        bool isFirst = true;
+        for (const Vec2 &p : strokes[i])
+            visit(std::exchange(isFirst, false), m_placement.apply(p));
+    }
+}
+
+template <class Visit>
+void CuttingPart::forLines(const Visit &visit) const
+{
+    const auto visitAll = [&](LineRole role, const auto &lines) {
+        for (const auto &line : lines)
+            visit(CuttingLine(role, line.points(), m_placement));
+    };
+    if (const Engraving *drawn = engraving()) {
+        visitAll(LineRole::Engrave, drawn->lines.engraved);
+        visitAll(LineRole::Score, drawn->lines.scored);
+    }
+    visitAll(LineRole::InnerCut, part().outline.holes);
+    visit(CuttingLine(LineRole::OuterCut, part().outline.outer.points(), m_placement));
+}
 
 } // namespace fff

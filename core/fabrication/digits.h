@@ -25,18 +25,6 @@ public:
     void start() { m_firsts.push_back(m_points.size()); }
     void add(const Vec2 &point) { m_points.push_back(point); }
 
-    /// Each point p as move(p).
-    template <class Move>
-    Strokes moved(const Move &move) const
-    {
-        Strokes strokes;
-        strokes.m_firsts = m_firsts;
-        strokes.m_points.reserve(m_points.size());
-        for (const Vec2 &p : m_points)
-            strokes.m_points.push_back(move(p));
-        return strokes;
-    }
-
 private:
     std::vector<Vec2> m_points;
     std::vector<std::size_t> m_firsts; // of each chain

@@ -37,16 +37,6 @@ public:
     Polygon flatten(double tolerance) const;
     /// Each control point p as about + matrix (p − about). Errors  as fromPoints().
     Result<CurvePath> mapped(const Eigen::Matrix2d &matrix, const Vec2 &about) const;
-    /// Each control point p as move(p), which turns and shifts.
-    template <class Move>
-    CurvePath moved(const Move &move) const
-    {
-        CurvePath path;
-        path.m_points.reserve(m_points.size());
-        for (const Vec2 &p : m_points)
-            path.m_points.push_back(move(p));
-        return path;
-    }
 
     bool operator==(const CurvePath &) const = default;
 

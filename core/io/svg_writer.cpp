@@ -71,12 +71,12 @@ void addCurve(const CubicBezier &curve, const Transform &transform, DrawingText 
 }
 
 /// Z draws a last edge that is straight.
-void addClosed(const CurvePath &path, const Transform &transform, DrawingText &out)
+void addCut(const CuttingLine &line, const Transform &transform, DrawingText &out)
 {
-    out.addPoint<Decimals::Six>("M ", transform(path.points().front()));
-    const int count = path.segmentCount();
+    out.addPoint<Decimals::Six>("M ", transform(line.start()));
+    const int count = line.segmentCount();
     for (int i = 0; i < count; ++i) {
-        const CubicBezier curve = path.segment(i);
+        const CubicBezier curve = line.segment(i);
         if (!curve.isStraight(kClipGrid))
             addCurve(curve, transform, out);
         else if (i + 1 < count)
@@ -85,28 +85,26 @@ void addClosed(const CurvePath &path, const Transform &transform, DrawingText &o
     out << " Z";
 }
 
-void addLine(const CurvePath &path, const Transform &transform, DrawingText &out)
+void addDrawn(const CuttingLine &line, const Transform &transform, DrawingText &out)
 {
-    out.addPoint<Decimals::Six>("M ", transform(path.points().front()));
-    for (int i = 0; i < path.segmentCount(); ++i) {
-        const CubicBezier curve = path.segment(i);
+    out.addPoint<Decimals::Six>("M ", transform(line.start()));
+    for (int i = 0; i < line.segmentCount(); ++i) {
+        const CubicBezier curve = line.segment(i);
         if (curve.isStraight(kClipGrid))
             out.addPoint<Decimals::Six>(" L ", transform(curve.p3));
         else
             addCurve(curve, transform, out);
     }
-    if (path.isClosed())
+    if (line.isClosed())
         out << " Z";
 }
 
-void addOpen(const Strokes &strokes, const Transform &transform, DrawingText &out)
+void addLabel(const CuttingPart &part, const Transform &transform, DrawingText &out)
 {
     std::string_view start = "M ";
-    for (std::size_t i = 0; i < strokes.size(); ++i) {
-        std::string_view before = std::exchange(start, " M ");
-        for (const Vec2 &p : strokes[i])
-            out.addPoint<Decimals::Three>(std::exchange(before, " L "), transform(p));
-    }
+    part.forLabel([&](bool isFirst, const Vec2 &p) {
+        out.addPoint<Decimals::Three>(isFirst ? std::exchange(start, " M ") : " L ", transform(p));
+    });
 }
 
 void addRectangle(const Vec2 &corner, const Vec2 &size, DrawingText &out)
@@ -142,19 +140,19 @@ void addPart(const CuttingPart &part, const Transform &transform, DrawingText &o
         addShape();
         out << "\"/>\n";
     };
-    out << "    <g id=\"part-" << std::to_string(part.number) << "\">\n      <title>"
-        << escaped(part.name) << "</title>\n";
-    if (!part.label.isEmpty())
-        path(kNumbers, [&] { addOpen(part.label, transform, out); });
-    for (const CuttingLine &line : part.lines) {
-        const Look look = lookOf(line.role);
+    out << "    <g id=\"part-" << std::to_string(part.number()) << "\">\n      <title>"
+        << escaped(part.name()) << "</title>\n";
+    if (part.hasLabel())
+        path(kNumbers, [&] { addLabel(part, transform, out); });
+    part.forLines([&](const CuttingLine &line) {
+        const Look look = lookOf(line.role());
         path(look.colour, [&] {
             if (look.isCut)
-                addClosed(line.path, transform, out);
+                addCut(line, transform, out);
             else
-                addLine(line.path, transform, out);
+                addDrawn(line, transform, out);
         });
-    }
+    });
     out << "    </g>\n";
 }
 
@@ -188,15 +186,11 @@ Vec2 drawingSize(const CuttingDrawing &drawing)
 /// About as much text as a drawing takes, rather more: so that it is not moved while it grows.
 std::size_t estimatedLength(const CuttingDrawing &drawing)
 {
-    constexpr std::size_t kHead = 2000, kPart = 200, kCutPoint = 24, kStrokePoint = 18, kLine = 40;
+    constexpr std::size_t kHead = 2000, kPart = 240, kPoint = 24;
     std::size_t length = kHead;
-    for (const CuttingSheet &sheet : drawing.sheets) {
-        for (const CuttingPart &part : sheet.parts) {
-            length += kPart + kStrokePoint * part.label.pointCount();
-            for (const CuttingLine &line : part.lines)
-                length += kLine + kCutPoint * line.path.points().size();
-        }
-    }
+    for (const CuttingSheet &sheet : drawing.sheets)
+        for (const CuttingPart &part : sheet.parts)
+            length += kPart + kPoint * part.pointCount();
     return length;
 }
 

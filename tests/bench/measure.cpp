@@ -168,8 +168,10 @@ double drawingTime(const Analysis &analysis)
         parts = std::move(*paths);
     const Layout layout = layOut(parts, analysis.model, LayoutOptions());
     double milliseconds = 0.0;
-    timed(milliseconds,
-          [&] { return io::writeSvg(cuttingDrawing(layout, parts, engravings, analysis.model)); });
+    timed(milliseconds, [&] {
+        return io::writeSvg(
+            cuttingDrawing(layout, std::move(parts), std::move(engravings), analysis.model));
+    });
     return milliseconds;
 }
 
