@@ -23,6 +23,7 @@ struct Facing
     std::vector<Vec3> ofPiece, ofOther; // points that may come to lie in the other one of the two
     std::vector<Vec3> touching;
     double inEachOther = 0.0;
+    double graze = kFreeDepth;
 };
 
 /// Square to each other: along the line that both planes have, the normal of one of them, and
@@ -74,7 +75,7 @@ Facing facingOf(const JudgedPiece &piece, const JudgedPiece &other, const Slack 
     // no more than the slit is long across the sheet.
     const double reach =
         faceReach + (slack.turn > 0.0 ? 2.0 * std::max(piece.half(), other.half()) : 0.0);
-    Facing facing{&piece, &other, {}, {}, {}, 0.0};
+    Facing facing{&piece, &other, {}, {}, {}, 0.0, slack.graze};
     add(facing, piece.pointsNear(other, reach, faceReach), other, slack.play, facing.ofPiece);
     add(facing, other.pointsNear(piece, reach, faceReach), piece, slack.play, facing.ofOther);
     return facing;
@@ -135,7 +136,7 @@ Vec3 middleOf(const std::vector<Vec3> &points, const Axes &axes)
     return middle;
 }
 
-/// The slack's own turn is about the first of the axes.
+/// Of the slack's own turns the one is about the first of the axes.
 void addTurns(const std::vector<Vec3> &touching, const Axes &axes, const Names &names,
               const Vec3 &middle, const Slack &slack, Moves &moves)
 {
@@ -143,8 +144,10 @@ void addTurns(const std::vector<Vec3> &touching, const Axes &axes, const Names &
         double radius = kLeastRadius;
         for (const Vec3 &p : touching)
             radius = std::max(radius, (p - middle).cross(axes[i]).norm());
-        const double angle = kTellingMove / radius + slack.play / std::min(radius, slack.depth) +
-                             (i == 0 ? slack.turn : 0.0);
+        const double angle =
+            kTellingMove / radius + slack.play / std::min(radius, slack.depth) +
+            (i == 0 ? slack.turn : 0.0) +
+            (std::abs(axes[i].dot(slack.leanAbout)) > 1.0 - kSameWay ? slack.lean : 0.0);
         for (const int sign : {1, -1})
             moves.turn(sign * axes[i], middle, angle, signedName(sign, names[i]));
     }
@@ -233,7 +236,7 @@ bool isBlocked(const Facing &facing, const SmallMove &move)
         const auto isAnyIn = [&](const std::vector<Vec3> &points, const SmallMove &by,
                                  const JudgedPiece &in) {
             return std::any_of(points.begin(), points.end(), [&](const Vec3 &p) {
-                return in.isWithin(by.applied(p, share), kFreeDepth);
+                return in.isWithin(by.applied(p, share), facing.graze);
             });
         };
         if (isAnyIn(facing.ofPiece, move, *facing.other) ||

@@ -25,6 +25,13 @@ struct Slack
     /// sheet, so that it is wider than what is in it, which turns up to the same angle on the
     /// other side: π − 2 × the angle between the planes.
     double turn = 0.0;
+    /// Radians about this unit vector, the normal of what is in a mortise. That is as long as
+    /// leaning sides need to pass through its sheet, so that they turn until they lean as much the
+    /// other way.
+    double lean = 0.0;
+    Vec3 leanAbout = Vec3::Zero();
+    /// In each other by less, mm, two pieces only touch.
+    double graze = kFreeDepth;
     /// mm, of the walls that are said to hold: the play lets a piece turn between them until its
     /// ends are at both walls.
     double depth = std::numeric_limits<double>::infinity();

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <utility>
 
 namespace fff::test {
@@ -61,6 +62,52 @@ std::vector<Vec3> waysOf(const Analysis &analysis, const Joint &joint)
         return {hostIsA ? way : Vec3(-way)};
     }
     return {through, -through};
+}
+
+/// Where the line is inside of the polygon, nearest to the middle: from and to, mm along it.
+std::optional<std::pair<double, double>> crossedAt(const Polygon &polygon, const Vec2 &through,
+                                                   const Vec2 &along, double middle)
+{
+    std::vector<double> at;
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+        const Vec2 p = polygon[i] - through, q = polygon[(i + 1) % polygon.size()] - through;
+        const Vec2 across(-along.y(), along.x());
+        const double sideP = across.dot(p), sideQ = across.dot(q);
+        if ((sideP < 0.0) != (sideQ < 0.0))
+            at.push_back(along.dot(p) + along.dot(q - p) * sideP / (sideP - sideQ));
+    }
+    std::sort(at.begin(), at.end());
+    std::optional<std::pair<double, double>> nearest;
+    for (std::size_t i = 0; i + 1 < at.size(); i += 2)
+        if (at[i] <= middle && middle <= at[i + 1])
+            nearest = {at[i], at[i + 1]};
+    return nearest;
+}
+
+/// How far what is in a mortise turns in its own plane, see Slack::lean.
+void addLean(const Analysis &analysis, const Joint &joint, int guestBody, int host, Slack &slack)
+{
+    const Body &guest = analysis.bodies.at(guestBody);
+    const auto &axis = joint.crossing->axis;
+    const Vec2 along = guest.frame().directionToLocal(axis.direction).normalized();
+    const Vec2 across(-along.y(), along.x());
+    const auto &hostSection = *analysis.model.section(static_cast<std::size_t>(host));
+    const double half =
+        0.5 * analysis.model.stockOf(static_cast<std::size_t>(host)).thickness /
+        std::abs(guest.frame().directionToWorld(across).dot(hostSection.frame.normal()));
+    const Slit *mortise = firstSlit(analysis, host, joint);
+    if (!mortise)
+        return;
+    const Vec2 middle =
+        guest.frame().toLocal(hostSection.frame.toWorld(0.5 * (mortise->inner + mortise->mouth)));
+    const Polygon &outer = guest.outline().region.outer;
+    const auto below = crossedAt(outer, middle - half * across, along, 0.0),
+               above = crossedAt(outer, middle + half * across, along, 0.0);
+    if (!below || !above)
+        return;
+    slack.lean = std::abs(std::atan((above->first - below->first) / (2.0 * half)) +
+                          std::atan((above->second - below->second) / (2.0 * half)));
+    slack.leanAbout = guest.frame().normal();
 }
 
 /// What a joint leaves by its sheets and its angle.
@@ -165,7 +212,13 @@ HeldPair pairOf(const Analysis &analysis, const Joint &joint, int bodyOfB, int b
             name += '.' + QByteArray::number(body - analysis.bodies.firstOf(section));
         return name;
     };
-    return {bodyOfB, bodyOfA, waysOf(analysis, joint), slackOf(analysis, joint),
+    Slack slack = slackOf(analysis, joint);
+    if (joint.kind == JointKind::Mortise) {
+        const Slit *inA = firstSlit(analysis, joint.a, joint);
+        const bool hostIsA = inA && inA->role == SlitRole::Slit;
+        addLean(analysis, joint, hostIsA ? bodyOfB : bodyOfA, hostIsA ? joint.a : joint.b, slack);
+    }
+    return {bodyOfB, bodyOfA, waysOf(analysis, joint), slack,
             QByteArray::number(joint.id) + " | " + nameOf(joint.kind) + " | " + named(bodyOfB) +
                 " in " + named(bodyOfA)};
 }

@@ -23,6 +23,7 @@ constexpr int kMoreMoves = 400;
 struct Verdicts
 {
     int held = 0, loose = 0, inEachOther = 0;
+    int grazing = 0;        // of the loose get away with what cutting takes off only
     QByteArrayList notHeld; // called held, but free beyond their ways
     QByteArrayList caught;  // called loose, but held by all others together
 };
@@ -35,13 +36,13 @@ QByteArray nameOf(const QByteArray &model, const Analysis &analysis, int body)
 }
 
 Freedom judgedAmong(const std::vector<JudgedPiece> &pieces, int piece,
-                    const std::vector<char> &isThere)
+                    const std::vector<char> &isThere, const Slack &slack = {})
 {
     std::vector<const JudgedPiece *> others;
     for (std::size_t i = 0; i < pieces.size(); ++i)
         if (isThere[i] && static_cast<int>(i) != piece)
             others.push_back(&pieces[i]);
-    return judge(pieces[static_cast<std::size_t>(piece)], others);
+    return judge(pieces[static_cast<std::size_t>(piece)], others, slack);
 }
 
 /// One after the other, or some as one, have to get away from all that are still there.
@@ -60,10 +61,11 @@ void judgeLoose(const QByteArray &model, const Analysis &analysis,
     }
     verdicts.loose += static_cast<int>(loose.size());
     const auto letGo = [&](int body) { isThere[static_cast<std::size_t>(body)] = 0; };
+    Slack slack;
     const auto getAwayAlone = [&] {
         bool isAny = false;
         while (std::erase_if(loose, [&](int body) {
-                   const bool isFree = judgedAmong(pieces, body, isThere).getsAway();
+                   const bool isFree = judgedAmong(pieces, body, isThere, slack).getsAway();
                    if (isFree)
                        letGo(body);
                    return isFree;
@@ -84,7 +86,7 @@ void judgeLoose(const QByteArray &model, const Analysis &analysis,
                     group.push_back(&pieces[i]);
                 else if (isThere[i])
                     others.push_back(&pieces[i]);
-            if (!judgeTogether(group, others, kMoreMoves).getsAway())
+            if (!judgeTogether(group, others, kMoreMoves, slack).getsAway())
                 continue;
             std::for_each(who.begin(), who.end(), letGo);
             std::erase_if(loose,
@@ -95,6 +97,12 @@ void judgeLoose(const QByteArray &model, const Analysis &analysis,
     };
     while (getAwayAlone() || getAwayTogether()) {
     }
+    // In the world a cut takes a little off every wall.
+    slack.graze = kGripLoss;
+    const std::size_t held = loose.size();
+    while (getAwayAlone() || getAwayTogether()) {
+    }
+    verdicts.grazing += static_cast<int>(held - loose.size());
     // Where it is in another one, which is a fault of its own, nobody can tell.
     for (const int body : loose) {
         if (judgedAmong(pieces, body, isThere).inEachOther >= kFreeDepth)
@@ -194,9 +202,11 @@ void TestGrips::say(const Verdicts &verdicts)
         qInfo("not held | %s", line.constData());
     for (const QByteArray &line : verdicts.caught)
         qInfo("caught | %s", line.constData());
-    qInfo("%d held, of these %lld not; %d loose, of these %lld caught, and %d in another one",
-          verdicts.held, static_cast<long long>(verdicts.notHeld.size()), verdicts.loose,
-          static_cast<long long>(verdicts.caught.size()), verdicts.inEachOther);
+    qInfo(
+        "%d held, of these %lld not; %d loose, of these %lld caught, %d grazing and %d in another "
+        "one",
+        verdicts.held, static_cast<long long>(verdicts.notHeld.size()), verdicts.loose,
+        static_cast<long long>(verdicts.caught.size()), verdicts.grazing, verdicts.inEachOther);
 }
 
 void TestGrips::judgeFile(const QString &path)
@@ -239,12 +249,12 @@ void TestGrips::drawings()
         judgeVerdicts("drawing " + QByteArray::number(seed), analysed(randomDrawing(seed)),
                       verdicts);
     say(verdicts);
-    // Known: a mortise is as long as the leaning sides of what is in it need, which can turn in it.
-    QVERIFY(verdicts.notHeld.size() <= 1);
+    QVERIFY(verdicts.notHeld.empty());
+    QVERIFY(verdicts.caught.empty());
     QVERIFY(verdicts.held > 700 && verdicts.loose > 300);
-    // Known: pieces that get away by grazing others, by a little more than the judge lets them, but
-    // less than cutting takes off.
-    QVERIFY(verdicts.caught.size() <= 3);
+    // Known: three that graze others by 0.03 … 0.05 mm on their way, which is less than cutting
+    // takes off. The others are in each other by more than that from the start.
+    QVERIFY(verdicts.grazing <= 9);
 }
 
 void TestGrips::whatGetsAway_data()
