@@ -123,7 +123,6 @@ target_sources(fff_ui PRIVATE
 )
 include(${CMAKE_SOURCE_DIR}/resources/icons/icons.cmake)
 include(${CMAKE_SOURCE_DIR}/resources/licences/licences.cmake)
-include(${CMAKE_SOURCE_DIR}/resources/loads/loads.cmake)
 include(${CMAKE_SOURCE_DIR}/resources/samples/samples.cmake)
 include(${CMAKE_SOURCE_DIR}/resources/style/style.cmake)
 include(${CMAKE_SOURCE_DIR}/translations/translations.cmake)

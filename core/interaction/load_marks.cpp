@@ -94,7 +94,9 @@ void addLoadMark(const Load &load, const PlacedLoad &placed, const Model &model,
 void addLoadWords(const Load &load, const PlacedLoad &placed, const Model &model, SignRole role,
                   Signs &signs)
 {
-    const Vec3 at = sectionOf(placed, model).frame.toWorld(placed.position);
+    // Above what stands there, which is about twice as high as its centre of mass.
+    const Vec3 at = sectionOf(placed, model).frame.toWorld(placed.position) +
+                    2.0 * load.height * Vec3::UnitY();
     const Quantity amount = load.isPush() ? forceOf(placed.push.norm()) : massOf(load.mass);
     const Message words = load.name.empty()
                               ? Message{Text{nullptr, "%1"}, {amount}}

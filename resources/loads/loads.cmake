@@ -1,2 +1,2 @@
-qt_add_resources(fff_ui loads PREFIX /loads BASE ${CMAKE_CURRENT_LIST_DIR} FILES
+qt_add_resources(fff_view loads PREFIX /loads BASE ${CMAKE_CURRENT_LIST_DIR} FILES
     ${CMAKE_CURRENT_LIST_DIR}/presets.json)

@@ -15,4 +15,6 @@ qt_add_resources(fff_view shaders PREFIX /shaders BASE ${CMAKE_CURRENT_LIST_DIR}
     ${CMAKE_CURRENT_LIST_DIR}/screen.vert
     ${CMAKE_CURRENT_LIST_DIR}/shadow.frag
     ${CMAKE_CURRENT_LIST_DIR}/slab.frag
-    ${CMAKE_CURRENT_LIST_DIR}/slab.vert)
+    ${CMAKE_CURRENT_LIST_DIR}/slab.vert
+    ${CMAKE_CURRENT_LIST_DIR}/thing.frag
+    ${CMAKE_CURRENT_LIST_DIR}/thing.vert)

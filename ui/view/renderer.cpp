@@ -3,6 +3,7 @@
 #include "ui/view/ground_painter.h"
 #include "ui/view/occlusion.h"
 #include "ui/view/section_passes.h"
+#include "ui/view/thing_painter.h"
 
 #include <QOpenGLVersionFunctionsFactory>
 
@@ -23,6 +24,7 @@ constexpr double kMostPixels = 24e6;
 struct Picture
 {
     std::vector<SceneSection> sections;
+    std::vector<SceneThing> things;
     Camera camera;
     Vec2 viewport = Vec2::Zero();
     double pixelRatio = 0.0;
@@ -33,7 +35,7 @@ struct Picture
               const ViewStyle &s, const RenderOptions &o) const
     {
         return camera == c && viewport == size && pixelRatio == ratio && style == s &&
-               options == o &&
+               options == o && things == scene.things &&
                std::equal(
                    sections.begin(), sections.end(), scene.sections.begin(), scene.sections.end(),
                    [](const SceneSection &a, const SceneSection &b) { return a.looksTheSame(b); });
@@ -48,13 +50,14 @@ public:
     explicit Private(Gl &functions)
         : gl(functions), background(loadProgram("screen", "background")),
           copy(loadProgram("screen", "copy")), pass(gl), slabs(gl), sections(gl, pass, slabs),
-          ground(gl, pass), occlusion(gl, pass), picture(gl, GL_RGBA8, true, GL_LINEAR),
+          things(gl), ground(gl, pass), occlusion(gl, pass), picture(gl, GL_RGBA8, true, GL_LINEAR),
           rest(gl, GL_RGBA8, true, GL_LINEAR), shown(gl, GL_RGBA8, true, GL_LINEAR)
     {
     }
     bool isReady() const
     {
-        return background && copy && sections.isReady() && ground.isReady() && occlusion.isReady();
+        return background && copy && sections.isReady() && things.isReady() && ground.isReady() &&
+               occlusion.isReady();
     }
 
     void look(const Scene &scene, const Camera &camera, const Vec2 &viewport, double ratio,
@@ -71,6 +74,7 @@ public:
     ScreenPass pass;
     SlabBuffers slabs;
     SectionPasses sections;
+    ThingPainter things;
     GroundPainter ground;
     Occlusion occlusion;
 
@@ -135,9 +139,10 @@ void Renderer::render(const Scene &scene, const Camera &camera, const Vec2 &view
 
     if (!d->drawn || !d->drawn->isOf(scene, camera, viewport, pixelRatio, style, options)) {
         d->slabs.update(scene);
+        d->things.update(scene.things);
         d->look(scene, camera, viewport, pixelRatio, options);
         d->drawPicture(scene, style, options);
-        d->drawn = {scene.sections, camera, viewport, pixelRatio, style, options};
+        d->drawn = {scene.sections, scene.things, camera, viewport, pixelRatio, style, options};
         ++d->drawCount;
     }
     const bool hasOutlines =
@@ -224,11 +229,14 @@ void Renderer::Private::drawPicture(const Scene &scene, const ViewStyle &style,
     if (seesGround)
         ground.draw(view, style);
     sections.drawOpaqueEdges();
-    hasLayers = sections.hasLayers();
+    hasLayers = sections.hasLayers() || things.isAny();
     if (hasLayers) {
         rest.copyFrom(picture);
         beginOn(rest, scene, style, options);
         sections.drawLayers(rest, picture);
+        rest.bind();
+        if (things.isAny())
+            things.draw(view);
     }
 }
 

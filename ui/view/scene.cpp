@@ -217,6 +217,7 @@ Scene SceneBuilder::build(const Model &model) const
         scene.bounds.extend(item.bounds);
         scene.sections.push_back(std::move(item));
     }
+    scene.things = thingsOf(model);
     return scene;
 }
 
@@ -230,6 +231,10 @@ void applyView(Scene &scene, const Model &model, const ViewState &view)
         section.isGhost = view.isGhost(ref);
         section.isProblem = view.problems.count(ref) > 0;
         section.isFaulty = view.faulty.count(ref) > 0;
+    }
+    for (SceneThing &thing : scene.things) {
+        const auto at = static_cast<std::size_t>(thing.section);
+        thing.isHidden = at < count && (scene.sections[at].isHidden || scene.sections[at].isGhost);
     }
 }
 

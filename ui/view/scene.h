@@ -5,6 +5,7 @@
 #include "core/analysis/analysis.h"
 #include "core/interaction/view_state.h"
 #include "ui/view/slit_covers.h"
+#include "ui/view/thing.h"
 #include "ui/view/view_style.h"
 
 #include <memory>
@@ -50,7 +51,8 @@ SlabMesh meshOf(const SceneSection &section);
 struct Scene
 {
     std::vector<SceneSection> sections;
-    Box3 bounds; // of the slabs, mm
+    std::vector<SceneThing> things; // what weights stand for
+    Box3 bounds;                    // of the slabs, mm
 };
 
 /// Remembers the last cut of every section, so that nothing flickers while a newer analysis is on

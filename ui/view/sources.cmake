@@ -41,6 +41,9 @@ target_sources(fff_view PRIVATE
     view/stress_card.cpp
     view/stress_marks.cpp
     view/stroke_marks.cpp
+    view/thing.cpp
+    view/thing_painter.cpp
     view/view_cube_painter.cpp
 )
+include(${CMAKE_SOURCE_DIR}/resources/loads/loads.cmake)
 include(${CMAKE_SOURCE_DIR}/resources/shaders/shaders.cmake)

@@ -183,6 +183,7 @@ void TestStrength::movedAlongTheGround()
 void TestStrength::weightBesideItsSection()
 {
     Document document = sample("glass_four_legs.fff");
+    document.loads.front().spread = Spread::Point; // one force
     Load weight;
     weight.section = document.sections.front()->id;
     weight.position = {1e4, 1e4};

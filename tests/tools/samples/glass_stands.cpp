@@ -6,7 +6,19 @@ namespace fff::samples {
 
 namespace {
 
-constexpr double kFullGlass = 0.625; // 350 ml of water in a glass of 275 g, kg
+/// 350 ml of water in a glass of 275 g.
+Load fullGlass()
+{
+    Load glass;
+    glass.name = "Glass of water";
+    glass.preset = "glass";
+    glass.mass = 0.625;
+    glass.filled = 0.35;
+    glass.height = 60.0;
+    glass.spread = Spread::Patch;
+    glass.width = 60.0;
+    return glass;
+}
 
 /// Outwards from the glass, with a slit for each of the two discs.
 Contour slenderLeg()
@@ -43,7 +55,7 @@ void glass(const std::string &folder, const std::string &name, double legs, doub
     const SectionRef disc = maker.add("Shelf", lying(shelf), circle({0, 0}, 47));
     maker.addOn(disc, "Leg", facingFront(0.0), std::move(leg), std::move(holes));
     maker.add("Ring", lying(ring), circle({0, 0}, 60), {circle({0, 0}, 38)});
-    maker.hang(disc, {0, 0}, kFullGlass);
+    maker.put(disc, {0, 0}, fullGlass());
     maker.apply("rotational", "Legs", {}, {{"times", legs}});
     maker.write(folder, name);
 }
@@ -78,7 +90,7 @@ void acrylicGlass(const std::string &folder, const std::string &name, double leg
     const SectionRef disc = maker.add("Shelf", lying(62.0), circle({0, 0}, 46));
     maker.addOn(disc, "Leg", facingFront(0.0), std::move(leg));
     maker.add("Ring", lying(104.0), circle({0, 0}, 57), {circle({0, 0}, 38)});
-    maker.hang(disc, {0, 0}, kFullGlass);
+    maker.put(disc, {0, 0}, fullGlass());
     maker.apply("rotational", "Legs", {}, {{"times", legs}});
     maker.write(folder, name);
 }

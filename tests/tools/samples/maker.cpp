@@ -142,9 +142,14 @@ void Maker::open(const SectionRef &a, const SectionRef &b, const Vec2 &way)
 void Maker::hang(const SectionRef &section, const Vec2 &position, double kilograms)
 {
     Load weight;
+    weight.mass = kilograms;
+    put(section, position, std::move(weight));
+}
+
+void Maker::put(const SectionRef &section, const Vec2 &position, Load weight)
+{
     weight.section = section;
     weight.position = position;
-    weight.mass = kilograms;
     m_document = taken(addLoad(std::move(m_document), weight), "a weight");
 }
 

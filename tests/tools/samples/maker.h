@@ -33,6 +33,8 @@ public:
     /// In their joint the slit of `a` opens that way, in its frame coordinates.
     void open(const SectionRef &a, const SectionRef &b, const Vec2 &way);
     void hang(const SectionRef &section, const Vec2 &position, double kilograms);
+    /// Of the weight what is not its place.
+    void put(const SectionRef &section, const Vec2 &position, Load weight);
 
     /// All that is there by now, drawn or made.
     std::vector<SectionPointer> sections() const;
