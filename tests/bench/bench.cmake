@@ -3,6 +3,7 @@ add_executable(flatfitfab-bench
     ${CMAKE_CURRENT_LIST_DIR}/bench_main.cpp
     ${CMAKE_CURRENT_LIST_DIR}/counted_memory.cpp
     ${CMAKE_CURRENT_LIST_DIR}/drawing_growth.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/edited_section.cpp
     ${CMAKE_CURRENT_LIST_DIR}/generated_models.cpp
     ${CMAKE_CURRENT_LIST_DIR}/kernel.cpp
     ${CMAKE_CURRENT_LIST_DIR}/measure.cpp
@@ -10,7 +11,9 @@ add_executable(flatfitfab-bench
     ${CMAKE_CURRENT_LIST_DIR}/gizmo_event.cpp
     ${CMAKE_CURRENT_LIST_DIR}/point_event.cpp
     ${CMAKE_CURRENT_LIST_DIR}/report.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/stroke_event.cpp)
+    ${CMAKE_CURRENT_LIST_DIR}/strength_cost.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/stroke_event.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/text_table.cpp)
 target_link_libraries(flatfitfab-bench PRIVATE fff::session)
 target_precompile_headers(flatfitfab-bench REUSE_FROM fff_session)
 if(TARGET fff::view) # its arrays need no display

@@ -5,6 +5,7 @@
 #include "tests/bench/generated_models.h"
 #include "tests/bench/kernel.h"
 #include "tests/bench/report.h"
+#include "tests/bench/strength_cost.h"
 #include "tests/bench/stroke_event.h"
 
 #include <QCommandLineParser>
@@ -66,7 +67,7 @@ std::vector<Case> generatedCases(const QString &folder)
         add(square("short in lattice", n), document,
             static_cast<int>(document.sections.size()) - 1);
     }
-    for (int n : {10, 20, 40})
+    for (int n : {10, 20, 40, 80, 160})
         add(square("crates of 10, in all", n), crates(n, 10));
     const auto addRepeated = [&](const char *kind, bool scaled, bool branches, const char *what) {
         const QString path =
@@ -104,6 +105,29 @@ std::vector<StrokeTiming> drawnStrokes(const QStringList &sizes, const QStringLi
     return rows;
 }
 
+/// Of all cases that are wanted.
+template <class Row, class IsWanted, class Measure>
+Result<std::vector<Row>> rowsOf(const std::vector<Case> &cases, IsWanted isWanted,
+                                const std::optional<Kernel> &kernel, Measure measureOne)
+{
+    std::vector<Row> rows;
+    // Before and after each model: others may be busy on the machine at one time and not another.
+    double before = kernel ? kernel->run() : 0.0;
+    for (const Case &item : cases) {
+        if (!isWanted(item.name))
+            continue;
+        Result<Row> row = measureOne(item);
+        if (!row)
+            return tl::unexpected(row.error());
+        const double after = kernel ? kernel->run() : 0.0;
+        row->kernel = 0.5 * (before + after);
+        before = after;
+        QTextStream(stderr) << QString::fromStdString(row->name) << Qt::endl;
+        rows.push_back(*std::move(row));
+    }
+    return rows;
+}
+
 } // namespace
 
 int main(int argc, char **argv)
@@ -130,6 +154,9 @@ int main(int argc, char **argv)
                       QStringLiteral("Strokes of so many samples instead, separated by commas; "
                                      "--only names hands."),
                       QStringLiteral("N,…")});
+    parser.addOption({QStringLiteral("strength"),
+                      QStringLiteral("What it costs to say whether the models hold, instead; of "
+                                     "the runs the shortest.")});
     parser.addPositionalArgument(QStringLiteral("FOLDER"), QStringLiteral("Models to measure."),
                                  QStringLiteral("[FOLDER…]"));
     parser.process(application);
@@ -169,22 +196,22 @@ int main(int argc, char **argv)
                });
     };
 
-    std::vector<Measurement> rows;
     const int runs = std::max(1, parser.value(QStringLiteral("runs")).toInt());
-    // Before and after each model: others may be busy on the machine at one time and not another.
-    double before = kernel ? kernel->run() : 0.0;
-    for (const Case &item : cases) {
-        if (!isWanted(item.name))
-            continue;
-        Result<Measurement> row = measure(item.name, item.path, runs, item.edited);
-        if (!row)
-            return fail(io::errorText(row.error()));
-        const double after = kernel ? kernel->run() : 0.0;
-        row->kernel = 0.5 * (before + after);
-        before = after;
-        QTextStream(stderr) << QString::fromStdString(row->name) << Qt::endl;
-        rows.push_back(*std::move(row));
+    if (parser.isSet(QStringLiteral("strength"))) {
+        const auto rows = rowsOf<StrengthCost>(cases, isWanted, kernel, [runs](const Case &item) {
+            return strengthCost(item.name, item.path, runs, item.edited);
+        });
+        if (!rows)
+            return fail(io::errorText(rows.error()));
+        QTextStream(stdout) << QString::fromStdString(strengthTables(*rows, peer));
+        return 0;
     }
+    const auto measured = rowsOf<Measurement>(cases, isWanted, kernel, [runs](const Case &item) {
+        return measure(item.name, item.path, runs, item.edited);
+    });
+    if (!measured)
+        return fail(io::errorText(measured.error()));
+    const std::vector<Measurement> &rows = *measured;
     const std::vector<DrawingCost> drawings = drawingCosts(isWanted, kernel);
     QTextStream(stdout) << QString::fromStdString(tables(rows, peer) + growthTable(drawings));
     if (parser.isSet(QStringLiteral("json"))) {

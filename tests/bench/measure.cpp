@@ -7,10 +7,10 @@
 #include "core/io/cutting_file.h"
 #include "core/io/document_file.h"
 #include "core/io/svg_writer.h"
-#include "core/model/edits.h"
 #include "core/operations/evaluate.h"
 #include "core/session/kept_models.h"
 #include "tests/bench/counted_memory.h"
+#include "tests/bench/edited_section.h"
 #include "tests/bench/gizmo_event.h"
 #include "tests/bench/stopwatch.h"
 
@@ -27,34 +27,6 @@ constexpr double kStretch = 3.0;   // mm between which a dragged section goes to
 ModelPointer modelOf(Document document, const Model &previous = {})
 {
     return std::make_shared<const Model>(evaluate(std::move(document), previous));
-}
-
-std::vector<int> jointCounts(const Analysis &analysis)
-{
-    std::vector<int> counts(analysis.model.sectionCount());
-    for (const Joint &joint : analysis.assembly.joints) {
-        ++counts[static_cast<std::size_t>(joint.a)];
-        ++counts[static_cast<std::size_t>(joint.b)];
-    }
-    return counts;
-}
-
-/// The first section that has as many joints as the middle one when ordered by that.
-int middleSection(const std::vector<int> &counts)
-{
-    std::vector<int> sorted = counts;
-    std::sort(sorted.begin(), sorted.end());
-    const int middle = sorted[sorted.size() / 2];
-    return static_cast<int>(std::find(counts.begin(), counts.end(), middle) - counts.begin());
-}
-
-/// The section moved along its plane and across it.
-Document moved(const Document &document, SectionId id, double by)
-{
-    const Section &section = *document.find(id);
-    Frame frame = section.frame;
-    frame.origin += by * (frame.x + frame.normal()); // its mates' slits move, too
-    return *moveSection(document, id, frame);
 }
 
 /// The step as the undo history keeps it: the model after the edit, beside the one before it.
@@ -213,8 +185,7 @@ Result<Measurement> measure(const std::string &name, const QString &path, int ru
         t.drawing = drawingTime(analysis);
 
         const std::vector<int> counts = jointCounts(analysis);
-        const int drawn = static_cast<int>(model->drawnCount());
-        const int index = edited >= 0 ? edited : std::min(middleSection(counts), drawn - 1);
+        const int index = edited >= 0 ? edited : middleSection(analysis, counts);
         result.sections = static_cast<int>(model->sectionCount());
         result.joints = static_cast<int>(analysis.assembly.joints.size());
         result.neighbours = counts[static_cast<std::size_t>(index)];

@@ -65,7 +65,7 @@ Result<Peer> readPeer(const QString &path)
             return 0.0;
         };
         peer.rows[keyOf(cells.first())] = {cell("load"), cell("all slits"), cell("SVG"),
-                                           cell("one drag move")};
+                                           cell("one drag move"), cell("physics")};
     }
     if (!(peer.kernel > 0.0) || peer.rows.empty())
         return failure(ErrorCode::BadSyntax, path.toStdString());

@@ -14,7 +14,7 @@ namespace fff::bench {
 /// The columns that both programs have; milliseconds.
 struct PeerRow
 {
-    double load = 0.0, slits = 0.0, svg = 0.0, drag = 0.0;
+    double load = 0.0, slits = 0.0, svg = 0.0, drag = 0.0, physics = 0.0;
 };
 
 /// By the name of the model, blanks and case aside: "comb of 50", "lattice 25 × 25".

@@ -1,16 +1,16 @@
 #include "tests/bench/report.h"
 
 #include "core/io/json_writer.h"
+#include "tests/bench/text_table.h"
 
 #include <algorithm>
 #include <array>
-#include <cstdio>
 
 namespace fff::bench {
 
 namespace {
 
-using Row = std::vector<std::string>;
+using Row = TableRow;
 
 struct Column
 {
@@ -59,40 +59,6 @@ constexpr std::array<Ratio, 6> kRatios{
 double ratio(const Ratio &r, const Measurement &row, const Peer &peer, const PeerRow &peerRow)
 {
     return (r.ours(row.milliseconds) / row.kernel) / (r.peers(peerRow) / peer.kernel);
-}
-
-std::string fixed(double value, int decimals)
-{
-    char buffer[64];
-    const int length = std::snprintf(buffer, sizeof buffer, "%.*f", decimals, value);
-    return {buffer, static_cast<std::size_t>(length)};
-}
-
-std::size_t width(const std::string &text)
-{
-    return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) {
-        return (static_cast<unsigned char>(c) & 0xC0u) != 0x80u; // the first byte of a character
-    }));
-}
-
-/// The first column to the left, the others to the right.
-std::string aligned(const std::string &title, const std::vector<Row> &rows)
-{
-    std::vector<std::size_t> widths;
-    for (const Row &row : rows) {
-        widths.resize(std::max(widths.size(), row.size()));
-        for (std::size_t i = 0; i < row.size(); ++i)
-            widths[i] = std::max(widths[i], width(row[i]));
-    }
-    std::string out = title + "\n";
-    for (const Row &row : rows) {
-        for (std::size_t i = 0; i < row.size(); ++i) {
-            const std::string space(widths[i] - width(row[i]), ' ');
-            out += i == 0 ? row[i] + space : "  " + space + row[i];
-        }
-        out += '\n';
-    }
-    return out + '\n';
 }
 
 std::string timeTable(const std::vector<Measurement> &rows, bool inKernels)
@@ -147,14 +113,6 @@ std::string pointTable(const std::vector<Measurement> &rows)
                          row.kernel > 0.0 ? fixed(e.sum() / row.kernel, 4) : std::string("-")});
     }
     return aligned("The worst move of a control point, milliseconds", table);
-}
-
-/// What the name of a generated model says before its size.
-std::string familyOf(const std::string &name)
-{
-    const std::size_t size = name.find_first_of("0123456789");
-    const bool isSized = size != 0 && size != std::string::npos && name[size - 1] == ' ';
-    return isSized ? name.substr(0, size) : std::string();
 }
 
 /// Of models that differ in size alone, each beside the one before it.
