@@ -5,6 +5,7 @@
 #include "core/fabrication/wholeness.h"
 #include "core/operations/evaluate.h"
 #include "ui/view/offscreen_image.h"
+#include "ui/view/strained_scene.h"
 #include "ui/view/stress_marks.h"
 
 #include <QBuffer>
@@ -29,6 +30,7 @@ QString tr(const char *text)
 struct Picture : PictureOptions
 {
     bool showsLabels = false, showsChecks = false, showsStress = false, showsForces = false;
+    bool isAccurate = false;
 };
 
 /// What was asked for, or why not.
@@ -44,6 +46,7 @@ QString readPicture(const QCommandLineParser &parser, Picture &picture)
         return tr("%1 is of no kind that can be written; expected .png.").arg(output);
     if (const QString reason = readPictureOptions(parser, picture); !reason.isEmpty())
         return reason;
+    picture.isAccurate = parser.isSet(QStringLiteral("accurate"));
     const QString shows = parser.value(QStringLiteral("show"));
     for (const QString &what : shows.split(u',', Qt::SkipEmptyParts)) {
         if (what == QStringLiteral("labels"))
@@ -112,22 +115,42 @@ void drawLabels(const Analysis &analysis, const Camera &camera, const Vec2 &view
     }
 }
 
-/// Why there is nothing to be seen is said; the picture is made all the same.
-void drawStrength(const Analysis &analysis, const Picture &picture, const Camera &camera,
-                  const QString &file, QImage &image)
+/// What is known of whether the model holds.
+struct Strained
 {
+    Strength strength;
+    std::shared_ptr<const BentModel> bent; // null: not asked for, or not known
+};
+
+/// Why there is nothing to be seen is said; the picture is made all the same.
+Strained strained(AnalysisPointer analysis, const Picture &picture, const QString &file)
+{
+    StrengthRules rules;
+    rules.isElastic = picture.isAccurate;
     StrengthCaches caches;
-    const Strength strength = strengthOf(analysis, StrengthRules(), caches);
-    if (!areStressesKnown(strength)) {
+    Strained known{strengthOf(*analysis, rules, caches), nullptr};
+    if (!areStressesKnown(known.strength)) {
         printError(tr("%1: no forces are shown, as it does not stand, or they could not be worked "
                       "out. \"check\" says why.")
                        .arg(file));
-        return;
+    } else if (picture.isAccurate && picture.showsStress) {
+        auto bent = bentModel(std::move(analysis), known.strength, caches);
+        if (bent)
+            known.bent = std::make_shared<const BentModel>(*std::move(bent));
     }
-    ui::StressMarks marks = ui::stressMarksOf(std::make_shared<const Analysis>(analysis), strength);
+    return known;
+}
+
+void drawStrength(AnalysisPointer analysis, const Strained &known, const Picture &picture,
+                  const Camera &camera, QImage &image)
+{
+    if (!areStressesKnown(known.strength))
+        return;
+    ui::StressMarks marks = ui::stressMarksOf(analysis, known.strength);
+    marks.bent = known.bent;
     if (picture.showsForces) {
-        marks.forces = ui::footForces(strength);
-        for (const ui::ForceMark &mark : ui::jointForces(analysis, strength))
+        marks.forces = ui::footForces(known.strength);
+        for (const ui::ForceMark &mark : ui::jointForces(*analysis, known.strength))
             marks.forces.push_back(mark);
     }
     QPainter painter(&image);
@@ -154,6 +177,9 @@ int runRender(const QStringList &arguments)
          tr("labels: the sections' names; checks: outlines what has a problem; stress: "
             "the weakest cross-sections; forces: what feet and joints bear."),
          QStringLiteral("WHAT,...")});
+    parser.addOption({QStringLiteral("accurate"),
+                      tr("Stress by finite elements, in colours all over the sections; takes "
+                         "seconds.")});
     addDocumentOptions(parser);
     const Verb &verb = verbNamed("render");
     const Arguments parsed = parse(parser, verb, arguments, 1);
@@ -171,7 +197,9 @@ int runRender(const QStringList &arguments)
         return *loaded.status;
 
     AnalysisCaches caches;
-    const Analysis analysis = analyse(evaluate(std::move(loaded.document)), caches);
+    const auto shared =
+        std::make_shared<const Analysis>(analyse(evaluate(std::move(loaded.document)), caches));
+    const Analysis &analysis = *shared;
     // What could not be worked out is shown as far as it is known.
     if (const auto known = haveSolids(analysis.model, analysis.bodies); !known)
         report(known.error(), parsed.files.first());
@@ -181,6 +209,11 @@ int runRender(const QStringList &arguments)
         markProblems(analysis, scene);
         style.accent = kProblem;
     }
+    Strained known;
+    if (picture.showsStress || picture.showsForces) {
+        known = strained(shared, picture, parsed.files.first());
+        ui::showStress(scene, analysis.model, known.bent.get());
+    }
     const Camera camera = ui::cameraFor(scene, picture.view.toStdString(), picture.size);
     QImage image = ui::OffscreenPainter().paint(scene, camera, picture.size, 1.0, style);
     if (image.isNull()) {
@@ -188,7 +221,7 @@ int runRender(const QStringList &arguments)
         return CannotWrite;
     }
     if (picture.showsStress || picture.showsForces)
-        drawStrength(analysis, picture, camera, parsed.files.first(), image);
+        drawStrength(shared, known, picture, camera, image);
     if (picture.showsLabels)
         drawLabels(analysis, camera, picture.size, image);
     QBuffer png;

@@ -1,14 +1,16 @@
 // The stage of whether the model holds, more accurately: its bodies bend.
 #pragma once
 
+#include "core/analysis/bent_model.h"
 #include "core/analysis/holding.h"
 
 namespace fff {
 
 struct Accurate
 {
-    std::shared_ptr<const Holding> held; // null: nobody asks for it (StrengthRules::isElastic)
-    std::vector<Finding> findings;       // of that
+    std::shared_ptr<const Holding> held;   // null: nobody asks for it (StrengthRules::isElastic)
+    std::shared_ptr<const BentModel> bent; // under its forces; null where those are not known
+    std::vector<Finding> findings;         // of that
     std::shared_ptr<StrengthCaches> caches;
 };
 

@@ -1,7 +1,7 @@
 // How the bodies of a model give under what holds and loads them, as finite elements.
 #pragma once
 
-#include "core/analysis/structure_of.h"
+#include "core/analysis/body_plate.h"
 #include "core/physics/elastic_equilibrium.h"
 
 #include <map>
@@ -22,7 +22,7 @@ public:
 
     /// Errors  Cancelled.
     static Result<BendingBodies> of(const Analysis &analysis, const ModelStructure &made,
-                                    Cache &cache, const LongWork &work = {});
+                                    Cache &cache, PlateMeshes &meshes, const LongWork &work = {});
 
     /// Under their own weight and `scale` times the loads of the structure.
     std::vector<MemberFlexibility> under(double scale) const;

@@ -5,6 +5,8 @@ target_sources(fff_core PRIVATE
     analysis/assembly_plan.cpp
     analysis/bearable_mass.cpp
     analysis/bending_bodies.cpp
+    analysis/bent_model.cpp
+    analysis/body_plate.cpp
     analysis/captives.cpp
     analysis/check_caches.cpp
     analysis/checks.cpp

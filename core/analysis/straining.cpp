@@ -142,6 +142,16 @@ private:
 
 } // namespace
 
+std::vector<char> bodiesWithForces(const Equilibrium &equilibrium, std::size_t bodies)
+{
+    std::vector<char> has(bodies, 0);
+    for (const ComponentState &state : equilibrium.components)
+        for (const int member : state.parts.members)
+            has[static_cast<std::size_t>(member)] =
+                state.hasForces && state.balance == Balance::Stands;
+    return has;
+}
+
 void Straining::balance(double scale, Strength &strength) const
 {
     const Structure loaded = loadedBy(scale, strength);
@@ -157,7 +167,8 @@ void Straining::balance(double scale, Strength &strength) const
 /// The forces of bodies that bend in place of those of rigid ones, where there are such.
 void Straining::bend(double scale, const Structure &loaded, Strength &strength) const
 {
-    const auto bending = BendingBodies::of(m_analysis, strength.made, m_caches.bending, m_work);
+    const auto bending =
+        BendingBodies::of(m_analysis, strength.made, m_caches.bending, m_caches.meshes, m_work);
     if (!bending)
         return; // it was stopped: whoever did so wants none of this
     strength.stiff = bending->stiff();
@@ -197,7 +208,7 @@ void Straining::strain(double scale, std::span<const int> bodies, bool withLines
     std::vector<std::vector<char>> hasForces;
     std::vector<ForcesOnBodies> forces;
     for (const Equilibrium &equilibrium : strength.envelope) {
-        hasForces.push_back(bodiesWithForces(equilibrium));
+        hasForces.push_back(bodiesWithForces(equilibrium, m_analysis.bodies.size()));
         forces.push_back(forcesOn(m_analysis.bodies, strength.made, loaded, equilibrium));
     }
     for (const int index : bodies) {
@@ -224,17 +235,6 @@ void Straining::strain(double scale, std::span<const int> bodies, bool withLines
             strength.worst = static_cast<int>(i);
         }
     }
-}
-
-/// In equilibrium, whether or not all the rest is.
-std::vector<char> Straining::bodiesWithForces(const Equilibrium &equilibrium) const
-{
-    std::vector<char> has(m_analysis.bodies.size(), 0);
-    for (const ComponentState &state : equilibrium.components)
-        for (const int member : state.parts.members)
-            has[static_cast<std::size_t>(member)] =
-                state.hasForces && state.balance == Balance::Stands;
-    return has;
 }
 
 const Stock &Straining::stockOf(int body) const

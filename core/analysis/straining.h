@@ -7,6 +7,10 @@
 
 namespace fff {
 
+/// Of each body, whether its forces are known: it is in equilibrium, whether or not all the rest
+/// is.
+std::vector<char> bodiesWithForces(const Equilibrium &equilibrium, std::size_t bodies);
+
 /// A structure, the solutions that count, and the bodies' stresses under them.
 class Straining
 {
@@ -28,7 +32,6 @@ public:
 
 private:
     void bend(double scale, const Structure &loaded, Strength &strength) const;
-    std::vector<char> bodiesWithForces(const Equilibrium &equilibrium) const;
     const Stock &stockOf(int body) const;
     const SectionCuts &cutsOf(int body) const;
     SheetMaterial sheetOf(int body) const;

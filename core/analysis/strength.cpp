@@ -95,6 +95,7 @@ void addStresses(const Analysis &analysis, const StrengthRules &rules, StrengthC
         if (auto found = caches.cuts.extract(analysis.bodies.pointer(static_cast<int>(i))))
             used.insert(std::move(found));
     caches.cuts = std::move(used);
+    keepMeshesOf(analysis.bodies, caches.meshes);
 }
 
 Strength strengthOf(const Analysis &analysis, const StrengthRules &rules, StrengthCaches &caches,

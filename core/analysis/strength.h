@@ -53,12 +53,16 @@ struct Strength
     const Equilibrium &equilibrium() const { return envelope.front(); }
 };
 
+struct BentBody;
+
 /// What stays the same from one model to the next. Not for several threads at once.
 struct StrengthCaches
 {
     std::map<BodyPointer, std::shared_ptr<const SectionCuts>> cuts;
     EquilibriumCache equilibria;
     BendingBodies::Cache bending;
+    PlateMeshes meshes;
+    std::map<BodyPointer, std::shared_ptr<const BentBody>> bent; // see bentModel()
 };
 
 /// The lower one of those that are known, MPa.

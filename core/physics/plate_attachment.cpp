@@ -181,4 +181,19 @@ void addWrench(PlateField &field, const PlateModel &model, const PlateAttachment
                        forces[static_cast<Eigen::Index>(i)] * attachment.points[i].way);
 }
 
+WrenchVector attachmentMotion(const PlateModel &model, const PlateField &displacements,
+                              const PlateAttachment &attachment)
+{
+    Eigen::VectorXd moved(static_cast<Eigen::Index>(attachment.points.size()));
+    for (std::size_t i = 0; i < attachment.points.size(); ++i) {
+        const PatchPoint &p = attachment.points[i];
+        moved[static_cast<Eigen::Index>(i)] =
+            p.way.dot(model.displacement(displacements, model.place(p.point)));
+    }
+    WrenchVector motion;
+    for (int k = 0; k < 6; ++k)
+        motion[k] = moved.dot(pressures(attachment, WrenchVector::Unit(k)));
+    return motion;
+}
+
 } // namespace fff

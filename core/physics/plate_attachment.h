@@ -60,4 +60,9 @@ Eigen::VectorXd pressures(const PlateAttachment &attachment, const WrenchVector 
 void addWrench(PlateField &field, const PlateModel &model, const PlateAttachment &attachment,
                const WrenchVector &wrench);
 
+/// How far it moves and turns where the plate is displaced so, as work counts it: (mm, rad) about
+/// the attachment's point.
+WrenchVector attachmentMotion(const PlateModel &model, const PlateField &displacements,
+                              const PlateAttachment &attachment);
+
 } // namespace fff

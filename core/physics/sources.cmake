@@ -8,6 +8,7 @@ target_sources(fff_core PRIVATE
     physics/cut_sides.cpp
     physics/elastic_equilibrium.cpp
     physics/equilibrium.cpp
+    physics/fitting_motions.cpp
     physics/force_sites.cpp
     physics/indeterminacy.cpp
     physics/least_energy.cpp
@@ -28,6 +29,7 @@ target_sources(fff_core PRIVATE
     physics/section_cuts.cpp
     physics/section_outline.cpp
     physics/section_stress.cpp
+    physics/stress_field.cpp
     physics/stress_places.cpp
     physics/wall_pressure.cpp
 )

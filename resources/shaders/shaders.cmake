@@ -7,6 +7,8 @@ qt_add_resources(fff_view shaders PREFIX /shaders BASE ${CMAKE_CURRENT_LIST_DIR}
     ${CMAKE_CURRENT_LIST_DIR}/copy.frag
     ${CMAKE_CURRENT_LIST_DIR}/edge.frag
     ${CMAKE_CURRENT_LIST_DIR}/edge.vert
+    ${CMAKE_CURRENT_LIST_DIR}/field.frag
+    ${CMAKE_CURRENT_LIST_DIR}/field.vert
     ${CMAKE_CURRENT_LIST_DIR}/ground.frag
     ${CMAKE_CURRENT_LIST_DIR}/ground.vert
     ${CMAKE_CURRENT_LIST_DIR}/occlusion.frag

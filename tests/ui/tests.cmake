@@ -10,6 +10,7 @@ fff_tests(tests_view LIBRARIES fff::view fff::session
         ui/view/tst_stress_marks
     ON_A_DISPLAY # pictures need its OpenGL
         ui/tst_offscreen_image
+        ui/view/tst_field_painter
         ui/view/tst_renderer
         ui/view/tst_things
     ALONE ui/view/tst_renderer)

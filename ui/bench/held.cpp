@@ -14,6 +14,13 @@ std::shared_ptr<const Holding> heldNow(const Scheduler &scheduler)
     return scheduler.result(kHolding);
 }
 
+std::shared_ptr<const BentModel> bentNow(const Scheduler &scheduler)
+{
+    const auto accurate = scheduler.result(kAccurate);
+    return accurate && accurate->held && heldNow(scheduler) == accurate->held ? accurate->bent
+                                                                              : nullptr;
+}
+
 bool isOfHolding(std::string_view stage)
 {
     return stage == kHolding.name || stage == kAccurate.name;

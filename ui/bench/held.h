@@ -1,6 +1,7 @@
 // What is known of whether the model holds: the better of two answers.
 #pragma once
 
+#include "core/analysis/bent_model.h"
 #include "core/analysis/holding.h"
 
 #include <memory>
@@ -15,6 +16,8 @@ namespace fff::ui {
 /// With sections that bend where that is known of the model that is there, else with rigid ones.
 /// Null: nothing is known yet.
 std::shared_ptr<const Holding> heldNow(const Scheduler &scheduler);
+/// How the model gives under the forces of what heldNow() is; null: not known.
+std::shared_ptr<const BentModel> bentNow(const Scheduler &scheduler);
 /// A stage whose result that may be.
 bool isOfHolding(std::string_view stage);
 

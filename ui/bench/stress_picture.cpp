@@ -42,6 +42,7 @@ const StressMarks *StressPicture::marks()
     if (held != m_held) {
         m_held = held;
         m_marks = stressMarksOf(held->analysis, held->strength);
+        m_marks.bent = bentNow(scheduler);
         m_feet = footForces(held->strength);
     }
     m_marks.isOlder =

@@ -11,6 +11,7 @@
 #include "ui/view/measure_marks.h"
 #include "ui/view/overlay_painter.h"
 #include "ui/view/steps_scene.h"
+#include "ui/view/strained_scene.h"
 
 #include <QContextMenuEvent>
 #include <QFocusEvent>
@@ -151,6 +152,9 @@ void Viewport::paintGL()
         options.isXray = interaction.view().isXray;
         options.hasGround = interaction.view().hasGround;
         options.clip = interaction.view().clip;
+        const StressMarks *stress = m_stress.marks();
+        showStress(m_scene, m_bench.shownModel(), stress ? stress->bent.get() : nullptr);
+        options.stressAlpha = stress && stress->isOlder ? kOlderStress : 1.0;
         m_renderer.render(m_steps ? m_steps->scene : m_scene, interaction.camera(),
                           Vec2(width(), height()), devicePixelRatioF(), theme().viewStyle(),
                           options);

@@ -17,7 +17,7 @@ bool SceneSection::looksTheSame(const SceneSection &other) const
            look.side == other.look.side && look.alpha == other.look.alpha &&
            covers == other.covers && guests == other.guests && isGhost == other.isGhost &&
            isHidden == other.isHidden && isProblem == other.isProblem &&
-           isFaulty == other.isFaulty && isMade == other.isMade;
+           isFaulty == other.isFaulty && isMade == other.isMade && fields == other.fields;
 }
 
 std::span<const Triangulation> trianglesOf(const Shape &shape)

@@ -4,6 +4,7 @@
 
 #include "core/analysis/analysis.h"
 #include "core/interaction/view_state.h"
+#include "core/physics/stress_field.h"
 #include "ui/view/slit_covers.h"
 #include "ui/view/thing.h"
 #include "ui/view/view_style.h"
@@ -28,6 +29,7 @@ struct SceneSection
     CoversPointer covers;    // of the cut's slits, shared by those that look alike; may be null
     std::vector<int> guests; // of each cover: its section in the scene, -1 for one that went
     Box3 bounds;             // of the slab, mm
+    std::vector<StressFieldPointer> fields = {}; // drawn on its faces, of its bodies
     bool isSelected = false, isHovered = false;
     bool isSibling = false; // of the one that is hovered: the same operation made it
     bool isMade = false;    // by the operation that is selected

@@ -25,13 +25,13 @@ QColor scaled(const QColor &c, double factor)
 } // namespace
 
 SectionPasses::SectionPasses(Gl &gl, ScreenPass &pass, const SlabBuffers &slabs)
-    : m_gl(gl), m_painter(gl, slabs), m_layers(gl, pass), m_caps(gl), m_marks(gl)
+    : m_gl(gl), m_painter(gl, slabs), m_layers(gl, pass), m_caps(gl), m_marks(gl), m_fields(gl)
 {
 }
 
 bool SectionPasses::isReady() const
 {
-    return m_painter.isReady() && m_layers.isReady() && m_caps.isReady();
+    return m_painter.isReady() && m_layers.isReady() && m_caps.isReady() && m_fields.isReady();
 }
 
 void SectionPasses::begin(const Scene &scene, const FrameView &view, const ViewStyle &style,
@@ -43,6 +43,7 @@ void SectionPasses::begin(const Scene &scene, const FrameView &view, const ViewS
     m_view = view;
     m_painter.begin(view, scene);
     m_marks.update(scene);
+    m_fields.update(scene);
 }
 
 SectionPasses::Kind SectionPasses::kindOf(std::size_t index) const
@@ -122,6 +123,7 @@ void SectionPasses::drawOpaque()
         m_gl.glPolygonOffset(setBack(), 1.0f + 4.0f * static_cast<float>(i % 8));
         m_painter.fill(i, lookOf(i, 1.0));
     }
+    drawFields();
     setClipped(false);
     if (m_options->clip) {
         m_gl.glPolygonOffset(setBack(), 1.0f);
@@ -130,6 +132,28 @@ void SectionPasses::drawOpaque()
     }
     m_gl.glDisable(GL_POLYGON_OFFSET_FILL);
     m_gl.glDisable(GL_CULL_FACE);
+}
+
+/// Between the face that they are on and the lines on it. What lets light through has them, too:
+/// as they are opaque they hide what is behind them, and are seen through what is before them.
+void SectionPasses::drawFields()
+{
+    // Slopes: before its own face, or of what lets light through almost the face itself, since that
+    // is compared at another resolution.
+    constexpr float kOverFace = 0.25f, kOverLayer = 0.3f;
+    m_gl.glEnable(GL_BLEND);
+    for (std::size_t i = 0; i < m_scene->sections.size(); ++i) {
+        const Kind kind = kindOf(i);
+        if (kind != Kind::Opaque && kind != Kind::Translucent)
+            continue;
+        const bool isOpaque = kind == Kind::Opaque;
+        const std::size_t place = isOpaque ? i % 8 : 0;
+        m_gl.glPolygonOffset(isOpaque ? setBack() - kOverFace : kOverLayer,
+                             -1.0f + 4.0f * static_cast<float>(place));
+        m_fields.draw(m_scene->sections[i], m_view,
+                      {m_style->isForColourBlind, m_options->leastStress, m_options->stressAlpha});
+    }
+    m_gl.glDisable(GL_BLEND);
 }
 
 void SectionPasses::drawOpaqueEdges()

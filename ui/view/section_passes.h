@@ -3,6 +3,7 @@
 #pragma once
 
 #include "ui/view/cap_buffers.h"
+#include "ui/view/field_painter.h"
 #include "ui/view/layers.h"
 #include "ui/view/mark_buffers.h"
 
@@ -39,6 +40,7 @@ private:
     void drawEdges(std::size_t section, double alpha);
     float setBack() const;
     void setClipped(bool on);
+    void drawFields();
     void drawTranslucent(RenderTarget &image);
     void drawGhosts(RenderTarget &image);
     void drawDepths(const std::vector<std::size_t> &sections);
@@ -48,6 +50,7 @@ private:
     Layers m_layers;
     CapBuffers m_caps;
     MarkBuffers m_marks;
+    FieldPainter m_fields;
 
     const Scene *m_scene = nullptr;
     const ViewStyle *m_style = nullptr;

@@ -26,7 +26,8 @@ bool mayBeSeen(const Box3 &box, const Eigen::Matrix4d &toClip)
     return true;
 }
 
-/// The plane's height as a row for places that `place` puts into the world; 0 without a plane.
+} // namespace
+
 QVector4D cutRow(const std::optional<ClipPlane> &plane, const Eigen::Matrix4d &place)
 {
     if (!plane)
@@ -35,8 +36,6 @@ QVector4D cutRow(const std::optional<ClipPlane> &plane, const Eigen::Matrix4d &p
     row << plane->normal.transpose(), -plane->normal.dot(plane->point);
     return toFloat(Eigen::Vector4d((row * place).transpose()));
 }
-
-} // namespace
 
 Eigen::Matrix4d slabMatrix(const SceneSection &section)
 {

@@ -10,6 +10,9 @@ namespace fff::ui {
 /// Places a slab's mesh (ui/view/slab_mesh.h) in the world.
 Eigen::Matrix4d slabMatrix(const SceneSection &section);
 
+/// The plane's height as a row for places that `place` puts into the world; 0 without a plane.
+QVector4D cutRow(const std::optional<ClipPlane> &plane, const Eigen::Matrix4d &place);
+
 QVector3D rgb(const QColor &colour);
 QVector4D premultiplied(const QColor &colour, double alpha = 1.0);
 

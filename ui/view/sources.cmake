@@ -2,6 +2,7 @@ target_sources(fff_view PRIVATE
     view/cap_buffers.cpp
     view/cut_caps.cpp
     view/edge_array.cpp
+    view/field_painter.cpp
     view/frame_pace.cpp
     view/force_marks.cpp
     view/gizmo_marks.cpp
@@ -38,7 +39,9 @@ target_sources(fff_view PRIVATE
     view/steps_paper.cpp
     view/steps_scene.cpp
     view/stock_look.cpp
+    view/strained_scene.cpp
     view/stress_card.cpp
+    view/stress_colours.cpp
     view/stress_marks.cpp
     view/stroke_marks.cpp
     view/thing.cpp

@@ -7,7 +7,6 @@
 #include <QCoreApplication>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace fff::ui {
@@ -19,30 +18,16 @@ struct StressTexts
     Q_DECLARE_TR_FUNCTIONS(fff::ui::StressMarks)
 };
 
-constexpr double kLeast = 0.2;                      // share of the limit that the colours begin at
-constexpr double kThinnest = 1.5, kThickest = 4.0;  // px
-constexpr double kOlder = 0.4;                      // alpha
-constexpr double kReach = 6.0;                      // px from a line: it is meant
-constexpr double kRing = 24.0;                      // px across
-constexpr double kMargin = 8.0, kLegendTop = 116.0; // px: under the cube
+constexpr double kThinnest = 1.5, kThickest = 4.0;     // px
+constexpr double kReach = 6.0;                         // px from a line: it is meant
+constexpr double kRing = 24.0;                         // px across
+constexpr double kMargin = 8.0, kLegendTop = 116.0;    // px: under the cube
 constexpr double kBarWidth = 12.0, kBarHeight = 160.0; // px
-
-using Palette = std::array<QColor, 5>; // at 20, 40, 60, 80, 100 %
-
-const Palette &paletteOf(bool isForColourBlind)
-{
-    static const Palette hues{QColor(0x2b, 0x4c, 0xd8), QColor(0x1b, 0x8f, 0xc9),
-                              QColor(0x2f, 0xa3, 0x5a), QColor(0xe0, 0xa1, 0x1b),
-                              QColor(0xd2, 0x26, 0x1c)};
-    static const Palette lightness{QColor(0xf0, 0xe0, 0x4a), QColor(0xf4, 0x93, 0x4a),
-                                   QColor(0xcf, 0x4a, 0x79), QColor(0x84, 0x07, 0xa6),
-                                   QColor(0x23, 0x04, 0x83)};
-    return isForColourBlind ? lightness : hues;
-}
 
 double widthOf(double use)
 {
-    const double share = std::clamp((use - kLeast) / (1.0 - kLeast), 0.0, 1.0);
+    const double share =
+        std::clamp((use - kFirstStressColour) / (1.0 - kFirstStressColour), 0.0, 1.0);
     return kThinnest + share * (kThickest - kThinnest);
 }
 
@@ -97,12 +82,18 @@ void paintLine(MarkPen &pen, const StressLine &line, double alpha)
     }
 }
 
+/// The stress is drawn all over it.
+bool hasField(const StressMarks &marks, int body)
+{
+    return marks.bent && marks.bent->fields[static_cast<std::size_t>(body)];
+}
+
 /// Where the bar stands: under the cube.
 void paintLegend(MarkPen &pen, const StressMarks &marks, const QLocale &locale)
 {
     QPainter &painter = pen.painter();
     const ViewStyle &style = pen.style();
-    const double limit = marks.lines.empty() ? 0.0 : marks.lines.back().limit;
+    const double limit = marks.lines.empty() ? marks.limit : marks.lines.back().limit;
     QFont font = painter.font();
     font.setPixelSize(12);
     painter.setFont(font);
@@ -151,20 +142,6 @@ void paintLegend(MarkPen &pen, const StressMarks &marks, const QLocale &locale)
 
 } // namespace
 
-QColor stressColour(double use, bool isForColourBlind)
-{
-    const Palette &palette = paletteOf(isForColourBlind);
-    const double at = std::clamp((use - kLeast) / (1.0 - kLeast), 0.0, 1.0) *
-                      static_cast<double>(palette.size() - 1);
-    const auto i = std::min(static_cast<std::size_t>(at), palette.size() - 2);
-    const double share = at - static_cast<double>(i);
-    const auto mixed = [&](int a, int b) {
-        return static_cast<int>(std::lround((1.0 - share) * a + share * b));
-    };
-    const QColor &a = palette[i], &b = palette[i + 1];
-    return {mixed(a.red(), b.red()), mixed(a.green(), b.green()), mixed(a.blue(), b.blue())};
-}
-
 StressMarks stressMarksOf(AnalysisPointer analysis, const Strength &strength)
 {
     StressMarks marks;
@@ -172,8 +149,20 @@ StressMarks stressMarksOf(AnalysisPointer analysis, const Strength &strength)
     marks.isKnown = areStressesKnown(strength);
     marks.isRated = std::all_of(strength.bodies.begin(), strength.bodies.end(),
                                 [](const BodyStrength &body) { return body.strength.has_value(); });
+    if (strength.worst >= 0)
+        marks.limit =
+            strength.bodies[static_cast<std::size_t>(strength.worst)].strength.value_or(0.0);
     marks.analysis = std::move(analysis);
     return marks;
+}
+
+double worstShown(const StressMarks &marks)
+{
+    double worst = marks.lines.empty() ? 0.0 : marks.lines.back().use;
+    for (std::size_t i = 0; marks.bent && i < marks.bent->fields.size(); ++i)
+        if (marks.bent->fields[i] && marks.bent->fields[i]->most >= marks.least)
+            worst = std::max(worst, static_cast<double>(marks.bent->fields[i]->most));
+    return worst;
 }
 
 QString withoutLines(const StressMarks &marks, const QLocale &locale)
@@ -214,9 +203,13 @@ int lineAt(const QPointF &point, const StressMarks &marks, const Camera &camera,
 void paintStress(MarkPen &pen, const StressMarks &marks, const ViewState &view,
                  const QLocale &locale)
 {
-    for (const StressLine &line : marks.lines)
-        if (isSeen(line, marks, view, pen.camera(), pen.viewport()))
-            paintLine(pen, line, marks.isOlder ? kOlder : 1.0);
+    for (std::size_t i = 0; i < marks.lines.size(); ++i) {
+        const StressLine &line = marks.lines[i];
+        const bool isAsked = static_cast<int>(i) == marks.lit;
+        if ((isAsked || !hasField(marks, line.body)) &&
+            isSeen(line, marks, view, pen.camera(), pen.viewport()))
+            paintLine(pen, line, marks.isOlder ? kOlderStress : 1.0);
+    }
     if (!marks.lines.empty() && marks.lines.back().use > 1.0) {
         const StressLine &worst = marks.lines.back();
         constexpr double kBeside = 24.0; // px
@@ -227,7 +220,7 @@ void paintStress(MarkPen &pen, const StressMarks &marks, const ViewState &view,
                  stressColour(worst.use, pen.style().isForColourBlind));
     }
     paintForces(pen, marks.forces, marks.isOlder, locale);
-    if (marks.lines.empty())
+    if (worstShown(marks) == 0.0)
         pen.chip({pen.viewport().x() - kMargin, kLegendTop + 11.0}, MarkPen::Anchor::Right,
                  withoutLines(marks, locale), pen.style().muted);
     else

@@ -1,21 +1,30 @@
-// How strained the model is, over the view: the weakest cross-sections as lines, and what their
-// colours mean.
+// How strained the model is, over the view: the weakest cross-sections as lines, and what colours
+// mean. Where stress is known all over a body, that is drawn on it (field_painter.h), and of its
+// lines only the one that is asked about.
 #pragma once
 
+#include "core/analysis/bent_model.h"
 #include "core/analysis/stress_lines.h"
 #include "core/interaction/view_state.h"
 #include "ui/view/force_marks.h"
 #include "ui/view/mark_pen.h"
+#include "ui/view/stress_colours.h"
 
 #include <QLocale>
 
 namespace fff::ui {
 
+/// Alpha of what is older than the model that is shown.
+inline constexpr double kOlderStress = 0.4;
+
 struct StressMarks
 {
-    std::vector<StressLine> lines; // the worst last
-    AnalysisPointer analysis;      // that they are of
-    double least = 0.2;            // what the legend begins with
+    std::vector<StressLine> lines;         // the worst last
+    AnalysisPointer analysis;              // that they are of
+    std::shared_ptr<const BentModel> bent; // stress all over bodies, which is drawn in place of
+                                           // their lines; null: not known
+    double least = 0.2;                    // what the legend begins with
+    double limit = 0.0;            // MPa: what the sheet bears that is strained most; 0: not known
     std::vector<ForceMark> forces; // at feet and joints
     bool isKnown = true;           // forces are known and can be trusted
     bool isRated = true;           // of all sheets it is known what they bear
@@ -24,11 +33,11 @@ struct StressMarks
     bool hasCard = false;          // what is known of that one is shown, too
 };
 
-/// From 20 % to 100 % of what the sheet bears: from blue to red, or from yellow to dark blue.
-QColor stressColour(double use, bool isForColourBlind);
-
 /// Of what was worked out, without forces.
 StressMarks stressMarksOf(AnalysisPointer analysis, const Strength &strength);
+
+/// Of all that is strained at least as much as is shown, the worst; 0: nothing is.
+double worstShown(const StressMarks &marks);
 
 /// What is said where there are no lines: that nothing is strained, or that it is not known.
 QString withoutLines(const StressMarks &marks, const QLocale &locale);

@@ -10,6 +10,7 @@ fff_tests(tests_physics LIBRARIES fff::core Polyclipping::Polyclipping TESTS
     core/physics/tst_plate_model
     core/physics/tst_section_extremes
     core/physics/tst_section_stress
+    core/physics/tst_stress_field
     core/physics/tst_wall_pressure
     ALONE
         core/physics/tst_elastic_equilibrium
@@ -17,6 +18,7 @@ fff_tests(tests_physics LIBRARIES fff::core Polyclipping::Polyclipping TESTS
         core/physics/tst_equilibrium_laws
         core/physics/tst_plate_model
         core/physics/tst_section_stress
+        core/physics/tst_stress_field
         core/physics/tst_wall_pressure)
 
 # For any folder of reference cases: a program of its own.

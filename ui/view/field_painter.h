@@ -1,0 +1,52 @@
+// Draws how strained bodies are, as colours over their faces: just over those of their slabs, which
+// give way to it, and below all lines on them.
+#pragma once
+
+#include "core/physics/stress_field.h"
+#include "ui/view/frame_view.h"
+#include "ui/view/gl.h"
+#include "ui/view/scene.h"
+
+#include <map>
+
+namespace fff::ui {
+
+struct FieldLook
+{
+    bool isForColourBlind = false;
+    double least = 0.2; // of what the sheet bears: less is not shown
+    double alpha = 1.0;
+};
+
+class FieldPainter
+{
+public:
+    explicit FieldPainter(Gl &gl);
+    ~FieldPainter(); // context current
+    FieldPainter(const FieldPainter &) = delete;
+    FieldPainter &operator=(const FieldPainter &) = delete;
+
+    bool isReady() const { return m_program != nullptr; }
+    /// Uploads what is new in the scene and frees what is no longer in it.
+    void update(const Scene &scene);
+    /// Of a section of the scene that update() has seen last. Depth and blending are the caller's
+    /// matter.
+    void draw(const SceneSection &section, const FrameView &view, const FieldLook &look);
+
+private:
+    struct Buffers
+    {
+        GLuint array = 0, vertices = 0, triangles = 0;
+        GLsizei count = 0;        // of indices
+        StressFieldPointer field; // keeps the key's address from being used again
+        bool isUsed = false;
+    };
+    Buffers upload(const StressFieldPointer &field);
+    void free(const Buffers &buffers);
+
+    Gl &m_gl;
+    std::unique_ptr<QOpenGLShaderProgram> m_program;
+    std::map<const StressField *, Buffers> m_fields;
+};
+
+} // namespace fff::ui
