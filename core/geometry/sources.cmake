@@ -3,6 +3,7 @@ target_sources(fff_core PRIVATE
     geometry/bezier.cpp
     geometry/boolean.cpp
     geometry/box_tree.cpp
+    geometry/bulge.cpp
     geometry/cells.cpp
     geometry/chain_fitter.cpp
     geometry/clip_grid.cpp

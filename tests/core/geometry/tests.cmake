@@ -3,6 +3,7 @@ fff_tests(tests_geometry LIBRARIES fff::core CGAL::CGAL TESTS
     core/geometry/tst_bezier
     core/geometry/tst_boolean
     core/geometry/tst_boolean_oracle
+    core/geometry/tst_bulge
     core/geometry/tst_cells
     core/geometry/tst_contour
     core/geometry/tst_contour_blend
