@@ -16,25 +16,31 @@ target_sources(fff_core PRIVATE
     analysis/finding_action.cpp
     analysis/findings/broader_base.cpp
     analysis/findings/connection.cpp
+    analysis/findings/drawn_source.cpp
     analysis/findings/in_each_other.cpp
     analysis/findings/joining.cpp
     analysis/findings/loose_joints.cpp
     analysis/findings/loose_pieces.cpp
     analysis/findings/moving_slits.cpp
     analysis/findings/narrow_slits.cpp
+    analysis/findings/neck_growth.cpp
     analysis/findings/not_worked_out.cpp
     analysis/findings/order.cpp
     analysis/findings/rings.cpp
+    analysis/findings/second_foot.cpp
     analysis/findings/sheet_fit.cpp
     analysis/findings/standing.cpp
+    analysis/findings/strength_judge.cpp
     analysis/findings/strength_findings.cpp
     analysis/findings/strengthening.cpp
     analysis/findings/thin_webs.cpp
     analysis/findings/total_mass.cpp
     analysis/findings/touching_pairs.cpp
     analysis/findings/turning_square.cpp
+    analysis/findings/upright_stand.cpp
     analysis/findings/waste.cpp
     analysis/findings/wholeness.cpp
+    analysis/findings/wider_neck.cpp
     analysis/flips.cpp
     analysis/footing.cpp
     analysis/load_points.cpp

@@ -2,6 +2,7 @@
 #include "core/analysis/trial.h"
 
 #include "core/analysis/finding.h"
+#include "core/analysis/findings/strength_findings.h"
 #include "core/base/tolerances.h"
 #include "core/model/changes.h"
 
@@ -95,6 +96,15 @@ int problemsIn(std::span<const Finding> found)
     }));
 }
 
+/// What is said of whether it holds; null where nothing is.
+const Finding *heldIn(std::span<const Finding> found)
+{
+    const auto held = std::find_if(found.begin(), found.end(), [](const Finding &finding) {
+        return finding.subject() == Subject::Strength && finding.details<Held>();
+    });
+    return held == found.end() ? nullptr : &*held;
+}
+
 constexpr Text kListed{nullptr, "%1, %2"};
 
 } // namespace
@@ -137,6 +147,10 @@ Message changesBetween(const Analysis &before, const Analysis &after,
     add(problemsIn(foundBefore) - problemsIn(foundAfter),
         {FFF_TEXT("Checks", "one problem solved"), {}},
         FFF_TEXT_OF_MANY("Checks", "%n problems solved"));
+    const Finding *was = heldIn(foundBefore), *is = heldIn(foundAfter);
+    if (was && is && !was->is(*is->kind))
+        //: after other things that change; %1 is a verdict such as "Holds 350 g"
+        parts.push_back({FFF_TEXT("Checks", "then: %1"), {titleOf(*is)}});
     Message all;
     for (Message &part : parts)
         all = all.isEmpty() ? std::move(part) : Message{kListed, {std::move(all), std::move(part)}};

@@ -1,6 +1,7 @@
 #include "core/analysis/findings/broader_base.h"
 
 #include "core/analysis/findings/standing.h"
+#include "core/analysis/findings/upright_stand.h"
 #include "core/base/tolerances.h"
 #include "core/geometry/boolean.h"
 #include "core/model/edits.h"
@@ -28,51 +29,18 @@ constexpr double kLongest = 400.0;
 /// By so much what is stretched stands more firmly than it has to.
 constexpr double kFirmly = 1.2;
 
-/// How an upright section stands on the ground.
-struct Stand
-{
-    int section = 0;
-    Vec2 along = Vec2::Zero();   // (x, z), unit: the section's line on the ground
-    double from = 0.0, to = 0.0; // mm along that line, from its origin: where it touches
-    Vec2 origin = Vec2::Zero();  // (x, z)
-    Vec2 at(double s) const { return origin + s * along; }
-};
-
-std::optional<Stand> standOf(const Analysis &analysis, int section)
-{
-    const Model &model = analysis.model;
-    const auto index = static_cast<std::size_t>(section);
-    const Section &own = *model.section(index);
-    const Vec3 normal = own.frame.normal();
-    // Only a plate that stands upright has an edge to be made longer.
-    if (std::abs(normal.y()) > kPracticallyParallel || !model.ref(index).drawn.isValid())
-        return {};
-    const Vec3 along = normal.cross(Vec3::UnitY()).normalized();
-    Stand stand{section, Vec2(along.x(), along.z()), std::numeric_limits<double>::infinity(),
-                -std::numeric_limits<double>::infinity(),
-                Vec2(own.frame.origin.x(), own.frame.origin.z())};
-    for (const Vec2 &p : own.shape->region().outer) {
-        const Vec3 at = own.frame.toWorld(p);
-        if (std::abs(at.y()) > kGroundSunk)
-            continue;
-        const double s = stand.along.dot(Vec2(at.x(), at.z()) - stand.origin);
-        stand.from = std::min(stand.from, s);
-        stand.to = std::max(stand.to, s);
-    }
-    return stand.from <= stand.to ? std::optional(stand) : std::nullopt;
-}
-
 /// Of the sections that the finding is about.
-std::vector<Stand> standsOf(const Finding &finding, const Analysis &analysis)
+std::vector<UprightStand> standsOf(const Finding &finding, const Analysis &analysis)
 {
-    std::vector<Stand> stands;
+    std::vector<UprightStand> stands;
     const int count = static_cast<int>(analysis.model.sectionCount());
     for (int section = 0; section < count; ++section) {
         const SectionRef ref = analysis.model.ref(static_cast<std::size_t>(section));
         const auto &about = finding.sections;
         if (!about.empty() && std::find(about.begin(), about.end(), ref) == about.end())
             continue;
-        if (const auto stand = standOf(analysis, section))
+        const auto stand = uprightStandOf(analysis.model, section);
+        if (stand && stand->isOnGround())
             stands.push_back(*stand);
     }
     return stands;
@@ -91,13 +59,6 @@ Need needOf(const Footing &footing)
     return {Vec2(centre.x(), centre.z()), kFirmly * centre.y() * std::tan(kSteadyTilt)};
 }
 
-/// Above the ground on a section's plane: from along the line and upwards to frame coordinates.
-Vec2 onPlane(const Section &section, const Stand &stand, double s, double height)
-{
-    const Vec2 at = stand.at(s);
-    return section.frame.toLocal(Vec3(at.x(), height, at.y()));
-}
-
 std::optional<FindingEdit> widened(const FindingAction &, const Finding &finding,
                                    const Analysis &analysis, const Flips *)
 {
@@ -105,7 +66,7 @@ std::optional<FindingEdit> widened(const FindingAction &, const Finding &finding
     const Need need = needOf(footing);
     std::optional<FindingEdit> best;
     double shortest = kLongest;
-    for (const Stand &stand : standsOf(finding, analysis)) {
+    for (const UprightStand &stand : standsOf(finding, analysis)) {
         const auto index = static_cast<std::size_t>(stand.section);
         const Section &section = *analysis.model.section(index);
         const double thickness = analysis.model.stockOf(index).thickness;
@@ -147,10 +108,10 @@ std::optional<FindingEdit> footAdded(const FindingAction &, const Finding &findi
                                      const Analysis &analysis, const Flips *)
 {
     const Need need = needOf(*finding.details<Footing>());
-    const std::vector<Stand> stands = standsOf(finding, analysis);
+    const std::vector<UprightStand> stands = standsOf(finding, analysis);
     std::optional<FindingEdit> best;
     double shortest = kLongest;
-    for (const Stand &stand : stands) {
+    for (const UprightStand &stand : stands) {
         const auto index = static_cast<std::size_t>(stand.section);
         const Section &section = *analysis.model.section(index);
         const double thickness = analysis.model.stockOf(index).thickness;

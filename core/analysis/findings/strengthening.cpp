@@ -1,9 +1,10 @@
 #include "core/analysis/findings/strengthening.h"
 
 #include "core/analysis/findings/moving_slits.h"
-#include "core/analysis/findings/strength_findings.h"
+#include "core/analysis/findings/second_foot.h"
+#include "core/analysis/findings/strength_judge.h"
+#include "core/analysis/findings/wider_neck.h"
 #include "core/model/edits.h"
-#include "core/operations/evaluate.h"
 
 #include <algorithm>
 #include <array>
@@ -24,52 +25,6 @@ constexpr double kMostThicker = 4.0;
 /// What is left of a slit's depth, tried in this order.
 constexpr std::array kLeftOfDepth{0.85, 0.7, 0.55, 0.4};
 
-/// Judges one candidate after the other, each for the work of what differs from the one before.
-class Judging
-{
-public:
-    Judging(const Analysis &before, double safety) : m_before(before) { m_rules.safety = safety; }
-
-    HoldVerdict verdictOn(const Document &document)
-    {
-        const AnalysisPointer analysis =
-            analyseNext(evaluate(document, m_before.model), m_analysis);
-        return strengthOf(*analysis, m_rules, m_strength).verdict;
-    }
-
-private:
-    const Analysis &m_before;
-    AnalysisCaches m_analysis;
-    StrengthRules m_rules;
-    StrengthCaches m_strength;
-};
-
-bool isBetter(HoldVerdict verdict, const Finding &finding)
-{
-    return verdict == HoldVerdict::Holds ||
-           (verdict == HoldVerdict::BarelyHolds && finding.severity == Severity::Error);
-}
-
-/// Of all candidates the first that holds, or else the first that nearly does.
-template <class Candidates, class Make>
-std::optional<FindingEdit> firstThatHolds(const Candidates &candidates, const Finding &finding,
-                                          const Analysis &analysis, Make make)
-{
-    Judging judging(analysis, finding.details<Held>()->safety);
-    std::optional<FindingEdit> nearly;
-    for (const double candidate : candidates) {
-        std::optional<FindingEdit> edit = make(candidate);
-        if (!edit)
-            continue;
-        const HoldVerdict verdict = judging.verdictOn(edit->document);
-        if (verdict == HoldVerdict::Holds)
-            return edit;
-        if (!nearly && isBetter(verdict, finding))
-            nearly = std::move(edit);
-    }
-    return nearly;
-}
-
 std::optional<FindingEdit> thickened(const FindingAction &, const Finding &finding,
                                      const Analysis &analysis, const Flips *)
 {
@@ -81,16 +36,16 @@ std::optional<FindingEdit> thickened(const FindingAction &, const Finding &findi
     for (const double thickness : kUsual)
         if (thickness > stock.thickness && thickness <= kMostThicker * stock.thickness)
             thicker.push_back(thickness);
-    return firstThatHolds(
-        thicker, finding, analysis, [&](double thickness) -> std::optional<FindingEdit> {
-            Stock changed = stock;
-            changed.thickness = thickness;
-            Result<Document> next = setStock(analysis.model.document, changed);
-            if (!next)
-                return {};
-            return FindingEdit{Step(kThickenStep, {Named{stock.name}, lengthOf(thickness)}),
-                               *std::move(next)};
-        });
+    StrengthJudge judge(analysis, finding);
+    return firstThatHolds(thicker, judge, [&](double thickness) -> std::optional<FindingEdit> {
+        Stock changed = stock;
+        changed.thickness = thickness;
+        Result<Document> next = setStock(analysis.model.document, changed);
+        if (!next)
+            return {};
+        return FindingEdit{Step(kThickenStep, {Named{stock.name}, lengthOf(thickness)}),
+                           *std::move(next)};
+    });
 }
 
 /// The slit that the weakest place ends at.
@@ -122,7 +77,8 @@ std::optional<FindingEdit> cutShallower(const FindingAction &, const Finding &fi
     if (!slit)
         return {};
     const double depth = (slit->mouth - slit->inner).norm();
-    return firstThatHolds(kLeftOfDepth, finding, analysis, [&](double left) {
+    StrengthJudge judge(analysis, finding);
+    return firstThatHolds(kLeftOfDepth, judge, [&](double left) {
         return cutLessDeepBy((1.0 - left) * depth, *slit, place.section, *place.guest, analysis);
     });
 }
@@ -149,6 +105,8 @@ std::vector<FindingAction> strengthen(const Finding &finding, const Analysis &)
         return all;
     if (held->weakest->guest)
         all.push_back({&kShallowerSlit});
+    all.push_back({&kWiderNeck});
+    all.push_back({&kSecondFoot});
     all.push_back({&kThickerStock});
     return all;
 }

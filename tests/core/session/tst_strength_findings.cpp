@@ -7,6 +7,7 @@
 #include "core/analysis/stress_lines.h"
 #include "core/io/document_file.h"
 #include "core/model/edits.h"
+#include "core/operations/evaluate.h"
 #include "core/session/check_list.h"
 #include "core/session/finding_text.h"
 #include "core/session/session.h"
