@@ -21,7 +21,7 @@ struct Action
 };
 
 /// The unknowns of a structure: six a link in the link's axes, moments over the size; one a foot,
-/// and two more where it is pinned.
+/// and two more where it, or every one, is pinned.
 struct ElasticUnknowns
 {
     std::vector<Action> links, feet;
@@ -42,9 +42,10 @@ ElasticUnknowns unknownsOf(const Structure &structure, FootHold hold)
     const Vec3 up = structure.up.normalized(), aside = up.unitOrthogonal();
     for (const Foot &foot : structure.feet) {
         Action action{foot.point, result.count, {}};
-        action.wrench.setZero(6, hold == FootHold::Pinned ? 3 : 1);
+        const bool isPinned = hold == FootHold::Pinned || foot.isPinned;
+        action.wrench.setZero(6, isPinned ? 3 : 1);
         action.wrench.col(0).head<3>() = up;
-        if (hold == FootHold::Pinned) {
+        if (isPinned) {
             action.wrench.col(1).head<3>() = aside;
             action.wrench.col(2).head<3>() = up.cross(aside);
         }

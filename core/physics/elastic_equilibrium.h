@@ -29,8 +29,8 @@ struct MemberFlexibility
 };
 
 enum class FootHold {
-    Frictionless, // vertical forces only
-    Pinned,       // held sideways while it carries
+    Frictionless, // vertical forces only, but for feet that are pinned each
+    Pinned,       // all are held sideways while they carry
 };
 
 struct ElasticEquilibrium
