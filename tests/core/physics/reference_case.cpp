@@ -3,54 +3,37 @@
 #include "core/base/tolerances.h"
 #include "core/geometry/boolean.h"
 #include "core/geometry/moments.h"
+#include "tests/core/physics/reference_json.h"
 
 #include <QFile>
-#include <QJsonArray>
 #include <QJsonDocument>
 
+#include <cmath>
 #include <limits>
 
 namespace fff::test {
 
 namespace {
 
-constexpr double kPlayOfTightSlit = 0.01; // mm
-constexpr double kHandedness = 1e-6;      // no unit
+constexpr double kPlayOfTightSlit = 0.01;     // mm
+constexpr double kHandedness = 1e-6;          // no unit
+constexpr double kBeyondOutline = 2.0;        // mm, of slits without a rectangle
+constexpr double kStandardGravity = 9.81;     // m/s²
+constexpr double kCubicMillimetreInM3 = 1e-9; // m³
+constexpr double kPoissonOfPlastics = 0.37;   // no unit
+const Vec3 kUpOfCases = Vec3::UnitZ();
 
-QString key(const char *name)
+double numberOf(const QJsonObject &json, const char *name, double otherwise)
 {
-    return QString::fromLatin1(name);
+    return json[key(name)].toDouble(otherwise);
 }
 
-std::string textOf(const QJsonValue &value)
+/// `common` where it is not said.
+ReferenceMaterial materialOf(const QJsonObject &json, const ReferenceMaterial &common)
 {
-    return value.toString().toStdString();
-}
-
-Vec2 pointOf(const QJsonValue &value)
-{
-    const QJsonArray array = value.toArray();
-    return {array.at(0).toDouble(), array.at(1).toDouble()};
-}
-
-Vec3 vectorOf(const QJsonValue &value)
-{
-    const QJsonArray array = value.toArray();
-    return {array.at(0).toDouble(), array.at(1).toDouble(), array.at(2).toDouble()};
-}
-
-Polygon polygonOf(const QJsonValue &value)
-{
-    Polygon polygon;
-    for (const QJsonValue &point : value.toArray())
-        polygon.push_back(pointOf(point));
-    return polygon;
-}
-
-ReferenceMaterial materialOf(const QJsonObject &json)
-{
-    return {json[key("E_MPa")].toDouble(), json[key("nu")].toDouble(),
-            json[key("density_kg_m3")].toDouble(), json[key("tensile_strength_MPa")].toDouble()};
+    return {numberOf(json, "E_MPa", common.modulus), numberOf(json, "nu", common.poisson),
+            numberOf(json, "density_kg_m3", common.density),
+            numberOf(json, "tensile_strength_MPa", common.tensileStrength)};
 }
 
 /// What slits and holes leave of it, and what that weighs.
@@ -78,10 +61,26 @@ bool cutOut(ReferenceSection &section)
         for (const Contour &hole : piece.holes)
             sum += moments(hole);
     }
-    constexpr double kCubicMillimetres = 1e-9; // m³
-    section.mass.mass = section.material.density * section.thickness * sum.area * kCubicMillimetres;
+    section.mass.mass =
+        section.material.density * section.thickness * sum.area * kCubicMillimetreInM3;
     section.mass.centre = section.frame.toWorld(sum.centroid());
     return true;
+}
+
+ReferenceSlit slitOf(const QJsonObject &json)
+{
+    ReferenceSlit slit{textOf(json[key("joint")]),    pointOf(json[key("p")]),
+                       pointOf(json[key("d")]),       json[key("length")].toDouble(),
+                       json[key("width")].toDouble(), polygonOf(json[key("rect")])};
+    if (slit.opening.norm() > 0.0)
+        slit.opening.normalize();
+    if (slit.rectangle.size() < 3) {
+        const Vec2 along = (slit.length + kBeyondOutline) * slit.opening;
+        const Vec2 across = 0.5 * slit.width * Vec2(-slit.opening.y(), slit.opening.x());
+        slit.rectangle = {slit.innerEnd - across, slit.innerEnd - across + along,
+                          slit.innerEnd + across + along, slit.innerEnd + across};
+    }
+    return slit;
 }
 
 std::optional<ReferenceSection> sectionOf(const QJsonObject &json, const ReferenceMaterial &common)
@@ -91,122 +90,34 @@ std::optional<ReferenceSection> sectionOf(const QJsonObject &json, const Referen
     const QJsonObject frame = json[key("frame")].toObject();
     section.frame.origin = vectorOf(frame[key("origin_mm")]);
     // Files round the axes to nine digits.
-    section.frame.x = vectorOf(frame[key("u")]).normalized();
-    const Vec3 y = vectorOf(frame[key("v")]);
+    section.frame.x = directionOf(frame[key("u")], Vec3::UnitX());
+    const Vec3 y = directionOf(frame[key("v")], Vec3::UnitY());
     section.frame.y = (y - y.dot(section.frame.x) * section.frame.x).normalized();
     if (frame.contains(key("n")) &&
         (section.frame.normal() - vectorOf(frame[key("n")])).norm() > kHandedness)
         return {};
     section.thickness = json[key("thickness_mm")].toDouble();
-    const QJsonObject own = json[key("material")].toObject();
-    section.material = own.isEmpty() ? common : materialOf(own);
+    section.material = materialOf(json[key("material")].toObject(), common);
     section.outline = polygonOf(json[key("outline_mm")]);
     for (const QJsonValue &hole : json[key("holes_mm")].toArray())
         section.holes.push_back(polygonOf(hole));
-    for (const QJsonValue &value : json[key("slits")].toArray()) {
-        const QJsonObject slit = value.toObject();
-        section.slits.push_back({textOf(slit[key("joint")]), pointOf(slit[key("p")]),
-                                 pointOf(slit[key("d")]), slit[key("length")].toDouble(),
-                                 slit[key("width")].toDouble(), polygonOf(slit[key("rect")])});
-    }
-    if (!cutOut(section))
+    for (const QJsonValue &value : json[key("slits")].toArray())
+        section.slits.push_back(slitOf(value.toObject()));
+    if (section.thickness <= 0.0 || !cutOut(section))
         return {};
     return section;
 }
 
-/// By its id; −1: there is none.
+/// By its id, which files may leave out where there is one section only; −1: there is none.
 int sectionNamed(const ReferenceCase &found, const QJsonValue &id)
 {
+    if (id.isUndefined() && found.sections.size() == 1)
+        return 0;
     for (std::size_t i = 0; i < found.sections.size(); ++i) {
         if (found.sections[i].id == textOf(id))
             return static_cast<int>(i);
     }
     return -1;
-}
-
-std::optional<Balance> balanceOf(const QString &verdict)
-{
-    const std::pair<const char *, Balance> words[] = {
-        {"float", Balance::Floating},       {"no contact", Balance::NoContact},
-        {"toppl", Balance::Topples},        {"line support", Balance::LineSupport},
-        {"unstable", Balance::LineSupport}, {"slide", Balance::Slides},
-        {"mechanism", Balance::Mechanism},  {"stand", Balance::Stands}};
-    for (const auto &[word, balance] : words) {
-        if (verdict.contains(key(word), Qt::CaseInsensitive))
-            return balance;
-    }
-    return {};
-}
-
-std::map<std::string, double> numbersOf(const QJsonObject &json)
-{
-    std::map<std::string, double> numbers;
-    for (auto i = json.begin(); i != json.end(); ++i) {
-        if (i.value().isDouble())
-            numbers[i.key().toStdString()] = i.value().toDouble();
-    }
-    return numbers;
-}
-
-std::vector<std::vector<std::string>> groupsOf(const QJsonValue &value)
-{
-    std::vector<std::vector<std::string>> groups;
-    for (const QJsonValue &group : value.toArray()) {
-        groups.emplace_back();
-        for (const QJsonValue &id : group.toArray())
-            groups.back().push_back(textOf(id));
-    }
-    return groups;
-}
-
-/// A point of the ground, given in space or by the two coordinates that are not its normal's.
-Vec3 groundPointOf(const QJsonValue &value, const Structure &structure, const Vec3 &ground)
-{
-    const QJsonArray array = value.toArray();
-    if (array.size() == 3)
-        return vectorOf(value);
-    Vec3 point = ground;
-    int given = 0;
-    Eigen::Index height = 0;
-    structure.up.cwiseAbs().maxCoeff(&height);
-    for (int i = 0; i < 3; ++i) {
-        if (i != height)
-            point[i] = array.at(given++).toDouble();
-    }
-    return point;
-}
-
-ReferenceTruth truthOf(const QJsonObject &json, const ReferenceCase &found, const Vec3 &ground)
-{
-    ReferenceTruth truth;
-    if (json.contains(key("mass_kg")))
-        truth.mass = json[key("mass_kg")].toDouble();
-    if (json.contains(key("com_mm")))
-        truth.centre = vectorOf(json[key("com_mm")]);
-    for (const QJsonValue &reaction : json[key("contact_reactions_N")].toArray())
-        truth.reactions.push_back(vectorOf(reaction));
-    const QJsonObject joints = json[key("joint_wrenches")].toObject();
-    for (auto i = joints.begin(); i != joints.end(); ++i) {
-        const QJsonObject wrench = i.value().toObject();
-        truth.joints[i.key().toStdString()] = {
-            vectorOf(wrench[key("force_on_a_N")]),
-            vectorOf(wrench[key("moment_on_a_about_point_Nmm")])};
-    }
-    for (const QJsonValue &value : json[key("cuts")].toArray()) {
-        const QJsonObject cut = value.toObject();
-        truth.cuts.push_back({textOf(cut[key("name")]), sectionNamed(found, cut[key("section")]),
-                              pointOf(cut[key("p0")]), pointOf(cut[key("p1")]),
-                              numbersOf(cut[key("fem")].toObject()),
-                              numbersOf(cut[key("statics_resultant")].toObject())});
-    }
-    truth.balance = balanceOf(json[key("verdict")].toString());
-    if (json.contains(key("margin_mm")))
-        truth.margin = json[key("margin_mm")].toDouble();
-    if (json.contains(key("resultant_point_mm")))
-        truth.resultant = groundPointOf(json[key("resultant_point_mm")], found.structure, ground);
-    truth.components = groupsOf(json[key("components")]);
-    truth.unsupported = groupsOf(json[key("unsupported")]);
-    return truth;
 }
 
 void addMembers(ReferenceCase &found)
@@ -223,35 +134,57 @@ void addMembers(ReferenceCase &found)
     structure.size = box.size().norm();
 }
 
+const ReferenceSlit *slitOfJoint(const ReferenceSection &section, const std::string &joint)
+{
+    for (const ReferenceSlit &slit : section.slits) {
+        if (slit.joint == joint)
+            return &slit;
+    }
+    return nullptr;
+}
+
+Link linkOf(const QJsonObject &json, const std::string &id, int first, int second,
+            const ReferenceCase &found)
+{
+    Link link;
+    link.a = first;
+    link.b = second;
+    const ReferenceSection &a = found.sections[static_cast<std::size_t>(first)],
+                           &b = found.sections[static_cast<std::size_t>(second)];
+    const ReferenceSlit *inA = slitOfJoint(a, id), *inB = slitOfJoint(b, id);
+    link.point = json.contains(key("point_mm")) ? vectorOf(json[key("point_mm")])
+                 : inA                          ? a.frame.toWorld(inA->innerEnd)
+                 : inB                          ? b.frame.toWorld(inB->innerEnd)
+                                                : Vec3(Vec3::Zero());
+    link.axis =
+        directionOf(json[key("axis_open_a")], inA   ? a.frame.directionToWorld(inA->opening)
+                                              : inB ? Vec3(-b.frame.directionToWorld(inB->opening))
+                                                    : Vec3(Vec3::UnitZ()));
+    link.normalA = a.frame.normal();
+    link.normalB = b.frame.normal();
+    link.depthA = numberOf(json, "slit_len_a_mm", inA ? inA->length : 0.0);
+    link.depthB = numberOf(json, "slit_len_b_mm", inB ? inB->length : 0.0);
+    link.thicknessA = a.thickness;
+    link.thicknessB = b.thickness;
+    link.modulusA = a.material.modulus;
+    link.modulusB = b.material.modulus;
+    link.grip = numberOf(json, "grip_N", std::numeric_limits<double>::infinity());
+    const double sine = link.normalA.cross(link.normalB).norm();
+    if (inA)
+        link.isTight = inA->width * sine - b.thickness < kPlayOfTightSlit;
+    return link;
+}
+
 bool addLinks(const QJsonArray &joints, ReferenceCase &found)
 {
     for (const QJsonValue &value : joints) {
         const QJsonObject json = value.toObject();
-        Link link;
-        link.a = sectionNamed(found, json[key("a")]);
-        link.b = sectionNamed(found, json[key("b")]);
-        if (link.a < 0 || link.b < 0)
+        const int a = sectionNamed(found, json[key("a")]), b = sectionNamed(found, json[key("b")]);
+        if (a < 0 || b < 0)
             return false;
-        const ReferenceSection &a = found.sections[link.a], &b = found.sections[link.b];
         const std::string id = textOf(json[key("id")]);
-        link.point = vectorOf(json[key("point_mm")]);
-        link.axis = vectorOf(json[key("axis_open_a")]).normalized();
-        link.normalA = a.frame.normal();
-        link.normalB = b.frame.normal();
-        link.depthA = json[key("slit_len_a_mm")].toDouble();
-        link.depthB = json[key("slit_len_b_mm")].toDouble();
-        link.thicknessA = a.thickness;
-        link.thicknessB = b.thickness;
-        link.modulusA = a.material.modulus;
-        link.modulusB = b.material.modulus;
-        link.grip = std::numeric_limits<double>::infinity(); // the solver's slits are glued
-        for (const ReferenceSlit &slit : a.slits) {
-            const double sine = link.normalA.cross(link.normalB).norm();
-            if (slit.joint == id)
-                link.isTight = slit.width * sine - b.thickness < kPlayOfTightSlit;
-        }
         found.joints.push_back(id);
-        found.structure.links.push_back(link);
+        found.structure.links.push_back(linkOf(json, id, a, b, found));
     }
     return true;
 }
@@ -269,8 +202,8 @@ bool addContacts(const QJsonArray &contacts, ReferenceCase &found)
         foot.isPinned = friction.toString() == key("pinned");
         if (friction.isDouble())
             found.friction = std::max(found.friction, friction.toDouble());
-        foot.stiffness =
-            found.sections[foot.member].material.modulus * found.sections[foot.member].thickness;
+        const ReferenceSection &section = found.sections[static_cast<std::size_t>(foot.member)];
+        foot.stiffness = section.material.modulus * section.thickness;
         found.structure.feet.push_back(foot);
     }
     return true;
@@ -286,8 +219,7 @@ bool addLoads(const QJsonArray &loads, ReferenceCase &found)
             return false;
         load.point = vectorOf(json[key("point_mm")]);
         load.force = vectorOf(json[key("force_N")]);
-        if (json.contains(key("moment_Nmm")))
-            load.moment = vectorOf(json[key("moment_Nmm")]);
+        load.moment = vectorOf(json[key("moment_Nmm")]);
         found.structure.loads.push_back(load);
         found.patches.push_back({load, json[key("patch_radius_mm")].toDouble()});
     }
@@ -302,9 +234,20 @@ bool addClamps(const QJsonArray &clamps, ReferenceCase &found)
         if (section < 0)
             return false;
         found.clamps.push_back({section, vectorOf(json[key("plane_point_mm")]),
-                                vectorOf(json[key("plane_normal")]).normalized()});
+                                directionOf(json[key("plane_normal")], Vec3::UnitX())});
     }
     return true;
+}
+
+/// Where nobody glued the slits to have forces, they hold nothing: only the verdict is asked.
+void releaseUnglued(ReferenceCase &found)
+{
+    if (found.truth.isThere() || found.contact.isThere() || found.contactWithPlay.isThere())
+        return;
+    for (Link &link : found.structure.links) {
+        if (!std::isfinite(link.grip))
+            link.grip = 0.0;
+    }
 }
 
 } // namespace
@@ -327,26 +270,30 @@ std::optional<ReferenceCase> readReferenceCase(const QString &path, QString *err
     const QJsonObject &json = found.json = document.object();
     found.id = textOf(json[key("id")]);
     found.title = textOf(json[key("title")]);
-    const ReferenceMaterial material = materialOf(json[key("material")].toObject());
+    found.notes = textOf(json[key("notes")]);
+    ReferenceMaterial usual;
+    usual.poisson = kPoissonOfPlastics;
+    const ReferenceMaterial material = materialOf(json[key("material")].toObject(), usual);
     for (const QJsonValue &value : json[key("sections")].toArray()) {
         std::optional<ReferenceSection> section = sectionOf(value.toObject(), material);
         if (!section)
             return failed(key("a section that is none"));
         found.sections.push_back(std::move(*section));
     }
-    const QJsonObject ground = json[key("ground")].toObject();
-    found.structure.gravity = vectorOf(json[key("gravity_m_s2")]);
-    found.structure.up = vectorOf(ground[key("normal")]).normalized();
+    found.structure.up = directionOf(json[key("ground")].toObject()[key("normal")], kUpOfCases);
+    found.structure.gravity = json.contains(key("gravity_m_s2"))
+                                  ? vectorOf(json[key("gravity_m_s2")])
+                                  : Vec3(-kStandardGravity * found.structure.up);
     addMembers(found);
     if (!addLinks(json[key("joints")].toArray(), found) ||
         !addContacts(json[key("contacts")].toArray(), found) ||
         !addLoads(json[key("loads")].toArray(), found) ||
         !addClamps(json[key("clamps")].toArray(), found))
         return failed(key("it names a section that is not there"));
-    const Vec3 onGround = vectorOf(ground[key("point_mm")]);
-    found.truth = truthOf(json[key("truth")].toObject(), found, onGround);
-    found.contact = truthOf(json[key("truth_contact")].toObject(), found, onGround);
-    found.contactWithPlay = truthOf(json[key("truth_contact_play")].toObject(), found, onGround);
+    found.truth = readReferenceTruth(found, "truth");
+    found.contact = readReferenceTruth(found, "truth_contact");
+    found.contactWithPlay = readReferenceTruth(found, "truth_contact_play");
+    releaseUnglued(found);
     return found;
 }
 

@@ -1,5 +1,6 @@
-// The reference cases of ../shared/mechanics: what is put in, and what came out of a solver in
-// three dimensions. Each says which way is up; units are those of core/physics.
+// The reference cases of ../shared/mechanics, and others like them: what is put in, and what came
+// out of a solver in three dimensions, or of a formula. Each says which way is up; units are those
+// of core/physics.
 #pragma once
 
 #include "core/assembly/mass.h"
@@ -31,7 +32,7 @@ struct ReferenceSlit
 {
     std::string joint;
     Vec2 innerEnd = Vec2::Zero();
-    Vec2 opening = Vec2::Zero(); // unit
+    Vec2 opening = Vec2::UnitX(); // unit
     double length = 0.0, width = 0.0;
     Polygon rectangle; // taken off the outline; may reach beyond it
 };
@@ -67,9 +68,11 @@ struct ReferencePatch
 struct ReferenceCut
 {
     std::string name;
-    int section = 0;
+    int section = -1;
     Vec2 from = Vec2::Zero(), to = Vec2::Zero();
     std::map<std::string, double> fem, statics;
+
+    std::optional<double> said(const char *quantity) const; // of `fem`
 };
 
 /// What a solver found; what is absent the file does not say.
@@ -84,23 +87,31 @@ struct ReferenceTruth
     std::optional<double> margin;  // mm
     std::optional<Vec3> resultant; // mm; on the ground
     std::vector<std::vector<std::string>> components, unsupported;
+
+    bool isThere() const { return !reactions.empty() || !joints.empty() || !cuts.empty(); }
 };
 
 struct ReferenceCase
 {
-    std::string id, title;
+    std::string id, title, notes;
     std::vector<ReferenceSection> sections;
     std::vector<std::string> joints; // ids, as structure.links
     std::vector<ReferenceClamp> clamps;
     std::vector<ReferencePatch> patches;     // as structure.loads
-    Structure structure;                     // links hold whatever pulls at them
+    Structure structure;                     // links hold whatever pulls at them (nothing where a
+                                             // verdict is all there is), unless the file says what
+                                             // they hold ("grip_N")
     double friction = 0.0;                   // no unit
     ReferenceTruth truth;                    // slit faces glued
     ReferenceTruth contact, contactWithPlay; // slit faces that only press
     QJsonObject json;                        // all of it
 };
 
-/// Reads one. An error is a sentence, and nothing is read.
+/// Reads one. What a file leaves out is what the others mostly have: gravity down, the ground at 0
+/// with z up, slits as their joints say. An error is a sentence, and nothing is read.
 std::optional<ReferenceCase> readReferenceCase(const QString &path, QString *error);
+
+/// What one of its solvers found, by its name in the file.
+ReferenceTruth readReferenceTruth(const ReferenceCase &found, const char *name);
 
 } // namespace fff::test

@@ -2,8 +2,9 @@
 #include <QTest> // first: moc stumbles over some standard headers
 
 #include "tests/core/physics/loaded_section.h"
-#include "tests/core/physics/section_case.h"
 #include "tests/test_program.h"
+
+#include <polyclipping/clipper.hpp>
 
 #include <numbers>
 #include <random>
@@ -12,6 +13,25 @@ using namespace fff;
 using namespace fff::test;
 
 namespace {
+
+/// Clipper's integers: nanometres.
+constexpr double kPerMm = 1e6;
+
+ClipperLib::Path pathOf(const Polygon &polygon)
+{
+    ClipperLib::Path path;
+    for (const Vec2 &p : polygon)
+        path.emplace_back(std::llround(p.x() * kPerMm), std::llround(p.y() * kPerMm));
+    return path;
+}
+
+Polygon ringOf(const ClipperLib::Path &path)
+{
+    Polygon ring;
+    for (const ClipperLib::IntPoint &p : path)
+        ring.emplace_back(static_cast<double>(p.X) / kPerMm, static_cast<double>(p.Y) / kPerMm);
+    return ring;
+}
 
 /// Area and first moment of what of a region lies to the right of a line, by Clipper.
 AreaMoment rightByClipper(const Region &region, const CutLine &line)

@@ -1,12 +1,10 @@
-// Stresses within a section by the formulas of beams, against finite elements and by their laws.
+// Stresses within a section by the formulas of beams: their laws (against finite elements:
+// compare_beams.cpp).
 #include <QTest> // first: moc stumbles over some standard headers
 
 #include "core/physics/stress_places.h"
 #include "tests/core/physics/loaded_section.h"
-#include "tests/core/physics/section_case.h"
 #include "tests/test_program.h"
-
-#include <QDir>
 
 #include <numbers>
 
@@ -18,8 +16,6 @@ class TestSectionStress : public QObject
     Q_OBJECT
 
 private Q_SLOTS:
-    void caseCuts_data();
-    void caseCuts();
     void holeLeftOutFails();
     void netSectionIsTheWorst();
     void gridMayBeShifted_data();
@@ -32,77 +28,6 @@ private Q_SLOTS:
     void imbalanceIsReported();
     void placesAreThinned();
 };
-
-void TestSectionStress::caseCuts_data()
-{
-    QTest::addColumn<QString>("file");
-    QTest::addColumn<QString>("truth");
-    QTest::addColumn<int>("least"); // cuts that are compared
-    const auto add = [](const char *file, const char *truth, int least) {
-        QTest::addRow("%s %s", file, truth)
-            << QString::fromLatin1(file) << QString::fromLatin1(truth) << least;
-    };
-    add("c01_cantilever_inplane", "truth", 4);
-    add("c02_cantilever_outofplane", "truth", 4);
-    add("c04_cantilever_round_hole", "truth", 4);
-    add("c06_L_arm_inplane", "truth", 4);
-    add("c08_tapered_cantilever", "truth", 5);
-    add("c10_crossed_stand_indeterminate", "truth", 4);
-    add("c10_crossed_stand_indeterminate", "truth_contact", 4);
-    add("c13_shelf_two_supports", "truth", 4);
-    add("c16_three_leg_glass_stand", "truth", 3);
-    add("c17_four_leg_glass_stand", "truth", 3);
-    add("c20_slit_net_section", "truth", 3);
-}
-
-void TestSectionStress::caseCuts()
-{
-    // Wrong: a stress of a reference case is outside of the tolerance that index.json gives it.
-    QFETCH(QString, file);
-    QFETCH(QString, truth);
-    QFETCH(int, least);
-    const QDir cases(QStringLiteral(FFF_SHARED) + QStringLiteral("/mechanics/cases"));
-    if (!cases.exists())
-        FFF_WITHOUT_SHARED();
-    const QJsonObject given = readCase(cases.filePath(file + QStringLiteral(".json")));
-    int compared = 0;
-    for (const QJsonValue &section : given[u"sections"].toArray()) {
-        const SectionCase c = sectionCase(given, section[QStringLiteral("id")].toString(), truth);
-        const PieceShape shape(c.region, c.slits);
-        for (const CaseCut &cut : c.cuts) {
-            const auto found = stressOnLine(shape, c.forces, c.sheet, cut.p0, cut.p1);
-            QVERIFY2(found.has_value(), qPrintable(cut.name));
-            double low = -0.05, high = 0.15, linear = cut.linear;
-            if (cut.name.startsWith(QStringLiteral("hole_"))) {
-                low = -0.1;
-                high = 0.3;
-            } else if (file.startsWith(QStringLiteral("c08"))) { // the member's stress
-                low = -0.03;
-                high = 0.1;
-                linear = cut.name.endsWith(QStringLiteral("60")) ? 1.306 : 1.224;
-            } else if (cut.name == QStringLiteral("disc_half")) {
-                high = 0.25; // for information; a fault here would be one of the patch
-            } else if (cut.name == QStringLiteral("corner45") ||
-                       cut.name == QStringLiteral("wall_x77.5_net")) {
-                continue; // outside of what beams can say, says the case
-            }
-            const double ratio = found->stress.linear() / linear;
-            QVERIFY2(ratio >= 1.0 + low && ratio <= 1.0 + high,
-                     qPrintable(QStringLiteral("%1 %2: %3 MPa against %4, ratio %5")
-                                    .arg(c.section, cut.name)
-                                    .arg(found->stress.linear())
-                                    .arg(linear)
-                                    .arg(ratio)));
-            ++compared;
-        }
-        if (!c.forces.empty()) {
-            const SectionStress all =
-                stressOf(SectionCuts(PieceShape(c.region, c.slits)), c.forces, c.sheet);
-            QVERIFY2(all.imbalanceShare < 1e-4, qPrintable(QString::number(all.imbalanceShare)));
-        }
-    }
-    QVERIFY2(compared >= least, qPrintable(QString::number(compared)));
-}
 
 void TestSectionStress::holeLeftOutFails()
 {

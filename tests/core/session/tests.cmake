@@ -41,7 +41,10 @@ fff_tests(tests_session LIBRARIES fff::session Polyclipping::Polyclipping TESTS
         core/session/tst_case_models
         core/session/tst_strength
         core/session/tst_tool_replays)
-target_sources(tests_session PRIVATE bench/generated_models.cpp core/physics/reference_case.cpp)
+target_sources(tests_session PRIVATE
+    bench/generated_models.cpp
+    core/physics/reference_case.cpp
+    core/physics/reference_truth.cpp)
 target_compile_definitions(tests_session PRIVATE FFF_SAMPLES="${CMAKE_SOURCE_DIR}/resources/samples")
 
 # They count what is allocated in all of the program.
