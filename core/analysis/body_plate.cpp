@@ -85,11 +85,8 @@ Result<PlateModel> plateOf(const BodyPointer &body, const Stock &stock, PlateMes
             return tl::unexpected(made.error());
         mesh = std::make_shared<const PlateMesh>(*std::move(made));
     }
-    PlateMaterial material;
-    material.thickness = stock.thickness;
-    material.modulus = modulusOf(stock);
-    material.poisson = kUsualPoisson;
-    material.density = stock.density * kCubicMillimetres;
+    const PlateMaterial material(stock.thickness, modulusOf(stock), kUsualPoisson,
+                                 stock.density * kCubicMillimetres);
     return PlateModel::make(*mesh, material, {}, work);
 }
 

@@ -11,12 +11,18 @@
 
 namespace fff {
 
+/// All of it has to be said: there is no usual plate.
 struct PlateMaterial
 {
-    double thickness = 3.0;  // mm
-    double modulus = 3200.0; // MPa
-    double poisson = 0.37;
-    double density = 1.19e-6; // kg/mm³
+    PlateMaterial(double thick, double stiff, double narrowing, double dense)
+        : thickness(thick), modulus(stiff), poisson(narrowing), density(dense)
+    {
+    }
+
+    double thickness; // mm
+    double modulus;   // MPa
+    double poisson;   // no unit
+    double density;   // kg/mm³
 };
 
 /// Forces on the points of a mesh, or their displacements.
