@@ -343,6 +343,21 @@ std::string strengthJson(const Simulated &simulated, const Analysis &analysis, c
     return json.take();
 }
 
+namespace {
+
+/// Of all that acts, scaled alike: pushes are no mass. kilograms: as BearableMass has it.
+QString amountText(double kilograms, const ModelStructure &made)
+{
+    if (made.pushes == 0.0)
+        return tr("%1 in all").arg(massText(kilograms));
+    const double times = kilograms / placedMass(made.structure);
+    if (made.weights == 0.0)
+        return tr("%1 N in all").arg(figure(times * made.pushes));
+    return tr("%1 times what acts on it").arg(figure(times));
+}
+
+} // namespace
+
 QStringList strengthText(const Simulated &simulated, const Analysis &analysis)
 {
     const Strength &strength = simulated.strength;
@@ -355,9 +370,10 @@ QStringList strengthText(const Simulated &simulated, const Analysis &analysis)
                           percent(body.cornerUse));
     }
     if (simulated.bearable.cracksFrom)
-        lines += tr("May crack from %1 in all.").arg(massText(*simulated.bearable.cracksFrom));
+        lines +=
+            tr("May crack from %1.").arg(amountText(*simulated.bearable.cracksFrom, strength.made));
     if (simulated.bearable.breaksAt)
-        lines += tr("Breaks at %1 in all.").arg(massText(*simulated.bearable.breaksAt));
+        lines += tr("Breaks at %1.").arg(amountText(*simulated.bearable.breaksAt, strength.made));
     lines += tr("Weighs %1 N with all that hangs on it.")
                  .arg(figure(totalWeight(strength.made.structure)));
     if (isShown)

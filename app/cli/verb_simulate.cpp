@@ -13,6 +13,10 @@ int runSimulate(const QStringList &arguments)
                       QCoreApplication::translate("CommandLine",
                                                   "Sections bend where joints share a load: finite "
                                                   "elements of each; takes seconds.")});
+    parser.addOption(
+        {QStringLiteral("lasting"),
+         QCoreApplication::translate("CommandLine", "What acts stays for months: each stock bears "
+                                                    "the share that it says.")});
     addWeightOptions(parser);
     AnalysedFile model = analysedFile("simulate", arguments, parser);
     if (model.status)
@@ -20,6 +24,7 @@ int runSimulate(const QStringList &arguments)
     if (const auto status = hangWeights(parser, verbNamed("simulate"), model.analysis))
         return *status;
     StrengthRules rules;
+    rules.isLasting = parser.isSet(QStringLiteral("lasting"));
     rules.isElastic = parser.isSet(QStringLiteral("accurate"));
     StrengthCaches caches;
     Simulated simulated;

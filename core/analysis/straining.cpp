@@ -219,7 +219,7 @@ void Straining::strain(double scale, std::span<const int> bodies, bool withLines
                 cases.push_back(&forces[k][i]);
         BodyStrength &body = strength.bodies[i];
         body = cases.empty() ? BodyStrength() : worstOf(index, cases, withLines);
-        body.strength = strengthOf(stockOf(index));
+        body.strength = strengthOf(stockOf(index), m_rules);
         body.isWorkedOut = hasForces.front()[i] && (cases.empty() || body.isWorkedOut);
     }
     strength.worst = -1;
@@ -259,9 +259,11 @@ SheetMaterial Straining::sheetOf(int body) const
     SheetMaterial sheet;
     sheet.thickness = stock.thickness;
     sheet.arealWeight = inFrame(frame, weight);
-    sheet.strength = strengthOf(stock).value_or(1.0); // unknown: uses are MPa, and not looked at
+    sheet.strength =
+        strengthOf(stock, m_rules).value_or(1.0); // unknown: uses are MPa, and not looked at
     if (stock.modulus)
         sheet.modulus = *stock.modulus;
+    sheet.isDuctile = stock.isDuctile;
     return sheet;
 }
 

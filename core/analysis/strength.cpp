@@ -62,11 +62,14 @@ bool isPulledApart(const Equilibrium &equilibrium)
                        });
 }
 
-std::optional<double> strengthOf(const Stock &stock)
+std::optional<double> strengthOf(const Stock &stock, const StrengthRules &rules)
 {
-    if (stock.tensileStrength && stock.flexuralStrength)
-        return std::min(*stock.tensileStrength, *stock.flexuralStrength);
-    return stock.tensileStrength ? stock.tensileStrength : stock.flexuralStrength;
+    std::optional<double> strength = stock.tensileStrength;
+    if (stock.flexuralStrength)
+        strength = std::min(strength.value_or(*stock.flexuralStrength), *stock.flexuralStrength);
+    if (strength && rules.isLasting)
+        *strength *= stock.lastingShare;
+    return strength;
 }
 
 Strength forcesIn(const Analysis &analysis, const StrengthRules &rules, StrengthCaches &caches,

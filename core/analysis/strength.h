@@ -65,8 +65,8 @@ struct StrengthCaches
     std::map<BodyPointer, std::shared_ptr<const BentBody>> bent; // see bentModel()
 };
 
-/// The lower one of those that are known, MPa.
-std::optional<double> strengthOf(const Stock &stock);
+/// The lower one of those that are known, of what lasts its share, MPa.
+std::optional<double> strengthOf(const Stock &stock, const StrengthRules &rules = {});
 
 /// work: bodies that bend take long; once it is stopped what comes back is of no use.
 Strength strengthOf(const Analysis &analysis, const StrengthRules &rules, StrengthCaches &caches,

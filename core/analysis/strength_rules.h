@@ -10,6 +10,7 @@ struct StrengthRules
 {
     double safety = 2.0; // factor on every stress, for the verdict only
     NotchRule notch;
+    bool isLasting = false; // what acts stays for months (Stock::lastingShare)
     Support support;
     /// Of feet on what they stand on, where something pushes sideways; else they need none. Plywood
     /// and acrylic on a table have 0.3 and more.

@@ -117,6 +117,13 @@ Stock FffReader::readStock(const JsonCursor &cursor)
     stock.modulus = readRated(cursor.member("modulus"));
     stock.kerf = cursor.member("kerf").notNegative();
     const JsonCursor clearance = cursor.member("clearance");
+    if (const JsonCursor ductile = cursor.member("ductile"); ductile.exists())
+        stock.isDuctile = ductile.truth();
+    if (const JsonCursor lasting = cursor.member("lastingShare"); lasting.exists()) {
+        stock.lastingShare = lasting.positive();
+        if (!(stock.lastingShare <= 1.0))
+            lasting.failExpected(QT_TRANSLATE_NOOP("Error", "a share above 0, 1 at most"));
+    }
     stock.clearance = clearance.coordinate();
     // A slit needs a width, also where it presses.
     if (!m_problems.failed() && !(stock.clearance > -stock.thickness))

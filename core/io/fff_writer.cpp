@@ -40,6 +40,15 @@ const char *slitEndName(SlitEnd end)
     return "square";
 }
 
+/// Nothing for what is as in a new stock: brittle, and as strong for months.
+void writeEndurance(JsonWriter &json, const Stock &stock)
+{
+    if (stock.isDuctile)
+        json.member("ductile", true);
+    if (stock.lastingShare != 1.0)
+        json.member("lastingShare", stock.lastingShare);
+}
+
 /// Nothing for what is as in a new stock: plain slits.
 void writeSlitForm(JsonWriter &json, const Stock &stock)
 {
@@ -64,6 +73,7 @@ void writeStock(JsonWriter &json, const Stock &stock)
     writeRated(json, "tensileStrength", stock.tensileStrength);
     writeRated(json, "flexuralStrength", stock.flexuralStrength);
     writeRated(json, "modulus", stock.modulus);
+    writeEndurance(json, stock);
     json.member("kerf", stock.kerf);
     json.member("clearance", stock.clearance);
     writeSlitForm(json, stock);

@@ -68,6 +68,8 @@ const char *invalidField(const Stock &s)
         return "flexuralStrength";
     if (!ratedOrNone(s.modulus))
         return "modulus";
+    if (!(s.lastingShare > 0.0 && s.lastingShare <= 1.0))
+        return "lastingShare";
     if (!(s.kerf >= 0.0 && s.kerf <= kMaxCoordinate))
         return "kerf";
     // A slit needs a width, also where it presses: at a right angle, thickness + clearance.

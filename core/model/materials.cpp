@@ -15,6 +15,8 @@ struct Row
     double kerf, clearance; // mm
     Vec2 sheet;             // mm
     std::vector<double> thicknesses;
+    bool isDuctile = false;
+    double lastingShare = 1.0; // see Stock
 };
 
 // Where a material is weaker one way, the weaker way stands here. Kerfs are those of a CO2 laser
@@ -34,9 +36,32 @@ std::vector<Row> rows()
         // strength in the plane is given there.
         {"MDF", 3.0, 860, 0, 25, 2500, 0.18, 0.0, {600, 400}, {3.0, 6.0}},
         // PMMA: tensile 69, flexural 117, modulus 2.8 (tensile) by usplastic.com, knowledge base
-        // 533; density the same.
-        {"Acrylic, clear", 3.0, 1190, 69, 117, 2800, 0.15, 0.05, {600, 400}, {3.0, 6.0, 10.0}},
-        {"Acrylic, red", 3.0, 1190, 69, 117, 2800, 0.15, 0.05, {600, 400}, {3.0, 6.0, 10.0}},
+        // 533; density the same. For months a quarter of that, as it creeps and crazes: the
+        // product's mechanics, 2.10.
+        {"Acrylic, clear",
+         3.0,
+         1190,
+         69,
+         117,
+         2800,
+         0.15,
+         0.05,
+         {600, 400},
+         {3.0, 6.0, 10.0},
+         false,
+         kAcrylicForMonths},
+        {"Acrylic, red",
+         3.0,
+         1190,
+         69,
+         117,
+         2800,
+         0.15,
+         0.05,
+         {600, 400},
+         {3.0, 6.0, 10.0},
+         false,
+         kAcrylicForMonths},
         // Corrugated board: thickness of the flutes by packaging.vip; density of single wall C from
         // its papers (2 · 125 + 1.43 · 125 g/m² over 4 mm), the same papers over 3 and 1.5 mm for B
         // and E (take-up factors 1.32 and 1.27). Strength hangs on the direction: not rated.
@@ -53,7 +78,7 @@ std::vector<Row> rows()
         // 6061-T6: 310 MPa ultimate, 69 GPa, 2700 kg/m³ by FreeCAD's material card. Milled, not
         // lasered: no kerf, since tool paths are offset by the machine's program. A ductile metal
         // bends where it breaks, so flexural strength is not rated apart.
-        {"Aluminium 6061", 3.0, 2700, 310, 0, 69000, 0.0, 0.1, {300, 200}, {2.0, 3.0, 5.0}},
+        {"Aluminium 6061", 3.0, 2700, 310, 0, 69000, 0.0, 0.1, {300, 200}, {2.0, 3.0, 5.0}, true},
     };
 }
 
@@ -73,6 +98,8 @@ std::vector<Material> made()
         stock.kerf = row.kerf;
         stock.clearance = row.clearance;
         stock.sheet = row.sheet;
+        stock.isDuctile = row.isDuctile;
+        stock.lastingShare = row.lastingShare;
         material.thicknesses = std::move(row.thicknesses);
         all.push_back(std::move(material));
     }

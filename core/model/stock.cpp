@@ -32,6 +32,7 @@ Stock flatfabAcrylic()
     stock.tensileStrength = 60.0;
     stock.flexuralStrength = 60.0;
     stock.modulus = 2800.0;
+    stock.lastingShare = kAcrylicForMonths;
     // The files name no machine: until a person does, parts are cut as they were designed.
     stock.kerf = 0.0;
     return stock;

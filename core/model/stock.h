@@ -27,8 +27,10 @@ struct Stock
     std::optional<double> tensileStrength;  // MPa; none: not rated
     std::optional<double> flexuralStrength; // MPa; none: not rated
     std::optional<double> modulus;          // MPa; none: not rated
-    double kerf = 0.15;                     // mm, full width that the machine removes
-    double clearance = 0.0;                 // mm, play of a slit; negative presses
+    bool isDuctile = false;    // bends before it breaks, as metal does: strengths are yield
+    double lastingShare = 1.0; // of its strengths that it bears for months, above 0; acrylic creeps
+    double kerf = 0.15;        // mm, full width that the machine removes
+    double clearance = 0.0;    // mm, play of a slit; negative presses
     SlitEnd slitEnd = SlitEnd::Square;
     double toolDiameter = 3.175; // mm, of the mill; of no use to a square end
     double leadIn = 0.0;         // mm that a slit's mouth is chamfered by, at 45°
@@ -40,6 +42,9 @@ struct Stock
 
 /// Whether the slits of sections of both stocks are the same.
 bool cutsTheSameSlits(const Stock &a, const Stock &b);
+
+/// Of its strengths that acrylic bears for months.
+inline constexpr double kAcrylicForMonths = 0.25;
 
 /// What a new document starts with: birch plywood, 3 mm.
 Stock birchPlywood();

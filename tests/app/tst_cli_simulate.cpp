@@ -7,6 +7,7 @@
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
+#include <QTemporaryDir>
 
 using namespace fff;
 using namespace fff::test;
@@ -32,6 +33,7 @@ class TestCliSimulate : public QObject
 private Q_SLOTS:
     void tellsForcesAndStresses();
     void weightsOfOneRun();
+    void pushesAreNoMass();
     void wrongWeights_data();
     void wrongWeights();
 };
@@ -73,6 +75,34 @@ void TestCliSimulate::weightsOfOneRun()
                             .toDouble();
     QVERIFY(std::abs(with - before - 1.1 * 9.81) < 1e-9);
     QCOMPARE(simulated()[u"totalWeight"].toDouble(), before);
+}
+
+// Wrong: "from 5.1 kg in all" of what nobody weighs.
+void TestCliSimulate::pushesAreNoMass()
+{
+    QFile file(kStand);
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    QJsonObject model = QJsonDocument::fromJson(file.readAll()).object();
+    QJsonObject push = model[u"weights"][0].toObject();
+    for (const char *gone : {"mass", "preset", "filled", "height", "name"})
+        push.remove(QLatin1String(gone));
+    push[u"id"_s] = 1000;
+    push[u"force"_s] = QJsonArray{0.0, 0.0, -5.0};
+    model[u"pushes"_s] = QJsonArray{push};
+    model[u"nextId"_s] = 1001;
+    QTemporaryDir folder;
+    const auto said = [&](const QJsonObject &of) {
+        QFile written(folder.filePath(u"m.fff"_s));
+        return written.open(QIODevice::WriteOnly) &&
+                       written.write(QJsonDocument(of).toJson()) > 0 && written.flush()
+                   ? run({u"simulate"_s, written.fileName()}).out
+                   : QByteArray();
+    };
+    QVERIFY(run({u"simulate"_s, kStand}).out.contains(" g in all."));
+    QVERIFY(said(model).contains(" times what acts on it."));
+    model.remove(u"weights"_s);
+    const QByteArray pushed = said(model);
+    QVERIFY(pushed.contains(" N in all.") && !pushed.contains("g in all"));
 }
 
 void TestCliSimulate::wrongWeights_data()

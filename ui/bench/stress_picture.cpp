@@ -3,6 +3,7 @@
 #include "core/session/scheduler.h"
 #include "ui/bench/held.h"
 #include "ui/bench/workbench.h"
+#include "ui/settings/settings.h"
 
 namespace fff::ui {
 
@@ -30,6 +31,10 @@ StressPicture::StressPicture(Workbench &bench, QObject *parent) : QObject(parent
                     tell();
             });
     connect(&bench.session().scheduler(), &Scheduler::aged, this, tell);
+    connect(&settings(), &Settings::checksChanged, this, [this, tell] {
+        m_held = nullptr; // what is shown of it is another part
+        tell();
+    });
 }
 
 const StressMarks *StressPicture::marks()
@@ -41,7 +46,7 @@ const StressMarks *StressPicture::marks()
         return nullptr;
     if (held != m_held) {
         m_held = held;
-        m_marks = stressMarksOf(held->analysis, held->strength);
+        m_marks = stressMarksOf(held->analysis, held->strength, 0.01 * settings().stressShown());
         m_marks.bent = bentNow(scheduler);
         m_feet = footForces(held->strength);
     }

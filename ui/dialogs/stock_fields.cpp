@@ -11,6 +11,7 @@
 #include "ui/properties/stock_choice.h"
 #include "ui/properties/thickness_field.h"
 
+#include <QCheckBox>
 #include <QCoreApplication>
 #include <QHBoxLayout>
 #include <QLineEdit>
@@ -29,6 +30,8 @@ namespace {
 constexpr Text kEditStock = FFF_TEXT("Step", "Edit %1");
 
 constexpr double kMegapascalsPerGigapascal = 1000.0;
+constexpr double kPercent = 100.0;
+constexpr NumberEdit::Range kLasting{1.0, 100.0, 5.0, 0, 1};
 constexpr LengthEdit::Range kSheetRange{10.0, 10000.0, 10.0, 0, 1};
 
 QString sheetName(const char *name)
@@ -172,6 +175,25 @@ void StockFields::makeStrength()
               &Stock::flexuralStrength);
     addRating(group, tr("Stiffness"), "stockModulus", 1000.0, 0.1, tr("GPa"),
               kMegapascalsPerGigapascal, &Stock::modulus);
+    auto *ductile = new QCheckBox(tr("before it breaks"));
+    auto *bends = new EditorRow(
+        tr("Bends"), "stockDuctile", ductile,
+        [this, ductile] { ductile->setChecked(stock()->isDuctile); }, group);
+    bends->setToolTip(tr("As metal does: the strengths are those from which on it stays bent"));
+    connect(ductile, &QCheckBox::clicked, this,
+            [this](bool on) { edit([on](Stock &s) { s.isDuctile = on; }); });
+    group->add(bends);
+    m_rows.push_back(bends);
+    auto *lasting = new NumberEdit(kLasting, QStringLiteral("%"), group);
+    auto *months = new EditorRow(
+        tr("Bears for months"), "stockLasting", lasting,
+        [this, lasting] { lasting->setNumber(kPercent * stock()->lastingShare); }, group);
+    months->setToolTip(tr("Of its strength, where what acts stays: acrylic creeps and crazes"));
+    connect(lasting, &NumberEdit::numberEdited, this, [this](double percent) {
+        edit([&](Stock &s) { s.lastingShare = percent / kPercent; });
+    });
+    group->add(months);
+    m_rows.push_back(months);
 }
 
 void StockFields::makeCutting()

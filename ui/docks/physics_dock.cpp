@@ -40,6 +40,9 @@ constexpr int kFieldWidth = 96, kMargin = 12; // px
 constexpr double kGrams = 1000.0, kTenths = 10.0;
 constexpr NumberEdit::Range kMass{0.1, kMaxWeight *kGrams, 10.0, 0, 1}; // g
 constexpr NumberEdit::Range kForce{0.001, kMaxPush, 0.5, 0, 3};         // N
+constexpr NumberEdit::Range kShownFrom{Settings::kMinStressShown, Settings::kMaxStressShown, 5.0, 0,
+                                       0};
+constexpr NumberEdit::Range kNotch{0.1 * Settings::kMinNotch, 0.1 * Settings::kMaxNotch, 0.1, 1, 1};
 constexpr NumberEdit::Range kSafety{0.1 * Settings::kMinSafety, 0.1 * Settings::kMaxSafety, 0.1, 1,
                                     1};
 
@@ -88,6 +91,17 @@ PhysicsDock::PhysicsDock(Workbench &bench, QWidget *parent)
         m_bench.run(QStringLiteral("check.stress"), {{"on", on ? "true" : "false"}});
     });
     display->add(new EditorRow(tr("Stress lines"), "physicsLines", m_lines, {}, display));
+    auto *from = new NumberEdit(kShownFrom, QStringLiteral("%"));
+    from->setFixedWidth(kFieldWidth);
+    connect(from, &NumberEdit::numberEdited, this, [](double percent) {
+        settings().setStressShown(static_cast<int>(std::lround(percent)));
+    });
+    auto *least = new EditorRow(
+        tr("Show from"), "physicsShownFrom", from,
+        [from] { from->setNumber(settings().stressShown()); }, display);
+    least->setToolTip(tr("Of what the sheet bears: less is not shown"));
+    display->add(least);
+    m_rules.push_back(least);
     m_bends = new QCheckBox(tr("finite elements"));
     connect(m_bends, &QCheckBox::clicked, this, [](bool on) { settings().setBendsSections(on); });
     auto *bends = new EditorRow(tr("Sections bend"), "physicsBends", m_bends, {}, display);
@@ -199,6 +213,26 @@ void PhysicsDock::makeRules(QWidget *parent)
         tr("Safety factor"), "physicsSafety", safety,
         [safety] { safety->setNumber(settings().safetyFactor() / kTenths); }, rules);
     row->setToolTip(tr("So many times what is there has to be borne for it to hold"));
+    rules->add(row);
+    m_rules.push_back(row);
+    auto *notch = new NumberEdit(kNotch, QString());
+    notch->setFixedWidth(kFieldWidth);
+    connect(notch, &NumberEdit::numberEdited, this, [](double factor) {
+        settings().setNotchFactor(static_cast<int>(std::lround(kTenths * factor)));
+    });
+    row = new EditorRow(
+        tr("Notch factor, at most"), "physicsNotch", notch,
+        [notch] { notch->setNumber(settings().notchFactor() / kTenths); }, rules);
+    row->setToolTip(tr("How many times stress rises at inner corners follows from the neck's "
+                       "length, up to this; slits that end round need less"));
+    rules->add(row);
+    m_rules.push_back(row);
+    auto *lasting = new QCheckBox(tr("for months"));
+    connect(lasting, &QCheckBox::clicked, this, [](bool on) { settings().setLoadLasting(on); });
+    row = new EditorRow(
+        tr("Loads stay"), "physicsLasting", lasting,
+        [lasting] { lasting->setChecked(settings().isLoadLasting()); }, rules);
+    row->setToolTip(tr("Then a stock bears less, as it says itself: acrylic a quarter"));
     rules->add(row);
     m_rules.push_back(row);
 }

@@ -13,6 +13,8 @@ CheckRules checkRules(const Settings &settings)
     rules.planningTime = std::chrono::milliseconds(settings.planningTime());
     constexpr double kTenth = 0.1;
     rules.strength.safety = kTenth * settings.safetyFactor();
+    rules.strength.notch.cap = kTenth * settings.notchFactor();
+    rules.strength.isLasting = settings.isLoadLasting();
     rules.strength.isElastic = settings.bendsSections();
     return rules;
 }

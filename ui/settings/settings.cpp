@@ -25,6 +25,9 @@ const QString kMotion = QStringLiteral("view/motion");
 const QString kTurnAngle = QStringLiteral("drawing/turnAngle");
 const QString kNavigation = QStringLiteral("view/navigation");
 const QString kShallow = QStringLiteral("checks/shallowAngle");
+const QString kNotch = QStringLiteral("checks/notchFactor");
+const QString kLasting = QStringLiteral("checks/loadLasting");
+const QString kStressShown = QStringLiteral("checks/stressShown");
 const QString kSafety = QStringLiteral("checks/safetyFactor");
 const QString kBends = QStringLiteral("checks/bendsSections");
 const QString kTouching = QStringLiteral("checks/touching");
@@ -329,6 +332,48 @@ void Settings::setSafetyFactor(int tenths)
     if (tenths == safetyFactor())
         return;
     store(kSafety, tenths);
+    Q_EMIT checksChanged();
+}
+
+int Settings::notchFactor() const
+{
+    return numberOf(m_store.value(kNotch), kMinNotch, kMaxNotch, kMaxNotch);
+}
+
+void Settings::setNotchFactor(int tenths)
+{
+    tenths = std::clamp(tenths, kMinNotch, kMaxNotch);
+    if (tenths == notchFactor())
+        return;
+    store(kNotch, tenths);
+    Q_EMIT checksChanged();
+}
+
+bool Settings::isLoadLasting() const
+{
+    return m_store.value(kLasting, false).toBool();
+}
+
+void Settings::setLoadLasting(bool isLasting)
+{
+    if (isLasting == isLoadLasting())
+        return;
+    store(kLasting, isLasting);
+    Q_EMIT checksChanged();
+}
+
+int Settings::stressShown() const
+{
+    constexpr int kUsual = 20; // as in the paper, section 4
+    return numberOf(m_store.value(kStressShown), kMinStressShown, kMaxStressShown, kUsual);
+}
+
+void Settings::setStressShown(int percent)
+{
+    percent = std::clamp(percent, kMinStressShown, kMaxStressShown);
+    if (percent == stressShown())
+        return;
+    store(kStressShown, percent);
     Q_EMIT checksChanged();
 }
 

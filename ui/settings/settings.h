@@ -88,6 +88,14 @@ public:
     static constexpr int kMinSafety = 10, kMaxSafety = 100; // tenths
     int safetyFactor() const;                               // on every stress; tenths
     void setSafetyFactor(int tenths);
+    static constexpr int kMinNotch = 10, kMaxNotch = 50; // tenths
+    int notchFactor() const; // by which inner corners raise a stress at most; tenths
+    void setNotchFactor(int tenths);
+    bool isLoadLasting() const; // what acts stays for months
+    void setLoadLasting(bool isLasting);
+    static constexpr int kMinStressShown = 0, kMaxStressShown = 95; // %
+    int stressShown() const; // from which on stresses are shown; % of what the sheet bears
+    void setStressShown(int percent);
     bool bendsSections() const; // whether forces are also worked out with sections that bend
     void setBendsSections(bool bends);
 

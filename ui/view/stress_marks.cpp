@@ -142,9 +142,10 @@ void paintLegend(MarkPen &pen, const StressMarks &marks, const QLocale &locale)
 
 } // namespace
 
-StressMarks stressMarksOf(AnalysisPointer analysis, const Strength &strength)
+StressMarks stressMarksOf(AnalysisPointer analysis, const Strength &strength, double least)
 {
     StressMarks marks;
+    marks.least = least;
     marks.lines = stressLines(*analysis, strength, marks.least);
     marks.isKnown = areStressesKnown(strength);
     marks.isRated = std::all_of(strength.bodies.begin(), strength.bodies.end(),

@@ -34,7 +34,8 @@ struct StressMarks
 };
 
 /// Of what was worked out, without forces.
-StressMarks stressMarksOf(AnalysisPointer analysis, const Strength &strength);
+/// least  of what the sheet bears: less is not shown
+StressMarks stressMarksOf(AnalysisPointer analysis, const Strength &strength, double least = 0.2);
 
 /// Of all that is strained at least as much as is shown, the worst; 0: nothing is.
 double worstShown(const StressMarks &marks);

@@ -234,6 +234,8 @@ void TestFffFormat::howSlitsAreCutComesBack()
         stock.toolDiameter = 0.1 + 0.2;
         stock.leadIn = 1.5;
         stock.bumps = 0.15;
+        stock.isDuctile = true;
+        stock.lastingShare = 0.25;
         document = setStock(document, stock).value();
         const auto bytes = io::writeFff(document);
         QVERIFY(bytes);
@@ -452,6 +454,12 @@ void TestFffFormat::malformed_data()
         "a.fff:$.stocks[1].toolDiameter");
     row("a lead-in below 0", edited("-0.05", "-0.05, \"leadIn\": -1"), BadValue,
         "a.fff:$.stocks[1].leadIn");
+    row("ductile as a number", edited("-0.05", "-0.05, \"ductile\": 1"), BadValue,
+        "a.fff:$.stocks[1].ductile");
+    for (const char *share : {"0", "-0.5", "1.01", "null"})
+        row(qPrintable(QStringLiteral("a lasting share of %1").arg(QLatin1String(share))),
+            edited("-0.05", std::string("-0.05, \"lastingShare\": ") + share), BadValue,
+            "a.fff:$.stocks[1].lastingShare");
     row("bumps as a word", edited("-0.05", "-0.05, \"bumps\": \"high\""), BadValue,
         "a.fff:$.stocks[1].bumps");
     row("a format in a list", edited("\"FlatFitFab\"", "[\"FlatFitFab\"]"), NotAModel, "a.fff");

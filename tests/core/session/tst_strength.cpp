@@ -98,6 +98,8 @@ private Q_SLOTS:
     void weightBesideItsSection();
     void nothing();
     void unknownStrength();
+    void whatStaysWeakensAcrylic();
+    void ductileStockYields();
 };
 
 void TestStrength::models_data()
@@ -203,6 +205,44 @@ void TestStrength::nothing()
     const Strength strength = strengthOf(newDocument());
     QCOMPARE(strength.verdict, HoldVerdict::Unstable);
     QCOMPARE(strength.worst, -1);
+}
+
+// Wrong: acrylic that is said to hold a shelf for years by what it bears in a test of a minute.
+void TestStrength::whatStaysWeakensAcrylic()
+{
+    const Document document = sample("acrylic_thick_four.fff");
+    const auto judged = [&](double share, bool isLasting) {
+        Stock stock = *document.stocks[0];
+        stock.lastingShare = share;
+        AnalysisCaches caches;
+        const Analysis analysis =
+            *analyseNext(evaluate(*setStock(document, std::move(stock))), caches);
+        StrengthRules rules;
+        rules.isLasting = isLasting;
+        StrengthCaches known;
+        return fff::strengthOf(analysis, rules, known);
+    };
+    const Strength today = judged(0.25, false), months = judged(0.25, true),
+                   other = judged(1.0, true);
+    QCOMPARE(today.verdict, HoldVerdict::Holds);
+    QVERIFY(std::abs(months.cornerUse - 4.0 * today.cornerUse) < 1e-9);
+    QVERIFY(std::abs(months.neckUse - 4.0 * today.neckUse) < 1e-9);
+    QCOMPARE(months.verdict, HoldVerdict::BarelyHolds);
+    QCOMPARE(other.cornerUse, today.cornerUse);
+}
+
+// Von Mises lets bear more shear than the first principal stress only where there is tension, too:
+// what is ductile is never strained more than twice as much, and differs where something shears.
+void TestStrength::ductileStockYields()
+{
+    Document document = sample("acrylic_thick_four.fff");
+    const Strength brittle = strengthOf(document);
+    Stock stock = *document.stocks[0];
+    stock.isDuctile = true;
+    const Strength ductile = strengthOf(*setStock(document, stock));
+    QVERIFY(ductile.neckUse >= brittle.neckUse * (1.0 - 1e-9));
+    QVERIFY(ductile.neckUse <= 2.0 * brittle.neckUse);
+    QVERIFY(ductile.neckUse != brittle.neckUse);
 }
 
 // Wrong: green for a sheet of which nobody knows what it bears.
