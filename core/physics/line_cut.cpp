@@ -92,97 +92,188 @@ void placeHoles(const SectionOutline &outline, LineCut &cut, AreaMoment &left)
     }
 }
 
-/// The sides of a cut of which the chords are known; false if one of them is nothing.
-bool weighSides(const SectionOutline &outline, const OutlineCrossing *first,
-                const OutlineCrossing *last, LineCut &cut)
+bool isEntry(const OutlineCrossing &crossing)
 {
-    const OutlineCrossing outer[] = {*first, *last};
-    // A chord that leaves the outer ring crosses it to the right, and to the left where it comes
-    // back: anything else is rounding among rings that touch.
-    if (first->isToLeft || !last->isToLeft)
-        return false;
-    AreaMoment left = leftOf(outline, outer, outer + 2);
-    for (const Chord &chord : cut.chords)
-        left +=
-            SectionOutline::ofStep(chord.begin.at - outline.base(), chord.end.at - outline.base());
-    for (const OutlineCrossing *c = first + 1; c != last; ++c)
-        cut.crossed.push_back(*c);
-    placeHoles(outline, cut, left);
-    cut.minus = left;
-    cut.plus = outline.total();
-    cut.plus -= left;
-    return cut.minus.area > kSideDust && cut.plus.area > kSideDust;
-}
-
-/// The better of two, by length of the chord.
-void keepShorter(std::optional<CutChord> &best, LineCut &cut, std::size_t chord)
-{
-    if (!best || cut.chords[chord].length() <
-                     best->cut.chords[static_cast<std::size_t>(best->chord)].length())
-        best = CutChord{cut, static_cast<int>(chord)};
-}
-
-template <class IsWanted>
-std::optional<CutChord> shortestWanted(const SectionOutline &outline, const CutLine &line,
-                                       IsWanted isWanted)
-{
-    std::optional<CutChord> best;
-    std::vector<LineCut> cuts;
-    for (const int zero : {1, -1}) {
-        const bool isTouched = cutsOn(outline, line, zero, cuts);
-        for (LineCut &cut : cuts)
-            for (std::size_t i = 0; i < cut.chords.size(); ++i)
-                if (isWanted(cut.chords[i]))
-                    keepShorter(best, cut, i);
-        if (!isTouched)
-            break;
-    }
-    return best;
+    return crossing.point.ring == 0 && !crossing.isToLeft;
 }
 
 } // namespace
 
-bool cutsOn(const SectionOutline &outline, const CutLine &line, int zero,
-            std::vector<LineCut> &cuts)
+bool LineCutter::nextRun(const std::vector<OutlineCrossing> &crossings, Run &run)
 {
-    cuts.clear();
-    std::vector<OutlineCrossing> found;
-    const bool isTouched = outline.crossings(line, zero, found);
-    for (std::size_t i = 0; i + 1 < found.size();) {
+    std::size_t i = run.next;
+    while (i + 1 < crossings.size()) {
         // Up to where the line leaves the outer ring.
         std::size_t j = i + 1;
-        while (j < found.size() && (found[j].point.ring != 0 || (j - i) % 2 == 0))
+        while (j < crossings.size() && (crossings[j].point.ring != 0 || (j - i) % 2 == 0))
             ++j;
-        if (found[i].point.ring != 0 || j == found.size()) {
-            i += 2;
-            continue;
+        if (crossings[i].point.ring == 0 && j < crossings.size()) {
+            run = {&crossings[i], &crossings[j], j + 1};
+            return true;
         }
-        LineCut cut;
-        cut.line = line;
-        for (std::size_t k = i; k < j; k += 2)
-            cut.chords.push_back(
-                {found[k].along, found[k + 1].along, found[k].point, found[k + 1].point});
-        if (weighSides(outline, &found[i], &found[j], cut))
-            cuts.push_back(std::move(cut));
-        i = j + 1;
+        i += 2;
     }
-    return isTouched;
+    return false;
+}
+
+LineCut LineCutter::chordsOf(const CutLine &line, const Run &run)
+{
+    LineCut cut;
+    cut.line = line;
+    for (const OutlineCrossing *c = run.first; c < run.last; c += 2)
+        cut.chords.push_back({c->along, (c + 1)->along, c->point, (c + 1)->point});
+    return cut;
+}
+
+bool LineCutter::weigh(const Run &run, LineCut &cut) const
+{
+    const OutlineCrossing outer[] = {*run.first, *run.last};
+    // A chord that leaves the outer ring crosses it to the right, and to the left where it comes
+    // back: anything else is rounding among rings that touch.
+    if (outer[0].isToLeft || !outer[1].isToLeft)
+        return false;
+    AreaMoment left = leftOf(m_outline, outer, outer + 2);
+    for (const Chord &chord : cut.chords)
+        left += SectionOutline::ofStep(chord.begin.at - m_outline.base(),
+                                       chord.end.at - m_outline.base());
+    cut.crossed.assign(run.first + 1, run.last);
+    placeHoles(m_outline, cut, left);
+    cut.minus = left;
+    cut.plus = m_outline.total();
+    cut.plus -= left;
+    return cut.minus.area > kSideDust && cut.plus.area > kSideDust;
+}
+
+bool LineCutter::Wanted::contains(double begin, double end) const
+{
+    return (isBeginning ? begin : end) >= from && begin <= to && end - begin > longerThan;
+}
+
+LineCutter::Found LineCutter::collect(const std::vector<OutlineCrossing> &crossings,
+                                      const Wanted &wanted, bool isFromStart, bool isToEnd)
+{
+    Run run;
+    if (!isFromStart) {
+        if (wanted.isBeginning &&
+            std::none_of(crossings.begin(), crossings.end(), [&wanted](const OutlineCrossing &c) {
+                return wanted.from <= c.along && c.along <= wanted.to && !c.isToLeft;
+            }))
+            return Found::All;
+        // From the last place where the material begins before what is wanted, or just there.
+        auto begin = std::partition_point(
+            crossings.begin(), crossings.end(),
+            [&wanted](const OutlineCrossing &c) { return c.along < wanted.from; });
+        if (begin == crossings.end() || !isEntry(*begin)) {
+            while (begin != crossings.begin() && !isEntry(*std::prev(begin)))
+                --begin;
+            if (begin == crossings.begin())
+                return Found::MoreBefore;
+            --begin;
+        }
+        run.next = static_cast<std::size_t>(begin - crossings.begin());
+    }
+    while (run.next < crossings.size() && crossings[run.next].along <= wanted.to) {
+        const std::size_t begin = run.next;
+        if (!nextRun(crossings, run)) {
+            if (!isToEnd)
+                return Found::MoreBehind;
+            break;
+        }
+        if (!isFromStart || !isToEnd) {
+            // Of part of a line it is not known which crossings go together, but for what they say.
+            for (std::size_t k = begin; k < run.next; ++k)
+                if (crossings[k].isToLeft != ((k - begin) % 2 == 1))
+                    return Found::Unclear;
+        }
+        int chord = 0;
+        for (const OutlineCrossing *c = run.first; c < run.last; c += 2, ++chord)
+            if (wanted.contains(c->along, (c + 1)->along))
+                m_candidates.push_back({run, chord, c->along, (c + 1)->along});
+    }
+    return Found::All;
+}
+
+void LineCutter::search(const CutLine &line, const Wanted &wanted, double reach, bool isEitherWay)
+{
+    const LineSpan whole = m_outline.spanOn(line);
+    LineSpan span{wanted.isBeginning ? wanted.from : wanted.from - reach, wanted.to + reach};
+    if (!(whole.from <= whole.to) || !(span.from < span.to)) {
+        m_candidates.clear();
+        return; // it is no line
+    }
+    for (;;) {
+        const bool isFromStart = span.from <= whole.from, isToEnd = span.to >= whole.to;
+        m_outline.crossings(line, span, m_crossings);
+        m_candidates.clear();
+        Found found = collect(m_crossings.touchedLeft, wanted, isFromStart, isToEnd);
+        if (found == Found::All && isEitherWay && m_crossings.isTouched)
+            found = collect(m_crossings.touchedRight, wanted, isFromStart, isToEnd);
+        if (found == Found::All)
+            return;
+        constexpr double kFarther = 4.0;
+        const double length = kFarther * (span.to - span.from);
+        if (found == Found::Unclear)
+            span = whole;
+        else if (found == Found::MoreBefore)
+            span.from = wanted.from - length;
+        else
+            span.to = wanted.to + length;
+    }
+}
+
+template <class Value>
+std::optional<CutChord> LineCutter::least(const CutLine &line, Value value)
+{
+    while (!m_candidates.empty()) {
+        const auto best = std::min_element(
+            m_candidates.begin(), m_candidates.end(),
+            [&](const Candidate &a, const Candidate &b) { return value(a) < value(b); });
+        CutChord result{chordsOf(line, best->run), best->chord};
+        if (weigh(best->run, result.cut))
+            return result;
+        m_candidates.erase(best);
+    }
+    return std::nullopt;
+}
+
+std::optional<CutChord> LineCutter::at(const CutLine &line, double along, double slack,
+                                       double reach)
+{
+    search(line, {along - slack, along + slack, false, kClipGrid}, reach, true);
+    return least(line, [](const Candidate &c) { return c.length(); });
+}
+
+std::optional<CutChord> LineCutter::from(const CutLine &line, double reach)
+{
+    search(line, {-kBeginSlack, kBeginSlack, true, kBeginSlack}, reach, true);
+    return least(line, [](const Candidate &c) { return c.length(); });
+}
+
+std::optional<CutChord> LineCutter::nearest(const CutLine &line, double within, double reach)
+{
+    search(line, {-within, within, false, 0.0}, reach, false);
+    std::erase_if(m_candidates, [within](const Candidate &c) { return c.away() >= within; });
+    return least(line, [](const Candidate &c) { return c.away(); });
+}
+
+void cutsOn(const SectionOutline &outline, const CutLine &line, std::vector<LineCut> &cuts)
+{
+    cuts.clear();
+    LineCutter(outline).eachOn(line, [&cuts](LineCut &cut, auto weigh) {
+        if (weigh())
+            cuts.push_back(std::move(cut));
+    });
 }
 
 std::optional<CutChord> cutAt(const SectionOutline &outline, const CutLine &line, double along,
                               double slack)
 {
-    return shortestWanted(outline, line, [along, slack](const Chord &chord) {
-        return chord.from - slack <= along && along <= chord.to + slack &&
-               chord.length() > kClipGrid;
-    });
+    return LineCutter(outline).at(line, along, slack, outline.bounds().size().norm());
 }
 
 std::optional<CutChord> cutFrom(const SectionOutline &outline, const CutLine &line)
 {
-    return shortestWanted(outline, line, [](const Chord &chord) {
-        return std::abs(chord.from) <= kBeginSlack && chord.length() > kBeginSlack;
-    });
+    return LineCutter(outline).from(line, outline.bounds().size().norm());
 }
 
 HeldPoint held(const SectionOutline &outline, const Vec2 &point)

@@ -1,8 +1,10 @@
 // Straight cuts through a piece: what of a line is material, and what each cut parts.
 #pragma once
 
+#include "core/base/few.h"
 #include "core/physics/section_outline.h"
 
+#include <algorithm>
 #include <optional>
 #include <vector>
 
@@ -23,20 +25,14 @@ struct Chord
 struct LineCut
 {
     CutLine line;
-    std::vector<Chord> chords; // at least one, in their order along the line
-    AreaMoment plus;           // of the plus side, about the outline's base
+    Few<Chord, 1> chords; // at least one, in their order along the line
+    AreaMoment plus;      // of the plus side, about the outline's base
     AreaMoment minus;
     std::vector<char> isHoleLeft;         // by ring − 1: its first vertex is on the minus side
     std::vector<OutlineCrossing> crossed; // of holes, in the order of ring and way around
 
     Vec2 normal() const { return {line.direction.y(), -line.direction.x()}; }
 };
-
-/// All cuts on the line whose sides have an area; see SectionOutline::crossings for `zero`. Robust
-/// against vertices on the line. O(edges near the line + holes).
-/// Whether a vertex lies on the line.
-bool cutsOn(const SectionOutline &outline, const CutLine &line, int zero,
-            std::vector<LineCut> &cuts);
 
 /// A chord of one of the cuts of a line.
 struct CutChord
@@ -45,11 +41,87 @@ struct CutChord
     int chord = 0;
 };
 
-/// The shortest chord that contains the place `along` of the line, within `slack` mm. Where
-/// vertices lie on the line it may be moved by nothing to either side, as is shorter.
+/// Makes cuts through a piece, which outlives it. For those who make many of them: its room is used
+/// again. Not for several threads at once.
+class LineCutter
+{
+public:
+    explicit LineCutter(const SectionOutline &outline) : m_outline(outline) {}
+
+    /// Calls use(cut, weigh) for every cut on the line, with chords but no sides yet, which weigh()
+    /// adds: false if one of them has no area, it is none then. Robust against vertices on the
+    /// line: they count as to its left. O(edges near the line + holes).
+    template <class Use>
+    void eachOn(const CutLine &line, Use use)
+    {
+        m_outline.crossings(line, {}, m_crossings);
+        for (Run run; nextRun(m_crossings.touchedLeft, run);) {
+            LineCut cut = chordsOf(line, run);
+            use(cut, [&] { return weigh(run, cut); });
+        }
+    }
+
+    /// The shortest chord that contains the place `along` of the line, within `slack` mm. Where
+    /// vertices lie on the line it may be moved by nothing to either side, as is shorter. `reach`,
+    /// mm: how long it is likely to be; the answer does not hang on it, but of a line along a long
+    /// boundary only what is near is looked at.
+    std::optional<CutChord> at(const CutLine &line, double along, double slack, double reach);
+    /// The shortest chord that begins at the line's own point, which lies on the boundary.
+    std::optional<CutChord> from(const CutLine &line, double reach);
+    /// The chord nearest to the line's own point, less than `within` mm away from it. Vertices on
+    /// the line count as to its left.
+    std::optional<CutChord> nearest(const CutLine &line, double within, double reach);
+
+private:
+    /// Of crossings, from where a line enters the outer ring to where it leaves that.
+    struct Run
+    {
+        const OutlineCrossing *first = nullptr, *last = nullptr;
+        std::size_t next = 0; // index of the crossing behind
+    };
+    static bool nextRun(const std::vector<OutlineCrossing> &crossings, Run &run);
+    static LineCut chordsOf(const CutLine &line, const Run &run);
+    bool weigh(const Run &run, LineCut &cut) const;
+
+    /// Which chords are wanted: those that meet a stretch of the line, or begin there.
+    struct Wanted
+    {
+        double from = 0.0, to = 0.0; // mm along the line
+        bool isBeginning = false;
+        double longerThan = 0.0; // mm
+
+        bool contains(double begin, double end) const;
+    };
+    struct Candidate
+    {
+        Run run;
+        int chord = 0;
+        double from = 0.0, to = 0.0; // along the line
+
+        double length() const { return to - from; }
+        double away() const { return std::max({0.0, from, -to}); } // from the line's point
+    };
+    /// All chords that are wanted were among the crossings; or some may not be, since more of the
+    /// line has to be known; or of all of it, since rings touch.
+    enum class Found { All, MoreBefore, MoreBehind, Unclear };
+
+    /// All chords that are wanted, of either way to count vertices on the line, or of one.
+    void search(const CutLine &line, const Wanted &wanted, double reach, bool isEitherWay);
+    Found collect(const std::vector<OutlineCrossing> &crossings, const Wanted &wanted,
+                  bool isFromStart, bool isToEnd);
+    /// The first of the least that is a cut.
+    template <class Value>
+    std::optional<CutChord> least(const CutLine &line, Value value);
+
+    const SectionOutline &m_outline;
+    LineCrossings m_crossings;
+    std::vector<Candidate> m_candidates;
+};
+
+/// All cuts on the line; see LineCutter.
+void cutsOn(const SectionOutline &outline, const CutLine &line, std::vector<LineCut> &cuts);
 std::optional<CutChord> cutAt(const SectionOutline &outline, const CutLine &line, double along,
                               double slack);
-/// The shortest chord that begins at the line's own point, which lies on the boundary.
 std::optional<CutChord> cutFrom(const SectionOutline &outline, const CutLine &line);
 
 /// Where a point of the material is held to the boundary, so that its side of a cut costs no

@@ -290,29 +290,33 @@ PieceShape::PieceShape(const Region &region, std::vector<SlitLine> given)
     cornerBoxes.fill(corners.size(), [this](std::size_t i) {
         return Box2{corners[i].at, corners[i].at};
     });
-    const auto netCut = [this](const CutLine &line) {
-        const std::optional<CutChord> found = cutFrom(outline, line);
-        return found ? std::optional<LineCut>(found->cut) : std::nullopt;
-    };
-    for (const SlitLine &slit : slits)
-        netCuts.push_back(outline.isEmpty()
-                              ? std::optional<LineCut>()
-                              : netCut({outline.nearest(slit.root).at, -slit.opening}));
+    LineCutter cutter(outline);
+    netCuts.resize(slits.size());
+    for (std::size_t i = 0; i < slits.size() && !outline.isEmpty(); ++i) {
+        const SlitLine &slit = slits[i];
+        // Slits are half as deep as what they are in, mostly.
+        const double reach = std::max(slit.depth, slit.width);
+        if (auto found = cutter.from({outline.nearest(slit.root).at, -slit.opening}, reach))
+            netCuts[i] = std::move(found->cut);
+    }
     size = outline.bounds().isEmpty() ? 0.0 : outline.bounds().size().norm();
 }
 
-Neck neckOf(const PieceShape &shape, const LineCut &cut, int chordIndex, double maxLean)
+Neck leaningNeck(const PieceShape &shape, const CutLine &line, const Chord &chord)
 {
-    const Chord &chord = cut.chords[static_cast<std::size_t>(chordIndex)];
-    const Vec2 &way = cut.line.direction;
+    const Vec2 &way = line.direction;
     Neck neck;
     neck.begin = chord.begin.at;
     neck.end = chord.end.at;
     measureLean(endNormals(shape.outline, chord.begin, -way, chord.length()),
                 endNormals(shape.outline, chord.end, way, chord.length()), way, neck);
     neck.length = chord.length() * std::cos(neck.lean);
-    if (neck.lean > maxLean)
-        return neck;
+    return neck;
+}
+
+void measure(const PieceShape &shape, const LineCut &cut, int chordIndex, Neck &neck)
+{
+    const Chord &chord = cut.chords[static_cast<std::size_t>(chordIndex)];
     neck.isAtCorner =
         isAtCornerOf(shape.outline, chord.begin) || isAtCornerOf(shape.outline, chord.end);
     measureBend(shape.outline, chord, neck);
@@ -336,6 +340,12 @@ Neck neckOf(const PieceShape &shape, const LineCut &cut, int chordIndex, double 
     const double depth = std::min(cut.minus.area, cut.plus.area) / neck.length; // of a side
     neck.isStubby = depth < neck.length;
     neck.isCap = depth < 0.5 * neck.length;
+}
+
+Neck neckOf(const PieceShape &shape, const LineCut &cut, int chord)
+{
+    Neck neck = leaningNeck(shape, cut.line, cut.chords[static_cast<std::size_t>(chord)]);
+    measure(shape, cut, chord, neck);
     return neck;
 }
 

@@ -4,7 +4,6 @@
 
 #include "core/physics/line_cut.h"
 
-#include <numbers>
 #include <optional>
 #include <vector>
 
@@ -88,8 +87,10 @@ struct Neck
 /// its ends are on two sides of a member.
 bool counts(const Neck &neck);
 
-/// Of what leans by more than `maxLean`, radians, no more than that is measured.
-Neck neckOf(const PieceShape &shape, const LineCut &cut, int chord,
-            double maxLean = std::numbers::pi);
+Neck neckOf(const PieceShape &shape, const LineCut &cut, int chord);
+/// The two halves of it. From where to where it is, how long, how it leans, and whether its ends
+/// face the same way, which is all that counts() asks for; and what takes longer.
+Neck leaningNeck(const PieceShape &shape, const CutLine &line, const Chord &chord);
+void measure(const PieceShape &shape, const LineCut &cut, int chord, Neck &neck);
 
 } // namespace fff

@@ -169,31 +169,20 @@ struct FoundNeck
 
 /// What cuts the member at the line squarely: turned to how the section of the nearest chord runs,
 /// until it leans no more. The squarest of these; `reach` mm is how far the first chord may be.
-std::optional<FoundNeck> squareNeck(const PieceShape &shape, CutLine line, double reach)
+std::optional<FoundNeck> squareNeck(const PieceShape &shape, LineCutter &cutter, CutLine line,
+                                    double reach, double length)
 {
     std::optional<FoundNeck> best;
-    std::vector<LineCut> cuts;
     for (int i = 0; i < kSquarings; ++i) {
-        cutsOn(shape.outline, line, 1, cuts);
-        const LineCut *cut = nullptr;
-        int chord = 0;
-        double least = reach;
-        for (const LineCut &c : cuts) {
-            for (std::size_t k = 0; k < c.chords.size(); ++k) {
-                const double away = std::max({0.0, c.chords[k].from, -c.chords[k].to});
-                if (away < least) {
-                    least = away;
-                    cut = &c;
-                    chord = static_cast<int>(k);
-                }
-            }
-        }
-        if (!cut)
+        auto found = cutter.nearest(line, reach, length);
+        if (!found)
             break;
-        const Neck neck = neckOf(shape, *cut, chord);
+        Neck neck =
+            leaningNeck(shape, line, found->cut.chords[static_cast<std::size_t>(found->chord)]);
         if (!counts(neck) || (best && neck.lean >= best->neck.lean))
             break;
-        best = FoundNeck{{*cut, chord}, neck};
+        measure(shape, found->cut, found->chord, neck);
+        best = FoundNeck{*std::move(found), neck};
         if (neck.lean < kSquareLean)
             break;
         line = {neck.middle(), neck.across};
@@ -291,10 +280,12 @@ NeckStress neckStress(const LoadedPiece &piece, const LineCut &cut, int chord, c
 std::optional<NeckStress> refined(const LoadedPiece &piece, const Neck &seed, double spacing)
 {
     std::optional<NeckStress> best;
+    LineCutter cutter(piece.shape.outline);
     Vec2 across = seed.across; // what is square at one place nearly is at the next
     const auto use = [&](double shift) {
         const auto found =
-            squareNeck(piece.shape, {seed.middle() + shift * seed.normal(), across}, spacing);
+            squareNeck(piece.shape, cutter, {seed.middle() + shift * seed.normal(), across},
+                       spacing, seed.length);
         if (!found)
             return 0.0;
         across = found->neck.across;

@@ -29,6 +29,10 @@ constexpr double kCornerReach = 0.5;
 constexpr double kLigamentLean = 0.6981317007977318;
 /// Lines this near are one, mm.
 constexpr double kSameLine = 1e-6;
+/// How many spacings of the grid a member is wide, to begin with; and how much longer than the one
+/// before the next chord may be that is found at once.
+constexpr double kFirstReach = 8.0;
+constexpr double kNextReach = 1.5;
 /// Lines of one direction at the most, whatever the spacing given.
 constexpr int kMaxLines = 1000;
 
@@ -87,23 +91,47 @@ private:
     bool m_isWide = false;
 };
 
-} // namespace
-
-SectionCuts::SectionCuts(PieceShape shape, const SampleOptions &options) : m_shape(std::move(shape))
+/// Fills the lists of cuts and of samples on them.
+class SampleMaker
 {
-    m_spacing = std::max(options.spacing > 0.0 ? options.spacing
-                                               : std::clamp(m_shape.size / 24.0, 1.0, 10.0),
-                         m_shape.size / kMaxLines);
-    if (m_shape.outline.isEmpty())
-        return;
-    addGrid(std::clamp(options.gridShift, 0.0, 1.0));
-    for (const SlitLine &slit : m_shape.slits)
-        addSlit(slit);
-    for (const ReentrantCorner &corner : m_shape.corners)
-        addLigament(corner);
-}
+public:
+    SampleMaker(const PieceShape &shape, double spacing, std::vector<LineCut> &cuts,
+                std::vector<CutSample> &samples)
+        : m_shape(shape), m_spacing(spacing), m_cuts(cuts), m_samples(samples),
+          m_cutter(shape.outline), m_reach(kFirstReach * spacing)
+    {
+    }
 
-void SectionCuts::addGrid(double shift)
+    void addGrid(double shift);
+    void addSlit(const SlitLine &slit);
+    void addLigament(const ReentrantCorner &corner);
+    bool isPinched() const { return m_isPinched; }
+
+private:
+    /// Of a line, mm along it.
+    struct Stretch
+    {
+        CutLine line;
+        double from = 0.0, to = 0.0;
+    };
+
+    void addLine(const CutLine &line);
+    void addFrom(const CutLine &line, SampleKind kind);
+    void addChord(CutChord &&found, SampleKind kind);
+    bool isKnown(const CutLine &line) const;
+
+    const PieceShape &m_shape;
+    double m_spacing;
+    std::vector<LineCut> &m_cuts;
+    std::vector<CutSample> &m_samples;
+    LineCutter m_cutter;
+    double m_reach;                    // mm: how long the next chord is likely to be
+    std::vector<Stretch> m_squareNets; // the lines square to slits, just below their roots
+    std::vector<CutSample> m_found;    // of one cut
+    bool m_isPinched = false;
+};
+
+void SampleMaker::addGrid(double shift)
 {
     for (int i = 0; i < kDirections; ++i) {
         const Vec2 direction = unit(std::numbers::pi * i / kDirections);
@@ -114,11 +142,11 @@ void SectionCuts::addGrid(double shift)
             high = std::max(high, step.dot(p));
         }
         for (double at = low + shift * m_spacing; at < high; at += m_spacing)
-            addLine({at * step, direction}, SampleKind::Grid);
+            addLine({at * step, direction});
     }
 }
 
-void SectionCuts::addSlit(const SlitLine &slit)
+void SampleMaker::addSlit(const SlitLine &slit)
 {
     const Vec2 side = perpendicular(slit.opening);
     for (const double sign : {-0.5, 0.5}) {
@@ -144,15 +172,15 @@ void SectionCuts::addSlit(const SlitLine &slit)
     const CutLine below{slit.root - kBelowRoot * slit.opening, side};
     if (isKnown(below))
         return;
-    if (auto cut = cutAt(m_shape.outline, below, 0.0, 0.0)) {
-        const Chord &chord = cut->cut.chords[static_cast<std::size_t>(cut->chord)];
+    if (auto found = m_cutter.at(below, 0.0, 0.0, m_reach)) {
+        const Chord &chord = found->cut.chords[static_cast<std::size_t>(found->chord)];
         m_squareNets.push_back({below, chord.from, chord.to});
-        addChords(std::move(cut->cut), cut->chord, SampleKind::NetSection);
+        addChord(*std::move(found), SampleKind::NetSection);
     }
 }
 
 /// Slits that are cut to one height have one line square to them.
-bool SectionCuts::isKnown(const CutLine &line) const
+bool SampleMaker::isKnown(const CutLine &line) const
 {
     return std::any_of(m_squareNets.begin(), m_squareNets.end(), [&line](const Stretch &known) {
         const double along = known.line.along(line.point);
@@ -162,7 +190,7 @@ bool SectionCuts::isKnown(const CutLine &line) const
     });
 }
 
-void SectionCuts::addLigament(const ReentrantCorner &corner)
+void SampleMaker::addLigament(const ReentrantCorner &corner)
 {
     const SectionOutline &outline = m_shape.outline;
     const FacingCone cone(outline.outward(corner.ring, corner.vertex - 1),
@@ -186,35 +214,60 @@ void SectionCuts::addLigament(const ReentrantCorner &corner)
         addFrom({corner.at, nearest / least}, SampleKind::Ligament);
 }
 
-void SectionCuts::addLine(const CutLine &line, SampleKind kind)
+void SampleMaker::addLine(const CutLine &line)
 {
-    std::vector<LineCut> cuts;
-    cutsOn(m_shape.outline, line, 1, cuts);
-    for (LineCut &cut : cuts)
-        addChords(std::move(cut), -1, kind);
-}
-
-void SectionCuts::addFrom(const CutLine &line, SampleKind kind)
-{
-    if (auto cut = cutFrom(m_shape.outline, line))
-        addChords(std::move(cut->cut), cut->chord, kind);
-}
-
-void SectionCuts::addChords(LineCut &&cut, int only, SampleKind kind)
-{
-    bool isKept = false;
-    for (int i = 0; i < static_cast<int>(cut.chords.size()); ++i) {
-        if (only >= 0 && i != only)
-            continue;
-        const double maxLean = kind == SampleKind::Grid ? kMaxGridLean : std::numbers::pi;
-        const Neck neck = neckOf(m_shape, cut, i, maxLean);
-        if (!counts(neck) || neck.lean > maxLean)
-            continue;
-        m_samples.push_back({kind, static_cast<int>(m_cuts.size()), i, neck});
-        isKept = true;
-    }
-    if (isKept)
+    m_cutter.eachOn(line, [&](LineCut &cut, auto weigh) {
+        m_found.clear();
+        const int index = static_cast<int>(m_cuts.size());
+        for (std::size_t i = 0; i < cut.chords.size(); ++i) {
+            const Neck neck = leaningNeck(m_shape, line, cut.chords[i]);
+            if (counts(neck) && neck.lean <= kMaxGridLean)
+                m_found.push_back({SampleKind::Grid, index, static_cast<int>(i), neck});
+        }
+        if (m_found.empty() || !weigh())
+            return;
+        for (CutSample &sample : m_found) {
+            measure(m_shape, cut, sample.chord, sample.neck);
+            m_samples.push_back(sample);
+        }
         m_cuts.push_back(std::move(cut));
+    });
+}
+
+void SampleMaker::addFrom(const CutLine &line, SampleKind kind)
+{
+    if (auto found = m_cutter.from(line, m_reach))
+        addChord(*std::move(found), kind);
+}
+
+void SampleMaker::addChord(CutChord &&found, SampleKind kind)
+{
+    const Chord &chord = found.cut.chords[static_cast<std::size_t>(found.chord)];
+    m_reach = kNextReach * chord.length();
+    Neck neck = leaningNeck(m_shape, found.cut.line, chord);
+    if (!counts(neck))
+        return;
+    measure(m_shape, found.cut, found.chord, neck);
+    m_samples.push_back({kind, static_cast<int>(m_cuts.size()), found.chord, neck});
+    m_cuts.push_back(std::move(found.cut));
+}
+
+} // namespace
+
+SectionCuts::SectionCuts(PieceShape shape, const SampleOptions &options) : m_shape(std::move(shape))
+{
+    m_spacing = std::max(options.spacing > 0.0 ? options.spacing
+                                               : std::clamp(m_shape.size / 24.0, 1.0, 10.0),
+                         m_shape.size / kMaxLines);
+    if (m_shape.outline.isEmpty())
+        return;
+    SampleMaker maker(m_shape, m_spacing, m_cuts, m_samples);
+    maker.addGrid(std::clamp(options.gridShift, 0.0, 1.0));
+    for (const SlitLine &slit : m_shape.slits)
+        maker.addSlit(slit);
+    for (const ReentrantCorner &corner : m_shape.corners)
+        maker.addLigament(corner);
+    m_isPinched = maker.isPinched();
 }
 
 } // namespace fff

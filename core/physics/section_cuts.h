@@ -52,24 +52,7 @@ public:
     bool isPinched() const { return m_isPinched; }
 
 private:
-    void addGrid(double shift);
-    void addSlit(const SlitLine &slit);
-    void addLigament(const ReentrantCorner &corner);
-    void addLine(const CutLine &line, SampleKind kind);
-    void addFrom(const CutLine &line, SampleKind kind);
-    void addChords(LineCut &&cut, int only, SampleKind kind);
-
-    bool isKnown(const CutLine &line) const;
-
-    /// Of a line, mm along it.
-    struct Stretch
-    {
-        CutLine line;
-        double from = 0.0, to = 0.0;
-    };
-
     PieceShape m_shape;
-    std::vector<Stretch> m_squareNets; // the lines square to slits, just below their roots
     std::vector<LineCut> m_cuts;
     std::vector<CutSample> m_samples;
     double m_spacing = 1.0;

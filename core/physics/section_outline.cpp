@@ -122,15 +122,15 @@ void SectionOutline::buildBridges()
     // From the leftmost vertex of a hole to the left, to the first ring there: that reaches farther
     // to the left, so the bridges make no circle.
     std::vector<double> reach;
-    std::vector<OutlineCrossing> found;
+    LineCrossings found;
     for (std::size_t ring = 1; ring < m_rings.size(); ++ring) {
         const Polygon &hole = m_rings[ring];
         const Vec2 from = *std::min_element(
             hole.begin(), hole.end(), [](const Vec2 &a, const Vec2 &b) { return a.x() < b.x(); });
-        crossings({from, -Vec2::UnitX()}, 1, found);
+        crossings({from, -Vec2::UnitX()}, {}, found);
         Bridge bridge{from, {0, 0, 0.0, m_rings.front().front()}};
         double nearest = std::numeric_limits<double>::infinity();
-        for (const OutlineCrossing &c : found) {
+        for (const OutlineCrossing &c : found.touchedLeft) {
             if (c.point.ring != static_cast<int>(ring) && c.along >= 0.0 && c.along < nearest) {
                 nearest = c.along;
                 bridge.to = c.point;
@@ -183,54 +183,79 @@ AreaMoment SectionOutline::upTo(const OutlinePoint &point) const
     return sum;
 }
 
-void SectionOutline::crossingsOf(std::size_t ring, const CutLine &line, int zero, bool &isTouched,
-                                 std::vector<OutlineCrossing> &found) const
+LineSpan SectionOutline::spanOn(const CutLine &line) const
+{
+    constexpr double kSpare = 1.0;
+    const double middle = line.along(m_bounds.center());
+    const double reach = 0.5 * line.direction.cwiseAbs().dot(m_bounds.size()) + kSpare;
+    return {middle - reach, middle + reach};
+}
+
+void SectionOutline::crossingsOf(std::size_t ring, const CutLine &line, const LineSpan &span,
+                                 LineCrossings &found) const
 {
     const Polygon &points = m_rings[ring];
     const Vec2 second = line.at(kCutBase);
-    const auto isNear = [&line](const Box2 &box) {
+    const Vec2 slope = line.direction.cwiseAbs();
+    const auto isNear = [&](const Box2 &box) {
         const Vec2 half = 0.5 * box.size();
-        const double reach = std::abs(line.direction.y()) * half.x() +
-                             std::abs(line.direction.x()) * half.y() + kClipGrid;
-        return std::abs(line.across(box.center())) <= reach;
+        const Vec2 middle = box.min + half - line.point;
+        const double reach = slope.y() * half.x() + slope.x() * half.y() + kClipGrid;
+        if (std::abs(cross(line.direction, middle)) > reach)
+            return false;
+        const double along = line.direction.dot(middle), length = slope.dot(half) + kClipGrid;
+        return along + length >= span.from && along - length <= span.to;
     };
-    const auto isLeft = [&](const Vec2 &p) {
-        const double side = sideOfLine(line.point, second, p);
-        isTouched = isTouched || side == 0.0;
-        return side == 0.0 ? zero > 0 : side > 0.0;
+    const auto sideOf = [&](const Vec2 &p) {
+        // Where a cut begins at a vertex, that is on it: no need to work it out.
+        return p == line.point ? 0.0 : sideOfLine(line.point, second, p);
     };
     // Edges of a run follow each other: of each, the side of its end is that of the next one's
     // beginning.
     std::size_t known = points.size();
-    bool knownSide = false;
+    double knownSide = 0.0;
     m_edges[ring].any(isNear, [&](std::size_t i) {
         const std::size_t j = i + 1 == points.size() ? 0 : i + 1;
-        const bool isFromLeft = known == i ? knownSide : isLeft(points[i]);
-        const bool isToLeft = isLeft(points[j]);
+        const double here = known == i ? knownSide : sideOf(points[i]);
+        const double there = sideOf(points[j]);
         known = j;
-        knownSide = isToLeft;
-        if (isFromLeft == isToLeft)
+        knownSide = there;
+        if ((here == 0.0 || there == 0.0) && !found.isTouched) {
+            found.isTouched = true;
+            found.touchedRight = found.touchedLeft;
+        }
+        const bool crosses = (here >= 0.0) != (there >= 0.0);
+        const bool crossesOther = found.isTouched && (here > 0.0) != (there > 0.0);
+        if (!crosses && !crossesOther)
             return false;
         const double before = std::abs(line.across(points[i]));
         const double after = std::abs(line.across(points[j]));
         const double share = before + after > 0.0 ? before / (before + after) : 0.0;
         const Vec2 p = points[i] + share * (points[j] - points[i]);
-        found.push_back(
-            {line.along(p), {static_cast<int>(ring), static_cast<int>(i), share, p}, isToLeft});
+        const double along = line.along(p);
+        if (along < span.from || along > span.to)
+            return false;
+        const OutlinePoint point{static_cast<int>(ring), static_cast<int>(i), share, p};
+        if (crosses)
+            found.touchedLeft.push_back({along, point, there >= 0.0});
+        if (crossesOther)
+            found.touchedRight.push_back({along, point, there > 0.0});
         return false;
     });
 }
 
-bool SectionOutline::crossings(const CutLine &line, int zero,
-                               std::vector<OutlineCrossing> &found) const
+void SectionOutline::crossings(const CutLine &line, const LineSpan &span,
+                               LineCrossings &found) const
 {
-    found.clear();
-    bool isTouched = false;
+    found.touchedLeft.clear();
+    found.touchedRight.clear();
+    found.isTouched = false;
     for (std::size_t ring = 0; ring < m_rings.size(); ++ring)
-        crossingsOf(ring, line, zero, isTouched, found);
-    std::sort(found.begin(), found.end(),
-              [](const OutlineCrossing &a, const OutlineCrossing &b) { return a.along < b.along; });
-    return isTouched;
+        crossingsOf(ring, line, span, found);
+    for (std::vector<OutlineCrossing> *list : {&found.touchedLeft, &found.touchedRight})
+        std::sort(
+            list->begin(), list->end(),
+            [](const OutlineCrossing &a, const OutlineCrossing &b) { return a.along < b.along; });
 }
 
 OutlinePoint SectionOutline::nearest(const Vec2 &point) const
@@ -261,11 +286,11 @@ bool SectionOutline::isClear(const Vec2 &a, const Vec2 &b, double slack) const
     const double length = (b - a).norm();
     if (length <= 2.0 * slack)
         return true;
-    std::vector<OutlineCrossing> found;
-    crossings({a, (b - a) / length}, 1, found);
-    return std::none_of(found.begin(), found.end(), [&](const OutlineCrossing &c) {
-        return c.along > slack && c.along < length - slack;
-    });
+    LineCrossings found;
+    crossings({a, (b - a) / length}, {slack, length - slack}, found);
+    return std::none_of(
+        found.touchedLeft.begin(), found.touchedLeft.end(),
+        [&](const OutlineCrossing &c) { return c.along > slack && c.along < length - slack; });
 }
 
 } // namespace fff

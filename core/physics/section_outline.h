@@ -5,6 +5,7 @@
 #include "core/geometry/box_runs.h"
 #include "core/geometry/polygon.h"
 
+#include <limits>
 #include <vector>
 
 namespace fff {
@@ -59,6 +60,21 @@ struct OutlineCrossing
     bool isToLeft = false; // the ring goes over to the line's left side there
 };
 
+/// From one place of a line to another, mm along it.
+struct LineSpan
+{
+    double from = -std::numeric_limits<double>::infinity();
+    double to = std::numeric_limits<double>::infinity();
+};
+
+/// The crossings of a line, in their order along it. Vertices exactly on it count as to its left in
+/// the one list and as to its right in the other, which is filled only where there are such.
+struct LineCrossings
+{
+    std::vector<OutlineCrossing> touchedLeft, touchedRight;
+    bool isTouched = false;
+};
+
 /// A piece of material: one outer ring, holes inside and apart from it. Rings may be given in
 /// either orientation; points repeated at once are dropped, rings of fewer than three points too.
 ///
@@ -95,10 +111,10 @@ public:
     }
     static AreaMoment ofStep(const Vec2 &a, const Vec2 &b); // both about one base
 
-    /// All crossings in their order along the line. A vertex exactly on the line counts as to its
-    /// left when `zero` is 1 and to its right when it is −1. Whether there was one. O(edges near
-    /// the line).
-    bool crossings(const CutLine &line, int zero, std::vector<OutlineCrossing> &found) const;
+    /// All crossings within the span. O(edges near it).
+    void crossings(const CutLine &line, const LineSpan &span, LineCrossings &found) const;
+    /// What of the line can be in the material, with some to spare.
+    LineSpan spanOn(const CutLine &line) const;
 
     /// Calls visit(ring, edge) for all edges that are nearer to the point than `reach` mm, which
     /// the call may lower, and for some more, in their order.
@@ -131,8 +147,8 @@ public:
 private:
     void addRing(const Polygon &ring, bool isHole);
     void buildBridges();
-    void crossingsOf(std::size_t ring, const CutLine &line, int zero, bool &isTouched,
-                     std::vector<OutlineCrossing> &found) const;
+    void crossingsOf(std::size_t ring, const CutLine &line, const LineSpan &span,
+                     LineCrossings &found) const;
 
     std::vector<Polygon> m_rings;
     std::vector<std::vector<Vec2>> m_outward;

@@ -107,7 +107,7 @@ void TestLineCut::sidesAreThoseOfClipper()
         const double a = angle(random);
         const CutLine line{{place(random), place(random)}, {std::cos(a), std::sin(a)}};
         std::vector<LineCut> cuts;
-        cutsOn(outline, line, 1, cuts);
+        cutsOn(outline, line, cuts);
         if (cuts.size() != 1) // what lies to the right of the line is then more than one side
             continue;
         const AreaMoment expected = rightByClipper(region, line);
@@ -135,7 +135,7 @@ void TestLineCut::forcesAreOnTheirSides()
         const double a = angle(random);
         const CutLine line{{0.3 * place(random), 0.3 * place(random)}, {std::cos(a), std::sin(a)}};
         std::vector<LineCut> cuts;
-        cutsOn(outline, line, 1, cuts);
+        cutsOn(outline, line, cuts);
         for (int k = 0; cuts.size() == 1 && k < 20; ++k) {
             const Vec2 p(place(random), place(random));
             if (locate(p, region) != Side::Inside)
@@ -149,7 +149,7 @@ void TestLineCut::forcesAreOnTheirSides()
     const SectionOutline u(
         {{{0, 0}, {60, 0}, {60, 50}, {40, 50}, {40, 20}, {20, 20}, {20, 50}, {0, 50}}, {}});
     std::vector<LineCut> cuts;
-    cutsOn(u, {{0, 40}, {1, 0}}, 1, cuts);
+    cutsOn(u, {{0, 40}, {1, 0}}, cuts);
     QCOMPARE(cuts.size(), std::size_t(2));
     // Plus is below the line: all but the tip of the arm that is cut.
     QVERIFY(isOnPlusSide(cuts[0], held(u, {50, 45})));
@@ -194,7 +194,7 @@ void TestLineCut::sumsAreThoseOfEachForce()
         const double a = angle(random);
         const CutLine line{{0.5 * place(random), 0.5 * place(random)}, {std::cos(a), std::sin(a)}};
         std::vector<LineCut> cuts;
-        cutsOn(outline, line, 1, cuts);
+        cutsOn(outline, line, cuts);
         for (const LineCut &cut : cuts) {
             PlusSites each; // no run: all one by one
             for (int p = 0; p < sites.size(); ++p)
@@ -261,7 +261,7 @@ void TestLineCut::thousandsOfVertices()
     const PieceShape shape(region);
     QVERIFY(std::abs(shape.outline.total().area - area(region)) < 1e-6);
     std::vector<LineCut> cuts;
-    cutsOn(shape.outline, {{0, 10}, {0, 1}}, 1, cuts);
+    cutsOn(shape.outline, {{0, 10}, {0, 1}}, cuts);
     QVERIFY(!cuts.empty());
     const auto found = stressOnLine(shape, heldAt({-95, 0}, {forceAt({95, 0}, {0, -1, 0})}), {},
                                     {20, 35}, {20, 90});
