@@ -1,5 +1,6 @@
 #include "app/cli/strength_text.h"
 
+#include "core/analysis/findings/strength_findings.h"
 #include "core/io/json_writer.h"
 
 #include <QCoreApplication>
@@ -320,6 +321,13 @@ std::string strengthJson(const Simulated &simulated, const Analysis &analysis, c
     writeJoints(json, strength, analysis);
     writeSections(json, strength, analysis);
     json.member("maxUtilisation", strength.neckUse);
+    if (simulated.bent && simulated.bent->mostIn >= 0) {
+        json.key("displacement");
+        json.beginObject(JsonWriter::Layout::Line);
+        json.member("largest", simulated.bent->most);
+        json.member("section", nameOfBody(analysis, simulated.bent->mostIn));
+        json.endObject();
+    }
     json.key("verdict");
     if (const char *verdict = nameOf(strength.verdict))
         json.value(verdict);
@@ -369,6 +377,9 @@ QStringList strengthText(const Simulated &simulated, const Analysis &analysis)
                      .arg(quoted(analysis, strength.worst), percent(body.neckUse),
                           percent(body.cornerUse));
     }
+    if (isShown && simulated.bent && simulated.bent->most >= kToldBending)
+        lines += tr("Bends %1 mm, %2 most.")
+                     .arg(figure(simulated.bent->most), quoted(analysis, simulated.bent->mostIn));
     if (simulated.bearable.cracksFrom)
         lines +=
             tr("May crack from %1.").arg(amountText(*simulated.bearable.cracksFrom, strength.made));

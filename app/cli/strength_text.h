@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/analysis/bearable_mass.h"
+#include "core/analysis/bent_model.h"
 
 #include <QStringList>
 
@@ -14,6 +15,7 @@ struct Simulated
 {
     Strength strength;
     BearableMass bearable;
+    std::optional<BentModel> bent; // with sections that bend
     double millisecondsOfForces = 0.0, millisecondsOfStresses = 0.0;
 };
 

@@ -1,6 +1,7 @@
 #include "app/cli/analysed_file.h"
 #include "app/cli/strength_text.h"
 #include "app/cli/weight_options.h"
+#include "core/analysis/stress_lines.h"
 
 #include <QElapsedTimer>
 
@@ -39,6 +40,11 @@ int runSimulate(const QStringList &arguments)
     addStresses(model.analysis, rules, caches, simulated.strength);
     simulated.millisecondsOfStresses = milliseconds(timer);
     simulated.bearable = bearableMass(model.analysis, simulated.strength, rules, caches);
+    if (rules.isElastic && areStressesKnown(simulated.strength)) {
+        const auto shared = std::make_shared<const Analysis>(model.analysis);
+        if (auto bent = bentModel(shared, simulated.strength, caches))
+            simulated.bent = *std::move(bent);
+    }
     return model.asJson ? print(strengthJson(simulated, model.analysis, model.file))
                         : printLines(strengthText(simulated, model.analysis));
 }

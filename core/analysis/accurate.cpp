@@ -2,6 +2,7 @@
 
 #include "core/analysis/analysed.h"
 #include "core/analysis/check_rules.h"
+#include "core/analysis/findings/strength_findings.h"
 #include "core/analysis/stress_lines.h"
 
 #include <algorithm>
@@ -27,7 +28,7 @@ Result<Accurate> accurate(const Snapshot &snapshot, const Accurate *previous, Pr
     const LongWork work{stop, [&progress](double share) {
                             progress.set(std::max(progress.share(), kBendingShare * share));
                         }};
-    auto held = std::make_shared<const Holding>(
+    auto held = std::make_shared<Holding>(
         holdingOf(snapshot.get(kAnalysed).analysis, rules, out.caches, work));
     if (stop.stop_requested())
         return failure(ErrorCode::Cancelled);
@@ -39,6 +40,7 @@ Result<Accurate> accurate(const Snapshot &snapshot, const Accurate *previous, Pr
         auto bent = bentModel(held->analysis, held->strength, *out.caches, rest);
         if (!bent)
             return tl::unexpected(bent.error());
+        tellBending(held->findings, bent->most);
         out.bent = std::make_shared<const BentModel>(*std::move(bent));
     }
     out.findings = held->findings;

@@ -121,30 +121,46 @@ Message ownWeightSentence(const Finding &finding, const Model &model)
              percentOf(held.cornerUse)}};
 }
 
+/// And how far it gives, where that is worth telling.
+Message withBending(Message sentence, const Held &held)
+{
+    if (held.bends == 0.0)
+        return sentence;
+    //: %1 is a length
+    return joined(std::move(sentence), {FFF_TEXT("Checks", "Bends %1."), {lengthOf(held.bends)}});
+}
+
 template <Message (*title)(const Finding &)>
-Message heldSentence(const Finding &finding, const Model &model)
+Message firmSentence(const Finding &finding, const Model &model)
 {
     return titledSentence(title(finding), heldOf(finding).placed > 0.0
                                               ? limitsOf(heldOf(finding), model)
                                               : ownWeightSentence(finding, model));
 }
 
+template <Message (*title)(const Finding &)>
+Message heldSentence(const Finding &finding, const Model &model)
+{
+    return withBending(firmSentence<title>(finding, model), heldOf(finding));
+}
+
 Message weakSentence(const Finding &finding, const Model &model)
 {
     const Held &held = heldOf(finding);
-    Message sentence = heldSentence<weakTitle>(finding, model);
+    Message sentence = firmSentence<weakTitle>(finding, model);
     if (held.placed == 0.0 && held.breaks)
         sentence = titledSentence(
             weakTitle(finding),
             //: %1 is a section, %2 a number of percent
             {FFF_TEXT("Checks", "The neck of %1 is strained to %2 % of what it bears."),
              {nameOf(model, held.breaks->section), percentOf(held.neckUse)}});
-    if (held.neckUse > 1.0)
+    if (held.neckUse > 1.0) // what breaks bends no farther
         return sentence;
-    return joined(std::move(sentence),
-                  //: %1 is a number such as 2
-                  {FFF_TEXT("Checks", "That leaves less than the safety factor of %1."),
-                   {Decimal{held.safety}}});
+    return withBending(joined(std::move(sentence),
+                              //: %1 is a number such as 2
+                              {FFF_TEXT("Checks", "That leaves less than the safety factor of %1."),
+                               {Decimal{held.safety}}}),
+                       held);
 }
 
 Message notRatedSentence(const Finding &finding, const Model &model)
@@ -416,6 +432,17 @@ std::vector<Finding> strengthFindings(const Analysis &analysis, const Strength &
         found.push_back(std::move(finding));
     }
     return found;
+}
+
+void tellBending(std::vector<Finding> &findings, double bends)
+{
+    for (Finding &finding : findings) {
+        if (const Held *held = finding.details<Held>(); held && bends >= kToldBending) {
+            Held told = *held;
+            told.bends = bends;
+            finding.setDetails(std::move(told));
+        }
+    }
 }
 
 } // namespace fff

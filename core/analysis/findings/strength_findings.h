@@ -19,6 +19,7 @@ struct Held
     double safety = 1.0;
     std::optional<WeakPlace> weakest, cracks, breaks;
     BearableMass bearable;
+    double bends = 0.0; // mm, as far as it gives; 0: not known, or too little to be told
 };
 
 /// Of a joint that is pulled open.
@@ -30,5 +31,10 @@ struct PulledJoint
 /// One verdict on all of it where it stands, and what is wrong beside that.
 std::vector<Finding> strengthFindings(const Analysis &analysis, const Strength &strength,
                                       const BearableMass &bearable, const StrengthRules &rules);
+
+/// mm: what gives less is as good as stiff to a person.
+inline constexpr double kToldBending = 1.0;
+/// Has the verdict say how far the model gives, mm, where that is worth telling.
+void tellBending(std::vector<Finding> &findings, double bends);
 
 } // namespace fff

@@ -12,6 +12,7 @@
 #include "tests/test_program.h"
 
 #include <algorithm>
+#include <cmath>
 
 using namespace fff;
 using namespace fff::test;
@@ -63,6 +64,7 @@ private Q_SLOTS:
     void stoppedTheQuickOneStays();
     void anEditBringsTheQuickOneBack();
     void stoppedBeforehandItDoesNothing();
+    void saysHowFarItBends();
 };
 
 void TestAccurate::nobodyAsks()
@@ -161,6 +163,29 @@ void TestAccurate::stoppedBeforehandItDoesNothing()
     const auto out = accurate(Snapshot(0, results), nullptr, progress, stop.get_token());
     QVERIFY(!out && out.error().code == ErrorCode::Cancelled);
     QVERIFY(progress.share() < 0.5);
+}
+
+// Wrong: a stand that sags by millimetres, of which nothing is said; or a chair that does not.
+void TestAccurate::saysHowFarItBends()
+{
+    const auto wordsOf = [](const char *name) {
+        Session session;
+        CheckList list(session);
+        session.scheduler().setRules(bending(true));
+        session.commit(
+            QStringLiteral("Open"),
+            io::readDocument(QStringLiteral(FFF_SAMPLES) + QLatin1String(name)).value().document);
+        session.scheduler().finish();
+        const auto accurate = session.scheduler().result(kAccurate);
+        return std::pair(findingText(accurate->findings.front(), list.model()),
+                         accurate->bent->most);
+    };
+    const auto [stand, sag] = wordsOf("/acrylic_thick_three.fff");
+    QVERIFY(sag > 1.0);
+    const QString said = QStringLiteral("Bends %1").arg(std::floor(sag));
+    QVERIFY2(stand.contains(said), qPrintable(stand));
+    const auto [chair, none] = wordsOf("/chair.fff");
+    QVERIFY(none < 1.0 && !chair.contains(QStringLiteral("Bends")));
 }
 
 FFF_TEST(TestAccurate)
