@@ -18,7 +18,7 @@ namespace fff::ui {
 
 namespace {
 
-enum Column { kName, kAmount, kColumnCount };
+enum LoadColumn { kLoadName, kLoadAmount, kLoadColumns };
 
 /// Longer lists scroll.
 constexpr int kMostRows = 6;
@@ -45,10 +45,10 @@ LoadTree::LoadTree(Workbench &bench, QWidget *parent) : QWidget(parent), m_bench
     m_tree->setObjectName(QStringLiteral("loadTree"));
     m_tree->setAccessibleName(tr("Weights and pushes"));
     m_tree->setAccessibleDescription(tr("F2 renames, Del removes."));
-    m_tree->setColumnCount(kColumnCount);
+    m_tree->setColumnCount(kLoadColumns);
     m_tree->setHeaderHidden(true);
-    dressOutline(m_tree, kAmount);
-    m_tree->header()->setSectionResizeMode(kAmount, QHeaderView::ResizeToContents);
+    dressOutline(m_tree, kLoadAmount);
+    m_tree->header()->setSectionResizeMode(kLoadAmount, QHeaderView::ResizeToContents);
     m_tree->setSelectionMode(QAbstractItemView::SingleSelection);
     auto *column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
@@ -102,14 +102,14 @@ void LoadTree::writeRows()
         QTreeWidgetItem *item = m_tree->topLevelItem(row);
         if (!item) {
             item = new QTreeWidgetItem(m_tree);
-            item->setSizeHint(kName, {0, kOutlineRow});
-            item->setTextAlignment(kAmount, Qt::AlignRight | Qt::AlignVCenter);
+            item->setSizeHint(kLoadName, {0, kOutlineRow});
+            item->setTextAlignment(kLoadAmount, Qt::AlignRight | Qt::AlignVCenter);
             item->setFlags(item->flags() | Qt::ItemIsEditable);
         }
-        item->setIcon(kName,
+        item->setIcon(kLoadName,
                       rowIcon(load.isPush() ? QStringLiteral("push") : QStringLiteral("weight")));
-        item->setText(kName, loadName(load));
-        item->setText(kAmount, loadAmount(load, locale()) + QStringLiteral("  "));
+        item->setText(kLoadName, loadName(load));
+        item->setText(kLoadAmount, loadAmount(load, locale()) + QStringLiteral("  "));
     }
     fit();
     setVisible(!m_shown.empty());
@@ -165,7 +165,7 @@ void LoadTree::showSelection()
             continue;
         item->setSelected(isSelected);
         if (isSelected) {
-            m_tree->setCurrentItem(item, kName, QItemSelectionModel::NoUpdate);
+            m_tree->setCurrentItem(item, kLoadName, QItemSelectionModel::NoUpdate);
             m_tree->scrollToItem(item);
         }
     }
