@@ -54,6 +54,7 @@ target_sources(fff_ui PRIVATE
     docks/load_tree.cpp
     docks/library_dock.cpp
     docks/model_page.cpp
+    docks/movement_rows.cpp
     docks/operation_page.cpp
     docks/operation_tree.cpp
     docks/outline_dock.cpp

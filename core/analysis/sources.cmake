@@ -48,6 +48,7 @@ target_sources(fff_core PRIVATE
     analysis/holding.cpp
     analysis/joining_move.cpp
     analysis/mends.cpp
+    analysis/movement.cpp
     analysis/plan_checks.cpp
     analysis/planned.cpp
     analysis/stage.cpp

@@ -1,7 +1,7 @@
 #version 330 core
 // A field of stress over the two faces of a slab.
 layout(location = 0) in vec3 position; // as in a slab's mesh
-layout(location = 1) in float use;     // of what the sheet bears
+layout(location = 1) in vec2 use;      // of what the sheet bears; the face: 1 or -1
 uniform mat4 toClip;
 uniform mat3 normalToView;
 uniform vec4 cutRow; // gives the height over the plane that cuts the view open, mm
@@ -12,6 +12,6 @@ void main()
 {
     gl_Position = toClip * vec4(position, 1.0);
     gl_ClipDistance[0] = -dot(cutRow, vec4(position, 1.0));
-    share = use;
-    viewNormal = normalToView * vec3(0.0, 0.0, sign(position.z));
+    share = use.x;
+    viewNormal = normalToView * vec3(0.0, 0.0, use.y);
 }

@@ -3,6 +3,7 @@ fff_tests(tests_view LIBRARIES fff::view fff::session
         ui/tst_slab_mesh
         ui/view/tst_cut_caps
         ui/view/tst_frame_pace
+        ui/view/tst_moved_scene
         ui/view/tst_scale_bar
         ui/view/tst_signs
         ui/view/tst_slit_covers

@@ -21,6 +21,14 @@ std::shared_ptr<const BentModel> bentNow(const Scheduler &scheduler)
                                                                               : nullptr;
 }
 
+std::optional<Movement> movementNow(const Scheduler &scheduler)
+{
+    const auto held = heldNow(scheduler);
+    if (!held || scheduler.age(kHolding.name) != Scheduler::Age::Current)
+        return {};
+    return movementOf(*held, bentNow(scheduler));
+}
+
 bool isOfHolding(std::string_view stage)
 {
     return stage == kHolding.name || stage == kAccurate.name;

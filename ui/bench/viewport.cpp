@@ -5,6 +5,7 @@
 #include "ui/base/cursors.h"
 #include "ui/base/focus_frame.h"
 #include "ui/base/theme.h"
+#include "ui/bench/held.h"
 #include "ui/bench/marked_scene.h"
 #include "ui/bench/workbench.h"
 #include "ui/settings/settings.h"
@@ -107,6 +108,10 @@ Viewport::Viewport(Workbench &bench, QWidget *parent)
             m_triedBuilder.setAnalysis(m_bench.tried());
         rebuildScene();
     });
+    connect(&bench, &Workbench::movementChanged, this, [this] {
+        m_isPictureChanged = true;
+        update();
+    });
     connect(&m_stress, &StressPicture::changed, this, qOverload<>(&QWidget::update));
     m_builder.setAnalysis(bench.session().analysisPointer());
     rebuildScene();
@@ -155,9 +160,8 @@ void Viewport::paintGL()
         const StressMarks *stress = m_stress.marks();
         showStress(m_scene, m_bench.shownModel(), stress ? stress->bent.get() : nullptr);
         options.stressAlpha = stress && stress->isOlder ? kOlderStress : 1.0;
-        m_renderer.render(m_steps ? m_steps->scene : m_scene, interaction.camera(),
-                          Vec2(width(), height()), devicePixelRatioF(), theme().viewStyle(),
-                          options);
+        m_renderer.render(shownScene(), interaction.camera(), Vec2(width(), height()),
+                          devicePixelRatioF(), theme().viewStyle(), options);
         context()->functions()->glFinish(); // the time is that of the picture, not of asking for it
         m_pace.end(frameTime());
         if (const std::optional<double> rest = m_pace.restTime())
@@ -170,6 +174,19 @@ void Viewport::paintGL()
     if (!m_isUsable)
         painter.fillRect(rect(), theme().viewStyle().bottom);
     painter.drawImage(QPointF(0.0, 0.0), m_marks);
+}
+
+/// The assembly, the model where it moves, or the model.
+const Scene &Viewport::shownScene()
+{
+    if (m_steps)
+        return m_steps->scene;
+    if (m_bench.movement() == 0.0 || m_bench.tried())
+        return m_scene;
+    const auto movement = movementNow(m_bench.session().scheduler());
+    return movement ? m_moved.at(m_scene, m_bench.shownModel(), *movement,
+                                 m_bench.movement() * movement->mostTimes())
+                    : m_scene;
 }
 
 void Viewport::paintMarks()

@@ -8,6 +8,7 @@
 #include "ui/bench/touch_input.h"
 #include "ui/bench/view_input.h"
 #include "ui/view/frame_pace.h"
+#include "ui/view/moved_scene.h"
 #include "ui/view/renderer.h"
 #include "ui/view/scene.h"
 
@@ -96,6 +97,7 @@ private:
     void watchAnalysis();
     bool isOnOffer(const QPointF &place) const;
     void paintMarks();
+    const Scene &shownScene();
     void paintStepsFrame(QPainter &painter) const;
 
     /// ms; by it frames are timed, and drawn the simpler the longer they take.
@@ -109,6 +111,7 @@ private:
     Scene m_scene;
     std::shared_ptr<const StepsPicture> m_steps; // shown instead
     StressPicture m_stress;
+    MovedScene m_moved;
     bool m_isUsable = false;
     bool m_showsFocus = false; // a frame says that keys go here
     QTimer m_frames;

@@ -48,6 +48,14 @@ Workbench::~Workbench()
     disconnect(m_session.history(), nullptr, nullptr, nullptr);
 }
 
+void Workbench::setMovement(double share)
+{
+    if (share == m_movement)
+        return;
+    m_movement = share;
+    Q_EMIT movementChanged();
+}
+
 void Workbench::setViewport(const Vec2 &size)
 {
     m_interaction->setViewport(size);

@@ -92,6 +92,11 @@ public:
     /// What is seen: that, or the session's.
     const Model &shownModel() const;
 
+    /// How much of its movement the model is shown in, 0 … 1 of Movement::mostTimes(); it is
+    /// neither edited nor picked there.
+    void setMovement(double share);
+    double movement() const { return m_movement; }
+
     /// Holds a tool; the one that is held already is laid down.
     void pickUp(std::unique_ptr<Tool> tool);
     void layDownTool();
@@ -119,6 +124,7 @@ Q_SIGNALS:
     void viewChanged();
     /// What is seen is another model.
     void triedChanged();
+    void movementChanged();
     /// What is hidden, isolated, seen through or cut open, the projection, or the tool in the hand.
     void viewStateChanged();
     void editFailed(const fff::Error &error);
@@ -160,6 +166,7 @@ private:
     Tool::Asked m_asked;                     // by it
     std::vector<std::string_view> m_offered; // commands that go with it
     bool m_couldUndoInTool = false, m_couldRedoInTool = false;
+    double m_movement = 0.0;
     bool m_hadOffer = false; // its key has to know
     EventClock m_clock;
     CommandRegistry m_commands;

@@ -6,12 +6,14 @@
 #include "core/session/message_text.h"
 #include "core/session/scheduler.h"
 #include "ui/base/icon.h"
+#include "ui/base/lengths.h"
 #include "ui/base/theme.h"
 #include "ui/bench/held.h"
 #include "ui/bench/load_words.h"
 #include "ui/bench/measures.h"
 #include "ui/bench/workbench.h"
 #include "ui/docks/dock_title.h"
+#include "ui/docks/movement_rows.h"
 #include "ui/properties/mass_edit.h"
 #include "ui/properties/property_rows.h"
 #include "ui/properties/varying_rows.h"
@@ -110,6 +112,7 @@ PhysicsDock::PhysicsDock(Workbench &bench, QWidget *parent)
     m_stop = bends->addButton(QStringLiteral("close"), "physicsStop", tr("Stop"),
                               [this] { m_bench.session().scheduler().cancel(kAccurate.name); });
     display->add(bends);
+    m_movement = new MovementRows(bench, display);
     column->addWidget(display);
 
     makeLoads(page);
@@ -154,6 +157,13 @@ void PhysicsDock::showEvent(QShowEvent *event)
 {
     QDockWidget::showEvent(event);
     refresh();
+}
+
+/// Nothing moves unless somebody sees why.
+void PhysicsDock::hideEvent(QHideEvent *event)
+{
+    m_movement->stop();
+    QDockWidget::hideEvent(event);
 }
 
 void PhysicsDock::makeLoads(QWidget *parent)
@@ -276,6 +286,7 @@ void PhysicsDock::refresh()
     m_held = isEmpty ? nullptr : heldNow(m_bench.session().scheduler());
     m_lines->setChecked(m_bench.interaction().view().showsStress);
     refreshBending();
+    m_movement->refresh();
     refreshState();
     refreshLoads();
     refreshPlaces();
@@ -336,7 +347,11 @@ void PhysicsDock::refreshState()
     if (strength.equilibrium().indeterminacy() > 0 && !strength.isElastic)
         return say("check", theme().good,
                    tr("Up to date. Joints share the load; the worst way to share it counts."));
-    say("check", theme().good, tr("Up to date. All forces balance."));
+    QString words = tr("Up to date. All forces balance.");
+    if (const auto bent = bentNow(scheduler); bent && bent->most >= kToldBending)
+        //: the state of what is worked out, and a length
+        words = tr("%1 Bends %2.").arg(words, lengthText(bent->most, 0, 1, locale()));
+    say("check", theme().good, words);
 }
 
 void PhysicsDock::refreshLoads()

@@ -20,6 +20,7 @@ struct Holding;
 
 namespace fff::ui {
 
+class MovementRows;
 class PropertyGroup;
 class PropertyRow;
 class VaryingRows;
@@ -36,6 +37,7 @@ public:
 
 protected:
     void showEvent(QShowEvent *event) override;
+    void hideEvent(QHideEvent *event) override;
 
 private:
     /// A row of the weakest places.
@@ -61,6 +63,7 @@ private:
     QLabel *m_stateIcon = nullptr, *m_state = nullptr;
     QCheckBox *m_lines = nullptr, *m_bends = nullptr;
     QToolButton *m_stop = nullptr; // what is worked out with sections that bend
+    MovementRows *m_movement = nullptr;
     PropertyGroup *m_loads = nullptr, *m_placesGroup = nullptr;
     VaryingRows *m_weights = nullptr;
     std::vector<PropertyRow *> m_sums, m_rules;

@@ -1,5 +1,6 @@
 #include "ui/view/field_painter.h"
 
+#include "ui/view/slab_mesh.h"
 #include "ui/view/slab_painter.h"
 #include "ui/view/stress_colours.h"
 
@@ -13,7 +14,7 @@ namespace {
 struct FieldVertex
 {
     std::array<float, 3> position;
-    float use;
+    std::array<float, 2> use; // of what the sheet bears; the face: 1 or −1
 };
 
 const void *inVertex(std::size_t bytes)
@@ -37,9 +38,10 @@ void FieldPainter::update(const Scene &scene)
         buffers.isUsed = false;
     for (const SceneSection &section : scene.sections) {
         for (const StressFieldPointer &field : section.fields) {
-            auto found = m_fields.find(field.get());
+            const Key key(field.get(), section.mesh.get());
+            auto found = m_fields.find(key);
             if (found == m_fields.end())
-                found = m_fields.emplace(field.get(), upload(field)).first;
+                found = m_fields.emplace(key, upload(field, section)).first;
             found->second.isUsed = true;
         }
     }
@@ -53,19 +55,24 @@ void FieldPainter::update(const Scene &scene)
     }
 }
 
-FieldPainter::Buffers FieldPainter::upload(const StressFieldPointer &field)
+FieldPainter::Buffers FieldPainter::upload(const StressFieldPointer &field,
+                                           const SceneSection &section)
 {
     std::vector<FieldVertex> vertices;
     std::vector<std::uint32_t> triangles;
     const auto count = static_cast<std::uint32_t>(field->points.size());
     vertices.reserve(2 * count);
     triangles.reserve(6 * field->triangles.size());
-    for (const std::size_t face : {0u, 1u})
-        for (std::size_t i = 0; i < count; ++i)
+    for (const std::size_t face : {0u, 1u}) {
+        for (std::size_t i = 0; i < count; ++i) {
+            const Vec2 &at = field->points[i];
+            const std::array<float, 3> flat{static_cast<float>(at.x()), static_cast<float>(at.y()),
+                                            face == 0 ? 1.0f : -1.0f};
             vertices.push_back(
-                {{static_cast<float>(field->points[i].x()),
-                  static_cast<float>(field->points[i].y()), face == 0 ? 1.0f : -1.0f},
-                 field->use[face][i]});
+                {section.mesh ? section.mesh->vertices[face * count + i].position : flat,
+                 {field->use[face][i], flat[2]}});
+        }
+    }
     for (const auto &t : field->triangles) {
         for (const int i : t)
             triangles.push_back(static_cast<std::uint32_t>(i));
@@ -74,6 +81,7 @@ FieldPainter::Buffers FieldPainter::upload(const StressFieldPointer &field)
     }
     Buffers buffers;
     buffers.field = field;
+    buffers.mesh = section.mesh;
     buffers.count = static_cast<GLsizei>(triangles.size());
     const auto fill = [this](GLenum target, GLuint &buffer, const auto &data) {
         m_gl.glGenBuffers(1, &buffer);
@@ -87,7 +95,7 @@ FieldPainter::Buffers FieldPainter::upload(const StressFieldPointer &field)
     fill(GL_ELEMENT_ARRAY_BUFFER, buffers.triangles, triangles);
     m_gl.glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, sizeof(FieldVertex),
                                inVertex(offsetof(FieldVertex, position)));
-    m_gl.glVertexAttribPointer(1, 1, GL_FLOAT, GL_FALSE, sizeof(FieldVertex),
+    m_gl.glVertexAttribPointer(1, 2, GL_FLOAT, GL_FALSE, sizeof(FieldVertex),
                                inVertex(offsetof(FieldVertex, use)));
     m_gl.glEnableVertexAttribArray(0);
     m_gl.glEnableVertexAttribArray(1);
@@ -128,7 +136,7 @@ void FieldPainter::draw(const SceneSection &section, const FrameView &view, cons
     p.setUniformValue("alpha", static_cast<float>(look.alpha));
     p.setUniformValue("pixel", static_cast<float>(view.ratio()));
     for (const StressFieldPointer &field : section.fields) {
-        const Buffers &buffers = m_fields.at(field.get());
+        const Buffers &buffers = m_fields.at({field.get(), section.mesh.get()});
         m_gl.glBindVertexArray(buffers.array);
         m_gl.glDrawElements(GL_TRIANGLES, buffers.count, GL_UNSIGNED_INT, nullptr);
     }

@@ -8,6 +8,7 @@
 #include "ui/view/scene.h"
 
 #include <map>
+#include <utility>
 
 namespace fff::ui {
 
@@ -38,15 +39,17 @@ private:
     {
         GLuint array = 0, vertices = 0, triangles = 0;
         GLsizei count = 0;        // of indices
-        StressFieldPointer field; // keeps the key's address from being used again
+        StressFieldPointer field; // keep the key's addresses from being used again
+        std::shared_ptr<const SlabMesh> mesh;
         bool isUsed = false;
     };
-    Buffers upload(const StressFieldPointer &field);
+    using Key = std::pair<const StressField *, const SlabMesh *>; // the mesh of what is bent
+    Buffers upload(const StressFieldPointer &field, const SceneSection &section);
     void free(const Buffers &buffers);
 
     Gl &m_gl;
     std::unique_ptr<QOpenGLShaderProgram> m_program;
-    std::map<const StressField *, Buffers> m_fields;
+    std::map<Key, Buffers> m_fields;
 };
 
 } // namespace fff::ui

@@ -12,7 +12,7 @@ namespace fff::ui {
 
 bool SceneSection::looksTheSame(const SceneSection &other) const
 {
-    return cut == other.cut && shape == other.shape && marks == other.marks &&
+    return cut == other.cut && shape == other.shape && mesh == other.mesh && marks == other.marks &&
            frame == other.frame && thickness == other.thickness && look.face == other.look.face &&
            look.side == other.look.side && look.alpha == other.look.alpha &&
            covers == other.covers && guests == other.guests && isGhost == other.isGhost &&
@@ -34,6 +34,8 @@ std::span<const Triangulation> trianglesOf(const CutSection &cut)
 
 SlabMesh meshOf(const SceneSection &section)
 {
+    if (section.mesh)
+        return *section.mesh;
     if (!section.cut)
         return buildSlab({&section.shape->region(), 1}, trianglesOf(*section.shape));
     std::vector<Region> regions;

@@ -17,11 +17,14 @@ namespace fff::ui {
 
 using CoversPointer = std::shared_ptr<const std::vector<SlitCover>>;
 
+struct SlabMesh;
+
 struct SceneSection
 {
     // What its mesh is made of: the cut section, or the bare shape while no cut of it is known.
     CutSectionPointer cut; // may be null
     ShapePointer shape;
+    std::shared_ptr<const SlabMesh> mesh = {}; // in place of that: it is bent
     std::vector<MarkPointer> marks;
     Frame frame;
     double thickness = 3.0; // mm
@@ -46,7 +49,6 @@ struct SceneSection
 std::span<const Triangulation> trianglesOf(const Shape &shape);
 std::span<const Triangulation> trianglesOf(const CutSection &cut);
 
-struct SlabMesh;
 /// The arrays that are uploaded for it: of its cut with its covers, else of its shape.
 SlabMesh meshOf(const SceneSection &section);
 

@@ -27,8 +27,9 @@ void SlabBuffers::update(const Scene &scene)
         slab.isUsed = false;
     m_ofSection.clear();
     for (const SceneSection &section : scene.sections) {
-        const Key key(section.cut ? static_cast<const void *>(section.cut.get())
-                                  : static_cast<const void *>(section.shape.get()),
+        const Key key(section.mesh  ? static_cast<const void *>(section.mesh.get())
+                      : section.cut ? static_cast<const void *>(section.cut.get())
+                                    : static_cast<const void *>(section.shape.get()),
                       section.cut ? section.covers.get() : nullptr);
         auto found = m_slabs.find(key);
         if (found == m_slabs.end())
@@ -53,6 +54,7 @@ SlabBuffers::Slab SlabBuffers::upload(const SceneSection &section)
     slab.cut = section.cut;
     slab.shape = section.shape;
     slab.covers = section.covers;
+    slab.mesh = section.mesh;
     slab.coverStarts = mesh.coverStarts;
     ++m_uploadCount;
     const auto fill = [this](GLenum target, GLuint &buffer, const auto &data) {

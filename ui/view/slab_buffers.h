@@ -23,6 +23,7 @@ public:
         CutSectionPointer cut;                // keep the key's addresses from being used again
         ShapePointer shape;
         CoversPointer covers;
+        std::shared_ptr<const SlabMesh> mesh;
         bool isUsed = false;
     };
 

@@ -1,4 +1,5 @@
 target_sources(fff_view PRIVATE
+    view/bent_mesh.cpp
     view/cap_buffers.cpp
     view/cut_caps.cpp
     view/edge_array.cpp
@@ -16,6 +17,7 @@ target_sources(fff_view PRIVATE
     view/mark_buffers.cpp
     view/measure_marks.cpp
     view/mark_pen.cpp
+    view/moved_scene.cpp
     view/offscreen_image.cpp
     view/operation_marks.cpp
     view/overlay_painter.cpp
