@@ -21,6 +21,7 @@ fff_tests(tests_ui LIBRARIES fff::ui TESTS
     ui/actions/tst_action_finder
     ui/actions/tst_own_tool
     ui/dialogs/tst_dialogs
+    ui/docks/tst_movement_rows
     ui/docks/tst_operations_docks
     ui/docks/tst_stage_failures
     ui/docks/tst_trying_out
