@@ -2,8 +2,11 @@ target_sources(fff_core PRIVATE
     analysis/accurate.cpp
     analysis/analysed.cpp
     analysis/analysis.cpp
+    analysis/asked_bearing.cpp
     analysis/assembly_plan.cpp
     analysis/bearable_mass.cpp
+    analysis/bearing_map.cpp
+    analysis/bearing_probe.cpp
     analysis/bending_bodies.cpp
     analysis/bent_model.cpp
     analysis/body_plate.cpp

@@ -14,6 +14,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <stop_token>
 #include <string_view>
 #include <vector>
@@ -29,10 +30,19 @@ struct StageOf
     const char *name;
 };
 
-/// What stages are derived from: the model, and what a person wants of the checks.
+/// What a person asks besides the checks; each costs more than anybody waits for unasked.
+struct Questions
+{
+    std::optional<SectionRef> bearing = {}; // where this section is strong enough (bearing_map.h)
+
+    bool operator==(const Questions &) const = default;
+};
+
+/// What stages are derived from: the model, what a person wants of the checks, and what they ask.
 struct CheckRules;
 inline constexpr StageOf<Model> kModel{"model"};
 inline constexpr StageOf<CheckRules> kRules{"rules"};
+inline constexpr StageOf<Questions> kQuestions{"questions"};
 
 /// How far a stage has come, for whoever waits for it. From any thread.
 class Progress
@@ -93,7 +103,7 @@ struct Stage
 
     const char *name;
     Text title; // what a person calls what it finds out: "the order of assembly"
-    std::vector<const char *> inputs; // names of stages, of kModel and kRules
+    std::vector<const char *> inputs; // names of stages, of kModel, kRules and kQuestions
     Runs runs = Runs::Always;
     /// previous: what it gave the last time, or null. Errors  what cannot be computed, with the
     /// name of the section or operation at fault; Cancelled once stop is requested, soon.

@@ -2,6 +2,7 @@
 
 #include "core/analysis/accurate.h"
 #include "core/analysis/analysed.h"
+#include "core/analysis/asked_bearing.h"
 #include "core/analysis/holding.h"
 #include "core/analysis/mends.h"
 #include "core/analysis/planned.h"
@@ -28,6 +29,8 @@ std::vector<Stage> allStages()
         makeStage(kAccurate, FFF_TEXT("Stage", "what it bears with sections that bend"),
                   {kAnalysed.name, kRules.name}, WhenSettled, accurate)
             .refining(kHolding.name),
+        makeStage(kBearing, FFF_TEXT("Stage", "what each place of a section bears"),
+                  {kAnalysed.name, kRules.name, kQuestions.name}, WhenSettled, askedBearing),
         makeStage(kFlips, FFF_TEXT("Stage", "what frees parts that block each other"),
                   {kAnalysed.name, kPlanned.name, kRules.name}, WhenSettled, foundFlips),
     };

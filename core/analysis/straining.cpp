@@ -100,6 +100,13 @@ void keepWorse(const SectionStress &stress, int neck, double NeckStress::*use,
         worst = stress.necks[static_cast<std::size_t>(neck)];
 }
 
+bool actsWhere(const AppliedForce &a, const AppliedForce &b)
+{
+    return a.kind == b.kind && a.at == b.at && a.radius == b.radius && a.slit.root == b.slit.root &&
+           a.slit.opening == b.slit.opening && a.slit.depth == b.slit.depth &&
+           a.slit.width == b.slit.width && isUsableForce(a) == isUsableForce(b);
+}
+
 bool isPushedSideways(const Structure &structure)
 {
     return std::any_of(structure.loads.begin(), structure.loads.end(), [&](const MemberLoad &load) {
@@ -192,16 +199,31 @@ void Straining::stress(double scale, Strength &strength) const
     strength.bodies.assign(m_analysis.bodies.size(), {});
     std::vector<int> all(m_analysis.bodies.size());
     std::iota(all.begin(), all.end(), 0);
-    strain(scale, all, true, strength);
+    strain(scale, all, Detail::WithLines, strength);
+}
+
+void Straining::stressOfWorst(double scale, Strength &strength) const
+{
+    strength.bodies.assign(m_analysis.bodies.size(), {});
+    std::vector<int> bodies(m_analysis.bodies.size());
+    std::iota(bodies.begin(), bodies.end(), 0);
+    strain(scale, bodies, Detail::Grid, strength);
+    std::erase_if(bodies, [&](int body) {
+        const BodyStrength &strained = strength.bodies[static_cast<std::size_t>(body)];
+        return !(strained.cornerUse > 0.0 &&
+                 strained.cornerUse >= kNearlyWorst * strength.cornerUse) &&
+               !(strained.neckUse > 0.0 && strained.neckUse >= kNearlyWorst * strength.neckUse);
+    });
+    strain(scale, bodies, Detail::Refined, strength);
 }
 
 void Straining::stress(double scale, std::span<const int> bodies, Strength &strength) const
 {
     strength.bodies.resize(m_analysis.bodies.size());
-    strain(scale, bodies, false, strength);
+    strain(scale, bodies, Detail::Refined, strength);
 }
 
-void Straining::strain(double scale, std::span<const int> bodies, bool withLines,
+void Straining::strain(double scale, std::span<const int> bodies, Detail detail,
                        Strength &strength) const
 {
     const Structure loaded = loadedBy(scale, strength);
@@ -218,7 +240,7 @@ void Straining::strain(double scale, std::span<const int> bodies, bool withLines
             if (hasForces[k][i])
                 cases.push_back(&forces[k][i]);
         BodyStrength &body = strength.bodies[i];
-        body = cases.empty() ? BodyStrength() : worstOf(index, cases, withLines);
+        body = cases.empty() ? BodyStrength() : worstOf(index, cases, detail);
         body.strength = strengthOf(stockOf(index), m_rules);
         body.isWorkedOut = hasForces.front()[i] && (cases.empty() || body.isWorkedOut);
     }
@@ -242,13 +264,25 @@ const Stock &Straining::stockOf(int body) const
     return m_analysis.model.stockOf(static_cast<std::size_t>(m_analysis.bodies.sectionOf(body)));
 }
 
-const SectionCuts &Straining::cutsOf(int body) const
+std::shared_ptr<const SectionCuts> Straining::cutsOf(int body) const
 {
     auto &kept = m_caches.cuts[m_analysis.bodies.pointer(body)];
     if (!kept)
         kept = std::make_shared<const SectionCuts>(
             PieceShape(m_analysis.bodies.at(body).outline().region, slitsOf(m_analysis, body)));
-    return *kept;
+    return kept;
+}
+
+const CutShares &Straining::sharesOf(int body, const std::shared_ptr<const SectionCuts> &cuts,
+                                     const std::vector<AppliedForce> &forces,
+                                     double thickness) const
+{
+    KeptShares &kept = m_caches.shares[m_analysis.bodies.pointer(body)];
+    // The thickness is the body's.
+    if (kept.cuts != cuts || !std::equal(forces.begin(), forces.end(), kept.forces.begin(),
+                                         kept.forces.end(), actsWhere))
+        kept = {cuts, forces, cutShares(*cuts, forces, thickness)};
+    return kept.shares;
 }
 
 SheetMaterial Straining::sheetOf(int body) const
@@ -270,30 +304,36 @@ SheetMaterial Straining::sheetOf(int body) const
 /// Of the cases, which act in the same places, those are looked at closely that may be worst.
 BodyStrength Straining::worstOf(int index,
                                 const std::vector<const std::vector<AppliedForce> *> &cases,
-                                bool withLines) const
+                                Detail detail) const
 {
     BodyStrength body;
     body.isWorkedOut = true;
-    const SectionCuts &cuts = cutsOf(index);
+    const std::shared_ptr<const SectionCuts> kept = cutsOf(index);
+    const SectionCuts &cuts = *kept;
     const SheetMaterial sheet = sheetOf(index);
-    const CutShares shares = cutShares(cuts, *cases.front(), sheet.thickness);
+    const CutShares &shares = sharesOf(index, kept, *cases.front(), sheet.thickness);
     KeptLines lines;
     const auto stressed = [&](std::size_t k, int refined) {
         SectionStress stress = stressOf(cuts, shares, *cases[k], sheet, {m_rules.notch, refined});
         body.isWorkedOut = body.isWorkedOut && stress.isWorkedOut;
-        if (withLines)
+        if (detail == Detail::WithLines)
             lines.add(stress, cuts.samples().size());
         return stress;
     };
     std::vector<double> neck(cases.size(), 0.0), corner(cases.size(), 0.0);
-    for (std::size_t k = 0; cases.size() > 1 && k < cases.size(); ++k) {
+    const bool isGrid = detail == Detail::Grid;
+    for (std::size_t k = 0; (isGrid || cases.size() > 1) && k < cases.size(); ++k) {
         const SectionStress stress = stressed(k, 0);
         neck[k] = useOf(stress, stress.worstNeck, &NeckStress::neckUse);
         corner[k] = useOf(stress, stress.worstCorner, &NeckStress::cornerUse);
+        if (isGrid) {
+            keepWorse(stress, stress.worstNeck, &NeckStress::neckUse, body.neck);
+            keepWorse(stress, stress.worstCorner, &NeckStress::cornerUse, body.corner);
+        }
     }
     const double worstNeck = *std::max_element(neck.begin(), neck.end());
     const double worstCorner = *std::max_element(corner.begin(), corner.end());
-    for (std::size_t k = 0; k < cases.size(); ++k) {
+    for (std::size_t k = 0; !isGrid && k < cases.size(); ++k) {
         if (neck[k] < kNearlyWorst * worstNeck && corner[k] < kNearlyWorst * worstCorner)
             continue;
         const SectionStress stress = stressed(k, StressOptions().refined);

@@ -29,16 +29,20 @@ public:
     void stress(double scale, Strength &strength) const;
     /// Of these bodies alone, without the lines that are shown; the others' are left as they are.
     void stress(double scale, std::span<const int> bodies, Strength &strength) const;
+    /// Of those that are strained nearly as much as the worst; of the others what the grid says.
+    void stressOfWorst(double scale, Strength &strength) const;
 
 private:
     void bend(double scale, const Structure &loaded, Strength &strength) const;
     const Stock &stockOf(int body) const;
-    const SectionCuts &cutsOf(int body) const;
+    std::shared_ptr<const SectionCuts> cutsOf(int body) const;
+    const CutShares &sharesOf(int body, const std::shared_ptr<const SectionCuts> &cuts,
+                              const std::vector<AppliedForce> &forces, double thickness) const;
     SheetMaterial sheetOf(int body) const;
+    enum class Detail { Grid, Refined, WithLines };
     BodyStrength worstOf(int index, const std::vector<const std::vector<AppliedForce> *> &cases,
-                         bool withLines) const;
-    void strain(double scale, std::span<const int> bodies, bool withLines,
-                Strength &strength) const;
+                         Detail detail) const;
+    void strain(double scale, std::span<const int> bodies, Detail detail, Strength &strength) const;
 
     const Analysis &m_analysis;
     const StrengthRules &m_rules;

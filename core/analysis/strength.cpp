@@ -75,8 +75,14 @@ std::optional<double> strengthOf(const Stock &stock, const StrengthRules &rules)
 Strength forcesIn(const Analysis &analysis, const StrengthRules &rules, StrengthCaches &caches,
                   const LongWork &work)
 {
+    return forcesIn(analysis, structureOf(analysis), rules, caches, work);
+}
+
+Strength forcesIn(const Analysis &analysis, ModelStructure made, const StrengthRules &rules,
+                  StrengthCaches &caches, const LongWork &work)
+{
     Strength strength;
-    strength.made = structureOf(analysis);
+    strength.made = std::move(made);
     for (Link &link : strength.made.structure.links)
         link.grip = link.isTight ? rules.snugGrip : 0.0;
     turnMortises(strength.made, rules, caches);
@@ -99,6 +105,8 @@ void addStresses(const Analysis &analysis, const StrengthRules &rules, StrengthC
             used.insert(std::move(found));
     caches.cuts = std::move(used);
     keepMeshesOf(analysis.bodies, caches.meshes);
+    std::erase_if(caches.shares,
+                  [&](const auto &kept) { return !caches.cuts.contains(kept.first); });
 }
 
 Strength strengthOf(const Analysis &analysis, const StrengthRules &rules, StrengthCaches &caches,

@@ -54,11 +54,19 @@ struct Strength
 };
 
 struct BentBody;
+/// On which sides of the cuts of a body the forces on it act, as long as they act where they did.
+struct KeptShares
+{
+    std::shared_ptr<const SectionCuts> cuts;
+    std::vector<AppliedForce> forces; // where; how large they are has no part in it
+    CutShares shares;
+};
 
 /// What stays the same from one model to the next. Not for several threads at once.
 struct StrengthCaches
 {
     std::map<BodyPointer, std::shared_ptr<const SectionCuts>> cuts;
+    std::map<BodyPointer, KeptShares> shares; // of no more bodies than cuts
     EquilibriumCache equilibria;
     BendingBodies::Cache bending;
     PlateMeshes meshes;
@@ -71,6 +79,9 @@ std::optional<double> strengthOf(const Stock &stock, const StrengthRules &rules 
 /// work: bodies that bend take long; once it is stopped what comes back is of no use.
 Strength strengthOf(const Analysis &analysis, const StrengthRules &rules, StrengthCaches &caches,
                     const LongWork &work = {});
+/// The forces of a structure of the model, whatever acts on it.
+Strength forcesIn(const Analysis &analysis, ModelStructure made, const StrengthRules &rules,
+                  StrengthCaches &caches, const LongWork &work = {});
 /// The two halves of it: forces without stresses or verdict, and these.
 Strength forcesIn(const Analysis &analysis, const StrengthRules &rules, StrengthCaches &caches,
                   const LongWork &work = {});

@@ -15,16 +15,6 @@ constexpr double kSameBracket = 1.5;
 /// More N or N·mm than this are no force on a sheet, and too many digits for sums of squares.
 constexpr double kLargestForce = 1e15;
 
-bool isUsable(const AppliedForce &f)
-{
-    const auto isForce = [](const Vec3 &a) {
-        return a.allFinite() && a.cwiseAbs().maxCoeff() <= kLargestForce;
-    };
-    return f.at.allFinite() && isForce(f.force) && isForce(f.moment) && std::isfinite(f.radius) &&
-           f.slit.root.allFinite() && f.slit.opening.allFinite() && std::isfinite(f.slit.depth) &&
-           std::isfinite(f.slit.width);
-}
-
 bool isUsable(const SheetMaterial &sheet)
 {
     return sheet.arealWeight.allFinite() && sheet.thickness > 0.0 && sheet.strength > 0.0 &&
@@ -35,7 +25,7 @@ std::vector<AppliedForce> usable(const std::vector<AppliedForce> &forces)
 {
     std::vector<AppliedForce> kept = forces;
     for (AppliedForce &f : kept) {
-        if (!isUsable(f))
+        if (!isUsableForce(f))
             f = {};
     }
     return kept;
@@ -105,6 +95,16 @@ void findWorst(SectionStress &stress)
 
 } // namespace
 
+bool isUsableForce(const AppliedForce &f)
+{
+    const auto isForce = [](const Vec3 &a) {
+        return a.allFinite() && a.cwiseAbs().maxCoeff() <= kLargestForce;
+    };
+    return f.at.allFinite() && isForce(f.force) && isForce(f.moment) && std::isfinite(f.radius) &&
+           f.slit.root.allFinite() && f.slit.opening.allFinite() && std::isfinite(f.slit.depth) &&
+           std::isfinite(f.slit.width);
+}
+
 CutShares cutShares(const SectionCuts &cuts, const std::vector<AppliedForce> &given,
                     double thickness)
 {
@@ -147,9 +147,9 @@ SectionStress stressOf(const SectionCuts &cuts, const CutShares &shares,
     }
     refineWorst(cuts, piece, options.refined, result.necks);
     findWorst(result);
-    result.isWorkedOut =
-        result.worstNeck >= 0 && !cuts.isPinched() &&
-        std::all_of(given.begin(), given.end(), [](const AppliedForce &f) { return isUsable(f); });
+    result.isWorkedOut = result.worstNeck >= 0 && !cuts.isPinched() &&
+                         std::all_of(given.begin(), given.end(),
+                                     [](const AppliedForce &f) { return isUsableForce(f); });
     return result;
 }
 

@@ -59,6 +59,9 @@ struct CutShares
     std::vector<PlusSites> nets; // of each slit's net cut
 };
 
+/// Finite, and no more than any sheet is loaded with; others count as none.
+bool isUsableForce(const AppliedForce &force);
+
 /// `thickness` of the sheet, mm.
 CutShares cutShares(const SectionCuts &cuts, const std::vector<AppliedForce> &forces,
                     double thickness);

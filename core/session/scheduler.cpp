@@ -93,8 +93,9 @@ public:
 
     Scheduler *q;
     std::vector<Stage> stages;
-    Snapshot::Results given; // the model and the rules
+    Snapshot::Results given; // the model, the rules and the questions
     CheckRules rules;
+    Questions questions;
     std::uint64_t revision = 0;
     bool isPassing = false;
     int generation = 0;
@@ -122,6 +123,7 @@ Scheduler::Private::Private(Scheduler *scheduler, std::vector<Stage> all)
         }
     }
     given[kRules.name] = std::make_shared<const CheckRules>();
+    given[kQuestions.name] = std::make_shared<const Questions>();
     for (QTimer *timer : {&becomesOlder, &becomesLate})
         timer->setSingleShot(true);
     becomesOlder.setInterval(kSeen);
@@ -132,7 +134,7 @@ Scheduler::Private::Private(Scheduler *scheduler, std::vector<Stage> all)
     connect(&ticks, &QTimer::timeout, q, &Scheduler::progressed);
 }
 
-/// Null for the model and the rules, which are given.
+/// Null for the model, the rules and the questions, which are given.
 Scheduler::Private::Desk *Scheduler::Private::find(std::string_view stage)
 {
     const auto at = std::find_if(desks.begin(), desks.end(),
@@ -341,6 +343,8 @@ void Scheduler::forget()
 {
     ++d->generation;
     d->given.erase(kModel.name);
+    d->questions = {};
+    d->given[kQuestions.name] = std::make_shared<const Questions>();
     for (Private::Desk &desk : d->desks) {
         desk.worker.request_stop();
         desk.started.clear();
@@ -361,6 +365,25 @@ void Scheduler::setRules(const CheckRules &rules)
 const CheckRules &Scheduler::rules() const
 {
     return d->rules;
+}
+
+void Scheduler::ask(const Questions &questions)
+{
+    if (questions == d->questions)
+        return;
+    d->questions = questions;
+    d->given[kQuestions.name] = std::make_shared<const Questions>(questions);
+    for (Private::Desk &desk : d->desks)
+        if (std::find(desk.given.begin(), desk.given.end(), kQuestions.name) != desk.given.end())
+            desk.worker.request_stop();
+    d->startAll();
+    d->follow();
+    Q_EMIT asked();
+}
+
+const Questions &Scheduler::questions() const
+{
+    return d->questions;
 }
 
 std::shared_ptr<const void> Scheduler::resultNamed(std::string_view stage) const

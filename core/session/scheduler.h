@@ -38,6 +38,9 @@ public:
     void forget();
     void setRules(const CheckRules &rules);
     const CheckRules &rules() const;
+    /// What runs for another question is stopped. Another document has none.
+    void ask(const Questions &questions);
+    const Questions &questions() const;
 
     /// The newest one; null until there is one.
     template <class Out>
@@ -81,6 +84,8 @@ public:
 Q_SIGNALS:
     /// A result, or why there is none. Direct: `stage` lives as long as the program.
     void published(const char *stage);
+    /// Something else.
+    void asked();
     /// How old results are.
     void aged();
     /// What runs has come further: now and then while something runs.
