@@ -27,6 +27,7 @@ target_sources(fff_ui PRIVATE
     bench/status_line.cpp
     bench/touch_input.cpp
     bench/view_input.cpp
+    bench/bearing_picture.cpp
     bench/stress_picture.cpp
     bench/viewport.cpp
     bench/workbench.cpp

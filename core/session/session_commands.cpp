@@ -2,6 +2,7 @@
 
 #include "core/interaction/load_editing.h"
 #include "core/interaction/section_editing.h"
+#include "core/session/bearing_commands.h"
 #include "core/session/command_rules.h"
 #include "core/session/copy_commands.h"
 #include "core/session/drawing_commands.h"
@@ -119,6 +120,7 @@ void registerSessionCommands(CommandRegistry &registry, Session &session, Intera
     registerEdits(registry, session, interaction);
     registerViewCommands(registry, session, interaction);
     registerLoadCommands(registry, session, interaction);
+    registerBearingCommands(registry, session, interaction);
     registerSelectionCommands(registry, session, interaction);
     registerToolCommands(registry, session, interaction);
     registerSectionCommands(registry, session, interaction);

@@ -1,6 +1,7 @@
 target_sources(fff_session PRIVATE
     assembly_steps.cpp
     autosave.cpp
+    bearing_commands.cpp
     check_list.cpp
     command_rules.cpp
     copy_commands.cpp

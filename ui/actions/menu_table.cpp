@@ -49,7 +49,8 @@ std::span<const MenuRow> ActionSetTexts::menus()
          "operation.switch operation.moveUp operation.moveDown | "
          "operation.editSource operation.detach operation.leaveOut operation.bake"},
         {QT_TR_NOOP("&Checks"), "check.nextProblem check.previousProblem | check.showAssembly | "
-                                "physics.addWeight physics.addPush physics.pull check.stress"},
+                                "physics.addWeight physics.addPush physics.pull check.stress "
+                                "physics.whereStrong"},
         {QT_TR_NOOP("F&abricate"), "fabricate.stocks | file.export"},
         {QT_TR_NOOP("&Help"), "edit.find help.start | help.about"},
         {QT_TR_NOOP("&Mirror copy"),

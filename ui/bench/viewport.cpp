@@ -56,7 +56,7 @@ bool Viewport::Seen::isSamePicture(const Seen &other) const
 
 Viewport::Viewport(Workbench &bench, QWidget *parent)
     : QOpenGLWidget(parent), m_bench(bench), m_input(bench, nullptr), m_touch(bench, nullptr),
-      m_stress(bench)
+      m_stress(bench), m_bearing(bench)
 {
     // The renderer smooths edges by itself, and marks are painted smoothly.
     QSurfaceFormat plain = QSurfaceFormat::defaultFormat();
@@ -113,6 +113,7 @@ Viewport::Viewport(Workbench &bench, QWidget *parent)
         update();
     });
     connect(&m_stress, &StressPicture::changed, this, qOverload<>(&QWidget::update));
+    connect(&m_bearing, &BearingPicture::changed, this, qOverload<>(&QWidget::update));
     m_builder.setAnalysis(bench.session().analysisPointer());
     rebuildScene();
 }
@@ -236,6 +237,7 @@ void Viewport::paintMarks()
         for (const Sign &sign : loadSigns(model, scene.view, over.load, interaction.selectedLoad()))
             scene.dimensions.add(sign);
         scene.stress = m_stress.marks();
+        scene.bearing = m_bearing.marks();
     }
     if (m_busyTurn.isActive())
         scene.busy = m_busyTurns;
@@ -305,6 +307,7 @@ void Viewport::mousePressEvent(QMouseEvent *event)
 {
     showFocus(false);
     m_stress.leave();
+    m_bearing.leave();
     m_isOfferPressed = event->button() == Qt::LeftButton && isOnOffer(event->position());
     if (m_isOfferPressed)
         m_bench.run(QStringLiteral("section.takeOffer"));
@@ -320,6 +323,7 @@ void Viewport::mouseMoveEvent(QMouseEvent *event)
         refresh(); // the cursor says that it can be clicked
     m_input.move(event);
     m_stress.hover(event->position(), Vec2(width(), height()));
+    m_bearing.hover(event->position(), Vec2(width(), height()));
 }
 
 void Viewport::mouseReleaseEvent(QMouseEvent *event)
@@ -389,6 +393,7 @@ bool Viewport::event(QEvent *event)
     if (event->type() == QEvent::Leave) {
         m_input.leave();
         m_stress.leave();
+        m_bearing.leave();
     } else if (event->type() == QEvent::WindowBlocked)
         m_input.letGo();
     else if (event->type() == QEvent::FocusIn)

@@ -4,6 +4,7 @@
 
 #include "core/analysis/problem_look.h"
 #include "core/interaction/interaction.h"
+#include "ui/bench/bearing_picture.h"
 #include "ui/bench/stress_picture.h"
 #include "ui/bench/touch_input.h"
 #include "ui/bench/view_input.h"
@@ -112,6 +113,7 @@ private:
     std::shared_ptr<const StepsPicture> m_steps; // shown instead
     StressPicture m_stress;
     MovedScene m_moved;
+    BearingPicture m_bearing;
     bool m_isUsable = false;
     bool m_showsFocus = false; // a frame says that keys go here
     QTimer m_frames;

@@ -1,6 +1,7 @@
 #include "ui/docks/physics_dock.h"
 
 #include "core/analysis/accurate.h"
+#include "core/analysis/asked_bearing.h"
 #include "core/analysis/findings/strength_findings.h"
 #include "core/analysis/holding.h"
 #include "core/session/message_text.h"
@@ -8,6 +9,7 @@
 #include "ui/base/icon.h"
 #include "ui/base/lengths.h"
 #include "ui/base/theme.h"
+#include "ui/bench/bearing_picture.h"
 #include "ui/bench/held.h"
 #include "ui/bench/load_words.h"
 #include "ui/bench/measures.h"
@@ -113,6 +115,18 @@ PhysicsDock::PhysicsDock(Workbench &bench, QWidget *parent)
                               [this] { m_bench.session().scheduler().cancel(kAccurate.name); });
     display->add(bends);
     m_movement = new MovementRows(bench, display);
+    m_strong = new QCheckBox;
+    connect(m_strong, &QCheckBox::clicked, this, [this](bool on) {
+        m_bench.run(QStringLiteral("physics.whereStrong"), {{"on", on ? "true" : "false"}});
+        refreshStrong(); // it may not have been possible
+    });
+    auto *strong = new EditorRow(tr("Strong where"), "physicsStrong", m_strong, {}, display);
+    strong->setToolTip(tr("Colours the selected section by the mass that each place of it bears, "
+                          "besides what hangs on the model already. Takes a while."));
+    m_stopStrong =
+        strong->addButton(QStringLiteral("close"), "physicsStopStrong", tr("Stop"),
+                          [this] { m_bench.session().scheduler().cancel(kBearing.name); });
+    display->add(strong);
     column->addWidget(display);
 
     makeLoads(page);
@@ -143,7 +157,10 @@ PhysicsDock::PhysicsDock(Workbench &bench, QWidget *parent)
             [this](std::string_view stage) {
                 if (isOfHolding(stage))
                     refresh();
+                if (stage == kBearing.name)
+                    refreshStrong();
             });
+    connect(&bench.session().scheduler(), &Scheduler::asked, this, &PhysicsDock::refreshStrong);
     connect(&bench.session().scheduler(), &Scheduler::aged, this, again);
     connect(&bench.session().scheduler(), &Scheduler::progressed, this, again);
     connect(&bench.session(), &Session::modelChanged, this, again);
@@ -287,6 +304,7 @@ void PhysicsDock::refresh()
     m_lines->setChecked(m_bench.interaction().view().showsStress);
     refreshBending();
     m_movement->refresh();
+    refreshStrong();
     refreshState();
     refreshLoads();
     refreshPlaces();
@@ -312,6 +330,22 @@ void PhysicsDock::refreshBending()
                    ? tr("stopped")
                    : tr("could not be worked out");
     m_bends->setText(text);
+}
+
+/// Of which section it is shown, how far it has come, or why not.
+void PhysicsDock::refreshStrong()
+{
+    const Scheduler &scheduler = m_bench.session().scheduler();
+    const std::optional<SectionRef> &section = scheduler.questions().bearing;
+    m_strong->setChecked(section.has_value());
+    m_stopStrong->setVisible(section && scheduler.isRunning(kBearing.name));
+    const QString state = bearingState(scheduler);
+    if (!section)
+        m_strong->setText(tr("the selected section"));
+    else
+        m_strong->setText(state.isEmpty()
+                              ? QString::fromStdString(m_bench.session().model().nameOf(*section))
+                              : state);
 }
 
 /// What is known, how old it is, and why it is not.

@@ -52,6 +52,7 @@ private:
     void addLoadRow(std::size_t index);
     void refresh();
     void refreshBending();
+    void refreshStrong();
     void refreshState();
     void refreshLoads();
     void refreshPlaces();
@@ -64,6 +65,8 @@ private:
     QCheckBox *m_lines = nullptr, *m_bends = nullptr;
     QToolButton *m_stop = nullptr; // what is worked out with sections that bend
     MovementRows *m_movement = nullptr;
+    QCheckBox *m_strong = nullptr; // where a section is strong enough
+    QToolButton *m_stopStrong = nullptr;
     PropertyGroup *m_loads = nullptr, *m_placesGroup = nullptr;
     VaryingRows *m_weights = nullptr;
     std::vector<PropertyRow *> m_sums, m_rules;

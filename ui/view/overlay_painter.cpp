@@ -40,12 +40,16 @@ public:
     void problems() { paintProblems(m_pen, m_scene.problems, m_scene.unit, m_locale); }
     void stress()
     {
-        if (m_scene.stress)
+        if (m_scene.bearing)
+            paintBearing(m_pen, *m_scene.bearing, m_scene.view, m_locale);
+        else if (m_scene.stress)
             paintStress(m_pen, *m_scene.stress, m_scene.view, m_locale);
     }
     void askedLine()
     {
-        if (m_scene.stress)
+        if (m_scene.bearing)
+            paintAskedBearing(m_pen, *m_scene.bearing);
+        else if (m_scene.stress)
             paintAskedLine(m_pen, *m_scene.stress, m_locale);
     }
     void marks();
@@ -329,7 +333,9 @@ void paintOverlay(QPainter &painter, const OverlayScene &scene, const ViewStyle 
         drawing.scaleBar();
     drawing.cube();
     drawing.progress();
-    if (!scene.stress || !scene.stress->hasCard) // which has it
+    const bool hasCard =
+        scene.bearing ? scene.bearing->asked.has_value() : scene.stress && scene.stress->hasCard;
+    if (!hasCard) // which has it
         drawing.hoveredName();
     drawing.askedLine();
 }

@@ -7,6 +7,7 @@
 #include "core/interaction/interaction.h"
 #include "core/interaction/view_state.h"
 #include "core/operations/operation_kind.h"
+#include "ui/view/bearing_marks.h"
 #include "ui/view/length_unit.h"
 #include "ui/view/step_marks.h"
 #include "ui/view/stress_marks.h"
@@ -43,6 +44,7 @@ struct OverlayScene
     Signs selected = {};                      // overlay.selected, as it is shown
     Signs dimensions = {};                    // of the model
     const StressMarks *stress = nullptr;      // null: not shown
+    const BearingMarks *bearing = nullptr;    // shown in place of those; null: not
     QRectF *offer = nullptr;                  // is told where the words of an offer are, px
 };
 

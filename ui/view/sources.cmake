@@ -1,4 +1,5 @@
 target_sources(fff_view PRIVATE
+    view/bearing_marks.cpp
     view/bent_mesh.cpp
     view/cap_buffers.cpp
     view/cut_caps.cpp

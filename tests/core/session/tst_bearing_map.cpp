@@ -1,12 +1,15 @@
 // Where a section is strong enough, against weights that are really put there.
 #include <QTest> // first: moc stumbles over some standard headers
 
-#include "core/analysis/bearing_map.h"
+#include "core/analysis/asked_bearing.h"
+#include "core/analysis/holding.h"
 #include "core/io/document_file.h"
 #include "core/model/edits.h"
 #include "core/model/load_edits.h"
 #include "core/operations/evaluate.h"
 #include "core/session/message_text.h"
+#include "core/session/scheduler.h"
+#include "core/session/session.h"
 #include "tests/core/shapes.h"
 #include "tests/test_program.h"
 
@@ -95,6 +98,7 @@ private Q_SLOTS:
     void words();
     void whatCannotBeSaid();
     void itStops();
+    void ofTheSectionThatIsAskedAbout();
 };
 
 void TestBearingMap::everyPlaceBearsWhatIsSaid_data()
@@ -256,6 +260,32 @@ void TestBearingMap::itStops()
     QVERIFY(!map);
     QCOMPARE(map.error().code, ErrorCode::Cancelled);
     QVERIFY(last < 0.3);
+}
+
+// Wrong: an answer about another section, one that nobody asked for, or for another document.
+void TestBearingMap::ofTheSectionThatIsAskedAbout()
+{
+    const Document document = mushroom();
+    Session session;
+    Scheduler &scheduler = session.scheduler();
+    session.reset(document);
+    scheduler.want(kBearing.name);
+    scheduler.finish();
+    QVERIFY(scheduler.result(kBearing) && !scheduler.result(kBearing)->map);
+    for (const SectionPointer &section : document.sections) {
+        scheduler.ask({section->ref()});
+        scheduler.finish();
+        QVERIFY(scheduler.result(kBearing)->map);
+        QCOMPARE(scheduler.result(kBearing)->map->section, section->ref());
+    }
+    const auto holding = scheduler.result(kHolding);
+    scheduler.ask({});
+    scheduler.finish();
+    QVERIFY(!scheduler.result(kBearing)->map);
+    QVERIFY(scheduler.result(kHolding) == holding); // a question changes no check
+    scheduler.ask({document.sections.front()->ref()});
+    session.reset(newDocument());
+    QVERIFY(!scheduler.questions().bearing);
 }
 
 FFF_TEST(TestBearingMap)
