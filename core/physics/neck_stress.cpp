@@ -277,6 +277,11 @@ NeckStress neckStress(const LoadedPiece &piece, const LineCut &cut, int chord, c
     return result;
 }
 
+/// What leans more when it has been squared (22.5°, radians) runs along an edge, round a corner: it
+/// cuts off a sliver, and is thinner the nearer it comes to that edge. Whether a line of the grid
+/// is near enough to find it is chance.
+constexpr double kStillSquare = std::numbers::pi / 8;
+
 std::optional<NeckStress> refined(const LoadedPiece &piece, const Neck &seed, double spacing)
 {
     std::optional<NeckStress> best;
@@ -286,7 +291,7 @@ std::optional<NeckStress> refined(const LoadedPiece &piece, const Neck &seed, do
         const auto found =
             squareNeck(piece.shape, cutter, {seed.middle() + shift * seed.normal(), across},
                        spacing, seed.length);
-        if (!found)
+        if (!found || found->neck.lean > kStillSquare)
             return 0.0;
         across = found->neck.across;
         const LineCut &cut = found->cut.cut;
