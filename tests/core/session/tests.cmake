@@ -72,3 +72,8 @@ target_sources(tests_held PRIVATE
     core/session/judged_piece.cpp
     core/session/random_drawings.cpp)
 target_compile_definitions(tests_held PRIVATE FFF_SAMPLES="${CMAKE_SOURCE_DIR}/resources/samples")
+
+# What must not change how strong a model is: on all models that there are, and random ones.
+fff_tests(tests_laws LIBRARIES fff::session TESTS core/session/tst_strength_laws)
+target_sources(tests_laws PRIVATE core/session/law_models.cpp core/session/random_drawings.cpp)
+target_compile_definitions(tests_laws PRIVATE FFF_SAMPLES="${CMAKE_SOURCE_DIR}/resources/samples")
