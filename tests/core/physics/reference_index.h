@@ -6,6 +6,7 @@
 
 #include <QDir>
 
+#include <limits>
 #include <map>
 #include <optional>
 #include <string>
@@ -36,7 +37,8 @@ struct Tolerances
     double wrench = 1e-3;   // "
     double resultant = 0.5; // mm; margins too
     double equilibrium = 1e-9;
-    Band beam{-0.05, 0.15};
+    /// Where nothing is named, beams may be as careful as they like, but not bolder.
+    Band beam{-0.05, std::numeric_limits<double>::infinity()};
     bool isBeamTold = false;             // beams need not know any of it
     double plate = 0.05;                 // share, of the accurate mode
     double elastic = 0.05;               // share of the largest foot, of sections that bend
