@@ -1041,6 +1041,48 @@
         <source>Give it a broader base or more weight, or push less, or lower down.</source>
         <translation>Ihm mehr Standfläche oder Gewicht geben, oder weniger oder tiefer unten drücken.</translation>
     </message>
+    <message>
+        <source>Bears %1 here, then %2 cracks %3.</source>
+        <extracomment>%1 is a mass, %2 a section, %3 a place such as &quot;beside its slit for Body&quot;</extracomment>
+        <translation>Trägt hier %1, dann reißt %2 %3.</translation>
+    </message>
+    <message>
+        <source>Bears %1 here, then it falls over.</source>
+        <extracomment>%1 is a mass</extracomment>
+        <translation>Trägt hier %1, dann kippt es um.</translation>
+    </message>
+    <message>
+        <source>Bears %1 here, then a joint is pulled open.</source>
+        <extracomment>%1 is a mass</extracomment>
+        <translation>Trägt hier %1, dann wird eine Verbindung auseinandergezogen.</translation>
+    </message>
+    <message>
+        <source>Bears more than %1 here.</source>
+        <extracomment>%1 is a mass</extracomment>
+        <translation>Trägt hier mehr als %1.</translation>
+    </message>
+    <message>
+        <source>What it bears here could not be worked out.</source>
+        <translation>Was es hier trägt, ließ sich nicht ermitteln.</translation>
+    </message>
+    <message>
+        <source>Give it a second foot</source>
+        <translation>Einen zweiten Fuß geben</translation>
+    </message>
+    <message>
+        <source>Bends %1.</source>
+        <extracomment>%1 is a length</extracomment>
+        <translation>Biegt sich um %1.</translation>
+    </message>
+    <message>
+        <source>Make it wider there</source>
+        <translation>Dort breiter machen</translation>
+    </message>
+    <message>
+        <source>then: %1</source>
+        <extracomment>after other things that change; %1 is a verdict such as &quot;Holds 350 g&quot;</extracomment>
+        <translation>dann: %1</translation>
+    </message>
 </context>
 <context>
     <name>Command</name>
@@ -2634,6 +2676,22 @@
         <source>Add p&amp;ush</source>
         <translation>&amp;Druck hinzufügen</translation>
     </message>
+    <message>
+        <source>Where is it stron&amp;g enough?</source>
+        <translation>&amp;Wo ist es stark genug?</translation>
+    </message>
+    <message>
+        <source>Strong where</source>
+        <translation>Wo stark</translation>
+    </message>
+    <message>
+        <source>Colour a section by the mass that each place of it bears</source>
+        <translation>Eine Scheibe danach färben, welche Masse sie an jeder Stelle trägt</translation>
+    </message>
+    <message>
+        <source>Select the section first of which you want to know what it bears</source>
+        <translation>Zuerst die Scheibe auswählen, von der gezeigt werden soll, was sie trägt</translation>
+    </message>
 </context>
 <context>
     <name>CommandLine</name>
@@ -2731,6 +2789,10 @@
     <message>
         <source>Sections bend where joints share a load: finite elements of each; takes seconds.</source>
         <translation>Scheiben biegen sich, wo sich Verbindungen eine Last teilen: finite Elemente für jede; dauert Sekunden.</translation>
+    </message>
+    <message>
+        <source>What acts stays for months: each stock bears the share that it says.</source>
+        <translation>Was wirkt, bleibt Monate: Jedes Material trägt den Anteil, den es angibt.</translation>
     </message>
 </context>
 <context>
@@ -3457,6 +3519,10 @@
     <message>
         <source>a part of its mass</source>
         <translation>einen Teil seiner Masse</translation>
+    </message>
+    <message>
+        <source>a share above 0, 1 at most</source>
+        <translation>ein Anteil über 0, höchstens 1</translation>
     </message>
 </context>
 <context>
@@ -4916,6 +4982,10 @@
         <source>what it bears with sections that bend</source>
         <translation>was es mit biegsamen Scheiben trägt</translation>
     </message>
+    <message>
+        <source>what each place of a section bears</source>
+        <translation>was jede Stelle einer Scheibe trägt</translation>
+    </message>
 </context>
 <context>
     <name>Step</name>
@@ -5549,6 +5619,16 @@
         <extracomment>%1 is the name of a section</extracomment>
         <translation>Kopien von %1 ohne das, was darauf wirkt</translation>
     </message>
+    <message>
+        <source>Give %1 a second foot</source>
+        <extracomment>%1 is the name of a section</extracomment>
+        <translation>%1 einen zweiten Fuß geben</translation>
+    </message>
+    <message>
+        <source>Make %1 wider where it is weak</source>
+        <extracomment>%1 is the name of a section</extracomment>
+        <translation>%1 breiter machen, wo sie schwach ist</translation>
+    </message>
 </context>
 <context>
     <name>fff::SectionNames</name>
@@ -5954,14 +6034,6 @@
         <translation>Am schwächsten in %1: im Hals %2 dessen, was das Material trägt, in der Ecke %3.</translation>
     </message>
     <message>
-        <source>May crack from %1 in all.</source>
-        <translation>Kann ab insgesamt %1 reißen.</translation>
-    </message>
-    <message>
-        <source>Breaks at %1 in all.</source>
-        <translation>Bricht bei insgesamt %1.</translation>
-    </message>
-    <message>
         <source>Weighs %1 N with all that hangs on it.</source>
         <translation>Wiegt mit allem, was daran hängt, %1 N.</translation>
     </message>
@@ -6008,6 +6080,34 @@
     <message>
         <source>A push of %1 N is on no material of %2; the nearest part of it bears it.</source>
         <translation>Ein Druck von %1 N trifft kein Material von %2; das nächste Stück davon trägt ihn.</translation>
+    </message>
+    <message>
+        <source>%1 in all</source>
+        <translation>%1 insgesamt</translation>
+    </message>
+    <message>
+        <source>%1 N in all</source>
+        <translation>%1 N insgesamt</translation>
+    </message>
+    <message>
+        <source>%1 times what acts on it</source>
+        <translation>dem %1-fachen der Last</translation>
+    </message>
+    <message>
+        <source>Bends %1 mm, %2 most.</source>
+        <translation>Biegt sich um %1 mm, am meisten %2.</translation>
+    </message>
+    <message>
+        <source>May crack from %1.</source>
+        <translation>Kann ab %1 einreißen.</translation>
+    </message>
+    <message>
+        <source>Breaks at %1.</source>
+        <translation>Bricht bei %1.</translation>
+    </message>
+    <message>
+        <source>Stress by finite elements, in colours all over the sections; takes seconds.</source>
+        <translation>Spannung mit finiten Elementen, farbig über die ganzen Scheiben; dauert Sekunden.</translation>
     </message>
 </context>
 <context>
@@ -6208,6 +6308,44 @@
     <message>
         <source>Verdicts</source>
         <translation>Urteile</translation>
+    </message>
+</context>
+<context>
+    <name>fff::ui::BearingMarks</name>
+    <message>
+        <source>Bears</source>
+        <translation>Trägt</translation>
+    </message>
+</context>
+<context>
+    <name>fff::ui::BearingPicture</name>
+    <message>
+        <source>The section is not there</source>
+        <translation>Die Scheibe ist nicht da</translation>
+    </message>
+    <message>
+        <source>It does not stand as it is</source>
+        <translation>So, wie es ist, steht es nicht</translation>
+    </message>
+    <message>
+        <source>Strength unknown</source>
+        <translation>Festigkeit unbekannt</translation>
+    </message>
+    <message>
+        <source>working… %1&#x202f;%</source>
+        <translation>läuft… %1 %</translation>
+    </message>
+    <message>
+        <source>working…</source>
+        <translation>läuft…</translation>
+    </message>
+    <message>
+        <source>stopped</source>
+        <translation>angehalten</translation>
+    </message>
+    <message>
+        <source>could not be worked out</source>
+        <translation>nicht berechenbar</translation>
     </message>
 </context>
 <context>
@@ -7763,6 +7901,50 @@
     </message>
 </context>
 <context>
+    <name>fff::ui::MovementRows</name>
+    <message>
+        <source>Movement</source>
+        <translation>Bewegung</translation>
+    </message>
+    <message>
+        <source>Shows where the model bends or comes loose, larger than it is. Nothing is changed.</source>
+        <translation>Zeigt übertrieben, wo sich das Modell biegt oder löst. Es wird nichts verändert.</translation>
+    </message>
+    <message>
+        <source>Play</source>
+        <translation>Abspielen</translation>
+    </message>
+    <message>
+        <source>Motion is reduced: use the slider</source>
+        <translation>Bewegungen sind reduziert: den Regler benutzen</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Anhalten</translation>
+    </message>
+    <message>
+        <source>Nothing is known of how it moves.</source>
+        <translation>Wie es sich bewegt, ist nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>Turn on &quot;Sections bend&quot; to see how it bends.</source>
+        <translation>„Biegsam“ einschalten, um die Biegung zu sehen.</translation>
+    </message>
+    <message>
+        <source>Shown as it begins to come apart.</source>
+        <translation>Gezeigt wird, wie es anfängt, sich zu lösen.</translation>
+    </message>
+    <message>
+        <source>Bends %1, shown %2 times.</source>
+        <extracomment>%1 is a length, %2 a number of times</extracomment>
+        <translation>Biegt sich um %1, %2-fach gezeigt.</translation>
+    </message>
+    <message>
+        <source>Bends %1.</source>
+        <translation>Biegt sich um %1.</translation>
+    </message>
+</context>
+<context>
     <name>fff::ui::NamedNumberGroup</name>
     <message>
         <source>Numbers</source>
@@ -8157,6 +8339,51 @@
     <message>
         <source>could not be worked out</source>
         <translation>nicht berechenbar</translation>
+    </message>
+    <message>
+        <source>Show from</source>
+        <translation>Zeigen ab</translation>
+    </message>
+    <message>
+        <source>Of what the sheet bears: less is not shown</source>
+        <translation>Von dem, was die Platte trägt: weniger wird nicht gezeigt</translation>
+    </message>
+    <message>
+        <source>Strong where</source>
+        <translation>Wo stark</translation>
+    </message>
+    <message>
+        <source>Colours the selected section by the mass that each place of it bears, besides what hangs on the model already. Takes a while.</source>
+        <translation>Färbt die ausgewählte Scheibe danach, welche Masse sie an jeder Stelle trägt, zusätzlich zu dem, was schon am Modell hängt. Dauert eine Weile.</translation>
+    </message>
+    <message>
+        <source>Notch factor, at most</source>
+        <translation>Kerbfaktor, höchstens</translation>
+    </message>
+    <message>
+        <source>How many times stress rises at inner corners follows from the neck&apos;s length, up to this; slits that end round need less</source>
+        <translation>Um wie viel die Spannung an Innenecken steigt, folgt aus der Länge der Engstelle, bis zu diesem Wert; rund endende Schlitze brauchen weniger</translation>
+    </message>
+    <message>
+        <source>for months</source>
+        <translation>für Monate</translation>
+    </message>
+    <message>
+        <source>Loads stay</source>
+        <translation>Last bleibt</translation>
+    </message>
+    <message>
+        <source>Then a stock bears less, as it says itself: acrylic a quarter</source>
+        <translation>Dann trägt ein Material weniger, so viel wie es selbst angibt: Acryl ein Viertel</translation>
+    </message>
+    <message>
+        <source>the selected section</source>
+        <translation>die ausgewählte Scheibe</translation>
+    </message>
+    <message>
+        <source>%1 Bends %2.</source>
+        <extracomment>the state of what is worked out, and a length</extracomment>
+        <translation>%1 Biegt sich um %2.</translation>
     </message>
 </context>
 <context>
@@ -9553,6 +9780,26 @@
     <message>
         <source>Slits</source>
         <translation>Schlitze</translation>
+    </message>
+    <message>
+        <source>before it breaks</source>
+        <translation>bevor es bricht</translation>
+    </message>
+    <message>
+        <source>Bends</source>
+        <translation>Biegt sich</translation>
+    </message>
+    <message>
+        <source>As metal does: the strengths are those from which on it stays bent</source>
+        <translation>Wie Metall: Die Festigkeiten sind die, ab denen es verbogen bleibt</translation>
+    </message>
+    <message>
+        <source>Bears for months</source>
+        <translation>Trägt auf Dauer</translation>
+    </message>
+    <message>
+        <source>Of its strength, where what acts stays: acrylic creeps and crazes</source>
+        <translation>Von seiner Festigkeit, wenn die Last bleibt: Acryl kriecht und wird rissig</translation>
     </message>
 </context>
 <context>
