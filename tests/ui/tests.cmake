@@ -39,6 +39,7 @@ fff_tests(tests_ui LIBRARIES fff::ui TESTS
     ui/tst_lengths
     ui/tst_measures
     ui/tst_names_in_german
+    ui/tst_stress_picture
     ui/tst_theme
     ui/tst_translations
     ALONE ui/tst_translations)

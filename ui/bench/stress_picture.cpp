@@ -5,6 +5,12 @@
 #include "ui/bench/workbench.h"
 #include "ui/settings/settings.h"
 
+#include <QGuiApplication>
+#include <QStyleHints>
+
+#include <algorithm>
+#include <utility>
+
 namespace fff::ui {
 
 namespace {
@@ -31,6 +37,7 @@ StressPicture::StressPicture(Workbench &bench, QObject *parent) : QObject(parent
                     tell();
             });
     connect(&bench.session().scheduler(), &Scheduler::aged, this, tell);
+    connect(&bench, &Workbench::weakPlaceAsked, this, &StressPicture::ask);
     connect(&settings(), &Settings::checksChanged, this, [this, tell] {
         m_held = nullptr; // what is shown of it is another part
         tell();
@@ -46,6 +53,7 @@ const StressMarks *StressPicture::marks()
         return nullptr;
     if (held != m_held) {
         m_held = held;
+        m_isKept = false;
         m_marks = stressMarksOf(held->analysis, held->strength, 0.01 * settings().stressShown());
         m_marks.bent = bentNow(scheduler);
         m_feet = footForces(held->strength);
@@ -78,9 +86,58 @@ void StressPicture::leave()
     light(-1);
 }
 
+void StressPicture::press(const QPointF &point)
+{
+    m_pressed = m_marks.lit;
+    m_pressedAt = point;
+    light(-1);
+}
+
+void StressPicture::release(const QPointF &point)
+{
+    const int pressed = std::exchange(m_pressed, -1);
+    if ((point - m_pressedAt).manhattanLength() >=
+        QGuiApplication::styleHints()->startDragDistance())
+        return;
+    if (m_isKept)
+        return close();
+    if (pressed < 0 || pressed >= static_cast<int>(m_marks.lines.size()))
+        return;
+    keep(pressed);
+}
+
+void StressPicture::keep(int line)
+{
+    m_isKept = true;
+    m_marks.lit = line;
+    m_marks.hasCard = true;
+    Q_EMIT changed();
+}
+
+/// A list beside the view asks: its line is the one with the same ends.
+void StressPicture::ask(const WeakPlace *place, bool opensCard)
+{
+    const auto &lines = m_marks.lines;
+    const auto found = std::find_if(lines.begin(), lines.end(), [place](const StressLine &line) {
+        return place && line.from == place->from && line.to == place->to;
+    });
+    const int line = found == lines.end() ? -1 : static_cast<int>(found - lines.begin());
+    if (!opensCard)
+        light(line);
+    else if (line >= 0)
+        keep(line);
+    m_rest.stop(); // the card comes when it is opened
+}
+
+void StressPicture::close()
+{
+    if (std::exchange(m_isKept, false))
+        light(-1);
+}
+
 void StressPicture::light(int line)
 {
-    if (line == m_marks.lit)
+    if (line == m_marks.lit || m_isKept)
         return;
     m_marks.lit = line;
     m_marks.hasCard = false;

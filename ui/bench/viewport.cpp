@@ -160,6 +160,7 @@ void Viewport::paintGL()
         options.clip = interaction.view().clip;
         const StressMarks *stress = m_stress.marks();
         showStress(m_scene, m_bench.shownModel(), stress ? stress->bent.get() : nullptr);
+        options.leastStress = stress ? stress->least : options.leastStress;
         options.stressAlpha = stress && stress->isOlder ? kOlderStress : 1.0;
         m_renderer.render(shownScene(), interaction.camera(), Vec2(width(), height()),
                           devicePixelRatioF(), theme().viewStyle(), options);
@@ -306,7 +307,7 @@ bool Viewport::isOnOffer(const QPointF &place) const
 void Viewport::mousePressEvent(QMouseEvent *event)
 {
     showFocus(false);
-    m_stress.leave();
+    m_stress.press(event->position());
     m_bearing.leave();
     m_isOfferPressed = event->button() == Qt::LeftButton && isOnOffer(event->position());
     if (m_isOfferPressed)
@@ -328,8 +329,11 @@ void Viewport::mouseMoveEvent(QMouseEvent *event)
 
 void Viewport::mouseReleaseEvent(QMouseEvent *event)
 {
-    if (!std::exchange(m_isOfferPressed, false))
-        m_input.release(event);
+    if (std::exchange(m_isOfferPressed, false))
+        return;
+    m_input.release(event);
+    if (event->button() == Qt::LeftButton)
+        m_stress.release(event->position());
 }
 
 void Viewport::mouseDoubleClickEvent(QMouseEvent *event)
@@ -354,7 +358,9 @@ void Viewport::tabletEvent(QTabletEvent *event)
 
 void Viewport::keyPressEvent(QKeyEvent *event)
 {
-    if (!m_input.keyPress(event))
+    if (event->key() == Qt::Key_Escape && m_stress.isKept())
+        m_stress.close();
+    else if (!m_input.keyPress(event))
         QOpenGLWidget::keyPressEvent(event);
 }
 
@@ -374,8 +380,12 @@ void Viewport::keyReleaseEvent(QKeyEvent *event)
 
 bool Viewport::event(QEvent *event)
 {
+    const auto isBeforeShortcuts = [this](const QKeyEvent *key) {
+        return m_input.isBeforeShortcuts(key) ||
+               (key->key() == Qt::Key_Escape && m_stress.isKept());
+    };
     if (event->type() == QEvent::ShortcutOverride &&
-        m_input.isBeforeShortcuts(static_cast<QKeyEvent *>(event))) {
+        isBeforeShortcuts(static_cast<QKeyEvent *>(event))) {
         event->accept();
         return true;
     }

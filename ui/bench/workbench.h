@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/analysis/problem_look.h"
+#include "core/analysis/weak_place.h"
 #include "core/assembly/joint_editing.h"
 #include "core/interaction/commands.h"
 #include "core/interaction/interaction.h"
@@ -133,6 +134,8 @@ Q_SIGNALS:
     /// The handle of this parameter was clicked.
     void parameterChosen(fff::OperationId operation, const QString &key);
     void problemHovered(int number);
+    /// Its line is to be ringed, and its card opened; null: nothing is asked any more.
+    void weakPlaceAsked(const fff::WeakPlace *place, bool opensCard);
 
 private:
     void announceChanges();

@@ -24,6 +24,7 @@
 
 #include <QCheckBox>
 #include <QHBoxLayout>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QPainter>
 #include <QPushButton>
@@ -142,6 +143,7 @@ PhysicsDock::PhysicsDock(Workbench &bench, QWidget *parent)
             if (i < m_shown.size())
                 frame(m_shown[i].place);
         });
+        button->installEventFilter(this);
         m_placesGroup->add(button);
         m_places.push_back(button);
     }
@@ -440,6 +442,26 @@ void PhysicsDock::refreshPlaces()
                      locale().toString(100.0 * m_shown[i].use, 'f', 0)));
         m_places[i]->setIcon(chipOf(m_shown[i].use, devicePixelRatioF()));
     }
+}
+
+bool PhysicsDock::eventFilter(QObject *watched, QEvent *event)
+{
+    const auto row = std::find(m_places.begin(), m_places.end(), watched);
+    const auto index = static_cast<std::size_t>(row - m_places.begin());
+    if (row == m_places.end() || index >= m_shown.size())
+        return QDockWidget::eventFilter(watched, event);
+    if (event->type() == QEvent::Enter || event->type() == QEvent::FocusIn)
+        Q_EMIT m_bench.weakPlaceAsked(&m_shown[index].place, false);
+    else if (event->type() == QEvent::Leave || event->type() == QEvent::FocusOut)
+        Q_EMIT m_bench.weakPlaceAsked(nullptr, false);
+    else if (event->type() == QEvent::KeyPress) {
+        const int key = static_cast<QKeyEvent *>(event)->key();
+        if (key == Qt::Key_Return || key == Qt::Key_Enter) {
+            Q_EMIT m_bench.weakPlaceAsked(&m_shown[index].place, true);
+            return true;
+        }
+    }
+    return QDockWidget::eventFilter(watched, event);
 }
 
 void PhysicsDock::frame(const WeakPlace &place)

@@ -38,6 +38,9 @@ public:
 protected:
     void showEvent(QShowEvent *event) override;
     void hideEvent(QHideEvent *event) override;
+    /// Of a row of the weakest places: it rings its line while it is hovered or has the keys, and
+    /// Enter opens the card of that.
+    bool eventFilter(QObject *watched, QEvent *event) override;
 
 private:
     /// A row of the weakest places.
