@@ -1,6 +1,7 @@
 #include "core/analysis/straining.h"
 
 #include <algorithm>
+#include <functional>
 #include <numeric>
 
 namespace fff {
@@ -113,6 +114,28 @@ bool isPushedSideways(const Structure &structure)
         const Vec3 sideways = load.force - load.force.dot(structure.up) * structure.up;
         return sideways.norm() > kSideways * load.force.norm();
     });
+}
+
+/// Cut alike wherever they are.
+bool isAlike(const PieceShape &a, const PieceShape &b)
+{
+    return a.outline.rings() == b.outline.rings() && a.slits == b.slits;
+}
+
+std::size_t hashOf(const PieceShape &shape)
+{
+    std::size_t hash = shape.slits.size();
+    const auto add = [&hash](double value) {
+        constexpr std::size_t kFactor = 0x100000001b3; // of FNV
+        hash = (hash ^ std::hash<double>()(value)) * kFactor;
+    };
+    for (const Polygon &ring : shape.outline.rings()) {
+        for (const Vec2 &p : ring) {
+            add(p.x());
+            add(p.y());
+        }
+    }
+    return hash;
 }
 
 /// Of each line the worst of several ways to bear a load.
@@ -267,9 +290,17 @@ const Stock &Straining::stockOf(int body) const
 std::shared_ptr<const SectionCuts> Straining::cutsOf(int body) const
 {
     auto &kept = m_caches.cuts[m_analysis.bodies.pointer(body)];
-    if (!kept)
-        kept = std::make_shared<const SectionCuts>(
-            PieceShape(m_analysis.bodies.at(body).outline().region, slitsOf(m_analysis, body)));
+    if (kept)
+        return kept;
+    PieceShape shape(m_analysis.bodies.at(body).outline().region, slitsOf(m_analysis, body));
+    const std::size_t hash = hashOf(shape);
+    const auto [first, last] = m_caches.alike.equal_range(hash);
+    const auto same = std::find_if(
+        first, last, [&](const auto &other) { return isAlike(other.second->shape(), shape); });
+    if (same != last)
+        return kept = same->second;
+    kept = std::make_shared<const SectionCuts>(std::move(shape));
+    m_caches.alike.emplace(hash, kept);
     return kept;
 }
 

@@ -9,6 +9,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <unordered_map>
 #include <vector>
 
 namespace fff {
@@ -67,6 +68,8 @@ struct StrengthCaches
 {
     std::map<BodyPointer, std::shared_ptr<const SectionCuts>> cuts;
     std::map<BodyPointer, KeptShares> shares; // of no more bodies than cuts
+    /// The same by a hash of their shapes: bodies that are alike in their frames share them.
+    std::unordered_multimap<std::size_t, std::shared_ptr<const SectionCuts>> alike;
     EquilibriumCache equilibria;
     BendingBodies::Cache bending;
     PlateMeshes meshes;

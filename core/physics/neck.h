@@ -15,6 +15,8 @@ struct SlitLine
     Vec2 root = Vec2::Zero();     // middle of its inner end
     Vec2 opening = Vec2::UnitX(); // unit: the way in which it opens
     double depth = 0.0, width = 0.0;
+
+    bool operator==(const SlitLine &) const = default;
 };
 
 /// A vertex of the boundary with more than 200° of material around it.

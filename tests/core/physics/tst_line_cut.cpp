@@ -93,6 +93,7 @@ private Q_SLOTS:
     void bothSidesAgree();
     void ringsMayRunEitherWay();
     void thousandsOfVertices();
+    void nearAsOnAllOfTheLine();
 };
 
 void TestLineCut::sidesAreThoseOfClipper()
@@ -270,6 +271,47 @@ void TestLineCut::thousandsOfVertices()
         stressOf(SectionCuts(shape), heldAt({-95, 0}, {forceAt({95, 0}, {0, -1, 0})}), {});
     QVERIFY(isFinite(stress));
     QVERIFY(stress.necks.size() > 50);
+}
+
+void TestLineCut::nearAsOnAllOfTheLine()
+{
+    // Wrong: how far a cut looks along its line to begin with changes which one it finds.
+    std::mt19937 random(13);
+    std::uniform_real_distribution<double> place(-50, 50), angle(0, 2.0 * std::numbers::pi);
+    int begun = 0, containing = 0, overHoles = 0;
+    const auto isSame = [](const std::optional<CutChord> &a, const std::optional<CutChord> &b) {
+        if (!a || !b)
+            return a.has_value() == b.has_value();
+        return a->chord == b->chord && a->cut.plus.area == b->cut.plus.area &&
+               a->cut.chords.size() == b->cut.chords.size() &&
+               a->cut.chords.front().from == b->cut.chords.front().from &&
+               a->cut.chords.back().to == b->cut.chords.back().to;
+    };
+    for (int i = 0; i < 300; ++i) {
+        const SectionOutline outline(starWithHoles(random));
+        LineCutter cutter(outline);
+        const double a = angle(random);
+        const Vec2 way(std::cos(a), std::sin(a));
+        const Vec2 at(place(random), place(random));
+        // From a vertex, from a point of an edge, from anywhere.
+        const Polygon &ring = outline.rings()[random() % outline.rings().size()];
+        for (const Vec2 &from : {ring[random() % ring.size()], outline.nearest(at).at}) {
+            const auto whole = cutter.from({from, way}, 1000.0);
+            for (const double reach : {0.01, 1.0, 15.0})
+                QVERIFY(isSame(cutter.from({from, way}, reach), whole));
+            begun += whole ? 1 : 0;
+            overHoles += whole && whole->cut.chords.size() > 1 ? 1 : 0;
+        }
+        const auto whole = cutter.at({at, way}, 3.0, 0.1, 1000.0);
+        const auto nearest = cutter.nearest({at, way}, 8.0, 1000.0);
+        for (const double reach : {0.01, 1.0, 15.0}) {
+            QVERIFY(isSame(cutter.at({at, way}, 3.0, 0.1, reach), whole));
+            QVERIFY(isSame(cutter.nearest({at, way}, 8.0, reach), nearest));
+        }
+        containing += whole && nearest ? 1 : 0;
+    }
+    QVERIFY2(begun > 100 && containing > 50 && overHoles > 20,
+             qPrintable(QStringLiteral("%1 %2 %3").arg(begun).arg(containing).arg(overHoles)));
 }
 
 FFF_TEST(TestLineCut)
