@@ -153,6 +153,7 @@ LineCutter::Found LineCutter::collect(const std::vector<OutlineCrossing> &crossi
                                       const Wanted &wanted, bool isFromStart, bool isToEnd)
 {
     Run run;
+    const std::size_t known = m_candidates.size();
     if (!isFromStart) {
         if (wanted.isBeginning &&
             std::none_of(crossings.begin(), crossings.end(), [&wanted](const OutlineCrossing &c) {
@@ -190,6 +191,10 @@ LineCutter::Found LineCutter::collect(const std::vector<OutlineCrossing> &crossi
             if (wanted.contains(c->along, (c + 1)->along))
                 m_candidates.push_back({run, chord, c->along, (c + 1)->along});
     }
+    // The material begins there, but nothing came of it: two crossings at one place, of which
+    // either may be the first.
+    if (wanted.isBeginning && !isFromStart && m_candidates.size() == known)
+        return Found::Unclear;
     return Found::All;
 }
 
