@@ -2,7 +2,7 @@
 
 #include "core/analysis/footing.h"
 #include "core/analysis/load_points.h"
-#include "core/assembly/intervals.h"
+#include "core/assembly/rings_near.h"
 #include "core/base/tolerances.h"
 
 #include <algorithm>
@@ -87,8 +87,11 @@ double wallDepth(const LinkSide &side, double depth)
         const double beside = (wall == 0 ? 1.0 : -1.0) * (0.5 * slit.width + kGripWall);
         const PlaneLine line{slit.inner + beside * perpendicular(way), way};
         double longest = 0.0;
-        for (const CurvedRegion &piece : side.cut->parts())
-            for (const Interval &interval : intervalsOn(line, piece.region)) {
+        for (std::size_t i = 0; i < side.cut->parts().size(); ++i) {
+            const RingsNear near(
+                line, side.cut->parts()[i].region,
+                [&]() -> const RegionTree & { return side.cut->trees()[i]; }, 0.0);
+            for (const Interval &interval : intervalsOn(line, near.region())) {
                 const double from = std::max(0.0, interval.from.at);
                 const double to = std::min(depth, interval.to.at);
                 if (to - from > longest) {
@@ -96,6 +99,7 @@ double wallDepth(const LinkSide &side, double depth)
                     ends[wall] = to;
                 }
             }
+        }
     }
     const auto [least, most] = std::minmax(ends[0], ends[1]);
     return least > 0.0 ? least : most > 0.0 ? most : depth;
@@ -201,6 +205,15 @@ void addFeet(const Analysis &analysis, Structure &structure)
     }
 }
 
+/// Of a body with many vertices by its tree: a spine has a slit for each of its ribs.
+Side sideOf(const Vec2 &point, const Body &body)
+{
+    constexpr std::size_t kMany = 64;
+    const Region &region = body.outline().region;
+    return region.outer.size() < kMany ? locate(point, region)
+                                       : body.cut()->trees()[body.piece()].locate(point);
+}
+
 /// In the world, N.
 Vec3 forceOf(const Load &load, const PlacedLoad &placed, const Frame &frame, const Vec3 &gravity)
 {
@@ -273,18 +286,19 @@ Vec3 inFrame(const Frame &frame, const Vec3 &v)
 std::vector<SlitLine> slitsOf(const Analysis &analysis, int body)
 {
     const int section = analysis.bodies.sectionOf(body);
-    const Region &region = analysis.bodies.at(body).outline().region;
     const Shape &shape = *analysis.model.section(static_cast<std::size_t>(section))->shape;
     std::vector<SlitLine> lines;
     for (const Slit &slit : analysis.assembly.slits[static_cast<std::size_t>(section)]) {
         if (slit.role != SlitRole::Slit || !slit.isOpen || slit.inner == slit.mouth)
             continue;
         const Vec2 way = (slit.mouth - slit.inner).normalized();
-        if (locate(slit.bottom() - kGripWall * way, region) != Side::Inside)
+        if (sideOf(slit.bottom() - kGripWall * way, analysis.bodies.at(body)) != Side::Inside)
             continue;
         // The mouth lies beyond the contour: as deep as there is material beside it.
         double depth = (slit.mouth - slit.inner).norm();
-        for (const Interval &interval : intervalsOn({slit.inner, way}, shape.region()))
+        const PlaneLine axis{slit.inner, way};
+        const RingsNear near(axis, shape, 0.0);
+        for (const Interval &interval : intervalsOn(axis, near.region()))
             if (interval.from.at <= kMinOverlap && interval.to.at > kMinOverlap)
                 depth = std::min(depth, interval.to.at);
         lines.push_back({slit.inner, way, depth, slit.width});

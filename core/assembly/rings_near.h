@@ -1,4 +1,4 @@
-// What of a shape's boundary a line comes near to. Internal to assembly.
+// What of a shape's boundary a line comes near to.
 #pragma once
 
 #include "core/assembly/intervals.h"

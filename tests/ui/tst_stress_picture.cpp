@@ -7,7 +7,6 @@
 #include "tests/ui/window_fixture.h"
 #include "ui/base/field_style.h"
 #include "ui/bench/stress_picture.h"
-#include "ui/view/offscreen_image.h"
 
 #include <QDockWidget>
 #include <QPushButton>
@@ -70,8 +69,7 @@ void TestStressPicture::init()
     bench().run(QStringLiteral("check.stress"), {{"on", "true"}});
     m_picture = std::make_unique<StressPicture>(bench());
     QVERIFY(m_picture->marks() && !marks().lines.empty());
-    bench().interaction().setCamera(
-        cameraFor(sceneOf(*bench().session().currentAnalysis()), "iso1", kSize));
+    bench().run(QStringLiteral("view.fit"));
 }
 
 void TestStressPicture::cleanup()

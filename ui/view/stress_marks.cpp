@@ -18,11 +18,11 @@ struct StressTexts
     Q_DECLARE_TR_FUNCTIONS(fff::ui::StressMarks)
 };
 
-constexpr double kThinnest = 1.5, kThickest = 4.0;     // px
-constexpr double kReach = 6.0;                         // px from a line: it is meant
-constexpr double kRing = 24.0;                         // px across
-constexpr double kMargin = 8.0, kLegendTop = 116.0;    // px: under the cube
-constexpr double kBarWidth = 12.0, kBarHeight = 160.0; // px
+constexpr double kThinnest = 1.5, kThickest = 4.0;        // px
+constexpr double kReach = 6.0;                            // px from a line: it is meant
+constexpr double kRing = 24.0;                            // px across
+constexpr double kLegendMargin = 8.0, kLegendTop = 116.0; // px: under the cube
+constexpr double kBarWidth = 12.0, kBarHeight = 160.0;    // px
 
 double widthOf(double use)
 {
@@ -97,7 +97,7 @@ void paintLegend(MarkPen &pen, const StressMarks &marks, const QLocale &locale)
     QFont font = painter.font();
     font.setPixelSize(12);
     painter.setFont(font);
-    const double right = pen.viewport().x() - kMargin, top = kLegendTop;
+    const double right = pen.viewport().x() - kLegendMargin, top = kLegendTop;
     const QRectF ground(right - 108.0, top, 108.0, kBarHeight + 62.0);
     painter.setPen(Qt::NoPen);
     painter.setBrush(faded(style.panel, 0.72));
@@ -222,7 +222,7 @@ void paintStress(MarkPen &pen, const StressMarks &marks, const ViewState &view,
     }
     paintForces(pen, marks.forces, marks.isOlder, locale);
     if (worstShown(marks) == 0.0)
-        pen.chip({pen.viewport().x() - kMargin, kLegendTop + 11.0}, MarkPen::Anchor::Right,
+        pen.chip({pen.viewport().x() - kLegendMargin, kLegendTop + 11.0}, MarkPen::Anchor::Right,
                  withoutLines(marks, locale), pen.style().muted);
     else
         paintLegend(pen, marks, locale);

@@ -3,13 +3,14 @@
 
 #include "core/physics/plate_attachment.h"
 #include "core/physics/stress_field.h"
-#include "tests/core/physics/plate_case.h"
+#include "tests/core/physics/reference_plates.h"
 #include "tests/test_program.h"
 #include "tests/told.h"
 
 #include <cmath>
 
 using namespace fff;
+using namespace fff::test;
 
 namespace {
 
@@ -87,27 +88,27 @@ void TestStressField::whatSolversInSpaceFind_data()
 void TestStressField::whatSolversInSpaceFind()
 {
     QFETCH(QString, file);
-    const auto plates = readCase(file);
-    if (!plates)
+    QString error;
+    const auto found = readReferenceCase(file, &error);
+    if (!found)
         FFF_WITHOUT_SHARED();
-    const auto plate = casePlate(*plates, 0);
+    const auto plate = plateOf(*found, 0);
     QVERIFY(plate.has_value());
-    const std::vector<PlateField> cases{caseDisplacements(*plates, *plate, 0, {})};
+    const std::vector<PlateField> cases{plate->model.solve(plate->loads)};
     const double strength = 30.0;
     const StressField field = stressField(plate->model, cases, strength, {});
     int compared = 0;
-    for (const QJsonValue value : plates->json["truth"_L1].toObject()["cuts"_L1].toArray()) {
-        const QJsonObject cut = value.toObject();
-        if (cut["name"_L1].toString().startsWith(u"skew"))
+    for (const ReferenceCut &cut : found->truth.cuts) {
+        if (cut.name.starts_with("skew"))
             continue; // not square to the member: what is normal to it is not the largest
-        const Vec2 p0 = vec2Of(cut["p0"_L1]), p1 = vec2Of(cut["p1"_L1]);
         double worst = 0.0;
         for (const std::size_t face : {0u, 1u})
             for (const double share : {0.0, 0.5, 1.0})
-                worst = std::max(worst, useAt(field, face, p0 + share * (p1 - p0)));
-        const double truth = cut["fem"_L1].toObject()["sigma_lin"_L1].toDouble() / strength;
+                worst = std::max(worst, useAt(field, face, cut.from + share * (cut.to - cut.from)));
+        const double truth = cut.said("sigma_lin").value() / strength;
         QVERIFY2(std::abs(worst / truth - 1.0) < 0.05,
-                 qPrintable(cut["name"_L1].toString() + QStringLiteral(": %1").arg(worst / truth)));
+                 qPrintable(QString::fromStdString(cut.name) +
+                            QStringLiteral(": %1").arg(worst / truth)));
         ++compared;
     }
     QVERIFY(compared >= 2);
